@@ -135,7 +135,8 @@ TEST_CASE(
 
 TEST_CASE("outputs that cannot be written are refused before the volume is read") {
   const Workshop workshop;
-  workshop.write("cut.nrrd", volume_files::nrrd("type: uchar\nencoding: ascii\n", "9 9 9") + "\n1 2");
+  workshop.write("cut.nrrd",
+                 volume_files::nrrd("type: uchar\nencoding: ascii\n", "9 9 9") + "\n1 2");
   workshop.write("file", "");
   workshop.shell("mkdir folder.stl");
   const std::string cut = "extract cut.nrrd --iso 1 ";

@@ -350,17 +350,6 @@ TEST_CASE("one slice of a series is a volume, with a hint to its folder") {
   CHECK(noted(reader->info(), "give its folder"));
 }
 
-TEST_CASE("slices that are shifted or without positions are refused") {
-  const Series tilted;
-  for (int z = 0; z < depth; ++z)
-    tilted.put(z, replaced(slice(z), "-20.000", "-2" + std::to_string(z) + ".000"));
-  check_refusal(refusal(tilted.path()), "shifted aside by 1 mm");
-  const Series unplaced;
-  for (int z = 0; z < depth; ++z)
-    unplaced.put(z, replaced(slice(z), "-10.000\\-20.000\\" + place(z), "                       "));
-  check_refusal(refusal(unplaced.path()), "5 slices tell no position");
-}
-
 TEST_CASE("axes of the patient are those of the slices, and never mirrored") {
   const Series series;
   series.replace(orientation, "-1.00\\0.000\\0.000\\0.000\\1.000\\0.000");

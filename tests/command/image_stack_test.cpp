@@ -151,6 +151,9 @@ TEST_CASE("a picture is what its first bytes say, whatever its name") {
     CHECK(open_volume(folder.write("v.png", bytes))->info().dims[0] == width);
   }
   check_refusal(refusal(folder.write("v.png", "no picture")), "no PNG, TIFF, JPEG or BMP file");
+  for (const std::string name : {"slice1", "slice2"})
+    folder.write(name, contents(files / "u8.png"));
+  CHECK(open_volume(folder.path() / "slice*")->info().dims[2] == 2);
 }
 
 TEST_CASE("a slice of another size or type is refused by its name") {

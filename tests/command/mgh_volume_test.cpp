@@ -12,8 +12,8 @@
 namespace {
 
 using namespace volume_files;
-using discmc::command::Axes;
 using discmc::Frame;
+using discmc::command::Axes;
 
 template <class Number>
 std::string big_endian(Number number) {

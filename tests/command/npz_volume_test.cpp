@@ -30,7 +30,12 @@ TEST_CASE("an archive that is damaged, cut off, or holds no array is refused") {
   const std::string bytes = contents(files / "npz/i16-little-deflate.npz");
   for (std::size_t size = 0; size < bytes.size(); size += 11) {
     INFO("cut at ", size);
-    refusal(folder.write("cut.npz", bytes.substr(0, size)));
+    const auto file = folder.write("cut.npz", bytes.substr(0, size));
+    const bool is_table_cut_alone = size > bytes.find("PK\1\2");
+    if (is_table_cut_alone)
+      check_volume(file, SampleType::i16, "NumPy, npz");
+    else
+      refusal(file);
   }
   std::string changed = bytes;
   changed[100] = static_cast<char>(changed[100] ^ 1);

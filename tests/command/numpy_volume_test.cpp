@@ -217,7 +217,7 @@ TEST_CASE("floating point of 16 bits is read as that of 32") {
   CHECK(std::isnan(read[2]));
   check_refusal(
       refusal(folder.write("short.npy", npy("<f2", "2, 2, 2", special + special.substr(1)))),
-      "2 bytes of it are missing");
+      "4 bytes of it are missing");
 }
 
 TEST_CASE("samples behind an array are noted, whatever its axes are") {

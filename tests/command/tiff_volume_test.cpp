@@ -302,7 +302,7 @@ TEST_CASE("ImageJ's units are read as it writes them") {
   CHECK(noted(in_pixels, "its unit is 'pixel', which is no length"));
   CHECK(noted(in_pixels, "no spacing given"));
   const VolumeInfo flat = info_of(numbered(3, "ImageJ=1\nimages=3\nunit=mm\n", of_four_units));
-  CHECK(noted(flat, "no distance of slices given, 1 mm taken, as ImageJ does"));
+  CHECK(noted(flat, "no distance of slices given, 1 unit taken, as ImageJ does"));
   check_spacing(flat, {4, 4, 1});
 }
 
@@ -335,7 +335,29 @@ TEST_CASE("times of one slice are no slices") {
   const fs::path file =
       folder.write("v.tif", numbered(3, "ImageJ=1\nimages=3\nframes=3\n").bytes());
   check_refusal(refusal(file), "the file holds 3 volumes of one slice each");
+  check_refusal(refusal(file), "if they are slices, give --axes zyx");
   CHECK(pages_read(file, chosen(1, {})) == Pages{1});
+}
+
+VolumeOptions with_axes(const std::string& axes, VolumeOptions options = {}) {
+  options.axes = axes;
+  return options;
+}
+
+TEST_CASE("axes that are given say what the pages are, as the refusal of one slice each says") {
+  const Folder folder;
+  for (const std::string stack : {"channels=4\n", "frames=4\n", "channels=2\nframes=2\n"}) {
+    const fs::path file =
+        folder.write("v.tif", numbered(4, "ImageJ=1\nimages=4\n" + stack).bytes());
+    check_refusal(refusal(file), "of one slice each, and one is read at a time");
+    check_refusal(refusal(file), "the first is 0; if they are slices, give --axes zyx");
+    CHECK(pages_read(file, with_axes("zyx")) == Pages{0, 1, 2, 3});
+    CHECK(pages_read(file, with_axes("tyx", chosen(3, {}))) == Pages{3});
+    CHECK(pages_read(file, with_axes("cyx", chosen({}, 2))) == Pages{2});
+    check_refusal(refusal(file, with_axes("zxy")), "and not 'zxy'; give --axes zyx, cyx or tyx");
+    check_refusal(refusal(file, with_axes("czyx")), "and not 'czyx'");
+  }
+  check_refusal(refusal(files / "u8.png", with_axes("zyx")), "axes are named, but this is PNG");
 }
 
 TEST_CASE("ImageJ's straight line makes values of samples, and its origin places them") {
@@ -402,6 +424,17 @@ TEST_CASE("smaller copies among the pages, and within them, are left out with a 
   CHECK(info.dims == Dims{2, 2, 2});
   CHECK(noted(info, "pages that are smaller copies or masks left out: 1"));
   CHECK(noted(info, "mostly smaller copies, left out: 2"));
+}
+
+TEST_CASE("bytes behind the only page are noted, unless they may well be metadata") {
+  const auto notes_much = [](std::size_t behind) {
+    Tiff tiff;
+    tiff.page(256, 256, std::string(65536, 'a')).behind(std::string(behind, 'b'));
+    return noted(info_of(tiff), "bytes behind its only page left out");
+  };
+  CHECK(notes_much(200000));
+  CHECK(!notes_much(60000));
+  CHECK(!notes_much(0));
 }
 
 TEST_CASE("a page whose rows begin below or at the right is no mirrored one") {

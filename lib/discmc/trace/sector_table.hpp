@@ -105,7 +105,7 @@ struct SectorTable {
   uint16_t cell[64];  ///< [bits of the quadrant's three lines, mirrored if the lower end is on]:
                       ///< headings in bits 0 to 7, indices into edges in 8 to 11, part in 12 to 15
   uint32_t part[15];  ///< of counts (CountParts)
-  uint8_t edges[2][12];    ///< [lower end is on]: CellAtVertex::edges
+  uint8_t edges[2][9];     ///< [lower end is on]: CellAtVertex::edges
   uint8_t face_way[2][4];  ///< [lower end is on][bits of the line, likewise]: one of the ways on
                            ///< the face
   AxisTable axis[3];

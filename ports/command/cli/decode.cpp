@@ -70,7 +70,7 @@ void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
 std::unique_ptr<VolumeReader> open_volume_of(const DecodedStream& decoded,
                                              const StreamArguments& arguments) {
   const StreamHeader& header = decoded.header;
-  VolumeOptions options = volume_options(arguments.layout);
+  VolumeOptions options = arguments.options;
   if (options.layout && !options.spacing_mm) {
     options.spacing_mm = spacing_mm(header);
     for (double& spacing : *options.spacing_mm) spacing /= options.shrink;

@@ -14,13 +14,12 @@
 #include "statistics/measured_volume.hpp"
 #include "summary.hpp"
 #include "surface_receiver.hpp"
-#include "volumes/label_table.hpp"
 
 namespace discmc::command {
 
 /// Each writes its files, then the table, and returns the exit code.
-int extract_stream(const ExtractArguments& arguments);
-int extract_meshes(const ExtractArguments& arguments);
+int extract_stream(ExtractArguments arguments);
+int extract_meshes(ExtractArguments arguments);
 int extract_label_meshes(const ExtractArguments& arguments);
 
 /// One a surface, in the order of the selections.
@@ -34,21 +33,15 @@ struct ExtractedStream {
   std::size_t slice_memory = 0;         ///< that its encoder took; Units: bytes
 };
 
-/// Writes the stream alone. Throws when a surface is empty that may not be.
-ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& out);
+/// Writes the stream alone. arguments: get the labels that are found. Throws when a surface is
+/// empty that may not be.
+ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out);
 
 /// kept: of every surface, if anything is.
 SurfaceReceivers receivers_for(const std::vector<NamedSelection>& selections,
                                std::optional<Kept> kept);
 std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selections,
                                         const SurfaceReceivers& receivers);
-
-/// The table of labels that was given, or an empty one.
-LabelTable label_table_of(const ExtractArguments& arguments);
-
-/// Gives a label the name and the colour that it has in the table, if it is there. Control
-/// characters of the name, which a terminal would obey, become underscores.
-void describe(NamedSelection& selection, const LabelTable& table);
 
 /// How much is done at once: as asked for, or as there are cores.
 unsigned jobs_of(const ExtractArguments& arguments);

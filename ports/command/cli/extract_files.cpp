@@ -11,7 +11,6 @@
 #include "mesh_output.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
-#include "text/value_text.hpp"
 #include "volume_input.hpp"
 
 namespace discmc::command {
@@ -25,8 +24,7 @@ void add_normals(const ExtractArguments& arguments, const Selection& selection,
   else
     set_polygon_normals(surface, mesh);
   if (arguments.normals == Normals::surface) return;
-  const auto again =
-      open_for_gradient(arguments.volume, volume_options(arguments.reading.layout), selection.low);
+  const auto again = open_for_gradient(arguments.volume, arguments.reading.options, selection.low);
   add_gradient_normals(*again.reader, mesh);
 }
 
@@ -39,27 +37,24 @@ MeshOptions options_of(const ExtractArguments& arguments, const SurfaceOutput& o
 
 }  // namespace
 
-MeshFiles::MeshFiles(const ExtractArguments& arguments,
-                     const std::optional<VolumePlacement>& placement)
-    : arguments_(arguments), placement_(placement) {
+MeshFiles::MeshFiles(const ExtractArguments& arguments) : arguments_(arguments) {
   const FilePattern pattern(arguments.output);
-  const bool has_several = arguments.takes_all_labels || arguments.reading.selections.size() > 1;
-  are_one_ = has_several && !pattern.has_name();
   if (pattern.has_name())
     pattern.require_folder();
   else
     file_.emplace(arguments.output);
 }
 
-std::vector<std::string> MeshFiles::names_for(const std::vector<NamedSelection>& selections) const {
+std::vector<std::string> MeshFiles::names_for(const std::vector<NamedSelection>& selections) {
   const FilePattern pattern(arguments_.output);
+  are_one_ = !pattern.has_name() && (!arguments_.labels.empty() || selections.size() > 1);
   if (!pattern.has_name()) return std::vector<std::string>(selections.size(), arguments_.output);
   std::vector<std::string> names;
   std::set<std::string> taken;
   for (const NamedSelection& each : selections) {
     std::string addition;
     while (!taken.insert(pattern.file_for(each.name, addition)).second)
-      addition += "-" + value_text(each.selection.low);
+      addition += "-" + each.given;
     names.push_back(pattern.file_for(each.name, addition));
   }
   return names;
@@ -104,7 +99,7 @@ void MeshFiles::finish() {
   write_to(*file_,
            [&](std::ostream& out) { write_meshes(meshes, format_of(arguments_.output), out); });
   file_->commit();
-  if (!arguments_.quiet) write_file(arguments_.output, std::cout);
+  if (!arguments_.quiet) print_file(arguments_.output, std::cout);
 }
 
 Mesh MeshFiles::mesh_of(const SurfaceOutput& output) const {

@@ -25,15 +25,19 @@ struct SurfaceOutput {
 /// One file per mesh if --output has a place for their names, else one file that holds all.
 class MeshFiles {
  public:
-  /// arguments: Owner: the caller. placement: of the meshes. Throws where no file can be written.
-  MeshFiles(const ExtractArguments& arguments, const std::optional<VolumePlacement>& placement);
+  /// arguments: Owner: the caller. Throws where no file can be written: so call it before the
+  /// volume is read.
+  explicit MeshFiles(const ExtractArguments& arguments);
+
+  /// Where the meshes lie.
+  void set_placement(const std::optional<VolumePlacement>& placement) { placement_ = placement; }
 
   /// Whether all meshes go into one file.
   bool are_one() const { return are_one_; }
 
   /// The files of surfaces. No two are the same where each has its own: of equal names all but the
-  /// first get their label or threshold as well.
-  std::vector<std::string> names_for(const std::vector<NamedSelection>& selections) const;
+  /// first get what was given as well.
+  std::vector<std::string> names_for(const std::vector<NamedSelection>& selections);
 
   /// Writes the mesh of a surface, or keeps it for the file of all; the surface is then empty.
   MeshSummary add(const SurfaceOutput& output);
@@ -50,7 +54,7 @@ class MeshFiles {
 
   const ExtractArguments& arguments_;
   std::optional<VolumePlacement> placement_;
-  bool are_one_;
+  bool are_one_ = false;
   std::optional<OutputFile> file_;  // where there is only one
   std::vector<Mesh> meshes_;        // of it, if it holds several
 };

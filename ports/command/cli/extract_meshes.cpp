@@ -10,18 +10,19 @@
 #include "mesh_output.hpp"
 #include "progress.hpp"
 #include "require.hpp"
+#include "text/say.hpp"
 #include "volume_input.hpp"
 
 namespace discmc::command {
 
-int extract_meshes(const ExtractArguments& arguments) {
+int extract_meshes(ExtractArguments arguments) {
   if (arguments.normals == Normals::gradient) require_second_pass(arguments.volume, gradient_pass);
-  const std::vector<NamedSelection>& selections = arguments.reading.selections;
+  MeshFiles files(arguments);
   const auto volume = open_measured(arguments.volume, arguments.reading);
+  const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const VolumeInfo& info = volume->info();
   const auto mask = open_noted_mask(arguments.reading, info);
-  const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);
-  MeshFiles files(arguments, placement);
+  files.set_placement(mesh_placement(arguments.volume, info.placement, arguments.space));
   const std::vector<std::string> names = files.names_for(selections);
   Progress progress("extracting", info.dims[2]);
   ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
@@ -35,6 +36,10 @@ int extract_meshes(const ExtractArguments& arguments) {
   for (std::size_t i = 0; i < finders.size(); ++i) requests[i].crossings = &finders[i];
   const std::vector<Extraction> extractions = extract(*volume, options, requests);
   note_not_numbers(arguments, extractions[0].not_numbers);
+  if (arguments.interpolates && volume->has_two_values())
+    say(arguments.volume,
+        "there are two values alone, as in a mask, so the interpolated surface keeps the steps of "
+        "the voxels; leave out --surface interpolated, or give the scan that the mask was made of");
   check_surfaces(arguments, extractions, *volume);
 
   for (std::size_t i = 0; i < receivers.size(); ++i) {
@@ -53,8 +58,8 @@ int extract_meshes(const ExtractArguments& arguments) {
     if (files.are_one())
       std::cout << selections[i].name << '\n';
     else
-      write_file(names[i], std::cout);
-    write_mesh_table(mesh, extractions[i], std::cout);
+      print_file(names[i], std::cout);
+    print_mesh_table(mesh, extractions[i], std::cout);
   }
   files.finish();
   if (!arguments.quiet) require_written(std::cout);

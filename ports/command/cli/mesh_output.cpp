@@ -1,6 +1,5 @@
 #include "mesh_output.hpp"
 
-#include <iostream>
 #include <stdexcept>
 
 #include "mesh_files/file_format.hpp"
@@ -9,6 +8,8 @@
 #include "meshes/placing.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "progress.hpp"
+#include "text/number_text.hpp"
+#include "text/say.hpp"
 
 namespace discmc::command {
 namespace {
@@ -70,22 +71,24 @@ void note_rounding(const std::string& file, const Mesh& mesh) {
   const std::optional<Point> origin = origin_of_floats(file, mesh);
   if (!origin || suits_floats(mesh, *origin)) return;
   const std::size_t places = count_float_places(mesh, *origin);
-  std::cerr << "discmc: " << file << ": coordinates are rounded to " << float_step_mm(mesh, *origin)
-            << " mm, as " << traits_of(format_of(file)).extension << " files hold 32-bit floats";
+  std::string text = "coordinates are rounded to " + short_number(float_step_mm(mesh, *origin)) +
+                     " mm, as " + std::string(traits_of(format_of(file)).extension) +
+                     " files hold 32-bit floats";
   if (places < mesh.vertices_mm.size())
-    std::cerr << ", and " << mesh.vertices_mm.size() << " vertices are in " << places << " places";
-  std::cerr << ": write " << extensions(&FormatTraits::holds_doubles);
-  if (suits_floats(mesh, mesh.vertices_mm[0])) std::cerr << ", or give --space voxel";
-  std::cerr << '\n';
+    text += ", and " + std::to_string(mesh.vertices_mm.size()) + " vertices are in " +
+            std::to_string(places) + " places";
+  text += ": write " + extensions(&FormatTraits::holds_doubles);
+  if (suits_floats(mesh, mesh.vertices_mm[0])) text += ", or give --space voxel";
+  say(file, text);
 }
 
 void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh) {
   if (mesh.left_out.empty()) return;
-  std::cerr << "discmc: " << input << ": " << mesh.left_out.size() << " of "
-            << surface.polygons.size()
-            << " polygons left out, as their rings cross or bound nothing; -o FILE.jsonl has the "
-               "first in line "
-            << mesh.left_out[0] + 1 << '\n';
+  say(input, std::to_string(mesh.left_out.size()) + " of " +
+                 std::to_string(surface.polygons.size()) +
+                 " polygons left out, as their rings cross or bound nothing; -o FILE.jsonl has the "
+                 "first in line " +
+                 std::to_string(mesh.left_out[0] + 1));
 }
 
 void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface) {
@@ -93,8 +96,8 @@ void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface
   const Progress progress("choosing");
   const ComponentCounts counts = keep_components(surface, choice);
   if (counts.kept == counts.found) return;
-  std::cerr << "discmc: " << name << ": " << counts.kept << " of " << counts.found
-            << " bodies and cavities kept\n";
+  say(name, std::to_string(counts.kept) + " of " + std::to_string(counts.found) +
+                " bodies and cavities kept");
 }
 
 void add_gradient_normals(VolumeReader& volume, Mesh& mesh) {

@@ -36,7 +36,7 @@ Mesh mesh_to_draw(const RenderArguments& arguments, const Surface& surface) {
 // The gradient is that of the surface only where a threshold alone divides the samples.
 bool has_gradient(const VolumeArguments& arguments) {
   return arguments.median == 0 && arguments.mask.empty() &&
-         !arguments.selections[0].selection.has_upper_end();
+         !arguments.selections[0].has_upper_end();
 }
 
 // options: of the extraction. volume: not yet read; is at the end.
@@ -45,20 +45,20 @@ Mesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
   options.normals = arguments.smooth && has_gradient(arguments.reading);
   std::unique_ptr<VolumeReader> narrow;
   if (options.normals && !is_scanner_type(volume.info().type)) {
-    narrow = narrowed_again(arguments.input, volume_options(arguments.reading.layout),
-                            options.selection.low, volume);
+    narrow =
+        narrowed_again(arguments.input, arguments.reading.options, options.selection.low, volume);
     options.selection = 0;
   }
   SurfaceBuilder builder;
   GrowingJoiner joiner(make_sink(builder));
-  const Selection& asked = arguments.reading.selections[0].selection;
+  const NamedSelection& asked = arguments.reading.selections[0];
   const Extraction extraction = extract(narrow ? *narrow : volume, options, make_sink(joiner));
   check_surface(arguments.input, arguments.reading, asked, volume, extraction);
   builder.surface().spacing_mm = volume.info().spacing_mm;
   return mesh_to_draw(arguments, builder.surface());
 }
 
-Mesh volume_to_draw(const RenderArguments& arguments) {
+Mesh volume_to_draw(RenderArguments arguments) {
   if (arguments.smooth && has_gradient(arguments.reading))
     require_second_pass(arguments.input, gradient_pass);
   const auto volume = open_measured(arguments.input, arguments.reading);
@@ -68,8 +68,7 @@ Mesh volume_to_draw(const RenderArguments& arguments) {
   if (!arguments.classic) return merged_mesh(arguments, *volume, options);
   Mesh mesh = classic_mesh(*volume, options);
   if (mesh.face_count() == 0 && !arguments.reading.allows_empty)
-    fail_empty(arguments.input, arguments.reading, arguments.reading.selections[0].selection,
-               *volume);
+    fail_empty(arguments.input, arguments.reading, arguments.reading.selections[0], *volume);
   return mesh;
 }
 

@@ -54,7 +54,7 @@ void serve_samples(const ViewArguments& arguments) {
   std::mutex turn;
   const auto open = [&] {
     const std::lock_guard<std::mutex> lock(turn);
-    return open_noted(arguments.input, volume_options(arguments.reading.layout));
+    return open_noted(arguments.input, arguments.reading.options);
   };
   const VolumeInfo info = open()->info();
   require_size(arguments.input, info, most);

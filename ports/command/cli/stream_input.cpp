@@ -15,6 +15,7 @@
 #include "streams/spacing.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
+#include "text/say.hpp"
 #include "volumes/other_kinds.hpp"
 #include "volumes/volume.hpp"
 
@@ -107,13 +108,13 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
   read(reader);
   note_others(path, choice, reader);
   if (!notes.slabs.missing().empty())
-    std::cerr << "discmc: " << path << ": it holds the " << text(notes.slabs.ranges()) << " of "
-              << notes.slabs.ranges()[0].depth
-              << " alone: discmc join makes the whole surface of it and the other slabs\n";
+    say(path, "it holds the " + text(notes.slabs.ranges()) + " of " +
+                  std::to_string(notes.slabs.ranges()[0].depth) +
+                  " alone: discmc join makes the whole surface of it and the other slabs");
   joiner.finish();
   builder.surface().spacing_mm = spacing_mm(reader.header());
   if (notes.placement && !is_usable(*notes.placement)) {
-    std::cerr << "discmc: " << path << ": its placement is unusable, and dropped\n";
+    say(path, "its placement is unusable, and dropped");
     notes.placement.reset();
   }
   StreamReport report = reader.report();
@@ -147,9 +148,9 @@ std::string stream_bytes(const std::string& path) {
 void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader) {
   const std::vector<std::string> surfaces = list_of_surfaces(reader);
   if (surfaces.size() < 2 || !choice.is_any()) return;
-  std::cerr << "discmc: " << path << ": this is scan " << reader.header().scan << " channel "
-            << int{reader.channel()} << " of " << joined(surfaces)
-            << ": choose with --scan N and --stream-channel N\n";
+  say(path, "this is scan " + std::to_string(reader.header().scan) + " channel " +
+                std::to_string(reader.channel()) + " of " + joined(surfaces) +
+                ": choose with --scan N and --stream-channel N");
 }
 
 void require_one_surface(const std::string& path, const StreamReader& reader) {
@@ -172,12 +173,11 @@ DecodedStream decode_surface(const std::string& path, std::istream& in,
 int completeness(const std::string& path, const StreamReport& report) {
   if (report.is_complete()) return exit_ok;
   if (report.is_mixed)
-    std::cerr << "discmc: " << path
-              << ": two scans of one number are mixed in it: give every scan a number of its own\n";
-  std::cerr << "discmc: " << path << ": the stream is incomplete: " << report.lost_packets
-            << " packets and " << (report.holds_slices ? report.lost_rows : report.lost_pieces)
-            << (report.holds_slices ? " rows" : " regions or fragments") << " are missing"
-            << (report.has_trailer ? "" : ", and its end") << '\n';
+    say(path, "two scans of one number are mixed in it: give every scan a number of its own");
+  say(path, "the stream is incomplete: " + std::to_string(report.lost_packets) + " packets and " +
+                std::to_string(report.holds_slices ? report.lost_rows : report.lost_pieces) +
+                (report.holds_slices ? " rows" : " regions or fragments") + " are missing" +
+                (report.has_trailer ? "" : ", and its end"));
   return exit_incomplete;
 }
 

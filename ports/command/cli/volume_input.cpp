@@ -1,12 +1,15 @@
 #include "volume_input.hpp"
 
 #include <cstdint>
-#include <iostream>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "extraction/narrowed_volume.hpp"
+#include "segmentation.hpp"
+#include "text/number_text.hpp"
+#include "text/say.hpp"
 #include "volumes/byte_source.hpp"
 #include "volumes/filters/mask_volume.hpp"
 #include "volumes/volume_filter.hpp"
@@ -16,9 +19,9 @@ namespace discmc::command {
 namespace {
 
 // A volume may be opened for a pass after another: it says once what is to be said.
-void print_once(const std::string& line) {
-  static std::set<std::string> printed;
-  if (printed.insert(line).second) std::cerr << line << '\n';
+void say_once(const std::string& path, const std::string& text) {
+  static std::set<std::pair<std::string, std::string>> said;
+  if (said.emplace(path, text).second) say(path, text);
 }
 
 // Prints the notes when it is opened, and what the last slice adds to them.
@@ -41,7 +44,7 @@ class NotedVolume final : public VolumeFilter {
 
  private:
   void print_notes() const {
-    for (const std::string& note : notes()) print_once("discmc: " + path_ + ": " + note);
+    for (const std::string& note : notes()) say_once(path_, note);
   }
 
   std::string path_;
@@ -50,61 +53,47 @@ class NotedVolume final : public VolumeFilter {
 
 }  // namespace
 
-VolumeOptions volume_options(const LayoutArguments& arguments) {
-  VolumeOptions options;
-  if (!arguments.dims.empty()) {
-    RawLayout& layout = options.layout.emplace();
-    std::copy_n(arguments.dims.begin(), 3, layout.dims.begin());
-    layout.type = *arguments.type;
-    layout.big_endian = arguments.big_endian;
-    layout.skipped_bytes = arguments.skipped_bytes;
-  }
-  if (!arguments.spacing.empty())
-    std::copy_n(arguments.spacing.begin(), 3, options.spacing_mm.emplace().begin());
-  options.series = arguments.series;
-  options.allow_gaps = arguments.allow_gaps;
-  options.frame = arguments.frame;
-  options.channel = arguments.channel;
-  options.axes = arguments.axes;
-  options.level = arguments.level;
-  options.crop = arguments.crop;
-  options.shrink = arguments.shrink;
-  return options;
-}
-
-VolumeOptions volume_options(const VolumeArguments& arguments) {
-  VolumeOptions options = volume_options(arguments.layout);
-  // Labels have no mean.
-  if (arguments.selects_labels()) options.block_value = BlockValue::most_frequent;
-  return options;
-}
-
 void require_second_pass(const std::string& path, const std::string& purpose) {
   if (is_read_once(path))
-    throw std::runtime_error((path == "-" ? "standard input" : path) + ": " + purpose +
+    throw std::runtime_error(name_for_people(path) + ": " + purpose +
                              ", and this can be read once; store the volume in a file first");
 }
 
-std::unique_ptr<VolumeReader> open_noted(const std::string& path, const VolumeOptions& options) {
-  return std::make_unique<NotedVolume>(path, open_volume(path, options));
+std::unique_ptr<VolumeReader> noted(const std::string& path, std::unique_ptr<VolumeReader> volume) {
+  return std::make_unique<NotedVolume>(path, std::move(volume));
 }
 
-std::unique_ptr<MeasuredVolume> open_measured(const std::string& path,
-                                              const VolumeArguments& arguments, bool holds_labels) {
-  VolumeOptions options = volume_options(arguments);
-  if (holds_labels) options.block_value = BlockValue::most_frequent;
-  return std::make_unique<MeasuredVolume>(open_noted(path, options));
+std::unique_ptr<VolumeReader> open_noted(const std::string& path, const VolumeOptions& options) {
+  return noted(path, open_volume(path, options));
+}
+
+std::unique_ptr<VolumeReader> open_layer(const std::string& path, const VolumeOptions& options) {
+  VolumeOptions of_first = options;
+  if (!options.frame) of_first.frame = 0;
+  auto volume = open_volume(path, of_first);
+  const VolumeInfo& info = volume->info();
+  if (options.frame || info.frames == 1 || !info.labels.empty()) return volume;
+  // The reader may say what there is to choose from.
+  if (!is_read_once(path)) open_volume(path, options);
+  fail_frames(path, info);
+}
+
+std::unique_ptr<MeasuredVolume> open_measured(const std::string& path, VolumeArguments& arguments) {
+  if (arguments.selects_labels()) {
+    Segmentation segmentation(path, arguments);
+    return std::make_unique<MeasuredVolume>(open_labels(segmentation, path, arguments.selections));
+  }
+  return std::make_unique<MeasuredVolume>(open_noted(path, arguments.options));
 }
 
 std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
                                               const VolumeInfo& volume) {
   if (arguments.mask.empty()) return nullptr;
-  auto mask = std::make_unique<NotedVolume>(
-      arguments.mask, open_mask(arguments.mask, volume_options(arguments.layout), volume));
+  auto mask = noted(arguments.mask, open_mask(arguments.mask, arguments.options, volume));
   const double apart = offset_mm(mask->info(), volume);
   if (apart > 0)
-    std::cerr << "discmc: " << arguments.mask << ": its voxels lie up to " << apart
-              << " mm from those of the volume, and are taken for them one by one\n";
+    say(arguments.mask, "its voxels lie up to " + short_number(apart) +
+                            " mm from those of the volume, and are taken for them one by one");
   return mask;
 }
 

@@ -28,6 +28,9 @@ class MeasuredVolume final : public VolumeFilter {
   /// Of the finite values that were read so far, if there are any.
   std::optional<ValueRange> range() const;
 
+  /// Whether there are two finite values and no other, as in a mask.
+  bool has_two_values() const { return bounds_.least < bounds_.greatest && !bounds_.has_between; }
+
   /// The same with the infinite values; least > greatest where none is a number.
   ValueRange range_with_infinities() const;
 

@@ -2,11 +2,15 @@
 #ifndef DISCMC_COMMAND_TEXT_NUMBER_TEXT_HPP
 #define DISCMC_COMMAND_TEXT_NUMBER_TEXT_HPP
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
+
+#include "text/whole_number.hpp"
 
 namespace discmc::command {
 
@@ -27,13 +31,12 @@ inline std::optional<double> finite_number(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// Nothing where the text is no whole number, or one that the type does not hold.
-template <class Whole>
-std::optional<Whole> whole_number(std::string_view text, int base = 10) {
-  Whole value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  return is_number ? std::optional<Whole>(value) : std::nullopt;
+/// The number in six digits at most, for people.
+inline std::string short_number(double value) {
+  std::array<char, 32> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                          std::chars_format::general, 6);
+  return {text.data(), end};
 }
 
 }  // namespace discmc::command

@@ -106,6 +106,9 @@ ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, cons
     std::reverse(sizes.begin(), sizes.end());
     std::reverse(letters.begin(), letters.end());
   }
+  if (sizes.size() < 2)
+    fail(file, "the data has " + std::to_string(sizes.size()) + " dimensions",
+         "give a volume of three");
   require_countable(file, sizes);
   const auto axes = kept_axes(sizes, said.empty() ? 3 : said.size());
   if (said.empty()) letters = default_letters(axes.size());

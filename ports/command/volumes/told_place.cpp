@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
 
 #include "length_unit.hpp"
+#include "text/number_text.hpp"
 #include "volume_error.hpp"
 
 namespace discmc::command {
@@ -13,15 +12,9 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-std::string text_of(double number) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << number;
-  return text.str();
-}
-
 std::string list(const Vector& numbers) {
-  return '(' + text_of(numbers[0]) + ", " + text_of(numbers[1]) + ", " + text_of(numbers[2]) + ')';
+  return '(' + short_number(numbers[0]) + ", " + short_number(numbers[1]) + ", " +
+         short_number(numbers[2]) + ')';
 }
 
 double length(const Vector& vector) {
@@ -58,8 +51,8 @@ Vector usable(VolumeInfo& info, Vector spacing_mm) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double size = std::fabs(spacing_mm[axis]);
     if (size >= min_spacing_mm && size <= max_spacing_mm) continue;
-    note(info, "spacing " + text_of(spacing_mm[axis]) + " of axis " + std::to_string(axis + 1) +
-                   " unusable, 1 mm taken");
+    note(info, "spacing " + short_number(spacing_mm[axis]) + " of axis " +
+                   std::to_string(axis + 1) + " unusable, 1 mm taken");
     spacing_mm[axis] = 1;
   }
   return spacing_mm;

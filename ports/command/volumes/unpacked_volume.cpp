@@ -1,6 +1,9 @@
 #include "unpacked_volume.hpp"
 
+#include <array>
+#include <fstream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -39,8 +42,18 @@ class UnpackedVolume final : public VolumeReader {
       const std::filesystem::path inner =
           std::filesystem::path(error.file()).lexically_relative(folder_.path());
       const bool is_inside = !inner.empty() && *inner.begin() != "..";
-      fail(is_inside ? named(inner).string() : error.file(), error.fault(), error.remedy());
+      fail(is_inside ? named(inner).string() : error.file(), error.fault(),
+           in_packed(error.remedy()));
     }
+  }
+
+  // Patterns of files in the folder are such in what was packed.
+  std::string in_packed(std::string text) const {
+    const std::string folder = folder_.path().string(), packed = packed_.string();
+    for (std::size_t at = text.find(folder); at != std::string::npos;
+         at = text.find(folder, at + packed.size()))
+      text.replace(at, folder.size(), packed);
+    return text;
   }
 
   // A file in the folder by that of what was packed.
@@ -59,6 +72,21 @@ class UnpackedVolume final : public VolumeReader {
 std::unique_ptr<VolumeReader> unpacked_volume(const std::filesystem::path& packed,
                                               std::string_view packing, const Open& open) {
   return std::make_unique<UnpackedVolume>(packed, packing, open);
+}
+
+void unpack(ByteStream& stream, const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  std::ofstream out(file, std::ios::binary);
+  std::array<char, 65536> block;
+  std::size_t got = 0;
+  while (out && (got = stream.read(block.data(), block.size())) > 0)
+    out.write(block.data(), static_cast<std::streamsize>(got));
+  stream.check_end();
+  if (!stream.damage().empty()) fail(stream.file(), stream.damage(), "copy the file again");
+  if (!out.flush())
+    fail(stream.file(), "it cannot be unpacked into the temporary folder",
+         "set TMPDIR to a folder with more space, or unpack it yourself");
 }
 
 }  // namespace discmc::command

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "volume_reader.hpp"
+#include "volume_stream.hpp"
 
 namespace discmc::command {
 
@@ -17,6 +18,9 @@ namespace discmc::command {
 std::unique_ptr<VolumeReader> unpacked_volume(
     const std::filesystem::path& packed, std::string_view packing,
     const std::function<std::unique_ptr<VolumeReader>(const std::filesystem::path& folder)>& open);
+
+/// Writes what is left of a stream into a file, for which folders are made.
+void unpack(ByteStream& stream, const std::filesystem::path& file);
 
 }  // namespace discmc::command
 

@@ -3,8 +3,6 @@
 #include <glob.h>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <initializer_list>
 #include <string>
 #include <system_error>
@@ -17,7 +15,9 @@
 #include "unpacked_volume.hpp"
 #include "volumes/filters/cropped_volume.hpp"
 #include "volumes/filters/shrunk_volume.hpp"
+#include "volumes/filters/whole_labels.hpp"
 #include "volumes/formats/dicom/files.hpp"
+#include "volumes/formats/mask_files.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
 #include "volumes/formats/zarr/folder.hpp"
 
@@ -47,28 +47,28 @@ std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path&
   return files;
 }
 
+std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
+                                           const VolumeOptions& options);
+
+// Masks are labels. For what takes none, one of the files is to be named.
+std::unique_ptr<VolumeReader> open_told_masks(const std::filesystem::path& source,
+                                              const std::vector<std::filesystem::path>& files,
+                                              const VolumeOptions& options) {
+  const bool is_told = options.holds_labels || options.frame;
+  if (is_told && files.size() > 1) return open_masks(source, files, options);
+  if (is_told) return open_as_told(files[0], options);
+  const std::string count = std::to_string(files.size());
+  fail(
+      source, "volumes of their own: " + count + ", such as " + shown(files[0].filename().string()),
+      "give the name of one, or take all as labels, one a file, with --labels all or --label NAME");
+}
+
 // By its first bytes: pictures may have names without their kind.
 bool is_picture(const std::filesystem::path& file) {
   ByteStream stream(file);
   const VolumeFormat* const format = format_of_head(stream.peek(magic_bytes));
   return format != nullptr &&
          (format->name == "PNG" || format->name == "TIFF" || format->name == "JPEG");
-}
-
-std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
-                                           const VolumeOptions& options) {
-  const auto files = files_of_pattern(pattern);
-  const auto picture = std::find_if(files.begin(), files.end(), is_picture_name);
-  const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
-  if (other == files.end()) return open_pictures(pattern, files, options);
-  if (picture != files.end())
-    fail(pattern,
-         "there are pictures of such a name, and other files, such as " +
-             shown(other->filename().string()),
-         "give a pattern of one kind, such as '" +
-             (pattern.parent_path() / ("*" + picture->extension().string())).string() + "'");
-  if (is_picture(files[0])) return open_pictures(pattern, files, options);
-  return open_dicom(pattern, files, options);
 }
 
 bool is_folder(const std::filesystem::path& file) {
@@ -102,23 +102,11 @@ void require_headerless_name(const std::filesystem::path& file) {
        "and --type");
 }
 
-std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
-                                           const VolumeOptions& options);
-
 // Of a packed file whose reader takes files alone.
 std::unique_ptr<VolumeReader> open_unpacked(ByteStream stream, const VolumeOptions& options) {
   return unpacked_volume(stream.file(), name(*stream.packing()), [&](const auto& folder) {
     const std::filesystem::path file = folder / without_packing(stream.file()).filename();
-    std::ofstream out(file, std::ios::binary);
-    std::array<char, 65536> block;
-    std::size_t got = 0;
-    while (out && (got = stream.read(block.data(), block.size())) > 0)
-      out.write(block.data(), static_cast<std::streamsize>(got));
-    stream.check_end();
-    if (!stream.damage().empty()) fail(stream.file(), stream.damage(), "copy the file again");
-    if (!out.flush())
-      fail(stream.file(), "it cannot be unpacked into the temporary folder",
-           "set TMPDIR to a folder with more space, or unpack it yourself");
+    unpack(stream, file);
     return open_as_told(file, options);
   });
 }
@@ -146,7 +134,8 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
     if (format != nullptr && !is_read(*format)) fail_unread(file, format);
     return open_folder(file, dicom_files(file), options, "give a pattern, such as '*.png'");
   }
-  if (is_pattern(file)) return open_pattern(file, options);
+  if (is_pattern(file))
+    return archive_of(file) ? open_zip(file, options) : open_pattern(file, options);
   if (format != nullptr && format->open_file != nullptr && !packing_of_name(file))
     return format->open_file(file, options);
 
@@ -172,27 +161,76 @@ void require_used(const std::filesystem::path& file, const VolumeOptions& option
     fail(file, "a level is chosen" + what, "leave out --level");
   if (!options.series.empty() && !is_one_of({"DICOM"}))
     fail(file, "a series is chosen" + what, "leave out --series");
+  if (options.merges_series && !is_one_of({"DICOM"}))
+    fail(file, "series are merged" + what, "leave out --merge-series");
+  if (options.order != SliceOrder::position && !is_one_of({"DICOM"}))
+    fail(file, "an order of slices is chosen" + what, "leave out --order");
 }
 
 std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::path>& pictures,
                                            const std::string& remedy) {
   if (pictures.empty()) return {};
-  return {"pictures beside the DICOM left out: " + std::to_string(pictures.size()) +
-          ", such as " + shown(pictures[0].filename().string()) + "; to read them " + remedy};
+  return {"pictures beside the DICOM left out: " + std::to_string(pictures.size()) + ", such as " +
+          shown(pictures[0].filename().string()) + "; to read them " + remedy};
+}
+
+std::string text_of_dead(const std::vector<std::filesystem::path>& links) {
+  if (links.empty()) return {};
+  return "links that lead nowhere: " + std::to_string(links.size()) + ", such as " +
+         shown(links[0].filename().string());
 }
 
 }  // namespace
+
+std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
+                                           const VolumeOptions& options) {
+  const auto files = files_of_pattern(pattern);
+  if (std::all_of(files.begin(), files.end(), is_mask_name))
+    return open_told_masks(pattern, files, options);
+  const auto picture = std::find_if(files.begin(), files.end(), is_picture_name);
+  const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
+  if (other == files.end()) return open_pictures(pattern, files, options);
+  if (picture != files.end())
+    fail(pattern,
+         "there are pictures of such a name, and other files, such as " +
+             shown(other->filename().string()),
+         "give a pattern of one kind, such as '" +
+             (pattern.parent_path() / ("*" + picture->extension().string())).string() + "'");
+  if (is_picture(files[0])) return open_pictures(pattern, files, options);
+  return open_dicom(pattern, files, options);
+}
 
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
                                           const std::vector<std::filesystem::path>& dicom,
                                           const VolumeOptions& options,
                                           const std::string& remedy_of_pictures) {
   const auto pictures = picture_files(folder);
-  if (!dicom.empty())
-    return open_dicom(folder, dicom, options, notes_of_left_out(pictures, remedy_of_pictures));
+  const std::string dead = text_of_dead(dead_links(folder));
+  if (!dicom.empty()) {
+    auto notes = notes_of_left_out(pictures, remedy_of_pictures);
+    if (dead.empty()) return open_dicom(folder, dicom, options, notes);
+    notes.push_back(dead);
+    try {
+      return open_dicom(folder, dicom, options, notes);
+    } catch (const VolumeError& error) {
+      fail(error.file(), error.fault() + " (" + dead + ")", error.remedy());
+    }
+  }
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
+  const auto masks = mask_files(folder);
+  if (!masks.empty()) return open_told_masks(folder, masks, options);
+  if (!dead.empty()) fail(folder, dead, "copy what they should lead to");
   fail(folder, "the folder holds no DICOM files and no pictures",
        "name a file, or the folder of a series");
+}
+
+void fail_frames(const std::filesystem::path& file, const VolumeInfo& info) {
+  const std::string frames = std::to_string(info.frames);
+  const std::string remedy = "choose one with --frame N, the first is 0";
+  if (info.labels.empty())
+    fail(file, "the file holds " + frames + " volumes, and one is read at a time", remedy);
+  fail(file, "the file holds labels in " + frames + " volumes, and one is read at a time",
+       "take labels with --label NAME, or " + remedy);
 }
 
 bool is_volume_name(const std::filesystem::path& file) {
@@ -202,6 +240,7 @@ bool is_volume_name(const std::filesystem::path& file) {
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options) {
   auto volume = open_as_told(file, options);
+  if (volume->info().frames > 1 && !options.frame) fail_frames(file, volume->info());
   if (options.frame.value_or(0) >= volume->info().frames)
     fail(file, "this is one volume, and volume " + std::to_string(*options.frame) + " is asked for",
          "leave out --frame");
@@ -210,6 +249,7 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
          "this has one channel, and channel " + std::to_string(*options.channel) + " is asked for",
          "leave out --channel");
   require_used(file, options, volume->info().format);
+  if (options.holds_labels) volume = whole_labels(file, std::move(volume));
   if (options.crop) volume = cropped(file, std::move(volume), *options.crop);
   if (options.shrink > 1)
     volume = shrunk(file, std::move(volume), options.shrink, options.block_value);

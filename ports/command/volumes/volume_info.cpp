@@ -54,12 +54,10 @@ void set_dims(VolumeInfo& info, const std::string& file, const std::vector<std::
   if (info.frames > std::numeric_limits<std::uint64_t>::max() / info.dims[2] / info.slice_bytes())
     fail(file, "the sizes are beyond any file", "correct the header");
   if (sizes.size() == 2) note(info, "two dimensions, taken as one slice");
-  const std::string frames = std::to_string(info.frames);
-  if (info.frames > 1 && !frame)
-    fail(file, "the file holds " + frames + " volumes, and one is read at a time",
-         "choose one with --frame N, the first is 0");
   if (frame && *frame >= info.frames)
-    fail(file, "there is no volume " + std::to_string(*frame) + ": the file holds " + frames,
+    fail(file,
+         "there is no volume " + std::to_string(*frame) + ": the file holds " +
+             std::to_string(info.frames),
          "choose one with --frame 0 to " + std::to_string(info.frames - 1));
 }
 

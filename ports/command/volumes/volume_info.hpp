@@ -37,9 +37,12 @@ struct VolumeInfo {
   /// value = slope * stored + intercept, in the file's declared units. Limit: slope > 0.
   double slope = 1;
   double intercept = 0;
+  /// The value that the file says it has where nothing was scanned.
+  std::optional<double> padding;
   /// Whether the file says that values are Hounsfield units.
   bool is_in_hounsfield = false;
-  /// The names and colours of labels that the file tells.
+  /// The labels that the file tells, those in other volumes of it too. Then these are layers of one
+  /// segmentation.
   LabelTable labels;
   /// The format and the way it is stored, for people: "NRRD, gzip".
   std::string format;
@@ -62,8 +65,7 @@ constexpr std::int64_t max_across = 32766;
 
 /// Takes sizes, fastest axis first. Two give one slice; those beyond the third count volumes.
 /// frame: the one of them that is asked for. Throws when a size is out of the range of
-/// VolumeInfo::dims, and when the file does not hold the frame, or holds several and none is asked
-/// for. Limit: after the type.
+/// VolumeInfo::dims, and when the file does not hold the frame. Limit: after the type.
 void set_dims(VolumeInfo& info, const std::string& file, const std::vector<std::int64_t>& sizes,
               std::optional<std::uint32_t> frame = {});
 

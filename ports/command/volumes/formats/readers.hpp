@@ -12,6 +12,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,10 @@ std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
                                             std::vector<std::filesystem::path> files,
                                             const VolumeOptions& options);
 
+/// Files by a pattern: pictures, or else DICOM.
+std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
+                                           const VolumeOptions& options);
+
 /// Opens what is in a folder: DICOM, with a note of pictures beside it and the remedy that reads
 /// them, or else pictures. Throws when there is neither. dicom: dicom_files() of it.
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
@@ -63,8 +68,12 @@ std::unique_ptr<VolumeReader> open_npz(const std::filesystem::path& name,
 std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& folder,
                                         const VolumeOptions& options);
 
+/// The file that a name, or a pattern of files, is or goes into: scan.zip of scan.zip/*_c0.png.
+/// Nothing where there is none.
+std::optional<std::filesystem::path> archive_of(const std::filesystem::path& name);
+
 /// The same of what is in an archive of zip, unpacked into the folder for temporary files for as
-/// long as the volume is open.
+/// long as the volume is open. file: the archive, or a pattern of files in it: scan.zip/*_c0.png.
 std::unique_ptr<VolumeReader> open_zip(const std::filesystem::path& file,
                                        const VolumeOptions& options);
 

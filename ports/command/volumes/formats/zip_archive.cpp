@@ -1,5 +1,6 @@
 // A zip of DICOM or pictures: unpacked into a folder for temporary files, and read from there.
-#include "text/words.hpp"
+#include <system_error>
+
 #include "volumes/formats/readers.hpp"
 
 #ifdef DISCMC_WITH_LIBARCHIVE
@@ -8,7 +9,6 @@
 #include <array>
 #include <fstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "text/control_character.hpp"
@@ -20,6 +20,13 @@
 #endif
 
 namespace discmc::command {
+
+std::optional<std::filesystem::path> archive_of(const std::filesystem::path& name) {
+  std::error_code unknown;
+  for (std::filesystem::path file = name; file.has_relative_path(); file = file.parent_path())
+    if (std::filesystem::is_regular_file(file, unknown)) return file;
+  return std::nullopt;
+}
 
 #ifdef DISCMC_WITH_LIBARCHIVE
 namespace {
@@ -77,22 +84,25 @@ std::filesystem::path picture_folder(std::filesystem::path folder) {
   }
 }
 
-std::unique_ptr<VolumeReader> open_inside(const std::filesystem::path& folder,
+std::unique_ptr<VolumeReader> open_inside(const std::filesystem::path& zip,
+                                          const std::filesystem::path& folder,
                                           const VolumeOptions& options) {
   const auto zarr = folder_of_zarr(folder);
   if (zarr) return open_zarr(*zarr, options);
   const auto dicom = dicom_files(folder);
   return open_folder(dicom.empty() ? picture_folder(folder) : folder, dicom, options,
-                     "unpack the zip, and give a pattern, such as 'FOLDER/*.png'");
+                     "give a pattern, such as '" + (zip / "*.png").string() + "'");
 }
 
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_zip(const std::filesystem::path& file,
                                        const VolumeOptions& options) {
-  return unpacked_volume(file, "zip", [&](const std::filesystem::path& folder) {
-    unpack(file, folder);
-    return open_inside(folder, options);
+  const auto zip = archive_of(file);
+  return unpacked_volume(*zip, "zip", [&](const std::filesystem::path& folder) {
+    unpack(*zip, folder);
+    return *zip == file ? open_inside(*zip, folder, options)
+                        : open_pattern(folder / file.lexically_relative(*zip), options);
   });
 }
 #else

@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "sources.hpp"
 #include "text/control_character.hpp"
 
 namespace discmc::command {
@@ -56,13 +57,13 @@ class Walk {
         found_.dead_links.push_back(without_control(path + " to " + target_of(group, link)));
       return;
     }
-    if (!seen_.emplace(info.fileno, info.addr).second) return;
+    if (!seen_.emplace(file_of(object).native(), info.addr).second) return;
     if (auto dataset = description_of(object, path)) found_.datasets.push_back(std::move(*dataset));
     if (info.type == H5O_TYPE_GROUP) visit(object, path, depth + 1);
   }
 
   Hdf5Contents found_;
-  std::set<std::pair<unsigned long, haddr_t>> seen_;
+  std::set<std::pair<std::string, haddr_t>> seen_;
 };
 
 }  // namespace

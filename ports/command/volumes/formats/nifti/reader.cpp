@@ -11,11 +11,13 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <locale>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
+#include "label_extension.hpp"
 #include "text/words.hpp"
 #include "types.hpp"
 #include "volumes/formats/readers.hpp"
@@ -271,6 +273,9 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
   info.format = header.format;
 
   const std::uint64_t offset = data_offset(file, header);
+  constexpr auto no_end = std::numeric_limits<std::uint64_t>::max();
+  if (header.format != "Analyze 7.5")
+    read_label_extensions(stream, header.one_file ? offset : no_end, header.big_endian, info);
   if (header.one_file) {
     stream.skip(offset - stream.position());
   } else {

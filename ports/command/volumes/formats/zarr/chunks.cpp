@@ -83,14 +83,16 @@ void ZarrChunks::open_shard(const std::filesystem::path& file) {
   const std::vector<ZarrCodec> codecs(array_.shard->has_index_checksum ? 1 : 0, ZarrCodec::crc32c);
   const std::uint64_t bytes = count * sizeof(Place) + 4 * codecs.size();
   if (bytes > all) fail(file, "the shard is shorter than its index", "copy it again");
-  const std::uint64_t offset = array_.shard->has_index_at_start ? 0 : all - bytes;
+  const bool is_at_start = array_.shard->has_index_at_start;
   const ChunkBytes index =
-      decoded(file, read_part(file, shard_, offset, bytes), codecs, count * sizeof(Place));
+      decoded(file, read_part(file, shard_, is_at_start ? 0 : all - bytes, bytes), codecs,
+              count * sizeof(Place));
+  const std::uint64_t begin = is_at_start ? bytes : 0, end = begin + all - bytes;
   for (std::size_t i = 0; i < count; ++i) {
     const Place place{number_at(index, 16 * i), number_at(index, 16 * i + 8)};
     const bool is_there = place.offset != UINT64_MAX || place.bytes != UINT64_MAX;
-    if (is_there && (place.bytes > all || place.offset > all - place.bytes))
-      fail(file, "the shard ends before a chunk in it", "copy it again");
+    if (is_there && (place.offset < begin || place.bytes > end || place.offset > end - place.bytes))
+      fail(file, "a chunk lies outside of the shard", "copy it again");
     places_.push_back(place);
   }
 }

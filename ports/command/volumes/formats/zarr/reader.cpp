@@ -119,6 +119,20 @@ class ZarrVolume final : public VolumeReader {
   std::uint64_t next_ = 0;
 };
 
+// Each is asked for, whether it is there or not.
+void require_few_chunks(const std::filesystem::path& folder, const VolumeInfo& info,
+                        const PerAxis& chunk, const ArrayLayout& layout) {
+  constexpr std::uint64_t max_chunks = std::uint64_t{1} << 20;
+  std::uint64_t chunks = 1;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::uint64_t size = chunk[*layout.axes[i]];
+    chunks *= (info.dims[i] + size - 1) / size;
+  }
+  if (chunks > max_chunks)
+    fail(folder, "a slice goes through " + std::to_string(chunks) + " chunks",
+         "write it again with larger ones");
+}
+
 // Small files may claim large slices, and chunks that are all alike take little room.
 void require_possible(const std::filesystem::path& folder, const VolumeInfo& info) {
   constexpr std::uint64_t max_of_a_byte = 65536;
@@ -170,6 +184,7 @@ std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path,
   const ArrayShape shape{image.array.sizes, letters_of(image), image.channels};
   const ArrayLayout layout = take_array(info, folder, shape, options);
   set_place(info, place_of(image, layout), options);
+  require_few_chunks(folder, info, image.array.chunk, layout);
   require_possible(image.array.folder, info);
   return std::make_unique<ZarrVolume>(folder, std::move(info), ZarrChunks(std::move(image.array)),
                                       layout);

@@ -11,6 +11,7 @@
 #include "page.hpp"
 #include "samples.hpp"
 #include "shaped.hpp"
+#include "unread.hpp"
 #include "volumes/formats/pictures/picture_file.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_stream.hpp"
@@ -32,25 +33,6 @@ OpenTiff opened(const std::filesystem::path& file) {
   OpenTiff tiff(TIFFOpen(file.c_str(), "r"));
   if (!tiff) fail(file, "this is no TIFF file, or a damaged one", remedy);
   return tiff;
-}
-
-// What is laid out by rules of its own, which are in tags of its maker.
-void require_known_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages) {
-  struct Kind {
-    std::uint32_t tag;
-    const char* name;
-    bool is_of_one_page_too;
-  };
-  constexpr std::uint32_t tag_of_planes = 33629;
-  constexpr Kind kinds[] = {{34412, "Zeiss LSM", true},
-                            {34361, "Olympus FluoView", false},
-                            {33560, "Olympus SIS", false}};
-  const char* name = count_of(tiff, tag_of_planes) > pages ? "MetaMorph STK" : nullptr;
-  for (const Kind& kind : kinds)
-    if ((kind.is_of_one_page_too || pages > 1) && count_of(tiff, kind.tag) > 0) name = kind.name;
-  if (name != nullptr)
-    fail(file, std::string("this is ") + name + ", whose axes are not read",
-         "convert it to OME-TIFF with Bio-Formats: bfconvert IN OUT.ome.tif");
 }
 
 class TiffFile final : public PictureFile {
@@ -92,14 +74,18 @@ class TiffFile final : public PictureFile {
   PictureHeader header(std::uint32_t number) override {
     const TiffPage page = go_to(number);
     if (header_ && directory_of_header_ == TIFFCurrentDirectory(tiff_.get())) return *header_;
-    require_read(page);
+    require_read(file_, page);
+    if (page.depth != depth_)
+      fail(file_, "its pages have different depths", "export it as one stack");
     PictureHeader header;
     header.width = page.width;
     header.height = page.height;
     header.type = *sample_type(page);
     header.channels = page.samples;
-    if (page.photometric == PHOTOMETRIC_RGB || page.photometric == PHOTOMETRIC_YCBCR)
-      header.channel_names = page.samples == 4 ? rgba_names : rgb_names;
+    const bool is_of_colours =
+        page.photometric == PHOTOMETRIC_RGB || page.photometric == PHOTOMETRIC_YCBCR;
+    if (is_of_colours && page.samples == 3) header.channel_names = rgb_names;
+    if (is_of_colours && page.samples == 4) header.channel_names = rgba_names;
     header.is_inverted = page.photometric == PHOTOMETRIC_MINISWHITE;
     greys_ = palette_of(tiff_.get(), page);
     if (!(header.type == SampleType::u8 && is_grey(greys_)))
@@ -114,7 +100,7 @@ class TiffFile final : public PictureFile {
 
   void read(std::uint32_t number, std::uint32_t channel, unsigned char* samples) override {
     const TiffPage page = go_to(number);
-    require_read(page);
+    require_read(file_, page);
     if (is_behind(number))
       samples_.read_behind(tiff_.get(), page, place_behind(page, number), channel, samples);
     else
@@ -155,49 +141,6 @@ class TiffFile final : public PictureFile {
 
   [[noreturn]] void fail_page(std::uint32_t page) const {
     fail(file_, "page " + std::to_string(page) + " (the first is 0) is damaged", remedy);
-  }
-
-  void require_read(const TiffPage& page) const {
-    require_known_colours(page);
-    if (!sample_type(page))
-      fail(file_,
-           "samples of " + std::to_string(page.bits) + " bits and format " +
-               std::to_string(page.format) + " are not read",
-           "convert it to 8 or 16 bits, or 32 bits of floating point");
-    if (TIFFIsCODECConfigured(page.compression) == 0)
-      fail(file_,
-           "its compression, number " + std::to_string(page.compression) +
-               ", is not read by the LibTIFF of this discmc",
-           "store it again, in Deflate or LZW");
-    if (page.orientation > ORIENTATION_BOTLEFT)
-      fail(file_, "its rows are columns (Orientation " + std::to_string(page.orientation) + ')',
-           "turn it upright");
-    if (page.depth != depth_)
-      fail(file_, "its pages have different depths", "export it as one stack");
-    if (page.depth > 1 && !page.is_tiled())
-      fail(file_, "its pages have several slices (ImageDepth) in strips",
-           "store it in tiles, or a page for each slice");
-  }
-
-  void require_known_colours(const TiffPage& page) const {
-    switch (page.photometric) {
-      case PHOTOMETRIC_YCBCR:
-        if (page.compression == COMPRESSION_JPEG && !page.is_planar) return;
-        break;
-      case PHOTOMETRIC_PALETTE:
-        if (page.samples == 1) return;
-        break;
-      case PHOTOMETRIC_MINISWHITE:
-      case PHOTOMETRIC_MINISBLACK:
-      case PHOTOMETRIC_RGB:
-      case PHOTOMETRIC_SEPARATED:
-      case PHOTOMETRIC_MASK:
-        return;
-      default:
-        break;
-    }
-    fail(file_, "its colours, of kind " + std::to_string(page.photometric) + ", are not read",
-         "convert it to RGB or grey");
   }
 
   static std::optional<Resolution> resolution(const TiffPage& page) {
@@ -280,7 +223,7 @@ class TiffFile final : public PictureFile {
       const TiffPage page = go_to(static_cast<std::uint32_t>(at));
       const auto array = shaped_array(file_, description_of(tiff_.get()));
       auto stack = array ? planes_of(*array, sizes(page)) : std::nullopt;
-      if (!stack) return {};
+      if (!stack || planes(*stack) % depth_ != 0) return {};
       const std::uint64_t count = planes(*stack);
       if (count > pages() - at) require_behind(page, count);
       stack->files = {file_};
@@ -331,12 +274,23 @@ class TiffFile final : public PictureFile {
   }
 
   void note_left_out(Hyperstack& stack) {
-    go_to(0);
+    const TiffPage page = go_to(0);
     std::uint16_t count = 0;
     const void* offsets = nullptr;
     if (TIFFGetField(tiff_.get(), TIFFTAG_SUBIFD, &count, &offsets) == 1 && count > 0)
       stack.notes.push_back("further pictures of a page, mostly smaller copies, left out: " +
                             std::to_string(count));
+    if (directories_ == 1 && planes(stack) == 1) note_behind(stack, page);
+  }
+
+  // Whole pages behind the only one, of which nothing tells.
+  void note_behind(Hyperstack& stack, const TiffPage& page) {
+    constexpr std::uint64_t max_metadata = 65536;
+    const PagesBehind behind = pages_behind(tiff_.get(), page, file_bytes_);
+    const std::uint64_t bytes = page.plane_bytes();
+    if (behind.count > 1 && (behind.count - 1) * bytes > bytes + max_metadata)
+      stack.notes.push_back("bytes behind its only page left out, as many as those of " +
+                            std::to_string(behind.count - 1) + " pages");
   }
 
   std::filesystem::path file_;
