@@ -20,7 +20,7 @@ const discmc::command::Point spacing_mm = {0.5, -2, 3};
 Surface surface_of(const BitVolume& volume) {
   sample_reader::SampleReader reader(volume, spacing_mm);
   discmc::command::SurfaceBuilder builder;
-  extract(reader, {sample_reader::bit_threshold, discmc::Border::closed, 0, {}},
+  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed, 0, {}},
           discmc::make_sink(builder));
   builder.surface().spacing_mm = spacing_mm;
   return std::move(builder.surface());

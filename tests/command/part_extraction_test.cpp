@@ -35,7 +35,7 @@ using sample_reader::bit_threshold;
 using sample_reader::SampleReader;
 
 ExtractionOptions options_with(Border border, bool takes_majority = false) {
-  ExtractionOptions options{bit_threshold, border, 0, {}};
+  ExtractionOptions options{{bit_threshold}, border, 0, {}};
   options.takes_majority = takes_majority;
   return options;
 }
