@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "pages/page_template.hpp"
 #include "volume_files.hpp"
 
 namespace {
@@ -137,8 +138,6 @@ TEST_CASE("what is advised of options works") {
        {"tune v.nrrd", "give --iso auto, or", "tune v.nrrd --iso auto"},
        {"render v.nrrd -o out.png", "give --iso auto, or", "render v.nrrd --iso auto -o out.png"},
        {"compare v.nrrd v.stl", "give --iso auto, or", "compare v.nrrd v.stl --iso auto"},
-       {"view v.nrrd --no-open --median 3 -o out.html", "give --iso auto as well",
-        "view v.nrrd --no-open --median 3 --iso auto -o out.html"},
        {all + "-o out.stl", "give -o 'FOLDER/{name}.stl'", all + "-o './{name}.stl'"},
        {all + "-o out.stl", ".glb or .3mf name, which holds them all", all + "-o out.3mf"},
        {all + "-o '{name}.dmc'", "write meshes, or give --label",
@@ -206,11 +205,7 @@ TEST_CASE("what is advised of options works") {
        {"render v.dmc --view 0,0,0 -o out.png", "give one that is not zero",
         "render v.dmc --view 1,0,0 -o out.png"},
        {"render v.dmc --iso 5 -o out.png", "leave it out", "render v.dmc -o out.png"},
-       {"render v.dmc -o out.jpg", "give a name that ends in .png", "render v.dmc -o out.png"},
-       {"view - --no-open", "give -o PAGE.html", "view v.dmc --no-open -o page.html"}});
-  workshop.done("view v.dmc --no-open");
-  check_advice(workshop, {{"view v.dmc --no-open", "give -o v.html to replace it",
-                           "view v.dmc --no-open -o v.html"}});
+       {"render v.dmc -o out.jpg", "give a name that ends in .png", "render v.dmc -o out.png"}});
   for (const std::string slab : {"1", "2"})
     workshop.done(iso + "--slab " + slab + "/2 -o " + slab + ".dmc");
   check_advice(
@@ -222,4 +217,17 @@ TEST_CASE("what is advised of options works") {
                            iso + "-o 'out-{name}.stl'"}});
   REQUIRE(workshop.shell("mkdir none").code == 0);
   workshop.done(iso + "-o 'none/{name}.stl'");
+}
+
+TEST_CASE("what is advised of pages works") {
+  if (discmc::command::page_template().empty()) return;
+  const Workshop workshop;
+  write_inputs(workshop);
+  check_advice(workshop,
+               {{"view v.nrrd --no-open --median 3 -o out.html", "give --iso auto as well",
+                 "view v.nrrd --no-open --median 3 --iso auto -o out.html"},
+                {"view - --no-open", "give -o PAGE.html", "view v.dmc --no-open -o page.html"}});
+  workshop.done("view v.dmc --no-open");
+  check_advice(workshop, {{"view v.dmc --no-open", "give -o v.html to replace it",
+                           "view v.dmc --no-open -o v.html"}});
 }
