@@ -38,7 +38,7 @@ constexpr std::int32_t threshold = 100;
 const discmc::command::Point spacing_mm = {0.5, -2, 1.25};
 
 ExtractionOptions options(Border border = Border::closed, std::uint64_t memory = 0) {
-  ExtractionOptions options{threshold, border, memory, {}};
+  ExtractionOptions options{{threshold}, border, memory, {}};
   options.measures_memory = true;
   return options;
 }
@@ -102,8 +102,8 @@ TEST_CASE("thresholds beyond the samples make everything on or everything off") 
   const BitVolume volume = checkerboard({5, 5, 5});
   using Limits = std::numeric_limits<std::int32_t>;
   ExtractionOptions all = options(), none = options();
-  all.selection = Limits::min();
-  none.selection = Limits::max();
+  all.selection = {Limits::min()};
+  none.selection = {Limits::max()};
   CHECK(extracted(volume, all).surface.polygons.size() == 26);
   CHECK(extracted(volume, none).surface.polygons.empty());
 }

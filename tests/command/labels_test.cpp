@@ -51,7 +51,8 @@ discmc::command::Surface surface_of(int label, std::uint32_t seed, Border border
   SampleReader reader(size, labels(seed), {1, 2, 3}, type);
   discmc::command::SurfaceBuilder builder;
   discmc::command::ExtractionOptions options;
-  options.selection = Selection(label, label);
+  const double value = label;
+  options.selection = {value, value};
   options.border = border;
   options.takes_majority = takes_majority;
   extract(reader, options, discmc::make_sink(builder));

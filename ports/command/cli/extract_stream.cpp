@@ -97,7 +97,7 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
     require_one_surface(arguments.reading, info);
     narrow = narrowed_again(arguments.volume, arguments.reading.options,
                             selections[0].selection.low, *volume);
-    selections[0].selection = 0;
+    selections[0].selection = {0};
   }
 
   ExtractedStream stream;

@@ -47,7 +47,7 @@ Mesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
   if (options.normals && !is_scanner_type(volume.info().type)) {
     narrow =
         narrowed_again(arguments.input, arguments.reading.options, options.selection.low, volume);
-    options.selection = 0;
+    options.selection = {0};
   }
   SurfaceBuilder builder;
   GrowingJoiner joiner(make_sink(builder));

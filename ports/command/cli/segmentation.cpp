@@ -74,7 +74,7 @@ std::unique_ptr<VolumeReader> open_labels(Segmentation& segmentation, const std:
     each.name = labels.name;
     each.colour = labels.colour;
     const std::vector<LabelValue>& values = labels.set.begin()->second;
-    each.selection = values.empty() ? 1 : values[0].rounded();
+    each.selection = {values.empty() ? 1 : values[0].rounded()};
     each.selection.bits = std::uint64_t{1} << sets.size();
     for (const auto& [layer, unused] : labels.set) layers.emplace(layer, nullptr);
     sets.push_back(std::move(labels.set));

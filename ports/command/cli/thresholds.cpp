@@ -50,7 +50,7 @@ std::vector<NamedSelection> with_thresholds(const std::string& path,
     if (!has_rule(surface)) continue;
     const RuledThreshold threshold =
         found(path, surface, is_in_hounsfield(info, statistics), statistics);
-    surface.selection = threshold.iso;
+    surface.selection = {threshold.iso};
     std::string text = "--iso " + surface.name + ": " + value_text(threshold.iso);
     if (threshold.rule != surface.rule) text += " (" + std::string(name(threshold.rule)) + ')';
     const auto padding = padding_value(statistics);

@@ -108,8 +108,8 @@ GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& o
                                  double iso) {
   require_second_pass(path, gradient_pass);
   auto volume = open_noted(path, options);
-  if (is_scanner_type(volume->info().type)) return {std::move(volume), iso};
-  return {narrowed_again(path, options, iso, *volume), 0};
+  if (is_scanner_type(volume->info().type)) return {std::move(volume), {iso}};
+  return {narrowed_again(path, options, iso, *volume), {0}};
 }
 
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,

@@ -177,7 +177,7 @@ EXPORT(classic) void classic() {
   State& all = state();
   MemoryReader reader(*all.volume);
   command::ExtractionOptions options;
-  options.selection = all.iso;
+  options.selection = {all.iso};
   all.classic = command::classic_mesh(reader, options);
   all.classic_vertices.clear();
   for (const command::Point& vertex : all.classic.vertices_mm)

@@ -38,7 +38,7 @@ std::optional<NamedSelection> threshold(const std::string& text) {
       return surface;
     }
   const auto low = exact_number(text);
-  return low ? std::optional(NamedSelection{*low, text}) : std::nullopt;
+  return low ? std::optional(NamedSelection{{*low}, text}) : std::nullopt;
 }
 
 // An end that is left out is infinite.
