@@ -100,8 +100,6 @@ constexpr Names names[] = {
     {"v.npy", nullptr, false},
     {"v.inv3", nullptr, false},
     {"v.zip", nullptr, false, true},
-    {"v.inv3", nullptr, false},
-    {"v.zip", nullptr, false, true},
     {"v.jpg", nullptr, false, true},
     {"v.bmp", nullptr, false, true},
     {"v.mgh", nullptr, false},
@@ -254,8 +252,8 @@ void check_raw(const Reading& reading, const RawLayout& layout, const Bytes& fil
 
 }  // namespace
 
-// The first byte names the files, the second the packing, the frame, and whether values are labels;
-// raw samples have a layout.
+// The first byte names the files, the second the packing, the frame, whether values are labels, and
+// the channel; raw samples have a layout.
 // What follows is the first file, and behind a file separator (ASCII 28) its packed rest, or the
 // other file.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
@@ -269,6 +267,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (name.is_raw) options = read_options(input);
   if (choice / 3 % 4 > 0) options.frame = choice / 3 % 4 - 1;
   options.holds_labels = choice / 12 % 2 == 1;
+  if (choice / 24 % 4 > 0) options.channel = choice / 24 % 4 - 1;
   const double iso = (input.byte() - 128.0) / 4;
 
   const Bytes all = input.bytes(size);

@@ -87,12 +87,13 @@ void TiffSamples::read_behind(TIFF* tiff, const TiffPage& page, std::uint64_t at
 void TiffSamples::read_plane(TIFF* tiff, const TiffPage& page, std::uint32_t slice,
                              std::uint32_t channel, unsigned char* stored) {
   if (!page.is_tiled()) return read_strips(tiff, page, channel, stored);
+  require_tiles(tiff, page);
   const std::uint32_t slab = slice / page.tile[2];
   if (page.tile[2] == 1) return read_slab(tiff, page, slab, channel, stored);
   const Slab wanted = {TIFFCurrentDirectory(tiff), slab, page.is_planar ? channel : 0};
   if (!(kept_slab_ == wanted)) {
     kept_slab_.reset();
-    slab_.resize(page.plane_bytes() * page.tile[2]);
+    slab_.resize(page.plane_bytes() * std::min(page.tile[2], page.depth));
     read_slab(tiff, page, slab, channel, slab_.data());
     kept_slab_ = wanted;
   }
@@ -115,18 +116,23 @@ void TiffSamples::read_strips(TIFF* tiff, const TiffPage& page, std::uint32_t ch
   if (at < bytes) fail_page(tiff);
 }
 
+// Tiles may claim any size; most of a small page may be padding.
+void TiffSamples::require_tiles(TIFF* tiff, const TiffPage& page) const {
+  const auto [width, height, depth] = page.tile;
+  const std::uint64_t row = page.row_bytes(width);
+  constexpr std::uint64_t max_padding = std::uint64_t{1} << 26;
+  const std::uint64_t most = page.plane_bytes() * page.depth + max_padding;
+  if (height == 0 || row * 8 != std::uint64_t{width} * page.samples_of_pixel() * page.bits ||
+      row > most / height / depth || row * height != static_cast<std::uint64_t>(TIFFTileSize(tiff)))
+    fail_page(tiff);
+}
+
 // All slices that a layer of tiles has.
 void TiffSamples::read_slab(TIFF* tiff, const TiffPage& page, std::uint32_t slab,
                             std::uint32_t channel, unsigned char* stored) {
   const auto [width, height, depth] = page.tile;
   const std::uint64_t row = page.row_bytes(width);
   const std::uint64_t bytes = row * height * depth;
-  constexpr std::uint64_t max_padding = std::uint64_t{1} << 26;
-  if (height == 0 || depth == 0 ||
-      row * 8 != std::uint64_t{width} * page.samples_of_pixel() * page.bits ||
-      row * height != static_cast<std::uint64_t>(TIFFTileSize(tiff)) ||
-      bytes > page.plane_bytes() * page.depth + max_padding)
-    fail_page(tiff);
   tile_.resize(bytes);
   const std::uint32_t slices = std::min(depth, page.depth - slab * depth);
   for (std::uint32_t top = 0; top < page.height; top += height)

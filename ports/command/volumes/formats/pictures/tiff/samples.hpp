@@ -47,6 +47,7 @@ class TiffSamples {
   void read_plane(TIFF* tiff, const TiffPage& page, std::uint32_t slice, std::uint32_t channel,
                   unsigned char* stored);
   void read_strips(TIFF* tiff, const TiffPage& page, std::uint32_t channel, unsigned char* stored);
+  void require_tiles(TIFF* tiff, const TiffPage& page) const;
   void read_slab(TIFF* tiff, const TiffPage& page, std::uint32_t slab, std::uint32_t channel,
                  unsigned char* stored);
   void read_tile(TIFF* tiff, const TiffPage& page, std::uint32_t tile);
