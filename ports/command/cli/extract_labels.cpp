@@ -175,6 +175,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
                              "; --allow-empty takes that");
 
   std::vector<NamedSelection> selections;
+  selections.reserve(labels.size());
   for (const FoundLabel& each : labels) selections.push_back(each.name);
   const std::vector<std::string> names = files.names_for(selections);
   if (!arguments.quiet)
