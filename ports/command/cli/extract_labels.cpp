@@ -16,6 +16,7 @@
 #include "extract_files.hpp"
 #include "extraction/labels.hpp"
 #include "mesh_output.hpp"
+#include "pictures/label_colour.hpp"
 #include "progress.hpp"
 #include "require.hpp"
 #include "segmentation.hpp"
@@ -120,7 +121,7 @@ NamedSelection selection_of(const LabelNames& names, std::uint32_t layer, LabelV
   const NamedLabels named = names.named(layer, label);
   NamedSelection selection{{}, label.text()};
   selection.name = named.name;
-  selection.colour = named.colour;
+  selection.colour = named.colour ? named.colour : label_colour(label.rounded());
   return selection;
 }
 

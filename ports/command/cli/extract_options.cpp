@@ -257,7 +257,8 @@ void add_label_options(CLI::App& app, ExtractArguments& arguments) {
   app.add_option("--label-table", arguments.reading.label_table,
                  "the names of labels, which {name} stands for, and their colours (.glb, .3mf, "
                  ".ply): a table of 3D Slicer, FreeSurfer, ITK-SNAP or BIDS, or dataset.json of "
-                 "nnU-Net (default: what the file tells, as a .seg.nrrd of 3D Slicer does)")
+                 "nnU-Net (default: what the file has, as a .seg.nrrd of 3D Slicer; else 21 "
+                 "colours by number)")
       ->option_text("FILE");
 }
 
