@@ -151,7 +151,7 @@ class BasicExtractor {
   void forget_addresses();
   void clear();
   Status ready_for_samples();
-  void note(Arrival arrival);
+  void note_origin(RowOrigin origin);
 
   bool work();
   uint32_t rows_outside(int32_t y) const;
@@ -190,7 +190,7 @@ class BasicExtractor {
 
 /// The extractor for firmware, and for hosts without special needs.
 template <class Index>
-class Extractor : public BasicExtractor<Index, NoNormals, trace::Sweep<Index, NoNormal>> {
+class Extractor : public BasicExtractor<Index, BitIntake, trace::Sweep<Index, NoNormal>> {
  public:
   Extractor() = default;
 

@@ -96,8 +96,8 @@ PushResult BasicExtractor<Index, Intake, Sweep>::push_samples(const Sample* samp
   PushResult result{ready_for_samples(), 0};
   while (result.status == Status::ok && result.samples < count) {
     const uint32_t taken = samples_of_row(count - result.samples, intake_.column(bits_), width_);
-    note(intake_.append(bits_, samples + size_t{result.samples} * stride, taken, stride,
-                        threshold_));
+    note_origin(intake_.append(bits_, samples + size_t{result.samples} * stride, taken, stride,
+                               threshold_));
     result.samples += taken;
     const bool is_last = result.samples == count;
     result.status = is_last ? resume() : ready_for_samples();
@@ -120,7 +120,7 @@ PushResult BasicExtractor<Index, Intake, Sweep>::skip_row(Substitute substitute)
   const Status status = ready_for_samples();
   if (status != Status::ok) return {status, 0};
   if (intake_.column(bits_) != 0) return {Status::row_in_progress, 0};
-  note(intake_.skip(bits_, substitute == Substitute::previous_row, threshold_));
+  note_origin(intake_.skip(bits_, substitute == Substitute::previous_row, threshold_));
   return {resume(), width_};
 }
 
@@ -149,11 +149,11 @@ Status BasicExtractor<Index, Intake, Sweep>::abandon() {
   return resume();
 }
 
-// A row of bits whose samples never came is told before it is swept.
+// The event of a row without samples precedes its sweep.
 template <class Index, class Intake, class Sweep>
-void BasicExtractor<Index, Intake, Sweep>::note(Arrival arrival) {
-  if (arrival == Arrival::nothing) return;
-  skip_repeated_ = arrival == Arrival::repeated;
+void BasicExtractor<Index, Intake, Sweep>::note_origin(RowOrigin origin) {
+  if (origin == RowOrigin::samples) return;
+  skip_repeated_ = origin == RowOrigin::repeated;
   skip_is_due_ = true;
   ++statistics_.skipped_rows;
 }
@@ -215,7 +215,7 @@ bool BasicExtractor<Index, Intake, Sweep>::work() {
     if (bits_.rows() == height_ && !end_slice()) return false;
     if (state_ == State::scanning) break;
     if (intake_.holds_rows(bits_))
-      note(intake_.drain(bits_, threshold_));
+      note_origin(intake_.drain(bits_, threshold_));
     else if (swept_rows_ == ready_rows() && !end_scan())
       return false;
   }

@@ -37,8 +37,8 @@ class Sweep {
   const Delivery<Index, Normal>& delivery() const { return delivery_; }
 
   /// Sweeps a row, or goes on with it. False when the sink said "not now": call again.
-  template <class Normals>
-  bool sweep(const SweptRow& row, const Normals& normals, const Sink& sink, Statistics& statistics);
+  template <class Intake>
+  bool sweep(const SweptRow& row, const Intake& intake, const Sink& sink, Statistics& statistics);
 
   /// After the last vertex: delivers holes that still wait, loose. As sweep().
   bool settle_holes(const Sink& sink, Statistics& statistics) {
@@ -46,8 +46,8 @@ class Sweep {
   }
 
  protected:
-  template <class Normals>
-  bool take_passes(const SweptRow& row, const Normals& normals, const Sink& sink,
+  template <class Intake>
+  bool take_passes(const SweptRow& row, const Intake& intake, const Sink& sink,
                    Statistics& statistics);
 
   bool chains_are_ended_ = false;  // at the row under way above a slab
@@ -61,22 +61,22 @@ class Sweep {
 // an end does not know where it is, the chains that come up to a vertex are ended there first, and
 // those that go down from it begin there then.
 template <class Index, class Normal>
-template <class Normals>
-bool Sweep<Index, Normal>::sweep(const SweptRow& row, const Normals& normals, const Sink& sink,
+template <class Intake>
+bool Sweep<Index, Normal>::sweep(const SweptRow& row, const Intake& intake, const Sink& sink,
                                  Statistics& statistics) {
   if (row.role == SlabRole::below_slab) return true;
   fragments_.set_below_is_lost(row.role == SlabRole::first_of_slab);
   for (;;) {
-    if (!take_passes(row, normals, sink, statistics)) return false;
+    if (!take_passes(row, intake, sink, statistics)) return false;
     chains_are_ended_ = row.role == SlabRole::above_slab && !chains_are_ended_;
     if (!chains_are_ended_) return true;
   }
 }
 
 template <class Index, class Normal>
-template <class Normals>
-bool Sweep<Index, Normal>::take_passes(const SweptRow& row, const Normals& normals,
-                                       const Sink& sink, Statistics& statistics) {
+template <class Intake>
+bool Sweep<Index, Normal>::take_passes(const SweptRow& row, const Intake& intake, const Sink& sink,
+                                       Statistics& statistics) {
   if (!delivery_.settle(fragments_, sink, statistics)) return false;
   do {
     while (passes_.has_next()) {
@@ -84,7 +84,7 @@ bool Sweep<Index, Normal>::take_passes(const SweptRow& row, const Normals& norma
       const Vertex& vertex = passes_.vertex();
       passes_.advance();
       if (row.is_own())
-        fragments_.take(pass, vertex, normals);
+        fragments_.take(pass, vertex, intake);
       else
         fragments_.cut_at(pass, vertex, !chains_are_ended_);
       if (fragments_.has_outgoing() && !delivery_.settle(fragments_, sink, statistics))
