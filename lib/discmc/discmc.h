@@ -518,8 +518,7 @@ DISCMC_CHECK discmc_status discmc_row_ring_start(discmc_row_ring** ring,
 void* discmc_row_ring_free_row(const discmc_row_ring* ring, uint32_t ahead);
 /* Interrupt: the free row is filled. */
 void discmc_row_ring_commit(discmc_row_ring* ring);
-/* Interrupt: this many rows before the free one were lost. Returns the count of all rows, mod 2^32.
- */
+/* Interrupt: `rows` rows before the free one were lost. Returns the count of all rows, mod 2^32. */
 uint32_t discmc_row_ring_drop(discmc_row_ring* ring, uint32_t rows);
 /* Interrupt: no row follows. */
 void discmc_row_ring_end(discmc_row_ring* ring);
