@@ -260,7 +260,255 @@ TEST_CASE("the guide's stream of slices makes the regions of the device's own") 
   CHECK(bytes.size() < regions.size() / 2);
 }
 
-TEST_CASE("the guide's receiver follows closed outlines to the end, and notices a lost packet") {
+TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a lost packet") {
+  // So little memory that the device sends fragments.
+  static uint8_t memory[minimum_bytes<uint16_t>(limits) + 256];
+  Bytes bytes;
+  Encoder encoder;
+  Extractor16 extractor;
+  REQUIRE(encoder.start({size}, {&bytes, append}) == Status::ok);
+  REQUIRE(extractor.start(limits, threshold, memory_of(memory), make_sink(encoder)) == Status::ok);
+  Ball ball;
+  for (uint32_t i = 0; i < size * size; ++i)
+    REQUIRE(extractor.push(ball.scan(i), size).status == Status::ok);
+  REQUIRE(extractor.finish() == Status::ok);
+  REQUIRE(extractor.statistics().fragments > 0);
+
+  REQUIRE(start_receiver());
+  for (const uint8_t byte : bytes) REQUIRE(receive(&byte, 1) == Status::ok);
+  CHECK(is_whole());
+  CHECK(joiner.report().fragments == extractor.statistics().fragments);
+  CHECK(outlines.lines > 0);
+
+  const auto middle = static_cast<int32_t>(size) - 1;
+  const auto y = static_cast<int32_t>(number % size), z = static_cast<int32_t>(number / size);
+  for (int32_t x = 0; x < static_cast<int32_t>(size); ++x) {
+    const Vertex v{2 * x - middle, 2 * y - middle, 2 * z - middle};
+    const double sample = 255 - dot(v, v) / 4 + noise * deviation(random);
+    row[x] = static_cast<uint8_t>(std::clamp(sample, 0.0, 255.0));
+  }
+  return row;
+}
+}
+;
+
+using Bytes = std::vector<uint8_t>;
+
+size_t append(void* bytes, const uint8_t* more, size_t count) {
+  auto& all = *static_cast<Bytes*>(bytes);
+  all.insert(all.end(), more, more + count);
+  return count;
+}
+
+constexpr Limits limits{size, size};
+
+struct Device {
+  Extractor16 extractor;
+  Encoder encoder;
+  uint8_t memory[minimum_bytes<uint16_t>(limits) + 16 * 1024];
+};
+
+bool begin(Device& device, const ByteOutput& output) {
+  auto& [extractor, encoder, memory] = device;
+  return encoder.start({size}, output) == Status::ok &&
+         extractor.start(limits, threshold, memory_of(memory), make_sink(encoder)) == Status::ok;
+}
+
+Bytes stream_of(Ball ball) {
+  Bytes bytes;
+  Device device;
+  REQUIRE(begin(device, {&bytes, append}));
+  for (uint32_t i = 0; i < size * size; ++i)
+    REQUIRE(device.extractor.push(ball.scan(i), size).status == Status::ok);
+  REQUIRE(device.extractor.finish() == Status::ok);
+  return bytes;
+}
+
+// Of docs/regions-or-slices.md.
+constexpr KeySlices key_slices{16};
+SliceEncoder slice_encoder;
+uint8_t slice_memory[slice_encoder_bytes(limits, key_slices)];
+
+bool begin_slices(const ByteOutput& output) {
+  StreamHeader header;
+  header.width = header.height = size;
+  header.thresholds[0] = threshold;
+  return slice_encoder.start(header, key_slices, memory_of(slice_memory), output) == Status::ok;
+}
+
+// Of docs/noise.md.
+MajorityFilter filter;
+uint8_t filter_memory[MajorityFilter::bytes_for(limits)];
+
+bool push_filtered(Extractor16& extractor, const uint8_t* bits) {
+  const uint8_t* row = filter.push(bits);  // the row that is due, a slice and a row later
+  return row == nullptr || extractor.push_bits(row).status == Status::ok;
+}
+
+bool finish_filtered(Extractor16& extractor) {
+  while (const uint8_t* row = filter.drain())
+    if (extractor.push_bits(row).status != Status::ok) return false;
+  return extractor.finish() == Status::ok;
+}
+
+// Of docs/front-end.md.
+constexpr uint32_t pixels = 640, rows_held = 4;
+alignas(32) uint8_t row_memory[RowRing::bytes_for(pixels * sizeof(uint16_t), rows_held)];
+RowRing ring;
+
+// The interrupt of the DMA controller: a row has come. Returns where the next one goes.
+void* on_row() {
+  if (ring.free_row(1) != nullptr)
+    ring.commit();
+  else
+    ring.drop();  // there is no room behind it: the next one overwrites it
+  return ring.free_row();
+}
+
+// The task. False: nothing has come, so sleep until the interrupt has.
+bool take_row(Extractor16& extractor, Status& status) {
+  switch (ring.peek()) {
+    case RowRing::Next::nothing:
+      return false;
+    case RowRing::Next::row: {
+      auto* const samples = static_cast<uint16_t*>(ring.row());
+      unpack(Packing::raw10, static_cast<const uint8_t*>(ring.row()), pixels, samples);
+      status = extractor.push(samples, pixels).status;
+      break;
+    }
+    case RowRing::Next::lost:
+      status = extractor.skip_row(Substitute::previous_row).status;
+      break;
+    case RowRing::Next::end:
+      status = extractor.finish();
+      return true;
+  }
+  ring.pop();
+  return true;
+}
+
+RowCropper cropper;
+
+bool start_part(Extractor16& extractor, const Memory& memory, const Sink& sink) {
+  const CropRange x{4, 24}, y{0, CropRange::rest}, z{0, CropRange::rest, 2};
+  return cropper.start(limits, x, y, z) == Status::ok &&
+         extractor.start(cropper.limits(), threshold, memory, sink) == Status::ok;
+}
+
+Status push_part(Extractor16& extractor, const uint8_t* row) {
+  if (!cropper.next()) return Status::ok;  // not of the part
+  return extractor.push(row + cropper.first(), cropper.count(), cropper.step()).status;
+}
+
+Status push_levelled(Extractor16& extractor, const uint8_t* row, int32_t threshold_of_row) {
+  static uint8_t bits[(size + 7) / 8];
+  threshold_row(row, size, threshold_of_row, bits);  // or threshold_row_less()
+  return extractor.push_bits(bits).status;
+}
+
+// Of docs/receiving.md.
+struct Outlines {
+  Incidence incidence = no_incidence;  // of the region: normal(incidence)
+  Vertex corner{};
+  uint64_t lines = 0;
+
+  SinkResult take(const Event& event) {
+    if (event.kind == Event::Kind::region) incidence = event.incidence;
+    if (event.kind == Event::Kind::ring) corner = event.start;
+    if (event.kind == Event::Kind::run) {
+      corner = after_run(incidence, corner, event.run);  // draw a line to here
+      ++lines;
+    }
+    return SinkResult::accepted;  // or busy: the same event comes again
+  }
+};
+
+Outlines outlines;
+Joiner joiner;
+uint8_t join_memory[192 * 1024];  // for 1,000 fragments
+SurfaceDecoder decoder;
+uint8_t decoder_memory[256 * 1024];  // for slices of 256x256, and 14,000 slots
+
+bool start_receiver() {
+  return joiner.start(memory_of(join_memory), make_sink(outlines), InputOrder::sweep) ==
+             Status::ok &&
+         decoder.start(memory_of(decoder_memory), make_sink(joiner)) == Status::ok;
+}
+
+Status receive(const uint8_t* bytes, size_t count) {
+  Decoded decoded{Status::suspended, 0};
+  for (size_t pushed = 0; decoded.status == Status::suspended; pushed += decoded.bytes)
+    decoded = decoder.push(bytes + pushed, count - pushed);
+  return decoded.status;
+}
+
+bool is_whole() {
+  while (decoder.finish() == Status::suspended) continue;
+  while (joiner.finish() == Status::suspended) continue;
+  return decoder.report().is_complete() && joiner.report().unmatched == 0;
+}
+
+// Of docs/power-failure.md.
+constexpr FlashGeometry flash_geometry{256, 4096, 32};  // pages, sectors, and how many of them
+
+struct Saved {
+  Checkpoint<Extractor16> scan;
+  Checkpoint<Encoder> stream;
+};
+constexpr uint32_t max_bytes = sizeof(Saved) + sizeof(Device::memory);
+static_assert(store_plan(flash_geometry, max_bytes).is_valid(), "the flash is too small");
+
+bool restore(Device& device, Saved& saved, CheckpointStore& store, const ByteOutput& output) {
+  auto& [extractor, encoder, memory] = device;
+  const Memory parts[] = {{&saved, sizeof saved}, memory_of(memory)};
+  return store.restore(parts, 2) == Status::ok &&
+         encoder.restore(saved.stream, output) == Status::ok &&
+         extractor.restore(saved.scan, memory_of(memory), make_sink(encoder)) == Status::ok;
+}
+
+bool save(Device& device, Saved& saved, CheckpointStore& store) {
+  auto& [extractor, encoder, memory] = device;
+  if (extractor.save(saved.scan) != Status::ok) return false;
+  if (encoder.save(saved.stream) != Status::ok) return false;
+  const Memory parts[] = {{&saved, sizeof saved}, {memory, extractor.bytes_used()}};
+  Status status = store.save(parts, 2);
+  while (status == Status::suspended) status = store.resume();  // what must not wait goes here
+  return status == Status::ok;
+}
+
+}  // namespace
+
+TEST_CASE("the guide's stream of slices makes the regions of the device's own") {
+  Bytes bytes;
+  REQUIRE(begin_slices({&bytes, append}));
+  Ball ball;
+  for (uint32_t i = 0; i < size * size; ++i)
+    REQUIRE(slice_encoder.push(ball.scan(i), size).status == Status::ok);
+  REQUIRE(slice_encoder.finish() == Status::ok);
+
+  struct Count {
+    uint64_t regions = 0;
+    SinkResult take(const Event& event) {
+      if (event.kind == Event::Kind::region_end) ++regions;
+      return SinkResult::accepted;
+    }
+  };
+  const auto regions_of = [](const Bytes& stream) {
+    static uint8_t memory[512 * 1024];
+    Count count;
+    SurfaceDecoder decoder;
+    REQUIRE(decoder.start(memory_of(memory), make_sink(count)) == Status::ok);
+    REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
+    REQUIRE(decoder.finish() == Status::ok);
+    CHECK(decoder.report().is_complete());
+    return count.regions;
+  };
+  const Bytes regions = stream_of(ball);
+  CHECK(regions_of(bytes) == regions_of(regions));
+  CHECK(bytes.size() < regions.size() / 2);
+}
+
+TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a lost packet") {
   // So little memory that the device sends fragments.
   static uint8_t memory[minimum_bytes<uint16_t>(limits) + 256];
   Bytes bytes;
