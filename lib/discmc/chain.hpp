@@ -141,9 +141,9 @@ constexpr PlanePoint projected(Incidence incidence, const Vertex& p) {
   return {p.y, p.z};
 }
 
-/// A point of the region that a ring bounds, close to the middle of the ring's first link and to
-/// the left of the link, for outer rings and holes alike. No ring of a surface passes through this
-/// point. Units: eighths of a half-step.
+/// A point of the region that a ring bounds. It lies close to the middle of the ring's first link
+/// and to the left of the link, for outer rings and holes alike. No ring of a surface passes
+/// through this point. Units: eighths of a half-step.
 constexpr PlanePoint point_beside(Incidence incidence, const Vertex& start, Direction first) {
   const Vertex link = direction_vector(incidence, first);
   const PlanePoint begin = projected(incidence, start);

@@ -25,7 +25,7 @@ class Encoder {
   /// Prepares a stream. The `start` event of the extractor supplies the rest of the header, and the
   /// header is the first packet. Each further scan is a further stream with the next scan number.
   /// If a reset may have cut off a frame, send a zero byte first: it ends that frame. start()
-  /// during a scan ends the stream abruptly, so start the extractor again, too. Errors: bad_label,
+  /// during a scan ends the stream abruptly; start the extractor again, too. Errors: bad_label,
   /// bad_sink (no write).
   [[nodiscard]] Status start(const StreamLabel& label, const ByteOutput& output);
 

@@ -6,8 +6,8 @@
 //   encoder.encode_normals();                           // otherwise the stream omits them
 //   extractor.set_spacing(spacing_nm);                  // before start(), unless voxels are cubes
 //
-// The extractor keeps the samples of four slices and six rows, and delays every row by a slice and
-// a row, so that it has the samples on all sides of the sweep. It computes a normal for each corner
+// The extractor keeps the samples of four slices and six rows. It delays every row by a slice and a
+// row, so that it has the samples on all sides of the sweep. It computes a normal for each corner
 // and stores it with the run that starts there; points in the middle of a side have no normal. A
 // slab has one slice of context: near a seam the gradient uses the available slices, as at the end
 // of a volume.

@@ -33,9 +33,9 @@ enum class InputOrder : uint8_t {
   /// The order of one sweep. The joiner delivers a region as soon as its outer ring closes.
   sweep,
   /// Loose fragments in any order, from one stream or several. Regions joined from them wait for
-  /// finish(). Limit: no event of another stream comes between `region` and `region_end`, or
-  /// between `fragment` and `fragment_end`, of one stream; and a region that arrives whole comes
-  /// after the loose fragments that its own stream has before it.
+  /// finish(). Limit: between `region` and `region_end`, or `fragment` and `fragment_end`, of one
+  /// stream comes no event of another. A region that arrives whole comes after the loose fragments
+  /// that its own stream has before it.
   any,
 };
 

@@ -28,8 +28,8 @@ struct UnitNormal {
   int16_t x, y, z;
 };
 
-/// A unit vector in two bytes: its place on the octahedron |x| + |y| + |z| = 127, whose lower half
-/// (z < 0) is folded outwards, plus 128 (Meyer et al., "On Floating-Point Normal Vectors", 2010). u
+/// A unit vector in two bytes: its place on the octahedron |x| + |y| + |z| = 127, plus 128. The
+/// lower half (z < 0) is folded outwards. Meyer et al., "On Floating-Point Normal Vectors", 2010. u
 /// is zero if there is no normal. Error: at most 0.96 degrees.
 struct OctahedralNormal {
   uint8_t u, v;

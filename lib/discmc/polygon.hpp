@@ -1,8 +1,9 @@
 // From chains to polygons: vertices, simple rings, corners.
 //
-// A sweep ring may touch itself in a vertex. split_ring() splits a ring at every repeated vertex
-// into simple rings, as polygon libraries expect; the set of simple rings is unique. It drops rings
-// of two links, the slits that cuts leave behind. All functions work in the caller's memory.
+// A sweep ring may touch itself in a vertex. The function split_ring() splits a ring at every
+// repeated vertex into simple rings, as polygon libraries expect. The set of simple rings is
+// unique. It drops rings of two links, the slits that cuts leave behind. All functions work in the
+// caller's memory.
 #ifndef DISCMC_POLYGON_HPP
 #define DISCMC_POLYGON_HPP
 

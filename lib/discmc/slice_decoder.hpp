@@ -122,7 +122,7 @@ class SliceDecoder {
   uint8_t surface_ = 0;              // whose row is read
   slices::RowNote note_ = slices::RowNote::none;
   uint32_t cut_row_ = 0;   // where the code is cut: in this row of those of all surfaces
-  uint32_t cut_left_ = 0;  // before so many of its voxels; 0 where it is not
+  uint32_t cut_left_ = 0;  // the number of its voxels behind the cut; 0 without a cut
   uint32_t slice_ = 0;
   uint32_t next_slice_ = 0;   // after what is lost
   uint64_t lost_rows_ = 0;    // not yet reported

@@ -32,10 +32,10 @@ struct KeySlices {
   /// packet costs the slices up to the next key slice, so about half of the interval.
   ///
   /// Choose the largest loss that you accept, and no less than the slices in a packet. A slice of a
-  /// CT head has about 200 bytes: 16 slices are 13 packets, and the stream is 4 % longer than with
-  /// one key slice; 8 slices: 8 %, 4 slices: 16 %. 1 needs the least memory but makes longer
-  /// streams: the CT head 62 %, an engine 83 %, a ball, whose slices nearly repeat each other, 253
-  /// %.
+  /// CT head has about 200 bytes, so 16 slices are 13 packets. Compared with one key slice, 16 make
+  /// the stream 4 % longer, 8 make it 8 % longer, and 4 make it 16 % longer. 1 needs the least
+  /// memory but makes longer streams: the CT head 62 %, an engine 83 %, a ball, whose slices nearly
+  /// repeat each other, 253 %.
   uint32_t interval = 0;
 
   constexpr bool is_every() const { return interval == 1; }
@@ -56,9 +56,9 @@ constexpr uint64_t surface_bytes(const Limits& limits, uint32_t rows, uint32_t s
 
 }  // namespace slices
 
-/// The bytes of memory that a SliceEncoder needs (FOOTPRINT.md has a table). Per surface: four rows
-/// of bits and one more if every slice is a key slice, otherwise the rows of a slice and three
-/// more; and 548 bytes for the first surface, 1,060 for each further one. Limit: valid limits.
+/// The bytes of memory that a SliceEncoder needs (FOOTPRINT.md has a table). The first surface
+/// needs 548 bytes, each further one 1,060. In addition each surface needs rows of bits: five if
+/// every slice is a key slice, otherwise the rows of a slice and three more. Limit: valid limits.
 constexpr uint64_t slice_encoder_bytes(const Limits& limits, KeySlices key_slices,
                                        uint32_t surfaces = 1) {
   const uint32_t rows = slices::rows_kept(limits.height, key_slices.is_every());

@@ -5,9 +5,9 @@
 // rows lost in transit as skipped rows, so the surface is closed and `skipped` events locate the
 // loss.
 //
-// It delivers one of several surfaces in a stream. For all of them use one decoder per channel,
-// push all bytes to each, and give each the memory for all: decoding a further surface needs the
-// rows of the first. For scan after scan see decoder.hpp; examples/link.cpp shows both.
+// It delivers one of several surfaces in a stream. For all of them use one decoder per channel, and
+// push all bytes to each. Give each the memory for all surfaces: decoding a further surface needs
+// the rows of the first. For scan after scan see decoder.hpp; examples/link.cpp shows both.
 #ifndef DISCMC_SURFACE_DECODER_HPP
 #define DISCMC_SURFACE_DECODER_HPP
 
@@ -18,7 +18,7 @@ namespace discmc {
 
 /// The least memory for streams of slices of this size with this many surfaces. More memory makes
 /// whole regions of loose fragments, at 16 bytes per slot, as in an Extractor32. For slices of
-/// 256x256 the least is 29,838 bytes; with 64 KiB two thirds of the regions of a CT head arrive
+/// 256x256 the least is 29,838 bytes. With 64 KiB two thirds of the regions of a CT head arrive
 /// whole, with 128 KiB 99 %, with 176 KiB all. A Joiner joins the others. Limit: valid limits.
 constexpr uint64_t minimum_surface_bytes(const Limits& limits, uint32_t surfaces = 1) {
   return slice_decoder_bytes(limits, surfaces) + minimum_bytes<uint32_t>(limits);
@@ -35,7 +35,7 @@ class SurfaceDecoder {
   SurfaceDecoder(const SurfaceDecoder&) = delete;
   SurfaceDecoder& operator=(const SurfaceDecoder&) = delete;
 
-  /// Waits for a stream. memory: none for streams of regions, or while the header is unknown; for
+  /// Waits for a stream. memory: none for streams of regions, or while the header is unknown. For
   /// streams of slices at least minimum_surface_bytes() of the size in the header, and more for
   /// fewer loose fragments; Owner: the caller, while the decoder is in use. channel: as of the
   /// Decoder; of several surfaces the one on this channel, or the first. Errors: bad_sink.
