@@ -42,10 +42,10 @@ class BasicExtractor {
 
   /// Begins a scan with as many slots as fit in the memory (default_capacities()). threshold: a
   /// voxel is on if its sample is >= threshold. memory: at least minimum_bytes<Index>(limits);
-  /// Owner: the caller, for as long as the scan lasts. Errors: bad_limits, too_little_memory,
-  /// bad_sink (no function, or the sink rejects the start of the scan, as an encoder does before
-  /// its own start()); after an error memory is untouched. Cost: one write per queue and per word
-  /// of a row.
+  /// Owner: the caller, for as long as the scan lasts. Errors: bad_limits (also if they need a
+  /// feature that was left out), too_little_memory, bad_sink (no function, or the sink rejects the
+  /// start of the scan, as an encoder does before its own start()); after an error memory is
+  /// untouched. Cost: one write per queue and per word of a row.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
                              const Sink& sink) {
     return start(limits, default_capacities<Index, Intake>(limits, memory.bytes), threshold, memory,
@@ -143,10 +143,17 @@ class BasicExtractor {
   Sweep& sweep() { return sweep_; }
 
  private:
+  using Features = typename Sweep::Features;
+
   enum class State : uint8_t { idle, scanning, finishing, finished };
 
   template <class Sample>
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
+  static bool can_scan(const Limits& limits);
+  bool is_open() const { return Features::open_border && border_ == Border::open; }
+  bool continues_below() const { return Features::slabs && continues_below_; }
+  bool continues_above() const { return Features::slabs && continues_above_; }
+  uint32_t first_slice() const { return Features::slabs ? first_slice_ : 0; }
   bool lay_out(const Limits& limits, Memory memory);
   void forget_addresses();
   void clear();
@@ -188,9 +195,11 @@ class BasicExtractor {
   Memory memory_;
 };
 
-/// The extractor for firmware, and for hosts without special needs.
-template <class Index>
-class Extractor : public BasicExtractor<Index, BitIntake, trace::Sweep<Index, NoNormal>> {
+/// The extractor for firmware, and for hosts without special needs. The library contains it with
+/// all features. A program that selects features includes discmc/trace/extractor_definitions.hpp.
+/// Then the compiler inlines more, because it sees which functions are called.
+template <class Index, class Features = AllFeatures>
+class Extractor : public BasicExtractor<Index, BitIntake, trace::Sweep<Index, NoNormal, Features>> {
  public:
   Extractor() = default;
 

@@ -13,6 +13,7 @@ namespace discmc::trace {
 /// To an extractor what a Sweep is.
 class CornerSweep : private Sweep<uint32_t, NoNormal> {
  public:
+  using Features = AllFeatures;
   using Plain = Sweep<uint32_t, NoNormal>;
 
   using Plain::delivery;
