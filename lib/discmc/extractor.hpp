@@ -42,10 +42,10 @@ class BasicExtractor {
 
   /// Begins a scan with as many slots as fit in the memory (default_capacities()). threshold: a
   /// voxel is on if its sample is >= threshold. memory: at least minimum_bytes<Index>(limits);
-  /// Owner: the caller, for as long as the scan lasts. Errors: bad_limits (also if they need a
-  /// feature that was left out), too_little_memory, bad_sink (no function, or the sink rejects the
-  /// start of the scan, as an encoder does before its own start()); after an error memory is
-  /// untouched. Cost: one write per queue and per word of a row.
+  /// Owner: the caller, for as long as the scan lasts. Errors: bad_limits (also limits that need a
+  /// feature that was left out), too_little_memory, bad_sink (no function, or a sink that rejects
+  /// the start, as an unstarted encoder does). After an error memory is untouched. Cost: one write
+  /// per queue and per word of a row.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
                              const Sink& sink) {
     return start(limits, default_capacities<Index, Intake>(limits, memory.bytes), threshold, memory,
