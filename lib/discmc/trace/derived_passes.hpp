@@ -43,7 +43,7 @@ class DerivedPasses {
 };
 
 template <class Features>
-bool DerivedPasses::find_word(const SweptRow& row) {
+DISCMC_ALWAYS_INLINE bool DerivedPasses::find_word(const SweptRow& row) {
   for (uint32_t word = word_; word < row.words; ++word) {
     if (!crossings_.find<has_absent<Features>>(row, word)) continue;
     word_ = word + 1;

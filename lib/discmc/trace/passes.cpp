@@ -92,7 +92,7 @@ class Surroundings {
 };
 
 // Takes out the wedges where there are no cells.
-void remove_absent(PassList& passes) {
+DISCMC_ALWAYS_INLINE void remove_absent(PassList& passes) {
   uint8_t count = 0;
   for (uint32_t i = 0; i < passes.count; ++i)
     if (passes.pass[i].incidence != no_incidence) passes.pass[count++] = passes.pass[i];

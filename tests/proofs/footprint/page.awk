@@ -68,10 +68,11 @@ function print_requirements(    i, t, cores, targets, part, text) {
   print "| | Cortex-M0+ | Cortex-M4 | RV32IMAC |"
   print "|---|--:|--:|--:|"
   split("sends polygons: flash|Flash|scanner: the three above|" \
+    "sends polygons, fewest features: flash|Features|leanest: without the four|" \
     "sends polygons: stack|Stack|Extractor16 into an Encoder|" \
     "sends thresholded slices: flash|Flash|slice encoder of 8-bit samples|" \
     "sends thresholded slices: stack|Stack|SliceEncoder::push()", part, "|")
-  for (i = 1; i <= 12; i += 3) {
+  for (i = 1; i <= 15; i += 3) {
     text = "| " part[i] " |"
     for (t = 1; t <= cores; t++)
       text = text " " grouped(figure(part[i + 1], part[i + 2], targets[t] " -Os")) " |"

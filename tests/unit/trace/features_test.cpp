@@ -47,9 +47,17 @@ Events events_of(const BitVolume& volume, const Capacities& capacities,
   return log.events;
 }
 
+BitVolume plate_with_a_hole() {
+  BitVolume plate = box({12, 12, 4}, {1, 1, 1}, {10, 10, 2});
+  for (int z = 1; z <= 2; ++z)
+    for (int y = 4; y <= 7; ++y)
+      for (int x = 4; x <= 7; ++x) plate.on[plate.index(x, y, z)] = 0;
+  return plate;
+}
+
 std::vector<BitVolume> volumes() {
   return {random({40, 9, 8}, 128, 1), random({9, 8, 12}, 20, 2), ball({20, 20, 20}, {9, 9, 9}, 70),
-          torus({24, 24, 9}, 81, 9), spiral({15, 15, 4})};
+          plate_with_a_hole(), spiral({15, 15, 4})};
 }
 
 Events without_totals(Events events) {
