@@ -1,8 +1,8 @@
 # page.awk RECORD PAGE: prints the page with what it shows of the record put between its marks
 #   <!-- footprint: NAME -->  and  <!-- end -->
-# NAME is a group of the record, which becomes a table, or `compilers`, or `summary`. The record has a
-# figure a line: group, name, column, value, with tabs between them; rows and columns of a table come
-# in the order of their first mention.
+# NAME is a group of the record, which becomes a table, or `compilers`, `summary`, `requirements` or
+# `requirements of RAM`. The record has a figure per line: group, name, column, value, with tabs between
+# them; rows and columns of a table come in the order of their first mention.
 
 BEGIN { FS = "\t" }
 
@@ -68,8 +68,39 @@ function print_summary(    target, head, slices) {
   bytes_row("stream", figure("Payloads", "bytes: " head, "regions"), \
     figure("Payloads", "bytes: " head, slices))
   print "| instructions per voxel | " \
-    grouped(figure("Payloads", target ": instructions a voxel, CT head", "regions")) " | " \
-    grouped(figure("Payloads", target ": instructions a voxel, CT head", slices)) " |"
+    grouped(figure("Payloads", target ": instructions per voxel, CT head", "regions")) " | " \
+    grouped(figure("Payloads", target ": instructions per voxel, CT head", slices)) " |"
+}
+
+# What a device needs to send either kind of stream.
+function print_requirements(    i, t, cores, targets, part, text) {
+  cores = split("Cortex-M0+|Cortex-M4|RV32IMAC", targets, "|")
+  print "| | Cortex-M0+ | Cortex-M4 | RV32IMAC |"
+  print "|---|--:|--:|--:|"
+  split("sends polygons: flash|Flash|scanner: the three above|" \
+    "sends polygons, fewest features: flash|Features|leanest: without the four|" \
+    "sends polygons: stack|Stack|Extractor16 into an Encoder|" \
+    "sends thresholded slices: flash|Flash|slice encoder of 8-bit samples|" \
+    "sends thresholded slices: stack|Stack|SliceEncoder::push()", part, "|")
+  for (i = 1; i <= 15; i += 3) {
+    text = "| " part[i] " |"
+    for (t = 1; t <= cores; t++)
+      text = text " " grouped(figure(part[i + 1], part[i + 2], targets[t] " -Os")) " |"
+    print text
+  }
+}
+
+# Objects and arena together, by the size of a slice.
+function print_requirements_of_ram(    i, sizes, size, polygons, slices) {
+  polygons = figure("RAM", "Extractor16", "bytes") + figure("RAM", "Encoder", "bytes")
+  slices = figure("RAM", "SliceEncoder", "bytes")
+  print "| | polygons, least | thresholded slices | key slices only |"
+  print "|---|--:|--:|--:|"
+  sizes = split(names_of["Arena"], size, FS)
+  for (i = 2; i <= sizes; i++)
+    print "| " size[i] " | " grouped(polygons + figure("Arena", size[i], "extractor, least")) " | " \
+      grouped(slices + figure("Arena", size[i], "slice encoder")) " | " \
+      grouped(slices + figure("Arena", size[i], "key slices only")) " |"
 }
 
 # ---- the record ----
@@ -98,6 +129,8 @@ FNR == NR {
   name = substr($0, 17, length($0) - 20)
   if (name == "compilers") print "Compilers: " compilers "."
   else if (name == "summary") print_summary()
+  else if (name == "requirements") print_requirements()
+  else if (name == "requirements of RAM") print_requirements_of_ram()
   else if (name in names_of) print_table(name)
   else fail("no figures named '" name "'")
 }
