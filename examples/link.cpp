@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr int32_t size = 48;  // voxels a row, rows a slice, slices
+constexpr int32_t size = 48;  // voxels per row, rows per slice, slices
 constexpr int32_t thresholds[] = {192, 224};
 constexpr uint32_t surfaces = 2;
 constexpr uint8_t time_stamp = 1;  // a kind of record: the application's own, below 240

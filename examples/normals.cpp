@@ -5,7 +5,7 @@
 
 using namespace discmc;
 
-constexpr int32_t size = 48;  // voxels a row, rows a slice, slices
+constexpr int32_t size = 48;  // voxels per row, rows per slice, slices
 constexpr int32_t threshold = 192;
 constexpr Limits limits{size, size};
 constexpr int32_t spacing_nm[] = {500000, 500000, 1000000};

@@ -11,7 +11,7 @@
 #include <discmc/discmc.hpp>
 
 using namespace discmc;
-constexpr uint32_t size = sensor_pixels;  // voxels a row, rows a slice, slices
+constexpr uint32_t size = sensor_pixels;  // voxels per row, rows per slice, slices
 constexpr uint32_t row_count = size * size;
 constexpr int32_t threshold = 192;
 constexpr Limits limits{size, size};
