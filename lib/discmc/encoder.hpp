@@ -6,7 +6,7 @@
 #include <discmc/records_packet.hpp>
 #include <discmc/status.hpp>
 #include <discmc/stream/packet_writer.hpp>
-#include <discmc/stream/region_model.hpp>
+#include <discmc/stream/symbol_coders.hpp>
 
 namespace discmc {
 
@@ -81,15 +81,8 @@ class Encoder {
   Encoder(const Encoder&) = default;
   Encoder& operator=(const Encoder&) = default;
 
-  struct Coder {
-    RangeEncoder range;
-    bool code_bit(uint32_t context, bool bit) {
-      encode(context, bit);
-      return bit;
-    }
-    void encode(uint32_t context, bool bit);
-  };
-  using Model = RegionModel<Coder>;
+  using Record = stream::Record;
+  using Model = stream::RecordModel<stream::SymbolWriter>;
 
   enum class State : uint8_t {
     idle,      // no scan has begun
@@ -106,11 +99,10 @@ class Encoder {
   bool put(const Event& event);
   bool fill_packet(const Event& event);
   bool encode_whole(const Event& event);
-  bool encode_part(uint32_t& words, Event::Kind cause);
-  Status ready_for_packet(bool is_good);
+    Status ready_for_packet(bool is_good);
 
   bool packet_is_empty() const { return model_.coder().range.is_empty(); }
-  bool fits(size_t reserve) const;
+  bool fits() const;
   void open_packet();
   void seal_records();
   bool drain();
