@@ -7,82 +7,67 @@
 
 namespace discmc::stream {
 
+constexpr Direction direction_in(uint32_t run) {
+  return Run::from_code(run).direction();
+}
+constexpr uint32_t length_in(uint32_t run) {
+  return Run::from_code(run).length();
+}
+
 /// How many runs the ring has whose first run is word `first`, when they are short and close it:
 /// then its last two lengths follow from the others. 0 when they are not or do not.
 uint32_t closed_runs(const Record& record, uint32_t first);
 
-/// From which end a whole fragment is told: the one that costs less after the vertex `before`.
-/// Returns RecordKind::forwards and its start, or backwards and the vertex before its end.
-RecordKind cheaper_end(const Record& record, const Vertex& before, Vertex& vertex);
+/// The corners of a ring of three or four, if it turns left at each, by less than a half turn: the
+/// turns at its second, third and last one, as digits. 0 for any other ring.
+uint32_t corners_of(const uint32_t* runs, uint32_t count, uint32_t directions);
 
-/// A ring of three or four corners that turns left at each, by less than a half turn: the turns at
-/// its second, third and last corner, to the base of the class, and that to its first direction.
-struct Corners {
-  uint32_t code;  ///< 0 for any other ring
-  uint32_t closing;
-  bool is_parallelogram;
-};
+/// Whether a whole fragment costs less when it is told from its end, after the vertex `before`.
+/// Returns the vertex before its end, too, else its start.
+bool is_nearer_at_end(const Record& record, const Vertex& before, Vertex& vertex);
 
-inline Corners corners_of(const uint32_t* runs, uint32_t count, uint32_t link_class,
-                          uint32_t first_back) {
-  constexpr Corners other{0, 4, false};
-  if (count - 3 > 1) return other;
-  const uint32_t directions = 4 + 2 * link_class;
-  const uint32_t first = Run::from_code(runs[0]).direction();
-  const auto turn = [&](uint32_t from, uint32_t to) {
-    return to - from + (to < from ? directions : 0);
-  };
-  uint32_t from = first;
-  uint32_t code = 0;
-  uint32_t place = 1;
-  uint32_t turns[4];
-  for (uint32_t i = 0; i < 4; ++i) {
-    const uint32_t to = i + 1 < count ? Run::from_code(runs[i + 1]).direction() : first;
-    turns[i] = turn(from, to);
-    from = to;
-    if (i == 3) break;
-    if (turns[i] - 1 > link_class) return other;
-    code += place * (turns[i] - 1);
-    place *= link_class + 1;
+/// A ring run by run, behind its first direction. The last two lengths follow from the others.
+template <class Model>
+void encode_long_ring(Model& model, const uint32_t* runs, uint32_t count) {
+  if (count > 2) model.length(rows::lengths, direction_in(runs[0]), length_in(runs[0]));
+  for (uint32_t i = 1; i < count; ++i) {
+    if (i + 2 < count)
+      model.run(Run::from_code(runs[i]));
+    else
+      model.last_direction(direction_in(runs[i]));
   }
-  const uint32_t closing = count == 3 ? turns[2] : turns[3];
-  const uint32_t back = turn(first_back == directions ? 0 : first_back, first);
-  if (back >= closing) return other;
-  return {link_class == 0 ? 1 : code, closing, count == 4 && turns[0] == turns[2]};
+  const uint32_t before = runs[count - 2];
+  if (are_parallel(model.directions(), direction_in(before), direction_in(runs[count - 1])))
+    model.length(rows::lengths, direction_in(before), length_in(before));
 }
 
 /// Limit: as closed_runs() counts them.
 template <class Model>
 void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32_t count) {
-  const auto run = [runs](uint32_t index) { return Run::from_code(runs[index]); };
-  const Corners corners = corners_of(runs, count, model.link_class(), first_back(incidence));
-  if (model.corners(corners.code) == 0) model.run_count(count);
-  model.ring_direction(run(0).direction(), corners.closing);
-  if (corners.code == 0) {
-    if (count > 2) model.length(run(0).length());
-    for (uint32_t i = 1; i < count; ++i) {
-      if (i + 2 < count)
-        model.run(run(i));
-      else
-        model.last_direction(run(i).direction());
-    }
-    const Run before_last = run(count - 2);
-    if (are_parallel(model.direction_count(), before_last.direction(), run(count - 1).direction()))
-      model.length(before_last.length());
-    return;
+  const uint32_t directions = model.directions();
+  const Direction first = direction_in(runs[0]);
+  const uint32_t from = turn_between(directions, first_back(incidence), first);
+  // A ring of a scan comes up to its first vertex and leads back from there.
+  uint32_t closing = turn_between(directions, direction_in(runs[count - 1]), first);
+  const uint32_t corners = from < closing ? corners_of(runs, count, directions) : 0;
+  if (model.corners(corners) == 0) {
+    model.run_count(count);
+    closing = 4;
   }
-  if (count == 3) {
-    model.length(run(0).length());
-    return;
-  }
-  const auto short_length = [&](uint32_t i) {
-    const uint32_t length = run(i).length();
-    return length < 4 ? length - 1 : 3;
-  };
-  model.two_lengths(corners.is_parallelogram, 4 * short_length(0) + short_length(1));
-  for (uint32_t i = 0; i < 2; ++i) {
-    model.set_direction(run(i).direction());
-    if (run(i).length() > 3) model.longer(run(i).length() - 3);
+  model.ring_direction(from, closing);
+  model.begin_chain(first);
+  if (corners == 0) {
+    encode_long_ring(model, runs, count);
+  } else if (count == 3) {
+    model.length(rows::lengths, first, length_in(runs[0]));
+  } else {
+    uint32_t lengths = 0;
+    for (uint32_t i = 0; i < 2; ++i)
+      lengths = 4 * lengths + (length_in(runs[i]) < 4 ? length_in(runs[i]) - 1 : 3);
+    model.two_lengths(lengths);
+    for (uint32_t i = 0; i < 2; ++i)
+      if (length_in(runs[i]) > 3)
+        model.length(rows::longer, direction_in(runs[i]), length_in(runs[i]) - 3);
   }
 }
 
@@ -96,7 +81,7 @@ bool encode_region(Model& model, const Record& record) {
     const uint32_t first = mark + Record::ring_words;
     const uint32_t count = closed_runs(record, first);
     if (count == 0) return false;
-    model.start(record.start_at(mark), false);
+    model.start(record.start_at(mark));
     if (mark == 0) {
       model.incidence(record.incidence);
       if (record.rings > 1) model.plain_number(record.rings - 2);
@@ -107,25 +92,23 @@ bool encode_region(Model& model, const Record& record) {
   return true;
 }
 
-/// The runs of a fragment or a part, from `first` to before `end`.
+/// The runs of a fragment or a part. run: the first that is told. follows_link: a link was told
+/// before.
 template <class Model>
-void encode_runs(Model& model, const Record& record, uint32_t first, uint32_t end,
-                 RecordKind kind) {
-  const bool is_backwards = kind == RecordKind::backwards;
-  for (uint32_t i = first; i < end; ++i) {
-    const Run run = Run::from_code(record.word[is_backwards ? first + end - 1 - i : i]);
-    if (i > first) {
-      model.run(run);
+void encode_runs(Model& model, const uint32_t* run, uint32_t count, bool follows_link) {
+  for (uint32_t i = 0; i < count; ++i) {
+    const Run next = Run::from_code(*run);
+    run += model.is_backwards() ? -1 : 1;
+    if (i > 0) {
+      model.run(next);
     } else {
-      if (is_backwards)
-        model.cut_direction(run.direction());
-      else if (kind == RecordKind::forwards)
-        model.cut_turn(run.direction());
+      if (follows_link)
+        model.cut_turn(next.direction());
       else
-        model.plain_direction(run.direction());
-      model.length(run.length());
+        model.first_direction(next.direction());
+      model.length(rows::lengths, next.direction(), next.length());
     }
-    model.is_last_run(i + 1 == end);
+    model.is_last_run(i + 1 == count);
   }
 }
 
@@ -136,13 +119,14 @@ bool encode_fragment(Model& model, const Record& record) {
   constexpr uint32_t first = Record::ring_words;
   if (record.continues || record.count == first) return false;
   Vertex vertex;
-  const RecordKind kind = cheaper_end(record, model.last_start(), vertex);
-  model.record_kind(kind);
-  model.start(vertex, true);
+  const bool is_backwards = is_nearer_at_end(record, model.last_start(), vertex);
+  model.record_kind(is_backwards ? RecordKind::backwards : RecordKind::forwards);
+  model.start(vertex);
   model.incidence(record.incidence);
-  if (kind == RecordKind::forwards) model.cut_direction(record.incoming);
-  encode_runs(model, record, first, record.count, kind);
-  if (kind == RecordKind::backwards) model.cut_turn(record.incoming);
+  if (!is_backwards) model.first_direction(record.incoming);
+  encode_runs(model, record.word + (is_backwards ? record.count - 1 : first), record.count - first,
+              !is_backwards);
+  if (is_backwards) model.cut_turn(record.incoming);
   return true;
 }
 
@@ -155,16 +139,24 @@ bool encode_record(Model& model, const Record& record) {
 /// The same for a host, with all that it calls in one function.
 template <class Model>
 DISCMC_FLATTEN bool encode_record_in_place(Model& model, const Record& record) {
-  return encode_record(model, record);
+  Model copy = model;  // in registers
+  const bool is_whole = encode_record(copy, record);
+  model = copy;
+  return is_whole;
 }
 
 /// The first words of a record, all of one ring, as a part.
 template <class Model>
 void encode_part(Model& model, Record& record, uint32_t words) {
   model.record_kind(RecordKind::part);
-  const bool begins_ring = model.part(record, record.word[0] == Record::ring_mark);
-  if (begins_ring) model.start(record.start_at(0), record.is_fragment);
-  encode_runs(model, record, begins_ring ? Record::ring_words : 0, words, RecordKind::part);
+  uint32_t first = 0;
+  if (model.part(record, record.word[0] == Record::ring_mark)) {
+    model.start(record.start_at(0));
+    first = Record::ring_words;
+  }
+  const bool follows_link = record.is_fragment && !record.continues;
+  if (follows_link) model.first_direction(record.incoming);
+  encode_runs(model, record.word + first, words - first, follows_link);
 }
 
 }  // namespace discmc::stream
