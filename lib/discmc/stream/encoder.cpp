@@ -58,7 +58,13 @@ SinkResult Encoder::begin_stream(const StreamHeader& scan) {
 SinkResult Encoder::take(const Event& event) {
   if (event.kind == Event::Kind::start) return begin_stream(*event.header);
   if (state_ == State::idle) return SinkResult::not_started;
-  if (!drain()) return SinkResult::busy;
+  if (!packets_.is_open() && !drain()) return SinkResult::busy;
+  if (event.kind == Event::Kind::run) {  // as most are
+    if (!takes(1) && !put_parts(event)) return SinkResult::busy;
+    normals_[record_.count] = event.normal;
+    record_.add_run(event.run);
+    return SinkResult::accepted;
+  }
   bool is_done = true;
   switch (event.kind) {
     case Event::Kind::region:
@@ -71,11 +77,6 @@ SinkResult Encoder::take(const Event& event) {
     case Event::Kind::ring:
       if (!takes(Record::ring_words + 1) && !put_parts(event)) return SinkResult::busy;
       record_.add_ring(event.start);
-      break;
-    case Event::Kind::run:
-      if (!takes(1) && !put_parts(event)) return SinkResult::busy;
-      normals_[record_.count] = event.normal;
-      record_.add_run(event.run);
       break;
     case Event::Kind::region_end:
     case Event::Kind::fragment_end:
@@ -95,6 +96,7 @@ SinkResult Encoder::take(const Event& event) {
       is_done = drain();
       break;
     case Event::Kind::start:
+    case Event::Kind::run:
     case Event::Kind::lost:
       state_ = State::between;
       break;
