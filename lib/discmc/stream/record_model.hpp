@@ -163,20 +163,14 @@ class RecordModel {
   uint32_t ring_direction(uint32_t from, uint32_t closing);
   /// The first two lengths of a ring of four corners. Limit: 1 to 4 each, 4 for all that are longer.
   uint32_t two_lengths(uint32_t lengths) { return of_class(rows::two_lengths, lengths); }
-  uint32_t run_count(uint32_t count) { return number(class_rows_ + rows::run_count, count); }
-  /// The direction of one of the last two runs, whose lengths follow from the others.
-  Direction last_direction(Direction direction) { return turn_from(rows::last_turn, direction); }
 
   // ---- any chain ----
 
   void begin_chain(Direction first) { direction_ = first; }
-  /// The first direction that is told of a fragment or a part.
-  Direction first_direction(Direction direction) {
+  /// Of a fragment or a part: its first direction, or the one on the other side of a cut vertex.
+  Direction chain_direction(Direction direction) {
+    if (direction_ != no_direction) return turn_from(rows::cut_turn + is_level(), direction);
     return direction_ = static_cast<Direction>(of_direction(rows::first_direction, direction));
-  }
-  /// The direction beside the link by which a fragment's chain comes to its start.
-  Direction cut_turn(Direction direction) {
-    return turn_from(rows::cut_turn + is_level(), direction);
   }
   /// The length of a run along a direction, or how much it is more than what is told already.
   uint32_t length(uint32_t row, Direction direction, uint32_t length) {
@@ -187,8 +181,7 @@ class RecordModel {
   Run run(Run run);
   /// Whether the run that was told last is the last one.
   bool is_last_run(bool is_last) {
-    return symbol(rows::is_last + 4 * (is_backwards_ ? 1U : 0U) + 2 * is_level(),
-                  is_last ? 1 : 0) != 0;
+    return symbol(rows::is_last + 4 * chain_ + 2 * is_level(), is_last ? 1 : 0) != 0;
   }
 
   /// What a part is of, and whether it begins with a ring. Returns that.
@@ -196,7 +189,7 @@ class RecordModel {
 
   uint32_t link_class() const { return link_class_; }
   uint32_t directions() const { return 4U + 2U * link_class_; }
-  bool is_backwards() const { return is_backwards_; }
+  bool is_backwards() const { return chain_ == backwards; }
 
  private:
   uint32_t symbol(uint32_t row, uint32_t symbol) { return coder_.symbol(row, symbol); }
@@ -214,13 +207,16 @@ class RecordModel {
     return link - 5 < 8 ? 1 : 0;
   }
   uint32_t turn_to(Direction direction) const {
-    return is_backwards_ ? turn_between(directions(), direction, direction_)
+    return is_backwards() ? turn_between(directions(), direction, direction_)
                          : turn_between(directions(), direction_, direction);
   }
   Direction turn_by(uint32_t turn);
   Direction turn_from(uint32_t place, Direction direction) {
     return turn_by(of_direction(place, turn_to(direction)));
   }
+
+  // Chains that are told in their own order, against it, and rings up to the last run.
+  static constexpr uint8_t forwards = 0, backwards = 1, ring = 2;
 
   Coder coder_;
   Incidence incidence_ = 0;
@@ -232,7 +228,7 @@ class RecordModel {
   uint8_t axis_ = 0;            // of the vertex told last
   uint8_t axis_before_ = 0;     // and of the one before
   bool is_same_voxel_ = false;  // as that one's
-  bool is_backwards_ = false;   // a chain that still turns as it does forwards
+  uint8_t chain_ = forwards;    // what is told of it
   Direction direction_ = 0;
   Vertex start_{0, 0, 0};
   uint32_t slice_ = 0;
@@ -271,8 +267,9 @@ template <class Coder>
 RecordKind RecordModel<Coder>::record_kind(RecordKind kind) {
   kind = static_cast<RecordKind>(
       symbol(rows::kinds + rows::of_kinds * fragments_, static_cast<uint32_t>(kind)));
-  is_backwards_ = kind == RecordKind::backwards;
-  if (is_backwards_ || kind == RecordKind::forwards)
+  chain_ = kind < RecordKind::forwards ? ring : kind == RecordKind::backwards ? backwards : forwards;
+  direction_ = no_direction;
+  if (kind == RecordKind::backwards || kind == RecordKind::forwards)
     fragments_ = 2;
   else if (fragments_ > 1)
     fragments_ = 1;
@@ -338,8 +335,7 @@ Incidence RecordModel<Coder>::incidence(Incidence incidence) {
     if (is_same_voxel_ && axis_before_ < 3) sign = heading_of(incidence_, axis_before_).along;
     if (sign == 1) sign = 2 * even(1, to.along >> 1);
     const auto seen = [sign](uint32_t across) { return sign == 0 ? 8 - across : across; };
-    uint32_t by = seen(heading_of(incidence_, axis_).across);
-    if (!is_same_voxel_ || axis_ != axis_before_) by += 9;
+    const uint32_t by = seen(heading_of(incidence_, axis_).across);
     code = symbol(rows::headings + rows::of_headings * by,
                   to.along == sign ? seen(to.across) : other_heading);
     if constexpr (!Coder::writes)
@@ -372,7 +368,7 @@ uint32_t RecordModel<Coder>::ring_direction(uint32_t from, uint32_t closing) {
 template <class Coder>
 Direction RecordModel<Coder>::turn_by(uint32_t turn) {
   const uint32_t count = directions();
-  const uint32_t next = direction_ + (is_backwards_ ? count - turn : turn);
+  const uint32_t next = direction_ + (is_backwards() ? count - turn : turn);
   return direction_ = static_cast<Direction>(next < count ? next : next - count);
 }
 

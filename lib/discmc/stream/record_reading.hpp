@@ -14,16 +14,23 @@ bool read_region(ReadingModel& model, Record& record, RecordKind kind);
 bool read_fragment(ReadingModel& model, Record& record, RecordKind kind);
 bool read_part(ReadingModel& model, Record& record);
 
+/// A way in a plane, in the coordinates of PlaneStep. Limit: below 2^28.
+struct PlaneWay {
+  int32_t u, v;
+};
+
 /// The lengths of the last two runs of a ring, which follow from the way that is left.
 struct Closure {
   bool is_valid;
   uint32_t first, second;
 };
 
-/// Closes a ring by steps a and b, which lead (u, v) on together. When they are parallel there are
-/// `first_length` of the first. Invalid where no two lengths of 1 to max_compact_length do it.
-/// Limit: |u|, |v| below 2^28.
-Closure close_ring(PlaneStep a, PlaneStep b, int32_t u, int32_t v, uint32_t first_length);
+/// Goes a way by two steps that are not parallel. Invalid where no two lengths of 1 to
+/// max_compact_length do it.
+Closure close_ring(PlaneStep a, PlaneStep b, PlaneWay way);
+
+/// The run that goes a way; empty where no run of at most max_compact_length does.
+Run run_along(const PlaneStep* steps, uint32_t directions, PlaneWay way);
 
 }  // namespace discmc::stream
 

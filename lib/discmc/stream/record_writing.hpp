@@ -26,19 +26,19 @@ uint32_t corners_of(const uint32_t* runs, uint32_t count, uint32_t directions);
 /// Returns the vertex before its end, too, else its start.
 bool is_nearer_at_end(const Record& record, const Vertex& before, Vertex& vertex);
 
-/// A ring run by run, behind its first direction. The last two lengths follow from the others.
+/// Runs one after the other up to the last one, behind the first one's direction. run: the one that
+/// is told first.
 template <class Model>
-void encode_long_ring(Model& model, const uint32_t* runs, uint32_t count) {
-  if (count > 2) model.length(rows::lengths, direction_in(runs[0]), length_in(runs[0]));
-  for (uint32_t i = 1; i < count; ++i) {
-    if (i + 2 < count)
-      model.run(Run::from_code(runs[i]));
+void encode_runs(Model& model, const uint32_t* run, uint32_t count) {
+  for (uint32_t i = 0; i < count; ++i) {
+    const Run next = Run::from_code(*run);
+    run += model.is_backwards() ? -1 : 1;
+    if (i == 0)
+      model.length(rows::lengths, next.direction(), next.length());
     else
-      model.last_direction(direction_in(runs[i]));
+      model.run(next);
+    model.is_last_run(i + 1 == count);
   }
-  const uint32_t before = runs[count - 2];
-  if (are_parallel(model.directions(), direction_in(before), direction_in(runs[count - 1])))
-    model.length(rows::lengths, direction_in(before), length_in(before));
 }
 
 /// Limit: as closed_runs() counts them.
@@ -50,14 +50,11 @@ void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32
   // A ring of a scan comes up to its first vertex and leads back from there.
   uint32_t closing = turn_between(directions, direction_in(runs[count - 1]), first);
   const uint32_t corners = from < closing ? corners_of(runs, count, directions) : 0;
-  if (model.corners(corners) == 0) {
-    model.run_count(count);
-    closing = 4;
-  }
+  if (model.corners(corners) == 0) closing = 4;
   model.ring_direction(from, closing);
   model.begin_chain(first);
   if (corners == 0) {
-    encode_long_ring(model, runs, count);
+    encode_runs(model, runs, count - 1);  // the last one leads back to the start
   } else if (count == 3) {
     model.length(rows::lengths, first, length_in(runs[0]));
   } else {
@@ -92,26 +89,6 @@ bool encode_region(Model& model, const Record& record) {
   return true;
 }
 
-/// The runs of a fragment or a part. run: the first that is told. follows_link: a link was told
-/// before.
-template <class Model>
-void encode_runs(Model& model, const uint32_t* run, uint32_t count, bool follows_link) {
-  for (uint32_t i = 0; i < count; ++i) {
-    const Run next = Run::from_code(*run);
-    run += model.is_backwards() ? -1 : 1;
-    if (i > 0) {
-      model.run(next);
-    } else {
-      if (follows_link)
-        model.cut_turn(next.direction());
-      else
-        model.first_direction(next.direction());
-      model.length(rows::lengths, next.direction(), next.length());
-    }
-    model.is_last_run(i + 1 == count);
-  }
-}
-
 /// A whole loose fragment, from the end that costs less: the one where the sweep is. False, with
 /// nothing told, when the record is a part or has no run.
 template <class Model>
@@ -123,10 +100,11 @@ bool encode_fragment(Model& model, const Record& record) {
   model.record_kind(is_backwards ? RecordKind::backwards : RecordKind::forwards);
   model.start(vertex);
   model.incidence(record.incidence);
-  if (!is_backwards) model.first_direction(record.incoming);
-  encode_runs(model, record.word + (is_backwards ? record.count - 1 : first), record.count - first,
-              !is_backwards);
-  if (is_backwards) model.cut_turn(record.incoming);
+  const uint32_t* const run = record.word + (is_backwards ? record.count - 1 : first);
+  if (!is_backwards) model.chain_direction(record.incoming);
+  model.chain_direction(direction_in(*run));
+  encode_runs(model, run, record.count - first);
+  if (is_backwards) model.chain_direction(record.incoming);
   return true;
 }
 
@@ -154,9 +132,9 @@ void encode_part(Model& model, Record& record, uint32_t words) {
     model.start(record.start_at(0));
     first = Record::ring_words;
   }
-  const bool follows_link = record.is_fragment && !record.continues;
-  if (follows_link) model.first_direction(record.incoming);
-  encode_runs(model, record.word + first, words - first, follows_link);
+  if (record.is_fragment && !record.continues) model.chain_direction(record.incoming);
+  model.chain_direction(direction_in(record.word[first]));
+  encode_runs(model, record.word + first, words - first);
 }
 
 }  // namespace discmc::stream

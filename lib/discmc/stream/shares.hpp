@@ -37,23 +37,21 @@ constexpr uint32_t axes = places + place::count;     ///< by same voxel, axis be
 constexpr uint32_t steps_x = axes + 2 * 4 * 4;      ///< by place, from `ahead` on
 constexpr uint32_t steps_y = steps_x + 5 * of_number;
 constexpr uint32_t steps_z = steps_y + of_number;
-constexpr uint32_t headings = steps_z + of_number;            ///< by same vertex, heading before
-constexpr uint32_t lengths = headings + 2 * 9 * of_headings;  ///< by kind of link
-constexpr uint32_t longer = lengths + 4 * of_number;          ///< likewise
-constexpr uint32_t is_last = longer + 4 * of_number;          ///< by order, level
-constexpr uint32_t plain = is_last + 2 * 2 * 2;
+constexpr uint32_t headings = steps_z + of_number;        ///< by heading before
+constexpr uint32_t lengths = headings + 9 * of_headings;  ///< by kind of link
+constexpr uint32_t longer = lengths + 4 * of_number;      ///< likewise
+constexpr uint32_t is_last = longer + 4 * of_number;      ///< by chain, level
+constexpr uint32_t plain = is_last + 3 * 2 * 2;
 constexpr uint32_t of_diagonals = plain + of_number;
 
 // The others stand together for each class: first those that are as long in each.
-constexpr uint32_t run_count = 0;
-constexpr uint32_t ring_direction = run_count + of_number;     ///< rows of 2, 3 and 4
+constexpr uint32_t ring_direction = 0;  ///< rows of 2, 3 and 4
 constexpr uint32_t two_lengths = ring_direction + 2 + 3 + 4;
 constexpr uint32_t by_direction = two_lengths + 4 * 4;
 // Then rows of a symbol for each direction, or two; their places are counted in rows of one.
-constexpr uint32_t last_turn = 0;
-constexpr uint32_t cut_turn = last_turn + 1;        ///< 2, by level
+constexpr uint32_t cut_turn = 0;  ///< 2, by level
 constexpr uint32_t first_direction = cut_turn + 2;
-constexpr uint32_t turn = first_direction + 1;      ///< of two; across an axis by parity
+constexpr uint32_t turn = first_direction + 1;  ///< of two; across an axis by parity
 // And a row of corners.
 constexpr uint32_t corners(uint32_t link_class) {
   return by_direction + (4 + 2 * link_class) * (turn + (link_class == 2 ? 2 * 2 : 2));
