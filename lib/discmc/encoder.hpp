@@ -93,16 +93,21 @@ class Encoder {
   };
 
   SinkResult begin_stream(const StreamHeader& scan);
+  SinkResult take_other(const Event& event);
   // Whether the record has room for so many words and takes them.
   bool takes(uint32_t words) const { return state_ != State::in_parts && record_.has_room(words); }
+  void add_run(const Event& event) {
+    normals_[record_.count] = event.normal;
+    record_.add_run(event.run);
+  }
   bool put_parts(const Event& event);
   bool put(const Event& event);
   bool fill_packet(const Event& event);
-  bool encode_whole(const Event& event);
-    Status ready_for_packet(bool is_good);
+  bool encode_whole(Model& model, const Event& event);
+  Status ready_for_packet(bool is_good);
 
   bool packet_is_empty() const { return model_.coder().range.is_empty(); }
-  bool fits() const;
+  static bool fits(const Model& model);
   void open_packet();
   void seal_records();
   bool drain();
@@ -111,7 +116,7 @@ class Encoder {
   State state_ = State::idle;
   Model model_;
   // Encodes the normals of the record's first words; null where they are left out.
-  void (*write_normals_)(Encoder& encoder, uint32_t words) = nullptr;
+  void (*write_normals_)(Encoder& encoder, Model& model, uint32_t words) = nullptr;
   Record record_;
   OctahedralNormal normals_[Record::max_words] = {};  // by the word of the record
   PacketWriter packets_;

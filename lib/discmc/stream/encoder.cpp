@@ -14,8 +14,8 @@ constexpr bool is_end(Event::Kind kind) {
 
 // Only this function refers to the code for normals: where nobody calls it, the linker drops both.
 void Encoder::encode_normals() {
-  write_normals_ = [](Encoder& encoder, uint32_t words) {
-    stream::encode_normals(encoder.model_, encoder.record_, encoder.normals_, words);
+  write_normals_ = [](Encoder& encoder, Model& model, uint32_t words) {
+    stream::encode_normals(model, encoder.record_, encoder.normals_, words);
   };
 }
 
@@ -55,51 +55,46 @@ SinkResult Encoder::begin_stream(const StreamHeader& scan) {
   return SinkResult::accepted;
 }
 
+// Most events are runs.
 SinkResult Encoder::take(const Event& event) {
-  if (event.kind == Event::Kind::start) return begin_stream(*event.header);
-  if (state_ == State::idle) return SinkResult::not_started;
-  if (!packets_.is_open() && !drain()) return SinkResult::busy;
-  if (event.kind == Event::Kind::run) {  // as most are
-    if (!takes(1) && !put_parts(event)) return SinkResult::busy;
-    normals_[record_.count] = event.normal;
-    record_.add_run(event.run);
+  if (event.kind == Event::Kind::run && state_ == State::in_piece && record_.has_room(1)) {
+    add_run(event);
     return SinkResult::accepted;
   }
+  return take_other(event);
+}
+
+DISCMC_NOINLINE SinkResult Encoder::take_other(const Event& event) {
+  using Kind = Event::Kind;
+  if (event.kind == Kind::start) return begin_stream(*event.header);
+  if (state_ == State::idle) return SinkResult::not_started;
+  if (!drain()) return SinkResult::busy;
   bool is_done = true;
-  switch (event.kind) {
-    case Event::Kind::region:
-    case Event::Kind::fragment:
-      state_ = State::in_piece;
-      record_.begin(event.incidence);
-      if (event.kind == Event::Kind::fragment)
-        record_.begin_fragment(event.incoming_direction, event.start);
-      break;
-    case Event::Kind::ring:
-      if (!takes(Record::ring_words + 1) && !put_parts(event)) return SinkResult::busy;
+  if (event.kind == Kind::run || event.kind == Kind::ring) {
+    const uint32_t words = event.kind == Kind::run ? 1 : Record::ring_words + 1;
+    is_done = takes(words) || put_parts(event);
+    if (!is_done) return SinkResult::busy;
+    if (event.kind == Kind::run)
+      add_run(event);
+    else
       record_.add_ring(event.start);
-      break;
-    case Event::Kind::region_end:
-    case Event::Kind::fragment_end:
-    case Event::Kind::layer:
-    case Event::Kind::skipped:
-      is_done = put(event);
-      break;
-    case Event::Kind::application:
-      is_done = write_record(*event.application) != Status::suspended;
-      break;
-    case Event::Kind::finish:
-      if (state_ != State::ended) {
-        if (!flush()) return SinkResult::busy;
-        packets_.seal_trailer(event);
-        state_ = State::ended;
-      }
-      is_done = drain();
-      break;
-    case Event::Kind::start:
-    case Event::Kind::run:
-    case Event::Kind::lost:
-      state_ = State::between;
-      break;
+  } else if (event.kind == Kind::region || event.kind == Kind::fragment) {
+    state_ = State::in_piece;
+    record_.begin(event.incidence);
+    if (event.kind == Kind::fragment) record_.begin_fragment(event.incoming_direction, event.start);
+  } else if (event.kind == Kind::application) {
+    is_done = write_record(*event.application) != Status::suspended;
+  } else if (event.kind == Kind::finish) {
+    if (state_ != State::ended) {
+      if (!flush()) return SinkResult::busy;
+      packets_.seal_trailer(event);
+      state_ = State::ended;
+    }
+    is_done = drain();
+  } else if (event.kind == Kind::lost) {
+    state_ = State::between;
+  } else {
+    is_done = put(event);
   }
   return is_done ? SinkResult::accepted : SinkResult::busy;
 }
@@ -199,21 +194,23 @@ bool Encoder::put(const Event& event) {
 // than a packet, goes in parts. False when something is left for the next packet. Inlined, as the
 // two take less stack together.
 DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
-  const Model before = model_;
   uint32_t words = record_.count;
   for (;;) {
+    Model model = model_;
     const bool is_part = state_ == State::in_parts;
     if (is_part) words = record_.words_of_part(words);
-    if (write_normals_ != nullptr) write_normals_(*this, words);
+    if (write_normals_ != nullptr) write_normals_(*this, model, words);
     bool is_encoded = true;
     if (is_part) {
       record_.is_last = is_end(event.kind) && words == record_.count;
-      stream::encode_part(model_, record_, words);
+      stream::encode_part(model, record_, words);
     } else {
-      is_encoded = encode_whole(event);
+      is_encoded = encode_whole(model, event);
     }
-    if (is_encoded && fits()) break;
-    model_ = before;
+    if (is_encoded && fits(model)) {
+      model_ = model;
+      break;
+    }
     // What is too long for the rest of this packet goes into the next one.
     if (is_encoded && !packet_is_empty()) return false;
     // A start that is far, and all normals, may be too much for one.
@@ -230,31 +227,31 @@ DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
   return record_.count == 0;
 }
 
-bool Encoder::encode_whole(const Event& event) {
+bool Encoder::encode_whole(Model& model, const Event& event) {
   switch (event.kind) {
     case Event::Kind::layer:
-      model_.record_kind(stream::RecordKind::layer);
-      model_.layer(event.slice);
+      model.record_kind(stream::RecordKind::layer);
+      model.layer(event.slice);
       return true;
     case Event::Kind::skipped:
-      model_.record_kind(stream::RecordKind::skipped);
-      model_.plain_number(event.slice);
-      model_.plain_number(event.row);
-      model_.even(1, event.repeated ? 1 : 0);
+      model.record_kind(stream::RecordKind::skipped);
+      model.plain_number(event.slice);
+      model.plain_number(event.row);
+      model.even(1, event.repeated ? 1 : 0);
       return true;
     default:
       if constexpr (is_host)
-        return stream::encode_record_in_place(model_, record_);
+        return stream::encode_record_in_place(model, record_);
       else
-        return stream::encode_record(model_, record_);
+        return stream::encode_record(model, record_);
   }
 }
 
 // ---- packets ----
 
 // Whether the end of the packet has room, too: a symbol's byte, and the one that closes the code.
-bool Encoder::fits() const {
-  return model_.coder().range.size() + 2 <= wire::max_payload;
+bool Encoder::fits(const Model& model) {
+  return model.coder().range.size() + 2 <= wire::max_payload;
 }
 
 void Encoder::open_packet() {
