@@ -158,9 +158,8 @@ class RecordModel {
   uint32_t corners(uint32_t corners) {
     return of_class(rows::corners(link_class_), corners);
   }
-  /// How far the first direction is from the first one that leads back. closing: the turn by which
-  /// the ring comes to it, if that is more; else 4.
-  uint32_t ring_direction(uint32_t from, uint32_t closing);
+  /// How far the first direction is from the first one that leads back.
+  uint32_t ring_direction(uint32_t from);
   /// The first two lengths of a ring of four corners. Limit: 1 to 4 each, 4 for all that are longer.
   uint32_t two_lengths(uint32_t lengths) { return of_class(rows::two_lengths, lengths); }
 
@@ -357,11 +356,8 @@ void RecordModel<Coder>::set_incidence(Incidence incidence) {
 }
 
 template <class Coder>
-uint32_t RecordModel<Coder>::ring_direction(uint32_t from, uint32_t closing) {
-  if (closing < 2) return 0;
-  // Rows of two, three and four symbols.
-  const uint32_t row = rows::ring_direction + closing * (closing - 1) / 2 - 1;
-  const uint32_t told = of_class(row, from < 3 ? from : 3);
+uint32_t RecordModel<Coder>::ring_direction(uint32_t from) {
+  const uint32_t told = of_class(rows::ring_direction, from < 3 ? from : 3);
   return told < 3 ? told : even(3, from);
 }
 

@@ -11,8 +11,8 @@ bool is_length(int32_t value) {
 }
 
 // The first direction of a ring; none where it is none of the plane's.
-Direction read_ring_direction(ReadingModel& model, Incidence incidence, uint32_t closing) {
-  const uint32_t from = model.ring_direction(0, closing);
+Direction read_ring_direction(ReadingModel& model, Incidence incidence) {
+  const uint32_t from = model.ring_direction(0);
   if (from >= model.directions()) return no_direction;
   const uint32_t direction = first_back(incidence) + from;
   const auto first = static_cast<Direction>(
@@ -52,8 +52,7 @@ bool read_corners(ReadingModel& model, Record& record, uint32_t code) {
   const uint32_t turns[] = {1 + code % base, 1 + code / base % base, 1 + code / base / base};
   const uint32_t sum = turns[0] + turns[1] + turns[2];
   const uint32_t told = sum == directions ? 1 : 2;  // of three runs, or of four
-  const uint32_t first = read_ring_direction(model, record.incidence,
-                                             told == 1 ? turns[2] : directions - sum);
+  const uint32_t first = read_ring_direction(model, record.incidence);
   if (first == no_direction || !record.has_room(told + 2)) return false;
   Direction direction[4] = {static_cast<Direction>(first)};
   for (uint32_t i = 0; i < 3; ++i) {
@@ -86,7 +85,7 @@ bool read_corners(ReadingModel& model, Record& record, uint32_t code) {
 // Run by run; the last one leads back to the start.
 bool read_long_ring(ReadingModel& model, Record& record) {
   const uint32_t begin = record.count;
-  const Direction first = read_ring_direction(model, record.incidence, 4);
+  const Direction first = read_ring_direction(model, record.incidence);
   if (first == no_direction || !read_runs(model, record, first, max_compact_length)) return false;
   if (!record.has_room(1)) return false;
   const PlaneStep* const steps = plane_steps_of(model.link_class());

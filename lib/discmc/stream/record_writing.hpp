@@ -44,14 +44,10 @@ void encode_runs(Model& model, const uint32_t* run, uint32_t count) {
 /// Limit: as closed_runs() counts them.
 template <class Model>
 void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32_t count) {
-  const uint32_t directions = model.directions();
   const Direction first = direction_in(runs[0]);
-  const uint32_t from = turn_between(directions, first_back(incidence), first);
-  // A ring of a scan comes up to its first vertex and leads back from there.
-  uint32_t closing = turn_between(directions, direction_in(runs[count - 1]), first);
-  const uint32_t corners = from < closing ? corners_of(runs, count, directions) : 0;
-  if (model.corners(corners) == 0) closing = 4;
-  model.ring_direction(from, closing);
+  const uint32_t corners = corners_of(runs, count, model.directions());
+  model.corners(corners);
+  model.ring_direction(turn_between(model.directions(), first_back(incidence), first));
   model.begin_chain(first);
   if (corners == 0) {
     encode_runs(model, runs, count - 1);  // the last one leads back to the start

@@ -45,8 +45,8 @@ constexpr uint32_t plain = is_last + 3 * 2 * 2;
 constexpr uint32_t of_diagonals = plain + of_number;
 
 // The others stand together for each class: first those that are as long in each.
-constexpr uint32_t ring_direction = 0;  ///< rows of 2, 3 and 4
-constexpr uint32_t two_lengths = ring_direction + 2 + 3 + 4;
+constexpr uint32_t ring_direction = 0;
+constexpr uint32_t two_lengths = ring_direction + 4;
 constexpr uint32_t by_direction = two_lengths + 4 * 4;
 // Then rows of a symbol for each direction, or two; their places are counted in rows of one.
 constexpr uint32_t cut_turn = 0;  ///< 2, by level
