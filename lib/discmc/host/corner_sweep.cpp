@@ -37,7 +37,7 @@ void CornerSweep::forget_addresses() {
   learnt_ = {};
 }
 
-bool CornerSweep::sweep(const SweptRow& row, const NoNormals& normals, const Sink& sink,
+bool CornerSweep::sweep(const SweptRow& row, const BitIntake& normals, const Sink& sink,
                         Statistics& statistics) {
   if (row.role == SlabRole::below_slab) {
     open_seam(row);

@@ -13,6 +13,7 @@ namespace discmc::trace {
 /// To an extractor what a Sweep is.
 class CornerSweep : private Sweep<uint32_t, NoNormal> {
  public:
+  using Features = AllFeatures;
   using Plain = Sweep<uint32_t, NoNormal>;
 
   using Plain::delivery;
@@ -24,7 +25,7 @@ class CornerSweep : private Sweep<uint32_t, NoNormal> {
   void clear();
   /// Also where what has been learnt lies.
   void forget_addresses();
-  bool sweep(const SweptRow& row, const NoNormals& normals, const Sink& sink,
+  bool sweep(const SweptRow& row, const BitIntake& normals, const Sink& sink,
              Statistics& statistics);
 
  private:

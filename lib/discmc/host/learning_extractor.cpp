@@ -4,7 +4,7 @@
 
 namespace discmc {
 
-template class BasicExtractor<uint32_t, NoNormals, trace::CornerSweep>;
+template class BasicExtractor<uint32_t, BitIntake, trace::CornerSweep>;
 template PushResult LearningExtractor::BasicExtractor::push_samples(const uint8_t*, uint32_t,
                                                                     uint32_t);
 template PushResult LearningExtractor::BasicExtractor::push_samples(const uint16_t*, uint32_t,

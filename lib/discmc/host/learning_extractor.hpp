@@ -21,7 +21,7 @@
 
 namespace discmc {
 
-class LearningExtractor : public BasicExtractor<uint32_t, NoNormals, trace::CornerSweep> {
+class LearningExtractor : public BasicExtractor<uint32_t, BitIntake, trace::CornerSweep> {
  public:
   LearningExtractor() = default;
 

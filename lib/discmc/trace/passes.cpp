@@ -7,6 +7,7 @@ namespace {
 
 // The eight sectors around a vertex have a nibble each in a word: a heading, 8 for none, 15 where
 // the cell is absent. So have the rays between them: a ray is named by where its nibble begins.
+template <bool has_absent_cells, bool has_counts>
 class Surroundings {
  public:
   Surroundings(const EdgePlace& edge, uint32_t absent)
@@ -17,13 +18,13 @@ class Surroundings {
     for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
       const uint32_t seen = cell(quadrant);
       headings_ = headings_ >> 8 | seen << 24;
-      parts_ += sector_table.part[seen >> 12];
+      if constexpr (has_counts) parts_ += sector_table.part[seen >> 12];
     }
     // Turned from quadrant 0 to their own: adds 2q, modulo 8, to both headings of quadrant q, and
     // leaves an 8, no heading, alone.
     const uint32_t nowhere = headings_ & 0x88888888;
     headings_ = ((headings_ + 0x66442200) & 0x77777777 & ~(nowhere - (nowhere >> 3))) | nowhere;
-    if (absent != 0) remove(absent);
+    if (has_absent_cells && absent != 0) remove(absent);
   }
 
   uint32_t parts() const { return parts_; }
@@ -39,7 +40,7 @@ class Surroundings {
   // Of the wedge that begins at a ray.
   Incidence incidence(uint32_t ray) const {
     const uint32_t heading = headings_ >> ray & 15;
-    if (heading > no_heading) return no_incidence;
+    if (has_absent_cells && heading > no_heading) return no_incidence;
     return static_cast<Incidence>(axis_.incidence[heading] +
                                   (lower_is_on_ != 0 ? axis_.to_upper : 0));
   }
@@ -91,7 +92,7 @@ class Surroundings {
 };
 
 // Takes out the wedges where there are no cells.
-void remove_absent(PassList& passes) {
+DISCMC_ALWAYS_INLINE void remove_absent(PassList& passes) {
   uint8_t count = 0;
   for (uint32_t i = 0; i < passes.count; ++i)
     if (passes.pass[i].incidence != no_incidence) passes.pass[count++] = passes.pass[i];
@@ -100,8 +101,9 @@ void remove_absent(PassList& passes) {
 
 }  // namespace
 
+template <bool has_absent_cells, bool has_counts>
 void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
-  const Surroundings around(edge, absent);
+  const Surroundings<has_absent_cells, has_counts> around(edge, absent);
   passes.parts = around.parts();
   passes.count = 0;
   const uint32_t rays = around.rays();
@@ -118,7 +120,12 @@ void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
     if (left == 0) break;
     ending = beginning;
   }
-  if (absent != 0) remove_absent(passes);
+  if (has_absent_cells && absent != 0) remove_absent(passes);
 }
+
+template void derive_passes<true, true>(const EdgePlace&, uint32_t, PassList&);
+template void derive_passes<true, false>(const EdgePlace&, uint32_t, PassList&);
+template void derive_passes<false, true>(const EdgePlace&, uint32_t, PassList&);
+template void derive_passes<false, false>(const EdgePlace&, uint32_t, PassList&);
 
 }  // namespace discmc::trace

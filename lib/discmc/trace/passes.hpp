@@ -40,6 +40,7 @@ struct PassList {
 
 /// Works out the passes at the vertex on an edge. absent: by quadrant, a bit: there is no cell, or
 /// none that takes part.
+template <bool has_absent_cells = true, bool has_counts = true>
 void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes);
 
 }  // namespace discmc::trace

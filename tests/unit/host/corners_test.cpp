@@ -83,7 +83,7 @@ class Scanner {
     sweep_->clear();
     uint64_t pauses = 0;
     sweep(volume, lowest, [&](const trace::SweptRow& row) {
-      while (!sweep_->sweep(row, NoNormals{}, make_sink(log), statistics)) ++pauses;
+      while (!sweep_->sweep(row, BitIntake{}, make_sink(log), statistics)) ++pauses;
       return true;
     });
     CHECK(pauses == log.refusals());
@@ -95,7 +95,7 @@ class Scanner {
     Statistics statistics{};
     sweep_->clear();
     sweep(volume, 0, [&](const trace::SweptRow& row) {
-      return sweep_->sweep(row, NoNormals{}, make_sink(log), statistics);
+      return sweep_->sweep(row, BitIntake{}, make_sink(log), statistics);
     });
   }
 
