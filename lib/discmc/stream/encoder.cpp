@@ -91,10 +91,10 @@ DISCMC_NOINLINE SinkResult Encoder::take_other(const Event& event) {
       state_ = State::ended;
     }
     is_done = drain();
+  } else if (is_end(event.kind) || event.kind == Kind::layer || event.kind == Kind::skipped) {
+    is_done = put(event);
   } else if (event.kind == Kind::lost) {
     state_ = State::between;
-  } else {
-    is_done = put(event);
   }
   return is_done ? SinkResult::accepted : SinkResult::busy;
 }

@@ -438,7 +438,7 @@ TEST_CASE("an encoder that is not started takes nothing") {
 }
 
 TEST_CASE("a ring may begin wherever a record is nearly full") {
-  for (uint32_t runs = Record::max_words - 2 * Record::ring_words; runs <= Record::max_words;
+  for (uint32_t runs = stream::Record::max_words - 2 * stream::Record::ring_words; runs <= stream::Record::max_words;
        ++runs) {
     Script script;
     script.region(up).ring({1, 0, 0});
