@@ -76,7 +76,7 @@ TEST_CASE("a stream of another version is refused by its version, wherever its h
         CHECK(result.code == 1);
         CHECK(contains(result.error,
                        "other.dmc: stream version " + std::to_string(version) +
-                           " is unknown; this discmc reads version 2: use the release of discmc "
+                           " is unknown; this discmc reads version 1: use the release of discmc "
                            "that wrote the stream"));
       }
     }

@@ -58,6 +58,29 @@ bool is_odd(const Vertex& vertex) {
   return ((vertex.x ^ vertex.y ^ vertex.z) & 1) != 0;
 }
 
+// Reads the highest values that there are.
+struct Ones {
+  static constexpr bool writes = false;
+  uint32_t* bits;
+  uint32_t symbol(uint32_t, uint32_t) { return rows::of_number - 1; }
+  uint32_t even(uint32_t count, uint32_t) {
+    *bits += count;
+    return (1U << count) - 1;
+  }
+};
+
+// Adds up what symbols cost.
+struct Meter {
+  static constexpr bool writes = true;
+  double* bits;
+  uint32_t symbol(uint32_t row, uint32_t symbol) {
+    const int share = (shares[row + symbol + 1] - shares[row + symbol]) & 0xFF;
+    *bits -= std::log2(share / 256.0);
+    return symbol;
+  }
+  uint32_t even(uint32_t, uint32_t value) { return value; }
+};
+
 }  // namespace
 
 TEST_CASE("rows of shares fill their table, and every symbol that there is has a share") {
@@ -154,15 +177,6 @@ TEST_CASE("numbers come back: 0, around every power of two, 2^32 - 2") {
 }
 
 TEST_CASE("a number is one symbol and at most 37 bits, whatever they are") {
-  struct Ones {
-    static constexpr bool writes = false;
-    uint32_t* bits;
-    uint32_t symbol(uint32_t, uint32_t) { return rows::of_number - 1; }
-    uint32_t even(uint32_t count, uint32_t) {
-      *bits += count;
-      return (1U << count) - 1;
-    }
-  };
   uint32_t bits = 0;
   RecordModel<Ones> model(Ones{&bits});
   CHECK(model.plain_number(0) == UINT32_MAX - 1);
@@ -229,7 +243,7 @@ TEST_CASE("starts anywhere on the lattice come back, near and at the ends of 32 
   const std::vector<int32_t> some = coordinates();
   const auto any = [&](int32_t near) {
     const int32_t step = static_cast<int32_t>(chance.below(13)) - 6;
-    return chance.below(2) == 0 ? wrapped_sum(near, step)
+    return chance.below(2) == 0 ? static_cast<int32_t>(static_cast<uint32_t>(near) + static_cast<uint32_t>(step))
                                 : some[chance.below(static_cast<uint32_t>(some.size()))];
   };
   std::vector<Vertex> starts{{1, 0, 0}};
@@ -355,16 +369,6 @@ TEST_CASE("what a part is of comes back") {
 
 // Backwards, a chain is told in the turns that it makes forwards.
 TEST_CASE("a chain told backwards costs about what it costs forwards") {
-  struct Meter {
-    static constexpr bool writes = true;
-    double* bits;
-    uint32_t symbol(uint32_t row, uint32_t symbol) {
-      const int share = (shares[row + symbol + 1] - shares[row + symbol]) & 0xFF;
-      *bits -= std::log2(share / 256.0);
-      return symbol;
-    }
-    uint32_t even(uint32_t, uint32_t value) { return value; }
-  };
   const auto cost = [](RecordKind kind, const std::vector<Direction>& directions) {
     double bits = 0;
     RecordModel<Meter> model(Meter{&bits});
