@@ -140,7 +140,7 @@ TEST_CASE("the symbols in WIRE.md are those of the first record and the first re
   CHECK(model.start({0, 0, 0}) == Vertex{-1, 0, 0});
   CHECK(model.incidence(no_incidence) == 0);
   CHECK(model.corners(0) == 8);
-  CHECK(model.ring_direction(9) == 0);
+  CHECK(model.ring_direction(9) == 1);
   CHECK(model.length(stream::rows::lengths, 0, 9) == 1);
   CHECK(trace == words_of_block("symbols"));
 }

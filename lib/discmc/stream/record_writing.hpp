@@ -123,11 +123,14 @@ DISCMC_FLATTEN bool encode_record_in_place(Model& model, const Record& record) {
 template <class Model>
 void encode_part(Model& model, Record& record, uint32_t words) {
   model.record_kind(RecordKind::part);
-  uint32_t first = 0;
-  if (model.part(record, record.word[0] == Record::ring_mark)) {
-    model.start(record.start_at(0));
-    first = Record::ring_words;
+  const bool begins_ring = words > 0 && record.word[0] == Record::ring_mark;
+  const uint32_t first = begins_ring ? Record::ring_words : 0;
+  if (words == first) {  // Nobody sends what has no run: a part that no decoder takes.
+    model.even(4, 15);
+    return;
   }
+  model.part(record, begins_ring);
+  if (begins_ring) model.start(record.start_at(0));
   if (record.is_fragment && !record.continues) model.chain_direction(record.incoming);
   model.chain_direction(direction_in(record.word[first]));
   encode_runs(model, record.word + first, words - first);

@@ -228,7 +228,7 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
   CHECK_FALSE(decoder.report().has_header);
   REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   CHECK(decoder.push(lost.data(), lost.size()).status == Status::ok);
-  CHECK(log.events == Script().region(up).ring({1, 0, 0}).events);
+  CHECK(log.events == first_part().events);
 
   struct Wall {
     SinkResult take(const Event&) { return SinkResult::busy; }
@@ -763,7 +763,7 @@ TEST_CASE("noise before, between and after the frames does no harm") {
 
 TEST_CASE("an unknown version is told and nothing of it is delivered") {
   const Sample sample = samples()[2];
-  for (const uint8_t version : Bytes{0, 1, 3, 255}) {
+  for (const uint8_t version : Bytes{0, 2, 3, 255}) {
     std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
     Packet header = packet_of(frames[0]);
     header.payload[3] = version;
@@ -1190,12 +1190,12 @@ TEST_CASE("a mark that the sink does not take is kept for it") {
 
 TEST_CASE("a payload that ends before its records do is refused") {
   const Bytes whole = payload_of([](auto& model) {
-    for (uint32_t slice = 0; slice < 150; ++slice) tell_layer(model, slice * 3);
+    for (uint32_t slice = 0; slice < 100; ++slice) tell_layer(model, slice * 3);
   });
   for (size_t count = 0; count < whole.size(); ++count) {
     const Bytes part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(count));
     const Received arrival = decode(stream_of({part}));
-    CHECK(arrival.events.size() <= 150);
+    CHECK(arrival.events.size() <= 100);
     (void)pieces_of(arrival.events);
   }
 }

@@ -133,8 +133,8 @@ TEST_CASE("steps and lengths of every size are told as version 1 tells them") {
     model.layer(incidence);
   });
   bytes.resize(model.coder().range.finish());
-  CHECK(bytes.size() == 0);
-  CHECK(crc32(bytes.data(), bytes.size()) == 0);
+  CHECK(bytes.size() == 32469);
+  CHECK(crc32(bytes.data(), bytes.size()) == 0xDF237477);
 }
 
 TEST_CASE("small steps, and every direction after every other, are told as version 1 tells them") {
@@ -161,8 +161,8 @@ TEST_CASE("small steps, and every direction after every other, are told as versi
       }
   });
   bytes.resize(model.coder().range.finish());
-  CHECK(bytes.size() == 0);
-  CHECK(crc32(bytes.data(), bytes.size()) == 0);
+  CHECK(bytes.size() == 54710);
+  CHECK(crc32(bytes.data(), bytes.size()) == 0x60131C2C);
 }
 
 TEST_CASE("numbers come back: 0, around every power of two, 2^32 - 2") {
@@ -222,7 +222,7 @@ TEST_CASE("every incidence comes back after every other, at every kind of vertex
   Values expected;
   for_each_incidence([&](Incidence a) {
     for_each_incidence([&](Incidence b) {
-      for (int i = 0; i < 36; ++i) expected.insert(expected.end(), {a, b});
+      for (int i = 0; i < 6; ++i) expected.insert(expected.end(), {a, b});
     });
   });
   check_round_trip(
