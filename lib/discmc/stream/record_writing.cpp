@@ -33,14 +33,16 @@ uint32_t closed_runs(const Record& record, uint32_t first) {
 uint32_t corners_of(const uint32_t* runs, uint32_t count, uint32_t directions) {
   if (count - 3 > 1) return 0;
   const uint32_t turns = directions / 2 - 1;
-  uint32_t code = 0;
+  uint32_t code = 0, sum = 0;
   for (uint32_t i = 3; i > 0; --i) {
     const uint32_t to = runs[i < count ? i : 0];
     const uint32_t turn = turn_between(directions, direction_in(runs[i - 1]), direction_in(to)) - 1;
     if (turn >= turns) return 0;
     code = code * turns + turn;
+    sum += turn + 1;
   }
-  return code + 1;
+  // Of four corners, those told are less than a full turn.
+  return sum + count > directions + 3 ? 0 : code + 1;
 }
 
 bool is_nearer_at_end(const Record& record, const Vertex& before, Vertex& vertex) {
