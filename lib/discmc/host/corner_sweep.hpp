@@ -16,6 +16,7 @@ class CornerSweep : private Sweep<uint32_t, NoNormal> {
   using Plain = Sweep<uint32_t, NoNormal>;
 
   using Plain::delivery;
+  using Plain::flush;
   using Plain::fragments;
   using Plain::settle_holes;
   using Plain::start;

@@ -1,0 +1,96 @@
+#include <discmc/compiler.hpp>
+#include <discmc/host/corner_code.hpp>
+#include <discmc/host/found_passes.hpp>
+
+namespace discmc::host {
+
+using trace::Pass;
+
+namespace {
+
+// Adds the rays of a half to others, the first one if the sector before it differs.
+DISCMC_ALWAYS_INLINE RayWord* add_half(RayWord* ray, const HalfRays& half, RayWord before) {
+  constexpr uint32_t incidence = incidence_bits >> incidence_shift;
+  const RayWord first = half.first;
+  *ray = first;
+  ray += ((first >> incidence_shift ^ before >> HalfRays::last_shift) & incidence) != 0 ? 1 : 0;
+  copy_bytes(ray, half.ray, sizeof half.ray);
+  return ray + (first >> HalfRays::count_shift);
+}
+
+}  // namespace
+
+void FoundPasses::find(const Edges& edges, trace::SweepCounts& counts) {
+  constexpr uint32_t half_places = HalfRays::places - 1;
+  constexpr uint32_t kinds = (1U << RayTable::parts_shift) - 1;
+  RayWord* ray = ray_;
+  Place* place = place_;
+  uint64_t parts = 0;
+  for (const Edge& edge : edges) {
+    if (edge.axis >= Edge::special) {
+      const Added added = add_special(edge, ray, place);
+      ray += added.rays;
+      place += added.rays != 0 ? 1 : 0;
+      parts += added.parts;
+      continue;
+    }
+    RayWord* const first = ray;
+    const uint32_t kind_0 = ray_table.kind[0][edge.lines & half_places];
+    const uint32_t kind_1 = ray_table.kind[1][edge.lines >> HalfRays::lines_bits & half_places];
+    parts += ray_table.parts[kind_0 >> RayTable::parts_shift] +
+             ray_table.parts[kind_1 >> RayTable::parts_shift];
+    const HalfRays& half_0 = ray_table.rays[edge.axis][0][kind_0 & kinds];
+    const HalfRays& half_1 = ray_table.rays[edge.axis][1][kind_1 & kinds];
+    ray = add_half(ray, half_0, half_1.first);
+    ray = add_half(ray, half_1, half_0.first);
+    const bool has_rays = ray != first;
+    *ray = *first | repeated;
+    ray += has_rays ? 1 : 0;
+    const bool is_on = (edge.lines >> HalfRays::lines_bits & 1) != 0;
+    *place = {edge.voxel, is_on ? in_bits : out_bits};
+    place += has_rays ? 1 : 0;
+  }
+  rays_ = static_cast<uint32_t>(ray - ray_);
+  constexpr uint64_t one = (uint64_t{1} << PartSum::bits) - 1;
+  counts.add(static_cast<uint32_t>(parts & one),
+             static_cast<uint32_t>(parts >> PartSum::bits & one),
+             static_cast<uint32_t>(parts >> 2 * PartSum::bits));
+}
+
+// Finds the passes at an edge around which cells are absent, or the ends at the seam of a slab.
+DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, RayWord* ray,
+                                                            Place* place) const {
+  const auto axis = static_cast<int>(edge.axis & 3);
+  uint32_t row_bits[9] = {};
+  for (int z = 0; z < 3; ++z)
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 3; ++x) {
+        const uint64_t bits = ray_table.lines[z][1U << (x + 3 * y)] >>
+                              RayTable::axis_bits * static_cast<uint32_t>(axis);
+        if ((bits & edge.lines & ((1U << RayTable::axis_bits) - 1)) != 0)
+          row_bits[3 * z + y] |= 1U << x;
+      }
+  trace::RowBlock rows;
+  for (int row = 0; row < 9; ++row) rows.row[row / 3][row % 3] = &row_bits[row];
+  trace::PassList list;
+  trace::derive_passes({rows, 0, 1, axis}, edge.axis >> Edge::special_shift & 15, list);
+  const bool is_at_seam = (edge.axis & Edge::at_seam) != 0;
+  RayWord* const first = ray;
+  for (uint32_t i = 0; i < list.count; ++i) {
+    const Pass& pass = list.pass[i];
+    const QueueCode in = ray_ends.code[pass.in], out = ray_ends.code[pass.out];
+    if (!is_at_seam) *ray++ = pass_word(in, out, pass.incidence);
+    // A chain that comes across the seam ends here; one that goes across it begins here.
+    if (is_at_seam && pass.in >= trace::first_rising_queue)
+      *ray++ = pass_word(in, seam_tails, pass.incidence);
+    if (is_at_seam && pass.out >= trace::first_rising_queue)
+      *ray++ = pass_word(seam_begins, out, pass.incidence);
+  }
+  const bool has_passes = ray != first;
+  *ray = repeated;
+  ray += has_passes ? 1 : 0;
+  *place = {edge.voxel, 0};
+  return {static_cast<uint32_t>(ray - first), is_at_seam ? 0 : PartSum::of(list.parts)};
+}
+
+}  // namespace discmc::host
