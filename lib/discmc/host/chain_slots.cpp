@@ -121,54 +121,68 @@ void Chains::put_out_ring(Fragments& fragments) const {
   outgoing.last = sides.list();
 }
 
-bool Chains::put_out_complete(Fragments& fragments) {
-  if (complete_ == 0) return false;
+void Chains::find_complete(Slots& slots) {
+  const Node* const node = nodes(slots);
+  uint32_t* const seat = seats(slots);
+  complete_ = 0;
+  for (uint32_t i = front(seam_begins); i != back(seam_begins); ++i) {
+    const uint32_t first = seat[i];
+    uint32_t last = first;
+    while (node[last].next != Node::no_node) last = node[last].next;
+    if (!node[last].ends_at_seam()) continue;
+    uint32_t& other = seat[front(seam_begins) + complete_++];
+    seat[i] = other;
+    other = first;
+  }
+}
+
+void Chains::put_out_complete(Fragments& fragments) {
   --complete_;
-  Slots& slots = fragments.slots();
-  const Node* node = &nodes(slots)[seats(slots)[front(seam_begins)++]];
-  const CornerCode start = seam_corner(*node);
-  Sides sides(slots, start);
-  while (node->next != Node::no_node) sides.add(*++node);
+  const Node* const node = nodes(fragments.slots());
+  uint32_t at = seats(fragments.slots())[front(seam_begins)++];
+  const CornerCode start = seam_corner(node[at]);
+  Sides sides(fragments.slots(), start);
+  for (at = node[at].next; at != Node::no_node; at = node[at].next) sides.add(node[at]);
   auto& outgoing = fragments.outgoing();
   outgoing.kind = trace::Outgoing<uint32_t>::Kind::fragment;
   outgoing.incidence = start.incidence();
   outgoing.start = start.vertex();
   outgoing.incoming = sides.direction(start.onwards());
   outgoing.last = sides.list();
-  return true;
 }
 
 void Chains::hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_t word) {
   Slots& slots = fragments.slots();
+  const Node* const node = nodes(slots);
   uint32_t* const seat = seats(slots);
   const Front visited{static_cast<int32_t>(trace::column_of(word, 1)), row.y, row.z};
-  copy_open(slots);
   mark_tails(slots);
-  for (uint32_t queue = tail_queues; queue < queue_codes; ++queue)
+  for (uint32_t queue = first_begins; queue < queue_codes; ++queue)
     for (uint32_t i = front(queue); i != back(queue); ++i) {
-      const Node* node = &nodes(slots)[seat[i]];
-      const bool begins_at_seam = node->begins_at_seam();
-      const CornerCode first = begins_at_seam ? seam_corner(*node) : CornerCode(node->corner());
+      const Node& first_node = node[seat[i]];
+      const bool begins_at_seam = first_node.begins_at_seam();
+      const CornerCode first =
+          begins_at_seam ? seam_corner(first_node) : CornerCode(first_node.corner());
+      uint32_t at = first_node.next;
       Sides sides(slots, first);
       uint32_t begin = trace::loose_end<uint32_t>(sides.direction(first.onwards()));
       if (!begins_at_seam) {
         const Link came = first.incoming();
         begin = new_end(slots, sides, first, came, opposite_link(came), visited);
         fragments.push(ray_ends.number[queue], begin);
-        if (node->turns_behind()) sides.add(CornerCode(node->corner_behind()));
-      } else if (node->next >= Node::waiting_tail && !visited.has_passed(first.vertex())) {
-        seat[node->next - Node::waiting_tail] = no_slot;
+        if (first_node.turns_behind()) sides.add(CornerCode(first_node.corner_behind()));
+      } else if (at >= Node::waiting_tail && !visited.has_passed(first.vertex())) {
+        seat[at - Node::waiting_tail] = no_slot;
         continue;
       }
-      while (node->next < Node::waiting_tail) sides.add(*++node);
-      const CornerCode last = sides.last();
-      if (node->next == Node::no_node) {
-        fragments.connect(begin, trace::loose_end<uint32_t>(), sides.list());
-        continue;
+      for (; at < Node::waiting_tail; at = node[at].next) sides.add(node[at]);
+      uint32_t tail = trace::loose_end<uint32_t>();
+      if (at != Node::no_node) {
+        const CornerCode last = sides.last();
+        tail = new_end(slots, sides, last, last.onwards(), last.onwards(), visited);
+        seat[at - Node::waiting_tail] = tail;
       }
-      const uint32_t tail = new_end(slots, sides, last, last.onwards(), last.onwards(), visited);
       fragments.connect(begin, tail, sides.list());
-      seat[node->next - Node::waiting_tail] = tail;
     }
   for (uint32_t queue = 0; queue < seam_tails; ++queue)
     for (uint32_t i = front(queue); i != back(queue); ++i)

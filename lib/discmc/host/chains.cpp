@@ -6,52 +6,71 @@ using Slots = Chains::Slots;
 
 // ---- room ----
 
+namespace {
+
+// Calls visit(queue) for those of tails, or of begins.
+template <class Visit>
+void for_each_queue(uint32_t first, Visit visit) {
+  for (uint32_t queue = first; queue < first + queues_each; ++queue) visit(queue);
+}
+template <class Visit>
+void for_each_queue(Visit visit) {
+  for_each_queue(0, visit);
+  for_each_queue(first_begins, visit);
+}
+
+}  // namespace
+
 bool Chains::start(Slots& slots) {
   free_places_ = complete_ = joins_ = next_join_ = 0;
   if (slots.available() < min_slots) return false;
-  const uint32_t first = slots.take_fresh(seat_slots) * seats_per_slot;
-  for (uint32_t queue = 0; queue < queue_codes; ++queue) {
-    seats_[queue] = {first + queue * min_seats, min_seats};
-    of_in_[queue] = of_out_[queue] = seats_[queue].first;
-  }
-  block_slots_ = min_nodes;
-  block_ = slots.take_fresh(block_slots_);
-  bottom_ = top_ = 1;
-  end_ = block_slots_ / 2;
-  // All slots in use are written: a checkpoint has them.
-  for (uint32_t i = 0; i < queue_codes * min_seats; ++i) seats(slots)[first + i] = 0;
-  for (uint32_t i = 0; i < block_slots_; ++i) nodes(slots)[i] = {};
+  uint32_t seat = new_area(slots, seat_slots).first * seats_per_slot;
+  for_each_queue([&](uint32_t queue) {
+    of_in_[queue] = of_out_[queue] = first_seat_[queue] = seat;
+    seats_[queue] = min_seats;
+    seat += min_seats;
+  });
+  none_ = new_area(slots, 1).first;
+  area_[0] = new_area(slots, min_nodes);
+  area_[1] = {};
+  top_ = area_[0].first;
+  end_ = top_ + min_nodes;
   return true;
+}
+
+// Slots side by side, or none. They are written, as all slots in use are: a checkpoint has them.
+Chains::Area Chains::new_area(Slots& slots, uint32_t count) {
+  const uint32_t first = slots.take_fresh(count);
+  if (first == no_slot) return {};
+  for (uint32_t i = 0; i < count; ++i) nodes(slots)[first + i] = {};
+  return {first, count};
+}
+
+void Chains::give(Slots& slots, const Area& area) {
+  for (uint32_t i = 0; i < area.slots; ++i) slots.give(area.first + i);
 }
 
 bool Chains::make_room(Slots& slots) {
   if (free_places_ < Edges::max_edges && !find_places(slots)) return false;
-  if (has_room(slots)) return true;
+  if (has_room_for(slots, 0)) return true;
+  if (!find_area(slots, area_[0].slots)) return false;
   copy_open(slots);
-  const uint32_t open = top_ - bottom_;
-  if (open > block_slots_ / 8 && grow(slots)) return true;
   // So that copying now and then is little work for each pass.
-  top_ += open;
-  const bool is_enough = has_room(slots);
-  top_ -= open;
-  return is_enough;
+  const uint32_t open = top_ - area_[0].first;
+  if (3 * open + max_new > area_[0].slots && find_area(slots, 2 * area_[0].slots) &&
+      !has_room_for(slots, open))
+    copy_open(slots);
+  return has_room_for(slots, open);
 }
 
-// Gives the nodes twice as many slots.
-bool Chains::grow(Slots& slots) {
-  const uint32_t more = 2 * block_slots_;
-  if (slots.available() < reserve() + more + slots_a_node * block_slots_) return false;
-  const uint32_t block = slots.take_fresh(more);
-  if (block == no_slot) return false;
-  const Node* const old = nodes(slots);
-  const uint32_t old_block = block_;
-  block_ = block;
-  Node* const node = nodes(slots);
-  for (uint32_t i = 0; i < more; ++i) node[i] = {};
-  for (uint32_t i = bottom_; i < top_; ++i) node[i] = old[i];
-  for (uint32_t i = 0; i < block_slots_; ++i) slots.give(old_block + i);
-  block_slots_ = more;
-  end_ = more / 2;
+// Makes the free area as large at least. False when there is no room.
+bool Chains::find_area(Slots& slots, uint32_t count) {
+  if (area_[1].slots >= count) return true;
+  if (slots.available() < reserve() + count) return false;
+  const Area larger = new_area(slots, count);
+  if (larger.slots == 0) return false;
+  give(slots, area_[1]);
+  area_[1] = larger;
   return true;
 }
 
@@ -62,17 +81,14 @@ void Chains::mark_tails(Slots& slots) {
       nodes(slots)[seats(slots)[i]].next = Node::waiting_tail + i;
 }
 
-// Copies the nodes of open fragments, each behind the one before it in the chain.
+// Copies the nodes of open fragments to the other area, each behind the one before it.
 void Chains::copy_open(Slots& slots) {
   Node* const node = nodes(slots);
   uint32_t* const seat = seats(slots);
   mark_tails(slots);
-  back(seam_tails) = front(seam_tails) = seats_[seam_tails].first;
-  const bool is_lower = end_ < block_slots_;
-  const uint32_t bottom = is_lower ? end_ : 1;
-  uint32_t top = bottom;
-  complete_ = 0;
-  for (uint32_t queue = tail_queues; queue < queue_codes; ++queue)
+  const Area area = area_[1];
+  uint32_t top = area.first;
+  for_each_queue(first_begins, [&](uint32_t queue) {
     for (uint32_t i = front(queue); i != back(queue); ++i) {
       uint32_t at = seat[i];
       const uint32_t first = top;
@@ -85,90 +101,104 @@ void Chains::copy_open(Slots& slots) {
       } while (at < Node::waiting_tail);
       if (top == first) ++top;
       node[top - 1].next = Node::no_node;
-      if (at != Node::no_node) {
-        seat[at - Node::waiting_tail] = top - 1;
-      } else if (queue == seam_begins) {
-        const uint32_t other = front(queue) + complete_++;
-        seat[i] = seat[other];
-        seat[other] = first;
-      }
+      if (at != Node::no_node) seat[at - Node::waiting_tail] = top - 1;
     }
-  bottom_ = bottom;
+  });
+  area_[1] = area_[0];
+  area_[0] = area;
   top_ = top;
-  end_ = is_lower ? block_slots_ : block_slots_ / 2;
+  end_ = area.first + area.slots;
 }
 
 // Makes room in the queues.
 bool Chains::find_places(Slots& slots) {
-  const auto free_places = [&](uint32_t queue) { return seats_[queue].end() - back(queue); };
   const auto find_least = [&] {
-    free_places_ = UINT32_MAX;
-    for (uint32_t queue = 0; queue < queue_codes; ++queue)
-      if (free_places(queue) < free_places_) free_places_ = free_places(queue);
+    uint32_t least = UINT32_MAX;
+    for_each_queue(0, [&](uint32_t queue) {
+      const uint32_t places = first_seat_[queue] + seats_[queue] - of_out_[queue];
+      least = places < least ? places : least;
+    });
+    for_each_queue(first_begins, [&](uint32_t queue) {
+      const uint32_t places = first_seat_[queue] + seats_[queue] - of_in_[queue];
+      least = places < least ? places : least;
+    });
+    free_places_ = least;
   };
   find_least();
   if (free_places_ >= Edges::max_edges) return true;
   back(seam_tails) = front(seam_tails);
-  for (uint32_t queue = 0; queue < queue_codes; ++queue)
-    if (free_places(queue) < seats_[queue].count / 2 && !make_places(slots, queue)) return false;
+  bool has_places = true;
+  for_each_queue([&](uint32_t queue) {
+    const uint32_t free = first_seat_[queue] + seats_[queue] - back(queue);
+    const bool is_short_move =
+        free < seats_[queue] / 2 && back(queue) - front(queue) <= seats_[queue] / 8;
+    if (free < Edges::max_edges || is_short_move)
+      has_places = has_places && make_places(slots, queue);
+  });
   find_least();
-  return true;
+  return has_places;
 }
 
 // Moves what waits in a queue to its first seats, or to twice as many elsewhere.
 bool Chains::make_places(Slots& slots, uint32_t queue) {
-  const Seats old = seats_[queue];
-  const uint32_t waiting = back(queue) - front(queue);
   uint32_t* const seat = seats(slots);
-  uint32_t first = old.first;
-  if (waiting > old.count / 2) {
-    const uint32_t block_slots = 2 * old.count / seats_per_slot;
-    const bool may_take = slots.available() >= reserve() + block_slots;
-    const uint32_t block = may_take ? slots.take_fresh(block_slots) : uint32_t{no_slot};
-    if (block == no_slot) return false;
-    first = block * seats_per_slot;
-    seats_[queue] = {first, 2 * old.count};
-    for (uint32_t i = waiting; i < 2 * old.count; ++i) seat[first + i] = 0;
+  const uint32_t waiting = back(queue) - front(queue);
+  const uint32_t old_first = first_seat_[queue], old_slots = seats_[queue] / seats_per_slot;
+  uint32_t first = old_first;
+  if (waiting > seats_[queue] / 2) {
+    const bool may_take = slots.available() >= reserve() + 2 * old_slots;
+    const Area area = may_take ? new_area(slots, 2 * old_slots) : Area{};
+    if (area.slots == 0) return false;
+    first_seat_[queue] = first = area.first * seats_per_slot;
+    seats_[queue] *= 2;
   }
   for (uint32_t i = 0; i < waiting; ++i) seat[first + i] = seat[front(queue) + i];
   front(queue) = first;
   back(queue) = first + waiting;
-  if (first != old.first)
-    for (uint32_t i = 0; i < old.count / seats_per_slot; ++i)
-      slots.give(old.first / seats_per_slot + i);
+  if (first != old_first) give(slots, {old_first / seats_per_slot, old_slots});
   return true;
 }
 
 void Chains::give_all(Slots& slots) {
-  for (uint32_t i = 0; i < block_slots_; ++i) slots.give(block_ + i);
-  for (const Seats& seats : seats_)
-    for (uint32_t i = 0; i < seats.count / seats_per_slot; ++i)
-      slots.give(seats.first / seats_per_slot + i);
+  for (const Area& area : area_) give(slots, area);
+  give(slots, {none_, 1});
+  for_each_queue([&](uint32_t queue) {
+    give(slots, {first_seat_[queue] / seats_per_slot, seats_[queue] / seats_per_slot});
+  });
 }
 
 // ---- passes ----
 
+namespace {
+
+// One of two, by all bits or none.
+DISCMC_ALWAYS_INLINE uint32_t chosen(uint32_t bits, uint32_t if_all, uint32_t if_none) {
+  return if_none ^ ((if_none ^ if_all) & bits);
+}
+
+}  // namespace
+
 void Chains::take(Slots& slots, const FoundPasses& passes, uint32_t edges) {
   Node* const node = nodes(slots);
   uint32_t* const seat = seats(slots);
+  const uint32_t none = none_;
   uint32_t top = top_;
   uint32_t joins = 0;
   passes.for_each([&](uint64_t voxel, PassWord pass) {
     const uint32_t in = in_of(pass), out = out_of(pass);
-    uint32_t& in_seat = seat[of_in_[in]++];
-    uint32_t& out_seat = seat[of_out_[out]++];
-    const uint32_t before = in_seat, after = out_seat;
-    // All bits, or none.
-    const uint32_t comes_from_ahead = 0 - uint32_t{has_begins(in)};
-    const uint32_t goes_ahead = 0 - uint32_t{!has_begins(out)};
+    const uint32_t in_seat = of_in_[in]++, out_seat = of_out_[out]++;
+    const uint32_t before = seat[in_seat], after = seat[out_seat];
+    // All bits or none, to choose by: no branch depends on the surface.
+    const uint32_t comes_from_ahead = 0 - in / first_begins;
+    const uint32_t goes_ahead = out / first_begins - 1;
     const uint32_t has_no_corner = 0 - uint32_t{ray_ends.incoming[in] == ray_ends.straight[out]};
     const uint32_t is_straight = has_no_corner & (comes_from_ahead ^ goes_ahead);
-    const uint32_t goes_on = before ^ ((before ^ after) & comes_from_ahead);
-    in_seat = out_seat = top ^ ((goes_on ^ top) & is_straight);
+    const uint32_t goes_on = chosen(comes_from_ahead, after, before);
+    seat[in_seat] = seat[out_seat] = chosen(is_straight, goes_on, top);
     node[top].set_voxel(voxel);
     node[top].next = after | goes_ahead;
     node[top].pass = pass;
-    node[before & ~(comes_from_ahead | is_straight)].next = top;
+    node[chosen(comes_from_ahead | is_straight, none, before)].next = top;
     join_[joins] = top;
     joins += 1 + (comes_from_ahead | goes_ahead);
     top += 1 + is_straight;

@@ -38,11 +38,15 @@ class Chains {
   /// Begins with slots that have just been cleared. False when they are fewer than min_slots.
   bool start(Slots& slots);
 
-  /// Makes room for what max_edges bring. False when too many slots would be in use: then
-  /// hand_over(). Limit: no rings are due. Cost: now and then copies all open fragments.
+  /// Whether there is room for what max_edges bring. Limit, here and below: no rings are due.
+  bool has_room(const Slots& slots) const {
+    return free_places_ >= Edges::max_edges && has_room_for(slots, 0);
+  }
+  /// Makes room. False when too many slots would be in use: then hand_over(). Cost: now and then
+  /// copies all open fragments.
   bool make_room(Slots& slots);
 
-  /// Takes passes in. Limit: there is room, and no rings are due.
+  /// Takes passes in. Limit: there is room.
   void take(Slots& slots, const FoundPasses& passes, uint32_t edges);
 
   /// Finds the next ring that was closed, in the order in which they were. False when there is
@@ -51,14 +55,15 @@ class Chains {
   /// Its corners in order, from any one of them on; none if they are more than max_corners.
   uint64_t* corners() { return corner_; }
   uint32_t corner_count() const { return corner_count_; }
-
   /// Puts the ring out as slots.
   void put_out_ring(Fragments& fragments) const;
-  /// Finds the fragments that are complete, between two seams. Cost: copies all open fragments.
-  void find_complete(Slots& slots) { copy_open(slots); }
+
+  /// Finds the fragments that are complete, between two seams. Cost: follows those that begin at
+  /// one.
+  void find_complete(Slots& slots);
   bool has_complete() const { return complete_ > 0; }
-  /// Puts the next of these out as slots. False when there is none.
-  bool put_out_complete(Fragments& fragments);
+  /// Puts the next of these out as slots. Limit: there is one.
+  void put_out_complete(Fragments& fragments);
 
   /// Hands all fragments over, when a sweep has come to a word of a row. Limit: none is complete.
   void hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_t word);
@@ -71,42 +76,42 @@ class Chains {
   // For handing over, slots are set aside: a node that waits at both its ends becomes two ends and,
   // as both its sides may be long, up to eight slots of runs.
   static constexpr uint32_t slots_a_node = 10;
-  static constexpr uint32_t min_nodes = 4 * max_new;
+  static constexpr uint32_t min_nodes = 8192;
   static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
-  static constexpr uint32_t min_seats = 2 * Edges::max_edges;
-  static constexpr uint32_t seat_slots = queue_codes * min_seats / seats_per_slot;
+  static constexpr uint32_t min_seats = 4 * Edges::max_edges;
+  static constexpr uint32_t seat_slots = 2 * queues_each * min_seats / seats_per_slot;
   static constexpr uint32_t short_walk = 64;
 
  public:
-  static constexpr uint32_t min_slots = seat_slots + min_nodes + 2 * slots_a_node * max_new;
+  static constexpr uint32_t min_slots = 1 + seat_slots + 2 * min_nodes + 2 * slots_a_node * max_new;
 
  private:
-  struct Seats {
-    uint32_t first, count;
-    uint32_t end() const { return first + count; }
+  struct Area {
+    uint32_t first, slots;
   };
 
-  Node* nodes(Slots& slots) const { return reinterpret_cast<Node*>(&slots[block_]); }
+  static Node* nodes(Slots& slots) { return reinterpret_cast<Node*>(&slots[0]); }
   static uint32_t* seats(Slots& slots) { return reinterpret_cast<uint32_t*>(&slots[0]); }
-  uint32_t& front(uint32_t queue) { return has_begins(queue) ? of_out_[queue] : of_in_[queue]; }
-  uint32_t& back(uint32_t queue) { return has_begins(queue) ? of_in_[queue] : of_out_[queue]; }
+  uint32_t& front(uint32_t queue) { return queue < first_begins ? of_in_[queue] : of_out_[queue]; }
+  uint32_t& back(uint32_t queue) { return queue < first_begins ? of_out_[queue] : of_in_[queue]; }
 
-  uint32_t reserve() const { return slots_a_node * (top_ - bottom_ + max_new); }
-  bool has_room(const Slots& slots) const {
-    return top_ + max_new <= end_ && slots.available() >= reserve();
+  uint32_t reserve() const { return slots_a_node * (top_ - area_[0].first + max_new); }
+  bool has_room_for(const Slots& slots, uint32_t nodes) const {
+    return top_ + nodes + max_new <= end_ && slots.available() >= reserve() + slots_a_node * nodes;
   }
+  Area new_area(Slots& slots, uint32_t count);
+  void give(Slots& slots, const Area& area);
+  bool find_area(Slots& slots, uint32_t count);
   bool find_places(Slots& slots);
   bool make_places(Slots& slots, uint32_t queue);
-  bool grow(Slots& slots);
+  void mark_tails(Slots& slots);
   void copy_open(Slots& slots);
   bool comes_back(Slots& slots, uint32_t at);
-  void mark_tails(Slots& slots);
 
-  uint32_t block_ = 0;  // the first of the slots of nodes
-  uint32_t block_slots_ = 0;
-  uint32_t bottom_ = 0;  // nodes from here to the top are in use; the first of all is never
-  uint32_t top_ = 0;
-  uint32_t end_ = 0;          // of this half
+  Area area_[2] = {};         // of nodes: they are in the first, and the other is free
+  uint32_t top_ = 0;          // behind the last node
+  uint32_t end_ = 0;          // before which it is to stay
+  uint32_t none_ = no_slot;   // a node that is never read
   uint32_t free_places_ = 0;  // no queue has fewer
   uint32_t complete_ = 0;     // fragments between seams, the first ones of seam_begins
   uint32_t joins_ = 0;
@@ -117,7 +122,8 @@ class Chains {
   // where an end is taken out, the other where one is put in.
   uint32_t of_in_[queue_codes] = {};
   uint32_t of_out_[queue_codes] = {};
-  Seats seats_[queue_codes] = {};
+  uint32_t first_seat_[queue_codes] = {};
+  uint32_t seats_[queue_codes] = {};
   uint32_t join_[FoundPasses::max_passes + 1] = {};
   uint64_t corner_[max_corners + 2] = {};
 };

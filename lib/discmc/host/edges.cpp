@@ -7,7 +7,6 @@ namespace discmc::host {
 namespace {
 
 using trace::columns_per_word;
-using trace::Crossings;
 using trace::SweptRow;
 
 // From a voxel to the next one.
@@ -17,20 +16,8 @@ uint64_t two_words(const uint32_t* words) {
   return words[0] | uint64_t{words[1]} << 32;
 }
 
-// Passes by words in which no edge crosses, two at a time.
-DISCMC_ALWAYS_INLINE uint32_t pass_by(const SweptRow& row, uint32_t word) {
-  constexpr uint64_t own = trace::own_columns * 0x100000001;
-  const uint32_t* const here = row.around.row[1][1];
-  const uint32_t* const behind = row.around.row[1][2];
-  const uint32_t* const above = row.around.row[2][1];
-  for (; word + 2 <= row.words; word += 2) {
-    const uint64_t on = two_words(here + word);
-    const uint64_t along_y = on ^ two_words(behind + word);
-    const uint64_t along_z = on ^ two_words(above + word);
-    if ((((on ^ on >> 1) | along_y | along_z) & own) != 0) break;
-  }
-  return word;
-}
+// Of the columns of two words, and of a row of two words.
+constexpr uint64_t own_columns = trace::own_columns * uint64_t{0x100000001};
 
 // A word of each of the nine rows around a row.
 class BlockWord {
@@ -72,52 +59,80 @@ void Edges::clear() {
 }
 
 bool Edges::collect(const SweptRow& row) {
-  const uint64_t origin = CornerCode::position({-4, 2 * row.y, 2 * row.z});
-  const Edge* const last = edge_ + (max_edges_of(row) - max_in_word);
-  Edge* const first = edge_ + count_;
-  Edge* edge = first;
-  uint32_t word = word_;
-  for (word = pass_by(row, word); word < row.words; word = pass_by(row, word + 1)) {
-    Crossings crossings;
-    if (!crossings.find(row, word)) continue;
-    if (edge > last) break;
-    const BlockWord block(row.around, word);
-    const uint64_t start = origin + next_voxel * (columns_per_word * word);
-    for (uint32_t left = crossings.voxels(); left != 0; left &= left - 1) {
-      const uint32_t bit = trailing_zeros(left);
-      const uint64_t voxel = start + next_voxel * bit;
-      const uint64_t lines = block.lines(bit);
-      DISCMC_UNROLL(3)
-      for (uint32_t axis = 0; axis < 3; ++axis) {
-        *edge = {voxel, static_cast<uint32_t>(lines >> axis * RayTable::axis_bits), axis};
-        edge += crossings.of[axis] >> bit & 1;
-      }
+  const uint32_t* const here = row.around.row[1][1];
+  const uint32_t* const behind = row.around.row[1][2];
+  const uint32_t* const above = row.around.row[2][1];
+  const uint32_t words = row.words;
+  const uint32_t last = max_edges_of(row) - max_in_word;
+  const uint64_t mask_y = row.has_y ? own_columns : 0, mask_z = row.has_z ? own_columns : 0;
+  for (uint32_t word = word_; word < words; ++word) {
+    uint64_t x, y, z;
+    // Mostly no edge crosses: words are passed by, two at a time.
+    for (; word + 2 <= words; word += 2) {
+      const uint64_t on = two_words(here + word);
+      x = (on ^ on >> 1) & own_columns;
+      y = (on ^ two_words(behind + word)) & mask_y;
+      z = (on ^ two_words(above + word)) & mask_z;
+      if ((x | y | z) != 0) break;
     }
+    if (word + 2 > words) {
+      if (word == words) break;
+      const uint64_t on = here[word];
+      x = (on ^ on >> 1) & trace::own_columns;
+      y = (on ^ behind[word]) & mask_y;
+      z = (on ^ above[word]) & mask_z;
+    }
+    const auto crossing = [&] { return static_cast<uint32_t>(x | y | z); };
+    if (crossing() == 0) {
+      x >>= 32, y >>= 32, z >>= 32;
+      ++word;
+    }
+    if (crossing() == 0) break;
+    if (count_ > last) {
+      word_ = word;
+      return true;
+    }
+    collect_word(row, word, x, y, z);
   }
-  word_ = word;
-  mark_special(row, first, edge);
-  count_ = static_cast<uint32_t>(edge - edge_);
-  if (word < row.words) return true;
   word_ = 0;
   return false;
 }
 
-// Marks the edges around which cells are absent, and all of context slices.
-void Edges::mark_special(const SweptRow& row, Edge* first, Edge* end) const {
+// Collects those of the voxels in a word, a bit each.
+inline void Edges::collect_word(const SweptRow& row, uint32_t word, uint64_t x, uint64_t y,
+                                uint64_t z) {
+  constexpr uint32_t axis_bits = RayTable::axis_bits;
+  const BlockWord block(row.around, word);
+  const uint64_t origin =
+      CornerCode::position({-4, 2 * row.y, 2 * row.z}) + next_voxel * (columns_per_word * word);
+  if (row.has_open_ends) x &= trace::inner_columns(word, row.width);
+  Edge* const first = edge_ + count_;
+  Edge* edge = first;
+  for (auto left = static_cast<uint32_t>(x | y | z); left != 0; left &= left - 1) {
+    const uint32_t bit = trailing_zeros(left);
+    const uint64_t voxel = origin + next_voxel * bit;
+    const uint64_t lines = block.lines(bit);
+    *edge = {voxel, static_cast<uint32_t>(lines), 0};
+    edge += x >> bit & 1;
+    *edge = {voxel, static_cast<uint32_t>(lines >> axis_bits), 1};
+    edge += y >> bit & 1;
+    *edge = {voxel, static_cast<uint32_t>(lines >> 2 * axis_bits), 2};
+    edge += z >> bit & 1;
+  }
+  count_ = static_cast<uint32_t>(edge - edge_);
+  const bool is_end = row.has_open_ends && (word == 0 || word + 1 == row.words);
+  if (is_end || row.absent_rows != 0 || !row.is_own()) mark_special(row, first);
+}
+
+// Marks the edges from one on around which cells are absent, and all of context slices.
+DISCMC_NOINLINE void Edges::mark_special(const SweptRow& row, Edge* first) {
   const uint64_t first_voxel = CornerCode::position({0, 2 * row.y, 2 * row.z});
-  const uint64_t last_voxel = first_voxel + next_voxel * (row.width - 1);
-  const auto mark = [&](Edge& edge) {
-    const auto x = static_cast<uint32_t>((edge.voxel - first_voxel) / next_voxel);
-    const uint32_t absent = row.absent_at(static_cast<int>(edge.axis), x);
+  for (Edge* edge = first; edge != edge_ + count_; ++edge) {
+    const auto x = static_cast<uint32_t>((edge->voxel - first_voxel) / next_voxel);
+    const uint32_t absent = row.absent_at(static_cast<int>(edge->axis), x);
     if (!row.is_own() || absent != 0)
-      edge.axis |= (row.is_own() ? Edge::special : Edge::special | Edge::at_seam) |
-                   absent << Edge::special_shift;
-  };
-  if (!row.is_own() || row.absent_rows != 0) {
-    for (; first != end; ++first) mark(*first);
-  } else if (row.has_open_ends) {
-    for (; first != end && first->voxel == first_voxel; ++first) mark(*first);
-    for (; first != end && (end - 1)->voxel == last_voxel; --end) mark(*(end - 1));
+      edge->axis |= (row.is_own() ? Edge::special : Edge::special | Edge::at_seam) |
+                    absent << Edge::special_shift;
   }
 }
 

@@ -22,7 +22,7 @@ struct Edge {
 
 class Edges {
  public:
-  static constexpr uint32_t max_edges = 256;
+  static constexpr uint32_t max_edges = 128;
 
   void clear();
   /// Collects those of a row, from where it was last left. False when the row has come to an end;
@@ -46,7 +46,8 @@ class Edges {
     return row.is_own() ? max_edges : max_edges / 2;
   }
 
-  void mark_special(const trace::SweptRow& row, Edge* first, Edge* end) const;
+  void collect_word(const trace::SweptRow& row, uint32_t word, uint64_t x, uint64_t y, uint64_t z);
+  void mark_special(const trace::SweptRow& row, Edge* first);
 
   uint32_t word_ = 0;
   uint32_t count_ = 0;

@@ -8,21 +8,23 @@ using trace::Pass;
 
 namespace {
 
-// Adds the rays of a half to others, the first one if the sector before it differs.
-DISCMC_ALWAYS_INLINE RayWord* add_half(RayWord* ray, const HalfRays& half, RayWord before) {
-  constexpr uint32_t incidence = incidence_bits >> incidence_shift;
-  const RayWord first = half.first;
+constexpr uint32_t incidences = incidence_bits >> incidence_shift;
+
+// Adds the rays of a half to others, the first one if the sector before it differs: that is the
+// last one of a half that begins with another ray.
+DISCMC_ALWAYS_INLINE RayWord* add_half(RayWord* ray, const HalfRays& half, RayWord first,
+                                       RayWord first_before) {
+  const uint32_t differ = first >> incidence_shift ^ first_before >> HalfRays::last_shift;
   *ray = first;
-  ray += ((first >> incidence_shift ^ before >> HalfRays::last_shift) & incidence) != 0 ? 1 : 0;
-  copy_bytes(ray, half.ray, sizeof half.ray);
+  ray += (differ & incidences) != 0 ? 1 : 0;
+  // One more, as four are copied at once.
+  copy_bytes(ray, half.ray, sizeof half);
   return ray + (first >> HalfRays::count_shift);
 }
 
 }  // namespace
 
 void FoundPasses::find(const Edges& edges, trace::SweepCounts& counts) {
-  constexpr uint32_t half_places = HalfRays::places - 1;
-  constexpr uint32_t kinds = (1U << RayTable::parts_shift) - 1;
   RayWord* ray = ray_;
   Place* place = place_;
   uint64_t parts = 0;
@@ -34,21 +36,24 @@ void FoundPasses::find(const Edges& edges, trace::SweepCounts& counts) {
       parts += added.parts;
       continue;
     }
-    RayWord* const first = ray;
-    const uint32_t kind_0 = ray_table.kind[0][edge.lines & half_places];
-    const uint32_t kind_1 = ray_table.kind[1][edge.lines >> HalfRays::lines_bits & half_places];
-    parts += ray_table.parts[kind_0 >> RayTable::parts_shift] +
-             ray_table.parts[kind_1 >> RayTable::parts_shift];
-    const HalfRays& half_0 = ray_table.rays[edge.axis][0][kind_0 & kinds];
-    const HalfRays& half_1 = ray_table.rays[edge.axis][1][kind_1 & kinds];
-    ray = add_half(ray, half_0, half_1.first);
-    ray = add_half(ray, half_1, half_0.first);
-    const bool has_rays = ray != first;
-    *ray = *first | repeated;
-    ray += has_rays ? 1 : 0;
-    const bool is_on = (edge.lines >> HalfRays::lines_bits & 1) != 0;
-    *place = {edge.voxel, is_on ? in_bits : out_bits};
-    place += has_rays ? 1 : 0;
+    constexpr uint32_t half_places = HalfRays::places - 1;
+    const uint32_t lines = edge.lines;
+    const RayTable::Kind kind_0 = ray_table.kind[0][lines & half_places];
+    const RayTable::Kind kind_1 = ray_table.kind[1][lines >> HalfRays::lines_bits & half_places];
+    parts += ray_table.parts[kind_0.parts];
+    parts += ray_table.parts[kind_1.parts];
+    const HalfRays& half_0 = ray_table.rays[edge.axis][0][kind_0.rays];
+    const HalfRays& half_1 = ray_table.rays[edge.axis][1][kind_1.rays];
+    const RayWord first_0 = half_0.first, first_1 = half_1.first;
+    RayWord* const begin = ray;
+    ray = add_half(ray, half_0, first_0, first_1);
+    ray = add_half(ray, half_1, first_1, first_0);
+    const uint32_t has_rays = ray != begin ? 1 : 0;
+    *ray = *begin | repeated;
+    ray += has_rays;
+    // Where the voxel is on chains come by the next ray, else they go by it.
+    *place = {edge.voxel, out_bits >> (lines >> (HalfRays::lines_bits - 3) & 8)};
+    place += has_rays;
   }
   rays_ = static_cast<uint32_t>(ray - ray_);
   constexpr uint64_t one = (uint64_t{1} << PartSum::bits) - 1;

@@ -50,7 +50,7 @@ class FoundPasses {
 
   uint32_t rays_ = 0;  // those repeated included
   Place place_[Edges::max_edges + 1] = {};
-  RayWord ray_[max_passes + Edges::max_edges + 4] = {};
+  RayWord ray_[max_passes + Edges::max_edges + 5] = {};
 };
 
 }  // namespace discmc::host

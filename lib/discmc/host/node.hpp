@@ -34,6 +34,7 @@ struct Node {
     return ray_ends.incoming[in_of(pass)] == ray_ends.straight[out_of(pass)];
   }
   bool begins_at_seam() const { return in_of(pass) == seam_begins; }
+  bool ends_at_seam() const { return out_of(pass) == seam_tails; }
 
   /// The corner at the vertex, if it turns there; and at the centroid behind it.
   uint64_t corner() const {
@@ -47,7 +48,7 @@ struct Node {
     corners[0] = corner();
     corners += turns() ? 1 : 0;
     corners[0] = corner_behind();
-    return corners + (turns_behind() ? 1 : 0);
+    return corners + ray_ends.turns[out_of(pass)];
   }
 
  private:

@@ -42,7 +42,7 @@ constexpr RayEnds derive_ends() {
   for_each_way(false, [&](int, int, Way way, bool) {
     if (!way.is_ahead()) begins[way.queue_out()] = true;
   });
-  uint32_t next[] = {0, tail_queues};
+  uint32_t next[] = {0, first_begins};
   for (uint8_t queue = 0; queue < trace::queue_count; ++queue) {
     const uint32_t code = next[begins[queue] ? 1 : 0]++;
     ends.code[queue] = static_cast<QueueCode>(code);
@@ -187,7 +187,7 @@ constexpr RayTable derive_rays() {
           for (int i = 0; i < 2; ++i) table.rays[axis][i][kinds] = half.rays(axis, i);
         ++kinds;
       }
-      const auto kind = static_cast<uint16_t>(number[place] | half.parts << RayTable::parts_shift);
+      const RayTable::Kind kind{number[place], static_cast<uint16_t>(half.parts)};
       table.kind[0][lines | lower << HalfRays::lines_bits] = kind;
       table.kind[1][lines << 1 | lower] = kind;
     }

@@ -11,17 +11,14 @@
 
 namespace discmc::host {
 
-/// A queue as it is numbered here: those in which tails wait, then as many in which begins do. The
-/// last one of either is that of ends at a seam, which no pass takes out.
+/// A queue as it is numbered here: those in which tails wait from 0 on, those in which begins do
+/// from first_begins on. The last one of either is that of ends at a seam, which no pass takes out.
 using QueueCode = uint8_t;
 
-constexpr uint32_t tail_queues = trace::queue_count / 2 + 1;
-constexpr uint32_t queue_codes = 2 * tail_queues;
-constexpr QueueCode seam_tails = tail_queues - 1, seam_begins = queue_codes - 1;
-
-constexpr bool has_begins(uint32_t queue) {
-  return queue >= tail_queues;
-}
+constexpr uint32_t queues_each = trace::queue_count / 2 + 1;
+constexpr uint32_t first_begins = 128;
+constexpr uint32_t queue_codes = first_begins + queues_each;
+constexpr QueueCode seam_tails = queues_each - 1, seam_begins = queue_codes - 1;
 
 /// A ray: in bits 0 to 7 the queue of the chain that comes along it, in bits 8 to 15 that of the
 /// one that goes, from bit 16 on the incidence of the sector behind it. A pass, of the wedge
@@ -79,13 +76,15 @@ struct RayTable {
   uint64_t lines[3][512];
   static constexpr uint32_t axis_bits = 2 * HalfRays::lines_bits + 1;
 
-  /// By half, and lines and voxel as they stand above: the kind of the half, and from parts_shift
-  /// on what its cells add to counts: a place in `parts`.
-  uint16_t kind[2][HalfRays::places];
-  static constexpr uint32_t parts_shift = 9;
-  uint64_t parts[1U << (16 - parts_shift)];
+  /// A half, whatever the axis: its rays, and what its cells add to counts.
+  struct Kind {
+    uint16_t rays;   ///< a place in `rays`
+    uint16_t parts;  ///< a place in `parts`
+  };
+  Kind kind[2][HalfRays::places];  ///< by half, and lines and voxel as they stand above
 
-  HalfRays rays[3][2][HalfRays::kinds];  ///< by axis, half and kind
+  HalfRays rays[3][2][HalfRays::kinds];  ///< by axis and half
+  uint64_t parts[120];                   ///< PartSum
 };
 
 /// What the queue of a ray says of the vertex: for chains that come along it, and that go.

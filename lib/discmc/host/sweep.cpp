@@ -6,24 +6,35 @@ namespace {
 
 using trace::SlabRole;
 
-/// What SectorTable::direction() tells of links that lie in a plane, a byte each: it is asked for
-/// every run.
-struct Directions {
-  Direction of[incidence_codes][link_codes];
+/// What is asked of the planes of an incidence for every ring, at hand.
+struct Planes {
+  Direction direction[link_codes];  ///< as SectorTable::direction()
+  uint64_t right_turns;             ///< bit 8 a + b: whether from direction a to b is one
+  int8_t normal[3];
 };
-constexpr Directions directions_of_links() {
-  Directions directions{};
-  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
-    for (Direction i = 0; i < direction_count(incidence); ++i)
-      directions.of[incidence][link_of(incidence, i)] = i;
-  return directions;
+struct PlaneTable {
+  Planes of[incidence_codes];
+};
+constexpr PlaneTable derive_planes() {
+  PlaneTable table{};
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
+    Planes& planes = table.of[incidence];
+    for (int axis = 0; axis < 3; ++axis)
+      planes.normal[axis] = static_cast<int8_t>(component(normal(incidence), axis));
+    for (Direction a = 0; a < direction_count(incidence); ++a) {
+      planes.direction[link_of(incidence, a)] = a;
+      for (Direction b = 0; b < direction_count(incidence); ++b)
+        if (turn(incidence, a, b) < 0) planes.right_turns |= uint64_t{1} << (8 * a + b);
+    }
+  }
+  return table;
 }
-constexpr Directions directions = directions_of_links();
+constexpr PlaneTable plane_table = derive_planes();
 
 bool is_hole(CornerCode start) {
-  const Direction* const direction = directions.of[start.incidence()];
-  return trace::turns_right(start.incidence(), direction[start.incoming()],
-                            direction[start.onwards()]);
+  const Planes& planes = plane_table.of[start.incidence()];
+  const uint32_t turn = 8U * planes.direction[start.incoming()] + planes.direction[start.onwards()];
+  return (planes.right_turns >> turn & 1) != 0;
 }
 
 }  // namespace
@@ -31,6 +42,9 @@ bool is_hole(CornerCode start) {
 void Sweep::clear() {
   Plain::clear();
   edges_.clear();
+  all_holes_ = 0;
+  for (uint32_t& holes : holes_) holes = 0;
+  is_due_ = false;
   below_waits_ = false;
   handed_word_ = 0;
   keeps_nodes_ = chains_.start(slots());
@@ -39,7 +53,7 @@ void Sweep::clear() {
 bool Sweep::sweep(const trace::SweptRow& row, const NoNormals& normals, const Sink& sink,
                   Statistics& statistics) {
   while (keeps_nodes_) {
-    if (!deliver(sink, statistics)) return false;
+    if (is_due_ && !deliver(sink, statistics)) return false;
     if (edges_.is_empty() && !make_room(row)) {
       if (!chains_.has_complete()) hand_over(row);
     } else if (edges_.collect(row)) {
@@ -53,7 +67,7 @@ bool Sweep::sweep(const trace::SweptRow& row, const NoNormals& normals, const Si
 
 bool Sweep::flush(const Sink& sink, Statistics& statistics) {
   if (!keeps_nodes_) return true;
-  if (!deliver(sink, statistics)) return false;
+  if (is_due_ && !deliver(sink, statistics)) return false;
   take_edges(statistics);
   return deliver(sink, statistics);
 }
@@ -68,6 +82,7 @@ bool Sweep::settle_holes(const Sink& sink, Statistics& statistics) {
 }
 
 void Sweep::take_edges(Statistics& statistics) {
+  is_due_ = true;
   found_.find(edges_, counts_);
   counts_.add_to(statistics);
   chains_.take(slots(), found_, edges_.count());
@@ -76,11 +91,13 @@ void Sweep::take_edges(Statistics& statistics) {
 
 // ---- handing over ----
 
-// False when there is none, and all fragments that are complete have been found.
+// False when fragments that are complete have to go out first, or there is none.
 bool Sweep::make_room(const trace::SweptRow& row) {
-  if (row.z < CornerCode::max_slices && chains_.make_room(slots())) return true;
+  const bool may_stay = row.z < CornerCode::max_slices;
+  if (may_stay && chains_.has_room(slots())) return true;
   chains_.find_complete(slots());
-  return false;
+  is_due_ = chains_.has_complete();
+  return !is_due_ && may_stay && chains_.make_room(slots());
 }
 
 // Below a slab there are only ends of others, which are lost to firmware's sweep.
@@ -116,52 +133,89 @@ bool Sweep::sweep_plain(const trace::SweptRow& row, const NoNormals& normals, co
 
 // ---- delivery ----
 
+// Delivers all that is due. False when the sink said "not now".
 bool Sweep::deliver(const Sink& sink, Statistics& statistics) {
-  if (!delivery_.settle(fragments_, sink, statistics)) return false;
+  if (!settle(sink, statistics)) return false;
   while (chains_.find_ring(slots()))
     if (!deliver_ring(sink, statistics)) return false;
-  while (chains_.put_out_complete(fragments_))
-    if (!delivery_.settle(fragments_, sink, statistics)) return false;
+  while (chains_.has_complete()) {
+    chains_.put_out_complete(fragments_);
+    if (!settle(sink, statistics)) return false;
+  }
+  is_due_ = false;
   return true;
 }
 
-// Whether holes wait on the plane of a ring.
-bool Sweep::has_holes_on_plane(CornerCode corner) const {
-  const auto& holes = delivery_.holes();
-  return holes.count() > 0 &&
-         holes.has_any(fragments_.slots(), corner.incidence(), corner.vertex());
+// Delivers what has been put out. It was of one plane: so are the holes that came or went with it.
+bool Sweep::settle(const Sink& sink, Statistics& statistics) {
+  if (fragments_.has_outgoing()) {
+    const auto& outgoing = fragments_.outgoing();
+    plane_ = place_of_plane(outgoing.incidence, outgoing.start);
+  }
+  if (!delivery_.settle(fragments_, sink, statistics)) return false;
+  const uint32_t count = delivery_.holes().count();
+  holes_[plane_] += count - all_holes_;
+  all_holes_ = count;
+  return true;
 }
 
-// Delivers the ring that was found. When the sink says "not now" the ordinary delivery goes on.
-bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
-  const uint32_t count = chains_.corner_count();
+uint32_t Sweep::place_of_plane(Incidence incidence, const Vertex& vertex) {
+  const int8_t* const n = plane_table.of[incidence].normal;
+  const auto plane = static_cast<uint32_t>(n[0] * vertex.x + n[1] * vertex.y + n[2] * vertex.z);
+  // Multiplication spreads neighbouring keys: see Holes.
+  return (plane * incidence_codes + incidence) * 0x9E3779B1U >> (32 - plane_bits);
+}
+
+// Makes runs of the corners of the ring that was found, twice over, and returns the first one: a
+// ring begins at its last vertex, as in Delivery, which is a corner.
+DISCMC_ALWAYS_INLINE const Run* Sweep::make_runs(uint32_t count, CornerCode& start,
+                                                 uint64_t& links) {
   uint64_t* const corner = chains_.corners();
-  // It begins at its last vertex, as in Delivery: a corner.
+  corner[count] = corner[0];
+  const Direction* const direction = plane_table.of[CornerCode(corner[0]).incidence()].direction;
   uint64_t last = 0;
-  uint32_t first = 0;
-  uint64_t links = 0;
-  if (count > 0) {
-    corner[count] = corner[0];
-    const Direction* const direction = directions.of[CornerCode(corner[0]).incidence()];
-    for (uint32_t i = 0; i < count; ++i) {
-      const CornerCode from(corner[i]);
-      const uint32_t length = links_between(from, CornerCode(corner[i + 1]));
-      run_[i] = run_[count + i] = Run::straight(direction[from.onwards()], length);
-      links += length;
-      if (corner[i] > last) {
-        last = corner[i];
-        first = i;
-      }
+  const Run* first = run_;
+  for (uint32_t i = 0; i < count; ++i) {
+    const CornerCode from(corner[i]);
+    const uint32_t length = links_between(from, CornerCode(corner[i + 1]));
+    run_[i] = run_[count + i] = Run::straight(direction[from.onwards()], length);
+    links += length;
+    if (corner[i] > last) {
+      last = corner[i];
+      first = run_ + i;
     }
   }
-  const CornerCode start(last);
-  if (count == 0 || is_hole(start) || has_holes_on_plane(start)) {
+  start = CornerCode(last);
+  return first;
+}
+
+// Delivers the ring that was found.
+bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
+  const uint32_t count = chains_.corner_count();
+  CornerCode start(0);
+  uint64_t links = 0;
+  const Run* const runs = count > 0 ? make_runs(count, start, links) : nullptr;
+  if (count == 0 || is_hole(start) ||
+      (all_holes_ > 0 && holes_[place_of_plane(start.incidence(), start.vertex())] > 0)) {
     chains_.put_out_ring(fragments_);
-    return delivery_.settle(fragments_, sink, statistics);
+    return settle(sink, statistics);
   }
+  const WholeRegion region{start.incidence(), start.vertex(), runs, count};
+  if ((receiver_.take == nullptr ||
+       receiver_.take(receiver_.context, region) != SinkResult::accepted) &&
+      !send_events(region, sink, statistics))
+    return false;
+  statistics.links += links;
+  ++statistics.rings;
+  ++statistics.regions;
+  return true;
+}
+
+// When the sink says "not now" the ordinary delivery goes on.
+bool Sweep::send_events(const WholeRegion& region, const Sink& sink, Statistics& statistics) {
   Event event{};
-  event.incidence = start.incidence();
-  event.start = start.vertex();
+  event.incidence = region.incidence;
+  event.start = region.start;
   uint32_t taken = 0;
   const auto send = [&](Event::Kind kind) {
     event.kind = kind;
@@ -170,23 +224,19 @@ bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
     return true;
   };
   const auto send_runs = [&] {
-    for (uint32_t i = 0; i < count; ++i) {
-      event.run = run_[first + i];
+    for (uint32_t i = 0; i < region.count; ++i) {
+      event.run = region.runs[i];
       if (!send(Event::Kind::run)) return false;
     }
     return true;
   };
-  if (!send(Event::Kind::region) || !send(Event::Kind::ring) || !send_runs() ||
-      !send(Event::Kind::region_end)) {
-    chains_.put_out_ring(fragments_);
-    delivery_.begin(fragments_);
-    for (; taken > 0; --taken) delivery_.go_on(fragments_, statistics);
-    return false;
-  }
-  statistics.links += links;
-  ++statistics.rings;
-  ++statistics.regions;
-  return true;
+  if (send(Event::Kind::region) && send(Event::Kind::ring) && send_runs() &&
+      send(Event::Kind::region_end))
+    return true;
+  chains_.put_out_ring(fragments_);
+  delivery_.begin(fragments_);
+  for (; taken > 0; --taken) delivery_.go_on(fragments_, statistics);
+  return false;
 }
 
 }  // namespace discmc::host

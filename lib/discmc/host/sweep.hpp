@@ -10,16 +10,37 @@
 
 namespace discmc::host {
 
+/// A region of one ring, as most are: what its events say.
+struct WholeRegion {
+  Incidence incidence;
+  Vertex start;
+  const Run* runs;  ///< Owner: the sender; valid during the call
+  uint32_t count;
+};
+
+/// Who takes regions whole.
+struct RegionReceiver {
+  void* context = nullptr;
+  SinkResult (*take)(void* context, const WholeRegion& region) = nullptr;
+};
+
 /// To an extractor what a trace::Sweep is.
 class Sweep : private trace::Sweep<uint32_t, NoNormal> {
  public:
   using Plain = trace::Sweep<uint32_t, NoNormal>;
 
   using Plain::delivery;
-  using Plain::forget_addresses;
   using Plain::fragments;
-  using Plain::start;
 
+  void start(Arena& arena, const Capacities& capacities) {
+    Plain::start(arena, capacities);
+    receiver_ = {};
+  }
+  void forget_addresses() {
+    Plain::forget_addresses();
+    receiver_ = {};
+  }
+  void set_receiver(const RegionReceiver& receiver) { receiver_ = receiver; }
   void clear();
   /// May leave the last edges for later.
   bool sweep(const trace::SweptRow& row, const NoNormals& normals, const Sink& sink,
@@ -36,18 +57,28 @@ class Sweep : private trace::Sweep<uint32_t, NoNormal> {
   void hand_over(const trace::SweptRow& row);
   void take_edges(Statistics& statistics);
   bool deliver(const Sink& sink, Statistics& statistics);
+  bool settle(const Sink& sink, Statistics& statistics);
   bool deliver_ring(const Sink& sink, Statistics& statistics);
-  bool has_holes_on_plane(CornerCode corner) const;
+  const Run* make_runs(uint32_t count, CornerCode& start, uint64_t& links);
+  bool send_events(const WholeRegion& region, const Sink& sink, Statistics& statistics);
+  static uint32_t place_of_plane(Incidence incidence, const Vertex& vertex);
 
   Slots& slots() { return fragments_.slots(); }
 
+  static constexpr uint32_t plane_bits = 10;
+
   bool keeps_nodes_ = false;
+  bool is_due_ = false;       // something may have to be delivered
   bool below_waits_ = false;  // ends from below a slab wait in the queues, or were counted as lost
   uint32_t handed_word_ = 0;  // where in a row chains were handed over
+  RegionReceiver receiver_;
   Edges edges_;
   FoundPasses found_;
   Chains chains_;
   Run run_[2 * (Chains::max_corners + 2)];
+  uint32_t plane_ = 0;  // of what is delivered
+  uint32_t all_holes_ = 0;
+  uint32_t holes_[1U << plane_bits] = {};  // that wait, by place_of_plane()
 };
 
 }  // namespace discmc::host
