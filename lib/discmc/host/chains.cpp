@@ -24,13 +24,12 @@ void for_each_queue(Visit visit) {
 bool Chains::start(Slots& slots) {
   free_places_ = complete_ = joins_ = next_join_ = 0;
   if (slots.available() < min_slots) return false;
+  (void)new_area(slots, 1);
   uint32_t seat = new_area(slots, seat_slots).first * seats_per_slot;
   for_each_queue([&](uint32_t queue) {
     of_in_[queue] = of_out_[queue] = first_seat_[queue] = seat;
-    seats_[queue] = min_seats;
-    seat += min_seats;
+    end_seat_[queue] = seat += min_seats;
   });
-  none_ = new_area(slots, 1).first;
   area_[0] = new_area(slots, min_nodes);
   area_[1] = {};
   top_ = area_[0].first;
@@ -40,14 +39,16 @@ bool Chains::start(Slots& slots) {
 
 // Slots side by side, or none. They are written, as all slots in use are: a checkpoint has them.
 Chains::Area Chains::new_area(Slots& slots, uint32_t count) {
-  const uint32_t first = slots.take_fresh(count);
-  if (first == no_slot) return {};
-  for (uint32_t i = 0; i < count; ++i) nodes(slots)[first + i] = {};
+  const uint32_t slot = slots.take_fresh(count);
+  if (slot == no_slot) return {};
+  const uint32_t first = slot - 1;
+  uint32_t* const words = seats(slots) + size_t{first} * seats_per_slot;
+  for (size_t i = 0; i < size_t{count} * seats_per_slot; ++i) words[i] = 0;
   return {first, count};
 }
 
 void Chains::give(Slots& slots, const Area& area) {
-  for (uint32_t i = 0; i < area.slots; ++i) slots.give(area.first + i);
+  for (uint32_t i = 0; i < area.slots; ++i) slots.give(area.first + 1 + i);
 }
 
 bool Chains::make_room(Slots& slots) {
@@ -96,7 +97,7 @@ void Chains::copy_open(Slots& slots) {
       do {
         node[top] = node[at];
         node[top].next = top + 1;
-        if (!node[top].goes_straight()) ++top;
+        if (node[top].has_corner()) ++top;
         at = node[at].next;
       } while (at < Node::waiting_tail);
       if (top == first) ++top;
@@ -112,45 +113,47 @@ void Chains::copy_open(Slots& slots) {
 
 // Makes room in the queues.
 bool Chains::find_places(Slots& slots) {
-  const auto find_least = [&] {
-    uint32_t least = UINT32_MAX;
-    for_each_queue(0, [&](uint32_t queue) {
-      const uint32_t places = first_seat_[queue] + seats_[queue] - of_out_[queue];
-      least = places < least ? places : least;
-    });
-    for_each_queue(first_begins, [&](uint32_t queue) {
-      const uint32_t places = first_seat_[queue] + seats_[queue] - of_in_[queue];
-      least = places < least ? places : least;
-    });
-    free_places_ = least;
-  };
-  find_least();
+  find_least_places();
   if (free_places_ >= Edges::max_edges) return true;
   back(seam_tails) = front(seam_tails);
   bool has_places = true;
   for_each_queue([&](uint32_t queue) {
-    const uint32_t free = first_seat_[queue] + seats_[queue] - back(queue);
-    const bool is_short_move =
-        free < seats_[queue] / 2 && back(queue) - front(queue) <= seats_[queue] / 8;
+    const uint32_t seats = end_seat_[queue] - first_seat_[queue];
+    const uint32_t free = end_seat_[queue] - back(queue);
+    const bool is_short_move = free < seats / 4 * 3 && back(queue) - front(queue) <= seats / 16;
     if (free < Edges::max_edges || is_short_move)
       has_places = has_places && make_places(slots, queue);
   });
-  find_least();
+  find_least_places();
   return has_places;
+}
+
+void Chains::find_least_places() {
+  uint32_t least = UINT32_MAX;
+  const auto find = [&least](const uint32_t* end, const uint32_t* back) {
+    for (uint32_t i = 0; i < queues_each; ++i) {
+      const uint32_t places = end[i] - back[i];
+      least = places < least ? places : least;
+    }
+  };
+  find(end_seat_, of_out_);
+  find(end_seat_ + first_begins, of_in_ + first_begins);
+  free_places_ = least;
 }
 
 // Moves what waits in a queue to its first seats, or to twice as many elsewhere.
 bool Chains::make_places(Slots& slots, uint32_t queue) {
   uint32_t* const seat = seats(slots);
   const uint32_t waiting = back(queue) - front(queue);
-  const uint32_t old_first = first_seat_[queue], old_slots = seats_[queue] / seats_per_slot;
+  const uint32_t old_first = first_seat_[queue];
+  const uint32_t old_slots = (end_seat_[queue] - old_first) / seats_per_slot;
   uint32_t first = old_first;
-  if (waiting > seats_[queue] / 2) {
+  if (waiting > old_slots * seats_per_slot / 2) {
     const bool may_take = slots.available() >= reserve() + 2 * old_slots;
     const Area area = may_take ? new_area(slots, 2 * old_slots) : Area{};
     if (area.slots == 0) return false;
     first_seat_[queue] = first = area.first * seats_per_slot;
-    seats_[queue] *= 2;
+    end_seat_[queue] = first + area.slots * seats_per_slot;
   }
   for (uint32_t i = 0; i < waiting; ++i) seat[first + i] = seat[front(queue) + i];
   front(queue) = first;
@@ -161,9 +164,10 @@ bool Chains::make_places(Slots& slots, uint32_t queue) {
 
 void Chains::give_all(Slots& slots) {
   for (const Area& area : area_) give(slots, area);
-  give(slots, {none_, 1});
+  give(slots, {0, 1});
   for_each_queue([&](uint32_t queue) {
-    give(slots, {first_seat_[queue] / seats_per_slot, seats_[queue] / seats_per_slot});
+    const uint32_t first = first_seat_[queue] / seats_per_slot;
+    give(slots, {first, end_seat_[queue] / seats_per_slot - first});
   });
 }
 
@@ -171,6 +175,10 @@ void Chains::give_all(Slots& slots) {
 
 namespace {
 
+// All bits or none. Limit: a small number.
+DISCMC_ALWAYS_INLINE uint32_t all_if_zero(uint32_t number) {
+  return static_cast<uint32_t>(static_cast<int32_t>(number - 1) >> 31);
+}
 // One of two, by all bits or none.
 DISCMC_ALWAYS_INLINE uint32_t chosen(uint32_t bits, uint32_t if_all, uint32_t if_none) {
   return if_none ^ ((if_none ^ if_all) & bits);
@@ -181,24 +189,24 @@ DISCMC_ALWAYS_INLINE uint32_t chosen(uint32_t bits, uint32_t if_all, uint32_t if
 void Chains::take(Slots& slots, const FoundPasses& passes, uint32_t edges) {
   Node* const node = nodes(slots);
   uint32_t* const seat = seats(slots);
-  const uint32_t none = none_;
   uint32_t top = top_;
   uint32_t joins = 0;
-  passes.for_each([&](uint64_t voxel, PassWord pass) {
-    const uint32_t in = in_of(pass), out = out_of(pass);
+  passes.for_each([&](const uint64_t& voxel, PassWord pass) {
+    const size_t in = in_of(pass), out = out_of(pass);
     const uint32_t in_seat = of_in_[in]++, out_seat = of_out_[out]++;
     const uint32_t before = seat[in_seat], after = seat[out_seat];
     // All bits or none, to choose by: no branch depends on the surface.
-    const uint32_t comes_from_ahead = 0 - in / first_begins;
-    const uint32_t goes_ahead = out / first_begins - 1;
-    const uint32_t has_no_corner = 0 - uint32_t{ray_ends.incoming[in] == ray_ends.straight[out]};
-    const uint32_t is_straight = has_no_corner & (comes_from_ahead ^ goes_ahead);
+    const uint32_t comes_from_ahead = ray_ends.comes_from_ahead[in];
+    const uint32_t goes_ahead = ray_ends.goes_ahead[out];
+    const uint32_t difference = ray_ends.straight_in[in] ^ ray_ends.straight_out[out];
+    const uint32_t is_straight = all_if_zero(difference);
     const uint32_t goes_on = chosen(comes_from_ahead, after, before);
     seat[in_seat] = seat[out_seat] = chosen(is_straight, goes_on, top);
     node[top].set_voxel(voxel);
     node[top].next = after | goes_ahead;
     node[top].pass = pass;
-    node[chosen(comes_from_ahead | is_straight, none, before)].next = top;
+    // The node before, if there is one: what goes straight on has no next.
+    node[before & ~comes_from_ahead].next = top | is_straight;
     join_[joins] = top;
     joins += 1 + (comes_from_ahead | goes_ahead);
     top += 1 + is_straight;

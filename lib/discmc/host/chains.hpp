@@ -76,9 +76,10 @@ class Chains {
   // For handing over, slots are set aside: a node that waits at both its ends becomes two ends and,
   // as both its sides may be long, up to eight slots of runs.
   static constexpr uint32_t slots_a_node = 10;
-  static constexpr uint32_t min_nodes = 8192;
+  static constexpr uint32_t min_nodes = 4096;
   static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
-  static constexpr uint32_t min_seats = 4 * Edges::max_edges;
+  // No power of two, so that the first seats of queues do not share sets of a cache.
+  static constexpr uint32_t min_seats = 4 * Edges::max_edges + 16;
   static constexpr uint32_t seat_slots = 2 * queues_each * min_seats / seats_per_slot;
   static constexpr uint32_t short_walk = 64;
 
@@ -90,8 +91,10 @@ class Chains {
     uint32_t first, slots;
   };
 
-  static Node* nodes(Slots& slots) { return reinterpret_cast<Node*>(&slots[0]); }
-  static uint32_t* seats(Slots& slots) { return reinterpret_cast<uint32_t*>(&slots[0]); }
+  // Of slots, counted from the first, the number is that of a node less one, and the first is none
+  // that is ever read.
+  static Node* nodes(Slots& slots) { return reinterpret_cast<Node*>(&slots[1]); }
+  static uint32_t* seats(Slots& slots) { return reinterpret_cast<uint32_t*>(&slots[1]); }
   uint32_t& front(uint32_t queue) { return queue < first_begins ? of_in_[queue] : of_out_[queue]; }
   uint32_t& back(uint32_t queue) { return queue < first_begins ? of_out_[queue] : of_in_[queue]; }
 
@@ -103,6 +106,7 @@ class Chains {
   void give(Slots& slots, const Area& area);
   bool find_area(Slots& slots, uint32_t count);
   bool find_places(Slots& slots);
+  void find_least_places();
   bool make_places(Slots& slots, uint32_t queue);
   void mark_tails(Slots& slots);
   void copy_open(Slots& slots);
@@ -111,7 +115,6 @@ class Chains {
   Area area_[2] = {};         // of nodes: they are in the first, and the other is free
   uint32_t top_ = 0;          // behind the last node
   uint32_t end_ = 0;          // before which it is to stay
-  uint32_t none_ = no_slot;   // a node that is never read
   uint32_t free_places_ = 0;  // no queue has fewer
   uint32_t complete_ = 0;     // fragments between seams, the first ones of seam_begins
   uint32_t joins_ = 0;
@@ -123,7 +126,7 @@ class Chains {
   uint32_t of_in_[queue_codes] = {};
   uint32_t of_out_[queue_codes] = {};
   uint32_t first_seat_[queue_codes] = {};
-  uint32_t seats_[queue_codes] = {};
+  uint32_t end_seat_[queue_codes] = {};
   uint32_t join_[FoundPasses::max_passes + 1] = {};
   uint64_t corner_[max_corners + 2] = {};
 };

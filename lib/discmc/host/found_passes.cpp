@@ -65,20 +65,14 @@ void FoundPasses::find(const Edges& edges, trace::SweepCounts& counts) {
 // Finds the passes at an edge around which cells are absent, or the ends at the seam of a slab.
 DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, RayWord* ray,
                                                             Place* place) const {
-  const auto axis = static_cast<int>(edge.axis & 3);
-  uint32_t row_bits[9] = {};
-  for (int z = 0; z < 3; ++z)
-    for (int y = 0; y < 3; ++y)
-      for (int x = 0; x < 3; ++x) {
-        const uint64_t bits = ray_table.lines[z][1U << (x + 3 * y)] >>
-                              RayTable::axis_bits * static_cast<uint32_t>(axis);
-        if ((bits & edge.lines & ((1U << RayTable::axis_bits) - 1)) != 0)
-          row_bits[3 * z + y] |= 1U << x;
-      }
-  trace::RowBlock rows;
-  for (int row = 0; row < 9; ++row) rows.row[row / 3][row % 3] = &row_bits[row];
+  // Lines 0 to 4 stand lowest, and 5 to 7 behind line 4 where it stands once more.
+  constexpr uint32_t first_lines = (1U << HalfRays::lines_bits) - 1;
+  const uint32_t lines = (edge.lines & first_lines) |
+                         (edge.lines >> (HalfRays::lines_bits + 3) & 63) << HalfRays::lines_bits;
+  const bool is_on = (edge.lines >> HalfRays::lines_bits & 1) != 0;
   trace::PassList list;
-  trace::derive_passes({rows, 0, 1, axis}, edge.axis >> Edge::special_shift & 15, list);
+  trace::derive_passes(static_cast<int>(edge.axis & 3), is_on, lines,
+                       edge.axis >> Edge::special_shift & 15, list);
   const bool is_at_seam = (edge.axis & Edge::at_seam) != 0;
   RayWord* const first = ray;
   for (uint32_t i = 0; i < list.count; ++i) {

@@ -20,12 +20,10 @@ class FoundPasses {
   DISCMC_ALWAYS_INLINE void for_each(Visit visit) const {
     const Place* place = place_;
     for (const RayWord *ray = ray_, *const end = ray_ + rays_; ray != end;) {
-      const uint64_t voxel = place->voxel;
-      const PassWord pass = ray[0] ^ ((ray[0] ^ ray[1]) & place->of_next);
-      const uint32_t is_last = ray[1] >> 31;
-      ray += 1 + is_last;
-      place += is_last;
-      visit(voxel, pass);
+      const RayWord next = ray[1];
+      visit(place->voxel, ray[0] ^ ((ray[0] ^ next) & place->of_next));
+      ray += 1 + (next >> 31);
+      place += next >> 31;
     }
   }
   uint32_t count() const { return rays_; }

@@ -30,9 +30,7 @@ struct Node {
 
   bool turns() const { return ray_ends.incoming[in_of(pass)] != ray_ends.first[out_of(pass)]; }
   bool turns_behind() const { return ray_ends.turns[out_of(pass)] != 0; }
-  bool goes_straight() const {
-    return ray_ends.incoming[in_of(pass)] == ray_ends.straight[out_of(pass)];
-  }
+  bool has_corner() const { return turns() || turns_behind(); }
   bool begins_at_seam() const { return in_of(pass) == seam_begins; }
   bool ends_at_seam() const { return out_of(pass) == seam_tails; }
 

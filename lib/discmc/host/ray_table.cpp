@@ -63,8 +63,14 @@ constexpr RayEnds derive_ends() {
   });
   ends.incoming[seam_begins] = ends.first[seam_tails] = CornerCode::beyond_seam;
   ends.vertex[seam_begins] = CornerCode::links(CornerCode::beyond_seam, 0);
-  for (uint32_t code = 0; code < queue_codes; ++code)
-    ends.straight[code] = ends.turns[code] != 0 ? link_codes + 1 : ends.first[code];
+  for (uint32_t code = 0; code < queue_codes; ++code) {
+    const bool has_begins = code >= first_begins;
+    (has_begins ? ends.comes_from_ahead : ends.goes_ahead)[code] = UINT32_MAX;
+    constexpr uint32_t never = 31, begins = 32;
+    ends.straight_in[code] = ends.incoming[code] | (has_begins ? begins : 0);
+    ends.straight_out[code] =
+        (ends.turns[code] != 0 ? never : ends.first[code]) | (has_begins ? begins : 0);
+  }
   return ends;
 }
 

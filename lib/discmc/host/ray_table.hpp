@@ -16,7 +16,7 @@ namespace discmc::host {
 using QueueCode = uint8_t;
 
 constexpr uint32_t queues_each = trace::queue_count / 2 + 1;
-constexpr uint32_t first_begins = 128;
+constexpr uint32_t first_begins = queues_each;
 constexpr uint32_t queue_codes = first_begins + queues_each;
 constexpr QueueCode seam_tails = queues_each - 1, seam_begins = queue_codes - 1;
 
@@ -89,12 +89,19 @@ struct RayTable {
 
 /// What the queue of a ray says of the vertex: for chains that come along it, and that go.
 struct RayEnds {
-  uint64_t vertex[queue_codes];  ///< from the voxel: CornerCode::vector(), and `incoming` in place
-  uint64_t centroid[queue_codes];  ///< the same of the corner behind the vertex, complete
+  /// From the voxel to the vertex, CornerCode::vector(), and `incoming` in its place.
+  uint64_t vertex[queue_codes];
   Link incoming[queue_codes];
-  Link first[queue_codes];     ///< by which it goes on, to the next vertex or to a centroid
-  uint8_t turns[queue_codes];  ///< 1 if there is a corner at that centroid, else 0
-  Link straight[queue_codes];  ///< how a chain comes that has no corner: `first`, or never
+  uint32_t comes_from_ahead[queue_codes];  ///< all bits if the vertex before is visited later
+
+  /// From the voxel to a corner at the centroid behind the vertex, with its links.
+  uint64_t centroid[queue_codes];
+  Link first[queue_codes];           ///< by which it goes on, to the next vertex or to a centroid
+  uint8_t turns[queue_codes];        ///< 1 if there is a corner at that centroid, else 0
+  uint32_t goes_ahead[queue_codes];  ///< all bits if the vertex after is visited later
+
+  /// Equal where the chain has no corner and one of its ends goes from queue to queue.
+  uint32_t straight_in[queue_codes], straight_out[queue_codes];
 
   uint8_t number[queue_codes];         ///< what the queue is in sector_table.hpp
   QueueCode code[trace::queue_count];  ///< and back

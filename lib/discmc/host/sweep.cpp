@@ -173,20 +173,21 @@ DISCMC_ALWAYS_INLINE const Run* Sweep::make_runs(uint32_t count, CornerCode& sta
   uint64_t* const corner = chains_.corners();
   corner[count] = corner[0];
   const Direction* const direction = plane_table.of[CornerCode(corner[0]).incidence()].direction;
+  Run* const again = run_ + count;
   uint64_t last = 0;
-  const Run* first = run_;
+  uint32_t first = 0;
   for (uint32_t i = 0; i < count; ++i) {
     const CornerCode from(corner[i]);
     const uint32_t length = links_between(from, CornerCode(corner[i + 1]));
-    run_[i] = run_[count + i] = Run::straight(direction[from.onwards()], length);
+    run_[i] = again[i] = Run::straight(direction[from.onwards()], length);
     links += length;
-    if (corner[i] > last) {
-      last = corner[i];
-      first = run_ + i;
-    }
+    // Without a branch.
+    const uint64_t is_later = 0 - uint64_t{corner[i] > last};
+    last ^= (last ^ corner[i]) & is_later;
+    first ^= (first ^ i) & static_cast<uint32_t>(is_later);
   }
   start = CornerCode(last);
-  return first;
+  return run_ + first;
 }
 
 // Delivers the ring that was found.

@@ -210,7 +210,7 @@ bool BasicExtractor<Index, Intake, Sweep>::work() {
       if (!sweep_.flush(sink_, statistics_) || !send(Event::Kind::skipped)) return false;
       skip_is_due_ = false;
     }
-    for (; swept_rows_ < ready_rows(); ++swept_rows_)
+    for (const uint32_t ready = ready_rows(); swept_rows_ < ready; ++swept_rows_)
       if (!sweep_row()) return false;
     if (bits_.rows() == height_ && !end_slice()) return false;
     if (state_ == State::scanning) break;

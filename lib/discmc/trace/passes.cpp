@@ -9,10 +9,10 @@ namespace {
 // the cell is absent. So have the rays between them: a ray is named by where its nibble begins.
 class Surroundings {
  public:
-  Surroundings(const EdgePlace& edge, uint32_t absent)
-      : axis_(sector_table.axis[edge.axis]),
-        lower_is_on_(edge.lower_is_on() ? 1 : 0),
-        lines_(edge.lines() * 0x10001) {
+  Surroundings(int axis, bool lower_is_on, uint32_t lines, uint32_t absent)
+      : axis_(sector_table.axis[axis]),
+        lower_is_on_(lower_is_on ? 1 : 0),
+        lines_(lines * 0x10001) {
     DISCMC_UNROLL(4)
     for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
       const CellAtVertex& seen = cell(quadrant);
@@ -100,8 +100,8 @@ void remove_absent(PassList& passes) {
 
 }  // namespace
 
-void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
-  const Surroundings around(edge, absent);
+void derive_passes(int axis, bool lower_is_on, uint32_t lines, uint32_t absent, PassList& passes) {
+  const Surroundings around(axis, lower_is_on, lines, absent);
   passes.parts = around.parts();
   passes.count = 0;
   const uint32_t rays = around.rays();

@@ -38,9 +38,12 @@ struct PassList {
   uint8_t count;
 };
 
-/// Works out the passes at the vertex on an edge. absent: by quadrant, a bit: there is no cell, or
-/// none that takes part.
-void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes);
+/// Works out the passes at the vertex on an edge. lower_is_on, lines: as those of EdgePlace.
+/// absent: by quadrant, a bit: there is no cell, or none that takes part.
+void derive_passes(int axis, bool lower_is_on, uint32_t lines, uint32_t absent, PassList& passes);
+inline void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
+  derive_passes(edge.axis, edge.lower_is_on(), edge.lines(), absent, passes);
+}
 
 }  // namespace discmc::trace
 
