@@ -20,6 +20,7 @@
 
 #include "input.hpp"
 #include "require.hpp"
+#include "volumes/iso_value.hpp"
 #include "volumes/volume.hpp"
 #include "volumes/volume_stream.hpp"
 
@@ -54,6 +55,7 @@ class Folder {
 class File {
  public:
   File(const fs::path& path, const Bytes& bytes) : path_(path) {
+    fs::create_directories(path.parent_path());
     std::ofstream stream(path_, std::ios::binary);
     stream.write(reinterpret_cast<const char*>(bytes.data()),
                  static_cast<std::streamsize>(bytes.size()));
@@ -70,7 +72,7 @@ class File {
   fs::path path_;
 };
 
-/// The file to open, and the one beside it that it may need.
+/// The file to open, and the one beside it that it may need; of Zarr, files in the folder.
 struct Names {
   const char* opened;
   const char* other;
@@ -78,16 +80,33 @@ struct Names {
   bool is_of_one_piece = false;  ///< any byte may be in it, file separators too
 };
 constexpr Names names[] = {
-    {"v.nrrd", nullptr, false},      {"v.nhdr", "data", false},
-    {"v.mha", nullptr, false},       {"v.mhd", "data", false},
-    {"v.nii", nullptr, false},       {"v.nii.gz", nullptr, false},
-    {"v.hdr", "v.img", false},       {"v.img", "v.hdr", false},
-    {"v.hdr", "v.img.gz", false},    {"v", nullptr, false},
-    {"v.raw", nullptr, true},        {"v.raw.gz", nullptr, true},
-    {"v.dcm", nullptr, false, true}, {"v.png", nullptr, false, true},
-    {"v.tif", nullptr, false, true}, {"v.vtk", nullptr, false},
-    {"v.vti", nullptr, false},       {"v.npy", nullptr, false},
-    {"v.inv3", nullptr, false},      {"v.zip", nullptr, false, true},
+    {"v.nrrd", nullptr, false},
+    {"v.nhdr", "data", false},
+    {"v.mha", nullptr, false},
+    {"v.mhd", "data", false},
+    {"v.nii", nullptr, false},
+    {"v.nii.gz", nullptr, false},
+    {"v.hdr", "v.img", false},
+    {"v.img", "v.hdr", false},
+    {"v.hdr", "v.img.gz", false},
+    {"v", nullptr, false},
+    {"v.raw", nullptr, true},
+    {"v.raw.gz", nullptr, true},
+    {"v.dcm", nullptr, false, true},
+    {"v.png", nullptr, false, true},
+    {"v.tif", nullptr, false, true},
+    {"v.vtk", nullptr, false},
+    {"v.vti", nullptr, false},
+    {"v.npy", nullptr, false},
+    {"v.inv3", nullptr, false},
+    {"v.zip", nullptr, false, true},
+    {"v.jpg", nullptr, false, true},
+    {"v.bmp", nullptr, false, true},
+    {"v.mgh", nullptr, false},
+    {"v.mrc", nullptr, false},
+    {"v.npz", nullptr, false, true},
+    {"v.zarr/.zarray", "v.zarr/0.0.0", false},
+    {"v.zarr3/zarr.json", "v.zarr3/c/0/0/0", false},
 };
 
 /// Whether the environment asks for other names alone.
@@ -98,12 +117,12 @@ bool is_left_out(const Names& name) {
          std::string::npos;
 }
 
-enum class Packing : uint8_t { none, gzip, zlib };
+enum class Wrapping : uint8_t { none, gzip, zlib };
 
-Bytes packed(const Bytes& bytes, Packing packing) {
-  if (packing == Packing::none) return bytes;
+Bytes packed(const Bytes& bytes, Wrapping wrapping) {
+  if (wrapping == Wrapping::none) return bytes;
   z_stream state{};
-  const int window = packing == Packing::gzip ? 31 : 15;
+  const int window = wrapping == Wrapping::gzip ? 31 : 15;
   require(deflateInit2(&state, 1, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY) == Z_OK, "no zlib");
   Bytes in = bytes;
   Bytes out(deflateBound(&state, in.size()));
@@ -147,13 +166,15 @@ void check_info(const VolumeInfo& info, size_t file_bytes) {
   require(info.slope > 0 && std::isfinite(info.slope), "a slope of no use");
   require(std::isfinite(info.intercept), "an intercept of no use");
   require(!info.format.empty(), "a format without a name");
-  // Text of a byte and a blank may stand for a sample of eight. bzip2 has no such bound, nor has a
-  // zip of pictures, and a list may name a file as often as it has lines: what is there is read
-  // before it is believed.
+  // Text of a byte and a blank may stand for a sample of eight. Other packings than gzip have no
+  // such bound, nor has a zip of pictures, and a list may name a file as often as it has lines:
+  // what is there is read before it is believed. Zarr has its own.
   constexpr size_t max_inflation = 16384;
-  const bool is_bounded = info.format.find("bzip2") == std::string::npos &&
-                          info.format.find("detached") == std::string::npos &&
-                          info.format.find(", zip") == std::string::npos;
+  const char* const unbounded[] = {"bzip2",    "xz",    "zstd", "lz4",
+                                   "detached", ", zip", "npz",  "Zarr"};
+  const bool is_bounded = std::none_of(
+      std::begin(unbounded), std::end(unbounded),
+      [&info](const char* word) { return info.format.find(word) != std::string::npos; });
   require(!is_bounded || info.slice_bytes() <= max_inflation * file_bytes,
           "a slice that no file can hold");
 }
@@ -179,6 +200,7 @@ Reading read(const fs::path& file, const VolumeOptions& options, size_t file_byt
       if (slice.size() < 4096)
         reading.samples.insert(reading.samples.end(), slice.begin(), slice.end());
     }
+    reading.info.notes = reader->notes();
     if (slices < reading.info.dims[2]) return reading;
     bool is_refused = false;
     try {
@@ -230,7 +252,8 @@ void check_raw(const Reading& reading, const RawLayout& layout, const Bytes& fil
 
 }  // namespace
 
-// The first byte names the files, the second the packing and the frame; raw samples have a layout.
+// The first byte names the files, the second the packing, the frame, whether values are labels, and
+// the channel; raw samples have a layout.
 // What follows is the first file, and behind a file separator (ASCII 28) its packed rest, or the
 // other file.
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
@@ -239,10 +262,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const Names& name = names[input.below(std::size(names))];
   if (is_left_out(name)) return 0;
   const uint32_t choice = input.byte();
-  const auto packing = static_cast<Packing>(choice % 3);
+  const auto wrapping = static_cast<Wrapping>(choice % 3);
   VolumeOptions options;
   if (name.is_raw) options = read_options(input);
   if (choice / 3 % 4 > 0) options.frame = choice / 3 % 4 - 1;
+  options.holds_labels = choice / 12 % 2 == 1;
+  if (choice / 24 % 4 > 0) options.channel = choice / 24 % 4 - 1;
   const double iso = (input.byte() - 128.0) / 4;
 
   const Bytes all = input.bytes(size);
@@ -252,7 +277,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   Bytes head(all.begin(), separator);
   Bytes tail(separator == all.end() ? separator : separator + 1, all.end());
   if (separator == all.end() && name.other == nullptr) std::swap(head, tail);
-  tail = packed(tail, packing);
+  tail = packed(tail, wrapping);
   if (name.other == nullptr) head = joined(head, tail);
   // Asked for the data of a pair, what comes first is still its header.
   const bool asks_for_data = name.other != nullptr && std::strcmp(name.other, "v.hdr") == 0;
@@ -270,6 +295,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const Reading reading = read(opened, options, file_bytes);
   require(read(opened, options, file_bytes) == reading, "another reading of the same file");
   if (!reading.info.format.empty()) check_threshold(reading.info, iso);
-  if (name.is_raw && reading.info.format == "raw") check_raw(reading, *options.layout, head);
+  if (name.is_raw && reading.info.format == "raw" && !options.holds_labels)
+    check_raw(reading, *options.layout, head);
   return 0;
 }

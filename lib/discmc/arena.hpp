@@ -45,19 +45,21 @@ class Arena {
   /// The next array, or null when it does not fit, and from then on.
   template <class T>
   T* take(uint32_t count) {
-    return reinterpret_cast<T*>(take_items(count, sizeof(T)));
+    constexpr size_t most = (SIZE_MAX - alignment) / sizeof(T);
+    return reinterpret_cast<T*>(
+        take_bytes(count <= most ? count * sizeof(T) : SIZE_MAX - alignment));
   }
 
   /// Whether an array did not fit.
   bool is_exhausted() const { return is_exhausted_; }
 
  private:
-  uint8_t* take_items(uint32_t count, uint32_t item_bytes) {
-    const uint64_t bytes = bytes_of(count, item_bytes);
+  uint8_t* take_bytes(size_t bytes) {
+    bytes = (bytes + alignment - 1) / alignment * alignment;
     if (bytes > left_) is_exhausted_ = true;
     if (is_exhausted_) return nullptr;
     uint8_t* const place = next_;
-    left_ -= static_cast<size_t>(bytes);
+    left_ -= bytes;
     next_ += bytes;
     return place;
   }

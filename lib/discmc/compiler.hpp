@@ -175,6 +175,16 @@ inline uint32_t bit_width(uint64_t bits) {
 #endif
 }
 
+// ---- division ----
+
+/// Whether the processor divides. Where it does not the compiler's library does, with 270 bytes of
+/// code, so the tracer has none.
+#if defined(__ARM_ARCH_6M__) || (defined(__riscv) && !defined(__riscv_div))
+constexpr bool has_division = false;
+#else
+constexpr bool has_division = true;
+#endif
+
 // ---- lanes of a word ----
 
 /// Whether select_lanes() is two instructions.

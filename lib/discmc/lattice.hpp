@@ -68,7 +68,9 @@ constexpr Incidence no_incidence = 13;
 constexpr int incidence_codes = 27;
 
 constexpr Vertex normal(Incidence incidence) {
-  return {incidence % 3 - 1, incidence / 3 % 3 - 1, incidence / 9 - 1};
+  // Without divisions, which the smallest processors do not have.
+  const int by_3 = incidence * 171 >> 9, by_9 = incidence * 57 >> 9;
+  return {incidence - 3 * by_3 - 1, by_3 - 3 * by_9 - 1, by_9 - 1};
 }
 constexpr Incidence incidence_of(const Vertex& normal) {
   return static_cast<Incidence>(13 + normal.x + 3 * normal.y + 9 * normal.z);

@@ -30,7 +30,7 @@ TEST_CASE("several thresholds make several surfaces, each on a channel, in eithe
                   " -o all.dmc");
     const char* const isos[] = {"20", "40", "60"};
     for (int channel = 0; channel < 3; ++channel) {
-      const std::string chosen = "all.dmc --channel " + std::to_string(channel);
+      const std::string chosen = "all.dmc --stream-channel " + std::to_string(channel);
       auto info = workshop.info(chosen);
       CHECK(info["channel"] == std::to_string(channel));
       CHECK(info["threshold"] == isos[channel]);
@@ -43,7 +43,7 @@ TEST_CASE("several thresholds make several surfaces, each on a channel, in eithe
       CHECK(workshop.info("again.dmc")["threshold"] == isos[channel]);
       CHECK(workshop.info("again.dmc")["channel"] == std::to_string(channel));
     }
-    workshop.done("render all.dmc --channel 1 -o p.png");
+    workshop.done("render all.dmc --stream-channel 1 -o p.png");
   }
 }
 
@@ -56,7 +56,8 @@ TEST_CASE("each of several surfaces has normals of its own") {
     const std::string iso = std::to_string(60 + 20 * channel);
     workshop.done("extract " + volume + "--iso " + iso + normals + "alone.dmc");
     workshop.done("decode alone.dmc" + normals + "alone.ply");
-    workshop.done("decode all.dmc --channel " + std::to_string(channel) + normals + "of_all.ply");
+    workshop.done("decode all.dmc --stream-channel " + std::to_string(channel) + normals +
+                  "of_all.ply");
     CHECK(contains(workshop.read("of_all.ply"), "property float nx"));
     CHECK(workshop.read("of_all.ply") == workshop.read("alone.ply"));
   }
@@ -71,8 +72,8 @@ TEST_CASE("who asks for no channel gets the first, and is told of the others") {
   CHECK(contains(
       first.error,
       "scan 0 channel 0 of scan 0 channel 0 (threshold 20), scan 0 channel 1 (threshold 40)"));
-  CHECK(workshop.run("decode all.dmc --channel 0 -o first.stl").error.empty());
-  const auto none = workshop.run("decode all.dmc --channel 2 -o none.stl");
+  CHECK(workshop.run("decode all.dmc --stream-channel 0 -o first.stl").error.empty());
+  const auto none = workshop.run("decode all.dmc --stream-channel 2 -o none.stl");
   CHECK(none.code == 1);
   CHECK(contains(none.error, "no such surface: it has scan 0 channel 0 (threshold 20), "));
 }
@@ -136,7 +137,7 @@ TEST_CASE("several surfaces are a stream, and no more than four") {
       workshop.run("extract " + volume + "--iso 1 --iso 2 --iso 3 --iso 4 --iso 5 -o a.dmc");
   CHECK(five.code == 2);
   CHECK(contains(five.error, "4 at most"));
-  const auto drawn = workshop.run("render " + volume + "--iso 20 --channel 1 -o p.png");
+  const auto drawn = workshop.run("render " + volume + "--iso 20 --stream-channel 1 -o p.png");
   CHECK(drawn.code == 2);
   CHECK(workshop.run("render " + volume + "--iso 20 --iso 30 -o p.png").code == 2);
 }

@@ -69,13 +69,13 @@ Field bits(const BitVolume& volume) {
 Mesh classic(const Field& field, Border border = Border::closed, const Point& spacing = {1, 1, 1},
              SampleType type = SampleType::u8) {
   SampleReader reader(field.size, field.samples, spacing, type);
-  return classic_mesh(reader, {100, border, 0, {}});
+  return classic_mesh(reader, {{100}, border, 0, {}});
 }
 
 Extraction extraction(const Field& field, Border border) {
   SampleReader reader(field.size, field.samples);
   SurfaceBuilder builder;
-  return extract(reader, {100, border, 0, {}}, discmc::make_sink(builder));
+  return extract(reader, {{100}, border, 0, {}}, discmc::make_sink(builder));
 }
 
 // A vertex lies strictly between an on and an off voxel, where the line through their samples
@@ -109,7 +109,6 @@ void check_classic(const Field& field, Border border) {
   const Mesh mesh = classic(field, border);
   const Extraction extracted = extraction(field, border);
   CHECK(mesh.face_count() == extracted.statistics.classic_triangles);
-  CHECK(mesh.vertices_mm.size() == extracted.classic_vertices);
   const MeshReport report = check_mesh(mesh);
   CHECK(report.non_manifold_edges + report.wrongly_oriented + report.degenerate_faces == 0);
   CHECK((border == Border::open || report.closed()));
@@ -169,5 +168,5 @@ TEST_CASE("samples of every type give the same triangles") {
   Field negative = field;
   for (int& sample : negative.samples) sample -= 400;
   SampleReader reader(negative.size, negative.samples, {1, 1, 1}, SampleType::i16);
-  CHECK(classic_mesh(reader, {-300, Border::closed, 0, {}}).vertices_mm == expected.vertices_mm);
+  CHECK(classic_mesh(reader, {{-300}, Border::closed, 0, {}}).vertices_mm == expected.vertices_mm);
 }

@@ -24,7 +24,7 @@ std::string boxes() {
   return {volume.on.begin(), volume.on.end()};
 }
 
-const std::string extract = "extract v.raw --dims 20,16,12 --type u8 --iso 1 ";
+const std::string extract = "extract v.raw --dims 20,16,12 --type u8 --spacing 1,1,1 --iso 1 ";
 
 std::size_t lines(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));

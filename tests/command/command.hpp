@@ -83,7 +83,7 @@ class Workshop {
 
   /// Writes the volume as an NRRD file with more header lines; on is 200, off is 10.
   void write(const std::string& name, const BitVolume& volume,
-             const std::string& lines = "spacings: 1 1 1\n") const {
+             const std::string& lines = "spacings: 1 1 1\n" + volume_files::units_in_mm) const {
     std::string samples;
     for (const std::uint8_t on : volume.on) samples += static_cast<char>(on != 0 ? 200 : 10);
     const std::string sizes = std::to_string(volume.width) + " " + std::to_string(volume.height) +
@@ -152,6 +152,7 @@ class Taker {
       value |= std::uint32_t{static_cast<unsigned char>(bytes_[at_++])} << 8 * i;
     return value;
   }
+  /// Of 32-bit floats.
   Point point() {
     Point point{};
     for (double& coordinate : point) {
@@ -159,6 +160,15 @@ class Taker {
       float value = 0;
       std::memcpy(&value, &bits, sizeof value);
       coordinate = static_cast<double>(value);
+    }
+    return point;
+  }
+  Point point_of_doubles() {
+    Point point{};
+    for (double& coordinate : point) {
+      const std::uint64_t low = integer(4);
+      const std::uint64_t bits = std::uint64_t{integer(4)} << 32 | low;
+      std::memcpy(&coordinate, &bits, sizeof coordinate);
     }
     return point;
   }
@@ -207,10 +217,12 @@ inline Mesh mesh_of_ply(const std::string& bytes) {
   const std::string header = bytes.substr(0, body);
   const std::string normals = "\nproperty float nx\nproperty float ny\nproperty float nz\n";
   const std::string colour = "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
+  const bool has_doubles =
+      contains(header, "\nproperty double x\nproperty double y\nproperty double z\n");
   Mesh mesh;
   Taker taker(bytes, body);
   for (std::size_t left = count_after(header, "element vertex "); left > 0; --left) {
-    mesh.vertices_mm.push_back(taker.point());
+    mesh.vertices_mm.push_back(has_doubles ? taker.point_of_doubles() : taker.point());
     if (contains(header, normals)) mesh.normals.push_back(taker.point());
     if (contains(header, colour)) mesh.colour = taker.colour();
   }

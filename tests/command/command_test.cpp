@@ -37,7 +37,7 @@ const std::string little_endian_u16 = [] {
   return samples;
 }();
 
-const std::string layout = "--dims 13,12,11 --type u16 --iso 0x201 ";
+const std::string layout = "--dims 13,12,11 --type u16 --iso 513 ";
 
 // The numbers of all lines that begin so.
 std::vector<double> numbers_after(const std::string& begin, const std::string& text) {
@@ -49,6 +49,11 @@ std::vector<double> numbers_after(const std::string& begin, const std::string& t
     for (double number = 0; words >> number;) numbers.push_back(number);
   }
   return numbers;
+}
+
+void check_told(const std::string& told, const std::vector<std::string>& parts) {
+  INFO(told);
+  for (const std::string& part : parts) CHECK(contains(told, part));
 }
 
 }  // namespace
@@ -73,10 +78,6 @@ TEST_CASE("what was written is told: the file, its bytes, its faces, and whether
   for (std::size_t i = 0; i < step.on.size(); ++i) step.on[i] |= upper.on[i];
   workshop.write("step.nrrd", step);
   const std::string extract = "extract v.nrrd --iso 100 ";
-  const auto check_told = [](const std::string& told, const std::vector<std::string>& parts) {
-    INFO(told);
-    for (const std::string& part : parts) CHECK(contains(told, part));
-  };
   check_told(workshop.done(extract + "-o v.stl"),
              {"v.stl: 2,284 bytes\n", "triangles                             44",
               "classic Marching Cubes: 44 triangles", "vertices                              24",
@@ -89,6 +90,66 @@ TEST_CASE("what was written is told: the file, its bytes, its faces, and whether
   check_told(workshop.done(extract + "-o v.dmc"), {"v.dmc: ", "bytes of arena used"});
   check_told(workshop.done(extract + "--memory 1M -o v.obj"), {"v.obj: ", "bytes of arena used"});
   CHECK(workshop.done(extract + "-q -o v.stl").empty());
+}
+
+TEST_CASE(
+    "far from the origin STL is said to be coarse and open, and all else is as it should be") {
+  const Workshop workshop;
+  const std::string near = "space: LPS\nspace directions: (0.1,0,0) (0,0.1,0) (0,0,0.1)\n";
+  workshop.write("far.nrrd", small_ball(),
+                 near + "space origin: (5000000.3,-6000000.1,7000000.7)\n");
+  workshop.write("near.nrrd", small_ball(), near + "space origin: (0.3,-0.1,0.7)\n");
+  const std::string extract = "extract far.nrrd --iso 100 -o far.";
+  const Point offset = {5e6, -6e6, 7e6};
+  workshop.done("extract near.nrrd --iso 100 -q -o near.obj");
+  const auto vertices = mesh_of("near.obj", workshop.read("near.obj")).vertices_mm;
+  for (const std::string format : {"obj", "3mf", "ply", "vtp", "glb"}) {
+    INFO(format);
+    const Result result = workshop.run(extract + format);
+    CHECK(result.error.empty());
+    CHECK(contains(result.out, "closed                               yes"));
+    const Mesh far = mesh_of("far." + format, workshop.read("far." + format));
+    REQUIRE(far.vertices_mm.size() == vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        CHECK(far.vertices_mm[i][axis] - vertices[i][axis] ==
+              doctest::Approx(offset[axis]).epsilon(1e-12));
+  }
+  const Result stl = workshop.run(extract + "stl");
+  CHECK(stl.code == 0);
+  const std::size_t places = mesh_of("far.stl", workshop.read("far.stl")).vertices_mm.size();
+  CHECK(places < vertices.size());
+  check_told(
+      stl.error,
+      {"far.stl: coordinates are rounded to 0.5 mm, as .stl files hold 32-bit floats",
+       std::to_string(vertices.size()) + " vertices are in " + std::to_string(places) + " places",
+       ".ply, .obj, .3mf or .vtp", "--space voxel"});
+  CHECK(contains(stl.out, "closed                                no"));
+  workshop.done("extract far.nrrd --iso 100 -q -o far.dmc");
+  CHECK(contains(workshop.run("decode far.dmc -o decoded.stl").error,
+                 "decoded.stl: coordinates are rounded to 0.5 mm"));
+  const Result voxel = workshop.run(extract + "stl --space voxel");
+  CHECK(voxel.error.empty());
+  CHECK(contains(voxel.out, "closed                               yes"));
+}
+
+TEST_CASE("outputs that cannot be written are refused before the volume is read") {
+  const Workshop workshop;
+  workshop.write("cut.nrrd",
+                 volume_files::nrrd("type: uchar\nencoding: ascii\n", "9 9 9") + "\n1 2");
+  workshop.write("file", "");
+  workshop.shell("mkdir folder.stl");
+  const std::string cut = "extract cut.nrrd --iso 1 ";
+  check_failure(workshop.run(cut + "-o v.stl"), 1, {"cut.nrrd"});
+  for (const std::string output :
+       {"-o none/v.stl", "-o none/v.dmc", "--iso 2 -o 'none/v{name}.stl'", "--iso 2 -o none/v.glb"})
+    check_failure(workshop.run(cut + output), 1, {"none: there is no such folder; make it first"});
+  for (const std::string output : {"-o file/v.stl", "--iso 2 -o 'file/v{name}.stl'"})
+    check_failure(workshop.run(cut + output), 1, {"file: is not a folder"});
+  check_failure(workshop.run(cut + "-o folder.stl"), 1, {"folder.stl: is a folder"});
+  check_failure(workshop.run("extract cut.nrrd --labels all -o none/v.glb"), 1, {"no such folder"});
+  check_failure(workshop.run("render cut.nrrd --iso 1 -o none/v.png"), 1, {"no such folder"});
+  CHECK(workshop.names() == std::vector<std::string>{"cut.nrrd", "file", "folder.stl"});
 }
 
 TEST_CASE("a stream goes to standard output when no file is named, and the table elsewhere") {
@@ -404,7 +465,7 @@ TEST_CASE("a volume that cannot be read is told by its name, and nothing is writ
   check_failure(workshop.run("extract block.nrrd --iso 1 -o v.dmc"), 1,
                 {"block.nrrd", "'block'", "one number a voxel"});
   for (const std::string& format : all_formats)
-    check_failure(workshop.run("extract cut.nrrd --iso 0x201 -o v." + format), 1,
+    check_failure(workshop.run("extract cut.nrrd --iso 513 -o v." + format), 1,
                   {"cut.nrrd: slice 10 ", "1 bytes of it are missing"});
   check_failure(workshop.run("extract v.raw " + layout + "-o v.dmc"), 1,
                 {"v.raw: the file has 3431 bytes", "13 x 12 x 11 u16 has 3432"});

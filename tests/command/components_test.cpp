@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hand_made.hpp"
 #include "sample_reader.hpp"
 
 namespace {
@@ -20,7 +21,7 @@ const discmc::command::Point spacing_mm = {0.5, -2, 3};
 Surface surface_of(const BitVolume& volume) {
   sample_reader::SampleReader reader(volume, spacing_mm);
   discmc::command::SurfaceBuilder builder;
-  extract(reader, {sample_reader::bit_threshold, discmc::Border::closed, 0, {}},
+  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed, 0, {}},
           discmc::make_sink(builder));
   builder.surface().spacing_mm = spacing_mm;
   return std::move(builder.surface());
@@ -73,6 +74,19 @@ TEST_CASE("bodies that touch in the middle of a cell alone are apart") {
   put_box(volume, {1, 1, 1}, {1, 1, 1}, 1);
   put_box(volume, {2, 2, 2}, {2, 2, 2}, 1);
   CHECK(components(surface_of(volume)).size() == 2);
+}
+
+TEST_CASE("polygons hang together by a link of their sides, wherever on them it lies") {
+  using hand_made::polygon;
+  Surface surface{{1, 1, 1}, polygon({0, 0, 1}, {{{1, 0, 0}, {9, 0, 0}, {9, 8, 0}, {1, 8, 0}}})};
+  const auto add_triangle = [&surface](std::int32_t x) {
+    surface.polygons.append(polygon({0, -1, 0}, {{{x, 0, 0}, {x + 2, 0, 0}, {x + 1, 0, 1}}}));
+  };
+  add_triangle(1);
+  add_triangle(5);
+  CHECK(components(surface).size() == 1);
+  add_triangle(9);  // has a vertex in common with the square, and no link
+  CHECK(components(surface).size() == 2);
 }
 
 TEST_CASE("the largest are kept, and those that enclose enough") {

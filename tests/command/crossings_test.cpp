@@ -127,7 +127,7 @@ TEST_CASE("beside a voxel that the mask puts off the crossing is in the middle")
   info.dims = {5, 1, 1};
   const std::uint8_t samples[] = {100, 80, 20, 100, 20};
   const std::uint8_t mask = 0b01001;
-  CrossingFinder finder(info, threshold);
+  CrossingFinder finder(info, {threshold});
   finder.add_slice(samples, &mask);
   check_near(finder.crossings().interpolated({1, 0, 0}), {1, 0, 0});
   check_near(finder.crossings().interpolated({3, 0, 0}), {3, 0, 0});  // on neither side
@@ -141,7 +141,7 @@ TEST_CASE("what is not finite is crossed in the middle, and what is outside") {
   info.type = SampleType::f32;
   constexpr float infinity = std::numeric_limits<float>::infinity();
   const float samples[] = {100, std::nanf(""), 100, -infinity, infinity, 0, 100};
-  CrossingFinder finder(info, threshold);
+  CrossingFinder finder(info, {threshold});
   finder.add_slice(samples);
   for (int x = -1; x <= 9; x += 2)
     check_near(finder.crossings().interpolated({x, 0, 0}), {static_cast<double>(x), 0, 0});
@@ -155,7 +155,7 @@ TEST_CASE("a crossing keeps off the voxels, where others might be as well") {
   info.dims = {3, 1, 1};
   info.type = SampleType::f64;
   const double samples[] = {0, threshold, 0};
-  CrossingFinder finder(info, threshold);
+  CrossingFinder finder(info, {threshold});
   finder.add_slice(samples);
   check_near(finder.crossings().interpolated({1, 0, 0}), {2 - Crossings::margin, 0, 0});
   check_near(finder.crossings().interpolated({3, 0, 0}), {2 + Crossings::margin, 0, 0});

@@ -63,7 +63,8 @@ TEST_CASE("several files that do not hold the volume are refused") {
   write_slices(folder);
   folder.write("short", slice(0).substr(1));
   const auto check = [&](const std::string& files, const std::string& part) {
-    const auto file = folder.write("v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + files + "\n"));
+    const auto file =
+        folder.write("v.nhdr", nrrd(nrrd_i16 + "raw\nbyte skip: 6\ndata file: " + files + "\n"));
     try {
       read_all(*open_volume(file));
       FAIL("not refused: ", files);
@@ -79,6 +80,29 @@ TEST_CASE("several files that do not hold the volume are refused") {
   check("a%02d.raw 1 9223372036854775807 1", "whose range holds no number");
   check("a%s.raw 1 4 1", "no pattern with a range");
   check("a%02d%d.raw 1 4 1", "no pattern with a range");
-  check("LIST\nshort\nshort\nshort\nshort", "1 bytes of 30 are missing");
+  check("LIST\nshort\nshort\nshort\nshort", "7 bytes of 30 are missing");
   check("LIST\na\001.raw", "control characters");
+}
+
+TEST_CASE("data files that are longer than their share are refused unless a header is skipped") {
+  const Folder folder;
+  for (int i = 0; i < 4; ++i) {
+    folder.write("a" + std::to_string(i), "header" + slice(i));
+    folder.write("b" + std::to_string(i), gzip("header" + slice(i)));
+  }
+  const auto nrrd_of = [&](const std::string& lines) {
+    return folder.write("v.nhdr", nrrd(nrrd_i16 + lines));
+  };
+  const std::string more = "there is more than its share of 30 bytes";
+  CHECK_THROWS_WITH(read_all(*open_volume(nrrd_of("raw\ndata file: a%d 0 3 1\n"))),
+                    doctest::Contains(more.c_str()));
+  CHECK_THROWS_WITH(read_all(*open_volume(nrrd_of("gzip\ndata file: b%d 0 3 1\n"))),
+                    doctest::Contains(more.c_str()));
+  check_volume(nrrd_of("raw\nbyte skip: -1\ndata file: a%d 0 3 1\n"), SampleType::i16,
+               "NRRD, raw, detached");
+  check_volume(nrrd_of("gzip\nbyte skip: 6\ndata file: b%d 0 3 1\n"), SampleType::i16,
+               "NRRD, gzip, detached");
+  write_slices(folder);
+  const auto skipping = nrrd_of("raw\nbyte skip: 6\ndata file: a%02d.raw 7 1 -2\n");
+  CHECK(noted(open_volume(skipping)->info(), "6 bytes behind the samples of a data file left out"));
 }

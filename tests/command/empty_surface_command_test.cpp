@@ -15,7 +15,9 @@ using volume_files::nrrd;
 const std::string ramp = [] {
   std::string samples;
   for (int i = 0; i < 60; ++i) samples += std::to_string(100 * i - 1000) + " ";
-  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n", "5 3 4") + "\n" + samples;
+  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm,
+              "5 3 4") +
+         "\n" + samples;
 }();
 
 const std::string values = ": the values are -1000 to 4900; discmc info shows more";
@@ -32,13 +34,15 @@ TEST_CASE("an empty surface is a failure that tells the values, and leaves no fi
       {"--iso 4901", "no voxel reaches 4901"},
       {"--iso 1e9 --surface interpolated", "no voxel reaches 1000000000"},
       {"--iso 5000 --normals gradient", "no voxel reaches 5000"},
-      {"--label 33", "no voxel is 33"},
+      {"--label 33", "no voxel has label 33"},
       {"--range 101..199.5", "no voxel is in 101..199.5"},
       {"--range=..-1001", "no voxel is in ..-1001"},
       {"--iso=-1000 --border open", "every voxel reaches -1000, and an open border has no surface"},
       {"--iso 4901 --median 3", "no voxel reaches 4901"},
-      {"--label 100 --mask none.nrrd", "no voxel that is 100 is left by --mask"},
-      {"--label 100 --median 3", "no voxel that is 100 is left by --median"},
+      {"--label 100 --mask none.nrrd",
+       "no voxel that has label 100 is left by --mask, or there is none"},
+      {"--label 100 --median 3",
+       "no voxel that has label 100 is left by --median, or there is none"},
       {"--iso=-1000 --border open --median 3",
        "after --median every voxel reaches -1000, and an open border has no surface"},
   };
@@ -48,7 +52,9 @@ TEST_CASE("an empty surface is a failure that tells the values, and leaves no fi
       const Result result = workshop.run(arguments);
       INFO(arguments, "\n", result.error);
       if (result.code == 2) continue;  // what does not go together
-      check_failure(result, 1, {"v.nrrd: " + reason + values, "--allow-empty"});
+      const bool is_label = selection.find("--label") != std::string::npos;
+      const std::string more = is_label ? "; discmc info shows which labels there are" : values;
+      check_failure(result, 1, {"v.nrrd: " + reason + more, "--allow-empty"});
     }
   CHECK(workshop.names() == names);
   CHECK(workshop.read("other.stl") == "before");
@@ -112,7 +118,7 @@ TEST_CASE("a surface that is the box of the volume is taken, and said to be one"
     const std::string box = ", so the surface is the box of the volume";
     CHECK(contains(error_of("v.nrrd --iso=-1000"),
                    "v.nrrd: every voxel reaches -1000" + box + values));
-    CHECK(contains(error_of("four.nrrd --label 4"), "every voxel is 4" + box));
+    CHECK(contains(error_of("four.nrrd --label 4"), "every voxel has label 4" + box));
     CHECK(error_of("v.nrrd --iso=-999").empty());
   }
   const Result piped = workshop.shell("cat v.nrrd | \"$discmc\" extract - --iso=-2000 -o v.stl");
@@ -126,15 +132,19 @@ TEST_CASE("what fills the volume after the median, or by infinite values, is tol
     std::string samples;
     for (int i = 0; i < 60; ++i) samples += (i == hole ? "0" : sample) + " ";
     workshop.write(
-        name, nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n", "5 3 4") + "\n" + samples);
+        name, nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm,
+                   "5 3 4") +
+                  "\n" + samples);
   };
   write("hole.nrrd", "7", 22);
   write("inf.nrrd", "inf", -1);
   write("mixed.nrrd", "inf", 22);
   std::string mostly_off = "inf ";
   for (int i = 0; i < 59; ++i) mostly_off += "0 ";
-  workshop.write("one.nrrd", nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n", "5 3 4") +
-                                 "\n" + mostly_off);
+  workshop.write(
+      "one.nrrd",
+      nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "5 3 4") +
+          "\n" + mostly_off);
   const std::string open = ", and an open border has no surface: ";
   const std::pair<std::string, std::string> examples[] = {
       {"hole.nrrd --median 3 --border open", "after --median every voxel reaches 5" + open},
@@ -156,8 +166,10 @@ TEST_CASE("what fills the volume after the median, or by infinite values, is tol
 
 TEST_CASE("an empty surface of a volume without numbers says so") {
   const Workshop workshop;
-  workshop.write("v.nrrd", nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n", "2 1 2") +
-                               "\nnan nan nan nan");
+  workshop.write(
+      "v.nrrd",
+      nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "2 1 2") +
+          "\nnan nan nan nan");
   check_failure(workshop.run("extract v.nrrd --iso 3 -o v.stl"), 1,
                 {"no voxel reaches 3: no value is a finite number; "});
 }
@@ -176,8 +188,10 @@ TEST_CASE("pictures and distances of empty surfaces are refused with the values"
 
 TEST_CASE("values of a volume that is narrowed for its normals are those of the file") {
   const Workshop workshop;
-  workshop.write("v.nrrd", nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n", "2 1 2") +
-                               "\n0.25 0.5 nan -8");
+  workshop.write(
+      "v.nrrd",
+      nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "2 1 2") +
+          "\n0.25 0.5 nan -8");
   for (const std::string file : {"v.ply", "v.dmc"})
     check_failure(workshop.run("extract v.nrrd --iso 3 --normals gradient -o " + file), 1,
                   {"no voxel reaches 3: the values are -8 to 0.5;"});

@@ -38,7 +38,7 @@ constexpr std::int32_t threshold = 100;
 const discmc::command::Point spacing_mm = {0.5, -2, 1.25};
 
 ExtractionOptions options(Border border = Border::closed, std::uint64_t memory = 0) {
-  ExtractionOptions options{threshold, border, memory, {}};
+  ExtractionOptions options{{threshold}, border, memory, {}};
   options.measures_memory = true;
   return options;
 }
@@ -62,22 +62,6 @@ Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
   return {extraction, std::move(log.events), std::move(builder.surface())};
 }
 
-// The lattice edges between an on and an off voxel, one by one.
-std::uint64_t crossings(const BitVolume& volume, Border border) {
-  const bool closed = border == Border::closed;
-  const std::int64_t w = volume.width, h = volume.height, d = volume.depth;
-  std::uint64_t count = 0;
-  for (std::int64_t z = -1; z < d; ++z)
-    for (std::int64_t y = -1; y < h; ++y)
-      for (std::int64_t x = -1; x < w; ++x)
-        for (const auto& [dx, dy, dz] : {std::array{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
-          const bool inside = volume.contains(x, y, z) && volume.contains(x + dx, y + dy, z + dz);
-          const bool crosses = volume.at(x, y, z) != volume.at(x + dx, y + dy, z + dz);
-          if (crosses && (inside || closed)) ++count;
-        }
-  return count;
-}
-
 std::string refusal(const BitVolume& volume, std::uint64_t memory) {
   SampleReader reader(volume, spacing_mm);
   discmc::test::EventLog log;
@@ -92,30 +76,6 @@ std::string refusal(const BitVolume& volume, std::uint64_t memory) {
 }
 
 }  // namespace
-
-TEST_CASE("classic Marching Cubes vertices are the lattice edges that cross") {
-  for (const Size size : {Size{1, 1, 1}, Size{7, 1, 1}, Size{1, 5, 2}, Size{6, 7, 8}})
-    for (const std::uint32_t density : {0U, 60U, 128U, 256U})
-      for (const Border border : {Border::closed, Border::open}) {
-        const BitVolume volume = discmc::reference::random(size, density, 9);
-        CHECK(extracted(volume, options(border)).extraction.classic_vertices ==
-              crossings(volume, border));
-      }
-}
-
-TEST_CASE("classic triangles and vertices of closed surfaces obey Euler") {
-  const auto check = [](const BitVolume& volume, std::int64_t characteristic) {
-    const Extraction extraction = extracted(volume, options()).extraction;
-    const auto triangles = static_cast<std::int64_t>(extraction.statistics.classic_triangles);
-    const auto vertices = static_cast<std::int64_t>(extraction.classic_vertices);
-    CHECK(triangles == 2 * (vertices - characteristic));
-  };
-  check(box({1, 1, 1}, {0, 0, 0}, {0, 0, 0}), 2);
-  check(box({5, 6, 7}, {0, 0, 0}, {4, 5, 6}), 2);
-  check(ball({20, 20, 20}, {20, 20, 20}, 64), 2);
-  check(discmc::reference::torus({24, 24, 12}, 14, 6), 0);
-  check(checkerboard({5, 5, 5}), 2 * 63);  // an octahedron around every second voxel
-}
 
 TEST_CASE("sizes and progress are told") {
   const BitVolume volume = ball({9, 8, 7}, {8, 7, 6}, 9);
@@ -135,7 +95,6 @@ TEST_CASE("the type of the samples makes no difference") {
     if (type == SampleType::i8) continue;  // has no 150
     const Extracted others = extracted(volume, options(), type);
     CHECK(others.events == bytes.events);
-    CHECK(others.extraction.classic_vertices == bytes.extraction.classic_vertices);
   }
 }
 
@@ -143,12 +102,10 @@ TEST_CASE("thresholds beyond the samples make everything on or everything off") 
   const BitVolume volume = checkerboard({5, 5, 5});
   using Limits = std::numeric_limits<std::int32_t>;
   ExtractionOptions all = options(), none = options();
-  all.selection = Limits::min();
-  none.selection = Limits::max();
+  all.selection = {Limits::min()};
+  none.selection = {Limits::max()};
   CHECK(extracted(volume, all).surface.polygons.size() == 26);
-  CHECK(extracted(volume, all).extraction.classic_vertices == 6 * 25);
   CHECK(extracted(volume, none).surface.polygons.empty());
-  CHECK(extracted(volume, none).extraction.classic_vertices == 0);
 }
 
 TEST_CASE("the default memory is enough, and no more of it is used than is given") {
@@ -170,7 +127,6 @@ TEST_CASE("a scan that measures no memory has the same events") {
       fast.measures_memory = false;
       const Extracted a = extracted(volume, fast), b = extracted(volume, options(border));
       CHECK(a.events == b.events);
-      CHECK(a.extraction.classic_vertices == b.extraction.classic_vertices);
       CHECK(a.extraction.statistics.facets == b.extraction.statistics.facets);
       CHECK_FALSE(a.extraction.memory);
       CHECK(b.extraction.memory);

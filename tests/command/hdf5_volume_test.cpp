@@ -108,9 +108,11 @@ TEST_CASE("of several arrays one is chosen by its name behind that of the file")
 }
 
 TEST_CASE("a name behind that of a file which is no array of numbers is refused") {
-  check_refusal(refusal(several + ":/scan/none"), "there is no dataset '/scan/none'");
-  check_refusal(refusal(several + ":/scan"), "there is no dataset '/scan'");
-  check_refusal(refusal(several + ":/scan/complex"), "holds other things than numbers");
+  for (const std::string name : {"/scan/none", "/scan", "/scan/complex"})
+    check_refusal(refusal(several + ":" + name),
+                  "there is no array '" + name +
+                      "' of numbers with two or more dimensions in it; "
+                      "choose one of /scan/half (5 x 3 x 4)");
   check_refusal(refusal(files / "none.h5"), "there is no such file");
 }
 
@@ -122,19 +124,202 @@ TEST_CASE("a file whose name has a colon is taken as it is called") {
   check_volume(file.string() + ":/volume", SampleType::u8, "HDF5, /volume, raw");
 }
 
-TEST_CASE("the first bytes tell HDF5, but not in a pipe or packed") {
+TEST_CASE("the first bytes tell HDF5") {
   const Folder folder;
   const std::string bytes = contents(files / "hdf5/u8-little.h5");
   check_volume(folder.write("volume", bytes), SampleType::u8, "HDF5, /volume, raw");
-  check_refusal(refusal(folder.write("packed", gzip(bytes))),
-                "HDF5 is not read from a pipe, nor packed");
 }
 
 TEST_CASE("what cannot be unpacked or has scales of its own is refused with the remedy") {
-  check_refusal(refusal(files / "hdf5_arrays/packed.h5"),
-                "filter 32001 of HDF5, which is not here");
-  check_refusal(refusal(files / "hdf5_arrays/packed.h5"), "h5repack");
+  const fs::path packed = files / "hdf5_arrays/packed.h5";
+  check_refusal(refusal(packed), "packed by the filter 32008 of HDF5, which is not here");
+  check_refusal(refusal(packed), "h5py.File('" + packed.string() + "')['/volume'][()]");
   check_refusal(refusal(files / "hdf5_arrays/minc.h5"), "mnc2nii");
+}
+
+// Where Python has the two modules: on Debian python3-hdf5plugin and hdf5-filter-plugin.
+TEST_CASE("what the remedy says unpacks the array, so that it is read") {
+  const command_tests::Workshop workshop;
+  if (workshop.shell("/usr/bin/python3 -c 'import h5py, hdf5plugin'").code != 0) {
+    MESSAGE("not run: this Python has no h5py or no hdf5plugin");
+    return;
+  }
+  workshop.write("volume", stored(SampleType::u8));
+  REQUIRE(workshop.shell("bzip2 -c volume > packed").code == 0);
+  const std::string packed = workshop.read("packed");
+  const Folder folder;
+  {
+    constexpr H5Z_filter_t bzip2 = 307;
+    const Hdf5Handle creation = chunks_of({4, 3, 5});
+    H5Pset_filter(creation.id(), bzip2, H5Z_FLAG_OPTIONAL, 0, nullptr);
+    const Hdf5Handle opened = new_file(folder.path() / "a.h5");
+    const Hdf5Handle dataset = new_dataset(opened, "volume", {4, 3, 5}, creation);
+    constexpr hsize_t first[] = {0, 0, 0};
+    REQUIRE(H5Dwrite_chunk(dataset.id(), H5P_DEFAULT, 0, first, packed.size(), packed.data()) >= 0);
+  }
+  workshop.write("a.h5", contents(folder.path() / "a.h5"));
+  const std::string refused =
+      workshop.shell("HDF5_PLUGIN_PATH=/nonexistent \"$discmc\" info a.h5").error;
+  const std::size_t begin = refused.find("python3 -c");
+  INFO(refused);
+  REQUIRE(begin != std::string::npos);
+  const auto unpacked = workshop.shell("PATH=/usr/bin:$PATH; " + refused.substr(begin));
+  INFO(unpacked.error);
+  CHECK(unpacked.code == 0);
+  check_volume(folder.write("unpacked.h5", workshop.read("unpacked.h5")), SampleType::u8,
+               "HDF5, /volume, raw");
+}
+
+TEST_CASE("what a remedy repeats of a file's names is nothing that a shell would run") {
+  const Folder folder;
+  const fs::path file = folder.path() / "names.h5";
+  {
+    const Hdf5Handle creation = chunks_of({4, 3, 5});
+    H5Pset_filter(creation.id(), 32008, H5Z_FLAG_OPTIONAL, 0, nullptr);
+    new_dataset(new_file(file), "$(reboot)", {4, 3, 5}, creation);
+  }
+  check_refusal(refusal(file), "')['NAME'][()]");
+}
+
+// An LZF stream with each kind of part, the long one
+// too, and one that reaches into what it makes.
+std::string lzf_of_runs() {
+  const std::string literal("\3\1\2\3\4", 5);  // four that stand for themselves
+  const std::string again("\x20\x03", 2);      // three of them, from four back
+  const std::string run("\xe0\x0c\0", 3);      // 21 times the last one
+  const std::string far("\x60\x1b", 2);        // five of them, from 28 back
+  return literal + again + run + far;
+}
+
+TEST_CASE("LZF is unpacked as h5py packs it, and refused where it is damaged") {
+  check_volume(files / "hdf5/i16-big-lzf.h5", SampleType::i16, "HDF5, /volume, shuffle, lzf");
+  const Folder folder;
+  const fs::path file = folder.path() / "lzf.h5";
+  constexpr hsize_t size = 33;
+  const auto write = [&](const std::string& packed) {
+    H5Zunregister(32000);  // which is only there to read, and the library would refuse the dataset
+    const Hdf5Handle creation = chunks_of({1, 1, size});
+    H5Pset_filter(creation.id(), 32000, H5Z_FLAG_OPTIONAL, 0, nullptr);
+    const Hdf5Handle opened = new_file(file);
+    const Hdf5Handle dataset = new_dataset(opened, "volume", {1, 1, size}, creation);
+    constexpr hsize_t first[] = {0, 0, 0};
+    constexpr std::uint32_t all_filters = 0;
+    REQUIRE(H5Dwrite_chunk(dataset.id(), H5P_DEFAULT, all_filters, first, packed.size(),
+                           packed.data()) >= 0);
+  };
+  write(lzf_of_runs());
+  std::vector<double> expected = {1, 2, 3, 4, 1, 2, 3};
+  expected.resize(28, 3);
+  expected.insert(expected.end(), {1, 2, 3, 4, 1});
+  CHECK(read_all(*open_volume(file)) == expected);
+  for (const std::string& damaged :
+       {std::string("\x20\x03", 2), std::string("\5\1", 2), std::string("\xe0", 1)}) {
+    write(damaged);
+    check_refusal(refusal(file), "damaged or not there");
+  }
+}
+
+TEST_CASE("links to other files are followed, and one array is one however many lead to it") {
+  check_volume(files / "hdf5_arrays/master.h5", SampleType::u8,
+               "HDF5, /entry/data/data_000001, raw");
+  const Folder folder;
+  folder.write("master.h5", contents(files / "hdf5_arrays/master.h5"));
+  check_refusal(refusal(folder.path() / "master.h5"),
+                "its links lead to what is not there: /entry/data/data_000001 to data_000001.h5");
+  {
+    const Hdf5Handle opened(
+        H5Fopen((folder.path() / "master.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    new_dataset(opened, "here", {4, 3, 5}, no_creation());
+  }
+  const auto reader = open_volume(folder.path() / "master.h5");
+  CHECK(reader->info().format == "HDF5, /here, raw");
+  CHECK(
+      noted(reader->info(), "links that lead nowhere: /entry/data/data_000001 to data_000001.h5"));
+}
+
+TEST_CASE("axes that ilastik names are those") {
+  const fs::path file = files / "hdf5_arrays/ilastik.h5";
+  check_volume(file, SampleType::u8, "HDF5, /exported_data, raw");
+  CHECK_FALSE(noted(open_volume(file)->info(), "dropped"));
+}
+
+TEST_CASE("axes that are named are read by slices or, where these lie apart, by the slowest axis") {
+  const Folder folder;
+  const fs::path file = folder.path() / "axes.h5";
+  const std::vector<std::uint8_t> samples = [] {
+    std::vector<std::uint8_t> all;
+    for (int i = 0; i < 120; ++i) all.push_back(static_cast<std::uint8_t>(i));
+    return all;
+  }();
+  for (const bool is_chunked : {false, true})
+    for (const std::string axes : {"zyx", "zxy", "yzx", "yxz", "xzy", "xyz"}) {
+      INFO(axes, is_chunked ? " in chunks" : "");
+      {
+        const Hdf5Handle creation = is_chunked ? chunks_of({2, 2, 3}) : no_creation();
+        const Hdf5Handle dataset = new_dataset(new_file(file), "volume", {4, 5, 6}, creation);
+        H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
+      }
+      VolumeOptions options;
+      options.axes = axes;
+      const auto reader = open_volume(file, options);
+      const auto& dims = reader->info().dims;
+      const auto read = read_all(*reader);
+      constexpr std::array<std::size_t, 3> sizes{4, 5, 6};
+      std::array<std::size_t, 3> index{};
+      std::size_t wrong = 0;
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        for (std::size_t axis = 0, rest = i; axis < 3; ++axis) {
+          index[2 - axis] = rest % sizes[2 - axis];
+          rest /= sizes[2 - axis];
+        }
+        const auto at = [&](char letter) { return index[axes.find(letter)]; };
+        wrong += read[(at('z') * dims[1] + at('y')) * dims[0] + at('x')] != samples[i];
+      }
+      CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE("of an array of MATLAB it is said which index is taken for x") {
+  const Folder folder;
+  const fs::path file = folder.path() / "volume.mat";
+  {
+    const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+    H5Pset_userblock(creation.id(), 512);
+    const Hdf5Handle opened(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.id(), H5P_DEFAULT),
+                            H5Fclose);
+    const Hdf5Handle dataset = new_dataset(opened, "V", {4, 3, 5}, no_creation());
+    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
+    H5Tset_size(type.id(), 5);
+    const Hdf5Handle attribute(
+        H5Acreate2(dataset.id(), "MATLAB_class", type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose);
+    H5Awrite(attribute.id(), type.id(), "uint8");
+    const Hdf5Handle references(
+        H5Gcreate2(opened.id(), "#refs#", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    new_dataset(references, "a", {4, 3, 5}, no_creation());
+  }
+  std::string bytes = contents(file);
+  bytes.replace(0, 10, "MATLAB 7.3");
+  folder.write("volume.mat", bytes);
+  const auto reader = open_volume(file);
+  CHECK(reader->info().format == "HDF5, /V, raw");
+  CHECK(noted(reader->info(), "its first index is taken as x; if that is y, give --axes zxy"));
+}
+
+TEST_CASE("arrays that Imaris fills up are refused with what converts them") {
+  const Folder folder;
+  const fs::path file = folder.path() / "a.h5";
+  {
+    const Hdf5Handle opened = new_file(file);
+    const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+    H5Pset_create_intermediate_group(links.id(), 1);
+    const Hdf5Handle group(
+        H5Gcreate2(opened.id(), "DataSet/ResolutionLevel 0/TimePoint 0/Channel 0", links.id(),
+                   H5P_DEFAULT, H5P_DEFAULT),
+        H5Gclose);
+    new_dataset(group, "Data", {4, 3, 5}, no_creation());
+  }
+  check_refusal(refusal(file), "this is Imaris, which fills its arrays up");
 }
 
 TEST_CASE("samples of fewer bits than they have room for are numbers as others are") {

@@ -1,4 +1,4 @@
-// Stacks of PNG and TIFF files, which write_pictures.py wrote by other programs.
+// Stacks of pictures, which write_pictures.py wrote by other programs.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -95,12 +95,71 @@ TEST_CASE("pictures of eight bits and less keep their values") {
         values(1, [](double value) { return std::fmod(in_u8(value), 2); }));
 }
 
-TEST_CASE("what is not grey is refused with a remedy") {
-  check_refusal(refusal(files / "rgb.png"), "a colour picture");
-  check_refusal(refusal(files / "rgb.tif"), "a colour picture");
-  check_refusal(refusal(files / "alpha.png"), "with transparency");
-  check_refusal(refusal(files / "palette.png"), "an indexed picture");
-  check_refusal(refusal(files / "palette.png"), "convert it to grey");
+VolumeOptions of_channel(std::uint32_t channel) {
+  VolumeOptions options;
+  options.channel = channel;
+  return options;
+}
+
+TEST_CASE("of a colour picture a channel is chosen, as the refusal says") {
+  check_refusal(refusal(files / "rgb.png"),
+                "the file holds 3 channels ('red', 'green', 'blue'), and one is read at a time; "
+                "choose one with --channel N, the first is 0");
+  check_refusal(refusal(files / "alpha.png"), "2 channels ('grey', 'alpha')");
+  CHECK(read_all(*open_volume(files / "alpha.png", of_channel(0))) == values(1, in_u8));
+  for (const std::string name : {"rgb.png", "rgb.tif"})
+    for (const std::uint32_t channel : {0U, 1U, 2U})
+      CHECK(read_all(*open_volume(files / name, of_channel(channel))) == values(1, in_u8));
+  const std::vector<double> all = values(3, in_u8);
+  for (const std::string name : {"colours.png", "colours.bmp"})
+    for (const std::uint32_t channel : {0U, 1U, 2U}) {
+      INFO(name, " ", channel);
+      const auto first = all.begin() + channel * width * height;
+      CHECK(read_all(*open_volume(files / name, of_channel(channel))) ==
+            std::vector<double>(first, first + width * height));
+    }
+}
+
+TEST_CASE("a palette of greys stands for them, and one of colours for their numbers") {
+  const auto greys = open_volume(files / "palette.png");
+  CHECK(read_all(*greys) == values(1, in_u8));
+  CHECK(!noted(greys->info(), "palette"));
+}
+
+TEST_CASE("JPEG is read, a channel of it where it is of colours") {
+  const auto near = [](const std::vector<double>& read, int slice) {
+    const std::vector<double> all = values(slice + 1, in_u8);
+    double most = 0;
+    for (std::size_t i = 0; i < read.size(); ++i)
+      most = std::max(most,
+                      std::fabs(read[i] - all[static_cast<std::size_t>(slice) * read.size() + i]));
+    return most;
+  };
+  const auto grey = open_volume(files / "u8.jpg");
+  CHECK(grey->info().format == "JPEG");
+  CHECK(near(read_all(*grey), 0) < 4);
+  CHECK(near(read_all(*open_volume(files / "colours.jpg", of_channel(2))), 2) < 16);
+  check_refusal(refusal(files / "colours.jpg"), "3 channels");
+  // Where it is cut off, the library would fill it up with grey.
+  const Folder folder;
+  const std::string bytes = contents(files / "u8.jpg");
+  for (const std::size_t cut : {2U, 10U, 60U})
+    check_refusal(refusal(folder.write("v.jpg", bytes.substr(0, bytes.size() - cut))),
+                  "the JPEG file is damaged (Premature end of JPEG file)");
+}
+
+TEST_CASE("a picture is what its first bytes say, whatever its name") {
+  const Folder folder;
+  for (const std::string name : {"u8.png", "u8.tif", "u8.jpg", "u8.bmp"}) {
+    const std::string bytes = contents(files / name);
+    if (name != "u8.bmp")
+      CHECK(open_volume(folder.write("picture", bytes))->info().dims[0] == width);
+    CHECK(open_volume(folder.write("v.png", bytes))->info().dims[0] == width);
+  }
+  check_refusal(refusal(folder.write("v.png", "no picture")), "no PNG, TIFF, JPEG or BMP file");
+  for (const std::string name : {"slice1", "slice2"})
+    folder.write(name, contents(files / "u8.png"));
+  CHECK(open_volume(folder.path() / "slice*")->info().dims[2] == 2);
 }
 
 TEST_CASE("a slice of another size or type is refused by its name") {
@@ -110,8 +169,6 @@ TEST_CASE("a slice of another size or type is refused by its name") {
   check_refusal(refusal(folder.path()),
                 "a2.png: page 0 has 8 x 6 samples of u8, and a1.png has 8 x 6 samples of u16");
   check_refusal(refusal(folder.path() / "b*.png"), "no file has such a name");
-  const auto no_tiff = folder.write("v.tif", contents(files / "u8.png"));
-  check_refusal(refusal(no_tiff), "no TIFF file");
 }
 
 VolumeOptions with_gaps_allowed() {
@@ -181,16 +238,22 @@ TEST_CASE("where more is missing than is there, that is refused with the largest
 TEST_CASE("what is of several kinds is refused with the remedy, and not left out") {
   const NumberedStack stack({1, 2});
   stack.write("a.tif", contents(files / "u16.tif"));
-  check_refusal(refusal(stack.path()), "2 PNG and 1 TIFF files are not one volume");
-  check_refusal(refusal(stack.path() / "*"), "such as '*.png'");
+  check_refusal(refusal(stack.path()),
+                "2 PNG and 1 TIFF files are not one volume; give a pattern "
+                "of one kind, such as '" +
+                    (stack.path() / "*.png").string());
   CHECK(open_volume(stack.path() / "*.png")->info().dims[2] == 2);
   stack.write("notes.txt", "of a colleague");
-  check_refusal(refusal(stack.path() / "*[gt]"), "and others, such as 'notes.txt'");
+  check_refusal(refusal(stack.path() / "*[gt]"),
+                "and other files, such as 'notes.txt'; give a "
+                "pattern of one kind, such as '" +
+                    (stack.path() / "*.png").string());
 }
 
 TEST_CASE("damaged pictures are refused, wherever they are cut") {
   const Folder folder;
-  for (const std::string name : {"stack/slice0.png", "u16.tif", "tiles.tif", "deflate.tif"}) {
+  for (const std::string name : {"stack/slice0.png", "u16.tif", "tiles.tif", "deflate.tif",
+                                 "u8.jpg", "u8.bmp", "deep-tiles4.tif"}) {
     const std::string bytes = contents(files / name);
     const std::string cut = "cut" + fs::path(name).extension().string();
     // A cut table of pages would be one of fewer, where the last is what is lost.

@@ -37,13 +37,13 @@ TEST_CASE("info tells what the file of a volume says, and what its values are") 
   const std::string info = workshop.done("info v.nrrd");
   INFO(info);
   for (const char* line :
-       {"format NRRD, raw", "type u8",           "slope 1",           "intercept 0",
-        "frames 1",         "dimensions 5 3 4",  "extent 2.5 6 12",   "spacing 0.5 2 3",
-        "space lps",        "origin 1 2 3",      "axis_x 0.5 0 0",    "axis_y 0 2 0",
-        "axis_z 0 0 3",     "voxels 60",         "not_numbers 0",     "infinite 0",
-        "range 0 236",      "mean 118",          "percentile_1 0",    "percentile_5 8",
-        "percentile_25 56", "percentile_50 116", "percentile_75 176", "percentile_95 224",
-        "percentile_99 236"})
+       {"format NRRD, raw",  "type u8",          "slope 1",           "intercept 0",
+        "frames 1",          "channels 1",       "dimensions 5 3 4",  "extent 2.5 6 12",
+        "spacing 0.5 2 3",   "space lps",        "origin 1 2 3",      "axis_x 0.5 0 0",
+        "axis_y 0 2 0",      "axis_z 0 0 3",     "voxels 60",         "not_numbers 0",
+        "infinite 0",        "range 0 236",      "mean 118",          "percentile_1 0",
+        "percentile_5 8",    "percentile_25 56", "percentile_50 116", "percentile_75 176",
+        "percentile_95 224", "percentile_99 236"})
     CHECK(has_line(info, line));
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("what has no telling name is a volume by its first bytes, and else a s
   CHECK(workshop.shell("\"$discmc\" info - <v.nrrd").out == volume);
   CHECK(workshop.shell("cat v.nrrd | \"$discmc\" info -").out == volume);
   CHECK(workshop.shell("cat v.dmc | \"$discmc\" info -").out == stream);
-  CHECK(contains(workshop.shell("cat packed | \"$discmc\" info -").out, "format NRRD, raw\n"));
+  CHECK(contains(workshop.shell("cat packed | \"$discmc\" info -").out, "format NRRD, raw, gzip\n"));
   CHECK(contains(workshop.done("info samples --dims 5,3,4 --type u8"), "\nrange 0 236\n"));
   CHECK(contains(workshop.shell("\"$discmc\" info - --dims 5,3,4 --type u8 <v.raw").out,
                  "\nrange 0 236\n"));
@@ -179,7 +179,8 @@ TEST_CASE("info refuses options of the other kind, and what is neither") {
   const Workshop workshop;
   workshop.write("v.nrrd", u8_file);
   workshop.write("nothing", "words");
-  check_failure(workshop.run("info v.nrrd --channel 1"), 2, {"--channel", "is for streams"});
+  check_failure(workshop.run("info v.nrrd --stream-channel 1"), 2,
+                {"--stream-channel", "is for streams"});
   check_failure(workshop.run("info v.dmc --frame 1"), 2, {"--frame", "is for volumes"});
   check_failure(workshop.run("info nothing"), 1, {"nothing", "is this a .dmc file?"});
   check_failure(workshop.run("info none.nrrd"), 1, {"none.nrrd", "there is no such file"});

@@ -1,6 +1,7 @@
 // discmc extract --surface interpolated.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "command.hpp"
@@ -42,6 +43,31 @@ TEST_CASE("an interpolated surface is written as the mesh that it is") {
   workshop.done(extract + "--surface merged -o merged.obj");
   workshop.done(extract + "-o default.obj");
   CHECK(workshop.read("default.obj") == workshop.read("merged.obj"));
+}
+
+TEST_CASE("a mask, between whose two values nothing is to interpolate, is told with what to do") {
+  const Workshop workshop;
+  write_ball(workshop);
+  std::string mask = workshop.read("v.raw");
+  for (char& sample : mask) sample = static_cast<char>(static_cast<unsigned char>(sample) >= 50);
+  workshop.write("mask.raw", mask);
+  const std::string masked = "extract mask.raw --dims 14,14,14 --type u8 -q --iso 1 -o v.obj";
+  const auto told = workshop.run(masked + " --surface interpolated");
+  CHECK(told.code == 0);
+  CHECK(command_tests::contains(told.error, "mask.raw: there are two values alone, as in a mask"));
+  const auto warns = [&](const std::string& arguments) {
+    return command_tests::contains(workshop.run(arguments).error, "two values");
+  };
+  CHECK(!warns(masked));
+  // A third value, in the last slice alone: above the others, or between them.
+  for (const char third : {'\2', '\5'}) {
+    std::string samples = mask;
+    std::replace(samples.begin(), samples.end(), '\1', '\3');
+    samples.replace(14 * 14 * 13, 14 * 14, 14 * 14, third);
+    workshop.write("mask.raw", samples);
+    CHECK(!warns(masked + " --surface interpolated"));
+  }
+  CHECK(!warns(extract + "--surface interpolated -o v.obj"));
 }
 
 TEST_CASE("the normals of an interpolated ball are its radii") {

@@ -3,26 +3,34 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdint>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "volume_files.hpp"
 
 namespace {
 
 using namespace volume_files;
-using discmc::command::LabelTable;
 using discmc::command::read_label_table;
 using discmc::command::Srgb;
 
-LabelTable table_of(const std::string& text) {
+// By their first value.
+using Labels = std::map<std::int64_t, discmc::command::LabelDescription>;
+
+Labels table_of(const std::string& text) {
   const Folder folder;
-  return read_label_table(folder.write("table", text));
+  Labels labels;
+  for (const auto& label : read_label_table(folder.write("table", text)))
+    labels[std::stoll(label.values.at(0).text())] = label;
+  return labels;
 }
 
 }  // namespace
 
 TEST_CASE("a table of 3D Slicer or FreeSurfer has a name, then a colour") {
-  const LabelTable table = table_of(
+  const Labels table = table_of(
       "# Color table file\n\n0 Background 0 0 0 0\n1 Liver 221 130 101 255\r\n"
       "  17\tLeft-Hippocampus   220 216  20   0\n-3 unpainted\n");
   CHECK(table.size() == 4);
@@ -35,7 +43,7 @@ TEST_CASE("a table of 3D Slicer or FreeSurfer has a name, then a colour") {
 }
 
 TEST_CASE("a table of ITK-SNAP has the name last, in quotes") {
-  const LabelTable table = table_of(
+  const Labels table = table_of(
       "# ITK-SnAP Label Description File\n"
       "    0     0    0    0        0  0  0    \"Clear Label\"\n"
       "    2     0  255    0        1  1  1    \"Left ventricle\"\n");
@@ -45,7 +53,7 @@ TEST_CASE("a table of ITK-SNAP has the name last, in quotes") {
 }
 
 TEST_CASE("a table of BIDS has columns in any order") {
-  const LabelTable table = table_of(
+  const Labels table = table_of(
       "name\tindex\tmapping\tcolor\nGray Matter\t1\t\t#ff53bB\nWhite "
       "Matter\t2\t7\nBone\t3\t\tn/a\n");
   CHECK(table.at(1).name == "Gray Matter");
@@ -53,10 +61,49 @@ TEST_CASE("a table of BIDS has columns in any order") {
   CHECK(table.at(2).name == "White Matter");
   CHECK_FALSE(table.at(2).colour);
   CHECK_FALSE(table.at(3).colour);
-  const LabelTable marked = table_of(
+  const Labels marked = table_of(
       "\xEF\xBB\xBF"
       "abbreviation\tindex\tname\n\t7\tkidney\r\n");
   CHECK(marked.at(7).name == "kidney");
+}
+
+TEST_CASE("a table of 3D Slicer between commas may have names of terms alone") {
+  const Labels table = table_of(
+      "LabelValue,Name,Color_R,Color_G,Color_B,Color_A,Type_CodeMeaning,TypeModifier_CodeMeaning\n"
+      "1,left_kidney,185,102,83,255,Kidney,Left\r\n"
+      "5,,144,238,144,255,Kidney,Right\n"
+      "10,\"artery, renal\",1,2,3,255,,\n11,bone,,,,,,\n");
+  CHECK(table.size() == 4);
+  CHECK(table.at(1).name == "left_kidney");
+  CHECK(table.at(1).colour == Srgb{185, 102, 83});
+  CHECK(table.at(5).name == "Right Kidney");
+  CHECK(table.at(10).name == "artery, renal");
+  CHECK(table.at(10).colour == Srgb{1, 2, 3});
+  CHECK_FALSE(table.at(11).colour);
+}
+
+TEST_CASE("dataset.json of nnU-Net names labels in both of its forms") {
+  const Labels table = table_of(
+      R"({"channel_names": {"0": "CT"}, "labels": {"background": 0, "liver": 1, "kidney": [2, 3],
+          "id": 720575940621039145}, "numTraining": 3})");
+  CHECK(table.size() == 4);
+  CHECK(table.at(1).name == "liver");
+  CHECK(table.at(2).name == "kidney");
+  CHECK(table.at(2).values == std::vector<discmc::command::LabelValue>{2, 3});
+  CHECK(table.at(720575940621039145).name == "id");
+  const Labels first = table_of("\n {\"labels\": {\"0\": \"background\", \"2\": \"L\u00e4sion\"}}");
+  CHECK(first.at(2).name == "L\xC3\xA4sion");
+  const auto check_refused = [](const std::string& text, const std::string& part) {
+    CHECK_THROWS_WITH_AS(table_of(text), doctest::Contains(part.c_str()), VolumeError);
+  };
+  check_refused("{\"labels\": {\"liver\": 1}", "the file is no JSON");
+  check_refused("{\"label\": {}}", "no object \"labels\"");
+  check_refused("{\"labels\": [1]}", "no object \"labels\"");
+  check_refused("{\"labels\": {}}", "no object \"labels\"");
+  check_refused("{\"labels\": {\"liver\": 1.5}}", "label 'liver' is '1.5'");
+  check_refused("{\"labels\": {\"liver\": \"one\"}}", "label 'liver' is '\"one\"'");
+  check_refused("{\"labels\": {\"liver\": []}}", "label 'liver' is '[]'");
+  check_refused("{\"labels\": {\"liver\": [1, \"2\"]}}", "label 'liver' is");
 }
 
 TEST_CASE("a line that is no label is refused with its number") {
@@ -79,6 +126,8 @@ TEST_CASE("a line that is no label is refused with its number") {
   check_refused("3 vein 1 2 300\n", "line 1");
   check_refused("3 vein 0.1 0.2 0.3\n", "line 1");
   check_refused("index\tname\tcolor\n1\tvein\t#zz0000\n", "line 2");
+  check_refused("LabelValue,Name\n1,\n", "line 2");
+  check_refused("LabelValue,Name,Color_R,Color_G,Color_B\n1,vein,1,2\n", "line 2");
   const Folder folder;
   CHECK_THROWS_WITH_AS(read_label_table(folder.path()), doctest::Contains("cannot be read"),
                        VolumeError);

@@ -1,7 +1,10 @@
 // discmc extract --labels all, and tables of labels.
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "command.hpp"
 
@@ -9,13 +12,36 @@ namespace {
 
 using command_tests::check_failure;
 using command_tests::contains;
+using command_tests::Mesh;
 using command_tests::mesh_of_ply;
+using command_tests::Point;
 using command_tests::Workshop;
 
-const std::string extract = "extract v.raw --dims 4,2,3 --type u8 ";
+const std::string extract = "extract v.raw --dims 4,2,3 --type u8 --spacing 1,1,1 ";
 
 // A body of 1, one of 2 in two places, and a voxel of 9.
 const std::string volume("\1\1\0\2\1\1\0\0\1\1\0\0\0\0\0\0\0\0\x9\2\0\0\0\2", 24);
+
+// A body of 1, where the first layer has others.
+const std::string second_layer("\0\0\1\1\0\1\1\0\0\0\1\1\0\1\1\0\0\0\0\0\0\0\0\0", 24);
+
+// Both as layers of one segmentation: a list is the first axis.
+std::string layered() {
+  std::string samples;
+  for (std::size_t i = 0; i < volume.size(); ++i) samples += {volume[i], second_layer[i]};
+  return "NRRD0004\ntype: uchar\ndimension: 4\nspace: left-posterior-superior\nsizes: 2 4 2 3\n"
+         "space directions: none (1,0,0) (0,1,0) (0,0,2)\nkinds: list domain domain domain\n"
+         "encoding: gzip\nspace origin: (-20,-30,40)\n"
+         "Segment0_Color:=0.5 1 0\nSegment0_Layer:=0\nSegment0_Name:=Bone\n"
+         "Segment0_LabelValue:=1\nSegment1_Layer:=1\nSegment1_Name:=Skin\n"
+         "Segment1_LabelValue:=1\nSegment2_Layer:=0\nSegment2_Name:=Tee/th\n"
+         "Segment2_LabelValue:=2\nSegment3_Name:=nine\nSegment3_LabelValue:=9\n\n" +
+         volume_files::gzip(samples);
+}
+
+std::string with_line(std::string file, const std::string& line, const std::string& other) {
+  return file.replace(file.find(line), line.size(), other);
+}
 
 }  // namespace
 
@@ -69,26 +95,283 @@ TEST_CASE("segments of 3D Slicer name the meshes of labels where no table is giv
   CHECK_FALSE(workshop.read("own-2.ply").empty());
 }
 
-TEST_CASE("a label of several segments has the name of its layer, or none where that is open") {
+TEST_CASE("segments that overlap are read from all layers, as 3D Slicer writes them") {
   const Workshop workshop;
-  const std::string keys =
-      "Segment0_Layer:=0\nSegment0_Name:=Bone\nSegment0_LabelValue:=1\n"
-      "Segment1_Layer:=1\nSegment1_Name:=Skin\nSegment1_LabelValue:=1\n"
-      "Segment2_Layer:=0\nSegment2_Name:=Teeth\nSegment2_LabelValue:=2\n\n";
-  const std::string head = "NRRD0005\ntype: uchar\nencoding: raw\n";
-  workshop.write("layers.seg.nrrd",
-                 head + "dimension: 4\nsizes: 4 2 3 2\n" + keys + volume + volume);
-  const auto layer = [&](const std::string& number) {
-    return workshop.done("extract layers.seg.nrrd --labels all --frame " + number + " -o 'layer" +
-                         number + "-{name}.stl'");
+  workshop.write("layers.seg.nrrd", layered());
+  const std::string told = workshop.done("extract layers.seg.nrrd --labels all -o '{name}.ply'");
+  workshop.write("v.raw", volume);
+  workshop.write("w.raw", second_layer);
+  const auto alone = [&](const std::string& file, const std::string& label) {
+    workshop.done("extract " + file + " --dims 4,2,3 --type u8 --label " + label +
+                  " -o alone.jsonl");
+    return workshop.read("alone.jsonl");
   };
-  CHECK(contains(layer("0"), "layer0-Bone.stl"));
-  CHECK(contains(layer("1"), "layer1-Skin.stl"));
-  workshop.write("one.seg.nrrd", head + "dimension: 3\nsizes: 4 2 3\n" + keys + volume);
-  const auto one = workshop.run("extract one.seg.nrrd --labels all -o 'one-{name}.stl'");
-  CHECK(contains(one.out, "one-1.stl"));
-  CHECK(contains(one.out, "one-Teeth.stl"));
-  CHECK(contains(one.error, "left without a name: 1, such as label 1 of 'Bone' and 'Skin'"));
+  const auto layer = [&](const std::string& label) {
+    workshop.done("extract layers.seg.nrrd --label '" + label + "' -o l.jsonl");
+    return workshop.read("l.jsonl");
+  };
+  CHECK(contains(told, "       1             6"));
+  CHECK(mesh_of_ply(workshop.read("Bone.ply")).colour == discmc::command::Srgb{128, 255, 0});
+  CHECK_FALSE(workshop.read("Tee_th.ply").empty());
+  CHECK(layer("Bone") == alone("v.raw", "1"));
+  CHECK(layer("Tee/th") == alone("v.raw", "2"));
+  CHECK(layer("Skin") == alone("w.raw", "1"));
+  CHECK(layer("skin") == alone("w.raw", "1"));
+  CHECK(layer("9") == alone("v.raw", "9"));
+  // Where the file says that it is.
+  const Mesh skin = mesh_of_ply(workshop.read("Skin.ply"));
+  for (const Point& vertex : skin.vertices_mm) CHECK(vertex[2] >= 39);
+  std::string both = volume;
+  for (std::size_t i = 0; i < both.size(); ++i)
+    both[i] = static_cast<char>(volume[i] == 2 || second_layer[i] == 1 ? 1 : 0);
+  workshop.write("both.raw", both);
+  CHECK(layer("Tee/th,Skin") == alone("both.raw", "1"));
+  workshop.done("extract layers.seg.nrrd --labels 'Skin,Tee/th' -q -o 'some-{name}.ply'");
+  CHECK(workshop.read("some-Skin.ply") == workshop.read("Skin.ply"));
+  CHECK(workshop.read("some-Tee_th.ply") == workshop.read("Tee_th.ply"));
+  CHECK(workshop.read("some-Bone.ply").empty());
+  // Of one layer as before.
+  CHECK(contains(workshop.done("extract layers.seg.nrrd --labels all --frame 1 -o 'f-{name}.ply'"),
+                 "f-Skin.ply"));
+  CHECK(workshop.read("f-Bone.ply").empty());
+}
+
+TEST_CASE("layers are told, and refused where one is not enough") {
+  const Workshop workshop;
+  workshop.write("layers.seg.nrrd", layered());
+  const std::string info = workshop.done("info layers.seg.nrrd");
+  for (const char* line : {"frames 2", "label 1 layer 0 Bone", "label 1 layer 1 Skin",
+                           "note the values are those of layer 0; --frame N tells those of"})
+    CHECK(contains(info, line));
+  CHECK(contains(workshop.done("info layers.seg.nrrd --frame 1"), "range 0 1\n"));
+  check_failure(workshop.run("extract layers.seg.nrrd --iso 1 -o v.stl"), 1,
+                {"the file holds labels in 2 volumes", "take labels with --label NAME"});
+  check_failure(workshop.run("extract layers.seg.nrrd --label 1 -o v.stl"), 1,
+                {"label 1 is 'Bone' and, in another layer, 'Skin'"});
+  check_failure(workshop.shell("\"$discmc\" extract - --labels all -q -o v.glb < layers.seg.nrrd"),
+                1, {"standard input: each layer of a segmentation takes a pass"});
+  workshop.write("wrong.seg.nrrd", with_line(layered(), "Segment1_Layer:=1", "Segment1_Layer:=2"));
+  const auto wrong = workshop.run("extract wrong.seg.nrrd --labels all -q -o w.glb");
+  CHECK(wrong.code == 0);
+  CHECK(contains(wrong.error,
+                 "segments of layers that are not in the file left out: 1, such as "
+                 "'Skin' of layer 2"));
+  CHECK(contains(wrong.error, "layers without a label that is told left out: 1"));
+  workshop.write("share.seg.nrrd", with_line(layered(), "type: uchar",
+                                             "type: uchar\nSegmentation_SourceRepresentation:="
+                                             "Fractional labelmap"));
+  check_failure(workshop.run("extract share.seg.nrrd --labels all -o w.glb"), 1,
+                {"the file holds 2 volumes"});
+}
+
+TEST_CASE("before Slicer had labels every segment was a layer of its own") {
+  const Workshop workshop;
+  std::string old = layered();
+  for (const char* key : {"Segment0_Layer:=0\n", "Segment1_Layer:=1\n", "Segment0_LabelValue:=1\n",
+                          "Segment1_LabelValue:=1\n"})
+    old.erase(old.find(key), std::string(key).size());
+  workshop.write("old.seg.nrrd", old);
+  const std::string told = workshop.done("extract old.seg.nrrd --label Skin -o old.jsonl");
+  workshop.write("layers.seg.nrrd", layered());
+  workshop.done("extract layers.seg.nrrd --label Skin -o v.jsonl");
+  CHECK(workshop.read("old.jsonl") == workshop.read("v.jsonl"));
+}
+
+TEST_CASE("a label that several segments share has none of their names") {
+  const Workshop workshop;
+  workshop.write("one.seg.nrrd",
+                 "NRRD0005\ntype: uchar\nencoding: raw\ndimension: 3\nsizes: 4 2 3\n"
+                 "Segment0_Name:=Bone\nSegment0_LabelValue:=1\nSegment1_Name:=Skin\n"
+                 "Segment1_LabelValue:=1\nSegment2_Name:=Teeth\nSegment2_LabelValue:=2\n\n" +
+                     volume);
+  const auto one = workshop.done("extract one.seg.nrrd --labels all -o 'one-{name}.stl'");
+  CHECK(contains(one, "one-1.stl"));
+  CHECK(contains(one, "one-Teeth.stl"));
+}
+
+TEST_CASE("a file of NIfTI names its labels itself, as TotalSegmentator writes it") {
+  const Workshop workshop;
+  const std::string xml =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?> <CaretExtension>  <VolumeInformation "
+      "Index=\"0\"> "
+      "<LabelTable>\n<Label Key=\"1\" Red=\"1.0\" Green=\"0.5\" Blue=\"0\" Alpha=\"1\">"
+      "<![CDATA[liver]]></Label>\n<Label Key=\"2\"><![CDATA[right lung]]></Label>"
+      "</LabelTable></VolumeInformation></CaretExtension>\n        ";
+  const auto nifti = [&](bool is_big_endian, std::vector<std::pair<int, std::string>> extensions) {
+    std::string bytes;
+    for (auto& [code, content] : extensions) {
+      content.resize((content.size() + 8 + 15) / 16 * 16 - 8, '\0');
+      for (const int word : {static_cast<int>(content.size()) + 8, code})
+        for (int i = 0; i < 4; ++i)
+          bytes += static_cast<char>(word >> 8 * (is_big_endian ? 3 - i : i) & 0xff);
+      bytes += content;
+    }
+    volume_files::Nifti header(is_big_endian);
+    header.dims({3, 4, 2, 3}).real(108, static_cast<float>(352 + bytes.size()));
+    std::string file = header.file(bytes + volume);
+    file[348] = 1;
+    return file;
+  };
+  for (const bool is_big_endian : {false, true})
+    for (const int code : {0, 6, 30}) {
+      INFO(is_big_endian, code);
+      workshop.write("v.nii", nifti(is_big_endian, {{4, "<AFNI/>"}, {code, xml}}));
+      workshop.done("extract v.nii --labels all -q -o '{name}.ply'");
+      CHECK(mesh_of_ply(workshop.read("liver.ply")).colour == discmc::command::Srgb{255, 128, 0});
+      workshop.done("extract v.nii --label 'right lung,9' -q -o v.stl");
+      workshop.done("extract v.nii --label 2,9 -q -o w.stl");
+      CHECK(workshop.read("v.stl") == workshop.read("w.stl"));
+      CHECK(contains(workshop.done("info v.nii"), "label 2 right lung\n"));
+    }
+  // What is no such extension tells nothing, and the samples are where they were.
+  std::string cut = nifti(false, {{0, xml}});
+  cut[352] = '\x7f';
+  cut[354] = '\x7f';
+  for (const std::string& file :
+       {nifti(false, {{0, "<CaretExtension>"}}), nifti(false, {{2, xml}}), cut}) {
+    workshop.write("v.nii", file);
+    CHECK(contains(workshop.done("extract v.nii --labels all -o 'no-{name}.stl'"), " no-1.stl\n"));
+  }
+}
+
+TEST_CASE("a folder or pattern of masks is a label a file, named after it") {
+  const Workshop workshop;
+  REQUIRE(workshop.shell("mkdir seg").code == 0);
+  const auto mask = [&](const std::string& samples) {
+    return volume_files::gzip(volume_files::Nifti().dims({3, 4, 2, 3}).file(samples));
+  };
+  std::string bone, lung;
+  for (std::size_t i = 0; i < volume.size(); ++i) {
+    bone += static_cast<char>(volume[i] == 1 ? 255 : 0);
+    lung += static_cast<char>(second_layer[i]);
+  }
+  workshop.write("seg/bone.nii.gz", mask(bone));
+  workshop.write("seg/lung left.nii.gz", mask(lung));
+  workshop.write("seg/spleen.nii.gz", mask(std::string(24, '\0')));
+  workshop.write("seg/._bone.nii.gz", "of macOS");
+  workshop.write("seg/statistics.json", "{}");
+  workshop.write("v.raw", volume);
+  workshop.write("w.raw", second_layer);
+  workshop.done(extract + "--label 1 -q -o bone.stl");
+  workshop.done("extract w.raw --dims 4,2,3 --type u8 --label 1 -q -o lung.stl");
+  for (const std::string input : {"seg", "seg/", "'seg/*.nii.gz'"}) {
+    INFO(input);
+    const auto all = workshop.run("extract " + input + " --labels all -o 'all-{name}.stl'");
+    CHECK(all.code == 0);
+    CHECK(contains(all.error, "no voxel has spleen\n"));
+    CHECK(workshop.read("all-bone.stl") == workshop.read("bone.stl"));
+    CHECK(workshop.read("all-lung left.stl") == workshop.read("lung.stl"));
+    CHECK_FALSE(contains(workshop.shell("ls").out, "spleen"));
+  }
+  workshop.done("extract seg --label 'lung left' -q -o v.stl");
+  CHECK(workshop.read("v.stl") == workshop.read("lung.stl"));
+  workshop.done("extract seg --label bone --label 'lung left,bone' -q -o v.dmc");
+  workshop.done("decode v.dmc --stream-channel 0 -o v.stl");
+  CHECK(workshop.read("v.stl") == workshop.read("bone.stl"));
+  CHECK(contains(workshop.done("info seg"), "label nonzero layer 1 lung left\n"));
+  workshop.done("extract seg/bone.nii.gz --iso 1 -q -o v.stl");
+  CHECK(workshop.read("v.stl") == workshop.read("bone.stl"));
+  check_failure(workshop.run("extract seg --iso 1 -o v.stl"), 1,
+                {"seg: volumes of their own: 3, such as ", "--labels all or --label NAME"});
+  check_failure(workshop.run("extract seg --labels spleen -o v.glb"), 1, {"no voxel has spleen"});
+  check_failure(workshop.run("extract seg --label 1 -o v.glb"), 1, {"no label has the number 1"});
+}
+
+TEST_CASE("masks of other scans, and label maps, are none of a folder of masks") {
+  const Workshop workshop;
+  REQUIRE(workshop.shell("mkdir seg").code == 0);
+  const auto nifti = [] { return volume_files::Nifti().dims({3, 4, 2, 3}); };
+  workshop.write("seg/a.nii", nifti().file(second_layer));
+  const auto refused = [&](const std::string& file, const std::string& part) {
+    workshop.write("seg/b.nii", file);
+    check_failure(workshop.run("extract seg --labels all -o v.glb"), 1, {"seg/b.nii: ", part});
+  };
+  refused(nifti().file(volume), "the values 1 and 2 are in it");
+  refused(nifti().dims({3, 2, 4, 3}).file(second_layer), "has 2 x 4 x 3 voxels, and 'a.nii' 4 x 2");
+  refused(nifti().real(80, 2).file(second_layer), "the mask lies elsewhere than 'a.nii'");
+  refused(nifti().scale(0.5F, 0).file(second_layer), "the value 0.5 in slice 0 is no label");
+  // A file alone is what it is.
+  REQUIRE(workshop.shell("rm seg/a.nii").code == 0);
+  workshop.write("seg/b.nii", nifti().file(volume));
+  CHECK(contains(workshop.done("extract seg --labels all -o v.glb"), "  9\n"));
+}
+
+TEST_CASE("labels that are asked for are there, or that is a failure") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  workshop.write("table.json", R"({"labels": {"background": 0, "bone": 1, "skin": [2, 9]}})");
+  workshop.done(extract + "--labels 9,1 -q -o 'some-{name}.stl'");
+  workshop.done(extract + "--labels all -q -o '{name}.stl'");
+  CHECK(workshop.read("some-1.stl") == workshop.read("1.stl"));
+  CHECK(workshop.read("some-9.stl") == workshop.read("9.stl"));
+  CHECK(workshop.read("some-2.stl").empty());
+  check_failure(workshop.run(extract + "--labels 1,7,8 -o 'x-{name}.stl'"), 1,
+                {"v.raw: no voxel has label 7, label 8; leave out what is not there"});
+  const auto allowed = workshop.run(extract + "--labels 1,7 --allow-empty -q -o 'x-{name}.stl'");
+  CHECK(allowed.code == 0);
+  CHECK(contains(allowed.error, "no voxel has label 7\n"));
+  const std::string named = extract + "--label-table table.json ";
+  workshop.done(named + "--label skin -q -o skin.stl");
+  workshop.done(extract + "--label 2,9 -q -o union.stl");
+  CHECK(workshop.read("skin.stl") == workshop.read("union.stl"));
+  check_failure(workshop.run(named + "--labels skin -o v.glb"), 1,
+                {"'skin' stands for 2 labels; give them one by one"});
+  check_failure(workshop.run(extract + "--labels '' -o v.glb"), 2, {"no label is given"});
+  check_failure(workshop.run(extract + "--label '' -o v.stl"), 2, {"'' is no label"});
+  check_failure(workshop.run(extract + "--label 7 -o v.stl"), 1,
+                {"v.raw: no voxel has label 7; discmc info shows which labels there are"});
+}
+
+TEST_CASE("labels that are floating point are rounded, and that is told") {
+  const Workshop workshop;
+  std::string samples;
+  for (const char label : volume) {
+    const float value = static_cast<float>(label) * 1.001F;
+    samples.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  workshop.write("f.raw", samples);
+  workshop.write("v.raw", volume);
+  for (const std::string labels : {"--label 9", "--labels 9"}) {
+    INFO(labels);
+    const auto rounded =
+        workshop.run("extract f.raw --dims 4,2,3 --type f32 -q -o f.glb " + labels);
+    CHECK(rounded.code == 0);
+    CHECK(contains(rounded.error,
+                   "discmc: f.raw: 10 values are rounded to whole numbers, which labels are; "
+                   "farthest off was 9.009"));
+    workshop.done(extract + "-q -o v.glb " + labels);
+    CHECK(workshop.read("f.glb") == workshop.read("v.glb"));
+  }
+  CHECK(contains(workshop.done("info f.raw --dims 4,2,3 --type f32"),
+                 "proposal --label N: one of 1 2 9\n"));
+}
+
+TEST_CASE("ids of 64 bits are told apart, and no threshold is made of them") {
+  const Workshop workshop;
+  std::string samples;
+  for (const char label : volume) {
+    const std::uint64_t id =
+        label == 0 ? 0 : 720575940621039144 + static_cast<std::uint64_t>(label);
+    samples.append(reinterpret_cast<const char*>(&id), sizeof id);
+  }
+  workshop.write("ids.raw", samples);
+  workshop.write("v.raw", volume);
+  const std::string ids = "ids.raw --dims 4,2,3 --type u64 ";
+  CHECK(contains(workshop.done("extract " + ids + "--labels all -o '{name}.stl'"),
+                 "720575940621039146             3"));
+  workshop.done("extract " + ids + "--label 720575940621039146 -q -o one.stl");
+  workshop.done(extract + "--label 2 -q -o two.stl");
+  CHECK(workshop.read("one.stl") == workshop.read("two.stl"));
+  CHECK(workshop.read("720575940621039146.stl") == workshop.read("two.stl"));
+  const std::string info = workshop.done("info " + ids);
+  CHECK(contains(info, "range 0 720575940621039153\n"));
+  CHECK(contains(info,
+                 "proposal --label N: one of 720575940621039145 720575940621039146 "
+                 "720575940621039153\n"));
+  CHECK(contains(info, "histogram 720575940621039146 720575940621039146           3 "));
+  for (const std::string threshold : {"--iso 720575940621039146", "--range ..720575940621039145"})
+    check_failure(workshop.run("extract " + ids + threshold + " -o v.stl"), 2, {"of a threshold"});
+  workshop.done("extract " + ids + "--iso 720575940621039104 -q -o all.stl");
 }
 
 TEST_CASE("a file of a format that holds several has all meshes, with their names and colours") {
@@ -230,11 +513,10 @@ TEST_CASE("labels that cannot be written are refused before any work") {
   check_failure(workshop.run(all + "--memory 1M -o '{name}.stl'"), 2, {"--labels", "--memory"});
   check_failure(workshop.run(all + "--normals gradient -o '{name}.ply'"), 2, {"--normals"});
   check_failure(workshop.run(all + "--surface interpolated -o '{name}.ply'"), 2, {"--surface"});
-  check_failure(workshop.run(extract + "--labels 1 -o '{name}.stl'"), 2, {"all"});
   check_failure(workshop.run(all + "--label-table table.txt -o '{name}.stl'"), 1,
                 {"table.txt", "line 1"});
-  check_failure(workshop.run(extract + "--label 1 --label-table table.txt -o v.dmc"), 2,
-                {"--label-table"});
+  check_failure(workshop.run(extract + "--label 1 --label-table table.txt -o v.dmc"), 1,
+                {"table.txt", "line 1"});
   check_failure(workshop.run(extract + "--iso 1 --label-table table.txt -o v.stl"), 2,
                 {"--label-table", "--label N"});
   check_failure(workshop.run(all + "-o '{name}/v.stl'"), 1, {"{name}", "not of folders"});
@@ -244,10 +526,13 @@ TEST_CASE("labels that cannot be written are refused before any work") {
       {"nothing.raw", "no label", "--allow-empty"});
   check_failure(workshop.run(all + "--mask nothing.nrrd -o '{name}.stl'"), 1,
                 {"v.raw: it holds no label that --mask leaves; --allow-empty"});
-  check_failure(workshop.run("extract nan.raw --dims 4,2,3 --type f32 --labels all -o v.glb"), 1,
-                {"nan.raw: it holds no label, every voxel is 0 or not a number"});
+  check_failure(
+      workshop.run("extract nan.raw --dims 4,2,3 --type f32 --labels all -o v.glb"), 1,
+      {"24 samples are not a number", "nan.raw: it holds no label; --allow-empty takes that"});
   check_failure(
       workshop.run("extract half.raw --dims 4,2,3 --type f32 --labels all -o '{name}.stl'"), 1,
       {"half.raw", "slice 0", "whole numbers"});
+  check_failure(workshop.run("extract half.raw --dims 4,2,3 --type f32 --label 1 -o v.stl"), 1,
+                {"half.raw", "slice 0", "whole numbers"});
   CHECK(workshop.names() == names);
 }

@@ -3,10 +3,8 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -19,8 +17,9 @@ namespace {
 
 using discmc::Border;
 using discmc::command::extract_labels;
-using discmc::command::LabelledSurfaces;
+using discmc::command::LabelledSurface;
 using discmc::command::LabelOptions;
+using discmc::command::LabelValue;
 using discmc::command::max_scattered_labels;
 using discmc::command::SampleType;
 using discmc::command::Selection;
@@ -52,28 +51,18 @@ discmc::command::Surface surface_of(int label, std::uint32_t seed, Border border
   SampleReader reader(size, labels(seed), {1, 2, 3}, type);
   discmc::command::SurfaceBuilder builder;
   discmc::command::ExtractionOptions options;
-  options.selection = Selection(label, label);
+  const double value = label;
+  options.selection = {value, value};
   options.border = border;
   options.takes_majority = takes_majority;
   extract(reader, options, discmc::make_sink(builder));
   return builder.surface();
 }
 
-LabelledSurfaces extracted(const std::vector<float>& samples, Size extents) {
-  SampleReader reader(extents, {}, {1, 1, 1}, SampleType::f32);
-  struct Floats final : discmc::command::VolumeReader {
-    const std::vector<float>& samples;
-    discmc::command::VolumeInfo told;
-    std::size_t next = 0;
-    Floats(const std::vector<float>& given, discmc::command::VolumeInfo info)
-        : samples(given), told(std::move(info)) {}
-    const discmc::command::VolumeInfo& info() const override { return told; }
-    void read_slice(void* slice) override {
-      std::memcpy(slice, samples.data() + next, told.slice_bytes());
-      next += told.slice_bytes() / sizeof(float);
-    }
-  } floats(samples, reader.info());
-  return extract_labels(floats, {});
+std::vector<LabelledSurface> extracted(const std::vector<int>& samples, Size extents,
+                                       const LabelOptions& options = {}) {
+  SampleReader reader(extents, samples, {1, 1, 1}, SampleType::i32);
+  return extract_labels(reader, options);
 }
 
 }  // namespace
@@ -83,13 +72,13 @@ TEST_CASE("the surface of every label is that of a scan for it alone") {
     for (const bool takes_majority : {false, true})
       for (std::uint32_t seed = 0; seed < 20; ++seed) {
         CAPTURE(seed);
-        const SampleType type = seed % 2 == 0 ? SampleType::i16 : SampleType::f32;
+        const SampleType type = seed % 2 == 0 ? SampleType::i16 : SampleType::i64;
         SampleReader reader(size, labels(seed), {1, 2, 3}, type);
-        const auto all = extract_labels(reader, {border, takes_majority, {}}).all;
+        const auto all = extract_labels(reader, {border, takes_majority, {}, {}});
         REQUIRE(all.size() == 5);
         for (std::size_t i = 0; i < all.size(); ++i) {
           const int label = std::vector<int>{-2, -1, 1, 2, 3}[i];
-          CHECK(all[i].label == label);
+          CHECK(all[i].label == LabelValue(label));
           CHECK(all[i].surface.spacing_mm == discmc::command::Point{1, 2, 3});
           const auto alone = surface_of(label, seed, border, takes_majority, type);
           CHECK(discmc::reference::describe_difference(hand_made::regions_of(all[i].surface),
@@ -98,52 +87,71 @@ TEST_CASE("the surface of every label is that of a scan for it alone") {
       }
 }
 
-TEST_CASE("voxels are counted, and what is not a number is of no label") {
-  const float nan = std::nanf("");
-  const LabelledSurfaces labels = extracted({nan, 7, 7, -0.0F, 7, nan, nan, -4}, {2, 2, 2});
-  CHECK(labels.not_numbers == 3);
-  REQUIRE(labels.all.size() == 2);
-  CHECK(labels.all[0].label == -4);
-  CHECK(labels.all[0].voxels == 1);
-  CHECK(labels.all[1].label == 7);
-  CHECK(labels.all[1].voxels == 3);
-  CHECK(extracted({0, 0}, {2, 1, 1}).all.empty());
+TEST_CASE("voxels are counted, and 0 is the background") {
+  const auto labels = extracted({0, 7, 7, 0, 7, 0, 0, -4}, {2, 2, 2});
+  REQUIRE(labels.size() == 2);
+  CHECK(labels[0].label == LabelValue(-4));
+  CHECK(labels[0].voxels == 1);
+  CHECK(labels[1].label == LabelValue(7));
+  CHECK(labels[1].voxels == 3);
+  CHECK(extracted({0, 0}, {2, 1, 1}).empty());
+}
+
+TEST_CASE("of chosen labels the others cost nothing") {
+  std::vector<int> samples;
+  for (int i = 0; i < 4 * static_cast<int>(max_scattered_labels); ++i) samples.push_back(i);
+  LabelOptions options;
+  options.chosen = {7, 9, -1, 0};
+  const auto chosen =
+      extracted(samples, {static_cast<std::uint32_t>(samples.size()), 1, 1}, options);
+  REQUIRE(chosen.size() == 2);
+  CHECK(chosen[0].label == LabelValue(7));
+  CHECK(chosen[1].label == LabelValue(9));
+  options.chosen.emplace();
+  CHECK(extracted({1, 2}, {2, 1, 1}, options).empty());
+}
+
+TEST_CASE("labels of 64 bits are told apart by their last one") {
+  struct Ids final : discmc::command::VolumeReader {
+    discmc::command::VolumeInfo told;
+    const discmc::command::VolumeInfo& info() const override { return told; }
+    void read_slice(void* slice) override {
+      const std::uint64_t ids[] = {720575940621039145, 720575940621039146, ~std::uint64_t{0}, 0};
+      std::memcpy(slice, ids, sizeof ids);
+    }
+  } reader;
+  reader.told.dims = {4, 1, 1};
+  reader.told.type = SampleType::u64;
+  const auto labels = extract_labels(reader, {});
+  REQUIRE(labels.size() == 3);
+  CHECK(labels[0].label.text() == "720575940621039145");
+  CHECK(labels[1].label.text() == "720575940621039146");
+  CHECK(labels[2].label.text() == "18446744073709551615");
 }
 
 TEST_CASE("progress is told after every slice") {
   SampleReader reader(size, labels(0));
   std::vector<std::uint32_t> told;
-  extract_labels(reader,
-                 {Border::closed, false, [&](std::uint32_t slices) { told.push_back(slices); }});
+  extract_labels(
+      reader, {Border::closed, false, {}, [&](std::uint32_t slices) { told.push_back(slices); }});
   REQUIRE(told.size() == size.depth);
   CHECK(told.back() == size.depth);
 }
 
-TEST_CASE("values that cannot be labels are refused with their slice") {
-  CHECK_THROWS_WITH_AS(extracted({1, 2, 3, 0.5F}, {2, 1, 2}),
-                       "the value 0.5 in slice 1: labels are whole numbers below 2^53; give --iso "
-                       "or --range",
-                       std::invalid_argument);
-  CHECK_THROWS_AS(extracted({1e20F}, {1, 1, 1}), std::invalid_argument);
-  CHECK_THROWS_AS(extracted({0x1p53F}, {1, 1, 1}), std::invalid_argument);
-  CHECK_THROWS_AS(extracted({std::numeric_limits<float>::infinity()}, {1, 1, 1}),
-                  std::invalid_argument);
-}
-
 TEST_CASE("as many labels as there are are taken where their voxels lie together") {
-  std::vector<float> samples;
+  std::vector<int> samples;
   for (std::uint32_t i = 0; i < 4 * (max_scattered_labels + 500); ++i)
-    samples.push_back(static_cast<float>(1 + i / 4));
-  CHECK(extracted(samples, {static_cast<std::uint32_t>(samples.size()), 1, 1}).all.size() ==
+    samples.push_back(static_cast<int>(1 + i / 4));
+  CHECK(extracted(samples, {static_cast<std::uint32_t>(samples.size()), 1, 1}).size() ==
         max_scattered_labels + 500);
 }
 
 TEST_CASE("more values in a slice than a segmentation has are refused") {
-  std::vector<float> samples(max_scattered_labels + 2);
-  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<float>(i);
+  std::vector<int> samples(max_scattered_labels + 2);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<int>(i);
   CHECK_THROWS_WITH_AS(extracted(samples, {max_scattered_labels + 2, 1, 1}),
                        doctest::Contains("more than 1024 values up to slice 0"),
                        std::invalid_argument);
   samples.pop_back();
-  CHECK(extracted(samples, {max_scattered_labels + 1, 1, 1}).all.size() == max_scattered_labels);
+  CHECK(extracted(samples, {max_scattered_labels + 1, 1, 1}).size() == max_scattered_labels);
 }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -64,11 +65,12 @@ TEST_CASE("all labels with a mask are as many meshes as if each were asked for w
     CHECK(workshop.read("all-" + label) == workshop.read("one-" + label));
   const std::string refused = "extract v.nrrd --labels all --mask m.nrrd -o '{name}.stl' ";
   check_failure(workshop.run(refused + "--median 3"), 2, {"labels are masked before"});
-  // Values from 1 on: none of them is 0.
+  // Values from 1 on: what is masked becomes 0, which no sample stands for.
   std::string samples = masked.samples;
-  workshop.write("v.nii", volume_files::Nifti().dims({3, 9, 8, 7}).scale(1, 1).file(samples));
-  check_failure(workshop.run("extract v.nii --labels all --mask m.nrrd -o '{name}.stl'"), 1,
-                {"no sample has the value 0"});
+  const auto nifti = [] { return volume_files::Nifti().dims({3, 9, 8, 7}); };
+  for (char& sample : samples) sample = static_cast<char>(sample - 1);
+  workshop.write("above.nii", nifti().type(256).scale(1, 1).file(samples));
+  for (char& sample : samples) sample = static_cast<char>(sample + 1);
   // The largest sample, and a half, stand for 0.
   std::string floats;
   for (char& sample : samples) {
@@ -76,13 +78,13 @@ TEST_CASE("all labels with a mask are as many meshes as if each were asked for w
     floats.append(reinterpret_cast<const char*>(&value), sizeof value);
     sample = static_cast<char>(255 - sample);
   }
-  const auto nifti = [] { return volume_files::Nifti().dims({3, 9, 8, 7}); };
   workshop.write("255.nii", nifti().scale(1, -255).file(samples));
   workshop.write("half.nii", nifti().type(16).scale(1, -0.5F).file(floats));
-  for (const std::string name : {"255", "half"})
+  for (const std::string name : {"255", "half", "above"})
     workshop.done("extract " + name + ".nii --labels all --mask m.nrrd --space voxel -o '" + name +
                   "-{name}.stl'");
   CHECK(workshop.read("half-1.stl") == workshop.read("all-1.stl"));
+  CHECK(workshop.read("above-1.stl") == workshop.read("all-1.stl"));
   CHECK(workshop.shell("ls 255-*").out == "255--1.stl\n255--2.stl\n255--3.stl\n");
 }
 
@@ -187,4 +189,92 @@ TEST_CASE("a mask that does not fit is refused, and one that lies elsewhere told
   CHECK(contains(far.error, "far.nrrd: its voxels lie up to 6 mm from those of the volume"));
   workshop.done(extract + "--mask m.nrrd -o v.jsonl");
   CHECK(workshop.read("far.jsonl") == workshop.read("v.jsonl"));
+}
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+// An oblique place: the ways to the next voxel, and the first one.
+const std::array<Vector, 3> axes = {{{0.86, 0.27, 0}, {-0.2, 0.67, 0}, {0, 0, 1.5}}};
+constexpr Vector origin = {10, -20, 30};
+
+std::string nifti_at(const std::array<Vector, 3>& to_next, const Vector& first,
+                     const std::array<int, 3>& extents, const std::string& samples) {
+  volume_files::Nifti nifti;
+  nifti.dims({3, extents[0], extents[1], extents[2]}).integer(254, 2, 1);
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 4; ++column)
+      nifti.real(280 + 16 * row + 4 * column,
+                 static_cast<float>(column < 3 ? to_next[column][row] : first[row]));
+  return nifti.file(samples);
+}
+
+// The same mask with axis i along axis order[i] of the volume, or against it.
+std::string turned(const std::string& mask, const std::array<std::size_t, 3>& order,
+                   unsigned against, double moved = 0) {
+  const std::array<int, 3> whole = {9, 8, 7};
+  std::array<Vector, 3> to_next{};
+  std::array<int, 3> extents{};
+  Vector first = origin;
+  first[2] += moved;
+  for (std::size_t i = 0; i < 3; ++i) {
+    extents[i] = whole[order[i]];
+    const bool is_against = (against >> i & 1) != 0;
+    for (std::size_t row = 0; row < 3; ++row) {
+      to_next[i][row] = (is_against ? -1 : 1) * axes[order[i]][row];
+      if (is_against) first[row] += (extents[i] - 1) * axes[order[i]][row];
+    }
+  }
+  std::string samples;
+  std::array<int, 3> at{};
+  for (at[2] = 0; at[2] < extents[2]; ++at[2])
+    for (at[1] = 0; at[1] < extents[1]; ++at[1])
+      for (at[0] = 0; at[0] < extents[0]; ++at[0]) {
+        std::array<int, 3> in{};
+        for (std::size_t i = 0; i < 3; ++i)
+          in[order[i]] = (against >> i & 1) != 0 ? extents[i] - 1 - at[i] : at[i];
+        samples += mask[static_cast<std::size_t>((in[2] * 8 + in[1]) * 9 + in[0])];
+      }
+  return nifti_at(to_next, first, extents, samples);
+}
+
+}  // namespace
+
+TEST_CASE("a mask whose axes run otherwise than the volume's is turned") {
+  const Workshop workshop;
+  const Masked masked(workshop);
+  workshop.write("v.nii", nifti_at(axes, origin, {9, 8, 7}, masked.samples));
+  workshop.write("m.nii", turned(masked.mask, {0, 1, 2}, 0));
+  const std::string parts[] = {"", "--crop 1..7,2..,..5 ", "--shrink 2 "};
+  std::vector<std::string> expected;
+  const auto extracted = [&](const std::string& mask, const std::string& part) {
+    const Result result =
+        workshop.run("extract v.nii --iso 100 --mask " + mask + " -q -o v.jsonl " + part);
+    INFO(result.error);
+    REQUIRE(result.code == 0);
+    CHECK(contains(result.error, "axes put in the order and direction") == (mask != "m.nii"));
+    return workshop.read("v.jsonl");
+  };
+  for (const std::string& part : parts) expected.push_back(extracted("m.nii", part));
+  std::array<std::size_t, 3> order = {0, 1, 2};
+  do
+    for (unsigned against = 0; against < 8; ++against) {
+      if (against == 0 && order == std::array<std::size_t, 3>{0, 1, 2}) continue;
+      CAPTURE(order[0]);
+      CAPTURE(order[1]);
+      CAPTURE(against);
+      workshop.write("turned.nii", turned(masked.mask, order, against));
+      for (std::size_t i = 0; i < 3; ++i) CHECK(extracted("turned.nii", parts[i]) == expected[i]);
+    }
+  while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST_CASE("a mask that is turned and lies elsewhere is refused") {
+  const Workshop workshop;
+  const Masked masked(workshop);
+  workshop.write("v.nii", nifti_at(axes, origin, {9, 8, 7}, masked.samples));
+  workshop.write("flipped.nii", turned(masked.mask, {0, 1, 2}, 1, 0.5));
+  check_failure(workshop.run("extract v.nii --iso 100 --mask flipped.nii -o v.stl"), 1,
+                {"flipped.nii: the axes of the mask run otherwise than those of the volume"});
 }

@@ -119,3 +119,21 @@ TEST_CASE("another spacing is that of the mask, too") {
   const VolumeInfo volume = volume_of(options);
   CHECK(offset_mm(open_mask(file, options, volume)->info(), volume) == 0);
 }
+
+TEST_CASE("axes that are named are those of a mask that names none itself") {
+  const Folder folder;
+  const std::string header =
+      std::string("\x93NUMPY\1\0\x4a\0", 10) +
+      "{'descr': '|u1', 'fortran_order': False, 'shape': (5, 3, 4), }           \n";
+  std::string samples(60, '\1');
+  samples[59] = samples[1] = '\0';  // (4, 2, 3) and (0, 0, 1)
+  const auto file = folder.write("m.npy", header + samples);
+  VolumeOptions options;
+  options.axes = "cxyzt";
+  const auto mask = read_all(*open_mask(file, options, volume_of()));
+  std::vector<double> expected(60, 1);
+  expected[59] = expected[15] = 0;
+  CHECK(mask == expected);
+  const auto nifti = folder.write("m.nii", Nifti().file(stored(SampleType::u8)));
+  CHECK(open_mask(nifti, options, volume_of())->info().dims == volume_of().dims);
+}

@@ -12,7 +12,9 @@
 
 #include "command.hpp"
 #include "hand_made.hpp"
+#include "mesh_files/float_precision.hpp"
 #include "mesh_formats.hpp"
+#include "meshes/placing.hpp"
 #include "text/base64.hpp"
 #include "text/name_text.hpp"
 
@@ -177,6 +179,58 @@ TEST_CASE("an STL file reads back, with unit normals that look outside") {
     }
     CHECK(bytes.at_end());
   }
+}
+
+TEST_CASE("far from the origin every format but STL keeps the vertices apart, and where they are") {
+  Mesh mesh = build_mesh(pitted_block({{0, 0}, {2, 2}}), {true, Faces::triangles});
+  place(mesh, {discmc::Frame::lps, {5e6, -7e6, 6e6}, {{{0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}}}});
+  mesh.spacing_mm = {0.1, 0.1, 0.1};
+  for (const std::string name : {"v.obj", "v.3mf", "v.ply", "v.vtp", "v.glb"}) {
+    INFO(name);
+    std::ostringstream out;
+    write_mesh(mesh, format_of(name), out);
+    const Mesh read = command_tests::mesh_of(name, out.str());
+    CHECK(read.corners == mesh.corners);
+    if (name != "v.glb") CHECK(read.vertices_mm == mesh.vertices_mm);
+    REQUIRE(read.vertices_mm.size() == mesh.vertices_mm.size());
+    for (std::size_t i = 0; i < mesh.vertices_mm.size(); ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        CHECK(std::fabs(read.vertices_mm[i][axis] - mesh.vertices_mm[i][axis]) < 1e-4);
+  }
+  std::ostringstream out;
+  write_stl(mesh, out);
+  const Mesh read = command_tests::mesh_of("v.stl", out.str());
+  CHECK(read.vertices_mm.size() == count_float_places(mesh));
+  CHECK(read.vertices_mm.size() < mesh.vertices_mm.size());
+}
+
+TEST_CASE("meshes of one GLB file that are far away are seen from one origin") {
+  Mesh near = build_mesh(octahedron(), {true, Faces::triangles}), far = near;
+  for (Point& vertex : far.vertices_mm) vertex[1] += 1e8;
+  std::ostringstream out;
+  write_glb({&near, &far}, out);
+  const std::vector<Mesh> read = command_tests::meshes_of_glb(out.str());
+  REQUIRE(read.size() == 2);
+  const Point& last = read[1].vertices_mm.back();
+  CHECK(last[1] == doctest::Approx(far.vertices_mm.back()[1]).epsilon(1e-12));
+}
+
+TEST_CASE("floats suit a mesh as far as their steps are fine beside its voxels") {
+  Mesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
+  mesh.spacing_mm = {-1, 2, 3};
+  for (const float distance : {1.0F, 1000.0F, 32767.9F, 32768.0F, 1e6F}) {
+    mesh.vertices_mm[0] = {0, -static_cast<double>(distance), 0};
+    CHECK(float_step_mm(mesh) ==
+          static_cast<double>(std::nextafter(distance, 2 * distance) - distance));
+    CHECK(suits_floats(mesh) == (distance < 32768));
+  }
+  for (Point& vertex : mesh.vertices_mm) vertex[0] += 1e6;
+  mesh.vertices_mm[0] = mesh.vertices_mm[1];
+  CHECK(!suits_floats(mesh));
+  CHECK(suits_floats(mesh, mesh.vertices_mm[0]));
+  const Mesh nothing;
+  CHECK(suits_floats(nothing));
+  CHECK(count_float_places(nothing) == 0);
 }
 
 TEST_CASE("formats without polygons refuse anything but triangles") {

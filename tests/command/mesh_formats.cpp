@@ -140,11 +140,15 @@ std::string decoded(const std::string& base64) {
   return bytes;
 }
 
+// The type of an array of a name.
+std::string type_of(const pugi::xml_node& parent, const char* name) {
+  return parent.find_child_by_attribute("DataArray", "Name", name).attribute("type").value();
+}
+
 // The array of a name, without the number of bytes before it, which is checked.
-std::string array_of(const pugi::xml_node& parent, const char* name, const std::string& type) {
+std::string array_of(const pugi::xml_node& parent, const char* name) {
   const pugi::xml_node array = parent.find_child_by_attribute("DataArray", "Name", name);
   CHECK(array.attribute("format").value() == std::string("binary"));
-  CHECK(array.attribute("type").value() == type);
   const std::string bytes = decoded(array.text().get());
   REQUIRE(bytes.size() >= 8);
   CHECK(word(bytes, 0) == bytes.size() - 8);
@@ -153,16 +157,19 @@ std::string array_of(const pugi::xml_node& parent, const char* name, const std::
 }
 
 std::vector<Point> points_of(const pugi::xml_node& parent, const char* name) {
-  const std::string bytes = array_of(parent, name, "Float32");
-  std::vector<Point> points(bytes.size() / 12);
+  const std::string bytes = array_of(parent, name);
+  const bool has_doubles = type_of(parent, name) == "Float64";
+  if (!has_doubles) CHECK(type_of(parent, name) == "Float32");
+  std::vector<Point> points(bytes.size() / (has_doubles ? 24 : 12));
   Taker taker(bytes);
-  for (Point& point : points) point = taker.point();
+  for (Point& point : points) point = has_doubles ? taker.point_of_doubles() : taker.point();
   CHECK(taker.at_end());
   return points;
 }
 
 std::vector<std::uint32_t> integers_of(const pugi::xml_node& parent, const char* name) {
-  const std::string bytes = array_of(parent, name, "Int64");
+  CHECK(type_of(parent, name) == "Int64");
+  const std::string bytes = array_of(parent, name);
   std::vector<std::uint32_t> integers;
   for (std::size_t at = 0; at < bytes.size(); at += 8) {
     integers.push_back(word(bytes, at));

@@ -29,7 +29,8 @@ using discmc::reference::SampleVolume;
 inline discmc::command::Surface surface_of(discmc::command::VolumeReader& volume,
                                            std::int32_t threshold) {
   discmc::command::SurfaceBuilder builder;
-  extract(volume, {threshold, discmc::Border::closed, 0, {}}, discmc::make_sink(builder));
+  extract(volume, {{static_cast<double>(threshold)}, discmc::Border::closed, 0, {}},
+          discmc::make_sink(builder));
   builder.surface().spacing_mm = volume.info().spacing_mm;
   return builder.surface();
 }

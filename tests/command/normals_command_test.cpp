@@ -190,7 +190,7 @@ TEST_CASE("a volume is for gradient normals, and its layout for a volume") {
                   {"--volume", "--normals gradient"});
   check_refusal(workshop, 2, "decode no.dmc -o no.ply --normals gradient" + layout,
                 {"--dims", "--volume"});
-  for (const std::string option : {"--frame 1", "--spacing 1,1,1", "--series 2"})
+  for (const std::string option : {"--frame 1", "--channel 1", "--spacing 1,1,1", "--series 2"})
     check_refusal(workshop, 2, "decode no.dmc -o no.ply " + option, {"--volume"});
   check_refusal(workshop, 2,
                 "decode no.dmc -o no.ply --normals gradient --volume no.raw --dims 1,1,1",

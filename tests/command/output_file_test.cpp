@@ -117,13 +117,13 @@ TEST_CASE("a stream that failed is not committed") {
   CHECK(std::filesystem::is_empty(folder.path()));
 }
 
-TEST_CASE("a file in a folder that is not there is refused by name") {
+TEST_CASE("a folder that is not there, or is a file, is refused by name") {
   const Folder folder;
-  const auto path = folder.path() / "none" / "a.obj";
-  const std::string text = complaint([&path] { OutputFile file(path); });
-  CHECK(contains(text, path.string()));
-  CHECK(contains(text, "folder"));
-  CHECK(std::filesystem::is_empty(folder.path()));
+  const auto missing = folder.path() / "none", file = folder.write("a.obj", "");
+  CHECK(complaint([&] { OutputFile output(missing / "b.obj"); }) ==
+        missing.string() + ": there is no such folder; make it first");
+  CHECK(complaint([&] { OutputFile output(file / "b.obj"); }) ==
+        file.string() + ": is not a folder; give another name");
 }
 
 TEST_CASE("a folder is not replaced by a file") {

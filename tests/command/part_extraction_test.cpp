@@ -35,7 +35,7 @@ using sample_reader::bit_threshold;
 using sample_reader::SampleReader;
 
 ExtractionOptions options_with(Border border, bool takes_majority = false) {
-  ExtractionOptions options{bit_threshold, border, 0, {}};
+  ExtractionOptions options{{bit_threshold}, border, 0, {}};
   options.takes_majority = takes_majority;
   return options;
 }
@@ -45,20 +45,18 @@ struct Extracted {
   Surface surface;
 };
 
-// by_polygons: whether regions may come as such.
-Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
-                    bool by_polygons = false) {
+Extracted extracted(const BitVolume& volume, const ExtractionOptions& options) {
   SampleReader reader(volume);
   SurfaceBuilder builder;
   SurfaceRequest request{options.selection, discmc::make_sink(builder)};
-  if (by_polygons) request.builder = &builder;
+  request.builder = &builder;
   const Extraction extraction = extract(reader, options, std::vector<SurfaceRequest>{request})[0];
   CHECK(builder.incomplete_regions() == 0);
   return {extraction, std::move(builder.surface())};
 }
 
-// The regions of a stream, whose encoder may get them as packets.
-Surface streamed(const BitVolume& volume, const ExtractionOptions& options, bool by_packets) {
+// The regions of a stream.
+Surface streamed(const BitVolume& volume, const ExtractionOptions& options) {
   SampleReader reader(volume);
   std::vector<std::uint8_t> bytes;
   discmc::Encoder encoder;
@@ -68,7 +66,7 @@ Surface streamed(const BitVolume& volume, const ExtractionOptions& options, bool
                                return count;
                              }}) == discmc::Status::ok);
   SurfaceRequest request{options.selection, discmc::make_sink(encoder)};
-  if (by_packets) request.encoder = &encoder;
+  request.encoder = &encoder;
   extract(reader, options, std::vector<SurfaceRequest>{request});
   SurfaceBuilder builder;
   discmc::Decoder decoder;
@@ -98,23 +96,19 @@ bool are_same(const Surface& a, const Surface& b) {
 
 void check_same_surface(const BitVolume& volume, ExtractionOptions options) {
   const Extracted whole = extracted(volume, options);
-  for (const bool by_polygons : {false, true}) {
-    CAPTURE(by_polygons);
-    options.jobs = 2;
-    const Extracted parts = extracted(volume, options, by_polygons);
-    CHECK(describe_difference(regions_of(parts.surface), regions_of(whole.surface)) == "");
-    CHECK(parts.extraction.voxels == whole.extraction.voxels);
-    CHECK(parts.extraction.classic_vertices == whole.extraction.classic_vertices);
-    CHECK(parts.extraction.is_full == whole.extraction.is_full);
-    CHECK(parts.extraction.statistics.regions == whole.extraction.statistics.regions);
-    CHECK(parts.extraction.statistics.rings == whole.extraction.statistics.rings);
-    CHECK(parts.extraction.statistics.fragments == 0);
-    CHECK_FALSE(parts.extraction.is_of_slab);
-    for (const unsigned jobs : {1U, 3U, 7U}) {
-      CAPTURE(jobs);
-      options.jobs = jobs;
-      CHECK(are_same(extracted(volume, options, by_polygons).surface, parts.surface));
-    }
+  options.jobs = 2;
+  const Extracted parts = extracted(volume, options);
+  CHECK(describe_difference(regions_of(parts.surface), regions_of(whole.surface)) == "");
+  CHECK(parts.extraction.voxels == whole.extraction.voxels);
+  CHECK(parts.extraction.is_full == whole.extraction.is_full);
+  CHECK(parts.extraction.statistics.regions == whole.extraction.statistics.regions);
+  CHECK(parts.extraction.statistics.rings == whole.extraction.statistics.rings);
+  CHECK(parts.extraction.statistics.fragments == 0);
+  CHECK_FALSE(parts.extraction.is_of_slab);
+  for (const unsigned jobs : {1U, 3U, 7U}) {
+    CAPTURE(jobs);
+    options.jobs = jobs;
+    CHECK(are_same(extracted(volume, options).surface, parts.surface));
   }
 }
 
@@ -164,15 +158,13 @@ TEST_CASE("the regions of parts are those of one sweep, in an order without rega
     }
 }
 
-TEST_CASE("a part that memory is not enough for takes more") {
+TEST_CASE("a part that memory is not enough for takes more, and gives the same") {
   const BitVolume volume = random({20, 20, 40}, 128, 5);
   ExtractionOptions options = options_with(Border::closed);
-  const Extracted whole = extracted(volume, options);
   options.jobs = 2;
-  options.memory = 20000;
-  for (const bool by_polygons : {false, true})
-    CHECK(describe_difference(regions_of(extracted(volume, options, by_polygons).surface),
-                              regions_of(whole.surface)) == "");
+  const Extracted ample = extracted(volume, options);
+  options.memory = 3000;
+  CHECK(are_same(extracted(volume, options).surface, ample.surface));
 }
 
 TEST_CASE("the statistics of parts are those of one sweep, up to one a seam") {
@@ -223,11 +215,10 @@ TEST_CASE("packets of parts are the regions of one sweep, in an order without re
     ExtractionOptions options = options_with(Border::closed);
     const auto whole = regions_of(extracted(volume, options).surface);
     options.jobs = 2;
-    const Surface parts = streamed(volume, options, true);
+    const Surface parts = streamed(volume, options);
     CHECK(describe_difference(regions_of(parts), whole) == "");
-    CHECK(are_same(streamed(volume, options, false), parts));
     options.jobs = 5;
-    CHECK(are_same(streamed(volume, options, true), parts));
+    CHECK(are_same(streamed(volume, options), parts));
   }
 }
 

@@ -139,7 +139,7 @@ TEST_CASE("every surface of a stream has the placement") {
     copy_placed(workshop, placed[0].name);
     workshop.done("extract sform.nii --iso 400 --iso 500 --wire " + wire + " -o v.dmc");
     for (const std::string channel : {"0", "1"}) {
-      workshop.done("decode v.dmc --channel " + channel + " -o v.obj");
+      workshop.done("decode v.dmc --stream-channel " + channel + " -o v.obj");
       check_vertices(mesh_in(workshop, "v.obj"), in_lps(placed[0].vertices));
     }
   }

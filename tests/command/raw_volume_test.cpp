@@ -101,4 +101,8 @@ TEST_CASE("a name of a format with a header is not that of headerless samples") 
   options.frame = 1;
   check_refusal(refusal(folder.write("v.raw", u8), options),
                 "this is one volume, and volume 1 is asked for");
+  options.frame = std::nullopt;
+  options.channel = 1;
+  check_refusal(refusal(folder.write("v.raw", u8), options),
+                "this has one channel, and channel 1 is asked for; leave out --channel");
 }

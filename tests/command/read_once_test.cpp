@@ -30,7 +30,7 @@ TEST_CASE("a pipe is read as a file of its content is") {
   const std::string local = metaimage(volume_files::metaimage_u8 + "ElementDataFile = LOCAL\n");
   const std::pair<std::string, std::string> cases[] = {
       {nrrd_file, "NRRD, raw"},
-      {gzip(nrrd_file), "NRRD, raw"},
+      {gzip(nrrd_file), "NRRD, raw, gzip"},
       {Nifti().file(u8), "NIfTI-1"},
       {gzip(Nifti().file(u8)), "NIfTI-1, gzip"},
       {local + u8, "MetaImage, raw"},

@@ -61,7 +61,7 @@ inline Mesh merged_mesh(const BitVolume& volume, discmc::command::Faces faces,
                         const Point& spacing_mm = {1, 1, 1}) {
   SampleReader reader(volume, spacing_mm);
   discmc::command::SurfaceBuilder builder;
-  extract(reader, {bit_threshold, discmc::Border::closed, 0, {}}, discmc::make_sink(builder));
+  extract(reader, {{bit_threshold}, discmc::Border::closed, 0, {}}, discmc::make_sink(builder));
   builder.surface().spacing_mm = spacing_mm;
   return build_mesh(builder.surface(), {true, faces});
 }

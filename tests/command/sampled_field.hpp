@@ -70,7 +70,7 @@ inline Extracted extracted(const Field& field, SampleType type = SampleType::u8,
                            const Point& spacing_mm = {1, 1, 1}, Border border = Border::closed) {
   SampleReader reader(field.size, field.samples, spacing_mm, type);
   // Between the same samples, whatever their type.
-  const Selection selection = is_floating(type) ? level : threshold;
+  const Selection selection{is_floating(type) ? level : threshold};
   SurfaceBuilder builder;
   Extracted result{{}, CrossingFinder(reader.info(), selection)};
   extract(reader, {selection, border, 0, {}},
@@ -87,7 +87,7 @@ inline Mesh interpolated(const Extracted& extracted, double tolerance) {
 
 inline Mesh classic(const Field& field) {
   SampleReader reader(field.size, field.samples);
-  return classic_mesh(reader, {threshold, Border::closed, 0, {}});
+  return classic_mesh(reader, {{threshold}, Border::closed, 0, {}});
 }
 
 }  // namespace sampled_field

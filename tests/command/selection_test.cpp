@@ -71,40 +71,40 @@ TEST_CASE_TEMPLATE("every whole number is selected exactly where its value is", 
 }
 
 TEST_CASE("a threshold between whole numbers selects from the next one on") {
-  CHECK(range<std::int16_t>(499.5).low == 500);
+  CHECK(range<std::int16_t>({499.5}).low == 500);
   CHECK(range<std::int16_t>({-2.5, 3.5}).low == -2);
   CHECK(range<std::int16_t>({-2.5, 3.5}).high == 3);
 }
 
 TEST_CASE("thresholds beyond the samples select all or none") {
-  CHECK(range<std::uint8_t>(-1).low == 0);
-  CHECK(range<std::uint8_t>(-infinity).low == 0);
-  CHECK(is_empty(range<std::uint8_t>(255.5)));
-  CHECK(is_empty(range<std::uint8_t>(infinity)));
+  CHECK(range<std::uint8_t>({-1}).low == 0);
+  CHECK(range<std::uint8_t>({-infinity}).low == 0);
+  CHECK(is_empty(range<std::uint8_t>({255.5})));
+  CHECK(is_empty(range<std::uint8_t>({infinity})));
   CHECK(is_empty(range<std::int8_t>({-infinity, -128.5})));
-  CHECK(is_empty(range<std::uint8_t>(std::nan(""))));
-  CHECK(range<std::int64_t>(-1e300).low == INT64_MIN);
-  CHECK(is_empty(range<std::uint64_t>(1e300)));
+  CHECK(is_empty(range<std::uint8_t>({std::nan("")})));
+  CHECK(range<std::int64_t>({-1e300}).low == INT64_MIN);
+  CHECK(is_empty(range<std::uint64_t>({1e300})));
 }
 
 TEST_CASE("whole numbers of 64 bits keep all their digits") {
   constexpr std::int64_t large = std::int64_t{1} << 53;
   CHECK(range<std::int64_t>({static_cast<double>(large)}).low == large);
-  CHECK(range<std::uint64_t>(1e18).low == 1000000000000000000U);
-  CHECK(range<std::int64_t>(-1e18).low == -1000000000000000000);
+  CHECK(range<std::uint64_t>({1e18}).low == 1000000000000000000U);
+  CHECK(range<std::int64_t>({-1e18}).low == -1000000000000000000);
 }
 
 TEST_CASE("a floating-point sample that is stored as the threshold is on") {
-  CHECK(range<float>(0.35).low == 0.35F);  // which is below 0.35 of 64 bits
-  CHECK(range<double>(0.35).low == 0.35);
+  CHECK(range<float>({0.35}).low == 0.35F);  // which is below 0.35 of 64 bits
+  CHECK(range<double>({0.35}).low == 0.35);
   CHECK(range<float>({0.1, 0.35}).high == 0.35F);
-  CHECK(range<float>(0.35, scaled(2, 0.15)).low == 0.1F);
+  CHECK(range<float>({0.35}, scaled(2, 0.15)).low == 0.1F);
 }
 
 TEST_CASE("bits are of the samples in order, and unused ones are off") {
   const std::vector<std::int32_t> samples = {-5,    70000, 3, 4,     70001,
                                              69999, 70000, 0, 80000, -70000};
-  CHECK(selected(SampleType::i32, samples, 70000) ==
+  CHECK(selected(SampleType::i32, samples, {70000}) ==
         std::vector<int>{0, 1, 0, 0, 1, 0, 1, 0, 1, 0});
   CHECK(selected(SampleType::i32, samples, {3, 70000}) ==
         std::vector<int>{0, 1, 1, 1, 0, 1, 1, 0, 0, 0});
@@ -113,11 +113,11 @@ TEST_CASE("bits are of the samples in order, and unused ones are off") {
 TEST_CASE("what is not a number is off, and counted") {
   const float nan = std::nanf("");
   const std::vector<float> samples = {nan, 1, -1, nan, std::numeric_limits<float>::infinity()};
-  CHECK(selected(SampleType::f32, samples, 0) == std::vector<int>{0, 1, 0, 0, 1});
+  CHECK(selected(SampleType::f32, samples, {0}) == std::vector<int>{0, 1, 0, 0, 1});
   CHECK(selected(SampleType::f32, samples, {-infinity, 0}) == std::vector<int>{0, 0, 1, 0, 0});
   VolumeInfo info;
   info.type = SampleType::f32;
   info.dims = {5, 1, 1};
   std::uint8_t bits = 0;
-  CHECK(SliceSelector(info, 0).select(samples.data(), &bits, 1) == 2);
+  CHECK(SliceSelector(info, {0}).select(samples.data(), &bits, 1) == 2);
 }

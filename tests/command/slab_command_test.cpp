@@ -240,7 +240,7 @@ TEST_CASE("slices behind a slab are not read") {
   workshop.write("v.raw", rough_samples(13, 11, 9));
   const Result result = workshop.shell(
       "head -c $((13 * 11 * 4)) v.raw | \"$discmc\" extract - --dims 13,11,9 --type u8 --iso 50 "
-      "--slab 1/3 -q -o first.dmc");
+      "--spacing 1,1,1 --slab 1/3 -q -o first.dmc");
   CHECK(result.code == 0);
   CHECK(result.error.empty());
 }

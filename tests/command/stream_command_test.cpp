@@ -71,7 +71,7 @@ TEST_CASE("a stream of another version is refused by its version, wherever its h
       workshop.write("other.dmc", text_of(refused));
       for (const std::string arguments :
            {"decode other.dmc -o o.stl", "info other.dmc", "render other.dmc -o o.png",
-            "info other.dmc --channel 0 --scan 0"}) {
+            "info other.dmc --stream-channel 0 --scan 0"}) {
         const Result result = workshop.run(arguments);
         CHECK(result.code == 1);
         CHECK(contains(result.error,
@@ -120,8 +120,8 @@ TEST_CASE("info counts simple rings and their corners") {
   CHECK(info["corners"] == "96");
   CHECK(info["normals"] == "0");
   workshop.done("extract v.nrrd --iso 100 --normals gradient -o v.dmc");
-  // At the vertices of the box.
-  CHECK(workshop.info("v.dmc")["normals"] == "24");
+  // At each corner.
+  CHECK(workshop.info("v.dmc")["normals"] == "96");
 }
 
 TEST_CASE("decode, info and render read standard input, pipes too") {

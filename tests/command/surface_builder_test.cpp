@@ -4,9 +4,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <discmc/polygon.hpp>
+#include <map>
 #include <set>
-#include <stdexcept>
 #include <tuple>
 #include <vector>
 
@@ -19,6 +20,8 @@ using discmc::Event;
 using discmc::Incidence;
 using discmc::Run;
 using discmc::Vertex;
+using discmc::command::Counts;
+using discmc::command::Kept;
 using discmc::command::Polygon;
 using discmc::command::Ring;
 using discmc::command::SurfaceBuilder;
@@ -226,13 +229,50 @@ TEST_CASE("rings beyond the coordinates of any scan are no regions") {
   CHECK(builder.incomplete_regions() == 3);
 }
 
-TEST_CASE("more links than memory should hold are refused before they are unfolded") {
-  constexpr std::uint32_t many = 1U << 27;
+TEST_CASE("a ring of more links than any memory holds is split where it touches itself") {
+  // A strip with a notch that ends in the middle of its other side.
+  constexpr std::int32_t half = 1 << 27;
   Events events;
-  add_region(events, {{run(east, many), run(west, many)}});
-  SurfaceBuilder builder;
-  const auto take_all = [&] {
-    for (const Event& event : events) builder.take(event);
-  };
-  CHECK_THROWS_AS(take_all(), std::runtime_error);
+  add_region(events, {{run(east, half), run({1, 1, 0}, 6), run({1, -1, 0}, 6), run(east, half),
+                       run(north, 3), run(west, 2 * half + 6), run(south, 3)}});
+  const SurfaceBuilder builder = build(events);
+  REQUIRE(builder.surface().polygons.size() == 1);
+  const Vertex left = {1 + 2 * half, 0, 0}, tip = {7 + 2 * half, 6, 0},
+               right = {13 + 2 * half, 0, 0};
+  CHECK(rings_of(builder.surface().polygons[0]) ==
+        std::vector<Corners>{{tip, right, {13 + 4 * half, 0, 0}, {13 + 4 * half, 6, 0}},
+                             {{1, 0, 0}, left, tip, {1, 6, 0}}});
+}
+
+TEST_CASE("what is only counted is counted as what is kept") {
+  Events events;
+  for (const auto& one : events_of(discmc::reference::random({16, 16, 16}, 200, 5)))
+    events.push_back(one.event());
+  SurfaceBuilder counter(Kept::counts);
+  for (const Event& event : events) counter.take(event);
+  CHECK(counter.surface().polygons.empty());
+  const Counts& counts = counter.counts();
+  const SurfaceBuilder builder = build(events);
+  std::uint64_t rings = 0, corners = 0, links = 0;
+  std::map<std::size_t, std::uint64_t> by_corners;
+  for (const Polygon& polygon : builder.surface().polygons) {
+    std::size_t own = 0;
+    for (const Ring& ring : polygon.rings) {
+      own += ring.size();
+      links += hand_made::every_vertex(ring).size();
+    }
+    rings += polygon.rings.size();
+    corners += own;
+    ++by_corners[own];
+  }
+  const std::uint64_t regions = builder.surface().polygons.size();
+  CHECK(counts.regions == regions);
+  CHECK(counts.rings == rings);
+  CHECK(counts.holes == rings - regions);
+  CHECK(counts.holes > 0);
+  CHECK(counts.corners == corners);
+  CHECK(counts.links == links);
+  CHECK(counts.three == by_corners[3]);
+  CHECK(counts.four == by_corners[4]);
+  CHECK(counts.more == regions - by_corners[3] - by_corners[4]);
 }

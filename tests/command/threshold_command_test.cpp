@@ -15,7 +15,9 @@ using volume_files::nrrd;
 std::string head(const std::string& values) {
   std::string samples;
   for (int row = 0; row < 9; ++row) samples += values;
-  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n", "5 3 3") + "\n" + samples;
+  return nrrd("type: short\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm,
+              "5 3 3") +
+         "\n" + samples;
 }
 
 const std::string ct = head("-1000 -1000 40 50 900 ");
@@ -41,6 +43,19 @@ TEST_CASE("a threshold by name gives the surface of its number, and is told") {
     workshop.done("extract " + file + " --iso=" + iso + " -q -o number.ply");
     CHECK(workshop.read("named.ply") == workshop.read("number.ply"));
   }
+}
+
+TEST_CASE("padding that Otsu's threshold leaves out is told") {
+  const Workshop workshop;
+  workshop.write("ct.nrrd", head("-2000 -2000 -1000 40 900 "));
+  const Result otsu = workshop.run("extract ct.nrrd --iso otsu -q -o v.stl");
+  CHECK(otsu.error ==
+        "discmc: ct.nrrd: --iso otsu: -500, without the -2000 outside of what was scanned\n");
+  CHECK(contains(workshop.done("info ct.nrrd"),
+                 "otsu: divides the values in two groups that differ most, without the padding "
+                 "-2000\n"));
+  CHECK(contains(workshop.run("extract ct.nrrd --iso auto -q -o v.stl").error,
+                 "--iso auto: 300 (bone)\n"));
 }
 
 TEST_CASE("named thresholds go beside numbers, and name their meshes") {

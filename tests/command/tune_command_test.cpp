@@ -162,7 +162,7 @@ TEST_CASE("tune refuses with the value and the remedy") {
     CHECK(result.code == code);
     CHECK(contains(result.error, remedy));
   };
-  refused("", 2, "give --iso ISO");
+  refused("", 2, "give --iso auto, or the threshold");
   refused("--iso 100 --clock fast", 2, "'fast' is no clock: give Hertz, as in 48M");
   refused("--iso 100 --baud 0", 2, "'0' is no baud rate");
   refused("--iso 100 --memory 100", 1,

@@ -31,6 +31,33 @@ TEST_CASE("a command that is like none is answered with what there is") {
   CHECK(contains(Workshop().run("").error, "discmc: no command is given; " + all));
 }
 
+TEST_CASE("a file in place of a command is answered with what to write, which works") {
+  const Workshop workshop;
+  workshop.write("scan.nrrd", discmc::reference::box({6, 5, 4}, {1, 1, 1}, {4, 3, 2}));
+  // What stands between `before` and a comma or the end of the line.
+  const auto advice = [&](const std::string& arguments, const std::string& before) {
+    const Result result = workshop.run(arguments);
+    INFO(result.error);
+    CHECK(result.code == 2);
+    const std::size_t begin = result.error.find(before + "discmc ");
+    REQUIRE(begin != std::string::npos);
+    const std::size_t first = begin + before.size() + std::string("discmc ").size();
+    return result.error.substr(first, result.error.find_first_of(",\n", first) - first);
+  };
+  workshop.done(advice("scan.nrrd", "write "));
+  CHECK(!workshop.read("surface.stl").empty());
+  workshop.done(advice("./scan.nrrd --iso 5", "or "));
+  workshop.done("extract scan.nrrd --iso 100 -q -o scan.dmc");
+  workshop.done(advice("scan.dmc", "write ") + " --faces triangles");
+  workshop.done(advice("scan.dmc", "or "));
+  workshop.done(advice("surface.stl", "write ") + " scan.nrrd --iso auto");
+  workshop.done(advice("help", "write "));
+  CHECK(contains(workshop.done(advice("help extract", "write ")), "discmc extract"));
+  check_said("'a scan.nrrd'",
+             "discmc: 'a scan.nrrd' is not a command; write discmc extract FILE --iso auto -o "
+             "surface.stl, or discmc info FILE\nSee discmc --help.\n");
+}
+
 TEST_CASE("an option that is misspelt is answered with the nearest one of its command") {
   const std::string end = "?\nSee discmc extract --help.\n";
   const std::string spacing =
@@ -60,6 +87,18 @@ TEST_CASE("what other programs call a threshold is answered with --iso, where th
       "discmc: '--threshold' is not an option of info; leave it out\nSee discmc info --help.\n");
 }
 
+TEST_CASE("what would make a surface smooth is answered with the option that does so here") {
+  check_said("extract v.nrrd --iso 5 --smooth",
+             "discmc: '--smooth' is not an option of extract; did you mean --surface "
+             "interpolated?\nSee discmc extract --help.\n");
+  check_said("render v.nrrd --smooth",
+             "discmc: '--smooth' is not an option of render; did you mean --shade smooth?\n"
+             "See discmc render --help.\n");
+  check_said("decode v.dmc --smoothing=3",
+             "discmc: '--smoothing' is not an option of decode; did you mean --normals surface?\n"
+             "See discmc decode --help.\n");
+}
+
 TEST_CASE("an option that is like none is answered without a guess") {
   check_said("info v.dmc --zoom 5",
              "discmc: '--zoom' is not an option of info; leave it out\nSee discmc info --help.\n");
@@ -81,6 +120,14 @@ TEST_CASE("a value that is missing or no value of its option is answered with th
 TEST_CASE("arguments too many and too few are told by name") {
   check_said("info a.dmc b.dmc",
              "discmc: 'b.dmc' is one argument too many; leave it out\nSee discmc info --help.\n");
+  check_said("extract v.nrrd out.stl",
+             "discmc: 'out.stl' is one argument too many; name the output with -o out.stl\n"
+             "See discmc extract --help.\n");
+  check_said("extract v.nrrd out.stl --iso 5 -o v.stl",
+             "discmc: 'out.stl' is one argument too many; leave it out\n"
+             "See discmc extract --help.\n");
+  CHECK(contains(Workshop().run("extract v.nrrd -o v.stl").error,
+                 "discmc: --iso: is missing: give --iso auto, or --iso ISO, "));
   check_said("extract --border -o v.dmc v.nrrd --iso 5",
              "discmc: --border: -o not in {closed,open}\nSee discmc extract --help.\n");
   check_said("info --", "discmc: INPUT is required\nSee discmc info --help.\n");

@@ -116,7 +116,7 @@ TEST_CASE("view refuses what it would lose or leave out, and says what to give")
   refused("- --no-open", "give -o PAGE.html");
   refused("'*.png'", "give -o PAGE.html");
   refused("v.nrrd -o v.png", "give a name that ends in .html");
-  refused("v.nrrd -o w.html --median 3", "give --iso VALUE as well");
+  refused("v.nrrd -o w.html --median 3", "give --iso auto as well");
   refused("v.nrrd --serve -o w.html", "--output");
   refused("v.nrrd --serve --port 0", "--port");
   refused("v.nrrd -o w.html --port 8000", "--serve");
@@ -130,6 +130,6 @@ TEST_CASE("a volume that no browser holds is refused, with what makes it smaller
       "truncate -s 268500992 zeros; \"$discmc\" view zeros --dims 4097,256,256 --type u8 "
       "-o zeros.html --no-open");
   CHECK(result.code == 1);
-  CHECK(contains(result.error, "give --iso VALUE, --shrink N or --crop"));
+  CHECK(contains(result.error, "give --iso auto, --shrink 2 or a part by --crop"));
   CHECK(workshop.names() == std::vector<std::string>{"zeros"});
 }

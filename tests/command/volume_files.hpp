@@ -128,7 +128,19 @@ inline std::string metaimage(const std::string& lines, const std::string& sizes 
          "\n" + lines;
 }
 
+// Of the NumPy type descr, with the shape as Python writes it, without its parentheses.
+inline std::string npy(const std::string& descr, const std::string& shape,
+                       const std::string& samples, bool is_fortran = false) {
+  std::string header = "{'descr': '" + descr +
+                       "', 'fortran_order': " + (is_fortran ? "True" : "False") + ", 'shape': (" +
+                       shape + "), }\n";
+  const auto length = static_cast<unsigned char>(header.size());
+  return std::string("\x93NUMPY\1\0", 8) + static_cast<char>(length) + '\0' + header + samples;
+}
+
 inline const std::string nrrd_u8 = "type: uchar\nencoding: raw\n";
+inline const std::string units_in_mm =
+    "units: \"mm\" \"mm\" \"mm\"\nspace units: \"mm\" \"mm\" \"mm\"\n";
 inline const std::string metaimage_u8 = "ElementType = MET_UCHAR\n";
 
 // A NIfTI-1 header, field by field at the offsets of the standard.
@@ -140,6 +152,7 @@ class Nifti {
     type(2);
     for (std::size_t i = 0; i < 4; ++i) real(76 + 4 * i, 1);
     real(108, 352);
+    integer(123, 1, 2);  // mm
     bytes_.replace(344, 3, "n+1");
   }
   Nifti& dims(const std::vector<int>& values) {

@@ -80,7 +80,7 @@ TEST_CASE("NRRD tells its directions and origin in the space that it names") {
                                                   {"space: 3D-right-handed\n", Frame::none},
                                                   {"space dimension: 3\n", Frame::none}}) {
     INFO(space);
-    const VolumeInfo info = nrrd_info(folder, space + turned);
+    const VolumeInfo info = nrrd_info(folder, space + units_in_mm + turned);
     check_placement(info, frame, {10, -20, 30.5}, axes);
     CHECK(info.notes.empty());
   }
@@ -122,6 +122,68 @@ TEST_CASE("NRRD with spacings alone lies along the coordinates of its space") {
       Frame::none, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
 }
 
+TEST_CASE("NRRD's axis mins and maxs are the bounds of whole voxels, or their outer centres") {
+  const Folder folder;
+  const std::string bounds = "axis mins: -20 3 40\naxis maxs: -17.5 -3 64\n";
+  const VolumeInfo cells = nrrd_info(folder, bounds + units_in_mm + "centerings: cell cell cell\n");
+  check_placement(cells, Frame::none, {-19.75, 2, 43}, {{{0.5, 0, 0}, {0, -2, 0}, {0, 0, 6}}});
+  CHECK(cells.notes.empty());
+  const VolumeInfo unknown = nrrd_info(folder, bounds + units_in_mm);
+  CHECK(unknown.placement == cells.placement);
+  CHECK(noted(unknown, "no centerings given"));
+  check_placement(
+      nrrd_info(folder, "axismins: -20 3 40\naxismaxs: -18 -3 64\ncenters: node node node\n"),
+      Frame::none, {-20, 3, 40}, {{{0.5, 0, 0}, {0, -3, 0}, {0, 0, 8}}});
+  check_placement(nrrd_info(folder, bounds + "units: cm mm um\ncenterings: cell node cell\n"),
+                  Frame::none, {-197.5, 3, 0.043}, {{{5, 0, 0}, {0, -3, 0}, {0, 0, 0.006}}});
+}
+
+TEST_CASE("NRRD's spacings and origin count more than axis mins and maxs, and a note tells") {
+  const Folder folder;
+  const std::string bounds = "axis mins: 0 0 0\naxis maxs: 5 6 4\ncenters: cell cell cell\n";
+  const VolumeInfo spaced = nrrd_info(folder, bounds + "spacings: 1 2 nan\n" + units_in_mm);
+  CHECK(spaced.spacing_mm == Vector{1, 2, 1});
+  CHECK(spaced.notes.empty());
+  const VolumeInfo other = nrrd_info(folder, bounds + "spacings: 1 2 3\n" + units_in_mm);
+  CHECK(other.spacing_mm == Vector{1, 2, 3});
+  CHECK(noted(other, "axis mins and maxs contradict the spacings"));
+  const VolumeInfo placed = nrrd_info(
+      folder, bounds + "space: LPS\nspacings: 1 2 3\nspace origin: (7,8,9)\n" + units_in_mm);
+  check_placement(placed, Frame::lps, {7, 8, 9}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
+  CHECK(noted(placed, "axis mins and axis maxs dropped"));
+}
+
+TEST_CASE("NRRD's thicknesses stand in for a spacing that is missing") {
+  const Folder folder;
+  const VolumeInfo info =
+      nrrd_info(folder, "spacings: 0.5 2 nan\nthicknesses: nan 9 3\n" + units_in_mm);
+  CHECK(info.spacing_mm == Vector{0.5, 2, 3});
+  CHECK(info.notes == std::vector<std::string>{"no spacing of axis 3 given, its thickness taken"});
+}
+
+TEST_CASE("units are noted where they are not known") {
+  const Folder folder;
+  const VolumeInfo nrrd = nrrd_info(folder, "spacings: 1 2 3\nunits: mm furlong \"\"\n");
+  CHECK(noted(nrrd, "unit 'furlong' not known, mm taken"));
+  CHECK(noted(nrrd_info(folder, "spacings: 1 2 3\n"), "no unit of length given, mm taken"));
+  CHECK(nrrd_info(folder, "space: LPS\nspacings: 1 2 3\n").notes.empty());
+  CHECK(nrrd_info(folder, "spacings: 1 2 3\nunits: microns Micrometers \"\u00b5m\"\n").spacing_mm ==
+        Vector{0.001, 0.002, 0.003});
+  CHECK(noted(nifti_info(folder, nifti_of_spacing().integer(123, 1, 0)),
+              "no unit of length given, mm taken"));
+}
+
+TEST_CASE("a space that NRRD does not have is noted") {
+  const Folder folder;
+  const std::string steps = "space directions: (1,0,0) (0,1,0) (0,0,1)\n" + units_in_mm;
+  const VolumeInfo info = nrrd_info(folder, "space: right-posterior-superior\n" + steps);
+  CHECK(info.notes ==
+        std::vector<std::string>{
+            "the space 'right-posterior-superior' is not known, taken as right-handed"});
+  for (const std::string space : {"3D-right-handed-time", "scanner-xyz-time", "LPST"})
+    CHECK(nrrd_info(folder, "space: " + space + "\n" + steps).notes.empty());
+}
+
 TEST_CASE("NIfTI's sform is taken as it is, in RAS") {
   const Folder folder;
   // Sheared, and longer than pixdim says.
@@ -129,7 +191,7 @@ TEST_CASE("NIfTI's sform is taken as it is, in RAS") {
   const Axes axes{{{0.4, 0.3, 0}, {-1, 1.5, 0.25}, {0.5, 0, 3}}};
   const VolumeInfo info = nifti_info(folder, with_sform(nifti_of_spacing(), rows));
   check_placement(info, Frame::ras, {-90, 126.5, -72}, axes);
-  CHECK(noted(info, "pixdim contradicts the sform"));
+  CHECK(noted(info, "spacing (0.5, 2, 3) contradicts the axes, whose (0.5, 1.82"));
   CHECK(info.spacing_mm[2] == doctest::Approx(std::hypot(0.5, 0, 3)));
   const VolumeInfo straight =
       nifti_info(folder, with_sform(nifti_of_spacing(), {0.5F, 0, 0, 1, 0, 2, 0, 2, 0, 0, 3, 3}));
@@ -151,6 +213,55 @@ TEST_CASE("NIfTI's qform turns by its quaternion and flips z by qfac") {
   check_placement(nifti_info(folder, nifti.real(76, -1)), Frame::ras, {7, -8, 9},
                   {{{0, 0.5, 0}, {-2, 0, 0}, {0, 0, -3}}});
   CHECK_FALSE(nifti_info(folder, nifti_of_spacing()).placement);
+}
+
+TEST_CASE("NIfTI's qform is taken where the sform spans no space, and nothing where neither does") {
+  const Folder folder;
+  Nifti nifti = nifti_of_spacing();
+  nifti.integer(252, 2, 1).real(264, 0.70710678F).real(268, 7).real(272, -8).real(276, 9);
+  const std::vector<std::vector<float>> of_no_use = {std::vector<float>(12, 0),
+                                                     std::vector<float>(12, std::nanf("")),
+                                                     {1, 0, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7}};
+  for (const auto& rows : of_no_use) {
+    const VolumeInfo info = nifti_info(folder, with_sform(nifti, rows));
+    check_placement(info, Frame::ras, {7, -8, 9}, {{{0, 0.5, 0}, {-2, 0, 0}, {0, 0, 3}}});
+    CHECK(info.notes == std::vector<std::string>{"the sform spans no space, dropped"});
+    const VolumeInfo neither = nifti_info(folder, with_sform(nifti_of_spacing(), rows));
+    CHECK_FALSE(neither.placement);
+    CHECK(neither.spacing_mm == Vector{0.5, 2, 3});
+    CHECK(noted(neither, "tells no directions"));
+  }
+}
+
+TEST_CASE("a negative distance in NIfTI is taken as positive, with a note") {
+  const Folder folder;
+  const VolumeInfo info = nifti_info(folder, nifti_of_spacing().real(84, -2));
+  CHECK(info.spacing_mm == Vector{0.5, 2, 3});
+  CHECK(noted(info, "pixdim 2 is negative, taken as positive"));
+}
+
+TEST_CASE("MetaImage tells its unit, and the size of voxels where it tells no spacing") {
+  const Folder folder;
+  const std::string place = "ElementSpacing = 0.5 2 3\nOffset = 10 20 30\n";
+  const VolumeInfo microns = metaimage_info(folder, "DistanceUnits = um\n" + place);
+  check_placement(microns, Frame::lps, {0.01, 0.02, 0.03},
+                  {{{0.0005, 0, 0}, {0, 0.002, 0}, {0, 0, 0.003}}});
+  CHECK(microns.notes.empty());
+  CHECK(metaimage_info(folder, "DistanceUnits = cm\n" + place).spacing_mm == Vector{5, 20, 30});
+  CHECK(noted(metaimage_info(folder, "DistanceUnits = ?\n" + place),
+              "no unit of length given, mm taken"));
+  const VolumeInfo sized = metaimage_info(folder, "ElementSize = 0.5 2 3\n");
+  CHECK(sized.spacing_mm == Vector{0.5, 2, 3});
+  CHECK(noted(sized, "no ElementSpacing given, ElementSize taken"));
+  CHECK(metaimage_info(folder, "ElementSize = 9 9 9\nElementSpacing = 0.5 2 3\n").spacing_mm ==
+        Vector{0.5, 2, 3});
+}
+
+TEST_CASE("MetaImage's axes of negative spacing run backwards along their directions") {
+  const Folder folder;
+  check_placement(
+      metaimage_info(folder, "ElementSpacing = 1 -2 3\nTransformMatrix = 0 1 0 1 0 0 0 0 1\n"),
+      Frame::lps, {0, 0, 0}, {{{0, 1, 0}, {-2, 0, 0}, {0, 0, 3}}});
 }
 
 TEST_CASE("MetaImage tells a row an axis and the origin, in LPS") {
@@ -201,6 +312,7 @@ TEST_CASE("a placement of no use becomes the coordinates, with a note") {
   const float infinite = std::numeric_limits<float>::infinity();
   const VolumeInfo nifti = nifti_info(
       folder, with_sform(nifti_of_spacing(), {infinite, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 0}));
-  check_placement(nifti, Frame::ras, {0, 0, 0}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
-  CHECK(noted(nifti, "axis directions unusable"));
+  CHECK_FALSE(nifti.placement);
+  CHECK(nifti.spacing_mm == Vector{0.5, 2, 3});
+  CHECK(noted(nifti, "the sform spans no space, dropped"));
 }

@@ -128,6 +128,38 @@ TEST_CASE("of thresholds that divide alike one has few digits") {
   CHECK(!otsu_threshold(statistics_of({{7, 3}})));
 }
 
+TEST_CASE("what CT has outside of its circle does not move Otsu's threshold") {
+  const std::vector<ValueCount> scanned = {{-1010, 30}, {-1000, 60}, {-990, 30}, {0, 20},
+                                           {40, 90},    {60, 40},    {900, 10}};
+  const auto with = [&](double padding, std::uint64_t count) {
+    std::vector<ValueCount> counts = scanned;
+    counts.insert(counts.begin(), {padding, count});
+    return statistics_of(counts);
+  };
+  const double expected = *otsu_threshold(statistics_of(scanned));
+  CHECK(!padding_value(statistics_of(scanned)));
+  for (const double padding : {-1024.0, -1100.0, -2000.0, -3024.0}) {
+    CAPTURE(padding);
+    CHECK(padding_value(with(padding, 400)) == padding);
+    CHECK(otsu_threshold(with(padding, 400)) == expected);
+  }
+  // Few of them, among air, are air.
+  CHECK(!padding_value(with(-1024, 40)));
+  // What is all around a body is its background.
+  CHECK(
+      !padding_value(statistics_of({{-1024, 5000}, {-900, 100}, {0, 900}, {40, 2000}, {300, 80}})));
+  // A value of 0 is often a background, and no other scanner has such values.
+  CHECK(!padding_value(statistics_of({{0, 400}, {300, 100}, {900, 10}})));
+  CHECK(!padding_value(statistics_of({{-9999, 400}, {300, 100}, {900, 10}})));
+  CHECK(!padding_value(statistics_of({{-2000, 400}, {-1, 100}, {1, 10}})));
+  VolumeStatistics told = statistics_of({{0, 400}, {300, 100}, {900, 10}});
+  told.told_padding = 0;
+  CHECK(padding_value(told) == 0);
+  CHECK(*otsu_threshold(told) > 300);
+  told.told_padding = 5;
+  CHECK(!padding_value(told));
+}
+
 TEST_CASE("Hounsfield units are told by the file, or by values from air to bone") {
   const VolumeStatistics ct = statistics_of({{-1000, 5}, {40, 5}, {900, 1}});
   const VolumeStatistics mri = statistics_of({{0, 5}, {40, 5}, {900, 1}});

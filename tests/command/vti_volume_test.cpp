@@ -52,6 +52,24 @@ TEST_CASE("VTK's XML gives the place of the first voxel, whatever number it has"
   CHECK(info.placement->origin_mm == Vector{1, 12, -1});
 }
 
+TEST_CASE("in VTK's XML an axis of negative spacing runs backwards along its direction") {
+  const Folder folder;
+  const std::string place = " Origin=\"1 2 3\" Spacing=\"2 -3 4\" ";
+  const auto info = [&](const std::string& direction) {
+    return open_volume(folder.write("v.vti", vti("", whole + place + direction,
+                                                 ">" + appended_array, appended)))
+        ->info();
+  };
+  const VolumeInfo turned = info("Direction=\"0 -1 0 1 0 0 0 0 1\"");
+  REQUIRE(turned.placement);
+  CHECK(turned.placement->axes_mm == discmc::command::Axes{{{0, 2, 0}, {3, 0, 0}, {0, 0, 4}}});
+  CHECK(turned.spacing_mm[0] * turned.spacing_mm[1] * turned.spacing_mm[2] == -24);
+  CHECK(info("").placement->axes_mm == discmc::command::Axes{{{2, 0, 0}, {0, -3, 0}, {0, 0, 4}}});
+  check_refusal(refusal(folder.write("v.vti", vti("", whole + place + "Direction=\"1 0 0 1\"",
+                                                  ">" + appended_array, appended))),
+                "Direction is '1 0 0 1', which is not 9 numbers");
+}
+
 TEST_CASE("VTK's XML refuses by name what it does not take") {
   const Folder folder;
   const auto check = [&](const std::string& bytes, const std::string& part) {

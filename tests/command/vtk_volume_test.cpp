@@ -50,6 +50,10 @@ TEST_CASE("VTK's legacy format refuses by name what it does not take") {
   check(vtk(image + "POINT_DATA 60\nSCALARS a float 3\nLOOKUP_TABLE t\n"), "has '3' numbers");
   check(vtk(image + "POINT_DATA 60\nSCALARS a bit\nLOOKUP_TABLE t\n"), "type 'bit'");
   check(vtk(image + "POINT_DATA 60\nSCALARS a int\n\n"), "behind SCALARS stands ''");
+  check(vtk(image + "POINT_DATA 59\nSCALARS a unsigned_char\nLOOKUP_TABLE t\n" + u8),
+        "there are 59 samples for the 60 points of DIMENSIONS");
+  check(vtk(image + "POINT_DATA 60\nFIELD FieldData 1\na 1 61 unsigned_char\n" + u8),
+        "there are 61 samples");
   check(vtk(image), "no array of samples");
   check(vtk("DIMENSIONS 5 3\n"), "dimensions is followed by 2 words");
   check("# vtk DataFile Version 3.0\n\nASCI\n", "third line is 'asci'");
@@ -88,6 +92,7 @@ TEST_CASE("a project of InVesalius is upside down, and read from files only") {
   const fs::path project = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes" /
                            "invesalius" / "i16-little.inv3";
   CHECK(open_volume(project)->info().spacing_mm == std::array<double, 3>{0.5, -0.75, 2});
+  CHECK(noted(open_volume(project)->info(), "y runs backwards"));
   std::string bytes;
   {
     std::ifstream in(project, std::ios::binary);

@@ -62,7 +62,7 @@ class TemporaryFiles {
   std::size_t folders_of_zips() const {
     std::size_t count = 0;
     for (const auto& entry : fs::directory_iterator(folder_.path()))
-      count += contains(entry.path().filename().string(), "discmc-zip-") ? 1U : 0U;
+      count += contains(entry.path().filename().string(), "discmc-unpacked-") ? 1U : 0U;
     return count;
   }
 
@@ -126,7 +126,20 @@ TEST_CASE("what else is in a zip is passed over, and names may be in any languag
   CHECK(open_volume(place.write("study.zip", zip(series)))->info().dims[2] == series.size());
   series.emplace_back("preview.png", "of the first slice");
   CHECK(noted(open_volume(place.write("with-picture.zip", zip(series)))->info(),
-              "such as 'preview.png'; to read them unpack the zip"));
+              "such as 'preview.png'; to read them give a pattern, such as '"));
+}
+
+TEST_CASE("a pattern names files in a zip, as the refusal of two stacks in it says") {
+  const std::string picture = contents(files / "pictures/u8.png");
+  Members members;
+  for (const std::string name : {"z0_c0.png", "z0_c1.png", "z1_c0.png", "z1_c1.png", "z2_c0.png"})
+    members.emplace_back("scan/" + name, picture);
+  const Folder folder;
+  const std::string packed = folder.write("scan.zip", zip(members)).string();
+  check_refusal(refusal(packed), "such as '" + packed + "/scan/*_c0.png'");
+  CHECK(open_volume(packed + "/scan/*_c0.png")->info().dims[2] == 3);
+  CHECK(open_volume(packed + "/scan/z0*.png")->info().format == "PNG, zip");
+  CHECK_THROWS_AS(open_volume(packed + "/none/*.png"), VolumeError);
 }
 
 TEST_CASE("nothing is left of a zip when a signal ends the program, and two may be open") {
@@ -160,5 +173,5 @@ TEST_CASE("errors name the archive, and the member where it is one's") {
   std::string damaged = whole;
   for (std::size_t i = 200; i < 600; ++i) damaged[i] = '\x55';
   CHECK(contains(refusal_of(damaged), "study.zip"));
-  CHECK_FALSE(contains(refusal_of(damaged), "discmc-zip-"));
+  CHECK_FALSE(contains(refusal_of(damaged), "discmc-unpacked-"));
 }

@@ -18,7 +18,10 @@ TEST_CASE("a file that needs a library is refused by the name of the library") {
   check_refusal(refusal(files / "hdf5/u8-little.h5"), "built without its library; install libhdf5");
   check_refusal(refusal(files / "vti/u8-little-appended-raw.vti"), "built without pugixml");
   check_refusal(refusal(files / "invesalius/i16-little.inv3"), "libarchive or pugixml");
-  check_refusal(refusal(files / "nrrd/i16-big-bzip2.nrrd"), "bzip2");
+  check_refusal(refusal(files / "nrrd/i16-big-bzip2.nrrd"),
+                "packed by bzip2, and discmc was built without libarchive; unpack it");
+  check_refusal(refusal(files / "npz/u8-little.npz"), "built without libarchive; unzip it");
+  check_refusal(refusal(files / "zarr/u8-little.zarr"), "built without nlohmann-json; install");
   const Folder folder;
   check_refusal(refusal(folder.write("series.zip", "PK\3\4")), "built without libarchive");
   CHECK_THROWS_WITH(discmc::command::read_mesh("a.stl"),

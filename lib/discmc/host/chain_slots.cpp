@@ -51,7 +51,7 @@ class Sides {
   Sides(Slots& slots, CornerCode first) : slots_(slots), last_(first) {}
 
   Direction direction(Link link) const {
-    return trace::sector_table.direction(last_.incidence(), link);
+    return direction_of(last_.incidence(), link);
   }
   void add_side(Direction direction, uint32_t length) {
     while (length > 0) {

@@ -226,7 +226,7 @@ void CornerSweep::put_out(const Chain& chain) {
   outgoing.kind = start.begins_at_seam() ? Kind::fragment : Kind::ring;
   outgoing.incidence = start.incidence();
   outgoing.start = start.vertex();
-  outgoing.incoming = sector_table.direction(start.incidence(), start.onwards());
+  outgoing.incoming = discmc::direction_of(start.incidence(), start.onwards());
   outgoing.last = no_slot;
   uint32_t at = chain.start;
   do {

@@ -32,8 +32,8 @@ BeginQueues begin_queues() {
   for (const AxisTable& axis : sector_table.axis)
     for (const auto& ways : axis.way) {
       for (const uint8_t face : faces) note_ray(queues, ways[face]);
-      for (const auto& cells : sector_table.cell)
-        for (const CellAtVertex& cell : cells) note_ray(queues, ways[cell.edges >> 4]);
+      for (const auto& of_lower : sector_table.edges)
+        for (const uint8_t both : of_lower) note_ray(queues, ways[both >> 4]);
     }
   return queues;
 }
@@ -66,7 +66,7 @@ void add_runs(Slots& slots, uint32_t& list, Direction direction, uint32_t length
 }
 // The side from a corner to the next.
 void add_side(Slots& slots, uint32_t& list, CornerCode from, CornerCode to, Add& add) {
-  add_runs(slots, list, sector_table.direction(from.incidence(), from.onwards()),
+  add_runs(slots, list, discmc::direction_of(from.incidence(), from.onwards()),
            links_between(from, to), add);
 }
 
@@ -119,7 +119,7 @@ class HandOver {
       list_before = slots_[begin].end.last;
     } else {
       const CornerCode seam = corner(slots_, first).code();
-      begin = loose_end<uint32_t>(sector_table.direction(seam.incidence(), seam.onwards()));
+      begin = loose_end<uint32_t>(discmc::direction_of(seam.incidence(), seam.onwards()));
       append_sides(first, at, list_before);
     }
     slots_.give(at);
@@ -140,7 +140,7 @@ class HandOver {
   // corner, goes into the list: the rest is short.
   uint32_t add_end(uint8_t queue, CornerCode at, Link side, Link ahead, uint32_t& list) {
     Vertex vertex = at.vertex();
-    const Direction direction = sector_table.direction(at.incidence(), side);
+    const Direction direction = discmc::direction_of(at.incidence(), side);
     const Vertex step = link_vector(ahead);
     // A chain that comes may turn at the centroid on the way: see corner_passes().
     const uint32_t passed =

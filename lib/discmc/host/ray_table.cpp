@@ -26,10 +26,9 @@ constexpr void for_each_way(bool they_come, Visit visit) {
       const Way* const ways = sectors.axis[axis].way[quadrant];
       for (int way = trace::straight_way; way < trace::ways; ++way)
         visit(axis, quadrant, ways[way], false);
-      for (const auto& cells : sectors.cell)
-        for (const CellAtVertex& cell : cells)
-          if (cell.edges != 0)
-            visit(axis, quadrant, ways[they_come ? cell.edges >> 4 : cell.edges & 15], true);
+      for (const auto& of_lower : sectors.edges)
+        for (const uint8_t both : of_lower)
+          if (both != 0) visit(axis, quadrant, ways[they_come ? both >> 4 : both & 15], true);
     }
 }
 
@@ -98,11 +97,11 @@ struct Half {
   constexpr Half(uint32_t lower, uint32_t lines) : lower_is_on(lower) {
     uint32_t part[2] = {};
     for (uint32_t i = 0; i < 2; ++i) {
-      const CellAtVertex& cell = sectors.cell[lower][lines >> 4 * i & 63];
+      const CellAtVertex cell = sectors.cell_at(static_cast<int>(lower), lines >> 4 * i & 63);
       heading[2 * i] = turned(cell.headings & 15, 2 * i);
       heading[2 * i + 1] = turned(cell.headings >> 4, 2 * i);
       edges[i] = cell.edges;
-      face[i] = sectors.face_way[lower][lines >> 4 * i & 3];
+      face[i] = sectors.face_way_at(static_cast<int>(lower), lines >> 4 * i & 3);
       part[i] = cell.part;
     }
     if (heading[1] == heading[2]) face[1] = 0;
@@ -122,7 +121,9 @@ struct Half {
   constexpr HalfRays rays(int axis, int half) const {
     const AxisTable& table = sectors.axis[axis];
     const auto incidence = [&](uint32_t sector) {
-      return table.incidence[lower_is_on][turned(heading[sector], 4 * static_cast<uint32_t>(half))];
+      return sectors.incidence_at(
+          axis, static_cast<int>(lower_is_on),
+          static_cast<int>(turned(heading[sector], 4 * static_cast<uint32_t>(half))));
     };
     HalfRays rays{};
     uint32_t count = 0;

@@ -8,7 +8,7 @@ using trace::SlabRole;
 
 /// What is asked of the planes of an incidence for every ring, at hand.
 struct Planes {
-  Direction direction[link_codes];  ///< as SectorTable::direction()
+  Direction direction[link_codes];  ///< as direction_of()
   uint64_t right_turns;             ///< bit 8 a + b: whether from direction a to b is one
   int8_t normal[3];
 };

@@ -3,11 +3,45 @@
 
 namespace discmc {
 
+namespace {
+
+struct HeaderPacket {
+  StreamHeader header;
+  uint64_t flags;
+  uint64_t packets_before;
+  uint64_t pieces_before;
+};
+
+// reader: behind the version. What is missing reads as 0.
+HeaderPacket parse_header(wire::ByteReader& reader, uint32_t tag) {
+  HeaderPacket packet;
+  StreamHeader& header = packet.header;
+  header.width = static_cast<uint32_t>(reader.get(2));
+  header.height = static_cast<uint32_t>(reader.get(2));
+  header.depth = static_cast<uint32_t>(reader.get(4));
+  for (int32_t& spacing : header.spacing_nm)
+    spacing = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
+  header.thresholds[0] = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
+  packet.flags = reader.get(1);
+  header.border =
+      (packet.flags & wire::HeaderFlags::open_border) != 0 ? Border::open : Border::closed;
+  packet.packets_before = reader.get(4);
+  packet.pieces_before = reader.get(8);
+  header.scan = static_cast<uint16_t>(tag);
+  header.channel = wire::channel_in(tag);
+  header.surface_count = wire::surface_count_in(tag);
+  for (uint32_t i = 1; i < StreamHeader::max_surfaces; ++i)
+    header.thresholds[i] = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
+  return packet;
+}
+
+}  // namespace
+
 void PacketReader::start(uint8_t channel) {
   channel_ = channel;
   has_tag_ = false;
   digest_ = 0;
-  header_ = StreamHeader{};
+  header_ = wire::no_header();
   report_ = StreamReport{};
   is_refused_ = false;
   gap_is_due_ = false;
@@ -153,50 +187,30 @@ void PacketReader::note_gap(uint64_t packets, uint64_t pieces) {
   pieces_passed_ += pieces;
 }
 
-// False for what is no header, or one of another version.
-bool PacketReader::parse_header(StreamHeader& header, uint64_t& packets_before,
-                                uint64_t& pieces_before) {
+// The header's own counts are whole numbers: they correct what the short ones could not say. False
+// when nothing more is to be had of the packet.
+bool PacketReader::read_header() {
   wire::ByteReader reader(payload(), payload_bytes_);
   const bool has_magic = reader.get(3) == wire::magic;
   is_refused_ = has_magic && reader.get(1) != wire::version;
   if (is_refused_) return false;
-  header.width = static_cast<uint32_t>(reader.get(2));
-  header.height = static_cast<uint32_t>(reader.get(2));
-  header.depth = static_cast<uint32_t>(reader.get(4));
-  for (int32_t& spacing : header.spacing_nm)
-    spacing = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
-  header.thresholds[0] = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
-  const uint64_t flags = reader.get(1);
-  header.border = (flags & wire::HeaderFlags::open_border) != 0 ? Border::open : Border::closed;
-  packets_before = reader.get(4);
-  pieces_before = reader.get(8);
-  header.scan = static_cast<uint16_t>(tag_);
-  header.channel = wire::channel_in(tag_);
-  header.surface_count = wire::surface_count_in(tag_);
-  for (uint32_t i = 1; i < StreamHeader::max_surfaces; ++i)
-    header.thresholds[i] = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
-  if (!has_magic || payload_bytes_ < wire::header_payload || !header.is_valid()) {
+  const HeaderPacket packet = parse_header(reader, tag_);
+  if (!has_magic || payload_bytes_ < wire::header_payload || !packet.header.is_valid()) {
     damage();
     return false;
   }
-  if (!report_.has_header) report_.holds_slices = (flags & wire::HeaderFlags::slices) != 0;
-  return true;
-}
-
-// The header's own counts are whole numbers: they correct what the short ones could not say. False
-// when nothing more is to be had of the packet.
-bool PacketReader::read_header() {
-  StreamHeader header;
-  uint64_t packets_before = 0, pieces_before = 0;
-  if (!parse_header(header, packets_before, pieces_before)) return false;
-  if (!report_.has_header) header_ = header;
+  if (!report_.has_header) {
+    header_ = packet.header;
+    report_.holds_slices = (packet.flags & wire::HeaderFlags::slices) != 0;
+  }
   report_.has_header = true;
-  if (packets_before < packets_passed()) {
+  if (packet.packets_before < packets_passed()) {
     ++report_.repeated_packets;
     return false;
   }
-  const uint64_t packets_missing = packets_before - packets_passed();
-  const uint64_t pieces = pieces_before > pieces_passed_ ? pieces_before - pieces_passed_ : 0;
+  const uint64_t packets_missing = packet.packets_before - packets_passed();
+  const uint64_t pieces =
+      packet.pieces_before > pieces_passed_ ? packet.pieces_before - pieces_passed_ : 0;
   // A gap noted too small, by whole rounds of the short number, was before what is open. The
   // number that packets of slices tell is not so short.
   const bool may_be_noted = gap_is_noted_ && !report_.holds_slices;

@@ -58,14 +58,13 @@ class PacketReader {
   // What the next packet is to be numbered.
   uint64_t packets_passed() const { return report_.packets + report_.lost_packets; }
   void note_gap(uint64_t packets, uint64_t pieces);
-  bool parse_header(StreamHeader& header, uint64_t& packets_before, uint64_t& pieces_before);
   bool read_header();
   void note_end(wire::ByteReader& reader);
   void compare_digest(uint32_t expected);
   Completed read_trailer();
   Completed read_slices_trailer();
 
-  StreamHeader header_;
+  StreamHeader header_ = wire::no_header();
   StreamReport report_;
   uint8_t channel_ = any_channel;
   bool is_refused_ = false;

@@ -73,8 +73,7 @@ class PacketWriter {
   uint32_t pieces_before_ = 0;  // the open packet, modulo 2^32
   uint64_t pieces_ = 0;         // regions and fragments so far
   uint64_t bytes_ = 0;
-  // All zero before the first stream, so that a static encoder takes no flash.
-  StreamHeader header_{0, 0, 0, {}, {}, Border::closed, 0, 0, 0};
+  StreamHeader header_ = wire::no_header();
   uint8_t frame_[wire::max_frame] = {};
 };
 

@@ -58,6 +58,11 @@ constexpr size_t max_payload = max_packet - packet_head - packet_tail;
 constexpr uint32_t tag_of(const StreamHeader& header) {
   return header.scan | uint32_t{header.channel} << 16 | (header.surface_count - 1U) << 22;
 }
+/// Before there is a stream. All zero, so that a static encoder takes no flash.
+constexpr StreamHeader no_header() {
+  return {0, 0, 0, {}, {}, Border::closed, 0, 0, 0};
+}
+
 constexpr uint8_t channel_in(uint32_t tag) {
   return static_cast<uint8_t>(tag >> 16 & StreamLabel::max_channel);
 }

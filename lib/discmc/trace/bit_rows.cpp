@@ -6,11 +6,6 @@ namespace discmc::trace {
 
 namespace {
 
-// column / 30, without a division: right for columns below 74,898.
-constexpr uint32_t word_of(uint32_t column) {
-  return column * 34953 >> 20;
-}
-
 static_assert(word_of(29) == 0 && word_of(30) == 1 && word_of(Limits::max_extent) == 1092 &&
                   word_of(30 * 1092) == 1092 && word_of(30 * 1092 - 1) == 1091,
               "a multiplication stands for the division");
@@ -56,6 +51,7 @@ uint32_t* BitRows::arriving() {
 // Turns voxels of the row on: bit i is that of column_ + i. A word begins with the copy of the last
 // column of the word before, and so these two overlap in two columns. Limit: bits < 2^28.
 void BitRows::turn_on(uint32_t* words, uint32_t bits) const {
+  words[0] |= on_mark;
   const uint32_t word = word_of(column_);
   const uint32_t bit = column_ - word * columns_per_word + 2;  // 2 to 31
   words[word] |= bits << bit;
@@ -74,14 +70,17 @@ void BitRows::append_windows(uint32_t* words, const Sample* samples, uint32_t co
   const uint32_t* const end = words + words_;
   const Sample* const last = samples + (count - on.lanes);
   const uint32_t word = word_of(column_);
+  uint32_t* const row = words;
+  uint32_t any = 0;
   words += word;
   // The first sample of the word, counted from those given.
   int32_t first = static_cast<int32_t>(word * columns_per_word - 2) - static_cast<int32_t>(column_);
-  for (; first < 0; first += step) *words++ |= on.reached(samples) << -first;
+  for (; first < 0; first += step) any |= * words++ |= on.reached(samples) << -first;
   samples += first;
-  for (; samples <= last; samples += step) *words++ = on.reached(samples);
+  for (; samples <= last; samples += step) any |= * words++ = on.reached(samples);
   for (first = static_cast<int32_t>(samples - last); first < 32 && words != end; first += step)
-    *words++ = on.reached(last) >> first;
+    any |= * words++ = on.reached(last) >> first;
+  if (any != 0) *row |= on_mark;
 }
 
 template <class Sample>
@@ -129,7 +128,8 @@ void BitRows::append_bits(const uint8_t* bits) {
   for (; column_ < width_; column_ += 8) {
     const uint32_t left = width_ - column_;
     const uint32_t count = left < 8 ? left : 8;
-    turn_on(words, *bits++ & ((uint32_t{1} << count) - 1));
+    const uint32_t on = *bits++ & ((uint32_t{1} << count) - 1);
+    if (on != 0) turn_on(words, on);
   }
   column_ = width_;
 }
@@ -166,6 +166,17 @@ void BitRows::next_row() {
 void BitRows::next_slice() {
   rows_ = 0;
   ++slices_;
+}
+
+bool BitRows::is_off_around(int32_t y) const {
+  const uint32_t row = static_cast<uint32_t>(y);
+  const uint32_t there = slices_ == 0 ? 0 : height_;
+  const uint32_t back = rows_ + height_ - row;  // so many rows ago it came
+  uint32_t on = 0;
+  if (row < there) on |= *row_before(back);
+  if (row + 1 < there) on |= *row_before(back - 1);  // beyond the height for a row before the first
+  if (row < rows_) on |= *row_before(back - height_);
+  return (on & on_mark) == 0;
 }
 
 void BitRows::find_around(int32_t y, RowBlock& block) const {

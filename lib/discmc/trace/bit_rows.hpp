@@ -7,6 +7,8 @@
 //     bit      31   30 ......... 1   0
 //     word k   30k + 30   30k + 29 ... 30k   30k - 1
 //
+// Before the first word there is no column: its bit 0 says that a voxel of the row is on.
+//
 // A ring of 2 * height + 3 rows suffices: while row y of a slice is swept, row y - 1 of the slice
 // below and row y + 1 of the slice above are the oldest and the newest in use.
 #ifndef DISCMC_TRACE_BIT_ROWS_HPP
@@ -19,9 +21,13 @@ namespace discmc::trace {
 
 constexpr uint32_t columns_per_word = 30;
 
+/// The word of a column: column / 30, without a division. Limit: column < 74,898.
+constexpr uint32_t word_of(uint32_t column) {
+  return column * 34953 >> 20;
+}
 /// Words of a row of bits: those of columns 0 to width.
 constexpr uint32_t row_words(uint32_t width) {
-  return width / columns_per_word + 1;
+  return word_of(width) + 1;
 }
 /// Rows in the ring that a sweep needs.
 constexpr uint32_t swept_rows(uint32_t height) {
@@ -99,8 +105,13 @@ class BitRows {
   /// Finds the rows around row y (-1 to height - 1) of the slice before the one that arrives. What
   /// lies outside the volume or has not arrived is off.
   void find_around(int32_t y, RowBlock& block) const;
+  /// Whether no edge of that row crosses, as it is off, and so are the one behind and the one
+  /// above.
+  bool is_off_around(int32_t y) const;
 
  private:
+  static constexpr uint32_t on_mark = 1;
+
   uint32_t* row_before(uint32_t back) const;
   uint32_t* row_off() const { return &ring_[size_t{words_} * ring_rows_]; }
   void turn_on(uint32_t* words, uint32_t bits) const;

@@ -273,8 +273,10 @@ DISCMC_NOINLINE trace::SlabRole BasicExtractor<Index, Intake, Sweep>::slab_role(
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::sweep_row() {
   const bool is_open = border_ == Border::open;
+  const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
+  if (bits_.is_off_around(y)) return true;
   trace::SweptRow row;
-  row.y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
+  row.y = y;
   row.z = middle_slice() + static_cast<int32_t>(first_slice_) - (continues_below_ ? 1 : 0);
   bits_.find_around(row.y, row.around);
   row.words = bits_.words();

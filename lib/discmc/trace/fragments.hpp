@@ -9,30 +9,23 @@
 
 namespace discmc::trace {
 
-/// What a link adds to a place, and how to count links between two places: (to - from) / step,
-/// modulo a power of two. As step is odd * 2^halvings, and `inverse` that of odd, the division is a
-/// shift and a product.
-struct LinkStep {
-  int8_t step;
-  uint8_t halvings;
-  uint16_t inverse;
-};
+/// What a link adds to a place, and how to count links between two places without a division.
 struct LinkSteps {
-  LinkStep of[link_codes];
+  static constexpr int longest = 6;
+  static constexpr uint32_t fraction_bits = 15;
+
+  int8_t of[link_codes];
+  uint16_t inverse[longest + 1];  ///< of the length of a step, rounded up
 };
 namespace derive {
 constexpr LinkSteps link_steps() {
-  constexpr uint32_t modulus = 1U << place_bits;
   LinkSteps steps{};
   for (Link link = 0; link < link_codes; ++link) {
-    const Place step = place_of(link_vector(link));
-    int odd = static_cast<int>(step < modulus / 2 ? step : step - modulus);
-    steps.of[link].step = static_cast<int8_t>(odd);
-    for (; odd % 2 == 0; odd /= 2) ++steps.of[link].halvings;
-    uint32_t inverse = 1;
-    while (((inverse * static_cast<uint32_t>(odd)) & (modulus - 1)) != 1) inverse += 2;
-    steps.of[link].inverse = static_cast<uint16_t>(inverse);
+    const Vertex v = link_vector(link);
+    steps.of[link] = static_cast<int8_t>(3 * v.x + 2 * v.y + v.z);
   }
+  for (int step = 1; step <= LinkSteps::longest; ++step)
+    steps.inverse[step] = static_cast<uint16_t>((1 << LinkSteps::fraction_bits) / step + 1);
   return steps;
 }
 }  // namespace derive
@@ -47,14 +40,15 @@ inline bool is_longest_side(Place from, Place to) {
 
 /// How many links lead from one place to another. Limit: the places are less than 8,192 apart.
 inline uint32_t links_between(Place from, Place to, Link link) {
-  constexpr uint32_t all = (1U << place_bits) - 1;
-  const LinkStep step = link_steps.of[link];
-  return (((to - from) & all) >> step.halvings) * step.inverse & (all >> step.halvings);
+  const int step = link_steps.of[link];
+  const uint32_t way = step < 0 ? from - to : to - from;
+  return (way & ((1U << place_bits) - 1)) * link_steps.inverse[step < 0 ? -step : step] >>
+         LinkSteps::fraction_bits;
 }
 
 /// The place a link further on.
 inline Place moved(Place from, Link link) {
-  return from + static_cast<uint32_t>(link_steps.of[link].step);
+  return from + static_cast<uint32_t>(link_steps.of[link]);
 }
 
 /// A chain that leaves the pool: a closed ring, or a loose fragment.
@@ -142,7 +136,7 @@ class Fragments {
 
   EndSlot& end(Index index) { return slots_[index].end; }
   static Direction direction(const Pass& pass, Link link) {
-    return sector_table.direction(pass.incidence, link);
+    return discmc::direction_of(pass.incidence, link);
   }
   // Where the side begins that a chain leaves along.
   static Vertex last_corner(const Pass& pass, const Vertex& vertex) {

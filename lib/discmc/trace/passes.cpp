@@ -10,14 +10,13 @@ namespace {
 class Surroundings {
  public:
   Surroundings(int axis, bool lower_is_on, uint32_t lines, uint32_t absent)
-      : axis_(sector_table.axis[axis]),
-        lower_is_on_(lower_is_on ? 1 : 0),
-        lines_(lines * 0x10001) {
+      : axis_(sector_table.axis[axis]), lower_is_on_(lower_is_on ? 1 : 0) {
+    lines_ = (lower_is_on ? mirrored(lines) : lines) * 0x10001;
     DISCMC_UNROLL(4)
     for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
-      const CellAtVertex& seen = cell(quadrant);
-      headings_ |= uint32_t{seen.headings} << 8 * quadrant;
-      parts_ += sector_table.part[seen.part];
+      const uint32_t seen = cell(quadrant);
+      headings_ = headings_ >> 8 | seen << 24;
+      parts_ += sector_table.part[seen >> 12];
     }
     // Turned from quadrant 0 to their own: adds 2q, modulo 8, to both headings of quadrant q, and
     // leaves an 8, no heading, alone.
@@ -39,25 +38,37 @@ class Surroundings {
   // Of the wedge that begins at a ray.
   Incidence incidence(uint32_t ray) const {
     const uint32_t heading = headings_ >> ray & 15;
-    return heading > no_heading ? no_incidence : axis_.incidence[lower_is_on_][heading];
+    if (heading > no_heading) return no_incidence;
+    return static_cast<Incidence>(axis_.incidence[heading] +
+                                  (lower_is_on_ != 0 ? axis_.to_upper : 0));
   }
 
-  // A ray lies between two wedges: one chain comes along it, and the other goes.
+  // A ray lies between two wedges: one chain comes along it, and the other goes. A chain has its
+  // wedge on the left, seen from the tip of the normal. Where the lower end is off, normals point
+  // down the axis, and sectors are counted as seen from above it: so the wedge that begins at a ray
+  // has the chain that comes along it. Where the lower end is on, that one goes.
   void set_ray(uint32_t ray, Pass& ending, Pass& beginning) const {
+    const uint32_t quadrant = ray / 8;
+    const bool is_spoke = (ray & 4) != 0;
+    uint32_t to, from;
+    if (is_spoke) {
+      const uint32_t both = sector_table.edges[lower_is_on_][cell(quadrant) >> 8 & 15];
+      to = both & 15;
+      from = both >> 4;
+    } else {
+      to = from = sector_table.face_way[lower_is_on_][lines_ >> 4 * quadrant & 3];
+    }
     Pass& comes = lower_is_on_ != 0 ? ending : beginning;
     Pass& goes = lower_is_on_ != 0 ? beginning : ending;
-    const uint32_t quadrant = ray / 8;
-    const Way* const ways = axis_.way[quadrant];
-    if ((ray & 4) == 0) {
-      const Way way = ways[sector_table.face_way[lower_is_on_][lines_ >> 4 * quadrant & 3]];
-      come(way, opposite_link(way.link()), comes);
-      go(way.link(), way, 0, goes);
-    } else {
-      const uint32_t edges = cell(quadrant).edges;
-      const Link inwards = axis_.inwards[quadrant];
-      come(ways[edges >> 4], opposite_link(inwards), comes);
-      go(inwards, ways[edges & 15], Pass::by_centroid, goes);
-    }
+    const Way out = axis_.way[quadrant][to], in = axis_.way[quadrant][from];
+    goes.first = is_spoke ? axis_.inwards[quadrant] : out.link();
+    goes.second = out.link();
+    goes.out = out.queue_out();
+    goes.flags = static_cast<uint8_t>((is_spoke ? Pass::by_centroid : 0) |
+                                      (out.is_ahead() ? Pass::ahead : 0));
+    comes.incoming = opposite_link(goes.first);
+    comes.in = in.queue_in();
+    comes.comes_from_ahead = in.is_ahead();
   }
 
  private:
@@ -65,27 +76,15 @@ class Surroundings {
     for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
       if ((absent >> quadrant & 1) == 0) continue;
       headings_ |= uint32_t{0xFF} << 8 * quadrant;
-      parts_ -= sector_table.part[cell(quadrant).part];
+      parts_ -= sector_table.part[cell(quadrant) >> 12];
     }
   }
-  const CellAtVertex& cell(uint32_t quadrant) const {
-    return sector_table.cell[lower_is_on_][lines_ >> 4 * quadrant & 63];
-  }
-  static void come(Way way, Link link, Pass& pass) {
-    pass.incoming = link;
-    pass.in = way.queue_in();
-    pass.comes_from_ahead = way.is_ahead();
-  }
-  static void go(Link first, Way way, uint8_t centroid, Pass& pass) {
-    pass.first = first;
-    pass.second = way.link();
-    pass.out = way.queue_out();
-    pass.flags = static_cast<uint8_t>(centroid | (way.is_ahead() ? Pass::ahead : 0));
-  }
+  uint32_t cell(uint32_t quadrant) const { return sector_table.cell[lines_ >> 4 * quadrant & 63]; }
 
   const AxisTable& axis_;
   uint32_t lower_is_on_;
-  uint32_t lines_;  // twice, so that quadrant 3, of the lines 6, 7 and 0, is one shift, too
+  uint32_t lines_;  // mirrored if the lower end is on; twice, so that quadrant 3, of the lines 6, 7
+                    // and 0, is one shift, too
   uint32_t headings_ = 0;
   uint32_t parts_ = 0;
 };

@@ -166,12 +166,12 @@ constexpr SpokeQueues number_spoke_queues(const SectorTable& table, QueueNumbers
   bool is_used[cell_edges][cell_edges] = {};
   for (int axis = 0; axis < 3; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      for (const auto& of_lower : table.cell)
-        for (const CellAtVertex& cell : of_lower)
-          if (cell.edges != 0) {
+      for (const auto& of_lower : table.edges)
+        for (const uint8_t both : of_lower)
+          if (both != 0) {
             const CellEdge own = own_edge(axis, quadrant);
-            is_used[own][edge_in(axis, quadrant, cell.edges & 15)] = true;
-            is_used[edge_in(axis, quadrant, cell.edges >> 4)][own] = true;
+            is_used[own][edge_in(axis, quadrant, both & 15)] = true;
+            is_used[edge_in(axis, quadrant, both >> 4)][own] = true;
           }
   SpokeQueues spokes{};
   const auto add = [&](int from, int to, int count) {
@@ -191,13 +191,13 @@ constexpr SpokeQueues number_spoke_queues(const SectorTable& table, QueueNumbers
 constexpr void add_spoke_ways(SectorTable& table, const SpokeQueues& spokes) {
   for (int axis = 0; axis < 3; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      for (const auto& of_lower : table.cell)
-        for (const CellAtVertex& cell : of_lower) {
+      for (const auto& of_lower : table.edges)
+        for (const uint8_t both : of_lower) {
+          if (both == 0) continue;
           const CellEdge own = own_edge(axis, quadrant);
-          const uint8_t to_and_from[] = {static_cast<uint8_t>(cell.edges & 15),
-                                         static_cast<uint8_t>(cell.edges >> 4)};
+          const uint8_t to_and_from[] = {static_cast<uint8_t>(both & 15),
+                                         static_cast<uint8_t>(both >> 4)};
           for (const uint8_t way : to_and_from) {
-            if (cell.edges == 0) continue;
             const CellEdge other = edge_in(axis, quadrant, way);
             table.axis[axis].way[quadrant][way] =
                 Way(opposite_link(link_inwards(other)), spokes.queue[own][other], other > own);
@@ -265,8 +265,8 @@ constexpr uint8_t face_way_of(int lower_is_on, int line) {
 
 // ---- counts ----
 
-constexpr uint32_t part_of(int lower_is_on, int lines) {
-  const VertexLoop vertex = loop_at_vertex(configuration_of(lower_is_on, lines));
+constexpr uint32_t part_of(int lines) {
+  const VertexLoop vertex = loop_at_vertex(configuration_of(0, lines));
   const uint32_t points = vertex.facets.loop.count;
   const uint32_t cell = CountParts::cell / static_cast<uint32_t>(vertex.points);
   const uint32_t facet = vertex.facets.is_fan ? CountParts::facet : CountParts::facet / points;
@@ -274,56 +274,54 @@ constexpr uint32_t part_of(int lower_is_on, int lines) {
   return cell | facet << CountParts::facet_shift | triangle << CountParts::triangle_shift;
 }
 
-constexpr void number_parts(SectorTable& table) {
-  int known = 0;
-  for (int lower = 0; lower < 2; ++lower)
-    for (int lines = 0; lines < 64; ++lines) {
-      const uint32_t part = part_of(lower, lines);
-      int number = 0;
-      while (number < known && table.part[number] != part) ++number;
-      table.part[number] = part;
-      if (number == known) ++known;
-      table.cell[lower][lines].part = static_cast<uint8_t>(number);
-    }
+// The number of a value in an array, where it is put behind the others if it is new.
+template <class Value>
+constexpr int number_in(Value* known, int& count, Value value) {
+  int number = 0;
+  while (number < count && known[number] != value) ++number;
+  known[number] = value;
+  if (number == count) ++count;
+  return number;
 }
 
 // ---- the table ----
 
-constexpr void add_incidences(AxisTable& table, int axis) {
-  for (int lower = 0; lower < 2; ++lower)
-    for (uint8_t heading = 0; heading <= no_heading; ++heading) {
-      Vertex n = heading == no_heading ? Vertex{0, 0, 0} : line_at(heading);
-      n.x = lower != 0 ? 1 : -1;
-      table.incidence[lower][heading] = incidence_of(from_axis_frame(axis, n));
-    }
+constexpr void add_cells(SectorTable& table) {
+  int parts = 0, edges_known = 0;
+  for (uint32_t lines = 0; lines < 64; ++lines) {
+    const CellAtVertex cell = cell_at_vertex(0, static_cast<int>(lines));
+    const int index = number_in(table.edges[0], edges_known, cell.edges);
+    table.edges[1][index] = cell_at_vertex(1, static_cast<int>(mirrored(lines))).edges;
+    const int part = number_in(table.part, parts, part_of(static_cast<int>(lines)));
+    table.cell[lines] = static_cast<uint16_t>(cell.headings | index << 8 | part << 12);
+  }
 }
 
-constexpr void add_directions(SectorTable& table) {
-  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
-    for (Direction i = 0; i < direction_count(incidence); ++i) {
-      const Link link = link_of(incidence, i);
-      uint8_t& two = table.directions[incidence][link / 2];
-      two = static_cast<uint8_t>(two | i << 4 * (link % 2));
-    }
+constexpr void add_incidences(AxisTable& table, int axis) {
+  for (uint8_t heading = 0; heading <= no_heading; ++heading) {
+    Vertex n = heading == no_heading ? Vertex{0, 0, 0} : line_at(heading);
+    n.x = -1;
+    table.incidence[heading] = incidence_of(from_axis_frame(axis, n));
+  }
+  table.to_upper = static_cast<uint8_t>(incidence_of(from_axis_frame(axis, {1, 0, 0})) -
+                                        incidence_of(from_axis_frame(axis, {-1, 0, 0})));
 }
 
 constexpr SectorTable sector_table() {
   SectorTable table{};
-  for (int lower = 0; lower < 2; ++lower) {
-    for (int lines = 0; lines < 64; ++lines)
-      table.cell[lower][lines] = cell_at_vertex(lower, lines);
-    for (int line = 0; line < 4; ++line) table.face_way[lower][line] = face_way_of(lower, line);
-  }
+  add_cells(table);
+  for (int lower = 0; lower < 2; ++lower)
+    for (uint32_t line = 0; line < 4; ++line)
+      table.face_way[lower][lower != 0 ? mirrored(line) : line] =
+          face_way_of(lower, static_cast<int>(line));
   for (int axis = 0; axis < 3; ++axis) {
     add_incidences(table.axis[axis], axis);
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
       table.axis[axis].inwards[quadrant] = link_inwards(own_edge(axis, quadrant));
   }
-  add_directions(table);
   QueueNumbers numbers;
   add_face_ways(table, numbers);
   add_spoke_ways(table, number_spoke_queues(table, numbers));
-  number_parts(table);
   return table;
 }
 

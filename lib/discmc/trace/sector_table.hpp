@@ -82,9 +82,15 @@ constexpr uint8_t straight_way = cell_edges, downward_way = cell_edges + 1,
 /// What depends on the axis of an edge.
 struct AxisTable {
   Way way[quadrants][ways];
-  Link inwards[quadrants];                 ///< from the vertex to the centroid
-  Incidence incidence[2][no_heading + 1];  ///< [lower end is on][heading]
+  Link inwards[quadrants];              ///< from the vertex to the centroid
+  Incidence incidence[no_heading + 1];  ///< [heading], where the lower end is off
+  uint8_t to_upper;                     ///< what that of the same heading is more where it is on
 };
+
+/// Of lines of voxels, mirrored along the axis: the ends of each change places.
+constexpr uint32_t mirrored(uint32_t lines) {
+  return (lines & 0x5555) << 1 | (lines >> 1 & 0x5555);
+}
 
 /// What a scan counts of cells: every vertex adds a part for each of its four cells, so that a
 /// cell, a facet and a triangle of classic Marching Cubes are counted once when all vertices are.
@@ -94,16 +100,28 @@ struct CountParts {
   static constexpr uint32_t facet_shift = 12, triangle_shift = 18;
 };
 
+/// A cell and its mirror image have the same headings and parts.
 struct SectorTable {
-  CellAtVertex cell[2][64];  ///< [lower end is on][bits of the quadrant's three lines]
+  uint16_t cell[64];  ///< [bits of the quadrant's three lines, mirrored if the lower end is on]:
+                      ///< headings in bits 0 to 7, indices into edges in 8 to 11, part in 12 to 15
+  uint32_t part[15];  ///< of counts (CountParts)
+  uint8_t edges[2][9];     ///< [lower end is on]: CellAtVertex::edges
+  uint8_t face_way[2][4];  ///< [lower end is on][bits of the line, likewise]: one of the ways on
+                           ///< the face
   AxisTable axis[3];
-  uint8_t face_way[2][4];  ///< [lower end is on][bits of the line]: one of the ways on the face
-  uint8_t directions[incidence_codes][link_codes / 2];  ///< of two links in a plane, a nibble each
-  uint32_t part[15];  ///< of counts (CountParts), by the number that a sector has of it
 
-  /// Of a link in a plane, or 0 where it does not lie in it.
-  constexpr Direction direction(Incidence incidence, Link link) const {
-    return directions[incidence][link / 2] >> 4 * (link % 2) & 15;
+  constexpr CellAtVertex cell_at(int lower_is_on, uint32_t lines) const {
+    const uint32_t packed = cell[lower_is_on != 0 ? mirrored(lines) : lines];
+    return {static_cast<uint8_t>(packed), edges[lower_is_on][packed >> 8 & 15],
+            static_cast<uint8_t>(packed >> 12)};
+  }
+  constexpr uint8_t face_way_at(int lower_is_on, uint32_t line) const {
+    return face_way[lower_is_on][lower_is_on != 0 ? mirrored(line) : line];
+  }
+  constexpr Incidence incidence_at(int of_axis, int lower_is_on, int heading) const {
+    const AxisTable& table = axis[of_axis];
+    return static_cast<Incidence>(table.incidence[heading] +
+                                  (lower_is_on != 0 ? table.to_upper : 0));
   }
 };
 

@@ -111,8 +111,19 @@ class SweepCounts {
 
  private:
   static void move(uint32_t& parts, uint32_t parts_of_one, uint64_t& total) {
-    total += parts / parts_of_one;
-    parts %= parts_of_one;
+    if constexpr (has_division) {
+      total += parts / parts_of_one;
+      parts %= parts_of_one;
+    } else {
+      uint32_t some = parts_of_one, count = 1, whole = 0;
+      for (; some <= parts; some <<= 1) count <<= 1;
+      for (; count != 0; some >>= 1, count >>= 1)
+        if (parts >= some) {
+          parts -= some;
+          whole += count;
+        }
+      total += whole;
+    }
   }
   uint32_t cells_ = 0, facets_ = 0, triangles_ = 0;
 };

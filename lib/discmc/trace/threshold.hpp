@@ -33,9 +33,6 @@ class LaneThreshold : public LanesOf<lane_bits> {
     return select_lanes<lane_bits>(word, level_, answer_, 0);
   }
 
-  /// No lane of `a` or `b` is more than that of the bound: here it is the larger one.
-  static uint32_t bound(uint32_t a, uint32_t b) { return select_lanes<lane_bits>(a, b, a, b); }
-
  private:
   uint32_t level_;
   uint32_t answer_;
@@ -58,9 +55,6 @@ class LaneThreshold<lane_bits, false> : public LanesOf<lane_bits> {
     const uint32_t lanes = word ^ flip_;
     return ((lanes | ((lanes & ~Lanes::tops) + addend_)) ^ flip_) & Lanes::tops;
   }
-
-  /// The bitwise or is not less than either.
-  static uint32_t bound(uint32_t a, uint32_t b) { return a | b; }
 
  private:
   uint32_t flip_;
@@ -99,8 +93,7 @@ class Threshold {
     for (; count >= 8 * lanes; count -= 8 * lanes, at += 8 * lanes) {
       uint32_t most = word_at(at);
       DISCMC_UNROLL(8)
-      for (uint32_t word = 1; word < 8; ++word)
-        most = Lanes::bound(most, word_at(at + word * lanes));
+      for (uint32_t word = 1; word < 8; ++word) most |= word_at(at + word * lanes);  // a bound
       if (lanes_.reached(most) != 0) break;
     }
     return static_cast<uint32_t>(at - samples);

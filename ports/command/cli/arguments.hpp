@@ -2,7 +2,6 @@
 #ifndef DISCMC_COMMAND_CLI_ARGUMENTS_HPP
 #define DISCMC_COMMAND_CLI_ARGUMENTS_HPP
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -22,26 +21,16 @@
 
 namespace discmc::command {
 
-/// How a file is read, a headerless one by its dims, which others have none of; and what of it.
-struct LayoutArguments {
-  std::vector<std::uint32_t> dims;
-  std::optional<SampleType> type;
-  bool big_endian = false;
-  std::vector<double> spacing;
-  std::uint64_t skipped_bytes = 0;
-  std::string series;
-  bool allow_gaps = false;
-  std::optional<std::uint32_t> frame;
-  std::optional<Crop> crop;
-  std::uint32_t shrink = 1;
-};
-
 /// What is on in a surface, and what the user calls it.
 struct NamedSelection {
   Selection selection;
-  std::string name;  ///< as it was given, "300"; of a label in the table, its name there
-  std::optional<Srgb> colour{};         ///< of a label in the table, if it has one there
+  std::string given;                    ///< on the command line: "300", "otsu", "5,right lung"
+  std::string name = given;             ///< the same, or what the label is called
+  std::optional<Srgb> colour{};         ///< of a label, if one is told
   std::optional<ThresholdRule> rule{};  ///< by which the selection is still to be found
+  bool is_label = false;                ///< which is looked up as the volume is opened
+
+  bool has_upper_end() const { return is_label || selection.has_upper_end(); }
 };
 
 /// How a volume is read and its surface taken: of every command that takes one.
@@ -53,13 +42,11 @@ struct VolumeArguments {
   bool allows_empty = false;  ///< surfaces
   std::uint64_t memory = 0;
   std::vector<std::uint32_t> capacities;  ///< slots and holes, or none
-  LayoutArguments layout;
+  VolumeOptions options;
+  std::string label_table;  ///< file of the names of labels, or none
 
-  /// Whether some surface is that of one value.
-  bool selects_labels() const {
-    return std::any_of(selections.begin(), selections.end(),
-                       [](const NamedSelection& each) { return each.selection.is_one_value(); });
-  }
+  /// Whether the surfaces are those of labels.
+  bool selects_labels() const { return !selections.empty() && selections[0].is_label; }
 };
 
 /// Where the normals of a mesh's vertices come from: its polygons, or the samples.
@@ -80,8 +67,7 @@ struct SlabChoice {
 struct ExtractArguments {
   std::string volume;
   VolumeArguments reading;
-  bool takes_all_labels = false;  ///< in place of selections
-  std::string label_table;        ///< file of the names of labels, or none
+  std::string labels;  ///< "all" or a list, a surface each, in place of selections; or none
   std::string output = "-";
   Normals normals = Normals::none;
   Wire wire = Wire::regions;
@@ -98,7 +84,7 @@ struct ExtractArguments {
 
 /// Whether the volume may be extracted in parts.
 inline bool is_divisible(const ExtractArguments& arguments) {
-  return !arguments.interpolates && !arguments.takes_all_labels && arguments.reading.memory == 0 &&
+  return !arguments.interpolates && arguments.labels.empty() && arguments.reading.memory == 0 &&
          arguments.reading.capacities.empty();
 }
 
@@ -107,7 +93,7 @@ struct InfoArguments {
   std::string input;
   std::optional<bool> is_volume;  ///< or a stream; else as its first bytes tell
   StreamChoice choice;
-  LayoutArguments layout;
+  VolumeOptions options;
 };
 
 /// Of `decode`.
@@ -117,7 +103,7 @@ struct StreamArguments {
   std::string output;
   Normals normals = Normals::none;
   std::string volume;  ///< whose gradient it is
-  LayoutArguments layout;
+  VolumeOptions options;
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told

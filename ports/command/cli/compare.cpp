@@ -49,11 +49,11 @@ Compared placed(Mesh mesh, const std::string& name, const std::optional<VolumePl
 
 Compared surface_of_volume(const std::string& name, VolumeArguments reading) {
   reading.selections = with_thresholds(name, reading);
-  const auto volume = open_noted_volume(name, reading);
+  const auto volume = open_measured(name, reading);
   Progress progress("extracting", volume->info().dims[2]);
   Mesh mesh = classic_mesh(*volume, extraction_options(reading, progress));
   if (mesh.face_count() == 0)
-    throw VolumeError(why_empty(name, reading, reading.selections[0].selection, *volume));
+    throw std::runtime_error(why_empty(name, reading, reading.selections[0], *volume));
   return placed(std::move(mesh), name, volume->info().placement, exit_ok);
 }
 
@@ -85,7 +85,7 @@ Distances measured(const std::string& direction, const Mesh& from, const Mesh& t
   });
 }
 
-void write_row(const std::string& name, const Distances& distances) {
+void print_row(const std::string& name, const Distances& distances) {
   std::cout << "  " << std::left << std::setw(20) << name << std::right << std::fixed
             << std::setprecision(4);
   for (const double distance : {distances.mean, distances.percentile_99, distances.largest})
@@ -93,10 +93,10 @@ void write_row(const std::string& name, const Distances& distances) {
   std::cout << '\n';
 }
 
-void write_distances(const Compared& a, const Compared& b, const Point& unit,
+void print_distances(const Compared& a, const Compared& b, const Point& unit,
                      const std::string& unit_name) {
-  write_row("A to B, " + unit_name, measured("A to B", a.mesh, b.mesh, unit));
-  write_row("B to A, " + unit_name, measured("B to A", b.mesh, a.mesh, unit));
+  print_row("A to B, " + unit_name, measured("A to B", a.mesh, b.mesh, unit));
+  print_row("B to A, " + unit_name, measured("B to A", b.mesh, a.mesh, unit));
 }
 
 }  // namespace
@@ -117,9 +117,9 @@ int run_compare(const CompareArguments& arguments) {
   }
   std::cout << "  " << std::left << std::setw(20) << "distances" << std::right << std::setw(12)
             << "mean" << std::setw(12) << "99 % within" << std::setw(12) << "largest" << '\n';
-  write_distances(a, b, {1, 1, 1}, "mm");
+  print_distances(a, b, {1, 1, 1}, "mm");
   if (a.has_voxels || b.has_voxels)
-    write_distances(a, b, (b.has_voxels ? b : a).mesh.spacing_mm, "voxels");
+    print_distances(a, b, (b.has_voxels ? b : a).mesh.spacing_mm, "voxels");
   require_written(std::cout);
   return a.code != exit_ok ? a.code : b.code;
 }

@@ -22,8 +22,8 @@ ComparedInput input_called(const std::string& name) {
 void check(const CompareArguments& arguments) {
   for (const ComparedInput& input : arguments.inputs)
     if (input.kind == ComparedInput::Kind::volume && arguments.reading.selections.empty())
-      throw CLI::ValidationError(input.name,
-                                 "a volume is compared at a threshold: give --iso VALUE");
+      throw CLI::ValidationError(
+          input.name, "a volume is compared at a threshold: give --iso auto, or a number");
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ Command add_compare(CLI::App& app) {
             "a mesh, a .dmc stream, or a volume: the surface of Marching Cubes at --iso")
         ->required();
   add_choice_options(*compare, arguments->choice);
-  add_volume_options(*compare, arguments->reading.layout);
+  add_volume_options(*compare, arguments->reading.options);
   add_selection_options(*compare, arguments->reading.selections);
   // Marching Cubes crosses one threshold.
   for (const char* option : {"--range", "--label"})

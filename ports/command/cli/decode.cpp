@@ -8,6 +8,8 @@
 #include "commands.hpp"
 #include "extraction/extraction.hpp"
 #include "files/output_file.hpp"
+#include "mesh_files/file_format.hpp"
+#include "mesh_files/mesh_files.hpp"
 #include "mesh_output.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "require.hpp"
@@ -68,7 +70,7 @@ void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
 std::unique_ptr<VolumeReader> open_volume_of(const DecodedStream& decoded,
                                              const StreamArguments& arguments) {
   const StreamHeader& header = decoded.header;
-  VolumeOptions options = volume_options(arguments.layout);
+  VolumeOptions options = arguments.options;
   if (options.layout && !options.spacing_mm) {
     options.spacing_mm = spacing_mm(header);
     for (double& spacing : *options.spacing_mm) spacing /= options.shrink;
@@ -118,13 +120,20 @@ int run_decode(const StreamArguments& arguments) {
     DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
     keep_chosen(arguments.stream, arguments.components, decoded.surface);
     const auto placement = mesh_placement(arguments.stream, decoded.placement, arguments.space);
-    write_surface(
-        decoded.surface, format, arguments.mesh,
-        [&](Mesh& mesh) {
-          note_left_out(arguments.stream, decoded.surface, mesh);
-          add_normals(arguments, decoded, mesh);
-        },
-        placement, file);
+    if (format == Format::jsonl) {
+      write_to(file, [&](std::ostream& out) { write_jsonl(decoded.surface, out); });
+    } else {
+      const Mesh mesh = placed_mesh(
+          decoded.surface, arguments.mesh,
+          [&](Mesh& unplaced) {
+            note_left_out(arguments.stream, decoded.surface, unplaced);
+            add_normals(arguments, decoded, unplaced);
+          },
+          placement);
+      note_rounding(arguments.output, mesh);
+      write_to(file,
+               [&](std::ostream& out) { write_mesh(mesh, format, out, arguments.mesh.jobs); });
+    }
     report = decoded.report;
   }
   file.commit();

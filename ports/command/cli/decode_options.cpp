@@ -36,7 +36,7 @@ Command add_decode(CLI::App& app) {
   add_mesh_options(*decode, arguments->mesh);
   add_component_options(*decode, arguments->components);
   add_space_option(*decode, arguments->space);
-  add_volume_options(*decode, arguments->layout);
+  add_volume_options(*decode, arguments->options);
   CLI::Option* volume = decode->add_option("--volume", arguments->volume,
                                            "the file that the stream was made of, for --normals "
                                            "gradient (default: the normals in the stream)");

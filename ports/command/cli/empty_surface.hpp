@@ -13,18 +13,18 @@ namespace discmc::command {
 /// Says why the surface of the volume is empty, with the range of the values. volume: has been
 /// read. is_full: whether every voxel is known to be on.
 std::string why_empty(const std::string& path, const VolumeArguments& arguments,
-                      const Selection& selection, const MeasuredVolume& volume,
+                      const NamedSelection& surface, const MeasuredVolume& volume,
                       bool is_full = false);
 
-/// Throws a VolumeError that says so, where there is --allow-empty.
+/// Throws what says so, where there is --allow-empty.
 [[noreturn]] void fail_empty(const std::string& path, const VolumeArguments& arguments,
-                             const Selection& selection, const MeasuredVolume& volume,
+                             const NamedSelection& surface, const MeasuredVolume& volume,
                              bool is_full = false);
 
 /// Throws as fail_empty() where the surface is empty and must not be, and says if it is the box of
 /// the volume, with the range of the values. extraction: of the volume, which has been read.
 void check_surface(const std::string& path, const VolumeArguments& arguments,
-                   const Selection& selection, const MeasuredVolume& volume,
+                   const NamedSelection& surface, const MeasuredVolume& volume,
                    const Extraction& extraction);
 
 }  // namespace discmc::command

@@ -1,7 +1,11 @@
 // discmc extract --labels all: a segmentation to meshes, one a label.
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,105 +13,167 @@
 
 #include "exit_codes.hpp"
 #include "extract.hpp"
+#include "extract_files.hpp"
 #include "extraction/labels.hpp"
-#include "files/file_pattern.hpp"
 #include "mesh_output.hpp"
 #include "progress.hpp"
 #include "require.hpp"
+#include "segmentation.hpp"
+#include "text/say.hpp"
 #include "volume_input.hpp"
 #include "volumes/filters/mask_volume.hpp"
 
 namespace discmc::command {
 namespace {
 
-LabelledSurfaces surfaces_of(VolumeReader& volume, const ExtractArguments& arguments) {
+// A label with its surface.
+struct FoundLabel {
+  LabelledSurface surface;
+  NamedSelection name;
+};
+
+// The labels that are asked for, by their layers; of `all` nothing of each.
+using Chosen = std::map<std::uint32_t, std::optional<std::set<LabelValue>>>;
+
+Chosen chosen_labels(const ExtractArguments& arguments, const LabelNames& names) {
+  Chosen chosen;
+  if (arguments.labels == "all") {
+    for (const std::uint32_t layer : names.layers()) chosen[layer];
+    return chosen;
+  }
+  std::vector<NamedLabels> labels;
+  try {
+    labels = names.each(arguments.labels);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(name_for_people(arguments.volume) + ": " + error.what());
+  }
+  for (const NamedLabels& each : labels)
+    for (const auto& [layer, values] : each.set) {
+      auto& of_layer = chosen[layer];
+      if (values.empty()) continue;  // a mask, which has one label
+      if (values.size() > 1)
+        throw std::invalid_argument(name_for_people(arguments.volume) + ": '" + each.name +
+                                    "' stands for " + std::to_string(values.size()) +
+                                    " labels; give them one by one, or all " +
+                                    "as one surface with --label");
+      if (!of_layer) of_layer.emplace();
+      of_layer->insert(values[0]);
+    }
+  return chosen;
+}
+
+std::vector<LabelledSurface> surfaces_of(VolumeReader& volume, const ExtractArguments& arguments,
+                                         std::optional<std::set<LabelValue>> chosen) {
   Progress progress("extracting", volume.info().dims[2]);
   try {
-    return extract_labels(volume, {arguments.reading.border, arguments.reading.median > 0,
-                                   [&progress](std::uint32_t slices) { progress.show(slices); }});
+    return extract_labels(
+        volume, {arguments.reading.border, arguments.reading.median > 0, std::move(chosen),
+                 [&progress](std::uint32_t slices) { progress.show(slices); }});
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(arguments.volume + ": " + error.what());
+    throw std::invalid_argument(name_for_people(arguments.volume) + ": " + error.what());
   }
 }
 
-// As in "it holds no label, every voxel is 0".
-std::string why_none(const ExtractArguments& arguments, std::uint64_t not_numbers) {
-  if (!arguments.reading.mask.empty()) return " that --mask leaves";
-  return not_numbers > 0 ? ", every voxel is 0 or not a number" : ", every voxel is 0";
+// As in "label 2 (bone)".
+std::string title(const NamedSelection& label) {
+  return "label " + label.given + (label.name == label.given ? "" : " (" + label.name + ")");
 }
 
-// As in "label 2 (bone)".
-std::string title(const LabelledSurface& label, const NamedSelection& selection) {
-  const std::string number = std::to_string(label.label);
-  return "label " + number + (selection.name == number ? "" : " (" + selection.name + ")");
+// Of labels that are asked for, and have no voxel.
+void check_missing(const ExtractArguments& arguments, const std::vector<std::string>& missing) {
+  if (missing.empty()) return;
+  std::string text = "no voxel has";
+  for (const std::string& label : missing) text += (label == missing[0] ? " " : ", ") + label;
+  if (arguments.labels != "all" && !arguments.reading.allows_empty)
+    throw std::runtime_error(name_for_people(arguments.volume) + ": " + text +
+                             "; leave out what is not there, or give --allow-empty");
+  say(arguments.volume, text);
+}
+
+NamedSelection selection_of(const LabelNames& names, std::uint32_t layer, LabelValue label) {
+  const NamedLabels named = names.named(layer, label);
+  NamedSelection selection{{}, label.text()};
+  selection.name = named.name;
+  selection.colour = named.colour;
+  return selection;
+}
+
+// In one pass a layer: in the order of the layers, then of the labels.
+std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentation& segmentation) {
+  const LabelNames& names = segmentation.names();
+  std::vector<FoundLabel> found;
+  std::vector<std::string> missing;
+  for (const auto& [layer, chosen] : chosen_labels(arguments, names)) {
+    std::unique_ptr<VolumeReader> volume = segmentation.open(layer);
+    if (auto mask = open_noted_mask(arguments.reading, volume->info()))
+      volume = masked(std::move(volume), std::move(mask));
+    std::vector<LabelledSurface> surfaces = surfaces_of(*volume, arguments, chosen);
+    for (const LabelValue label : chosen.value_or(std::set<LabelValue>())) {
+      const auto is_it = [value = label](const LabelledSurface& each) {
+        return each.label == value;
+      };
+      if (std::none_of(surfaces.begin(), surfaces.end(), is_it))
+        missing.push_back(title(selection_of(names, layer, label)));
+    }
+    // A mask that is empty.
+    if (!chosen && surfaces.empty() && names.layers().size() > 1)
+      missing.push_back(names.named(layer, 1).name);
+    for (LabelledSurface& surface : surfaces) {
+      NamedSelection selection = selection_of(names, layer, surface.label);
+      found.push_back({std::move(surface), std::move(selection)});
+    }
+  }
+  check_missing(arguments, missing);
+  return found;
 }
 
 // target: the file, or the name in it.
-void write_line(const LabelledSurface& label, std::uint64_t faces, const std::string& target,
+void print_line(const LabelledSurface& label, std::uint64_t faces, const std::string& target,
                 std::ostream& out) {
-  out << std::setw(8) << label.label << std::setw(14) << label.voxels << std::setw(12) << faces
-      << "  " << target << '\n';
+  out << std::setw(8) << label.label.text() << std::setw(14) << label.voxels << std::setw(12)
+      << faces << "  " << target << '\n';
 }
 
 }  // namespace
 
 int extract_label_meshes(const ExtractArguments& arguments) {
-  const FilePattern pattern(arguments.output);
-  const LabelTable given = label_table_of(arguments);
-  std::unique_ptr<VolumeReader> volume =
-      open_noted_volume(arguments.volume, arguments.reading, true);
-  if (auto mask = open_noted_mask(arguments.reading, volume->info()))
-    volume = masked(arguments.volume, std::move(volume), std::move(mask));
-  const VolumeInfo& info = volume->info();
-  const LabelTable& table = given.empty() ? info.labels : given;
-  const auto placement = mesh_placement(arguments.volume, info.placement, arguments.space);
-  pattern.require_folder();
-  LabelledSurfaces labels = surfaces_of(*volume, arguments);
-  note_not_numbers(arguments, labels.not_numbers);
-  if (labels.all.empty() && !arguments.reading.allows_empty)
-    throw VolumeError(arguments.volume + ": it holds no label" +
-                      why_none(arguments, labels.not_numbers) + "; --allow-empty takes that");
+  MeshFiles files(arguments);
+  Segmentation segmentation(arguments.volume, arguments.reading);
+  files.set_placement(
+      mesh_placement(arguments.volume, segmentation.info().placement, arguments.space));
+  std::vector<FoundLabel> labels = find_labels(arguments, segmentation);
+  const std::string volume = name_for_people(arguments.volume);
+  if (labels.empty() && !arguments.reading.allows_empty)
+    throw std::runtime_error(volume + ": it holds no label" +
+                             (arguments.reading.mask.empty() ? "" : " that --mask leaves") +
+                             "; --allow-empty takes that");
 
   std::vector<NamedSelection> selections;
-  for (const LabelledSurface& each : labels.all) {
-    const auto value = static_cast<double>(each.label);
-    selections.push_back({Selection(value, value), std::to_string(each.label)});
-    describe(selections.back(), table);
-  }
-  const bool is_shared = shares_file(arguments);
-  const std::vector<std::string> files = files_for(pattern, selections);
+  for (const FoundLabel& each : labels) selections.push_back(each.name);
+  const std::vector<std::string> names = files.names_for(selections);
   if (!arguments.quiet)
-    std::cout << "   label        voxels       faces  " << (is_shared ? "name" : "file") << '\n';
-  std::vector<Mesh> parts;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const LabelledSurface& label = labels.all[i];
-    Surface& surface = labels.all[i].surface;
-    keep_chosen(arguments.volume + ": " + title(label, selections[i]), arguments.components,
-                surface);
-    if (surface.polygons.empty() && !arguments.reading.allows_empty) {
-      std::cerr << "discmc: " << arguments.volume << ": " << title(label, selections[i])
-                << " has no surface left, so "
-                << (is_shared ? "it is not in " + files[i] : files[i] + " is not written") << '\n';
+    std::cout << "   label        voxels       faces  " << (files.are_one() ? "name" : "file")
+              << '\n';
+  bool has_mesh = false;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    LabelledSurface& label = labels[i].surface;
+    keep_chosen(volume + ": " + title(selections[i]), arguments.components, label.surface);
+    if (label.surface.polygons.empty() && !arguments.reading.allows_empty) {
+      say(arguments.volume,
+          title(selections[i]) + " has no surface left, so " +
+              (files.are_one() ? "it is not in " + names[i] : names[i] + " is not written"));
       continue;
     }
-    const SurfaceOutput output{surface, selections[i], files[i]};
-    if (is_shared) {
-      parts.push_back(part_of(arguments, output, placement));
-      surface = {};  // its memory is the next part's
-      if (!arguments.quiet)
-        write_line(label, parts.back().face_count(), parts.back().name, std::cout);
-    } else {
-      const MeshSummary mesh = write_mesh_of(arguments, output, placement);
-      if (!arguments.quiet) write_line(label, mesh.face_count, files[i], std::cout);
-    }
+    const MeshSummary mesh = files.add({label.surface, selections[i], names[i]});
+    has_mesh = true;
+    if (!arguments.quiet)
+      print_line(label, mesh.face_count, files.are_one() ? selections[i].name : names[i],
+                 std::cout);
   }
-  if (is_shared) {
-    if (parts.empty() && !arguments.reading.allows_empty)
-      throw VolumeError(arguments.volume + ": no label has a surface left, so " + arguments.output +
-                        " is not written; --allow-empty takes that");
-    write_parts(arguments, parts);
-    if (!arguments.quiet) write_file(arguments.output, std::cout);
-  }
+  if (files.are_one() && !has_mesh && !arguments.reading.allows_empty)
+    throw std::runtime_error(volume + ": no label has a surface left, so " + arguments.output +
+                             " is not written; --allow-empty takes that");
+  files.finish();
   if (!arguments.quiet) require_written(std::cout);
   return exit_ok;
 }

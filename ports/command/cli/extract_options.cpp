@@ -41,17 +41,15 @@ void check_labels(const ExtractArguments& arguments) {
 }
 
 void check_selections(const ExtractArguments& arguments) {
-  if (arguments.takes_all_labels) return check_labels(arguments);
-  if (!arguments.label_table.empty() && format_of(arguments.output) == Format::stream)
-    throw CLI::ValidationError("--label-table", "a stream has no names: write meshes");
-  if (!arguments.label_table.empty() && !arguments.reading.selects_labels())
+  if (!arguments.labels.empty()) return check_labels(arguments);
+  if (!arguments.reading.label_table.empty() && !arguments.reading.selects_labels())
     throw CLI::ValidationError("--label-table", "it is of labels: add --label N or --labels all");
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const std::size_t surfaces = selections.size();
   if (surfaces == 0)
     throw CLI::ValidationError("--iso",
-                               "is missing: give --iso ISO, --range LOW..HIGH, --label N "
-                               "or --labels all");
+                               "is missing: give --iso auto, or --iso ISO, --range LOW..HIGH, "
+                               "--label N or --labels all");
   const bool is_stream = format_of(arguments.output) == Format::stream;
   if (is_stream && surfaces > StreamHeader::max_surfaces)
     throw CLI::ValidationError(
@@ -64,7 +62,7 @@ void check_selections(const ExtractArguments& arguments) {
                                    extensions(&FormatTraits::holds_several) +
                                    " name, which holds them all");
   for (const NamedSelection& each : selections)
-    if (each.selection.has_upper_end() && arguments.normals == Normals::gradient)
+    if (each.has_upper_end() && arguments.normals == Normals::gradient)
       throw CLI::ValidationError("--normals",
                                  "the gradient points from on to off only where --iso divides "
                                  "them: give --normals surface");
@@ -87,7 +85,7 @@ void check_mask(const ExtractArguments& arguments) {
     throw CLI::ValidationError("--mask",
                                "where the mask ends the samples have no gradient that points out: "
                                "give --normals surface, or leave it out");
-  if (!arguments.reading.mask.empty() && arguments.takes_all_labels && arguments.reading.median > 0)
+  if (!arguments.reading.mask.empty() && !arguments.labels.empty() && arguments.reading.median > 0)
     throw CLI::ValidationError("--mask",
                                "labels are masked before they are filtered, and would grow over "
                                "the mask again: leave out --median, or give each --label");
@@ -195,19 +193,23 @@ SlabChoice slab_choice(const std::string& text) {
 void add_label_options(CLI::App& app, ExtractArguments& arguments) {
   app.option_defaults()->group(surface_group);
   CLI::Option* labels =
-      app.add_option_function<std::string>(
-             "--labels", [&arguments](const std::string&) { arguments.takes_all_labels = true; },
-             "a surface of every value but 0, in one pass: a mesh each, in a file each or in "
-             "one " +
-                 extensions(&FormatTraits::holds_several) + " file")
-          ->check(CLI::IsMember({"all"}))
-          ->option_text("all");
+      app.add_option("--labels", arguments.labels,
+                     "a surface of every value but 0, or of each label in a list, by numbers or "
+                     "names: a mesh each, in a file each or in one " +
+                         extensions(&FormatTraits::holds_several) + " file")
+          ->check(CLI::Validator(
+              [](std::string& text) {
+                return text.empty() ? std::string("no label is given: give all, or a list")
+                                    : std::string();
+              },
+              ""))
+          ->option_text("all|N|NAME,...");
   for (const char* other : {"--iso", "--range", "--label", "--memory", "--capacities"})
     labels->excludes(app.get_option(other));
-  app.add_option("--label-table", arguments.label_table,
+  app.add_option("--label-table", arguments.reading.label_table,
                  "the names of labels, which {name} stands for, and their colours (.glb, .3mf, "
-                 ".ply): a table of 3D Slicer, FreeSurfer, ITK-SNAP or BIDS (default: with "
-                 "--labels what a .seg.nrrd of 3D Slicer tells itself)")
+                 ".ply): a table of 3D Slicer, FreeSurfer, ITK-SNAP or BIDS, or dataset.json of "
+                 "nnU-Net (default: what the file tells, as a .seg.nrrd of 3D Slicer does)")
       ->option_text("FILE");
 }
 
@@ -243,13 +245,15 @@ Command add_extract(CLI::App& app) {
   extract
       ->add_option(
           "VOLUME", arguments->volume,
-          "file of NRRD, NIfTI, Analyze, MetaImage, VTK, NumPy, HDF5 or InVesalius, a folder or "
-          "file of DICOM, a folder, 'pattern' or file of PNG or TIFF slices, or headerless "
-          "samples with --dims and --type; - reads standard input")
+          "file of NRRD, NIfTI, Analyze, MetaImage, MGH, MRC, VTK, NumPy, HDF5 or InVesalius, a "
+          "folder of Zarr, a folder or file of DICOM, a folder, 'pattern' or file of PNG, TIFF, "
+          "JPEG "
+          "or BMP slices, a folder or 'pattern' of masks, one a label, or headerless samples with "
+          "--dims and --type; - reads standard input")
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");
   extract->add_flag("-q,--quiet", arguments->quiet, "print nothing of what was written");
-  add_volume_options(*extract, arguments->reading.layout);
+  add_volume_options(*extract, arguments->reading.options);
   add_surface_options(*extract, arguments->reading);
   for (const char* option : {"--iso", "--range", "--label"})
     extract->get_option(option)->expected(1, -1)->allow_extra_args(false);

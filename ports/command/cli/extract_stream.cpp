@@ -18,8 +18,8 @@
 #include "progress.hpp"
 #include "streams/stream_output.hpp"
 #include "summary.hpp"
-#include "surface/counts.hpp"
 #include "volume_input.hpp"
+#include "volumes/iso_value.hpp"
 
 namespace discmc::command {
 namespace {
@@ -76,8 +76,8 @@ void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& inf
 
 }  // namespace
 
-ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& out) {
-  const auto volume = open_noted_volume(arguments.volume, arguments.reading);
+ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
+  const auto volume = open_measured(arguments.volume, arguments.reading);
   const VolumeInfo info = volume->info();
   const auto mask = open_noted_mask(arguments.reading, info);
   StreamOutput output(&out);
@@ -95,13 +95,14 @@ ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& ou
   std::unique_ptr<VolumeReader> narrow;
   if (options.normals && !is_scanner_type(info.type)) {
     require_one_surface(arguments.reading, info);
-    narrow = narrowed_again(arguments.volume, volume_options(arguments.reading.layout),
+    narrow = narrowed_again(arguments.volume, arguments.reading.options,
                             selections[0].selection.low, *volume);
-    selections[0].selection = 0;
+    selections[0].selection = {0};
   }
 
   ExtractedStream stream;
-  stream.receivers = receivers_for(selections);
+  stream.receivers =
+      receivers_for(selections, arguments.quiet ? std::nullopt : std::optional(Kept::counts));
   SliceWriter slices;
   SharedOutput link;
   if (arguments.wire == Wire::slices) {
@@ -117,8 +118,6 @@ ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& ou
       stream.receivers[i]->start_stream(label, info.placement, options.slab, link.output());
     }
   }
-  if (!arguments.quiet)
-    for (const auto& receiver : stream.receivers) receiver->start_surface();
 
   stream.extractions =
       extract(narrow ? *narrow : *volume, options, requests_of(selections, stream.receivers));
@@ -129,7 +128,7 @@ ExtractedStream write_stream(const ExtractArguments& arguments, std::ostream& ou
   return stream;
 }
 
-int extract_stream(const ExtractArguments& arguments) {
+int extract_stream(ExtractArguments arguments) {
   if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
     throw std::invalid_argument("a stream is not written to a terminal: give -o FILE, or a pipe");
   OutputFile file(arguments.output);
@@ -137,12 +136,12 @@ int extract_stream(const ExtractArguments& arguments) {
   file.commit();
   if (arguments.quiet) return exit_ok;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
-  if (arguments.output != "-") write_file(arguments.output, out);
+  if (arguments.output != "-") print_file(arguments.output, out);
   for (std::size_t i = 0; i < stream.receivers.size(); ++i) {
     SurfaceReceiver& receiver = *stream.receivers[i];
     if (stream.receivers.size() > 1)
       out << "channel " << i << ", at " << arguments.reading.selections[i].name << '\n';
-    write_table(stream.extractions[i], count(receiver.surface()),
+    print_table(stream.extractions[i], receiver.counts(),
                 arguments.wire == Wire::slices ? stream.slice_bytes : receiver.stream_bytes(),
                 stream.slice_memory, out);
   }

@@ -1,4 +1,5 @@
 // discmc info: what is in a stream or a volume.
+#include <cstddef>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -12,30 +13,39 @@
 #include "statistics/volume_statistics.hpp"
 #include "stream_input.hpp"
 #include "summary.hpp"
-#include "surface/counts.hpp"
 #include "volume_input.hpp"
 #include "volume_summary.hpp"
 
 namespace discmc::command {
 namespace {
 
+// printed: how many of them are.
+void print_notes(const std::vector<std::string>& notes, std::size_t& printed) {
+  for (; printed < notes.size(); ++printed) std::cout << "note " << notes[printed] << '\n';
+}
+
 int info_of_volume(const InfoArguments& arguments) {
-  const auto volume = open_volume(arguments.input, volume_options(arguments.layout));
+  const auto volume = open_layer(arguments.input, arguments.options);
   const VolumeInfo& info = volume->info();
-  write_volume_info(info, std::cout);
+  print_volume_info(info, std::cout);
+  std::size_t printed = 0;
+  print_notes(volume->notes(), printed);
+  if (info.frames > 1 && !arguments.options.frame)
+    std::cout << "note the values are those of layer 0; --frame N tells those of another\n";
   require_written(std::cout);
   Progress progress("measuring", info.dims[2]);
   const VolumeStatistics statistics =
       volume_statistics(*volume, [&progress](std::uint32_t slices) { progress.show(slices); });
-  write_volume_statistics(info, statistics, std::cout);
+  print_volume_statistics(info, statistics, std::cout);
+  print_notes(volume->notes(), printed);
   require_written(std::cout);
   return exit_ok;
 }
 
 int info_of_stream(const InfoArguments& arguments) {
-  const DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
-  write_info(decoded.header, decoded.channel, decoded.streams, decoded.report,
-             count(decoded.surface), decoded.placement, std::cout);
+  const DecodedStream decoded = decode_surface(arguments.input, arguments.choice, Kept::counts);
+  print_info(decoded.header, decoded.channel, decoded.streams, decoded.report, decoded.counts,
+             decoded.placement, std::cout);
   for (const std::string& record : decoded.records) std::cout << "record " << record << '\n';
   require_written(std::cout);
   return completeness(arguments.input, decoded.report);

@@ -18,7 +18,7 @@ Command add_info(CLI::App& app) {
                    "are, and which --iso they suggest; - reads standard input")
       ->required();
   add_choice_options(*info, arguments->choice);
-  add_volume_options(*info, arguments->layout);
+  add_volume_options(*info, arguments->options);
   info->footer(
       "Examples:\n"
       "  discmc info head.dmc\n"

@@ -4,7 +4,8 @@
 #include <fstream>
 #include <iostream>
 
-#include "volumes/volume.hpp"
+#include "volumes/byte_source.hpp"
+#include "volumes/format_list.hpp"
 
 namespace discmc::command {
 namespace {

@@ -15,6 +15,7 @@
 #include "summary.hpp"
 #include "surface/spilling_joiner.hpp"
 #include "surface_receiver.hpp"
+#include "text/say.hpp"
 
 namespace discmc::command {
 namespace {
@@ -156,13 +157,14 @@ int run_join(const JoinArguments& arguments) {
   file.commit();
   const std::vector<SlabRange> missing = join.slabs().missing();
   if (!missing.empty()) {
-    std::cerr << "discmc: " << arguments.output << ": the " << text(missing) << " are missing, and "
-              << join.fragments() << " pieces are open: join it with the slabs of these slices\n";
+    say(arguments.output == "-" ? "standard output" : arguments.output,
+        "the " + text(missing) + " are missing, and " + std::to_string(join.fragments()) +
+            " pieces are open: join it with the slabs of these slices");
     code = exit_incomplete;
   }
   if (arguments.quiet) return code;
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
-  if (arguments.output != "-") write_file(arguments.output, out);
+  if (arguments.output != "-") print_file(arguments.output, out);
   out << join.regions() << " polygons\n";
   require_written(out);
   return code;

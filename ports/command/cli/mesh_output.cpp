@@ -1,12 +1,15 @@
 #include "mesh_output.hpp"
 
-#include <iostream>
 #include <stdexcept>
 
+#include "mesh_files/file_format.hpp"
+#include "mesh_files/float_precision.hpp"
 #include "mesh_files/mesh_files.hpp"
 #include "meshes/placing.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "progress.hpp"
+#include "text/number_text.hpp"
+#include "text/say.hpp"
 
 namespace discmc::command {
 namespace {
@@ -14,6 +17,13 @@ namespace {
 Mesh triangulated(const Surface& surface, const MeshOptions& options) {
   const Progress triangulating("triangulating");
   return build_mesh(surface, options);
+}
+
+// From where the coordinates in the file are counted, if they are 32-bit floats.
+std::optional<Point> origin_of_floats(const std::string& file, const Mesh& mesh) {
+  const Format format = format_of(file);
+  if (traits_of(format).holds_doubles) return std::nullopt;
+  return format == Format::glb ? glb_origin({&mesh}) : Point{};
 }
 
 }  // namespace
@@ -50,22 +60,35 @@ void write_to(OutputFile& file, const std::function<void(std::ostream&)>& write)
   }
 }
 
-void write_surface(const Surface& surface, Format format, const MeshOptions& options,
-                   const std::function<void(Mesh&)>& add_normals,
-                   const std::optional<VolumePlacement>& placement, OutputFile& file) {
-  if (format == Format::jsonl)
-    return write_to(file, [&](std::ostream& out) { write_jsonl(surface, out); });
-  const Mesh mesh = placed_mesh(surface, options, add_normals, placement);
-  write_to(file, [&](std::ostream& out) { write_mesh(mesh, format, out, options.jobs); });
+bool is_closed_in(const std::string& file, const Mesh& mesh) {
+  if (!is_closed(mesh)) return false;
+  const std::optional<Point> origin = origin_of_floats(file, mesh);
+  return !origin || suits_floats(mesh, *origin) ||
+         count_float_places(mesh, *origin) == mesh.vertices_mm.size();
+}
+
+void note_rounding(const std::string& file, const Mesh& mesh) {
+  const std::optional<Point> origin = origin_of_floats(file, mesh);
+  if (!origin || suits_floats(mesh, *origin)) return;
+  const std::size_t places = count_float_places(mesh, *origin);
+  std::string text = "coordinates are rounded to " + short_number(float_step_mm(mesh, *origin)) +
+                     " mm, as " + std::string(traits_of(format_of(file)).extension) +
+                     " files hold 32-bit floats";
+  if (places < mesh.vertices_mm.size())
+    text += ", and " + std::to_string(mesh.vertices_mm.size()) + " vertices are in " +
+            std::to_string(places) + " places";
+  text += ": write " + extensions(&FormatTraits::holds_doubles);
+  if (suits_floats(mesh, mesh.vertices_mm[0])) text += ", or give --space voxel";
+  say(file, text);
 }
 
 void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh) {
   if (mesh.left_out.empty()) return;
-  std::cerr << "discmc: " << input << ": " << mesh.left_out.size() << " of "
-            << surface.polygons.size()
-            << " polygons left out, as their rings cross or bound nothing; -o FILE.jsonl has the "
-               "first in line "
-            << mesh.left_out[0] + 1 << '\n';
+  say(input, std::to_string(mesh.left_out.size()) + " of " +
+                 std::to_string(surface.polygons.size()) +
+                 " polygons left out, as their rings cross or bound nothing; -o FILE.jsonl has the "
+                 "first in line " +
+                 std::to_string(mesh.left_out[0] + 1));
 }
 
 void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface) {
@@ -73,8 +96,8 @@ void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface
   const Progress progress("choosing");
   const ComponentCounts counts = keep_components(surface, choice);
   if (counts.kept == counts.found) return;
-  std::cerr << "discmc: " << name << ": " << counts.kept << " of " << counts.found
-            << " bodies and cavities kept\n";
+  say(name, std::to_string(counts.kept) + " of " + std::to_string(counts.found) +
+                " bodies and cavities kept");
 }
 
 void add_gradient_normals(VolumeReader& volume, Mesh& mesh) {

@@ -9,7 +9,6 @@
 
 #include "arguments.hpp"
 #include "files/output_file.hpp"
-#include "mesh_files/file_format.hpp"
 #include "meshes/mesh.hpp"
 #include "surface/components.hpp"
 #include "surface/surface.hpp"
@@ -32,11 +31,11 @@ Mesh placed_mesh(const Surface& surface, const MeshOptions& options,
 /// Calls write with the stream of the file; what goes wrong is told with the file's name.
 void write_to(OutputFile& file, const std::function<void(std::ostream&)>& write);
 
-/// Writes a surface to the file, as a mesh or as lines of polygons, with both of the above.
-/// Limit: not Format::stream.
-void write_surface(const Surface& surface, Format format, const MeshOptions& options,
-                   const std::function<void(Mesh&)>& add_normals,
-                   const std::optional<VolumePlacement>& placement, OutputFile& file);
+/// Whether the mesh is closed as the file holds it: as is_closed(), and no vertices fall together.
+bool is_closed_in(const std::string& file, const Mesh& mesh);
+
+/// Says how coarse the coordinates in the file are, if its format has too few digits for them.
+void note_rounding(const std::string& file, const Mesh& mesh);
 
 /// Says which polygons of the surface of this input the mesh has not, if there are any.
 void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh);

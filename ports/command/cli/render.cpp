@@ -6,6 +6,7 @@
 #include "exit_codes.hpp"
 #include "extraction/classic.hpp"
 #include "extraction/extraction.hpp"
+#include "files/output_file.hpp"
 #include "mesh_output.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/surface_normals.hpp"
@@ -35,7 +36,7 @@ Mesh mesh_to_draw(const RenderArguments& arguments, const Surface& surface) {
 // The gradient is that of the surface only where a threshold alone divides the samples.
 bool has_gradient(const VolumeArguments& arguments) {
   return arguments.median == 0 && arguments.mask.empty() &&
-         !arguments.selections[0].selection.has_upper_end();
+         !arguments.selections[0].has_upper_end();
 }
 
 // options: of the extraction. volume: not yet read; is at the end.
@@ -44,31 +45,30 @@ Mesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
   options.normals = arguments.smooth && has_gradient(arguments.reading);
   std::unique_ptr<VolumeReader> narrow;
   if (options.normals && !is_scanner_type(volume.info().type)) {
-    narrow = narrowed_again(arguments.input, volume_options(arguments.reading.layout),
-                            options.selection.low, volume);
-    options.selection = 0;
+    narrow =
+        narrowed_again(arguments.input, arguments.reading.options, options.selection.low, volume);
+    options.selection = {0};
   }
   SurfaceBuilder builder;
   GrowingJoiner joiner(make_sink(builder));
-  const Selection& asked = arguments.reading.selections[0].selection;
+  const NamedSelection& asked = arguments.reading.selections[0];
   const Extraction extraction = extract(narrow ? *narrow : volume, options, make_sink(joiner));
   check_surface(arguments.input, arguments.reading, asked, volume, extraction);
   builder.surface().spacing_mm = volume.info().spacing_mm;
   return mesh_to_draw(arguments, builder.surface());
 }
 
-Mesh volume_to_draw(const RenderArguments& arguments) {
+Mesh volume_to_draw(RenderArguments arguments) {
   if (arguments.smooth && has_gradient(arguments.reading))
     require_second_pass(arguments.input, gradient_pass);
-  const auto volume = open_noted_volume(arguments.input, arguments.reading);
+  const auto volume = open_measured(arguments.input, arguments.reading);
   Progress progress("extracting", volume->info().dims[2]);
   const auto mask = open_noted_mask(arguments.reading, volume->info());
   const auto options = extraction_options(arguments.reading, progress, mask.get());
   if (!arguments.classic) return merged_mesh(arguments, *volume, options);
   Mesh mesh = classic_mesh(*volume, options);
   if (mesh.face_count() == 0 && !arguments.reading.allows_empty)
-    fail_empty(arguments.input, arguments.reading, arguments.reading.selections[0].selection,
-               *volume);
+    fail_empty(arguments.input, arguments.reading, arguments.reading.selections[0], *volume);
   return mesh;
 }
 
@@ -87,6 +87,7 @@ PictureOptions picture_options(const RenderArguments& arguments) {
 }  // namespace
 
 int run_render(const RenderArguments& arguments) {
+  OutputFile file(arguments.output);
   Mesh mesh;
   int code = exit_ok;
   if (arguments.is_volume) {
@@ -100,7 +101,8 @@ int run_render(const RenderArguments& arguments) {
   }
   if (arguments.smooth && mesh.normals.empty()) mesh.normals = surface_normals(mesh);
   const Progress drawing("drawing");
-  write_picture(mesh, picture_options(arguments), arguments.output);
+  write_picture(mesh, picture_options(arguments), file.stream());
+  file.commit();
   return code;
 }
 

@@ -17,7 +17,7 @@ void check(const CLI::App& render, const RenderArguments& arguments) {
   check_kind(render, arguments.input, arguments.is_volume);
   if (arguments.is_volume && arguments.reading.selections.empty())
     throw CLI::ValidationError(arguments.input,
-                               "a volume is drawn at a threshold: give --iso VALUE");
+                               "a volume is drawn at a threshold: give --iso auto, or a number");
   if (arguments.view == std::vector<double>{0, 0, 0})
     throw CLI::ValidationError("--view", "0,0,0 is no direction: give one that is not zero");
 }
@@ -83,7 +83,7 @@ Command add_render(CLI::App& app) {
       ->required();
   add_picture_options(*render, *arguments);
   add_choice_options(*render, arguments->choice);
-  add_volume_options(*render, arguments->reading.layout);
+  add_volume_options(*render, arguments->reading.options);
   add_surface_options(*render, arguments->reading);
   add_classic_option(*render, arguments->classic);
   render->footer(

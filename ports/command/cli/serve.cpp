@@ -16,25 +16,25 @@
 #include "require.hpp"
 #include "view.hpp"
 #include "volume_input.hpp"
+#include "volumes/byte_source.hpp"
 #include "volumes/formats/nifti/writer.hpp"
+#include "volumes/volume_filter.hpp"
 
 namespace discmc::command {
 namespace {
 
 // Slices are read in turn, as not every library does so in two threads. Whoever is slow to take
 // what was read holds nobody up.
-class ReadInTurn final : public VolumeReader {
+class ReadInTurn final : public VolumeFilter {
  public:
   ReadInTurn(std::unique_ptr<VolumeReader> volume, std::mutex& turn)
-      : volume_(std::move(volume)), turn_(turn) {}
-  const VolumeInfo& info() const override { return volume_->info(); }
+      : VolumeFilter(std::move(volume)), turn_(turn) {}
   void read_slice(void* samples) override {
     const std::lock_guard<std::mutex> lock(turn_);
-    volume_->read_slice(samples);
+    VolumeFilter::read_slice(samples);
   }
 
  private:
-  std::unique_ptr<VolumeReader> volume_;
   std::mutex& turn_;
 };
 
@@ -54,7 +54,7 @@ void serve_samples(const ViewArguments& arguments) {
   std::mutex turn;
   const auto open = [&] {
     const std::lock_guard<std::mutex> lock(turn);
-    return open_volume(arguments.input, volume_options(arguments.reading.layout));
+    return open_noted(arguments.input, arguments.reading.options);
   };
   const VolumeInfo info = open()->info();
   require_size(arguments.input, info, most);

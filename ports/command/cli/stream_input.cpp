@@ -15,6 +15,7 @@
 #include "streams/spacing.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
+#include "text/say.hpp"
 #include "volumes/other_kinds.hpp"
 #include "volumes/volume.hpp"
 
@@ -98,21 +99,22 @@ void read_stream(const std::string& path, std::istream& in, std::uint64_t size,
 
 // read: called with the reader.
 template <class Read>
-DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice& choice) {
-  SurfaceBuilder builder;
+DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice& choice,
+                         Kept kept) {
+  SurfaceBuilder builder(kept);
   GrowingJoiner joiner(make_sink(builder));
   RecordNotes notes{joiner};
   StreamReader reader(make_sink(notes), choice);
   read(reader);
   note_others(path, choice, reader);
   if (!notes.slabs.missing().empty())
-    std::cerr << "discmc: " << path << ": it holds the " << text(notes.slabs.ranges()) << " of "
-              << notes.slabs.ranges()[0].depth
-              << " alone: discmc join makes the whole surface of it and the other slabs\n";
+    say(path, "it holds the " + text(notes.slabs.ranges()) + " of " +
+                  std::to_string(notes.slabs.ranges()[0].depth) +
+                  " alone: discmc join makes the whole surface of it and the other slabs");
   joiner.finish();
   builder.surface().spacing_mm = spacing_mm(reader.header());
   if (notes.placement && !is_usable(*notes.placement)) {
-    std::cerr << "discmc: " << path << ": its placement is unusable, and dropped\n";
+    say(path, "its placement is unusable, and dropped");
     notes.placement.reset();
   }
   StreamReport report = reader.report();
@@ -122,6 +124,7 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
           reader.headers(),
           report,
           std::move(builder.surface()),
+          builder.counts(),
           std::move(notes.records),
           notes.placement};
 }
@@ -145,9 +148,9 @@ std::string stream_bytes(const std::string& path) {
 void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader) {
   const std::vector<std::string> surfaces = list_of_surfaces(reader);
   if (surfaces.size() < 2 || !choice.is_any()) return;
-  std::cerr << "discmc: " << path << ": this is scan " << reader.header().scan << " channel "
-            << int{reader.channel()} << " of " << joined(surfaces)
-            << ": choose with --scan N and --channel N\n";
+  say(path, "this is scan " + std::to_string(reader.header().scan) + " channel " +
+                std::to_string(reader.channel()) + " of " + joined(surfaces) +
+                ": choose with --scan N and --stream-channel N");
 }
 
 void require_one_surface(const std::string& path, const StreamReader& reader) {
@@ -157,24 +160,24 @@ void require_one_surface(const std::string& path, const StreamReader& reader) {
                              ", and one surface is joined: give streams of one each");
 }
 
-DecodedStream decode_surface(const std::string& path, const StreamChoice& choice) {
-  return decoded_by([&](StreamReader& reader) { read_file(path, reader); }, path, choice);
+DecodedStream decode_surface(const std::string& path, const StreamChoice& choice, Kept kept) {
+  return decoded_by([&](StreamReader& reader) { read_file(path, reader); }, path, choice, kept);
 }
 
 DecodedStream decode_surface(const std::string& path, std::istream& in,
                              const StreamChoice& choice) {
-  return decoded_by([&](StreamReader& reader) { read_stream(path, in, 0, reader); }, path, choice);
+  return decoded_by([&](StreamReader& reader) { read_stream(path, in, 0, reader); }, path, choice,
+                    Kept::polygons);
 }
 
 int completeness(const std::string& path, const StreamReport& report) {
   if (report.is_complete()) return exit_ok;
   if (report.is_mixed)
-    std::cerr << "discmc: " << path
-              << ": two scans of one number are mixed in it: give every scan a number of its own\n";
-  std::cerr << "discmc: " << path << ": the stream is incomplete: " << report.lost_packets
-            << " packets and " << (report.holds_slices ? report.lost_rows : report.lost_pieces)
-            << (report.holds_slices ? " rows" : " regions or fragments") << " are missing"
-            << (report.has_trailer ? "" : ", and its end") << '\n';
+    say(path, "two scans of one number are mixed in it: give every scan a number of its own");
+  say(path, "the stream is incomplete: " + std::to_string(report.lost_packets) + " packets and " +
+                std::to_string(report.holds_slices ? report.lost_rows : report.lost_pieces) +
+                (report.holds_slices ? " rows" : " regions or fragments") + " are missing" +
+                (report.has_trailer ? "" : ", and its end"));
   return exit_incomplete;
 }
 

@@ -11,7 +11,7 @@
 #include <discmc/sink.hpp>
 
 #include "streams/stream_file.hpp"
-#include "surface/surface.hpp"
+#include "surface/surface_builder.hpp"
 #include "volumes/volume_placement.hpp"
 
 namespace discmc::command {
@@ -31,12 +31,14 @@ struct DecodedStream {
   std::uint8_t channel;
   std::vector<StreamHeader> streams;  ///< all of the link
   StreamReport report;
-  Surface surface;
+  Surface surface;                           ///< without polygons where counts alone are kept
+  Counts counts;                             ///< else none
   std::vector<std::string> records;          ///< the user's own, in words
   std::optional<VolumePlacement> placement;  ///< if it is told, and of use
 };
 
-DecodedStream decode_surface(const std::string& path, const StreamChoice& choice);
+DecodedStream decode_surface(const std::string& path, const StreamChoice& choice,
+                             Kept kept = Kept::polygons);
 /// The same of bytes that come from elsewhere. path: what they are called.
 DecodedStream decode_surface(const std::string& path, std::istream& in, const StreamChoice& choice);
 

@@ -45,7 +45,7 @@ const char* space_name(Frame frame) {
   return "scanner";
 }
 
-void write_memory(const Extraction& extraction, std::ostream& out) {
+void print_memory(const Extraction& extraction, std::ostream& out) {
   if (!extraction.memory) return;
   const MemoryUse& memory = *extraction.memory;
   row(out, "bytes of arena used", grouped(memory.arena_bytes_used),
@@ -58,27 +58,27 @@ void write_memory(const Extraction& extraction, std::ostream& out) {
       shortage(extraction, memory));
 }
 
-void write_vector(const char* name, const std::array<double, 3>& vector, std::ostream& out) {
+void print_vector(const char* name, const std::array<double, 3>& vector, std::ostream& out) {
   out << name << ' ' << vector[0] << ' ' << vector[1] << ' ' << vector[2] << '\n';
 }
 
 }  // namespace
 
-void write_place(const std::array<double, 3>& spacing_mm,
+void print_place(const std::array<double, 3>& spacing_mm,
                  const std::optional<VolumePlacement>& placement, std::ostream& out) {
   const auto digits = out.precision(10);  // a nanometre of the largest spacing
-  write_vector("spacing", spacing_mm, out);
+  print_vector("spacing", spacing_mm, out);
   out.precision(15);  // a nanometre of an origin as far away as can be
   const VolumePlacement place = placement ? *placement : along_coordinates(spacing_mm);
   out << "space " << (placement ? space_name(place.frame) : "voxel") << '\n';
-  write_vector("origin", place.origin_mm, out);
-  write_vector("axis_x", place.axes_mm[0], out);
-  write_vector("axis_y", place.axes_mm[1], out);
-  write_vector("axis_z", place.axes_mm[2], out);
+  print_vector("origin", place.origin_mm, out);
+  print_vector("axis_x", place.axes_mm[0], out);
+  print_vector("axis_y", place.axes_mm[1], out);
+  print_vector("axis_z", place.axes_mm[2], out);
   out.precision(digits);
 }
 
-void write_file(const std::string& file, std::ostream& out) {
+void print_file(const std::string& file, std::ostream& out) {
   std::error_code error;
   const std::uint64_t bytes = std::filesystem::file_size(file, error);
   out << file;
@@ -86,20 +86,19 @@ void write_file(const std::string& file, std::ostream& out) {
   out << '\n';
 }
 
-void write_mesh_table(const MeshSummary& mesh, const Extraction& extraction, std::ostream& out) {
+void print_mesh_table(const MeshSummary& mesh, const Extraction& extraction, std::ostream& out) {
   row(out, mesh.faces.c_str(), grouped(mesh.face_count),
       "classic Marching Cubes: " + grouped(extraction.statistics.classic_triangles) + " triangles");
   if (mesh.vertex_count > 0) row(out, "vertices", grouped(mesh.vertex_count));
   if (mesh.is_closed) row(out, "closed", *mesh.is_closed ? "yes" : "no");
-  write_memory(extraction, out);
+  print_memory(extraction, out);
 }
 
-void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
+void print_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
                  std::uint64_t slice_encoder_bytes, std::ostream& out) {
   const Statistics& statistics = extraction.statistics;
   row(out, "voxels", grouped(extraction.voxels));
   row(out, "classic MC triangles", grouped(statistics.classic_triangles));
-  row(out, "classic MC vertices", grouped(extraction.classic_vertices));
   row(out, "facets", grouped(statistics.facets));
   row(out, "regions", grouped(counts.regions));
   row(out, "  with 3 corners", grouped(counts.three));
@@ -113,16 +112,16 @@ void write_table(const Extraction& extraction, const Counts& counts, std::uint64
     row(out, "bytes of slice encoder", grouped(slice_encoder_bytes));
     return;
   }
-  write_memory(extraction, out);
+  print_memory(extraction, out);
 }
 
-void write_info(const StreamHeader& header, std::uint8_t channel,
+void print_info(const StreamHeader& header, std::uint8_t channel,
                 const std::vector<StreamHeader>& streams, const StreamReport& report,
                 const Counts& counts, const std::optional<VolumePlacement>& placement,
                 std::ostream& out) {
   out << "dimensions " << header.width << ' ' << header.height << ' '
       << (report.has_trailer ? report.slices : header.depth) << '\n';
-  write_place(spacing_mm(header), placement, out);
+  print_place(spacing_mm(header), placement, out);
   out << "wire " << (report.holds_slices ? "slices" : "regions") << '\n'
       << "scan " << header.scan << '\n'
       << "channel " << int{channel} << '\n'

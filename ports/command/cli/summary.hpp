@@ -18,7 +18,7 @@
 namespace discmc::command {
 
 /// As in "v.stl: 684 bytes"; pipes and devices have none.
-void write_file(const std::string& file, std::ostream& out);
+void print_file(const std::string& file, std::ostream& out);
 
 /// A mesh that was written.
 struct MeshSummary {
@@ -29,20 +29,20 @@ struct MeshSummary {
 };
 
 /// The same in lines, for people.
-void write_mesh_table(const MeshSummary& mesh, const Extraction& extraction, std::ostream& out);
+void print_mesh_table(const MeshSummary& mesh, const Extraction& extraction, std::ostream& out);
 
 /// The same of a stream: what came in, what came out, what it took. slice_encoder_bytes: of the
 /// device's memory for a stream of slices; 0 for regions, which take an arena.
-void write_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
+void print_table(const Extraction& extraction, const Counts& counts, std::uint64_t stream_bytes,
                  std::uint64_t slice_encoder_bytes, std::ostream& out);
 
 /// Spacing and placement as lines of `info`, for streams and volumes.
-void write_place(const std::array<double, 3>& spacing_mm,
+void print_place(const std::array<double, 3>& spacing_mm,
                  const std::optional<VolumePlacement>& placement, std::ostream& out);
 
 /// One `key value` a line, for people and programs. channel: of the surface that was counted.
 /// streams: all that share the link with it. placement: where the stream tells one.
-void write_info(const StreamHeader& header, std::uint8_t channel,
+void print_info(const StreamHeader& header, std::uint8_t channel,
                 const std::vector<StreamHeader>& streams, const StreamReport& report,
                 const Counts& counts, const std::optional<VolumePlacement>& placement,
                 std::ostream& out);

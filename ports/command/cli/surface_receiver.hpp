@@ -32,9 +32,13 @@ void write_slab(const std::optional<SlabRange>& slab, Encoder& encoder) {
   require(encoder.write_record(record_of(*slab, bytes)));
 }
 
-/// Gives every event to an encoder and, joined, to a surface: to either or both, as they are begun.
+/// Gives every event to an encoder, if a stream is begun, and, joined, to a surface, if one is
+/// kept.
 class SurfaceReceiver {
  public:
+  explicit SurfaceReceiver(std::optional<Kept> kept)
+      : builder_(kept.value_or(Kept::counts)), builds_(kept.has_value()) {}
+
   /// Begins a stream. output: must take all; Owner: the caller.
   void start_stream(const StreamLabel& label, const std::optional<VolumePlacement>& placement,
                     const std::optional<SlabRange>& slab, const ByteOutput& output) {
@@ -44,8 +48,6 @@ class SurfaceReceiver {
     slab_ = slab;
     encodes_ = true;
   }
-  /// Begins to keep polygons.
-  void start_surface() { builds_ = true; }
 
   SinkResult take(const Event& event) {
     if (encodes_ && encoder_.take(event) != SinkResult::accepted) return SinkResult::busy;
@@ -58,12 +60,14 @@ class SurfaceReceiver {
 
   /// Of the stream; 0 without one.
   std::uint64_t stream_bytes() const { return encodes_ ? encoder_.bytes() : 0; }
-  /// Where polygons may go in place of their events, or null where none are kept.
+  /// Where regions may go in place of their events, or null where nothing is kept of them.
   SurfaceBuilder* builder() { return builds_ ? &builder_ : nullptr; }
   /// Likewise packets, or null without a stream.
   Encoder* encoder() { return encodes_ ? &encoder_ : nullptr; }
-  /// Empty unless begun. The spacing is for the caller to set.
+  /// Limit: Kept::polygons. The spacing is for the caller to set.
   Surface& surface() { return builder_.surface(); }
+  /// Limit: Kept::counts.
+  const Counts& counts() const { return builder_.counts(); }
 
  private:
   Encoder encoder_;
@@ -72,7 +76,7 @@ class SurfaceReceiver {
   SurfaceBuilder builder_;
   GrowingJoiner joiner_{make_sink(builder_)};
   bool encodes_ = false;
-  bool builds_ = false;
+  bool builds_;
 };
 
 }  // namespace discmc::command

@@ -1,11 +1,11 @@
 #include "thresholds.hpp"
 
 #include <algorithm>
-#include <iostream>
 #include <stdexcept>
 
 #include "progress.hpp"
 #include "statistics/volume_statistics.hpp"
+#include "text/say.hpp"
 #include "text/value_text.hpp"
 #include "volume_input.hpp"
 
@@ -25,7 +25,7 @@ RuledThreshold found(const std::string& path, const NamedSelection& surface, boo
   try {
     return threshold_by(*surface.rule, is_in_hounsfield, statistics);
   } catch (const std::invalid_argument& error) {
-    throw VolumeError(path + ": " + error.what());
+    throw std::runtime_error(name_for_people(path) + ": " + error.what());
   }
 }
 
@@ -38,7 +38,7 @@ std::vector<NamedSelection> with_thresholds(const std::string& path,
   if (first == surfaces.end()) return surfaces;
   require_second_pass(path, "--iso " + first->name + " takes a pass of its own");
 
-  const auto volume = open_volume(path, volume_options(arguments));
+  const auto volume = open_noted(path, arguments.options);
   const VolumeInfo& info = volume->info();
   VolumeStatistics statistics;
   if (!info.is_in_hounsfield || std::any_of(surfaces.begin(), surfaces.end(), needs_values)) {
@@ -50,11 +50,13 @@ std::vector<NamedSelection> with_thresholds(const std::string& path,
     if (!has_rule(surface)) continue;
     const RuledThreshold threshold =
         found(path, surface, is_in_hounsfield(info, statistics), statistics);
-    surface.selection = threshold.iso;
-    std::cerr << "discmc: " << path << ": --iso " << surface.name << ": "
-              << value_text(threshold.iso);
-    if (threshold.rule != surface.rule) std::cerr << " (" << name(threshold.rule) << ')';
-    std::cerr << '\n';
+    surface.selection = {threshold.iso};
+    std::string text = "--iso " + surface.name + ": " + value_text(threshold.iso);
+    if (threshold.rule != surface.rule) text += " (" + std::string(name(threshold.rule)) + ')';
+    const auto padding = padding_value(statistics);
+    if (threshold.rule == ThresholdRule::otsu && padding)
+      text += ", without the " + value_text(*padding) + " outside of what was scanned";
+    say(path, text);
   }
   return surfaces;
 }

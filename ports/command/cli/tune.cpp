@@ -10,7 +10,7 @@
 #include "empty_surface.hpp"
 #include "exit_codes.hpp"
 #include "extraction/arena_memory.hpp"
-#include "extraction/scan.hpp"
+#include "extraction/extractors.hpp"
 #include "progress.hpp"
 #include "require.hpp"
 #include "text/grouped_number.hpp"
@@ -116,7 +116,7 @@ Trials try_all(const VolumeBits& volume, const TuneArguments& arguments,
   return trials;
 }
 
-void write_needs(const VolumeBits& volume, const Trials& trials, std::ostream& out) {
+void print_needs(const VolumeBits& volume, const Trials& trials, std::ostream& out) {
   const HighWater& most = trials.plenty.high_water;
   out << "  at most in use      " << grouped(most.slots) << " slots of 8 bytes, "
       << grouped(most.holes) << " holes\n"
@@ -130,15 +130,15 @@ void write_needs(const VolumeBits& volume, const Trials& trials, std::ostream& o
         << " that 16-bit indices address\n";
 }
 
-void write_regions(const Trials& trials, const Device& device, std::ostream& out) {
+void print_regions(const Trials& trials, const Device& device, std::ostream& out) {
   out << "\nRegions: the arena of the extractor\n";
   std::vector<TriedRow> rows;
   for (std::size_t i = 0; i < trials.regions.size(); ++i)
     rows.push_back({grouped(trials.regions[i].memory), &trials.regions[i], i == trials.chosen});
-  write_trials(rows, Payload::regions, device, out);
+  print_trials(rows, Payload::regions, device, out);
 }
 
-void write_slices(const Trials& trials, const Device& device, std::ostream& out) {
+void print_slices(const Trials& trials, const Device& device, std::ostream& out) {
   out << "\nSlices: the memory of the slice encoder\n";
   std::vector<TriedRow> rows;
   for (std::size_t i = 0; i < trials.slices.size(); ++i)
@@ -147,7 +147,7 @@ void write_slices(const Trials& trials, const Device& device, std::ostream& out)
                                       : "1 in " + std::to_string(key_slice_intervals[i])) +
              "  " + grouped(trials.slices[i].memory),
          &trials.slices[i], i == 0});
-  write_trials(rows, Payload::slices, device, out);
+  print_trials(rows, Payload::slices, device, out);
 }
 
 std::string comment_of(const Trial& trial, Payload payload, const Device& device) {
@@ -162,11 +162,13 @@ std::string comment_of(const Trial& trial, Payload payload, const Device& device
 // What has made the surface and is not in the code, or empty.
 std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments) {
   std::vector<std::string> all;
-  const Selection& selection = arguments.selections[0].selection;
+  const NamedSelection& surface = arguments.selections[0];
   if (volume.is_floating())
     all.emplace_back("the threshold in whole numbers, as the device has them");
-  if (selection.has_upper_end())
-    all.push_back("voxels above " + value_text(selection.high) + " are off");
+  if (surface.is_label)
+    all.emplace_back("which voxels have the label");
+  else if (surface.has_upper_end())
+    all.push_back("voxels above " + value_text(surface.selection.high) + " are off");
   if (arguments.median > 0) all.emplace_back("a MajorityFilter and its memory");
   if (!arguments.mask.empty()) all.emplace_back("the mask");
   std::string text;
@@ -198,12 +200,12 @@ std::string surface_text(const NamedSelection& surface) {
   return value_text(surface.selection.low) + " (" + surface.name + ")";
 }
 
-void write_code(const FirmwareChoice& choice, const char* payload, std::ostream& out) {
+void print_code(const FirmwareChoice& choice, const char* payload, std::ostream& out) {
   out << "\n---- " << payload << ", C++ ----\n" << cpp_code(choice);
   out << "\n---- " << payload << ", C ----\n" << c_code(choice);
 }
 
-void write_all_code(const VolumeBits& volume, const TuneArguments& arguments, const Trials& trials,
+void print_all_code(const VolumeBits& volume, const TuneArguments& arguments, const Trials& trials,
                     const Device& device, std::ostream& out) {
   FirmwareChoice choice;
   choice.limits = volume.limits();
@@ -215,7 +217,7 @@ void write_all_code(const VolumeBits& volume, const TuneArguments& arguments, co
     choice.arena_bytes = chosen.memory;
     if (const auto& capacities = arguments.reading.capacities; !capacities.empty())
       choice.capacities = Capacities{capacities[0], capacities[1]};
-    write_code(choice, "regions", out);
+    print_code(choice, "regions", out);
   }
   if (!trials.slices.empty()) {
     choice.comments =
@@ -223,11 +225,11 @@ void write_all_code(const VolumeBits& volume, const TuneArguments& arguments, co
     choice.arena_bytes = 0;
     choice.capacities.reset();
     choice.key_slices = key_slice_intervals[0];
-    write_code(choice, "slices", out);
+    print_code(choice, "slices", out);
   }
 }
 
-void write_report(const VolumeBits& volume, const TuneArguments& arguments, const Trials& trials,
+void print_report(const VolumeBits& volume, const TuneArguments& arguments, const Trials& trials,
                   std::ostream& out) {
   const Device device{arguments.baud, arguments.clock_hz, arguments.core, volume.sample_bytes()};
   const NamedSelection& surface = arguments.reading.selections[0];
@@ -236,15 +238,15 @@ void write_report(const VolumeBits& volume, const TuneArguments& arguments, cons
       << name(device.core) << " at " << value_text(device.clock_hz / 1e6) << " MHz, UART at "
       << grouped(static_cast<std::uint64_t>(device.baud)) << " baud\n";
   if (!trials.regions.empty()) {
-    write_needs(volume, trials, out);
-    write_regions(trials, device, out);
+    print_needs(volume, trials, out);
+    print_regions(trials, device, out);
   }
-  if (!trials.slices.empty()) write_slices(trials, device, out);
+  if (!trials.slices.empty()) print_slices(trials, device, out);
   out << "\n"
          "line: on the wire, 10 bits a byte. work: of the library alone, estimated within a\n"
          "fifth, without wait states of the flash: docs/measure.md. rows/s: what both keep\n"
          "up with on average; at worst: the processor, in the slice that takes it longest.\n";
-  write_all_code(volume, arguments, trials, device, out);
+  print_all_code(volume, arguments, trials, device, out);
 }
 
 }  // namespace
@@ -252,7 +254,7 @@ void write_report(const VolumeBits& volume, const TuneArguments& arguments, cons
 int run_tune(const TuneArguments& arguments) {
   TuneArguments found = arguments;
   found.reading.selections = with_thresholds(arguments.volume, arguments.reading);
-  const auto volume = open_noted_volume(found.volume, found.reading);
+  const auto volume = open_measured(found.volume, found.reading);
   const VolumeInfo& info = volume->info();
   const auto given = given_arena(found.reading, {info.dims[0], info.dims[1], found.reading.border});
   const auto mask = open_noted_mask(found.reading, info);
@@ -263,9 +265,9 @@ int run_tune(const TuneArguments& arguments) {
   }
   const Trials trials = try_all(*bits, found, given);
   if (trials.plenty.work.cells == 0)
-    throw VolumeError(why_empty(found.volume, found.reading, found.reading.selections[0].selection,
-                                *volume, bits->is_full()));
-  write_report(*bits, found, trials, std::cout);
+    throw std::runtime_error(why_empty(found.volume, found.reading, found.reading.selections[0],
+                                       *volume, bits->is_full()));
+  print_report(*bits, found, trials, std::cout);
   require_written(std::cout);
   return exit_ok;
 }

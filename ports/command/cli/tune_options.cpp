@@ -27,7 +27,8 @@ std::optional<double> frequency(std::string text) {
 void check(const TuneArguments& arguments) {
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   if (selections.empty())
-    throw CLI::ValidationError("--iso", "is missing: give --iso ISO, the threshold of the device");
+    throw CLI::ValidationError("--iso",
+                               "is missing: give --iso auto, or the threshold of the device");
   const bool sends_slices_alone = arguments.payloads == std::vector<Payload>{Payload::slices};
   if (sends_slices_alone && (arguments.reading.memory > 0 || !arguments.reading.capacities.empty()))
     throw CLI::ValidationError("--payload",
@@ -88,7 +89,7 @@ Command add_tune(CLI::App& app) {
           "standard input")
       ->required();
   add_device_options(*tune, *arguments);
-  add_volume_options(*tune, arguments->reading.layout);
+  add_volume_options(*tune, arguments->reading.options);
   add_surface_options(*tune, arguments->reading);
   tune->remove_option(tune->get_option("--allow-empty"));
   tune->get_option("--memory")

@@ -19,6 +19,7 @@
 #include "require.hpp"
 #include "stream_input.hpp"
 #include "summary.hpp"
+#include "text/say.hpp"
 #include "thresholds.hpp"
 #include "view.hpp"
 #include "volume_input.hpp"
@@ -30,7 +31,7 @@ namespace {
 void write_page_of_samples(const ViewArguments& arguments, std::ostream& out) {
   // Browsers hold no text of 2^29 characters, and three bytes that do not shrink are four of them.
   constexpr std::uint64_t most = std::uint64_t{1} << 28;
-  const auto volume = open_volume(arguments.input, volume_options(arguments.reading.layout));
+  const auto volume = open_noted(arguments.input, arguments.reading.options);
   require_size(arguments.input, volume->info(), most);
   Progress progress("writing", volume->info().dims[2]);
   write_page(
@@ -63,7 +64,7 @@ int write_page_of(const ViewArguments& arguments, std::ostream& out) {
 }  // namespace
 
 std::string name_of(const std::string& input) {
-  return input == "-" ? "standard input" : input_name(input);
+  return input == "-" ? name_for_people(input) : input_name(input);
 }
 
 NamedStream stream_of_threshold(const ViewArguments& arguments) {
@@ -91,7 +92,7 @@ void require_size(const std::string& input, const VolumeInfo& info, std::uint64_
   if (bytes > most)
     throw std::runtime_error(input + ": its samples are " + std::to_string(bytes >> 20) +
                              " MiB, and a page holds " + std::to_string(most >> 20) +
-                             ": give --iso VALUE, --shrink N or --crop");
+                             ": give --iso auto, --shrink 2 or a part by --crop");
 }
 
 int run_view(const ViewArguments& arguments) {
@@ -100,7 +101,7 @@ int run_view(const ViewArguments& arguments) {
   const int code = write_page_of(arguments, file.stream());
   file.commit();
   if (arguments.output == "-") return code;
-  write_file(arguments.output, std::cout);
+  print_file(arguments.output, std::cout);
   require_written(std::cout);
   if (arguments.opens && !open_in_browser(arguments.output))
     std::cerr << "discmc: no browser was found: open " << arguments.output << " in one\n";

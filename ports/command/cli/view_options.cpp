@@ -39,7 +39,7 @@ void check_surface_options(const CLI::App& view, const ViewArguments& arguments)
   for (const CLI::Option* option : view.get_options())
     if (option->count() > 0 && option->get_group() == surface_group)
       throw CLI::ValidationError(option->get_name(),
-                                 "is of the surface at one threshold: give --iso VALUE as well");
+                                 "is of the surface at one threshold: give --iso auto as well");
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ Command add_view(CLI::App& app) {
       ->check(CLI::Range(1, 65535))
       ->needs(serve)
       ->option_text("N");
-  add_volume_options(*view, arguments->reading.layout);
+  add_volume_options(*view, arguments->reading.options);
   add_surface_options(*view, arguments->reading);
   view->footer(
       "The page holds all that it shows, and needs neither network nor server. Without a "

@@ -1,73 +1,99 @@
 #include "volume_input.hpp"
 
-#include <iostream>
+#include <cstdint>
+#include <set>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "extraction/narrowed_volume.hpp"
+#include "segmentation.hpp"
+#include "text/number_text.hpp"
+#include "text/say.hpp"
+#include "volumes/byte_source.hpp"
 #include "volumes/filters/mask_volume.hpp"
+#include "volumes/volume_filter.hpp"
 #include "volumes/volume_offset.hpp"
 
 namespace discmc::command {
 namespace {
 
-void write_notes(const std::string& path, const VolumeInfo& info) {
-  for (const std::string& note : info.notes)
-    std::cerr << "discmc: " << path << ": " << note << '\n';
+// A volume may be opened for a pass after another: it says once what is to be said.
+void say_once(const std::string& path, const std::string& text) {
+  static std::set<std::pair<std::string, std::string>> said;
+  if (said.emplace(path, text).second) say(path, text);
 }
+
+// Prints the notes when it is opened, and what the last slice adds to them.
+class NotedVolume final : public VolumeFilter {
+ public:
+  NotedVolume(std::string path, std::unique_ptr<VolumeReader> volume)
+      : VolumeFilter(std::move(volume)), path_(std::move(path)) {
+    print_notes();
+  }
+
+  void read_slice(void* samples) override {
+    VolumeFilter::read_slice(samples);
+    if (++read_ == info().dims[2]) print_notes();
+  }
+
+  void skip_slice() override {
+    VolumeFilter::skip_slice();
+    if (++read_ == info().dims[2]) print_notes();
+  }
+
+ private:
+  void print_notes() const {
+    for (const std::string& note : notes()) say_once(path_, note);
+  }
+
+  std::string path_;
+  std::uint32_t read_ = 0;  // slices
+};
 
 }  // namespace
 
-VolumeOptions volume_options(const LayoutArguments& arguments) {
-  VolumeOptions options;
-  if (!arguments.dims.empty()) {
-    RawLayout& layout = options.layout.emplace();
-    std::copy_n(arguments.dims.begin(), 3, layout.dims.begin());
-    layout.type = *arguments.type;
-    layout.big_endian = arguments.big_endian;
-    layout.skipped_bytes = arguments.skipped_bytes;
-  }
-  if (!arguments.spacing.empty())
-    std::copy_n(arguments.spacing.begin(), 3, options.spacing_mm.emplace().begin());
-  options.series = arguments.series;
-  options.allow_gaps = arguments.allow_gaps;
-  options.frame = arguments.frame;
-  options.crop = arguments.crop;
-  options.shrink = arguments.shrink;
-  return options;
-}
-
-VolumeOptions volume_options(const VolumeArguments& arguments) {
-  VolumeOptions options = volume_options(arguments.layout);
-  // Labels have no mean.
-  if (arguments.selects_labels()) options.block_value = BlockValue::most_frequent;
-  return options;
-}
-
 void require_second_pass(const std::string& path, const std::string& purpose) {
   if (is_read_once(path))
-    throw VolumeError((path == "-" ? "standard input" : path) + ": " + purpose +
-                      ", and this can be read once; store the volume in a file first");
+    throw std::runtime_error(name_for_people(path) + ": " + purpose +
+                             ", and this can be read once; store the volume in a file first");
 }
 
-std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
-                                                  const VolumeArguments& arguments,
-                                                  bool holds_labels) {
-  VolumeOptions options = volume_options(arguments);
-  if (holds_labels) options.block_value = BlockValue::most_frequent;
-  auto volume = std::make_unique<MeasuredVolume>(open_volume(path, options));
-  write_notes(path, volume->info());
-  return volume;
+std::unique_ptr<VolumeReader> noted(const std::string& path, std::unique_ptr<VolumeReader> volume) {
+  return std::make_unique<NotedVolume>(path, std::move(volume));
+}
+
+std::unique_ptr<VolumeReader> open_noted(const std::string& path, const VolumeOptions& options) {
+  return noted(path, open_volume(path, options));
+}
+
+std::unique_ptr<VolumeReader> open_layer(const std::string& path, const VolumeOptions& options) {
+  VolumeOptions of_first = options;
+  if (!options.frame) of_first.frame = 0;
+  auto volume = open_volume(path, of_first);
+  const VolumeInfo& info = volume->info();
+  if (options.frame || info.frames == 1 || !info.labels.empty()) return volume;
+  // The reader may say what there is to choose from.
+  if (!is_read_once(path)) open_volume(path, options);
+  fail_frames(path, info);
+}
+
+std::unique_ptr<MeasuredVolume> open_measured(const std::string& path, VolumeArguments& arguments) {
+  if (arguments.selects_labels()) {
+    Segmentation segmentation(path, arguments);
+    return std::make_unique<MeasuredVolume>(open_labels(segmentation, path, arguments.selections));
+  }
+  return std::make_unique<MeasuredVolume>(open_noted(path, arguments.options));
 }
 
 std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
                                               const VolumeInfo& volume) {
   if (arguments.mask.empty()) return nullptr;
-  auto mask = open_mask(arguments.mask, volume_options(arguments.layout), volume);
-  write_notes(arguments.mask, mask->info());
+  auto mask = noted(arguments.mask, open_mask(arguments.mask, arguments.options, volume));
   const double apart = offset_mm(mask->info(), volume);
   if (apart > 0)
-    std::cerr << "discmc: " << arguments.mask << ": its voxels lie up to " << apart
-              << " mm from those of the volume, and are taken for them one by one\n";
+    say(arguments.mask, "its voxels lie up to " + short_number(apart) +
+                            " mm from those of the volume, and are taken for them one by one");
   return mask;
 }
 
@@ -75,15 +101,15 @@ std::unique_ptr<VolumeReader> narrowed_again(const std::string& path, const Volu
                                              double iso, VolumeReader& volume) {
   require_second_pass(path, gradient_pass);
   const SampleBounds bounds = sample_bounds(volume);
-  return narrowed(open_volume(path, options), bounds, iso);
+  return narrowed(open_noted(path, options), bounds, iso);
 }
 
 GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options,
                                  double iso) {
   require_second_pass(path, gradient_pass);
-  auto volume = open_volume(path, options);
-  if (is_scanner_type(volume->info().type)) return {std::move(volume), iso};
-  return {narrowed_again(path, options, iso, *volume), 0};
+  auto volume = open_noted(path, options);
+  if (is_scanner_type(volume->info().type)) return {std::move(volume), {iso}};
+  return {narrowed_again(path, options, iso, *volume), {0}};
 }
 
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,

@@ -14,19 +14,22 @@
 
 namespace discmc::command {
 
-/// Of volume arguments with labels: blocks of voxels become one of theirs.
-VolumeOptions volume_options(const LayoutArguments& arguments);
-VolumeOptions volume_options(const VolumeArguments& arguments);
-
 /// Throws when the file can be read once only. purpose: what takes the pass.
 void require_second_pass(const std::string& path, const std::string& purpose);
 
 constexpr const char* gradient_pass = "normals of the gradient take a second pass";
 
-/// Opens the volume, and says what of its file is dropped. holds_labels: whatever is selected.
-std::unique_ptr<MeasuredVolume> open_noted_volume(const std::string& path,
-                                                  const VolumeArguments& arguments,
-                                                  bool holds_labels = false);
+/// The volume, whose notes are printed: each once, however often it is opened. All commands open
+/// volumes by this or the next ones, but info, which has notes in its table.
+std::unique_ptr<VolumeReader> noted(const std::string& path, std::unique_ptr<VolumeReader> volume);
+std::unique_ptr<VolumeReader> open_noted(const std::string& path, const VolumeOptions& options);
+
+/// Opens a volume; of labels in several layers the first one, where none is chosen.
+std::unique_ptr<VolumeReader> open_layer(const std::string& path, const VolumeOptions& options);
+
+/// As open_noted(), measured as it is read. Where labels are selected it is the volume of their
+/// bits, and the selections are what was found of them.
+std::unique_ptr<MeasuredVolume> open_measured(const std::string& path, VolumeArguments& arguments);
 
 /// Opens the mask of the volume, if there is one, and says where it is not what it should be.
 std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "extraction/labels.hpp"
 #include "statistics/threshold_rule.hpp"
 #include "summary.hpp"
+#include "text/control_character.hpp"
 #include "text/value_text.hpp"
+#include "volumes/filters/whole_labels.hpp"
 
 namespace discmc::command {
 namespace {
@@ -21,12 +22,18 @@ struct Line {
   double low;
   double high;
   std::uint64_t count;
+  std::string value = {};  // of one value alone
 };
+
+// All digits of whole numbers of 64 bits.
+std::string text_of(const VolumeStatistics& statistics, const ValueCount& each) {
+  return statistics.are_whole ? each.whole.text() : value_text(each.value);
+}
 
 std::vector<Line> lines_of_values(const VolumeStatistics& statistics) {
   std::vector<Line> lines;
   for (const ValueCount& each : statistics.counts)
-    lines.push_back({each.value, each.value, each.count});
+    lines.push_back({each.value, each.value, each.count, text_of(statistics, each)});
   return lines;
 }
 
@@ -66,7 +73,7 @@ std::vector<Line> lines_of_intervals(const VolumeStatistics& statistics, int mos
   return lines;
 }
 
-void write_histogram(const VolumeStatistics& statistics, std::ostream& out) {
+void print_histogram(const VolumeStatistics& statistics, std::ostream& out) {
   constexpr int max_lines = 16;
   constexpr double bar = 34;  // 80 columns in all
   const bool has_few_values = statistics.is_exact && statistics.counts.size() <= max_lines;
@@ -77,8 +84,10 @@ void write_histogram(const VolumeStatistics& statistics, std::ostream& out) {
   for (const Line& line : lines) {
     // The square root: what is rare is seen beside what is not.
     const double share = std::sqrt(static_cast<double>(line.count) / static_cast<double>(most));
-    out << "histogram " << std::setw(10) << value_text(line.low) << ' ' << std::setw(10)
-        << value_text(line.high) << ' ' << std::setw(11) << line.count;
+    const bool is_one = !line.value.empty();
+    out << "histogram " << std::setw(10) << (is_one ? line.value : value_text(line.low)) << ' '
+        << std::setw(10) << (is_one ? line.value : value_text(line.high)) << ' ' << std::setw(11)
+        << line.count;
     const auto length = static_cast<std::size_t>(std::ceil(share * bar));
     if (length > 0) out << ' ' << std::string(length, '#');
     out << '\n';
@@ -88,30 +97,34 @@ void write_histogram(const VolumeStatistics& statistics, std::ostream& out) {
 // ---- what to give to extract ----
 
 // Of a segmentation, without its background.
-std::vector<double> labels(const VolumeStatistics& statistics) {
+std::vector<std::string> labels(const VolumeStatistics& statistics) {
   constexpr std::size_t most = 64;
-  std::vector<double> labels;
+  std::vector<std::string> labels;
   if (!statistics.is_exact || statistics.infinite > 0 || statistics.counts.size() > most) return {};
   for (const ValueCount& each : statistics.counts) {
-    if (each.value != std::floor(each.value) || std::fabs(each.value) >= end_of_labels) return {};
-    if (each.value != 0) labels.push_back(each.value);
+    const auto label = nearest_label(each.value);
+    if (!label && !statistics.are_whole) return {};
+    const std::string text = statistics.are_whole ? each.whole.text() : std::to_string(*label);
+    if (text != "0") labels.push_back(text);
   }
   return labels;
 }
 
-void propose_labels(const std::vector<double>& labels, std::ostream& out) {
+void propose_labels(const std::vector<std::string>& labels, std::ostream& out) {
   if (labels.empty()) return;
   out << "proposal --labels all: the values are few and whole, as labels are; a mesh each\n"
       << "proposal --label N: one of";
-  for (const double label : labels) out << ' ' << value_text(label);
+  for (const std::string& label : labels) out << ' ' << label;
   out << '\n';
 }
 
 void propose_thresholds(bool is_in_hounsfield, const VolumeStatistics& statistics,
                         std::ostream& out) {
+  const auto padding = padding_value(statistics);
   if (const auto iso = otsu_threshold(statistics))
     out << "proposal --iso=" << value_text(*iso)
-        << " otsu: divides the values in two groups that differ most\n";
+        << " otsu: divides the values in two groups that differ most"
+        << (padding ? ", without the padding " + value_text(*padding) : "") << '\n';
   if (is_in_hounsfield && divides(bone_threshold, statistics))
     out << "proposal --iso=" << value_text(bone_threshold)
         << " bone: these are Hounsfield units, soft tissue has less\n";
@@ -121,31 +134,42 @@ void propose_thresholds(bool is_in_hounsfield, const VolumeStatistics& statistic
 }
 
 // What is most likely comes first.
-void write_proposals(const VolumeInfo& info, const VolumeStatistics& statistics,
+void print_proposals(const VolumeInfo& info, const VolumeStatistics& statistics,
                      std::ostream& out) {
   const bool is_hounsfield = is_in_hounsfield(info, statistics);
   if (!is_hounsfield) propose_labels(labels(statistics), out);
   propose_thresholds(is_hounsfield, statistics, out);
 }
 
+// As in "label 1 liver", "label 2,3 layer 0 kidney".
+void print_label(const LabelDescription& label, bool has_layers, std::ostream& out) {
+  out << "label ";
+  for (std::size_t i = 0; i < label.values.size(); ++i)
+    out << (i > 0 ? "," : "") << label.values[i].text();
+  if (label.values.empty()) out << "nonzero";
+  if (has_layers) out << " layer " << label.layer;
+  out << ' ' << without_control(label.name) << '\n';
+}
+
 }  // namespace
 
-void write_volume_info(const VolumeInfo& info, std::ostream& out) {
+void print_volume_info(const VolumeInfo& info, std::ostream& out) {
   out << "format " << info.format << '\n'
       << "type " << name(info.type) << '\n'
       << "slope " << value_text(info.slope) << '\n'
       << "intercept " << value_text(info.intercept) << '\n'
       << "frames " << info.frames << '\n'
+      << "channels " << info.channels << '\n'
       << "dimensions " << info.dims[0] << ' ' << info.dims[1] << ' ' << info.dims[2] << '\n'
       << "extent";
   for (std::size_t axis = 0; axis < 3; ++axis)
     out << ' ' << value_text(info.dims[axis] * std::fabs(info.spacing_mm[axis]));
   out << '\n';
-  write_place(info.spacing_mm, info.placement, out);
-  for (const std::string& note : info.notes) out << "note " << note << '\n';
+  print_place(info.spacing_mm, info.placement, out);
+  for (const LabelDescription& label : info.labels) print_label(label, info.frames > 1, out);
 }
 
-void write_volume_statistics(const VolumeInfo& info, const VolumeStatistics& statistics,
+void print_volume_statistics(const VolumeInfo& info, const VolumeStatistics& statistics,
                              std::ostream& out) {
   out << "voxels " << std::uint64_t{info.dims[0]} * info.dims[1] * info.dims[2] << '\n'
       << "not_numbers " << statistics.not_numbers << '\n'
@@ -154,12 +178,14 @@ void write_volume_statistics(const VolumeInfo& info, const VolumeStatistics& sta
     out << "note no value is a finite number: check the file\n";
     return;
   }
-  out << "range " << value_text(statistics.least) << ' ' << value_text(statistics.greatest) << '\n'
+  const std::vector<ValueCount> ends = {{statistics.least, 0, statistics.least_whole},
+                                        {statistics.greatest, 0, statistics.greatest_whole}};
+  out << "range " << text_of(statistics, ends[0]) << ' ' << text_of(statistics, ends[1]) << '\n'
       << "mean " << value_text(statistics.mean) << '\n';
   for (const int percent : {1, 5, 25, 50, 75, 95, 99})
     out << "percentile_" << percent << ' ' << value_text(percentile(statistics, percent)) << '\n';
-  write_histogram(statistics, out);
-  write_proposals(info, statistics, out);
+  print_histogram(statistics, out);
+  print_proposals(info, statistics, out);
 }
 
 }  // namespace discmc::command

@@ -9,13 +9,13 @@
 
 namespace discmc::command {
 
-/// What its file tells, one `key value` a line, for people and programs.
-void write_volume_info(const VolumeInfo& info, std::ostream& out);
+/// What its file tells but for the notes, one `key value` a line, for people and programs.
+void print_volume_info(const VolumeInfo& info, std::ostream& out);
 
 /// What its values are, in the same way: range, mean, percentiles; a histogram, a line for every
 /// value where they are few, else for intervals, of which the first and the last also hold
 /// outliers; and what to give to extract.
-void write_volume_statistics(const VolumeInfo& info, const VolumeStatistics& statistics,
+void print_volume_statistics(const VolumeInfo& info, const VolumeStatistics& statistics,
                              std::ostream& out);
 
 }  // namespace discmc::command

@@ -9,7 +9,6 @@
 #include <memory>
 #include <vector>
 
-#include "crossing_counter.hpp"
 #include "extraction.hpp"
 #include "mask_bits.hpp"
 #include "own_filter.hpp"
@@ -38,7 +37,6 @@ class BitSource {
       full_row_.back() = static_cast<std::uint8_t>((1U << limits.width % 8) - 1);
     for (const SurfaceRequest& surface : surfaces) {
       selectors_.emplace_back(info, surface.selection);
-      crossings_.emplace_back(limits);
       if (takes_majority) filters_.push_back(std::make_unique<OwnFilter>(limits));
     }
   }
@@ -63,8 +61,6 @@ class BitSource {
       pass_on(filtered_.data(), call);
   }
 
-  /// Of the slab's own slices, and of those between them and the one below.
-  std::uint64_t crossings(std::size_t surface) const { return crossings_[surface].count(); }
   /// Of its own slices.
   std::uint64_t not_numbers() const { return not_numbers_; }
   bool is_full(std::size_t surface) const { return is_full_[surface]; }
@@ -92,17 +88,15 @@ class BitSource {
   void pass_on(std::uint8_t* row, Call call) {
     if (!mask_.empty()) apply_mask(row);
     if (!spans_.given.holds(static_cast<std::uint32_t>(row_++ / height_))) return;
-    for (std::size_t i = 0; i < crossings_.size(); ++i) {
-      const std::uint8_t* const own = row + i * row_bytes_;
-      crossings_[i].add_row(own);
-      is_full_[i] = is_full_[i] && std::equal(full_row_.begin(), full_row_.end(), own);
-    }
+    for (std::size_t i = 0; i < is_full_.size(); ++i)
+      is_full_[i] =
+          is_full_[i] && std::equal(full_row_.begin(), full_row_.end(), row + i * row_bytes_);
     call(row);
   }
   // After the filters, which would put voxels beside the mask's edge on again.
   void apply_mask(std::uint8_t* row) {
     const auto end = mask_.begin() + static_cast<std::ptrdiff_t>(row_bytes_);
-    for (std::size_t i = 0; i < crossings_.size(); ++i)
+    for (std::size_t i = 0; i < is_full_.size(); ++i)
       keep_masked(row + i * row_bytes_, mask_.begin(), row_bytes_);
     mask_.erase(mask_.begin(), end);
   }
@@ -119,7 +113,6 @@ class BitSource {
   std::deque<std::uint8_t> mask_;  // rows of the mask that are not yet due
   std::vector<SliceSelector> selectors_;
   std::vector<std::unique_ptr<OwnFilter>> filters_;
-  std::vector<CrossingCounter> crossings_;
   std::uint64_t not_numbers_ = 0;
 };
 

@@ -210,7 +210,7 @@ class CrossingFinder::SlicesOf final : public Slices {
 
   void end_row(std::size_t axis) {
     Crossings::Rows& rows = crossings_.along_[axis];
-    rows.begin.push_back(static_cast<std::uint32_t>(rows.crossings.size()));
+    rows.begin.push_back(rows.crossings.size());
   }
 
   float crossing(Sample on_sample, Sample off_sample) const {

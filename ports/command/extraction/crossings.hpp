@@ -16,7 +16,7 @@
 
 namespace discmc::command {
 
-/// The crossings of a volume. Memory: eight bytes for each, and four for a row of an axis.
+/// The crossings of a volume. Memory: eight bytes for each, and for each row of an axis.
 class Crossings {
  public:
   /// How near a crossing comes to a voxel. So two of them never meet there. Units: half-steps.
@@ -41,7 +41,7 @@ class Crossings {
   };
   // Row i, of all slices, has crossings[begin[i]] to crossings[begin[i + 1]].
   struct Rows {
-    std::vector<std::uint32_t> begin{0};
+    std::vector<std::size_t> begin{0};
     std::vector<Crossing> crossings;
   };
 

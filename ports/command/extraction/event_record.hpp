@@ -19,8 +19,6 @@ class EventRecord {
   /// Tells all of them. sink: must take everything at once.
   void replay(const Sink& sink) const;
 
-  void clear() { words_.clear(); }
-
  private:
   std::vector<std::uint32_t> words_;
   StreamHeader header_;

@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "arena_memory.hpp"
-#include "bit_source.hpp"
+#include "extractors.hpp"
 #include "mask_bits.hpp"
 #include "part_extraction.hpp"
-#include "require.hpp"
-#include "scan.hpp"
 #include "streams/spacing.hpp"
+#include "volumes/iso_value.hpp"
 
 namespace discmc::command {
 namespace {
@@ -52,44 +51,24 @@ Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOpti
 }
 
 template <class AnyExtractor>
-std::vector<Extraction> scan(VolumeReader& volume, const Limits& limits,
-                             const ExtractionOptions& options, const Arena& arena,
-                             const std::vector<SurfaceRequest>& surfaces) {
+std::vector<Extraction> extract_by(VolumeReader& volume, const Limits& limits,
+                                   const ExtractionOptions& options, const Arena& arena,
+                                   const std::vector<SurfaceRequest>& surfaces) {
   const VolumeInfo& info = volume.info();
   const SlabSpans spans =
       slab_spans(slices_of(options.slab, info.dims[2]), info.dims[2], options.takes_majority);
-  Scan<AnyExtractor> scan(arena, surfaces.size());
-  scan.start(info, limits, surfaces);
-  auto all = scan.group();
-  BitSource bits(info, limits, spans, options.takes_majority, surfaces);
-  const auto push_bits = [&](const std::uint8_t* row) {
-    if constexpr (!holds_samples<AnyExtractor>) require(all.push_bits(row).status);
-    if (options.slices != nullptr) require(options.slices->push_bits(row).status);
-  };
   std::optional<MaskBits> mask;
   if (options.mask != nullptr) mask.emplace(*options.mask);
-  std::vector<std::uint8_t> slice(info.slice_bytes());
   for (std::uint32_t z = 0; z < spans.read.first; ++z) {
     volume.skip_slice();
     if (mask) mask->skip_slice();
   }
-  for (std::uint32_t z = spans.read.first; z < spans.read.end; ++z) {
+  std::vector<std::uint8_t> slice(info.slice_bytes());
+  Extractors<AnyExtractor> extractors(arena, surfaces.size());
+  return extractors.extract(info, limits, spans, options, surfaces, [&] {
     volume.read_slice(slice.data());
-    const std::uint8_t* const mask_rows = mask ? mask->next_slice() : nullptr;
-    bits.add_slice(slice.data(), mask_rows, push_bits);
-    for (const SurfaceRequest& surface : surfaces)
-      if (surface.crossings != nullptr) surface.crossings->add_slice(slice.data(), mask_rows);
-    if constexpr (holds_samples<AnyExtractor>) {
-      using Sample = typename SampleOf<AnyExtractor>::Type;
-      require(all.push(reinterpret_cast<const Sample*>(slice.data()), limits.width * limits.height)
-                  .status);
-    }
-    if (options.progress) options.progress(z + 1);
-  }
-  bits.finish(push_bits);
-  require(all.finish());
-  if (options.slices != nullptr) require(options.slices->finish());
-  return scan.results(info, spans, bits);
+    return SliceToExtract{slice.data(), mask ? mask->next_slice() : nullptr};
+  });
 }
 
 Limits limits_of(const VolumeInfo& info, const ExtractionOptions& options) {
@@ -103,8 +82,8 @@ std::vector<Extraction> extract_with(VolumeReader& volume, const ExtractionOptio
                                      const std::vector<SurfaceRequest>& surfaces) {
   const Limits limits = limits_of(volume.info(), options);
   const Arena arena = arena_for<Normals>(limits, volume.info().dims[2], options);
-  return arena.has_narrow_indices ? scan<Narrow>(volume, limits, options, arena, surfaces)
-                                  : scan<Wide>(volume, limits, options, arena, surfaces);
+  return arena.has_narrow_indices ? extract_by<Narrow>(volume, limits, options, arena, surfaces)
+                                  : extract_by<Wide>(volume, limits, options, arena, surfaces);
 }
 
 // On a host, with no device in mind.
@@ -113,7 +92,7 @@ std::vector<Extraction> extract_fast(VolumeReader& volume, const ExtractionOptio
   const Limits limits = limits_of(volume.info(), options);
   const std::uint64_t bytes = generous_bytes_for<NoNormals>(limits);
   const Arena arena{false, bytes, default_capacities<std::uint32_t>(limits, bytes)};
-  return scan<LearningExtractor>(volume, limits, options, arena, surfaces);
+  return extract_by<LearningExtractor>(volume, limits, options, arena, surfaces);
 }
 
 // Three numbers, for people.

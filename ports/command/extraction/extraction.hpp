@@ -62,12 +62,11 @@ struct MemoryUse {
 
 struct Extraction {
   Statistics statistics{};
-  std::uint64_t voxels = 0;            ///< of a slab its own
-  std::uint64_t classic_vertices = 0;  ///< of classic Marching Cubes: lattice edges that cross
-  std::uint64_t not_numbers = 0;       ///< samples that are not a number: off
-  bool is_full = false;                ///< whether every voxel is on
-  bool is_of_slab = false;             ///< so there may be loose fragments
-  std::optional<MemoryUse> memory;     ///< if it was measured
+  std::uint64_t voxels = 0;         ///< of a slab its own
+  std::uint64_t not_numbers = 0;    ///< samples that are not a number: off
+  bool is_full = false;             ///< whether every voxel is on
+  bool is_of_slab = false;          ///< so there may be loose fragments
+  std::optional<MemoryUse> memory;  ///< if it was measured
 };
 
 /// A surface of a volume: the voxels inside, and who gets its events. The sink must not say "not
@@ -77,9 +76,10 @@ struct SurfaceRequest {
   Sink sink;
   /// Is given the samples, if there is one. Owner: the caller.
   CrossingFinder* crossings = nullptr;
-  /// Where parts are extracted, those of these two that there are get the regions that lie in one,
-  /// in place of the sink: as polygons, and encoded, in packets that a join passes on. Limit: the
-  /// sink is what starts the encoder, whose output takes all. Owner: the caller.
+  /// If the volume is extracted in parts, these get the regions that lie in one part, and the sink
+  /// gets the others: as polygons or counts, and encoded, in packets that a join passes on. Limit:
+  /// in parts there is one of the two; the sink is what starts the encoder, whose output takes all.
+  /// Owner: the caller.
   SurfaceBuilder* builder = nullptr;
   Encoder* encoder = nullptr;
 };

@@ -1,13 +1,9 @@
 #include "labels.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
@@ -18,7 +14,7 @@ namespace discmc::command {
 namespace {
 
 struct Label {
-  std::int64_t value;
+  LabelValue value;
   std::uint64_t voxels = 0;
   SurfaceBuilder builder{};
   std::unique_ptr<LabelRun> run{};  // null in slices that are far from its voxels
@@ -26,13 +22,10 @@ struct Label {
 
 constexpr std::uint64_t max_run_bytes = std::uint64_t{4} << 30;
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument(what + "; give --iso or --range");
-}
-
 [[noreturn]] void refuse_count(std::uint32_t slice, std::uint32_t most) {
-  refuse("more than " + std::to_string(most) + " values up to slice " + std::to_string(slice) +
-         ": these are samples, not labels");
+  throw std::invalid_argument("more than " + std::to_string(most) + " values up to slice " +
+                              std::to_string(slice) +
+                              ": these are samples, not labels; give --iso or --range");
 }
 
 // The labels of a volume by the samples that stand for them.
@@ -48,16 +41,15 @@ class LabelScan {
     ++slice_;
   }
 
-  LabelledSurfaces finish() {
-    LabelledSurfaces surfaces;
-    surfaces.not_numbers = not_numbers_;
+  std::vector<LabelledSurface> finish() {
+    std::vector<LabelledSurface> surfaces;
     for (const std::unique_ptr<Label>& label : labels_) {
       if (label->run) label->run->finish();
       label->run.reset();
       label->builder.surface().spacing_mm = info_.spacing_mm;
-      surfaces.all.push_back({label->value, label->voxels, std::move(label->builder.surface())});
+      surfaces.push_back({label->value, label->voxels, std::move(label->builder.surface())});
     }
-    std::sort(surfaces.all.begin(), surfaces.all.end(),
+    std::sort(surfaces.begin(), surfaces.end(),
               [](const auto& a, const auto& b) { return a.label < b.label; });
     return surfaces;
   }
@@ -67,16 +59,8 @@ class LabelScan {
     for (std::uint32_t x = 0, end = 0; x < limits_.width; x = end) {
       const Sample sample = row[x];
       for (end = x + 1; end < limits_.width && row[end] == sample;) ++end;
-      if (is_no_number(sample))
-        ++not_numbers_;
-      else if (Label* const label = label_of(sample))
-        add_voxels(*label, y, x, end);
+      if (Label* const label = label_of(sample)) add_voxels(*label, y, x, end);
     }
-  }
-
-  static bool is_no_number(Sample sample) {
-    if constexpr (std::is_floating_point_v<Sample>) return std::isnan(sample);
-    return false;
   }
 
   void add_voxels(Label& label, std::uint32_t y, std::uint32_t begin, std::uint32_t end) {
@@ -109,31 +93,23 @@ class LabelScan {
     --running_;
   }
 
-  // Null: the background.
+  // Null where it is of no surface.
   Label* label_of(Sample sample) {
     if (has_last_ && sample == last_sample_) return last_label_;
-    const auto [found, is_new] = by_sample_.emplace(sample, nullptr);
-    if (is_new) found->second = new_label(sample);
     has_last_ = true;
     last_sample_ = sample;
-    return last_label_ = found->second;
+    return last_label_ = is_taken(sample) ? taken(sample) : nullptr;
   }
 
-  Label* new_label(Sample sample) {
-    const double value = info_.slope * static_cast<double>(sample) + info_.intercept;
-    if (value == 0) return nullptr;
-    if (!(std::fabs(value) < end_of_labels) || value != std::floor(value)) {
-      std::ostringstream text;
-      text.precision(std::numeric_limits<double>::max_digits10);
-      text << "the value " << value << " in slice " << slice_
-           << ": labels are whole numbers below 2^53";
-      refuse(text.str());
-    }
-    // With a small slope several samples stand for one value.
-    Label*& label = by_value_[static_cast<std::int64_t>(value)];
+  bool is_taken(LabelValue value) const {
+    return value != LabelValue(0) && (!options_.chosen || options_.chosen->count(value) > 0);
+  }
+
+  Label* taken(Sample sample) {
+    Label*& label = by_sample_[sample];
     if (label != nullptr) return label;
     if (labels_.size() == max_labels) refuse_count(slice_, max_labels);
-    labels_.push_back(std::make_unique<Label>(Label{static_cast<std::int64_t>(value)}));
+    labels_.push_back(std::make_unique<Label>(Label{sample}));
     return label = labels_.back().get();
   }
 
@@ -141,13 +117,11 @@ class LabelScan {
   const LabelOptions& options_;
   Limits limits_;
   std::uint32_t slice_ = 0;  // under way
-  std::uint64_t not_numbers_ = 0;
   std::uint32_t running_ = 0;
   std::uint64_t voxels_ = 0;     // of labels
   std::uint64_t stretches_ = 0;  // of voxels of one label side by side
   std::vector<std::unique_ptr<Label>> labels_;
   std::unordered_map<Sample, Label*> by_sample_;
-  std::unordered_map<std::int64_t, Label*> by_value_;
   // Neighbours are mostly alike.
   bool has_last_ = false;
   Sample last_sample_{};
@@ -156,9 +130,10 @@ class LabelScan {
 
 }  // namespace
 
-LabelledSurfaces extract_labels(VolumeReader& volume, const LabelOptions& options) {
+std::vector<LabelledSurface> extract_labels(VolumeReader& volume, const LabelOptions& options) {
   const VolumeInfo& info = volume.info();
-  return with_sample_type(info.type, [&](auto type) {
+  std::vector<LabelledSurface> surfaces;
+  with_whole_type(info.type, [&](auto type) {
     using Sample = decltype(type);
     LabelScan<Sample> scan(info, options);
     std::vector<std::uint8_t> slice(info.slice_bytes());
@@ -167,8 +142,9 @@ LabelledSurfaces extract_labels(VolumeReader& volume, const LabelOptions& option
       scan.add_slice(reinterpret_cast<const Sample*>(slice.data()));
       if (options.progress) options.progress(z + 1);
     }
-    return scan.finish();
+    surfaces = scan.finish();
   });
+  return surfaces;
 }
 
 }  // namespace discmc::command

@@ -4,12 +4,15 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include <discmc/limits.hpp>
 
 #include "surface/surface.hpp"
-#include "volumes/volume.hpp"
+#include "volumes/label_value.hpp"
+#include "volumes/volume_reader.hpp"
 
 namespace discmc::command {
 
@@ -17,24 +20,18 @@ struct LabelOptions {
   Border border = Border::closed;
   /// Whether the bits of every label pass a MajorityFilter first.
   bool takes_majority = false;
+  /// The labels that are taken; else all but 0.
+  std::optional<std::set<LabelValue>> chosen{};
   /// Called after every slice with how many are done.
   std::function<void(std::uint32_t)> progress;
 };
 
 /// The surface of the voxels of one value.
 struct LabelledSurface {
-  std::int64_t label = 0;    ///< the value, in the file's units
+  LabelValue label;
   std::uint64_t voxels = 0;  ///< that have this value, before the filter
   Surface surface;           ///< with the spacing of the volume
 };
-
-struct LabelledSurfaces {
-  std::vector<LabelledSurface> all;  ///< the least label first
-  std::uint64_t not_numbers = 0;     ///< samples that are not a number: of no label
-};
-
-/// Labels are whole numbers of a magnitude below this: of greater ones double rounds some.
-constexpr double end_of_labels = 0x1p53;
 
 /// What a volume may hold.
 constexpr std::uint32_t max_labels = 65536;
@@ -43,11 +40,11 @@ constexpr std::uint32_t max_labels = 65536;
 constexpr std::uint32_t max_scattered_labels = 1024;
 
 /// Reads the volume to its end and takes the surface of every value that occurs but 0, which is the
-/// background. Throws VolumeError as the reader does, std::invalid_argument where a value is no
-/// whole number below 2^53 and where there are too many; the text names the slice.
+/// background; the least label comes first. volume: of whole_labels(). Throws VolumeError as the
+/// reader does, std::invalid_argument where there are too many values; the text names the slice.
 /// Cost: memory of the surfaces, and of some five slices of bits a label of the slices under way, 4
 /// GiB of those at most; time of a scan a label, of the slices that have it.
-LabelledSurfaces extract_labels(VolumeReader& volume, const LabelOptions& options);
+std::vector<LabelledSurface> extract_labels(VolumeReader& volume, const LabelOptions& options);
 
 }  // namespace discmc::command
 

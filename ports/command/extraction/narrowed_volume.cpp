@@ -7,17 +7,18 @@
 #include <vector>
 
 #include "selection.hpp"
+#include "volumes/volume_filter.hpp"
 
 namespace discmc::command {
 namespace {
 
-class NarrowedVolume final : public VolumeReader {
+class NarrowedVolume final : public VolumeFilter {
  public:
   NarrowedVolume(std::unique_ptr<VolumeReader> volume, const SampleBounds& bounds, double iso)
-      : volume_(std::move(volume)), info_(volume_->info()), slice_(info_.slice_bytes()) {
-    with_sample_type(info_.type, [&](auto type) {
+      : VolumeFilter(std::move(volume)), slice_(info().slice_bytes()) {
+    with_sample_type(info().type, [&](auto type) {
       using Sample = decltype(type);
-      const Sample low = selected_samples<Sample>(info_, {iso}).low;
+      const Sample low = selected_samples<Sample>(info(), {iso}).low;
       const auto zero = static_cast<double>(low);
       const double most = std::max(bounds.greatest - zero, zero - bounds.least);
       const double scale = most > 0 ? greatest / most : 1;
@@ -27,16 +28,15 @@ class NarrowedVolume final : public VolumeReader {
           narrow[i] = counted(static_cast<double>(sample[i]), sample[i] >= low, zero, scale);
       };
     });
-    info_.type = SampleType::i16;
-    info_.slope = 1;
-    info_.intercept = 0;
+    own_info().type = SampleType::i16;
+    own_info().slope = 1;
+    own_info().intercept = 0;
   }
 
-  const VolumeInfo& info() const override { return info_; }
   void read_slice(void* samples) override {
-    volume_->read_slice(slice_.data());
+    volume().read_slice(slice_.data());
     narrow_(slice_.data(), static_cast<std::int16_t*>(samples),
-            std::size_t{info_.dims[0]} * info_.dims[1]);
+            std::size_t{info().dims[0]} * info().dims[1]);
   }
 
  private:
@@ -48,8 +48,6 @@ class NarrowedVolume final : public VolumeReader {
                                            : std::clamp(distance, -greatest, -1.0));
   }
 
-  std::unique_ptr<VolumeReader> volume_;
-  VolumeInfo info_;
   std::vector<std::uint8_t> slice_;
   std::function<void(const void*, std::int16_t*, std::size_t)> narrow_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -10,19 +11,17 @@
 
 #include <discmc/chain.hpp>
 
-#include "bit_source.hpp"
 #include "event_record.hpp"
+#include "extractors.hpp"
 #include "jobs/ordered_pipeline.hpp"
 #include "mask_bits.hpp"
-#include "require.hpp"
-#include "scan.hpp"
 #include "streams/encoded_part.hpp"
 #include "surface/growing_joiner.hpp"
 
 namespace discmc::command {
 namespace {
 
-// What a part gives to a surface: regions, as polygons, as packets or as events, and what is to be
+// What a part gives to a surface: regions, as polygons, as packets or as both, and what is to be
 // joined. As parts follow each other from below, the pieces of a region come in the order of a
 // sweep.
 //
@@ -32,7 +31,7 @@ namespace {
 class PartSurface {
  public:
   explicit PartSurface(const SurfaceRequest& request) {
-    if (request.builder != nullptr) polygons_.emplace();
+    if (request.builder != nullptr) polygons_.emplace(request.builder->kept());
     if (request.encoder != nullptr) packets_ = std::make_unique<EncodedPart>();
   }
 
@@ -56,7 +55,6 @@ class PartSurface {
     if (polygons_) request.builder->append(std::move(*polygons_));
     joined_.replay(make_sink(joiner));
     if (packets_) packets_->append_to(*request.encoder);
-    events_.replay(request.sink);
   }
 
  private:
@@ -92,7 +90,7 @@ class PartSurface {
     if (place_ == Place::joined) return joined_.take(event);
     if (polygons_) polygons_->take(event);
     if (packets_) packets_->take(event);
-    return polygons_ || packets_ ? SinkResult::accepted : events_.take(event);
+    return SinkResult::accepted;
   }
 
   std::optional<Event> region_;
@@ -101,10 +99,9 @@ class PartSurface {
   Vertex end_{};                 // of it, so far
   Direction last_ = 0;           // by which it came there
   std::unordered_set<std::uint64_t> ring_planes_;
-  // The regions that are whole: one, or the first two, as they are asked for.
+  // The regions that are whole, as they are asked for.
   std::optional<SurfaceBuilder> polygons_;
   std::unique_ptr<EncodedPart> packets_;
-  EventRecord events_;
   EventRecord joined_;
 };
 
@@ -179,26 +176,26 @@ class PartReader {
   std::uint32_t end_ = 0;  // of the slices that were read or skipped
 };
 
-using PartScan = Scan<LearningExtractor>;
+using PartExtractors = Extractors<LearningExtractor>;
 
 // Those at rest, with what they have learnt.
-class Scans {
+class IdleExtractors {
  public:
-  std::unique_ptr<PartScan> take() {
+  std::unique_ptr<PartExtractors> take() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (scans_.empty()) return nullptr;
-    std::unique_ptr<PartScan> scan = std::move(scans_.back());
-    scans_.pop_back();
-    return scan;
+    if (idle_.empty()) return nullptr;
+    std::unique_ptr<PartExtractors> extractors = std::move(idle_.back());
+    idle_.pop_back();
+    return extractors;
   }
-  void give(std::unique_ptr<PartScan> scan) {
+  void give(std::unique_ptr<PartExtractors> extractors) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    scans_.push_back(std::move(scan));
+    idle_.push_back(std::move(extractors));
   }
 
  private:
   std::mutex mutex_;
-  std::vector<std::unique_ptr<PartScan>> scans_;
+  std::vector<std::unique_ptr<PartExtractors>> idle_;
 };
 
 class Parts {
@@ -208,6 +205,7 @@ class Parts {
       : info_(volume.info()),
         options_(options),
         requests_(surfaces),
+        progress_(std::exchange(options_.progress, nullptr)),
         reader_(volume, options.mask),
         spans_(parts_of(info_, slices_of(options.slab, info_.dims[2]))) {
     for (const SurfaceRequest& request : requests_)
@@ -230,17 +228,24 @@ class Parts {
     reader_.read(part);
   }
 
+  // Where memory is short, some pieces go out loose that cross no seam, and they would have to be
+  // joined before the regions that are whole.
   void work_on(Part& part) {
-    std::unique_ptr<PartScan> scan = scans_.take();
-    if (!scan) scan = std::make_unique<PartScan>(arena_of(first_arena_bytes()), requests_.size());
-    while (!is_scanned(part, *scan))
-      scan = std::make_unique<PartScan>(arena_of(4 * scan->arena().bytes), requests_.size());
-    scans_.give(std::move(scan));
+    std::unique_ptr<PartExtractors> extractors = idle_.take();
+    if (!extractors) extractors = new_extractors(first_arena_bytes());
+    for (;;) {
+      extract(part, *extractors);
+      if (extractors->had_enough()) break;
+      extractors = new_extractors(4 * extractors->arena().bytes);
+    }
+    idle_.give(std::move(extractors));
   }
 
-  // Whether memory was enough. Else some pieces have gone out loose that cross no seam, and they
-  // would have to be joined before the regions that are whole.
-  bool is_scanned(Part& part, PartScan& scan) const {
+  std::unique_ptr<PartExtractors> new_extractors(std::uint64_t arena_bytes) const {
+    return std::make_unique<PartExtractors>(arena_of(arena_bytes), requests_.size());
+  }
+
+  void extract(Part& part, PartExtractors& extractors) const {
     Limits limits = volume_limits();
     const SlabRange slab{part.spans.own.first, part.spans.own.count(), info_.dims[2]};
     limits.slab = slab_limits(slab, info_.dims[2]);
@@ -249,19 +254,14 @@ class Parts {
     for (const SurfaceRequest& request : requests_) part.surfaces.emplace_back(request);
     for (std::size_t i = 0; i < requests.size(); ++i)
       requests[i].sink = make_sink(part.surfaces[i]);
-    scan.start(info_, limits, requests);
-    auto all = scan.group();
-    BitSource bits(info_, limits, part.spans, options_.takes_majority, requests);
-    const auto push_bits = [&all](const std::uint8_t* row) { require(all.push_bits(row).status); };
     const std::size_t slice_bytes = info_.slice_bytes();
     const std::size_t mask_bytes = part.mask.size() / part.spans.read.count();
-    for (std::uint32_t z = 0; z < part.spans.read.count(); ++z)
-      bits.add_slice(part.samples.data() + z * slice_bytes,
-                     mask_bytes > 0 ? part.mask.data() + z * mask_bytes : nullptr, push_bits);
-    bits.finish(push_bits);
-    require(all.finish());
-    part.extractions = scan.results(info_, part.spans, bits);
-    return scan.had_enough();
+    std::size_t next = 0;
+    part.extractions = extractors.extract(info_, limits, part.spans, options_, requests, [&] {
+      const std::size_t z = next++;
+      return SliceToExtract{part.samples.data() + z * slice_bytes,
+                            mask_bytes > 0 ? part.mask.data() + z * mask_bytes : nullptr};
+    });
   }
 
   void take(Part& part) {
@@ -269,7 +269,7 @@ class Parts {
       part.surfaces[i].pass_on(requests_[i], *joiners_[i]);
     part.surfaces.clear();
     add(part.extractions);
-    if (options_.progress) options_.progress(part.spans.own.end);
+    if (progress_) progress_(part.spans.own.end);
   }
 
   // totals: of the parts; then of what was joined.
@@ -292,24 +292,26 @@ class Parts {
     for (std::size_t i = 0; i < sums_.size(); ++i) {
       discmc::add(sums_[i].statistics, extractions[i].statistics);
       sums_[i].voxels += extractions[i].voxels;
-      sums_[i].classic_vertices += extractions[i].classic_vertices;
       sums_[i].not_numbers += extractions[i].not_numbers;
       sums_[i].is_full = sums_[i].is_full && extractions[i].is_full;
     }
   }
 
   Limits volume_limits() const { return {info_.dims[0], info_.dims[1], options_.border}; }
-  std::uint64_t first_arena_bytes() const { return generous_bytes_for<NoNormals>(volume_limits()); }
+  std::uint64_t first_arena_bytes() const {
+    return options_.memory > 0 ? options_.memory : generous_bytes_for<NoNormals>(volume_limits());
+  }
   Arena arena_of(std::uint64_t bytes) const {
     return {false, bytes, default_capacities<std::uint32_t>(volume_limits(), bytes)};
   }
 
   VolumeInfo info_;
-  const ExtractionOptions& options_;
+  ExtractionOptions options_;
   const std::vector<SurfaceRequest>& requests_;
+  std::function<void(std::uint32_t)> progress_;  // of all parts
   PartReader reader_;
   std::vector<SliceSpan> spans_;
-  Scans scans_;
+  IdleExtractors idle_;
   std::vector<std::unique_ptr<GrowingJoiner>> joiners_;
   std::vector<Extraction> sums_;
 };

@@ -1,4 +1,5 @@
 #include "selection.hpp"
+#include "volumes/iso_value.hpp"
 
 #include <array>
 #include <cmath>
@@ -82,23 +83,21 @@ std::uint8_t packed(const std::array<std::uint8_t, 8>& flags) {
   return static_cast<std::uint8_t>(bits);
 }
 
-template <class Sample>
-void select_row(const Sample* samples, std::uint32_t width, const SampleRange<Sample>& range,
+// is_on: without a branch, so that compilers take eight at once.
+template <class Sample, class Condition>
+void select_row(const Sample* samples, std::uint32_t width, const Condition& is_on,
                 std::uint8_t* bits) {
   std::uint32_t x = 0;
   std::array<std::uint8_t, 8> flags{};
   for (; x + 8 <= width; x += 8) {
-    for (std::uint32_t i = 0; i < 8; ++i) {
-      const Sample sample = samples[x + i];
-      // Without a branch, so that compilers take eight at once.
-      flags[i] = static_cast<std::uint8_t>(static_cast<unsigned>(range.low <= sample) &
-                                           static_cast<unsigned>(sample <= range.high));
-    }
+    for (std::uint32_t i = 0; i < 8; ++i)
+      flags[i] = static_cast<std::uint8_t>(is_on(samples[x + i]));
     *bits++ = packed(flags);
   }
   if (x == width) return;
   flags = {};
-  for (std::uint32_t i = 0; x + i < width; ++i) flags[i] = range.holds(samples[x + i]) ? 1 : 0;
+  for (std::uint32_t i = 0; x + i < width; ++i)
+    flags[i] = static_cast<std::uint8_t>(is_on(samples[x + i]));
   *bits = packed(flags);
 }
 
@@ -108,6 +107,18 @@ std::uint64_t count_not_numbers(const Sample* samples, std::size_t count) {
   if constexpr (std::is_floating_point_v<Sample>)
     for (std::size_t i = 0; i < count; ++i) not_numbers += std::isnan(samples[i]) ? 1U : 0U;
   return not_numbers;
+}
+
+// What SliceSelector calls.
+template <class Sample, class Condition>
+auto selector_of(const VolumeInfo& info, Condition is_on) {
+  return [is_on, width = info.dims[0], height = info.dims[1]](const void* slice, std::uint8_t* bits,
+                                                              std::size_t stride) {
+    const auto* row = static_cast<const Sample*>(slice);
+    for (std::uint32_t y = 0; y < height; ++y, row += width, bits += stride)
+      select_row(row, width, is_on, bits);
+    return count_not_numbers(static_cast<const Sample*>(slice), std::size_t{width} * height);
+  };
 }
 
 }  // namespace
@@ -133,15 +144,22 @@ template SampleRange<float> selected_samples(const VolumeInfo&, const Selection&
 template SampleRange<double> selected_samples(const VolumeInfo&, const Selection&);
 
 SliceSelector::SliceSelector(const VolumeInfo& info, const Selection& selection) {
+  if (selection.bits != 0) {
+    with_whole_type(info.type, [&](auto type) {
+      using Sample = decltype(type);
+      select_ = selector_of<Sample>(info, [bits = selection.bits](Sample sample) {
+        return static_cast<unsigned>((static_cast<std::uint64_t>(sample) & bits) != 0);
+      });
+    });
+    return;
+  }
   with_sample_type(info.type, [&](auto type) {
     using Sample = decltype(type);
-    select_ = [range = selected_samples<Sample>(info, selection), width = info.dims[0],
-               height = info.dims[1]](const void* slice, std::uint8_t* bits, std::size_t stride) {
-      const auto* row = static_cast<const Sample*>(slice);
-      for (std::uint32_t y = 0; y < height; ++y, row += width, bits += stride)
-        select_row(row, width, range, bits);
-      return count_not_numbers(static_cast<const Sample*>(slice), std::size_t{width} * height);
-    };
+    select_ = selector_of<Sample>(
+        info, [range = selected_samples<Sample>(info, selection)](Sample sample) {
+          return static_cast<unsigned>(range.low <= sample) &
+                 static_cast<unsigned>(sample <= range.high);
+        });
   });
 }
 

@@ -11,20 +11,17 @@
 
 namespace discmc::command {
 
-/// The values that are on: from low to high, both of them too. A sample that is not a number is
-/// off. Units: those that the file declares.
+/// The values that are on: from low to high, both of them too; {300} is a threshold. A sample that
+/// is not a number is off. Units: those that the file declares.
 struct Selection {
   double low = 0;
   double high = std::numeric_limits<double>::infinity();
+  /// Of a volume of label_bits(): what is on has one of these bits. 0: the values count.
+  std::uint64_t bits = 0;
 
-  Selection() = default;
-  /// A threshold alone: on means value >= low.
-  Selection(double lowest, double highest = std::numeric_limits<double>::infinity())
-      : low(lowest), high(highest) {}
-
-  /// As of a label.
-  bool is_one_value() const { return low == high; }
-  bool has_upper_end() const { return high < std::numeric_limits<double>::infinity(); }
+  bool has_upper_end() const {
+    return bits != 0 || high < std::numeric_limits<double>::infinity();
+  }
 };
 
 /// Samples from low to high, both of them too; none where low > high.

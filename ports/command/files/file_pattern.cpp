@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
+#include "output_file.hpp"
 #include "text/control_character.hpp"
 
 namespace discmc::command {
@@ -24,13 +24,18 @@ std::string shortened(std::string name) {
 }
 
 // Without what would be a path or a control character.
-std::string as_file_name(const std::string& name) {
+std::string in_file_names(const std::string& text) {
   constexpr std::string_view forbidden = "/\\:*?\"<>|";
   std::string result;
-  for (const char c : name) {
+  for (const char c : text) {
     const bool is_usable = !is_control(c) && forbidden.find(c) == std::string_view::npos;
     result += is_usable ? c : '_';
   }
+  return result;
+}
+
+std::string as_file_name(const std::string& name) {
+  std::string result = in_file_names(name);
   if (result.empty() || result.front() == '.') result.insert(0, "_");
   return shortened(std::move(result));
 }
@@ -51,7 +56,7 @@ std::string FilePattern::first_in_braces(std::string_view but_for) const {
 std::string FilePattern::file_for(const std::string& name, const std::string& addition) const {
   const std::string_view mark = placeholder;
   std::string file = pattern_;
-  const std::string text = as_file_name(name) + addition;
+  const std::string text = as_file_name(name) + in_file_names(addition);
   for (std::size_t at = file.find(mark); at != std::string::npos;
        at = file.find(mark, at + text.size()))
     file.replace(at, mark.size(), text);
@@ -63,10 +68,7 @@ void FilePattern::require_folder() const {
     throw std::invalid_argument(pattern_ +
                                 ": {name} is of files, not of folders: write it behind "
                                 "the last /");
-  const std::filesystem::path folder = std::filesystem::path(file_for("name")).parent_path();
-  std::error_code ignored;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
-    throw std::invalid_argument(folder.string() + ": there is no such folder; make it first");
+  command::require_folder(std::filesystem::path(pattern_).parent_path());
 }
 
 }  // namespace discmc::command

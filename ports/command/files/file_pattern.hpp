@@ -25,7 +25,8 @@ class FilePattern {
   /// addition that tells it from others.
   std::string file_for(const std::string& name, const std::string& addition = {}) const;
 
-  /// Throws std::invalid_argument, before work is done, when there is no folder for the files.
+  /// Throws, before work is done, std::invalid_argument where {name} is in the name of a folder,
+  /// and as command::require_folder().
   void require_folder() const;
 
  private:

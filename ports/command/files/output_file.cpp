@@ -38,6 +38,19 @@ std::filesystem::path target_of(std::filesystem::path path) {
 
 }  // namespace
 
+void require_folder(const std::filesystem::path& folder) {
+  const std::filesystem::path named = folder.empty() ? "." : folder;
+  std::error_code ignored;
+  const auto status = std::filesystem::status(named, ignored);
+  if (!std::filesystem::exists(status))
+    throw std::runtime_error(named.string() + ": there is no such folder; make it first");
+  if (!std::filesystem::is_directory(status))
+    throw std::runtime_error(named.string() + ": is not a folder; give another name");
+  if (access(named.c_str(), W_OK | X_OK) != 0)
+    throw std::runtime_error(named.string() +
+                             ": no file can be made in this folder; check its permissions");
+}
+
 OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
   if (is_standard_output()) return;
   std::error_code error;
@@ -49,6 +62,7 @@ OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
     throw std::runtime_error(path.string() + ": is a folder: give the name of a file");
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
     target_ = target_of(path);
+    require_folder(target_.parent_path());
     temporary_ = target_;
     temporary_ += ".part" + std::to_string(getpid());
     set_unfinished(temporary_.string());

@@ -8,6 +8,9 @@
 
 namespace discmc::command {
 
+/// Throws std::runtime_error where no file can be made in the folder, and says why.
+void require_folder(const std::filesystem::path& folder);
+
 /// A file that appears under its name only when commit() is reached: whatever fails before, and a
 /// signal that ends the program, leaves no half-written file behind. A link stays, and its target
 /// is written; a file that is replaced keeps its permissions. "-" is standard output; pipes and

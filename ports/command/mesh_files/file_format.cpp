@@ -9,11 +9,15 @@ namespace discmc::command {
 namespace {
 
 constexpr FormatTraits all_formats[] = {
-    // extension, polygons, normals, several meshes
-    {Format::stream, ".dmc", false, false, false}, {Format::stl, ".stl", false, false, false},
-    {Format::ply, ".ply", true, true, false},      {Format::obj, ".obj", true, true, false},
-    {Format::glb, ".glb", false, true, true},      {Format::three_mf, ".3mf", false, false, true},
-    {Format::vtp, ".vtp", true, true, false},      {Format::jsonl, ".jsonl", true, false, false},
+    // extension, polygons, normals, several meshes, doubles
+    {Format::stream, ".dmc", false, false, false, false},
+    {Format::stl, ".stl", false, false, false, false},
+    {Format::ply, ".ply", true, true, false, true},
+    {Format::obj, ".obj", true, true, false, true},
+    {Format::glb, ".glb", false, true, true, false},
+    {Format::three_mf, ".3mf", false, false, true, true},
+    {Format::vtp, ".vtp", true, true, false, true},
+    {Format::jsonl, ".jsonl", true, false, false, false},
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ struct FormatTraits {
   bool holds_polygons;  ///< faces of more than three corners
   bool holds_normals;   ///< of vertices
   bool holds_several;   ///< meshes, each with its name and colour
+  bool holds_doubles;   ///< coordinates of 64 bits, or all their digits
 };
 
 /// By the extension; "-" is the stream on standard output. Throws std::invalid_argument with the

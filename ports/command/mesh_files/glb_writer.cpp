@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "float_precision.hpp"
 #include "mesh_files.hpp"
 #include "text/name_text.hpp"
 #include "writer.hpp"
@@ -16,15 +17,18 @@ namespace {
 constexpr std::uint32_t magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 constexpr int floats = 5126, unsigned_integers = 5125, vertex_buffer = 34962, index_buffer = 34963;
 
-// From millimetres with z upwards to metres with y upwards, as the format has them.
-constexpr const char* matrix = "[0.001,0,0,0,0,0,-0.001,0,0,0.001,0,0,0,0,0,1]";
-
 constexpr Point plaster = {0.85, 0.82, 0.75};
 
 std::string decimals(const Point& point) {
-  std::string list;
-  for (const double value : point) list += (list.empty() ? "[" : ",") + decimal(value);
-  return list + "]";
+  return decimal(point[0]) + "," + decimal(point[1]) + "," + decimal(point[2]);
+}
+
+// By columns, as the format has it: from millimetres with z upwards, seen from an origin, to metres
+// with y upwards.
+std::string matrix_from(const Point& origin) {
+  constexpr double metres = 0.001;
+  const Point moved = {metres * origin[0], metres * origin[2], metres * (0 - origin[1])};
+  return "[0.001,0,0,0,0,0,-0.001,0,0,0.001,0,0," + decimals(moved) + ",1]";
 }
 
 // The format has linear light.
@@ -46,23 +50,22 @@ std::string name_member(const Mesh& mesh) {
 std::string material(const Mesh& mesh) {
   const Point colour = mesh.colour ? linear(*mesh.colour) : plaster;
   return "{" + name_member(mesh) +
-         R"("doubleSided":true,"pbrMetallicRoughness":{"baseColorFactor":[)" + decimal(colour[0]) +
-         "," + decimal(colour[1]) + "," + decimal(colour[2]) +
+         R"("doubleSided":true,"pbrMetallicRoughness":{"baseColorFactor":[)" + decimals(colour) +
          R"(,1],"metallicFactor":0,"roughnessFactor":0.8}})";
 }
 
 // What a viewer wants to know of positions: "min" and "max" of what is written.
-std::string extent_of(const std::vector<Point>& points) {
+std::string extent_of(const std::vector<Point>& points, const Point& origin) {
   Point low, high;
   low.fill(std::numeric_limits<double>::infinity());
   high.fill(-std::numeric_limits<double>::infinity());
   for (const Point& point : points)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double written = static_cast<double>(static_cast<float>(point[axis]));
+      const double written = static_cast<double>(static_cast<float>(point[axis] - origin[axis]));
       low[axis] = std::min(low[axis], written);
       high[axis] = std::max(high[axis], written);
     }
-  return ",\"min\":" + decimals(low) + ",\"max\":" + decimals(high);
+  return ",\"min\":[" + decimals(low) + "],\"max\":[" + decimals(high) + "]";
 }
 
 // The arrays of the binary chunk, one after another, as JSON tells them.
@@ -95,10 +98,12 @@ class Arrays {
   std::string accessors_, views_;
 };
 
-std::string primitive(const Mesh& mesh, const std::string& material_number, Arrays& arrays) {
+std::string primitive(const Mesh& mesh, const Point& origin, const std::string& material_number,
+                      Arrays& arrays) {
   const std::uint64_t vertices = mesh.vertices_mm.size(), corners = mesh.corners.size();
-  std::string attributes = "\"POSITION\":" + arrays.add(floats, "VEC3", vertices, 12 * vertices,
-                                                        vertex_buffer, extent_of(mesh.vertices_mm));
+  std::string attributes =
+      "\"POSITION\":" + arrays.add(floats, "VEC3", vertices, 12 * vertices, vertex_buffer,
+                                   extent_of(mesh.vertices_mm, origin));
   if (!mesh.normals.empty())
     attributes +=
         ",\"NORMAL\":" + arrays.add(floats, "VEC3", vertices, 12 * vertices, vertex_buffer);
@@ -109,7 +114,7 @@ std::string primitive(const Mesh& mesh, const std::string& material_number, Arra
 }
 
 // meshes: with faces.
-std::string describe(const Meshes& meshes, Arrays& arrays) {
+std::string describe(const Meshes& meshes, const Point& origin, Arrays& arrays) {
   std::string json = R"({"asset":{"version":"2.0","generator":"discmc"},"scene":0,"scenes":[{)";
   if (meshes.empty()) return json + "}]}";
   std::string numbers, nodes, descriptions, materials;
@@ -118,31 +123,40 @@ std::string describe(const Meshes& meshes, Arrays& arrays) {
     const std::string comma = i == 0 ? "" : ",";
     const std::string number = std::to_string(i);
     numbers += comma + number;
-    nodes += comma + "{" + name_member(mesh) + "\"mesh\":" + number + ",\"matrix\":" + matrix + "}";
+    nodes += comma + "{" + name_member(mesh) + "\"mesh\":" + number +
+             ",\"matrix\":" + matrix_from(origin) + "}";
     descriptions += comma + "{" + name_member(mesh) + "\"extras\":{\"comment\":\"";
     descriptions += header_text(mesh);
-    descriptions += "\"},\"primitives\":[" + primitive(mesh, number, arrays) + "]}";
+    descriptions += "\"},\"primitives\":[" + primitive(mesh, origin, number, arrays) + "]}";
     materials += comma + material(mesh);
   }
   return json + "\"nodes\":[" + numbers + "]}],\"nodes\":[" + nodes + "],\"meshes\":[" +
          descriptions + "],\"materials\":[" + materials + "]," + arrays.json() + "}";
 }
 
-void write_arrays(const Mesh& mesh, Writer& writer) {
-  for (const Point& vertex : mesh.vertices_mm) writer.point(vertex);
+void write_arrays(const Mesh& mesh, const Point& origin, Writer& writer) {
+  for (const Point& vertex : mesh.vertices_mm) writer.floats(difference(vertex, origin));
   // The format knows no vertex without a normal either.
   for (const Point& normal : mesh.normals)
-    writer.point(normal == Point{} ? Point{0, 0, 1} : normal);
+    writer.floats(normal == Point{} ? Point{0, 0, 1} : normal);
   for (const std::uint32_t corner : mesh.corners) writer.bytes(corner, 4);
 }
 
 }  // namespace
 
+Point glb_origin(const Meshes& meshes) {
+  if (std::all_of(meshes.begin(), meshes.end(),
+                  [](const Mesh* mesh) { return suits_floats(*mesh); }))
+    return {};
+  return meshes[0]->vertices_mm[0];
+}
+
 void write_glb(const Meshes& meshes, std::ostream& out) {
   const Meshes seen = with_faces(meshes);  // the format knows no empty arrays
   for (const Mesh* mesh : seen) require_triangles(*mesh, "GLB");
   Arrays arrays;
-  std::string json = describe(seen, arrays);
+  const Point origin = glb_origin(seen);
+  std::string json = describe(seen, origin, arrays);
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::uint64_t binary = arrays.bytes() > 0 ? 8 + arrays.bytes() : 0;
   const std::uint64_t total = 12 + 8 + json.size() + binary;
@@ -158,7 +172,7 @@ void write_glb(const Meshes& meshes, std::ostream& out) {
   if (binary > 0) {
     writer.bytes(arrays.bytes(), 4);
     writer.bytes(binary_chunk, 4);
-    for (const Mesh* mesh : seen) write_arrays(*mesh, writer);
+    for (const Mesh* mesh : seen) write_arrays(*mesh, origin, writer);
   }
   writer.finish();
 }

@@ -24,33 +24,37 @@ void write_mesh(const Mesh& mesh, Format format, std::ostream& out, unsigned job
 /// several, or one mesh; otherwise std::invalid_argument.
 void write_meshes(const Meshes& meshes, Format format, std::ostream& out);
 
-/// Binary STL, coordinates as 32-bit floats. Units: millimetres.
+/// Binary STL, coordinates as 32-bit floats, however coarse they are. Units: millimetres.
 /// Limit: triangles only (Faces::triangles), otherwise std::invalid_argument.
 void write_stl(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
 
-/// PLY, binary little endian, coordinates as 32-bit floats, and so are normals, where the mesh has
-/// them; the colour of the mesh, if it has one, at every vertex. Units: millimetres.
-/// Limit: faces of max_face_corners, otherwise std::invalid_argument: corners are counted by a
-/// byte, as every reader takes it.
+/// PLY, binary little endian: coordinates as 32-bit floats, or as doubles where floats do not suit
+/// (suits_floats()). Doubles make a file a third larger, and some readers know floats alone. Also
+/// normals, as floats, if the mesh has them, and at every vertex the colour, if it has one.
+/// Units: millimetres. Limit: faces of max_face_corners, which a byte counts as every reader takes
+/// it, and 2^31 - 1 vertices; otherwise std::invalid_argument.
 void write_ply(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
 
 /// Wavefront OBJ, exact decimal coordinates. Units: millimetres. Every vertex has its normal, where
 /// the mesh has normals.
 void write_obj(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
 
-/// Binary glTF 2.0: coordinates as 32-bit floats in millimetres, under a node that scales them to
-/// the metres of the format and turns z upwards, which there is y. Normals where the mesh has them;
-/// a material each, in the colour of the mesh if it has one. Each mesh that has faces has a node,
-/// with its name. Limit: triangles only, and 4 GiB; otherwise std::invalid_argument.
+/// Binary glTF 2.0: coordinates as 32-bit floats in millimetres, seen from glb_origin(), under a
+/// node that moves them back, scales them to the metres of the format and turns z upwards, which
+/// there is y. Normals where the mesh has them; a material each, in the colour of the mesh if it
+/// has one. Each mesh that has faces has a node, with its name. Limit: triangles only, and 4 GiB;
+/// otherwise std::invalid_argument.
 void write_glb(const Meshes& meshes, std::ostream& out);
+
+/// The origin of coordinates, where that suits the floats of all meshes; else a vertex of them.
+Point glb_origin(const Meshes& meshes);
 
 /// 3MF, an object a mesh that has faces: exact decimal coordinates, its name, and its colour if it
 /// has one. Units: millimetres, and the file says so. Limit: triangles only, otherwise
 /// std::invalid_argument.
 void write_3mf(const Meshes& meshes, std::ostream& out);
 
-/// VTK's XML PolyData, coordinates as 32-bit floats, and so are normals, where the mesh has them.
-/// Units: millimetres.
+/// VTK's XML PolyData, coordinates and normals as those of PLY. Units: millimetres.
 void write_vtp(const Mesh& mesh, std::ostream& out);
 
 /// One polygon a line, `{"normal":[0,0,1],"rings":[[[1,0,0],...],...]}`: the corners of its simple

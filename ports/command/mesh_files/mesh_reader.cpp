@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 namespace {

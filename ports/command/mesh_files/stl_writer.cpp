@@ -31,8 +31,8 @@ void write_stl(const Mesh& mesh, std::ostream& out, unsigned jobs) {
   const bool has_planes = !mesh.incidences.empty();
   const auto normals = plane_normals(mesh.spacing_mm);
   writer.items(jobs, mesh.face_count(), [&](Writer& part, std::size_t face) {
-    part.point(has_planes ? normals[mesh.incidences[face]] : face_normal(mesh, face));
-    for (std::size_t i = 0; i < 3; ++i) part.point(mesh.vertices_mm[mesh.face(face)[i]]);
+    part.floats(has_planes ? normals[mesh.incidences[face]] : face_normal(mesh, face));
+    for (std::size_t i = 0; i < 3; ++i) part.floats(mesh.vertices_mm[mesh.face(face)[i]]);
     part.bytes(0, 2);
   });
   writer.finish();

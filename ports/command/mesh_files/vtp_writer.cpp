@@ -1,6 +1,7 @@
 #include <cstdint>
 #include <string>
 
+#include "float_precision.hpp"
 #include "mesh_files.hpp"
 #include "text/base64.hpp"
 #include "writer.hpp"
@@ -23,12 +24,15 @@ void write_array(const std::string& attributes, std::uint64_t bytes, std::ostrea
   out << "</DataArray>\n";
 }
 
-// attributes: what sets them apart from other points.
-void write_points(const std::string& attributes, const std::vector<Point>& points,
+// bits: of a coordinate, 32 or 64.
+void write_points(const std::string& name, int bits, const std::vector<Point>& points,
                   std::ostream& out) {
-  write_array("type=\"Float32\" NumberOfComponents=\"3\" " + attributes, 12 * points.size(), out,
-              [&points](Writer& writer) {
-                for (const Point& point : points) writer.point(point);
+  const std::string attributes =
+      "type=\"Float" + std::to_string(bits) + "\" NumberOfComponents=\"3\" Name=\"" + name + "\"";
+  write_array(attributes, static_cast<std::uint64_t>(3 * bits / 8) * points.size(), out,
+              [&points, bits](Writer& writer) {
+                for (const Point& point : points)
+                  bits == 32 ? writer.floats(point) : writer.doubles(point);
               });
 }
 
@@ -58,11 +62,11 @@ void write_vtp(const Mesh& mesh, std::ostream& out) {
       << "\" NumberOfPolys=\"" << mesh.face_count() << "\">\n";
   if (!mesh.normals.empty()) {
     out << "<PointData Normals=\"Normals\">\n";
-    write_points("Name=\"Normals\"", mesh.normals, out);
+    write_points("Normals", 32, mesh.normals, out);
     out << "</PointData>\n";
   }
   out << "<Points>\n";
-  write_points("Name=\"Points\"", mesh.vertices_mm, out);
+  write_points("Points", suits_floats(mesh) ? 32 : 64, mesh.vertices_mm, out);
   out << "</Points>\n<Polys>\n";
   write_array("type=\"Int64\" Name=\"connectivity\"", 8 * mesh.corners.size(), out,
               [&mesh](Writer& writer) {

@@ -66,14 +66,12 @@ class Writer {
   }
 
   /// Three 32-bit floats, little endian.
-  void point(const Point& point) {
-    for (const double coordinate : point) {
-      const auto value = static_cast<float>(coordinate);
-      static_assert(std::numeric_limits<float>::is_iec559 && sizeof value == 4);
-      std::uint32_t bits;
-      std::memcpy(&bits, &value, sizeof bits);
-      bytes(bits, sizeof bits);
-    }
+  void floats(const Point& point) {
+    for (const double coordinate : point) real<std::uint32_t>(static_cast<float>(coordinate));
+  }
+  /// The same of 64 bits.
+  void doubles(const Point& point) {
+    for (const double coordinate : point) real<std::uint64_t>(coordinate);
   }
 
   /// Calls write(writer, item) for items 0 to count - 1: for some of them side by side, each with a
@@ -103,6 +101,14 @@ class Writer {
   template <class Item, class Fill, class Work, class Take>
   friend class OrderedPipeline;
   Writer() : buffer_(full) {}  // of a part: without a stream
+
+  template <typename Bits, typename Real>
+  void real(Real value) {
+    static_assert(std::numeric_limits<Real>::is_iec559 && sizeof(Bits) == sizeof value);
+    Bits bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    bytes(bits, sizeof bits);
+  }
 
   // Where the next bytes go, full at most.
   char* room_for(std::size_t count) {

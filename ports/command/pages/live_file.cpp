@@ -10,8 +10,10 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <iostream>
 #include <stdexcept>
+#include <string>
+
+#include "text/say.hpp"
 
 namespace discmc::command {
 namespace {
@@ -51,8 +53,8 @@ void LiveFile::read() {
     if (count < 0 && (errno == EAGAIN || errno == EINTR)) continue;
     if (count <= 0) break;
     if (bytes_.size() + static_cast<std::size_t>(count) > max_bytes) {
-      std::cerr << "discmc: " << path_ << ": more than " << (max_bytes >> 20)
-                << " MiB came: the rest is left out\n";
+      say(path_,
+          "more than " + std::to_string(max_bytes >> 20) + " MiB came: the rest is left out");
       break;
     }
     append(piece.data(), static_cast<std::size_t>(count));

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "files/output_file.hpp"
 #include "shading.hpp"
 
 namespace discmc::command {
@@ -289,23 +288,19 @@ Picture draw(const Mesh& mesh, const PictureOptions& options) {
   return develop(canvas, mesh, shader, options);
 }
 
-void write_picture(const Mesh& mesh, const PictureOptions& options,
-                   const std::filesystem::path& path) {
+void write_picture(const Mesh& mesh, const PictureOptions& options, std::ostream& out) {
   const Picture picture = draw(mesh, options);
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(picture.width);
   image.height = static_cast<png_uint_32>(picture.height);
   image.format = PNG_FORMAT_RGB;
-  // Not png_image_write_to_file(): when that fails it removes whatever has the name.
   png_alloc_size_t count = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::vector<char> bytes(count);
   if (png_image_write_to_memory(&image, bytes.data(), &count, 0, picture.pixels.data(), 0,
                                 nullptr) == 0)
-    throw std::runtime_error(path.string() + ": " + image.message);
-  OutputFile file(path);
-  file.stream().write(bytes.data(), static_cast<std::streamsize>(count));
-  file.commit();
+    throw std::runtime_error(image.message);
+  out.write(bytes.data(), static_cast<std::streamsize>(count));
 }
 
 }  // namespace discmc::command

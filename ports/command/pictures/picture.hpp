@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <optional>
+#include <ostream>
 #include <vector>
 
 #include "meshes/mesh.hpp"
@@ -48,10 +48,8 @@ struct Picture {
 /// Throws std::invalid_argument when the options are out of range or the mesh lacks what they ask.
 Picture draw(const Mesh& mesh, const PictureOptions& options = {});
 
-/// Draws the mesh into a PNG file; "-" is standard output. Throws as draw() does, and
-/// std::runtime_error when the file cannot be written.
-void write_picture(const Mesh& mesh, const PictureOptions& options,
-                   const std::filesystem::path& path);
+/// Writes a PNG file of what draw() draws. Throws as draw() does.
+void write_picture(const Mesh& mesh, const PictureOptions& options, std::ostream& out);
 
 }  // namespace discmc::command
 

@@ -122,14 +122,23 @@ std::vector<Histogram::Bin> Histogram::bins() const {
   std::sort(used.begin(), used.end(), [](const Slot& a, const Slot& b) { return a.key < b.key; });
   std::vector<Bin> bins;
   bins.reserve(used.size());
-  for (const Slot& slot : used)
-    bins.push_back({sample_of(std::max(slot.key << dropped_bits_, min_key_)), slot.count});
+  for (const Slot& slot : used) {
+    const std::uint64_t key = std::max(slot.key << dropped_bits_, min_key_);
+    bins.push_back({sample_of(key), slot.count, whole_of(key)});
+  }
   return bins;
 }
 
 double Histogram::sample_of(std::uint64_t key) const {
   return with_sample_type(
       type_, [key](auto type) { return static_cast<double>(sample_with<decltype(type)>(key)); });
+}
+
+LabelValue Histogram::whole_of(std::uint64_t key) const {
+  LabelValue value;
+  if (finite_ > 0)
+    with_whole_type(type_, [&](auto type) { value = sample_with<decltype(type)>(key); });
+  return value;
 }
 
 double Histogram::least() const {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "volumes/label_value.hpp"
 #include "volumes/sample_type.hpp"
 
 namespace discmc::command {
@@ -27,6 +28,7 @@ class Histogram {
   struct Bin {
     double sample;  ///< the least that it can hold, or that has come
     std::uint64_t count;
+    LabelValue whole;  ///< the same, exactly, where samples are whole numbers
   };
   /// All that are not empty, in the order of their samples.
   std::vector<Bin> bins() const;
@@ -38,6 +40,9 @@ class Histogram {
   double least() const;
   double greatest() const;
   double mean() const;
+  /// The first two exactly. Limit: samples are whole numbers.
+  LabelValue least_whole() const { return whole_of(min_key_); }
+  LabelValue greatest_whole() const { return whole_of(greatest_key_); }
 
   std::uint64_t finite() const { return finite_; }
   std::uint64_t not_numbers() const { return not_numbers_; }
@@ -58,6 +63,7 @@ class Histogram {
   Slot& slot_of(std::uint64_t key);
   void drop_a_bit();
   double sample_of(std::uint64_t key) const;
+  LabelValue whole_of(std::uint64_t key) const;
 
   SampleType type_;
   std::vector<Slot> slots_;

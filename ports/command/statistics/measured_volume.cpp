@@ -3,7 +3,7 @@
 namespace discmc::command {
 
 void MeasuredVolume::read_slice(void* samples) {
-  volume_->read_slice(samples);
+  VolumeFilter::read_slice(samples);
   bounds_.include(info().type, samples, std::size_t{info().dims[0]} * info().dims[1]);
 }
 

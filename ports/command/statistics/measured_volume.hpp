@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "sample_bounds.hpp"
-#include "volumes/volume.hpp"
+#include "volumes/volume_filter.hpp"
 
 namespace discmc::command {
 
@@ -19,22 +19,22 @@ struct ValueRange {
 
 /// The volume as it is. It takes less than a nanosecond a sample, where a second pass would take
 /// the whole file, and a pipe has none.
-class MeasuredVolume final : public VolumeReader {
+class MeasuredVolume final : public VolumeFilter {
  public:
-  explicit MeasuredVolume(std::unique_ptr<VolumeReader> volume) : volume_(std::move(volume)) {}
+  explicit MeasuredVolume(std::unique_ptr<VolumeReader> volume) : VolumeFilter(std::move(volume)) {}
 
-  const VolumeInfo& info() const override { return volume_->info(); }
   void read_slice(void* samples) override;
-  void skip_slice() override { volume_->skip_slice(); }
 
   /// Of the finite values that were read so far, if there are any.
   std::optional<ValueRange> range() const;
+
+  /// Whether there are two finite values and no other, as in a mask.
+  bool has_two_values() const { return bounds_.least < bounds_.greatest && !bounds_.has_between; }
 
   /// The same with the infinite values; least > greatest where none is a number.
   ValueRange range_with_infinities() const;
 
  private:
-  std::unique_ptr<VolumeReader> volume_;
   SampleBounds bounds_;
 };
 

@@ -50,8 +50,14 @@ void SampleBounds::include(SampleType type, const void* samples, std::size_t cou
     if (has_low || has_high)
       bounds = bounds_of(typed, count, [](Sample sample) { return is_finite(sample); });
     if (bounds.least > bounds.greatest) return;
+    const SampleBounds before = *this;
     least = std::min(least, static_cast<double>(bounds.least));
     greatest = std::max(greatest, static_cast<double>(bounds.greatest));
+    const auto is_between = [this](double sample) { return least < sample && sample < greatest; };
+    has_between = has_between || is_between(before.least) || is_between(before.greatest) ||
+                  std::any_of(typed, typed + count, [&](Sample sample) {
+                    return is_between(static_cast<double>(sample));
+                  });
   });
 }
 

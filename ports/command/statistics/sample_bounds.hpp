@@ -17,6 +17,7 @@ struct SampleBounds {
   double greatest = -infinity;
   bool has_infinity = false;
   bool has_minus_infinity = false;
+  bool has_between = false;  ///< finite samples other than the least and the greatest
 
   /// Whether no finite sample has come.
   bool is_empty() const { return least > greatest; }

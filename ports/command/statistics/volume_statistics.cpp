@@ -46,7 +46,11 @@ VolumeStatistics volume_statistics(VolumeReader& volume,
   statistics.greatest = value(histogram.greatest());
   statistics.mean = value(histogram.mean());
   for (const Histogram::Bin& bin : histogram.bins())
-    statistics.counts.push_back({value(bin.sample), bin.count});
+    statistics.counts.push_back({value(bin.sample), bin.count, bin.whole});
+  statistics.told_padding = info.padding;
+  statistics.are_whole = !is_floating(info.type) && info.slope == 1 && info.intercept == 0;
+  statistics.least_whole = histogram.least_whole();
+  statistics.greatest_whole = histogram.greatest_whole();
   statistics.is_exact = histogram.is_exact();
   return statistics;
 }
@@ -61,14 +65,45 @@ double percentile(const VolumeStatistics& statistics, double percent) {
   return statistics.greatest;
 }
 
-std::optional<double> otsu_threshold(const VolumeStatistics& statistics) {
+std::optional<double> padding_value(const VolumeStatistics& statistics) {
   const std::vector<ValueCount>& counts = statistics.counts;
+  const auto told = std::find_if(counts.begin(), counts.end(), [&](const ValueCount& each) {
+    return each.value == statistics.told_padding;
+  });
+  if (told != counts.end()) return told->value;
+  // Units: Hounsfield, of what may be air and is not; none beyond is a number that CT writes.
+  constexpr double most_air = -500, least_air = -1024, least_ever = -4096, most_padding = -1000;
+  constexpr double least_bone = 300, gap = 200, share = 0.05;
+  if (counts.size() < 3 || counts[0].value > most_padding || counts[0].value < least_ever ||
+      counts.back().value < least_bone)
+    return std::nullopt;
+  if (counts[0].value < least_air && counts[1].value - counts[0].value >= gap)
+    return counts[0].value;
+  double air = 0;
+  std::uint64_t most = 0;
+  for (std::size_t i = 1; i < counts.size() && counts[i].value <= most_air; ++i) {
+    air += static_cast<double>(counts[i].count);
+    most = std::max(most, counts[i].count);
+  }
+  const bool is_padding =
+      counts[0].count > most && air >= share * static_cast<double>(statistics.numbers);
+  return is_padding ? std::optional(counts[0].value) : std::nullopt;
+}
+
+std::optional<double> otsu_threshold(const VolumeStatistics& statistics) {
+  std::vector<ValueCount> counts = statistics.counts;
+  auto whole = static_cast<double>(statistics.numbers);
+  if (const auto padding = padding_value(statistics)) {
+    const auto found = std::find_if(counts.begin(), counts.end(),
+                                    [&](const ValueCount& each) { return each.value == *padding; });
+    whole -= static_cast<double>(found->count);
+    counts.erase(found);
+  }
   // Shares of the largest magnitude, so that no square overflows.
   const double unit = std::max(std::fabs(statistics.least), std::fabs(statistics.greatest));
   double whole_sum = 0;
   for (const ValueCount& each : counts)
     whole_sum += each.value / unit * static_cast<double>(each.count);
-  const auto whole = static_cast<double>(statistics.numbers);
 
   double most = 0;
   std::size_t best = 0;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "volumes/label_value.hpp"
 #include "volumes/volume_reader.hpp"
 
 namespace discmc::command {
@@ -15,6 +16,7 @@ namespace discmc::command {
 struct ValueCount {
   double value;
   std::uint64_t count;
+  LabelValue whole{};  ///< the value, exactly, where VolumeStatistics::are_whole
 };
 
 /// Units: those that the file declares. Infinite values count as infinite, and nowhere else.
@@ -25,7 +27,11 @@ struct VolumeStatistics {
   double least = 0;
   double greatest = 0;
   double mean = 0;
-  std::vector<ValueCount> counts;  ///< in the order of values
+  bool are_whole = false;                      ///< the values, as they are stored: up to 64 bits
+  LabelValue least_whole{}, greatest_whole{};  ///< then `least` and `greatest`, exactly
+  std::vector<ValueCount> counts;              ///< in the order of values
+  /// The value that the file has where nothing was scanned, if it says so.
+  std::optional<double> told_padding;
   /// Whether each of `counts` is of one value. Then percentiles and Otsu's threshold are exact,
   /// too.
   bool is_exact = true;
@@ -39,9 +45,14 @@ VolumeStatistics volume_statistics(VolumeReader& volume,
 /// Limit: there are numbers; 0 < percent <= 100.
 double percentile(const VolumeStatistics& statistics, double percent);
 
-/// Otsu's threshold: of all pairs of what is below a value and what is not, that whose means differ
-/// most, weighed by their sizes. Of the thresholds between the two, one with few digits. Nothing
-/// where there are no two values.
+/// What stands where nothing was scanned, outside the circle that CT reconstructs: the value that
+/// the file says is that, if it is there; or the least value, from -1000 down, where all others are
+/// far above, or most of several that may be air, as of no thing that was scanned.
+std::optional<double> padding_value(const VolumeStatistics& statistics);
+
+/// Otsu's threshold, without padding_value(): of all pairs of what is below a value and what is
+/// not, that whose means differ most, weighed by their sizes. Of the thresholds between the two,
+/// one with few digits. Nothing where there are no two values.
 std::optional<double> otsu_threshold(const VolumeStatistics& statistics);
 
 }  // namespace discmc::command

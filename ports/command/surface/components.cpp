@@ -10,44 +10,57 @@
 namespace discmc::command {
 namespace {
 
-// A link of whichever direction, and a polygon that has it: twice its middle, and on which of the
-// diagonals through it it lies.
-struct Link {
-  std::array<std::int64_t, 3> doubled_middle;
-  unsigned diagonal;
-  std::uint32_t polygon;
+// A line of links, whichever way they run: its point next to a plane of the coordinates, and the
+// way to the next vertex.
+struct Line {
+  std::array<std::int64_t, 3> point;
+  std::array<std::int32_t, 3> step;
 
-  bool is_same_link(const Link& other) const {
-    return doubled_middle == other.doubled_middle && diagonal == other.diagonal;
-  }
-  bool operator<(const Link& other) const {
-    return doubled_middle != other.doubled_middle ? doubled_middle < other.doubled_middle
-                                                  : diagonal < other.diagonal;
+  bool operator==(const Line& other) const { return point == other.point && step == other.step; }
+  bool operator<(const Line& other) const {
+    return point != other.point ? point < other.point : step < other.step;
   }
 };
 
-Link link_from(const Vertex& a, const Vertex& step, std::uint32_t polygon) {
-  const Vertex b = a + step;
-  // The signs of two steps beside the third, which are the same from both ends.
-  const unsigned diagonal = (step.x * step.y < 0 ? 1U : 0U) | (step.x * step.z < 0 ? 2U : 0U) |
-                            (step.y * step.z < 0 ? 4U : 0U);
-  return {{std::int64_t{a.x} + b.x, std::int64_t{a.y} + b.y, std::int64_t{a.z} + b.z},
-          diagonal,
-          polygon};
+// A side of a polygon, and where it lies on its line.
+struct LineSide {
+  Line line;
+  std::int32_t begin, end;  // Units: links
+  std::uint32_t polygon;
+
+  bool operator<(const LineSide& other) const {
+    return line == other.line ? begin < other.begin : line < other.line;
+  }
+};
+
+LineSide line_side(const Vertex& from, Side side, std::uint32_t polygon) {
+  const std::array<std::int32_t, 3> at = {from.x, from.y, from.z};
+  std::array<std::int32_t, 3> step = {side.link.x, side.link.y, side.link.z};
+  const auto along = static_cast<std::size_t>(
+      std::find_if(step.begin(), step.end(), [](std::int32_t each) { return each != 0; }) -
+      step.begin());
+  const bool is_backwards = step[along] < 0;
+  if (is_backwards)
+    for (std::int32_t& each : step) each = -each;
+  const std::int32_t rest = (at[along] % step[along] + step[along]) % step[along];
+  const std::int32_t place = (at[along] - rest) / step[along];
+  LineSide result{{{}, step}, place, place, polygon};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    result.line.point[axis] = std::int64_t{at[axis]} - std::int64_t{place} * step[axis];
+  (is_backwards ? result.begin : result.end) += is_backwards ? -side.links : side.links;
+  return result;
 }
 
-std::vector<Link> sorted_links(const Surface& surface) {
-  std::vector<Link> links;
+std::vector<LineSide> sorted_sides(const Surface& surface) {
+  std::vector<LineSide> sides;
+  sides.reserve(surface.polygons.corners().size());
   for (std::size_t i = 0; i < surface.polygons.size(); ++i)
     for (const Ring& ring : surface.polygons[i].rings)
-      for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Side side = side_between(ring[k], ring[(k + 1) % ring.size()]);
-        Vertex at = ring[k];
-        for (std::int32_t link = 0; link < side.links; ++link, at = at + side.link)
-          links.push_back(link_from(at, side.link, static_cast<std::uint32_t>(i)));
-      }
-  std::sort(links.begin(), links.end());
-  return links;
+      for (std::size_t k = 0; k < ring.size(); ++k)
+        sides.push_back(line_side(ring[k], side_between(ring[k], ring[(k + 1) % ring.size()]),
+                                  static_cast<std::uint32_t>(i)));
+  std::sort(sides.begin(), sides.end());
+  return sides;
 }
 
 // Sets of polygons; each is named by its lowest.
@@ -73,6 +86,16 @@ class Sets {
   std::vector<std::uint32_t> parent_;
 };
 
+// Those whose sides have a link in common.
+void join_neighbours(const std::vector<LineSide>& sides, Sets& sets) {
+  const LineSide* farthest = nullptr;  // of those on the line so far
+  for (const LineSide& side : sides) {
+    const bool is_beside = farthest != nullptr && farthest->line == side.line;
+    if (is_beside && side.begin < farthest->end) sets.join(side.polygon, farthest->polygon);
+    if (!is_beside || side.end > farthest->end) farthest = &side;
+  }
+}
+
 // Six times what the pyramid between a polygon and the origin encloses. Units: half-steps.
 double six_volumes(const Polygon& polygon, const Vertex& origin) {
   double sum = 0;
@@ -93,10 +116,8 @@ double six_volumes(const Polygon& polygon, const Vertex& origin) {
 }  // namespace
 
 std::vector<Component> components(const Surface& surface) {
-  const std::vector<Link> links = sorted_links(surface);
   Sets sets(surface.polygons.size());
-  for (std::size_t i = 1; i < links.size(); ++i)
-    if (links[i].is_same_link(links[i - 1])) sets.join(links[i].polygon, links[i - 1].polygon);
+  join_neighbours(sorted_sides(surface), sets);
 
   std::vector<Component> found;
   std::vector<std::uint32_t> place(surface.polygons.size());

@@ -15,8 +15,8 @@ struct Component {
   double volume_mm3 = 0;                ///< enclosed; negative of a cavity
 };
 
-/// The components of a closed surface, in the order of their first polygons. Cost: links are
-/// sorted.
+/// The components of a closed surface, in the order of their first polygons. Cost: sides are
+/// sorted; memory of 56 bytes per corner.
 std::vector<Component> components(const Surface& surface);
 
 /// Which components are kept.

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <discmc/lattice.hpp>
@@ -70,7 +72,16 @@ struct Polygon {
   Rings rings;
 };
 
-/// Polygons one behind the other. Limit: fewer than 2^32 corners, and rings.
+/// Throws std::length_error where corners are more than 32 bits count.
+inline void require_numbers_for(std::size_t corners) {
+  constexpr std::size_t most = 0xFFFFFFFFu;
+  if (corners > most)
+    throw std::length_error("the surface has more than " + std::to_string(most) +
+                            " corners, more than a mesh can have: take a part of the volume with "
+                            "--crop, or --shrink");
+}
+
+/// Polygons one behind the other. Limit: fewer than 2^32 corners, else std::length_error.
 class Polygons {
  public:
   class Iterator {
@@ -111,6 +122,7 @@ class Polygons {
   }
   /// Adds a ring to the last polygon. ring: none of these polygons.
   void add_ring(const Ring& ring) {
+    require_numbers_for(corners_.size() + ring.size());
     corners_.insert(corners_.end(), ring.begin(), ring.end());
     ring_begins_.push_back(static_cast<std::uint32_t>(corners_.size()));
     ++polygon_begins_.back();
@@ -122,6 +134,7 @@ class Polygons {
   }
   /// Adds all of others.
   void append(const Polygons& others) {
+    require_numbers_for(corners_.size() + others.corners_.size());
     append_begins(polygon_begins_, others.polygon_begins_);
     append_begins(ring_begins_, others.ring_begins_);
     incidences_.insert(incidences_.end(), others.incidences_.begin(), others.incidences_.end());

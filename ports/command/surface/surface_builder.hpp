@@ -8,26 +8,35 @@
 
 #include <discmc/sink.hpp>
 
+#include "counts.hpp"
 #include "surface.hpp"
 
 namespace discmc::command {
 
+/// What a SurfaceBuilder keeps of regions: polygons, or their counts alone, which take no memory.
+enum class Kept { polygons, counts };
+
 /// Takes events of an extractor or a decoder and always answers "taken". Loose fragments are to be
 /// joined before.
-/// Throws std::runtime_error beyond max_links, since a few bytes of a hostile stream can stand for
-/// any number of links.
+/// Memory: of one region at a time in proportion to its runs, not to its links, since a few bytes
+/// of a hostile stream can stand for any number of these.
+/// Errors: take() and append() throw std::length_error beyond the limit of Polygons.
 class SurfaceBuilder {
  public:
-  static constexpr std::uint64_t max_links = std::uint64_t{1} << 27;
+  explicit SurfaceBuilder(Kept kept = Kept::polygons) : kept_(kept) {}
 
   SinkResult take(const Event& event);
 
-  /// Adds the polygons of another, behind its own. Throws as take().
+  Kept kept() const { return kept_; }
+
+  /// Adds what another has kept, behind its own. Limit: both keep the same.
   void append(SurfaceBuilder&& other);
 
   /// What has been delivered so far; spacing_mm is for the caller to set.
   Surface& surface() { return surface_; }
   const Surface& surface() const { return surface_; }
+  /// Limit: Kept::counts.
+  const Counts& counts() const { return counts_; }
 
   /// Regions and loose fragments that could not be made polygons of.
   std::uint64_t incomplete_regions() const { return incomplete_regions_; }
@@ -55,21 +64,27 @@ class SurfaceBuilder {
   };
 
   void end_region();
-  void add_links(std::uint64_t links);
   Chain chain(std::size_t ring) const;
-  bool is_sound(const Chain& chain);
+  bool is_sound(const Chain& chain) const;
   bool is_convex(const Chain& chain) const;
-  bool has_recurrence();
   void add_corners(const Chain& chain);
   void end_ring();
   void add_simple_rings(const Chain& chain);
+  void collect_ends(const Chain& chain);
+  bool index_ends();
+  bool is_end(const Vertex& vertex) const;
+  bool find_touches();
+  void add_touches_of(const Vertex& from, const Side& side);
   Ring simple_ring(const Span& span) const;
   bool put_outer_first();
-  void add_normals(const Chain& chain);
+  void keep_region();
+  void keep_normals(const Chain& chain);
+  void count_region();
 
+  Kept kept_;
   Surface surface_;
+  Counts counts_;
   std::uint64_t incomplete_regions_ = 0;
-  std::uint64_t links_ = 0;  // unfolded so far
   Incidence incidence_ = no_incidence;
   // Of the region under way.
   std::vector<OpenRing> rings_;
@@ -77,8 +92,10 @@ class SurfaceBuilder {
   std::vector<Span> simple_rings_;
   std::vector<Vertex> corners_;
   // Of one ring; here to keep the memory.
-  std::vector<Run> ring_runs_;
-  std::vector<Vertex> vertices_;
+  std::vector<Vertex> ends_;          // its start and its corners
+  std::vector<std::uint32_t> slots_;  // their places, by a hash
+  std::vector<Vertex> vertices_;      // the ends, and where a side passes through another one
+  std::vector<std::int32_t> touches_;
   std::vector<std::uint32_t> scratch_;
 };
 

@@ -2,31 +2,41 @@
 #ifndef DISCMC_COMMAND_TEXT_NUMBER_TEXT_HPP
 #define DISCMC_COMMAND_TEXT_NUMBER_TEXT_HPP
 
+#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include "text/whole_number.hpp"
+
 namespace discmc::command {
 
-/// Nothing where the text is no number, an infinite one, or beyond what double holds.
-inline std::optional<double> finite_number(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool is_number = !text.empty() && *end == '\0' && std::isfinite(value);
+/// A decimal number, whatever the user's locale; "inf" and "nan", in any case, are such. Nothing
+/// where the text is none, or beyond what double holds.
+inline std::optional<double> decimal_number(std::string_view text) {
+  const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  if (has_plus) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
   return is_number ? std::optional<double>(value) : std::nullopt;
 }
 
-/// Nothing where the text is no whole number, or one that the type does not hold.
-template <class Whole>
-std::optional<Whole> whole_number(std::string_view text, int base = 10) {
-  Whole value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  return is_number ? std::optional<Whole>(value) : std::nullopt;
+/// The same, but for infinite ones and NaN.
+inline std::optional<double> finite_number(std::string_view text) {
+  const auto value = decimal_number(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+/// The number in six digits at most, for people.
+inline std::string short_number(double value) {
+  std::array<char, 32> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                          std::chars_format::general, 6);
+  return {text.data(), end};
 }
 
 }  // namespace discmc::command

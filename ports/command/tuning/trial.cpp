@@ -3,7 +3,7 @@
 #include <discmc/encoder.hpp>
 #include <discmc/slice_encoder.hpp>
 
-#include "extraction/scan.hpp"
+#include "extraction/extractors.hpp"
 #include "require.hpp"
 #include "slice_steps.hpp"
 

@@ -46,7 +46,7 @@ std::string seconds_text(double seconds) {
   return text.str();
 }
 
-void write_trials(const std::vector<TriedRow>& rows, Payload payload, const Device& device,
+void print_trials(const std::vector<TriedRow>& rows, Payload payload, const Device& device,
                   std::ostream& out) {
   const bool is_of_regions = payload == Payload::regions;
   const int memory_width = is_of_regions ? 11 : 24;

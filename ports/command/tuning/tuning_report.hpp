@@ -33,7 +33,7 @@ struct TriedRow {
   bool is_chosen;
 };
 
-void write_trials(const std::vector<TriedRow>& rows, Payload payload, const Device& device,
+void print_trials(const std::vector<TriedRow>& rows, Payload payload, const Device& device,
                   std::ostream& out);
 
 const char* name(Core core);

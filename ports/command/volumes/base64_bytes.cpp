@@ -2,7 +2,8 @@
 #include <utility>
 
 #include "byte_source.hpp"
-#include "volume_format.hpp"
+#include "text/words.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 namespace {

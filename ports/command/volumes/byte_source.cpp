@@ -6,7 +6,7 @@
 #include <iostream>
 #include <system_error>
 
-#include "volume_format.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 namespace {

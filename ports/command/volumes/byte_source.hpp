@@ -43,6 +43,9 @@ class ByteSource {
   virtual std::string damage() const { return {}; }
 };
 
+/// Whether the name is that of standard input ("-") or of a pipe: what can be opened once only.
+bool is_read_once(const std::filesystem::path& file);
+
 /// "-" is standard input. Throws VolumeError when there is no such file, or when it is a folder or
 /// a block device.
 std::unique_ptr<ByteSource> bytes_of_file(const std::filesystem::path& file);
@@ -56,11 +59,8 @@ std::unique_ptr<ByteSource> inflated_blocks(std::unique_ptr<ByteSource> in, std:
 /// What text in base64 stands for, in parts of which each is filled up, up to the first '<'.
 std::unique_ptr<ByteSource> base64_decoded(std::unique_ptr<ByteSource> in);
 
-/// Whether the program was built with bzip2.
-bool has_bzip2();
-
-/// The content of bzip2 streams. Limit: has_bzip2().
-std::unique_ptr<ByteSource> bunzipped(std::unique_ptr<ByteSource> in);
+/// Floating point of 32 bits in native byte order, from that of 16 bits.
+std::unique_ptr<ByteSource> floats_of_halves(std::unique_ptr<ByteSource> in, bool big_endian);
 
 /// Samples in native byte order from numbers as text, between blanks or commas, up to the first
 /// '<'.

@@ -7,7 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "volume_format.hpp"
+#include "header_text.hpp"
+#include "text/words.hpp"
+#include "volume_error.hpp"
+#include "volume_stream.hpp"
 
 namespace discmc::command {
 namespace {
@@ -84,6 +87,7 @@ class JoinedFiles final : public ByteSource {
       const std::size_t got = file_->read(static_cast<char*>(bytes) + done, wanted);
       done += got;
       left_ -= got;
+      const bool has_more = left_ == 0 && !file_->peek(1).empty();
       if (left_ == 0) file_->check_end();
       const std::string damage = file_->damage();
       if (got < wanted || !damage.empty())
@@ -91,6 +95,11 @@ class JoinedFiles final : public ByteSource {
              std::to_string(left_) + " bytes of " + std::to_string(bytes_each_) + " are missing" +
                  (damage.empty() ? "" : ": " + damage),
              "copy the file again");
+      // A header that nobody skips would move all samples.
+      if (has_more && !skips_header_)
+        fail(file_->file(),
+             "there is more than its share of " + std::to_string(bytes_each_) + " bytes",
+             "tell what stands before the samples, as byte skip or HeaderSize");
     }
     return done;
   }
@@ -103,6 +112,7 @@ class JoinedFiles final : public ByteSource {
     if (next_ == files_.count) return false;
     file_.emplace(open_(files_.path(next_++)));
     left_ = bytes_each_;
+    skips_header_ = file_->position() > 0;
     return true;
   }
 
@@ -111,6 +121,7 @@ class JoinedFiles final : public ByteSource {
   std::function<ByteStream(const std::filesystem::path&)> open_;
   std::uint64_t next_ = 0;
   std::uint64_t left_ = 0;
+  bool skips_header_ = false;
   std::optional<ByteStream> file_;
 };
 
@@ -126,13 +137,18 @@ DataFiles data_files(ByteStream& header, std::string_view field, std::string_vie
   return words(text)[0] == "LIST" ? listed(header) : numbered(header.file(), field, text);
 }
 
-ByteStream joined(const std::filesystem::path& header, const DataFiles& files, std::uint64_t bytes,
+ByteStream joined(const std::filesystem::path& header, const DataFiles& files, VolumeInfo& info,
                   std::function<ByteStream(const std::filesystem::path&)> open) {
+  const std::uint64_t bytes = bytes_of_all(info);
   if (bytes % files.count != 0 || bytes < files.count)
     fail(header,
          std::to_string(files.count) + " data files share " + std::to_string(bytes) + " bytes",
          "name a file for each slice");
-  return {header, std::make_unique<JoinedFiles>(files, bytes / files.count, std::move(open))};
+  const std::uint64_t share = bytes / files.count;
+  if (const auto in_file = open(files.path(0)).left(); in_file && *in_file > share)
+    note(info,
+         std::to_string(*in_file - share) + " bytes behind the samples of a data file left out");
+  return {header, std::make_unique<JoinedFiles>(files, share, std::move(open))};
 }
 
 }  // namespace discmc::command

@@ -25,9 +25,10 @@ bool names_several_files(std::string_view text);
 /// of, for the VolumeError thrown when the text is neither.
 DataFiles data_files(ByteStream& header, std::string_view field, std::string_view text);
 
-/// The samples of all files, each with an equal share. open returns a file at its first sample.
-/// bytes is what they hold together.
-ByteStream joined(const std::filesystem::path& header, const DataFiles& files, std::uint64_t bytes,
+/// The samples of all files, each with an equal share of the volumes. open returns a file at its
+/// first sample. A file with more than its share is refused, unless something before the samples
+/// was skipped: then what is behind them is noted.
+ByteStream joined(const std::filesystem::path& header, const DataFiles& files, VolumeInfo& info,
                   std::function<ByteStream(const std::filesystem::path&)> open);
 
 }  // namespace discmc::command

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "volume_format.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 #include <utility>
 
 #include "byte_source.hpp"
-#include "volume.hpp"
 
 namespace discmc::command {
 namespace {
@@ -16,8 +16,7 @@ class Inflater final : public ByteSource {
   Inflater(std::unique_ptr<ByteSource> in, std::uint64_t blocks)
       : in_(std::move(in)), blocks_(blocks) {
     constexpr int largest_window_either_wrapper = 15 + 32;
-    if (inflateInit2(&state_, largest_window_either_wrapper) != Z_OK)
-      throw VolumeError("zlib does not start; the memory may be exhausted");
+    if (inflateInit2(&state_, largest_window_either_wrapper) != Z_OK) throw std::bad_alloc();
   }
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
@@ -58,7 +57,7 @@ class Inflater final : public ByteSource {
     read(&beyond, 1);
   }
 
-  std::string damage() const override { return damage_; }
+  std::string damage() const override { return damage_.empty() ? in_->damage() : damage_; }
 
  private:
   void refill() {

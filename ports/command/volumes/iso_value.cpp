@@ -1,9 +1,8 @@
-// The value of a threshold among stored samples.
+#include "iso_value.hpp"
+
 #include <cmath>
 #include <cstdint>
 #include <limits>
-
-#include "volume_reader.hpp"
 
 namespace discmc::command {
 

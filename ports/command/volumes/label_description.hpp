@@ -3,21 +3,27 @@
 #define DISCMC_COMMAND_VOLUMES_LABEL_DESCRIPTION_HPP
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "label_value.hpp"
 #include "pictures/srgb.hpp"
 
 namespace discmc::command {
 
 struct LabelDescription {
   std::string name;
-  std::optional<Srgb> colour;
+  std::optional<Srgb> colour{};
+  /// That its voxels have: several of a region of nnU-Net. None stands for all but 0.
+  std::vector<LabelValue> values{};
+  /// The volume of the file that it is in, as VolumeOptions::frame counts: labels that overlap are
+  /// in several.
+  std::uint32_t layer = 0;
 };
 
-/// What is known of labels, by their values.
-using LabelTable = std::map<std::int64_t, LabelDescription>;
+/// What is known of labels, in the order in which it is told.
+using LabelTable = std::vector<LabelDescription>;
 
 }  // namespace discmc::command
 

@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
+#include "label_json.hpp"
 #include "text/number_text.hpp"
-#include "volume_format.hpp"
+#include "text/words.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -21,14 +26,19 @@ std::string_view without_line_end(std::string_view line) {
 
 using Words = std::vector<std::string_view>;
 
-// The parts of a line between tabs, empty ones too.
-Words columns(std::string_view line) {
+// The parts of a line between tabs or commas, empty ones too. In quotes, which are dropped, a comma
+// is none.
+Words columns(std::string_view line, char separator) {
   Words columns;
-  for (std::size_t tab; (tab = line.find('\t')) != std::string_view::npos;) {
-    columns.push_back(line.substr(0, tab));
-    line.remove_prefix(tab + 1);
+  for (bool is_last = false; !is_last;) {
+    const bool is_quoted = separator == ',' && !line.empty() && line.front() == '"';
+    const std::size_t quote = is_quoted ? line.find('"', 1) : std::string_view::npos;
+    const std::size_t begin = quote == std::string_view::npos ? 0 : 1;
+    const std::size_t end = line.find(separator, begin == 0 ? 0 : quote);
+    columns.push_back(line.substr(begin, (begin == 0 ? end : quote) - begin));
+    is_last = end == std::string_view::npos;
+    if (!is_last) line.remove_prefix(end + 1);
   }
-  columns.push_back(line);
   return columns;
 }
 
@@ -56,16 +66,11 @@ std::optional<Srgb> hexadecimal_colour(std::string_view text) {
   return colour;
 }
 
-struct Entry {
-  std::int64_t label;
-  LabelDescription description;
-};
-
-std::optional<Entry> entry(std::string_view index, std::string_view name,
-                           const std::optional<Srgb>& colour) {
-  const auto label = whole_number<std::int64_t>(index);
+std::optional<LabelDescription> entry(std::string_view index, std::string_view name,
+                                      const std::optional<Srgb>& colour) {
+  const auto label = label_value(index);
   if (!label || name.empty()) return std::nullopt;
-  return Entry{*label, {std::string(name), colour}};
+  return LabelDescription{std::string(name), colour, {*label}};
 }
 
 // The lines of a table, which its first one tells how to read.
@@ -73,39 +78,62 @@ class Reader {
  public:
   /// Returns whether the line is the head of columns.
   bool take_head(std::string_view line) {
-    const Words heads = columns(line);
-    const auto column = [&heads](std::string_view head) {
-      return static_cast<std::size_t>(std::find(heads.begin(), heads.end(), head) - heads.begin());
-    };
-    index_ = column("index");
-    name_ = column("name");
-    colour_ = column("color");
-    has_columns_ = index_ < heads.size() && name_ < heads.size();
+    for (const char separator : {'\t', ','}) {
+      separator_ = separator;
+      heads_.clear();
+      for (const std::string_view head : columns(line, separator)) heads_.push_back(lower(head));
+      has_columns_ = (has("index") || has("labelvalue")) && has("name");
+      if (has_columns_) break;
+    }
     return has_columns_;
   }
 
-  std::optional<Entry> read(std::string_view line) const {
-    if (has_columns_) return read_columns(columns(line));
+  std::optional<LabelDescription> read(std::string_view line) const {
+    if (has_columns_) return read_columns(columns(line, separator_));
     const std::size_t quote = line.find('"');
     return quote == std::string_view::npos ? read_words(words(line)) : read_quoted(line, quote);
   }
 
  private:
-  std::optional<Entry> read_columns(const Words& words) const {
-    if (index_ >= words.size() || name_ >= words.size()) return std::nullopt;
-    const std::string_view colour = colour_ < words.size() ? trimmed(words[colour_]) : "";
-    if (colour.empty() || colour == "n/a") return entry(words[index_], words[name_], {});
-    const auto read = hexadecimal_colour(colour);
-    return read ? entry(words[index_], words[name_], read) : std::nullopt;
+  std::size_t place(std::string_view head) const {
+    return static_cast<std::size_t>(std::find(heads_.begin(), heads_.end(), head) - heads_.begin());
+  }
+  bool has(std::string_view head) const { return place(head) < heads_.size(); }
+
+  // Empty where there is no such column.
+  std::string_view value(const Words& words, std::string_view head) const {
+    const std::size_t at = place(head);
+    return at < words.size() ? trimmed(words[at]) : std::string_view();
   }
 
-  static std::optional<Entry> read_words(const Words& words) {
+  // 3D Slicer may leave the name out, as its columns of terms say more: "Left Kidney".
+  std::string name(const Words& words) const {
+    const std::string_view own = value(words, "name");
+    if (!own.empty()) return std::string(own);
+    const std::string modifier(value(words, "typemodifier_codemeaning"));
+    return modifier + (modifier.empty() ? "" : " ") + std::string(value(words, "type_codemeaning"));
+  }
+
+  std::optional<LabelDescription> read_columns(const Words& words) const {
+    const std::string_view index = value(words, has("index") ? "index" : "labelvalue");
+    const std::string_view colour = value(words, "color");
+    const std::string_view red = value(words, "color_r");
+    if (!red.empty()) {
+      const auto read = colour_of({red, value(words, "color_g"), value(words, "color_b")}, 0);
+      return read ? entry(index, name(words), read) : std::nullopt;
+    }
+    if (colour.empty() || colour == "n/a") return entry(index, name(words), {});
+    const auto read = hexadecimal_colour(colour);
+    return read ? entry(index, name(words), read) : std::nullopt;
+  }
+
+  static std::optional<LabelDescription> read_words(const Words& words) {
     if (words.size() == 2) return entry(words[0], words[1], {});
     const auto colour = colour_of(words, 2);
     return colour && words.size() <= 6 ? entry(words[0], words[1], colour) : std::nullopt;
   }
 
-  static std::optional<Entry> read_quoted(std::string_view line, std::size_t quote) {
+  static std::optional<LabelDescription> read_quoted(std::string_view line, std::size_t quote) {
     const std::size_t end = line.find('"', quote + 1);
     const Words before = words(line.substr(0, quote));
     if (end == std::string_view::npos || before.empty()) return std::nullopt;
@@ -113,7 +141,8 @@ class Reader {
   }
 
   bool has_columns_ = false;
-  std::size_t index_ = 0, name_ = 0, colour_ = 0;
+  char separator_ = '\t';
+  std::vector<std::string> heads_;  // in lower case
 };
 
 }  // namespace
@@ -123,7 +152,11 @@ LabelTable read_label_table(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!in || std::filesystem::is_directory(file, ignored))
     fail(file, "the table cannot be read", "check its name");
+  if ((in >> std::ws).peek() == '{') return read_label_json(file);
+  in.clear();
+  in.seekg(0);
   LabelTable table;
+  std::set<LabelValue> taken;
   Reader reader;
   bool is_first = true;
   std::size_t number = 0;
@@ -136,13 +169,14 @@ LabelTable read_label_table(const std::filesystem::path& file) {
     const bool is_head = is_first && reader.take_head(line);
     is_first = false;
     if (is_head) continue;
-    const auto read = reader.read(line);
+    auto read = reader.read(line);
     if (!read)
       fail(file, "line " + std::to_string(number) + " is " + shown(line),
            "give a whole number, a name of one word, and red, green and blue from 0 to 255");
-    if (!table.emplace(read->label, read->description).second)
-      fail(file, "label " + std::to_string(read->label) + " is there twice",
+    if (!taken.insert(read->values[0]).second)
+      fail(file, "label " + read->values[0].text() + " is there twice",
            "delete line " + std::to_string(number));
+    table.push_back(*std::move(read));
   }
   if (table.empty()) fail(file, "the table has no label", "check its name");
   return table;

@@ -10,7 +10,8 @@ namespace discmc::command {
 
 /// Reads a table of labels, as programs write them: lines of "INDEX NAME RED GREEN BLUE" (3D
 /// Slicer, FreeSurfer), of "INDEX RED GREEN BLUE ALPHA VISIBLE MESH "NAME"" (ITK-SNAP), or columns
-/// with the heads index, name and color between tabs (BIDS). Lines that are empty or begin with #
+/// with heads: index, name and color between tabs (BIDS), LabelValue, Name, Color_R and so on
+/// between commas (3D Slicer); or a file of read_label_json(). Lines that are empty or begin with #
 /// are skipped. Throws VolumeError with the number of a line that is none of that.
 LabelTable read_label_table(const std::filesystem::path& file);
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "volume_format.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 

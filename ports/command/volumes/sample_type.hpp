@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace discmc::command {
@@ -58,6 +59,18 @@ decltype(auto) with_sample_type(SampleType type, Call&& call) {
   return call(double{});
 }
 
+constexpr bool is_floating(SampleType type) {
+  return type == SampleType::f32 || type == SampleType::f64;
+}
+
+/// As with_sample_type(), of whole numbers alone. Limit: not is_floating(type).
+template <class Call>
+void with_whole_type(SampleType type, Call&& call) {
+  with_sample_type(type, [&](auto typed) {
+    if constexpr (std::is_integral_v<decltype(typed)>) call(typed);
+  });
+}
+
 /// Whether the library takes such samples themselves: the extractor, and what makes gradients.
 constexpr bool is_scanner_type(SampleType type) {
   return type == SampleType::u8 || type == SampleType::u16 || type == SampleType::i16;
@@ -90,10 +103,6 @@ constexpr std::size_t sample_bytes(SampleType type) {
       break;
   }
   return 8;
-}
-
-constexpr bool is_floating(SampleType type) {
-  return type == SampleType::f32 || type == SampleType::f64;
 }
 
 }  // namespace discmc::command

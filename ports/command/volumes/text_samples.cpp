@@ -1,25 +1,22 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstring>
-#include <limits>
-#include <locale>
-#include <sstream>
-#include <system_error>
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
 #include "byte_source.hpp"
-#include "volume_format.hpp"
+#include "text/number_text.hpp"
+#include "text/words.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 namespace {
 
 class TextSamples final : public ByteSource {
  public:
-  TextSamples(std::unique_ptr<ByteSource> in, SampleType type) : in_(std::move(in)), type_(type) {
-    decimal_.imbue(std::locale::classic());
-  }
+  TextSamples(std::unique_ptr<ByteSource> in, SampleType type) : in_(std::move(in)), type_(type) {}
 
   std::size_t read(void* bytes, std::size_t count) override {
     auto* out = static_cast<unsigned char*>(bytes);
@@ -80,35 +77,18 @@ class TextSamples final : public ByteSource {
 
   template <class Sample>
   bool parse(Sample& sample) {
-    if constexpr (std::is_floating_point_v<Sample>) {
-      const std::string text = lower(word_);
-      if (text == "nan" || text == "-nan") {
-        sample = std::numeric_limits<Sample>::quiet_NaN();
-        return true;
-      }
-      if (text == "inf" || text == "-inf") {
-        const Sample infinity = std::numeric_limits<Sample>::infinity();
-        sample = text.front() == '-' ? -infinity : infinity;
-        return true;
-      }
-      // strtod follows the user's locale, from_chars is missing in some libraries.
-      decimal_.clear();
-      decimal_.str(word_);
-      double value = 0;
-      decimal_ >> value;
-      sample = static_cast<Sample>(value);
-      return !decimal_.fail() && decimal_.peek() == std::istringstream::traits_type::eof();
-    } else {
-      const char* end = word_.data() + word_.size();
-      const char* first = word_.data() + (word_.front() == '+' ? 1 : 0);
-      const auto result = std::from_chars(first, end, sample);
-      return result.ec == std::errc() && result.ptr == end;
-    }
+    const auto value = [this] {
+      if constexpr (std::is_floating_point_v<Sample>)
+        return decimal_number(word_);
+      else
+        return whole_number<Sample>(std::string_view(word_).substr(word_[0] == '+' ? 1 : 0));
+    }();
+    sample = static_cast<Sample>(value.value_or(0));
+    return value.has_value();
   }
 
   std::unique_ptr<ByteSource> in_;
   SampleType type_;
-  std::istringstream decimal_;
   std::array<char, 65536> text_;
   std::size_t text_begin_ = 0;
   std::size_t text_end_ = 0;

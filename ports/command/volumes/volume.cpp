@@ -3,52 +3,36 @@
 #include <glob.h>
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
-#include <iterator>
-#include <string_view>
+#include <string>
 #include <system_error>
 #include <utility>
 
+#include "format_list.hpp"
+#include "formats/readers.hpp"
 #include "other_kinds.hpp"
-#include "volume_format.hpp"
+#include "text/words.hpp"
+#include "unpacked_volume.hpp"
 #include "volumes/filters/cropped_volume.hpp"
 #include "volumes/filters/shrunk_volume.hpp"
+#include "volumes/filters/whole_labels.hpp"
 #include "volumes/formats/dicom/files.hpp"
-#include "volumes/formats/hdf5/name.hpp"
+#include "volumes/formats/mask_files.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
+#include "volumes/formats/zarr/folder.hpp"
 
 namespace discmc::command {
 namespace {
 
-using Ends = std::initializer_list<std::string_view>;
+// What headerless samples are called, and what they may be called though others have a header.
+bool is_raw_name(const std::filesystem::path& file) {
+  return lower(without_packing(file).extension().string()) == ".raw";
+}
 
-// By the names that format_of_magic() has for them.
-struct Format {
-  std::string_view name;
-  Ends ends;
-  std::unique_ptr<VolumeReader> (*open)(ByteStream stream, const VolumeOptions& options);
-};
-const Format formats[] = {
-    {"NRRD", {".nrrd", ".nhdr"}, open_nrrd},
-    {"MetaImage", {".mha", ".mhd"}, open_metaimage},
-    {"NIfTI", {".nii", ".nii.gz", ".hdr", ".hdr.gz", ".img", ".img.gz"}, open_nifti},
-    {"VTK", {".vtk"}, open_vtk},
-    {"VTK XML", {".vti"}, open_vti},
-    {"NumPy", {".npy"}, open_numpy},
-    {"InVesalius", {".inv3"}, open_invesalius},
-};
-
-// Headerless samples, and what they may be called though others have a header.
-const Ends raw_ends = {".raw", ".raw.gz"};
-const Ends headerless_ends = {".raw", ".raw.gz", ".img", ".img.gz"};
-
-bool ends_with_one_of(const std::filesystem::path& file, Ends ends) {
-  const std::string name = lower(file.filename().string());
-  const std::string_view text = name;
-  return std::any_of(ends.begin(), ends.end(), [text](std::string_view end) {
-    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-  });
+bool may_be_headerless(const std::filesystem::path& file) {
+  const VolumeFormat* const format = format_of_name(file);
+  return format == nullptr || !is_read(*format) ||
+         lower(without_packing(file).extension().string()) == ".img";
 }
 
 // Files that a shell would find by the name, where it was quoted.
@@ -58,21 +42,33 @@ std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path&
   if (glob(pattern.c_str(), 0, nullptr, &found) == 0)
     files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
   globfree(&found);
+  files.erase(std::remove_if(files.begin(), files.end(), is_system_name), files.end());
   if (files.empty()) fail(pattern, "no file has such a name", "check it");
   return files;
 }
 
-std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
-                                           const VolumeOptions& options) {
-  const auto files = files_of_pattern(pattern);
-  const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
-  if (other == files.end()) return open_pictures(pattern, files, options);
-  if (std::any_of(files.begin(), files.end(), is_picture_name))
-    fail(pattern,
-         "there are PNG or TIFF files of such a name, and others, such as " +
-             shown(other->filename().string()),
-         "give a pattern of one kind, such as '*.png'");
-  return open_dicom(pattern, files, options);
+std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
+                                           const VolumeOptions& options);
+
+// Masks are labels. For what takes none, one of the files is to be named.
+std::unique_ptr<VolumeReader> open_told_masks(const std::filesystem::path& source,
+                                              const std::vector<std::filesystem::path>& files,
+                                              const VolumeOptions& options) {
+  const bool is_told = options.holds_labels || options.frame;
+  if (is_told && files.size() > 1) return open_masks(source, files, options);
+  if (is_told) return open_as_told(files[0], options);
+  const std::string count = std::to_string(files.size());
+  fail(
+      source, "volumes of their own: " + count + ", such as " + shown(files[0].filename().string()),
+      "give the name of one, or take all as labels, one a file, with --labels all or --label NAME");
+}
+
+// By its first bytes: pictures may have names without their kind.
+bool is_picture(const std::filesystem::path& file) {
+  ByteStream stream(file);
+  const VolumeFormat* const format = format_of_head(stream.peek(magic_bytes));
+  return format != nullptr &&
+         (format->name == "PNG" || format->name == "TIFF" || format->name == "JPEG");
 }
 
 bool is_folder(const std::filesystem::path& file) {
@@ -87,112 +83,173 @@ bool is_pattern(const std::filesystem::path& file) {
 }
 
 void require_headerless_name(const std::filesystem::path& file) {
-  if (is_volume_name(file) && !ends_with_one_of(file, headerless_ends))
+  if (!may_be_headerless(file) || is_folder(file))
     fail(file, "the name is that of a format with a header, which --dims and --type are not for",
          "leave them out, or name headerless samples .raw");
+}
+
+[[noreturn]] void fail_unread(const std::filesystem::path& file, const VolumeFormat* format) {
+  if (format != nullptr)
+    fail(file, "this is " + std::string(format->name) + ", which is not read",
+         std::string(format->remedy));
+  if (is_stream_name(file))
+    fail(file, "this is a stream, not a volume", "give it to discmc decode, info or render");
+  if (is_mesh_name(file))
+    fail(file, "this is a mesh, not a volume",
+         std::string("give the volume that it was made of; ") + who_takes_meshes);
+  fail(file, "the format is not known",
+       "convert it, e.g. to NRRD or NIfTI, or give the layout of headerless samples with --dims "
+       "and --type");
+}
+
+// Of a packed file whose reader takes files alone.
+std::unique_ptr<VolumeReader> open_unpacked(ByteStream stream, const VolumeOptions& options) {
+  return unpacked_volume(stream.file(), name(*stream.packing()), [&](const auto& folder) {
+    const std::filesystem::path file = folder / without_packing(stream.file()).filename();
+    unpack(stream, file);
+    return open_as_told(file, options);
+  });
+}
+
+std::unique_ptr<VolumeReader> open_stream(ByteStream stream, const VolumeFormat& format,
+                                          const VolumeOptions& options) {
+  if (format.open_stream != nullptr) return format.open_stream(std::move(stream), options);
+  if (!is_read(format)) fail_unread(stream.file(), &format);
+  if (stream.is_read_once())
+    fail(stream.file(), std::string(format.name) + " is not read from a pipe",
+         "store it in a file");
+  if (stream.packing()) return open_unpacked(std::move(stream), options);
+  return format.open_file(stream.file(), options);
 }
 
 std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
                                            const VolumeOptions& options) {
   if (options.layout) {
     require_headerless_name(file);
-    return open_raw(ByteStream(file), *options.layout);
+    return open_raw(ByteStream(file), options);
   }
-  if (is_folder(file))
+  if (is_zarr(file)) return open_zarr(file, options);
+  const VolumeFormat* format = format_of_name(file);
+  if (is_folder(file)) {
+    if (format != nullptr && !is_read(*format)) fail_unread(file, format);
     return open_folder(file, dicom_files(file), options, "give a pattern, such as '*.png'");
-  if (is_pattern(file)) return open_pattern(file, options);
-  if (is_picture_name(file)) return open_pictures(file, {file}, options);
-  if (has_dicom_name(file)) return open_dicom(file, {file}, options);
-  if (has_zip_name(file)) return open_zip(file, options);
-  if (has_hdf5_name(file)) return open_hdf5(file, options);
+  }
+  if (is_pattern(file))
+    return archive_of(file) ? open_zip(file, options) : open_pattern(file, options);
+  if (format != nullptr && format->open_file != nullptr && !packing_of_name(file))
+    return format->open_file(file, options);
 
   ByteStream stream = open_content(file);
-  for (const Format& format : formats)
-    if (ends_with_one_of(file, format.ends)) return format.open(std::move(stream), options);
-  if (is_stream_name(file))
-    fail(file, "this is a stream, not a volume", "give it to discmc decode, info or render");
-  if (is_mesh_name(file))
-    fail(file, "this is a mesh, not a volume",
-         std::string("give the volume that it was made of; ") + who_takes_meshes);
-  const auto found = format_of_magic(stream);
-  for (const Format& format : formats)
-    if (found == format.name) return format.open(std::move(stream), options);
-  const bool is_bare_file = !stream.is_decoded() && !stream.is_read_once();
-  if (found == "DICOM" && is_bare_file) return open_dicom(file, {file}, options);
-  if (found == "zip" && is_bare_file) return open_zip(file, options);
-  if (found == "HDF5" && is_bare_file) return open_hdf5(file, options);
-  if (!is_bare_file && (found == "DICOM" || found == "zip" || found == "HDF5"))
-    fail(file, std::string(*found) + " is not read from a pipe, nor packed",
-         "store it in a file, unpacked");
-  fail(
-      stream.file(), found ? std::string(*found) + " is not read" : "the format is not known",
-      "convert it, e.g. to NRRD or NIfTI, or give the layout of headerless samples with --dims and "
-      "--type");
+  if (format == nullptr && !is_stream_name(file) && !is_mesh_name(file))
+    format = format_of_head(stream.peek(magic_bytes));
+  if (format == nullptr) fail_unread(stream.file(), nullptr);
+  return open_stream(std::move(stream), *format, options);
 }
 
-// A volume whose spacing is said to be another than its file has it.
-class RespacedVolume final : public VolumeReader {
- public:
-  RespacedVolume(std::unique_ptr<VolumeReader> volume, std::array<double, 3> spacing_mm)
-      : volume_(std::move(volume)), info_(volume_->info()) {
-    const std::array<double, 3> told = info_.spacing_mm;
-    for (std::size_t axis = 0; axis < 3; ++axis) spacing_mm[axis] *= std::copysign(1.0, told[axis]);
-    set_spacing(info_, spacing_mm);
-    std::vector<std::string>& notes = info_.notes;
-    notes.erase(std::remove(notes.begin(), notes.end(), no_spacing_note), notes.end());
-    if (!info_.placement) return;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (double& along : info_.placement->axes_mm[axis])
-        along *= std::fabs(info_.spacing_mm[axis] / told[axis]);
-  }
-
-  const VolumeInfo& info() const override { return info_; }
-  void read_slice(void* samples) override { volume_->read_slice(samples); }
-  void skip_slice() override { volume_->skip_slice(); }
-
- private:
-  std::unique_ptr<VolumeReader> volume_;
-  VolumeInfo info_;
-};
+// What is asked for must mean something to the format.
+void require_used(const std::filesystem::path& file, const VolumeOptions& options,
+                  std::string_view format) {
+  const auto is_one_of = [format](std::initializer_list<std::string_view> names) {
+    return std::any_of(names.begin(), names.end(), [format](std::string_view name) {
+      return format.substr(0, name.size()) == name;
+    });
+  };
+  const std::string what = ", but this is " + std::string(format);
+  if (!options.axes.empty() && !is_one_of({"NumPy", "HDF5", "Zarr", "OME-Zarr", "TIFF"}))
+    fail(file, "axes are named" + what + ", which names its own", "leave out --axes");
+  if (options.level && !is_one_of({"OME-Zarr"}))
+    fail(file, "a level is chosen" + what, "leave out --level");
+  if (!options.series.empty() && !is_one_of({"DICOM"}))
+    fail(file, "a series is chosen" + what, "leave out --series");
+  if (options.merges_series && !is_one_of({"DICOM"}))
+    fail(file, "series are merged" + what, "leave out --merge-series");
+  if (options.order != SliceOrder::position && !is_one_of({"DICOM"}))
+    fail(file, "an order of slices is chosen" + what, "leave out --order");
+}
 
 std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::path>& pictures,
                                            const std::string& remedy) {
   if (pictures.empty()) return {};
-  return {"PNG or TIFF files beside the DICOM left out: " + std::to_string(pictures.size()) +
-          ", such as " + shown(pictures[0].filename().string()) + "; to read them " + remedy};
+  return {"pictures beside the DICOM left out: " + std::to_string(pictures.size()) + ", such as " +
+          shown(pictures[0].filename().string()) + "; to read them " + remedy};
+}
+
+std::string text_of_dead(const std::vector<std::filesystem::path>& links) {
+  if (links.empty()) return {};
+  return "links that lead nowhere: " + std::to_string(links.size()) + ", such as " +
+         shown(links[0].filename().string());
 }
 
 }  // namespace
+
+std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
+                                           const VolumeOptions& options) {
+  const auto files = files_of_pattern(pattern);
+  if (std::all_of(files.begin(), files.end(), is_mask_name))
+    return open_told_masks(pattern, files, options);
+  const auto picture = std::find_if(files.begin(), files.end(), is_picture_name);
+  const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
+  if (other == files.end()) return open_pictures(pattern, files, options);
+  if (picture != files.end())
+    fail(pattern,
+         "there are pictures of such a name, and other files, such as " +
+             shown(other->filename().string()),
+         "give a pattern of one kind, such as '" +
+             (pattern.parent_path() / ("*" + picture->extension().string())).string() + "'");
+  if (is_picture(files[0])) return open_pictures(pattern, files, options);
+  return open_dicom(pattern, files, options);
+}
 
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
                                           const std::vector<std::filesystem::path>& dicom,
                                           const VolumeOptions& options,
                                           const std::string& remedy_of_pictures) {
   const auto pictures = picture_files(folder);
-  if (!dicom.empty())
-    return open_dicom(folder, dicom, options, notes_of_left_out(pictures, remedy_of_pictures));
+  const std::string dead = text_of_dead(dead_links(folder));
+  if (!dicom.empty()) {
+    auto notes = notes_of_left_out(pictures, remedy_of_pictures);
+    if (dead.empty()) return open_dicom(folder, dicom, options, notes);
+    notes.push_back(dead);
+    try {
+      return open_dicom(folder, dicom, options, notes);
+    } catch (const VolumeError& error) {
+      fail(error.file(), error.fault() + " (" + dead + ")", error.remedy());
+    }
+  }
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
-  fail(folder, "the folder holds no DICOM, PNG or TIFF files",
+  const auto masks = mask_files(folder);
+  if (!masks.empty()) return open_told_masks(folder, masks, options);
+  if (!dead.empty()) fail(folder, dead, "copy what they should lead to");
+  fail(folder, "the folder holds no DICOM files and no pictures",
        "name a file, or the folder of a series");
 }
 
+void fail_frames(const std::filesystem::path& file, const VolumeInfo& info) {
+  const std::string frames = std::to_string(info.frames);
+  const std::string remedy = "choose one with --frame N, the first is 0";
+  if (info.labels.empty())
+    fail(file, "the file holds " + frames + " volumes, and one is read at a time", remedy);
+  fail(file, "the file holds labels in " + frames + " volumes, and one is read at a time",
+       "take labels with --label NAME, or " + remedy);
+}
+
 bool is_volume_name(const std::filesystem::path& file) {
-  return ends_with_one_of(file, raw_ends) || has_dicom_name(file) || is_picture_name(file) ||
-         has_zip_name(file) || has_hdf5_name(file) || is_folder(file) ||
-         std::any_of(std::begin(formats), std::end(formats),
-                     [&file](const Format& format) { return ends_with_one_of(file, format.ends); });
+  return is_raw_name(file) || format_of_name(file) != nullptr || is_folder(file) || is_zarr(file);
 }
 
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options) {
   auto volume = open_as_told(file, options);
+  if (volume->info().frames > 1 && !options.frame) fail_frames(file, volume->info());
   if (options.frame.value_or(0) >= volume->info().frames)
     fail(file, "this is one volume, and volume " + std::to_string(*options.frame) + " is asked for",
          "leave out --frame");
-  if (!options.series.empty() && volume->info().format.rfind("DICOM", 0) != 0)
-    fail(file, "a series is chosen, but this is " + volume->info().format, "leave out --series");
-  if (options.spacing_mm)
-    volume = std::make_unique<RespacedVolume>(std::move(volume), *options.spacing_mm);
+  if (options.channel.value_or(0) >= volume->info().channels)
+    fail(file,
+         "this has one channel, and channel " + std::to_string(*options.channel) + " is asked for",
+         "leave out --channel");
+  require_used(file, options, volume->info().format);
+  if (options.holds_labels) volume = whole_labels(file, std::move(volume));
   if (options.crop) volume = cropped(file, std::move(volume), *options.crop);
   if (options.shrink > 1)
     volume = shrunk(file, std::move(volume), options.shrink, options.block_value);

@@ -1,8 +1,8 @@
 // Volumes from files and pipes, slice by slice: the formats of README.md, and headerless samples.
 //
-// A reader holds one small buffer, never the volume; of a file whose size does not bound a slice,
-// the first slice. Any bytes given as a file end in a volume or
-// in a VolumeError. Every VolumeError names the file, the value at fault and the remedy.
+// A reader holds a small buffer, never the volume; if the size of the file does not bound that of a
+// slice, it holds the first slice. Any bytes given as a file end in a volume or in a VolumeError,
+// which names the file, the fault and the remedy.
 #ifndef DISCMC_COMMAND_VOLUMES_VOLUME_HPP
 #define DISCMC_COMMAND_VOLUMES_VOLUME_HPP
 
@@ -43,6 +43,9 @@ using Crop = std::array<VoxelRange, 3>;
 /// What the voxel is that stands for a block of voxels.
 enum class BlockValue { mean, most_frequent };
 
+/// By what the slices of a volume are put in order that are files of their own.
+enum class SliceOrder { position, instance, name };
+
 /// What is said of a volume beside its name.
 struct VolumeOptions {
   /// The layout of headerless samples; nothing where the file has a header.
@@ -53,39 +56,47 @@ struct VolumeOptions {
   /// Of DICOM: the UID of the series, or its number in the list that the refusal shows where there
   /// are several.
   std::string series = {};
+  /// Of DICOM: otherwise than by their positions, which then count nothing.
+  SliceOrder order = SliceOrder::position;
+  /// Of DICOM: whether slices of several series are of one volume.
+  bool merges_series = false;
   /// Whether slices that are missing in a folder are filled with the nearest ones, not refused.
   bool allow_gaps = false;
   /// Which of the volumes of a file, the first is 0. Without it, a file of several is refused.
   std::optional<std::uint32_t> frame = {};
+  /// Which of the channels, likewise.
+  std::optional<std::uint32_t> channel = {};
+  /// What the axes of an array are, the slowest first: letters of "tczyx", each once, x and y among
+  /// them. Otherwise as the file says, or as its format has it.
+  std::string axes = {};
+  /// Which of the resolutions of a file, the finest is 0. Otherwise the finest that VolumeInfo
+  /// takes.
+  std::optional<std::uint32_t> level = {};
   /// The part of the volume that is taken; otherwise all of it.
   std::optional<Crop> crop = {};
   /// Blocks of so many voxels along x, y and z become one voxel each, after the crop.
   /// Limit: 1 to 16.
   std::uint32_t shrink = 1;
   BlockValue block_value = BlockValue::mean;
+  /// Whether values are labels: their volume is then that of whole_labels().
+  bool holds_labels = false;
 };
 
 /// Whether the name is that of a volume, by its extension; headerless ones may have any name.
 bool is_volume_name(const std::filesystem::path& file);
 
-/// Whether the name is that of standard input ("-") or of a pipe: what can be opened once only.
-bool is_read_once(const std::filesystem::path& file);
-
-/// Whether bytes begin like a file of a format with a header, or of one that is packed; of volumes
-/// that is, and streams never do. head: the first magic_bytes of them, fewer where there are no
-/// more.
-bool is_volume_head(std::string_view head);
-constexpr std::size_t magic_bytes = 348;
-
-/// Opens a volume: a file, a folder of DICOM or of pictures, files by a pattern with *, ? or [...],
-/// a pipe, or standard input by the name "-". With a layout the file is taken as headerless
-/// samples, inflated first when its name ends in .gz, and must hold the volume and nothing else;
-/// without one the format follows from the name, or else from the first bytes, inflated first where
-/// they are gzip. Throws VolumeError when the file cannot be opened, is in no known format, or
-/// holds what the command does not take. Nothing is allocated that depends on the sizes a file
-/// claims, and a file too short for its first slice is refused here.
+/// Opens a volume: a file, a folder of DICOM, of pictures or of masks, files by a pattern with *, ?
+/// or [...], a pipe, or standard input by the name "-". With a layout the file is taken as
+/// headerless samples, inflated first when its name ends in .gz, and must hold the volume and
+/// nothing else; without one the format follows from the name, or else from the first bytes,
+/// inflated first where they are gzip. Throws VolumeError when the file cannot be opened, is in no
+/// known format, or holds what the command does not take. Nothing is allocated that depends on the
+/// sizes a file claims, and a file too short for its first slice is refused here.
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options = {});
+
+/// Throws the refusal of a file with several volumes of which none is chosen.
+[[noreturn]] void fail_frames(const std::filesystem::path& file, const VolumeInfo& info);
 
 }  // namespace discmc::command
 

@@ -40,7 +40,30 @@ double farthest(const VolumeInfo& a, const VolumeInfo& b) {
   return result;
 }
 
+double cosine(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / std::hypot(a[0], a[1], a[2]) /
+         std::hypot(b[0], b[1], b[2]);
+}
+
 }  // namespace
+
+AxesMatch matching_axes(const VolumeInfo& volume, const VolumeInfo& other) {
+  const auto [of, to] = comparable(volume, other);
+  AxesMatch match{};
+  std::array<bool, 3> is_taken{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    double most = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double along = cosine(of.axes_mm[i], to.axes_mm[axis]);
+      if (std::fabs(along) <= std::fabs(most)) continue;
+      most = along;
+      match[i] = {axis, along < 0};
+    }
+    is_taken[match[i].axis] = true;
+  }
+  const bool is_clear = is_taken[0] && is_taken[1] && is_taken[2];
+  return is_clear ? match : AxesMatch{{{0, false}, {1, false}, {2, false}}};
+}
 
 double offset_mm(const VolumeInfo& a, const VolumeInfo& b) {
   const auto& s = a.spacing_mm;

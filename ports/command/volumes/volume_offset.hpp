@@ -2,9 +2,29 @@
 #ifndef DISCMC_COMMAND_VOLUMES_VOLUME_OFFSET_HPP
 #define DISCMC_COMMAND_VOLUMES_VOLUME_OFFSET_HPP
 
+#include <array>
+#include <cstddef>
+
 #include "volume.hpp"
 
 namespace discmc::command {
+
+/// An axis of a volume, along which one of another volume runs.
+struct AxisMatch {
+  std::size_t axis;
+  bool is_reversed;
+};
+using AxesMatch = std::array<AxisMatch, 3>;
+
+constexpr bool is_same(const AxesMatch& match) {
+  for (std::size_t i = 0; i < match.size(); ++i)
+    if (match[i].axis != i || match[i].is_reversed) return false;
+  return true;
+}
+
+/// Which axis of `other` runs nearest to each of the volume. The same ones where that is not clear,
+/// and where one of them does not know the patient's space.
+AxesMatch matching_axes(const VolumeInfo& volume, const VolumeInfo& other);
 
 /// How far voxels of the same number lie apart at most, as far as the volumes tell; 0 where that is
 /// a tenth of a voxel or less. Where one of them does not know the patient's space their spacings

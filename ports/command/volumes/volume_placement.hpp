@@ -15,6 +15,8 @@ constexpr double max_spacing_mm = 1e6;
 /// One vector an axis of the volume: the way to the next voxel along x, y and z.
 using Axes = std::array<std::array<double, 3>, 3>;
 
+constexpr Axes coordinates = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
 /// An affine map: voxel (i, j, k) has its centre at origin + i axes[0] + j axes[1] + k axes[2].
 /// Units: millimetres.
 struct VolumePlacement {

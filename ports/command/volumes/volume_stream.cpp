@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include "volume_format.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -21,6 +21,9 @@ void order_samples(unsigned char* bytes, std::uint64_t count, std::size_t size, 
   if (size == 4) swap_samples<4>(bytes, count);
   if (size == 8) swap_samples<8>(bytes, count);
 }
+
+constexpr const char* note_of_surplus =
+    " bytes behind the samples left out: check the sizes, and what stands before the samples";
 
 }  // namespace
 
@@ -55,10 +58,17 @@ ByteStream::ByteStream(std::filesystem::path file, std::unique_ptr<ByteSource> s
 void ByteStream::decode(const Decoder& decoder) {
   std::filesystem::path file = file_;
   const bool is_read_once = is_read_once_;
+  const auto packing = packing_;
   auto rest = std::make_unique<Rest>(std::move(*this));
   *this = ByteStream(std::move(file), decoder(std::move(rest)));
-  is_decoded_ = true;
+  packing_ = packing;
   is_read_once_ = is_read_once;
+}
+
+void ByteStream::unpack(Packing packing) {
+  const std::filesystem::path file = file_;
+  decode([&](auto in) { return unpacked(std::move(in), packing, file); });
+  packing_ = packing;
 }
 
 std::string_view ByteStream::peek(std::size_t count) {
@@ -159,8 +169,37 @@ std::optional<std::uint64_t> ByteStream::left() const {
   return left ? std::optional(*left + ahead()) : std::nullopt;
 }
 
-SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool big_endian, Behind behind)
-    : info_(std::move(info)), stream_(std::move(stream)), big_endian_(big_endian), behind_(behind) {
+ByteStream open_content(const std::filesystem::path& file) {
+  ByteStream stream(file);
+  if (const auto packing = packing_of(stream.peek(packing_magic_bytes))) stream.unpack(*packing);
+  return stream;
+}
+
+void skip_to_end(ByteStream& stream, std::uint64_t bytes) {
+  const auto left = stream.left();
+  if (!left)
+    fail(stream.file(), "the data is the end of a file, and this has no known end",
+         "store it in a file, not compressed");
+  if (bytes > *left)
+    fail(stream.file(),
+         "the last " + std::to_string(bytes) + " bytes are data, but the file has only " +
+             std::to_string(*left),
+         "copy or export the file again");
+  stream.skip(*left - bytes);
+}
+
+SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool big_endian,
+                         std::optional<std::uint32_t> frame, NoteOfRest note_of_rest)
+    : info_(std::move(info)),
+      stream_(std::move(stream)),
+      big_endian_(big_endian),
+      is_last_volume_(frame.value_or(0) + 1 == info_.frames),
+      note_of_rest_(std::move(note_of_rest)) {
+  if (stream_.packing()) info_.format += ", " + std::string(name(*stream_.packing()));
+  const auto left = stream_.left();
+  if (!note_of_rest_ && left && *left > bytes_of_all(info_))
+    note(info_, std::to_string(*left - bytes_of_all(info_)) + note_of_surplus);
+  stream_.skip(volume_bytes(info_) * frame.value_or(0));
   // The caller's slice buffer is thus bounded by the file, whatever its header claims.
   const std::uint64_t slice = info_.slice_bytes();
   std::uint64_t most = stream_.max_left();
@@ -189,14 +228,16 @@ void SliceStream::end_slice(std::uint64_t bytes) {
 }
 
 void SliceStream::end() {
-  const bool has_more = behind_ == Behind::nothing && !stream_.peek(1).empty();
+  const std::string rest = note_of_rest_ ? note_of_rest_(stream_) : note_of_bytes();
+  if (!rest.empty()) return note(info_, rest);
   stream_.check_end();
   if (!stream_.damage().empty()) fail_in_slice(0);
-  if (has_more)
-    fail(stream_.file(),
-         "there is more than the " + std::to_string(info_.slice_bytes() * info_.dims[2]) +
-             " bytes of the volume",
-         "correct --dims and --type, or skip what stands before it with --skip-bytes");
+}
+
+// What was not known when the file was opened.
+std::string SliceStream::note_of_bytes() {
+  const bool has_more = is_last_volume_ && !stream_.left() && !stream_.peek(1).empty();
+  return has_more ? std::string("more") + note_of_surplus : std::string();
 }
 
 void SliceStream::fail_in_slice(std::uint64_t missing) const {

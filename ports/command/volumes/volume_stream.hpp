@@ -12,7 +12,8 @@
 #include <string_view>
 
 #include "byte_source.hpp"
-#include "volume.hpp"
+#include "packing.hpp"
+#include "volume_reader.hpp"
 
 namespace discmc::command {
 
@@ -34,7 +35,11 @@ class ByteStream {
 
   /// From here on what is read is what the decoder makes of it.
   void decode(const Decoder& decoder);
-  bool is_decoded() const { return is_decoded_; }
+
+  /// From here on what is read is the content of a file that is packed as a whole.
+  void unpack(Packing packing);
+  /// How the file was packed, if it was.
+  std::optional<Packing> packing() const { return packing_; }
 
   /// Whether the file can be opened once only.
   bool is_read_once() const { return is_read_once_; }
@@ -79,19 +84,29 @@ class ByteStream {
   std::string ahead_;  // seen from ahead_begin_ on, but not yet read
   std::size_t ahead_begin_ = 0;
   std::uint64_t position_ = 0;
-  bool is_decoded_ = false;
+  std::optional<Packing> packing_;
   bool is_read_once_ = false;
 };
 
-/// What may stand behind a volume.
-enum class Behind { anything, nothing };
+/// The bytes of a file, unpacked where it is packed as a whole.
+ByteStream open_content(const std::filesystem::path& file);
+
+/// Goes to so many bytes before the end of the file. Throws when the file is shorter, and where it
+/// has no known end.
+void skip_to_end(ByteStream& stream, std::uint64_t bytes);
+
+/// Returns a note of what stands behind the samples; empty where that is of no account.
+using NoteOfRest = std::function<std::string(ByteStream&)>;
 
 /// The reader of every format: its header is done, the samples of all slices follow in order.
 class SliceStream final : public VolumeReader {
  public:
-  /// The stream stands at the first sample. Throws when the first slice cannot be there.
+  /// The stream stands at the first sample of the first volume in the file. frame: the volume that
+  /// is read. note_of_rest: asked when the last slice has been read; without it bytes behind the
+  /// last volume are noted, at once where the end of the file is known. Throws when the first slice
+  /// cannot be there.
   SliceStream(VolumeInfo info, ByteStream stream, bool big_endian,
-              Behind behind = Behind::anything);
+              std::optional<std::uint32_t> frame = {}, NoteOfRest note_of_rest = {});
 
   const VolumeInfo& info() const override { return info_; }
   void read_slice(void* samples) override;
@@ -100,12 +115,14 @@ class SliceStream final : public VolumeReader {
  private:
   void end_slice(std::uint64_t bytes);
   void end();
+  std::string note_of_bytes();
   [[noreturn]] void fail_in_slice(std::uint64_t missing) const;
 
   VolumeInfo info_;
   ByteStream stream_;
   bool big_endian_;
-  Behind behind_;
+  bool is_last_volume_;
+  NoteOfRest note_of_rest_;
   std::uint32_t slice_ = 0;
 };
 

@@ -18,6 +18,7 @@
 #include "stream_surface.hpp"
 #include "streams/spacing.hpp"
 #include "sweep.hpp"
+#include "volumes/iso_value.hpp"
 #include "voxel_bits.hpp"
 
 #define EXPORT(name) extern "C" __attribute__((export_name(#name), used))
@@ -176,7 +177,7 @@ EXPORT(classic) void classic() {
   State& all = state();
   MemoryReader reader(*all.volume);
   command::ExtractionOptions options;
-  options.selection = all.iso;
+  options.selection = {all.iso};
   all.classic = command::classic_mesh(reader, options);
   all.classic_vertices.clear();
   for (const command::Point& vertex : all.classic.vertices_mm)

@@ -20,7 +20,7 @@ class Sweep {
     command::Polygons polygons;
     Statistics statistics{};
   };
-  /// Border::closed. Throws std::runtime_error beyond SurfaceBuilder::max_links.
+  /// Border::closed. Throws as SurfaceBuilder.
   Result run(const VoxelBits& bits, std::uint32_t width, std::uint32_t height);
 
  private:

@@ -14,7 +14,7 @@ void VoxelBits::select(const MemoryVolume& volume, double iso) {
   depth_ = info.dims[2];
   row_bytes_ = command::bit_row_bytes(width_);
   bits_.resize(row_bytes_ * rows());
-  const command::SliceSelector selector(info, iso);
+  const command::SliceSelector selector(info, {iso});
   for (std::uint32_t z = 0; z < depth_; ++z)
     selector.select(volume.slice(z), bits_.data() + z * height_ * row_bytes_, row_bytes_);
 }

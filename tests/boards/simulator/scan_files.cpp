@@ -14,6 +14,7 @@
 
 #include "streams/spacing.hpp"
 #include "text/number_text.hpp"
+#include "volumes/iso_value.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::simulator {

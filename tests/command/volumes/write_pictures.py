@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""write_pictures.py FOLDER: writes the PNG and TIFF files of image_stack_test.cpp, by Pillow and tifffile.
+"""write_pictures.py FOLDER: writes the pictures of image_stack_test.cpp and tiff_volume_test.cpp, by Pillow and tifffile.
 
 On Debian: python3-pil, python3-tifffile and python3-numpy. The volume is 8 by 6 by 12 voxels; the
 test knows its values by the same formula.
 """
+import itertools
 import pathlib
 import sys
 
@@ -48,6 +49,53 @@ def main(folder):
                      metadata={"spacing": 2.5, "unit": "mm", "axes": "ZYX"})
     tifffile.imwrite(folder / "rgb.tif", numpy.stack([u8[0]] * 3, axis=-1), photometric="rgb",
                      metadata=None)
+    write_other_kinds(folder, u8)
+    write_hyperstacks(folder, u8)
+
+
+def write_other_kinds(folder, u8):
+    picture = PIL.Image.fromarray(u8[0])
+    colours = PIL.Image.merge("RGB", [PIL.Image.fromarray(u8[i]) for i in range(3)])
+    for kind in "bmp", "jpg":
+        picture.save(folder / f"u8.{kind}", quality=100)
+        colours.save(folder / f"colours.{kind}", quality=100, subsampling=0)
+    colours.save(folder / "colours.png")
+    planes = numpy.stack([u8[i] for i in range(3)])
+    tifffile.imwrite(folder / "colours.tif", numpy.moveaxis(planes, 0, -1), photometric="rgb",
+                     metadata=None)
+    tifffile.imwrite(folder / "planar-colours.tif", planes, photometric="rgb",
+                     planarconfig="separate", metadata=None)
+    tifffile.imwrite(folder / "f16.tif", (volume[:5] / 4).astype(numpy.float16),
+                     photometric="minisblack", metadata=None)
+    tifffile.imwrite(folder / "bilevel.tif", u8[:5] % 2 == 1, photometric="minisblack",
+                     metadata=None)
+    reds = numpy.zeros((3, 256), numpy.uint16)
+    reds[0] = numpy.arange(256) * 257
+    tifffile.imwrite(folder / "palette.tif", u8[:5], photometric="palette", colormap=reds,
+                     metadata=None)
+    for depth in 1, 4:
+        tifffile.imwrite(folder / f"deep-tiles{depth}.tif", u8[:5], photometric="minisblack",
+                         volumetric=True, tile=(depth, 16, 16), compression="zlib")
+    tifffile.imwrite(folder / "deep-strips.tif", u8[:5], photometric="minisblack", volumetric=True)
+    tifffile.imwrite(folder / "one-directory.tif", u8[:5], photometric="minisblack", truncate=True)
+
+
+def write_hyperstacks(folder, u8):
+    """The 12 slices are 2 times of 2 channels of 3 slices."""
+    stack = u8.reshape(2, 2, 3, HEIGHT, WIDTH)  # [t, c, z, y, x]
+    for axes in map("".join, itertools.permutations("TCZ")):
+        sorted_stack = stack.transpose(*("TCZ".index(axis) for axis in axes), 3, 4)
+        tifffile.imwrite(folder / f"hyperstack-{axes.lower()}.ome.tif", sorted_stack,
+                         photometric="minisblack",
+                         metadata={"axes": axes + "YX", "Channel": {"Name": ["bone", "dye"]},
+                                   "PhysicalSizeX": 2.5, "PhysicalSizeXUnit": "\u00b5m",
+                                   "PhysicalSizeY": 500, "PhysicalSizeYUnit": "nm",
+                                   "PhysicalSizeZ": 0.5, "PhysicalSizeZUnit": "cm"})
+    tifffile.imwrite(folder / "hyperstack-imagej.tif", stack.transpose(0, 2, 1, 3, 4), imagej=True,
+                     resolution=(2, 4),
+                     metadata={"axes": "TZCYX", "spacing": 2.5, "unit": "um"})
+    tifffile.imwrite(folder / "hyperstack-shaped.tif", stack, photometric="minisblack",
+                     metadata={"axes": "TCZYX"})
 
 
 main(pathlib.Path(sys.argv[1]))

@@ -3,21 +3,27 @@
 nothing to do with discmc. The files are committed; the test container_table reads all of them.
 
 Run it again only to add files:   /usr/bin/python3 tests/command/volumes/write_volumes.py
-On Debian it needs python3-h5py, python3-nibabel, python3-numpy, python3-vtk9 and teem-apps.
+On Debian it needs python3-h5py, python3-mrcfile, python3-nibabel, python3-numpy, python3-tifffile,
+python3-vtk9, python3-zarr and teem-apps.
 
 A file is CONTAINER/TYPE-ORDER[-HOW].EXTENSION. The volume has 5 x 3 x 4 voxels of 0.5 x 0.75 x 2 mm
 at (10, -20, 30.5), and the samples of sample_at() in volume_files.hpp. In a file of two volumes
 ("frame1") the first one is zero.
 """
 import io
+import json
 import pathlib
 import plistlib
 import subprocess
 import tarfile
 
 import h5py
+import mrcfile
 import nibabel
+import numcodecs
 import numpy
+import tifffile
+import zarr
 from vtkmodules import vtkIOImage, vtkIOLegacy, vtkIOXML
 from vtkmodules.util import numpy_support
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -201,6 +207,70 @@ def write_numpy():
     numpy.save(path('numpy', 'i16-little-frame1.npy'), two_frames(samples('i16')))
 
 
+def write_npz():
+    for name in TYPES:
+        for order in orders(name):
+            array = samples(name)
+            array = array.astype(array.dtype.newbyteorder('>' if order == 'big' else '<'))
+            numpy.savez(path('npz', f'{name}-{order}.npz'), volume=array, table=numpy.zeros((2, 3)))
+    numpy.savez_compressed(path('npz', 'i16-little-deflate.npz'), samples('i16'))
+    numpy.savez(path('npz_arrays', 'several.npz'), scan=samples('u8'), truth=samples('u8') >= 100,
+                slice=samples('u8')[1], words=numpy.array(['scans', 'and']))
+
+
+# FreeSurfer's, by nibabel.
+def write_mgh():
+    affine = numpy.diag([*SPACING, 1.0])
+    affine[:3, 3] = ORIGIN
+    for name in ('u8', 'i16', 'i32', 'f32'):
+        for extension in ('.mgh', '.mgz') if name == 'i16' else ('.mgh',):
+            image = nibabel.MGHImage(samples(name).T.astype(TYPES[name][0]), affine)
+            nibabel.save(image, path('mgh', f'{name}-big{extension}'))
+
+
+def write_mrc():
+    for name in ('i8', 'i16', 'u16', 'f32'):
+        for order in ('little', 'big'):
+            dtype = samples(name).dtype.newbyteorder('>' if order == 'big' else '<')
+            with mrcfile.new(path('mrc', f'{name}-{order}.mrc'), overwrite=True) as file:
+                file.set_data(samples(name).astype(dtype))
+                file.voxel_size = SPACING
+
+
+# Zarr of version 2, as OME-Zarr 0.4, by zarr in Python.
+def write_zarr_file(name, byte_order, how='', **storage):
+    folder = path('zarr', f'{name}-{byte_order}{how}.zarr')
+    group = zarr.group(zarr.NestedDirectoryStore(str(folder)), overwrite=True)
+    array = samples(name)
+    array = array.astype(array.dtype.newbyteorder('>' if byte_order == 'big' else '<'))
+    group.create_dataset('0', data=array, dimension_separator='/', **storage)
+    group.attrs['multiscales'] = [{
+        'version': '0.4',
+        'axes': [{'name': axis, 'type': 'space', 'unit': 'millimeter'} for axis in 'zyx'],
+        'datasets': [{'path': '0', 'coordinateTransformations': [
+            {'type': 'scale', 'scale': SPACING[::-1]},
+            {'type': 'translation', 'translation': ORIGIN[::-1]}]}],
+    }]
+
+
+def write_zarr():
+    for name in TYPES:
+        for order in orders(name):
+            write_zarr_file(name, order, chunks=(4, 3, 5))
+    write_zarr_file('i16', 'big', '-chunks', chunks=(2, 2, 3))
+    for how in ('zlib', 'gzip', 'zstd'):
+        compressor = {'zlib': numcodecs.Zlib, 'gzip': numcodecs.GZip, 'zstd': numcodecs.Zstd}[how]()
+        write_zarr_file('i16', 'big', '-' + how, compressor=compressor, chunks=(4, 2, 5))
+    write_zarr_file('i16', 'big', '-fortran', compressor=None, chunks=(4, 2, 5), order='F')
+
+
+def write_tiff():
+    for name in TYPES:
+        for order in orders(name):
+            tifffile.imwrite(path('tiff', f'{name}-{order}.tif'), samples(name),
+                             photometric='minisblack', byteorder='>' if order == 'big' else '<')
+
+
 # HDF5, by h5py. What it tells of a voxel is along z, y and x, in micrometres.
 def hdf5_file(name, folder='hdf5'):
     return h5py.File(path(folder, name), 'w')
@@ -223,6 +293,9 @@ def write_hdf5():
                     compression='gzip', shuffle=True, fletcher32=True)
         file['theta'] = numpy.zeros((4, 3))
         file['title'] = 'beside the volume'
+    with hdf5_file('i16-big-lzf.h5') as file:
+        add_dataset(file, 'volume', samples('i16').astype('>i2'), chunks=(4, 3, 5), compression='lzf',
+                    shuffle=True)
     with hdf5_file('i16-little-frame1.h5') as file:
         add_dataset(file, 'volume', two_frames(samples('i16')), chunks=(1, 1, 3, 5))
     with hdf5_file('several.hdf5', 'hdf5_arrays') as file:
@@ -232,8 +305,17 @@ def write_hdf5():
         file['scan/slice'] = samples('u8')[1]
         file['scan/complex'] = samples('f32').astype('complex64')
     with hdf5_file('packed.h5', 'hdf5_arrays') as file:
-        file.create_dataset('volume', (4, 3, 5), 'u1', chunks=(1, 3, 5), compression=32001,
+        file.create_dataset('volume', (4, 3, 5), 'u1', chunks=(1, 3, 5), compression=32008,
                             allow_unknown_filter=True)
+    with hdf5_file('ilastik.h5', 'hdf5_arrays') as file:
+        file['exported_data'] = samples('u8')[..., numpy.newaxis]
+        axes = [{'key': axis, 'typeFlags': 2, 'resolution': 0, 'description': ''} for axis in 'zyxc']
+        file['exported_data'].attrs['axistags'] = json.dumps({'axes': axes})
+    with hdf5_file('master.h5', 'hdf5_arrays') as file:
+        file['entry/data/data_000001'] = h5py.ExternalLink('data_000001.h5', '/entry/data/data')
+        file['entry/instrument/detector/data'] = h5py.SoftLink('/entry/data/data_000001')
+    with hdf5_file('data_000001.h5', 'hdf5_arrays') as file:
+        file['entry/data/data'] = samples('u8')
     with hdf5_file('minc.h5', 'hdf5_arrays') as file:
         file['minc-2.0/image/0/image'] = samples('u16')
 
@@ -265,5 +347,10 @@ if __name__ == '__main__':
     write_metaimage()
     write_vtk()
     write_numpy()
+    write_npz()
+    write_mgh()
+    write_mrc()
+    write_zarr()
+    write_tiff()
     write_hdf5()
     write_invesalius()

@@ -124,7 +124,7 @@ test('of a link with several surfaces the chosen one is shown', async () => {
       assert.deepEqual(module.streamSurfaces(),
         [{ scan: 7, channel: 0, threshold: 200 }, { scan: 7, channel: 1, threshold: 600 }]);
       assert.equal(await polygonsOf(module),
-        polygonsByCommand(folder, 'decode', path, '--channel', `${choice?.channel ?? 0}`));
+        polygonsByCommand(folder, 'decode', path, '--stream-channel', `${choice?.channel ?? 0}`));
     }
   }
 });

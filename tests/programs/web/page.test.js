@@ -208,7 +208,7 @@ test('of a stream with several surfaces each can be chosen', async () => {
       .endsWith(`threshold ${iso}.`), channel ? 600 : 200);
     assert.equal(await page.evaluate(() => document.querySelector('#surface').selectedIndex), channel);
     assert.equal(await shownPolygons(page),
-      polygonsByCommand(folder, 'decode', path, '--channel', `${channel}`));
+      polygonsByCommand(folder, 'decode', path, '--stream-channel', `${channel}`));
   }
   await openFiles(page, volume);
   assert.deepEqual(complaints, []);

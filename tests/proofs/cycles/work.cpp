@@ -78,7 +78,7 @@ struct Volume {
   int32_t threshold = test::threshold;
 
   StreamHeader header() const {
-    return {limits.width, limits.height, slices, {}, threshold, limits.border};
+    return {limits.width, limits.height, slices, {}, {threshold}, limits.border};
   }
 };
 

@@ -65,7 +65,7 @@ constexpr Field facet_fields[] = {
 
 constexpr Field sector_fields[] = {
     DISCMC_FIELD(SectorTable, cell, never), DISCMC_FIELD(SectorTable, axis, never),
-    DISCMC_FIELD(SectorTable, face_way, never), DISCMC_FIELD(SectorTable, directions, never),
+    DISCMC_FIELD(SectorTable, face_way, never), DISCMC_FIELD(SectorTable, edges, never),
     DISCMC_FIELD(SectorTable, part, never)};
 
 constexpr Field model_fields[] = {DISCMC_FIELD(ModelTable, of, never)};

@@ -12,7 +12,6 @@ namespace discmc::reference {
 
 namespace {
 
-using trace::AxisTable;
 using trace::cell_edges;
 using trace::CellAtVertex;
 using trace::CellEdge;
@@ -214,19 +213,8 @@ bool points_where_headings_lie(const SectorTable& table) {
       for (int heading = 0; heading <= trace::no_heading; ++heading) {
         const Place place = heading == trace::no_heading ? Place{0, 0} : ring[heading];
         const Vertex n = along(axis, lower != 0 ? 1 : -1, place.u, place.v);
-        if (table.axis[axis].incidence[lower][heading] != incidence_of(n)) return false;
+        if (table.incidence_at(axis, lower, heading) != incidence_of(n)) return false;
       }
-  return true;
-}
-
-bool tells_directions(const SectorTable& table) {
-  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
-    for (Link link = 0; link < link_codes; ++link) {
-      Direction expected = 0;
-      for (Direction i = 0; i < direction_count(incidence); ++i)
-        if (link_of(incidence, i) == link) expected = i;
-      if (table.direction(incidence, link) != expected) return false;
-    }
   return true;
 }
 
@@ -278,15 +266,14 @@ bool leads_by_centroids(const SectorTable& table) {
 
 bool is_ray(const SectorTable& table, const FaceLook& seen, int axis, int lower, int quadrant,
             int line) {
-  const uint8_t way = table.face_way[lower][line];
+  const uint8_t way = table.face_way_at(lower, static_cast<uint32_t>(line));
   if (way < trace::straight_way || way >= trace::ways) return false;
   return link_vector(table.axis[axis].way[quadrant][way].link()) == seen.link;
 }
 
 // Limit: the headings, edges and ways are as they should be.
 bool is_seen(const SectorTable& table, int axis, int quadrant, int lower, int lines) {
-  const AxisTable& of_axis = table.axis[axis];
-  const CellAtVertex& cell = table.cell[lower][lines];
+  const CellAtVertex cell = table.cell_at(lower, static_cast<uint32_t>(lines));
   const Look& seen =
       looks_of(axis, quadrant)[static_cast<size_t>(lower)][static_cast<size_t>(lines)];
   // Turned from the first quadrant.
@@ -295,8 +282,8 @@ bool is_seen(const SectorTable& table, int axis, int quadrant, int lower, int li
   };
   const int first = cell.headings & 15, second = cell.headings >> 4;
   if (first > trace::no_heading || second > trace::no_heading) return false;
-  if (of_axis.incidence[lower][turned(first)] != seen.face[0].incidence ||
-      of_axis.incidence[lower][turned(second)] != seen.face[1].incidence)
+  if (table.incidence_at(axis, lower, turned(first)) != seen.face[0].incidence ||
+      table.incidence_at(axis, lower, turned(second)) != seen.face[1].incidence)
     return false;
   if (!is_ray(table, seen.face[0], axis, lower, quadrant, lines & 3) ||
       !is_ray(table, seen.face[1], axis, lower, (quadrant + 1) % quadrants, lines >> 4))
@@ -416,7 +403,8 @@ bool has_room(const Parts& parts) {
 bool adds_up(const SectorTable& table, int configuration) {
   Parts sum{};
   for (const PartPlace& place : places_of(configuration)) {
-    const uint32_t word = table.part[table.cell[place.lower][place.lines].part];
+    const uint32_t word =
+        table.part[table.cell_at(place.lower, static_cast<uint32_t>(place.lines)).part];
     constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
     const Parts parts{word & ((1U << facet) - 1), word >> facet & ((1U << (triangle - facet)) - 1),
                       word >> triangle};
@@ -432,18 +420,17 @@ bool adds_up(const SectorTable& table, int configuration) {
 }  // namespace
 
 const char* broken(const SectorTable& table) {
+  for (const uint32_t cell : table.cell)
+    if ((cell >> 8 & 15) >= std::size(table.edges[0]) || cell >> 12 >= std::size(table.part))
+      return "a cell has some of the edges, and one of the parts";
   if (!leads_to_centroids(table)) return "a spoke leads from the vertex to the centroid";
   if (!points_where_headings_lie(table)) return "a heading is an incidence of each axis";
-  if (!tells_directions(table)) return "a link has its direction in a plane";
   if (!leads_across_faces(table)) return "a way on a face has its link, ahead or behind";
   if (!leads_by_centroids(table)) return "a way by a centroid leads to another edge of the cell";
   if (!sees_the_facets(table)) return "a vertex sees the facets of its four cells";
   std::vector<Kind> kinds;
   if (!agrees_from_both_ends(table, kinds)) return "both ends of a link know one queue";
   if (!shares_no_queue(kinds)) return "no two kinds of links share a queue";
-  for (const auto& of_lower : table.cell)
-    for (const CellAtVertex& cell : of_lower)
-      if (cell.part >= std::size(table.part)) return "a cell has one of the parts";
   for (int c = 0; c < configurations; ++c)
     if (!adds_up(table, c)) return "the parts of a cell's vertices add up to what it counts";
   return nullptr;

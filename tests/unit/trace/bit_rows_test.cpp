@@ -34,9 +34,13 @@ struct Rows : trace::BitRows {
 };
 
 // Compares all bits of a row: bit i of word k is column 30k - 1 + i, and voxel x is column x + 1.
+// The first bit says whether any is on.
 template <class IsOn>
 void check_row(const uint32_t* row, uint32_t width, IsOn is_on) {
-  for (uint32_t bit = 0; bit < 32 * trace::row_words(width); ++bit) {
+  bool is_any_on = false;
+  for (uint32_t x = 0; x < width; ++x) is_any_on = is_any_on || is_on(static_cast<int32_t>(x));
+  CHECK((row[0] & 1) == (is_any_on ? 1 : 0));
+  for (uint32_t bit = 1; bit < 32 * trace::row_words(width); ++bit) {
     const int32_t x = static_cast<int32_t>(bit / 32 * 30 + bit % 32) - 2;
     const bool expected = x >= 0 && x < static_cast<int32_t>(width) && is_on(x);
     if ((row[bit / 32] >> bit % 32 & 1) != expected)
@@ -69,6 +73,10 @@ void check_around(const Rows& rows, const BitVolume& volume, int32_t y, int32_t 
     for (int32_t j = 0; j < 3; ++j)
       check_row(block.row[k][j], volume.width,
                 [&](int32_t x) { return volume.at(x, y + j - 1, z + k - 1); });
+  bool is_off = true;
+  for (int32_t x = 0; x < static_cast<int32_t>(volume.width); ++x)
+    is_off = is_off && !volume.at(x, y, z) && !volume.at(x, y + 1, z) && !volume.at(x, y, z + 1);
+  CHECK(rows.is_off_around(y) == is_off);
 }
 
 // The rows that can be swept now that `count` rows of slice z are there, and could not before:
@@ -90,7 +98,7 @@ TEST_CASE("a word holds 30 columns and a copy of the one before and the one afte
   Rows rows({90, 1, Border::closed});
   rows.append(on.data(), 90, 1, 1);
   REQUIRE(rows.words() == 4);
-  CHECK(rows.memory[0] == 0xFFFFFFFC);  // the halo and no column before it
+  CHECK(rows.memory[0] == 0xFFFFFFFD);  // some are on, the halo is not
   CHECK(rows.memory[1] == 0xFFFFFFFF);
   CHECK(rows.memory[2] == 0xFFFFFFFF);
   CHECK(rows.memory[3] == 0x00000003);  // columns 89 and 90, then the halo

@@ -23,7 +23,7 @@ TEST_CASE("the table of sectors is right when it is derived at run time") {
   CHECK(memcmp(table.cell, sector_table.cell, sizeof table.cell) == 0);
   CHECK(memcmp(table.axis, sector_table.axis, sizeof table.axis) == 0);
   CHECK(memcmp(table.face_way, sector_table.face_way, sizeof table.face_way) == 0);
-  CHECK(memcmp(table.directions, sector_table.directions, sizeof table.directions) == 0);
+  CHECK(memcmp(table.edges, sector_table.edges, sizeof table.edges) == 0);
   CHECK(memcmp(table.part, sector_table.part, sizeof table.part) == 0);
 }
 

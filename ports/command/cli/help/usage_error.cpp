@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
+#include <system_error>
 #include <vector>
 
 namespace discmc::command {
@@ -67,19 +69,36 @@ std::string first_unknown(const CLI::App& app) {
   return option != unknown.end() ? *option : unknown.front();
 }
 
-// What other programs call an option.
-std::string meant(const std::string& name) {
-  const std::vector<std::string> thresholds = {"threshold", "isovalue", "iso-value", "isolevel",
-                                               "level"};
-  const bool is_threshold =
-      std::find(thresholds.begin(), thresholds.end(), name) != thresholds.end();
-  return is_threshold ? "iso" : name;
+// What other programs call an option, and what that is here: the first that the command has.
+struct Synonym {
+  const char* name;
+  std::vector<const char*> options;
+};
+const Synonym synonyms[] = {
+    {"threshold", {"iso"}},
+    {"isovalue", {"iso"}},
+    {"iso-value", {"iso"}},
+    {"isolevel", {"iso"}},
+    {"level", {"iso"}},
+    {"smooth", {"surface interpolated", "shade smooth", "normals surface"}},
+    {"smoothing", {"surface interpolated", "shade smooth", "normals surface"}},
+};
+
+std::string meant(const std::string& name, const std::vector<std::string>& options) {
+  for (const Synonym& synonym : synonyms) {
+    if (synonym.name != name) continue;
+    for (const std::string option : synonym.options)
+      if (std::find(options.begin(), options.end(), option.substr(0, option.find(' '))) !=
+          options.end())
+        return option;
+  }
+  return nearest(name, options);
 }
 
 std::string unknown_option(const std::string& argument, const CLI::App& app) {
   const std::string option = argument.substr(0, argument.find('='));
   const std::string name = option.substr(std::min(option.size(), option.find_first_not_of('-')));
-  const std::string near = nearest(meant(name), names_of_options(app));
+  const std::string near = meant(name, names_of_options(app));
   const std::string remedy = !near.empty() ? "did you mean --" + near + "?"
                              : app.get_parent() == nullptr
                                  ? "options of a command are given after its name"
@@ -87,24 +106,59 @@ std::string unknown_option(const std::string& argument, const CLI::App& app) {
   return "'" + option + "' is not an option of " + app.get_name() + "; " + remedy;
 }
 
+// What is to be written for a file where a command was expected.
+std::string lines_for_file(const std::string& file) {
+  const bool is_plain = file.find_first_of(" '\"$&;()<>|*?[]\\!") == std::string::npos;
+  const std::string name = is_plain ? file : "FILE";
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension == ".dmc")
+    return "discmc decode " + name + " -o surface.stl, or discmc info " + name;
+  for (const char* mesh : {".stl", ".ply", ".obj", ".glb", ".3mf", ".vtp"})
+    if (extension == mesh) return "discmc compare " + name + ", and the surface to compare with";
+  return "discmc extract " + name + " --iso auto -o surface.stl, or discmc info " + name;
+}
+
+bool is_file(const std::string& argument) {
+  std::error_code ignored;
+  return argument.find_first_of("./") != std::string::npos ||
+         std::filesystem::exists(argument, ignored);
+}
+
 std::string unknown_command(const std::string& argument, const CLI::App& app) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  if (argument == "help")
+    return "'help' is not a command; write discmc " +
+           (given.empty() ? "--help, or discmc COMMAND" : given.front()->get_name()) + " --help";
   const std::vector<std::string> commands = names_of_commands(app);
   const std::string near = nearest(argument, commands);
+  if (near.empty() && is_file(argument))
+    return "'" + argument + "' is not a command; write " + lines_for_file(argument);
   return "'" + argument + "' is not a command; " +
          (near.empty() ? "give one of " + CLI::detail::join(commands, ", ")
                        : "did you mean " + near + "?");
+}
+
+// A file that stands where none is expected is often the output.
+std::string surplus(const std::string& argument, const CLI::App& app) {
+  const CLI::Option* output = app.get_option_no_throw("--output");
+  const bool has_output = output == nullptr || output->count() > 0;
+  return "'" + argument + "' is one argument too many; " +
+         (has_output ? "leave it out" : "name the output with -o " + argument);
 }
 
 // Empty where an app knows all its arguments.
 std::string unknown_argument(const CLI::App& app, const CLI::Error& error) {
   const std::string argument = first_unknown(app);
   if (argument.empty()) return "";
+  const bool is_command_missing = app.get_parent() == nullptr && app.get_subcommands().empty();
+  const std::string first = app.remaining().front();
+  if (is_command_missing && !is_option(first)) return unknown_command(first, app);
   if (is_option(argument)) return unknown_option(argument, app);
   if (app.get_parent() == nullptr) return unknown_command(argument, app);
   // Any other error comes before a surplus: often the value of an option is missing, and it has
   // taken the next argument.
   if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::ExtrasError)) return "";
-  return "'" + argument + "' is one argument too many; leave it out";
+  return surplus(argument, app);
 }
 
 // The option whose value is missing, one too many, or of another kind; else none.

@@ -1,22 +1,44 @@
 #include "selection_options.hpp"
 
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 
-#include "extraction/labels.hpp"
 #include "surface_options.hpp"
 #include "text/number_text.hpp"
+#include "volumes/label_value.hpp"
 
 namespace discmc::command {
 namespace {
 
+bool is_rounded(const std::string& text) {
+  const auto whole = label_value(text);
+  return whole && whole->is_rounded();
+}
+
+// The first whole number of a threshold or a range that double would round; else empty.
+std::string rounded_part(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  for (const std::string& part :
+       {text.substr(0, dots), dots == std::string::npos ? std::string() : text.substr(dots + 2)})
+    if (is_rounded(part)) return part;
+  return "";
+}
+
+// Nothing where double would make another number of it.
+std::optional<double> exact_number(const std::string& text) {
+  return is_rounded(text) ? std::nullopt : finite_number(text);
+}
+
 std::optional<NamedSelection> threshold(const std::string& text) {
   for (const auto& [called, rule] : threshold_rules)
-    if (called == text) return NamedSelection{{}, text, {}, rule};
-  const auto low = finite_number(text);
-  return low ? std::optional(NamedSelection{*low, text}) : std::nullopt;
+    if (called == text) {
+      NamedSelection surface{{}, text};
+      surface.rule = rule;
+      return surface;
+    }
+  const auto low = exact_number(text);
+  return low ? std::optional(NamedSelection{{*low}, text}) : std::nullopt;
 }
 
 // An end that is left out is infinite.
@@ -26,17 +48,17 @@ std::optional<NamedSelection> range(const std::string& text) {
   const std::string low = text.substr(0, dots);
   const std::string high = text.substr(dots + 2);
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto lowest = low.empty() ? -infinity : finite_number(low);
-  const auto highest = high.empty() ? infinity : finite_number(high);
+  const auto lowest = low.empty() ? -infinity : exact_number(low);
+  const auto highest = high.empty() ? infinity : exact_number(high);
   if (!lowest || !highest || *lowest > *highest) return std::nullopt;
   return NamedSelection{{*lowest, *highest}, text};
 }
 
 std::optional<NamedSelection> label(const std::string& text) {
-  const auto value = finite_number(text);
-  if (!value || *value != std::floor(*value) || std::fabs(*value) >= end_of_labels)
-    return std::nullopt;
-  return NamedSelection{{*value, *value}, text};
+  if (text.empty()) return std::nullopt;
+  NamedSelection surface{{}, text};
+  surface.is_label = true;
+  return surface;
 }
 
 using Parse = std::optional<NamedSelection> (*)(const std::string&);
@@ -54,7 +76,11 @@ CLI::Option* add_selection_option(CLI::App& app, const std::string& name, Parse 
           description)
       ->check(CLI::Validator(
           [parse, wanted](std::string& text) {
-            return parse(text) ? std::string() : "'" + text + "' is no " + wanted;
+            if (parse(text)) return std::string();
+            const std::string part = rounded_part(text);
+            if (part.empty()) return "'" + text + "' is no " + wanted;
+            return "'" + part + "' has more than the 53 bits of a threshold: give --label " + part +
+                   " if it is a label";
           },
           ""))
       ->expected(1)
@@ -75,8 +101,9 @@ void add_selection_options(CLI::App& app, std::vector<NamedSelection>& selection
       app, "--range", range, "LOW..HIGH", "range: give LOW..HIGH, one of which may be left out",
       selections, "in place of --iso: a voxel is on if LOW <= value <= HIGH");
   CLI::Option* label_option = add_selection_option(
-      app, "--label", label, "N", "whole number of up to 53 bits", selections,
-      "in place of --iso: a voxel is on if its value is N, as in a segmentation");
+      app, "--label", label, "N|NAME,...", "label", selections,
+      "in place of --iso: a voxel is on if it has the label with this number or name; one surface "
+      "of all in a list: 5,6 or 'left lung,right lung'");
   iso->excludes(between)->excludes(label_option);
   between->excludes(label_option);
 }

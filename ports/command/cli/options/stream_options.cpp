@@ -4,7 +4,7 @@ namespace discmc::command {
 
 void add_choice_options(CLI::App& app, StreamChoice& choice) {
   app.option_defaults()->group(stream_group);
-  app.add_option("--channel", choice.channel,
+  app.add_option("--stream-channel", choice.channel,
                  "number of the surface, where a stream or link has several (default: the first)")
       ->check(CLI::Range(0, int{StreamLabel::max_channel}))
       ->option_text("N");

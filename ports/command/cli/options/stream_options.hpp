@@ -10,7 +10,7 @@ namespace discmc::command {
 
 constexpr const char* stream_group = "Stream";
 
-/// --channel and --scan.
+/// --stream-channel and --scan.
 void add_choice_options(CLI::App& app, StreamChoice& choice);
 
 }  // namespace discmc::command

@@ -44,9 +44,26 @@ std::optional<Crop> crop_of(std::string_view text) {
   return crop;
 }
 
-void add_part_options(CLI::App& app, LayoutArguments& arguments) {
+CLI::Validator usable_axes() {
+  return CLI::Validator(
+      [](std::string& text) {
+        std::string sorted = text;
+        std::sort(sorted.begin(), sorted.end());
+        const bool is_usable = text.find_first_not_of("tczyx") == std::string::npos &&
+                               std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end() &&
+                               text.find('x') != std::string::npos &&
+                               text.find('y') != std::string::npos;
+        return is_usable ? std::string()
+                         : "'" + text +
+                               "' names no axes: give letters of tczyx, each once, x and y among "
+                               "them, as in zyx";
+      },
+      "");
+}
+
+void add_part_options(CLI::App& app, VolumeOptions& options) {
   app.add_option_function<std::string>(
-         "--crop", [&arguments](const std::string& text) { arguments.crop = crop_of(text); },
+         "--crop", [&options](const std::string& text) { options.crop = crop_of(text); },
          "the part to take: voxels A to B along x, C to D along y, E to F along z, the first is 0; "
          "an end left out is the volume's, as in ..,..,100..; it stays where it is in space")
       ->check(CLI::Validator(
@@ -58,53 +75,95 @@ void add_part_options(CLI::App& app, LayoutArguments& arguments) {
           },
           ""))
       ->option_text("A..B,C..D,E..F");
-  app.add_option("--shrink", arguments.shrink,
+  app.add_option("--shrink", options.shrink,
                  "make one voxel of N x N x N, after --crop: their mean, of labels the one that "
                  "most of them have; the last along an axis are of those that are left")
       ->check(CLI::Range(2, 16))
       ->option_text("N");
 }
 
-}  // namespace
-
-void add_volume_options(CLI::App& app, LayoutArguments& arguments) {
-  app.option_defaults()->group(volume_group);
-  CLI::Option* dims =
-      app.add_option("--dims", arguments.dims, "extents of a headerless file, in voxels")
-          ->delimiter(',')
-          ->expected(3)
-          ->option_text("X,Y,Z");
-  CLI::Option* type = add_named_option(
-      app, "--type", arguments.type,
-      NamedValues<SampleType>(std::begin(sample_types), std::end(sample_types)),
+// Of headerless files.
+void add_layout_options(CLI::App& app, VolumeOptions& options) {
+  const auto layout = [&options]() -> RawLayout& {
+    return options.layout ? *options.layout : options.layout.emplace();
+  };
+  CLI::Option* dims = app.add_option_function<std::vector<std::uint32_t>>(
+                             "--dims",
+                             [layout](const std::vector<std::uint32_t>& extents) {
+                               std::copy_n(extents.begin(), 3, layout().dims.begin());
+                             },
+                             "extents of a headerless file, in voxels")
+                          ->delimiter(',')
+                          ->expected(3)
+                          ->option_text("X,Y,Z");
+  CLI::Option* type = add_named_option<SampleType>(
+      app, "--type", [layout](SampleType of_samples) { layout().type = of_samples; },
+      {std::begin(sample_types), std::end(sample_types)},
       "samples of a headerless file: whole numbers without or with sign, or floating point");
   dims->needs(type);
   type->needs(dims);
-  app.add_flag("--big-endian", arguments.big_endian,
-               "a headerless file has the high byte of a sample first")
+  app.add_flag_callback(
+         "--big-endian", [layout] { layout().big_endian = true; },
+         "a headerless file has the high byte of a sample first")
       ->needs(dims);
-  app.add_option("--skip-bytes", arguments.skipped_bytes,
-                 "what stands before the samples of a headerless file")
+  app.add_option_function<std::uint64_t>(
+         "--skip-bytes", [layout](std::uint64_t bytes) { layout().skipped_bytes = bytes; },
+         "what stands before the samples of a headerless file")
       ->option_text("N")
       ->needs(dims);
-  app.add_option("--frame", arguments.frame,
-                 "the volume to read of a file that holds several (4D), the first is 0")
+}
+
+}  // namespace
+
+void add_volume_options(CLI::App& app, VolumeOptions& options) {
+  app.option_defaults()->group(volume_group);
+  add_layout_options(app, options);
+  app.add_option("--frame", options.frame,
+                 "the volume to read of a file, or of a series of DICOM, that holds several (4D); "
+                 "the first is 0")
       ->option_text("N");
-  app.add_option("--spacing", arguments.spacing,
-                 "distances of voxels in millimetres, in place of those of the file (default: "
-                 "those of the file, or 1 where it tells none)")
+  app.add_option("--channel", options.channel,
+                 "the channel to read of a file that holds several, the first is 0")
+      ->option_text("N");
+  app.add_option("--axes", options.axes,
+                 "what the axes of an array are (NumPy, HDF5, Zarr), the slowest first: letters of "
+                 "tczyx, where t is chosen by --frame and c by --channel; of the pages of a TIFF "
+                 "zyx, cyx or tyx (default: as the file says, or zyx)")
+      ->check(usable_axes())
+      ->option_text("LETTERS");
+  app.add_option("--level", options.level,
+                 "the resolution to read of OME-Zarr, the finest is 0 (default: the finest whose "
+                 "slices are not too large)")
+      ->option_text("N");
+  app.add_option_function<std::vector<double>>(
+         "--spacing",
+         [&options](const std::vector<double>& spacing) {
+           std::copy_n(spacing.begin(), 3, options.spacing_mm.emplace().begin());
+         },
+         "distances of voxels in millimetres, in place of those of the file (default: "
+         "those of the file, or 1 where it tells none)")
       ->delimiter(',')
       ->expected(3)
       ->option_text("X,Y,Z")
       ->check(usable_spacing());
-  app.add_option("--series", arguments.series,
-                 "of a folder of DICOM with several: its UID, or its number in the list that is "
-                 "shown without this")
+  app.add_option(
+         "--series", options.series,
+         "the series or volume to read of DICOM that holds several: its number in the list that is "
+         "shown without this, or the UID of a series")
       ->option_text("SERIES");
-  app.add_flag("--allow-gaps", arguments.allow_gaps,
+  app.add_flag(
+      "--merge-series", options.merges_series,
+      "take DICOM slices of several series as one volume, as if each file has a UID of its own");
+  add_named_option(
+      app, "--order", options.order,
+      NamedValues<SliceOrder>{{"position", SliceOrder::position},
+                              {"instance", SliceOrder::instance},
+                              {"name", SliceOrder::name}},
+      "order DICOM slices by their positions, by InstanceNumber or by the names of the files");
+  app.add_flag("--allow-gaps", options.allow_gaps,
                "repeat the nearest slice where slices are missing, of DICOM or pictures (default: "
                "refuse them)");
-  add_part_options(app, arguments);
+  add_part_options(app, options);
 }
 
 }  // namespace discmc::command

@@ -10,9 +10,9 @@ namespace discmc::command {
 
 constexpr const char* volume_group = "Volume";
 
-/// --dims, --type, --big-endian and --skip-bytes, the layout of a headerless file; --spacing,
-/// --frame, --series and --allow-gaps; --crop and --shrink.
-void add_volume_options(CLI::App& app, LayoutArguments& arguments);
+/// The layout of a headerless file; what is chosen of a file, and how it is read; the part that is
+/// taken. options: must outlive the parsing.
+void add_volume_options(CLI::App& app, VolumeOptions& options);
 
 }  // namespace discmc::command
 

@@ -5,45 +5,50 @@
 #include <utility>
 #include <vector>
 
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
+#include "volumes/volume_filter.hpp"
 
 namespace discmc::command {
 namespace {
 
-class CroppedVolume final : public VolumeReader {
+class CroppedVolume final : public VolumeFilter {
  public:
   /// info: of the part, which begins at the voxel `first`.
   CroppedVolume(std::filesystem::path file, std::unique_ptr<VolumeReader> volume, VolumeInfo info,
                 const std::array<std::uint32_t, 3>& first)
-      : file_(std::move(file)),
-        volume_(std::move(volume)),
-        info_(std::move(info)),
+      : VolumeFilter(std::move(volume)),
+        file_(std::move(file)),
         first_(first),
-        slice_(volume_->info().slice_bytes()) {}
-
-  const VolumeInfo& info() const override { return info_; }
+        slice_(this->info().slice_bytes()) {
+    own_info() = std::move(info);
+  }
 
   void read_slice(void* samples) override {
-    const std::uint32_t end = first_[2] + info_.dims[2];
-    if (next_ == end)
-      fail(file_, "all " + std::to_string(info_.dims[2]) + " slices of the part have been read",
-           "open the volume again");
-    for (; next_ < first_[2]; ++next_) volume_->skip_slice();
-    volume_->read_slice(slice_.data());
-    ++next_;
-
-    const std::size_t size = sample_bytes(info_.type);
-    const std::size_t stride = size * volume_->info().dims[0];
+    go_to_next();
+    volume().read_slice(slice_.data());
+    const std::size_t size = sample_bytes(info().type);
+    const std::size_t stride = size * volume().info().dims[0];
     const std::uint8_t* row = slice_.data() + first_[1] * stride + first_[0] * size;
     auto* out = static_cast<std::uint8_t*>(samples);
-    for (std::uint32_t y = 0; y < info_.dims[1]; ++y, row += stride)
-      out = std::copy_n(row, size * info_.dims[0], out);
+    for (std::uint32_t y = 0; y < info().dims[1]; ++y, row += stride)
+      out = std::copy_n(row, size * info().dims[0], out);
+  }
+
+  void skip_slice() override {
+    go_to_next();
+    volume().skip_slice();
   }
 
  private:
+  void go_to_next() {
+    if (next_ == first_[2] + info().dims[2])
+      fail(file_, "all " + std::to_string(info().dims[2]) + " slices of the part have been read",
+           "open the volume again");
+    for (; next_ < first_[2]; ++next_) volume().skip_slice();
+    ++next_;
+  }
+
   std::filesystem::path file_;
-  std::unique_ptr<VolumeReader> volume_;
-  VolumeInfo info_;
   std::array<std::uint32_t, 3> first_;
   std::uint32_t next_ = 0;  // slice of the volume
   std::vector<std::uint8_t> slice_;

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_filter.hpp"
 
 namespace discmc::command {
 namespace {
@@ -171,34 +171,40 @@ std::unique_ptr<Blocks> blocks_of(SampleType type, const Division& division, Blo
   });
 }
 
-class ShrunkVolume final : public VolumeReader {
+class ShrunkVolume final : public VolumeFilter {
  public:
   /// info: of the larger voxels.
   ShrunkVolume(std::unique_ptr<VolumeReader> volume, VolumeInfo info, std::uint32_t extent,
                std::unique_ptr<Blocks> blocks)
-      : volume_(std::move(volume)),
-        info_(std::move(info)),
+      : VolumeFilter(std::move(volume)),
         extent_(extent),
         blocks_(std::move(blocks)),
-        slice_(volume_->info().slice_bytes()) {}
-
-  const VolumeInfo& info() const override { return info_; }
+        slice_(this->info().slice_bytes()) {
+    own_info() = std::move(info);
+  }
 
   void read_slice(void* samples) override {
-    // At the end the volume is asked for one too many, and says so.
-    const std::uint32_t left = volume_->info().dims[2] - read_;
-    const std::uint32_t layer = std::clamp(left, 1U, extent_);
+    const std::uint32_t layer = take_layer();
     for (std::uint32_t z = 0; z < layer; ++z) {
-      volume_->read_slice(slice_.data());
+      volume().read_slice(slice_.data());
       blocks_->add_slice(slice_.data());
     }
-    read_ += layer;
     blocks_->take_values(samples);
   }
 
+  void skip_slice() override {
+    for (std::uint32_t left = take_layer(); left > 0; --left) volume().skip_slice();
+  }
+
  private:
-  std::unique_ptr<VolumeReader> volume_;
-  VolumeInfo info_;
+  // Returns the number of slices in the next layer. At the end the volume is asked for one too
+  // many, and says so.
+  std::uint32_t take_layer() {
+    const std::uint32_t layer = std::clamp(volume().info().dims[2] - read_, 1U, extent_);
+    read_ += layer;
+    return layer;
+  }
+
   std::uint32_t extent_;
   std::unique_ptr<Blocks> blocks_;
   std::vector<std::uint8_t> slice_;

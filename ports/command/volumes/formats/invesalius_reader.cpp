@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/told_place.hpp"
 
 #if defined(DISCMC_WITH_PUGIXML) && defined(DISCMC_WITH_LIBARCHIVE)
 #include <archive.h>
 #include <archive_entry.h>
 
 #include <array>
+#include <new>
 #include <pugixml.hpp>
 #endif
 
@@ -23,8 +26,7 @@ class Member final : public ByteSource {
  public:
   Member(ByteStream stream, std::string_view name)
       : stream_(std::move(stream)), archive_(archive_read_new()) {
-    if (archive_ == nullptr)
-      throw VolumeError("libarchive does not start; the memory may be exhausted");
+    if (archive_ == nullptr) throw std::bad_alloc();
     archive_read_support_format_tar(archive_);
     bool is_found = archive_read_open(archive_, this, nullptr, give, nullptr) == ARCHIVE_OK;
     archive_entry* entry = nullptr;
@@ -123,12 +125,15 @@ std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOpt
   const auto shape = three_of(file, matrix, "shape");
   set_dims(info, file,
            {integer(file, "shape", shape[2]), integer(file, "shape", shape[1]),
-            integer(file, "shape", shape[0])},
-           options);
+            integer(file, "shape", shape[0])});
   const auto spacing = three_of(file, project, "spacing");
+  ToldPlace told;
+  told.set_unit("mm");
   // InVesalius stores images upside down: its y runs to the front.
-  set_spacing(info, {real(file, "spacing", spacing[0]), -real(file, "spacing", spacing[1]),
-                     real(file, "spacing", spacing[2])});
+  told.spacing = {real(file, "spacing", spacing[0]), -real(file, "spacing", spacing[1]),
+                  real(file, "spacing", spacing[2])};
+  set_place(info, told, options);
+  note(info, "y runs backwards: InVesalius stores images upside down");
   const std::string name = value_of(file, matrix, "filename").text().get();
   ByteStream samples = member(open_content(file), name);
   constexpr bool big_endian = false;

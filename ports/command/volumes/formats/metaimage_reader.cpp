@@ -2,83 +2,45 @@
 // ITK or VTK, so its lines of "key = value" are parsed here.
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
+#include "text/words.hpp"
 #include "volumes/data_files.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/header_fields.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
 
-using Fields = std::map<std::string, std::string, std::less<>>;
-
-Fields parse(const std::filesystem::path& file, ByteStream& stream) {
-  Fields fields;
-  while (fields.count("ElementDataFile") == 0) {
+HeaderFields read_header(ByteStream& stream) {
+  HeaderFields fields(stream.file());
+  while (!fields.has("ElementDataFile")) {
     const auto line = stream.read_line();
     if (!line)
-      fail(file, "the header field ElementDataFile is missing",
+      fail(stream.file(), "the header field ElementDataFile is missing",
            "end the header with it: LOCAL, or the name of the data file");
     if (trimmed(*line).empty()) continue;
     const std::string_view text = *line;
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos)
-      fail(file, "the header line " + shown(*line) + " has no equals sign",
+      fail(stream.file(), "the header line " + shown(*line) + " has no equals sign",
            "check that it is a MetaImage file");
-    const std::string name(trimmed(text.substr(0, equals)));
-    if (!fields.emplace(name, trimmed(text.substr(equals + 1))).second)
-      fail(file, "the header field " + shown(name) + " is there twice", "delete one of the lines");
+    fields.add(std::string(trimmed(text.substr(0, equals))), trimmed(text.substr(equals + 1)));
   }
   return fields;
 }
 
-// One header with the file for its refusals.
-class Description {
- public:
-  Description(const std::filesystem::path& file, const Fields& fields)
-      : file_(file), fields_(fields) {}
-
-  /// The text of the first name that is there.
-  std::string_view text(std::initializer_list<std::string_view> names) const {
-    for (const auto name : names) {
-      const auto found = fields_.find(name);
-      if (found != fields_.end()) return found->second;
-    }
-    return {};
-  }
-
-  std::string_view needed(std::string_view name) const {
-    const auto found = text({name});
-    if (found.empty())
-      fail(file_, "the header field " + shown(name) + " is missing", "add it to the header");
-    return found;
-  }
-
-  bool flag(std::initializer_list<std::string_view> names, bool otherwise) const {
-    const std::string_view found = text(names);
-    if (found.empty()) return otherwise;
-    const std::string value = lower(found);
-    if (value == "true" || value == "1") return true;
-    if (value == "false" || value == "0") return false;
-    fail(file_, std::string(*names.begin()) + " is " + shown(found), "write True or False");
-  }
-
-  std::int64_t whole(std::string_view name, std::int64_t otherwise) const {
-    const std::string_view found = text({name});
-    return found.empty() ? otherwise : integer(file_, name, found);
-  }
-
-  std::vector<double> reals(std::initializer_list<std::string_view> names) const {
-    std::vector<double> numbers;
-    for (const auto word : words(text(names))) numbers.push_back(real(file_, *names.begin(), word));
-    return numbers;
-  }
-
- private:
-  const std::filesystem::path& file_;
-  const Fields& fields_;
-};
+bool flag(const HeaderFields& header, std::initializer_list<std::string_view> names,
+          bool otherwise) {
+  const std::string_view found = header.text(names);
+  if (found.empty()) return otherwise;
+  const std::string value = lower(found);
+  if (value == "true" || value == "1") return true;
+  if (value == "false" || value == "0") return false;
+  fail(header.file(), std::string(*names.begin()) + " is " + shown(found), "write True or False");
+}
 
 // How samples are stored.
 struct Storage {
@@ -95,10 +57,11 @@ bool is_local(std::string_view data_file) {
 }
 
 // What the command reads has one value for this field.
-void expect(const std::filesystem::path& file, std::string_view name, std::string_view found,
-            std::string_view expected) {
-  if (lower(found) != lower(expected))
-    fail(file, std::string(name) + " is " + shown(found) + " and not " + std::string(expected),
+void expect(const HeaderFields& header, std::string_view name, std::string_view expected) {
+  const std::string_view found = header.text(name);
+  if (!found.empty() && lower(found) != lower(expected))
+    fail(header.file(),
+         std::string(name) + " is " + shown(found) + " and not " + std::string(expected),
          "write the image anew, e.g. with ITK or SimpleITK");
 }
 
@@ -116,18 +79,15 @@ SampleType sample_type(const std::filesystem::path& file, std::string_view text)
   fail_type(file, text);
 }
 
-void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Description& header,
-               const VolumeOptions& options) {
-  const auto dimensions = integer(file, "NDims", header.needed("NDims"));
-  std::vector<std::int64_t> sizes;
-  for (const auto word : words(header.needed("DimSize")))
-    sizes.push_back(integer(file, "DimSize", word));
+void set_sizes(VolumeInfo& info, const HeaderFields& header, const VolumeOptions& options) {
+  const auto dimensions = integer(header.file(), "NDims", header.needed("NDims"));
+  const std::vector<std::int64_t> sizes = header.needed_integers("DimSize");
   if (dimensions != static_cast<std::int64_t>(sizes.size()))
-    fail(file,
+    fail(header.file(),
          "NDims is " + std::to_string(dimensions) + " but DimSize holds " +
              std::to_string(sizes.size()),
          "correct the header");
-  set_dims(info, file, sizes, options);
+  set_dims(info, header.file(), sizes, options.frame);
 }
 
 // Where the axes come from by their letters: RAI are axes along LPS. ITK writes them beside the
@@ -148,47 +108,61 @@ void note_orientation(VolumeInfo& info, std::string_view told) {
   if (told.empty() || told.find('?') != std::string_view::npos || !info.placement) return;
   const std::string taken = orientation_of(info.placement->axes_mm);
   if (told != taken)
-    info.notes.push_back("AnatomicalOrientation " + shown(told) +
-                         " dropped: by the TransformMatrix it is '" + taken + "'");
+    note(info, "AnatomicalOrientation " + shown(told) + " dropped: by the TransformMatrix it is '" +
+                   taken + "'");
 }
 
-void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Description& header) {
-  auto lengths = header.reals({"ElementSpacing", "ElementSize"});
-  const std::size_t axes = words(header.needed("DimSize")).size();
-  if (lengths.empty())
-    info.notes.emplace_back(no_spacing_note);
-  else if (lengths.size() < axes)
-    fail(file,
+// A row an axis, of length 1; nothing where the numbers are no matrix of the axes.
+std::optional<Axes> directions_of(VolumeInfo& info, const std::vector<double>& matrix,
+                                  std::size_t axes) {
+  if (matrix.size() != axes * axes) {
+    if (!matrix.empty())
+      note(info, "TransformMatrix of " + std::to_string(matrix.size()) + " numbers dropped: " +
+                     std::to_string(axes) + " dimensions take " + std::to_string(axes * axes));
+    return std::nullopt;
+  }
+  Axes directions = coordinates;
+  for (std::size_t axis = 0; axis < std::min<std::size_t>(axes, 3); ++axis)
+    for (std::size_t i = 0; i < std::min<std::size_t>(axes, 3); ++i)
+      directions[axis][i] = matrix[axis * axes + i];
+  return directions;
+}
+
+void set_spacing(VolumeInfo& info, const HeaderFields& header, std::size_t axes, ToldPlace& told) {
+  auto lengths = header.reals({"ElementSpacing"});
+  if (lengths.empty()) {
+    lengths = header.reals({"ElementSize"});
+    if (!lengths.empty()) note(info, "no ElementSpacing given, ElementSize taken");
+  }
+  if (!lengths.empty() && lengths.size() < axes)
+    fail(header.file(),
          "ElementSpacing holds " + std::to_string(lengths.size()) + " numbers for " +
              std::to_string(axes) + " dimensions",
          "correct the header");
-  lengths.resize(3, 1.0);
-  set_spacing(info, {lengths[0], lengths[1], lengths[2]});
-  const auto matrix = header.reals({"TransformMatrix", "Rotation", "Orientation"});
-  const auto origin = header.reals({"Offset", "Position", "Origin"});
-  if (matrix.empty() && origin.empty()) return;
-
-  // A row an axis, of length 1. ITK, which the format is from, has the space of DICOM.
-  VolumePlacement placement = along_coordinates(info.spacing_mm);
-  placement.frame = Frame::lps;
-  std::copy_n(origin.begin(), std::min<std::size_t>(origin.size(), 3), placement.origin_mm.begin());
-  if (matrix.size() == axes * axes) {
-    for (std::size_t axis = 0; axis < std::min<std::size_t>(axes, 3); ++axis)
-      for (std::size_t i = 0; i < std::min<std::size_t>(axes, 3); ++i)
-        placement.axes_mm[axis][i] = matrix[axis * axes + i] * info.spacing_mm[axis];
-  } else if (!matrix.empty()) {
-    info.notes.push_back("TransformMatrix of " + std::to_string(matrix.size()) +
-                         " numbers dropped: " + std::to_string(axes) + " dimensions take " +
-                         std::to_string(axes * axes));
-  }
-  set_placement(info, placement);
-  note_orientation(info, header.text({"AnatomicalOrientation"}));
+  std::copy_n(lengths.begin(), std::min<std::size_t>(lengths.size(), 3), told.spacing.begin());
 }
 
-void set_values(VolumeInfo& info, const std::filesystem::path& file, const Description& header) {
+void set_geometry(VolumeInfo& info, const HeaderFields& header, const VolumeOptions& options) {
+  const std::size_t axes = words(header.needed("DimSize")).size();
+  ToldPlace told;
+  // ITK, which the format is from, has millimetres and the space of DICOM.
+  const std::string_view unit = header.text("DistanceUnits");
+  told.set_unit(unit.empty() ? "mm" : unit == "?" ? "" : std::string(unit));
+  set_spacing(info, header, axes, told);
+  const auto matrix = header.reals({"TransformMatrix", "Rotation", "Orientation"});
+  const auto origin = header.reals({"Offset", "Position", "Origin"});
+  if (!matrix.empty() || !origin.empty()) told.frame = Frame::lps;
+  told.directions = directions_of(info, matrix, axes);
+  std::copy_n(origin.begin(), std::min<std::size_t>(origin.size(), 3), told.origin.begin());
+  set_place(info, told, options);
+  note_orientation(info, header.text("AnatomicalOrientation"));
+}
+
+void set_values(VolumeInfo& info, const HeaderFields& header) {
   const auto slope = header.reals({"ElementToIntensityFunctionSlope"});
   const auto intercept = header.reals({"ElementToIntensityFunctionOffset"});
-  set_scale(info, file, slope.empty() ? 1 : slope[0], intercept.empty() ? 0 : intercept[0]);
+  set_scale(info, header.file(), slope.empty() ? 1 : slope[0],
+            intercept.empty() ? 0 : intercept[0]);
 }
 
 // Leaves a data file at its first sample. HeaderSize counts from the beginning of the file that
@@ -211,10 +185,10 @@ ByteStream at_data(ByteStream data, std::int64_t header_bytes, const Storage& st
 }
 
 // Takes the samples from behind the header, or from the files that it names.
-ByteStream open_data(ByteStream& stream, const Description& header, const Storage& storage,
-                     const VolumeInfo& info) {
+ByteStream open_data(ByteStream& stream, const HeaderFields& header, const Storage& storage,
+                     VolumeInfo& info) {
   const std::string_view name = header.needed("ElementDataFile");
-  const std::int64_t header_bytes = header.whole("HeaderSize", 0);
+  const std::int64_t header_bytes = header.integer("HeaderSize", 0);
   const std::uint64_t bytes = bytes_of_all(info);
   if (is_local(name)) return at_data(std::move(stream), header_bytes, storage, bytes);
   if (!names_several_files(name))
@@ -223,38 +197,33 @@ ByteStream open_data(ByteStream& stream, const Description& header, const Storag
   const auto open = [storage, header_bytes, each = bytes / files.count](const auto& path) {
     return at_data(ByteStream(path), header_bytes, storage, each);
   };
-  return joined(stream.file(), files, bytes, open);
+  return joined(stream.file(), files, info, open);
 }
 
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOptions& options) {
-  const std::filesystem::path file = stream.file();
-  const Fields fields = parse(file, stream);
-  const Description header(file, fields);
-  const std::string_view object = header.text({"ObjectType"});
-  if (!object.empty()) expect(file, "ObjectType", object, "Image");
-  if (header.whole("ElementNumberOfChannels", 1) != 1)
-    expect(file, "ElementNumberOfChannels", header.text({"ElementNumberOfChannels"}), "1");
+  const HeaderFields header = read_header(stream);
+  expect(header, "ObjectType", "Image");
+  expect(header, "ElementNumberOfChannels", "1");
 
   VolumeInfo info;
-  info.type = sample_type(file, header.needed("ElementType"));
-  set_sizes(info, file, header, options);
-  set_geometry(info, file, header);
-  set_values(info, file, header);
-  const Storage storage{info.type, header.flag({"CompressedData"}, false),
-                        !header.flag({"BinaryData"}, true)};
+  info.type = sample_type(header.file(), header.needed("ElementType"));
+  set_sizes(info, header, options);
+  set_geometry(info, header, options);
+  set_values(info, header);
+  const Storage storage{info.type, flag(header, {"CompressedData"}, false),
+                        !flag(header, {"BinaryData"}, true)};
   const std::initializer_list<std::string_view> order = {"BinaryDataByteOrderMSB",
                                                          "ElementByteOrderMSB"};
-  const bool big_endian = storage.is_text ? is_native_big_endian() : header.flag(order, false);
+  const bool big_endian = storage.is_text ? is_native_big_endian() : flag(header, order, false);
   if (!storage.is_text && sample_bytes(info.type) > 1 && header.text(order).empty())
-    info.notes.emplace_back("byte order not given, little-endian taken");
+    note(info, "byte order not given, little-endian taken");
 
   ByteStream data = open_data(stream, header, storage, info);
-  skip_to_frame(data, info, options);
   info.format = "MetaImage, " + storage.name() +
                 (is_local(header.needed("ElementDataFile")) ? "" : ", detached");
-  return std::make_unique<SliceStream>(std::move(info), std::move(data), big_endian);
+  return std::make_unique<SliceStream>(std::move(info), std::move(data), big_endian, options.frame);
 }
 
 }  // namespace discmc::command

@@ -4,14 +4,22 @@
 #include <string>
 #include <utility>
 
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/format_list.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
 
 void require_no_header(ByteStream& stream) {
-  if (const auto format = format_of_magic(stream))
-    fail(stream.file(), "this begins like " + std::string(*format) + ", not like samples",
+  const std::string_view head = stream.peek(magic_bytes);
+  const VolumeFormat* const format = format_of_head(head);
+  const auto packing = packing_of(head);
+  if (format != nullptr || packing)
+    fail(stream.file(),
+         "this begins like " + std::string(format != nullptr ? format->name : name(*packing)) +
+             ", not like samples",
          "leave out --dims and --type, or skip its header with --skip-bytes");
 }
 
@@ -32,7 +40,7 @@ std::optional<std::string> proposal(const VolumeInfo& info, std::uint64_t bytes)
 // As far as the length is known: of compressed samples and of pipes at their end.
 void require_length(const ByteStream& stream, const VolumeInfo& info, const RawLayout& layout) {
   const auto left = stream.left();
-  const std::uint64_t volume = info.slice_bytes() * info.dims[2];
+  const std::uint64_t volume = volume_bytes(info);
   if (!left || *left == volume) return;
   std::string what = "the file has " + std::to_string(*left) + " bytes";
   if (layout.skipped_bytes > 0)
@@ -46,22 +54,32 @@ void require_length(const ByteStream& stream, const VolumeInfo& info, const RawL
                                        std::to_string(layout.skipped_bytes + *left - volume)));
 }
 
+NoteOfRest refusal_of_rest(const VolumeInfo& info) {
+  return [bytes = volume_bytes(info)](ByteStream& stream) {
+    if (!stream.peek(1).empty())
+      fail(stream.file(),
+           "there is more than the " + std::to_string(bytes) + " bytes of the volume",
+           "correct --dims and --type, or skip what stands before it with --skip-bytes");
+    return std::string();
+  };
+}
+
 }  // namespace
 
-std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const RawLayout& layout) {
+std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const VolumeOptions& options) {
+  const RawLayout& layout = *options.layout;
   VolumeInfo info;
   info.type = layout.type;
   info.format = "raw";
-  set_dims(info, stream.file(), {layout.dims[0], layout.dims[1], layout.dims[2]}, {});
-  if (lower(stream.file().extension().string()) == ".gz") {
-    info.format += ", gzip";
-    stream.decode(inflated);
-  }
+  set_dims(info, stream.file(), {layout.dims[0], layout.dims[1], layout.dims[2]});
+  set_place(info, {}, options);
+  if (const auto packing = packing_of_name(stream.file())) stream.unpack(*packing);
   if (layout.skipped_bytes == 0) require_no_header(stream);
   stream.skip(layout.skipped_bytes);
   require_length(stream, info, layout);
+  NoteOfRest no_rest = refusal_of_rest(info);
   return std::make_unique<SliceStream>(std::move(info), std::move(stream), layout.big_endian,
-                                       Behind::nothing);
+                                       std::nullopt, std::move(no_rest));
 }
 
 }  // namespace discmc::command

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/told_place.hpp"
 
 #ifdef DISCMC_WITH_PUGIXML
 #include <pugixml.hpp>
@@ -37,25 +40,27 @@ class Head {
   pugi::xml_node root() const { return document_.child("VTKFile"); }
   pugi::xml_node image() const { return root().child("ImageData"); }
   pugi::xml_node piece() const { return image().child("Piece"); }
-  /// The array that is said to be the scalars, or else the first.
+  pugi::xml_node points() const { return piece().child("PointData"); }
+  /// Whether an array is said to be the scalars.
+  bool has_scalars() const { return !std::string_view(scalars()).empty(); }
+  /// That one, or else the first.
   pugi::xml_node array() const {
-    const pugi::xml_node points = piece().child("PointData");
-    const pugi::xml_attribute scalars = points.attribute("Scalars");
-    return scalars ? points.find_child_by_attribute("DataArray", "Name", scalars.value())
-                   : points.child("DataArray");
+    return has_scalars() ? points().find_child_by_attribute("DataArray", "Name", scalars())
+                         : points().child("DataArray");
+  }
+  /// Those of the other arrays that stand before the samples, "b, c".
+  std::string other_arrays() const {
+    std::string names;
+    for (const pugi::xml_node& other : points().children("DataArray"))
+      if (other != array())
+        names += (names.empty() ? "" : ", ") + shown(other.attribute("Name").value());
+    return names;
   }
   std::string_view format() const { return array().attribute("format").value(); }
   std::string_view appended_encoding() const {
     return root().child("AppendedData").attribute("encoding").value();
   }
   bool is_appended() const { return is_appended_; }
-
-  std::vector<double> reals(const pugi::xml_node& node, const char* name) const {
-    std::vector<double> numbers;
-    for (const auto word : words(node.attribute(name).value()))
-      numbers.push_back(real(file_, name, word));
-    return numbers;
-  }
 
   /// Six whole numbers: the first and the last point along each axis.
   std::vector<std::int64_t> extent(const pugi::xml_node& node, const char* name) const {
@@ -73,6 +78,8 @@ class Head {
   }
 
  private:
+  const char* scalars() const { return points().attribute("Scalars").value(); }
+
   // Appends what comes, up to the end of a tag.
   void take_tag(ByteStream& stream, std::string& text) const {
     constexpr std::size_t max_header_bytes = 1U << 20;
@@ -93,32 +100,53 @@ class Head {
   bool is_appended_ = false;
 };
 
+// The numbers that an attribute has, or none where it is not there.
+template <std::size_t count>
+std::optional<std::array<double, count>> numbers(const std::filesystem::path& file,
+                                                 const pugi::xml_node& node, const char* name) {
+  const std::string_view text = node.attribute(name).value();
+  const auto parts = words(text);
+  if (parts.empty()) return std::nullopt;
+  if (parts.size() != count)
+    fail(file,
+         std::string(name) + " is " + shown(text) + ", which is not " + std::to_string(count) +
+             " numbers",
+         "correct it");
+  std::array<double, count> result{};
+  for (std::size_t i = 0; i < count; ++i) result[i] = real(file, name, parts[i]);
+  return result;
+}
+
 void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Head& head,
                   const VolumeOptions& options) {
   const auto extent = head.extent(head.image(), "WholeExtent");
   if (head.extent(head.piece(), "Extent") != extent)
     fail(file, "the image is in several pieces", "write it in one, e.g. with ParaView");
   set_dims(info, file,
-           {extent[1] - extent[0] + 1, extent[3] - extent[2] + 1, extent[5] - extent[4] + 1},
-           options);
-  auto spacing = head.reals(head.image(), "Spacing");
-  spacing.resize(3, 1);
-  set_spacing(info, {spacing[0], spacing[1], spacing[2]});
-  auto origin = head.reals(head.image(), "Origin");
-  origin.resize(3, 0);
-  const auto direction = head.reals(head.image(), "Direction");
-  VolumePlacement placement = along_coordinates(info.spacing_mm);
+           {extent[1] - extent[0] + 1, extent[3] - extent[2] + 1, extent[5] - extent[4] + 1});
+  ToldPlace told;
+  const auto spacing = numbers<3>(file, head.image(), "Spacing");
+  if (spacing) std::copy(spacing->begin(), spacing->end(), told.spacing.begin());
+  told.origin = numbers<3>(file, head.image(), "Origin").value_or(told.origin);
   // A row of the matrix a coordinate.
-  for (std::size_t axis = 0; axis < 3 && direction.size() == 9; ++axis)
+  const auto matrix = numbers<9>(file, head.image(), "Direction");
+  Axes& directions = told.directions.emplace(coordinates);
+  for (std::size_t i = 0; i < 9 && matrix; ++i) directions[i % 3][i / 3] = (*matrix)[i];
+  // The origin is that of the point with the number 0.
+  for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t row = 0; row < 3; ++row)
-      placement.axes_mm[axis][row] = direction[3 * row + axis] * std::fabs(info.spacing_mm[axis]);
-  for (std::size_t row = 0; row < 3; ++row) {
-    placement.origin_mm[row] = origin[row];
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      placement.origin_mm[row] +=
-          static_cast<double>(extent[2 * axis]) * placement.axes_mm[axis][row];
-  }
-  set_placement(info, placement);
+      told.origin[row] += static_cast<double>(extent[2 * axis]) * directions[axis][row] *
+                          told.spacing[axis].value_or(1);
+  set_place(info, told, options);
+}
+
+// Which of several arrays was taken, or may have been.
+void note_arrays(VolumeInfo& info, const Head& head) {
+  const std::string taken = "array " + shown(head.array().attribute("Name").value()) + " taken, ";
+  if (const std::string others = head.other_arrays(); !others.empty())
+    note(info, taken + "others left out: " + others);
+  else if (!head.is_appended() && !head.has_scalars())
+    note(info, taken + "the first; what follows its samples is left out");
 }
 
 SampleType sample_type(const std::filesystem::path& file, std::string_view type) {
@@ -212,6 +240,7 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
   VolumeInfo info;
   info.type = sample_type(file, head.array().attribute("type").value());
   set_geometry(info, file, head, options);
+  note_arrays(info, head);
   const std::string_view order = head.root().attribute("byte_order").value();
   if (order != "LittleEndian" && order != "BigEndian")
     fail(file, "byte_order is " + shown(order), "write LittleEndian or BigEndian");
@@ -229,7 +258,10 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
     else
       blocks.go_to_compressed_samples(bytes_of_all(info));
   }
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian);
+  // The length of the array is told, and elements follow it.
+  const auto no_note = [](ByteStream&) { return std::string(); };
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian, std::nullopt,
+                                       no_note);
 }
 #else
 std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions&) {

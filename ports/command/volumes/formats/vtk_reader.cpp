@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -11,8 +14,8 @@ namespace {
 struct Header {
   bool is_text = false;
   std::vector<std::int64_t> sizes;
-  std::array<double, 3> spacing{1, 1, 1};
-  std::array<double, 3> origin{};
+  std::int64_t points = 0;
+  ToldPlace place;
   std::string type;
   std::string components = "1";
 };
@@ -70,10 +73,13 @@ class HeaderReader {
       for (std::size_t i = 1; i <= 3; ++i)
         header_.sizes.push_back(integer(stream_.file(), key, found[i]));
     } else if (key == "spacing" || key == "aspect_ratio") {
-      header_.spacing = reals(found);
+      const auto spacing = reals(found);
+      std::copy(spacing.begin(), spacing.end(), header_.place.spacing.begin());
     } else if (key == "origin") {
-      header_.origin = reals(found);
+      header_.place.origin = reals(found);
     } else if (key == "point_data") {
+      expect_words(found, 2);
+      header_.points = integer(stream_.file(), key, found[1]);
       in_points_ = true;
     } else if (key == "metadata") {
       while (!trimmed(line()).empty()) continue;
@@ -104,6 +110,7 @@ class HeaderReader {
       const auto parts = words(array);
       if (parts.size() < 4) refuse("the field's line " + shown(array) + " is short", "correct it");
       header_.components = parts[1];
+      header_.points = integer(stream_.file(), "the field's length", parts[2]);
       header_.type = lower(parts[3]);
     } else {
       refuse("the first array of points is of kind " + shown(key), "store scalars first");
@@ -129,6 +136,16 @@ SampleType sample_type(const std::filesystem::path& file, const std::string& typ
   fail_type(file, type);
 }
 
+// Further arrays and their like. The decoder of text ends at the first word that is no number.
+std::string note_of_rest(ByteStream& stream) {
+  constexpr std::size_t max_shown = 256;
+  std::string_view text = trimmed(stream.peek(max_shown));
+  const std::string damage = stream.damage();
+  const std::string_view line = take_line(text).value_or("");
+  if (line.empty() && damage.empty()) return {};
+  return "what follows the first array left out: " + (damage.empty() ? shown(line) : damage);
+}
+
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_vtk(ByteStream stream, const VolumeOptions& options) {
@@ -139,15 +156,19 @@ std::unique_ptr<VolumeReader> open_vtk(ByteStream stream, const VolumeOptions& o
   VolumeInfo info;
   info.type = sample_type(file, header.type);
   info.format = header.is_text ? "VTK, text" : "VTK, raw";
-  set_dims(info, file, header.sizes, options);
-  set_spacing(info, header.spacing);
-  VolumePlacement placement = along_coordinates(info.spacing_mm);
-  placement.origin_mm = header.origin;
-  set_placement(info, placement);
+  set_dims(info, file, header.sizes);
+  set_place(info, header.place, options);
+  const std::uint64_t points = volume_bytes(info) / sample_bytes(info.type);
+  if (header.points < 0 || static_cast<std::uint64_t>(header.points) != points)
+    fail(file,
+         "there are " + std::to_string(header.points) + " samples for the " +
+             std::to_string(points) + " points of DIMENSIONS",
+         "correct the header");
   if (header.is_text)
     stream.decode([&info](auto in) { return samples_of_text(std::move(in), info.type); });
   const bool big_endian = header.is_text ? is_native_big_endian() : true;
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian);
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian, std::nullopt,
+                                       note_of_rest);
 }
 
 }  // namespace discmc::command

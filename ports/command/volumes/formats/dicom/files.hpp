@@ -17,8 +17,12 @@ bool has_dicom_magic(std::string_view head);
 /// Whether a file is named as DICOM files are: old ones have no magic.
 bool has_dicom_name(const std::filesystem::path& file);
 
-/// Returns the DICOM files of a folder and of all folders in it, by their names.
+/// Returns the DICOM files of a folder and of all folders in it, packed ones too, by their names.
+/// Those whose names begin with a dot are left out.
 std::vector<std::filesystem::path> dicom_files(const std::filesystem::path& folder);
+
+/// The same of links that lead nowhere.
+std::vector<std::filesystem::path> dead_links(const std::filesystem::path& folder);
 
 }  // namespace discmc::command
 

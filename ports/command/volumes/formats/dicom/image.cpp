@@ -1,95 +1,67 @@
 #include "image.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
-#include "toolkit.hpp"
+#include "attributes.hpp"
+#include "frames.hpp"
+#include "mosaic.hpp"
+#include "vectors.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {
 
 constexpr std::uint32_t max_frames = 1U << 16;
 
-std::string text(DcmItem& item, const DcmTagKey& key) {
-  OFString value;
-  item.findAndGetOFStringArray(key, value);
-  const std::string found(value.c_str(), value.size());
-  return found.substr(0, found.find_last_not_of(" \0") + 1);
-}
-
-std::optional<std::uint32_t> whole(DcmItem& item, const DcmTagKey& key) {
-  Uint16 value = 0;
-  if (item.findAndGetUint16(key, value).bad()) return std::nullopt;
-  return value;
-}
-
-constexpr double max_magnitude = 1e9;  // of millimetres and values
-
-/// The numbers of an element, if it has so many at least and none is out of all measure.
-template <std::size_t count>
-std::optional<std::array<double, count>> reals(DcmItem& item, const DcmTagKey& key) {
-  std::array<double, count> values{};
-  for (std::size_t i = 0; i < count; ++i)
-    if (item.findAndGetFloat64(key, values[i], i).bad() || !(std::fabs(values[i]) <= max_magnitude))
-      return std::nullopt;
-  return values;
-}
-
-// What is told for a frame: of itself, of all frames, or of the image, in this order.
-class Attributes {
- public:
-  Attributes(DcmItem& dataset, std::uint32_t frame) : dataset_(dataset) {
-    DcmItem* item = nullptr;
-    if (dataset
-            .findAndGetSequenceItem(DCM_PerFrameFunctionalGroupsSequence, item,
-                                    static_cast<signed long>(frame))
-            .good())
-      groups_.push_back(item);
-    if (dataset.findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, item).good())
-      groups_.push_back(item);
-  }
-
-  template <std::size_t count>
-  std::optional<std::array<double, count>> reals(const DcmTagKey& group,
-                                                 const DcmTagKey& key) const {
-    for (DcmItem* functional : groups_) {
-      DcmItem* item = nullptr;
-      if (functional->findAndGetSequenceItem(group, item).bad()) continue;
-      if (auto values = command::reals<count>(*item, key)) return values;
-    }
-    return command::reals<count>(dataset_, key);
-  }
-
-  double real(const DcmTagKey& group, const DcmTagKey& key, double otherwise) const {
-    const auto values = reals<1>(group, key);
-    return values ? (*values)[0] : otherwise;
-  }
-
- private:
-  DcmItem& dataset_;
-  std::vector<DcmItem*> groups_;
-};
-
-std::optional<std::array<double, 3>> direction(const std::array<double, 6>& orientation,
-                                               std::size_t first) {
-  std::array<double, 3> vector = {orientation[first], orientation[first + 1],
-                                  orientation[first + 2]};
-  const double length = std::hypot(vector[0], vector[1], vector[2]);
+std::optional<Vector> direction(const std::array<double, 6>& orientation, std::size_t first) {
+  Vector vector = {orientation[first], orientation[first + 1], orientation[first + 2]};
+  const double size = length(vector);
   constexpr double least = 1e-3;
-  if (!(length > least)) return std::nullopt;
-  for (double& component : vector) component /= length;
+  if (!(size > least)) return std::nullopt;
+  for (double& component : vector) component /= size;
   return vector;
 }
 
-std::optional<DicomPlace> place(const Attributes& attributes) {
-  const auto position = attributes.reals<3>(DCM_PlanePositionSequence, DCM_ImagePositionPatient);
-  const auto orientation =
-      attributes.reals<6>(DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient);
-  if (!position || !orientation) return std::nullopt;
-  const auto along_row = direction(*orientation, 0);
-  const auto along_column = direction(*orientation, 3);
-  if (!along_row || !along_column) return std::nullopt;
-  return DicomPlace{*position, *along_row, *along_column};
+void set_spacing(DcmItem& dataset, const Attributes& attributes, DicomFrame& frame) {
+  auto spacing = reals_of<2>(attributes.element(DCM_PixelMeasuresSequence, DCM_PixelSpacing));
+  frame.spacing_name = "PixelSpacing";
+  if (!spacing) {
+    spacing = reals_of<2>(element_of(dataset, DCM_ImagerPixelSpacing));
+    frame.spacing_name = spacing ? "ImagerPixelSpacing" : nullptr;
+  }
+  if (spacing) frame.spacing_mm = {(*spacing)[1], (*spacing)[0]};
+  for (const auto& [key, name] : {std::pair(DCM_SpacingBetweenSlices, "SpacingBetweenSlices"),
+                                  std::pair(DCM_SliceThickness, "SliceThickness")}) {
+    const auto distance = real_of(attributes.element(DCM_PixelMeasuresSequence, key));
+    if (distance.value_or(0) == 0) continue;
+    frame.slice_spacing_mm = *distance;
+    frame.slice_spacing_name = name;
+    return;
+  }
+}
+
+// Maps of parameters tell the values of their samples in a way of their own.
+void set_scale(const Attributes& attributes, DicomFrame& frame) {
+  const auto real = [&](const DcmTagKey& group, const DcmTagKey& key) {
+    return real_of(attributes.element(group, key));
+  };
+  auto slope = real(DCM_PixelValueTransformationSequence, DCM_RescaleSlope);
+  auto intercept = real(DCM_PixelValueTransformationSequence, DCM_RescaleIntercept);
+  if (!slope && frame.image->is_parametric_map) {
+    slope = real(DCM_RealWorldValueMappingSequence, DCM_RealWorldValueSlope);
+    intercept = real(DCM_RealWorldValueMappingSequence, DCM_RealWorldValueIntercept);
+  }
+  frame.slope = slope.value_or(1);
+  frame.intercept = intercept.value_or(0);
+}
+
+std::uint32_t segment(const Attributes& attributes) {
+  DcmElement* const element =
+      attributes.element(DCM_SegmentIdentificationSequence, DCM_ReferencedSegmentNumber);
+  Uint16 number = 0;
+  if (element != nullptr) element->getUint16(number);
+  return number;
 }
 
 DicomFrame frame(DcmItem& dataset, const std::shared_ptr<const DicomImage>& image,
@@ -98,103 +70,188 @@ DicomFrame frame(DcmItem& dataset, const std::shared_ptr<const DicomImage>& imag
   DicomFrame frame;
   frame.image = image;
   frame.number = number;
-  frame.place = place(attributes);
-  auto spacing = attributes.reals<2>(DCM_PixelMeasuresSequence, DCM_PixelSpacing);
-  if (!spacing) spacing = reals<2>(dataset, DCM_ImagerPixelSpacing);
-  if (spacing) frame.spacing_mm = {(*spacing)[1], (*spacing)[0]};
-  frame.slice_spacing_mm =
-      attributes.real(DCM_PixelMeasuresSequence, DCM_SpacingBetweenSlices,
-                      attributes.real(DCM_PixelMeasuresSequence, DCM_SliceThickness, 0));
-  frame.slope = attributes.real(DCM_PixelValueTransformationSequence, DCM_RescaleSlope, 1);
-  frame.intercept = attributes.real(DCM_PixelValueTransformationSequence, DCM_RescaleIntercept, 0);
+  frame.place = place_of(
+      reals_of<3>(attributes.element(DCM_PlanePositionSequence, DCM_ImagePositionPatient)),
+      reals_of<6>(attributes.element(DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient)));
+  set_spacing(dataset, attributes, frame);
+  set_scale(attributes, frame);
+  frame.traits = traits_of(dataset, attributes, number);
+  if (image->segments) frame.segment = segment(attributes);
   return frame;
 }
 
-// The frames of a dose grid have one position, and their offsets from it.
-void add_grid_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames) {
-  for (DicomFrame& frame : frames) {
-    double offset = 0;
-    if (!frame.place ||
-        dataset.findAndGetFloat64(DCM_GridFrameOffsetVector, offset, frame.number).bad() ||
-        !(std::fabs(offset) <= max_magnitude))
-      return;
-    const auto normal = normal_of(*frame.place);
-    for (std::size_t i = 0; i < 3; ++i) frame.place->position[i] += offset * normal[i];
+// The numbers without which the slices would lie elsewhere: decimals, of which some write the point
+// as a comma. Returns which of them is no number, or nothing.
+NoSlices check_decimals(DcmItem& dataset, DicomImage& image) {
+  const Attributes attributes(dataset, 0);
+  const std::pair<DcmTagKey, DcmTagKey> decimals[] = {
+      {DCM_PixelMeasuresSequence, DCM_PixelSpacing},
+      {DCM_PixelMeasuresSequence, DCM_SpacingBetweenSlices},
+      {DCM_PixelMeasuresSequence, DCM_SliceThickness},
+      {DCM_PlanePositionSequence, DCM_ImagePositionPatient},
+      {DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient},
+      {DCM_PixelValueTransformationSequence, DCM_RescaleSlope},
+      {DCM_PixelValueTransformationSequence, DCM_RescaleIntercept},
+      {DCM_UndefinedTagKey, DCM_DoseGridScaling}};
+  bool have_commas = false;
+  for (const auto& [group, key] : decimals) {
+    DcmElement* const element = attributes.element(group, key);
+    const std::string text = text_of(element);
+    if (text.empty()) continue;
+    have_commas = have_commas || text.find(',') != std::string::npos;
+    const auto count = 1 + std::count(text.begin(), text.end(), '\\');
+    for (unsigned long i = 0; i < static_cast<unsigned long>(count); ++i)
+      if (!real_of(element, i))
+        return {"an image whose " + std::string(DcmTag(key).getTagName()) + " is " + shown(text) +
+                    ", which is no number",
+                "correct it, e.g. with: dcmodify -m " + std::string(DcmTag(key).getTagName()) +
+                    "=VALUE FILE"};
   }
+  if (have_commas) image.notes.emplace_back("decimal commas, taken as points");
+  return {};
+}
+
+// Some write the value of samples with sign as one without.
+std::optional<std::int32_t> padding_of(DcmItem& dataset, bool is_signed) {
+  DcmElement* const element = element_of(dataset, DCM_PixelPaddingValue);
+  Uint16 bits = 0;
+  Sint16 value = 0;
+  if (element == nullptr) return std::nullopt;
+  if (element->getSint16(value).good()) return value;
+  if (element->getUint16(bits).bad()) return std::nullopt;
+  return is_signed ? std::int32_t{static_cast<Sint16>(bits)} : std::int32_t{bits};
 }
 
 // Returns what the samples are instead of grey values, or nothing.
-std::string set_samples(DcmItem& dataset, DicomImage& image) {
-  if (whole(dataset, DCM_SamplesPerPixel).value_or(1) != 1) return "a colour image";
-  const std::string photometric = text(dataset, DCM_PhotometricInterpretation);
-  if (photometric.rfind("PALETTE", 0) == 0) return "a colour image";
+NoSlices set_samples(DcmItem& dataset, DicomImage& image) {
+  if (whole_of(dataset, DCM_SamplesPerPixel).value_or(1) != 1) return {"a colour image"};
+  const std::string photometric = text_of(dataset, DCM_PhotometricInterpretation);
+  const bool are_numbers = image.segments && image.segments->kind == DicomSegments::Kind::numbers;
+  if (photometric.rfind("PALETTE", 0) == 0 && !are_numbers) return {"a colour image"};
   image.is_inverted = photometric == "MONOCHROME1";
-  const auto allocated = whole(dataset, DCM_BitsAllocated).value_or(0);
-  const auto representation = whole(dataset, DCM_PixelRepresentation);
+  const auto allocated = whole_of(dataset, DCM_BitsAllocated).value_or(0);
+  const auto representation = whole_of(dataset, DCM_PixelRepresentation);
   // Floating point has no representation to tell.
   if (!representation && (allocated == 32 || allocated == 64)) {
     image.type = allocated == 32 ? SampleType::f32 : SampleType::f64;
     return {};
   }
   const bool is_signed = representation == 1U;
-  if (allocated == 8)
+  image.is_of_bits = allocated == 1;
+  image.padding = padding_of(dataset, is_signed);
+  if (allocated == 1)
+    image.type = SampleType::u8;
+  else if (allocated == 8)
     image.type = is_signed ? SampleType::i8 : SampleType::u8;
   else if (allocated == 16)
     image.type = is_signed ? SampleType::i16 : SampleType::u16;
   else if (allocated == 32)
     image.type = is_signed ? SampleType::i32 : SampleType::u32;
   else
-    return "an image of " + std::to_string(allocated) + " bits a sample";
-  image.bits = whole(dataset, DCM_BitsStored).value_or(allocated);
-  image.high_bit = whole(dataset, DCM_HighBit).value_or(image.bits - 1);
+    return {"an image of " + std::to_string(allocated) + " bits a sample"};
+  image.bits = whole_of(dataset, DCM_BitsStored).value_or(allocated);
+  image.high_bit = whole_of(dataset, DCM_HighBit).value_or(image.bits - 1);
   if (image.bits < 1 || image.high_bit >= allocated || image.high_bit + 1 < image.bits)
-    return "an image of " + std::to_string(image.bits) + " bits up to bit " +
-           std::to_string(image.high_bit) + " of " + std::to_string(allocated);
-  DcmItem* table = nullptr;
-  if (dataset.findAndGetSequenceItem(DCM_ModalityLUTSequence, table).good())
-    return "an image with a table of values (Modality LUT)";
+    return {"an image of " + std::to_string(image.bits) + " bits up to bit " +
+            std::to_string(image.high_bit) + " of " + std::to_string(allocated)};
+  if (first_item(dataset, DCM_ModalityLUTSequence) != nullptr)
+    return {"an image with a table of values (Modality LUT)"};
   return {};
+}
+
+bool is_ascii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= 0; });
+}
+
+// The names of a series and of segments as UTF-8, where DCMTK was built with what converts them.
+void set_encoding(DcmDataset& dataset) {
+  const bool has_names =
+      dataset.tagExists(DCM_SegmentSequence) || !is_ascii(text_of(dataset, DCM_SeriesDescription));
+  if (has_names) dataset.convertToUTF8();
+}
+
+void set_names(DcmItem& dataset, DicomImage& image) {
+  image.series = text_of(dataset, DCM_SeriesInstanceUID);
+  image.instance = text_of(dataset, DCM_SOPInstanceUID);
+  image.description = text_of(dataset, DCM_SeriesDescription);
+  image.modality = text_of(dataset, DCM_Modality);
+  image.is_parametric_map = text_of(dataset, DCM_SOPClassUID) == UID_ParametricMapStorage;
+  Sint32 number = 0;
+  if (dataset.findAndGetSint32(DCM_SeriesNumber, number).good()) image.series_number = number;
+  if (dataset.findAndGetSint32(DCM_InstanceNumber, number).good()) image.instance_number = number;
+}
+
+bool is_directory(DcmFileFormat& file) {
+  return text_of(*file.getMetaInfo(), DCM_MediaStorageSOPClassUID) ==
+         UID_MediaStorageDirectoryStorage;
+}
+
+// Reads all frames. Returns why they are no slices, or nothing.
+NoSlices set_frames(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
+                    std::vector<DicomFrame>& frames) {
+  Sint32 count = 0;
+  if (dataset.findAndGetSint32(DCM_NumberOfFrames, count).bad()) count = 1;
+  if (count < 1 || static_cast<std::uint32_t>(count) > max_frames)
+    return {"an image of " + std::to_string(count) + " frames"};
+  for (Sint32 i = 0; i < count; ++i)
+    frames.push_back(frame(dataset, image, static_cast<std::uint32_t>(i)));
+  if (is_mosaic(dataset)) return unfold_mosaic(dataset, *image, frames);
+  return place_frames(dataset, *image, frames);
+}
+
+// Returns what is in the file instead of slices, or nothing.
+NoSlices read_image(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
+                    std::vector<DicomFrame>& frames) {
+  image->rows = whole_of(dataset, DCM_Rows).value_or(0);
+  image->columns = whole_of(dataset, DCM_Columns).value_or(0);
+  if (image->rows == 0 || image->columns == 0) return {"a DICOM file without image"};
+  set_encoding(dataset);
+  if (dataset.tagExists(DCM_SegmentationType)) image->segments = segments_of(dataset);
+  for (const auto& step : {set_samples, check_decimals})
+    if (NoSlices instead = step(dataset, *image)) return instead;
+  set_names(dataset, *image);
+  const E_TransferSyntax syntax = dataset.getOriginalXfer();
+  if (is_encapsulated(syntax)) image->compression = DcmXfer(syntax).getXferName();
+  return set_frames(dataset, image, frames);
 }
 
 }  // namespace
 
-std::array<double, 3> normal_of(const DicomPlace& place) {
+std::uint64_t picture_bytes(const DicomImage& image) {
+  const std::uint64_t across = image.mosaic ? image.mosaic->across : 1;
+  const std::uint64_t samples = across * image.columns * across * image.rows;
+  return image.is_of_bits ? (samples + 7) / 8 : samples * sample_bytes(image.type);
+}
+
+std::optional<DicomPlace> place_of(const std::optional<Vector>& position,
+                                   const std::optional<std::array<double, 6>>& orientation) {
+  if (!position || !orientation) return std::nullopt;
+  const auto along_row = direction(*orientation, 0);
+  const auto along_column = direction(*orientation, 3);
+  if (!along_row || !along_column) return std::nullopt;
+  return DicomPlace{*position, *along_row, *along_column};
+}
+
+Vector normal_of(const DicomPlace& place) {
   const auto& [rx, ry, rz] = place.along_row;
   const auto& [cx, cy, cz] = place.along_column;
   return {ry * cz - rz * cy, rz * cx - rx * cz, rx * cy - ry * cx};
 }
 
 DicomContent dicom_content(const std::filesystem::path& file) {
+  DicomContent content;
   auto opened = open_dicom_file(file, Pixels::left_out);
-  if (!opened)
-    return {{},
-            "no DICOM file, a damaged one, or one that is deflated as a whole (dcmconv +te "
-            "inflates it)"};
-  DcmDataset& dataset = *opened->getDataset();
+  if (!opened) {
+    content.instead.what =
+        "no DICOM file, a damaged one, or one that is deflated as a whole (dcmconv +te inflates "
+        "it)";
+    return content;
+  }
+  content.is_directory = is_directory(*opened);
   const auto image = std::make_shared<DicomImage>();
   image->file = file;
-  image->rows = whole(dataset, DCM_Rows).value_or(0);
-  image->columns = whole(dataset, DCM_Columns).value_or(0);
-  if (image->rows == 0 || image->columns == 0) return {{}, "a DICOM file without image"};
-  if (std::string instead = set_samples(dataset, *image); !instead.empty())
-    return {{}, std::move(instead)};
-  image->series = text(dataset, DCM_SeriesInstanceUID);
-  image->instance = text(dataset, DCM_SOPInstanceUID);
-  image->description = text(dataset, DCM_SeriesDescription);
-  image->modality = text(dataset, DCM_Modality);
-  Sint32 number = 0;
-  if (dataset.findAndGetSint32(DCM_SeriesNumber, number).good()) image->series_number = number;
-  const E_TransferSyntax syntax = dataset.getOriginalXfer();
-  if (is_encapsulated(syntax)) image->compression = DcmXfer(syntax).getXferName();
-
-  Sint32 count = 0;
-  if (dataset.findAndGetSint32(DCM_NumberOfFrames, count).bad()) count = 1;
-  if (count < 1 || static_cast<std::uint32_t>(count) > max_frames)
-    return {{}, "an image of " + std::to_string(count) + " frames"};
-  DicomContent content;
-  for (Sint32 i = 0; i < count; ++i)
-    content.frames.push_back(frame(dataset, image, static_cast<std::uint32_t>(i)));
-  add_grid_offsets(dataset, content.frames);
+  content.instead = read_image(*opened->getDataset(), image, content.frames);
+  if (content.instead) content.frames.clear();
   return content;
 }
 

@@ -10,9 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "segments.hpp"
+#include "traits.hpp"
 #include "volumes/sample_type.hpp"
 
 namespace discmc::command {
+
+/// How slices stand in the picture of a mosaic: in rows, the first at the top left.
+struct MosaicLayout {
+  std::uint32_t across = 1;  ///< slices side by side, and as many rows of them
+};
 
 /// An image object: the whole of a file, with one frame or more.
 struct DicomImage {
@@ -21,7 +28,11 @@ struct DicomImage {
   std::string instance;  ///< SOPInstanceUID
   std::string description;
   std::string modality;
+  bool is_parametric_map = false;
   std::int32_t series_number = 0;
+  /// Of one among the files of a series.
+  std::optional<std::int32_t> instance_number;
+  /// Of a slice.
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
   /// As wide as a sample is stored.
@@ -29,11 +40,24 @@ struct DicomImage {
   /// Of a whole number: its bits, and the place of the highest. Limit: those of the type.
   std::uint32_t bits = 8;
   std::uint32_t high_bit = 7;
+  /// Whether a sample is one bit, eight of them in a byte; the type is then u8.
+  bool is_of_bits = false;
+  /// Of a picture of several slices, each of which is then a frame.
+  std::optional<MosaicLayout> mosaic;
+  /// Of a segmentation.
+  std::optional<DicomSegments> segments;
   /// Whether low values are the bright ones: MONOCHROME1.
   bool is_inverted = false;
+  /// The sample where nothing was scanned: PixelPaddingValue.
+  std::optional<std::int32_t> padding;
   /// How the pixel data is compressed; empty if it is not.
   std::string compression;
+  /// What the reader assumed, for the user.
+  std::vector<std::string> notes;
 };
+
+/// Units: bytes of a picture as it is stored, decompressed; of a mosaic that is all of it.
+std::uint64_t picture_bytes(const DicomImage& image);
 
 /// Where a frame lies in the patient. Units: millimetres; directions of length 1.
 struct DicomPlace {
@@ -41,6 +65,11 @@ struct DicomPlace {
   std::array<double, 3> along_row{};
   std::array<double, 3> along_column{};
 };
+
+/// Returns the place by a position and the directions of a row and a column; nothing where one is
+/// missing or no direction.
+std::optional<DicomPlace> place_of(const std::optional<std::array<double, 3>>& position,
+                                   const std::optional<std::array<double, 6>>& orientation);
 
 /// The direction across a frame, right-handed with those in it.
 std::array<double, 3> normal_of(const DicomPlace& place);
@@ -51,21 +80,35 @@ struct DicomFrame {
   /// In the file, from 0.
   std::uint32_t number = 0;
   std::optional<DicomPlace> place;
-  /// Distances of neighbouring voxels along a row and along a column. Units: millimetres, 0 where
-  /// the file does not tell them.
+  /// Distances of neighbouring voxels along a row and along a column, and the name of the element
+  /// that says so. Units: millimetres, 0 where the file does not tell them.
   std::array<double, 2> spacing_mm{};
-  /// What the file says of the distance of slices, which counts where there are no places.
-  /// Units: millimetres, 0 where the file does not tell it.
+  const char* spacing_name = nullptr;
+  /// What the file says of the distance of slices, which counts where there are no places, and the
+  /// name of the element that says so. Units: millimetres, 0 where the file does not tell it.
   double slice_spacing_mm = 0;
+  const char* slice_spacing_name = nullptr;
   double slope = 1;
   double intercept = 0;
+  DicomTraits traits;
+  /// Of a segmentation that has a frame for each segment: its number, otherwise 0.
+  std::uint32_t segment = 0;
+};
+
+/// What is in a file instead of slices, "a colour image", and what to do; nothing where slices are.
+struct NoSlices {
+  std::string what;
+  std::string remedy = "give the images of a CT, an MRI or the like, one grey value a voxel";
+
+  explicit operator bool() const { return !what.empty(); }
 };
 
 /// What a file holds.
 struct DicomContent {
   std::vector<DicomFrame> frames;
-  /// Where there are none: what is there instead, "a colour image".
-  std::string instead;
+  NoSlices instead;
+  /// Whether the file is a DICOMDIR, which lists the files of its folder.
+  bool is_directory = false;
 };
 
 /// Reads the header of a file, not its pixels. Any bytes have a content.

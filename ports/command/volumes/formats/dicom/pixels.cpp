@@ -12,28 +12,35 @@
 #include <dcmtk/dcmdata/dcpixseq.h>
 #include <dcmtk/dcmdata/dcpxitem.h>
 
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
+
+// A picture in a file: of a mosaic the only one, otherwise one a frame.
+struct StoredPicture {
+  const DicomImage& image;
+  std::uint32_t number;
+};
+
 namespace {
 
-[[noreturn]] void fail_frame(const DicomFrame& frame, const std::string& what) {
-  fail(frame.image->file, "frame " + std::to_string(frame.number) + " (the first is 0): " + what,
+StoredPicture picture_of(const DicomFrame& frame) {
+  return {*frame.image, frame.image->mosaic ? 0 : frame.number};
+}
+
+[[noreturn]] void fail_picture(const StoredPicture& picture, const std::string& what) {
+  fail(picture.image.file, "frame " + std::to_string(picture.number) + " (the first is 0): " + what,
        "export or copy the file again");
 }
 
-std::size_t frame_bytes(const DicomImage& image) {
-  return std::size_t{image.columns} * image.rows * sample_bytes(image.type);
-}
-
-DcmElement& pixel_element(DcmDataset& dataset, const DicomFrame& frame) {
-  const SampleType type = frame.image->type;
+DcmElement& pixel_element(DcmDataset& dataset, const StoredPicture& picture) {
+  const SampleType type = picture.image.type;
   const DcmTagKey key = type == SampleType::f32   ? DCM_FloatPixelData
                         : type == SampleType::f64 ? DCM_DoubleFloatPixelData
                                                   : DCM_PixelData;
   DcmElement* element = nullptr;
   if (dataset.findAndGetElement(key, element).bad() || element == nullptr)
-    fail_frame(frame, "the pixel data is missing");
+    fail_picture(picture, "the pixel data is missing");
   return *element;
 }
 
@@ -50,15 +57,15 @@ bool is_jpeg2000(E_TransferSyntax syntax) {
 // The fragments of compressed pixel data: after a table of offsets the frames, of one or more each.
 class Fragments {
  public:
-  Fragments(DcmDataset& dataset, DcmElement& element, const DicomFrame& frame)
-      : frame_(frame), frames_(frames(dataset)) {
+  Fragments(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture)
+      : picture_(picture), frames_(frames(dataset)) {
     auto* pixels = dynamic_cast<DcmPixelData*>(&element);
     E_TransferSyntax syntax = EXS_Unknown;
     const DcmRepresentationParameter* parameter = nullptr;
     if (pixels != nullptr) pixels->getOriginalRepresentationKey(syntax, parameter);
     if (pixels == nullptr ||
         pixels->getEncapsulatedRepresentation(syntax, parameter, sequence_).bad())
-      fail_frame(frame, "the compressed pixel data is missing");
+      fail_picture(picture, "the compressed pixel data is missing");
   }
 
   Uint32 end() const { return static_cast<Uint32>(sequence_->card()); }
@@ -74,15 +81,16 @@ class Fragments {
 
   /// All bytes of the frame.
   std::vector<std::uint8_t> bytes() {
-    const auto first = start(frame_.number);
-    const auto beyond = frame_.number + 1 < frames_ ? start(frame_.number + 1) : end();
-    if (!first || !beyond) fail_frame(frame_, "its part of the compressed pixel data is not told");
+    const auto first = start(picture_.number);
+    const auto beyond = picture_.number + 1 < frames_ ? start(picture_.number + 1) : end();
+    if (!first || !beyond)
+      fail_picture(picture_, "its part of the compressed pixel data is not told");
     std::vector<std::uint8_t> all;
     for (Uint32 i = *first; i < *beyond; ++i) {
       DcmPixelItem& item = at(i);
       Uint8* bytes = nullptr;
       if (item.getUint8Array(bytes).bad() || bytes == nullptr)
-        fail_frame(frame_, "the compressed pixel data ends early");
+        fail_picture(picture_, "the compressed pixel data ends early");
       all.insert(all.end(), bytes, bytes + item.getLength());
     }
     drop(*first, *beyond);
@@ -98,14 +106,25 @@ class Fragments {
   DcmPixelItem& at(unsigned long index) {
     DcmPixelItem* item = nullptr;
     if (sequence_->getItem(item, index).bad() || item == nullptr)
-      fail_frame(frame_, "the compressed pixel data ends early");
+      fail_picture(picture_, "the compressed pixel data ends early");
     return *item;
   }
 
-  const DicomFrame& frame_;
+  StoredPicture picture_;
   std::uint32_t frames_;
   DcmPixelSequence* sequence_ = nullptr;
 };
+
+// DCMTK puts the bytes of 16 bits in native order. Of longer samples the words of big-endian files
+// are then the wrong way round, and in files that call them bytes all is.
+void put_in_order(E_TransferSyntax syntax, DcmElement& element, std::size_t size,
+                  unsigned char* samples, std::size_t bytes) {
+  if (!DcmXfer(syntax).isBigEndian() || gLocalByteOrder == EBO_BigEndian) return;
+  const std::size_t unit = element.getVR() == EVR_OB ? 1 : 2;
+  for (std::size_t at = 0; at + size <= bytes; at += size)
+    for (std::size_t low = 0, high = size - unit; low < high; low += unit, high -= unit)
+      std::swap_ranges(samples + at + low, samples + at + low + unit, samples + at + high);
+}
 
 // Leaves of every sample its bits, and its sign above them.
 template <class Sample>
@@ -137,69 +156,110 @@ void cut_to_bits(const DicomImage& image, unsigned char* samples, std::size_t by
 DicomPixels::DicomPixels() = default;
 DicomPixels::~DicomPixels() = default;
 
-void DicomPixels::read_floats(DcmElement& element, const DicomFrame& frame) {
-  const std::uint64_t bytes = frame_bytes(*frame.image);
-  const std::uint64_t begin = frame.number * bytes;
+void DicomPixels::read_bytes(DcmElement& element, const StoredPicture& picture, std::uint64_t begin,
+                             std::uint64_t bytes) {
   if (begin + bytes > element.getLength() ||
       element
           .getPartialValue(decoded_.data(), static_cast<Uint32>(begin), static_cast<Uint32>(bytes))
           .bad())
-    fail_frame(frame, "the pixel data ends early");
+    fail_picture(picture, "the pixel data ends early");
 }
 
-void DicomPixels::read_jpeg2000(DcmDataset& dataset, DcmElement& element, const DicomFrame& frame) {
-  const DicomImage& image = *frame.image;
-  const auto stream = Fragments(dataset, element, frame).bytes();
-  const std::string damage = decode_jpeg2000(
-      stream, {image.columns, image.rows, static_cast<std::uint32_t>(sample_bytes(image.type))},
-      decoded_.data());
-  if (!damage.empty()) fail_frame(frame, damage);
+void DicomPixels::read_bits(DcmDataset& dataset, DcmElement& element,
+                            const StoredPicture& picture) {
+  if (is_encapsulated(dataset.getOriginalXfer()))
+    fail_picture(picture, "compressed samples of one bit, which are not read");
+  // Pictures follow each other without a gap, the lowest bit of a byte first.
+  const std::uint64_t count = std::uint64_t{picture.image.columns} * picture.image.rows;
+  const std::uint64_t first = picture.number * count;
+  read_bytes(element, picture, first / 8, (first + count + 7) / 8 - first / 8);
+  for (std::uint64_t i = count; i-- > 0;) {
+    const std::uint64_t bit = first % 8 + i;
+    decoded_[i] = decoded_[bit / 8] >> bit % 8 & 1;
+  }
 }
 
-void DicomPixels::read_frame(DcmDataset& dataset, DcmElement& element, const DicomFrame& frame) {
-  if (frame_bytes_by_header(element, dataset) != frame_bytes(*frame.image))
-    fail_frame(frame, "the pixel data has another size than the header says");
+void DicomPixels::read_jpeg2000(DcmDataset& dataset, DcmElement& element,
+                                const StoredPicture& picture) {
+  const DicomImage& image = picture.image;
+  const auto stream = Fragments(dataset, element, picture).bytes();
+  const std::uint32_t across = image.mosaic ? image.mosaic->across : 1;
+  const std::string damage = decode_jpeg2000(stream,
+                                             {across * image.columns, across * image.rows,
+                                              static_cast<std::uint32_t>(sample_bytes(image.type))},
+                                             decoded_.data());
+  if (!damage.empty()) fail_picture(picture, damage);
+}
+
+void DicomPixels::read_picture(DcmDataset& dataset, DcmElement& element,
+                               const StoredPicture& picture) {
+  if (frame_bytes_by_header(element, dataset) != picture_bytes(picture.image))
+    fail_picture(picture, "the pixel data has another size than the header says");
+  const E_TransferSyntax syntax = dataset.getOriginalXfer();
   std::optional<Fragments> fragments;
-  if (is_encapsulated(dataset.getOriginalXfer())) fragments.emplace(dataset, element, frame);
+  if (is_encapsulated(syntax)) fragments.emplace(dataset, element, picture);
   // Where the file does not tell where frames begin, that is found behind the one before.
   Uint32 fragment = 0;
-  if (frame.number == next_frame_)
+  if (picture.number == next_picture_)
     fragment = next_fragment_;
   else if (fragments)
-    fragment = fragments->start(frame.number).value_or(0);
+    fragment = fragments->start(picture.number).value_or(0);
   const Uint32 first = fragment;
   OFString color_model;
   const OFCondition result =
-      element.getUncompressedFrame(&dataset, frame.number, fragment, decoded_.data(),
+      element.getUncompressedFrame(&dataset, picture.number, fragment, decoded_.data(),
                                    static_cast<Uint32>(decoded_.size()), color_model);
   if (result.bad())
-    fail_frame(frame, std::string("the pixel data cannot be decoded (") + result.text() + ")");
+    fail_picture(picture, std::string("the pixel data cannot be decoded (") + result.text() + ")");
   if (fragments) fragments->drop(first, fragment);
-  next_frame_ = frame.number + 1;
+  next_picture_ = picture.number + 1;
   next_fragment_ = fragment;
+  if (!fragments)
+    put_in_order(syntax, element, sample_bytes(picture.image.type), decoded_.data(),
+                 decoded_.size());
+}
+
+void DicomPixels::decode(const StoredPicture& picture) {
+  if (!opened_) fail_picture(picture, "the file cannot be read to its end");
+  DcmDataset& dataset = *opened_->getDataset();
+  DcmElement& element = pixel_element(dataset, picture);
+  const DicomImage& image = picture.image;
+  const std::uint64_t bytes = picture_bytes(image);
+  // One more of bits, of which the first may be within a byte, and of what DCMTK pads.
+  decoded_.resize(std::max<std::uint64_t>(bytes + 1, std::uint64_t{image.columns} * image.rows));
+  if (is_floating(image.type))
+    read_bytes(element, picture, picture.number * bytes, bytes);
+  else if (image.is_of_bits)
+    read_bits(dataset, element, picture);
+  else if (is_jpeg2000(dataset.getOriginalXfer()))
+    read_jpeg2000(dataset, element, picture);
+  else
+    read_picture(dataset, element, picture);
+  if (!image.is_of_bits) cut_to_bits(image, decoded_.data(), bytes);
 }
 
 void DicomPixels::read(const DicomFrame& frame, void* samples) {
+  const StoredPicture picture = picture_of(frame);
+  const DicomImage& image = *frame.image;
   if (image_ != frame.image) {
-    opened_ = open_dicom_file(frame.image->file, Pixels::included);
+    opened_ = open_dicom_file(image.file, Pixels::included);
     image_ = frame.image;
-    next_frame_ = 0;
+    next_picture_ = 0;
     next_fragment_ = 0;
+    is_decoded_ = false;
   }
-  if (!opened_) fail_frame(frame, "the file cannot be read to its end");
-  DcmDataset& dataset = *opened_->getDataset();
-  DcmElement& element = pixel_element(dataset, frame);
-  const std::size_t bytes = frame_bytes(*frame.image);
-  decoded_.resize(bytes + bytes % 2);  // DCMTK pads frames to an even length
-  const E_TransferSyntax syntax = dataset.getOriginalXfer();
-  if (is_floating(frame.image->type))
-    read_floats(element, frame);
-  else if (is_jpeg2000(syntax))
-    read_jpeg2000(dataset, element, frame);
-  else
-    read_frame(dataset, element, frame);
-  cut_to_bits(*frame.image, decoded_.data(), bytes);
-  std::memcpy(samples, decoded_.data(), bytes);
+  if (!image.mosaic || !is_decoded_) decode(picture);
+  is_decoded_ = true;
+  const std::size_t row = std::size_t{image.columns} * sample_bytes(image.type);
+  if (!image.mosaic) {
+    std::memcpy(samples, decoded_.data(), image.rows * row);
+    return;
+  }
+  const std::size_t across = image.mosaic->across;
+  const unsigned char* from = decoded_.data() + frame.number / across * image.rows * across * row +
+                              frame.number % across * row;
+  for (std::size_t y = 0; y < image.rows; ++y)
+    std::memcpy(static_cast<unsigned char*>(samples) + y * row, from + y * across * row, row);
 }
 
 }  // namespace discmc::command

@@ -14,6 +14,8 @@ class DcmFileFormat;
 
 namespace discmc::command {
 
+struct StoredPicture;
+
 /// Reads frames, one at a time. The file of the last one stays open for the next.
 class DicomPixels {
  public:
@@ -26,15 +28,19 @@ class DicomPixels {
   void read(const DicomFrame& frame, void* samples);
 
  private:
-  // Into decoded_. DCMTK decodes all but JPEG 2000.
-  void read_floats(DcmElement& element, const DicomFrame& frame);
-  void read_jpeg2000(DcmDataset& dataset, DcmElement& element, const DicomFrame& frame);
-  void read_frame(DcmDataset& dataset, DcmElement& element, const DicomFrame& frame);
+  // Into decoded_, as the samples are stored. DCMTK decodes all but bits and JPEG 2000.
+  void decode(const StoredPicture& picture);
+  void read_bytes(DcmElement& element, const StoredPicture& picture, std::uint64_t begin,
+                  std::uint64_t bytes);
+  void read_bits(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture);
+  void read_jpeg2000(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture);
+  void read_picture(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture);
 
   std::unique_ptr<DcmFileFormat> opened_;
   std::shared_ptr<const DicomImage> image_;  ///< of the open file
-  std::uint32_t next_frame_ = 0;
+  std::uint32_t next_picture_ = 0;
   std::uint32_t next_fragment_ = 0;
+  bool is_decoded_ = false;  ///< the picture of the open file, if it is the only one
   std::vector<unsigned char> decoded_;
 };
 

@@ -1,20 +1,28 @@
 // DICOM: a file, or the files of a folder, whatever their names.
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "choice.hpp"
+#include "files.hpp"
 #include "image.hpp"
+#include "order.hpp"
 #include "pixels.hpp"
+#include "segmentation.hpp"
 #include "stack.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/packing.hpp"
+#include "volumes/unpacked_volume.hpp"
 
 namespace discmc::command {
 namespace {
 
 class DicomVolume final : public VolumeReader {
  public:
-  DicomVolume(const std::filesystem::path& source, VolumeInfo info, DicomStack stack)
+  DicomVolume(const std::filesystem::path& source, VolumeInfo info, std::vector<DicomFrame> stack)
       : source_(source),
         info_(std::move(info)),
         stack_(std::move(stack)),
@@ -56,7 +64,7 @@ class DicomVolume final : public VolumeReader {
 
   std::filesystem::path source_;
   VolumeInfo info_;
-  DicomStack stack_;
+  std::vector<DicomFrame> stack_;
   bool is_stored_;  ///< what is read is what is stored
   DicomPixels pixels_;
   std::vector<unsigned char> stored_;
@@ -68,10 +76,10 @@ void require_possible(const DicomImage& image) {
   constexpr std::uint64_t max_expansion = 16384;
   std::error_code error;
   const std::uint64_t file = std::filesystem::file_size(image.file, error);
-  const std::uint64_t frame = std::uint64_t{image.columns} * image.rows * sample_bytes(image.type);
-  if (!error && frame > file * (image.compression.empty() ? 1 : max_expansion))
+  const std::uint64_t picture = picture_bytes(image);
+  if (!error && picture > file * (image.compression.empty() ? 1 : max_expansion))
     fail(image.file,
-         "an image of " + std::to_string(frame) + " bytes cannot be in a file of " +
+         "an image of " + std::to_string(picture) + " bytes cannot be in a file of " +
              std::to_string(file),
          "export or copy the file again");
 }
@@ -79,17 +87,19 @@ void require_possible(const DicomImage& image) {
 struct Found {
   std::vector<DicomFrame> frames;
   std::size_t skipped = 0;
-  std::string instead;  ///< of one that was skipped
+  NoSlices instead;  ///< of one that was skipped
+  bool is_directory = false;
 };
 
 Found find_frames(const std::vector<std::filesystem::path>& files) {
   Found found;
   for (const auto& file : files) {
     DicomContent content = dicom_content(file);
-    found.frames.insert(found.frames.end(), content.frames.begin(), content.frames.end());
-    if (!content.frames.empty()) continue;
+    found.is_directory = found.is_directory || content.is_directory;
+    std::move(content.frames.begin(), content.frames.end(), std::back_inserter(found.frames));
+    if (!content.instead || content.is_directory) continue;
     ++found.skipped;
-    if (found.instead.empty()) found.instead = std::move(content.instead);
+    if (!found.instead) found.instead = std::move(content.instead);
   }
   return found;
 }
@@ -106,30 +116,89 @@ bool have_same_pixels(const DicomFrame& a, const DicomFrame& b) {
   return of_a == of_b && a.slope == b.slope && a.intercept == b.intercept;
 }
 
+[[noreturn]] void fail_empty(const std::filesystem::path& source, const Found& found,
+                             std::size_t files) {
+  if (!found.instead)
+    fail(source, "the DICOMDIR has no image beside it", "copy the folder with all that is in it");
+  fail(source,
+       files == 1 ? "this is " + found.instead.what
+                  : "none of " + std::to_string(files) +
+                        " DICOM files holds an image to read; the first is " + found.instead.what,
+       found.instead.remedy);
+}
+
+std::unique_ptr<VolumeReader> open_stack(const std::filesystem::path& source,
+                                         const ChosenStack& chosen, const VolumeOptions& options,
+                                         std::vector<std::string> notes) {
+  const DicomStack& stack = *chosen.stack;
+  for (const DicomFrame& frame : stack.frames) require_possible(*frame.image);
+  if (!stack.order.empty())
+    notes.push_back("slices in one place are told apart by their order alone: " + stack.order);
+  VolumeInfo info;
+  for (const std::string& each : notes) note(info, each);
+  if (stack.image().segments)
+    return open_segmentation(source, stack.frames, std::move(info), options);
+  std::vector<DicomFrame> frames = stack.frames;
+  order_stack(source, frames, have_same_pixels, options, info);
+  info.frames = chosen.among;
+  if (frames.size() == 1) note(info, "one slice; to take a whole series give its folder");
+  return std::make_unique<DicomVolume>(source, std::move(info), std::move(frames));
+}
+
+void require_file(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::exists(file, error)) return;
+  const auto target = std::filesystem::read_symlink(file, error);
+  if (error) fail(file, "there is no such file", "check the name");
+  fail(file, "the link leads nowhere, to " + shown(target.string()), "copy what it should lead to");
+}
+
+bool is_packed(const std::filesystem::path& file) {
+  return packing_of_name(file).has_value();
+}
+
+// Unpacks those of the files that are packed into a folder, and returns where all of them are.
+std::vector<std::filesystem::path> unpacked_files(const std::filesystem::path& source,
+                                                  std::vector<std::filesystem::path> files,
+                                                  const std::filesystem::path& folder) {
+  std::error_code ignored;
+  const auto base = std::filesystem::is_directory(source, ignored) ? source : source.parent_path();
+  for (auto& file : files) {
+    if (!is_packed(file)) continue;
+    const auto unpacked = folder / without_packing(file).lexically_relative(base);
+    ByteStream stream = open_content(file);
+    unpack(stream, unpacked);
+    file = unpacked;
+  }
+  return files;
+}
+
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
                                          const std::vector<std::filesystem::path>& files,
                                          const VolumeOptions& options,
                                          const std::vector<std::string>& notes) {
+  for (const auto& file : files) require_file(file);
+  const auto packed = std::find_if(files.begin(), files.end(), is_packed);
+  if (packed != files.end())
+    return unpacked_volume(source, name(*packing_of_name(*packed)), [&](const auto& folder) {
+      return open_dicom(source, unpacked_files(source, files, folder), options, notes);
+    });
   const Found found = find_frames(files);
-  if (found.frames.empty())
-    fail(source,
-         files.size() == 1
-             ? "this is " + found.instead
-             : "none of " + std::to_string(files.size()) +
-                   " DICOM files holds an image to read; the first is " + found.instead,
-         "give the images of a CT, an MRI or the like, one grey value a voxel");
-  DicomStack stack = chosen_stack(source, dicom_stacks(found.frames), options.series);
-  VolumeInfo info = order_stack(source, stack, have_same_pixels, options.allow_gaps);
-  info.notes.insert(info.notes.begin(), notes.begin(), notes.end());
-  for (const DicomFrame& frame : stack) require_possible(*frame.image);
+  if (found.is_directory && files.size() == 1) {
+    const auto folder = std::filesystem::absolute(files[0]).parent_path();
+    const auto beside = dicom_files(folder);
+    if (beside.size() > 1) return open_dicom(source, beside, options, notes);
+  }
+  if (found.frames.empty()) fail_empty(source, found, files.size());
+  const DicomSorting sorting = {options.order == SliceOrder::position, options.merges_series};
+  const std::vector<DicomStack> stacks = dicom_stacks(found.frames, sorting);
+  std::vector<std::string> all_notes = notes;
   if (found.skipped > 0)
-    info.notes.push_back(std::to_string(found.skipped) +
-                         " files without a volume's image skipped, such as " + found.instead);
-  if (files.size() == 1 && stack.size() == 1)
-    info.notes.emplace_back("one slice; to take a whole series give its folder");
-  return std::make_unique<DicomVolume>(source, std::move(info), std::move(stack));
+    all_notes.push_back(std::to_string(found.skipped) + (found.skipped == 1 ? " file" : " files") +
+                        " without a volume's image skipped, such as " + found.instead.what);
+  return open_stack(source, chosen_stack(source, stacks, options), options, std::move(all_notes));
 }
 
 }  // namespace discmc::command

@@ -1,40 +1,44 @@
-// DICOM frames that make a volume: found among many, put in order, and checked.
+// DICOM frames that make a volume, found among many.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_STACK_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_STACK_HPP
 
-#include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "image.hpp"
-#include "volumes/volume.hpp"
 
 namespace discmc::command {
 
-/// Frames of one series, of one size, sample type and direction.
-using DicomStack = std::vector<DicomFrame>;
+/// Frames of one volume.
+struct DicomStack {
+  std::vector<DicomFrame> frames;
+  /// What tells it apart from others of its series, for people: ", echo time 4.6 ms".
+  std::string distinction = {};
+  /// Where no element does, but an order: "number 2 by trigger time".
+  std::string order = {};
 
-/// Returns the stacks of all frames, by the numbers of their series.
-std::vector<DicomStack> dicom_stacks(const std::vector<DicomFrame>& frames);
+  const DicomImage& image() const { return *frames[0].image; }
+};
 
-/// Returns the stack of the series, given by its UID or by its place in the list, from 1; of one
-/// stack also without. Throws VolumeError, with the list, where none is meant or several are.
-const DicomStack& chosen_stack(const std::filesystem::path& source,
-                               const std::vector<DicomStack>& stacks, const std::string& series);
+/// How to find the volumes of many frames.
+struct DicomSorting {
+  /// Whether a position is of one slice in each volume; otherwise positions are not looked at.
+  bool is_by_position = true;
+  /// Whether slices are of one volume whatever their series.
+  bool merges_series = false;
+};
 
-/// Whether one slope and intercept is of all frames.
-bool have_one_scale(const DicomStack& stack);
+/// Returns the stacks of all frames, by the numbers of their series. A stack is of one series, of
+/// one size, sample type and direction, and of one kernel and kind of image. Where slices lie in
+/// the same place, those are of one stack that have a time, an echo, or another trait in common.
+std::vector<DicomStack> dicom_stacks(const std::vector<DicomFrame>& frames,
+                                     const DicomSorting& sorting);
 
-/// Whether two frames have the same pixels.
-using SamePixels = std::function<bool(const DicomFrame&, const DicomFrame&)>;
+/// Whether two frames, both with a place or both without, have the same directions.
+bool have_one_direction(const DicomFrame& a, const DicomFrame& b);
 
-/// Puts the frames in the order of their positions along the normal, each position once, and
-/// describes the volume that they are. allow_gaps: missing slices are filled with the nearest ones.
-/// Throws VolumeError where slices are missing otherwise, are not as far from each other
-/// everywhere, or are shifted against each other.
-VolumeInfo order_stack(const std::filesystem::path& source, DicomStack& stack,
-                       const SamePixels& same_pixels, bool allow_gaps);
+/// For messages: the name of the file, and the number of the frame in it.
+std::string name_of(const DicomFrame& frame);
 
 }  // namespace discmc::command
 

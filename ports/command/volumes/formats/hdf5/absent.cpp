@@ -1,5 +1,5 @@
 // In place of the reader, where it was built without its library.
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
 
 namespace discmc::command {
 

@@ -4,8 +4,9 @@
 #include <functional>
 #include <numeric>
 
+#include "filters.hpp"
 #include "sources.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -106,51 +107,21 @@ Hdf5Description described(const Hdf5Handle& dataset, const std::string& path) {
   return found;
 }
 
-herr_t collect_path(hid_t, const char* path, const H5O_info_t* object, void* paths) {
-  if (object->type == H5O_TYPE_DATASET)
-    static_cast<std::vector<std::string>*>(paths)->push_back(std::string("/") + path);
-  return 0;
-}
-
-// Throws where the library cannot unpack what a filter has packed; returns the filters' names.
-std::string filters_of(const std::filesystem::path& name, const Hdf5Handle& creation) {
-  std::string names;
-  for (int i = 0; i < H5Pget_nfilters(creation.id()); ++i) {
-    char text[64] = {};
-    unsigned flags = 0;
-    std::size_t no_values = 0;
-    const H5Z_filter_t filter = H5Pget_filter2(creation.id(), static_cast<unsigned>(i), &flags,
-                                               &no_values, nullptr, sizeof text, text, nullptr);
-    if (H5Zfilter_avail(filter) <= 0)
-      fail(name,
-           "its samples are packed by filter " + std::to_string(filter) +
-               " of HDF5, which is not here",
-           std::string(loads_plugins ? "install it, on Debian hdf5-filter-plugin or "
-                                       "hdf5-filter-plugin-blosc-serial, or "
-                                     : "") +
-               "unpack the file with h5repack -f NONE");
-    names +=
-        (names.empty() ? "" : ", ") + std::string(filter == H5Z_FILTER_DEFLATE ? "gzip" : text);
-  }
-  return names;
-}
-
 std::uint64_t product(const std::vector<hsize_t>& factors) {
   return std::accumulate(factors.begin(), factors.end(), std::uint64_t{1}, std::multiplies<>());
 }
 
-// A cache for all chunks that a slice goes through. Where these are as small as voxels, and more
-// than there is room to list, that of the library.
-Hdf5Handle cache_of_slice(const Hdf5Handle& dataset) {
+// A cache for all chunks that a region goes through, of so many samples along each axis. Where
+// these are as small as voxels, and more than there is room to list, that of the library.
+Hdf5Handle cache_of(const Hdf5Handle& dataset, const Hdf5Region& region) {
   Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
   const Hdf5Handle creation = creation_of(dataset);
   if (H5Pget_layout(creation.id()) != H5D_CHUNKED) return access;
-  const std::vector<hsize_t> sizes = sizes_of(dataset);
-  std::vector<hsize_t> chunk(sizes.size());
+  std::vector<hsize_t> chunk(region.size());
   H5Pget_chunk(creation.id(), static_cast<int>(chunk.size()), chunk.data());
-  std::vector<hsize_t> counts(chunk.size(), 1);
-  for (std::size_t axis = sizes.size() - 2; axis < sizes.size(); ++axis)
-    counts[axis] = (sizes[axis] + chunk[axis] - 1) / chunk[axis];
+  std::vector<hsize_t> counts(chunk.size());
+  for (std::size_t axis = 0; axis < counts.size(); ++axis)
+    counts[axis] = (region[axis] + chunk[axis] - 1) / chunk[axis];
   const std::uint64_t chunks = product(counts);
   constexpr std::uint64_t max_chunks = std::uint64_t{1} << 20;
   if (chunks > max_chunks) return access;
@@ -158,17 +129,6 @@ Hdf5Handle cache_of_slice(const Hdf5Handle& dataset) {
   constexpr std::size_t slots_a_chunk = 10;  // so that few chunks want the same place
   H5Pset_chunk_cache(access.id(), slots_a_chunk * chunks + 1, bytes, 1.0);
   return access;
-}
-
-// Opened twice: only then is known what to keep, and what is open already keeps its cache.
-Hdf5Handle open_dataset(const Hdf5Handle& file, const std::string& path) {
-  Hdf5Handle access(H5I_INVALID_HID, H5Pclose);
-  {
-    const Hdf5Handle dataset(H5Dopen2(file.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!dataset || sizes_of(dataset).size() < 2) return {H5I_INVALID_HID, H5Dclose};
-    access = cache_of_slice(dataset);
-  }
-  return {H5Dopen2(file.id(), path.c_str(), access.id()), H5Dclose};
 }
 
 }  // namespace
@@ -183,6 +143,7 @@ Hdf5Handle file_access() {
 
 Hdf5Handle open_hdf5_file(const std::filesystem::path& file) {
   be_silent();
+  register_hdf5_filters();
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     fail(file, "there is no such file", "check the name");
@@ -193,38 +154,54 @@ Hdf5Handle open_hdf5_file(const std::filesystem::path& file) {
   return opened;
 }
 
-std::vector<Hdf5Description> hdf5_datasets(const Hdf5Handle& file) {
-  std::vector<std::string> paths;
-  H5Ovisit(file.id(), H5_INDEX_NAME, H5_ITER_INC, collect_path, &paths);
-  std::vector<Hdf5Description> found;
-  for (const std::string& path : paths) {
-    const Hdf5Handle dataset(H5Dopen2(file.id(), path.c_str(), H5P_DEFAULT), H5Dclose);
-    if (!dataset) continue;
-    Hdf5Description description = described(dataset, path);
-    if (description.type && description.sizes.size() >= 2) found.push_back(std::move(description));
-  }
-  return found;
+std::optional<Hdf5Description> description_of(const Hdf5Handle& object, const std::string& path) {
+  if (H5Iget_type(object.id()) != H5I_DATASET) return std::nullopt;
+  Hdf5Description description = described(object, path);
+  if (!description.type || description.sizes.size() < 2) return std::nullopt;
+  return description;
 }
 
 Hdf5Dataset::Hdf5Dataset(const std::filesystem::path& name, const Hdf5Handle& file,
                          const std::string& path)
-    : dataset_(open_dataset(file, path)) {
-  if (!dataset_)
-    fail(name, "there is no dataset " + shown(path) + " of two or more dimensions",
-         "list them with h5ls -r");
+    : dataset_(H5Dopen2(file.id(), path.c_str(), H5P_DEFAULT), H5Dclose) {
   description_ = described(dataset_, path);
-  if (!description_.type)
-    fail(name, "the dataset holds other things than numbers", "give one of numbers");
   const Hdf5Handle creation = creation_of(dataset_);
   const H5D_layout_t layout = H5Pget_layout(creation.id());
+  is_chunked_ = layout == H5D_CHUNKED;
   is_virtual_ = layout == H5D_VIRTUAL || H5Pget_external_count(creation.id()) > 0;
   file_ = file_of(dataset_);
   if (const auto missing = missing_source(dataset_))
     fail(name, "it takes samples from the file " + shown(*missing) + ", which is not there",
          "copy it to the folder of " + shown(file_.filename().string()));
-  storage_ = filters_of(name, creation);
+  storage_ = hdf5_filters(name, path, creation);
   if (storage_.empty())
     storage_ = is_virtual_ ? "virtual" : layout == H5D_CHUNKED ? "chunks" : "raw";
+}
+
+void Hdf5Dataset::expect(const Hdf5Handle& file, const Hdf5Region& region) {
+  const Hdf5Handle access = cache_of(dataset_, region);
+  // What is open keeps the cache it has.
+  dataset_ = Hdf5Handle(H5I_INVALID_HID, H5Dclose);
+  dataset_ = {H5Dopen2(file.id(), description_.path.c_str(), access.id()), H5Dclose};
+}
+
+std::optional<std::string> Hdf5Dataset::text(const char* attribute) const {
+  if (H5Aexists(dataset_.id(), attribute) <= 0) return std::nullopt;
+  const Hdf5Handle opened(H5Aopen(dataset_.id(), attribute, H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(H5Aget_type(opened.id()), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(opened.id()), H5Sclose);
+  if (H5Tget_class(type.id()) != H5T_STRING || H5Sget_simple_extent_npoints(space.id()) != 1)
+    return std::nullopt;
+  if (H5Tis_variable_str(type.id()) <= 0) {
+    std::string text(H5Tget_size(type.id()), '\0');
+    if (H5Aread(opened.id(), type.id(), text.data()) < 0) return std::nullopt;
+    return text.substr(0, text.find('\0'));
+  }
+  char* text = nullptr;
+  if (H5Aread(opened.id(), type.id(), &text) < 0 || text == nullptr) return std::nullopt;
+  std::string copy = text;
+  H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, &text);
+  return copy;
 }
 
 std::optional<std::array<double, 3>> Hdf5Dataset::element_size_um() const {
@@ -238,23 +215,14 @@ std::optional<std::array<double, 3>> Hdf5Dataset::element_size_um() const {
   return size;
 }
 
-bool Hdf5Dataset::read_slice(std::uint64_t frame, std::uint32_t z, void* samples) const {
+bool Hdf5Dataset::read(const Hdf5Region& first, const Hdf5Region& count, void* samples) const {
   be_silent();  // slices are read by one thread or another
-  const std::vector<hsize_t> sizes = sizes_of(dataset_);
-  const std::size_t axes = sizes.size();
-  std::vector<hsize_t> first(axes, 0);
-  std::vector<hsize_t> count(axes, 1);
-  std::copy(sizes.end() - 2, sizes.end(), count.end() - 2);
-  if (axes > 2) first[axes - 3] = z;
-  for (std::size_t axis = axes > 3 ? axes - 3 : 0; axis-- > 0;) {
-    first[axis] = frame % sizes[axis];
-    frame /= sizes[axis];
-  }
   const Hdf5Handle space = space_of(dataset_);
-  const Hdf5Handle slice(H5Screate_simple(2, count.data() + axes - 2, nullptr), H5Sclose);
+  const Hdf5Handle region(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+                          H5Sclose);
   return H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(),
                              nullptr) >= 0 &&
-         H5Dread(dataset_.id(), memory_type_of(*description_.type), slice.id(), space.id(),
+         H5Dread(dataset_.id(), memory_type_of(*description_.type), region.id(), space.id(),
                  H5P_DEFAULT, samples) >= 0;
 }
 

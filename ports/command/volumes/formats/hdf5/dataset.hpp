@@ -1,4 +1,4 @@
-// The datasets of an HDF5 file, and one of them, slice by slice.
+// A dataset of an HDF5 file.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_DATASET_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_DATASET_HPP
 
@@ -28,34 +28,45 @@ Hdf5Handle file_access();
 /// Returns the file, open for reading. Throws VolumeError.
 Hdf5Handle open_hdf5_file(const std::filesystem::path& file);
 
-/// Returns the datasets of numbers that have at least two dimensions, by their paths.
-std::vector<Hdf5Description> hdf5_datasets(const Hdf5Handle& file);
+/// Returns what an object is, if it is a dataset of numbers with at least two dimensions.
+std::optional<Hdf5Description> description_of(const Hdf5Handle& object, const std::string& path);
 
-/// A dataset. Its chunks, where it has any, are unpacked once if slices are read in their order:
-/// the library keeps all those that a slice goes through.
+/// A number an axis.
+using Hdf5Region = std::vector<hsize_t>;
+
 class Hdf5Dataset {
  public:
-  /// Throws VolumeError where there is none of this path, or something else.
+  /// Throws VolumeError where it cannot be read. Limit: there is a dataset of this path and of
+  /// numbers.
   Hdf5Dataset(const std::filesystem::path& name, const Hdf5Handle& file, const std::string& path);
 
   const Hdf5Description& description() const { return description_; }
   /// How it is stored, for people: "raw", "chunks", or the filters that have packed it.
   const std::string& storage() const { return storage_; }
+  bool is_chunked() const { return is_chunked_; }
   /// Whether its samples are in other files.
   bool is_virtual() const { return is_virtual_; }
   /// That it is in, which is another one behind an external link.
   const std::filesystem::path& file() const { return file_; }
-  /// Its attribute `element_size_um`, along z, y and x, if there is one. Units: micrometres.
+  /// Its attribute `element_size_um`, along the three axes of space as they are stored, if there is
+  /// one. Units: micrometres.
   std::optional<std::array<double, 3>> element_size_um() const;
+  /// An attribute that is a text.
+  std::optional<std::string> text(const char* attribute) const;
 
-  /// Reads slice z of the volume `frame` of those in it. Size: width x height samples of the type.
-  /// Returns whether they could be read.
-  bool read_slice(std::uint64_t frame, std::uint32_t z, void* samples) const;
+  /// Keeps all chunks that a region of so many samples along each axis goes through, so that each
+  /// is unpacked once where such regions are read in their order. file: that it was opened from.
+  void expect(const Hdf5Handle& file, const Hdf5Region& region);
+
+  /// Reads a region of so many samples along each axis. Size: as many samples of the type. Returns
+  /// whether they could be read.
+  bool read(const Hdf5Region& first, const Hdf5Region& count, void* samples) const;
 
  private:
   Hdf5Description description_;
   Hdf5Handle dataset_;
   std::string storage_;
+  bool is_chunked_ = false;
   bool is_virtual_ = false;
   std::filesystem::path file_;
 };

@@ -1,88 +1,130 @@
 // HDF5, https://docs.hdfgroup.org/hdf5/: many arrays in a file, of which one is the volume.
 #include <algorithm>
-#include <cstring>
-#include <iterator>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "dataset.hpp"
-#include "name.hpp"
+#include "links.hpp"
 #include "text/control_character.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/array_layout.hpp"
+#include "volumes/array_name.hpp"
+#include "volumes/filters/turned_volume.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/told_place.hpp"
+
+#ifdef DISCMC_WITH_JSON
+#include <nlohmann/json.hpp>
+#endif
 
 namespace discmc::command {
 namespace {
 
-class Hdf5Volume final : public VolumeReader {
+// Regions along an axis of the array, one after the other.
+class Hdf5Blocks final : public VolumeReader {
  public:
-  Hdf5Volume(std::filesystem::path name, VolumeInfo info, Hdf5Dataset dataset, std::uint64_t frame)
+  /// info: its slices are the regions. first, count: the first region, and how far each goes. axis:
+  /// along which the next one lies.
+  Hdf5Blocks(std::filesystem::path name, VolumeInfo info, Hdf5Dataset dataset, Hdf5Region first,
+             Hdf5Region count, std::size_t axis)
       : name_(std::move(name)),
         info_(std::move(info)),
         dataset_(std::move(dataset)),
-        frame_(frame) {}
+        first_(std::move(first)),
+        count_(std::move(count)),
+        axis_(axis) {}
 
   const VolumeInfo& info() const override { return info_; }
 
   void read_slice(void* samples) override {
-    require_slice_left(name_, slice_, info_.dims[2]);
-    if (!dataset_.read_slice(frame_, slice_, samples))
+    require_slice_left(name_, next_, info_.dims[2]);
+    if (!dataset_.read(first_, count_, samples))
       fail(name_,
-           "slice " + std::to_string(slice_) + " (the first is 0) of " +
+           "slice " + std::to_string(next_) + " (the first is 0) of " +
                std::to_string(info_.dims[2]) + " cannot be read: it is damaged or not there",
            "copy or export the file again");
-    ++slice_;
+    go_on();
   }
 
   void skip_slice() override {
-    require_slice_left(name_, slice_, info_.dims[2]);
-    ++slice_;
+    require_slice_left(name_, next_, info_.dims[2]);
+    go_on();
   }
 
  private:
+  void go_on() {
+    ++next_;
+    ++first_[axis_];
+  }
+
   std::filesystem::path name_;
   VolumeInfo info_;
   Hdf5Dataset dataset_;
-  std::uint64_t frame_;
-  std::uint32_t slice_ = 0;
+  Hdf5Region first_, count_;
+  std::size_t axis_;
+  std::uint32_t next_ = 0;
 };
 
-// "/exchange/data (512 x 512 x 100)", with x first.
-std::string listed(const Hdf5Description& dataset) {
-  std::string text;
-  for (auto size = dataset.sizes.rbegin(); size != dataset.sizes.rend(); ++size)
-    text += (text.empty() ? "" : " x ") + std::to_string(*size);
-  return without_control(dataset.path) + " (" + text + ")";
+// Of whom the arrays of a file are that are no volumes as they are.
+void require_plain(const std::filesystem::path& name,
+                   const std::vector<Hdf5Description>& datasets) {
+  const auto holds = [&datasets](std::string_view begin) {
+    return std::any_of(datasets.begin(), datasets.end(), [begin](const Hdf5Description& dataset) {
+      return dataset.path.compare(0, begin.size(), begin) == 0;
+    });
+  };
+  if (holds("/minc-2.0/"))
+    fail(name, "this is MINC, which scales every slice in a way of its own",
+         "convert it with mnc2nii");
+  if (holds("/DataSet/ResolutionLevel"))
+    fail(name, "this is Imaris, which fills its arrays up with samples that are none",
+         "convert it, e.g. with: bioformats2raw FILE OUT.zarr");
 }
 
-std::string list_of(const std::vector<Hdf5Description>& datasets) {
-  constexpr std::size_t max_listed = 10;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(datasets.size(), max_listed); ++i)
-    text += (i > 0 ? ", " : "") + listed(datasets[i]);
-  return text + (datasets.size() > max_listed ? ", ..." : "");
+// What MATLAB keeps for itself is none.
+std::vector<NamedArray> arrays_of(const std::vector<Hdf5Description>& datasets) {
+  std::vector<NamedArray> arrays;
+  for (const Hdf5Description& dataset : datasets)
+    if (dataset.path.compare(0, 2, "/#") != 0) arrays.push_back({dataset.path, dataset.sizes});
+  return arrays;
 }
 
-// Stored values mean nothing without the scale of each slice.
-bool is_minc(const std::vector<Hdf5Description>& datasets) {
-  return std::any_of(datasets.begin(), datasets.end(), [](const Hdf5Description& dataset) {
-    return dataset.path.rfind("/minc-2.0/", 0) == 0;
-  });
+std::string list_of(const std::vector<std::string>& links) {
+  return links.front() +
+         (links.size() > 1 ? " and " + std::to_string(links.size() - 1) + " more" : "");
 }
 
-// The only one of three dimensions or more, or else of two.
-std::string chosen_path(const std::filesystem::path& file,
-                        const std::vector<Hdf5Description>& datasets) {
-  std::vector<Hdf5Description> volumes;
-  std::copy_if(datasets.begin(), datasets.end(), std::back_inserter(volumes),
-               [](const Hdf5Description& dataset) { return dataset.sizes.size() >= 3; });
-  if (volumes.empty()) volumes = datasets;
-  if (volumes.empty())
-    fail(file, "the file holds no array of numbers with two or more dimensions",
-         "give one that holds a volume");
-  if (volumes.size() > 1)
-    fail(file, "the file holds " + std::to_string(volumes.size()) + " arrays: " + list_of(volumes),
-         "choose one by its name behind that of the file, as in " + file.filename().string() + ":" +
-             without_control(volumes.front().path));
-  return volumes.front().path;
+// The path of the array that is asked for, or else of the only one.
+std::string path_of(const std::filesystem::path& name, const Hdf5Handle& file,
+                    const Hdf5Contents& contents) {
+  const std::string asked = array_name(name).array;
+  const std::vector<NamedArray> arrays = arrays_of(contents.datasets);
+  if (!asked.empty()) {
+    const Hdf5Handle object(H5Oopen(file.id(), asked.c_str(), H5P_DEFAULT), H5Oclose);
+    if (!object || !description_of(object, asked)) fail_no_array(name, asked, arrays);
+    return asked;
+  }
+  if (arrays.empty() && !contents.dead_links.empty())
+    fail(name, "its links lead to what is not there: " + list_of(contents.dead_links),
+         "copy the files to its folder");
+  return only_array(name, arrays);
+}
+
+// The axes as ilastik and vigra tell them, in JSON: [{"key": "z", ...}, ...].
+std::string letters_of(const Hdf5Dataset& dataset) {
+  std::string letters;
+#ifdef DISCMC_WITH_JSON
+  const auto tags = nlohmann::json::parse(dataset.text("axistags").value_or(""), nullptr, false);
+  if (!tags.is_object() || !tags.contains("axes")) return letters;
+  for (const auto& axis : tags["axes"]) {
+    const auto key = axis.is_object() ? axis.value("key", nlohmann::json()) : nlohmann::json();
+    letters += key.is_string() ? key.get<std::string>() : "?";
+  }
+  const bool is_known = letters.size() == dataset.description().sizes.size() &&
+                        letters.find_first_not_of("tczyx") == std::string::npos;
+  if (!is_known) letters.clear();
+#endif
+  return letters;
 }
 
 // Small files may claim large slices: what is unpacked of a byte has a limit.
@@ -97,37 +139,68 @@ void require_possible(const std::filesystem::path& file, const VolumeInfo& info)
          "export or copy the file again");
 }
 
-void take_spacing(VolumeInfo& info, const Hdf5Dataset& dataset) {
+// What it tells is for the three axes of space as they are stored; an image may lack the first.
+ToldPlace place_of(const Hdf5Dataset& dataset, const ArrayLayout& layout) {
+  ToldPlace told;
+  told.set_unit("um");
   const auto size = dataset.element_size_um();
-  if (size)
-    set_spacing(info, {(*size)[2] / 1000, (*size)[1] / 1000, (*size)[0] / 1000});
-  else
-    info.notes.emplace_back(no_spacing_note);
+  const std::string order = layout.order();
+  for (std::size_t i = 0; size && i < order.size(); ++i)
+    told.spacing[static_cast<std::size_t>(order[i] - 'x')] = (*size)[3 - order.size() + i];
+  return told;
+}
+
+// By slices, or where the samples of one are far from each other, by regions along the slowest
+// axis.
+std::unique_ptr<VolumeReader> volume_of(const std::filesystem::path& name, VolumeInfo info,
+                                        Hdf5Dataset dataset, const Hdf5Handle& file,
+                                        const ArrayLayout& layout) {
+  BlockLayout blocks;
+  if (layout.axes[2] && !dataset.is_chunked())
+    blocks.block_axis = static_cast<std::size_t>(layout.order().front() - 'x');
+  std::size_t row = blocks.block_axis == 0 ? 1 : 0;
+  std::size_t column = 3 - blocks.block_axis - row;
+  if (*layout.axes[row] > *layout.axes[column]) std::swap(row, column);
+  blocks.strides[row] = info.dims[column];
+  blocks.strides[column] = 1;
+
+  Hdf5Region first(layout.first.begin(), layout.first.end());
+  Hdf5Region count(first.size(), 1);
+  count[*layout.axes[row]] = info.dims[row];
+  count[*layout.axes[column]] = info.dims[column];
+  dataset.expect(file, count);
+  VolumeInfo of_blocks = info;
+  of_blocks.dims = {info.dims[column], info.dims[row], info.dims[blocks.block_axis]};
+  // An image is one block.
+  const std::size_t axis = layout.axes[blocks.block_axis].value_or(0);
+  auto reader = std::make_unique<Hdf5Blocks>(name, std::move(of_blocks), std::move(dataset),
+                                             std::move(first), std::move(count), axis);
+  if (blocks.block_axis == 2 && column == 0) return reader;
+  return turned(std::move(info), std::move(reader), blocks, name);
 }
 
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
                                         const VolumeOptions& options) {
-  const Hdf5Name parts = hdf5_name(name);
-  if (is_read_once(parts.file)) fail(name, "HDF5 is not read from a pipe", "store it in a file");
-  const Hdf5Handle file = open_hdf5_file(parts.file);
-  const auto datasets = hdf5_datasets(file);
-  if (is_minc(datasets))
-    fail(name, "this is MINC, which scales every slice in a way of its own",
-         "convert it with mnc2nii");
-  Hdf5Dataset dataset(name, file,
-                      parts.dataset.empty() ? chosen_path(name, datasets) : parts.dataset);
+  const std::filesystem::path path = array_name(name).file;
+  if (is_read_once(path)) fail(name, "HDF5 is not read from a pipe", "store it in a file");
+  const Hdf5Handle file = open_hdf5_file(path);
+  const Hdf5Contents contents = hdf5_contents(file);
+  require_plain(name, contents.datasets);
+  Hdf5Dataset dataset(name, file, path_of(name, file, contents));
   VolumeInfo info;
   info.type = *dataset.description().type;
   info.format = "HDF5, " + without_control(dataset.description().path) + ", " + dataset.storage();
-  std::vector<std::int64_t> sizes = dataset.description().sizes;
-  std::reverse(sizes.begin(), sizes.end());
-  set_dims(info, name, sizes, options);
+  if (!contents.dead_links.empty())
+    note(info, "links that lead nowhere: " + list_of(contents.dead_links));
+  const ArrayLayout layout =
+      take_array(info, name, {dataset.description().sizes, letters_of(dataset)}, options);
+  if (dataset.text("MATLAB_class") && options.axes.empty())
+    note(info, "an array of MATLAB: its first index is taken as x; if that is y, give --axes zxy");
   if (!dataset.is_virtual()) require_possible(dataset.file(), info);
-  take_spacing(info, dataset);
-  return std::make_unique<Hdf5Volume>(name, std::move(info), std::move(dataset),
-                                      options.frame.value_or(0));
+  set_place(info, place_of(dataset, layout), options);
+  return volume_of(name, std::move(info), std::move(dataset), file, layout);
 }
 
 }  // namespace discmc::command

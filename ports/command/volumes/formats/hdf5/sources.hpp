@@ -10,7 +10,7 @@
 
 namespace discmc::command {
 
-/// Returns the file that a dataset is in: another one than was opened where a link leads there.
+/// Returns the file that an object is in: another one than was opened where a link leads there.
 std::filesystem::path file_of(const Hdf5Handle& dataset);
 
 /// Returns the name of a file that a virtual dataset takes samples from, and that is not there: the

@@ -11,30 +11,35 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <locale>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
+#include "label_extension.hpp"
+#include "text/words.hpp"
 #include "types.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/header_bytes.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
 
 static_assert(sizeof(nifti_1_header) == 348 && sizeof(nifti_2_header) == 540, "as in the file");
 
-std::filesystem::path without_gz(std::filesystem::path file) {
-  return lower(file.extension().string()) == ".gz" ? file.replace_extension() : file;
-}
-
-// Returns the other file of a pair: a.img or a.img.gz for a.hdr, and the other way round.
+// Returns the other file of a pair: a.img or a packed one, such as a.img.gz, for a.hdr, and the
+// other way round.
 std::filesystem::path partner(const std::filesystem::path& asked, const char* extension) {
-  std::filesystem::path file = without_gz(asked).replace_extension(extension);
-  std::error_code ignored;
-  if (std::filesystem::exists(file, ignored)) return file;
-  file += ".gz";
-  if (std::filesystem::exists(file, ignored)) return file;
+  const std::filesystem::path file = without_packing(asked).replace_extension(extension);
+  for (const std::string_view ending : packed_endings) {
+    std::filesystem::path packed = file;
+    packed += ending;
+    std::error_code ignored;
+    if (std::filesystem::exists(packed, ignored)) return packed;
+  }
   fail(asked, std::string("there is no ") + extension + " or " + extension + ".gz beside it",
        "put the other file of the pair there");
 }
@@ -66,19 +71,6 @@ void turn_fields(Fields& fields) {
            fields.scl_inter, fields.qform_code, fields.sform_code, fields.quatern_b,
            fields.quatern_c, fields.quatern_d, fields.qoffset_x, fields.qoffset_y, fields.qoffset_z,
            fields.srow_x, fields.srow_y, fields.srow_z);
-}
-
-// Returns the decimal number that the program meant which wrote the float: 0.01f is 0.01.
-double decimal(float value) {
-  for (int digits = 6; digits <= 9 && std::isfinite(value); ++digits) {
-    std::stringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(digits);
-    text << value;
-    double result = 0;
-    if (text >> result && static_cast<float>(result) == value) return result;
-  }
-  return static_cast<double>(value);
 }
 
 std::int64_t whole_offset(const std::filesystem::path& file, float vox_offset) {
@@ -176,60 +168,84 @@ void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const std::i
                const VolumeOptions& options) {
   if (dim[0] < 1 || dim[0] > 7)
     fail(file, "the header gives " + std::to_string(dim[0]) + " dimensions", "correct dim[0]");
-  set_dims(info, file, std::vector<std::int64_t>(dim + 1, dim + 1 + dim[0]), options);
+  set_dims(info, file, std::vector<std::int64_t>(dim + 1, dim + 1 + dim[0]), options.frame);
 }
 
-// The sform needs no pixdim, and some programs leave it at 1.
-void prefer_sform(VolumeInfo& info, const Axes& axes_mm) {
-  constexpr double rounding = 1e-3;
-  std::array<double, 3> lengths{};
-  bool is_same = true;
+std::string unit_of(int code) {
+  switch (XYZT_TO_SPACE(code)) {
+    case NIFTI_UNITS_METER:
+      return "m";
+    case NIFTI_UNITS_MM:
+      return "mm";
+    case NIFTI_UNITS_MICRON:
+      return "um";
+    default:
+      return {};
+  }
+}
+
+// Rows of a matrix that leads from voxels to space.
+using Rows = std::array<std::array<double, 4>, 3>;
+
+Rows sform_of(const nifti_2_header& header) {
+  Rows rows{};
+  std::copy(std::begin(header.srow_x), std::end(header.srow_x), rows[0].begin());
+  std::copy(std::begin(header.srow_y), std::end(header.srow_y), rows[1].begin());
+  std::copy(std::begin(header.srow_z), std::end(header.srow_z), rows[2].begin());
+  return rows;
+}
+
+Rows qform_of(const nifti_2_header& header) {
+  const auto real = [](double value) { return static_cast<float>(value); };
+  const auto length = [&](int axis) { return real(std::fabs(header.pixdim[axis])); };
+  const mat44 matrix =
+      nifti_quatern_to_mat44(real(header.quatern_b), real(header.quatern_c), real(header.quatern_d),
+                             real(header.qoffset_x), real(header.qoffset_y), real(header.qoffset_z),
+                             length(1), length(2), length(3), real(header.pixdim[0]));
+  Rows rows{};
+  for (std::size_t row = 0; row < 3; ++row)
+    std::copy(std::begin(matrix.m[row]), std::end(matrix.m[row]), rows[row].begin());
+  return rows;
+}
+
+// Returns whether they span a space.
+bool take(const Rows& rows, ToldPlace& told) {
+  Axes steps{};
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t axis = 0; axis < 3; ++axis) steps[axis][row] = rows[row][axis];
+  if (!is_usable(steps)) return false;
+  told.frame = Frame::ras;
+  told.steps = steps;
+  for (std::size_t row = 0; row < 3; ++row) told.origin[row] = rows[row][3];
+  return true;
+}
+
+void set_geometry(VolumeInfo& info, const Header& whole, const VolumeOptions& options) {
+  const nifti_2_header& header = whole.fields;
+  ToldPlace told;
+  told.set_unit(unit_of(header.xyzt_units));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    lengths[axis] = std::hypot(axes_mm[axis][0], axes_mm[axis][1], axes_mm[axis][2]);
-    is_same =
-        is_same && std::fabs(lengths[axis] - info.spacing_mm[axis]) <= rounding * lengths[axis];
+    told.spacing[axis] = std::fabs(header.pixdim[axis + 1]);
+    if (header.pixdim[axis + 1] < 0)
+      note(info, "pixdim " + std::to_string(axis + 1) + " is negative, taken as positive");
   }
-  if (is_same || !is_usable(axes_mm)) return;
-  info.notes.emplace_back("pixdim contradicts the sform, whose spacing is taken");
-  set_spacing(info, lengths);
+  bool is_placed = header.sform_code > 0 && take(sform_of(header), told);
+  if (header.sform_code > 0 && !is_placed) note(info, "the sform spans no space, dropped");
+  if (!is_placed && header.qform_code > 0) {
+    is_placed = take(qform_of(header), told);
+    if (!is_placed) note(info, "the qform spans no space, dropped");
+  }
+  if (!is_placed)
+    note(info, whole.format + " tells no directions here: which side is left is not known");
+  set_place(info, told, options);
 }
 
-void set_geometry(VolumeInfo& info, const nifti_2_header& header) {
-  const int unit = XYZT_TO_SPACE(header.xyzt_units);
-  const double unit_mm = unit == NIFTI_UNITS_METER    ? 1000.0
-                         : unit == NIFTI_UNITS_MICRON ? 1e-3
-                                                      : 1.0;
-  std::array<double, 3> spacing{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    spacing[axis] = unit_mm * std::fabs(header.pixdim[axis + 1]);
-  set_spacing(info, spacing);
-
-  std::array<std::array<double, 4>, 3> to_space{};
-  if (header.sform_code > 0) {
-    std::copy(std::begin(header.srow_x), std::end(header.srow_x), to_space[0].begin());
-    std::copy(std::begin(header.srow_y), std::end(header.srow_y), to_space[1].begin());
-    std::copy(std::begin(header.srow_z), std::end(header.srow_z), to_space[2].begin());
-  } else if (header.qform_code > 0) {
-    const auto real = [](double value) { return static_cast<float>(value); };
-    const auto length = [&](int axis) { return real(std::fabs(header.pixdim[axis])); };
-    const mat44 matrix = nifti_quatern_to_mat44(
-        real(header.quatern_b), real(header.quatern_c), real(header.quatern_d),
-        real(header.qoffset_x), real(header.qoffset_y), real(header.qoffset_z), length(1),
-        length(2), length(3), real(header.pixdim[0]));
-    for (std::size_t row = 0; row < 3; ++row)
-      std::copy(std::begin(matrix.m[row]), std::end(matrix.m[row]), to_space[row].begin());
-  } else {
-    return;
-  }
-  VolumePlacement placement;
-  placement.frame = Frame::ras;
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      placement.axes_mm[axis][row] = unit_mm * to_space[row][axis];
-    placement.origin_mm[row] = unit_mm * to_space[row][3];
-  }
-  if (header.sform_code > 0) prefer_sform(info, placement.axes_mm);
-  set_placement(info, placement);
+// A slope that is no number is none, as for nibabel and FSL.
+void set_values(VolumeInfo& info, const std::filesystem::path& file, const nifti_2_header& header) {
+  const bool has_slope = std::isfinite(header.scl_slope) && header.scl_slope != 0;
+  if (!std::isfinite(header.scl_slope))
+    note(info, "scl_slope is " + std::to_string(header.scl_slope) + ", taken as none");
+  set_scale(info, file, has_slope ? header.scl_slope : 0, has_slope ? header.scl_inter : 0);
 }
 
 std::uint64_t data_offset(const std::filesystem::path& file, const Header& header) {
@@ -245,20 +261,21 @@ std::uint64_t data_offset(const std::filesystem::path& file, const Header& heade
 
 std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
-  const bool is_data = lower(without_gz(file).extension().string()) == ".img";
+  const bool is_data = lower(without_packing(file).extension().string()) == ".img";
   if (is_data) stream = open_content(partner(file, ".hdr"));
   const Header header = read_header(stream);
   const nifti_2_header& fields = header.fields;
   VolumeInfo info;
   info.type = sample_type(file, fields.datatype);
   set_sizes(info, file, fields.dim, options);
-  set_geometry(info, fields);
-  set_scale(info, file, fields.scl_slope, fields.scl_inter);
+  set_geometry(info, header, options);
+  set_values(info, file, fields);
   info.format = header.format;
-  if (header.format == "Analyze 7.5")
-    info.notes.emplace_back("Analyze 7.5 does not tell which side is left");
 
   const std::uint64_t offset = data_offset(file, header);
+  constexpr auto no_end = std::numeric_limits<std::uint64_t>::max();
+  if (header.format != "Analyze 7.5")
+    read_label_extensions(stream, header.one_file ? offset : no_end, header.big_endian, info);
   if (header.one_file) {
     stream.skip(offset - stream.position());
   } else {
@@ -266,9 +283,8 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
     stream = open_content(is_data ? file : partner(file, ".img"));
     stream.skip(offset);
   }
-  skip_to_frame(stream, info, options);
-  if (stream.is_decoded()) info.format += ", gzip";
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), header.big_endian);
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), header.big_endian,
+                                       options.frame);
 }
 
 }  // namespace discmc::command

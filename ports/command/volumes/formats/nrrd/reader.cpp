@@ -3,90 +3,19 @@
 // The header is parsed here and not by libteem, whose parser (1.12) hands the name in "data file:"
 // to sprintf as a format: "%99999d" writes past its heap block before any check could help.
 #include <algorithm>
-#include <cmath>
-#include <initializer_list>
-#include <map>
+#include <limits>
 #include <utility>
 
-#include "segment_labels.hpp"
+#include "header.hpp"
+#include "place.hpp"
+#include "text/words.hpp"
 #include "volumes/data_files.hpp"
-#include "volumes/volume_format.hpp"
+#include "volumes/filters/component_volume.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/header_text.hpp"
 
 namespace discmc::command {
 namespace {
-
-using Fields = std::map<std::string, std::string, std::less<>>;
-
-struct Header {
-  Fields fields;
-  SegmentLabels segments{};
-  bool closed = false;  // by the empty line that data may follow
-};
-
-bool one_of(std::string_view text, std::initializer_list<std::string_view> names) {
-  return std::find(names.begin(), names.end(), text) != names.end();
-}
-
-// The specification's fields and its second spellings; anything else may be a misspelt one that
-// matters.
-std::string field_name(const std::filesystem::path& file, std::string_view text) {
-  std::string name = lower(trimmed(text));
-  if (name == "datafile") return "data file";
-  if (name == "lineskip") return "line skip";
-  if (name == "byteskip") return "byte skip";
-  if (!one_of(name, {"dimension", "type",       "sizes",     "spacings",    "space directions",
-                     "space",     "units",      "encoding",  "space units", "space dimension",
-                     "endian",    "data file",  "line skip", "byte skip",   "space origin",
-                     "kinds",     "axis mins",  "axis maxs", "axismins",    "axismaxs",
-                     "labels",    "content",    "number",    "thicknesses", "measurement frame",
-                     "centers",   "centerings", "min",       "max",         "sample units",
-                     "old min",   "oldmin",     "old max",   "oldmax",      "sampleunits",
-                     "blocksize", "block size"}))
-    fail(file, "the header field " + shown(name) + " is not known", "correct or delete the line");
-  return name;
-}
-
-Header parse(const std::filesystem::path& file, ByteStream& stream) {
-  const std::string magic = stream.read_line().value_or("");
-  if (magic.size() != 8 || magic.substr(0, 7) != "NRRD000" || magic[7] < '1' || magic[7] > '5')
-    fail(file, "the file begins with " + shown(magic) + " and not with NRRD0001 to NRRD0005",
-         "check that it is an NRRD file");
-  Header header;
-  while (const auto line = stream.read_line()) {
-    header.closed = line->empty();
-    if (header.closed) break;
-    if (line->front() == '#') continue;
-    const std::size_t colon = line->find(':');
-    if (colon == std::string::npos)
-      fail(file, "the header line " + shown(*line) + " has no colon",
-           "end the header with an empty line");
-    const std::string_view text = *line;
-    if (text.substr(colon, 2) == ":=") {  // a key of some program, with its value
-      header.segments.take(text.substr(0, colon), text.substr(colon + 2));
-      continue;
-    }
-    const std::string name = field_name(file, text.substr(0, colon));
-    const auto [entry, is_new] = header.fields.emplace(name, trimmed(text.substr(colon + 1)));
-    if (!is_new)
-      fail(file, "the header field " + shown(name) + " is there twice", "delete one of the lines");
-    // The rest of the header is the list.
-    if (name == "data file" && entry->second.rfind("LIST", 0) == 0) break;
-  }
-  return header;
-}
-
-std::string_view field(const Fields& fields, std::string_view name) {
-  const auto found = fields.find(name);
-  return found == fields.end() ? std::string_view() : std::string_view(found->second);
-}
-
-std::string_view needed(const std::filesystem::path& file, const Fields& fields,
-                        std::string_view name) {
-  const std::string_view text = field(fields, name);
-  if (text.empty())
-    fail(file, "the header field " + shown(name) + " is missing", "add it to the header");
-  return text;
-}
 
 SampleType sample_type(const std::filesystem::path& file, std::string_view text) {
   const std::string type = lower(text);
@@ -109,211 +38,103 @@ SampleType sample_type(const std::filesystem::path& file, std::string_view text)
   fail_type(file, text);
 }
 
-void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields,
-               const VolumeOptions& options) {
-  const auto dimension = integer(file, "dimension", needed(file, fields, "dimension"));
-  std::vector<std::int64_t> sizes;
-  for (const auto word : words(needed(file, fields, "sizes")))
-    sizes.push_back(integer(file, "sizes", word));
+// The next entry of a field that has one an axis: "in quotes", (in brackets), or a word.
+std::string_view first_entry(std::string_view text) {
+  const char first = text.front();
+  if (first != '"' && first != '(') return text.substr(0, text.find_first_of(" \t"));
+  const std::size_t end = text.find(first == '"' ? '"' : ')', 1);
+  return text.substr(0, end == std::string_view::npos ? end : end + 1);
+}
+
+bool is_of_space(std::string_view kind) {
+  return one_of(lower(kind), {"domain", "space", "time", "none", "???"});
+}
+
+// What the first axis is where it is none of space: its samples lie side by side.
+enum class SideBySide { nothing, volumes, channels };
+
+// A list is of volumes: the layers of a segmentation, as 3D Slicer has them. Vectors and colours
+// have channels.
+SideBySide side_by_side(const HeaderFields& fields) {
+  const auto kinds = words(fields.text("kinds"));
+  const auto directions = words(fields.text("space directions"));
+  if (words(fields.text("sizes")).size() != 4) return SideBySide::nothing;
+  if (!kinds.empty() && !is_of_space(kinds[0]))
+    return lower(kinds[0]) == "list" ? SideBySide::volumes : SideBySide::channels;
+  const bool has_no_direction = !directions.empty() && lower(directions[0]) == "none";
+  return has_no_direction ? SideBySide::volumes : SideBySide::nothing;
+}
+
+// Makes the first axis the last one, where lists of volumes are otherwise.
+void move_first_axis_back(HeaderFields& fields) {
+  for (const char* name : {"sizes", "spacings", "space directions", "units", "kinds", "labels",
+                           "thicknesses", "axis mins", "axis maxs", "centerings"}) {
+    const std::string entries(fields.text(name));
+    if (entries.empty()) continue;
+    const std::string_view first = first_entry(entries);
+    const std::string_view others = trimmed(std::string_view(entries).substr(first.size()));
+    fields.replace(name, std::string(others) + ' ' + std::string(first));
+  }
+}
+
+void set_sizes(VolumeInfo& info, const HeaderFields& fields, const VolumeOptions& options,
+               SideBySide first_axis) {
+  const std::filesystem::path& file = fields.file();
+  const auto dimension = integer(file, "dimension", fields.needed("dimension"));
+  std::vector<std::int64_t> sizes = fields.needed_integers("sizes");
   if (dimension != static_cast<std::int64_t>(sizes.size()))
     fail(file,
          "dimension is " + std::to_string(dimension) + " but there are " +
              std::to_string(sizes.size()) + " sizes",
          "correct the header");
-  set_dims(info, file, sizes, options);
+  const std::int64_t last = sizes.back();
+  if (first_axis == SideBySide::channels) sizes.pop_back();
+  set_dims(info, file, sizes, options.frame);
+  if (first_axis == SideBySide::channels)
+    set_channels(info, file, static_cast<std::uint64_t>(std::max<std::int64_t>(1, last)),
+                 options.channel);
 
-  const auto kinds = words(field(fields, "kinds"));
+  const auto kinds = words(fields.text("kinds"));
   for (std::size_t axis = 0; axis < kinds.size() && axis < 3; ++axis)
-    if (!one_of(lower(kinds[axis]), {"domain", "space", "time", "none", "???"}))
-      fail(file, "axis " + std::to_string(axis + 1) + " is of kind " + shown(kinds[axis]),
-           "extract one component, e.g. with: unu slice");
-}
-
-// Returns the length of each axis's unit in millimetres. The units are strings in double quotes.
-std::array<double, 3> unit_lengths(VolumeInfo& info, std::string_view text) {
-  std::array<double, 3> lengths{1, 1, 1};
-  for (double& length : lengths) {
-    const std::size_t open = text.find('"');
-    if (open == std::string_view::npos) break;
-    text.remove_prefix(open + 1);
-    const std::size_t close = std::min(text.find('"'), text.size());
-    const std::string unit = lower(text.substr(0, close));
-    text.remove_prefix(std::min(close + 1, text.size()));
-    if (one_of(unit, {"m", "meter", "meters", "metre", "metres"})) length = 1000;
-    if (unit == "cm") length = 10;
-    if (one_of(unit, {"um", "\u00b5m", "\u03bcm", "micron", "microns"})) length = 1e-3;
-    if (unit == "nm") length = 1e-6;
-    if (length == 1 && !one_of(unit, {"", "mm", "millimeter", "millimeters", "millimetre"}))
-      info.notes.push_back("unit " + shown(unit) + " taken as mm");
-  }
-  return lengths;
-}
-
-// Parses "(x,y,z)", at most three numbers.
-std::vector<double> vector_of(const std::filesystem::path& file, std::string_view name,
-                              std::string_view text) {
-  std::vector<double> numbers;
-  const bool bracketed = text.size() >= 2 && text.front() == '(' && text.back() == ')';
-  while (bracketed && numbers.size() <= 3) {
-    text.remove_prefix(1);
-    const std::size_t end = text.find_first_of(",)");
-    numbers.push_back(real(file, name, trimmed(text.substr(0, end))));
-    text.remove_prefix(end);
-    if (text.size() == 1) break;
-  }
-  if (numbers.empty() || numbers.size() > 3)
-    fail(file, std::string(name) + " holds " + shown(text) + ", which is no vector of up to three",
-         "correct the header");
-  return numbers;
-}
-
-// What is given for each axis must be there for all of them.
-void expect_per_axis(const std::filesystem::path& file, const Fields& fields, std::string_view name,
-                     std::size_t found) {
-  const std::size_t axes = words(field(fields, "sizes")).size();
-  if (found < std::min<std::size_t>(axes, 3))
-    fail(file,
-         std::string(name) + " holds " + std::to_string(found) + " entries for " +
-             std::to_string(axes) + " dimensions",
-         "correct the header");
-}
-
-Axes directions_of(const std::filesystem::path& file, const Fields& fields) {
-  std::string_view text = field(fields, "space directions");
-  Axes directions{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  std::size_t axis = 0;
-  for (; axis < 3 && !trimmed(text).empty(); ++axis) {
-    text = trimmed(text);
-    const std::size_t end = text.front() == '(' ? text.find(')') : text.find_first_of(" \t");
-    const std::string_view word = text.substr(0, end == std::string_view::npos ? end : end + 1);
-    text.remove_prefix(word.size());
-    if (lower(trimmed(word)) == "none")
-      fail(file, "axis " + std::to_string(axis + 1) + " has no direction in space",
-           "extract one component, e.g. with: unu slice");
-    const auto numbers = vector_of(file, "space directions", trimmed(word));
-    directions[axis] = {0, 0, 0};
-    std::copy(numbers.begin(), numbers.end(), directions[axis].begin());
-  }
-  expect_per_axis(file, fields, "space directions", axis);
-  return directions;
-}
-
-std::array<double, 3> spacings_of(VolumeInfo& info, const std::filesystem::path& file,
-                                  const Fields& fields) {
-  const auto units = unit_lengths(info, field(fields, "units"));
-  const auto spacings = words(field(fields, "spacings"));
-  std::array<double, 3> spacing{1, 1, 1};
-  for (std::size_t axis = 0; axis < 3 && axis < spacings.size(); ++axis)
-    spacing[axis] = units[axis] * real(file, "spacings", spacings[axis]);
-  if (spacings.empty())
-    info.notes.emplace_back(no_spacing_note);
-  else
-    expect_per_axis(file, fields, "spacings", spacings.size());
-  return spacing;
-}
-
-// What the coordinates of the file are. Left-handed ones are made right-handed by negating x.
-struct Space {
-  Frame frame = Frame::none;
-  bool is_left_handed = false;
-};
-
-Space space_of(VolumeInfo& info, std::string_view text) {
-  std::string name = lower(text);
-  constexpr std::string_view time = "-time";
-  if (name.size() > time.size() && name.substr(name.size() - time.size()) == time)
-    name.resize(name.size() - time.size());
-  if (one_of(name, {"left-posterior-superior", "lps", "lpst"})) return {Frame::lps, false};
-  if (one_of(name, {"right-anterior-superior", "ras", "rast"})) return {Frame::ras, false};
-  if (one_of(name, {"left-anterior-superior", "las", "last"})) return {Frame::ras, true};
-  if (name != "3d-left-handed") return {};
-  info.notes.push_back("x of the left-handed space " + shown(text) + " negated");
-  return {Frame::none, true};
-}
-
-// Units belong to the coordinates of space, not to the axes.
-void multiply(std::array<double, 3>& vector, const std::array<double, 3>& units) {
-  for (std::size_t i = 0; i < 3; ++i) vector[i] *= units[i];
-}
-
-void set_axes(VolumeInfo& info, Axes& axes_mm, const std::filesystem::path& file,
-              const Fields& fields, const std::array<double, 3>& units) {
-  if (field(fields, "space directions").empty()) {
-    set_spacing(info, spacings_of(info, file, fields));
-    axes_mm = along_coordinates(info.spacing_mm).axes_mm;
-    return;
-  }
-  axes_mm = directions_of(file, fields);
-  std::array<double, 3> lengths{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    multiply(axes_mm[axis], units);
-    lengths[axis] = std::hypot(axes_mm[axis][0], axes_mm[axis][1], axes_mm[axis][2]);
-  }
-  set_spacing(info, lengths);
-}
-
-void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Fields& fields) {
-  const auto units = unit_lengths(info, field(fields, "space units"));
-  const Space space = space_of(info, field(fields, "space"));
-  VolumePlacement placement;
-  placement.frame = space.frame;
-  set_axes(info, placement.axes_mm, file, fields, units);
-  const std::string_view origin = field(fields, "space origin");
-  if (!origin.empty()) {
-    const auto numbers = vector_of(file, "space origin", origin);
-    std::copy(numbers.begin(), numbers.end(), placement.origin_mm.begin());
-    multiply(placement.origin_mm, units);
-  }
-  if (space.is_left_handed) {
-    for (auto& axis : placement.axes_mm) axis[0] = -axis[0];
-    placement.origin_mm[0] = -placement.origin_mm[0];
-  }
-  set_placement(info, placement);
-  if (fields.count("old min") + fields.count("oldmin") > 0)
-    info.notes.emplace_back("old min and old max dropped: values are the stored ones");
+    if (!is_of_space(kinds[axis])) fail_axis(fields, axis, "is of kind " + shown(kinds[axis]));
 }
 
 // Returns the encoding by the first of its names.
-std::string encoding_of(const std::filesystem::path& file, const Fields& fields) {
-  std::string encoding = lower(needed(file, fields, "encoding"));
+std::string encoding_of(const HeaderFields& fields) {
+  std::string encoding = lower(fields.needed("encoding"));
   if (encoding == "raw") return encoding;
   if (one_of(encoding, {"gzip", "gz"})) return "gzip";
   if (one_of(encoding, {"bzip2", "bz2"})) return "bzip2";
   if (one_of(encoding, {"text", "txt", "ascii"})) return "text";
-  fail(file, "encoding " + shown(encoding) + " is not read",
+  fail(fields.file(), "encoding " + shown(encoding) + " is not read",
        "use raw, gzip, bzip2 or text, e.g. with: unu save -f nrrd -e gzip -i in.nrrd -o out.nrrd");
 }
 
-bool big_endian(const std::filesystem::path& file, const Fields& fields, SampleType type) {
-  if (encoding_of(file, fields) == "text") return is_native_big_endian();
+bool big_endian(const HeaderFields& fields, SampleType type) {
+  if (encoding_of(fields) == "text") return is_native_big_endian();
   if (sample_bytes(type) == 1) return false;
-  const std::string endian = lower(needed(file, fields, "endian"));
+  const std::string endian = lower(fields.needed("endian"));
   if (endian != "big" && endian != "little")
-    fail(file, "endian is " + shown(endian), "write big or little");
+    fail(fields.file(), "endian is " + shown(endian), "write big or little");
   return endian == "big";
 }
 
 // Leaves a data file at its first sample. Lines are skipped in the file, bytes in its content.
-ByteStream at_data(ByteStream data, const Fields& fields, SampleType type,
+ByteStream at_data(ByteStream data, const HeaderFields& fields, SampleType type,
                    std::uint64_t bytes_in_file) {
-  const auto& file = data.file();
-  const std::string encoding = encoding_of(file, fields);
-  const auto skip_of = [&](const char* name) {
-    const std::string_view number = field(fields, name);
-    return number.empty() ? 0 : integer(file, name, number);
-  };
-  const auto lines = skip_of("line skip");
-  const auto bytes = skip_of("byte skip");
+  const std::string encoding = encoding_of(fields);
+  const std::int64_t lines = fields.integer("line skip", 0);
+  const std::int64_t bytes = fields.integer("byte skip", 0);
   if (lines < 0 || bytes < (encoding == "raw" ? -1 : 0))
-    fail(file,
+    fail(fields.file(),
          "line skip " + std::to_string(lines) + ", byte skip " + std::to_string(bytes) +
              " is not read with encoding " + encoding,
          "give the bytes to skip as a number from 0");
   data.skip_lines(static_cast<std::uint64_t>(lines));
   if (encoding == "gzip") data.decode(inflated);
-  if (encoding == "bzip2" && !has_bzip2())
-    fail(file, "this discmc was built without bzip2", "store the volume with gzip, or raw");
-  if (encoding == "bzip2") data.decode(bunzipped);
+  if (encoding == "bzip2")
+    data.decode(
+        [name = data.file()](auto in) { return unpacked(std::move(in), Packing::bzip2, name); });
   if (bytes >= 0)
     data.skip(static_cast<std::uint64_t>(bytes));
   else
@@ -324,8 +145,8 @@ ByteStream at_data(ByteStream data, const Fields& fields, SampleType type,
 }
 
 // Takes the samples from behind the header, or from the files that it names.
-ByteStream open_data(ByteStream& header, std::string_view name, const Fields& fields,
-                     const VolumeInfo& info) {
+ByteStream open_data(ByteStream& header, std::string_view name, const HeaderFields& fields,
+                     VolumeInfo& info) {
   const std::uint64_t bytes = bytes_of_all(info);
   if (name.empty()) return at_data(std::move(header), fields, info.type, bytes);
   if (!names_several_files(name))
@@ -334,29 +155,51 @@ ByteStream open_data(ByteStream& header, std::string_view name, const Fields& fi
   const auto open = [fields, type = info.type, each = bytes / files.count](const auto& path) {
     return at_data(ByteStream(path), fields, type, each);
   };
-  return joined(header.file(), files, bytes, open);
+  return joined(header.file(), files, info, open);
+}
+
+// As it is stored: one volume, in whose rows the samples of all are side by side.
+VolumeInfo stored(const std::filesystem::path& file, VolumeInfo info) {
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+  const std::uint64_t count = info.frames * info.channels;
+  if (count > most / info.dims[0])
+    fail(file, "the first axis has size " + std::to_string(count) + ", and the rows are too long",
+         "make it the last axis, e.g. with: unu permute -p 1 2 3 0 -i in.nrrd -o out.nrrd");
+  info.dims[0] *= static_cast<std::uint32_t>(count);
+  info.frames = info.channels = 1;
+  return info;
 }
 
 }  // namespace
 
 std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& options) {
-  const std::filesystem::path file = stream.file();
-  const Header header = parse(file, stream);
+  NrrdHeader header = read_nrrd_header(stream);
+  HeaderFields& fields = header.fields;
+  const SideBySide first_axis = side_by_side(fields);
+  if (first_axis != SideBySide::nothing) move_first_axis_back(fields);
   VolumeInfo info;
-  info.type = sample_type(file, needed(file, header.fields, "type"));
-  set_sizes(info, file, header.fields, options);
-  set_geometry(info, file, header.fields);
-  info.labels = header.segments.table(
-      info.frames > 1 ? options.frame : std::optional<std::uint32_t>(), info.notes);
-  const bool is_big_endian = big_endian(file, header.fields, info.type);
+  info.type = sample_type(fields.file(), fields.needed("type"));
+  set_sizes(info, fields, options, first_axis);
+  set_place(info, nrrd_place(info, fields), options);
+  if (fields.has("old min")) note(info, "old min and old max dropped: values are the stored ones");
+  header.segments.describe(info);
+  const bool is_big_endian = big_endian(fields, info.type);
 
-  const std::string_view name = field(header.fields, "data file");
+  const std::string_view name = fields.text("data file");
   if (name.empty() && !header.closed)
-    fail(file, "the header has no end", "end it with an empty line, or name a data file in it");
-  ByteStream data = open_data(stream, name, header.fields, info);
-  skip_to_frame(data, info, options);
-  info.format = "NRRD, " + encoding_of(file, header.fields) + (name.empty() ? "" : ", detached");
-  return std::make_unique<SliceStream>(std::move(info), std::move(data), is_big_endian);
+    fail(fields.file(), "the header has no end",
+         "end it with an empty line, or name a data file in it");
+  info.format = "NRRD, " + encoding_of(fields) + (name.empty() ? "" : ", detached");
+  VolumeInfo all = first_axis == SideBySide::nothing ? info : stored(fields.file(), info);
+  ByteStream data = open_data(stream, name, fields, all);
+  info.notes = all.notes;
+  auto volume = std::make_unique<SliceStream>(
+      std::move(all), std::move(data), is_big_endian,
+      first_axis == SideBySide::nothing ? options.frame : std::nullopt);
+  if (first_axis == SideBySide::nothing) return volume;
+  const auto count = static_cast<std::uint32_t>(info.frames * info.channels);
+  const auto chosen = first_axis == SideBySide::volumes ? options.frame : options.channel;
+  return component(std::move(volume), std::move(info), chosen.value_or(0), count);
 }
 
 }  // namespace discmc::command

@@ -1,13 +1,11 @@
 #include "segment_labels.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 
 #include "text/number_text.hpp"
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {
@@ -18,11 +16,22 @@ std::optional<Srgb> colour_of(std::string_view text) {
   Srgb colour{};
   if (parts.size() != colour.size()) return std::nullopt;
   for (std::size_t i = 0; i < colour.size(); ++i) {
-    const auto part = finite_number(std::string(parts[i]));
+    const auto part = finite_number(parts[i]);
     if (!part || *part < 0 || *part > 1) return std::nullopt;
     colour[i] = static_cast<std::uint8_t>(std::lround(255 * *part));
   }
   return colour;
+}
+
+// A value of NRRD has line feeds and backslashes as \n and \\.
+std::string unescaped(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_escape = text[i] == '\\' && i + 1 < text.size();
+    if (is_escape) ++i;
+    result += is_escape && text[i] == 'n' ? '\n' : text[i];
+  }
+  return result;
 }
 
 }  // namespace
@@ -30,47 +39,45 @@ std::optional<Srgb> colour_of(std::string_view text) {
 void SegmentLabels::take(std::string_view key, std::string_view value) {
   constexpr std::string_view begin = "Segment";
   const std::size_t end = key.find('_');
-  if (end == std::string_view::npos || key.substr(0, begin.size()) != begin ||
-      !whole_number<std::uint32_t>(key.substr(begin.size(), end - begin.size())))
-    return;
-  std::string Segment::*const part = key.substr(end) == "_Name"         ? &Segment::name
-                                     : key.substr(end) == "_LabelValue" ? &Segment::label
-                                     : key.substr(end) == "_Color"      ? &Segment::colour
-                                     : key.substr(end) == "_Layer"      ? &Segment::layer
-                                                                        : nullptr;
-  if (part != nullptr) segments_[std::string(key.substr(0, end))].*part = trimmed(value);
+  if (end == std::string_view::npos || key.substr(0, begin.size()) != begin) return;
+  const std::string_view part = key.substr(end);
+  const std::string text = unescaped(trimmed(value));
+  // The second is what Slicer called it before version 5.
+  if (part == "_SourceRepresentation" || part == "_MasterRepresentation")
+    is_fractional_ = text == "Fractional labelmap";
+  const auto number = whole_number<std::uint32_t>(key.substr(begin.size(), end - begin.size()));
+  if (!number) return;
+  Segment& segment = segments_[*number];
+  if (part == "_Name") segment.name = text;
+  if (part == "_ID") segment.id = text;
+  if (part == "_Color") segment.colour = text;
+  if (part == "_LabelValue") segment.label = text;
+  if (part == "_Layer") segment.layer = text;
 }
 
-LabelTable SegmentLabels::table(std::optional<std::uint32_t> layer,
-                                std::vector<std::string>& notes) const {
-  std::map<std::int64_t, std::vector<const Segment*>> by_label;
-  for (const auto& [key, segment] : segments_) {
-    const auto label = whole_number<std::int64_t>(segment.label);
-    if (label && !segment.name.empty()) by_label[*label].push_back(&segment);
+void SegmentLabels::describe(VolumeInfo& info) const {
+  if (is_fractional_) {
+    note(info, "a fractional segmentation: its values are shares, not labels");
+    return;
   }
-  LabelTable table;
-  std::string ambiguous;
-  std::size_t count = 0;
-  for (auto& [label, segments] : by_label) {
-    // Segments that overlap are in layers, each with labels from 1 on.
-    if (layer && segments.size() > 1)
-      segments.erase(
-          std::remove_if(segments.begin(), segments.end(),
-                         [&](const Segment* segment) {
-                           return whole_number<std::uint32_t>(segment->layer).value_or(0) != *layer;
-                         }),
-          segments.end());
-    if (segments.size() == 1)
-      table[label] = {segments[0]->name, colour_of(segments[0]->colour)};
-    else if (segments.size() > 1 && ++count == 1)
-      ambiguous = "label " + std::to_string(label) + " of " + shown(segments[0]->name) + " and " +
-                  shown(segments[1]->name);
+  std::size_t outside = 0;
+  std::string first_outside;
+  for (const auto& [number, segment] : segments_) {
+    // Before Slicer had labels, every segment was a layer of its own, in which it is 1.
+    const bool is_old = !segment.label && !segment.layer;
+    const auto label = is_old ? LabelValue(1) : label_value(segment.label.value_or(""));
+    const auto layer =
+        is_old ? number : whole_number<std::uint32_t>(segment.layer.value_or("0")).value_or(0);
+    const std::string& name = segment.name.empty() ? segment.id : segment.name;
+    if (!label || name.empty()) continue;
+    if (layer < info.frames)
+      info.labels.push_back({name, colour_of(segment.colour), {*label}, layer});
+    else if (outside++ == 0)
+      first_outside = shown(name) + " of layer " + std::to_string(layer);
   }
-  if (count > 0)
-    notes.push_back(
-        "labels that several segments share left without a name: " + std::to_string(count) +
-        ", such as " + ambiguous + "; to name them give --label-table");
-  return table;
+  if (outside > 0)
+    note(info, "segments of layers that are not in the file left out: " + std::to_string(outside) +
+                   ", such as " + first_outside);
 }
 
 }  // namespace discmc::command

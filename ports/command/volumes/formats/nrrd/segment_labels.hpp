@@ -1,16 +1,15 @@
-// What 3D Slicer tells of the segments of a segmentation, as keys in the header of NRRD.
+// What 3D Slicer tells of the segments of a segmentation, as keys in the header of NRRD:
+// https://slicer.readthedocs.io/en/latest/developer_guide/modules/segmentations.html
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_NRRD_SEGMENT_LABELS_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_NRRD_SEGMENT_LABELS_HPP
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "volumes/label_table.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 
@@ -21,16 +20,17 @@ class SegmentLabels {
   /// Takes a key and its value; of no use are other keys.
   void take(std::string_view key, std::string_view value);
 
-  /// The segments with a name and a label that is a whole number. layer: the one that is read,
-  /// where that is known. A label that several segments have, in that layer, is none's; a note
-  /// tells.
-  LabelTable table(std::optional<std::uint32_t> layer, std::vector<std::string>& notes) const;
+  /// Tells the segments that have a name and are in one of the volumes of the file, with a note of
+  /// those that are not. info: its frames are known.
+  void describe(VolumeInfo& info) const;
 
  private:
   struct Segment {
-    std::string name, label, colour, layer;
+    std::string name, id, colour;
+    std::optional<std::string> label, layer;
   };
-  std::map<std::string, Segment, std::less<>> segments_;  // by the key up to its _
+  std::map<std::uint32_t, Segment> segments_;
+  bool is_fractional_ = false;
 };
 
 }  // namespace discmc::command

@@ -8,8 +8,9 @@
 #include <system_error>
 #include <utility>
 
+#include "numbered_name.hpp"
 #include "text/number_text.hpp"
-#include "volumes/volume_format.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 namespace {
@@ -27,30 +28,9 @@ std::string_view take_number(std::string_view& text) {
   return number;
 }
 
-// A name as the texts between its numbers, and these.
-struct NumberedName {
-  std::vector<std::string_view> texts;
-  std::vector<std::string_view> numbers;
-};
-
-NumberedName numbered(std::string_view name) {
-  NumberedName result;
-  while (!name.empty()) {
-    const auto end = std::find_if(name.begin(), name.end(), is_digit);
-    const auto length = static_cast<std::size_t>(end - name.begin());
-    result.texts.push_back(name.substr(0, length));
-    name.remove_prefix(length);
-    result.numbers.push_back(take_number(name));
-  }
-  return result;
-}
-
 // The values of the one number in which the names differ; empty where they differ in more.
 std::vector<std::uint64_t> varying_numbers(const std::vector<std::filesystem::path>& files) {
-  const std::string first_name = files.front().filename().string();
-  const NumberedName first = numbered(first_name);
-  const std::string last_name = files.back().filename().string();
-  const NumberedName last = numbered(last_name);
+  const NumberedName first(files.front()), last(files.back());
   if (last.numbers.size() != first.numbers.size()) return {};
   const auto differing =
       std::mismatch(first.numbers.begin(), first.numbers.end(), last.numbers.begin()).first;
@@ -58,12 +38,11 @@ std::vector<std::uint64_t> varying_numbers(const std::vector<std::filesystem::pa
   const auto varying = static_cast<std::size_t>(differing - first.numbers.begin());
   std::vector<std::uint64_t> values;
   for (const auto& file : files) {
-    const std::string name = file.filename().string();
-    NumberedName parts = numbered(name);
-    if (parts.texts != first.texts || parts.numbers.size() != first.numbers.size()) return {};
-    const std::string_view number = std::exchange(parts.numbers[varying], first.numbers[varying]);
+    NumberedName name(file);
+    if (name.texts != first.texts) return {};
+    const std::string number = std::exchange(name.numbers[varying], first.numbers[varying]);
     const auto value = number.empty() ? 0 : whole_number<std::uint64_t>(number);
-    if (parts.numbers != first.numbers || !value) return {};
+    if (name.numbers != first.numbers || !value) return {};
     values.push_back(*value);
   }
   return values;
@@ -87,20 +66,48 @@ bool is_before(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-bool is_png_name(const std::filesystem::path& file) {
-  return lower(file.extension().string()) == ".png";
+std::string_view name(PictureKind kind) {
+  constexpr std::string_view names[] = {"other", "PNG", "TIFF", "JPEG", "BMP"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+PictureKind kind_of_name(const std::filesystem::path& file) {
+  constexpr std::pair<std::string_view, PictureKind> extensions[] = {
+      {".png", PictureKind::png},  {".tif", PictureKind::tiff},  {".tiff", PictureKind::tiff},
+      {".jpg", PictureKind::jpeg}, {".jpeg", PictureKind::jpeg}, {".bmp", PictureKind::bmp}};
+  const std::string extension = lower(file.extension().string());
+  for (const auto& [text, kind] : extensions)
+    if (extension == text) return kind;
+  return PictureKind::none;
 }
 
 bool is_picture_name(const std::filesystem::path& file) {
-  const std::string extension = lower(file.extension().string());
-  return extension == ".png" || extension == ".tif" || extension == ".tiff";
+  return kind_of_name(file) != PictureKind::none;
+}
+
+PictureKind kind_of_head(std::string_view head) {
+  using namespace std::string_view_literals;
+  constexpr std::pair<std::string_view, PictureKind> beginnings[] = {
+      {"\x89PNG"sv, PictureKind::png}, {"II*\0"sv, PictureKind::tiff},
+      {"MM\0*"sv, PictureKind::tiff},  {"II+\0"sv, PictureKind::tiff},
+      {"MM\0+"sv, PictureKind::tiff},  {"\xff\xd8\xff"sv, PictureKind::jpeg},
+      {"BM"sv, PictureKind::bmp}};
+  for (const auto& [bytes, kind] : beginnings)
+    if (head.substr(0, bytes.size()) == bytes) return kind;
+  return PictureKind::none;
+}
+
+bool is_system_name(const std::filesystem::path& file) {
+  const std::string called = lower(file.filename().string());
+  return called.rfind('.', 0) == 0 || called == "thumbs.db" || called == "desktop.ini";
 }
 
 std::vector<std::filesystem::path> picture_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-    if (is_picture_name(entry.path())) files.push_back(entry.path());
+    if (is_picture_name(entry.path()) && !is_system_name(entry.path()))
+      files.push_back(entry.path());
   return files;
 }
 

@@ -2,17 +2,33 @@
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_PICTURE_NAMES_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_PICTURE_NAMES_HPP
 
+#include <cstddef>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "volumes/gaps.hpp"
 
 namespace discmc::command {
 
-bool is_png_name(const std::filesystem::path& file);
+enum class PictureKind { none, png, tiff, jpeg, bmp };
 
-/// Whether the name is that of a PNG or TIFF file.
+/// For people: "PNG".
+std::string_view name(PictureKind kind);
+
+/// The kind that a file is named as.
+PictureKind kind_of_name(const std::filesystem::path& file);
+
+/// Whether the name is that of a picture.
 bool is_picture_name(const std::filesystem::path& file);
+
+/// The kind of a file that begins with these bytes. Limit: picture_magic_bytes of them, fewer where
+/// there are no more.
+PictureKind kind_of_head(std::string_view head);
+constexpr std::size_t picture_magic_bytes = 8;
+
+/// Whether a system keeps such files beside others: ._a.png, Thumbs.db.
+bool is_system_name(const std::filesystem::path& file);
 
 /// Returns the pictures of a folder; what is in further folders in it is left.
 std::vector<std::filesystem::path> picture_files(const std::filesystem::path& folder);

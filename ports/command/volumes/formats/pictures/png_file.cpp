@@ -7,45 +7,57 @@
 #include <vector>
 
 #include "picture_file.hpp"
-#include "volumes/volume_format.hpp"
+#include "sample_packing.hpp"
+#include "volumes/volume_error.hpp"
 #include "volumes/volume_stream.hpp"
 
 namespace discmc::command {
 namespace {
 
-class PngFile final : public PictureFile {
+class PngFile final : public SinglePicture {
  public:
-  explicit PngFile(const std::filesystem::path& file) : file_(file) {}
+  using SinglePicture::SinglePicture;
   ~PngFile() override { close(); }
-
-  std::uint32_t pages() override { return 1; }
 
   PictureHeader header(std::uint32_t) override {
     open();
-    const int depth = png_get_bit_depth(png_, info_);
-    const int colour = png_get_color_type(png_, info_);
-    if (colour == PNG_COLOR_TYPE_PALETTE) fail_colour(file_, "an indexed picture");
-    if (colour == PNG_COLOR_TYPE_GRAY_ALPHA) fail_colour(file_, "a picture with transparency");
-    if (colour != PNG_COLOR_TYPE_GRAY) fail_colour(file_, "a colour picture");
+    const std::vector<std::string>* const names[] = {nullptr, nullptr, &grey_alpha_names,
+                                                     &rgb_names, &rgba_names};
     PictureHeader header;
     header.width = png_get_image_width(png_, info_);
     header.height = png_get_image_height(png_, info_);
-    header.type = depth == 16 ? SampleType::u16 : SampleType::u8;
+    header.type = png_get_bit_depth(png_, info_) == 16 ? SampleType::u16 : SampleType::u8;
+    header.channels = png_get_channels(png_, info_);
+    if (header.channels > 1) header.channel_names = *names[header.channels];
+    greys_ = palette();
+    if (!is_grey(greys_)) header.palette = std::exchange(greys_, {});
+    png_uint_32 x = 0, y = 0;
+    int unit = 0;
+    if (png_get_pHYs(png_, info_, &x, &y, &unit) != 0 && unit == PNG_RESOLUTION_METER && x > 0 &&
+        y > 0)
+      header.resolution = {{1.0 * x, 1.0 * y}, mm_of_metre};
     return header;
   }
 
-  void read(std::uint32_t, unsigned char* samples) override {
+  void read(std::uint32_t, std::uint32_t channel, unsigned char* samples) override {
     const PictureHeader told = header(0);
-    const std::size_t row_bytes = std::size_t{told.width} * sample_bytes(told.type);
+    const std::size_t bytes = sample_bytes(told.type);
+    const std::size_t pixels = std::size_t{told.width} * told.height;
+    const bool is_direct = told.channels == 1;
+    if (!is_direct) pixels_.resize(pixels * told.channels * bytes);
+    unsigned char* const stored = is_direct ? samples : pixels_.data();
     std::vector<png_bytep> rows(told.height);
-    for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = samples + y * row_bytes;
+    for (std::size_t y = 0; y < rows.size(); ++y)
+      rows[y] = stored + y * told.width * told.channels * bytes;
     if (!read_rows(rows.data())) fail_damaged();
+    if (!is_direct) take_channel(stored, pixels, bytes, told.channels, channel, samples);
+    if (!greys_.empty()) resolve_greys(greys_, samples, pixels);
     close();
   }
 
  private:
   [[noreturn]] void fail_damaged() const {
-    fail(file_, "the PNG file is damaged (" + damage_ + ")", "copy or export the file again");
+    fail(file(), "the PNG file is damaged (" + damage_ + ")", "copy or export the file again");
   }
 
   static void keep_damage(png_structp png, png_const_charp message) {
@@ -54,11 +66,22 @@ class PngFile final : public PictureFile {
   }
   static void ignore(png_structp, png_const_charp) {}
 
+  Palette palette() const {
+    png_colorp colours = nullptr;
+    int count = 0;
+    if (png_get_PLTE(png_, info_, &colours, &count) == 0 || png_get_channels(png_, info_) > 1)
+      return {};
+    Palette palette;
+    for (int i = 0; i < count; ++i)
+      palette.push_back({colours[i].red, colours[i].green, colours[i].blue});
+    return palette;
+  }
+
   // To the first row.
   void open() {
     close();
-    stream_ = std::fopen(file_.c_str(), "rb");
-    if (stream_ == nullptr) fail(file_, "the file cannot be opened", "check its permissions");
+    stream_ = std::fopen(file().c_str(), "rb");
+    if (stream_ == nullptr) fail(file(), "the file cannot be opened", "check its permissions");
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &damage_, keep_damage, ignore);
     info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
     if (info_ == nullptr) throw std::bad_alloc();
@@ -86,11 +109,12 @@ class PngFile final : public PictureFile {
     return true;
   }
 
-  std::filesystem::path file_;
   std::FILE* stream_ = nullptr;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
   std::string damage_;
+  Palette greys_;
+  std::vector<unsigned char> pixels_;  // of several channels
 };
 
 }  // namespace

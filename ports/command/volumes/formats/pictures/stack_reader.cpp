@@ -1,150 +1,124 @@
-// A stack of pictures as a volume: a slice a picture, in the order of their names.
+// A stack of pictures as a volume: a slice a picture, in the order of their names, or as the file
+// describes its pages.
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "picture_file.hpp"
 #include "picture_names.hpp"
-#include "volumes/volume_format.hpp"
+#include "skyscan.hpp"
+#include "stack.hpp"
+#include "stack_names.hpp"
+#include "stack_place.hpp"
+#include "volumes/formats/readers.hpp"
 
 namespace discmc::command {
-
-void fail_colour(const std::filesystem::path& file, const std::string& what) {
-  fail(file, "this is " + what + ", and a volume has one grey value a voxel",
-       "convert it to grey, e.g. with ImageMagick: convert IN -colorspace gray OUT");
-}
-
 namespace {
 
-std::unique_ptr<PictureFile> open_picture(const std::filesystem::path& file) {
-  // For its refusal of what is no file.
-  const ByteStream stream(file);
-  return is_png_name(file) ? open_png(file) : open_tiff(file);
+using Files = std::vector<std::filesystem::path>;
+
+// All of one kind.
+void require_one_kind(const std::filesystem::path& source, const Files& files) {
+  std::map<PictureKind, Files> kinds;
+  for (const auto& file : files) kinds[kind_of_name(file)].push_back(file);
+  if (kinds.size() < 2) return;
+  std::string list;
+  const Files* most = nullptr;
+  for (const auto& [kind, of_kind] : kinds) {
+    list += (list.empty() ? "" : " and ") + std::to_string(of_kind.size()) + ' ' +
+            std::string(name(kind));
+    if (most == nullptr || of_kind.size() > most->size()) most = &of_kind;
+  }
+  const std::filesystem::path any = "*" + most->front().extension().string();
+  fail(
+      source, list + " files are not one volume",
+      "give a pattern of one kind, such as '" + (most->front().parent_path() / any).string() + "'");
 }
 
-struct Slice {
-  std::filesystem::path file;
-  std::uint32_t page;
-};
+// SkyScan's overview lies beside its slices.
+void leave_out_overviews(Files& files, VolumeInfo& info) {
+  const auto overviews = std::stable_partition(
+      files.begin(), files.end(), [](const auto& file) { return !is_overview_name(file); });
+  if (overviews == files.begin()) return;
+  for (auto file = overviews; file != files.end(); ++file)
+    note(info, shown(file->filename().string()) + " is an overview, left out");
+  files.erase(overviews, files.end());
+}
+
+// Where a file is a slice, names that are missing are slices that are missing.
+void close_gaps(const std::filesystem::path& source, bool allow_gaps, Stack& stack,
+                VolumeInfo& info) {
+  if (stack.files.size() != stack.pages.size() || stack.described.files.size() > 1) return;
+  const std::vector<Gap> gaps = gaps_of_names(stack.files);
+  if (gaps.empty()) return;
+  note(info,
+       note_of_filling(source, gaps, stack.pages.size(), allow_gaps,
+                       "export or copy the pictures again, or number their names without gaps"));
+  fill_gaps(stack.pages, gaps);
+}
 
 class PictureStack final : public VolumeReader {
  public:
-  PictureStack(const std::filesystem::path& source, VolumeInfo info, std::vector<Slice> slices)
-      : source_(source), info_(std::move(info)), slices_(std::move(slices)) {}
+  PictureStack(const std::filesystem::path& source, VolumeInfo info, Stack stack)
+      : source_(source), info_(std::move(info)), stack_(std::move(stack)) {}
 
   const VolumeInfo& info() const override { return info_; }
 
   void read_slice(void* samples) override {
-    require_slice_left(source_, next_, slices_.size());
-    const Slice& slice = slices_[next_];
-    if (!opened_ || slice.page == 0) opened_ = open_picture(slice.file);
-    const PictureHeader header = opened_->header(slice.page);
+    require_slice_left(source_, next_, stack_.pages.size());
+    const Page page = stack_.pages[next_];
+    if (!opened_ || page.file != opened_file_) opened_ = open_picture(stack_.files[page.file]);
+    opened_file_ = page.file;
+    const PictureHeader header = opened_->header(page.number);
     if (header.width != info_.dims[0] || header.height != info_.dims[1] ||
-        header.type != info_.type)
-      fail(slice.file, "the file has changed while it was read",
+        header.type != info_.type || header.channels != stack_.header.channels)
+      fail(stack_.files[page.file], "the file has changed while it was read",
            "leave it as it is, and read again");
-    opened_->read(slice.page, static_cast<unsigned char*>(samples));
+    opened_->read(page.number, stack_.channel, static_cast<unsigned char*>(samples));
     ++next_;
   }
 
   void skip_slice() override {
-    require_slice_left(source_, next_, slices_.size());
-    if (slices_[next_].page == 0) opened_.reset();
+    require_slice_left(source_, next_, stack_.pages.size());
     ++next_;
   }
 
  private:
   std::filesystem::path source_;
   VolumeInfo info_;
-  std::vector<Slice> slices_;
+  Stack stack_;
   std::size_t next_ = 0;
   std::unique_ptr<PictureFile> opened_;
+  std::uint32_t opened_file_ = 0;
 };
-
-std::string text_of(const PictureHeader& header) {
-  return std::to_string(header.width) + " x " + std::to_string(header.height) + " samples of " +
-         std::string(name(header.type));
-}
-
-void require_alike(const PictureHeader& first, const PictureHeader& header,
-                   const Slice& first_slice, const Slice& slice) {
-  if (header.width != first.width || header.height != first.height || header.type != first.type)
-    fail(slice.file,
-         "page " + std::to_string(slice.page) + " has " + text_of(header) + ", and " +
-             first_slice.file.filename().string() + " has " + text_of(first),
-         "give slices of one size and type");
-}
-
-// Small files may claim large pictures: what is decoded of a byte has a limit.
-void require_possible(const std::filesystem::path& file, const PictureHeader& header) {
-  constexpr std::uint64_t max_of_a_byte = 16384;
-  const std::uint64_t bytes =
-      std::uint64_t{header.width} * header.height * sample_bytes(header.type);
-  const std::uint64_t file_bytes = ByteStream(file).left().value_or(0);
-  if (bytes / max_of_a_byte > file_bytes)
-    fail(file,
-         "a picture of " + std::to_string(bytes) + " bytes cannot be in a file of " +
-             std::to_string(file_bytes),
-         "copy or export the file again");
-}
-
-void require_one_kind(const std::filesystem::path& source,
-                      const std::vector<std::filesystem::path>& files) {
-  const auto png = std::count_if(files.begin(), files.end(), is_png_name);
-  const auto others = static_cast<std::ptrdiff_t>(files.size()) - png;
-  if (png > 0 && others > 0)
-    fail(source,
-         std::to_string(png) + " PNG and " + std::to_string(others) +
-             " TIFF files are not one volume",
-         "give a pattern of one kind, such as '*.png'");
-}
-
-// Where a file is a slice, names that are missing are slices that are missing.
-void close_gaps(const std::filesystem::path& source,
-                const std::vector<std::filesystem::path>& files, bool allow_gaps,
-                std::vector<Slice>& slices, std::vector<std::string>& notes) {
-  if (files.size() != slices.size()) return;
-  const std::vector<Gap> gaps = gaps_of_names(files);
-  if (gaps.empty()) return;
-  notes.push_back(
-      note_of_filling(source, gaps, slices.size(), allow_gaps,
-                      "export or copy the pictures again, or number their names without gaps"));
-  fill_gaps(slices, gaps);
-}
 
 }  // namespace
 
-std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
-                                            std::vector<std::filesystem::path> files,
+std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source, Files files,
                                             const VolumeOptions& options) {
+  VolumeInfo info;
+  leave_out_overviews(files, info);
   require_one_kind(source, files);
   sort_naturally(files);
-  std::vector<Slice> slices;
-  PictureHeader first;
-  for (const auto& file : files) {
-    const auto opened = open_picture(file);
-    for (std::uint32_t page = 0; page < opened->pages(); ++page) {
-      const PictureHeader header = opened->header(page);
-      slices.push_back({file, page});
-      if (slices.size() == 1) first = header;
-      require_alike(first, header, slices[0], slices.back());
-      if (page == 0) require_possible(file, header);
-    }
-  }
-  VolumeInfo info;
-  close_gaps(source, files, options.allow_gaps, slices, info.notes);
-  set_dims(info, source, {first.width, first.height, static_cast<std::int64_t>(slices.size())});
-  info.type = first.type;
-  if (first.spacing_mm)
-    set_spacing(info, *first.spacing_mm);
-  else
-    info.notes.emplace_back(no_spacing_note);
-  if (first.is_inverted)
-    info.notes.emplace_back("the low values are the bright ones, taken as stored");
-  info.format = is_png_name(slices[0].file) ? "PNG" : "TIFF";
-  return std::make_unique<PictureStack>(source, std::move(info), std::move(slices));
+  require_one_stack(source, files);
+  Stack stack = stack_of(source, files, options, info);
+  close_gaps(source, options.allow_gaps, stack, info);
+  info.type = stack.header.type;
+  const std::uint64_t frames = info.frames;
+  set_dims(
+      info, source,
+      {stack.header.width, stack.header.height, static_cast<std::int64_t>(stack.pages.size())});
+  info.frames = frames;
+  set_place_of(info, stack, options);
+  set_scale(info, source, stack.described.slope, stack.described.intercept);
+  if (stack.header.is_inverted) note(info, "the low values are the bright ones, taken as stored");
+  if (!stack.header.palette.empty())
+    note(info, "the samples are numbers of colours in a palette, taken as stored");
+  info.format = name(kind_of(stack.files[0]));
+  return std::make_unique<PictureStack>(source, std::move(info), std::move(stack));
 }
 
 }  // namespace discmc::command

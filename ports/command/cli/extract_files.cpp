@@ -1,0 +1,125 @@
+#include "extract_files.hpp"
+
+#include <iostream>
+#include <set>
+#include <utility>
+
+#include "extract.hpp"
+#include "files/file_pattern.hpp"
+#include "mesh_files/file_format.hpp"
+#include "mesh_files/mesh_files.hpp"
+#include "mesh_output.hpp"
+#include "meshes/surface_normals.hpp"
+#include "meshes/vertex_normals.hpp"
+#include "volume_input.hpp"
+
+namespace discmc::command {
+namespace {
+
+void add_normals(const ExtractArguments& arguments, const Selection& selection,
+                 const Surface& surface, Mesh& mesh) {
+  if (arguments.normals == Normals::none) return;
+  if (arguments.interpolates)
+    mesh.normals = surface_normals(mesh);
+  else
+    set_polygon_normals(surface, mesh);
+  if (arguments.normals == Normals::surface) return;
+  const auto again = open_for_gradient(arguments.volume, arguments.reading.options, selection.low);
+  add_gradient_normals(*again.reader, mesh);
+}
+
+MeshOptions options_of(const ExtractArguments& arguments, const SurfaceOutput& output) {
+  MeshOptions options = arguments.mesh;
+  options.crossings = output.crossings;
+  options.jobs = jobs_of(arguments);
+  return options;
+}
+
+}  // namespace
+
+MeshFiles::MeshFiles(const ExtractArguments& arguments) : arguments_(arguments) {
+  const FilePattern pattern(arguments.output);
+  if (pattern.has_name())
+    pattern.require_folder();
+  else
+    file_.emplace(arguments.output);
+}
+
+std::vector<std::string> MeshFiles::names_for(const std::vector<NamedSelection>& selections) {
+  const FilePattern pattern(arguments_.output);
+  are_one_ = !pattern.has_name() && (!arguments_.labels.empty() || selections.size() > 1);
+  if (!pattern.has_name()) return std::vector<std::string>(selections.size(), arguments_.output);
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const NamedSelection& each : selections) {
+    std::string addition;
+    while (!taken.insert(pattern.file_for(each.name, addition)).second)
+      addition += "-" + each.given;
+    names.push_back(pattern.file_for(each.name, addition));
+  }
+  return names;
+}
+
+MeshSummary MeshFiles::add(const SurfaceOutput& output) {
+  MeshSummary summary = are_one_ ? keep(output) : write_alone(output);
+  output.surface = {};  // its memory is the next mesh's
+  return summary;
+}
+
+MeshSummary MeshFiles::write_alone(const SurfaceOutput& output) {
+  if (file_) return write(output, *file_);
+  OutputFile file(output.file);
+  return write(output, file);
+}
+
+MeshSummary MeshFiles::write(const SurfaceOutput& output, OutputFile& file) const {
+  MeshSummary summary{"polygons", output.surface.polygons.size()};
+  const Format format = format_of(output.file);
+  if (format == Format::jsonl) {
+    write_to(file, [&](std::ostream& out) { write_jsonl(output.surface, out); });
+  } else {
+    const Mesh mesh = mesh_of(output);
+    summary = summary_of(mesh);
+    write_to(file, [&](std::ostream& out) { write_mesh(mesh, format, out, jobs_of(arguments_)); });
+  }
+  file.commit();
+  return summary;
+}
+
+MeshSummary MeshFiles::keep(const SurfaceOutput& output) {
+  meshes_.push_back(mesh_of(output));
+  meshes_.back().name = output.selection.name;
+  return summary_of(meshes_.back());
+}
+
+void MeshFiles::finish() {
+  if (!are_one_) return;
+  Meshes meshes;
+  for (const Mesh& mesh : meshes_) meshes.push_back(&mesh);
+  write_to(*file_,
+           [&](std::ostream& out) { write_meshes(meshes, format_of(arguments_.output), out); });
+  file_->commit();
+  if (!arguments_.quiet) print_file(arguments_.output, std::cout);
+}
+
+Mesh MeshFiles::mesh_of(const SurfaceOutput& output) const {
+  Mesh mesh = placed_mesh(
+      output.surface, options_of(arguments_, output),
+      [&](Mesh& unplaced) {
+        note_left_out(arguments_.volume, output.surface, unplaced);
+        add_normals(arguments_, output.selection.selection, output.surface, unplaced);
+      },
+      placement_);
+  mesh.colour = output.selection.colour;
+  note_rounding(output.file, mesh);
+  return mesh;
+}
+
+MeshSummary MeshFiles::summary_of(const Mesh& mesh) const {
+  MeshSummary summary{arguments_.mesh.faces == Faces::triangles ? "triangles" : "polygons",
+                      mesh.face_count(), mesh.vertices_mm.size()};
+  if (!arguments_.quiet) summary.is_closed = is_closed_in(arguments_.output, mesh);
+  return summary;
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,64 @@
+// The files that discmc extract writes its meshes to.
+#ifndef DISCMC_COMMAND_CLI_EXTRACT_FILES_HPP
+#define DISCMC_COMMAND_CLI_EXTRACT_FILES_HPP
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arguments.hpp"
+#include "files/output_file.hpp"
+#include "summary.hpp"
+#include "surface/surface.hpp"
+#include "volumes/volume_placement.hpp"
+
+namespace discmc::command {
+
+/// A surface of a volume, and the file that its mesh goes to.
+struct SurfaceOutput {
+  Surface& surface;
+  const NamedSelection& selection;
+  std::string file;
+  const Crossings* crossings = nullptr;  ///< as MeshOptions
+};
+
+/// One file per mesh if --output has a place for their names, else one file that holds all.
+class MeshFiles {
+ public:
+  /// arguments: Owner: the caller. Throws where no file can be written: so call it before the
+  /// volume is read.
+  explicit MeshFiles(const ExtractArguments& arguments);
+
+  /// Where the meshes lie.
+  void set_placement(const std::optional<VolumePlacement>& placement) { placement_ = placement; }
+
+  /// Whether all meshes go into one file.
+  bool are_one() const { return are_one_; }
+
+  /// The files of surfaces. No two are the same where each has its own: of equal names all but the
+  /// first get what was given as well.
+  std::vector<std::string> names_for(const std::vector<NamedSelection>& selections);
+
+  /// Writes the mesh of a surface, or keeps it for the file of all; the surface is then empty.
+  MeshSummary add(const SurfaceOutput& output);
+
+  /// Writes the file of all, if that is asked for, and prints its size.
+  void finish();
+
+ private:
+  MeshSummary write(const SurfaceOutput& output, OutputFile& file) const;
+  MeshSummary write_alone(const SurfaceOutput& output);
+  MeshSummary keep(const SurfaceOutput& output);
+  Mesh mesh_of(const SurfaceOutput& output) const;
+  MeshSummary summary_of(const Mesh& mesh) const;
+
+  const ExtractArguments& arguments_;
+  std::optional<VolumePlacement> placement_;
+  bool are_one_ = false;
+  std::optional<OutputFile> file_;  // where there is only one
+  std::vector<Mesh> meshes_;        // of it, if it holds several
+};
+
+}  // namespace discmc::command
+
+#endif

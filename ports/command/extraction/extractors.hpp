@@ -1,0 +1,167 @@
+// Extractors with the memory that they take.
+#ifndef DISCMC_COMMAND_EXTRACTION_EXTRACTORS_HPP
+#define DISCMC_COMMAND_EXTRACTION_EXTRACTORS_HPP
+
+#include <discmc/gradient_normals.hpp>
+#include <discmc/host/learning_extractor.hpp>
+#include <discmc/surface_group.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#include "bit_source.hpp"
+#include "extraction.hpp"
+#include "require.hpp"
+#include "streams/spacing.hpp"
+#include "volumes/iso_value.hpp"
+
+namespace discmc::command {
+
+/// The memory of one extractor, and what fits in it.
+struct Arena {
+  bool has_narrow_indices;
+  std::uint64_t bytes;
+  Capacities capacities;
+};
+
+/// Where nothing is asked for. Units: bytes.
+template <class Normals>
+std::uint64_t generous_bytes_for(const Limits& limits) {
+  constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
+  return std::max(generous_bytes, 2 * minimum_bytes<std::uint32_t, Normals>(limits));
+}
+
+/// The samples that an extractor takes, where it takes any beside bits.
+template <class AnyExtractor>
+struct SampleOf {
+  using Type = void;
+};
+template <class Index, class Sample>
+struct SampleOf<NormalExtractor<Index, Sample>> {
+  using Type = Sample;
+};
+template <class AnyExtractor>
+constexpr bool holds_samples = !std::is_void_v<typename SampleOf<AnyExtractor>::Type>;
+
+/// Left as it comes: what is never used costs nothing.
+inline std::unique_ptr<std::uint8_t[]> untouched(std::uint64_t bytes) {
+  return std::unique_ptr<std::uint8_t[]>(new std::uint8_t[bytes]);
+}
+
+/// A slice as it is read, and the rows of its mask, if it has one.
+struct SliceToExtract {
+  const std::uint8_t* samples;
+  const std::uint8_t* mask_rows;
+};
+
+/// The extractors of all surfaces, in memory of their own.
+template <class AnyExtractor>
+class Extractors {
+ public:
+  static constexpr bool learns = std::is_same_v<AnyExtractor, LearningExtractor>;
+
+  Extractors(const Arena& arena, std::size_t surfaces) : arena_(arena), extractors_(surfaces) {
+    for (AnyExtractor& extractor : extractors_) {
+      memory_.push_back(untouched(arena.bytes));
+      if constexpr (learns) {
+        learnt_.push_back(untouched(learnt_bytes));
+        extractor.learn_in({learnt_.back().get(), learnt_bytes});
+      }
+    }
+  }
+
+  /// Extracts as many surfaces of a volume. What has been learnt stays. limits: with the slab that
+  /// the spans are of. next_slice(): returns a SliceToExtract of each slice in spans.read.
+  template <class NextSlice>
+  std::vector<Extraction> extract(const VolumeInfo& info, const Limits& limits,
+                                  const SlabSpans& spans, const ExtractionOptions& options,
+                                  const std::vector<SurfaceRequest>& surfaces,
+                                  NextSlice next_slice) {
+    start(info, limits, surfaces);
+    SurfaceGroup<AnyExtractor> group{extractors_.data(),
+                                     static_cast<std::uint32_t>(extractors_.size()), limits.width};
+    BitSource bits(info, limits, spans, options.takes_majority, surfaces);
+    const auto push_bits = [&](const std::uint8_t* row) {
+      if constexpr (!holds_samples<AnyExtractor>) require(group.push_bits(row).status);
+      if (options.slices != nullptr) require(options.slices->push_bits(row).status);
+    };
+    for (std::uint32_t z = spans.read.first; z < spans.read.end; ++z) {
+      const SliceToExtract slice = next_slice();
+      bits.add_slice(slice.samples, slice.mask_rows, push_bits);
+      for (const SurfaceRequest& surface : surfaces)
+        if (surface.crossings != nullptr)
+          surface.crossings->add_slice(slice.samples, slice.mask_rows);
+      if constexpr (holds_samples<AnyExtractor>) {
+        using Sample = typename SampleOf<AnyExtractor>::Type;
+        const auto* samples = reinterpret_cast<const Sample*>(slice.samples);
+        require(group.push(samples, limits.width * limits.height).status);
+      }
+      if (options.progress) options.progress(z + 1);
+    }
+    bits.finish(push_bits);
+    require(group.finish());
+    if (options.slices != nullptr) require(options.slices->finish());
+    return results(info, spans, bits);
+  }
+
+  const Arena& arena() const { return arena_; }
+
+  /// Whether no fragment had to go out for lack of memory; when in doubt it says no. Limit: a sink
+  /// that takes fragments.
+  bool had_enough() const {
+    constexpr std::uint64_t reserve = 4096;  // more than any extractor keeps from being used
+    return std::all_of(extractors_.begin(), extractors_.end(), [this](const AnyExtractor& each) {
+      const HighWater most = each.high_water();
+      return most.slots + reserve <= arena_.capacities.slots &&
+             most.holes < arena_.capacities.holes;
+    });
+  }
+
+ private:
+  static constexpr std::uint64_t learnt_bytes = std::uint64_t{1} << 20;
+
+  void start(const VolumeInfo& info, const Limits& limits,
+             const std::vector<SurfaceRequest>& surfaces) {
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      if constexpr (holds_samples<AnyExtractor>) {
+        const auto spacing = spacing_nm(info.spacing_mm);
+        extractors_[i].set_spacing({spacing[0], spacing[1], spacing[2]});
+      }
+      const std::int32_t threshold = stored_threshold(info, surfaces[i].selection.low);
+      const Status started = extractors_[i].start(
+          limits, arena_.capacities, threshold, {memory_[i].get(), arena_.bytes}, surfaces[i].sink);
+      if (started != Status::ok) throw std::invalid_argument(to_string(started));
+    }
+  }
+
+  std::vector<Extraction> results(const VolumeInfo& info, const SlabSpans& spans,
+                                  const BitSource& bits) const {
+    const std::uint64_t voxels = std::uint64_t{spans.own.count()} * info.dims[0] * info.dims[1];
+    const bool is_of_slab = spans.own.count() < info.dims[2];
+    std::vector<Extraction> results;
+    for (std::size_t i = 0; i < extractors_.size(); ++i)
+      results.push_back({extractors_[i].statistics(), voxels, bits.not_numbers(), bits.is_full(i),
+                         is_of_slab, use_of(extractors_[i])});
+    return results;
+  }
+
+  std::optional<MemoryUse> use_of(const AnyExtractor& extractor) const {
+    if (learns) return std::nullopt;
+    return MemoryUse{arena_.bytes, extractor.bytes_used(), arena_.capacities,
+                     extractor.high_water()};
+  }
+
+  Arena arena_;
+  std::vector<std::unique_ptr<std::uint8_t[]>> memory_, learnt_;
+  std::vector<AnyExtractor> extractors_;
+};
+
+}  // namespace discmc::command
+
+#endif

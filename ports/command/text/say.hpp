@@ -1,0 +1,22 @@
+// What the command says on standard error.
+#ifndef DISCMC_COMMAND_TEXT_SAY_HPP
+#define DISCMC_COMMAND_TEXT_SAY_HPP
+
+#include <iostream>
+#include <string>
+
+namespace discmc::command {
+
+/// What an input is called, of which "-" is standard input.
+inline std::string name_for_people(const std::string& input) {
+  return input == "-" ? "standard input" : input;
+}
+
+/// A line about an input or an output. Faults are thrown, and said by main().
+inline void say(const std::string& input, const std::string& text) {
+  std::cerr << "discmc: " + name_for_people(input) + ": " + text + '\n';
+}
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,26 @@
+// Text of headers: lines, words, blanks and letters.
+#ifndef DISCMC_COMMAND_TEXT_WORDS_HPP
+#define DISCMC_COMMAND_TEXT_WORDS_HPP
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace discmc::command {
+
+/// Takes a line off the front, without its line feed and carriage return; nothing at the end.
+std::optional<std::string_view> take_line(std::string_view& text);
+
+/// Returns the text without blanks at either end.
+std::string_view trimmed(std::string_view text);
+
+/// Returns the text in lower case (ASCII letters only).
+std::string lower(std::string_view text);
+
+/// Returns the words between blanks.
+std::vector<std::string_view> words(std::string_view text);
+
+}  // namespace discmc::command
+
+#endif

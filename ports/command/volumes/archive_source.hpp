@@ -1,0 +1,56 @@
+// What libarchive unpacks, as bytes in order. Compiled where libarchive is there.
+#ifndef DISCMC_COMMAND_VOLUMES_ARCHIVE_SOURCE_HPP
+#define DISCMC_COMMAND_VOLUMES_ARCHIVE_SOURCE_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "byte_source.hpp"
+
+struct archive;
+
+namespace discmc::command {
+
+/// An archive, whose members are read one after the other.
+class ArchiveSource final : public ByteSource {
+ public:
+  /// Tells libarchive which formats and filters there can be.
+  using Support = void (*)(archive*);
+
+  /// Reads the bytes of another source as they come.
+  ArchiveSource(std::unique_ptr<ByteSource> in, Support support);
+  /// Reads a file in any order: a zip has its list of members at its end.
+  ArchiveSource(const std::filesystem::path& file, Support support);
+
+  /// Goes to the next file and returns its name; nothing at the end or at damage().
+  std::optional<std::string> next_member();
+
+  /// Reads from the member.
+  std::size_t read(void* bytes, std::size_t count) override;
+  std::uint64_t max_left() const override { return unbounded; }
+  void check_end() override;
+  std::string damage() const override { return damage_; }
+
+ private:
+  explicit ArchiveSource(Support support);
+  bool next_block();
+  void note_damage();
+
+  std::unique_ptr<ByteSource> in_;
+  std::array<char, 65536> packed_{};
+  std::unique_ptr<archive, int (*)(archive*)> archive_;
+  const char* block_ = nullptr;  // of libarchive: what is left of it
+  std::size_t block_bytes_ = 0;
+  bool is_at_end_ = false;  // of the member
+  std::size_t members_ = 0;
+  std::string damage_;
+};
+
+}  // namespace discmc::command
+
+#endif

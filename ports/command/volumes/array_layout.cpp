@@ -1,0 +1,206 @@
+#include "array_layout.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "volume_error.hpp"
+#include "volumes/filters/turned_volume.hpp"
+
+namespace discmc::command {
+namespace {
+
+constexpr std::string_view space_letters = "xyz";
+
+using Sizes = std::vector<std::int64_t>;
+
+std::string shape_text(const Sizes& sizes) {
+  std::string text;
+  for (const std::int64_t size : sizes) text += (text.empty() ? "" : " x ") + std::to_string(size);
+  return text;
+}
+
+// So that all samples, and their bytes, can be counted.
+void require_countable(const std::filesystem::path& file, const Sizes& sizes) {
+  constexpr std::int64_t max_sample_bytes = 8;
+  std::int64_t most = std::numeric_limits<std::int64_t>::max() / max_sample_bytes;
+  for (const std::int64_t size : sizes) {
+    if (size < 1 || size > most)
+      fail(file, "the array is " + shape_text(sizes) + ", which no file holds",
+           "give an array of three axes");
+    most /= size;
+  }
+}
+
+// Returns the axes that are left when those of size 1 are dropped until there are so many, the last
+// ones first.
+std::vector<std::size_t> kept_axes(const Sizes& sizes, std::size_t count) {
+  std::vector<std::size_t> kept(sizes.size());
+  for (std::size_t axis = 0; axis < kept.size(); ++axis) kept[axis] = axis;
+  while (kept.size() > count) {
+    const auto is_single = [&sizes](std::size_t axis) { return sizes[axis] == 1; };
+    const auto dropped =
+        is_single(kept.back()) ? kept.end() - 1 : std::find_if(kept.begin(), kept.end(), is_single);
+    if (dropped == kept.end()) break;
+    kept.erase(dropped);
+  }
+  return kept;
+}
+
+// Those of axes of which nothing is said: the last ones are of the volume, all others of time.
+std::string default_letters(std::size_t count) {
+  std::string letters(count, 't');
+  for (std::size_t i = 0; i < std::min<std::size_t>(count, 3); ++i)
+    letters[count - 1 - i] = space_letters[i];
+  return letters;
+}
+
+// An array as it is stored, the slowest axis first.
+struct StoredArray {
+  Sizes sizes;
+  std::vector<std::size_t> axes;  // those that are kept
+  std::string letters;            // of them
+};
+
+void note_default_axes(VolumeInfo& info, const ArrayShape& shape) {
+  const bool is_first_fastest = shape.is_first_fastest;
+  note(info, std::string("the axes are not named: taken as array") +
+                 (is_first_fastest ? "[x][y][z]" : "[z][y][x]") +
+                 "; --axes names others, such as " + (is_first_fastest ? "zyx" : "xyz"));
+}
+
+StoredArray stored_array(VolumeInfo& info, const std::filesystem::path& file,
+                         const ArrayShape& shape, const std::string& named) {
+  if (shape.sizes.size() < 2)
+    fail(file, "the data has " + std::to_string(shape.sizes.size()) + " dimensions",
+         "give a volume of three");
+  StoredArray array{shape.sizes, {}, named};
+  if (shape.is_first_fastest) {
+    std::reverse(array.sizes.begin(), array.sizes.end());
+    std::reverse(array.letters.begin(), array.letters.end());
+  }
+  require_countable(file, array.sizes);
+  array.axes = kept_axes(array.sizes, named.empty() ? 3 : named.size());
+  if (array.axes.size() < array.sizes.size())
+    note(info, "axes of size 1 dropped of " + shape_text(shape.sizes));
+  if (named.empty()) array.letters = default_letters(array.axes.size());
+  if (named.empty() && array.axes.size() > 2) note_default_axes(info, shape);
+  if (array.letters.size() != array.axes.size())
+    fail(
+        file,
+        "the axes are said to be " + shown(named) + ", but the array is " + shape_text(shape.sizes),
+        "name each of them with --axes, as in --axes zyx");
+  return array;
+}
+
+std::int64_t product_along(char letter, const StoredArray& array) {
+  std::int64_t product = 1;
+  for (std::size_t i = 0; i < array.axes.size(); ++i)
+    if (array.letters[i] == letter) product *= array.sizes[array.axes[i]];
+  return product;
+}
+
+// Of the axes with a letter, the last one counts fastest.
+void go_to(ArrayLayout& layout, const StoredArray& array, char letter, std::uint64_t index) {
+  for (std::size_t i = array.axes.size(); i-- > 0;) {
+    if (array.letters[i] != letter) continue;
+    const std::size_t axis = array.axes[i];
+    layout.first[axis] = index % layout.sizes[axis];
+    index /= layout.sizes[axis];
+  }
+}
+
+// From a sample to the next one along each axis. Units: samples.
+std::vector<std::uint64_t> strides_of(const std::vector<std::uint64_t>& sizes) {
+  std::vector<std::uint64_t> strides(sizes.size(), 1);
+  for (std::size_t axis = sizes.size() - 1; axis-- > 0;)
+    strides[axis] = strides[axis + 1] * sizes[axis + 1];
+  return strides;
+}
+
+}  // namespace
+
+std::size_t ArrayLayout::slowest() const {
+  std::size_t axis = std::min(*axes[0], *axes[1]);
+  return axes[2] ? std::min(axis, *axes[2]) : axis;
+}
+
+std::string ArrayLayout::order() const {
+  std::string letters;
+  for (std::size_t axis = 0; axis < sizes.size(); ++axis)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (axes[i] == axis) letters += space_letters[i];
+  return letters;
+}
+
+ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, const ArrayShape& shape,
+                       const VolumeOptions& options) {
+  const std::string& named = options.axes.empty() ? shape.letters : options.axes;
+  const StoredArray array = stored_array(info, file, shape, named);
+  const std::int64_t frames = product_along('t', array);
+  if (named.empty() && frames > 1 && !options.frame)
+    fail(file, "the file holds " + std::to_string(frames) + " volumes, and one is read at a time",
+         "choose one with --frame N, the first is 0; or say which axis of the array, " +
+             shape_text(shape.sizes) + ", is which, as in --axes zyxc");
+
+  ArrayLayout layout;
+  layout.sizes.assign(array.sizes.begin(), array.sizes.end());
+  layout.first.assign(array.sizes.size(), 0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t found = array.letters.find(space_letters[i]);
+    if (found != std::string::npos) layout.axes[i] = array.axes[found];
+  }
+  if (!layout.axes[0] || !layout.axes[1])
+    fail(file, "the axes are said to be " + shown(named) + ", without x and y",
+         "name them with --axes, as in --axes zyx");
+  const auto size_of = [&](std::size_t i) { return array.sizes[*layout.axes[i]]; };
+  Sizes dims{size_of(0), size_of(1)};
+  if (layout.axes[2] || frames > 1) dims.push_back(layout.axes[2] ? size_of(2) : 1);
+  if (frames > 1) dims.push_back(frames);
+  set_dims(info, file, dims, options.frame);
+  const auto channels = static_cast<std::uint64_t>(product_along('c', array));
+  set_channels(info, file, channels, options.channel, shape.channels);
+  go_to(layout, array, 't', options.frame.value_or(0));
+  go_to(layout, array, 'c', options.channel.value_or(0));
+  return layout;
+}
+
+std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
+                                           const ArrayLayout& layout, bool big_endian) {
+  const std::filesystem::path file = stream.file();
+  const std::vector<std::uint64_t> strides = strides_of(layout.sizes);
+  const std::size_t slowest = layout.slowest();
+  BlockLayout blocks;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (layout.axes[i]) blocks.strides[i] = strides[*layout.axes[i]];
+    if (layout.axes[2] && layout.axes[i] == slowest) blocks.block_axis = i;
+  }
+  std::uint64_t skipped = 0, frames = 1;
+  for (std::size_t axis = 0; axis < layout.sizes.size(); ++axis) {
+    (axis < slowest ? skipped : blocks.first) += layout.first[axis] * strides[axis];
+    if (axis < slowest) frames *= layout.sizes[axis];
+  }
+  const std::uint64_t in_all = strides[slowest] * layout.sizes[slowest];
+  const auto frame = static_cast<std::uint32_t>(skipped / in_all);
+  const std::uint64_t in_block = layout.axes[2] ? strides[slowest] : in_all;
+  const bool is_plain = blocks.block_axis == 2 && blocks.strides[0] == 1 &&
+                        blocks.strides[1] == info.dims[0] && frames == info.frames &&
+                        in_block == std::uint64_t{info.dims[0]} * info.dims[1];
+  if (is_plain)
+    return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian, frame);
+  // Those of all channels, where these are faster than the volume.
+  const std::uint64_t columns = layout.sizes.back();
+  if (columns > UINT32_MAX || in_block / columns > UINT32_MAX || frames > UINT32_MAX)
+    fail(file, "the array has " + std::to_string(in_block) + " samples a slice",
+         "give a part of it");
+  VolumeInfo of_blocks = info;
+  of_blocks.dims = {static_cast<std::uint32_t>(columns),
+                    static_cast<std::uint32_t>(in_block / columns), info.dims[blocks.block_axis]};
+  of_blocks.frames = frames;
+  return turned(
+      std::move(info),
+      std::make_unique<SliceStream>(std::move(of_blocks), std::move(stream), big_endian, frame),
+      blocks, file);
+}
+
+}  // namespace discmc::command

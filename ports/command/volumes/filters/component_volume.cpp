@@ -1,0 +1,47 @@
+#include "component_volume.hpp"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "volumes/volume_filter.hpp"
+
+namespace discmc::command {
+namespace {
+
+class ComponentVolume final : public VolumeFilter {
+ public:
+  ComponentVolume(std::unique_ptr<VolumeReader> all, VolumeInfo info, std::uint32_t first,
+                  std::uint32_t count)
+      : VolumeFilter(std::move(all)),
+        first_(first),
+        count_(count),
+        slice_(volume().info().slice_bytes()) {
+    own_info() = std::move(info);
+  }
+
+  void read_slice(void* samples) override {
+    volume().read_slice(slice_.data());
+    with_sample_type(info().type, [&](auto typed) {
+      using Sample = decltype(typed);
+      const auto* from = reinterpret_cast<const Sample*>(slice_.data()) + first_;
+      auto* to = static_cast<Sample*>(samples);
+      for (std::size_t left = info().slice_bytes() / sizeof(Sample); left > 0;
+           --left, from += count_)
+        *to++ = *from;
+    });
+  }
+
+ private:
+  std::uint32_t first_, count_;
+  std::vector<std::uint8_t> slice_;
+};
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> component(std::unique_ptr<VolumeReader> all, VolumeInfo info,
+                                        std::uint32_t first, std::uint32_t count) {
+  return std::make_unique<ComponentVolume>(std::move(all), std::move(info), first, count);
+}
+
+}  // namespace discmc::command

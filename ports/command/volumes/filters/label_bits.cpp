@@ -1,0 +1,104 @@
+#include "label_bits.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+namespace discmc::command {
+namespace {
+
+// A layer, and the bits of its labels.
+class LayerBits {
+ public:
+  LayerBits(std::uint32_t number, std::unique_ptr<VolumeReader> volume,
+            const std::vector<LabelSet>& sets)
+      : volume_(std::move(volume)), slice_(volume_->info().slice_bytes()) {
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      const auto found = sets[i].find(number);
+      if (found == sets[i].end()) continue;
+      const std::uint64_t bit = std::uint64_t{1} << i;
+      if (found->second.empty()) bits_of_others_ |= bit;
+      for (const LabelValue value : found->second) bits_[value] |= bit;
+    }
+    bits_.emplace(0, 0);
+    for (auto& [value, bits] : bits_)
+      if (value != LabelValue(0)) bits |= bits_of_others_;
+  }
+
+  const VolumeInfo& info() const { return volume_->info(); }
+
+  /// Adds the bits of the next slice to those of other layers.
+  template <class Bits>
+  void add_slice(Bits* bits) {
+    volume_->read_slice(slice_.data());
+    with_whole_type(info().type, [&](auto typed) {
+      using Sample = decltype(typed);
+      const auto* const sample = reinterpret_cast<const Sample*>(slice_.data());
+      std::uint64_t on = 0;
+      for (std::size_t i = 0; i < slice_.size() / sizeof(Sample); ++i) {
+        // Neighbours are mostly alike.
+        if (i == 0 || sample[i] != sample[i - 1]) on = bits_of(sample[i]);
+        bits[i] = static_cast<Bits>(bits[i] | on);
+      }
+    });
+  }
+  void skip_slice() { volume_->skip_slice(); }
+
+ private:
+  std::uint64_t bits_of(LabelValue value) const {
+    const auto found = bits_.find(value);
+    return found == bits_.end() ? bits_of_others_ : found->second;
+  }
+
+  std::unique_ptr<VolumeReader> volume_;
+  std::vector<std::uint8_t> slice_;
+  std::map<LabelValue, std::uint64_t> bits_;
+  std::uint64_t bits_of_others_ = 0;
+};
+
+SampleType type_for(std::size_t bits) {
+  if (bits <= 8) return SampleType::u8;
+  if (bits <= 16) return SampleType::u16;
+  return bits <= 32 ? SampleType::u32 : SampleType::u64;
+}
+
+class LabelBits final : public VolumeReader {
+ public:
+  LabelBits(std::vector<LayerBits> layers, std::size_t sets)
+      : layers_(std::move(layers)), info_(layers_[0].info()) {
+    info_.type = type_for(sets);
+  }
+
+  const VolumeInfo& info() const override { return info_; }
+
+  void read_slice(void* samples) override {
+    with_whole_type(info_.type, [&](auto typed) {
+      using Bits = decltype(typed);
+      if constexpr (std::is_unsigned_v<Bits>) {
+        auto* const bits = static_cast<Bits*>(samples);
+        std::fill_n(bits, info_.slice_bytes() / sizeof(Bits), Bits{0});
+        for (LayerBits& layer : layers_) layer.add_slice(bits);
+      }
+    });
+  }
+
+  void skip_slice() override {
+    for (LayerBits& layer : layers_) layer.skip_slice();
+  }
+
+ private:
+  std::vector<LayerBits> layers_;
+  VolumeInfo info_;
+};
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> label_bits(
+    std::map<std::uint32_t, std::unique_ptr<VolumeReader>> layers,
+    const std::vector<LabelSet>& sets) {
+  std::vector<LayerBits> all;
+  for (auto& [number, volume] : layers) all.emplace_back(number, std::move(volume), sets);
+  return std::make_unique<LabelBits>(std::move(all), sets.size());
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,31 @@
+// A volume whose axes are stored in another order than slices, rows and columns.
+#ifndef DISCMC_COMMAND_VOLUMES_FILTERS_TURNED_VOLUME_HPP
+#define DISCMC_COMMAND_VOLUMES_FILTERS_TURNED_VOLUME_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+#include "volumes/volume_reader.hpp"
+
+namespace discmc::command {
+
+/// Where samples are in blocks, of which there is one for each voxel along one axis. Units:
+/// samples.
+struct BlockLayout {
+  std::size_t block_axis = 2;  ///< x, y or z: 0 to 2
+  std::uint64_t first = 0;     ///< voxel (0, 0, 0) in the first block
+  /// From a voxel to the next one along x, y and z; nothing to say for block_axis.
+  std::array<std::uint64_t, 3> strides{};
+};
+
+/// info: of the volume. blocks: its slices are the blocks. If there is a block for each z, one is
+/// held; otherwise all that the volume has of them. file: for errors.
+std::unique_ptr<VolumeReader> turned(VolumeInfo info, std::unique_ptr<VolumeReader> blocks,
+                                     const BlockLayout& layout, const std::filesystem::path& file);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,27 @@
+// A volume of labels in whole numbers, whatever they are stored as.
+#ifndef DISCMC_COMMAND_VOLUMES_FILTERS_WHOLE_LABELS_HPP
+#define DISCMC_COMMAND_VOLUMES_FILTERS_WHOLE_LABELS_HPP
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+
+/// The label that a value stands for: the whole number that it is off by no more than 0.01. Nothing
+/// where there is none, or from 2^53 on, where double rounds some.
+std::optional<std::int64_t> nearest_label(double value);
+
+/// The volume with its values as samples: slope 1, intercept 0. Whole numbers that are values
+/// already stay as they are, up to all 64 bits; others become i64, each its nearest_label(), and
+/// what is not a number 0. Notes after the last slice tell how many are rounded or no numbers.
+/// Throws VolumeError in read_slice() where a value is of no label. file: for errors.
+std::unique_ptr<VolumeReader> whole_labels(const std::filesystem::path& file,
+                                           std::unique_ptr<VolumeReader> volume);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,58 @@
+// The formats of files: their names, their first bytes, and what reads them.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMAT_LIST_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMAT_LIST_HPP
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "formats/readers.hpp"
+
+namespace discmc::command {
+
+/// Bytes that files of a format have at an offset.
+struct Magic {
+  std::size_t offset;
+  std::string_view bytes;
+};
+
+/// A format is read from a stream of bytes, from a file that is there and not packed, or not at
+/// all.
+struct VolumeFormat {
+  std::string_view name;
+  std::vector<std::string_view> endings;  ///< of the names of files, in lower case
+  std::vector<Magic> magics;
+  std::unique_ptr<VolumeReader> (*open_stream)(ByteStream stream, const VolumeOptions& options);
+  std::unique_ptr<VolumeReader> (*open_file)(const std::filesystem::path& file,
+                                             const VolumeOptions& options);
+  /// Of a format that is not read: what makes another of it.
+  std::string_view remedy = {};
+};
+
+inline bool is_read(const VolumeFormat& format) {
+  return format.open_stream != nullptr || format.open_file != nullptr;
+}
+
+/// Returns the format that a file has by its name, which may be that of an array in it; a packed
+/// file has that of its content. Null where the name tells none.
+const VolumeFormat* format_of_name(const std::filesystem::path& file);
+
+/// Returns the format that bytes begin like, or null. head: the first magic_bytes of them, fewer
+/// where there are no more.
+const VolumeFormat* format_of_head(std::string_view head);
+
+/// Whether a file is named as arrays are, whose axes the user may name.
+bool names_no_axes(const std::filesystem::path& file);
+
+/// Units: bytes from the beginning of a file that tell its format.
+constexpr std::size_t magic_bytes = 348;
+
+/// Whether bytes begin like a file of a format with a header, or of one that is packed; of volumes
+/// that is, and streams never do.
+bool is_volume_head(std::string_view head);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,75 @@
+// The values of DICOM elements: of a frame, of all frames of a file, or of the file.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_ATTRIBUTES_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_ATTRIBUTES_HPP
+
+#include "toolkit.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace discmc::command {
+
+/// Returns an element, or nullptr.
+DcmElement* element_of(DcmItem& item, const DcmTagKey& key);
+
+/// Returns the first item of a sequence, or nullptr.
+DcmItem* first_item(DcmItem& item, const DcmTagKey& sequence);
+
+// Of the values of an element, which may be nullptr: then there are none.
+
+/// Returns the text without the blanks around it, several values with \ between them.
+std::string text_of(DcmElement* element);
+
+/// Returns one of the numbers, told as text or not. Nothing where it is none, or out of all
+/// measure.
+std::optional<double> real_of(DcmElement* element, unsigned long index = 0);
+
+/// Returns as many numbers, if there are so many at least.
+template <std::size_t count>
+std::optional<std::array<double, count>> reals_of(DcmElement* element) {
+  std::array<double, count> values{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto value = real_of(element, i);
+    if (!value) return std::nullopt;
+    values[i] = *value;
+  }
+  return values;
+}
+
+inline std::string text_of(DcmItem& item, const DcmTagKey& key) {
+  return text_of(element_of(item, key));
+}
+inline std::optional<double> real_of(DcmItem& item, const DcmTagKey& key, unsigned long index = 0) {
+  return real_of(element_of(item, key), index);
+}
+
+/// Returns a whole number of 16 bits.
+std::optional<std::uint32_t> whole_of(DcmItem& item, const DcmTagKey& key);
+
+/// Returns the number of a decimal text, in which a comma stands for the point.
+std::optional<double> decimal(std::string text);
+
+/// What a file tells of one of its frames.
+class Attributes {
+ public:
+  Attributes(DcmItem& dataset, std::uint32_t frame);
+
+  /// Returns the element in a functional group of the frame, in that of all frames, or of the file,
+  /// in this order; nullptr where none has it.
+  DcmElement* element(const DcmTagKey& group, const DcmTagKey& key) const;
+
+  /// The same, but for the file.
+  DcmElement* grouped_element(const DcmTagKey& group, const DcmTagKey& key) const;
+
+ private:
+  DcmItem& dataset_;
+  std::vector<DcmItem*> groups_;
+};
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,142 @@
+#include "choice.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+#include "volumes/volume_error.hpp"
+
+namespace discmc::command {
+namespace {
+
+// Whole, to be copied: without what is of no UID.
+std::string shown_uid(const std::string& uid) {
+  constexpr std::size_t most = 64;
+  std::string text;
+  for (const char c : uid.substr(0, most))
+    if ((c >= '0' && c <= '9') || c == '.') text += c;
+  return text;
+}
+
+std::string count_of(std::size_t count, const std::string& what) {
+  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+std::string description(const DicomStack& stack) {
+  const DicomImage& image = stack.image();
+  std::string text = count_of(stack.frames.size(), image.segments ? "frame" : "slice") + " of " +
+                     std::to_string(image.columns) + " x " + std::to_string(image.rows);
+  if (!stack.frames[0].place) text += " without position";
+  if (!image.modality.empty()) text += ", " + shown(image.modality);
+  if (!image.description.empty()) text += ", " + shown(image.description);
+  if (image.segments) text += ", " + count_of(image.segments->all.size(), "segment");
+  text += stack.distinction;
+  if (!stack.order.empty()) text += ", " + stack.order;
+  return text + ", UID " + shown_uid(image.series);
+}
+
+using Stacks = std::vector<DicomStack>;
+using Places = std::vector<std::size_t>;
+
+// places: of those to show among the stacks, the first is 0.
+std::string list(const Stacks& stacks, const Places& places) {
+  constexpr std::size_t max_shown = 50;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(places.size(), max_shown); ++i)
+    text += "\n  " + std::to_string(places[i] + 1) + ": " + description(stacks[places[i]]);
+  if (places.size() > max_shown)
+    text += "\n  and " + std::to_string(places.size() - max_shown) + " more";
+  return text + "\n";
+}
+
+bool have_one_series(const Stacks& stacks, const Places& places) {
+  return std::all_of(places.begin(), places.end(), [&](std::size_t place) {
+    return stacks[place].image().series == stacks[places[0]].image().series;
+  });
+}
+
+// What makes volumes of one series several.
+std::string differences(const Stacks& stacks, const Places& places) {
+  const auto differ = [&](auto are_alike) {
+    return std::any_of(places.begin(), places.end(), [&](std::size_t a) {
+      return std::any_of(places.begin(), places.end(), [&](std::size_t b) {
+        return !are_alike(stacks[a].frames[0], stacks[b].frames[0]);
+      });
+    });
+  };
+  std::string text;
+  if (differ([](const DicomFrame& a, const DicomFrame& b) {
+        return a.image->columns == b.image->columns && a.image->rows == b.image->rows;
+      }))
+    text += ", of different extents";
+  if (differ(
+          [](const DicomFrame& a, const DicomFrame& b) { return a.image->type == b.image->type; }))
+    text += ", of different types of samples";
+  if (differ([](const DicomFrame& a, const DicomFrame& b) {
+        return !a.place || !b.place || have_one_direction(a, b);
+      }))
+    text += ", of different directions";
+  if (differ([](const DicomFrame& a, const DicomFrame& b) {
+        return a.place.has_value() == b.place.has_value();
+      }))
+    text += ", with and without position (ImagePositionPatient and ImageOrientationPatient)";
+  return text;
+}
+
+// Whether all are single slices of one size: a series for each, as some programs write.
+bool are_slices_of_series(const Stacks& stacks, const Places& places) {
+  return std::all_of(places.begin(), places.end(), [&](std::size_t place) {
+    const DicomImage& image = stacks[place].image();
+    const DicomImage& first = stacks[places[0]].image();
+    return stacks[place].frames.size() == 1 && image.columns == first.columns &&
+           image.rows == first.rows && image.type == first.type;
+  });
+}
+
+[[noreturn]] void fail_several(const std::filesystem::path& source, const Stacks& stacks,
+                               const Places& places) {
+  const std::string choose = "choose one with --series N, its number in this list";
+  if (have_one_series(stacks, places))
+    fail(source,
+         "several volumes in one series" + differences(stacks, places) + ":" + list(stacks, places),
+         choose);
+  fail(source, "several volumes:" + list(stacks, places),
+       choose + ", or --series UID" +
+           (are_slices_of_series(stacks, places)
+                ? "; --merge-series takes them as slices of one volume"
+                : ""));
+}
+
+Places chosen_places(const Stacks& stacks, const std::string& series) {
+  const bool is_number = !series.empty() && series.size() < 6 &&
+                         series.find_first_not_of("0123456789") == std::string::npos;
+  Places chosen;
+  for (std::size_t i = 0; i < stacks.size(); ++i)
+    if (series.empty() || series == stacks[i].image().series ||
+        (is_number && series == std::to_string(i + 1)))
+      chosen.push_back(i);
+  return chosen;
+}
+
+}  // namespace
+
+ChosenStack chosen_stack(const std::filesystem::path& source, const Stacks& stacks,
+                         const VolumeOptions& options) {
+  const Places chosen = chosen_places(stacks, options.series);
+  if (chosen.empty()) {
+    Places all;
+    for (std::size_t i = 0; i < stacks.size(); ++i) all.push_back(i);
+    fail(source, "no series " + shown(options.series) + " among" + list(stacks, all),
+         "give one of them to --series");
+  }
+  if (chosen.size() == 1) return {&stacks[chosen[0]]};
+  if (!options.frame || !have_one_series(stacks, chosen)) fail_several(source, stacks, chosen);
+  if (*options.frame >= chosen.size())
+    fail(source,
+         "there is no volume " + std::to_string(*options.frame) + " among" + list(stacks, chosen),
+         "choose one with --frame 0 to " + std::to_string(chosen.size() - 1) +
+             ", in the order of this list");
+  return {&stacks[chosen[*options.frame]], chosen.size()};
+}
+
+}  // namespace discmc::command

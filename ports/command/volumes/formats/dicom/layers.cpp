@@ -1,0 +1,58 @@
+#include "layers.hpp"
+
+#include <stdexcept>
+
+namespace discmc::command {
+
+void Overlaps::start_slice(std::size_t voxels) {
+  slice_.assign(voxels, 0);
+}
+
+std::uint32_t Overlaps::number_of(Set set) {
+  constexpr std::size_t most = 1U << 20;
+  const auto next = static_cast<std::uint32_t>(sets_.size());
+  const auto [known, is_new] = numbers_.emplace(set, next);
+  if (is_new) sets_.push_back(std::move(set));
+  if (sets_.size() > most) throw std::length_error("segments overlap in too many ways");
+  return known->second;
+}
+
+void Overlaps::add(std::uint32_t segment, const std::uint8_t* voxels) {
+  std::map<std::uint32_t, std::uint32_t> with_segment;  // by the number of the set without it
+  std::uint32_t last_before = 0;
+  std::uint32_t last_after = 0;
+  for (std::size_t i = 0; i < slice_.size(); ++i) {
+    if (voxels[i] == 0) continue;
+    if (last_after == 0 || slice_[i] != last_before) {
+      last_before = slice_[i];
+      const auto [known, is_new] = with_segment.emplace(last_before, 0);
+      if (is_new) {
+        Set set = sets_[last_before];
+        set.push_back(segment);
+        known->second = number_of(std::move(set));
+      }
+      last_after = known->second;
+    }
+    slice_[i] = last_after;
+  }
+}
+
+std::map<std::uint32_t, std::uint32_t> Overlaps::layers(
+    const std::set<std::uint32_t>& segments) const {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> overlapping;
+  for (const Set& set : sets_)
+    for (const std::uint32_t a : set)
+      for (const std::uint32_t b : set) overlapping.emplace(a, b);
+  std::map<std::uint32_t, std::uint32_t> layers;
+  for (const std::uint32_t segment : segments) {
+    std::set<std::uint32_t> taken;
+    for (const auto& [other, layer] : layers)
+      if (overlapping.count({segment, other}) > 0) taken.insert(layer);
+    std::uint32_t layer = 0;
+    while (taken.count(layer) > 0) ++layer;
+    layers[segment] = layer;
+  }
+  return layers;
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,126 @@
+#include "mosaic.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "attributes.hpp"
+#include "csa_header.hpp"
+#include "vectors.hpp"
+
+namespace discmc::command {
+namespace {
+
+// The element of a private block, wherever the file has put the block.
+DcmTagKey private_key(DcmItem& dataset, Uint16 group, const std::string& creator, Uint16 element) {
+  for (DcmObject* each = dataset.nextInContainer(nullptr); each != nullptr;
+       each = dataset.nextInContainer(each)) {
+    const Uint16 block = each->getETag();
+    OFString name;
+    if (each->getGTag() == group && block >= 0x10 && block <= 0xff &&
+        static_cast<DcmElement*>(each)->getOFString(name, 0).good() && name == creator.c_str())
+      return DcmTagKey(group, static_cast<Uint16>(block << 8 | element));
+  }
+  return DCM_UndefinedTagKey;
+}
+
+CsaHeader csa_header(DcmItem& dataset) {
+  const Uint8* bytes = nullptr;
+  unsigned long count = 0;
+  if (dataset
+          .findAndGetUint8Array(private_key(dataset, 0x0029, "SIEMENS CSA HEADER", 0x10), bytes,
+                                &count)
+          .bad() ||
+      bytes == nullptr)
+    return {};
+  return read_csa_header({reinterpret_cast<const char*>(bytes), count});
+}
+
+std::optional<double> csa_number(const CsaHeader& header, const std::string& name,
+                                 std::size_t index = 0) {
+  const auto found = header.find(name);
+  if (found == header.end() || found->second.size() <= index) return std::nullopt;
+  return decimal(found->second[index]);
+}
+
+std::uint32_t count_of_slices(DcmItem& dataset, const CsaHeader& header) {
+  constexpr double most = 65536;
+  auto count = csa_number(header, "NumberOfImagesInMosaic");
+  if (!count) count = real_of(dataset, private_key(dataset, 0x0019, "SIEMENS MR HEADER", 0x0a));
+  return count && *count >= 1 && *count <= most ? static_cast<std::uint32_t>(*count) : 0;
+}
+
+bool is_called_mosaic(DcmItem& dataset) {
+  return text_of(dataset, DCM_ImageType).find("MOSAIC") != std::string::npos;
+}
+
+bool is_united_imaging_grid(DcmItem& dataset) {
+  const auto count = real_of(dataset, private_key(dataset, 0x0065, "Image Private Header", 0x50));
+  return count.value_or(0) > 1;
+}
+
+// The slices of a mosaic, whose one frame has the position of all of it.
+std::vector<DicomFrame> slices_of(const DicomFrame& mosaic, const DicomImage& image,
+                                  std::uint32_t slices, const Vector& step) {
+  const double aside = (image.mosaic->across - 1) / 2.0;  // in slices
+  const DicomPlace& place = *mosaic.place;
+  Vector first = place.position;
+  first = sum(first, aside * image.columns * mosaic.spacing_mm[0], place.along_row);
+  first = sum(first, aside * image.rows * mosaic.spacing_mm[1], place.along_column);
+  std::vector<DicomFrame> frames(slices, mosaic);
+  for (std::uint32_t slice = 0; slice < slices; ++slice) {
+    frames[slice].number = slice;
+    frames[slice].place->position = sum(first, slice, step);
+  }
+  return frames;
+}
+
+}  // namespace
+
+bool is_mosaic(DcmItem& dataset) {
+  if (is_called_mosaic(dataset)) return true;
+  return text_of(dataset, DCM_Modality) == "MR" &&
+         (is_united_imaging_grid(dataset) || count_of_slices(dataset, csa_header(dataset)) > 1);
+}
+
+NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
+  const std::string remedy = "convert it to NIfTI, e.g. with dcm2niix";
+  if (is_united_imaging_grid(dataset))
+    return {"a grid of slices in one picture (United Imaging)", remedy};
+  const CsaHeader header = csa_header(dataset);
+  const std::uint32_t slices = count_of_slices(dataset, header);
+  const std::string called = "a Siemens mosaic of " +
+                             (slices > 0 ? std::to_string(slices) : "an unknown number of") +
+                             " slices";
+  Vector towards{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto component = csa_number(header, "SliceNormalVector", i);
+    if (!component || slices == 0)
+      return {called + " without the CSA header (0029,xx10) that says which way they follow",
+              remedy + ", which assumes one way"};
+    towards[i] = *component;
+  }
+  const auto across = static_cast<std::uint32_t>(std::ceil(std::sqrt(slices)));
+  if (frames.size() != 1 || image.columns % across != 0 || image.rows % across != 0)
+    return {called + " that cannot be in " + std::to_string(image.columns) + " x " +
+                std::to_string(image.rows) + " voxels",
+            remedy};
+  const DicomFrame first = frames.front();
+  if (!first.place || !(first.spacing_mm[0] > 0 && first.spacing_mm[1] > 0) ||
+      !(first.slice_spacing_mm > 0))
+    return {called + " that tells no position, or no distances of voxels", remedy};
+
+  image.mosaic = {across};
+  image.columns /= across;
+  image.rows /= across;
+  Vector step = normal_of(*first.place);
+  const double along = dot(step, towards);
+  constexpr double least = 0.5;  // of the cosine: it is a normal
+  if (!(std::fabs(along) > least)) return {called + " whose SliceNormalVector is none", remedy};
+  for (double& component : step) component *= std::copysign(first.slice_spacing_mm, along);
+  frames = slices_of(first, image, slices, step);
+  return {};
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,169 @@
+#include "order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "position_order.hpp"
+#include "stack.hpp"
+#include "text/number_text.hpp"
+#include "vectors.hpp"
+#include "volumes/formats/pictures/picture_names.hpp"
+#include "volumes/told_place.hpp"
+#include "volumes/volume_error.hpp"
+
+namespace discmc::command {
+namespace {
+
+using Frames = std::vector<DicomFrame>;
+using Path = std::filesystem::path;
+
+void order_by_instance(const Path& source, VolumeInfo& info, Frames& stack, bool allow_gaps) {
+  for (const DicomFrame& frame : stack)
+    if (!frame.image->instance_number)
+      fail(source, name_of(frame) + " has no InstanceNumber", "put them in order by --order name");
+  const auto key = [](const DicomFrame& frame) {
+    return std::pair(*frame.image->instance_number, frame.number);
+  };
+  std::stable_sort(stack.begin(), stack.end(),
+                   [&](const DicomFrame& a, const DicomFrame& b) { return key(a) < key(b); });
+  std::vector<std::uint64_t> numbers;
+  std::vector<std::string> places;
+  for (const DicomFrame& frame : stack) {
+    numbers.push_back(static_cast<std::uint64_t>(std::int64_t{*frame.image->instance_number} -
+                                                 *stack[0].image->instance_number));
+    places.push_back("instance " + std::to_string(*frame.image->instance_number) + " (" +
+                     name_of(frame) + ")");
+  }
+  for (std::size_t i = 1; i < stack.size(); ++i)
+    if (key(stack[i]) == key(stack[i - 1]))
+      fail(source, "two slices have one InstanceNumber: " + places[i - 1] + " and " + places[i],
+           "put them in order by --order name");
+  const bool is_one_file = stack.front().image == stack.back().image;
+  if (!is_one_file) fill_missing(source, info, stack, numbers, places, allow_gaps);
+}
+
+void order_by_name(Frames& stack) {
+  std::vector<Path> files;
+  for (const DicomFrame& frame : stack) files.push_back(frame.image->file);
+  sort_naturally(files);
+  std::map<Path, std::size_t> ranks;
+  for (const Path& file : files) ranks.emplace(file, ranks.size());
+  const auto key = [&](const DicomFrame& frame) {
+    return std::pair(ranks.at(frame.image->file), frame.number);
+  };
+  std::stable_sort(stack.begin(), stack.end(),
+                   [&](const DicomFrame& a, const DicomFrame& b) { return key(a) < key(b); });
+}
+
+void order_without_positions(const Path& source, VolumeInfo& info, Frames& stack,
+                             const VolumeOptions& options) {
+  const std::string and_sides =
+      "; which way they follow each other, and so which side is left, is not known";
+  if (options.order == SliceOrder::instance) {
+    order_by_instance(source, info, stack, options.allow_gaps);
+    note(info, "slices in the order of their InstanceNumber" + and_sides);
+  } else if (options.order == SliceOrder::name) {
+    order_by_name(stack);
+    note(info, "slices in the order of their names" + and_sides);
+  } else if (std::any_of(stack.begin(), stack.end(),
+                         [&](const DicomFrame& frame) { return frame.image != stack[0].image; })) {
+    fail(source,
+         "the " + std::to_string(stack.size()) +
+             " slices tell no position (ImagePositionPatient), and so no order",
+         "put them in order by --order instance (InstanceNumber) or --order name");
+  } else if (stack.size() > 1) {
+    note(info, "the frames tell no positions, taken in their order" + and_sides);
+  }
+}
+
+// ---- the volume ----
+
+void require_one_spacing(const Path& source, const Frames& stack) {
+  constexpr double tolerance = 1e-4;
+  for (const DicomFrame& frame : stack)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double first = stack[0].spacing_mm[i];
+      if (std::fabs(frame.spacing_mm[i] - first) > tolerance * std::fabs(first))
+        fail(source,
+             "voxels are " + short_number(first) + " mm apart in " + name_of(stack[0]) + " and " +
+                 short_number(frame.spacing_mm[i]) + " mm in " + name_of(frame),
+             "resample the slices to one size of voxels");
+    }
+}
+
+void set_values(VolumeInfo& info, const Path& source, const Frames& stack) {
+  // Throws where one is of no use.
+  for (const DicomFrame& frame : stack) set_scale(info, source, frame.slope, frame.intercept);
+  info.type = stack[0].image->type;
+  // The values of CT that are not shifted may be of any unit.
+  info.is_in_hounsfield = stack[0].image->modality == "CT" && info.intercept < 0;
+  if (have_one_scale(stack)) {
+    const DicomImage& image = *stack[0].image;
+    if (image.padding && !image.is_inverted)
+      info.padding = info.slope * *image.padding + info.intercept;
+    return;
+  }
+  info.type = SampleType::f32;
+  info.slope = 1;
+  info.intercept = 0;
+  note(info, "slope and intercept differ from slice to slice, values taken as f32");
+}
+
+}  // namespace
+
+void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::optional<SliceLine>& line,
+                    const VolumeOptions& options) {
+  const double distance = line ? length(line->step) : std::fabs(first.slice_spacing_mm);
+  const std::string name = first.spacing_name == nullptr ? "" : first.spacing_name;
+  if (!options.spacing_mm) {
+    if (name.empty())
+      note(info, "no PixelSpacing, 1 mm taken");
+    else if (name != "PixelSpacing")
+      note(info, "no PixelSpacing, " + name + " taken, which is that at the detector");
+    if (distance == 0) note(info, "no SpacingBetweenSlices or SliceThickness, 1 mm taken");
+  }
+  const auto or_one = [](double told) { return told == 0 ? 1 : told; };
+  ToldPlace told;
+  told.set_unit("mm");
+  told.spacing = {or_one(first.spacing_mm[0]), or_one(first.spacing_mm[1]), or_one(distance)};
+  if (line) {
+    told.frame = Frame::lps;
+    told.origin = line->origin;
+    const Vector across =
+        distance == 0 ? normal_of(*first.place) : sum({}, 1 / distance, line->step);
+    told.directions = {first.place->along_row, first.place->along_column, across};
+  }
+  set_place(info, told, options);
+}
+
+bool have_one_scale(const Frames& stack) {
+  return std::all_of(stack.begin(), stack.end(), [&](const DicomFrame& frame) {
+    return frame.slope == stack[0].slope && frame.intercept == stack[0].intercept;
+  });
+}
+
+void order_stack(const Path& source, Frames& stack, const SamePixels& same_pixels,
+                 const VolumeOptions& options, VolumeInfo& info) {
+  std::optional<SliceLine> line;
+  if (stack[0].place && options.order == SliceOrder::position) {
+    line = order_by_position(source, info, stack, same_pixels, options.allow_gaps);
+  } else {
+    order_without_positions(source, info, stack, options);
+  }
+  require_one_spacing(source, stack);
+  const DicomImage& image = *stack[0].image;
+  set_dims(info, source, {image.columns, image.rows, static_cast<std::int64_t>(stack.size())});
+  set_values(info, source, stack);
+  set_slice_line(info, stack[0], line, options);
+  for (const DicomFrame& frame : stack)
+    for (const std::string& each : frame.image->notes) note(info, each);
+  if (image.is_inverted)
+    note(info, "MONOCHROME1: the low values are the bright ones, taken as stored");
+  info.format = "DICOM";
+  if (!image.compression.empty()) info.format += ", " + image.compression;
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,204 @@
+#include "position_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "distances.hpp"
+#include "stack.hpp"
+#include "text/number_text.hpp"
+#include "volumes/gaps.hpp"
+#include "volumes/volume_error.hpp"
+
+namespace discmc::command {
+namespace {
+
+using Frames = std::vector<DicomFrame>;
+using Path = std::filesystem::path;
+
+// How far a frame lies along the normal of the stack. Units: millimetres.
+class Along {
+ public:
+  explicit Along(const DicomFrame& first) : normal_(normal_of(*first.place)) {}
+  double operator()(const DicomFrame& frame) const { return dot(frame.place->position, normal_); }
+
+ private:
+  Vector normal_;
+};
+
+// Drops frames that are there twice. Returns how many.
+std::size_t drop_duplicates(const Path& source, Frames& stack, const Along& along,
+                            const SamePixels& same_pixels) {
+  constexpr double same_mm = 1e-5;
+  Frames kept;
+  for (const DicomFrame& frame : stack) {
+    if (kept.empty() || along(frame) - along(kept.back()) > same_mm) {
+      kept.push_back(frame);
+      continue;
+    }
+    const bool is_same_object = !frame.image->instance.empty() &&
+                                frame.image->instance == kept.back().image->instance &&
+                                frame.number == kept.back().number;
+    if (!is_same_object && !same_pixels(frame, kept.back()))
+      fail(source,
+           "two slices at " + short_number(along(frame)) + " mm differ: " + name_of(kept.back()) +
+               " and " + name_of(frame) + ", and nothing tells which are of one volume",
+           "give a pattern of the files of one volume, such as 'FOLDER/a*'");
+  }
+  const std::size_t dropped = stack.size() - kept.size();
+  stack = std::move(kept);
+  return dropped;
+}
+
+// How far the coordinates of positions may be from the true ones, where they are rounded.
+Vector rounding_of(const Frames& stack) {
+  Vector rounding{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<double> numbers;
+    for (const DicomFrame& frame : stack) numbers.push_back(frame.place->position[i]);
+    const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+    if (*least < *most) rounding[i] = half_a_decimal(numbers);
+  }
+  return rounding;
+}
+
+double along_normal_of(const Frames& stack, const Vector& rounding) {
+  const Vector normal = normal_of(*stack[0].place);
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i) most += std::fabs(normal[i]) * rounding[i];
+  return most;
+}
+
+bool are_mostly_neighbours(const std::vector<std::uint64_t>& numbers) {
+  std::size_t neighbours = 0;
+  for (std::size_t i = 1; i < numbers.size(); ++i) neighbours += numbers[i] == numbers[i - 1] + 1;
+  return 2 * neighbours >= numbers.size() - 1;
+}
+
+// The slices as positions that are rounded have them, with the step that the file tells if it fits.
+std::optional<EvenSlices> rounded_slices(const std::vector<double>& along, double told_step,
+                                         double rounding) {
+  for (const double step : {told_step, best_step(along)})
+    if (auto slices = slices_by_step(along, step, rounding))
+      if (are_mostly_neighbours(slices->numbers)) return slices;
+  return std::nullopt;
+}
+
+EvenSlices even_slices(const Path& source, VolumeInfo& info, const Frames& stack,
+                       const std::vector<double>& along) {
+  OddDistance odd;
+  const double rounding = along_normal_of(stack, rounding_of(stack));
+  auto slices = slices_by_distances(along, odd);
+  if (!slices) {
+    slices = rounded_slices(along, std::fabs(stack[0].slice_spacing_mm), rounding);
+    if (slices)
+      note(info,
+           "the positions are rounded, slices taken " + short_number(slices->step) + " mm apart");
+  }
+  if (!slices) {
+    const DicomFrame& before = stack[odd.slice];
+    const DicomFrame& after = stack[odd.slice + 1];
+    fail(source,
+         "the slices are " + short_number(odd.step) + " mm apart, but " +
+             short_number(along[odd.slice + 1] - along[odd.slice]) + " mm between " +
+             short_number(along[odd.slice]) + " mm (" + name_of(before) + ") and " +
+             short_number(along[odd.slice + 1]) + " mm (" + name_of(after) + ")",
+         "resample the series to even distances, e.g. with 3D Slicer or dcm2niix");
+  }
+  const double off = farthest_off(along, *slices);
+  constexpr double max_share = 0.25, share_to_tell = 0.02;
+  if (off > std::max(rounding, share_to_tell * slices->step))
+    note(info, "slices lie up to " + short_number(off) + " mm from where even distances have them");
+  if (off > max_share * slices->step)
+    fail(source,
+         "the distances of slices change: with " + short_number(slices->step) +
+             " mm everywhere some would be " + short_number(off) + " mm off",
+         "resample the series to even distances, e.g. with 3D Slicer or dcm2niix");
+  return *slices;
+}
+
+// The way to the next slice: along the normal, or aside, too, as with a tilted gantry.
+Vector step_of(const Path& source, VolumeInfo& info, const Frames& stack,
+               const EvenSlices& slices) {
+  const Vector& first = stack[0].place->position;
+  const Vector normal = normal_of(*stack[0].place);
+  const auto aside = [&](std::size_t i) {
+    const Vector way = sum(stack[i].place->position, -1, first);
+    return sum(way, -dot(way, normal), normal);
+  };
+  constexpr double least_mm = 0.001, share = 0.1, straight_share = 0.02;  // of a voxel
+  const double voxel = std::min(stack[0].spacing_mm[0], stack[0].spacing_mm[1]);
+  // That of a position, and of the two that the line goes through.
+  const double rounding = std::max(least_mm, 2 * length(rounding_of(stack)));
+  const auto last = static_cast<double>(slices.numbers.back());
+  const Vector shift = sum({}, 1 / last, aside(stack.size() - 1));
+  bool is_straight = true;
+  for (std::size_t i = 0; i < stack.size(); ++i) {
+    const auto number = static_cast<double>(slices.numbers[i]);
+    is_straight = is_straight && length(aside(i)) <= std::max(rounding, straight_share * voxel);
+    const double off = length(sum(aside(i), -number, shift));
+    if (off > std::max(rounding, share * voxel))
+      fail(source,
+           name_of(stack[i]) + " is shifted aside by " + short_number(off) +
+               " mm against the line of the others",
+           "resample the series to a straight one, e.g. with 3D Slicer");
+  }
+  const Vector straight = sum({}, slices.step, normal);
+  if (is_straight) return straight;
+  constexpr double degrees = 180 / 3.14159265358979323846;
+  note(info, "each slice is shifted by " + short_number(length(shift)) +
+                 " mm against the one before it, as by a gantry tilted by " +
+                 short_number(std::atan2(length(shift), slices.step) * degrees) +
+                 " degrees; the volume is sheared as they lie");
+  // That of the positions themselves, unless they are rounded.
+  const Vector way = sum({}, 1 / last, sum(stack.back().place->position, -1, first));
+  constexpr double same_mm = 1e-6;
+  return std::fabs(dot(way, normal) - slices.step) < same_mm ? way : sum(straight, 1, shift);
+}
+
+}  // namespace
+
+void fill_missing(const Path& source, VolumeInfo& info, Frames& stack,
+                  const std::vector<std::uint64_t>& numbers, const std::vector<std::string>& places,
+                  bool allow_gaps) {
+  std::vector<Gap> gaps;
+  for (std::size_t i = 1; i < numbers.size(); ++i)
+    if (numbers[i] > numbers[i - 1] + 1)
+      gaps.push_back({i - 1, std::min(numbers[i] - numbers[i - 1] - 1, max_missing),
+                      "between " + places[i - 1] + " and " + places[i]});
+  if (gaps.empty()) return;
+  note(info,
+       note_of_filling(source, gaps, stack.size(), allow_gaps, "export or copy the series again"));
+  fill_gaps(stack, gaps);
+}
+
+SliceLine order_by_position(const Path& source, VolumeInfo& info, Frames& stack,
+                            const SamePixels& same_pixels, bool allow_gaps) {
+  const Along along_normal(stack[0]);
+  std::stable_sort(stack.begin(), stack.end(), [&](const DicomFrame& a, const DicomFrame& b) {
+    return along_normal(a) < along_normal(b);
+  });
+  if (const std::size_t dropped = drop_duplicates(source, stack, along_normal, same_pixels);
+      dropped > 0)
+    note(info, std::to_string(dropped) + (dropped == 1 ? " slice that is there twice dropped"
+                                                       : " slices that are there twice dropped"));
+  const Vector normal = normal_of(*stack[0].place);
+  if (stack.size() == 1)
+    return {stack[0].place->position, sum({}, std::fabs(stack[0].slice_spacing_mm), normal)};
+  std::vector<double> along;
+  std::vector<std::string> places;
+  for (const DicomFrame& frame : stack) {
+    along.push_back(along_normal(frame));
+    places.push_back(short_number(along.back()) + " mm (" + name_of(frame) + ")");
+  }
+  const EvenSlices slices = even_slices(source, info, stack, along);
+  const SliceLine line = {sum(stack[0].place->position, slices.first - along[0], normal),
+                          step_of(source, info, stack, slices)};
+  places.back() += ", where the others are " + short_number(slices.step) + " mm apart";
+  fill_missing(source, info, stack, slices.numbers, places, allow_gaps);
+  return line;
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,271 @@
+#include "segmentation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "distances.hpp"
+#include "layers.hpp"
+#include "order.hpp"
+#include "pixels.hpp"
+#include "stack.hpp"
+#include "text/number_text.hpp"
+#include "vectors.hpp"
+#include "volumes/volume_error.hpp"
+
+namespace discmc::command {
+namespace {
+
+using Frames = std::vector<DicomFrame>;
+using Path = std::filesystem::path;
+/// The frames of every slice of the volume.
+using Slices = std::vector<std::vector<const DicomFrame*>>;
+
+const DicomSegments& segments_in(const Frames& frames) {
+  return *frames[0].image->segments;
+}
+
+bool is_of_numbers(const Frames& frames) {
+  return segments_in(frames).kind == DicomSegments::Kind::numbers;
+}
+
+// Reads the voxels of a frame as labels: of a segment its number.
+class Labels {
+ public:
+  explicit Labels(const DicomImage& image)
+      : count_(std::size_t{image.columns} * image.rows),
+        stored_(count_ * sample_bytes(image.type)),
+        is_on_(count_) {}
+
+  /// Where the segment of a frame is: not 0. Valid until the next call.
+  const std::uint8_t* read_segment(const DicomFrame& frame) {
+    pixels_.read(frame, stored_.data());
+    const std::uint32_t full = frame.image->segments->full;
+    with_sample_type(frame.image->type, [&](auto typed) {
+      using Sample = decltype(typed);
+      const auto* const sample = reinterpret_cast<const Sample*>(stored_.data());
+      for (std::size_t i = 0; i < count_; ++i)
+        is_on_[i] = sample[i] > 0 && 2 * static_cast<double>(sample[i]) >= full;
+    });
+    return is_on_.data();
+  }
+
+  /// Reads the numbers of all segments, as they are stored.
+  void read_numbers(const DicomFrame& frame, void* samples) { pixels_.read(frame, samples); }
+
+ private:
+  std::size_t count_;
+  DicomPixels pixels_;
+  std::vector<std::uint8_t> stored_;
+  std::vector<std::uint8_t> is_on_;
+};
+
+class SegmentationVolume final : public VolumeReader {
+ public:
+  SegmentationVolume(Path source, VolumeInfo info, Frames frames, Slices slices)
+      : source_(std::move(source)),
+        info_(std::move(info)),
+        frames_(std::move(frames)),
+        slices_(std::move(slices)),
+        labels_(*frames_[0].image) {}
+
+  const VolumeInfo& info() const override { return info_; }
+
+  void read_slice(void* samples) override {
+    require_slice_left(source_, slice_, slices_.size());
+    auto* const bytes = static_cast<unsigned char*>(samples);
+    std::fill(bytes, bytes + info_.slice_bytes(), static_cast<unsigned char>(0));
+    for (const DicomFrame* frame : slices_[slice_])
+      if (is_of_numbers(frames_))
+        labels_.read_numbers(*frame, samples);
+      else if (info_.type == SampleType::u8)
+        paint(*frame, static_cast<std::uint8_t*>(samples));
+      else
+        paint(*frame, static_cast<std::uint16_t*>(samples));
+    ++slice_;
+  }
+
+  void skip_slice() override {
+    require_slice_left(source_, slice_, slices_.size());
+    ++slice_;
+  }
+
+ private:
+  template <class Label>
+  void paint(const DicomFrame& frame, Label* labels) {
+    const std::uint8_t* const is_on = labels_.read_segment(frame);
+    const std::size_t count = std::size_t{info_.dims[0]} * info_.dims[1];
+    for (std::size_t i = 0; i < count; ++i)
+      if (is_on[i] != 0) labels[i] = static_cast<Label>(frame.segment);
+  }
+
+  Path source_;
+  VolumeInfo info_;
+  Frames frames_;
+  Slices slices_;  ///< of those
+  Labels labels_;
+  std::size_t slice_ = 0;
+};
+
+// ---- where the slices are ----
+
+std::vector<double> places_along(const Frames& frames, const Vector& normal) {
+  constexpr double same_mm = 1e-3;
+  std::vector<double> places;
+  for (const DicomFrame& frame : frames) places.push_back(dot(frame.place->position, normal));
+  std::sort(places.begin(), places.end());
+  const auto is_same = [](double a, double b) { return b - a <= same_mm; };
+  places.erase(std::unique(places.begin(), places.end(), is_same), places.end());
+  return places;
+}
+
+// Slices without a segment may not be there at all, so the distances alone do not tell the step.
+EvenSlices even_slices(const Path& source, const DicomFrame& first,
+                       const std::vector<double>& places) {
+  if (places.size() == 1) return {places[0], std::fabs(first.slice_spacing_mm), {0}};
+  double least = places[1] - places[0];
+  for (std::size_t i = 1; i < places.size(); ++i)
+    least = std::min(least, places[i] - places[i - 1]);
+  const double told = std::fabs(first.slice_spacing_mm);
+  for (const double step : {told, least}) {
+    constexpr double share = 0.02;  // of a step
+    const double rounding = std::max(half_a_decimal(places), share * step);
+    if (auto slices = slices_by_step(places, step, rounding)) return *slices;
+  }
+  fail(source,
+       "the slices of the segmentation are " + short_number(told > 0 ? told : least) +
+           " mm apart, but not everywhere",
+       "resample it to even distances, e.g. with 3D Slicer");
+}
+
+struct Grid {
+  Slices slices;
+  SliceLine line;
+};
+
+Grid grid_of(const Path& source, const Frames& frames) {
+  constexpr std::uint64_t most = 65536;
+  const DicomFrame& first = frames[0];
+  for (const DicomFrame& frame : frames)
+    if (!frame.place || !have_one_direction(first, frame))
+      fail(source, "a segmentation whose frames tell no position, or are not parallel",
+           "give that of a volume, not of a slide or a single picture");
+  const Vector normal = normal_of(*first.place);
+  const auto places = places_along(frames, normal);
+  const EvenSlices even = even_slices(source, first, places);
+  const std::uint64_t count = even.numbers.back() + 1;
+  if (count > most)
+    fail(source, "a segmentation of " + std::to_string(count) + " slices, most of them empty",
+         "export it again");
+  const double ahead = even.first - dot(first.place->position, normal);
+  Grid grid{Slices(count), {sum(first.place->position, ahead, normal), sum({}, even.step, normal)}};
+  for (const DicomFrame& frame : frames) {
+    const double along = dot(frame.place->position, normal);
+    const auto place = std::upper_bound(places.begin(), places.end(), along) - 1;
+    grid.slices[even.numbers[static_cast<std::size_t>(place - places.begin())]].push_back(&frame);
+  }
+  return grid;
+}
+
+// ---- segments ----
+
+std::set<std::uint32_t> numbers_of(const Frames& frames) {
+  std::set<std::uint32_t> numbers;
+  for (const auto& [number, segment] : segments_in(frames).all) numbers.insert(number);
+  if (!is_of_numbers(frames))
+    for (const DicomFrame& frame : frames) numbers.insert(frame.segment);
+  return numbers;
+}
+
+using Layers = std::map<std::uint32_t, std::uint32_t>;  // by segment
+
+Layers layers_of(const Path& source, const Frames& frames, const Slices& slices) {
+  Overlaps overlaps;
+  if (!segments_in(frames).are_disjoint && !is_of_numbers(frames)) {
+    const DicomImage& image = *frames[0].image;
+    Labels labels(image);
+    for (const auto& slice : slices) {
+      if (slice.size() < 2) continue;
+      overlaps.start_slice(std::size_t{image.columns} * image.rows);
+      try {
+        for (const DicomFrame* frame : slice)
+          overlaps.add(frame->segment, labels.read_segment(*frame));
+      } catch (const std::length_error& error) {
+        fail(source, error.what(), "store the segments as files of their own");
+      }
+    }
+  }
+  return overlaps.layers(numbers_of(frames));
+}
+
+std::uint32_t count_of(const Layers& layers) {
+  std::uint32_t count = 1;
+  for (const auto& [segment, layer] : layers) count = std::max(count, layer + 1);
+  return count;
+}
+
+LabelTable table_of(const DicomSegments& segments, const Layers& layers) {
+  LabelTable table;
+  for (const auto& [number, segment] : segments.all)
+    if (!segment.name.empty())
+      table.push_back({segment.name, segment.colour, {number}, layers.at(number)});
+  return table;
+}
+
+void require_one_frame_a_segment(const Path& source, const Slices& slices) {
+  for (const auto& slice : slices) {
+    std::set<std::uint32_t> segments;
+    for (const DicomFrame* frame : slice)
+      if (!segments.insert(frame->segment).second)
+        fail(source,
+             "two frames of one place and segment: " + name_of(*frame) + " and one before it",
+             "export the segmentation again");
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_segmentation(const Path& source, const Frames& given,
+                                                VolumeInfo info, const VolumeOptions& options) {
+  Frames frames = given;
+  const DicomSegments& segments = segments_in(frames);
+  Grid grid = grid_of(source, frames);
+  require_one_frame_a_segment(source, grid.slices);
+  const Layers layers = layers_of(source, frames, grid.slices);
+
+  const DicomImage& image = *frames[0].image;
+  const std::uint32_t highest = layers.empty() ? 0 : layers.rbegin()->first;
+  info.type = is_of_numbers(frames) ? image.type
+              : highest <= 255      ? SampleType::u8
+                                    : SampleType::u16;
+  std::vector<std::int64_t> sizes = {image.columns, image.rows,
+                                     static_cast<std::int64_t>(grid.slices.size())};
+  if (const std::uint32_t count = count_of(layers); count > 1) sizes.push_back(count);
+  set_dims(info, source, sizes, options.frame);
+  const std::uint32_t layer = options.frame.value_or(0);
+  for (auto& slice : grid.slices)
+    slice.erase(std::remove_if(slice.begin(), slice.end(),
+                               [&](const DicomFrame* frame) {
+                                 return !is_of_numbers(frames) &&
+                                        layers.at(frame->segment) != layer;
+                               }),
+                slice.end());
+  set_slice_line(info, frames[0], grid.line, options);
+  info.labels = table_of(segments, layers);
+  if (segments.kind == DicomSegments::Kind::fractions)
+    note(info, "fractions: a voxel of at least a half is of a segment");
+  for (const std::string& each : image.notes) note(info, each);
+  info.format = "DICOM segmentation";
+  if (!image.compression.empty()) info.format += ", " + image.compression;
+  return std::make_unique<SegmentationVolume>(source, std::move(info), std::move(frames),
+                                              std::move(grid.slices));
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,68 @@
+#include "segments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "attributes.hpp"
+
+namespace discmc::command {
+namespace {
+
+// Of CIELab, back to a share of white.
+double share(double root) {
+  constexpr double linear_below = 6.0 / 29;
+  return root > linear_below ? root * root * root
+                             : (root - 4.0 / 29) * 3 * linear_below * linear_below;
+}
+
+std::uint8_t encoded_srgb(double linear) {
+  const double value =
+      linear > 0.0031308 ? 1.055 * std::pow(linear, 1 / 2.4) - 0.055 : 12.92 * linear;
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+}
+
+std::optional<Srgb> colour(DcmItem& segment) {
+  std::array<std::uint16_t, 3> lab{};
+  for (std::size_t i = 0; i < 3; ++i)
+    if (segment.findAndGetUint16(DCM_RecommendedDisplayCIELabValue, lab[i], i).bad())
+      return std::nullopt;
+  return srgb_of_cielab(lab);
+}
+
+}  // namespace
+
+Srgb srgb_of_cielab(const std::array<std::uint16_t, 3>& encoded) {
+  constexpr double most = 65535;
+  const double lightness = 100 * encoded[0] / most;
+  const double a = 255 * encoded[1] / most - 128;
+  const double b = 255 * encoded[2] / most - 128;
+  const double root = (lightness + 16) / 116;
+  // The white of sRGB is that of the illuminant D65.
+  const double x = 0.95047 * share(root + a / 500);
+  const double y = share(root);
+  const double z = 1.08883 * share(root - b / 200);
+  return {encoded_srgb(3.2404542 * x - 1.5371385 * y - 0.4985314 * z),
+          encoded_srgb(-0.9692660 * x + 1.8760108 * y + 0.0415560 * z),
+          encoded_srgb(0.0556434 * x - 0.2040259 * y + 1.0572252 * z)};
+}
+
+DicomSegments segments_of(DcmItem& dataset) {
+  DicomSegments segments;
+  const std::string type = text_of(dataset, DCM_SegmentationType);
+  if (type == "FRACTIONAL") {
+    segments.kind = DicomSegments::Kind::fractions;
+    segments.full = std::max(1U, whole_of(dataset, DCM_MaximumFractionalValue).value_or(255));
+  } else if (type == "LABELMAP") {
+    segments.kind = DicomSegments::Kind::numbers;
+  }
+  segments.are_disjoint = text_of(dataset, DCM_SegmentsOverlap) == "NO";
+  DcmItem* segment = nullptr;
+  for (signed long i = 0; dataset.findAndGetSequenceItem(DCM_SegmentSequence, segment, i).good();
+       ++i)
+    if (const auto number = whole_of(*segment, DCM_SegmentNumber))
+      segments.all[*number] = {text_of(*segment, DCM_SegmentLabel), colour(*segment)};
+  return segments;
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,142 @@
+#include "separation.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "vectors.hpp"
+
+namespace discmc::command {
+namespace {
+
+// A frame, and the number of its place among those of all frames.
+struct Placed {
+  const DicomFrame* frame = nullptr;
+  std::size_t place = 0;
+};
+using Group = std::vector<Placed>;
+
+Group placed(const std::vector<DicomFrame>& frames) {
+  constexpr double same_mm = 1e-3;
+  const Vector normal = normal_of(*frames[0].place);
+  const auto along = [&](const Placed& each) { return dot(each.frame->place->position, normal); };
+  Group group;
+  for (const DicomFrame& frame : frames) group.push_back({&frame});
+  std::stable_sort(group.begin(), group.end(),
+                   [&](const Placed& a, const Placed& b) { return along(a) < along(b); });
+  for (std::size_t i = 1; i < group.size(); ++i)
+    group[i].place = group[i - 1].place + (along(group[i]) - along(group[i - 1]) > same_mm);
+  return group;
+}
+
+void drop_copies(Group& group) {
+  std::set<std::pair<std::string, std::uint32_t>> known;
+  const auto is_copy = [&](const Placed& each) {
+    const std::string& instance = each.frame->image->instance;
+    return !instance.empty() && !known.emplace(instance, each.frame->number).second;
+  };
+  group.erase(std::remove_if(group.begin(), group.end(), is_copy), group.end());
+}
+
+// How many slices lie in each place where there are any.
+std::vector<std::size_t> counts_of_places(const Group& group) {
+  std::map<std::size_t, std::size_t> counts;
+  for (const Placed& each : group) ++counts[each.place];
+  std::vector<std::size_t> result;
+  for (const auto& [place, count] : counts) result.push_back(count);
+  return result;
+}
+
+std::size_t most_in_a_place(const Group& group) {
+  const auto counts = counts_of_places(group);
+  return *std::max_element(counts.begin(), counts.end());
+}
+
+struct TraitOrder {
+  bool operator()(const std::string& a, const std::string& b) const {
+    return is_trait_before(a, b);
+  }
+};
+
+// The groups by a trait of volumes: one that has no more values than there are slices in a place,
+// and leaves fewer of them there. Traits of slices, such as the time of each, are none.
+std::vector<Group> groups_of_trait(const Group& group, std::size_t most, std::size_t kind) {
+  std::map<std::string, Group, TraitOrder> groups;
+  for (const Placed& each : group) {
+    groups[trait_of(each.frame->traits, kind)].push_back(each);
+    if (groups.size() > most) return {};
+  }
+  if (groups.size() < 2) return {};
+  std::vector<Group> result;
+  for (auto& [value, of_value] : groups) {
+    if (most_in_a_place(of_value) == most) return {};
+    result.push_back(std::move(of_value));
+  }
+  return result;
+}
+
+// The groups by the order of a trait: the first slice of every place is of one, and so on. None
+// where places have not as many slices each, or the trait is the same of two.
+std::vector<Group> groups_of_order(const Group& group, std::size_t kind) {
+  std::map<std::size_t, std::map<std::string, Placed, TraitOrder>> places;
+  for (const Placed& each : group) {
+    const std::string& value = trait_of(each.frame->traits, kind);
+    if (value.empty() || !places[each.place].emplace(value, each).second) return {};
+  }
+  std::vector<Group> groups(places.begin()->second.size());
+  for (const auto& [place, slices] : places) {
+    if (slices.size() != groups.size()) return {};
+    auto target = groups.begin();
+    for (const auto& [value, slice] : slices) (target++)->push_back(slice);
+  }
+  return groups;
+}
+
+SeparatedFrames frames_of(const Group& group, std::string order = {}) {
+  SeparatedFrames result{{}, std::move(order)};
+  for (const Placed& each : group) result.frames.push_back(*each.frame);
+  return result;
+}
+
+void add_by_order(const Group& group, std::vector<SeparatedFrames>& parts) {
+  for (std::size_t kind = 0; kind < trait_count(); ++kind) {
+    if (!has_order(kind)) continue;
+    const auto groups = groups_of_order(group, kind);
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      parts.push_back(
+          frames_of(groups[i], "number " + std::to_string(i + 1) + " by " + trait_name(kind)));
+    if (!groups.empty()) return;
+  }
+  parts.push_back(frames_of(group));
+}
+
+void separate(const Group& group, std::vector<SeparatedFrames>& parts) {
+  const std::size_t most = most_in_a_place(group);
+  if (most == 1) {
+    parts.push_back(frames_of(group));
+    return;
+  }
+  for (std::size_t kind = 0; kind < trait_count(); ++kind) {
+    const auto groups = groups_of_trait(group, most, kind);
+    for (const Group& each : groups) separate(each, parts);
+    if (!groups.empty()) return;
+  }
+  add_by_order(group, parts);
+}
+
+}  // namespace
+
+std::vector<SeparatedFrames> separated(const std::vector<DicomFrame>& frames) {
+  Group group = placed(frames);
+  if (most_in_a_place(group) == 1) return {{frames, {}}};
+  drop_copies(group);
+  std::vector<SeparatedFrames> parts;
+  separate(group, parts);
+  if (parts.size() == 1) return {{frames, {}}};
+  return parts;
+}
+
+}  // namespace discmc::command

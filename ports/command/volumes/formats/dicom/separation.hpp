@@ -1,0 +1,25 @@
+// Slices in the same place, as of several times, echoes or phases, told apart.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_SEPARATION_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_SEPARATION_HPP
+
+#include <string>
+#include <vector>
+
+#include "image.hpp"
+
+namespace discmc::command {
+
+/// Frames of which no two lie in the same place, or that nothing tells apart.
+struct SeparatedFrames {
+  std::vector<DicomFrame> frames;
+  /// Where no trait does, but an order: "number 2 by trigger time".
+  std::string order;
+};
+
+/// Separates frames with places and one direction. Copies of one object count once, but where all
+/// frames stay together.
+std::vector<SeparatedFrames> separated(const std::vector<DicomFrame>& frames);
+
+}  // namespace discmc::command
+
+#endif

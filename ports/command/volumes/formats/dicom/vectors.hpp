@@ -1,0 +1,30 @@
+// Vectors in the space of the patient. Units: millimetres.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_VECTORS_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_VECTORS_HPP
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace discmc::command {
+
+using Vector = std::array<double, 3>;
+
+inline double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// a + factor * b.
+inline Vector sum(const Vector& a, double factor, const Vector& b) {
+  Vector result{};
+  for (std::size_t i = 0; i < 3; ++i) result[i] = a[i] + factor * b[i];
+  return result;
+}
+
+inline double length(const Vector& a) {
+  return std::hypot(a[0], a[1], a[2]);
+}
+
+}  // namespace discmc::command
+
+#endif

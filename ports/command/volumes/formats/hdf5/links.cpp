@@ -1,0 +1,75 @@
+#include "links.hpp"
+
+#include <set>
+#include <utility>
+
+#include "sources.hpp"
+#include "text/control_character.hpp"
+
+namespace discmc::command {
+namespace {
+
+struct Link {
+  std::string name;
+  H5L_type_t type;
+  std::size_t bytes;  // of what it says
+};
+
+herr_t collect(hid_t, const char* name, const H5L_info_t* info, void* links) {
+  const bool has_text = info->type != H5L_TYPE_HARD;
+  static_cast<std::vector<Link>*>(links)->push_back(
+      {name, info->type, has_text ? info->u.val_size : 0});
+  return 0;
+}
+
+std::string target_of(const Hdf5Handle& group, const Link& link) {
+  std::string text(link.bytes, '\0');
+  if (H5Lget_val(group.id(), link.name.c_str(), text.data(), text.size(), H5P_DEFAULT) < 0)
+    return {};
+  const char* file = text.c_str();
+  const char* path = nullptr;
+  if (link.type == H5L_TYPE_EXTERNAL)
+    H5Lunpack_elink_val(text.data(), text.size(), nullptr, &file, &path);
+  return file;
+}
+
+class Walk {
+ public:
+  Hdf5Contents contents(const Hdf5Handle& file) {
+    visit(Hdf5Handle(H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose), "", 0);
+    return std::move(found_);
+  }
+
+ private:
+  void visit(const Hdf5Handle& group, const std::string& path, int depth) {
+    constexpr int max_depth = 64;
+    if (depth == max_depth) return;
+    std::vector<Link> links;
+    H5Literate(group.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &links);
+    for (const Link& link : links) follow(group, link, path + "/" + link.name, depth);
+  }
+
+  void follow(const Hdf5Handle& group, const Link& link, const std::string& path, int depth) {
+    const Hdf5Handle object(H5Oopen(group.id(), link.name.c_str(), H5P_DEFAULT), H5Oclose);
+    H5O_info_t info;
+    if (!object || H5Oget_info(object.id(), &info) < 0) {
+      if (link.type != H5L_TYPE_HARD)
+        found_.dead_links.push_back(without_control(path + " to " + target_of(group, link)));
+      return;
+    }
+    if (!seen_.emplace(file_of(object).native(), info.addr).second) return;
+    if (auto dataset = description_of(object, path)) found_.datasets.push_back(std::move(*dataset));
+    if (info.type == H5O_TYPE_GROUP) visit(object, path, depth + 1);
+  }
+
+  Hdf5Contents found_;
+  std::set<std::pair<std::string, haddr_t>> seen_;
+};
+
+}  // namespace
+
+Hdf5Contents hdf5_contents(const Hdf5Handle& file) {
+  return Walk().contents(file);
+}
+
+}  // namespace discmc::command

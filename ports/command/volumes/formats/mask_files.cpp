@@ -1,0 +1,112 @@
+// A folder of masks, the voxels of a label in each, as TotalSegmentator writes them.
+#include "mask_files.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "text/words.hpp"
+#include "volumes/formats/pictures/picture_names.hpp"
+#include "volumes/packing.hpp"
+#include "volumes/volume_error.hpp"
+#include "volumes/volume_filter.hpp"
+#include "volumes/volume_offset.hpp"
+
+namespace discmc::command {
+namespace {
+
+// The name without the ending of a mask, which is of a format that is one file; nothing where it
+// has none, or the file is hidden.
+std::optional<std::string> mask_name(const std::filesystem::path& file) {
+  const std::filesystem::path bare = without_packing(file).filename();
+  const std::string extension = lower(bare.extension().string());
+  const bool is_mask = extension == ".nii" || extension == ".nrrd" || extension == ".mha";
+  return is_mask && !is_system_name(file) ? std::optional(bare.stem().string()) : std::nullopt;
+}
+
+// Labels of which there must be one.
+class Mask final : public VolumeFilter {
+ public:
+  Mask(std::filesystem::path file, std::unique_ptr<VolumeReader> labels, VolumeInfo info)
+      : VolumeFilter(std::move(labels)), file_(std::move(file)) {
+    own_info() = std::move(info);
+  }
+
+  void read_slice(void* samples) override {
+    volume().read_slice(samples);
+    with_whole_type(info().type, [&](auto typed) {
+      using Sample = decltype(typed);
+      const auto* const begin = static_cast<const Sample*>(samples);
+      std::for_each(begin, begin + info().slice_bytes() / sizeof(Sample), [this](Sample sample) {
+        if (sample != 0 && label_ != LabelValue(sample)) take(sample);
+      });
+    });
+  }
+
+ private:
+  void take(LabelValue label) {
+    if (label_ != LabelValue(0))
+      fail(file_,
+           "the values " + label_.text() + " and " + label.text() +
+               " are in it, and of several files each is the mask of one label",
+           "give the file alone");
+    label_ = label;
+  }
+
+  std::filesystem::path file_;
+  LabelValue label_{};  // 0: none has come
+};
+
+// What has another shape or place is no mask of the same scan.
+void require_same_place(const std::filesystem::path& file, const VolumeInfo& info,
+                        const std::filesystem::path& first_file, const VolumeInfo& first) {
+  const std::string remedy = "take them one by one, or leave out those of other scans";
+  const std::string name = shown(first_file.filename().string());
+  if (info.dims != first.dims)
+    fail(file,
+         "the mask has " + extents(info.dims) + " voxels, and " + name + " " + extents(first.dims),
+         remedy);
+  if (offset_mm(info, first) > 0) fail(file, "the mask lies elsewhere than " + name, remedy);
+}
+
+}  // namespace
+
+bool is_mask_name(const std::filesystem::path& file) {
+  return mask_name(file).has_value();
+}
+
+std::vector<std::filesystem::path> mask_files(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (is_mask_name(entry.path())) files.push_back(entry.path());
+  return files;
+}
+
+std::unique_ptr<VolumeReader> open_masks(const std::filesystem::path& source,
+                                         std::vector<std::filesystem::path> files,
+                                         const VolumeOptions& options) {
+  sort_naturally(files);
+  const std::uint32_t number = options.frame.value_or(0);
+  if (number >= files.size())
+    fail(source,
+         "there is no volume " + std::to_string(number) + ": there are " +
+             std::to_string(files.size()) + " files",
+         "choose one with --frame 0 to " + std::to_string(files.size() - 1));
+  VolumeOptions of_one;
+  of_one.holds_labels = options.holds_labels;
+  auto volume = open_volume(files[number], of_one);
+  VolumeInfo info = volume->info();
+  if (number > 0)
+    require_same_place(files[number], info, files[0], open_volume(files[0], of_one)->info());
+  info.frames = files.size();
+  info.labels.clear();
+  for (std::size_t i = 0; i < files.size(); ++i)
+    info.labels.push_back({*mask_name(files[i]), {}, {}, static_cast<std::uint32_t>(i)});
+  info.format += ", " + std::to_string(files.size()) + " files";
+  return std::make_unique<Mask>(files[number], std::move(volume), std::move(info));
+}
+
+}  // namespace discmc::command

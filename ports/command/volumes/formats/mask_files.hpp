@@ -1,0 +1,29 @@
+// Files that are the masks of labels, one each.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_MASK_FILES_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_MASK_FILES_HPP
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+
+/// Whether a file of this name can be one of several masks: of a format that is one file.
+bool is_mask_name(const std::filesystem::path& file);
+
+/// Returns those of a folder; what is in further folders in it is left.
+std::vector<std::filesystem::path> mask_files(const std::filesystem::path& folder);
+
+/// Volumes of the same extents at the same place, in the natural order of names: options.frame is
+/// the number of one. Each is all of a label, which has the name of the file; where options say
+/// that they hold labels, a file with two values but 0 is refused as it is read. source: what was
+/// named.
+std::unique_ptr<VolumeReader> open_masks(const std::filesystem::path& source,
+                                         std::vector<std::filesystem::path> files,
+                                         const VolumeOptions& options);
+
+}  // namespace discmc::command
+
+#endif

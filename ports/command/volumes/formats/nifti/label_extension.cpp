@@ -1,0 +1,92 @@
+#include "label_extension.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "text/number_text.hpp"
+#include "text/words.hpp"
+
+#ifdef DISCMC_WITH_PUGIXML
+#include <pugixml.hpp>
+#endif
+
+namespace discmc::command {
+namespace {
+
+// XML that has no name of its own, that of a comment, and Caret's: TotalSegmentator writes the
+// first.
+constexpr std::array<std::uint32_t, 3> codes_of_text = {0, 6, 30};
+
+std::uint32_t word_of(const char* bytes, bool is_big_endian) {
+  std::uint32_t word = 0;
+  for (std::size_t i = 0; i < sizeof word; ++i)
+    word |= std::uint32_t{static_cast<unsigned char>(bytes[is_big_endian ? 3 - i : i])} << (8 * i);
+  return word;
+}
+
+#ifdef DISCMC_WITH_PUGIXML
+std::optional<Srgb> colour_of(const pugi::xml_node& label) {
+  Srgb colour{};
+  const char* const parts[] = {"Red", "Green", "Blue"};
+  for (std::size_t i = 0; i < colour.size(); ++i) {
+    const auto part = finite_number(label.attribute(parts[i]).value());
+    if (!part || *part < 0 || *part > 1) return std::nullopt;
+    colour[i] = static_cast<std::uint8_t>(std::lround(255 * *part));
+  }
+  return colour;
+}
+
+void take_labels(std::string_view xml, VolumeInfo& info) {
+  pugi::xml_document document;
+  if (!document.load_buffer(xml.data(), xml.size())) return;
+  for (const pugi::xml_node volume :
+       document.child("CaretExtension").children("VolumeInformation")) {
+    const auto layer = whole_number<std::uint32_t>(volume.attribute("Index").value()).value_or(0);
+    for (const pugi::xml_node label : volume.child("LabelTable").children("Label")) {
+      const auto value = label_value(label.attribute("Key").value());
+      const std::string name(trimmed(label.text().get()));
+      if (value && *value != LabelValue(0) && !name.empty() && layer < info.frames)
+        info.labels.push_back({name, colour_of(label), {*value}, layer});
+    }
+  }
+}
+#else
+void take_labels(std::string_view, VolumeInfo& info) {
+  note(info, "names of labels left out: this discmc was built without pugixml");
+}
+#endif
+
+}  // namespace
+
+void read_label_extensions(ByteStream& stream, std::uint64_t end, bool is_big_endian,
+                           VolumeInfo& info) {
+  constexpr std::uint32_t head_bytes = 8;
+  constexpr std::uint32_t most = 1U << 24;  // of an extension: a name for each of 100,000 labels
+  std::array<char, 4> has_extensions{};
+  if (stream.position() + has_extensions.size() > end ||
+      stream.read(has_extensions.data(), has_extensions.size()) < has_extensions.size() ||
+      has_extensions[0] == 0)
+    return;
+  while (stream.position() + head_bytes <= end) {
+    std::array<char, head_bytes> head{};
+    if (stream.read(head.data(), head.size()) < head.size()) return;
+    const std::uint32_t size = word_of(head.data(), is_big_endian);
+    const std::uint32_t code = word_of(head.data() + 4, is_big_endian);
+    if (size < head_bytes || size > most || stream.position() + size - head_bytes > end) return;
+    std::string content(stream.peek(size - head_bytes));
+    if (content.size() < size - head_bytes) return;
+    stream.skip(content.size());
+    content.resize(std::min(content.size(), content.find('\0')));
+    const bool is_text =
+        std::find(codes_of_text.begin(), codes_of_text.end(), code) != codes_of_text.end();
+    if (is_text && content.find("<CaretExtension") != std::string::npos)
+      take_labels(trimmed(content), info);
+  }
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,164 @@
+#include "place.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "header.hpp"
+#include "text/words.hpp"
+#include "volumes/header_text.hpp"
+#include "volumes/volume_error.hpp"
+
+namespace discmc::command {
+namespace {
+
+// The units of three axes, each in double quotes or a word.
+std::array<std::string, 3> units_of(std::string_view text) {
+  std::array<std::string, 3> units;
+  for (std::string& unit : units) {
+    text = trimmed(text);
+    const bool is_quoted = !text.empty() && text.front() == '"';
+    if (is_quoted) text.remove_prefix(1);
+    const std::size_t end = std::min(text.find_first_of(is_quoted ? "\"" : " \t"), text.size());
+    unit = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return units;
+}
+
+// Parses "(x,y,z)", at most three numbers.
+std::vector<double> vector_of(const std::filesystem::path& file, std::string_view name,
+                              std::string_view text) {
+  std::vector<double> numbers;
+  const bool bracketed = text.size() >= 2 && text.front() == '(' && text.back() == ')';
+  while (bracketed && numbers.size() <= 3) {
+    text.remove_prefix(1);
+    const std::size_t end = text.find_first_of(",)");
+    numbers.push_back(real(file, name, trimmed(text.substr(0, end))));
+    text.remove_prefix(end);
+    if (text.size() == 1) break;
+  }
+  if (numbers.empty() || numbers.size() > 3)
+    fail(file, std::string(name) + " holds " + shown(text) + ", which is no vector of up to three",
+         "correct the header");
+  return numbers;
+}
+
+// What is given for each axis must be there for all of them.
+void expect_per_axis(const HeaderFields& fields, std::string_view name, std::size_t found) {
+  const std::size_t axes = words(fields.text("sizes")).size();
+  if (found < std::min<std::size_t>(axes, 3))
+    fail(fields.file(),
+         std::string(name) + " holds " + std::to_string(found) + " entries for " +
+             std::to_string(axes) + " dimensions",
+         "correct the header");
+}
+
+Axes directions_of(const HeaderFields& fields) {
+  std::string_view text = fields.text("space directions");
+  Axes directions = coordinates;
+  std::size_t axis = 0;
+  for (; axis < 3 && !trimmed(text).empty(); ++axis) {
+    text = trimmed(text);
+    const std::size_t end = text.front() == '(' ? text.find(')') : text.find_first_of(" \t");
+    const std::string_view word = text.substr(0, end == std::string_view::npos ? end : end + 1);
+    text.remove_prefix(word.size());
+    if (lower(trimmed(word)) == "none") fail_axis(fields, axis, "has no direction in space");
+    const auto numbers = vector_of(fields.file(), "space directions", trimmed(word));
+    directions[axis] = {0, 0, 0};
+    std::copy(numbers.begin(), numbers.end(), directions[axis].begin());
+  }
+  expect_per_axis(fields, "space directions", axis);
+  return directions;
+}
+
+using Numbers = std::array<std::optional<double>, 3>;
+
+// What a field has for each of the first three axes, where it is not "nan": not known.
+Numbers numbers_of(const HeaderFields& fields, std::string_view name) {
+  const auto parts = words(fields.text(name));
+  if (!parts.empty()) expect_per_axis(fields, name, parts.size());
+  Numbers numbers;
+  for (std::size_t axis = 0; axis < 3 && axis < parts.size(); ++axis) {
+    const double number = real(fields.file(), name, parts[axis]);
+    if (!std::isnan(number)) numbers[axis] = number;
+  }
+  return numbers;
+}
+
+// The bounds of axes stand for a spacing, and for an origin where there is no other.
+void set_bounds(VolumeInfo& info, const HeaderFields& fields, ToldPlace& told) {
+  const Numbers mins = numbers_of(fields, "axis mins");
+  const Numbers maxs = numbers_of(fields, "axis maxs");
+  const auto centerings = words(fields.text("centerings"));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!mins[axis]) continue;
+    const std::string center = axis < centerings.size() ? lower(centerings[axis]) : std::string();
+    const bool is_node = center == "node";
+    if (!is_node && center != "cell")
+      note(info, "no centerings given: axis mins and maxs taken as bounds of whole voxels");
+    const double steps = info.dims[axis] - (is_node ? 1.0 : 0.0);
+    if (maxs[axis] && steps > 0) {
+      const double spacing = (*maxs[axis] - *mins[axis]) / steps;
+      if (!told.spacing[axis]) told.spacing[axis] = spacing;
+      if (std::fabs(*told.spacing[axis] - spacing) > 1e-3 * std::fabs(spacing))
+        note(info, "axis mins and maxs contradict the spacings, which are taken");
+    }
+    told.origin[axis] = *mins[axis] + (is_node ? 0 : told.spacing[axis].value_or(1) / 2);
+  }
+  if (fields.has("axis mins")) told.space_units = told.axis_units;
+}
+
+// What is told without directions.
+void set_spacings(VolumeInfo& info, const HeaderFields& fields, ToldPlace& told) {
+  told.spacing = numbers_of(fields, "spacings");
+  if (!fields.has("space origin")) set_bounds(info, fields, told);
+  const Numbers thicknesses = numbers_of(fields, "thicknesses");
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (told.spacing[axis] || !thicknesses[axis]) continue;
+    told.spacing[axis] = thicknesses[axis];
+    note(info, "no spacing of axis " + std::to_string(axis + 1) + " given, its thickness taken");
+  }
+}
+
+// What the coordinates of the file are.
+void set_space(VolumeInfo& info, std::string_view text, ToldPlace& told) {
+  std::string name = lower(text);
+  constexpr std::string_view time = "-time";
+  if (name.size() > time.size() && name.substr(name.size() - time.size()) == time)
+    name.resize(name.size() - time.size());
+  if (one_of(name, {"left-posterior-superior", "lps", "lpst"})) told.frame = Frame::lps;
+  if (one_of(name, {"right-anterior-superior", "ras", "rast"})) told.frame = Frame::ras;
+  if (one_of(name, {"left-anterior-superior", "las", "last"})) told.frame = Frame::ras;
+  told.is_left_handed = one_of(name, {"left-anterior-superior", "las", "last", "3d-left-handed"});
+  if (name == "3d-left-handed")
+    note(info, "x of the left-handed space " + shown(text) + " negated");
+  const bool is_known = told.frame != Frame::none || told.is_left_handed || name.empty() ||
+                        one_of(name, {"scanner-xyz", "3d-right-handed"});
+  if (!is_known) note(info, "the space " + shown(text) + " is not known, taken as right-handed");
+}
+
+}  // namespace
+
+ToldPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields) {
+  ToldPlace told;
+  set_space(info, fields.text("space"), told);
+  // The space of patients is in millimetres, as programs have it that tell no unit.
+  if (told.frame != Frame::none) told.set_unit("mm");
+  if (fields.has("units")) told.axis_units = units_of(fields.text("units"));
+  if (fields.has("space units")) told.space_units = units_of(fields.text("space units"));
+  if (fields.text("space directions").empty())
+    set_spacings(info, fields, told);
+  else
+    told.steps = directions_of(fields);
+  if (const std::string_view origin = fields.text("space origin"); !origin.empty()) {
+    const auto numbers = vector_of(fields.file(), "space origin", origin);
+    std::copy(numbers.begin(), numbers.end(), told.origin.begin());
+  }
+  if ((fields.has("axis mins") || fields.has("axis maxs")) &&
+      (fields.has("space origin") || fields.has("space directions")))
+    note(info, "axis mins and axis maxs dropped: the place is told by space directions or origin");
+  return told;
+}
+
+}  // namespace discmc::command

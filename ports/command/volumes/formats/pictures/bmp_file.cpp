@@ -1,0 +1,147 @@
+// BMP, as Windows and SkyScan's NRecon write it: uncompressed, of grey values, numbers of a
+// palette, or colours. https://learn.microsoft.com/windows/win32/gdi/bitmap-storage
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "picture_file.hpp"
+#include "sample_packing.hpp"
+#include "volumes/volume_error.hpp"
+
+namespace discmc::command {
+namespace {
+
+constexpr const char* remedy = "copy or export the file again";
+
+// The headers: little-endian fields by their places in the file.
+class BmpHeader {
+ public:
+  BmpHeader(const std::filesystem::path& file, std::istream& in) : file_(file) {
+    constexpr std::size_t longest = 138;  // of version 5
+    bytes_.resize(longest);
+    in.read(bytes_.data(), static_cast<std::streamsize>(longest));
+    bytes_.resize(static_cast<std::size_t>(in.gcount()));
+    in.clear();
+  }
+
+  std::uint64_t pixels_at() const { return field(10, 4); }
+  std::uint32_t header_bytes() const { return field(14, 4); }
+  bool is_of_os2() const { return header_bytes() == 12; }
+  std::uint32_t width() const { return is_of_os2() ? field(18, 2) : field(18, 4); }
+  bool is_from_the_top() const { return !is_of_os2() && (field(22, 4) >> 31) != 0; }
+  std::uint32_t height() const {
+    if (is_of_os2()) return field(20, 2);
+    return is_from_the_top() ? 0 - field(22, 4) : field(22, 4);
+  }
+  std::uint32_t bits() const { return is_of_os2() ? field(24, 2) : field(28, 2); }
+  std::uint32_t compression() const { return is_of_os2() ? 0 : field(30, 4); }
+  std::optional<Resolution> resolution() const {
+    if (is_of_os2() || field(38, 4) == 0 || field(42, 4) == 0) return std::nullopt;
+    return Resolution{{1.0 * field(38, 4), 1.0 * field(42, 4)}, mm_of_metre};
+  }
+  /// Where the palette begins, and how many bytes and colours it has.
+  std::uint64_t palette_at() const { return 14 + std::uint64_t{header_bytes()}; }
+  std::uint32_t colour_bytes() const { return is_of_os2() ? 3 : 4; }
+  std::uint32_t colours() const {
+    const std::uint32_t most = bits() <= 8 ? 1U << bits() : 0;
+    const std::uint32_t told = is_of_os2() ? 0 : field(46, 4);
+    return told == 0 ? most : std::min(told, most);
+  }
+
+ private:
+  std::uint32_t field(std::size_t at, std::size_t size) const {
+    if (at + size > bytes_.size()) fail(file_, "the BMP file is cut off", remedy);
+    std::uint32_t value = 0;
+    for (std::size_t i = size; i-- > 0;)
+      value = value << 8 | static_cast<unsigned char>(bytes_[at + i]);
+    return value;
+  }
+
+  std::filesystem::path file_;
+  std::string bytes_;
+};
+
+class BmpFile final : public SinglePicture {
+ public:
+  using SinglePicture::SinglePicture;
+
+  PictureHeader header(std::uint32_t) override {
+    std::ifstream in = opened();
+    const BmpHeader bmp(file(), in);
+    require_known(bmp);
+    PictureHeader header;
+    header.width = bmp.width();
+    header.height = bmp.height();
+    header.resolution = bmp.resolution();
+    if (bmp.bits() > 8) {
+      header.channels = 3;
+      header.channel_names = rgb_names;
+    } else {
+      greys_ = palette(in, bmp);
+      if (!is_grey(greys_)) header.palette = std::exchange(greys_, {});
+    }
+    return header;
+  }
+
+  void read(std::uint32_t, std::uint32_t channel, unsigned char* samples) override {
+    const PictureHeader told = header(0);
+    std::ifstream in = opened();
+    const BmpHeader bmp(file(), in);
+    in.seekg(static_cast<std::streamoff>(bmp.pixels_at()));
+    const std::size_t of_row = (std::size_t{told.width} * bmp.bits() + 31) / 32 * 4;
+    std::vector<unsigned char> row(of_row);
+    for (std::uint32_t i = 0; i < told.height; ++i) {
+      if (!in.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(of_row)))
+        fail(file(), "the BMP file is cut off", remedy);
+      const std::size_t y = bmp.is_from_the_top() ? i : told.height - 1 - i;
+      unsigned char* const out = samples + y * told.width;
+      if (bmp.bits() <= 8) {
+        unpack_bits(row.data(), told.width, bmp.bits(), out);
+        resolve_greys(greys_, out, told.width);
+      } else {
+        // Blue comes first, and may be followed by a byte that is none.
+        take_channel(row.data(), told.width, 1, bmp.bits() / 8, 2 - channel, out);
+      }
+    }
+  }
+
+ private:
+  std::ifstream opened() const {
+    std::ifstream in(file(), std::ios::binary);
+    if (!in) fail(file(), "the file cannot be opened", "check its permissions");
+    return in;
+  }
+
+  void require_known(const BmpHeader& bmp) const {
+    const std::uint32_t bits = bmp.bits();
+    const bool is_known = bits == 1 || bits == 4 || bits == 8 || bits == 24 || bits == 32;
+    if (!is_known || bmp.compression() != 0)
+      fail(file(),
+           "BMP of " + std::to_string(bits) + " bits and compression " +
+               std::to_string(bmp.compression()) + " is not read",
+           "convert it to PNG");
+  }
+
+  Palette palette(std::istream& in, const BmpHeader& bmp) const {
+    std::vector<char> stored(std::size_t{bmp.colours()} * bmp.colour_bytes());
+    in.seekg(static_cast<std::streamoff>(bmp.palette_at()));
+    if (!in.read(stored.data(), static_cast<std::streamsize>(stored.size())))
+      fail(file(), "the BMP file is cut off", remedy);
+    Palette palette(bmp.colours());
+    for (std::size_t i = 0; i < palette.size(); ++i)
+      for (std::size_t part = 0; part < 3; ++part)
+        palette[i][part] = static_cast<std::uint8_t>(stored[i * bmp.colour_bytes() + 2 - part]);
+    return palette;
+  }
+
+  Palette greys_;
+};
+
+}  // namespace
+
+std::unique_ptr<PictureFile> open_bmp(const std::filesystem::path& file) {
+  return std::make_unique<BmpFile>(file);
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,126 @@
+// JPEG, by libjpeg, whose errors come as long jumps.
+#include <cstddef>
+#include <cstdio>
+// Needs both before it.
+#include <jpeglib.h>
+
+#include <jerror.h>
+
+#include <csetjmp>
+#include <new>
+#include <utility>
+
+#include "picture_file.hpp"
+#include "sample_packing.hpp"
+#include "volumes/volume_error.hpp"
+
+namespace discmc::command {
+namespace {
+
+// What libjpeg says, and where it goes when it gives up.
+struct Damage : jpeg_error_mgr {
+  std::jmp_buf place;
+  char text[JMSG_LENGTH_MAX];
+};
+
+extern "C" void give_up(j_common_ptr jpeg) {
+  auto* const damage = static_cast<Damage*>(jpeg->err);
+  damage->format_message(jpeg, damage->text);
+  std::longjmp(damage->place, 1);
+}
+
+// A warning is of data that is replaced by grey.
+extern "C" void take_message(j_common_ptr jpeg, int level) {
+  if (level < 0 && jpeg->err->msg_code != JWRN_EXTRANEOUS_DATA) give_up(jpeg);
+}
+
+class JpegFile final : public SinglePicture {
+ public:
+  using SinglePicture::SinglePicture;
+  ~JpegFile() override { close(); }
+
+  PictureHeader header(std::uint32_t) override {
+    open();
+    PictureHeader header;
+    header.width = jpeg_.image_width;
+    header.height = jpeg_.image_height;
+    if (jpeg_.num_components == 3) {
+      header.channels = 3;
+      header.channel_names = rgb_names;
+    } else if (jpeg_.num_components != 1) {
+      fail(file(), std::to_string(jpeg_.num_components) + " components a pixel are not read",
+           "convert it to PNG");
+    }
+    const double unit_mm = jpeg_.density_unit == 1 ? mm_of_inch : mm_of_centimetre;
+    if (jpeg_.saw_JFIF_marker != 0 && jpeg_.density_unit != 0 && jpeg_.X_density > 0 &&
+        jpeg_.Y_density > 0)
+      header.resolution = {{1.0 * jpeg_.X_density, 1.0 * jpeg_.Y_density}, unit_mm};
+    return header;
+  }
+
+  void read(std::uint32_t, std::uint32_t channel, unsigned char* samples) override {
+    const PictureHeader told = header(0);
+    row_.resize(std::size_t{told.width} * told.channels);
+    if (!read_rows(told, channel, samples)) fail_damaged();
+    close();
+  }
+
+ private:
+  [[noreturn]] void fail_damaged() const {
+    fail(file(), "the JPEG file is damaged (" + std::string(damage_.text) + ")",
+         "copy or export the file again");
+  }
+
+  void open() {
+    close();
+    stream_ = std::fopen(file().c_str(), "rb");
+    if (stream_ == nullptr) fail(file(), "the file cannot be opened", "check its permissions");
+    jpeg_.err = jpeg_std_error(&damage_);
+    damage_.error_exit = give_up;
+    damage_.emit_message = take_message;
+    if (!read_header()) fail_damaged();
+  }
+
+  void close() {
+    if (is_created_) jpeg_destroy_decompress(&jpeg_);
+    is_created_ = false;
+    if (stream_ != nullptr) std::fclose(std::exchange(stream_, nullptr));
+  }
+
+  // What jumps has no local objects.
+  bool read_header() {
+    if (setjmp(damage_.place) != 0) return false;
+    jpeg_create_decompress(&jpeg_);
+    is_created_ = true;
+    jpeg_stdio_src(&jpeg_, stream_);
+    jpeg_read_header(&jpeg_, TRUE);
+    return true;
+  }
+  bool read_rows(const PictureHeader& told, std::uint32_t channel, unsigned char* samples) {
+    if (setjmp(damage_.place) != 0) return false;
+    jpeg_.out_color_space = told.channels == 1 ? JCS_GRAYSCALE : JCS_RGB;
+    jpeg_start_decompress(&jpeg_);
+    while (jpeg_.output_scanline < jpeg_.output_height) {
+      unsigned char* const row = samples + std::size_t{told.width} * jpeg_.output_scanline;
+      JSAMPROW decoded = row_.data();
+      jpeg_read_scanlines(&jpeg_, &decoded, 1);
+      take_channel(row_.data(), told.width, 1, told.channels, channel, row);
+    }
+    jpeg_finish_decompress(&jpeg_);
+    return true;
+  }
+
+  std::FILE* stream_ = nullptr;
+  jpeg_decompress_struct jpeg_{};
+  bool is_created_ = false;
+  Damage damage_{};
+  std::vector<unsigned char> row_;
+};
+
+}  // namespace
+
+std::unique_ptr<PictureFile> open_jpeg(const std::filesystem::path& file) {
+  return std::make_unique<JpegFile>(file);
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,24 @@
+// Samples as pictures store them: packed in bits, as halves, or beside those of other channels.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_SAMPLE_PACKING_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_SAMPLE_PACKING_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+namespace discmc::command {
+
+/// Takes one of the channels of pixels; samples may be where the pixels are stored.
+void take_channel(const unsigned char* stored, std::size_t pixels, std::size_t sample_bytes,
+                  std::uint32_t channels, std::uint32_t channel, unsigned char* samples);
+
+/// Unpacks a row of whole numbers, the highest bit first, to bytes, or to words of native byte
+/// order above 8 bits. Limit: 1 to 15 bits.
+void unpack_bits(const unsigned char* stored, std::size_t count, unsigned bits,
+                 unsigned char* samples);
+
+/// Makes floats of halves (IEEE 754, 16 bits), both in native byte order.
+void widen_halves(const unsigned char* stored, std::size_t count, unsigned char* samples);
+
+}  // namespace discmc::command
+
+#endif

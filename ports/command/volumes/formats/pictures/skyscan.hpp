@@ -1,0 +1,29 @@
+// What SkyScan's reconstruction program, NRecon, writes beside its slices.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_SKYSCAN_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_SKYSCAN_HPP
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace discmc::command {
+
+/// Whether the name is that of an overview, no slice: x_rec_spr.bmp.
+bool is_overview_name(const std::filesystem::path& file);
+
+/// A log of a reconstruction.
+struct SkyScanLog {
+  std::filesystem::path file;
+  std::array<double, 3> spacing_mm{};
+  /// Width and height of the slices; 0 where they are not told.
+  std::array<std::uint32_t, 2> size{};
+};
+
+/// Returns the log of a stack, by one of its slices: beside it, and called as it begins. Nothing
+/// where there is none that tells a pixel size.
+std::optional<SkyScanLog> skyscan_log(const std::filesystem::path& slice);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,31 @@
+// The pictures of a volume: which pages of which files, and what these have in common.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_STACK_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_STACK_HPP
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "hyperstack.hpp"
+#include "picture_file.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+
+struct Stack {
+  std::vector<std::filesystem::path> files;
+  std::vector<Page> pages;    ///< the slices
+  std::uint32_t channel = 0;  ///< of the pixels
+  Hyperstack described;       ///< by the first file
+  PictureHeader header;       ///< of the first picture
+};
+
+/// Returns the pictures of the volume that is asked for, all alike, and takes the numbers of frames
+/// and channels and the notes of its files. source: what was named. Throws VolumeError. Limit: one
+/// file or more, in their order.
+Stack stack_of(const std::filesystem::path& source, const std::vector<std::filesystem::path>& files,
+               const VolumeOptions& options, VolumeInfo& info);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,81 @@
+#include "stack_place.hpp"
+
+#include <array>
+#include <locale>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "skyscan.hpp"
+#include "volumes/told_place.hpp"
+#include "volumes/volume_error.hpp"
+#include "volumes/volume_info.hpp"
+
+namespace discmc::command {
+namespace {
+
+using Spacing = std::array<std::optional<double>, 3>;
+
+bool is_told(const Spacing& spacing) {
+  return spacing[0] || spacing[1] || spacing[2];
+}
+
+std::string note_of_resolution(const Resolution& resolution) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  const double x = resolution.unit_mm / resolution.pixels[0];
+  const double y = resolution.unit_mm / resolution.pixels[1];
+  text << "its resolution, mostly that of a print, is not used; to use it, give --spacing " << x
+       << ',' << y << ",Z";
+  return text.str();
+}
+
+// Of SkyScan's log, where it is of these slices.
+Spacing spacing_of_log(const Stack& stack, VolumeInfo& info) {
+  const auto log = skyscan_log(stack.files[0]);
+  if (!log) return {};
+  const std::string called = shown(log->file.filename().string());
+  const std::array<std::uint32_t, 2> size = {stack.header.width, stack.header.height};
+  const bool is_of_slices = log->size == std::array<std::uint32_t, 2>{} || log->size == size;
+  note(info, is_of_slices ? "spacing from " + called
+                          : called + " is of slices of another size, and not used");
+  if (!is_of_slices) return {};
+  return {log->spacing_mm[0], log->spacing_mm[1], log->spacing_mm[2]};
+}
+
+Spacing spacing_of(const Stack& stack, VolumeInfo& info) {
+  Spacing spacing = stack.described.spacing_mm;
+  if (!is_told(spacing)) spacing = spacing_of_log(stack, info);
+  const auto& resolution = stack.header.resolution;
+  if (!is_told(spacing) && resolution && resolution->unit_mm > 0)
+    note(info, note_of_resolution(*resolution));
+  // Pixels are mostly square, and voxels cubes.
+  if (!spacing[1]) spacing[1] = spacing[0];
+  if (spacing[0] && !spacing[2]) {
+    spacing[2] = spacing[0];
+    if (stack.pages.size() > 1) note(info, "no distance of slices given, that of pixels taken");
+  }
+  return spacing;
+}
+
+}  // namespace
+
+void set_place_of(VolumeInfo& info, const Stack& stack, const VolumeOptions& options) {
+  ToldPlace told;
+  told.set_unit("mm");
+  if (!options.spacing_mm) told.spacing = spacing_of(stack, info);
+  told.directions = coordinates;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double step = options.spacing_mm ? (*options.spacing_mm)[axis] : told.spacing[axis].value_or(1);
+    if (axis < 2 && stack.header.runs_backwards[axis]) {
+      (*told.directions)[axis][axis] = -1;
+      step = -step;
+      note(info, axis == 0 ? "its first column is the right one (Orientation)"
+                           : "its first row is the lowest (Orientation)");
+    }
+    told.origin[axis] = -stack.described.origin_voxel[axis] * step;
+  }
+  set_place(info, told, options);
+}
+
+}  // namespace discmc::command

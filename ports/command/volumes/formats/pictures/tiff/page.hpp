@@ -1,0 +1,60 @@
+// What a directory of a TIFF file says of its page.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_PAGE_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_PAGE_HPP
+
+#include <tiffio.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "volumes/formats/pictures/palette.hpp"
+#include "volumes/sample_type.hpp"
+
+namespace discmc::command {
+
+struct TiffPage {
+  std::uint32_t width = 0, height = 0;
+  std::uint32_t depth = 1;  ///< slices of a page, where it has several
+  std::uint16_t bits = 1;   ///< of a sample
+  std::uint16_t format = SAMPLEFORMAT_UINT;
+  std::uint16_t samples = 1;  ///< of a pixel
+  bool is_planar = false;     ///< whether channels are stored one behind the other
+  std::uint16_t photometric = PHOTOMETRIC_MINISBLACK;
+  std::uint16_t compression = COMPRESSION_NONE;
+  std::uint16_t orientation = ORIENTATION_TOPLEFT;
+  std::array<std::uint32_t, 3> tile{};  ///< width, height and depth; nothing of strips
+  bool is_smaller_copy = false;         ///< of another page, as it says
+  bool is_mask = false;                 ///< likewise
+  /// Pixels of a unit, and what one is; 0 where it is not told.
+  std::array<double, 2> resolution{};
+  std::uint16_t resolution_unit = RESUNIT_INCH;
+
+  bool is_tiled() const { return tile[0] > 0; }
+  /// Samples that lie side by side.
+  std::uint32_t samples_of_pixel() const { return is_planar ? 1 : samples; }
+  /// Units: bytes of a row of so many pixels, as it is stored.
+  std::uint64_t row_bytes(std::uint64_t pixels) const {
+    return (pixels * samples_of_pixel() * bits + 7) / 8;
+  }
+  /// Units: bytes of a slice of a page, of all channels or of a plane of one.
+  std::uint64_t plane_bytes() const { return row_bytes(width) * height; }
+};
+
+/// Of the directory that the file is at.
+TiffPage page_of(TIFF* tiff);
+
+/// Empty where there is none.
+std::string description_of(TIFF* tiff);
+Palette palette_of(TIFF* tiff, const TiffPage& page);
+
+/// Returns how many values a tag has that the library does not know.
+std::uint32_t count_of(TIFF* tiff, std::uint32_t tag);
+
+/// Returns the type of the samples as they are read; nothing where they cannot be.
+std::optional<SampleType> sample_type(const TiffPage& page);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,67 @@
+// The samples of TIFF pages: strips, tiles, blocks of several slices, and pages without a
+// directory.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_SAMPLES_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_SAMPLES_HPP
+
+#include <tiffio.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "page.hpp"
+
+namespace discmc::command {
+
+/// Where pages are that follow the one of the only directory, without directories of their own.
+struct PagesBehind {
+  std::uint64_t at = 0;     ///< the first page, that of the directory. Units: bytes
+  std::uint64_t count = 0;  ///< that the file can hold from there on; 0 where there are none
+};
+PagesBehind pages_behind(TIFF* tiff, const TiffPage& page, std::uint64_t file_bytes);
+
+/// Reads slices of pages.
+class TiffSamples {
+ public:
+  TiffSamples(std::filesystem::path file, std::uint64_t file_bytes)
+      : file_(std::move(file)), file_bytes_(file_bytes) {}
+
+  /// Reads a slice of the page that the file is at. Size: of samples, width times height of
+  /// sample_type(). Throws VolumeError.
+  void read(TIFF* tiff, const TiffPage& page, std::uint32_t slice, std::uint32_t channel,
+            unsigned char* samples);
+
+  /// The same of a page at a place in the file. Units: bytes.
+  void read_behind(TIFF* tiff, const TiffPage& page, std::uint64_t at, std::uint32_t channel,
+                   unsigned char* samples);
+
+ private:
+  struct Slab {
+    std::uint32_t page, number, channel;
+    bool operator==(const Slab& other) const {
+      return page == other.page && number == other.number && channel == other.channel;
+    }
+  };
+
+  void read_plane(TIFF* tiff, const TiffPage& page, std::uint32_t slice, std::uint32_t channel,
+                  unsigned char* stored);
+  void read_strips(TIFF* tiff, const TiffPage& page, std::uint32_t channel, unsigned char* stored);
+  void require_tiles(TIFF* tiff, const TiffPage& page) const;
+  void read_slab(TIFF* tiff, const TiffPage& page, std::uint32_t slab, std::uint32_t channel,
+                 unsigned char* stored);
+  void read_tile(TIFF* tiff, const TiffPage& page, std::uint32_t tile);
+  [[noreturn]] void fail_page(TIFF* tiff) const;
+
+  std::filesystem::path file_;
+  std::uint64_t file_bytes_;
+  std::vector<unsigned char> stored_;  // of a slice that is still to be converted
+  std::vector<unsigned char> tile_;
+  std::vector<unsigned char> packed_;  // a tile, as it is in the file
+  std::vector<unsigned char> slab_;    // the slices that tiles have in common
+  std::optional<Slab> kept_slab_;
+};
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,11 @@
+// In place of the reader, where it was built without its library.
+#include "volumes/formats/readers.hpp"
+
+namespace discmc::command {
+
+std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& folder, const VolumeOptions&) {
+  fail(folder, "this is Zarr, and discmc was built without nlohmann-json",
+       "install nlohmann-json3-dev and build again, or convert, e.g. to NumPy with zarr in Python");
+}
+
+}  // namespace discmc::command

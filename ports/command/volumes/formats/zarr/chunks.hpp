@@ -1,0 +1,44 @@
+// The chunks of an array of Zarr, of which each is a file, or one of many in a shard.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_CHUNKS_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_CHUNKS_HPP
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "description.hpp"
+
+namespace discmc::command {
+
+class ZarrChunks {
+ public:
+  explicit ZarrChunks(ZarrDescription array) : array_(std::move(array)) {}
+
+  const ZarrDescription& array() const { return array_; }
+
+  /// Returns the samples of a chunk, in native byte order and in the order of axes that array()
+  /// tells; nothing where it is not there. Throws VolumeError where it is damaged.
+  std::optional<ChunkBytes> read(const PerAxis& chunk);
+
+ private:
+  // In a shard.
+  struct Place {
+    std::uint64_t offset, bytes;
+  };
+
+  std::filesystem::path file_of(PerAxis chunk) const;
+  std::optional<ChunkBytes> packed(const std::filesystem::path& file, const PerAxis& chunk);
+  void open_shard(const std::filesystem::path& file);
+
+  ZarrDescription array_;
+  std::filesystem::path shard_name_;
+  std::ifstream shard_;
+  std::vector<Place> places_;
+};
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,140 @@
+#include "codecs.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "volumes/packing.hpp"
+#include "volumes/volume_error.hpp"
+
+#ifdef DISCMC_WITH_BLOSC
+#include <blosc.h>
+#endif
+
+namespace discmc::command {
+namespace {
+
+constexpr std::size_t checksum_bytes = 4;
+
+[[noreturn]] void fail_damaged(const std::filesystem::path& chunk, const std::string& what) {
+  fail(chunk, "the chunk is damaged" + (what.empty() ? what : ": " + what), "copy the file again");
+}
+
+// Castagnoli's polynomial, as RFC 3720 has it.
+std::uint32_t crc32c(const ChunkBytes& bytes, std::size_t count) {
+  std::uint32_t crc = ~std::uint32_t{0};
+  for (std::size_t i = 0; i < count; ++i) {
+    crc ^= bytes[i];
+    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ ((crc & 1) != 0 ? 0x82f63b78U : 0);
+  }
+  return ~crc;
+}
+
+void take_checksum(const std::filesystem::path& chunk, ChunkBytes& bytes) {
+  if (bytes.size() < checksum_bytes) fail_damaged(chunk, "it is not whole");
+  const std::size_t count = bytes.size() - checksum_bytes;
+  std::uint32_t told = 0;
+  for (std::size_t i = 0; i < checksum_bytes; ++i) told |= std::uint32_t{bytes[count + i]} << 8 * i;
+  if (told != crc32c(bytes, count)) fail_damaged(chunk, "its checksum is another");
+  bytes.resize(count);
+}
+
+class MemorySource final : public ByteSource {
+ public:
+  explicit MemorySource(ChunkBytes bytes) : bytes_(std::move(bytes)) {}
+  std::size_t read(void* bytes, std::size_t count) override {
+    const std::size_t part = std::min(count, bytes_.size() - at_);
+    if (part > 0) std::memcpy(bytes, bytes_.data() + at_, part);
+    at_ += part;
+    return part;
+  }
+  std::uint64_t max_left() const override { return bytes_.size() - at_; }
+
+ private:
+  ChunkBytes bytes_;
+  std::size_t at_ = 0;
+};
+
+ChunkBytes unpacked_bytes(const std::filesystem::path& chunk, ChunkBytes packed, Packing packing,
+                          std::size_t bytes) {
+  const auto source = unpacked(std::make_unique<MemorySource>(std::move(packed)), packing, chunk);
+  ChunkBytes result(bytes);
+  const std::size_t got = source->read(result.data(), bytes);
+  unsigned char beyond = 0;
+  const bool has_more = source->read(&beyond, 1) > 0;
+  if (got < bytes || has_more || !source->damage().empty()) fail_damaged(chunk, source->damage());
+  return result;
+}
+
+#ifdef DISCMC_WITH_BLOSC
+ChunkBytes unblosced(const std::filesystem::path& chunk, const ChunkBytes& packed,
+                     std::size_t bytes) {
+  std::size_t told = 0;
+  if (blosc_cbuffer_validate(packed.data(), packed.size(), &told) < 0 || told != bytes)
+    fail_damaged(chunk, "it is not what Blosc packs");
+  ChunkBytes result(bytes);
+  constexpr int threads = 1;
+  if (blosc_decompress_ctx(packed.data(), result.data(), bytes, threads) != static_cast<int>(bytes))
+    fail_damaged(chunk, "Blosc does not unpack it");
+  return result;
+}
+#else
+ChunkBytes unblosced(const std::filesystem::path& chunk, const ChunkBytes&, std::size_t) {
+  fail(chunk, "this is packed by Blosc, and discmc was built without its library",
+       "install libblosc-dev and build again");
+}
+#endif
+
+}  // namespace
+
+std::optional<ZarrCodec> zarr_codec(std::string_view name) {
+  // As extensions that zarr-python 3 names for the codecs of version 2.
+  constexpr std::string_view prefix = "numcodecs.";
+  if (name.substr(0, prefix.size()) == prefix) name.remove_prefix(prefix.size());
+  constexpr std::pair<std::string_view, ZarrCodec> names[] = {{"gzip", ZarrCodec::gzip},
+                                                              {"zlib", ZarrCodec::zlib},
+                                                              {"zstd", ZarrCodec::zstd},
+                                                              {"blosc", ZarrCodec::blosc},
+                                                              {"crc32c", ZarrCodec::crc32c}};
+  for (const auto& [called, codec] : names)
+    if (called == name) return codec;
+  return std::nullopt;
+}
+
+ChunkBytes decoded(const std::filesystem::path& chunk, ChunkBytes packed,
+                   const std::vector<ZarrCodec>& codecs, std::size_t bytes) {
+  // No codec makes more of a byte: what a chunk claims is not believed.
+  constexpr std::size_t max_of_a_byte = 65536;
+  if (bytes / max_of_a_byte > packed.size())
+    fail(chunk,
+         "a chunk of " + std::to_string(bytes) + " bytes cannot be in " +
+             std::to_string(packed.size()),
+         "copy the file again");
+  for (std::size_t i = codecs.size(); i-- > 0;) {
+    // What the codecs before this one had made of the samples.
+    const auto checksums = std::count(
+        codecs.begin(), codecs.begin() + static_cast<std::ptrdiff_t>(i), ZarrCodec::crc32c);
+    const std::size_t before = bytes + checksum_bytes * static_cast<std::size_t>(checksums);
+    switch (codecs[i]) {
+      case ZarrCodec::crc32c:
+        take_checksum(chunk, packed);
+        break;
+      case ZarrCodec::blosc:
+        packed = unblosced(chunk, packed, before);
+        break;
+      case ZarrCodec::zstd:
+        packed = unpacked_bytes(chunk, std::move(packed), Packing::zstd, before);
+        break;
+      case ZarrCodec::gzip:
+      case ZarrCodec::zlib:
+        packed = unpacked_bytes(chunk, std::move(packed), Packing::gzip, before);
+        break;
+    }
+  }
+  if (packed.size() != bytes) fail_damaged(chunk, "it is not as large as others");
+  return packed;
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,182 @@
+// OME-Zarr 0.1 to 0.5, https://ngff.openmicroscopy.org: an image is a group of arrays, the same
+// volume in several resolutions.
+#include "image.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "folder.hpp"
+#include "text/control_character.hpp"
+#include "volumes/array_name.hpp"
+#include "volumes/volume_error.hpp"
+#include "volumes/volume_info.hpp"
+
+namespace discmc::command {
+namespace {
+
+char letter_of(const std::string& name, const std::string& type) {
+  if (type == "channel") return 'c';
+  return name.size() == 1 && std::string_view("tczyx").find(name[0]) != std::string_view::npos
+             ? name[0]
+             : 't';
+}
+
+// Objects since version 0.4, names before, and before 0.3 nothing.
+std::vector<ZarrAxis> axes_of(const Json& multiscale) {
+  const Json& told = member(multiscale, "axes");
+  std::vector<ZarrAxis> axes;
+  for (const Json& axis : told.is_array() ? told : Json{"t", "c", "z", "y", "x"}) {
+    const std::string name = axis.is_string() ? text_of(axis) : text_of(member(axis, "name"));
+    axes.push_back(
+        {letter_of(name, text_of(member(axis, "type"))), 1, 0, text_of(member(axis, "unit"))});
+  }
+  return axes;
+}
+
+// Scales and translations, of which each is of what came before. Returns whether there was a scale.
+bool transform(std::vector<ZarrAxis>& axes, const std::filesystem::path& file, const Json& steps) {
+  bool has_scale = false;
+  for (const Json& step : steps) {
+    const std::string type = text_of(member(step, "type"));
+    if (type == "identity") continue;
+    if (type != "scale" && type != "translation")
+      fail(file, "the coordinates are transformed by " + shown(type),
+           "give an image in scale alone");
+    const auto numbers = reals_of(file, type.c_str(), member(step, type.c_str()));
+    if (numbers.size() != axes.size())
+      fail(file, "a " + type + " has other axes than the image", "correct it");
+    has_scale = has_scale || type == "scale";
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      if (type == "translation") {
+        axes[axis].origin += numbers[axis];
+      } else {
+        axes[axis].scale *= numbers[axis];
+        axes[axis].origin *= numbers[axis];
+      }
+    }
+  }
+  return has_scale;
+}
+
+bool fits(const ZarrDescription& array, const std::vector<ZarrAxis>& axes) {
+  for (std::size_t axis = 0; axis < std::min(axes.size(), array.sizes.size()); ++axis)
+    if ((axes[axis].letter == 'x' || axes[axis].letter == 'y') && array.sizes[axis] > max_across)
+      return false;
+  return true;
+}
+
+std::filesystem::path level_folder(const ZarrNode& image, const Json& dataset) {
+  const std::string path = text_of(member(dataset, "path"));
+  if (path.empty() || std::any_of(path.begin(), path.end(), is_control))
+    fail(image.file, "a level has no path", "write the image again");
+  return image.folder / path;
+}
+
+// level: the number of one that is asked for.
+ZarrImage image_at(const ZarrNode& node, const Json& multiscale,
+                   std::optional<std::uint32_t> level) {
+  const Json& datasets = member(multiscale, "datasets");
+  if (!datasets.is_array() || datasets.empty())
+    fail(node.file, "the image has no levels", "write it again");
+  if (level.value_or(0) >= datasets.size())
+    fail(node.file,
+         "there is no level " + std::to_string(*level) + ": the image has " +
+             std::to_string(datasets.size()),
+         "choose one with --level 0 to " + std::to_string(datasets.size() - 1));
+  ZarrImage image;
+  image.is_ome = true;
+  std::size_t number = level.value_or(0);
+  image.axes = axes_of(multiscale);
+  image.array = described(read_zarr_node(level_folder(node, datasets[number])));
+  while (!level && !fits(image.array, image.axes) && number + 1 < datasets.size())
+    image.array = described(read_zarr_node(level_folder(node, datasets[++number])));
+  if (datasets.size() > 1)
+    image.level = "level " + std::to_string(number) + " of " + std::to_string(datasets.size());
+  constexpr const char* transformations = "coordinateTransformations";
+  const bool is_scaled =
+      transform(image.axes, node.file, member(datasets[number], transformations));
+  image.has_scale =
+      transform(image.axes, node.file, member(multiscale, transformations)) || is_scaled;
+  for (const Json& channel : member(member(node.attributes, "omero"), "channels"))
+    image.channels.push_back(text_of(member(channel, "label")));
+  return image;
+}
+
+// An array that is a level of the group that it is in.
+std::optional<ZarrImage> image_of_level(const std::filesystem::path& folder_of_array) {
+  std::error_code ignored;
+  const std::filesystem::path array = std::filesystem::canonical(folder_of_array, ignored);
+  const std::filesystem::path folder = array.parent_path();
+  if (!is_zarr(folder)) return std::nullopt;
+  const ZarrNode parent = read_zarr_node(folder);
+  const Json& multiscales = member(parent.attributes, "multiscales");
+  if (parent.is_array || !multiscales.is_array() || multiscales.empty()) return std::nullopt;
+  const Json& datasets = member(multiscales[0], "datasets");
+  for (std::uint32_t level = 0; level < datasets.size(); ++level)
+    if (text_of(member(datasets[level], "path")) == array.filename().native())
+      return image_at(parent, multiscales[0], level);
+  return std::nullopt;
+}
+
+ZarrImage image_of_array(const ZarrNode& node, const std::filesystem::path& folder,
+                         const VolumeOptions& options) {
+  if (options.level) fail(folder, "an array has no levels", "leave out --level");
+  if (auto level = image_of_level(folder)) return std::move(*level);
+  ZarrImage image;
+  image.array = described(node);
+  const auto& names = image.array.axis_names;
+  for (const std::string& name : names)
+    if (name.size() == 1 && letter_of(name, "") == name[0]) image.axes.push_back({name[0]});
+  if (image.axes.size() != image.array.sizes.size()) image.axes.clear();
+  return image;
+}
+
+// Groups and arrays in a group.
+std::vector<std::filesystem::path> children(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> found;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (entry.is_directory(ignored) && is_zarr(entry.path())) found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::string list_of(const std::vector<std::filesystem::path>& folders) {
+  constexpr std::size_t max_listed = 10;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(folders.size(), max_listed); ++i)
+    text += (i > 0 ? ", " : "") + without_control(folders[i].filename().string());
+  return text + (folders.size() > max_listed ? ", ..." : "");
+}
+
+// What is in a group that is no image: the series of bioformats2raw, the wells of a plate, labels.
+std::filesystem::path only_child(const ZarrNode& node) {
+  std::vector<std::filesystem::path> inner = children(node.folder);
+  inner.erase(std::remove_if(inner.begin(), inner.end(),
+                             [](const auto& folder) { return folder.filename() == "OME"; }),
+              inner.end());
+  if (inner.empty()) fail(node.folder, "the group holds no array", "give one that holds a volume");
+  if (inner.size() > 1)
+    fail(node.folder, "the group holds several images or arrays: " + list_of(inner),
+         "choose one by its folder, as in " + (node.folder / inner[0].filename()).string());
+  return inner[0];
+}
+
+}  // namespace
+
+ZarrImage read_zarr_image(const std::filesystem::path& folder, const VolumeOptions& options) {
+  constexpr int max_depth = 8;
+  std::filesystem::path at = folder;
+  for (int depth = 0; depth < max_depth; ++depth) {
+    const ZarrNode node = read_zarr_node(at);
+    if (node.is_array) return image_of_array(node, at, options);
+    const Json& multiscales = member(node.attributes, "multiscales");
+    if (multiscales.is_array() && !multiscales.empty())
+      return image_at(node, multiscales[0], options.level);
+    at = only_child(node);
+  }
+  fail(folder, "its groups are in each other", "give the folder of an image");
+}
+
+}  // namespace discmc::command

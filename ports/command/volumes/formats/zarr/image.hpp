@@ -1,0 +1,36 @@
+// Which array of a folder of Zarr is the volume, and what OME-Zarr says of it.
+#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_IMAGE_HPP
+#define DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_IMAGE_HPP
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "description.hpp"
+#include "volumes/volume.hpp"
+
+namespace discmc::command {
+
+struct ZarrAxis {
+  char letter = 0;     ///< x, y, z, c, or t for all others
+  double scale = 1;    ///< from a sample to the next one
+  double origin = 0;   ///< where the first one lies
+  std::string unit{};  ///< "micrometer"
+};
+
+struct ZarrImage {
+  ZarrDescription array;
+  std::vector<ZarrAxis> axes{};  ///< of the array; none where nothing is said of them
+  bool is_ome = false;
+  bool has_scale = false;
+  std::vector<std::string> channels{};  ///< their names, where there are any
+  std::string level{};                  ///< for people, of several: "level 1 of 4"
+};
+
+/// Throws VolumeError where it is none, or holds several images.
+ZarrImage read_zarr_image(const std::filesystem::path& folder, const VolumeOptions& options);
+
+}  // namespace discmc::command
+
+#endif

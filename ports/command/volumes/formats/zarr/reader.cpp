@@ -1,0 +1,196 @@
+// Zarr, and images of OME-Zarr, by their chunks.
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "chunks.hpp"
+#include "folder.hpp"
+#include "image.hpp"
+#include "volumes/array_layout.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/told_place.hpp"
+
+namespace discmc::command {
+namespace {
+
+// Some slices at once, as many as chunks are deep: each is unpacked once.
+class ZarrVolume final : public VolumeReader {
+ public:
+  ZarrVolume(std::filesystem::path folder, VolumeInfo info, ZarrChunks chunks, ArrayLayout layout)
+      : folder_(std::move(folder)),
+        info_(std::move(info)),
+        chunks_(std::move(chunks)),
+        layout_(std::move(layout)) {
+    constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30;
+    depth_ = std::clamp<std::uint64_t>(max_bytes / info_.slice_bytes(), 1, chunk_size(2));
+    const ZarrDescription& array = chunks_.array();
+    std::uint64_t stride = 1;
+    for (auto axis = array.order.rbegin(); axis != array.order.rend(); ++axis) {
+      begin_ += layout_.first[*axis] % array.chunk[*axis] * stride;
+      for (std::size_t i = 0; i < 3; ++i)
+        if (layout_.axes[i] == *axis) strides_[i] = stride;
+      stride *= array.chunk[*axis];
+    }
+  }
+
+  const VolumeInfo& info() const override { return info_; }
+
+  void read_slice(void* samples) override {
+    require_slice_left(folder_, next_, info_.dims[2]);
+    if (next_ < first_ || next_ >= first_ + count_) read_slices();
+    const std::uint64_t bytes = info_.slice_bytes();
+    std::memcpy(samples, &slices_[(next_ - first_) * bytes], bytes);
+    ++next_;
+  }
+
+  void skip_slice() override {
+    require_slice_left(folder_, next_, info_.dims[2]);
+    ++next_;
+  }
+
+ private:
+  // The next slices, up to the end of the chunks that the first one lies in.
+  void read_slices() {
+    const std::uint64_t deep = chunk_size(2);
+    first_ = next_;
+    count_ = std::min({depth_, deep - next_ % deep, std::uint64_t{info_.dims[2]} - next_});
+    slices_.resize(count_ * info_.slice_bytes());
+    PerAxis chunk(layout_.sizes.size());
+    for (std::size_t axis = 0; axis < chunk.size(); ++axis)
+      chunk[axis] = layout_.first[axis] / chunks_.array().chunk[axis];
+    if (layout_.axes[2]) chunk[*layout_.axes[2]] = first_ / deep;
+    std::uint64_t& column = chunk[*layout_.axes[0]];
+    std::uint64_t& row = chunk[*layout_.axes[1]];
+    for (row = 0; row * chunk_size(1) < info_.dims[1]; ++row)
+      for (column = 0; column * chunk_size(0) < info_.dims[0]; ++column)
+        take_chunk(chunks_.read(chunk), column * chunk_size(0), row * chunk_size(1));
+  }
+
+  // Along x, y or z.
+  std::uint64_t chunk_size(std::size_t i) const {
+    return layout_.axes[i] ? chunks_.array().chunk[*layout_.axes[i]] : 1;
+  }
+
+  // Copies what there is of a chunk in the slices. x, y: where it begins in them.
+  void take_chunk(const std::optional<ChunkBytes>& samples, std::uint64_t x, std::uint64_t y) {
+    const std::size_t size = sample_bytes(info_.type);
+    const std::uint64_t columns = std::min(chunk_size(0), info_.dims[0] - x);
+    const std::uint64_t rows = std::min(chunk_size(1), info_.dims[1] - y);
+    for (std::uint64_t z = 0; z < count_; ++z)
+      for (std::uint64_t row = 0; row < rows; ++row) {
+        const std::uint64_t to = ((z * info_.dims[1] + y + row) * info_.dims[0] + x) * size;
+        if (samples)
+          copy_row(*samples, first_ % chunk_size(2) + z, row, columns, &slices_[to]);
+        else
+          for (std::uint64_t i = 0; i < columns; ++i)
+            std::memcpy(&slices_[to + i * size], chunks_.array().fill.data(), size);
+      }
+  }
+
+  // z, y: in the chunk.
+  void copy_row(const ChunkBytes& samples, std::uint64_t z, std::uint64_t y, std::uint64_t columns,
+                unsigned char* to) const {
+    with_sample_type(info_.type, [&](auto sample) {
+      constexpr std::size_t size = sizeof sample;
+      const unsigned char* from = &samples[(begin_ + z * strides_[2] + y * strides_[1]) * size];
+      if (strides_[0] == 1) {
+        std::memcpy(to, from, columns * size);
+        return;
+      }
+      for (std::uint64_t i = 0; i < columns; ++i)
+        std::memcpy(to + i * size, from + i * strides_[0] * size, size);
+    });
+  }
+
+  std::filesystem::path folder_;
+  VolumeInfo info_;
+  ZarrChunks chunks_;
+  ArrayLayout layout_;
+  // In a chunk, of the frame and the channel, and from one sample to the next along x, y and z.
+  std::uint64_t begin_ = 0;
+  std::array<std::uint64_t, 3> strides_{};
+  std::uint64_t depth_ = 1;
+  std::uint64_t first_ = 0;  // of the slices that are held
+  std::uint64_t count_ = 0;
+  std::vector<unsigned char> slices_;
+  std::uint64_t next_ = 0;
+};
+
+// Each is asked for, whether it is there or not.
+void require_few_chunks(const std::filesystem::path& folder, const VolumeInfo& info,
+                        const PerAxis& chunk, const ArrayLayout& layout) {
+  constexpr std::uint64_t max_chunks = std::uint64_t{1} << 20;
+  std::uint64_t chunks = 1;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::uint64_t size = chunk[*layout.axes[i]];
+    chunks *= (info.dims[i] + size - 1) / size;
+  }
+  if (chunks > max_chunks)
+    fail(folder, "a slice goes through " + std::to_string(chunks) + " chunks",
+         "write it again with larger ones");
+}
+
+// Small files may claim large slices, and chunks that are all alike take little room.
+void require_possible(const std::filesystem::path& folder, const VolumeInfo& info) {
+  constexpr std::uint64_t max_of_a_byte = 65536;
+  std::uint64_t bytes = 0;
+  std::error_code error;
+  using Iterator = std::filesystem::recursive_directory_iterator;
+  for (Iterator entry(folder, error); !error && entry != Iterator(); entry.increment(error)) {
+    std::error_code ignored;
+    if (entry->is_regular_file(ignored)) bytes += entry->file_size(ignored);
+    if (info.slice_bytes() / max_of_a_byte <= bytes) return;
+  }
+  fail(folder,
+       "a slice of " + std::to_string(info.slice_bytes()) + " bytes cannot be in files of " +
+           std::to_string(bytes),
+       "copy the folder whole");
+}
+
+ToldPlace place_of(const ZarrImage& image, const ArrayLayout& layout) {
+  ToldPlace told;
+  told.set_unit("mm");
+  for (std::size_t i = 0; i < 3 && image.has_scale; ++i) {
+    if (!layout.axes[i]) continue;  // an image
+    const ZarrAxis& axis = image.axes[*layout.axes[i]];
+    told.spacing[i] = axis.scale;
+    told.origin[i] = axis.origin;
+    told.axis_units[i] = told.space_units[i] = axis.unit;
+  }
+  return told;
+}
+
+std::string letters_of(const ZarrImage& image) {
+  std::string letters;
+  for (const ZarrAxis& axis : image.axes) letters += axis.letter;
+  return letters;
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path,
+                                        const VolumeOptions& options) {
+  std::error_code ignored;
+  std::filesystem::path folder = path.lexically_normal();
+  if (!folder.has_filename() || !std::filesystem::is_directory(folder, ignored))
+    folder = folder.parent_path();
+  ZarrImage image = read_zarr_image(folder, options);
+  VolumeInfo info;
+  info.type = image.array.type;
+  info.format = image.is_ome ? "OME-Zarr" : "Zarr";
+  if (!image.level.empty()) info.format += ", " + image.level;
+  const ArrayShape shape{image.array.sizes, letters_of(image), image.channels};
+  const ArrayLayout layout = take_array(info, folder, shape, options);
+  set_place(info, place_of(image, layout), options);
+  require_few_chunks(folder, info, image.array.chunk, layout);
+  require_possible(image.array.folder, info);
+  return std::make_unique<ZarrVolume>(folder, std::move(info), ZarrChunks(std::move(image.array)),
+                                      layout);
+}
+
+}  // namespace discmc::command

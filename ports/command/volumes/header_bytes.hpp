@@ -1,0 +1,58 @@
+// A header of fixed length, whose fields stand at offsets.
+#ifndef DISCMC_COMMAND_VOLUMES_HEADER_BYTES_HPP
+#define DISCMC_COMMAND_VOLUMES_HEADER_BYTES_HPP
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "volume_error.hpp"
+#include "volume_stream.hpp"
+
+namespace discmc::command {
+
+/// Returns the decimal number that the program meant which wrote the float: 0.01f is 0.01.
+double decimal(float value);
+
+class HeaderBytes {
+ public:
+  /// Reads the header. Throws VolumeError where the file is shorter.
+  HeaderBytes(ByteStream& stream, std::size_t bytes, bool big_endian)
+      : bytes_(bytes, '\0'), is_turned_(big_endian != is_native_big_endian()) {
+    if (stream.read(bytes_.data(), bytes) < bytes)
+      fail(stream.file(), "the header of " + std::to_string(bytes) + " bytes is not whole",
+           "copy or export the file again");
+  }
+
+  std::string_view text(std::size_t offset, std::size_t count) const {
+    return std::string_view(bytes_).substr(offset, count);
+  }
+
+  /// Units of all offsets: bytes. Limit: the field lies in the header.
+  template <class Number>
+  Number number(std::size_t offset) const {
+    char bytes[sizeof(Number)];
+    std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(offset), sizeof bytes, bytes);
+    if (is_turned_) std::reverse(bytes, bytes + sizeof bytes);
+    Number value;
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+  }
+
+  /// Three numbers, one behind the other, each as decimal().
+  std::array<double, 3> reals(std::size_t offset) const {
+    return {decimal(number<float>(offset)), decimal(number<float>(offset + 4)),
+            decimal(number<float>(offset + 8))};
+  }
+
+ private:
+  std::string bytes_;
+  bool is_turned_;
+};
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,49 @@
+// The fields of a header in text, by their names.
+#ifndef DISCMC_COMMAND_VOLUMES_HEADER_FIELDS_HPP
+#define DISCMC_COMMAND_VOLUMES_HEADER_FIELDS_HPP
+
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace discmc::command {
+
+class HeaderFields {
+ public:
+  /// file: that has the header, for errors.
+  explicit HeaderFields(std::filesystem::path file) : file_(std::move(file)) {}
+
+  const std::filesystem::path& file() const { return file_; }
+
+  /// Throws VolumeError when the field is there already.
+  void add(const std::string& name, std::string_view text);
+  /// Limit: has(name).
+  void replace(std::string_view name, std::string text);
+
+  bool has(std::string_view name) const { return fields_.find(name) != fields_.end(); }
+
+  /// Of the first of the names that is there; empty where none is.
+  std::string_view text(std::initializer_list<std::string_view> names) const;
+  std::string_view text(std::string_view name) const { return text({name}); }
+
+  /// Throw VolumeError when the field is not there, or is empty.
+  std::string_view needed(std::string_view name) const;
+  std::vector<std::int64_t> needed_integers(std::string_view name) const;
+
+  /// Throw VolumeError when the text is no such number.
+  std::int64_t integer(std::string_view name, std::int64_t otherwise) const;
+  std::vector<double> reals(std::initializer_list<std::string_view> names) const;
+
+ private:
+  std::filesystem::path file_;
+  std::map<std::string, std::string, std::less<>> fields_;
+};
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,139 @@
+#include "label_names.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+#include "text/control_character.hpp"
+#include "text/words.hpp"
+#include "volume_error.hpp"
+
+namespace discmc::command {
+namespace {
+
+NamedLabels labels_of(const LabelDescription& description) {
+  return {{{description.layer, description.values}},
+          without_control(description.name),
+          description.colour};
+}
+
+bool has_value(const LabelDescription& description, LabelValue value) {
+  return description.values.empty() || description.values == std::vector<LabelValue>{value};
+}
+
+// Without what people leave out or write otherwise.
+std::string plain(std::string_view name) {
+  std::string result = lower(name);
+  std::replace(result.begin(), result.end(), '_', ' ');
+  return result;
+}
+
+}  // namespace
+
+LabelNames::LabelNames(LabelTable table, std::vector<std::uint32_t> layers)
+    : table_(std::move(table)), layers_(std::move(layers)) {
+  const auto is_left = [this](const LabelDescription& each) {
+    return std::find(layers_.begin(), layers_.end(), each.layer) == layers_.end();
+  };
+  table_.erase(std::remove_if(table_.begin(), table_.end(), is_left), table_.end());
+}
+
+std::string LabelNames::list_of_names() const {
+  constexpr std::size_t most = 12;
+  if (table_.empty()) return "no name is known; give numbers, or --label-table FILE";
+  std::string text = "there are ";
+  for (std::size_t i = 0; i < std::min(most, table_.size()); ++i)
+    text += (i > 0 ? ", " : "") + shown(table_[i].name);
+  return table_.size() <= most ? text
+                               : text + " and " + std::to_string(table_.size() - most) +
+                                     " more; discmc info lists all";
+}
+
+std::optional<NamedLabels> LabelNames::by_number(std::string_view text) const {
+  const auto value = label_value(text);
+  if (!value) return std::nullopt;
+  std::vector<const LabelDescription*> found;
+  for (const LabelDescription& each : table_)
+    if (!each.values.empty() && has_value(each, *value)) found.push_back(&each);
+  const bool is_in_one_layer = std::all_of(
+      found.begin(), found.end(),
+      [&found](const LabelDescription* each) { return each->layer == found[0]->layer; });
+  if (!is_in_one_layer)
+    throw std::invalid_argument("label " + value->text() + " is " + shown(found[0]->name) +
+                                " and, in another layer, " + shown(found.back()->name) +
+                                ": give a name, or --frame N, the layer");
+  if (found.empty() && layers_.size() > 1)
+    throw std::invalid_argument("no label has the number " + value->text() + ": " +
+                                list_of_names());
+  return named(found.empty() ? layers_[0] : found[0]->layer, *value);
+}
+
+std::optional<NamedLabels> LabelNames::by_name(std::string_view text) const {
+  for (const bool is_exact : {true, false}) {
+    const LabelDescription* found = nullptr;
+    for (const LabelDescription& each : table_) {
+      if (is_exact ? each.name != text : plain(each.name) != plain(text)) continue;
+      if (found != nullptr)
+        throw std::invalid_argument("several labels are called " + shown(text) +
+                                    ": give their numbers, or --frame N, the layer");
+      found = &each;
+    }
+    if (found != nullptr) return labels_of(*found);
+  }
+  return std::nullopt;
+}
+
+std::vector<NamedLabels> LabelNames::each(const std::string& list) const {
+  std::vector<NamedLabels> labels;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    // The longest piece that is a label, since commas may be part of a name.
+    std::optional<NamedLabels> found;
+    std::size_t end = list.size();
+    for (;;) {
+      const std::string_view piece = std::string_view(list).substr(begin, end - begin);
+      found = by_number(piece);
+      if (!found) found = by_name(piece);
+      const std::size_t comma = found ? std::string::npos : piece.rfind(',');
+      if (comma == std::string_view::npos) break;
+      end = begin + comma;
+    }
+    if (!found)
+      throw std::invalid_argument("no label is called " + shown(list.substr(begin, end - begin)) +
+                                  ": " + list_of_names());
+    labels.push_back(*std::move(found));
+    begin = end + 1;
+  }
+  return labels;
+}
+
+NamedLabels LabelNames::together(const std::string& list) const {
+  const std::vector<NamedLabels> labels = each(list);
+  NamedLabels all = labels[0];
+  if (labels.size() == 1) return all;
+  all.name = without_control(list);
+  for (std::size_t i = 1; i < labels.size(); ++i)
+    for (const auto& [layer, values] : labels[i].set) {
+      const auto [entry, is_new] = all.set.emplace(layer, values);
+      if (is_new || entry->second.empty()) continue;
+      if (values.empty())
+        entry->second.clear();
+      else
+        entry->second.insert(entry->second.end(), values.begin(), values.end());
+    }
+  return all;
+}
+
+NamedLabels LabelNames::named(std::uint32_t layer, LabelValue value) const {
+  const auto is_it = [layer, value](const LabelDescription& each) {
+    return each.layer == layer && has_value(each, value);
+  };
+  NamedLabels result{{{layer, {value}}}, value.text(), {}};
+  if (std::count_if(table_.begin(), table_.end(), is_it) != 1) return result;
+  const auto found = std::find_if(table_.begin(), table_.end(), is_it);
+  result.name = without_control(found->name);
+  result.colour = found->colour;
+  return result;
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,12 @@
+// In place of label_json.cpp where there is no library that reads JSON.
+#include "label_json.hpp"
+#include "volume_error.hpp"
+
+namespace discmc::command {
+
+LabelTable read_label_json(const std::filesystem::path& file) {
+  fail(file, "this discmc was built without nlohmann-json, which reads JSON",
+       "give a table with a line for every label, such as: 1 liver");
+}
+
+}  // namespace discmc::command

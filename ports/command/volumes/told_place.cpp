@@ -1,0 +1,173 @@
+#include "told_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "length_unit.hpp"
+#include "text/number_text.hpp"
+#include "volume_error.hpp"
+
+namespace discmc::command {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+std::string list(const Vector& numbers) {
+  return '(' + short_number(numbers[0]) + ", " + short_number(numbers[1]) + ", " +
+         short_number(numbers[2]) + ')';
+}
+
+double length(const Vector& vector) {
+  return std::hypot(vector[0], vector[1], vector[2]);
+}
+
+Vector lengths_of(const Axes& axes) {
+  return {length(axes[0]), length(axes[1]), length(axes[2])};
+}
+
+// ---- units ----
+
+using Units = std::array<std::string, 3>;
+
+void note_units(VolumeInfo& info, const Units& units) {
+  for (const std::string& unit : units)
+    if (unit.empty())
+      note(info, "no unit of length given, mm taken");
+    else if (!millimetres_in(unit))
+      note(info, "unit " + shown(unit) + " not known, mm taken");
+}
+
+// Of each.
+Vector millimetres_of(const Units& units) {
+  Vector lengths{};
+  std::transform(units.begin(), units.end(), lengths.begin(),
+                 [](const std::string& unit) { return millimetres_in(unit).value_or(1); });
+  return lengths;
+}
+
+// ---- spacing ----
+
+Vector usable(VolumeInfo& info, Vector spacing_mm) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double size = std::fabs(spacing_mm[axis]);
+    if (size >= min_spacing_mm && size <= max_spacing_mm) continue;
+    note(info, "spacing " + short_number(spacing_mm[axis]) + " of axis " +
+                   std::to_string(axis + 1) + " unusable, 1 mm taken");
+    spacing_mm[axis] = 1;
+  }
+  return spacing_mm;
+}
+
+// What the file tells without steps.
+Vector spacing_of(VolumeInfo& info, const ToldPlace& told) {
+  const auto& spacing = told.spacing;
+  const auto is_told = [](const auto& distance) { return distance.has_value(); };
+  if (std::none_of(spacing.begin(), spacing.end(), is_told)) {
+    note(info, "no spacing given, 1 mm taken");
+    return {1, 1, 1};
+  }
+  note_units(info, told.axis_units);
+  Vector spacing_mm = millimetres_of(told.axis_units);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!spacing[axis])
+      note(info, "no spacing of axis " + std::to_string(axis + 1) + " given, 1 mm taken");
+    spacing_mm[axis] = spacing[axis] ? spacing_mm[axis] * *spacing[axis] : 1;
+  }
+  return usable(info, spacing_mm);
+}
+
+// In place of those of the file, whose axes keep their directions.
+Vector given_spacing(VolumeInfo& info, const ToldPlace& told, Vector spacing_mm) {
+  for (std::size_t axis = 0; axis < 3 && !told.steps; ++axis)
+    spacing_mm[axis] *= std::copysign(1.0, told.spacing[axis].value_or(1));
+  return usable(info, spacing_mm);
+}
+
+void note_contradiction(VolumeInfo& info, const ToldPlace& told, const Vector& lengths_mm) {
+  constexpr double rounding = 1e-3;
+  const Vector units_mm = millimetres_of(told.axis_units);
+  Vector spacing_mm = lengths_mm;
+  bool is_same = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (told.spacing[axis]) spacing_mm[axis] = std::fabs(*told.spacing[axis] * units_mm[axis]);
+    is_same =
+        is_same && std::fabs(spacing_mm[axis] - lengths_mm[axis]) <= rounding * lengths_mm[axis];
+  }
+  if (!is_same)
+    note(info, "spacing " + list(spacing_mm) + " contradicts the axes, whose " + list(lengths_mm) +
+                   " mm is taken");
+}
+
+// ---- axes ----
+
+void multiply(Vector& vector, const Vector& factors) {
+  for (std::size_t i = 0; i < 3; ++i) vector[i] *= factors[i];
+}
+
+// Sets the spacing but for its signs, and returns the axes.
+Axes take_axes(VolumeInfo& info, const ToldPlace& told, const VolumeOptions& options) {
+  Axes axes = told.steps ? *told.steps : told.directions.value_or(coordinates);
+  Vector lengths{1, 1, 1};
+  if (told.steps) {
+    for (Vector& step : axes) multiply(step, millimetres_of(told.space_units));
+    lengths = lengths_of(axes);
+  }
+  if (options.spacing_mm) {
+    info.spacing_mm = given_spacing(info, told, *options.spacing_mm);
+  } else if (told.steps) {
+    note_units(info, told.space_units);
+    note_contradiction(info, told, lengths);
+    info.spacing_mm = usable(info, lengths);
+    return axes;
+  } else {
+    info.spacing_mm = spacing_of(info, told);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (double& along : axes[axis]) along *= info.spacing_mm[axis] / lengths[axis];
+  return axes;
+}
+
+// The signs of the axes where each is mostly along its coordinate; otherwise that of the whole.
+Vector signs_of(const Axes& axes) {
+  constexpr double mostly_along = 0.75;  // no other component can be larger
+  Vector signs{};
+  bool near = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    signs[i] = std::copysign(1.0, axes[i][i]);
+    near = near && std::fabs(axes[i][i]) > mostly_along * length(axes[i]);
+  }
+  const double hand = std::copysign(1.0, determinant(axes));
+  if (near && signs[0] * signs[1] * signs[2] == hand) return signs;
+  return {1, 1, hand};
+}
+
+}  // namespace
+
+void set_place(VolumeInfo& info, const ToldPlace& told, const VolumeOptions& options) {
+  VolumePlacement placement{told.frame, told.origin, take_axes(info, told, options)};
+  if (told.origin != Vector{}) note_units(info, told.space_units);
+  multiply(placement.origin_mm, millimetres_of(told.space_units));
+  if (told.is_left_handed) {
+    for (Vector& axis : placement.axes_mm) axis[0] = -axis[0];
+    placement.origin_mm[0] = -placement.origin_mm[0];
+  }
+  if (is_usable(placement.axes_mm)) {
+    const Vector signs = signs_of(placement.axes_mm);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      info.spacing_mm[axis] = std::copysign(info.spacing_mm[axis], signs[axis]);
+  } else {
+    note(info, "axis directions unusable, taken as along the coordinates");
+    placement.axes_mm = along_coordinates(info.spacing_mm).axes_mm;
+  }
+  if (!is_usable(placement)) {
+    note(info, "origin " + list(placement.origin_mm) + " unusable, 0 taken");
+    placement.origin_mm = {};
+  }
+  // Sums with zero have no negative zeros.
+  for (double& at : placement.origin_mm) at += 0.0;
+  for (Vector& axis : placement.axes_mm)
+    for (double& along : axis) along += 0.0;
+  if (!(placement == along_coordinates(info.spacing_mm))) info.placement = placement;
+}
+
+}  // namespace discmc::command

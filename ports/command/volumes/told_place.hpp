@@ -1,0 +1,49 @@
+// What a file tells of the place of its voxels, and what becomes of it: the one place for units,
+// spacings, directions and origins.
+#ifndef DISCMC_COMMAND_VOLUMES_TOLD_PLACE_HPP
+#define DISCMC_COMMAND_VOLUMES_TOLD_PLACE_HPP
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "volume.hpp"
+
+namespace discmc::command {
+
+/// As the file has it, in its own units. What it does not tell stays empty.
+struct ToldPlace {
+  /// Distances of neighbouring voxels along x, y and z, negative where an axis runs backwards.
+  std::array<std::optional<double>, 3> spacing{};
+  /// The way to the next voxel along each axis. It counts more than the spacing.
+  std::optional<Axes> steps{};
+  /// The same as a direction, which the spacing makes as long as it is.
+  std::optional<Axes> directions{};
+  /// The centre of voxel (0, 0, 0).
+  std::array<double, 3> origin{};
+  /// Names of units: those of the spacing, along the axes of the volume, and those of steps and
+  /// origin, along the coordinates of space.
+  std::array<std::string, 3> axis_units{}, space_units{};
+  /// What the coordinates of space are; nothing where no more than the spacing is told.
+  Frame frame = Frame::none;
+  /// Whether those coordinates are left-handed: right-handed ones have the opposite x.
+  bool is_left_handed = false;
+
+  void set_unit(const std::string& name) {
+    axis_units.fill(name);
+    space_units.fill(name);
+  }
+};
+
+/// Takes spacing and placement. Millimetres stand in for a unit that is not known, 1 mm for a
+/// spacing that is missing or of no use, the coordinates for such directions, and 0 for such an
+/// origin: each with a note. options: whose spacing_mm counts more than the file's.
+///
+/// The spacing gets the signs of the axes in right-handed coordinates: a surface by the spacing
+/// alone is turned and moved against the placed one, never mirrored. A placement that says no more
+/// than the spacing is none.
+void set_place(VolumeInfo& info, const ToldPlace& told, const VolumeOptions& options);
+
+}  // namespace discmc::command
+
+#endif

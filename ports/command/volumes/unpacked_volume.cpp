@@ -1,0 +1,92 @@
+#include "unpacked_volume.hpp"
+
+#include <array>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "packing.hpp"
+#include "temporary_folder.hpp"
+
+namespace discmc::command {
+namespace {
+
+using Open = std::function<std::unique_ptr<VolumeReader>(const std::filesystem::path& folder)>;
+
+class UnpackedVolume final : public VolumeReader {
+ public:
+  UnpackedVolume(std::filesystem::path packed, std::string_view packing, const Open& open)
+      : packed_(std::move(packed)) {
+    renamed([&] { volume_ = open(folder_.path()); });
+    info_ = volume_->info();
+    info_.format += ", " + std::string(packing);
+  }
+
+  const VolumeInfo& info() const override { return info_; }
+  const std::vector<std::string>& notes() const override { return volume_->notes(); }
+  void read_slice(void* samples) override {
+    renamed([&] { volume_->read_slice(samples); });
+  }
+  void skip_slice() override {
+    renamed([&] { volume_->skip_slice(); });
+  }
+
+ private:
+  template <class Call>
+  void renamed(Call call) {
+    try {
+      call();
+    } catch (const VolumeError& error) {
+      const std::filesystem::path inner =
+          std::filesystem::path(error.file()).lexically_relative(folder_.path());
+      const bool is_inside = !inner.empty() && *inner.begin() != "..";
+      fail(is_inside ? named(inner).string() : error.file(), error.fault(),
+           in_packed(error.remedy()));
+    }
+  }
+
+  // Patterns of files in the folder are such in what was packed.
+  std::string in_packed(std::string text) const {
+    const std::string folder = folder_.path().string(), packed = packed_.string();
+    for (std::size_t at = text.find(folder); at != std::string::npos;
+         at = text.find(folder, at + packed.size()))
+      text.replace(at, folder.size(), packed);
+    return text;
+  }
+
+  // A file in the folder by that of what was packed.
+  std::filesystem::path named(const std::filesystem::path& inner) const {
+    return inner == "." || inner == without_packing(packed_).filename() ? packed_ : packed_ / inner;
+  }
+
+  std::filesystem::path packed_;
+  TemporaryFolder folder_;
+  std::unique_ptr<VolumeReader> volume_;
+  VolumeInfo info_;
+};
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> unpacked_volume(const std::filesystem::path& packed,
+                                              std::string_view packing, const Open& open) {
+  return std::make_unique<UnpackedVolume>(packed, packing, open);
+}
+
+void unpack(ByteStream& stream, const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  std::ofstream out(file, std::ios::binary);
+  std::array<char, 65536> block;
+  std::size_t got = 0;
+  while (out && (got = stream.read(block.data(), block.size())) > 0)
+    out.write(block.data(), static_cast<std::streamsize>(got));
+  stream.check_end();
+  if (!stream.damage().empty()) fail(stream.file(), stream.damage(), "copy the file again");
+  if (!out.flush())
+    fail(stream.file(), "it cannot be unpacked into the temporary folder",
+         "set TMPDIR to a folder with more space, or unpack it yourself");
+}
+
+}  // namespace discmc::command

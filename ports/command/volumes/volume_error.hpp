@@ -1,0 +1,41 @@
+// What cannot be read, and why.
+#ifndef DISCMC_COMMAND_VOLUMES_VOLUME_ERROR_HPP
+#define DISCMC_COMMAND_VOLUMES_VOLUME_ERROR_HPP
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace discmc::command {
+
+/// Its text is "file: fault; remedy".
+class VolumeError : public std::runtime_error {
+ public:
+  VolumeError(const std::string& file, const std::string& fault, const std::string& remedy);
+
+  const std::string& file() const { return file_; }
+  const std::string& fault() const { return fault_; }
+  const std::string& remedy() const { return remedy_; }
+
+ private:
+  std::string file_;
+  std::string fault_, remedy_;
+};
+
+/// Throws a VolumeError.
+[[noreturn]] void fail(const std::string& file, const std::string& fault,
+                       const std::string& remedy);
+
+/// Throws the refusal of a sample type, by the name the file gives it.
+[[noreturn]] void fail_type(const std::string& file, std::string_view type);
+
+/// Throws when all slices have been read.
+void require_slice_left(const std::string& file, std::size_t read, std::size_t slices);
+
+/// Returns text from a file in quotes, cut to a length fit for a message, without control bytes.
+std::string shown(std::string_view text);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,97 @@
+// What is known of a volume before its samples are read.
+#ifndef DISCMC_COMMAND_VOLUMES_VOLUME_INFO_HPP
+#define DISCMC_COMMAND_VOLUMES_VOLUME_INFO_HPP
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "label_description.hpp"
+#include "sample_type.hpp"
+#include "volume_placement.hpp"
+
+namespace discmc::command {
+
+/// What a file says about its volume.
+struct VolumeInfo {
+  /// Width, height and number of slices. Units: voxels. Limit: 1 to 32766 in x and y, 1 to 2^30 - 1
+  /// in z.
+  std::array<std::uint32_t, 3> dims{};
+  SampleType type = SampleType::u8;
+  /// The extents before a part was taken, or the volume was shrunk. Units: voxels.
+  std::optional<std::array<std::uint32_t, 3>> whole_dims;
+  /// The number of volumes in the file, of which this is one: 3D volumes of a 4D one.
+  std::uint64_t frames = 1;
+  /// The number of samples that the file holds of a voxel, of which this is one: colours, stains.
+  std::uint64_t channels = 1;
+  /// Distance between neighbouring voxels along x, y and z, negative where the axis runs backwards.
+  /// An oblique left-handed volume has a negative z, so that no shape is ever mirrored, and the
+  /// placement only turns and moves it.
+  /// Units: millimetres. Limit: min_spacing_mm to max_spacing_mm either way.
+  std::array<double, 3> spacing_mm{1, 1, 1};
+  /// Where the volume lies; nothing where the file tells no more of it than the spacing.
+  /// Limit: is_usable().
+  std::optional<VolumePlacement> placement;
+  /// value = slope * stored + intercept, in the file's declared units. Limit: slope > 0.
+  double slope = 1;
+  double intercept = 0;
+  /// The value that the file says it has where nothing was scanned.
+  std::optional<double> padding;
+  /// Whether the file says that values are Hounsfield units.
+  bool is_in_hounsfield = false;
+  /// The labels that the file tells, those in other volumes of it too. Then these are layers of one
+  /// segmentation.
+  LabelTable labels;
+  /// The format and the way it is stored, for people: "NRRD, gzip".
+  std::string format;
+  /// What the reader had to assume, and what the file says and it left out. Written by note().
+  std::vector<std::string> notes;
+
+  /// Units: bytes of one slice.
+  std::uint64_t slice_bytes() const {
+    return std::uint64_t{dims[0]} * dims[1] * sample_bytes(type);
+  }
+};
+
+// What readers and filters fill it with; its place is that of set_place() in told_place.hpp.
+
+/// Adds a note, unless it is there.
+void note(VolumeInfo& info, const std::string& text);
+
+/// Of VolumeInfo::dims. Units: voxels along x and y.
+constexpr std::int64_t max_across = 32766;
+
+/// Takes sizes, fastest axis first. Two give one slice; those beyond the third count volumes.
+/// frame: the one of them that is asked for. Throws when a size is out of the range of
+/// VolumeInfo::dims, and when the file does not hold the frame. Limit: after the type.
+void set_dims(VolumeInfo& info, const std::string& file, const std::vector<std::int64_t>& sizes,
+              std::optional<std::uint32_t> frame = {});
+
+/// Takes how many channels a voxel has. channel: the one that is asked for. names: of the channels,
+/// for people, or none. Throws when the one asked for is not among them, and when there are several
+/// and none is asked for.
+void set_channels(VolumeInfo& info, const std::string& file, std::uint64_t channels,
+                  std::optional<std::uint32_t> channel, const std::vector<std::string>& names = {});
+
+/// Takes value = slope * stored + intercept; a slope of 0 stands for no scaling at all. Throws when
+/// slope is negative or either not finite.
+void set_scale(VolumeInfo& info, const std::string& file, double slope, double intercept);
+
+/// Takes a part of the volume, or makes its voxels larger: voxel (0, 0, 0) has its centre at
+/// `first`, and the next ones are `step` away. Every voxel then lies where it was. Units: voxels
+/// before. The file is for the VolumeError thrown where that is out of the range of a placement.
+void set_part(VolumeInfo& info, const std::string& file, const std::array<std::uint32_t, 3>& dims,
+              const std::array<double, 3>& first, double step);
+
+/// Units: bytes of one volume, and of all in the file.
+std::uint64_t volume_bytes(const VolumeInfo& info);
+std::uint64_t bytes_of_all(const VolumeInfo& info);
+
+/// Returns the extents of a volume for a message, as in "8 x 9 x 6".
+std::string extents(const std::array<std::uint32_t, 3>& dims);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,363 @@
+// DICOM files whose frames lie where the file as a whole says: cone beams, doses, nuclear medicine,
+// mosaics.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "dicom_files.hpp"
+
+namespace {
+
+using namespace dicom_files;
+using namespace volume_files;
+using discmc::command::Axes;
+using Spacing = std::array<double, 3>;
+
+const Axes along_axes = {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}};
+
+Dataset cone_beam() {
+  Dataset data = frames();
+  return put_at(data, position(0)).text(0x00180050, "DS", "2.5");
+}
+
+TEST_CASE("frames of one position lie one behind the other, and a note says so") {
+  const Folder folder;
+  const auto reader = open_volume(folder.write("v.dcm", cone_beam().file()));
+  check_places(reader->info(), {-10, -20, 100}, along_axes);
+  CHECK(noted(reader->info(), "one position for all frames, taken as slices 2.5 mm apart"));
+  CHECK(noted(reader->info(), "by SliceThickness"));
+  CHECK(read_all(*reader) == as_read(volume_values()));
+}
+
+TEST_CASE("the distance of slices counts more than their thickness") {
+  const Folder folder;
+  const auto file = folder.write("v.dcm", cone_beam().text(0x00180088, "DS", "2").file());
+  const auto reader = open_volume(file);
+  CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2});
+  CHECK(noted(reader->info(), "2 mm apart, by SpacingBetweenSlices"));
+}
+
+TEST_CASE("frames without any distance are 1 mm apart, and a note says so") {
+  const Folder folder;
+  const auto file = folder.write("v.dcm", cone_beam().drop(0x00180050).file());
+  const auto reader = open_volume(file);
+  CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 1});
+  CHECK(noted(reader->info(), "neither SpacingBetweenSlices nor SliceThickness"));
+  VolumeOptions options;
+  options.spacing_mm = Spacing{1, 1, 3};
+  CHECK(open_volume(file, options)->info().spacing_mm == Spacing{1, 1, 3});
+}
+
+TEST_CASE("frames that have times are taken as slices with a note") {
+  const Folder folder;
+  Dataset data = cone_beam();
+  data.tags(0x00280009, 0x00181063).text(0x00181063, "DS", "33");
+  CHECK(noted(open_volume(folder.write("v.dcm", data.file()))->info(),
+              "the frames have times (FrameTime), taken as slices"));
+}
+
+TEST_CASE("samples of every type are read in either byte order") {
+  const Folder folder;
+  struct Case {
+    SampleType type;
+    std::size_t bits;
+    bool is_signed;
+    std::int64_t factor;
+  };
+  for (const Order order : {Order::little_endian, Order::big_endian})
+    for (const Case& one :
+         {Case{SampleType::u8, 8, false, 1}, Case{SampleType::i8, 8, true, 1},
+          Case{SampleType::u16, 16, false, 300}, Case{SampleType::i16, 16, true, 300},
+          Case{SampleType::u32, 32, false, 20000001}, Case{SampleType::i32, 32, true, 20000001}}) {
+      INFO(name(one.type));
+      std::vector<std::int64_t> values = volume_values();
+      for (std::int64_t& value : values)
+        value = one.factor * (value % 100 + (one.is_signed ? 0 : 100));
+      Dataset data = cone_beam();
+      const auto reader = open_volume(
+          folder.write("v.dcm", data.samples(values, one.bits, one.is_signed).file(order)));
+      CHECK(reader->info().type == one.type);
+      CHECK(read_all(*reader) == as_read(values));
+    }
+}
+
+TEST_CASE("samples of floating point are read in either byte order") {
+  const Folder folder;
+  std::vector<double> values = as_read(volume_values());
+  for (double& value : values) value /= 64;
+  for (const Order order : {Order::little_endian, Order::big_endian})
+    for (const std::size_t bits : {32U, 64U}) {
+      INFO(bits);
+      Dataset data = cone_beam();
+      const auto reader = open_volume(folder.write("v.dcm", data.floats(values, bits).file(order)));
+      CHECK(reader->info().type == (bits == 32 ? SampleType::f32 : SampleType::f64));
+      CHECK(read_all(*reader) == values);
+    }
+}
+
+TEST_CASE("words of big-endian files that are called bytes are read in their order") {
+  const Folder folder;
+  Dataset data = cone_beam();
+  std::vector<std::int64_t> values = volume_values();
+  for (std::int64_t& value : values) value *= 70001;
+  const auto file =
+      folder.write("v.dcm", data.samples(values, 32, true, "OB").file(Order::big_endian));
+  CHECK(read_all(*open_volume(file)) == as_read(values));
+}
+
+TEST_CASE("the values of a map of parameters are those of the real world") {
+  const Folder folder;
+  Dataset mapping;
+  mapping.real(0x00409225, {0.25}).real(0x00409224, {-3});
+  Dataset data = cone_beam();
+  data.sequence(0x00409096, {mapping});
+  CHECK(open_volume(folder.write("ct.dcm", data.file()))->info().slope == 1);
+  data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.30");
+  Dataset shared;
+  const auto reader = open_volume(folder.write(
+      "v.dcm", data.sequence(0x52009229, {shared.sequence(0x00409096, {mapping})}).file()));
+  CHECK(reader->info().slope == 0.25);
+  CHECK(reader->info().intercept == -3);
+}
+
+// ---- doses ----
+
+Dataset dose(const std::string& offsets) {
+  Dataset data = frames("RTDOSE");
+  put_at(data, position(0)).text(0x3004000c, "DS", offsets).text(0x3004000e, "DS", "0.02");
+  std::vector<std::int64_t> values = volume_values();
+  for (std::int64_t& value : values) value += 2000;
+  return data.text(0x30040002, "CS", "GY").samples(values, 32, false);
+}
+
+std::vector<double> doses() {
+  std::vector<double> values = as_read(volume_values());
+  for (double& value : values) value += 2000;
+  return values;
+}
+
+TEST_CASE("a dose is in Gy, whether its offsets are ways or positions") {
+  const Folder folder;
+  for (const std::string offsets :
+       {"0\\2.5\\5\\7.5\\10", "100\\102.5\\105\\107.5\\110", "0.0\\2.5\\5.0\\7.5\\10.0"}) {
+    INFO(offsets);
+    const auto reader = open_volume(folder.write("v.dcm", dose(offsets).file()));
+    check_places(reader->info(), {-10, -20, 100}, along_axes);
+    CHECK(reader->info().slope == 0.02);
+    CHECK(reader->info().intercept == 0);
+    CHECK(noted(reader->info(), "values are doses in Gy"));
+    CHECK(read_all(*reader) == doses());
+  }
+}
+
+TEST_CASE("a dose whose offsets fall is read from its other end") {
+  const Folder folder;
+  for (const std::string offsets : {"0\\-2.5\\-5\\-7.5\\-10", "100\\97.5\\95\\92.5\\90"}) {
+    INFO(offsets);
+    const auto reader = open_volume(folder.write("v.dcm", dose(offsets).file()));
+    check_places(reader->info(), {-10, -20, 90}, along_axes);
+    std::vector<double> expected;
+    for (int z = depth; z-- > 0;)
+      for (const std::int64_t value : slice_values(z))
+        expected.push_back(static_cast<double>(value + 2000));
+    CHECK(read_all(*reader) == expected);
+  }
+}
+
+TEST_CASE("positions as offsets are along z where the normal points down") {
+  const Folder folder;
+  Dataset data = dose("100\\102.5\\105\\107.5\\110");
+  put_at(data, position(0), {1, 0, 0, 0, -1, 0});
+  const auto reader = open_volume(folder.write("v.dcm", data.file()));
+  check_places(reader->info(), {-10, -20, 110}, {{{0.5, 0, 0}, {0, -0.75, 0}, {0, 0, -2.5}}});
+}
+
+TEST_CASE("offsets that begin elsewhere or are uneven are refused") {
+  const Folder folder;
+  const auto refused = [&](const std::string& offsets) {
+    return refusal(folder.write("v.dcm", dose(offsets).file()));
+  };
+  check_refusal(refused("40\\42.5\\45\\47.5\\50"),
+                "GridFrameOffsetVector begins with 40, which is neither 0 nor the z");
+  check_refusal(refused("0\\2.5\\5\\8.5\\11"), "2.5 mm apart, but 3.5 mm between");
+  check_refusal(refused("0\\2.5\\5"), "more frames than offsets (GridFrameOffsetVector)");
+}
+
+TEST_CASE("a dose without a scale or relative is read with a note") {
+  const Folder folder;
+  Dataset data = dose("0\\2.5\\5\\7.5\\10");
+  const auto relative = folder.write("r.dcm", data.text(0x30040002, "CS", "RELATIVE").file());
+  CHECK(noted(open_volume(relative)->info(), "values are relative doses"));
+  const auto unscaled = folder.write("u.dcm", data.drop(0x3004000e).file());
+  CHECK(open_volume(unscaled)->info().slope == 1);
+  CHECK(noted(open_volume(unscaled)->info(), "a dose without DoseGridScaling"));
+}
+
+TEST_CASE("a dose without offsets is scaled, too") {
+  const Folder folder;
+  Dataset data = dose("0");
+  const auto reader = open_volume(
+      folder.write("v.dcm", data.drop(0x3004000c).text(0x00180050, "DS", "2.5").file()));
+  CHECK(reader->info().slope == 0.02);
+  check_places(reader->info(), {-10, -20, 100}, along_axes);
+}
+
+// ---- nuclear medicine ----
+
+Dataset nuclear(const std::string& type = "RECON TOMO") {
+  Dataset data = frames("NM");
+  Dataset detector;
+  put_at(detector, position(0));
+  return data.text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\" + type + "\\EMISSION")
+      .text(0x00180088, "DS", "2.5")
+      .sequence(0x00540022, {detector});
+}
+
+TEST_CASE("slices of nuclear medicine lie where the detector says, in the way of their distance") {
+  const Folder folder;
+  Dataset data = nuclear();
+  const auto reader = open_volume(folder.write("v.dcm", data.file()));
+  check_places(reader->info(), {-10, -20, 100}, along_axes);
+  CHECK(read_all(*reader) == as_read(volume_values()));
+  const auto down =
+      open_volume(folder.write("down.dcm", data.text(0x00180088, "DS", "-2.5").file()));
+  check_places(down->info(), {-10, -20, 90}, along_axes);
+}
+
+TEST_CASE("slices of nuclear medicine are in the order of their numbers") {
+  const Folder folder;
+  Dataset data = nuclear();
+  const auto reader =
+      open_volume(folder.write("v.dcm", data.whole(0x00540080, {5, 4, 3, 2, 1}).file()));
+  std::vector<double> expected;
+  for (int z = depth; z-- > 0;)
+    for (const std::int64_t value : slice_values(z)) expected.push_back(static_cast<double>(value));
+  CHECK(read_all(*reader) == expected);
+}
+
+TEST_CASE("pictures of a gamma camera are refused by what they are") {
+  const Folder folder;
+  for (const std::string type : {"STATIC", "TOMO", "WHOLE BODY"}) {
+    const std::string text = refusal(folder.write("v.dcm", nuclear(type).file()));
+    check_refusal(text, "pictures of a gamma camera, not slices (image type " + type + ")");
+    check_refusal(text, "RECON TOMO");
+  }
+}
+
+// ---- mosaics ----
+
+std::string padded(const std::string& text, std::size_t size) {
+  return text + std::string(size - text.size(), '\0');
+}
+
+std::string word(std::size_t value) {
+  return number_bytes(value, 4, Order::little_endian);
+}
+
+using CsaElements = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+// As scanners write it: every element with six items, or with none; the older kind counts those of
+// the first element into the lengths, and has no name.
+std::string csa_header(const CsaElements& elements, bool is_newer) {
+  std::string bytes = (is_newer ? "SV10\4\3\2\1" : "") + word(elements.size()) + word(77);
+  const std::size_t of_first = elements[0].second.empty() ? 0 : 6;
+  for (const auto& [name, values] : elements) {
+    const std::size_t items = values.empty() ? 0 : 6;
+    bytes +=
+        padded(name, 64) + word(values.size()) + padded("IS", 4) + word(6) + word(items) + word(77);
+    for (std::size_t i = 0; i < items; ++i) {
+      const std::string value = i < values.size() ? values[i] + '\0' : "";
+      const std::size_t length = is_newer ? value.size() : value.size() + of_first;
+      bytes += word(is_newer ? value.size() : length) + word(value.size()) + word(77) +
+               word(value.size()) + padded(value, (value.size() + 3) / 4 * 4);
+    }
+  }
+  return bytes;
+}
+
+CsaElements csa_elements(const std::string& along_z) {
+  return {{"EchoLinePosition", {"24"}},
+          {"NumberOfImagesInMosaic", {"5"}},
+          {"Empty", {}},
+          {"SliceNormalVector", {"0.00000000", "0.00000000", along_z}}};
+}
+
+// Five slices in three rows of three.
+constexpr int across = 3;
+
+Dataset mosaic(const std::string& header) {
+  std::vector<std::int64_t> picture(across * width * across * height, -7);
+  for (int z = 0; z < depth; ++z)
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const int row = z / across * height + y, column = z % across * width + x;
+        picture[static_cast<std::size_t>(row * across * width + column)] = value_at(x, y, z);
+      }
+  Dataset data = image("7", "MR");
+  // Of a picture of the whole size with the centre of the first slice.
+  put_at(data, {-10 - 0.5 * width, -20 - 0.75 * height, 100});
+  data.text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\M\\ND\\MOSAIC").text(0x00180088, "DS", "2.5");
+  data.whole(0x00280010, {across * height}).whole(0x00280011, {across * width});
+  if (!header.empty())
+    data.text(0x00290010, "LO", "SIEMENS CSA HEADER").bytes(0x00291010, "OB", header);
+  return data.samples(picture, 16, true);
+}
+
+TEST_CASE("a mosaic of Siemens is unfolded, and lies where its first slice does") {
+  const Folder folder;
+  for (const bool is_newer : {true, false}) {
+    INFO(is_newer);
+    const std::string header = csa_header(csa_elements("1.00000000"), is_newer);
+    const auto reader = open_volume(folder.write("v.dcm", mosaic(header).file()));
+    CHECK(reader->info().dims == std::array<std::uint32_t, 3>{width, height, depth});
+    check_places(reader->info(), {-10, -20, 100}, along_axes);
+    CHECK(read_all(*reader) == as_read(volume_values()));
+  }
+}
+
+TEST_CASE("slices of a mosaic follow the way of its header") {
+  const Folder folder;
+  const std::string header = csa_header(csa_elements("-1.00000000"), true);
+  const auto reader = open_volume(folder.write("v.dcm", mosaic(header).file()));
+  check_places(reader->info(), {-10, -20, 90}, along_axes);
+  std::vector<double> expected;
+  for (int z = depth; z-- > 0;)
+    for (const std::int64_t value : slice_values(z)) expected.push_back(static_cast<double>(value));
+  CHECK(read_all(*reader) == expected);
+}
+
+TEST_CASE("the header of a mosaic is found in whichever block it is") {
+  const Folder folder;
+  Dataset data = mosaic("");
+  data.text(0x00290010, "LO", "SIEMENS MEDCOM HEADER");
+  data.text(0x00290011, "LO", "SIEMENS CSA HEADER");
+  data.bytes(0x00291110, "OB", csa_header(csa_elements("1.0"), true));
+  CHECK(read_all(*open_volume(folder.write("v.dcm", data.file()))) == as_read(volume_values()));
+}
+
+TEST_CASE("a mosaic whose header does not tell how it lies is refused by its name") {
+  const Folder folder;
+  const std::string whole = csa_header(csa_elements("1.0"), true);
+  check_refusal(refusal(folder.write("v.dcm", mosaic("").file())),
+                "a Siemens mosaic of an unknown number of slices without the CSA header");
+  Dataset counted = mosaic("");
+  counted.text(0x00190010, "LO", "SIEMENS MR HEADER").whole(0x0019100a, {5});
+  check_refusal(refusal(folder.write("v.dcm", counted.file())), "a Siemens mosaic of 5 slices");
+  CsaElements many = csa_elements("1.0");
+  many[1].second = {"50"};
+  check_refusal(refusal(folder.write("v.dcm", mosaic(csa_header(many, true)).file())),
+                "mosaic of 50 slices that cannot be in 24 x 18 voxels");
+  CsaElements aside = csa_elements("0.0");
+  check_refusal(refusal(folder.write("v.dcm", mosaic(csa_header(aside, true)).file())),
+                "whose SliceNormalVector is none");
+  for (std::size_t size = 0; size <= whole.rfind("1.0"); size += 7) {
+    INFO("cut at ", size);
+    check_refusal(refusal(folder.write("v.dcm", mosaic(whole.substr(0, size)).file())),
+                  "a Siemens mosaic of ");
+  }
+}
+
+}  // namespace

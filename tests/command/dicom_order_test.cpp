@@ -1,0 +1,419 @@
+// The slices of DICOM in their order: rounded positions, tilted gantries, none at all, and what the
+// user says.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "dicom_files.hpp"
+
+namespace {
+
+using namespace dicom_files;
+using namespace volume_files;
+using command_tests::contains;
+using discmc::command::Axes;
+using discmc::command::SliceOrder;
+using Spacing = std::array<double, 3>;
+
+// A folder of slices. change: what differs in each.
+class Slices : public Folder {
+ public:
+  template <class Change>
+  explicit Slices(Change change) {
+    for (int z = 0; z < depth; ++z) {
+      Dataset data = slice(z);
+      change(data, z);
+      write("IM" + std::to_string(7 * z % 5), data.file());
+    }
+  }
+};
+
+Slices along_z(const std::vector<double>& places) {
+  return Slices([&](Dataset& data, int z) {
+    put_at(data, {-10, -20, places[static_cast<std::size_t>(z)]});
+  });
+}
+
+TEST_CASE("positions that are rounded to tenths have one step within the rounding") {
+  const double step = 0.625;
+  for (const bool is_told : {true, false})
+    for (const double begin : {40.0, 40.04}) {
+      INFO(is_told, " from ", begin);
+      const auto rounded = [&](int z) { return std::round(10 * (begin + step * z)) / 10; };
+      const Folder folder;
+      for (int z = 0; z < 16; ++z) {
+        Dataset data = slice(z % depth, std::to_string(z));
+        put_at(data, {-10.123456, -20, rounded(z)});
+        if (is_told) data.text(0x00180050, "DS", "0.625");
+        folder.write("IM" + std::to_string(z), data.file());
+      }
+      const auto reader = open_volume(folder.path());
+      const VolumeInfo& info = reader->info();
+      CHECK(noted(info, "the positions are rounded, slices taken 0.62"));
+      const double found = std::fabs(info.spacing_mm[2]);
+      CHECK(found == doctest::Approx(step).epsilon(is_told ? 1e-12 : 0.01));
+      for (int z = 0; z < 16; ++z)
+        CHECK(std::fabs(info.placement->origin_mm[2] + z * found - rounded(z)) <= 0.05 + 1e-6);
+    }
+}
+
+TEST_CASE("positions that are rounded lie on a line, whichever way it goes") {
+  const std::vector<double> orientation = {0.36, 0.48, -0.8, -0.8, 0.6, 0};
+  const Slices slices([&](Dataset& data, int z) {
+    std::vector<double> place = {-10 + 0.48 * 2.5 * z, -20 + 0.64 * 2.5 * z, 0.6 * 2.5 * z};
+    for (double& coordinate : place) coordinate = std::round(10 * coordinate) / 10;
+    put_at(data, place, orientation).text(0x00280030, "DS", "0.3\\0.3");
+  });
+  const auto reader = open_volume(slices.path());
+  CHECK(std::fabs(reader->info().spacing_mm[2]) == doctest::Approx(2.5).epsilon(0.02));
+}
+
+TEST_CASE("a step that is told but does not fit is not taken") {
+  const Folder folder;
+  for (int z = 0; z < 16; ++z) {
+    Dataset data = slice(z % depth, std::to_string(z));
+    put_at(data, {-10, -20, std::round(10 * (40 + 0.33 * z)) / 10});
+    folder.write("IM" + std::to_string(z), data.text(0x00180050, "DS", "0.5").file());
+  }
+  CHECK(std::fabs(open_volume(folder.path())->info().spacing_mm[2]) ==
+        doctest::Approx(0.33).epsilon(0.02));
+}
+
+TEST_CASE("a missing slice is found among rounded positions") {
+  const Folder folder;
+  for (const int z : {0, 1, 2, 3, 5, 6, 7, 8, 9}) {
+    Dataset data = slice(z % depth, std::to_string(z));
+    put_at(data, {-10, -20, std::round(10 * (40 + 0.625 * z)) / 10});
+    folder.write("IM" + std::to_string(z), data.text(0x00180050, "DS", "0.625").file());
+  }
+  check_refusal(refusal(folder.path()), "1 slice is missing between 41.9 mm (IM3) and 43.1 mm");
+  VolumeOptions options;
+  options.allow_gaps = true;
+  CHECK(open_volume(folder.path(), options)->info().dims[2] == 10);
+}
+
+TEST_CASE("uneven positions of more digits are no rounded ones") {
+  check_refusal(refusal(along_z({100, 100.6251, 101.2, 101.9, 102.5}).path()), "mm apart, but");
+  check_refusal(refusal(along_z({100, 101, 102.2, 103, 104}).path()), "1 mm apart, but 1.2 mm");
+}
+
+// So many slices, one 2.476 mm behind the other, of the second half 2.524 mm.
+std::string folder_of_growing(const Folder& folder, int count) {
+  double place = 100;
+  for (int z = 0; z < count; ++z) {
+    Dataset data = slice(z % depth, std::to_string(z));
+    put_at(data, {-10, -20, place});
+    folder.write("IM" + std::to_string(z), data.file());
+    place += 2 * z < count ? 2.47612 : 2.52387;
+  }
+  return folder.path();
+}
+
+TEST_CASE("slices that are off even distances are told, and refused from a quarter of a step on") {
+  const Folder few, some, many;
+  CHECK(!noted(open_volume(folder_of_growing(few, 4))->info(), "from where even distances"));
+  CHECK(noted(open_volume(folder_of_growing(some, 40))->info(), "slices lie up to 0.4"));
+  check_refusal(refusal(folder_of_growing(many, 60)), "mm everywhere some would be 0.7");
+}
+
+TEST_CASE("a tilted gantry shears the volume as its slices lie, and a note says so") {
+  const double tilt = 15 * std::acos(-1.0) / 180;
+  const Slices slices([&](Dataset& data, int z) {
+    put_at(data, position(z), {1, 0, 0, 0, std::cos(tilt), -std::sin(tilt)});
+  });
+  const auto reader = open_volume(slices.path());
+  const VolumeInfo& info = reader->info();
+  check_places(info, {-10, -20, 100},
+               {{{0.5, 0, 0}, {0, 0.75 * std::cos(tilt), -0.75 * std::sin(tilt)}, {0, 0, 2.5}}});
+  CHECK(noted(info, "as by a gantry tilted by 15 degrees; the volume is sheared as they lie"));
+  CHECK(std::fabs(info.spacing_mm[2]) == 2.5);
+  CHECK(read_all(*reader) == as_read(volume_values()));
+}
+
+TEST_CASE("a tilted gantry whose positions are rounded shears by the step that fits") {
+  const double tilt = 15 * std::acos(-1.0) / 180;
+  const Folder folder;
+  for (int z = 0; z < 16; ++z) {
+    Dataset data = slice(z % depth, std::to_string(z));
+    put_at(data, {-10, -20, std::round(10 * (40 + 0.33 * z)) / 10},
+           {1, 0, 0, 0, std::cos(tilt), -std::sin(tilt)});
+    folder.write("IM" + std::to_string(z), data.file());
+  }
+  const auto reader = open_volume(folder.path());
+  CHECK(noted(reader->info(), "the positions are rounded"));
+  const auto& step = reader->info().placement->axes_mm[2];
+  CHECK(std::fabs(step[1]) < 0.005);
+  CHECK(step[2] == doctest::Approx(0.33).epsilon(0.02));
+}
+
+TEST_CASE("the vertices of a tilted gantry lie where its voxels do") {
+  const command_tests::Workshop workshop;
+  const double tilt = 15 * std::acos(-1.0) / 180;
+  const Axes axes = {
+      {{0.5, 0, 0}, {0, 0.75 * std::cos(tilt), -0.75 * std::sin(tilt)}, {0, 0, 2.5}}};
+  // One voxel on, (3, 2, 1).
+  const Slices slices([&](Dataset& data, int z) {
+    put_at(data, position(z), {1, 0, 0, 0, std::cos(tilt), -std::sin(tilt)});
+    std::vector<std::int64_t> values(width * height, 0);
+    if (z == 1) values[2 * width + 3] = 100;
+    data.samples(values, 16, true);
+  });
+  workshop.done("extract '" + slices.path().string() + "' --iso 50 -o v.obj");
+  const auto mesh = command_tests::mesh_of_obj(workshop.read("v.obj"));
+  CHECK(mesh.vertices_mm.size() == 6);
+  // An octahedron of half a voxel: its volume is that of the cell by 6.
+  const double cell = 0.5 * 0.75 * std::cos(tilt) * 2.5;
+  CHECK(command_tests::volume_of(mesh) == doctest::Approx(cell / 6).epsilon(1e-6));
+  discmc::command::Point middle{};
+  for (const auto& vertex : mesh.vertices_mm)
+    for (std::size_t i = 0; i < 3; ++i) middle[i] += vertex[i] / 6;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double expected = position(0)[i] + 3 * axes[0][i] + 2 * axes[1][i] + 1 * axes[2][i];
+    CHECK(middle[i] == doctest::Approx(expected).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("slices that lie on no line are refused") {
+  const Slices slices([](Dataset& data, int z) {
+    std::vector<double> place = position(z);
+    if (z == 2) place[0] += 0.4;
+    put_at(data, place);
+  });
+  check_refusal(refusal(slices.path()), "IM4 is shifted aside by 0.4 mm against the line");
+}
+
+TEST_CASE("slices that are a little aside are straight") {
+  const Slices slices([](Dataset& data, int z) {
+    std::vector<double> place = position(z);
+    place[0] += 0.002 * z;
+    put_at(data, place);
+  });
+  check_places(open_volume(slices.path())->info(), {-10, -20, 100},
+               {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
+}
+
+// ---- decimals ----
+
+TEST_CASE("a comma in decimals is a point, and a note says so") {
+  const Slices slices([](Dataset& data, int z) {
+    data.text(0x00280030, "DS", "0,75\\0,5");
+    data.text(0x00200032, "DS", "-10,0\\-20,0\\" + std::to_string(1000 + 25 * z).insert(3, ","));
+  });
+  const auto reader = open_volume(slices.path());
+  check_places(reader->info(), {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
+  CHECK(noted(reader->info(), "decimal commas, taken as points"));
+  CHECK(read_all(*reader) == as_read(volume_values()));
+}
+
+TEST_CASE("what is no number is refused by the name of its element") {
+  const Folder folder;
+  Dataset data = slice(0);
+  const auto file = folder.write("v.dcm", data.text(0x00280030, "DS", "0.75;0.5").file());
+  const std::string text = refusal(file);
+  check_refusal(text, "an image whose PixelSpacing is '0.75;0.5', which is no number");
+  check_refusal(text, "dcmodify -m PixelSpacing=VALUE FILE");
+}
+
+TEST_CASE("a spacing that is missing is told by its name") {
+  const Slices slices([](Dataset& data, int) { data.drop(0x00280030); });
+  const auto reader = open_volume(slices.path());
+  CHECK(reader->info().spacing_mm == Spacing{1, 1, 2.5});
+  CHECK(noted(reader->info(), "no PixelSpacing"));
+  const Slices projected(
+      [](Dataset& data, int) { data.drop(0x00280030).text(0x00181164, "DS", "0.75\\0.5"); });
+  const auto stand_in = open_volume(projected.path());
+  CHECK(stand_in->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
+  CHECK(noted(stand_in->info(), "no PixelSpacing, ImagerPixelSpacing taken"));
+}
+
+// ---- as the user says ----
+
+VolumeOptions ordered(SliceOrder order) {
+  VolumeOptions options;
+  options.order = order;
+  return options;
+}
+
+TEST_CASE("slices without positions are in the order of their numbers when that is asked for") {
+  const Slices slices([](Dataset& data, int) {
+    data.drop(0x00200032).drop(0x00200037).text(0x00180050, "DS", "2.5");
+  });
+  const std::string text = refusal(slices.path());
+  check_refusal(text, "the 5 slices tell no position");
+  check_refusal(text, "--order instance");
+  const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
+  CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
+  CHECK(!reader->info().placement);
+  CHECK(noted(reader->info(), "in the order of their InstanceNumber; "));
+  CHECK(noted(reader->info(), "which side is left, is not known"));
+  CHECK(read_all(*reader) == as_read(volume_values()));
+}
+
+TEST_CASE("numbers that are missing among slices in their order are missing slices") {
+  const Slices slices([](Dataset& data, int z) {
+    data.drop(0x00200032).text(0x00200013, "IS", std::to_string(z < 3 ? z + 8 : z + 10));
+  });
+  check_refusal(refusal(slices.path(), ordered(SliceOrder::instance)),
+                "2 slices are missing between instance 10 (IM4) and instance 13 (IM1)");
+  VolumeOptions options = ordered(SliceOrder::instance);
+  options.allow_gaps = true;
+  CHECK(open_volume(slices.path(), options)->info().dims[2] == depth + 2);
+}
+
+TEST_CASE("files of several slices without positions are in the order of their numbers") {
+  const Folder folder;
+  for (const int part : {1, 0}) {
+    Dataset data = image("9." + std::to_string(part));
+    std::vector<std::int64_t> values = slice_values(2 * part);
+    for (const std::int64_t value : slice_values(2 * part + 1)) values.push_back(value);
+    data.text(0x00280008, "IS", "2").text(0x00200013, "IS", std::to_string(part + 1));
+    folder.write("IM" + std::to_string(part), data.samples(values, 16, true).file());
+  }
+  std::vector<std::int64_t> expected;
+  for (int z = 0; z < 4; ++z)
+    for (const std::int64_t value : slice_values(z)) expected.push_back(value);
+  CHECK(read_all(*open_volume(folder.path(), ordered(SliceOrder::instance))) == as_read(expected));
+}
+
+TEST_CASE("slices without numbers or with the same are refused, and put in order by their names") {
+  Slices slices([](Dataset& data, int) { data.drop(0x00200032).drop(0x00200013); });
+  const std::string missing = refusal(slices.path(), ordered(SliceOrder::instance));
+  check_refusal(missing, "has no InstanceNumber");
+  check_refusal(missing, "--order name");
+  const Slices equal([](Dataset& data, int) { data.drop(0x00200032).text(0x00200013, "IS", "1"); });
+  check_refusal(refusal(equal.path(), ordered(SliceOrder::instance)),
+                "two slices have one InstanceNumber: instance 1 (");
+  const Folder named;
+  for (int z = 0; z < depth; ++z)
+    named.write("IM" + std::to_string(9 + z), slice(z).drop(0x00200032).drop(0x00200013).file());
+  const auto reader = open_volume(named.path(), ordered(SliceOrder::name));
+  CHECK(noted(reader->info(), "in the order of their names; "));
+  CHECK(read_all(*reader) == as_read(volume_values()));
+}
+
+TEST_CASE("positions that are all the same give way to the order that is asked for") {
+  const Slices slices(
+      [](Dataset& data, int) { put_at(data, position(0)).text(0x00180050, "DS", "2.5"); });
+  const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
+  CHECK(!reader->info().placement);
+  CHECK(read_all(*reader) == as_read(volume_values()));
+}
+
+TEST_CASE("slices with a UID each are one volume when that is asked for") {
+  const Slices slices(
+      [](Dataset& data, int z) { data.text(0x0020000e, "UI", "1.2.3.77." + std::to_string(z)); });
+  const std::string text = refusal(slices.path());
+  check_refusal(text, "several volumes:");
+  check_refusal(text, "--merge-series takes them as slices of one volume");
+  VolumeOptions options;
+  options.merges_series = true;
+  CHECK(read_all(*open_volume(slices.path(), options)) == as_read(volume_values()));
+}
+
+TEST_CASE("options of DICOM are refused for other volumes") {
+  const Folder folder;
+  const auto file = folder.write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  check_refusal(refusal(file, ordered(SliceOrder::name)), "leave out --order");
+  VolumeOptions options;
+  options.merges_series = true;
+  check_refusal(refusal(file, options), "leave out --merge-series");
+}
+
+TEST_CASE("the advice for slices without positions and with a UID each leads to a mesh") {
+  const command_tests::Workshop workshop;
+  const Slices unplaced([](Dataset& data, int z) {
+    data.drop(0x00200032).text(0x0020000e, "UI", "1.2.3.77." + std::to_string(z));
+  });
+  const std::string folder = "'" + unplaced.path().string() + "'";
+  CHECK(contains(workshop.run("extract " + folder + " --iso 0 -o v.stl").error, "--merge-series"));
+  CHECK(contains(workshop.run("extract " + folder + " --iso 0 --merge-series -o v.stl").error,
+                 "--order instance"));
+  workshop.done("extract " + folder + " --iso 0 --merge-series --order instance -o v.stl");
+  workshop.done("extract " + folder + " --iso 0 --merge-series --order name -o v.stl");
+}
+
+// ---- where the files are ----
+
+TEST_CASE("a DICOMDIR is its folder") {
+  const Slices slices([](Dataset&, int) {});
+  Dataset directory;
+  directory.text(0x00080016, "UI", "1.2.840.10008.1.3.10").text(0x00041130, "CS", "DISC");
+  fs::create_directory(slices.path() / "IMAGES");
+  for (int z = 0; z < depth; ++z) {
+    const std::string name = "IM" + std::to_string(7 * z % 5);
+    fs::rename(slices.path() / name, slices.path() / "IMAGES" / name);
+  }
+  // The class of the file is not in the data of a true one.
+  const std::string bytes = directory.file();
+  for (const std::string name : {"DICOMDIR", "dicomdir.dcm"}) {
+    const auto file = slices.write(name, bytes);
+    CHECK(read_all(*open_volume(file)) == as_read(volume_values()));
+  }
+  const auto reader = open_volume(slices.path());
+  CHECK(reader->info().notes.empty());
+  const Folder alone;
+  check_refusal(refusal(alone.write("DICOMDIR", bytes)), "the DICOMDIR has no image beside it");
+}
+
+TEST_CASE("slices that are packed one by one are read") {
+  const Folder folder;
+  fs::create_directory(folder.path() / "deeper");
+  for (int z = 0; z < depth; ++z) {
+    const std::string bytes = slice(z).file();
+    if (z == 0) folder.write("IM0", bytes);
+    if (z == 1) folder.write("deeper/IM1.gz", gzip(bytes));
+    if (z > 1) folder.write("IM" + std::to_string(z) + ".dcm.gz", gzip(bytes));
+  }
+  const auto reader = open_volume(folder.path());
+  CHECK(reader->info().format == "DICOM, gzip");
+  CHECK(read_all(*reader) == as_read(volume_values()));
+  const auto one = open_volume(folder.path() / "IM3.dcm.gz");
+  CHECK(read_all(*one) == as_read(slice_values(3)));
+  folder.write("IM2.dcm.gz", gzip(slice(2).file()).substr(0, 300));
+  CHECK(contains(refusal(folder.path()), "IM2.dcm"));
+}
+
+TEST_CASE("links that lead nowhere are told") {
+  const Slices slices([](Dataset&, int) {});
+  fs::create_symlink("/nowhere/IM9", slices.path() / "IM9");
+  const auto reader = open_volume(slices.path());
+  CHECK(noted(reader->info(), "links that lead nowhere: 1, such as 'IM9'"));
+  fs::remove(slices.path() / "IM2");
+  const std::string missing = refusal(slices.path());
+  check_refusal(missing, "1 slice is missing between");
+  check_refusal(missing, "(links that lead nowhere: 1, such as 'IM9'); ");
+  const Folder dead;
+  fs::create_symlink("/nowhere/IM9", dead.path() / "IM9.dcm");
+  check_refusal(refusal(dead.path()), "links that lead nowhere: 1, such as 'IM9.dcm'");
+  check_refusal(refusal(dead.path() / "IM9.dcm"), "the link leads nowhere, to '/nowhere/IM9'");
+  check_refusal(refusal(dead.path() / "none.dcm"), "there is no such file");
+}
+
+TEST_CASE("files whose names begin with a dot are none of the volume") {
+  const Slices slices([](Dataset&, int) {});
+  slices.write("._IM0", "\0\5\26\7");
+  slices.write("._IM0.dcm", "\0\5\26\7");
+  fs::create_directory(slices.path() / ".git");
+  slices.write(".git/IM0", slice(0, "8").samples(slice_values(1), 16, true).file());
+  const auto reader = open_volume(slices.path());
+  CHECK(reader->info().notes.empty());
+  CHECK(read_all(*reader) == as_read(volume_values()));
+}
+
+TEST_CASE("the value where nothing was scanned is told, with sign or without") {
+  const Folder folder;
+  const auto told = [&](Dataset data) {
+    data.text(0x00281052, "DS", "-1024").text(0x00281053, "DS", "2");
+    return open_volume(folder.write("v.dcm", data.file()))->info().padding;
+  };
+  CHECK(!told(frames()));
+  Dataset data = frames();
+  CHECK(told(data.bytes(0x00280120, "SS", number_bytes(63536, 2, Order::little_endian))) == -5024);
+  CHECK(told(data.whole(0x00280120, {63536})) == -5024);
+  CHECK(told(data.samples(volume_values(), 16, false).whole(0x00280120, {63536})) == 126048);
+}
+
+}  // namespace

@@ -1,0 +1,335 @@
+// Several volumes in one series of DICOM: times, echoes, phases, kernels, told apart and chosen.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "dicom_files.hpp"
+
+namespace {
+
+using namespace dicom_files;
+using namespace volume_files;
+using command_tests::contains;
+
+constexpr std::uint32_t kernel = 0x00181210;
+constexpr std::uint32_t echo_time = 0x00180081;
+constexpr std::uint32_t trigger_time = 0x00181060;
+constexpr std::uint32_t temporal_position = 0x00200100;
+constexpr std::uint32_t acquisition_number = 0x00200012;
+constexpr std::uint32_t instance_number = 0x00200013;
+constexpr std::uint32_t inversion_time = 0x00180082;
+constexpr std::uint32_t b_value = 0x00189087;
+
+// Volume `number` of a series: its values are those of the volume and 5000 times the number.
+std::vector<std::int64_t> numbered_values(int number) {
+  std::vector<std::int64_t> values = volume_values();
+  for (std::int64_t& value : values) value += 5000 * number;
+  return values;
+}
+
+Dataset numbered_slice(int number, int z) {
+  Dataset data = slice(z, std::to_string(number) + "." + std::to_string(z));
+  std::vector<std::int64_t> values = slice_values(z);
+  for (std::int64_t& value : values) value += 5000 * number;
+  return data.samples(values, 16, true);
+}
+
+// A folder with volumes 0 and up. add: puts what differs into a slice, by its number and z.
+class Volumes : public Folder {
+ public:
+  template <class Add>
+  Volumes(int count, Add add) {
+    for (int number = 0; number < count; ++number)
+      for (int z = 0; z < depth; ++z) {
+        Dataset data = numbered_slice(number, z);
+        add(data, number, z);
+        // In no order.
+        write("IM" + std::to_string((7 * z + 3 * number) % 11) + std::to_string(number),
+              data.file());
+      }
+  }
+
+  std::vector<double> read_series(const std::string& series) const {
+    VolumeOptions options;
+    options.series = series;
+    return read_all(*open_volume(path(), options));
+  }
+
+  std::vector<double> read_frame(std::uint32_t frame) const {
+    VolumeOptions options;
+    options.frame = frame;
+    return read_all(*open_volume(path(), options));
+  }
+
+  void check_all(int count) const {
+    for (int number = 0; number < count; ++number) {
+      INFO("volume ", number);
+      CHECK(read_series(std::to_string(number + 1)) == as_read(numbered_values(number)));
+      CHECK(read_frame(static_cast<std::uint32_t>(number)) == as_read(numbered_values(number)));
+    }
+  }
+};
+
+TEST_CASE("two kernels under one UID are two volumes, listed by their kernels") {
+  const Volumes volumes(2, [](Dataset& data, int number, int) {
+    data.text(kernel, "SH", number == 0 ? "B30" : "B70");
+  });
+  const std::string text = refusal(volumes.path());
+  check_refusal(text, "several volumes in one series:");
+  check_refusal(text, "\n  1: 5 slices of 8 x 6, 'CT', kernel 'B30', UID 1.2.3\n");
+  check_refusal(text, "\n  2: 5 slices of 8 x 6, 'CT', kernel 'B70', UID 1.2.3\n");
+  check_refusal(text, "choose one with --series N");
+  volumes.check_all(2);
+}
+
+TEST_CASE("kernels are kept apart where their slices lie between each other") {
+  const Volumes volumes(2, [](Dataset& data, int number, int z) {
+    data.text(kernel, "SH", number == 0 ? "B30" : "B70");
+    put_at(data, {-10, -20, 100 + 2.5 * z + 1.25 * number});
+  });
+  CHECK(volumes.read_series("2") == as_read(numbered_values(1)));
+  CHECK(volumes.read_series("1") == as_read(numbered_values(0)));
+}
+
+TEST_CASE("kinds of images are kept apart by the third value of their type and those behind it") {
+  const Volumes volumes(2, [](Dataset& data, int number, int z) {
+    const std::string origin = z % 2 == 0 ? "ORIGINAL" : "DERIVED";
+    data.text(0x00080008, "CS", origin + (number == 0 ? "\\PRIMARY\\M\\ND" : "\\PRIMARY\\P\\ND"));
+  });
+  check_refusal(refusal(volumes.path()), "image type 'M\\ND'");
+  volumes.check_all(2);
+}
+
+TEST_CASE("times are told apart, and chosen as frames or from the list") {
+  const Volumes volumes(3, [](Dataset& data, int number, int) {
+    data.text(temporal_position, "IS", std::to_string(number + 1));
+    data.text(trigger_time, "DS", std::to_string(9 * number));
+  });
+  const std::string text = refusal(volumes.path());
+  check_refusal(text, "1: 5 slices of 8 x 6, 'CT', temporal position 1, trigger time 0 ms, UID");
+  check_refusal(text, "3: 5 slices of 8 x 6, 'CT', temporal position 3, trigger time 18 ms, UID");
+  volumes.check_all(3);
+  VolumeOptions options;
+  options.frame = 1;
+  CHECK(open_volume(volumes.path(), options)->info().frames == 3);
+  options.frame = 3;
+  const std::string beyond = refusal(volumes.path(), options);
+  check_refusal(beyond, "there is no volume 3 among");
+  check_refusal(beyond, "choose one with --frame 0 to 2");
+}
+
+TEST_CASE("frames count within the series that is chosen") {
+  const Volumes volumes(2, [](Dataset& data, int number, int) {
+    data.text(echo_time, "DS", number == 0 ? "4.6" : "9.2");
+  });
+  for (int z = 0; z < depth; ++z)
+    volumes.write("other" + std::to_string(z),
+                  slice(z, "5." + std::to_string(z)).text(0x0020000e, "UI", "1.2.4").file());
+  VolumeOptions options;
+  options.frame = 1;
+  check_refusal(refusal(volumes.path(), options), "several volumes:");
+  options.series = "1.2.3";
+  const auto reader = open_volume(volumes.path(), options);
+  CHECK(reader->info().frames == 2);
+  CHECK(read_all(*reader) == as_read(numbered_values(1)));
+  options.series = "3";
+  options.frame = 0;
+  CHECK(read_all(*open_volume(volumes.path(), options)) == as_read(volume_values()));
+}
+
+TEST_CASE("values of echoes that differ in their rounding are one") {
+  const Volumes volumes(2, [](Dataset& data, int number, int z) {
+    data.text(echo_time, "DS",
+              std::string(number == 0 ? "4.6" : "9.2") + (z == 2 ? "00000001" : ""));
+  });
+  check_refusal(refusal(volumes.path()), "echo time 4.6 ms");
+  volumes.check_all(2);
+}
+
+TEST_CASE("echoes of several times are told apart by both") {
+  const Volumes volumes(4, [](Dataset& data, int number, int) {
+    data.text(temporal_position, "IS", std::to_string(1 + number / 2));
+    data.text(echo_time, "DS", std::to_string(5 + number % 2));
+  });
+  check_refusal(refusal(volumes.path()), "temporal position 2, echo time 6 ms");
+  volumes.check_all(4);
+}
+
+TEST_CASE("directions of diffusion are told apart, of which the b-value has one or more") {
+  const Volumes volumes(4, [](Dataset& data, int number, int) {
+    data.real(b_value, {number == 0 ? 0.0 : 1000.0});
+    if (number > 0)
+      data.real(0x00189089,
+                {number == 1 ? 1.0 : 0.0, number == 2 ? 1.0 : 0.0, number == 3 ? 1.0 : 0.0});
+  });
+  check_refusal(refusal(volumes.path()), "b-value 1000 s/mm2, gradient '1\\0\\0'");
+  CHECK(volumes.read_series("1") == as_read(numbered_values(0)));
+  // By the text of the direction.
+  CHECK(volumes.read_series("4") == as_read(numbered_values(1)));
+}
+
+TEST_CASE("slices that have times of their own are told apart by their order") {
+  const Volumes volumes(2, [](Dataset& data, int number, int z) {
+    data.text(trigger_time, "DS", std::to_string(100 * number + 7 * z % 5));
+    data.text(instance_number, "IS", std::to_string(1 + number + 2 * z));
+  });
+  const std::string text = refusal(volumes.path());
+  check_refusal(text, "1: 5 slices of 8 x 6, 'CT', number 1 by trigger time, UID");
+  check_refusal(text, "2: 5 slices of 8 x 6, 'CT', number 2 by trigger time, UID");
+  volumes.check_all(2);
+  VolumeOptions options;
+  options.series = "2";
+  CHECK(noted(open_volume(volumes.path(), options)->info(),
+              "told apart by their order alone: number 2 by trigger time"));
+}
+
+TEST_CASE("without anything else the instance numbers tell the order") {
+  const Volumes volumes(3, [](Dataset& data, int number, int z) {
+    data.text(instance_number, "IS", std::to_string(1 + 3 * z + number));
+  });
+  check_refusal(refusal(volumes.path()), "number 3 by instance number");
+  volumes.check_all(3);
+}
+
+TEST_CASE("what differs between slices does not tell volumes apart, however many these are") {
+  // Seven volumes of five slices: the values are fewer than the volumes.
+  const Volumes volumes(7, [](Dataset& data, int number, int z) {
+    data.text(inversion_time, "DS", std::to_string(100 + z));
+    data.text(instance_number, "IS", std::to_string(z + 1));
+    data.text(acquisition_number, "IS", std::to_string(number + 1));
+  });
+  check_refusal(refusal(volumes.path()), "acquisition 7");
+  volumes.check_all(7);
+}
+
+TEST_CASE("an order tells nothing where places have not as many slices each") {
+  const Volumes volumes(2, [](Dataset& data, int number, int z) {
+    data.text(instance_number, "IS", std::to_string(1 + number + 2 * z));
+  });
+  fs::remove(volumes.path() / ("IM" + std::to_string(7 * 2 % 11) + "0"));
+  check_refusal(refusal(volumes.path()), "nothing tells which are of one volume");
+}
+
+TEST_CASE("a volume of which a slice is missing is told apart, and refused alone") {
+  const Volumes volumes(3, [](Dataset& data, int number, int) {
+    data.text(temporal_position, "IS", std::to_string(number + 1));
+  });
+  fs::remove(volumes.path() / ("IM" + std::to_string((7 * 2 + 3) % 11) + "1"));
+  CHECK(volumes.read_series("1") == as_read(numbered_values(0)));
+  CHECK(volumes.read_series("3") == as_read(numbered_values(2)));
+  VolumeOptions options;
+  options.series = "2";
+  check_refusal(refusal(volumes.path(), options), "1 slice is missing between");
+}
+
+TEST_CASE("slices in one place that nothing tells apart are refused with both") {
+  const Volumes volumes(2, [](Dataset& data, int, int) { data.drop(instance_number); });
+  const std::string text = refusal(volumes.path());
+  check_refusal(text, "two slices at 100 mm differ: ");
+  check_refusal(text, "nothing tells which are of one volume");
+  check_refusal(text, "give a pattern of the files of one volume");
+  CHECK(read_all(*open_volume(volumes.path() / "IM*1")) == as_read(numbered_values(1)));
+}
+
+TEST_CASE("copies of slices are none of another time") {
+  const Volumes volumes(2, [](Dataset& data, int number, int) {
+    data.text(temporal_position, "IS", std::to_string(number + 1));
+  });
+  Dataset copy = numbered_slice(0, 3);
+  volumes.write("copy", copy.text(temporal_position, "IS", "1").file());
+  volumes.check_all(2);
+}
+
+// ---- files of many frames ----
+
+// Two times of all slices, side by side, in one file.
+Dataset enhanced() {
+  std::vector<Dataset> groups;
+  std::vector<std::int64_t> samples;
+  for (int z = 0; z < depth; ++z)
+    for (const int time : {1, 0}) {
+      Dataset frame, place, orientation, content;
+      place.text(0x00200032, "DS", decimals(position(z)));
+      orientation.text(0x00200037, "DS", "1\\0\\0\\0\\1\\0");
+      content.bytes(0x00209128, "UL",
+                    number_bytes(static_cast<std::uint64_t>(time + 1), 4, Order::little_endian));
+      frame.sequence(0x00209113, {place}).sequence(0x00209116, {orientation});
+      frame.sequence(0x00209111, {content});
+      groups.push_back(frame);
+      for (const std::int64_t value : slice_values(z)) samples.push_back(value + 5000 * time);
+    }
+  Dataset data = image("9", "MR");
+  data.text(0x00280008, "IS", std::to_string(2 * depth)).sequence(0x52009230, groups);
+  return data.samples(samples, 16, true);
+}
+
+TEST_CASE("times in one file are told apart and chosen") {
+  const Folder folder;
+  const auto file = folder.write("v.dcm", enhanced().file());
+  check_refusal(refusal(file), "2: 5 slices of 8 x 6, 'MR', temporal position 2, UID");
+  VolumeOptions options;
+  for (std::uint32_t time = 0; time < 2; ++time) {
+    options.frame = time;
+    CHECK(read_all(*open_volume(file, options)) ==
+          as_read(numbered_values(static_cast<int>(time))));
+  }
+}
+
+TEST_CASE("files of all slices each are as many volumes") {
+  const Folder folder;
+  for (const int number : {0, 1}) {
+    Dataset data = frames();
+    put_at(data, position(0)).text(0x00180050, "DS", "2.5");
+    data.text(0x00080018, "UI", "1.2.3.9." + std::to_string(number));
+    data.text(instance_number, "IS", std::to_string(number + 1));
+    folder.write("v" + std::to_string(number),
+                 data.samples(numbered_values(number), 16, true).file());
+  }
+  VolumeOptions options;
+  for (std::uint32_t number = 0; number < 2; ++number) {
+    options.frame = number;
+    CHECK(read_all(*open_volume(folder.path(), options)) ==
+          as_read(numbered_values(static_cast<int>(number))));
+  }
+}
+
+TEST_CASE("time slots of nuclear medicine are volumes") {
+  const Folder folder;
+  Dataset detector;
+  put_at(detector, position(0));
+  Dataset data = frames("NM");
+  data.text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\RECON GATED TOMO\\EMISSION");
+  data.text(0x00180088, "DS", "2.5").sequence(0x00540022, {detector});
+  std::vector<std::uint64_t> slots, slices;
+  std::vector<std::int64_t> samples;
+  for (int slot = 0; slot < 2; ++slot)
+    for (int z = 0; z < depth; ++z) {
+      slots.push_back(static_cast<std::uint64_t>(slot + 1));
+      slices.push_back(static_cast<std::uint64_t>(z + 1));
+      for (const std::int64_t value : slice_values(z)) samples.push_back(value + 5000 * slot);
+    }
+  data.text(0x00280008, "IS", "10").whole(0x00540070, slots).whole(0x00540080, slices);
+  const auto file = folder.write("v.dcm", data.samples(samples, 16, true).file());
+  check_refusal(refusal(file), "time slot 2");
+  VolumeOptions options;
+  options.frame = 1;
+  CHECK(read_all(*open_volume(file, options)) == as_read(numbered_values(1)));
+}
+
+TEST_CASE("the advice of the list leads to a mesh") {
+  const command_tests::Workshop workshop;
+  const Volumes volumes(2, [](Dataset& data, int number, int) {
+    data.text(kernel, "SH", number == 0 ? "B30" : "B70");
+  });
+  const std::string folder = "'" + volumes.path().string() + "'";
+  const auto refused = workshop.run("extract " + folder + " --iso 0 -o v.stl");
+  CHECK(refused.code == 1);
+  CHECK(contains(refused.error, "--series N"));
+  workshop.done("extract " + folder + " --iso 0 --series 2 -o v.stl");
+  workshop.done("extract " + folder + " --iso 0 --frame 1 -o w.stl");
+  CHECK(workshop.read("v.stl") == workshop.read("w.stl"));
+}
+
+}  // namespace

@@ -1,0 +1,62 @@
+// Files of formats that are not read: each is named, with what makes a readable file of it.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "command.hpp"
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+
+TEST_CASE("a format that is not read is named with its converter, by name or by first bytes") {
+  const Folder folder;
+  struct Case {
+    const char* file;
+    const char* head;
+    const char* refusal;
+  };
+  const Case cases[] = {
+      {"a.czi", "", "this is Zeiss CZI, which is not read; convert it, e.g. with: bioformats2raw"},
+      {"no-name", "ZISRAWFILE", "this is Zeiss CZI"},
+      {"a.lif", "", "bioformats2raw"},
+      {"a.nd2", "", "bioformats2raw"},
+      {"a.ims", "", "bioformats2raw"},
+      {"a+orig.HEAD", "", "3dAFNItoNIFTI"},
+      {"a+orig.BRIK.gz", "", "3dAFNItoNIFTI"},
+      {"a.mnc", "", "mnc2nii"},
+      {"a.PAR", "", "dcm2niix"},
+      {"a.fits", "", "numpy.save"},
+      {"a.mat", "MATLAB 5.0 MAT-file", "-v7.3"},
+      {"a.tar.gz", "", "unpack it"},
+  };
+  for (const Case& each : cases) {
+    INFO(each.file);
+    const std::string text = refusal(folder.write(each.file, std::string(each.head) + "..."));
+    check_refusal(text, each.refusal);
+    check_refusal(text, "which is not read");
+  }
+}
+
+TEST_CASE("the command takes such files for volumes, not for streams") {
+  const command_tests::Workshop workshop;
+  for (const std::string name : {"a.czi", "a.nd2", "a+orig.HEAD", "a.mgz", "a.npz", "a.mrc"}) {
+    INFO(name);
+    workshop.write(name, "...");
+    const auto result = workshop.run("info " + name);
+    CHECK(result.code != 0);
+    CHECK(command_tests::contains(result.error, name));
+    CHECK_FALSE(command_tests::contains(result.error, "stream"));
+  }
+}
+
+TEST_CASE("with a layout such files are headerless samples") {
+  const Folder folder;
+  VolumeOptions options;
+  options.layout = RawLayout{{5, 3, 4}, SampleType::u8};
+  check_volume(folder.write("a.isq", stored(SampleType::u8)), SampleType::u8, "raw", options);
+  check_volume(folder.write("2dseq", stored(SampleType::u8)), SampleType::u8, "raw", options);
+}
+
+}  // namespace

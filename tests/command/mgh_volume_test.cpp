@@ -1,0 +1,100 @@
+// FreeSurfer's volumes, field by field. container_table_test has the files of nibabel.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+using discmc::Frame;
+using discmc::command::Axes;
+
+template <class Number>
+std::string big_endian(Number number) {
+  char bytes[sizeof number];
+  std::memcpy(bytes, &number, sizeof number);
+  std::reverse(bytes, bytes + sizeof number);
+  return {bytes, sizeof number};
+}
+
+// A file of 5 x 3 x 4 voxels. geometry: spacing, directions and centre, or none.
+std::string mgh(std::int32_t type, const std::string& samples, const std::vector<float>& geometry,
+                std::int32_t frames = 1, std::int32_t version = 1) {
+  std::string bytes;
+  for (const std::int32_t field : {version, 5, 3, 4, frames, type, 0}) bytes += big_endian(field);
+  bytes += big_endian(static_cast<std::int16_t>(geometry.empty() ? 0 : 1));
+  for (const float number : geometry) bytes += big_endian(number);
+  bytes.resize(284);
+  return bytes + samples;
+}
+
+// Sagittal, as FreeSurfer conforms volumes, but with the centre elsewhere.
+const std::vector<float> conformed = {0.5F, 0.7F, 2, -1, 0, 0, 0, 0, -1, 0, 1, 0, 10, 20, 30};
+
+TEST_CASE("the place is that of the header: the centre lies between the middle voxels") {
+  const Folder folder;
+  const auto file = folder.write("a.mgh", mgh(0, stored(SampleType::u8), conformed));
+  check_volume(file, SampleType::u8, "MGH");
+  const auto reader = open_volume(file);
+  REQUIRE(reader->info().placement);
+  CHECK(reader->info().placement->frame == Frame::ras);
+  CHECK(reader->info().placement->axes_mm == Axes{{{-0.5, 0, 0}, {0, 0, -0.7}, {0, 2, 0}}});
+  CHECK(reader->info().placement->origin_mm ==
+        std::array<double, 3>{10 + 2.5 * 0.5, 20 - 2 * 2.0, 30 + 1.5 * 0.7});
+  CHECK(reader->info().notes.empty());
+}
+
+TEST_CASE("without a place FreeSurfer's own is taken, with a note") {
+  const Folder folder;
+  const auto reader = open_volume(folder.write("a.mgh", mgh(0, stored(SampleType::u8), {})));
+  CHECK(noted(reader->info(), "no directions given, coronal slices of 1 mm taken"));
+  REQUIRE(reader->info().placement);
+  CHECK(reader->info().placement->axes_mm == Axes{{{-1, 0, 0}, {0, 0, -1}, {0, 1, 0}}});
+  CHECK(reader->info().placement->origin_mm == std::array<double, 3>{2.5, -2, 1.5});
+}
+
+TEST_CASE("every type of sample is read, or refused with the program that converts it") {
+  const Folder folder;
+  const std::pair<std::int32_t, SampleType> types[] = {{0, SampleType::u8},
+                                                       {1, SampleType::i32},
+                                                       {3, SampleType::f32},
+                                                       {4, SampleType::i16},
+                                                       {10, SampleType::u16}};
+  for (const auto& [number, type] : types)
+    check_volume(folder.write("a.mgh", mgh(number, stored(type, true), conformed)), type, "MGH");
+  check_refusal(refusal(folder.write("a.mgh", mgh(2, stored(SampleType::i64, true), conformed))),
+                "type 2 are not read; convert it, e.g. with: mri_convert -odt float");
+}
+
+TEST_CASE("a frame is chosen, and what follows the samples is no surprise") {
+  const Folder folder;
+  const std::string first(60, '\0');
+  const std::string tags = "TR and commands";
+  const auto file =
+      folder.write("a.mgz", gzip(mgh(0, first + stored(SampleType::u8) + tags, conformed, 2)));
+  check_refusal(refusal(file), "holds 2 volumes");
+  VolumeOptions options;
+  options.frame = 1;
+  check_volume(file, SampleType::u8, "MGH, gzip", options);
+  const auto reader = open_volume(file, options);
+  read_all(*reader);
+  CHECK(reader->notes().empty());
+}
+
+TEST_CASE("another version, a short header and missing samples are refused") {
+  const Folder folder;
+  const std::string samples = stored(SampleType::u8);
+  check_refusal(refusal(folder.write("a.mgh", mgh(0, samples, conformed, 1, 2))), "version 2");
+  check_refusal(refusal(folder.write("a.mgh", mgh(0, samples, conformed).substr(0, 283))),
+                "header of 284 bytes is not whole");
+  check_refusal(refusal(folder.write("a.mgh", mgh(0, samples.substr(1), conformed))),
+                "1 bytes of it are missing");
+}
+
+}  // namespace

@@ -1,0 +1,234 @@
+// Arrays of NumPy: which axis is which, in either order of storage, and halves.
+// container_table_test has every sample type.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+
+// Samples of u16 at all places of an array, the last index fastest, as value(index) tells.
+template <class Value>
+std::string array_of(const std::vector<int>& sizes, Value value) {
+  std::string bytes;
+  std::vector<int> index(sizes.size(), 0);
+  for (bool is_inside = true; is_inside;) {
+    const int sample = value(index);
+    bytes += {static_cast<char>(sample & 0xff), static_cast<char>(sample >> 8)};
+    std::size_t axis = sizes.size();
+    while (axis-- > 0 && ++index[axis] == sizes[axis]) index[axis] = 0;
+    is_inside = axis < sizes.size();
+  }
+  return bytes;
+}
+
+// The volume of 5 x 3 x 4 voxels in which a sample tells where it is.
+int sample_of(int x, int y, int z) {
+  return 1000 + 100 * z + 10 * y + x;
+}
+
+VolumeOptions with_axes(const std::string& axes) {
+  VolumeOptions options;
+  options.axes = axes;
+  return options;
+}
+
+void check_places(const fs::path& file, const VolumeOptions& options) {
+  const auto reader = open_volume(file, options);
+  CHECK(reader->info().dims == std::array<std::uint32_t, 3>{5, 3, 4});
+  std::vector<double> expected;
+  for (int z = 0; z < 4; ++z)
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 5; ++x) expected.push_back(sample_of(x, y, z));
+  CHECK(read_all(*reader) == expected);
+}
+
+constexpr int size_along(char letter) {
+  switch (letter) {
+    case 'x':
+      return 5;
+    case 'y':
+      return 3;
+    case 'z':
+      return 4;
+    case 't':
+      return 2;
+    default:
+      return 6;  // channels
+  }
+}
+
+std::string shape_of(const std::string& letters) {
+  std::string shape;
+  for (const char letter : letters) shape += std::to_string(size_along(letter)) + ", ";
+  return shape;
+}
+
+// An array with these axes, the first one slowest: volume 1 and channel 4 of it are the one above.
+std::string array_with(const std::string& letters) {
+  std::vector<int> sizes;
+  for (const char letter : letters) sizes.push_back(size_along(letter));
+  return array_of(sizes, [&letters](const std::vector<int>& index) {
+    const auto at = [&](char letter) {
+      const std::size_t axis = letters.find(letter);
+      return axis == std::string::npos ? 0 : index[axis];
+    };
+    const bool is_other = (letters.find('t') != std::string::npos && at('t') != 1) ||
+                          (letters.find('c') != std::string::npos && at('c') != 4);
+    return is_other ? 7 : sample_of(at('x'), at('y'), at('z'));
+  });
+}
+
+TEST_CASE("the axes of an array are those that are named, in any order and in either storage") {
+  const Folder folder;
+  for (const std::string letters : {"zyx", "zxy", "yzx", "yxz", "xzy", "xyz", "tzyx", "xyzt",
+                                    "zyxc", "czyx", "tczyx", "ztyxc", "cxyzt", "xytzc"}) {
+    INFO(letters);
+    VolumeOptions options = with_axes(letters);
+    if (letters.find('t') != std::string::npos) options.frame = 1;
+    if (letters.find('c') != std::string::npos) options.channel = 4;
+    check_places(folder.write("c.npy", npy("<u2", shape_of(letters), array_with(letters))),
+                 options);
+
+    const std::string reversed(letters.rbegin(), letters.rend());
+    options.axes = reversed;
+    const bool is_fortran = true;
+    check_places(
+        folder.write("f.npy", npy("<u2", shape_of(reversed), array_with(letters), is_fortran)),
+        options);
+  }
+}
+
+TEST_CASE("without names the axis that is stored side by side is x, with a note") {
+  const Folder folder;
+  const auto file = folder.write("c.npy", npy("<u2", shape_of("zyx"), array_with("zyx")));
+  check_places(file, {});
+  CHECK(noted(open_volume(file)->info(),
+              "taken as array[z][y][x]; --axes names others, such as xyz"));
+  CHECK_FALSE(noted(open_volume(file, with_axes("zyx"))->info(), "taken as"));
+  const auto fortran = folder.write("f.npy", npy("<u2", shape_of("xyz"), array_with("zyx"), true));
+  check_places(fortran, {});
+  CHECK(noted(open_volume(fortran)->info(),
+              "taken as array[x][y][z]; --axes names others, such as zyx"));
+}
+
+TEST_CASE("slices of a turned volume are skipped as others are") {
+  const Folder folder;
+  for (const std::string letters : {"zxy", "xyz", "yzx"}) {
+    INFO(letters);
+    const auto file = folder.write("a.npy", npy("<u2", shape_of(letters), array_with(letters)));
+    const auto reader = open_volume(file, with_axes(letters));
+    reader->skip_slice();
+    reader->skip_slice();
+    std::vector<std::uint16_t> slice(15);
+    reader->read_slice(slice.data());
+    CHECK(slice[7] == sample_of(2, 1, 2));
+    reader->skip_slice();
+    CHECK_THROWS_WITH_AS(reader->read_slice(slice.data()), doctest::Contains("all 4 slices"),
+                         VolumeError);
+  }
+}
+
+TEST_CASE("axes of size 1 are dropped, wherever they are, with a note") {
+  const Folder folder;
+  for (const std::string shape :
+       {"1, 4, 3, 5", "4, 3, 5, 1", "1, 4, 3, 5, 1", "1, 1, 4, 3, 5", "4, 1, 3, 5"}) {
+    INFO(shape);
+    const auto file = folder.write("a.npy", npy("<u2", shape, array_with("zyx")));
+    check_places(file, {});
+    CHECK(noted(open_volume(file)->info(), "axes of size 1 dropped of "));
+  }
+  const auto image = folder.write("image.npy", npy("<u2", "1, 1, 12, 5", array_with("zyx")));
+  CHECK(open_volume(image)->info().dims == std::array<std::uint32_t, 3>{5, 12, 1});
+}
+
+TEST_CASE("of more axes a volume is chosen, or they are named; what does not fit is refused") {
+  const Folder folder;
+  const auto file = folder.write("a.npy", npy("<u2", shape_of("zyxc"), array_with("zyxc")));
+  check_refusal(refusal(file),
+                "holds 4 volumes, and one is read at a time; choose one with --frame N, the first "
+                "is 0; or say which axis of the array, 4 x 3 x 5 x 6, is which, as in --axes zyxc");
+  check_refusal(refusal(file, with_axes("zyxc")), "holds 6 channels, and one is read at a time");
+  check_refusal(refusal(file, with_axes("zyx")),
+                "said to be 'zyx', but the array is 4 x 3 x 5 x 6");
+  VolumeOptions options = with_axes("zyxc");
+  options.channel = 6;
+  check_refusal(refusal(file, options), "no channel 6: the file holds 6");
+  const auto plain = folder.write("plain.npy", npy("<u2", shape_of("zyx"), array_with("zyx")));
+  options.axes = "zyx";
+  check_refusal(refusal(plain, options), "no channel 6: the file holds 1; leave out --channel");
+  check_refusal(refusal(folder.write("none.npy", npy("<u2", "0, 3, 5", ""))), "0 x 3 x 5");
+  const std::string beyond = "4294967296, 4294967296, 5";
+  check_refusal(refusal(folder.write("beyond.npy", npy("<u2", beyond, ""))), "which no file holds");
+}
+
+TEST_CASE("axes are not named of a format that says what they are") {
+  const Folder folder;
+  const auto file = folder.write("a.nii", Nifti().file(stored(SampleType::u8)));
+  check_refusal(refusal(file, with_axes("zyx")), "axes are named, but this is NIfTI-1");
+}
+
+TEST_CASE("floating point of 16 bits is read as that of 32") {
+  const Folder folder;
+  // Numbers of every kind, by the bits that IEEE 754 gives them.
+  struct Half {
+    std::uint16_t bits;
+    double value;
+  };
+  const Half halves[] = {{0x0000, 0},
+                         {0x3c00, 1},
+                         {0xc000, -2},
+                         {0x7bff, 65504},
+                         {0x3555, 0.333251953125},
+                         {0x0400, 0x1p-14},
+                         {0x03ff, 1023 * 0x1p-24},
+                         {0x8001, -0x1p-24}};
+  for (const bool big_endian : {false, true}) {
+    std::string samples;
+    for (const Half& half : halves) {
+      const char high = static_cast<char>(half.bits >> 8),
+                 low = static_cast<char>(half.bits & 0xff);
+      samples += big_endian ? std::string{high, low} : std::string{low, high};
+    }
+    const auto file = folder.write("half.npy", npy(big_endian ? ">f2" : "<f2", "2, 2, 2", samples));
+    const auto reader = open_volume(file);
+    CHECK(reader->info().type == SampleType::f32);
+    std::vector<double> expected;
+    for (const Half& half : halves) expected.push_back(half.value);
+    CHECK(read_all(*reader) == expected);
+  }
+  const std::string special = std::string("\0\x7c\0\xfc\x01\x7e\0\0", 8);
+  const auto read =
+      read_all(*open_volume(folder.write("special.npy", npy("<f2", "1, 2, 2", special))));
+  CHECK(read[0] == INFINITY);
+  CHECK(read[1] == -INFINITY);
+  CHECK(std::isnan(read[2]));
+  check_refusal(
+      refusal(folder.write("short.npy", npy("<f2", "2, 2, 2", special + special.substr(1)))),
+      "4 bytes of it are missing");
+}
+
+TEST_CASE("samples behind an array are noted, whatever its axes are") {
+  const Folder folder;
+  for (const std::string letters : {"zyx", "xyz", "zyxc"}) {
+    INFO(letters);
+    VolumeOptions options = with_axes(letters);
+    if (letters == "zyxc") options.channel = 4;
+    const auto file =
+        folder.write("a.npy", npy("<u2", shape_of(letters), array_with(letters) + "more"));
+    const auto reader = open_volume(file, options);
+    read_all(*reader);
+    bool is_noted = false;
+    for (const std::string& note : reader->notes())
+      is_noted = is_noted || note.find("4 bytes behind the samples") != std::string::npos;
+    CHECK(is_noted);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,120 @@
+// Folders of pictures that are several stacks: refused, with a pattern that names one of them.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+using command_tests::contents;
+
+// Pictures of 8 by 6 voxels by their names.
+class Pictures : public Folder {
+ public:
+  explicit Pictures(const std::vector<std::string>& names) {
+    const std::string picture =
+        contents(fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes/pictures/u8.png");
+    for (const std::string& name : names) write(name, picture);
+  }
+};
+
+std::uint32_t slices(const fs::path& stack) {
+  return open_volume(stack)->info().dims[2];
+}
+
+// What stands in quotes last.
+std::string advised(const std::string& text) {
+  const std::size_t end = text.rfind('\'');
+  const std::size_t begin = text.rfind('\'', end - 1);
+  REQUIRE(begin != std::string::npos);
+  return text.substr(begin + 1, end - begin - 1);
+}
+
+// The refusal of a folder advises a pattern, and that has so many slices.
+void check_advice(const std::vector<std::string>& names, const std::string& what,
+                  const std::string& pattern, std::uint32_t expected) {
+  const Pictures pictures(names);
+  const std::string text = refusal(pictures.path());
+  check_refusal(text, what);
+  CHECK(advised(text) == (pictures.path() / pattern).string());
+  CHECK(slices(advised(text)) == expected);
+}
+
+TEST_CASE("names that count in two numbers are several stacks") {
+  const std::string what = "the names count in several numbers";
+  check_advice({"img_z000_c0.png", "img_z000_c1.png", "img_z001_c0.png", "img_z001_c1.png",
+                "img_z002_c0.png", "img_z002_c1.png"},
+               what, "*_c0.png", 3);
+  check_advice({"t1_z8.png", "t1_z9.png", "t1_z10.png", "t2_z8.png", "t2_z9.png", "t2_z10.png"},
+               what, "t1_z*.png", 3);
+  check_advice({"r02c03ch1_0.png", "r02c03ch2_0.png", "r02c03ch1_1.png", "r02c03ch2_1.png",
+                "r02c04ch1_0.png", "r02c04ch2_0.png", "r02c04ch1_1.png", "r02c04ch2_1.png",
+                "r02c03ch1_2.png", "r02c03ch2_2.png", "r02c04ch1_2.png", "r02c04ch2_2.png"},
+               what, "r02c03ch1_*.png", 3);
+  // Counted through, and yet of two channels in turn.
+  check_advice({"0001_c0.png", "0002_c1.png", "0003_c0.png", "0004_c1.png"}, what, "*_c0.png", 2);
+}
+
+TEST_CASE("names that differ in more than numbers are several stacks") {
+  check_advice({"bone1.png", "bone2.png", "bone3.png", "dye1.png", "dye2.png"},
+               "names of 2 kinds, such as 'bone1.png' (3) and 'dye1.png' (2)", "bone*.png", 3);
+  check_advice({"s1.png", "s2.png", "s3.png", "overview.png"},
+               "names of 2 kinds, such as 's1.png' (3) and 'overview.png' (1)", "s*.png", 3);
+  // What is before the number of one is before that of the other, too.
+  check_advice({"s1.png", "s2.png", "s3.png", "s1_mask.png", "s2_mask.png"}, "names of 2 kinds",
+               "s*[0-9].png", 3);
+  check_advice({"s1.png", "s12.png", "s3.png", "s1m.png", "s12m.png"}, "names of 2 kinds",
+               "s*[0-9].png", 3);
+}
+
+TEST_CASE("a pattern that selects two stacks is refused like their folder") {
+  const Pictures pictures({"a_c0_1.png", "a_c0_2.png", "a_c1_1.png", "a_c1_2.png", "b_c0_1.png"});
+  const std::string text = refusal(pictures.path() / "a_*.png");
+  check_refusal(text, "count in several numbers");
+  CHECK(slices(advised(text)) == 2);
+}
+
+TEST_CASE("a pattern is advised also where names have the signs of one") {
+  const Pictures pictures({"[a]*1.png", "[a]*2.png", "b1.png"});
+  const std::string text = refusal(pictures.path());
+  CHECK(slices(advised(text)) == 2);
+}
+
+TEST_CASE("without a pattern of one stack the refusal says to copy it") {
+  check_refusal(refusal(Pictures({"a1b.png", "a2b.png", "a1b1b.png"}).path()),
+                "copy those of one stack into a folder of their own");
+}
+
+TEST_CASE("numbers that count together, or that change at times, are one stack") {
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"img_001_20210101.png", "img_002_20210102.png",
+                                 "img_003_20210105.png"},
+        {"part1_0001.png", "part1_0002.png", "part2_0003.png", "part2_0004.png"},
+        {"a_001_10-59-58.png", "a_002_10-59-59.png", "a_003_11-00-00.png"},
+        {"left.png", "middle.png", "right.png"}}) {
+    INFO(names[0]);
+    const Pictures pictures(names);
+    CHECK(slices(pictures.path()) == names.size());
+  }
+}
+
+TEST_CASE("names without one order are refused") {
+  check_refusal(refusal(Pictures({"id8_s1.png", "id3_s2.png", "id5_s3.png"}).path()),
+                "the numbers in the names give different orders");
+  check_refusal(refusal(Pictures({"s1.png", "s01.png", "s2.png"}).path()),
+                "two pictures have the same number");
+}
+
+TEST_CASE("what systems keep beside files is no slice") {
+  const Pictures pictures({"s1.png", "s2.png", "s3.png"});
+  for (const std::string name : {"._s2.png", ".DS_Store", "Thumbs.db", "desktop.ini"})
+    pictures.write(name, "of the system");
+  CHECK(slices(pictures.path()) == 3);
+  CHECK(slices(pictures.path() / "*") == 3);
+}
+
+}  // namespace

@@ -1,0 +1,432 @@
+// Zarr and OME-Zarr: which array is the volume, how it lies, and how its chunks are stored.
+// container_table_test has the files of zarr in Python and of zarrita.
+#include <archive.h>
+#include <archive_entry.h>
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "volume_files.hpp"
+
+namespace {
+
+using namespace volume_files;
+
+const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes/zarr";
+
+void write(const fs::path& file, const std::string& bytes) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+std::string shape_json(const std::vector<int>& sizes) {
+  std::string text;
+  for (const int size : sizes) text += (text.empty() ? "[" : ", ") + std::to_string(size);
+  return text + "]";
+}
+
+// An array of version 2 in one chunk, unpacked.
+void write_array(const fs::path& folder, const std::vector<int>& sizes, const std::string& samples,
+                 const std::string& dtype = "|u1") {
+  write(folder / ".zarray",
+        R"({"zarr_format": 2, "shape": )" + shape_json(sizes) + R"(, "chunks": )" +
+            shape_json(sizes) + R"(, "dtype": ")" + dtype +
+            R"(", "compressor": null, "fill_value": 0, "order": "C", "filters": null})");
+  std::string key = "0";
+  for (std::size_t axis = 1; axis < sizes.size(); ++axis) key += ".0";
+  write(folder / key, samples);
+}
+
+const std::string zyx_axes = R"([{"name": "z", "type": "space", "unit": "micrometer"},)"
+                             R"( {"name": "y", "type": "space", "unit": "micrometer"},)"
+                             R"( {"name": "x", "type": "space", "unit": "micrometer"}])";
+
+std::string dataset(const std::string& path, const std::string& scale,
+                    const std::string& further = "") {
+  return R"({"path": ")" + path +
+         R"(", "coordinateTransformations": [{"type": "scale", "scale": )" + scale + "}" + further +
+         "]}";
+}
+
+void write_image(const fs::path& folder, const std::string& axes, const std::string& datasets,
+                 const std::string& further = "") {
+  write(folder / ".zgroup", R"({"zarr_format": 2})");
+  write(folder / ".zattrs", R"({"multiscales": [{"version": "0.4", "axes": )" + axes +
+                                R"(, "datasets": [)" + datasets + "]" + further + "}]}");
+}
+
+const std::string u8 = stored(SampleType::u8);
+
+TEST_CASE(
+    "of several levels the finest is read, or the one that is asked for, with its own scale") {
+  const Folder folder;
+  const fs::path image = folder.path() / "image.ome.zarr";
+  write_image(image, zyx_axes,
+              dataset("full", "[2000, 750, 500]") + ", " + dataset("half", "[4000, 1500, 1000]"));
+  write_array(image / "full", {4, 3, 5}, u8);
+  write_array(image / "half", {2, 2, 3}, std::string(12, '\7'));
+  check_volume(image, SampleType::u8, "OME-Zarr, level 0 of 2");
+  const auto reader = open_volume(image);
+  CHECK(reader->info().spacing_mm == std::array<double, 3>{0.5, 0.75, 2});
+  CHECK(reader->info().notes.empty());
+  VolumeOptions options;
+  options.level = 1;
+  const auto half = open_volume(image, options);
+  CHECK(half->info().format == "OME-Zarr, level 1 of 2");
+  CHECK(half->info().dims == std::array<std::uint32_t, 3>{3, 2, 2});
+  CHECK(half->info().spacing_mm == std::array<double, 3>{1, 1.5, 4});
+  options.level = 2;
+  check_refusal(refusal(image, options),
+                "no level 2: the image has 2; choose one with --level 0 to 1");
+  // By the folder of its array, too, which is then a level of the image.
+  check_volume(image / "full", SampleType::u8, "OME-Zarr, level 0 of 2");
+  check_volume(image / "full" / "", SampleType::u8, "OME-Zarr, level 0 of 2");
+  CHECK(open_volume(image / "half")->info().spacing_mm == std::array<double, 3>{1, 1.5, 4});
+}
+
+TEST_CASE("a level whose slices are too large is passed over") {
+  const Folder folder;
+  const fs::path image = folder.path() / "image.zarr";
+  write_image(image, zyx_axes, dataset("0", "[1, 1, 1]") + ", " + dataset("1", "[4, 3, 5]"));
+  write_array(image / "0", {4, 3, 40000}, u8);
+  write_array(image / "1", {4, 3, 5}, u8);
+  check_volume(image, SampleType::u8, "OME-Zarr, level 1 of 2");
+  VolumeOptions options;
+  options.level = 0;
+  check_refusal(refusal(image, options), "size 40000, outside 1 to 32766");
+}
+
+TEST_CASE("scales and translations of a level and of all levels follow each other") {
+  const Folder folder;
+  const fs::path image = folder.path() / "image.zarr";
+  write_image(
+      image, zyx_axes,
+      dataset("0", "[2, 1, 1]", R"(, {"type": "translation", "translation": [10, 20, 30]})"),
+      R"(, "coordinateTransformations": [{"type": "scale", "scale": [1000, 1000, 500]}])");
+  write_array(image / "0", {4, 3, 5}, u8);
+  const auto reader = open_volume(image);
+  CHECK(reader->info().spacing_mm == std::array<double, 3>{0.5, 1, 2});
+  REQUIRE(reader->info().placement);
+  CHECK(reader->info().placement->origin_mm == std::array<double, 3>{15, 20, 10});
+}
+
+TEST_CASE("units are those of each axis, and a missing or unknown one is noted") {
+  const Folder folder;
+  const fs::path image = folder.path() / "image.zarr";
+  write_array(image / "0", {4, 3, 5}, u8);
+  write_image(
+      image,
+      R"([{"name": "z", "type": "space", "unit": "nanometer"},)"
+      R"( {"name": "y", "type": "space", "unit": "parsec"}, {"name": "x", "type": "space"}])",
+      dataset("0", "[4000000, 2, 3]"));
+  const auto reader = open_volume(image);
+  CHECK(reader->info().spacing_mm == std::array<double, 3>{3, 2, 4});
+  CHECK(noted(reader->info(), "no unit of length given, mm taken"));
+  CHECK(noted(reader->info(), "unit 'parsec' not known, mm taken"));
+}
+
+TEST_CASE("a time and a channel are chosen, by the names that the file has for them") {
+  const Folder folder;
+  const fs::path image = folder.path() / "image.zarr";
+  write_image(
+      image,
+      R"([{"name": "t", "type": "time"}, {"name": "c", "type": "channel"},)" + zyx_axes.substr(1),
+      dataset("0", "[1, 1, 2000, 750, 500]"));
+  const std::string other(60, '\1');
+  write_array(image / "0", {2, 2, 4, 3, 5}, other + other + other + u8);
+  VolumeOptions options;
+  options.frame = 1;
+  check_refusal(refusal(image, options), "holds 2 channels, and one is read at a time");
+  options.channel = 1;
+  check_volume(image, SampleType::u8, "OME-Zarr", options);
+  options.frame.reset();
+  check_refusal(refusal(image, options), "holds 2 volumes");
+
+  write(image / ".zattrs", R"({"multiscales": [{"datasets": [{"path": "0"}]}],)"
+                           R"( "omero": {"channels": [{"label": "DAPI"}, {"label": "GFP"}]}})");
+  options.frame = 1;
+  options.channel.reset();
+  check_refusal(refusal(image, options), "holds 2 channels ('DAPI', 'GFP')");
+  options.channel = 1;
+  check_volume(image, SampleType::u8, "OME-Zarr", options);
+  CHECK(noted(open_volume(image, options)->info(), "no spacing given, 1 mm taken"));
+}
+
+TEST_CASE("chunks that are not there are full of the fill value, but some must be there") {
+  const Folder folder;
+  const fs::path array = folder.path() / "array.zarr";
+  const auto write_metadata = [&array](const std::string& dtype, const std::string& fill) {
+    write(array / ".zarray",
+          R"({"zarr_format": 2, "shape": [2, 3, 4], "chunks": [1, 2, 3], "dtype": ")" + dtype +
+              R"(", "compressor": null, "fill_value": )" + fill + R"(, "order": "C"})");
+  };
+  write_metadata("<i2", "-7");
+  check_refusal(refusal(array), "no chunk of the array is there");
+  write(array / "1.1.1", std::string("\1\0\2\0\3\0\4\0\5\0\6\0", 12));
+  const auto samples = read_all(*open_volume(array));
+  std::vector<double> expected(24, -7);
+  expected[23] = 1;  // the rest of that chunk lies outside
+  CHECK(samples == expected);
+  write_metadata("<f2", "\"NaN\"");
+  CHECK(std::isnan(read_all(*open_volume(array))[0]));
+  write_metadata("<i2", "\"words\"");
+  check_refusal(refusal(array), "the fill value '\"words\"' is no sample");
+}
+
+TEST_CASE("labels of 64 bits keep all of them") {
+  const Folder folder;
+  const fs::path array = folder.path() / "array.zarr";
+  const std::uint64_t ids[] = {720575940621039145, 720575940621039146};
+  std::string samples(sizeof ids, '\0');
+  std::memcpy(samples.data(), ids, sizeof ids);
+  write_array(array, {1, 1, 2}, samples, "<u8");
+  const auto reader = open_volume(array);
+  CHECK(reader->info().type == SampleType::u64);
+  std::uint64_t slice[2];
+  reader->read_slice(slice);
+  CHECK(slice[0] == ids[0]);
+  CHECK(slice[1] == ids[1]);
+}
+
+TEST_CASE("axes of an array are its own names, those of xarray, or those that are asked for") {
+  const Folder folder;
+  const fs::path array = folder.path() / "array.zarr";
+  write_array(array, {4, 3, 5, 1}, u8);
+  check_volume(array, SampleType::u8, "Zarr");
+  CHECK(noted(open_volume(array)->info(), "axes of size 1 dropped"));
+  write_array(array, {4, 3, 5}, u8);
+  write(array / ".zattrs", R"({"_ARRAY_DIMENSIONS": ["x", "y", "z"]})");
+  CHECK(open_volume(array)->info().dims == std::array<std::uint32_t, 3>{4, 3, 5});
+  VolumeOptions options;
+  options.axes = "zyx";
+  check_volume(array, SampleType::u8, "Zarr", options);
+  options.axes = "xzy";
+  const auto samples = read_all(*open_volume(array, options));
+  CHECK(samples[1] == sample_at(15, SampleType::u8));     // the next along x
+  CHECK(samples[4] == sample_at(1, SampleType::u8));      // along y
+  CHECK(samples[4 * 5] == sample_at(5, SampleType::u8));  // along z
+}
+
+TEST_CASE("slices are skipped, and read from the middle of chunks on") {
+  const auto reader = open_volume(files / "i16-big-chunks.zarr");
+  reader->skip_slice();
+  std::int16_t slice[15];
+  reader->read_slice(slice);
+  for (int i = 0; i < 15; ++i) CHECK(slice[i] == sample_at(15 + i, SampleType::i16));
+  reader->skip_slice();
+  reader->read_slice(slice);
+  for (int i = 0; i < 15; ++i) CHECK(slice[i] == sample_at(45 + i, SampleType::i16));
+  CHECK_THROWS_WITH_AS(reader->skip_slice(), doctest::Contains("all 4 slices"), VolumeError);
+}
+
+TEST_CASE("a group is read like the only array or image in it, and of several one is chosen") {
+  const Folder folder;
+  const fs::path group = folder.path() / "group.zarr";
+  write(group / ".zgroup", R"({"zarr_format": 2})");
+  write(group / "OME/.zgroup", R"({"zarr_format": 2})");
+  check_refusal(refusal(group), "the group holds no array");
+  write_image(group / "0", zyx_axes, dataset("0", "[2000, 750, 500]"));
+  write_array(group / "0/0", {4, 3, 5}, u8);
+  check_volume(group, SampleType::u8, "OME-Zarr");
+  check_volume(group / ".zgroup", SampleType::u8, "OME-Zarr");
+  write_array(group / "1", {4, 3, 5}, u8);
+  check_refusal(refusal(group), "holds several images or arrays: 0, 1; choose one by its folder");
+}
+
+TEST_CASE("a zip of Zarr is read like its folder") {
+  const Folder folder;
+  for (const std::string inside : {"", "image.zarr/"}) {
+    const fs::path file = folder.path() / "image.zarr.zip";
+    archive* writer = archive_write_new();
+    archive_write_set_format_zip(writer);
+    REQUIRE(archive_write_open_filename(writer, file.c_str()) == ARCHIVE_OK);
+    const fs::path source = files / "i16-big-chunks.zarr";
+    for (const auto& entry : fs::recursive_directory_iterator(source)) {
+      if (!entry.is_regular_file()) continue;
+      const std::string bytes = command_tests::contents(entry.path());
+      archive_entry* member = archive_entry_new();
+      archive_entry_set_pathname(member,
+                                 (inside + fs::relative(entry.path(), source).string()).c_str());
+      archive_entry_set_filetype(member, AE_IFREG);
+      archive_entry_set_size(member, static_cast<la_int64_t>(bytes.size()));
+      REQUIRE(archive_write_header(writer, member) == ARCHIVE_OK);
+      archive_write_data(writer, bytes.data(), bytes.size());
+      archive_entry_free(member);
+    }
+    archive_write_close(writer);
+    archive_write_free(writer);
+    check_volume(file, SampleType::i16, "OME-Zarr, zip");
+  }
+}
+
+TEST_CASE("what is packed or filtered in another way is refused by its name") {
+  const Folder folder;
+  const fs::path array = folder.path() / "array.zarr";
+  const auto refusal_of = [&](const std::string& members) {
+    write(array / ".zarray",
+          R"({"zarr_format": 2, "shape": [4, 3, 5], "chunks": [4, 3, 5], "fill_value": 0, )" +
+              members + "}");
+    write(array / "0.0.0", u8);
+    return refusal(array);
+  };
+  check_refusal(refusal_of(R"("dtype": "|u1", "compressor": {"id": "lzma"})"),
+                "packed by 'lzma', which is not read");
+  check_refusal(refusal_of(R"("dtype": "|u1", "compressor": null, "filters": [{"id": "delta"}])"),
+                "went through the filter");
+  check_refusal(refusal_of(R"("dtype": "<c8", "compressor": null)"), "samples of type '<c8'");
+  check_refusal(refusal_of(R"("dtype": [["r", "|u1"]], "compressor": null)"), "samples of type");
+  check_refusal(refusal_of(R"("dtype": "|u1", "compressor": {"id": "zlib"})"),
+                "the chunk is damaged");
+  check_refusal(refusal_of(R"("dtype": "|u1", "compressor": {"id": "blosc"})"),
+                "it is not what Blosc packs");
+  check_refusal(refusal_of(R"("dtype": "<u2", "compressor": null)"), "not as large as others");
+  write(array / ".zarray", "no JSON");
+  check_refusal(refusal(array), "no object of JSON");
+}
+
+TEST_CASE("chunks that are cut off are refused, wherever they are cut") {
+  for (const std::string name : {"i16-big-chunks.zarr/0/0/0/0", "i16-big-zlib.zarr/0/0/0/0",
+                                 "i16-big-zstd.zarr/0/0/0/0", "i16-big-gzip.zarr/0/0/0/0"}) {
+    const Folder folder;
+    const fs::path original = files / name;
+    const fs::path image = fs::path(name).begin()->string();
+    fs::copy(files / image, folder.path() / image, fs::copy_options::recursive);
+    const std::string bytes = command_tests::contents(original);
+    for (std::size_t size = 0; size < bytes.size(); size += 5) {
+      INFO(name, " cut at ", size);
+      write(folder.path() / name, bytes.substr(0, size));
+      CHECK_THROWS_AS(read_all(*open_volume(folder.path() / image)), VolumeError);
+    }
+  }
+}
+
+// ---- version 3 ----
+
+std::uint32_t crc32c(const std::string& bytes) {
+  std::uint32_t crc = 0xffffffff;
+  for (const char byte : bytes) {
+    crc ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0x82f63b78 : 0);
+  }
+  return ~crc;
+}
+
+template <class Number>
+std::string little_endian(Number number) {
+  std::string bytes;
+  for (std::size_t i = 0; i < sizeof number; ++i)
+    bytes += static_cast<char>(number >> 8 * i & 0xff);
+  return bytes;
+}
+
+std::string array_json(const std::string& grid, const std::string& codecs,
+                       const std::string& keys = R"({"name": "default"})") {
+  return R"({"zarr_format": 3, "node_type": "array", "shape": [4, 3, 5], "data_type": "uint8",)"
+         R"( "chunk_grid": {"name": "regular", "configuration": {"chunk_shape": )" +
+         grid + R"(}}, "chunk_key_encoding": )" + keys + R"(, "fill_value": 255, "codecs": )" +
+         codecs + "}";
+}
+
+const std::string bytes_codec = R"({"name": "bytes", "configuration": {"endian": "little"}})";
+
+// A shard of 2 x 1 x 1 chunks of 2 x 3 x 5 samples: the slices 0 and 1, and those from 2 on.
+std::string shard(bool has_first, bool has_index_at_start, bool has_checksum) {
+  const std::string first = has_first ? u8.substr(0, 30) : "", second = u8.substr(30);
+  const std::size_t index_bytes = 32 + (has_checksum ? 4 : 0);
+  const std::uint64_t begin = has_index_at_start ? index_bytes : 0, missing = ~std::uint64_t{0};
+  std::string index;
+  for (const std::uint64_t number :
+       {has_first ? begin : missing, has_first ? std::uint64_t{30} : missing,
+        std::uint64_t{begin + first.size()}, std::uint64_t{30}})
+    index += little_endian(number);
+  if (has_checksum) index += little_endian(crc32c(index));
+  return has_index_at_start ? index + first + second : first + second + index;
+}
+
+std::string shard_codec(bool has_index_at_start, bool has_checksum) {
+  return R"([{"name": "sharding_indexed", "configuration": {"chunk_shape": [2, 3, 5], "codecs": [)" +
+         bytes_codec + R"(], "index_codecs": [)" + bytes_codec +
+         (has_checksum ? R"(, {"name": "crc32c"})" : "") + R"(], "index_location": ")" +
+         (has_index_at_start ? "start" : "end") + R"("}}])";
+}
+
+TEST_CASE("chunks in shards are read, with their index at either end, and missing ones filled") {
+  const Folder folder;
+  const fs::path array = folder.path() / "array.zarr";
+  for (const bool has_index_at_start : {false, true})
+    for (const bool has_checksum : {false, true}) {
+      write(array / "zarr.json",
+            array_json("[4, 3, 5]", shard_codec(has_index_at_start, has_checksum)));
+      write(array / "c/0/0/0", shard(true, has_index_at_start, has_checksum));
+      check_volume(array, SampleType::u8, "Zarr");
+      write(array / "c/0/0/0", shard(false, has_index_at_start, has_checksum));
+      const auto samples = read_all(*open_volume(array));
+      CHECK(samples[29] == 255);
+      CHECK(samples[30] == sample_at(30, SampleType::u8));
+    }
+}
+
+TEST_CASE("a shard with a wrong index or checksum is refused") {
+  const Folder folder;
+  const fs::path array = folder.path() / "array.zarr";
+  write(array / "zarr.json", array_json("[4, 3, 5]", shard_codec(false, true)));
+  std::string bytes = shard(true, false, true);
+  for (std::size_t size = 0; size < bytes.size(); size += 9) {
+    INFO("cut to the last ", size);
+    write(array / "c/0/0/0", bytes.substr(bytes.size() - size));
+    CHECK_THROWS_AS(read_all(*open_volume(array)), VolumeError);
+  }
+  bytes[70] = static_cast<char>(bytes[70] ^ 1);
+  write(array / "c/0/0/0", bytes);
+  check_refusal(refusal(array), "its checksum is another");
+}
+
+TEST_CASE("a checksum behind a chunk is compared, and keys may be those of version 2") {
+  const Folder folder;
+  const fs::path array = folder.path() / "array.zarr";
+  const std::string keys = R"({"name": "v2", "configuration": {"separator": "."}})";
+  write(array / "zarr.json",
+        array_json("[4, 3, 5]", "[" + bytes_codec + R"(, {"name": "crc32c"}])", keys));
+  write(array / "0.0.0", u8 + little_endian(crc32c(u8)));
+  check_volume(array, SampleType::u8, "Zarr");
+  write(array / "0.0.0", u8 + little_endian(crc32c(u8) + 1));
+  check_refusal(refusal(array), "its checksum is another");
+}
+
+TEST_CASE("codecs of version 3 that are not read are refused by their names") {
+  const Folder folder;
+  const fs::path array = folder.path() / "array.zarr";
+  write(array / "c/0/0/0", u8);
+  write(array / "zarr.json",
+        array_json("[4, 3, 5]", "[" + bytes_codec + R"(, {"name": "pcodec"}])"));
+  check_refusal(refusal(array), "packed by 'pcodec'");
+  write(array / "zarr.json",
+        array_json("[4, 3, 5]", "[" + bytes_codec + R"(, {"name": "gzip"}, {"name": "zstd"}])"));
+  check_refusal(refusal(array), "packed twice");
+  write(array / "zarr.json", array_json("[4, 3]", "[" + bytes_codec + "]"));
+  check_refusal(refusal(array), "sizes of chunks are not those of the array's axes");
+}
+
+TEST_CASE("a small array that claims large slices or chunks is refused") {
+  const Folder folder;
+  const fs::path array = folder.path() / "array.zarr";
+  const auto refusal_of = [&](const std::string& shape, const std::string& chunks) {
+    write(array / ".zarray", R"({"zarr_format": 2, "dtype": "<f8", "compressor": {"id": "zstd"},)"
+                             R"( "fill_value": 0, "shape": )" +
+                                 shape + R"(, "chunks": )" + chunks + "}");
+    write(array / "0.0.0", u8);
+    return refusal(array);
+  };
+  check_refusal(refusal_of("[1, 32766, 32766]", "[1, 1024, 1024]"), "cannot be in files of");
+  check_refusal(refusal_of("[1, 3000, 3000]", "[1, 1, 1]"), "goes through 9000000 chunks");
+  check_refusal(refusal_of("[1, 3, 5]", "[1, 3000, 5000]"), "cannot be in 60");
+  check_refusal(refusal_of("[1, 3, 5]", "[1024, 1024, 1024]"), "more than 2 GiB");
+}
+
+}  // namespace

@@ -1,0 +1,96 @@
+"""A volume in a file, as a program other than discmc has it, and what random volumes are made of."""
+import dataclasses
+
+import numpy
+
+
+@dataclasses.dataclass
+class Case:
+    file: str  # or folder, as it is given to discmc
+    values: numpy.ndarray  # by x, y and z; as they are told by the file, its slope and intercept
+    place: numpy.ndarray  # 4 x 4: from the number of a voxel to millimetres
+    # What the millimetres are: "lps"; "scanner", of no known direction; "voxel", from the first voxel on.
+    space: str = "voxel"
+    options: tuple = ()  # of discmc
+    iso: float = None  # divides the body from what is around it
+
+
+GENERATORS = {}  # by what they are called: the format, and who writes or reads it
+
+
+def generator(name):
+    """Marks a function that writes a volume into a folder, by numbers of a random source, and returns
+    its Case: generate(random, folder)."""
+    def add(function):
+        GENERATORS[name] = function
+        return function
+    return add
+
+
+def dims(random, most=20):
+    """Three different ones, so that no axis is taken for another."""
+    return tuple(int(size) for size in random.permutation(numpy.arange(4, most))[:3])
+
+
+def body(random, shape):
+    """Which voxels are on: two boxes that make an L, which no flip and no exchange of axes leaves
+    alike."""
+    on = numpy.zeros(shape, bool)
+    begin = [int(random.integers(0, size - 3)) for size in shape]
+    end = [int(random.integers(first + 3, size + 1)) for first, size in zip(begin, shape)]
+    on[begin[0]:end[0], begin[1]:begin[1] + 1, begin[2]:begin[2] + 2] = True
+    on[begin[0]:begin[0] + 1, begin[1]:end[1], begin[2]:end[2]] = True
+    return on
+
+
+def samples(random, shape, dtype, limits=None):
+    """Noise of the type, by x, y and z, and a number that is above all around the body and below all
+    in it. limits: of whole numbers, if not those of the type."""
+    dtype = numpy.dtype(dtype)
+    on = body(random, shape)
+    if dtype.kind == "f":
+        low, high = sorted(random.normal(0, 10.0 ** random.integers(-3, 4), 2))
+        least_inside, most_outside = 0.4 * low + 0.6 * high, 0.6 * low + 0.4 * high
+        noise = numpy.where(on, random.uniform(least_inside, high, shape),
+                            random.uniform(low, most_outside, shape)).astype(dtype)
+    else:
+        # double counts whole numbers up to 2^53.
+        least, most = limits or (max(numpy.iinfo(dtype).min, -2 ** 40),
+                                 min(numpy.iinfo(dtype).max, 2 ** 40))
+        middle = int(random.integers(least + 2, most - 2))
+        noise = numpy.where(on, random.integers(middle, most, shape, endpoint=True),
+                            random.integers(least, middle, shape)).astype(dtype)
+    return noise, (float(noise[~on].max()) + float(noise[on].min())) / 2
+
+
+def rotation(random):
+    """One of space, or often one that only exchanges and turns round axes; its determinant may be -1."""
+    if random.random() < 0.5:
+        signs = random.choice([-1.0, 1.0], 3)
+        return numpy.eye(3)[random.permutation(3)] * signs
+    matrix, _ = numpy.linalg.qr(random.normal(size=(3, 3)))
+    return matrix * random.choice([-1.0, 1.0])
+
+
+def spacing(random):
+    """Of decimal digits, as programs write them."""
+    return numpy.round(random.uniform(0.2, 4, 3), 3)
+
+
+def origin(random):
+    return numpy.round(random.uniform(-300, 300, 3), 2)
+
+
+def place_of(directions, spacing_mm, origin_mm):
+    """directions: the axes as columns."""
+    place = numpy.eye(4)
+    place[:3, :3] = numpy.asarray(directions) * numpy.asarray(spacing_mm)
+    place[:3, 3] = origin_mm
+    return place
+
+
+def random_place(random):
+    return place_of(rotation(random), spacing(random), origin(random))
+
+
+FROM_RAS = numpy.diag([-1.0, -1.0, 1.0, 1.0])  # to LPS and back
