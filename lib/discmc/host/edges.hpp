@@ -22,7 +22,7 @@ struct Edge {
 
 class Edges {
  public:
-  static constexpr uint32_t max_edges = 128;
+  static constexpr uint32_t max_edges = 192;
 
   void clear();
   /// Collects those of a row, from where it was last left. False when the row has come to an end;
@@ -40,6 +40,7 @@ class Edges {
 
  private:
   static constexpr uint32_t max_in_word = 3 * trace::columns_per_word;
+  static_assert(max_edges / 2 > max_in_word, "a word has room, at a seam, too");
 
   // At a seam an edge has twice as many passes.
   static uint32_t max_edges_of(const trace::SweptRow& row) {

@@ -65,10 +65,10 @@ constexpr RayEnds derive_ends() {
   for (uint32_t code = 0; code < queue_codes; ++code) {
     const bool has_begins = code >= first_begins;
     (has_begins ? ends.comes_from_ahead : ends.goes_ahead)[code] = UINT32_MAX;
-    constexpr uint32_t never = 31, begins = 32;
-    ends.straight_in[code] = ends.incoming[code] | (has_begins ? begins : 0);
+    constexpr uint32_t never = 31, of_begins = 32;
+    ends.straight_in[code] = ends.incoming[code] | (has_begins ? of_begins : 0);
     ends.straight_out[code] =
-        (ends.turns[code] != 0 ? never : ends.first[code]) | (has_begins ? begins : 0);
+        (ends.turns[code] != 0 ? never : ends.first[code]) | (has_begins ? of_begins : 0);
   }
   return ends;
 }
@@ -185,7 +185,7 @@ constexpr RayTable derive_rays() {
     for (uint32_t lines = 0; lines < 1U << HalfRays::lines_bits; ++lines) {
       const Half half(lower, lines);
       const uint64_t key = half.key();
-      uint32_t place = key % 1021;
+      auto place = static_cast<uint32_t>(key % 1021);
       while (known[place] != 0 && known[place] != key) place = (place + 1) % places;
       if (known[place] == 0) {
         known[place] = key;

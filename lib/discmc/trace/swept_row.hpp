@@ -38,7 +38,7 @@ struct SweptRow {
   void set_absent_quadrants() {
     has_y = (absent_rows & CellRowBits::back) != CellRowBits::back;
     has_z = (absent_rows & CellRowBits::above) != CellRowBits::above;
-    for (uint8_t& quadrants : absent_quadrants) quadrants = 0;
+    for (uint8_t& absent : absent_quadrants) absent = 0;
     if (absent_rows == 0) return;
     const uint32_t front_below = absent_rows & 1, back_below = absent_rows >> 1 & 1;
     const uint32_t front_above = absent_rows >> 2 & 1, back_above = absent_rows >> 3;

@@ -22,7 +22,7 @@ namespace {
 
 // With so many slots chains are kept as nodes, and with a few more for a while.
 constexpr uint32_t min_for_nodes = host::Chains::min_slots;
-constexpr Capacities much{2 * min_for_nodes, 100};
+constexpr Capacities much{min_for_nodes + 20000, 100};
 
 // A plate with holes of many shapes: rings of many runs, and such as touch themselves.
 BitVolume plate() {
@@ -302,7 +302,7 @@ TEST_CASE("a slab has the regions, the loose fragments and the counts of any oth
 TEST_CASE("slabs join to the whole wherever their fragments are handed over, by whomever scanned") {
   // With so many slots fragments are handed over in the slice below, the first, a later one, or
   // not at all.
-  constexpr uint32_t slots[] = {200, min_for_nodes, min_for_nodes + 2000, 100000, 140000};
+  constexpr uint32_t slots[] = {200, min_for_nodes, min_for_nodes + 2000, min_for_nodes + 10000, min_for_nodes + 30000};
   HostExtractor extractor;
   Extractor32 other;
   uint32_t turn = 0;
