@@ -29,8 +29,7 @@ struct HighWater {
 };
 
 /// What every extractor does: takes the samples of a scan, and hands its regions to a Sink. Use
-/// Extractor, NormalExtractor (gradient_normals.hpp) or LearningExtractor
-/// (host/learning_extractor.hpp).
+/// Extractor, NormalExtractor (gradient_normals.hpp) or HostExtractor (host/host_extractor.hpp).
 /// Index is uint16_t (up to 32,759 slots; firmware) or uint32_t (hosts). The events do not depend
 /// on it, given the same capacities. An extractor is neither copied nor moved, but by save() and
 /// restore(): two would write to the same memory.

@@ -50,9 +50,7 @@ class Sides {
  public:
   Sides(Slots& slots, CornerCode first) : slots_(slots), last_(first) {}
 
-  Direction direction(Link link) const {
-    return direction_of(last_.incidence(), link);
-  }
+  Direction direction(Link link) const { return direction_of(last_.incidence(), link); }
   void add_side(Direction direction, uint32_t length) {
     while (length > 0) {
       const uint32_t most = trace::longest_short_run;

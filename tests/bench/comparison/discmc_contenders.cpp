@@ -1,5 +1,5 @@
 #include <discmc/discmc.hpp>
-#include <discmc/host/learning_extractor.hpp>
+#include <discmc/host/host_extractor.hpp>
 
 #include <memory>
 #include <stdexcept>
@@ -16,17 +16,13 @@ void require_ok(Status status) {
 
 // With so much nothing goes out loose. What is never used is never touched.
 constexpr size_t arena_bytes = size_t{64} << 20;
-// For what is learnt, anew in every scan.
-constexpr size_t learning_bytes = size_t{2} << 20;
 
 // A volume, and the memory for its extraction.
 class Scan {
  public:
-  explicit Scan(const Volume& volume)
-      : volume_(volume), memory_(new uint8_t[arena_bytes]), learnt_(new uint8_t[learning_bytes]) {}
+  explicit Scan(const Volume& volume) : volume_(volume), memory_(new uint8_t[arena_bytes]) {}
 
   void extract(const Sink& sink) {
-    extractor_.learn_in({learnt_.get(), learning_bytes});
     require_ok(extractor_.start(limits(), volume_.threshold, {memory_.get(), arena_bytes}, sink));
     const uint32_t slice = volume_.width * volume_.height;
     std::visit(
@@ -53,8 +49,7 @@ class Scan {
 
   const Volume& volume_;
   std::unique_ptr<uint8_t[]> memory_;
-  std::unique_ptr<uint8_t[]> learnt_;
-  LearningExtractor extractor_;
+  HostExtractor extractor_;
 };
 
 struct Counter {

@@ -67,8 +67,7 @@ EventLog expected_of(const BitVolume& volume, const Plan& plan = {}) {
   return scanned(extractor, volume, plan, {1000000, 1000});
 }
 
-void check_like_others(const Capacities& capacities = much,
-                       const EventLog::Refuses& refuses = {}) {
+void check_like_others(const Capacities& capacities = much, const EventLog::Refuses& refuses = {}) {
   HostExtractor extractor;
   for (const Border border : {Border::closed, Border::open})
     for (const BitVolume& volume : volumes()) {
@@ -302,7 +301,8 @@ TEST_CASE("a slab has the regions, the loose fragments and the counts of any oth
 TEST_CASE("slabs join to the whole wherever their fragments are handed over, by whomever scanned") {
   // With so many slots fragments are handed over in the slice below, the first, a later one, or
   // not at all.
-  constexpr uint32_t slots[] = {200, min_for_nodes, min_for_nodes + 2000, min_for_nodes + 10000, min_for_nodes + 30000};
+  constexpr uint32_t slots[] = {200, min_for_nodes, min_for_nodes + 2000, min_for_nodes + 10000,
+                                min_for_nodes + 30000};
   HostExtractor extractor;
   Extractor32 other;
   uint32_t turn = 0;
