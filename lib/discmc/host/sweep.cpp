@@ -10,7 +10,6 @@ using trace::SlabRole;
 struct Planes {
   Direction direction[link_codes];  ///< as direction_of()
   uint64_t right_turns;             ///< bit 8 a + b: whether from direction a to b is one
-  int8_t normal[3];
 };
 struct PlaneTable {
   Planes of[incidence_codes];
@@ -19,8 +18,6 @@ constexpr PlaneTable derive_planes() {
   PlaneTable table{};
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
     Planes& planes = table.of[incidence];
-    for (int axis = 0; axis < 3; ++axis)
-      planes.normal[axis] = static_cast<int8_t>(component(normal(incidence), axis));
     for (Direction a = 0; a < direction_count(incidence); ++a) {
       planes.direction[link_of(incidence, a)] = a;
       for (Direction b = 0; b < direction_count(incidence); ++b)
@@ -42,8 +39,6 @@ bool is_hole(CornerCode start) {
 void Sweep::clear() {
   Plain::clear();
   edges_.clear();
-  all_holes_ = 0;
-  for (uint32_t& holes : holes_) holes = 0;
   is_due_ = false;
   below_waits_ = false;
   handed_word_ = 0;
@@ -135,35 +130,21 @@ bool Sweep::sweep_plain(const trace::SweptRow& row, const NoNormals& normals, co
 
 // Delivers all that is due. False when the sink said "not now".
 bool Sweep::deliver(const Sink& sink, Statistics& statistics) {
-  if (!settle(sink, statistics)) return false;
+  if (!delivery_.settle(fragments_, sink, statistics)) return false;
   while (chains_.find_ring(slots()))
     if (!deliver_ring(sink, statistics)) return false;
   while (chains_.has_complete()) {
     chains_.put_out_complete(fragments_);
-    if (!settle(sink, statistics)) return false;
+    if (!delivery_.settle(fragments_, sink, statistics)) return false;
   }
   is_due_ = false;
   return true;
 }
 
-// Delivers what has been put out. It was of one plane: so are the holes that came or went with it.
-bool Sweep::settle(const Sink& sink, Statistics& statistics) {
-  if (fragments_.has_outgoing()) {
-    const auto& outgoing = fragments_.outgoing();
-    plane_ = place_of_plane(outgoing.incidence, outgoing.start);
-  }
-  if (!delivery_.settle(fragments_, sink, statistics)) return false;
-  const uint32_t count = delivery_.holes().count();
-  holes_[plane_] += count - all_holes_;
-  all_holes_ = count;
-  return true;
-}
-
-uint32_t Sweep::place_of_plane(Incidence incidence, const Vertex& vertex) {
-  const int8_t* const n = plane_table.of[incidence].normal;
-  const auto plane = static_cast<uint32_t>(n[0] * vertex.x + n[1] * vertex.y + n[2] * vertex.z);
-  // Multiplication spreads neighbouring keys: see Holes.
-  return (plane * incidence_codes + incidence) * 0x9E3779B1U >> (32 - plane_bits);
+// Whether holes wait on the plane of a ring.
+bool Sweep::may_have_holes(CornerCode start) {
+  const auto& holes = delivery_.holes();
+  return holes.count() > 0 && holes.has_any(slots(), start.incidence(), start.vertex());
 }
 
 // Makes runs of the corners of the ring that was found, twice over, and returns the first one: a
@@ -196,10 +177,9 @@ bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
   CornerCode start(0);
   uint64_t links = 0;
   const Run* const runs = count > 0 ? make_runs(count, start, links) : nullptr;
-  if (count == 0 || is_hole(start) ||
-      (all_holes_ > 0 && holes_[place_of_plane(start.incidence(), start.vertex())] > 0)) {
+  if (count == 0 || is_hole(start) || may_have_holes(start)) {
     chains_.put_out_ring(fragments_);
-    return settle(sink, statistics);
+    return delivery_.settle(fragments_, sink, statistics);
   }
   const WholeRegion region{start.incidence(), start.vertex(), runs, count};
   if ((receiver_.take == nullptr ||

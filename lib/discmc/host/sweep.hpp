@@ -57,15 +57,12 @@ class Sweep : private trace::Sweep<uint32_t, NoNormal> {
   void hand_over(const trace::SweptRow& row);
   void take_edges(Statistics& statistics);
   bool deliver(const Sink& sink, Statistics& statistics);
-  bool settle(const Sink& sink, Statistics& statistics);
+  bool may_have_holes(CornerCode start);
   bool deliver_ring(const Sink& sink, Statistics& statistics);
   const Run* make_runs(uint32_t count, CornerCode& start, uint64_t& links);
   bool send_events(const WholeRegion& region, const Sink& sink, Statistics& statistics);
-  static uint32_t place_of_plane(Incidence incidence, const Vertex& vertex);
 
   Slots& slots() { return fragments_.slots(); }
-
-  static constexpr uint32_t plane_bits = 10;
 
   bool keeps_nodes_ = false;
   bool is_due_ = false;       // something may have to be delivered
@@ -76,9 +73,6 @@ class Sweep : private trace::Sweep<uint32_t, NoNormal> {
   FoundPasses found_;
   Chains chains_;
   Run run_[2 * (Chains::max_corners + 2)];
-  uint32_t plane_ = 0;  // of what is delivered
-  uint32_t all_holes_ = 0;
-  uint32_t holes_[1U << plane_bits] = {};  // that wait, by place_of_plane()
 };
 
 }  // namespace discmc::host

@@ -125,6 +125,31 @@ BitVolume walls(Size size) {
   return volume;
 }
 
+// Writes the events down of the regions that it takes whole: of every second one.
+struct EverySecond {
+  EventLog& log;
+  uint32_t offered = 0;
+
+  SinkResult take_region(const host::WholeRegion& region) {
+    if (++offered % 2 == 0) return SinkResult::busy;
+    Event event{};
+    event.incidence = region.incidence;
+    event.start = region.start;
+    const auto write = [&](Event::Kind kind) {
+      event.kind = kind;
+      CHECK(log.take(event) == SinkResult::accepted);
+    };
+    write(Event::Kind::region);
+    write(Event::Kind::ring);
+    for (uint32_t i = 0; i < region.count; ++i) {
+      event.run = region.runs[i];
+      write(Event::Kind::run);
+    }
+    write(Event::Kind::region_end);
+    return SinkResult::accepted;
+  }
+};
+
 // ---- slabs ----
 
 // How many slices the slabs of a volume have, in turn.
@@ -256,6 +281,22 @@ TEST_CASE("it does where one ring alone is refused, whole or behind any of its e
     const EventLog log = scanned(extractor, plates, {}, {min_for_nodes, 10}, refuses);
     CHECK(log.events == expected.events);
     CHECK(log.refusals() == 1);
+  }
+}
+
+TEST_CASE("a region that is given whole is one that is left to the sink") {
+  HostExtractor extractor;
+  for (const BitVolume& volume : volumes()) {
+    EventLog log;
+    EverySecond receiver{log};
+    Block block(bytes_for<uint32_t>(limits_of(volume, Border::closed), much));
+    require_ok(extractor.start(limits_of(volume, Border::closed), much, 1, block.memory(),
+                               make_sink(log)));
+    extractor.give_regions_to(receiver);
+    push_all(extractor, volume.on);
+    finish_all(extractor);
+    CHECK(receiver.offered > 0);
+    CHECK(log.events == expected_of(volume).events);
   }
 }
 
