@@ -34,10 +34,10 @@ constexpr uint32_t lesser(uint32_t a, uint32_t b) {
 }
 
 /// Bytes of one slot.
-template <class Index, class Normals>
-constexpr uint32_t slot_bytes = sizeof(Index) == 4       ? 16
-                                : Normals::holds_samples ? 14
-                                                         : 8;
+template <class Index, class Intake>
+constexpr uint32_t slot_bytes = sizeof(Index) == 4      ? 16
+                                : Intake::holds_samples ? 14
+                                                        : 8;
 
 /// The most slots that an index can count.
 template <class Index>
@@ -66,15 +66,15 @@ constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices
 }
 
 /// The bytes that a scan with these limits and capacities takes from the caller's memory.
-/// Index, Normals, here and below: as of the Extractor.
-template <class Index, class Normals = NoNormals>
+/// Index, Intake, here and below: as of the Extractor.
+template <class Index, class Intake = BitIntake>
 constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
-  return Normals::bytes_for(limits) +
+  return Intake::bytes_for(limits) +
          trace::bit_row_bytes(limits.width, trace::swept_rows(limits.height)) +
          Arena::bytes_of(trace::queue_count, 2 * sizeof(Index)) +
          Arena::bytes_of(sizing::hole_lists, sizeof(Index)) +
-         Arena::bytes_of(capacities.slots, sizing::slot_bytes<Index, Normals>) + Arena::alignment -
+         Arena::bytes_of(capacities.slots, sizing::slot_bytes<Index, Intake>) + Arena::alignment -
          1;
 }
 
@@ -87,28 +87,28 @@ constexpr bool is_valid(const Capacities& capacities) {
 
 /// The least memory with which a scan works: the surface comes out right, in loose fragments of a
 /// few links.
-template <class Index, class Normals = NoNormals>
+template <class Index, class Intake = BitIntake>
 constexpr uint64_t minimum_bytes(const Limits& limits) {
-  return bytes_for<Index, Normals>(limits, minimum_capacities());
+  return bytes_for<Index, Intake>(limits, minimum_capacities());
 }
 
 /// The memory for worst_case_capacities(). Limit: they are valid.
-template <class Index, class Normals = NoNormals>
+template <class Index, class Intake = BitIntake>
 constexpr uint64_t worst_case_bytes(const Limits& limits, uint32_t slices) {
-  return bytes_for<Index, Normals>(limits, worst_case_capacities(limits, slices));
+  return bytes_for<Index, Intake>(limits, worst_case_capacities(limits, slices));
 }
 
 /// The capacities that a number of bytes has room for: as many slots as fit, of which holes may
 /// use an eighth. More bytes never make less of anything. Bytes below minimum_bytes() give the
 /// minimum.
-template <class Index, class Normals = NoNormals>
+template <class Index, class Intake = BitIntake>
 constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
   const Capacities least = minimum_capacities();
-  const uint64_t taken = minimum_bytes<Index, Normals>(limits) + Arena::alignment;
+  const uint64_t taken = minimum_bytes<Index, Intake>(limits) + Arena::alignment;
   const uint64_t spare = bytes > taken ? bytes - taken : 0;
   // In 32 bits: no 64-bit division on small machines, and more than 4 GiB would be of no use.
   const uint32_t affordable = static_cast<uint32_t>(spare < UINT32_MAX ? spare : UINT32_MAX) /
-                              sizing::slot_bytes<Index, Normals>;
+                              sizing::slot_bytes<Index, Intake>;
   const uint32_t slots =
       least.slots + sizing::lesser(affordable, sizing::max_slots<Index> - least.slots);
   return {slots, slots / 16};

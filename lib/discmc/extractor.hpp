@@ -43,9 +43,10 @@ class BasicExtractor {
   /// Begins a scan with as many slots as the memory has room for (default_capacities()).
   /// threshold: a voxel is on where its sample is >= threshold.
   /// memory: at least minimum_bytes<Index>(limits); Owner: the caller, for as long as the
-  /// scan lasts. Errors: bad_limits, bad_sink (also a sink that does not take the start of the
-  /// scan, such as an encoder that was not started), too_little_memory; then memory is untouched.
-  /// Cost: a write for each queue, and for each word of a row.
+  /// scan lasts. Errors: bad_limits (also those that need a feature that was left out), bad_sink
+  /// (also a sink that does not take the start of the scan, such as an encoder that was not
+  /// started), too_little_memory; then memory is untouched. Cost: a write for each queue, and for
+  /// each word of a row.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
                              const Sink& sink) {
     return start(limits, default_capacities<Index, Intake>(limits, memory.bytes), threshold, memory,
@@ -142,15 +143,22 @@ class BasicExtractor {
   Sweep& sweep() { return sweep_; }
 
  private:
+  using Features = typename Sweep::Features;
+
   enum class State : uint8_t { idle, scanning, finishing, finished };
 
   template <class Sample>
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
+  static bool can_scan(const Limits& limits);
+  bool is_open() const { return Features::open_border && border_ == Border::open; }
+  bool continues_below() const { return Features::slabs && continues_below_; }
+  bool continues_above() const { return Features::slabs && continues_above_; }
+  uint32_t first_slice() const { return Features::slabs ? first_slice_ : 0; }
   bool lay_out(const Limits& limits, Memory memory);
   void forget_addresses();
   void clear();
   Status ready_for_samples();
-  void note(Arrival arrival);
+  void note_origin(RowOrigin origin);
 
   bool work();
   uint32_t rows_outside(int32_t y) const;
@@ -187,9 +195,11 @@ class BasicExtractor {
   Memory memory_;
 };
 
-/// The extractor of firmware, and of hosts that want no more.
-template <class Index>
-class Extractor : public BasicExtractor<Index, NoNormals, trace::Sweep<Index, NoNormal>> {
+/// The extractor of firmware, and of hosts that want no more. The library has those with all
+/// features; a program that chooses its own includes discmc/trace/extractor_definitions.hpp. The
+/// compiler then inlines more, because it sees which functions are called.
+template <class Index, class Features = AllFeatures>
+class Extractor : public BasicExtractor<Index, BitIntake, trace::Sweep<Index, NoNormal, Features>> {
  public:
   Extractor() = default;
 

@@ -63,20 +63,20 @@ class GradientNormals {
     for (int axis = 0; axis < 3; ++axis) spacing_nm[axis] = spacing_nm_[axis];
   }
 
-  /// Where the samples that arrive are: as NoNormals.
+  /// Where the samples that arrive are: as BitIntake.
   uint32_t column(const trace::BitRows&) const { return samples_.column(); }
   uint32_t rows(const trace::BitRows&) const { return samples_.rows(); }
   uint32_t slices(const trace::BitRows&) const { return samples_.slices(); }
 
-  /// As NoNormals, with samples of this type alone.
-  Arrival append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
-                 int32_t threshold) {
+  /// As BitIntake, with samples of this type alone.
+  RowOrigin append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
+                   int32_t threshold) {
     samples_.append(samples, count, stride);
-    if (!samples_.row_is_complete()) return Arrival::nothing;
+    if (!samples_.row_is_complete()) return RowOrigin::samples;
     end_row(width_);
     return pass_on_due(rows, threshold);
   }
-  Arrival skip(trace::BitRows& rows, bool is_repeated, int32_t threshold) {
+  RowOrigin skip(trace::BitRows& rows, bool is_repeated, int32_t threshold) {
     if (is_repeated)
       samples_.repeat(off_below(threshold));
     else
@@ -84,7 +84,7 @@ class GradientNormals {
     end_row(is_repeated ? skipped_repeated : skipped_off);
     return pass_on_due(rows, threshold);
   }
-  Arrival drain(trace::BitRows& rows, int32_t threshold) {
+  RowOrigin drain(trace::BitRows& rows, int32_t threshold) {
     if (samples_.rows() == 0 && samples_.column() == 0) return pass_on(rows, threshold);
     const uint32_t given = samples_.column();
     samples_.fill(off_below(threshold));
@@ -112,18 +112,18 @@ class GradientNormals {
     ++waiting_;
   }
   // A row is due when it has waited for a slice and a row.
-  Arrival pass_on_due(trace::BitRows& rows, int32_t threshold) {
-    if (waiting_ <= height_ + 1) return Arrival::nothing;
+  RowOrigin pass_on_due(trace::BitRows& rows, int32_t threshold) {
+    if (waiting_ <= height_ + 1) return RowOrigin::samples;
     return pass_on(rows, threshold);
   }
   // Makes bits of the row that has waited longest.
-  Arrival pass_on(trace::BitRows& rows, int32_t threshold) {
+  RowOrigin pass_on(trace::BitRows& rows, int32_t threshold) {
     const uint16_t given = given_[samples_.place_before(waiting_)];
-    const Arrival row = given == skipped_repeated ? Arrival::repeated
-                        : given == skipped_off    ? Arrival::skipped
-                                                  : Arrival::nothing;
-    if (row == Arrival::nothing) rows.append(samples_.row_before(waiting_), given, 1, threshold);
-    if (row == Arrival::repeated)
+    const RowOrigin row = given == skipped_repeated ? RowOrigin::repeated
+                          : given == skipped_off    ? RowOrigin::skipped
+                                                    : RowOrigin::samples;
+    if (row == RowOrigin::samples) rows.append(samples_.row_before(waiting_), given, 1, threshold);
+    if (row == RowOrigin::repeated)
       rows.repeat();
     else
       rows.fill_off();

@@ -1,4 +1,4 @@
-// How large a scan may be.
+// How large a scan may be, and what an extractor can do.
 #ifndef DISCMC_LIMITS_HPP
 #define DISCMC_LIMITS_HPP
 
@@ -37,6 +37,19 @@ struct Limits {
            border <= Border::open && slab.first < max_slices &&
            slab.continues_below == (slab.first > 0);
   }
+};
+
+/// What an extractor supports beside whole volumes with a closed border. Firmware that needs less
+/// passes a struct derived from this one to Extractor and saves flash (FOOTPRINT.md):
+///
+///   struct Features : AllFeatures {
+///     static constexpr bool slabs = false;
+///   };
+struct AllFeatures {
+  static constexpr bool open_border = true;  ///< Border::open
+  static constexpr bool slabs = true;        ///< Limits::slab
+  static constexpr bool cell_counts = true;  ///< cells, facets and classic_triangles in Statistics
+  static constexpr bool holes_wait = true;   ///< else holes are loose fragments, in any memory
 };
 
 }  // namespace discmc

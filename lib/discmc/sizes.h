@@ -29,15 +29,16 @@
 #define DISCMC_ENCODER_BYTES (10 * sizeof(void*) + 991)
 
 /* Whatever the interval of key slices. If it is 1, discmc_slice_encoder_bytes() is much less. */
-#define DISCMC_SLICE_ENCODER_BYTES(width, height, surfaces) \
-  (28 * sizeof(void*) + 58 +                                \
-   DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + 1060 * (surfaces))
+#define DISCMC_SLICE_ENCODER_BYTES(width, height, surfaces)                   \
+  (28 * sizeof(void*) + 58 +                                                  \
+   DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + \
+   UINT64_C(1060) * (surfaces))
 
 /* For streams of slices: the least, to which more may be added. */
-#define DISCMC_RECEIVER_BYTES(width, height, surfaces)                                            \
-  (72 * sizeof(void*) + 3041 +                                                                    \
-   DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + 1060 * (surfaces) + \
-   DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + (width) / 8)
+#define DISCMC_RECEIVER_BYTES(width, height, surfaces)                        \
+  (72 * sizeof(void*) + 3041 +                                                \
+   DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + \
+   UINT64_C(1060) * (surfaces) + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + (width) / 8)
 
 /* For so many fragments that wait at once, of eight runs each. */
 #define DISCMC_JOINER_BYTES(fragments) (10 * sizeof(void*) + 242 + UINT64_C(192) * (fragments))

@@ -160,7 +160,8 @@ TEST_CASE("what has no telling name is a volume by its first bytes, and else a s
   CHECK(workshop.shell("\"$discmc\" info - <v.nrrd").out == volume);
   CHECK(workshop.shell("cat v.nrrd | \"$discmc\" info -").out == volume);
   CHECK(workshop.shell("cat v.dmc | \"$discmc\" info -").out == stream);
-  CHECK(contains(workshop.shell("cat packed | \"$discmc\" info -").out, "format NRRD, raw, gzip\n"));
+  CHECK(
+      contains(workshop.shell("cat packed | \"$discmc\" info -").out, "format NRRD, raw, gzip\n"));
   CHECK(contains(workshop.done("info samples --dims 5,3,4 --type u8"), "\nrange 0 236\n"));
   CHECK(contains(workshop.shell("\"$discmc\" info - --dims 5,3,4 --type u8 <v.raw").out,
                  "\nrange 0 236\n"));

@@ -71,7 +71,7 @@ DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, Ra
                          (edge.lines >> (HalfRays::lines_bits + 3) & 63) << HalfRays::lines_bits;
   const bool is_on = (edge.lines >> HalfRays::lines_bits & 1) != 0;
   trace::PassList list;
-  trace::derive_passes(static_cast<int>(edge.axis & 3), is_on, lines,
+  trace::derive_passes(trace::EdgeLines{static_cast<int>(edge.axis & 3), is_on, lines},
                        edge.axis >> Edge::special_shift & 15, list);
   const bool is_at_seam = (edge.axis & Edge::at_seam) != 0;
   RayWord* const first = ray;

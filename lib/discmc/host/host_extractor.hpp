@@ -3,13 +3,13 @@
 //   static HostExtractor extractor;
 //   extractor.start(limits, threshold, memory, sink);  // as any extractor, with 2 MiB to spare
 //
-// While there is room it keeps chains as nodes: with host::Chains::min_slots slots or more, some 1.6
-// MB beside the rows, and ten slots for each node that waits. When that is used up it goes on as any
-// other extractor.
+// While there is room it keeps chains as nodes: with host::Chains::min_slots slots or more,
+// some 1.6 MB beside the rows, and ten slots for each node that waits. When that is used up it goes
+// on as any other extractor.
 //
 // The events are the same as of other extractors, as long as nothing goes out loose; what does may
-// be other pieces of the same regions. high_water() counts what nodes take, so it does not tell what
-// firmware would need. The object is 30 KiB larger.
+// be other pieces of the same regions. high_water() counts what nodes take, so it does not tell
+// what firmware would need. The object is 30 KiB larger.
 #ifndef DISCMC_HOST_EXTRACTOR_HPP
 #define DISCMC_HOST_EXTRACTOR_HPP
 
@@ -18,7 +18,7 @@
 
 namespace discmc {
 
-class HostExtractor : public BasicExtractor<uint32_t, NoNormals, host::Sweep> {
+class HostExtractor : public BasicExtractor<uint32_t, BitIntake, host::Sweep> {
  public:
   HostExtractor() = default;
 

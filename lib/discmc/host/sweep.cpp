@@ -45,7 +45,7 @@ void Sweep::clear() {
   keeps_nodes_ = chains_.start(slots());
 }
 
-bool Sweep::sweep(const trace::SweptRow& row, const NoNormals& normals, const Sink& sink,
+bool Sweep::sweep(const trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
                   Statistics& statistics) {
   while (keeps_nodes_) {
     if (is_due_ && !deliver(sink, statistics)) return false;
@@ -57,7 +57,7 @@ bool Sweep::sweep(const trace::SweptRow& row, const NoNormals& normals, const Si
       return true;
     }
   }
-  return sweep_plain(row, normals, sink, statistics);
+  return sweep_plain(row, intake, sink, statistics);
 }
 
 bool Sweep::flush(const Sink& sink, Statistics& statistics) {
@@ -105,7 +105,7 @@ void Sweep::hand_over(const trace::SweptRow& row) {
   chains_.hand_over(fragments_, row, handed_word_);
 }
 
-bool Sweep::sweep_plain(const trace::SweptRow& row, const NoNormals& normals, const Sink& sink,
+bool Sweep::sweep_plain(const trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
                         Statistics& statistics) {
   trace::SweptRow rest = row;
   if (below_waits_ && row.is_own()) rest.role = SlabRole::inside;
@@ -113,13 +113,13 @@ bool Sweep::sweep_plain(const trace::SweptRow& row, const NoNormals& normals, co
     // It is swept twice, either time from there.
     fragments_.set_below_is_lost(false);
     if (!chains_are_ended_) {
-      if (!take_passes(row, normals, sink, statistics)) return false;
+      if (!take_passes(row, intake, sink, statistics)) return false;
       chains_are_ended_ = true;
       passes_.go_on_from(handed_word_);
     }
-    if (!take_passes(row, normals, sink, statistics)) return false;
+    if (!take_passes(row, intake, sink, statistics)) return false;
     chains_are_ended_ = false;
-  } else if (!Plain::sweep(rest, normals, sink, statistics)) {
+  } else if (!Plain::sweep(rest, intake, sink, statistics)) {
     return false;
   }
   handed_word_ = 0;

@@ -27,6 +27,7 @@ struct RegionReceiver {
 /// To an extractor what a trace::Sweep is.
 class Sweep : private trace::Sweep<uint32_t, NoNormal> {
  public:
+  using Features = AllFeatures;
   using Plain = trace::Sweep<uint32_t, NoNormal>;
 
   using Plain::delivery;
@@ -43,7 +44,7 @@ class Sweep : private trace::Sweep<uint32_t, NoNormal> {
   void set_receiver(const RegionReceiver& receiver) { receiver_ = receiver; }
   void clear();
   /// May leave the last edges for later.
-  bool sweep(const trace::SweptRow& row, const NoNormals& normals, const Sink& sink,
+  bool sweep(const trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
              Statistics& statistics);
   bool flush(const Sink& sink, Statistics& statistics);
   bool settle_holes(const Sink& sink, Statistics& statistics);
@@ -51,7 +52,7 @@ class Sweep : private trace::Sweep<uint32_t, NoNormal> {
  private:
   using Slots = Chains::Slots;
 
-  bool sweep_plain(const trace::SweptRow& row, const NoNormals& normals, const Sink& sink,
+  bool sweep_plain(const trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
                    Statistics& statistics);
   bool make_room(const trace::SweptRow& row);
   void hand_over(const trace::SweptRow& row);

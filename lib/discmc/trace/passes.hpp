@@ -38,12 +38,21 @@ struct PassList {
   uint8_t count;
 };
 
-/// Works out the passes at the vertex on an edge. lower_is_on, lines: as those of EdgePlace.
-/// absent: by quadrant, a bit: there is no cell, or none that takes part.
-void derive_passes(int axis, bool lower_is_on, uint32_t lines, uint32_t absent, PassList& passes);
-inline void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
-  derive_passes(edge.axis, edge.lower_is_on(), edge.lines(), absent, passes);
-}
+/// Works out the passes at the vertex on an edge. absent: by quadrant, a bit: there is no cell, or
+/// none that takes part.
+template <bool has_absent_cells = true, bool has_counts = true>
+void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes);
+
+/// An edge whose surroundings are at hand: for hosts, as EdgePlace.
+struct EdgeLines {
+  int axis;
+  bool is_on;
+  uint32_t around;
+
+  bool lower_is_on() const { return is_on; }
+  uint32_t lines() const { return around; }
+};
+void derive_passes(const EdgeLines& edge, uint32_t absent, PassList& passes);
 
 }  // namespace discmc::trace
 

@@ -11,6 +11,10 @@
 
 namespace discmc::trace {
 
+/// Whether cells may take no part: those beyond an open border or of another slab.
+template <class Features>
+constexpr bool has_absent = Features::open_border || Features::slabs;
+
 /// Which slice a row is of.
 enum class SlabRole : uint8_t {
   inside,
@@ -38,8 +42,6 @@ struct SweptRow {
   void set_absent_quadrants() {
     has_y = (absent_rows & CellRowBits::back) != CellRowBits::back;
     has_z = (absent_rows & CellRowBits::above) != CellRowBits::above;
-    for (uint8_t& absent : absent_quadrants) absent = 0;
-    if (absent_rows == 0) return;
     const uint32_t front_below = absent_rows & 1, back_below = absent_rows >> 1 & 1;
     const uint32_t front_above = absent_rows >> 2 & 1, back_above = absent_rows >> 3;
     absent_quadrants[0] =
@@ -75,6 +77,7 @@ struct Crossings {
   uint32_t voxels() const { return of[0] | of[1] | of[2]; }
 
   /// False when there are none, and then nothing changes.
+  template <bool has_absent_cells = true>
   bool find(const SweptRow& row, uint32_t word) {
     const auto& rows = row.around.row;
     const uint32_t here = rows[1][1][word];
@@ -82,9 +85,10 @@ struct Crossings {
     const uint32_t y = here ^ rows[1][2][word];
     const uint32_t z = here ^ rows[2][1][word];
     if (((x | y | z) & own_columns) == 0) return false;
-    of[0] = x & (row.has_open_ends ? inner_columns(word, row.width) : own_columns);
-    of[1] = row.has_y ? y & own_columns : 0;
-    of[2] = row.has_z ? z & own_columns : 0;
+    of[0] =
+        x & (has_absent_cells && row.has_open_ends ? inner_columns(word, row.width) : own_columns);
+    of[1] = !has_absent_cells || row.has_y ? y & own_columns : 0;
+    of[2] = !has_absent_cells || row.has_z ? z & own_columns : 0;
     return true;
   }
 };

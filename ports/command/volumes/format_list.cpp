@@ -4,6 +4,7 @@
 
 #include "array_name.hpp"
 #include "formats/zarr/folder.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 namespace {
