@@ -123,6 +123,7 @@ struct RenderArguments {
   bool is_volume = false;  ///< or a stream
   StreamChoice choice;
   VolumeArguments reading;
+  ComponentChoice components;
   bool classic = false;
   std::string output;
   std::vector<double> view = {-0.9, -1.6, 0.8};

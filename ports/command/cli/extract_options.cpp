@@ -69,10 +69,7 @@ void check_selections(const ExtractArguments& arguments) {
 }
 
 void check_cleaning(const ExtractArguments& arguments) {
-  if (!arguments.components.is_any() && arguments.reading.border == Border::open)
-    throw CLI::ValidationError("--border",
-                               "an open surface encloses nothing: leave out --largest "
-                               "and --min-volume, or --border open");
+  check_closed(arguments.components, arguments.reading.border);
   const bool is_stream = format_of(arguments.output) == Format::stream;
   if (arguments.reading.median > 0 && is_stream && arguments.normals == Normals::gradient)
     throw CLI::ValidationError("--median",

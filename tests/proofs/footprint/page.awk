@@ -46,20 +46,30 @@ function print_table(group,    names, rows, heads, columns, i, c, text, rule) {
   }
 }
 
-function print_summary(    target) {
+function bytes_row(name, of_polygons, of_slices) {
+  print "| " name " | " grouped(of_polygons) " bytes | " grouped(of_slices) " bytes |"
+}
+
+function print_summary(    target, head, slices) {
   target = "Cortex-M4 -Os"
-  print "A scanner on a Cortex-M4, compiled with `-Os`, takes " \
-    grouped(figure("Flash", "scanner: the three above", target)) " bytes of flash, " \
-    grouped(figure("RAM", "Extractor16", "bytes") + figure("RAM", "Encoder", "bytes")) \
-    " bytes of RAM for its two"
-  print "objects, an arena of at least " grouped(figure("Arena", "64x64", "extractor, least")) \
-    " bytes for slices of 64x64 voxels (256x256: " grouped(figure("Arena", "256x256", "extractor, least")) \
-    "), and at most"
-  print grouped(figure("Stack", "Extractor16 into an Encoder", target)) \
-    " bytes of stack. Extraction costs " \
-    grouped(figure("Instructions", "an active cell: extraction", target)) \
-    " instructions per active cell. [lib/FOOTPRINT.md](lib/FOOTPRINT.md) has"
-  print "other processors, and says how this is measured."
+  head = "CT head, 256x256x113, at 500"
+  slices = "slices, first is key"
+  print "| | polygons | thresholded slices |"
+  print "|---|--:|--:|"
+  bytes_row("flash", figure("Payloads", target ": flash", "regions"), \
+    figure("Payloads", target ": flash", slices))
+  bytes_row("stack, at most", figure("Stack", "Extractor16 into an Encoder", target), \
+    figure("Stack", "SliceEncoder::push()", target))
+  bytes_row("RAM, least", figure("RAM", "Extractor16", "bytes") + figure("RAM", "Encoder", "bytes") \
+    + figure("Arena", "256x256", "extractor, least"), \
+    figure("Payloads", "RAM for slices of 256x256", slices))
+  bytes_row("RAM as measured here", figure("Payloads", "RAM for slices of 256x256", "regions"), \
+    figure("Payloads", "RAM for slices of 256x256", slices))
+  bytes_row("stream", figure("Payloads", "bytes: " head, "regions"), \
+    figure("Payloads", "bytes: " head, slices))
+  print "| instructions per voxel | " \
+    grouped(figure("Payloads", target ": instructions per voxel, CT head", "regions")) " | " \
+    grouped(figure("Payloads", target ": instructions per voxel, CT head", slices)) " |"
 }
 
 # What a device needs to send either kind of stream.

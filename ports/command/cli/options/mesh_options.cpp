@@ -74,6 +74,13 @@ void check_components(const ComponentChoice& components, const std::string& outp
                              "mesh, or leave it out");
 }
 
+void check_closed(const ComponentChoice& components, Border border) {
+  if (components.is_any() || border == Border::closed) return;
+  throw CLI::ValidationError("--border",
+                             "an open surface encloses nothing: leave out --largest "
+                             "and --min-volume, or --border open");
+}
+
 void add_space_option(CLI::App& app, std::optional<MeshSpace>& space) {
   app.option_defaults()->group(mesh_group);
   add_named_option(
