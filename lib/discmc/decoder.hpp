@@ -20,6 +20,7 @@
 #include <discmc/status.hpp>
 #include <discmc/stream/normal_encoding.hpp>
 #include <discmc/stream/packet_reader.hpp>
+#include <discmc/stream/record_reading.hpp>
 
 namespace discmc {
 
@@ -63,12 +64,6 @@ class Decoder {
   const StreamReport& report() const { return packets_.report(); }
 
  private:
-  struct Coder {
-    RangeDecoder range;
-    bool code_bit(uint32_t context, bool) { return range.decode(region_model[context]); }
-  };
-  using Model = RegionModel<Coder>;
-
   // What is in progress between two bytes.
   enum class Stage : uint8_t { collect, whole_regions, records, record, mark, packet_mark };
 
@@ -79,14 +74,9 @@ class Decoder {
   void note_finish();
   Event& packet_mark(Event::Kind kind);
   void read_record();
-  bool read_region();
-  bool read_ring(ChainKind kind);
-  bool read_fragment();
-  bool read_part();
-  void read_mark(RecordKind kind);
+  void read_mark(stream::RecordKind kind);
   void read_extension();
-  bool begin_record();
-  bool rings_are_whole();
+  void begin_record();
 
   bool deliver();
   bool send_start();
@@ -104,11 +94,11 @@ class Decoder {
   SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event
 
   Stage stage_ = Stage::collect;
-  Model model_{Coder{}};
-  Record record_;
+  stream::ReadingModel model_;
+  stream::Record record_;
   uint32_t sent_words_ = 0;         // words of the record that the sink has accepted
   uint32_t sent_runs_ = 0;          // of them runs
-  RecordNormals normals_;           // of the record
+  stream::RecordNormals normals_;   // of the record
   bool normals_are_ahead_ = false;  // of the next record
   bool begin_is_due_ = false;
   bool lost_is_due_ = false;
@@ -120,7 +110,6 @@ class Decoder {
   };
   Open open_{};
   bool is_open_ = false;
-  bool ring_is_empty_ = false;  // the record so far ends with a ring's start
   Event mark_{};
   ApplicationRecord application_;
 };

@@ -123,7 +123,7 @@ typedef struct discmc_byte_output {
   void* context;
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
 } discmc_byte_output;
-enum { DISCMC_WIRE_VERSION = 2, DISCMC_MAX_FRAME = 256 /* bytes of a stream's longest frame */ };
+enum { DISCMC_WIRE_VERSION = 1, DISCMC_MAX_FRAME = 256 /* bytes of a stream's longest frame */ };
 
 /* Your description of a scan, for the header of its stream. */
 typedef struct discmc_stream_label {

@@ -6,7 +6,7 @@
 #include <discmc/records_packet.hpp>
 #include <discmc/status.hpp>
 #include <discmc/stream/packet_writer.hpp>
-#include <discmc/stream/region_model.hpp>
+#include <discmc/stream/symbol_coders.hpp>
 
 namespace discmc {
 
@@ -81,15 +81,8 @@ class Encoder {
   Encoder(const Encoder&) = default;
   Encoder& operator=(const Encoder&) = default;
 
-  struct Coder {
-    RangeEncoder range;
-    bool code_bit(uint32_t context, bool bit) {
-      encode(context, bit);
-      return bit;
-    }
-    void encode(uint32_t context, bool bit);
-  };
-  using Model = RegionModel<Coder>;
+  using Record = stream::Record;
+  using Model = stream::RecordModel<stream::SymbolWriter>;
 
   enum class State : uint8_t {
     idle,      // no scan has begun
@@ -100,17 +93,21 @@ class Encoder {
   };
 
   SinkResult begin_stream(const StreamHeader& scan);
+  SinkResult take_other(const Event& event);
   // Whether the record accepts this many words.
   bool takes(uint32_t words) const { return state_ != State::in_parts && record_.has_room(words); }
+  void add_run(const Event& event) {
+    normals_[record_.count] = event.normal;
+    record_.add_run(event.run);
+  }
   bool put_parts(const Event& event);
   bool put(const Event& event);
   bool fill_packet(const Event& event);
-  bool encode_whole(const Event& event);
-  bool encode_part(uint32_t& words, Event::Kind cause);
+  bool encode_whole(Model& model, const Event& event);
   Status ready_for_packet(bool is_good);
 
   bool packet_is_empty() const { return model_.coder().range.is_empty(); }
-  bool fits(size_t reserve) const;
+  static bool fits(const Model& model);
   void open_packet();
   void seal_records();
   bool drain();
@@ -119,7 +116,7 @@ class Encoder {
   State state_ = State::idle;
   Model model_;
   // Encodes the normals of the record's first words; null without normals.
-  void (*write_normals_)(Encoder& encoder, uint32_t words) = nullptr;
+  void (*write_normals_)(Encoder& encoder, Model& model, uint32_t words) = nullptr;
   Record record_;
   OctahedralNormal normals_[Record::max_words] = {};  // by the word of the record
   PacketWriter packets_;

@@ -108,7 +108,7 @@ void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolera
   add_named_option(
       app, "--surface", interpolates, NamedValues<bool>{{"merged", false}, {"interpolated", true}},
       "merged: flat polygons halfway between voxels; interpolated: where the samples cross the "
-      "threshold, as Marching Cubes has it");
+      "threshold, as Marching Cubes has it (default: merged; of --smooth interpolated)");
   app.add_option("--tolerance", tolerance,
                  "how far these crossings may be from an interpolated surface, in voxels: less "
                  "takes more triangles")
