@@ -231,8 +231,7 @@ discmc_vertex discmc_unit_normal(const uint8_t normal[2]);
 /* ---- extractor: samples in, polygons out ---- */
 /* A program links only the kinds that it names. Plain kinds accept samples of one type. Kinds with
  * normals add a normal to each corner, and keep four slices of samples. The kind for hosts accepts
- * all types, and takes half of the instructions if it has a few megabytes: of 4 MiB or more it uses
- * one to remember neighbourhoods. */
+ * all types, and takes half of the instructions if it has a few megabytes. */
 typedef struct discmc_extractor_kind discmc_extractor_kind;
 extern const discmc_extractor_kind discmc_plain_bits, discmc_plain_u8, discmc_plain_u16,
     discmc_plain_i16, discmc_normals_u8, discmc_normals_u16, discmc_normals_i16, discmc_host;

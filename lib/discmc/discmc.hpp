@@ -1,6 +1,6 @@
 // discmc: slices of a 3D scanner in, merged surfaces out, on the scanner.
 //
-// Everything that firmware needs. Hosts also include host/learning_extractor.hpp. docs/map.md shows
+// Everything that firmware needs. Hosts also include host/host_extractor.hpp. docs/map.md shows
 // the path of the data through the headers; each header is the reference of its part.
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP

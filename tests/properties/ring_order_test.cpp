@@ -2,6 +2,7 @@
 // lib/DESIGN.md, "Rings, holes and regions".
 #include <doctest/doctest.h>
 #include <discmc/geometry/facet_table.hpp>
+#include <discmc/trace/sector_derivation.hpp>
 
 #include <initializer_list>
 #include <vector>
@@ -9,6 +10,7 @@
 namespace {
 
 using namespace discmc;
+using trace::derive::is_visited_before;
 
 using Polygon = std::vector<Vertex>;
 
@@ -19,20 +21,6 @@ bool is_even(int32_t value) {
 // Midpoints have one odd coordinate, centroids three.
 bool is_midpoint(const Vertex& v) {
   return is_even(v.x) + is_even(v.y) + is_even(v.z) == 2;
-}
-
-int axis(const Vertex& midpoint) {
-  return !is_even(midpoint.x) ? 0 : !is_even(midpoint.y) ? 1 : 2;
-}
-
-Vertex voxel(const Vertex& v) {
-  return {v.x - !is_even(v.x), v.y - !is_even(v.y), v.z - !is_even(v.z)};
-}
-
-// The order of the sweep: by the voxel at the lower end of the edge, then by axis.
-bool is_visited_before(const Vertex& a, const Vertex& b) {
-  if (voxel(a) != voxel(b)) return precedes(voxel(a), voxel(b));
-  return axis(a) < axis(b);
 }
 
 // All facets of an incidence whose cells are at most so many cells from the origin.

@@ -215,7 +215,7 @@ template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::work() {
   while (state_ != State::finished) {
     if (skip_is_due_) {
-      if (!send(Event::Kind::skipped)) return false;
+      if (!sweep_.flush(sink_, statistics_) || !send(Event::Kind::skipped)) return false;
       skip_is_due_ = false;
     }
     for (; swept_rows_ < ready_rows(); ++swept_rows_)
@@ -335,7 +335,7 @@ bool BasicExtractor<Index, Intake, Sweep>::send(Event::Kind kind) {
 
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::end_slice() {
-  if (!send(Event::Kind::layer)) return false;
+  if (!sweep_.flush(sink_, statistics_) || !send(Event::Kind::layer)) return false;
   bits_.next_slice();
   swept_rows_ = 0;
   return true;

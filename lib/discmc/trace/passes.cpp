@@ -10,7 +10,8 @@ namespace {
 template <bool has_absent_cells, bool has_counts>
 class Surroundings {
  public:
-  Surroundings(const EdgePlace& edge, uint32_t absent)
+  template <class Edge>
+  Surroundings(const Edge& edge, uint32_t absent)
       : axis_(sector_table.axis[edge.axis]), lower_is_on_(edge.lower_is_on() ? 1 : 0) {
     const uint32_t lines = edge.lines();
     lines_ = (lower_is_on_ != 0 ? mirrored(lines) : lines) * 0x10001;
@@ -99,10 +100,8 @@ DISCMC_ALWAYS_INLINE void remove_absent(PassList& passes) {
   passes.count = count;
 }
 
-}  // namespace
-
-template <bool has_absent_cells, bool has_counts>
-void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
+template <bool has_absent_cells, bool has_counts, class Edge>
+DISCMC_ALWAYS_INLINE void find_passes(const Edge& edge, uint32_t absent, PassList& passes) {
   const Surroundings<has_absent_cells, has_counts> around(edge, absent);
   passes.parts = around.parts();
   passes.count = 0;
@@ -123,9 +122,20 @@ void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
   if (has_absent_cells && absent != 0) remove_absent(passes);
 }
 
+}  // namespace
+
+template <bool has_absent_cells, bool has_counts>
+void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
+  find_passes<has_absent_cells, has_counts>(edge, absent, passes);
+}
+
 template void derive_passes<true, true>(const EdgePlace&, uint32_t, PassList&);
 template void derive_passes<true, false>(const EdgePlace&, uint32_t, PassList&);
 template void derive_passes<false, true>(const EdgePlace&, uint32_t, PassList&);
 template void derive_passes<false, false>(const EdgePlace&, uint32_t, PassList&);
+
+void derive_passes(const EdgeLines& edge, uint32_t absent, PassList& passes) {
+  find_passes<true, true>(edge, absent, passes);
+}
 
 }  // namespace discmc::trace

@@ -43,6 +43,17 @@ struct PassList {
 template <bool has_absent_cells = true, bool has_counts = true>
 void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes);
 
+/// An edge whose surroundings are at hand: for hosts, as EdgePlace.
+struct EdgeLines {
+  int axis;
+  bool is_on;
+  uint32_t around;
+
+  bool lower_is_on() const { return is_on; }
+  uint32_t lines() const { return around; }
+};
+void derive_passes(const EdgeLines& edge, uint32_t absent, PassList& passes);
+
 }  // namespace discmc::trace
 
 #endif

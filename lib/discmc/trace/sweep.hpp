@@ -42,6 +42,9 @@ class Sweep {
   template <class Intake>
   bool sweep(const SweptRow& row, const Intake& intake, const Sink& sink, Statistics& statistics);
 
+  /// Delivers what may wait of the rows that were swept. As sweep().
+  bool flush(const Sink&, Statistics&) { return true; }
+
   /// After the last vertex: delivers holes that still wait, loose. As sweep().
   bool settle_holes(const Sink& sink, Statistics& statistics) {
     return delivery_.settle_holes(fragments_, sink, statistics);

@@ -98,9 +98,13 @@ class SweepCounts {
  public:
   void add(uint32_t parts) {
     constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
-    cells_ += parts & ((1U << facet) - 1);
-    facets_ += parts >> facet & ((1U << (triangle - facet)) - 1);
-    triangles_ += parts >> triangle;
+    add(parts & ((1U << facet) - 1), parts >> facet & ((1U << (triangle - facet)) - 1),
+        parts >> triangle);
+  }
+  void add(uint32_t cells, uint32_t facets, uint32_t triangles) {
+    cells_ += cells;
+    facets_ += facets;
+    triangles_ += triangles;
   }
   /// Moves what is whole to the statistics.
   void add_to(Statistics& statistics) {

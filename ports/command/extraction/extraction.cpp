@@ -92,7 +92,7 @@ std::vector<Extraction> extract_fast(VolumeReader& volume, const ExtractionOptio
   const Limits limits = limits_of(volume.info(), options);
   const std::uint64_t bytes = generous_bytes_for<BitIntake>(limits);
   const Arena arena{false, bytes, default_capacities<std::uint32_t>(limits, bytes)};
-  return extract_by<LearningExtractor>(volume, limits, options, arena, surfaces);
+  return extract_by<HostExtractor>(volume, limits, options, arena, surfaces);
 }
 
 // Three numbers, for people.

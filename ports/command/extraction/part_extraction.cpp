@@ -176,9 +176,9 @@ class PartReader {
   std::uint32_t end_ = 0;  // of the slices that were read or skipped
 };
 
-using PartExtractors = Extractors<LearningExtractor>;
+using PartExtractors = Extractors<HostExtractor>;
 
-// Those at rest, with what they have learnt.
+// Those at rest.
 class IdleExtractors {
  public:
   std::unique_ptr<PartExtractors> take() {

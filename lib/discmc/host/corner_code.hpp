@@ -1,14 +1,14 @@
 // A corner of a chain: where it is and how the chain turns there, in 64 bits.
-#ifndef DISCMC_HOST_CORNER_HPP
-#define DISCMC_HOST_CORNER_HPP
+#ifndef DISCMC_HOST_CORNER_CODE_HPP
+#define DISCMC_HOST_CORNER_CODE_HPP
 
 #include <discmc/lattice.hpp>
 
-namespace discmc::trace {
+namespace discmc::host {
 
-/// From the lowest bit: whether a fragment began here (1 bit), the link by which the chain goes on
-/// (5) and that by which it comes (5), its incidence (5); then x, y and z (16 each), each and one.
-/// So the order of numbers is the order z, y, x, and a vector is a number to be added.
+/// From the lowest bit: the link by which the chain goes on (5 bits) and that by which it comes
+/// (5), its incidence (5); from bit 16 on x, y and z (16 each), each and one. So the order of
+/// numbers is the order z, y, x, and a vector is a number to be added.
 class CornerCode {
  public:
   /// Slices that fit, the row before the first one and what lies behind the last included: its
@@ -19,13 +19,12 @@ class CornerCode {
 
   constexpr explicit CornerCode(uint64_t bits) : bits_(bits) {}
 
-  /// The lowest 16 bits.
-  static constexpr uint16_t sides(Incidence incidence, Link incoming, Link onwards,
-                                  bool is_origin) {
-    return static_cast<uint16_t>((is_origin ? 1 : 0) | onwards << 1 | incoming << 6 |
-                                 incidence << 11);
+  /// What has to be added for links, an incidence, a vector; and the code of a vertex without
+  /// these.
+  static constexpr uint64_t links(Link incoming, Link onwards) {
+    return uint64_t{incoming} << 5 | onwards;
   }
-  /// The others, or what has to be added to them.
+  static constexpr uint32_t incidence_shift = 10;
   static constexpr uint64_t vector(const Vertex& v) {
     const auto part = [](int32_t coordinate) { return static_cast<uint64_t>(int64_t{coordinate}); };
     return (part(v.x) << 16) + (part(v.y) << 32) + (part(v.z) << 48);
@@ -35,13 +34,12 @@ class CornerCode {
   }
 
   constexpr uint64_t bits() const { return bits_; }
-  constexpr bool is_origin() const { return (bits_ & 1) != 0; }
-  constexpr Link onwards() const { return bits_ >> 1 & 31; }
-  constexpr Link came() const { return bits_ >> 6 & 31; }
-  /// Whether it is the first corner of a loose fragment, or the last one (Corners::cut_at_seam()).
-  constexpr bool begins_at_seam() const { return came() == beyond_seam; }
+  constexpr Link onwards() const { return bits_ & 31; }
+  constexpr Link incoming() const { return bits_ >> 5 & 31; }
+  constexpr Incidence incidence() const { return bits_ >> incidence_shift & 31; }
+  /// Whether it is where a loose fragment begins, or ends.
+  constexpr bool begins_at_seam() const { return incoming() == beyond_seam; }
   constexpr bool ends_at_seam() const { return onwards() == beyond_seam; }
-  constexpr Incidence incidence() const { return bits_ >> 11 & 31; }
   constexpr Vertex vertex() const {
     const auto coordinate = [this](int at) {
       return static_cast<int32_t>(bits_ >> at & 0xFFFF) - 1;
@@ -84,6 +82,6 @@ inline uint32_t links_between(CornerCode from, CornerCode to) {
   return static_cast<uint32_t>(difference < 0 ? -difference : difference) >> measure.halvings;
 }
 
-}  // namespace discmc::trace
+}  // namespace discmc::host
 
 #endif
