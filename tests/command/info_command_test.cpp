@@ -160,7 +160,8 @@ TEST_CASE("what has no telling name is a volume by its first bytes, and else a s
   CHECK(workshop.shell("\"$discmc\" info - <v.nrrd").out == volume);
   CHECK(workshop.shell("cat v.nrrd | \"$discmc\" info -").out == volume);
   CHECK(workshop.shell("cat v.dmc | \"$discmc\" info -").out == stream);
-  CHECK(contains(workshop.shell("cat packed | \"$discmc\" info -").out, "format NRRD, raw, gzip\n"));
+  CHECK(
+      contains(workshop.shell("cat packed | \"$discmc\" info -").out, "format NRRD, raw, gzip\n"));
   CHECK(contains(workshop.done("info samples --dims 5,3,4 --type u8"), "\nrange 0 236\n"));
   CHECK(contains(workshop.shell("\"$discmc\" info - --dims 5,3,4 --type u8 <v.raw").out,
                  "\nrange 0 236\n"));
@@ -182,7 +183,8 @@ TEST_CASE("info refuses options of the other kind, and what is neither") {
   check_failure(workshop.run("info v.nrrd --stream-channel 1"), 2,
                 {"--stream-channel", "is for streams"});
   check_failure(workshop.run("info v.dmc --frame 1"), 2, {"--frame", "is for volumes"});
-  check_failure(workshop.run("info nothing"), 1, {"nothing", "is this a .dmc file?"});
+  check_failure(workshop.run("info nothing"), 1,
+                {"nothing", "no header of a discmc stream", "--dims and --type"});
   check_failure(workshop.run("info none.nrrd"), 1, {"none.nrrd", "there is no such file"});
   workshop.write("short.nrrd", u8_file.substr(0, u8_file.size() - 1));
   CHECK(workshop.run("info short.nrrd").code == 1);

@@ -94,7 +94,9 @@ void read_stream(const std::string& path, std::istream& in, std::uint64_t size,
                              joined(list_of_surfaces(reader)));
   refuse_other_kinds(path);
   throw std::runtime_error(path + ": no header of a discmc stream in " +
-                           std::to_string(reader.report().bytes) + " bytes: is this a .dmc file?");
+                           std::to_string(reader.report().bytes) +
+                           " bytes, and none of a known volume; give a .dmc file, or a volume, "
+                           "headerless samples with --dims and --type");
 }
 
 // read: called with the reader.

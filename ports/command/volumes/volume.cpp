@@ -140,8 +140,9 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
     return format->open_file(file, options);
 
   ByteStream stream = open_content(file);
-  if (format == nullptr && !is_stream_name(file) && !is_mesh_name(file))
-    format = format_of_head(stream.peek(magic_bytes));
+  const VolumeFormat* const of_head = format_of_head(stream.peek(magic_bytes));
+  const bool may_be_any = format == nullptr && !is_stream_name(file) && !is_mesh_name(file);
+  if (may_be_any || (of_head != nullptr && !is_read(*of_head))) format = of_head;
   if (format == nullptr) fail_unread(stream.file(), nullptr);
   return open_stream(std::move(stream), *format, options);
 }

@@ -1,9 +1,11 @@
 #include "component_volume.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include "volumes/volume_error.hpp"
 #include "volumes/volume_filter.hpp"
 
 namespace discmc::command {
@@ -42,6 +44,16 @@ class ComponentVolume final : public VolumeFilter {
 std::unique_ptr<VolumeReader> component(std::unique_ptr<VolumeReader> all, VolumeInfo info,
                                         std::uint32_t first, std::uint32_t count) {
   return std::make_unique<ComponentVolume>(std::move(all), std::move(info), first, count);
+}
+
+VolumeInfo of_all_components(const std::string& file, VolumeInfo info, std::uint64_t count,
+                             const std::string& remedy) {
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+  if (count > most / info.dims[0])
+    fail(file, std::to_string(count) + " samples side by side make the rows too long", remedy);
+  info.dims[0] *= static_cast<std::uint32_t>(count);
+  info.channels = 1;
+  return info;
 }
 
 }  // namespace discmc::command

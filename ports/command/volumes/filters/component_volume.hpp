@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "volumes/volume_reader.hpp"
 
@@ -13,6 +14,11 @@ namespace discmc::command {
 /// times count of them. info: of the component.
 std::unique_ptr<VolumeReader> component(std::unique_ptr<VolumeReader> all, VolumeInfo info,
                                         std::uint32_t first, std::uint32_t count);
+
+/// Returns the description of `all` by that of a component. remedy: of rows that are then too long,
+/// for the VolumeError.
+VolumeInfo of_all_components(const std::string& file, VolumeInfo info, std::uint64_t count,
+                             const std::string& remedy = "crop the volume");
 
 }  // namespace discmc::command
 

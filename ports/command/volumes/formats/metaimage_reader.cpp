@@ -6,6 +6,7 @@
 
 #include "text/words.hpp"
 #include "volumes/data_files.hpp"
+#include "volumes/filters/component_volume.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_fields.hpp"
 #include "volumes/header_text.hpp"
@@ -88,6 +89,11 @@ void set_sizes(VolumeInfo& info, const HeaderFields& header, const VolumeOptions
              std::to_string(sizes.size()),
          "correct the header");
   set_dims(info, header.file(), sizes, options.frame);
+  const std::int64_t channels = header.integer("ElementNumberOfChannels", 1);
+  if (channels < 1)
+    fail(header.file(), "ElementNumberOfChannels is " + std::to_string(channels),
+         "correct the header");
+  set_channels(info, header.file(), static_cast<std::uint64_t>(channels), options.channel);
 }
 
 // Where the axes come from by their letters: RAI are axes along LPS. ITK writes them beside the
@@ -205,7 +211,6 @@ ByteStream open_data(ByteStream& stream, const HeaderFields& header, const Stora
 std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOptions& options) {
   const HeaderFields header = read_header(stream);
   expect(header, "ObjectType", "Image");
-  expect(header, "ElementNumberOfChannels", "1");
 
   VolumeInfo info;
   info.type = sample_type(header.file(), header.needed("ElementType"));
@@ -220,10 +225,16 @@ std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOpti
   if (!storage.is_text && sample_bytes(info.type) > 1 && header.text(order).empty())
     note(info, "byte order not given, little-endian taken");
 
-  ByteStream data = open_data(stream, header, storage, info);
   info.format = "MetaImage, " + storage.name() +
                 (is_local(header.needed("ElementDataFile")) ? "" : ", detached");
-  return std::make_unique<SliceStream>(std::move(info), std::move(data), big_endian, options.frame);
+  VolumeInfo all = of_all_components(header.file(), info, info.channels);
+  ByteStream data = open_data(stream, header, storage, all);
+  info.notes = all.notes;
+  auto volume =
+      std::make_unique<SliceStream>(std::move(all), std::move(data), big_endian, options.frame);
+  if (info.channels == 1) return volume;
+  const auto channels = static_cast<std::uint32_t>(info.channels);
+  return component(std::move(volume), std::move(info), options.channel.value_or(0), channels);
 }
 
 }  // namespace discmc::command

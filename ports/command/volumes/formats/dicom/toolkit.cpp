@@ -61,6 +61,16 @@ std::optional<Uint32> frame_bytes_by_header(DcmElement& pixels, DcmDataset& data
   return bytes;
 }
 
+bool is_jpeg2000(E_TransferSyntax syntax) {
+  return syntax == EXS_JPEG2000LosslessOnly || syntax == EXS_JPEG2000;
+}
+
+bool can_decode(const std::string& transfer_syntax) {
+  const E_TransferSyntax syntax = DcmXfer(transfer_syntax.c_str()).getXfer();
+  return syntax != EXS_Unknown && (!is_encapsulated(syntax) || is_jpeg2000(syntax) ||
+                                   DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit));
+}
+
 std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels) {
   static const bool is_set_up = (set_up(), true);
   static_cast<void>(is_set_up);

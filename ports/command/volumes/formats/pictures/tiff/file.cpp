@@ -64,6 +64,8 @@ class TiffFile final : public PictureFile {
       stacks = {of_imagej(description)};
     else
       stacks = of_tifffile();
+    if (stacks.empty() && axes.empty())
+      require_slices_of_scan_image(file_, tiff_.get(), directories_);
     if (stacks.empty()) stacks = {of_pages()};
     note_left_out(stacks[0]);
     if (!axes.empty())

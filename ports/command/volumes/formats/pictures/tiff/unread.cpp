@@ -1,7 +1,13 @@
 #include "unread.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <string>
+#include <string_view>
 
+#include "text/number_text.hpp"
+#include "text/words.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {
@@ -28,7 +34,32 @@ void require_known_colours(const std::filesystem::path& file, const TiffPage& pa
        "convert it to RGB or grey");
 }
 
+// The number behind "KEY = " in what ScanImage writes, or nothing.
+std::optional<std::uint32_t> number_of(std::string_view text, std::string_view key) {
+  const std::size_t at = text.find(key);
+  if (at == std::string_view::npos) return std::nullopt;
+  text.remove_prefix(at + key.size());
+  const std::string_view line = take_line(text).value_or("");
+  return whole_number<std::uint32_t>(
+      trimmed(line.substr(std::min(line.size(), line.find('=') + 1))));
+}
+
 }  // namespace
+
+void require_slices_of_scan_image(const std::filesystem::path& file, TIFF* tiff,
+                                  std::uint32_t pages) {
+  // Versions of ScanImage put it in one or the other.
+  const std::string text = software_of(tiff) + '\n' + description_of(tiff);
+  constexpr std::string_view signs[] = {"SI.VERSION_MAJOR", "scanimage.SI", "state.acq."};
+  const auto has = [&text](std::string_view sign) { return text.find(sign) != std::string::npos; };
+  if (std::none_of(std::begin(signs), std::end(signs), has)) return;
+  for (const char* key : {"numSlices", "actualNumSlices", "stackNumSlices", "numberOfZSlices"})
+    if (number_of(text, key) == pages) return;
+  fail(file,
+       "its " + std::to_string(pages) + " pages are channels or times too, as ScanImage has it",
+       "save one of them from ImageJ, by its command Stack to Hyperstack, or give --axes zyx if "
+       "they are slices");
+}
 
 void require_known_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages) {
   struct Kind {
