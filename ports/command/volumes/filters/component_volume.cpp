@@ -56,4 +56,15 @@ VolumeInfo of_all_components(const std::string& file, VolumeInfo info, std::uint
   return info;
 }
 
+std::unique_ptr<VolumeReader> channel_of(
+    const std::string& file, VolumeInfo info, std::optional<std::uint32_t> channel,
+    const std::function<std::unique_ptr<VolumeReader>(VolumeInfo all)>& open) {
+  if (info.channels == 1) return open(std::move(info));
+  const std::uint64_t count = info.channels;
+  auto all = open(of_all_components(file, info, count));
+  info.notes = all->info().notes;
+  return component(std::move(all), std::move(info), channel.value_or(0),
+                   static_cast<std::uint32_t>(count));
+}
+
 }  // namespace discmc::command

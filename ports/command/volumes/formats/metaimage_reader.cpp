@@ -6,11 +6,11 @@
 
 #include "text/words.hpp"
 #include "volumes/data_files.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/filters/component_volume.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_fields.hpp"
 #include "volumes/header_text.hpp"
-#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -110,12 +110,12 @@ std::string orientation_of(const Axes& axes) {
   return letters;
 }
 
-void note_orientation(VolumeInfo& info, std::string_view told) {
-  if (told.empty() || told.find('?') != std::string_view::npos || !info.placement) return;
+void note_orientation(VolumeInfo& info, std::string_view letters) {
+  if (letters.empty() || letters.find('?') != std::string_view::npos || !info.placement) return;
   const std::string taken = orientation_of(info.placement->axes_mm);
-  if (told != taken)
-    note(info, "AnatomicalOrientation " + shown(told) + " dropped: by the TransformMatrix it is '" +
-                   taken + "'");
+  if (letters != taken)
+    note(info, "AnatomicalOrientation " + shown(letters) +
+                   " dropped: by the TransformMatrix it is '" + taken + "'");
 }
 
 // A row an axis, of length 1; nothing where the numbers are no matrix of the axes.
@@ -134,7 +134,8 @@ std::optional<Axes> directions_of(VolumeInfo& info, const std::vector<double>& m
   return directions;
 }
 
-void set_spacing(VolumeInfo& info, const HeaderFields& header, std::size_t axes, ToldPlace& told) {
+void set_spacing(VolumeInfo& info, const HeaderFields& header, std::size_t axes,
+                 DeclaredPlace& place) {
   auto lengths = header.reals({"ElementSpacing"});
   if (lengths.empty()) {
     lengths = header.reals({"ElementSize"});
@@ -145,22 +146,22 @@ void set_spacing(VolumeInfo& info, const HeaderFields& header, std::size_t axes,
          "ElementSpacing holds " + std::to_string(lengths.size()) + " numbers for " +
              std::to_string(axes) + " dimensions",
          "correct the header");
-  std::copy_n(lengths.begin(), std::min<std::size_t>(lengths.size(), 3), told.spacing.begin());
+  std::copy_n(lengths.begin(), std::min<std::size_t>(lengths.size(), 3), place.spacing.begin());
 }
 
 void set_geometry(VolumeInfo& info, const HeaderFields& header, const VolumeOptions& options) {
   const std::size_t axes = words(header.needed("DimSize")).size();
-  ToldPlace told;
+  DeclaredPlace place;
   // ITK, which the format is from, has millimetres and the space of DICOM.
   const std::string_view unit = header.text("DistanceUnits");
-  told.set_unit(unit.empty() ? "mm" : unit == "?" ? "" : std::string(unit));
-  set_spacing(info, header, axes, told);
+  place.set_unit(unit.empty() ? "mm" : unit == "?" ? "" : std::string(unit));
+  set_spacing(info, header, axes, place);
   const auto matrix = header.reals({"TransformMatrix", "Rotation", "Orientation"});
   const auto origin = header.reals({"Offset", "Position", "Origin"});
-  if (!matrix.empty() || !origin.empty()) told.frame = Frame::lps;
-  told.directions = directions_of(info, matrix, axes);
-  std::copy_n(origin.begin(), std::min<std::size_t>(origin.size(), 3), told.origin.begin());
-  set_place(info, told, options);
+  if (!matrix.empty() || !origin.empty()) place.frame = Frame::lps;
+  place.directions = directions_of(info, matrix, axes);
+  std::copy_n(origin.begin(), std::min<std::size_t>(origin.size(), 3), place.origin.begin());
+  set_place(info, place, options);
   note_orientation(info, header.text("AnatomicalOrientation"));
 }
 
@@ -227,14 +228,11 @@ std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOpti
 
   info.format = "MetaImage, " + storage.name() +
                 (is_local(header.needed("ElementDataFile")) ? "" : ", detached");
-  VolumeInfo all = of_all_components(header.file(), info, info.channels);
-  ByteStream data = open_data(stream, header, storage, all);
-  info.notes = all.notes;
-  auto volume =
-      std::make_unique<SliceStream>(std::move(all), std::move(data), big_endian, options.frame);
-  if (info.channels == 1) return volume;
-  const auto channels = static_cast<std::uint32_t>(info.channels);
-  return component(std::move(volume), std::move(info), options.channel.value_or(0), channels);
+  return channel_of(header.file(), std::move(info), options.channel, [&](VolumeInfo all) {
+    ByteStream data = open_data(stream, header, storage, all);
+    return std::make_unique<SliceStream>(std::move(all), std::move(data), big_endian,
+                                         options.frame);
+  });
 }
 
 }  // namespace discmc::command

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "text/words.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_text.hpp"
-#include "volumes/told_place.hpp"
 
 #ifdef DISCMC_WITH_PUGIXML
 #include <pugixml.hpp>
@@ -131,21 +131,21 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Hea
   set_dims(
       info, file,
       {extent[1] - extent[0] + last, extent[3] - extent[2] + last, extent[5] - extent[4] + last});
-  ToldPlace told;
+  DeclaredPlace place;
   const auto spacing = numbers<3>(file, head.image(), "Spacing");
-  if (spacing) std::copy(spacing->begin(), spacing->end(), told.spacing.begin());
-  told.origin = numbers<3>(file, head.image(), "Origin").value_or(told.origin);
+  if (spacing) std::copy(spacing->begin(), spacing->end(), place.spacing.begin());
+  place.origin = numbers<3>(file, head.image(), "Origin").value_or(place.origin);
   // A row of the matrix a coordinate.
   const auto matrix = numbers<9>(file, head.image(), "Direction");
-  Axes& directions = told.directions.emplace(coordinates);
+  Axes& directions = place.directions.emplace(coordinates);
   for (std::size_t i = 0; i < 9 && matrix; ++i) directions[i % 3][i / 3] = (*matrix)[i];
   // The origin is that of the point with the number 0, half a step before the centre of a cell.
   const double before = head.is_of_cells() ? 0.5 : 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t row = 0; row < 3; ++row)
-      told.origin[row] += (static_cast<double>(extent[2 * axis]) + before) * directions[axis][row] *
-                          told.spacing[axis].value_or(1);
-  set_place(info, told, options);
+      place.origin[row] += (static_cast<double>(extent[2 * axis]) + before) *
+                           directions[axis][row] * place.spacing[axis].value_or(1);
+  set_place(info, place, options);
 }
 
 // Which of several arrays was taken, or may have been.

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "text/words.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_text.hpp"
-#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -16,7 +16,7 @@ struct Header {
   std::vector<std::int64_t> sizes;
   std::int64_t samples = 0;
   bool are_of_cells = false;  // between points, or else at points
-  ToldPlace place;
+  DeclaredPlace place;
   std::string type;
   std::string components = "1";
 };
@@ -145,8 +145,8 @@ std::vector<std::int64_t> sizes(const Header& header) {
   return sizes;
 }
 
-ToldPlace place(const Header& header) {
-  ToldPlace place = header.place;
+DeclaredPlace place(const Header& header) {
+  DeclaredPlace place = header.place;
   for (std::size_t axis = 0; axis < 3 && header.are_of_cells; ++axis)
     place.origin[axis] += place.spacing[axis].value_or(1) / 2;
   return place;

@@ -20,11 +20,11 @@
 #include "label_extension.hpp"
 #include "text/words.hpp"
 #include "types.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/filters/component_volume.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_bytes.hpp"
 #include "volumes/header_text.hpp"
-#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -223,44 +223,44 @@ Rows qform_of(const nifti_2_header& header) {
 }
 
 // Returns whether they span a space.
-bool take(const Rows& rows, ToldPlace& told) {
+bool take(const Rows& rows, DeclaredPlace& place) {
   Axes steps{};
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t axis = 0; axis < 3; ++axis) steps[axis][row] = rows[row][axis];
   if (!is_usable(steps)) return false;
-  told.frame = Frame::ras;
-  told.steps = steps;
-  for (std::size_t row = 0; row < 3; ++row) told.origin[row] = rows[row][3];
+  place.frame = Frame::ras;
+  place.steps = steps;
+  for (std::size_t row = 0; row < 3; ++row) place.origin[row] = rows[row][3];
   return true;
 }
 
 // The sides that the qform tells are not looked at otherwise.
-void note_mirrored(VolumeInfo& info, const nifti_2_header& header, const ToldPlace& told) {
-  ToldPlace other;
+void note_mirrored(VolumeInfo& info, const nifti_2_header& header, const DeclaredPlace& place) {
+  DeclaredPlace other;
   if (header.qform_code > 0 && take(qform_of(header), other) &&
-      (determinant(*other.steps) < 0) != (determinant(*told.steps) < 0))
+      (determinant(*other.steps) < 0) != (determinant(*place.steps) < 0))
     note(info, "the qform is mirrored against the sform, dropped: check which side is left");
 }
 
 void set_geometry(VolumeInfo& info, const Header& whole, const VolumeOptions& options) {
   const nifti_2_header& header = whole.fields;
-  ToldPlace told;
-  told.set_unit(unit_of(header.xyzt_units));
+  DeclaredPlace place;
+  place.set_unit(unit_of(header.xyzt_units));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    told.spacing[axis] = std::fabs(header.pixdim[axis + 1]);
+    place.spacing[axis] = std::fabs(header.pixdim[axis + 1]);
     if (header.pixdim[axis + 1] < 0)
       note(info, "pixdim " + std::to_string(axis + 1) + " is negative, taken as positive");
   }
-  bool is_placed = header.sform_code > 0 && take(sform_of(header), told);
-  if (is_placed) note_mirrored(info, header, told);
+  bool is_placed = header.sform_code > 0 && take(sform_of(header), place);
+  if (is_placed) note_mirrored(info, header, place);
   if (header.sform_code > 0 && !is_placed) note(info, "the sform spans no space, dropped");
   if (!is_placed && header.qform_code > 0) {
-    is_placed = take(qform_of(header), told);
+    is_placed = take(qform_of(header), place);
     if (!is_placed) note(info, "the qform spans no space, dropped");
   }
   if (!is_placed)
     note(info, whole.format + " tells no directions here: which side is left is not known");
-  set_place(info, told, options);
+  set_place(info, place, options);
 }
 
 // A slope that is no number is none, as for nibabel and FSL.
@@ -305,11 +305,10 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
     stream = open_content(is_data ? file : partner(file, ".img"));
     stream.skip(offset);
   }
-  const auto channels = static_cast<std::uint32_t>(info.channels);
-  auto volume = std::make_unique<SliceStream>(of_all_components(file, info, channels),
-                                              std::move(stream), header.big_endian, options.frame);
-  if (channels == 1) return volume;
-  return component(std::move(volume), std::move(info), options.channel.value_or(0), channels);
+  return channel_of(file, std::move(info), options.channel, [&](VolumeInfo all) {
+    return std::make_unique<SliceStream>(std::move(all), std::move(stream), header.big_endian,
+                                         options.frame);
+  });
 }
 
 }  // namespace discmc::command

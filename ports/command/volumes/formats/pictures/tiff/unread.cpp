@@ -13,7 +13,7 @@
 namespace discmc::command {
 namespace {
 
-void require_known_colours(const std::filesystem::path& file, const TiffPage& page) {
+void require_read_colours(const std::filesystem::path& file, const TiffPage& page) {
   switch (page.photometric) {
     case PHOTOMETRIC_YCBCR:
       if (page.compression == COMPRESSION_JPEG && !page.is_planar) return;
@@ -61,7 +61,7 @@ void require_slices_of_scan_image(const std::filesystem::path& file, TIFF* tiff,
        "they are slices");
 }
 
-void require_known_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages) {
+void require_read_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages) {
   struct Kind {
     std::uint32_t tag;
     const char* name;
@@ -80,7 +80,7 @@ void require_known_layout(const std::filesystem::path& file, TIFF* tiff, std::ui
 }
 
 void require_read(const std::filesystem::path& file, const TiffPage& page) {
-  require_known_colours(file, page);
+  require_read_colours(file, page);
   if (!sample_type(page))
     fail(file,
          "samples of " + std::to_string(page.bits) + " bits and format " +

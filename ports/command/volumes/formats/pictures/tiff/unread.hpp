@@ -12,7 +12,7 @@
 namespace discmc::command {
 
 /// Throws where pages are laid out by rules that are in tags of a maker.
-void require_known_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages);
+void require_read_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages);
 
 /// Throws where pages are those of ScanImage, and not a slice each: channels and times are pages,
 /// too.
