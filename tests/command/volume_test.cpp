@@ -236,7 +236,7 @@ TEST_CASE("NRRD refuses by name what it does not take") {
       {nrrd(nrrd_u8 + "kinds: list domain domain domain\n\n", "2 5 3 4") + u8 + u8,
        "holds 2 volumes"},
       {nrrd(nrrd_u8 + "kinds: list domain domain domain\n\n", "200000 30000 3 4"),
-       "the first axis has size 200000, and make the rows too long"},
+       "200000 samples side by side make the rows too long"},
       {nrrd(nrrd_u8 + "space directions: (1,0,0,0) (1,0,0) (0,1,0)\n\n"), "no vector of up to"},
       {nrrd(nrrd_u8 + "space directions: (1,0,0) (0,1,0)\n\n"), "2 entries for 3 dimensions"},
       {nrrd(nrrd_u8 + "spacings: 1\n\n"), "1 entries for 3 dimensions"},
