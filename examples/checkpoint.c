@@ -1,6 +1,6 @@
 /* A scanner that survives a power failure, in C. It stores a checkpoint in flash every eight
- * slices. The power fails in slice 20; the scan goes on from slice 16, and the stream is that of
- * firmware.c, byte for byte. */
+ * slices. The power fails in slice 20; the scan continues from slice 16, and the stream is that
+ * of firmware.c, byte for byte. */
 #include <discmc/discmc.h>
 #include <stdio.h>
 
@@ -57,7 +57,7 @@ static size_t stream_write(void* context, const uint8_t* bytes, size_t count) {
 
 /* ---- the scanner ---- */
 
-/* At power-on: goes on from the newest checkpoint, or begins. */
+/* At power-on: continues from the newest checkpoint, or begins. */
 static discmc_status power_on(void) {
   const discmc_store_config device = {
       .read = flash_read,
@@ -104,7 +104,7 @@ static discmc_status save(void) {
   discmc_status status = discmc_encoder_save(encoder, &parts[0]);
   if (status == DISCMC_OK) status = discmc_extractor_save(extractor, &parts[1]);
   if (status == DISCMC_OK) status = discmc_store_save(store, parts, 2);
-  while (status == DISCMC_SUSPENDED) /* the scan stands still; all else need not */
+  while (status == DISCMC_SUSPENDED) /* only the scan pauses */
     status = discmc_store_resume(store);
   return status;
 }

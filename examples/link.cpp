@@ -1,12 +1,12 @@
-// Both ends of a slow link that fails, in one program. The device sends two surfaces of its scans
-// as one stream of slices, with the place of the volume and time stamps in it. Amid the first scan
-// the radio dies: the scan goes on without it, and the stream is there again when the radio is. The
-// receiver extracts each of the surfaces, tells what was lost, and takes scan after scan.
+// Both ends of a slow link that fails, in one program. The device sends two surfaces per scan as
+// one stream of slices, with the placement of the volume and time stamps. During the first scan the
+// radio fails; the scan continues, and the stream resumes with the radio. The receiver extracts
+// both surfaces, reports losses, and decodes scan after scan.
 //
 //   scan 1: no link for 433 bytes
 //   scan 1, channel 0: 682 regions, 768 rows lost, the last stamp 2000 ms, x from -23.5 mm
 //
-// Names are written in full: discmc has short ones, Link, Run and Event among them.
+// The names are qualified because discmc has short ones, such as Link, Run and Event.
 #include <stdio.h>
 #include <string.h>
 
@@ -14,14 +14,14 @@
 
 namespace {
 
-constexpr int32_t size = 48;  // voxels a row, rows a slice, slices
+constexpr int32_t size = 48;  // voxels per row, rows per slice, slices
 constexpr int32_t thresholds[] = {192, 224};
 constexpr uint32_t surfaces = 2;
 constexpr uint8_t time_stamp = 1;  // a kind of record: the application's own, below 240
 
 // ---- the receiver ----
 
-// Of one surface. Two of one stream are two decoders, which both get all bytes.
+// Receives one surface. Two surfaces of a stream need two decoders, which both get all bytes.
 class Receiver {
  public:
   bool start(uint8_t channel) {
@@ -31,14 +31,14 @@ class Receiver {
            discmc::Status::ok;
   }
 
-  // A decoder takes one stream. So it gets no more than a frame at a time, up to the zero that ends
-  // it: behind a trailer the next scan begins.
+  // A decoder decodes one stream. So it gets at most one frame at a time, up to the zero byte: the
+  // next scan begins after a trailer.
   bool push(const uint8_t* bytes, size_t count) {
     for (size_t taken = 0; taken < count;) {
       const void* const zero = memchr(bytes + taken, 0, count - taken);
       const size_t end =
           zero == nullptr ? count : size_t(static_cast<const uint8_t*>(zero) - bytes) + 1;
-      discmc::Decoded decoded{discmc::Status::suspended, 0};  // it may be so of many lost rows
+      discmc::Decoded decoded{discmc::Status::suspended, 0};  // also while many rows are skipped
       for (; decoded.status == discmc::Status::suspended; taken += decoded.bytes)
         decoded = decoder_.push(bytes + taken, end - taken);
       if (decoded.status != discmc::Status::ok) return false;
@@ -48,7 +48,7 @@ class Receiver {
   }
 
   discmc::SinkResult take(const discmc::Event& event) {
-    // Of a stream of slices the report counts rows alone, so regions are counted here.
+    // For a stream of slices the report counts only rows, so the regions are counted here.
     if (event.kind == discmc::Event::Kind::region_end) ++regions_;
     if (event.kind == discmc::Event::Kind::skipped) ++lost_rows_;  // the device skips none
     if (event.kind == discmc::Event::Kind::application) note(*event.application);
@@ -85,7 +85,7 @@ Receiver receivers[surfaces];
 
 bool radio_works = true;
 
-// Takes what there is room for, and nothing while there is no link.
+// Accepts what it has room for, and nothing while there is no link.
 size_t radio_write(void*, const uint8_t* bytes, size_t count) {
   if (!radio_works) return 0;
   const size_t taken = count < 16 ? count : 16;
@@ -99,8 +99,7 @@ constexpr discmc::ByteOutput radio{nullptr, radio_write};
 // ---- the device ----
 
 constexpr discmc::Limits limits{size, size};
-// A slice takes 30 bytes here, so eight are a packet: one that is lost costs hardly more than
-// itself.
+// A slice has 30 bytes here, so a packet holds eight: a lost one costs hardly more than itself.
 constexpr discmc::KeySlices key_slices{8};
 
 // All its RAM but the stack: 3 KiB.
@@ -110,8 +109,8 @@ uint8_t memory[discmc::slice_encoder_bytes(limits, key_slices, surfaces)];
 bool is_dropping = false;
 uint64_t dropped_from = 0;
 
-// Whether to ask again. When the radio has taken nothing for long, the link is dead: what comes is
-// dropped until it is back.
+// Whether to call again. If the radio has accepted nothing for long, the link is dead, and the
+// stream is dropped until it is back.
 bool waits(discmc::Status status) {
   static unsigned refusals = 0;
   refusals = status == discmc::Status::suspended ? refusals + 1 : 0;
@@ -136,7 +135,7 @@ bool succeeds(discmc::Status status) {
 
 bool write(const discmc::ApplicationRecord& record) {
   discmc::Status status = encoder.write_record(record);
-  while (waits(status)) status = encoder.write_record(record);  // it is not taken yet
+  while (waits(status)) status = encoder.write_record(record);  // not accepted yet
   return status == discmc::Status::ok;
 }
 
@@ -170,7 +169,7 @@ uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // of a ball, densest in i
 bool scans(uint16_t number) {
   discmc::StreamHeader header;
   header.width = header.height = header.depth = size;
-  header.scan = number;  // so that no packet of one scan passes for one of another
+  header.scan = number;  // so that packets of two scans differ
   header.thresholds[0] = thresholds[0];
   header.surface_count = 2;
   header.thresholds[1] = thresholds[1];
@@ -179,7 +178,7 @@ bool scans(uint16_t number) {
   for (int32_t z = 0; good && z < size; ++z) {
     radio_works = number != 1 || z < 16 || z >= 28;
     if (is_dropping && radio_works) take_up_again();
-    if (z % 8 == 0) good = write_time(z);  // rarely: each takes a packet
+    if (z % 8 == 0) good = write_time(z);  // rarely: each needs a packet
     for (int32_t y = 0; good && y < size; ++y) {
       uint8_t row[size];
       for (int32_t x = 0; x < size; ++x) row[x] = sample_at(x, y, z);

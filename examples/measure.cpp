@@ -1,9 +1,9 @@
-// Firmware that measures the library on your board: cycles a row, a voxel and an active cell.
+// Firmware that measures the library on your board: cycles per row, voxel and active cell.
 //
-// It scans a phantom that is built in, as regions and as slices, and sends the figures by the UART,
-// a line each. docs/measure.md says how to read them, and what to keep out of them. Build it as
-// ports/boards/README.md builds scanner.cpp. The counter is the processor's own: DWT on Cortex-M3,
-// M4, M7 and M33, SysTick on M0 and M0+, mcycle on RISC-V.
+// It scans a built-in phantom, as regions and as slices, and sends a figure per line by the UART.
+// docs/measure.md explains the figures and the conditions. Build it as ports/boards/README.md
+// builds scanner.cpp. The counter is that of the processor: DWT on Cortex-M3, M4, M7 and M33,
+// SysTick on M0 and M0+, mcycle on RISC-V.
 #include <board.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
@@ -25,7 +25,7 @@ Encoder encoder;
 SliceEncoder slice_encoder;
 uint8_t row[limits.width];
 
-// Of a ball, densest in its middle; or of nothing.
+// A sample of a ball, densest in its middle; or of nothing.
 void make_row(bool is_ball, uint32_t number) {
   const auto size = static_cast<int32_t>(depth);
   const auto y = static_cast<int32_t>(number % limits.height);
@@ -67,7 +67,7 @@ struct Measured {
   uint32_t most = 0;  // of a row
 };
 
-// The rows are made outside of what is measured. finish() counts, too.
+// The measured time excludes the making of rows, and includes finish().
 template <class Scanner>
 bool scan(Scanner& scanner, bool is_ball, Measured& measured) {
   for (uint32_t number = 0; number <= limits.height * depth; ++number) {

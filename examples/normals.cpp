@@ -5,7 +5,7 @@
 
 using namespace discmc;
 
-constexpr int32_t size = 48;  // voxels a row, rows a slice, slices
+constexpr int32_t size = 48;  // voxels per row, rows per slice, slices
 constexpr int32_t threshold = 192;
 constexpr Limits limits{size, size};
 constexpr int32_t spacing_nm[] = {500000, 500000, 1000000};
@@ -29,7 +29,7 @@ static uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // of a ball, dense
   return static_cast<uint8_t>(fall < 255 ? 255 - fall : 0);
 }
 
-// The output takes all: no call is suspended.
+// The output accepts everything: no call is suspended.
 static size_t write_all(void*, const uint8_t* bytes, size_t count) {
   return fwrite(bytes, 1, count, stdout);
 }

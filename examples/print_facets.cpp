@@ -101,7 +101,7 @@ int parsed_configuration(std::string_view text) {
   return is_whole && value < configurations ? static_cast<int>(value) : -1;
 }
 
-// Standard output may be a full disk: a program that others read from says so.
+// Standard output may be a full disk: report it.
 int finished_writing() {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return 0;
   std::fprintf(stderr, "print_facets: the output could not be written; is there room for it?\n");

@@ -1,14 +1,13 @@
-// Prints a stream as text, whether it holds regions or slices, one line a region: its normal, then
-// for each ring (the outer one first) where it starts and its runs, each as the direction in the
-// region's plane and how often it is taken. Coordinates are in half-steps: voxel (i, j, k) is at
-// (2i, 2j, 2k).
+// Prints a stream of regions or slices as text, one line per region: its normal, then each ring
+// with its start and its runs, the outer ring first. A run is a direction in the region's plane and
+// a length. Coordinates are in half-steps: voxel (i, j, k) is at (2i, 2j, 2k).
 //
 //   firmware | print_regions
 //   ( 0 -1 -1)  from (42 36 9): 3x1 0x2 1x1 2x2
 //   fragment of ( 1  0  0)  from (41 36 12) by 7: 0x4 1x2
 //
-// A fragment is a piece of a ring, sent early for lack of memory: it goes on the one that ends
-// where it starts, with a run of direction 7.
+// A fragment is a piece of a ring, sent early for lack of memory: it continues the one that ends at
+// its start with a run of direction 7.
 #include <cinttypes>
 #include <cstdio>
 #include <discmc/surface_decoder.hpp>
@@ -59,7 +58,7 @@ class Printer {
     return SinkResult::accepted;
   }
 
-  // The report has those of a stream of regions alone.
+  // The report counts these only for a stream of regions.
   uint64_t regions() const { return regions_; }
   uint64_t fragments() const { return fragments_; }
 
@@ -76,7 +75,7 @@ class Printer {
   uint64_t fragments_ = 0;
 };
 
-// Status::suspended: of many lost rows only some have been skipped yet.
+// Status::suspended: more lost rows are to be skipped.
 Status push_all(SurfaceDecoder& decoder, const uint8_t* bytes, size_t count) {
   Decoded decoded{Status::suspended, 0};
   for (size_t taken = 0; decoded.status == Status::suspended; taken += decoded.bytes)
@@ -89,7 +88,7 @@ Status push_all(SurfaceDecoder& decoder, const uint8_t* bytes, size_t count) {
 int main() {
   Printer printer;
   std::vector<uint8_t> memory(16 << 20);  // to extract the surface of slices
-  SurfaceDecoder decoder;                 // a Decoder does for regions alone, and takes no memory
+  SurfaceDecoder decoder;                 // a Decoder suffices for regions, and needs no memory
   Status status = decoder.start({memory.data(), memory.size()}, make_sink(printer));
   uint8_t bytes[4096];
   size_t count = 0;

@@ -13,7 +13,7 @@ static discmc_receiver* receiver;
 static discmc_joiner* joiner;
 static uint8_t channel = DISCMC_ANY_CHANNEL;
 
-/* What came of a scan. */
+/* What arrived of a scan. */
 static unsigned regions, corners, lost_rows, milliseconds;
 static int32_t lowest_z;
 static int has_finish;
@@ -85,8 +85,8 @@ static void print_scan(void) {
   printf("\n");
 }
 
-/* A receiver receives one stream, so it gets up to a zero byte, which ends a frame, at a time:
- * behind a trailer the next scan begins. */
+/* A receiver decodes one stream. So it gets at most one frame at a time, up to the zero byte: the
+ * next scan begins after a trailer. */
 static discmc_status push(const uint8_t* bytes, size_t count) {
   while (count > 0) {
     const uint8_t* const zero = memchr(bytes, 0, count);

@@ -1,8 +1,8 @@
-// A scanner's firmware under FreeRTOS: an interrupt queues rows as they come, a task makes the
-// surface of them and sends it.
+// A scanner's firmware under FreeRTOS: an interrupt queues rows, and a task makes the surface and
+// sends it.
 //
-// All memory is static. rtos/ lets this run on a computer: on your board the FreeRTOS you have
-// takes its place, and your drivers that of peripherals.h.
+// All memory is static. rtos/ lets this run on a computer; on your board your FreeRTOS replaces it,
+// and your drivers replace peripherals.h.
 #include <FreeRTOS.h>
 #include <peripherals.h>
 #include <queue.h>
@@ -11,7 +11,7 @@
 #include <discmc/discmc.hpp>
 
 using namespace discmc;
-constexpr uint32_t size = sensor_pixels;  // voxels a row, rows a slice, slices
+constexpr uint32_t size = sensor_pixels;  // voxels per row, rows per slice, slices
 constexpr uint32_t row_count = size * size;
 constexpr int32_t threshold = 192;
 constexpr Limits limits{size, size};
@@ -21,8 +21,8 @@ struct Row {
   uint8_t samples[size];
 };
 
-// Rows go round: from the free ones to the interrupt, by the full ones to the task, and back. As
-// many as the scanner delivers while the UART is at its busiest.
+// Rows circulate: from the free ones to the interrupt, by the full ones to the task, and back.
+// There are as many as the scanner delivers while the UART is at its busiest.
 constexpr UBaseType_t rows_at_once = 8;
 static Row rows[rows_at_once];
 static QueueHandle_t free_rows, full_rows;
@@ -35,8 +35,8 @@ static bool succeeded = false;
 static Row* filling;
 static uint32_t next_number = 0;
 
-// The row that was being read is there. If no other is free the scanner writes over this one, and
-// its number is missing among those that the task gets.
+// The row is complete. If no other row is free, the scanner overwrites this one, and its number is
+// missing in the task.
 extern "C" void on_row_read() {
   BaseType_t wakes_task = pdFALSE;
   filling->number = next_number++;
@@ -61,7 +61,7 @@ static uint8_t arena[minimum_bytes<uint16_t>(limits) + 5 * 1024];
 static Extractor16 extractor;
 static Encoder encoder;
 
-// A task may sleep in here: the output is never busy, and no call has to be resumed. Rows queue up.
+// A task may sleep here. So the output is never busy, and no call is suspended; rows queue up.
 static size_t uart_write(void*, const uint8_t* bytes, size_t count) {
   send_bytes(bytes, count);
   ulTaskNotifyTake(pdTRUE, portMAX_DELAY);
@@ -75,8 +75,7 @@ static bool take(const Row& row, uint32_t& next) {
   return extractor.push(row.samples, size).status == Status::ok;
 }
 
-// Without a row for a second the scan is over before its time; what there is becomes a closed
-// surface.
+// Without a row for a second the scan ends early, and the rows so far become a closed surface.
 static bool scan() {
   if (encoder.start({size}, {nullptr, uart_write}) != Status::ok ||
       extractor.start(limits, threshold, memory_of(arena), make_sink(encoder)) != Status::ok)
@@ -113,5 +112,5 @@ int main() {
   static StackType_t stack[512];
   scanner = xTaskCreateStatic(run_scanner, "scanner", 512, nullptr, 1, stack, &task);
   vTaskStartScheduler();
-  return succeeded ? 0 : 1;  // on a board nobody comes here
+  return succeeded ? 0 : 1;  // never reached on a board
 }

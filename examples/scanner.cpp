@@ -1,8 +1,8 @@
-// A scanner's firmware on any board: rows come in by interrupt, the surface leaves by the UART.
+// A scanner's firmware for any board: rows arrive by interrupt, the surface leaves by the UART.
 //
-// What differs between boards is behind ports/boards/board.hpp; what is scanned is said in the
-// board's scan.hpp. ports/boards/README.md tells how to build it, and how to bring it to a board of
-// your own.
+// ports/boards/board.hpp separates it from the board; the board's scan.hpp describes the scan.
+// ports/boards/README.md shows how to build it, docs/porting.md how to bring it to a board of your
+// own.
 #include <board.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
@@ -41,13 +41,13 @@ namespace {
 
 uint8_t arena[scan::arena_bytes];
 static_assert(sizeof arena >= minimum_bytes<uint16_t>(scan::limits), "see arena_bytes in scan.hpp");
-// Known at compile time, so that the firmware need not carry the code that works them out.
+// Constant expressions, so that the firmware does not contain the code that computes them.
 constexpr Capacities capacities = default_capacities<uint16_t>(scan::limits, sizeof arena);
 Extractor16 extractor;
 Encoder encoder;
 
-// Sees a call to the library through. While the UART is busy there is nothing else to do: rows that
-// come meanwhile go to the ring, by interrupt.
+// Completes a call to the library. While the UART is busy there is nothing else to do: rows that
+// arrive meanwhile go to the ring, by interrupt.
 bool succeeds(Status status) {
   while (status == Status::suspended) {
     board::wait();
@@ -56,7 +56,7 @@ bool succeeds(Status status) {
   return status == Status::ok;
 }
 
-// Ends the frame that a reset has cut off, so that the header behind it is read.
+// Ends a frame that a reset has cut off, so that the receiver reads the header behind it.
 void end_frame() {
   constexpr uint8_t frame_end = 0;
   while (board::uart_write(nullptr, &frame_end, 1) == 0) board::wait();
@@ -74,12 +74,12 @@ bool start() {
 bool take_row() {
   const auto* const samples = static_cast<const scan::Sample*>(ring.row());
   const Status status = extractor.push(samples, scan::limits.width).status;
-  ring.pop();  // before the UART is waited for: the next row needs the room
+  ring.pop();  // before waiting for the UART: the next row needs the room
   board::row_is_free();
   return succeeds(status);
 }
 
-// Stands in for a row that was lost.
+// Replaces a lost row.
 bool skip_row() {
   ring.pop();
   return succeeds(extractor.skip_row(Substitute::previous_row).status);
@@ -101,7 +101,7 @@ bool take_all_rows() {
     }
 }
 
-// A scan that ends within a slice, or was broken off, still leaves a closed surface behind.
+// A scan that ends within a slice, or was cancelled, still leaves a closed surface.
 bool end() {
   const bool is_whole = !broken_off && extractor.rows() == 0;
   return succeeds(is_whole ? extractor.finish() : extractor.abandon()) && is_whole;

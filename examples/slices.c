@@ -1,6 +1,6 @@
 /* A scanner that sends thresholded slices, in C: two surfaces in one stream, with time stamps. It
  * needs less RAM and flash than firmware.c, and a tenth of the bytes; receive.c extracts the
- * surfaces. The radio fails for a while: what comes then is dropped, and the scan goes on. */
+ * surfaces. The radio fails for a while: the stream is dropped, and the scan continues. */
 #include <discmc/discmc.h>
 #include <stdio.h>
 
@@ -68,7 +68,7 @@ int main(void) {
   for (z = 0; good && z < SIZE; ++z) {
     radio_works = z < 16 || z >= 28;
     if (z == 28) discmc_slice_encoder_set_output(encoder, radio);
-    if (z % 8 == 0) good = writes_time(z); /* rarely: each takes a packet */
+    if (z % 8 == 0) good = writes_time(z); /* rarely: each needs a packet */
     for (y = 0; good && y < SIZE; ++y) {
       uint8_t row[SIZE];
       for (x = 0; x < SIZE; ++x) row[x] = sample_at(x, y, z);

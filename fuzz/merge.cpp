@@ -6,7 +6,7 @@
 //   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
 //   fuzz_merge corpus/merge                   with replay_main.cpp
 
-#include <discmc/host/learning_extractor.hpp>
+#include <discmc/host/host_extractor.hpp>
 #include <discmc/polygon.hpp>
 
 #include <algorithm>
@@ -208,20 +208,12 @@ class Feeder {
   const Scenario& scenario_;
 };
 
-template <class Index>
-void give_memory(Extractor<Index>&) {}
-void give_memory(LearningExtractor& extractor) {
-  static uint8_t memory[1 << 14];
-  extractor.learn_in({memory, sizeof memory});
-}
-
 template <class Index, class Scanner = Extractor<Index>>
 EventLog run(const Scenario& scenario, EventLog::Refuses refuses) {
   EventLog log(std::move(refuses));
   Block block(bytes_for<Index>(scenario.limits, scenario.capacities),
               scenario.chunk % 2 == 0 ? Block::Kind::exact : Block::Kind::guarded);
   Scanner extractor;
-  give_memory(extractor);
   const Status started =
       extractor.start(scenario.limits, scenario.capacities, 1, block.memory(), make_sink(log));
   require(started == Status::ok, to_string(started));
@@ -298,13 +290,13 @@ void check_surface(const Scenario& scenario, const Collector& collector) {
   require(!scenario.has_all_memory || collector.loose().empty(), "loose, with memory left");
 }
 
-// With so much memory that a host keeps corners, and more or less beyond it.
-void check_corners(const Scenario& scenario, const EventLog::Refuses& refuses) {
+// With so much memory that a host keeps nodes, and more or less beyond it.
+void check_nodes(const Scenario& scenario, const EventLog::Refuses& refuses) {
   Scenario large = scenario;
-  large.capacities = {trace::Corners::min_slots + scenario.refusal_seed % 64 * 16, 1 << 12};
-  const EventLog corners = run<uint32_t, LearningExtractor>(large, refuses);
+  large.capacities = {host::Chains::min_slots + scenario.refusal_seed % 64 * 16, 1 << 12};
+  const EventLog nodes = run<uint32_t, HostExtractor>(large, refuses);
   const EventLog slots = run<uint32_t>(large, {});
-  require(corners.events == slots.events, "a host that keeps corners gives other events");
+  require(nodes.events == slots.events, "a host that keeps nodes gives other events");
 }
 
 void check(const Scenario& scenario) {
@@ -317,9 +309,9 @@ void check(const Scenario& scenario) {
       scenario.is_wide ? run<uint32_t>(scenario, refuses) : run<uint16_t>(scenario, refuses);
   check_surface(scenario, collected(log.events));
   check_rings(log.events);
-  const EventLog learnt = run<uint32_t, LearningExtractor>(scenario, refuses);
-  require(learnt.events == log.events, "a host that learns gives other events");
-  check_corners(scenario, refuses);
+  const EventLog host = run<uint32_t, HostExtractor>(scenario, refuses);
+  require(host.events == log.events, "a host gives other events");
+  check_nodes(scenario, refuses);
   if (!is_valid<uint16_t>(scenario.capacities)) return;
   Scenario plain = scenario;
   plain.chunk = 1 << 20;

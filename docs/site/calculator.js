@@ -25,7 +25,7 @@ function sizesOf(width, height, memory, indexBytes) {
 
 /** Bytes of a stream, as a rule of thumb: bits a voxel of a CT head, and of its slices. */
 function streamBytes(voxels) {
-  return { regions: Math.round(0.029 * voxels), slices: Math.round(0.003 * voxels) };
+  return { regions: Math.round(0.027 * voxels), slices: Math.round(0.003 * voxels) };
 }
 
 function connectCalculator(form) {

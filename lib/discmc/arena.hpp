@@ -20,15 +20,15 @@ constexpr Memory memory_of(uint8_t (&array)[N]) {
   return {array, N};
 }
 
-/// Hands out consecutive arrays of trivial types from one piece of memory; nothing is given back.
-/// Every array is aligned to four bytes, which suffices for all of the library's objects. What this
-/// may cost at the beginning is set aside, needed or not, so that what fits does not depend on
-/// where the memory lies.
+/// Allocates consecutive arrays of trivial types from one piece of memory and frees none of them.
+/// Every array is aligned to four bytes, which suffices for all objects of the library. The arena
+/// always reserves the most that this alignment can cost at the beginning. So what fits does not
+/// depend on the address of the memory.
 class Arena {
  public:
   static constexpr size_t alignment = 4;
 
-  /// The bytes that an array of `count` items of `item_bytes` takes.
+  /// The bytes that an array of `count` items of `item_bytes` occupies.
   static constexpr uint64_t bytes_of(uint32_t count, uint32_t item_bytes) {
     return (uint64_t{count} * item_bytes + alignment - 1) / alignment * alignment;
   }
@@ -42,7 +42,8 @@ class Arena {
     left_ -= alignment - 1;
   }
 
-  /// The next array, or null when it does not fit, and from then on.
+  /// Returns the next array, or null if the array does not fit. After a null, every call returns
+  /// null.
   template <class T>
   T* take(uint32_t count) {
     constexpr size_t most = (SIZE_MAX - alignment) / sizeof(T);

@@ -1,4 +1,4 @@
-// Where an encoder's bytes go.
+// The output of an encoder: a write function with a context.
 #ifndef DISCMC_BYTE_OUTPUT_HPP
 #define DISCMC_BYTE_OUTPUT_HPP
 
@@ -9,21 +9,21 @@
 
 namespace discmc {
 
-/// Where bytes go: a UART, a ring buffer, a file. Owner: the context belongs to the caller, and
-/// must stay until there is another output, or the encoder is used no more.
+/// The destination of a stream: a UART, a ring buffer, a file. Owner: the context belongs to the
+/// caller, and must exist until the encoder has another output or is no longer used.
 ///
-/// write() is called within calls of the encoder or SharedOutput that has it, and of the extractor
-/// before that, by the same thread, and at no other time. It may wait. It must not call a function
-/// of any of them that does something or saves, nor throw: the library is compiled without
-/// exceptions.
+/// The encoder or SharedOutput that has this output calls write(), during calls of its own
+/// functions or of the extractor before it, in the caller's thread. write() may block. It must not
+/// throw: the library is compiled without exceptions. It must not call a function of these objects
+/// that changes or saves them.
 struct ByteOutput {
   void* context = nullptr;
-  /// Takes up to `count` bytes and returns how many it took, never more; 0 means "not now". On
-  /// error, return 0. bytes: valid during the call.
+  /// Accepts up to `count` bytes and returns how many it accepted. 0 means busy; return 0 on an
+  /// error, too. bytes: valid during the call.
   size_t (*write)(void* context, const uint8_t* bytes, size_t count) = nullptr;
 };
 
-// ---- One link for several encoders: their frames go out in turns, each of them whole.
+// ---- One link for several encoders: their frames alternate on the link, each frame whole.
 //
 //   static SharedOutput link;
 //   link.start({nullptr, uart_write});
@@ -31,28 +31,28 @@ struct ByteOutput {
 //   ...
 //   while (!link.flush() && link_is_up) sleep();  // after all have finished
 //
-// The output stays what it is. Where the link is dead, set_output({}) of the encoders, each of
-// them, drops what comes, and set_output(link.output()) takes their streams up again. A frame that
-// is held waits for the link meanwhile.
+// The output itself stays the same. If the link is dead, call set_output({}) of every encoder: it
+// drops its stream. Later set_output(link.output()) resumes the stream. A held frame waits for the
+// link meanwhile.
 
-/// It holds a frame: what one encoder has begun to send is no matter of the others, who would wait
-/// for ever if that one had nothing more to say. The outputs that it gives point to it, so it is
-/// neither copied nor moved. Nothing is locked: the encoders of a link belong to one context.
+/// Buffers one frame, so that an encoder with an unfinished frame cannot block the others for ever.
+/// Its outputs point to this object, so it is neither copied nor moved. It locks nothing: call all
+/// encoders of a link from one context.
 class SharedOutput {
  public:
   SharedOutput() = default;
   SharedOutput(const SharedOutput&) = delete;
   SharedOutput& operator=(const SharedOutput&) = delete;
 
-  /// Drops a frame that is held.
+  /// Sets the output and drops a held frame.
   void start(const ByteOutput& output) {
     output_ = output;
     held_ = 0;
     sent_ = 0;
   }
 
-  /// The output of every encoder; before start(), or where that got none, one without a function,
-  /// with which encoders do not start.
+  /// Returns the output for every encoder. Before start(), returns an output that encoders reject
+  /// with bad_sink.
   ByteOutput output() {
     if (output_.write == nullptr) return {};
     return {this, [](void* context, const uint8_t* bytes, size_t count) {
@@ -60,8 +60,8 @@ class SharedOutput {
             }};
   }
 
-  /// Hands over what is held. False when the output does not take all of it now: call again, as
-  /// long as there is hope, as on a dead link it stays so.
+  /// Sends the held frame. Returns false if the output did not accept all of it: call again, unless
+  /// the link is dead.
   [[nodiscard]] bool flush() {
     while (sent_ < held_) {
       const size_t taken = output_.write(output_.context, frame_ + sent_, held_ - sent_);
@@ -72,13 +72,13 @@ class SharedOutput {
   }
 
  private:
-  // All or nothing. An encoder offers a frame at a time.
+  // All or nothing: an encoder offers one frame at a time.
   size_t take(const uint8_t* bytes, size_t count) {
     if (!flush()) return 0;
     for (size_t i = 0; i < count; ++i) frame_[i] = bytes[i];
     held_ = count;
     sent_ = 0;
-    (void)flush();  // the rest when it is asked again
+    (void)flush();  // the next call sends the rest
     return count;
   }
 

@@ -1,4 +1,4 @@
-// How many bytes a scan needs, and how many slots they hold: all of it known at compile time.
+// The memory of a scan and the slots in it, as constant expressions.
 #ifndef DISCMC_CAPACITIES_HPP
 #define DISCMC_CAPACITIES_HPP
 
@@ -8,7 +8,7 @@
 
 namespace discmc {
 
-/// Whether slots can be counted with a type.
+/// Whether a type can be the index of slots.
 template <class Index>
 constexpr bool is_index = false;
 template <>
@@ -16,17 +16,17 @@ inline constexpr bool is_index<uint16_t> = true;
 template <>
 inline constexpr bool is_index<uint32_t> = true;
 
-/// What there is room for. A shortage costs bytes of the stream, never regions: what has no room is
-/// sent as loose fragments.
+/// The capacities of an extractor. Fewer slots make the stream longer, never the surface
+/// incomplete: boundaries without a slot are sent as loose fragments.
 struct Capacities {
-  uint32_t slots;  ///< of 8 bytes (16-bit indices, no normals) each: an end that waits, up to
-                   ///< three corners of a fragment, or half a hole that waits
-  uint32_t holes;  ///< that wait for the ring around them; a bound on work, in the slots above
+  uint32_t slots;  ///< of 8 bytes each (16-bit indices, no normals): an end that waits, up to three
+                   ///< corners of a fragment, or half a waiting hole
+  uint32_t holes;  ///< waiting for the ring around them; a bound on work, within the slots above
 };
 
 namespace sizing {
 
-/// The lists in which holes are found: a power of two.
+/// The number of lists that hold holes: a power of two.
 constexpr uint32_t hole_lists = 16;
 
 constexpr uint32_t lesser(uint32_t a, uint32_t b) {
@@ -34,17 +34,16 @@ constexpr uint32_t lesser(uint32_t a, uint32_t b) {
 }
 
 /// Bytes of one slot.
-template <class Index, class Normals>
-constexpr uint32_t slot_bytes = sizeof(Index) == 4       ? 16
-                                : Normals::holds_samples ? 14
-                                                         : 8;
+template <class Index, class Intake>
+constexpr uint32_t slot_bytes = sizeof(Index) == 4      ? 16
+                                : Intake::holds_samples ? 14
+                                                        : 8;
 
 /// The most slots that an index can count.
 template <class Index>
 constexpr uint32_t max_slots = static_cast<Index>(~Index{0}) / 2 - 8;
 
-/// The most slots that a cell may come to need: an end and a run for each link of the rings of
-/// its facets.
+/// The most slots that a cell can need: an end and a run for each link of the rings of its facets.
 constexpr uint32_t slots_a_cell = 2 * 17;
 
 }  // namespace sizing
@@ -53,8 +52,8 @@ constexpr Capacities minimum_capacities() {
   return {4, 0};
 }
 
-/// Capacities with which no volume of so many slices ever sends anything loose. Far more than real
-/// volumes need. A number beyond what can be counted comes out as the greatest. Limit: valid
+/// The capacities with which no volume of this many slices sends a loose fragment. Real volumes
+/// need far fewer. A result that exceeds its type is clamped to the largest value. Limit: valid
 /// limits.
 constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices) {
   // In 32 bits: no 64-bit division on small machines.
@@ -65,16 +64,16 @@ constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices
   return {slots, slots};
 }
 
-/// The bytes that a scan with these limits and capacities takes from the caller's memory.
-/// Index, Normals, here and below: as of the Extractor.
-template <class Index, class Normals = NoNormals>
+/// The bytes of the caller's memory that a scan with these limits and capacities occupies. Index,
+/// Normals: here and below, those of the Extractor.
+template <class Index, class Intake = BitIntake>
 constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
-  return Normals::bytes_for(limits) +
+  return Intake::bytes_for(limits) +
          trace::bit_row_bytes(limits.width, trace::swept_rows(limits.height)) +
          Arena::bytes_of(trace::queue_count, 2 * sizeof(Index)) +
          Arena::bytes_of(sizing::hole_lists, sizeof(Index)) +
-         Arena::bytes_of(capacities.slots, sizing::slot_bytes<Index, Normals>) + Arena::alignment -
+         Arena::bytes_of(capacities.slots, sizing::slot_bytes<Index, Intake>) + Arena::alignment -
          1;
 }
 
@@ -85,30 +84,28 @@ constexpr bool is_valid(const Capacities& capacities) {
          capacities.slots <= sizing::max_slots<Index>;
 }
 
-/// The least memory with which a scan works: the surface comes out right, in loose fragments of a
-/// few links.
-template <class Index, class Normals = NoNormals>
+/// The least memory for a scan: the surface is complete, in loose fragments of a few links.
+template <class Index, class Intake = BitIntake>
 constexpr uint64_t minimum_bytes(const Limits& limits) {
-  return bytes_for<Index, Normals>(limits, minimum_capacities());
+  return bytes_for<Index, Intake>(limits, minimum_capacities());
 }
 
-/// The memory for worst_case_capacities(). Limit: they are valid.
-template <class Index, class Normals = NoNormals>
+/// The memory for worst_case_capacities(). Limit: these are valid.
+template <class Index, class Intake = BitIntake>
 constexpr uint64_t worst_case_bytes(const Limits& limits, uint32_t slices) {
-  return bytes_for<Index, Normals>(limits, worst_case_capacities(limits, slices));
+  return bytes_for<Index, Intake>(limits, worst_case_capacities(limits, slices));
 }
 
-/// The capacities that a number of bytes has room for: as many slots as fit, of which holes may
-/// use an eighth. More bytes never make less of anything. Bytes below minimum_bytes() give the
-/// minimum.
-template <class Index, class Normals = NoNormals>
+/// The capacities for a number of bytes: as many slots as fit, of which holes may use an eighth.
+/// More bytes never reduce a capacity. Bytes below minimum_bytes() give the minimum.
+template <class Index, class Intake = BitIntake>
 constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
   const Capacities least = minimum_capacities();
-  const uint64_t taken = minimum_bytes<Index, Normals>(limits) + Arena::alignment;
+  const uint64_t taken = minimum_bytes<Index, Intake>(limits) + Arena::alignment;
   const uint64_t spare = bytes > taken ? bytes - taken : 0;
-  // In 32 bits: no 64-bit division on small machines, and more than 4 GiB would be of no use.
+  // In 32 bits: small processors need no 64-bit division, and more than 4 GiB has no use.
   const uint32_t affordable = static_cast<uint32_t>(spare < UINT32_MAX ? spare : UINT32_MAX) /
-                              sizing::slot_bytes<Index, Normals>;
+                              sizing::slot_bytes<Index, Intake>;
   const uint32_t slots =
       least.slots + sizing::lesser(affordable, sizing::max_slots<Index> - least.slots);
   return {slots, slots / 16};

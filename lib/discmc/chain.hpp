@@ -1,7 +1,8 @@
-// Freeman chains: runs of equal links, and what can be told of a chain in integers.
+// Freeman chains: runs of equal links, and their integer properties.
 //
-// A chain is a starting vertex and a list of runs. A side longer than a run's field goes on in a
-// second run of the same direction, so a corner is a change of direction, not a change of run.
+// A chain is a starting vertex and a list of runs. A side longer than the length field of a run
+// continues in a second run of the same direction. So a corner is a change of direction, not a
+// change of run.
 #ifndef DISCMC_CHAIN_HPP
 #define DISCMC_CHAIN_HPP
 
@@ -27,7 +28,7 @@ class Run {
   constexpr Direction direction() const { return code_ & 7; }
   constexpr uint32_t length() const { return code_ >> 3; }
 
-  /// Takes the other run in, when both have one direction and are short enough together.
+  /// Appends the other run if both have one direction and the sum of the lengths fits.
   constexpr bool absorb(Run other) {
     if (direction() != other.direction()) return false;
     if (length() + other.length() > max_length) return false;
@@ -47,7 +48,8 @@ constexpr bool operator!=(Run a, Run b) {
   return a.code() != b.code();
 }
 
-/// The chain's end relative to its start. Units: half-steps. Limit: no coordinate of it overflows.
+/// The vector from the start of the chain to its end. Units: half-steps. Limit: no coordinate
+/// overflows.
 constexpr Vertex displacement(Incidence incidence, const Run* runs, uint32_t count) {
   Vertex sum{0, 0, 0};
   for (uint32_t i = 0; i < count; ++i) {
@@ -63,7 +65,7 @@ constexpr bool is_closed(Incidence incidence, const Run* runs, uint32_t count) {
   return displacement(incidence, runs, count) == Vertex{0, 0, 0};
 }
 
-/// Turns the chain round in place: the same vertices from the end to the start. Cost: one pass.
+/// Reverses the chain in place: the same vertices from the end to the start. Cost: one pass.
 constexpr void reverse(Incidence incidence, Run* runs, uint32_t count) {
   for (uint32_t i = 0; i < (count + 1) / 2; ++i) {
     const Run first = runs[i];
@@ -95,11 +97,11 @@ constexpr int64_t twice_area(Incidence incidence, const Run* runs, uint32_t coun
   return sum;
 }
 
-// ---- Chains in their plane: where they lead, and what lies inside a closed one.
+// ---- Chains in their plane: end points, and whether a point lies inside a closed chain.
 //
-// Coordinates wrap: any start and any runs are safe, and those of a scan come out right.
+// Coordinates wrap: any start and any runs are safe, and those of a scan give exact results.
 
-/// Whether a number is an incidence, a direction in its planes, a run along these.
+/// Whether a number is an incidence, a direction in the planes of the incidence, or a valid run.
 constexpr bool is_incidence(Incidence incidence) {
   return incidence < incidence_codes && incidence != no_incidence;
 }
@@ -111,7 +113,7 @@ constexpr bool is_run_of(Incidence incidence, Run run) {
          run.length() <= Run::max_length;
 }
 
-/// Where a run leads.
+/// The end of a run that starts at `from`.
 constexpr Vertex after_run(Incidence incidence, const Vertex& from, Run run) {
   Vertex to = from;
   move(to, incidence, run.direction(), run.length());
@@ -139,9 +141,9 @@ constexpr PlanePoint projected(Incidence incidence, const Vertex& p) {
   return {p.y, p.z};
 }
 
-/// A point of the region that a ring bounds, close to the middle of the ring's first link: to the
-/// left of it, for outer rings and holes alike. No ring of a surface passes through it.
-/// Units: eighths of a half-step.
+/// A point of the region that a ring bounds. It lies close to the middle of the ring's first link
+/// and to the left of the link, for outer rings and holes alike. No ring of a surface passes
+/// through this point. Units: eighths of a half-step.
 constexpr PlanePoint point_beside(Incidence incidence, const Vertex& start, Direction first) {
   const Vertex link = direction_vector(incidence, first);
   const PlanePoint begin = projected(incidence, start);
@@ -150,8 +152,8 @@ constexpr PlanePoint point_beside(Incidence incidence, const Vertex& start, Dire
   return {8 * begin.u + 4 * forward.u + left.u, 8 * begin.v + 4 * forward.v + left.v};
 }
 
-/// A run where it lies, projected. A point lies inside a ring when the ray from it along u meets an
-/// odd number of the ring's sides.
+/// A projected run at its position. A point lies inside a ring if the ray from the point along u
+/// meets an odd number of the ring's sides.
 class PlaneSide {
  public:
   constexpr PlaneSide(Incidence incidence, const Vertex& from, Run run)
@@ -159,8 +161,8 @@ class PlaneSide {
         end_v_(projected(incidence, after_run(incidence, from, run)).v),
         step_(projected(incidence, direction_vector(incidence, run.direction()))) {}
 
-  /// A side has its lower end and not its upper one, so that of two that meet on the ray one
-  /// counts. Units of the point: eighths of a half-step.
+  /// A side includes its lower end and excludes its upper end. So of two sides that meet on the
+  /// ray, one counts. Units of the point: eighths of a half-step.
   constexpr bool meets_ray(const PlanePoint& point) const {
     if ((8 * begin_.v > point.v) == (8 * end_v_ > point.v)) return false;
     const int64_t side = step_.u * (point.v - 8 * begin_.v) - step_.v * (point.u - 8 * begin_.u);

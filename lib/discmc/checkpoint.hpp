@@ -1,8 +1,8 @@
-// A checkpoint: what an object is between two calls, as bytes that survive a power failure.
+// A checkpoint: the state of an object between two calls, as bytes that survive a power failure.
 //
-// An extractor's goes with the memory that it works in, an encoder's stands alone. Both at once are
-// a scan: written between two rows they let it go on later with the same bytes of stream as if
-// nothing had happened. A SliceEncoder's goes with its memory and is a scan of its own.
+// The checkpoint of an extractor needs the memory of the extractor as well; the checkpoint of an
+// encoder needs nothing else. Save both between two rows: after restore() the stream continues byte
+// for byte as if nothing had happened. A SliceEncoder with its memory is a scan of its own.
 //
 //   static Checkpoint<Extractor16> scan;
 //   static Checkpoint<Encoder> stream;
@@ -12,12 +12,12 @@
 //   ...               // after the failure: read all three back, the memory into the memory
 //   if (encoder.restore(stream, output) == Status::ok &&
 //       extractor.restore(scan, memory, make_sink(encoder)) == Status::ok)
-//     ...             // go on with row extractor.rows() of slice extractor.slices()
+//     ...             // continue with row extractor.rows() of slice extractor.slices()
 //
-// A failure while they are written leaves them torn, which restore() finds out; so write two in
-// turn, and go back to the other. What was sent after the checkpoint is sent again: whoever keeps
-// the stream goes back to its first encoder.bytes() bytes, or sends a zero byte between the torn
-// end and the rest. Then a decoder finds repeated packets, and takes each once.
+// A failure during the write leaves a torn checkpoint, which restore() rejects. So alternate
+// between two places, and fall back to the other one. The encoder sends everything after the
+// checkpoint again. Truncate a stored stream to its first encoder.bytes() bytes. On a link, send
+// one zero byte first: a decoder then counts the repeated packets and decodes each packet once.
 #ifndef DISCMC_CHECKPOINT_HPP
 #define DISCMC_CHECKPOINT_HPP
 
@@ -26,31 +26,33 @@
 
 namespace discmc {
 
-/// What a checkpoint says of itself.
+/// The header of a checkpoint.
 struct CheckpointHead {
-  /// Of this layout and of the state within; another byte order reads another number.
+  /// The version of the header and of the state. Another byte order reads another number.
   static constexpr uint32_t current_format = 0x324B4344;  // "DCK2"
 
   uint32_t format;
-  uint32_t layout;         ///< of the object: another build's has another number
-  uint64_t memory_bytes;   ///< the first ones of the memory, which belong to the checkpoint
-  uint32_t memory_offset;  ///< of the memory from a multiple of Arena::alignment
-  uint32_t checksum;       ///< of the head with 0 in this place, of the object and of the memory
+  uint32_t layout;         ///< of the object; another build has another number
+  uint64_t memory_bytes;   ///< the first bytes of the memory, which belong to the checkpoint
+  uint32_t memory_offset;  ///< address of the memory modulo Arena::alignment
+  uint32_t checksum;       ///< of the header with 0 in this member, of the object and of the memory
 };
 
-/// An Object and the memory it works in, at one moment. It holds no addresses, is copied as plain
-/// bytes, unlike the object itself, and can be restored by the build that saved it, wherever its
-/// memory then lies. The checksum finds accidents, not attacks: store it where nobody else writes.
+/// The state of an Object at one moment, with the checksum of its memory. A checkpoint holds no
+/// addresses and is copied as plain bytes, unlike the object itself. The same build restores it, at
+/// any address of the memory. The checksum detects accidents, not attacks: store checkpoints where
+/// no one else writes.
 template <class Object>
 struct Checkpoint {
   CheckpointHead head;
   Object object;
 
-  /// Seals what `object` holds, and the memory in use. Cost: some 50 instructions a byte of both.
+  /// Computes the header for `object` and the used memory. Cost: about 50 instructions per byte of
+  /// both.
   void seal(Memory used) { head = head_with(used); }
 
-  /// Whether this and the memory are what was sealed. Never reads beyond memory.bytes.
-  /// Cost: as seal().
+  /// Whether this and the memory are unchanged since seal(). Never reads beyond memory.bytes. Cost:
+  /// as seal().
   bool is_whole(Memory memory) const {
     if (head.memory_bytes > memory.bytes) return false;
     const CheckpointHead now = head_with({memory.data, static_cast<size_t>(head.memory_bytes)});

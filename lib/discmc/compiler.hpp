@@ -1,9 +1,9 @@
-// What is particular to a compiler or a processor: all of it is here. GCC and Clang have an
-// instruction or an attribute for each of these; what is left to others computes the same.
+// Everything that depends on a compiler or a processor. GCC and Clang have an instruction or an
+// attribute for each item here; portable code computes the same for other compilers.
 //
-// DISCMC_FORCE_PORTABLE takes what is left to others, whichever the compiler: for tests, and to
-// find out whether a fault is one of these. Define it for the library and for all that include its
-// headers. The streams are the same to the byte.
+// DISCMC_FORCE_PORTABLE selects the portable code on every compiler, for tests and to isolate a
+// fault. Define it for the library and for every file that includes its headers. The streams are
+// identical to the byte.
 #ifndef DISCMC_COMPILER_HPP
 #define DISCMC_COMPILER_HPP
 
@@ -37,12 +37,11 @@ static_assert(INT_MAX >= 0x7FFFFFFF,
 
 #if defined(DISCMC_HAS_GNU)
 #define DISCMC_PRAGMA(text) _Pragma(#text)
-/// Before a function: it is not put into those that call it; it is, always; all that it calls is
-/// put into it.
+/// Before a function: never inline it; always inline it; inline everything that it calls.
 #define DISCMC_NOINLINE [[gnu::noinline]]
 #define DISCMC_ALWAYS_INLINE [[gnu::always_inline]] inline
 #define DISCMC_FLATTEN [[gnu::flatten]]
-/// Before a loop: so many rounds become one.
+/// Before a loop: unroll it this many times.
 #define DISCMC_UNROLL(rounds) DISCMC_PRAGMA(GCC unroll rounds)
 #else
 #define DISCMC_NOINLINE
@@ -55,15 +54,16 @@ namespace discmc {
 
 // ---- the processor ----
 
-/// Whether the processor is a host's, with memory for larger tables and code: one of 64 bits.
-/// Boards are compiled hosted or freestanding, so that does not tell.
+/// Whether the processor is a host with memory for larger tables and code: a 64-bit processor.
+/// Boards are compiled hosted or freestanding, so __STDC_HOSTED__ does not distinguish them.
 #if defined(DISCMC_FORCE_PORTABLE)
 constexpr bool is_host = false;
 #else
 constexpr bool is_host = UINTPTR_MAX > UINT32_MAX;
 #endif
 
-/// Whether the lowest byte of a word comes first in memory. False where the compiler does not say.
+/// Whether the lowest byte of a word comes first in memory. False if the compiler does not define
+/// it.
 #if defined(DISCMC_HAS_GNU) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
 constexpr bool is_little_endian = true;
 #else
@@ -72,7 +72,7 @@ constexpr bool is_little_endian = false;
 
 // ---- memory ----
 
-/// Copies bytes, whatever the types of what lies there. The count is a constant, and small.
+/// Copies bytes of any type. Limit: the count is a small constant.
 DISCMC_ALWAYS_INLINE void copy_bytes(void* to, const void* from, size_t count) {
 #if defined(DISCMC_HAS_GNU)
   __builtin_memcpy(to, from, count);
@@ -82,8 +82,8 @@ DISCMC_ALWAYS_INLINE void copy_bytes(void* to, const void* from, size_t count) {
 #endif
 }
 
-/// The word at `memory`, whatever the type of what lies there. Limit: memory is aligned to four
-/// bytes and is_little_endian.
+/// Reads the word at `memory`, whatever its type. Limit: memory is aligned to four bytes, and
+/// is_little_endian.
 inline uint32_t aligned_word(const void* memory) {
 #if defined(DISCMC_HAS_GNU)
   uint32_t word;
@@ -97,9 +97,8 @@ inline uint32_t aligned_word(const void* memory) {
 
 // ---- memory that is shared ----
 
-/// Reads and writes a word that an interrupt or another thread shares. Whoever reads what was
-/// released also sees all that was written before. Elsewhere than with GCC and Clang: on one
-/// processor.
+/// Reads and writes a word that an interrupt or another thread shares. A reader of a released word
+/// also sees every earlier write. Without GCC or Clang: on one processor only.
 #if defined(DISCMC_HAS_GNU) && !(defined(__clang__) && defined(__ARM_ARCH_6M__))
 inline uint32_t load_acquire(const uint32_t& word) {
   return __atomic_load_n(&word, __ATOMIC_ACQUIRE);
@@ -177,8 +176,8 @@ inline uint32_t bit_width(uint64_t bits) {
 
 // ---- division ----
 
-/// Whether the processor divides. Where it does not the compiler's library does, with 270 bytes of
-/// code, so the tracer has none.
+/// Whether the processor has a division instruction. Without one, the compiler's library divides in
+/// 270 bytes of code, so the tracer does not divide.
 #if defined(__ARM_ARCH_6M__) || (defined(__riscv) && !defined(__riscv_div))
 constexpr bool has_division = false;
 #else
@@ -194,7 +193,8 @@ constexpr bool has_lane_selection = true;
 constexpr bool has_lane_selection = false;
 #endif
 
-/// The lanes of `yes` where those of `a` are not less than those of `b`, else those of `no`.
+/// Selects the lane of `yes` if the lane of `a` is at least that of `b`, otherwise the lane of
+/// `no`.
 template <uint32_t lane_bits>
 uint32_t select_lanes(uint32_t a, uint32_t b, uint32_t yes, uint32_t no) {
 #if defined(DISCMC_HAS_LANE_SELECTION)

@@ -1,16 +1,18 @@
-// The decoder: bytes of a stream in, the events of the scan out.
+// The decoder: bytes of a stream in, events of the scan out.
 //
-// Any bytes are safe. It never reads beyond what it is given nor writes beyond its own object, it
-// allocates nothing, and what was whole is delivered, whatever came before or after.
+// Any bytes are safe. The decoder never reads beyond its input, never writes beyond its object, and
+// allocates nothing. It delivers every intact record, whatever is lost before or after.
 //
-// A decoder takes one stream, up to its trailer. On a link that carries scan after scan push up to
-// the next zero byte at a time, which is a frame at most. When push() has answered `ok` and
-// report().has_trailer, all events of the scan are out: start() anew for the next one. What comes
-// in one push behind a trailer is no part of that stream, and would be missing in the next.
+// A decoder decodes one stream, up to the trailer. If a link carries scan after scan, push at most
+// one frame at a time: the bytes up to the next zero byte. When push() returns `ok` and
+// report().has_trailer is set, all events of the scan are out: call start() for the next scan.
+// Bytes that the same push() receives behind a trailer belong to no stream, and the next stream
+// would lack them.
 //
-// Where the trailer itself is lost the next scan's packets, which have another number, are counted
-// as foreign. On a link of one channel begin anew, then, too: finish(), start(), and push the frame
-// that was foreign once more. So for SliceDecoder and SurfaceDecoder; examples/link.cpp does it.
+// If the trailer is lost, the decoder counts the packets of the next scan as foreign, because their
+// scan number differs. If the link has one channel, start anew then, too: finish(), start(), and
+// push the foreign frame again. SliceDecoder and SurfaceDecoder behave alike; examples/link.cpp
+// contains the loop.
 #ifndef DISCMC_DECODER_HPP
 #define DISCMC_DECODER_HPP
 
@@ -18,54 +20,51 @@
 #include <discmc/status.hpp>
 #include <discmc/stream/normal_encoding.hpp>
 #include <discmc/stream/packet_reader.hpp>
+#include <discmc/stream/record_reading.hpp>
 
 namespace discmc {
 
-/// What push() came to, and how many of the bytes it took. The rest must be pushed again.
+/// The result of push(), and how many bytes it accepted. Push the rest again.
 struct [[nodiscard]] Decoded {
   Status status;
   size_t bytes;
 };
 
-/// Runs come with the normals where they start, if the stream tells any. It points into itself, so
-/// it is neither copied nor moved.
+/// Decodes one stream of regions. Runs have the normal at their start if the stream contains
+/// normals. A decoder contains pointers to itself, so it is neither copied nor moved.
 class Decoder {
  public:
   Decoder() = default;
   Decoder(const Decoder&) = delete;
   Decoder& operator=(const Decoder&) = delete;
 
-  /// Begins a stream: the one of the first whole packet that comes on this channel. Packets of
-  /// other scans and channels are counted and left alone, so every decoder of a link may get all
-  /// bytes. Errors: bad_sink.
+  /// Waits for a stream: that of the first intact packet on this channel. The decoder counts and
+  /// ignores packets of other scans and channels, so every decoder of a link may receive all bytes.
+  /// Errors: bad_sink.
   [[nodiscard]] Status start(const Sink& sink, uint8_t channel = any_channel);
 
-  /// Until the next start() packets of whole regions, as RecordsPacket has them, go there in place
-  /// of the events of their regions. They come after the scan's start, and between two pieces.
+  /// Redirects packets of whole regions (see RecordsPacket) to this sink, instead of the events of
+  /// their regions, until the next start(). They arrive after the start of the scan, and between
+  /// two pieces.
   void set_packet_passthrough(const RecordsPacketSink& sink) { packet_sink_ = sink; }
 
-  /// Takes bytes, any number at a time. Status::suspended: the sink said "not now", push the rest
-  /// again, be it none. Status::wrong_version: the header names a version this decoder does not
-  /// know; nothing more of this stream is delivered. Errors: also not_started, and bad_sink: the
-  /// sink said "never", as an encoder does that was not started, or that gets anything before the
-  /// header of its stream. The events of packets that arrive before any header are delivered too.
+  /// Decodes bytes, any number at a time. Status::suspended: the sink is busy; call push() again
+  /// with the remaining bytes, even if there are none. Status::wrong_version: this decoder does not
+  /// support the stream's version and ignores the rest of the stream. Errors: also not_started, and
+  /// bad_sink (the sink answered not_started, as an encoder does before its start() or before the
+  /// header of its stream). The decoder also delivers events of packets that arrive before any
+  /// header.
   Decoded push(const uint8_t* bytes, size_t count);
 
-  /// Tells that no byte follows: an unfinished region or fragment is reported lost.
-  /// Status::suspended as push(). Errors: not_started, bad_sink.
+  /// Ends the input: an unfinished region or fragment is reported as lost. Status::suspended as
+  /// push(). Errors: not_started, bad_sink.
   [[nodiscard]] Status finish();
 
   const StreamHeader& header() const { return packets_.header(); }
   const StreamReport& report() const { return packets_.report(); }
 
  private:
-  struct Coder {
-    RangeDecoder range;
-    bool code_bit(uint32_t context, bool) { return range.decode(region_model[context]); }
-  };
-  using Model = RegionModel<Coder>;
-
-  // What is under way between two bytes.
+  // What is in progress between two bytes.
   enum class Stage : uint8_t { collect, whole_regions, records, record, mark, packet_mark };
 
   void open(PacketReader::Completed arrival);
@@ -75,14 +74,9 @@ class Decoder {
   void note_finish();
   Event& packet_mark(Event::Kind kind);
   void read_record();
-  bool read_region();
-  bool read_ring(ChainKind kind);
-  bool read_fragment();
-  bool read_part();
-  void read_mark(RecordKind kind);
+  void read_mark(stream::RecordKind kind);
   void read_extension();
-  bool begin_record();
-  bool rings_are_whole();
+  void begin_record();
 
   bool deliver();
   bool send_start();
@@ -100,23 +94,22 @@ class Decoder {
   SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event
 
   Stage stage_ = Stage::collect;
-  Model model_{Coder{}};
-  Record record_;
-  uint32_t sent_words_ = 0;         // words of the record that the sink has taken
+  stream::ReadingModel model_;
+  stream::Record record_;
+  uint32_t sent_words_ = 0;         // words of the record that the sink has accepted
   uint32_t sent_runs_ = 0;          // of them runs
-  RecordNormals normals_;           // of the record
+  stream::RecordNormals normals_;   // of the record
   bool normals_are_ahead_ = false;  // of the next record
   bool begin_is_due_ = false;
   bool lost_is_due_ = false;
   bool is_first_ring_ = true;
-  // What the sink has begun and waits for the next part of.
+  // What the sink has begun to receive.
   struct Open {
     Incidence incidence;
     bool is_fragment;
   };
   Open open_{};
   bool is_open_ = false;
-  bool ring_is_empty_ = false;  // the record so far ends with a ring's start
   Event mark_{};
   ApplicationRecord application_;
 };

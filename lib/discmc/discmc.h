@@ -16,25 +16,25 @@
  *   status = discmc_extractor_finish(extractor);    resume it likewise
  *
  * Objects. An object lies at the beginning of the memory in its config, at any alignment, and uses
- * the rest. start() copies the config, begins anew whatever the memory held, and sets the pointer
- * on success; after an error the memory holds no object. Keep memory and contexts in place while
- * the object is in use. Nothing has to be released. Config members that you do not need are zero.
- * bytes() returns the least memory for start(); sizes.h has upper bounds of it as constants.
+ * the rest. start() copies the config, ignores the previous content of the memory, and sets the
+ * pointer on success; after an error the memory holds no object. Keep memory and contexts in place
+ * while the object is in use. Nothing has to be released. Leave unused config members zero. bytes()
+ * returns the least memory for start(); sizes.h has upper bounds as constants.
  *
- * Checkpoints. save() seals an object: `part` becomes the first bytes of its memory, which are all
- * of it. Copy them before the next call of the object, which goes on as if nothing had happened.
- * restore() goes on from such bytes at the beginning of the config's memory, in the same build, at
- * the same address modulo 8. It reads kind, memory, and sink or output from the config. Both take a
- * checksum, about 50 instructions per byte.
+ * Checkpoints. save() seals an object, and sets `part` to the first bytes of its memory, which are
+ * its complete state. Copy them before the next call of the object; the object itself continues.
+ * restore() continues from such bytes at the beginning of the config's memory, in the same build,
+ * at the same address modulo 8. It reads kind, memory, and sink or output from the config. Both
+ * compute a checksum, about 50 instructions per byte.
  *
- * Errors of start() and restore() are DISCMC_TOO_LITTLE_MEMORY, DISCMC_BAD_SINK, and what a comment
- * adds; of restore() also DISCMC_BAD_CHECKPOINT. After an error of another function the object goes
- * on as if the call had not been made, but events that waited have been delivered.
+ * Errors of start() and restore() are DISCMC_TOO_LITTLE_MEMORY, DISCMC_BAD_SINK, and those that a
+ * comment adds; of restore() also DISCMC_BAD_CHECKPOINT. After an error of another function the
+ * object continues as if the call had not been made, but waiting events have been delivered.
  *
  * Calls. Call an object from one thread or interrupt at a time. Objects share nothing. Your
  * functions run within calls of the object that has them; they must not jump out of it, nor call an
  * object that is calling them. Pointers must not be null unless a comment allows it. Flags are 0 or
- * 1. A Limit in a comment is yours to keep: it is not checked. Owner: who owns the memory behind a
+ * 1. You must keep a Limit in a comment: it is not checked. Owner: who owns the memory behind a
  * pointer. The C++ headers have more: filters, polygon arithmetic, several surfaces as polygons. */
 #ifndef DISCMC_H
 #define DISCMC_H
@@ -69,19 +69,19 @@ enum {
   DISCMC_ROW_IN_PROGRESS,   /* a whole row was pushed or skipped in the middle of a row */
   DISCMC_SLICE_IN_PROGRESS, /* finish() in the middle of a slice: complete it, or abandon() */
   DISCMC_TOO_DEEP,          /* the scan has DISCMC_MAX_SLICES; finish() still works */
-  DISCMC_WRONG_VERSION,     /* this receiver does not know the version of the stream */
-  DISCMC_BAD_CHECKPOINT,    /* not what was saved, or saved by another build or kind */
+  DISCMC_WRONG_VERSION,     /* this receiver does not support the version of the stream */
+  DISCMC_BAD_CHECKPOINT,    /* damaged, or saved by another build or kind */
   DISCMC_BAD_LABEL,         /* the channel is too high, or there are too many surfaces */
   DISCMC_BAD_RECORD,        /* an application record is too long */
   DISCMC_BAD_DEVICE,        /* a flash without functions, or without room for two checkpoints */
-  DISCMC_DEVICE_ERROR,      /* a function of the flash failed, or a unit reads back otherwise */
-  DISCMC_BAD_SAMPLES        /* a type that the kind does not have, or bits that are not one row */
+  DISCMC_DEVICE_ERROR,      /* a flash function failed, or a unit reads back with other bytes */
+  DISCMC_BAD_SAMPLES        /* a type that the kind does not accept, or bits that are not one row */
 };
 
 /* A short English text. Owner: static storage. */
 const char* discmc_status_string(discmc_status status);
 
-/* ---- what several objects have ---- */
+/* ---- shared types ---- */
 typedef struct discmc_extractor discmc_extractor;
 typedef struct discmc_encoder discmc_encoder;
 typedef struct discmc_slice_encoder discmc_slice_encoder;
@@ -108,63 +108,63 @@ enum { DISCMC_MAX_EXTENT = 32766, DISCMC_MAX_SLICES = 1073741823 };
 typedef uint8_t discmc_sample_type;
 enum { DISCMC_BITS, DISCMC_U8, DISCMC_U16, DISCMC_I16 };
 
-/* What replaces a row that never came: voxels that are off, or the row before. */
+/* The replacement of a missing row: voxels that are off, or the previous row. */
 enum { DISCMC_OFF, DISCMC_PREVIOUS_ROW };
 
-/* The result of a push. Push again what was not accepted. */
+/* The result of a push. Push the rest again. */
 typedef struct discmc_push_result {
   discmc_status status;
-  size_t accepted; /* samples; of a receiver bytes */
+  size_t accepted; /* samples; for a receiver bytes */
 } discmc_push_result;
 
-/* Where bytes go. write() accepts up to `count` bytes, which are valid during the call, and returns
- * how many; 0 means busy, also after an error. */
+/* The output of an encoder. write() accepts up to `count` bytes, which are valid during the call,
+ * and returns how many; 0 means busy; return 0 on an error, too. */
 typedef struct discmc_byte_output {
   void* context;
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
 } discmc_byte_output;
-enum { DISCMC_WIRE_VERSION = 2, DISCMC_MAX_FRAME = 256 /* bytes of a stream's longest frame */ };
+enum { DISCMC_WIRE_VERSION = 1, DISCMC_MAX_FRAME = 256 /* bytes of a stream's longest frame */ };
 
-/* What you know of a scan, for the header of its stream. */
+/* Your description of a scan, for the header of its stream. */
 typedef struct discmc_stream_label {
   uint32_t depth;        /* planned slices; 0 if unknown */
   int32_t spacing_nm[3]; /* between voxels along x, y, z; negative if mirrored; 0 if unknown */
   uint16_t scan;         /* a number that no other scan on the link has */
-  uint8_t channel;       /* tells surfaces on one link apart, 0 to DISCMC_MAX_CHANNEL */
+  uint8_t channel;       /* distinguishes surfaces on one link, 0 to DISCMC_MAX_CHANNEL */
 } discmc_stream_label;
 enum { DISCMC_MAX_CHANNEL = 63, DISCMC_ANY_CHANNEL = 255, DISCMC_MAX_SURFACES = 4 };
 
-/* Your own data in a stream: a time stamp, a pose. A record takes 22 bytes more than its data. */
+/* Your own data in a stream: a time stamp, a pose. A record costs 22 bytes beyond its data. */
 typedef struct discmc_application_record {
   uint8_t kind;         /* yours; Limit: below DISCMC_FIRST_STANDARD_KIND */
-  uint32_t slice, row;  /* where the scan was: complete slices, and complete rows of the next */
+  uint32_t slice, row;  /* complete slices so far, and complete rows of the next */
   const uint8_t* bytes; /* Owner: the caller; free again when the call returns */
   size_t count;         /* at most DISCMC_MAX_RECORD_BYTES */
 } discmc_application_record;
 enum { DISCMC_MAX_RECORD_BYTES = 200, DISCMC_FIRST_STANDARD_KIND = 240 };
 
-/* ---- events: what extractors and receivers deliver ---- */
+/* ---- events of extractors and receivers ---- */
 /* Events come in this order:
  *
  *   scan     = START { region | fragment | SKIPPED | LAYER | APPLICATION } FINISH
  *   region   = REGION { RING { RUN } } REGION_END       the outer ring first, then the holes
  *   fragment = FRAGMENT { RUN } FRAGMENT_END
  *
- * A region is a merged polygon. A fragment is a loose piece of one, which left early for lack of
- * memory, or at the seam of a slab: put a joiner before a sink that needs whole regions. */
+ * A region is a merged polygon. A fragment is a loose piece of a region, which left early for lack
+ * of memory or at the seam of a slab. Put a joiner before a sink that needs whole regions. */
 enum {
-  DISCMC_START,  /* of.header; an extractor does not know depth, scan and channel */
+  DISCMC_START,  /* of.header; from an extractor without depth, scan and channel */
   DISCMC_REGION, /* incidence */
   DISCMC_RING,   /* start, hole */
   DISCMC_RUN,    /* run, normal */
   DISCMC_REGION_END,
   DISCMC_FRAGMENT, /* incidence, start, incoming_direction */
   DISCMC_FRAGMENT_END,
-  DISCMC_SKIPPED,     /* slice, row, repeated: a row never came */
+  DISCMC_SKIPPED,     /* slice, row, repeated: a row is missing */
   DISCMC_LAYER,       /* slice: every region that does not reach it has been delivered */
   DISCMC_APPLICATION, /* of.application; from receivers only */
-  DISCMC_FINISH,      /* slice: how many; abandoned, of.statistics */
-  DISCMC_LOST         /* forget the region or fragment that has begun; from receivers only */
+  DISCMC_FINISH,      /* slice: their number; abandoned, of.statistics */
+  DISCMC_LOST         /* discard the region or fragment that has begun; from receivers only */
 };
 
 /* A point. Units: half-steps; voxel (i, j, k) lies at (2i, 2j, 2k). */
@@ -182,7 +182,7 @@ typedef struct discmc_statistics {
   uint64_t skipped_rows;
 } discmc_statistics;
 
-/* What a stream says of its surfaces; see discmc_stream_label. */
+/* The header of a stream; see discmc_stream_label. */
 typedef struct discmc_stream_header {
   uint32_t width, height, depth;
   int32_t spacing_nm[3];
@@ -193,13 +193,13 @@ typedef struct discmc_stream_header {
   uint8_t surface_count; /* 1, or up to DISCMC_MAX_SURFACES in a stream of slices */
 } discmc_stream_header;
 
-/* One event. Only the members that its kind names have a meaning. */
+/* One event. Only the members that its kind names are valid. */
 typedef struct discmc_event {
   uint8_t kind;
   uint8_t incidence;          /* which way the polygon faces: discmc_incidence_normal() */
   uint8_t incoming_direction; /* of the link that leads to the start of a fragment */
   uint8_t hole;               /* the ring is a hole */
-  uint8_t repeated;           /* the row before stands in, not voxels that are off */
+  uint8_t repeated;           /* the previous row replaces it, not voxels that are off */
   uint8_t abandoned;          /* the scan ended early */
   uint8_t normal[2];          /* where the run starts: discmc_unit_normal() */
   uint32_t run;               /* a straight piece of a ring: discmc_run_vector() */
@@ -212,8 +212,8 @@ typedef struct discmc_event {
   } of; /* Owner: the sender; valid during the call */
 } discmc_event;
 
-/* Where events go. If take() is busy, the next resume() offers the event again; START must be
- * accepted at once. NOT_STARTED: asking again is of no use. */
+/* The receiver of events. If take() is busy, the next resume() offers the event again; START must
+ * be accepted at once. NOT_STARTED: a retry is of no use. */
 typedef uint8_t discmc_sink_result;
 enum { DISCMC_SINK_ACCEPTED, DISCMC_SINK_BUSY, DISCMC_SINK_NOT_STARTED };
 typedef struct discmc_sink {
@@ -231,8 +231,7 @@ discmc_vertex discmc_unit_normal(const uint8_t normal[2]);
 /* ---- extractor: samples in, polygons out ---- */
 /* A program links only the kinds that it names. Plain kinds accept samples of one type. Kinds with
  * normals add a normal to each corner, and keep four slices of samples. The kind for hosts accepts
- * all types, and takes half of the instructions if it has a few megabytes: of 4 MiB or more it uses
- * one to remember neighbourhoods. */
+ * all types, and takes half of the instructions if it has a few megabytes. */
 typedef struct discmc_extractor_kind discmc_extractor_kind;
 extern const discmc_extractor_kind discmc_plain_bits, discmc_plain_u8, discmc_plain_u16,
     discmc_plain_i16, discmc_normals_u8, discmc_normals_u16, discmc_normals_i16, discmc_host;
@@ -261,28 +260,28 @@ uint64_t discmc_extractor_bytes(const discmc_extractor_config* config);
 DISCMC_CHECK discmc_status discmc_extractor_start(discmc_extractor** extractor,
                                                   const discmc_extractor_config* config);
 
-/* Accepts samples in x, y, z order. They may end anywhere; of bits push one row, and its width as
+/* Accepts samples in x, y, z order, and may end anywhere; for bits push one row, with its width as
  * the count. samples: an array of the type; Owner: the caller; free again when the call returns.
- * stride: from one sample to the next, in samples; not for bits. If suspended, it has accepted all
- * up to the end of a row: resume, then push the others. Errors: DISCMC_BAD_SAMPLES,
- * DISCMC_FINISHED, DISCMC_TOO_DEEP, of bits DISCMC_ROW_IN_PROGRESS. Cost: a comparison per sample,
+ * stride: from one sample to the next, in samples; not for bits. If suspended, all samples up to
+ * the end of a row are accepted: resume, then push the others. Errors: DISCMC_BAD_SAMPLES,
+ * DISCMC_FINISHED, DISCMC_TOO_DEEP, for bits DISCMC_ROW_IN_PROGRESS. Cost: a comparison per sample,
  * and the surface that the row completes. */
 DISCMC_CHECK discmc_push_result discmc_extractor_push(discmc_extractor* extractor,
                                                       discmc_sample_type type, const void* samples,
                                                       uint32_t count, uint32_t stride);
 
-/* Replaces a row that never came: DISCMC_OFF or DISCMC_PREVIOUS_ROW. As a push of bits. */
+/* Replaces a missing row: DISCMC_OFF or DISCMC_PREVIOUS_ROW. Result and errors as for bits. */
 DISCMC_CHECK discmc_push_result discmc_extractor_skip_row(discmc_extractor* extractor,
                                                           uint8_t substitute);
-/* Goes on if suspended; harmless at any other time. */
+/* Continues if suspended; harmless at any other time. */
 DISCMC_CHECK discmc_status discmc_extractor_resume(discmc_extractor* extractor);
-/* Ends the scan, and delivers what is left. Errors: DISCMC_SLICE_IN_PROGRESS. */
+/* Ends the scan, and delivers the remaining events. Errors: DISCMC_SLICE_IN_PROGRESS. */
 DISCMC_CHECK discmc_status discmc_extractor_finish(discmc_extractor* extractor);
 /* Ends the scan anywhere: the rest of the slice is off, so the surface is closed. */
 DISCMC_CHECK discmc_status discmc_extractor_abandon(discmc_extractor* extractor);
 
-/* A checkpoint, of a scan that is not suspended: else resume first. After restore() the scan goes
- * on with row `rows` of slice `slices` of the info. */
+/* A checkpoint; if suspended, resume first. After restore() the scan continues with row `rows` of
+ * slice `slices` of the info. */
 DISCMC_CHECK discmc_status discmc_extractor_save(discmc_extractor* extractor, discmc_memory* part);
 DISCMC_CHECK discmc_status discmc_extractor_restore(discmc_extractor** extractor,
                                                     const discmc_extractor_config* config);
@@ -290,8 +289,8 @@ DISCMC_CHECK discmc_status discmc_extractor_restore(discmc_extractor** extractor
 typedef struct discmc_extractor_info {
   discmc_statistics statistics;    /* so far */
   uint32_t slices, rows;           /* complete slices, and complete rows of the next */
-  uint32_t slots, holes;           /* there is room for; holes lie in the slots */
-  uint32_t peak_slots, peak_holes; /* in use so far; 1,200 slots more avoid all fragments */
+  uint32_t slots, holes;           /* capacities; holes lie in the slots */
+  uint32_t peak_slots, peak_holes; /* most in use; 1,200 more slots avoid all fragments */
   size_t bytes_used;               /* of the memory, from its beginning */
 } discmc_extractor_info;
 discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extractor);
@@ -308,25 +307,25 @@ typedef struct discmc_encoder_config {
   discmc_memory memory;      /* DISCMC_ENCODER_BYTES */
   discmc_byte_output output;
 } discmc_encoder_config;
-/* Gets ready. A stream begins with a scan; each further scan is a stream whose number is one more.
- * If a reset may have cut off a frame, send a zero byte first. Errors: DISCMC_BAD_LABEL. */
+/* Prepares a stream. Each further scan is a further stream with the next scan number. If a reset
+ * may have cut off a frame, send a zero byte first. Errors: DISCMC_BAD_LABEL. */
 DISCMC_CHECK discmc_status discmc_encoder_start(discmc_encoder** encoder,
                                                 const discmc_encoder_config* config);
 /* Encodes an event: the sink of an extractor is {encoder, discmc_encoder_take}. */
 discmc_sink_result discmc_encoder_take(void* encoder, const discmc_event* event);
 
-/* Writes a record now. Suspended while the output is busy or a region is on its way: resume the
+/* Writes a record now. Suspended while the output is busy or a region is in progress: resume the
  * extractor, then call again. Errors: DISCMC_NOT_STARTED, DISCMC_FINISHED, DISCMC_BAD_RECORD. */
 DISCMC_CHECK discmc_status discmc_encoder_write_record(discmc_encoder* encoder,
                                                        const discmc_application_record* record);
-/* Sends what is there instead of waiting for a full packet. If suspended, call again. */
+/* Sends an incomplete packet instead of waiting for a full one. If suspended, call again. */
 DISCMC_CHECK discmc_status discmc_encoder_flush(discmc_encoder* encoder);
 
-/* Goes on with another output, and repeats the header for a late receiver. Without a write
- * function, as for a dead link, the stream is dropped, but counted. */
+/* Continues with another output, and repeats the header for a late receiver. Without a write
+ * function, as for a dead link, drops the stream but counts its bytes. */
 void discmc_encoder_set_output(discmc_encoder* encoder, discmc_byte_output output);
 
-/* A checkpoint. After restore() the frame that was under way is sent again. */
+/* A checkpoint. restore() sends the interrupted frame again. */
 DISCMC_CHECK discmc_status discmc_encoder_save(discmc_encoder* encoder, discmc_memory* part);
 DISCMC_CHECK discmc_status discmc_encoder_restore(discmc_encoder** encoder,
                                                   const discmc_encoder_config* config);
@@ -344,8 +343,8 @@ typedef struct discmc_slice_encoder_config {
   discmc_limits limits;
   uint8_t surface_count; /* 1 to DISCMC_MAX_SURFACES, on consecutive channels */
   int32_t thresholds[4]; /* of each surface; the first should resemble the others */
-  /* From one slice that decodes alone to the next; 0: only the first does. A lost packet costs up
-   * to so many slices; 16 is a good value. 1 takes least memory, but most bytes of stream. */
+  /* From one key slice, which decodes alone, to the next; 0: only the first. A lost packet costs up
+   * to this many slices; 16 is a good value. 1 needs the least memory, but most bytes of stream. */
   uint32_t key_slice_interval;
   discmc_stream_label label;
   discmc_memory memory;
@@ -357,7 +356,7 @@ uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config);
 DISCMC_CHECK discmc_status discmc_slice_encoder_start(discmc_slice_encoder** encoder,
                                                       const discmc_slice_encoder_config* config);
 
-/* As of the extractor. Bits are a row of each surface; each row begins with a byte. */
+/* As for the extractor. Bits are one row per surface, each from a new byte on. */
 DISCMC_CHECK discmc_push_result discmc_slice_encoder_push(discmc_slice_encoder* encoder,
                                                           discmc_sample_type type,
                                                           const void* samples, uint32_t count,
@@ -372,8 +371,8 @@ DISCMC_CHECK discmc_status discmc_slice_encoder_save(discmc_slice_encoder* encod
 DISCMC_CHECK discmc_status discmc_slice_encoder_restore(discmc_slice_encoder** encoder,
                                                         const discmc_slice_encoder_config* config);
 
-/* As of the encoder. Slice and row of a record are filled in. The next slice after set_output()
- * decodes alone. */
+/* As for the encoder, except that it fills in slice and row of a record. The next slice after
+ * set_output() is a key slice. */
 DISCMC_CHECK discmc_status discmc_slice_encoder_write_record(
     discmc_slice_encoder* encoder, const discmc_application_record* record);
 DISCMC_CHECK discmc_status discmc_slice_encoder_flush(discmc_slice_encoder* encoder);
@@ -393,39 +392,39 @@ typedef struct discmc_receiver_config {
 } discmc_receiver_config;
 /* For a stream of slices; for polygons limits is null. */
 uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count);
-/* Waits for a stream. Packets of other scans and channels are counted and left alone, so all
- * receivers of a link, one for each surface, may get all bytes. For scan after scan push up to the
- * next zero byte at a time, and start again when the info has_trailer. */
+/* Waits for a stream. Counts and ignores packets of other scans and channels, so all receivers of a
+ * link, one per surface, may get all bytes. For scan after scan push up to the next zero byte at a
+ * time, and start again when the info has_trailer. */
 DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
                                                  const discmc_receiver_config* config);
 
 /* Accepts any bytes, any number at a time. If suspended, push the others, even if there are none.
  * Errors: DISCMC_TOO_LITTLE_MEMORY (for these slices: give memory, then push the others),
- * DISCMC_WRONG_VERSION (nothing more comes of this stream), DISCMC_BAD_SINK. */
+ * DISCMC_WRONG_VERSION (ignores the rest of this stream), DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_push_result discmc_receiver_push(discmc_receiver* receiver,
                                                      const uint8_t* bytes, size_t count);
 
-/* Goes on with other memory for slices, discmc_receiver_bytes() of the header; the object stays
- * where it is. Errors: DISCMC_TOO_LITTLE_MEMORY, DISCMC_WRONG_VERSION. */
+/* Continues with other memory for slices, discmc_receiver_bytes() of the header; the object stays
+ * in place. Errors: DISCMC_TOO_LITTLE_MEMORY, DISCMC_WRONG_VERSION. */
 DISCMC_CHECK discmc_status discmc_receiver_give_memory(discmc_receiver* receiver,
                                                        discmc_memory memory);
-/* Says that no byte follows. If suspended, call again. Errors: DISCMC_BAD_SINK. */
+/* Ends the input. If suspended, call again. Errors: DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_status discmc_receiver_finish(discmc_receiver* receiver);
 
 typedef struct discmc_receiver_info {
   discmc_stream_header header;
   uint8_t has_header, has_trailer, holds_slices, abandoned;
   uint8_t is_complete;   /* nothing is missing from header to trailer */
-  uint8_t is_unreadable; /* whole packets of an unknown kind came */
+  uint8_t is_unreadable; /* intact packets contain records of an unknown kind */
   uint8_t is_mixed;      /* packets of another scan of the same number were accepted */
   uint64_t bytes, packets, repeated_packets, damaged_packets;
   uint64_t foreign_packets;           /* of other scans and channels; in no other count */
   uint64_t lost_packets, lost_pieces; /* known when the next packet comes; pieces: of polygons */
   uint64_t regions, fragments;        /* of a stream of polygons */
   uint64_t rows, lost_rows;           /* of a stream of slices */
-  uint64_t total_rows;                /* from here on: as the trailer says */
+  uint64_t total_rows;                /* from here on: according to the trailer */
   uint32_t slices;
-  discmc_statistics totals; /* of slices skipped_rows alone */
+  discmc_statistics totals; /* for slices only skipped_rows */
 } discmc_receiver_info;
 discmc_receiver_info discmc_receiver_get_info(const discmc_receiver* receiver);
 
@@ -436,33 +435,33 @@ typedef struct discmc_joiner_config {
   discmc_sink sink;
 } discmc_joiner_config;
 enum { DISCMC_SWEEP_ORDER, DISCMC_ANY_ORDER };
-/* Gets ready. */
+/* Waits for events. */
 DISCMC_CHECK discmc_status discmc_joiner_start(discmc_joiner** joiner,
                                                const discmc_joiner_config* config);
-/* Joins an event, any event, to what waits: a sink is {joiner, discmc_joiner_take}. */
+/* Accepts any event: the sink of an extractor or receiver is {joiner, discmc_joiner_take}. */
 discmc_sink_result discmc_joiner_take(void* joiner, const discmc_event* event);
 
-/* Says that no event follows. If suspended, call again. Errors: DISCMC_BAD_SINK,
+/* Ends the input. If suspended, call again. Errors: DISCMC_BAD_SINK,
  * DISCMC_TOO_LITTLE_MEMORY (the sink received fragments that a larger joiner can join). */
 DISCMC_CHECK discmc_status discmc_joiner_finish(discmc_joiner* joiner);
 
 typedef struct discmc_joiner_info {
-  uint64_t received, invalid;         /* fragments, and those of them that were left out */
-  uint64_t regions, rings;            /* delivered, joined of fragments */
-  uint64_t unmatched;                 /* chains left over in the end: what was lost */
+  uint64_t received, invalid;         /* fragments, and invalid ones, which are dropped */
+  uint64_t regions, rings;            /* delivered, joined from fragments */
+  uint64_t unmatched;                 /* chains left over at the end: a measure of losses */
   uint64_t passed;                    /* chains passed on as fragments for lack of memory */
-  uint32_t fragments, runs;           /* there is room for */
-  uint32_t peak_fragments, peak_runs; /* in use so far */
+  uint32_t fragments, runs;           /* capacities */
+  uint32_t peak_fragments, peak_runs; /* most in use */
 } discmc_joiner_info;
 discmc_joiner_info discmc_joiner_get_info(const discmc_joiner* joiner);
 
-/* ---- checkpoint store: the newest whole checkpoint in flash survives a power failure ---- */
+/* ---- checkpoint store: the newest complete checkpoint in flash survives a power failure ---- */
 /* The driver of a flash, as in littlefs's lfs_config. Its functions return 0, or another number for
- * an error. They may wait, or return while the device is at work, if the next call then waits. */
+ * an error. They may block, or return while the device is busy if the next call then waits. */
 typedef struct discmc_store_config {
   void* context;
   int (*read)(void* context, uint32_t block, uint32_t offset, void* buffer, uint32_t bytes);
-  /* Units of an erased block are programmed once, in their order. */
+  /* The store programs the units of an erased block once, in ascending order. */
   int (*program)(void* context, uint32_t block, uint32_t offset, const void* buffer,
                  uint32_t bytes);
   int (*erase)(void* context, uint32_t block); /* null for FRAM and MRAM */
@@ -473,32 +472,32 @@ typedef struct discmc_store_config {
   uint32_t max_bytes;     /* of all parts of a checkpoint */
   discmc_memory memory;   /* DISCMC_STORE_BYTES(program_bytes) */
 } discmc_store_config;
-/* Looks for the newest checkpoint. Errors: DISCMC_BAD_DEVICE. DISCMC_DEVICE_ERROR sets the pointer,
- * too: none was found, but some could not be read. */
+/* Finds the newest checkpoint. Errors: DISCMC_BAD_DEVICE. DISCMC_DEVICE_ERROR sets the pointer,
+ * too: no checkpoint was found, but a read failed. */
 DISCMC_CHECK discmc_status discmc_store_start(discmc_store** store,
                                               const discmc_store_config* config);
 
 typedef struct discmc_store_info {
   uint8_t has_checkpoint;
-  uint32_t bytes, sequence; /* its length; its number, one more than of the one before */
-  uint32_t slots; /* for a checkpoint each: they bear E * slots if blocks bear E erasures */
-  uint32_t slots_per_block; /* of a large block; else 1 */
+  uint32_t bytes, sequence; /* its length; its number, one more than that of the previous one */
+  uint32_t slots; /* one checkpoint each: E erasures per block make E * slots checkpoints */
+  uint32_t slots_per_block; /* of a large block; otherwise 1 */
   uint32_t blocks, units;   /* that a checkpoint of max_bytes erases and programs */
 } discmc_store_info;
 discmc_store_info discmc_store_get_info(const discmc_store* store);
 
-/* Reads the checkpoint into parts as they were saved; the last may be longer: let that be the
- * extractor's. Errors: DISCMC_BAD_CHECKPOINT, DISCMC_DEVICE_ERROR. */
+/* Reads the checkpoint into parts as they were saved; the last may be longer: put the extractor
+ * last. Errors: DISCMC_BAD_CHECKPOINT, DISCMC_DEVICE_ERROR. */
 DISCMC_CHECK discmc_status discmc_store_restore(discmc_store* store, const discmc_memory* parts,
                                                 uint32_t count);
 
-/* Erases a block for the next checkpoint of so many bytes while a scan goes on. If suspended, there
- * is another block to erase. Errors: DISCMC_DEVICE_ERROR. */
+/* Erases a block for the next checkpoint of this many bytes during a scan. If suspended, another
+ * block is left to erase. Errors: DISCMC_DEVICE_ERROR. */
 DISCMC_CHECK discmc_status discmc_store_erase_ahead(discmc_store* store, uint32_t bytes);
 
-/* Stores up to DISCMC_MAX_PARTS parts, which must not change while it is suspended. A call erases a
+/* Stores up to DISCMC_MAX_PARTS parts, which must not change while suspended. A call erases a
  * block, or programs a unit and reads it back. Errors: DISCMC_TOO_LITTLE_MEMORY (for the parts),
- * DISCMC_DEVICE_ERROR (save anew: to other blocks, if there are more than two slots). */
+ * DISCMC_DEVICE_ERROR (save again: it uses other blocks if there are more than two slots). */
 DISCMC_CHECK discmc_status discmc_store_save(discmc_store* store, const discmc_memory* parts,
                                              uint32_t count);
 DISCMC_CHECK discmc_status discmc_store_resume(discmc_store* store);
@@ -518,7 +517,7 @@ DISCMC_CHECK discmc_status discmc_row_ring_start(discmc_row_ring** ring,
 void* discmc_row_ring_free_row(const discmc_row_ring* ring, uint32_t ahead);
 /* Interrupt: the free row is filled. */
 void discmc_row_ring_commit(discmc_row_ring* ring);
-/* Interrupt: so many rows before the free one were lost. Returns how many came, modulo 2^32. */
+/* Interrupt: `rows` rows before the free one were lost. Returns the count of all rows, mod 2^32. */
 uint32_t discmc_row_ring_drop(discmc_row_ring* ring, uint32_t rows);
 /* Interrupt: no row follows. */
 void discmc_row_ring_end(discmc_row_ring* ring);
@@ -528,19 +527,19 @@ enum { DISCMC_ROW_NONE /* yet */, DISCMC_ROW_READY, DISCMC_ROW_LOST, DISCMC_ROW_
 typedef struct discmc_row {
   uint8_t kind;
   void* samples;   /* may be changed in place; Owner: the ring, until pop */
-  uint32_t number; /* how many came before it, modulo 2^32 */
+  uint32_t number; /* filled and lost rows before it, modulo 2^32 */
 } discmc_row;
 discmc_row discmc_row_ring_peek(const discmc_row_ring* ring);
-/* Task: goes on behind a row that is ready or lost. */
+/* Task: removes a row that is ready or lost. */
 void discmc_row_ring_pop(discmc_row_ring* ring);
 
 /* ---- packed samples: 10 and 12 bits, byte for byte in packed_samples.hpp ---- */
 enum { DISCMC_RAW10, DISCMC_RAW12 /* MIPI CSI-2 */, DISCMC_MONO10P, DISCMC_MONO12P };
 enum { DISCMC_MONO10PMSB = 4, DISCMC_MONO12PMSB, DISCMC_MONO12_PACKED /* GenICam */ };
 
-/* The bytes of so many samples, in whole groups. Limit: count <= 2^31. */
+/* The bytes of this many samples, in whole groups. Limit: count <= 2^31. */
 uint32_t discmc_packed_bytes(uint8_t packing, uint32_t count);
-/* Unpacks a row, which may begin where `packed` begins. Cost: 7 to 14 instructions per sample. */
+/* Unpacks a row; samples may begin at `packed`. Cost: 7 to 14 instructions per sample. */
 void discmc_unpack(uint8_t packing, const uint8_t* packed, uint32_t count, uint16_t* samples);
 
 #ifdef __cplusplus

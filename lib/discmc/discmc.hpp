@@ -1,7 +1,7 @@
 // discmc: slices of a 3D scanner in, merged surfaces out, on the scanner.
 //
-// All that firmware needs. Hosts also include host/learning_extractor.hpp. docs/map.md shows the
-// way of the data through the headers, each of which is the manual of its part.
+// Everything that firmware needs. Hosts also include host/host_extractor.hpp. docs/map.md shows
+// the path of the data through the headers; each header is the reference of its part.
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 

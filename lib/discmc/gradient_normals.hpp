@@ -1,16 +1,16 @@
-// Gradient normals in the first pass: an extractor that tells with every run the normal where it
-// starts.
+// Gradient normals in the first pass: an extractor that adds to every run the normal at its start.
 //
 //   using Normals = GradientNormals<uint8_t>;           // of the samples' type
 //   static uint8_t memory[minimum_bytes<uint16_t, Normals>(limits) + 24 * 1024];
 //   static NormalExtractor16<uint8_t> extractor;        // used like any other
-//   encoder.encode_normals();                           // or they are left out of the stream
+//   encoder.encode_normals();                           // otherwise the stream omits them
 //   extractor.set_spacing(spacing_nm);                  // before start(), unless voxels are cubes
 //
-// It keeps the samples of four slices and six rows, and lets every row wait for a slice and a row:
-// so samples on all sides are at hand where the sweep is. A normal is made with its corner, and
-// kept with the run that starts there; what is the middle of a side never has one. A slab has one
-// slice of context: near a seam the gradient is that of the slices at hand, as at a volume's end.
+// The extractor keeps the samples of four slices and six rows. It delays every row by a slice and a
+// row, so that it has the samples on all sides of the sweep. It computes a normal for each corner
+// and stores it with the run that starts there; points in the middle of a side have no normal. A
+// slab has one slice of context: near a seam the gradient uses the available slices, as at the end
+// of a volume.
 #ifndef DISCMC_GRADIENT_NORMALS_HPP
 #define DISCMC_GRADIENT_NORMALS_HPP
 
@@ -19,7 +19,7 @@
 
 namespace discmc {
 
-/// The intake of an extractor that makes normals. Sample is uint8_t, uint16_t or int16_t.
+/// The intake of an extractor with normals. Sample is uint8_t, uint16_t or int16_t.
 template <class Sample>
 class GradientNormals {
   static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
@@ -29,8 +29,8 @@ class GradientNormals {
   static constexpr uint32_t type = sample_type<Sample>;
   using Normal = OctahedralNormal;
 
-  // A corner at the centroid of a cell below may be met a slice later than the cell, and the normal
-  // there takes a slice and a row more on all sides.
+  // The sweep may meet a corner at the centroid of a cell one slice later than the cell, and its
+  // normal needs one more slice and row on all sides.
   static constexpr uint32_t ring_rows(const Limits& limits) { return 4 * limits.height + 6; }
   static constexpr uint64_t bytes_for(const Limits& limits) {
     return SampleRows<Sample>::bytes_for(limits, ring_rows(limits)) +
@@ -54,7 +54,7 @@ class GradientNormals {
     given_ = nullptr;
   }
 
-  /// How the normals are bent where voxels are not cubes. Units: nanometres
+  /// Sets the spacing for voxels that are not cubes. Units: nanometres.
   void set_spacing(const int32_t (&spacing_nm)[3]) {
     for (int axis = 0; axis < 3; ++axis) spacing_nm_[axis] = spacing_nm[axis];
     weights_ = axis_weights(spacing_nm);
@@ -63,20 +63,20 @@ class GradientNormals {
     for (int axis = 0; axis < 3; ++axis) spacing_nm[axis] = spacing_nm_[axis];
   }
 
-  /// Where the samples that arrive are: as NoNormals.
+  /// The position of the next sample: as BitIntake.
   uint32_t column(const trace::BitRows&) const { return samples_.column(); }
   uint32_t rows(const trace::BitRows&) const { return samples_.rows(); }
   uint32_t slices(const trace::BitRows&) const { return samples_.slices(); }
 
-  /// As NoNormals, with samples of this type alone.
-  Arrival append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
-                 int32_t threshold) {
+  /// As BitIntake, with samples of this type only.
+  RowOrigin append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
+                   int32_t threshold) {
     samples_.append(samples, count, stride);
-    if (!samples_.row_is_complete()) return Arrival::nothing;
+    if (!samples_.row_is_complete()) return RowOrigin::samples;
     end_row(width_);
     return pass_on_due(rows, threshold);
   }
-  Arrival skip(trace::BitRows& rows, bool is_repeated, int32_t threshold) {
+  RowOrigin skip(trace::BitRows& rows, bool is_repeated, int32_t threshold) {
     if (is_repeated)
       samples_.repeat(off_below(threshold));
     else
@@ -84,7 +84,7 @@ class GradientNormals {
     end_row(is_repeated ? skipped_repeated : skipped_off);
     return pass_on_due(rows, threshold);
   }
-  Arrival drain(trace::BitRows& rows, int32_t threshold) {
+  RowOrigin drain(trace::BitRows& rows, int32_t threshold) {
     if (samples_.rows() == 0 && samples_.column() == 0) return pass_on(rows, threshold);
     const uint32_t given = samples_.column();
     samples_.fill(off_below(threshold));
@@ -101,7 +101,7 @@ class GradientNormals {
   }
 
  private:
-  // In the place of how many samples of a row were given.
+  // Stored in place of the number of samples of a row.
   static constexpr uint16_t skipped_off = 0xFFFE;
   static constexpr uint16_t skipped_repeated = 0xFFFF;
   static_assert(Limits::max_extent < skipped_off, "widths are none of these");
@@ -111,19 +111,19 @@ class GradientNormals {
     samples_.next_row();
     ++waiting_;
   }
-  // A row is due when it has waited for a slice and a row.
-  Arrival pass_on_due(trace::BitRows& rows, int32_t threshold) {
-    if (waiting_ <= height_ + 1) return Arrival::nothing;
+  // A row is due after a slice and a row.
+  RowOrigin pass_on_due(trace::BitRows& rows, int32_t threshold) {
+    if (waiting_ <= height_ + 1) return RowOrigin::samples;
     return pass_on(rows, threshold);
   }
-  // Makes bits of the row that has waited longest.
-  Arrival pass_on(trace::BitRows& rows, int32_t threshold) {
+  // Thresholds the oldest row.
+  RowOrigin pass_on(trace::BitRows& rows, int32_t threshold) {
     const uint16_t given = given_[samples_.place_before(waiting_)];
-    const Arrival row = given == skipped_repeated ? Arrival::repeated
-                        : given == skipped_off    ? Arrival::skipped
-                                                  : Arrival::nothing;
-    if (row == Arrival::nothing) rows.append(samples_.row_before(waiting_), given, 1, threshold);
-    if (row == Arrival::repeated)
+    const RowOrigin row = given == skipped_repeated ? RowOrigin::repeated
+                          : given == skipped_off    ? RowOrigin::skipped
+                                                    : RowOrigin::samples;
+    if (row == RowOrigin::samples) rows.append(samples_.row_before(waiting_), given, 1, threshold);
+    if (row == RowOrigin::repeated)
       rows.repeat();
     else
       rows.fill_off();
@@ -132,8 +132,8 @@ class GradientNormals {
     return row;
   }
 
-  // What samples that never came are for the gradient: just off, where the type has such a value.
-  // Above all its values nothing is on, and no one asks for a normal.
+  // The value of missing samples for the gradient: just below the threshold, if the type has such a
+  // value. If the threshold exceeds all values of the type, nothing is on and there are no normals.
   static Sample off_below(int32_t threshold) {
     constexpr bool is_signed = static_cast<Sample>(-1) < 0;
     constexpr int32_t least = is_signed ? -(1 << (8 * sizeof(Sample) - 1)) : 0;
@@ -150,20 +150,19 @@ class GradientNormals {
   uint32_t waiting_ = 0;
 };
 
-/// An extractor that makes normals. It takes samples of this type alone, keeps those of four slices
-/// in the memory, and sweeps a slice and a row later. The events are the same as without normals,
-/// but for the normals in them. memory: at least
-/// minimum_bytes<Index, GradientNormals<Sample>>(limits); the same for explicit capacities.
+/// An extractor with normals. It accepts samples of one type, keeps four slices of them in the
+/// memory, and sweeps one slice and one row later. Except for the normals, the events are those of
+/// an extractor without normals. memory: at least minimum_bytes<Index,
+/// GradientNormals<Sample>>(limits); likewise for explicit capacities.
 template <class Index, class Sample>
 class NormalExtractor
     : public BasicExtractor<Index, GradientNormals<Sample>, trace::Sweep<Index, OctahedralNormal>> {
  public:
   NormalExtractor() = default;
 
-  /// Tells how far apart voxels are, for the normals of the scans to come, until told otherwise:
-  /// without it voxels are cubes. The start of the scan tells it to the stream. spacing_nm:
-  /// negative where an axis is mirrored; Units: nanometres. Limit: not during a scan, whose normals
-  /// would differ from then on.
+  /// Sets the distances between voxels for the normals of the next scans; without this call voxels
+  /// are cubes. The `start` event passes the spacing to the stream. spacing_nm: negative for a
+  /// mirrored axis; Units: nanometres. Limit: not during a scan, whose later normals would differ.
   void set_spacing(const int32_t (&spacing_nm)[3]) { this->intake().set_spacing(spacing_nm); }
 
   /// Bits have no gradient.

@@ -1,22 +1,22 @@
 // The joiner: loose fragments in, regions out.
 //
-// An extractor that is short of memory sends pieces of boundary rings early, as loose fragments;
-// one that scans a slab does so at its seams. The joiner is a sink that stands before another:
+// An extractor with little memory sends pieces of boundary rings early, as loose fragments. An
+// extractor of a slab sends them at its seams. The joiner is a sink in front of another sink:
 //
 //   static Joiner joiner;
 //   if (joiner.start(memory, sink, InputOrder::sweep) == Status::ok &&
 //       decoder.start(make_sink(joiner)) == Status::ok)
 //     ...  // push the stream
 //   while (joiner.finish() == Status::suspended)
-//     ...  // until the sink takes again
+//     ...  // until the sink is ready again
 //
-// A fragment goes on where its last link leads, and no directed link belongs to two chains: so ends
-// match by vertex, incidence and direction, in whatever order they come. A chain that ends where it
-// starts is a ring. A hole waits for the outer ring around it, on the same plane.
+// A fragment continues at the end of its last link, and no directed link belongs to two chains. So
+// ends match by vertex, incidence and direction, in any order of arrival. A chain that ends at its
+// start is a ring. A hole waits for the outer ring around it, on the same plane.
 //
-// A shortage of memory loses nothing: from then on the joiner passes on what it holds and what it
-// gets, and another with more memory can join that. A sink that wants whole regions alone is made
-// by make_region_sink().
+// Too little memory loses nothing: from then on the joiner passes on what it holds and what
+// arrives, and a larger joiner can join that. For a sink that needs whole regions, use
+// make_region_sink().
 #ifndef DISCMC_JOINER_HPP
 #define DISCMC_JOINER_HPP
 
@@ -25,27 +25,27 @@
 
 namespace discmc {
 
-/// Adds the totals of a scan to those of others, such as the slabs of one volume.
+/// Adds the totals of a scan to a sum, as for the slabs of one volume.
 void add(Statistics& sum, const Statistics& other);
 
-/// What is known of the order in which events come.
+/// The order of the incoming events.
 enum class InputOrder : uint8_t {
-  /// That of one sweep. A region is delivered as soon as its outer ring closes.
+  /// The order of one sweep. The joiner delivers a region as soon as its outer ring closes.
   sweep,
-  /// Loose fragments in any order, of one stream or several. Regions joined of them wait for
-  /// finish(). Limit: what one stream has between `region` and `region_end`, or `fragment` and
-  /// `fragment_end`, comes without events of others between; and a region that is whole already
-  /// comes after the loose fragments that its own stream has before it.
+  /// Loose fragments in any order, from one stream or several. Regions joined from them wait for
+  /// finish(). Limit: between `region` and `region_end`, or `fragment` and `fragment_end`, of one
+  /// stream comes no event of another. A region that arrives whole comes after the loose fragments
+  /// that its own stream has before it.
   any,
 };
 
-/// What becomes of fragments that the joiner cannot join: for want of a partner, or of memory.
+/// What the joiner does with fragments that it cannot join, for lack of a partner or of memory.
 enum class Unjoined : uint8_t {
   passed_on,  ///< to the sink, as loose fragments
-  left_out,   ///< they are lost, and so are the regions, or holes, that they belong to
+  left_out,   ///< dropped, with the regions or holes that they belong to
 };
 
-/// How much a joiner has room for. Limit: at least 1 of each.
+/// The capacities of a joiner. Limit: at least 1 of each.
 struct JoinCapacities {
   static constexpr uint32_t max_fragments = uint32_t{1} << 28;
   static constexpr uint32_t max_runs = UINT32_MAX - 1;
@@ -54,43 +54,43 @@ struct JoinCapacities {
   uint32_t runs;       ///< of all of them
 };
 
-/// What a joiner has done since its start.
+/// The counts of a joiner since its start.
 struct JoinReport {
-  uint64_t fragments = 0;  ///< that came
-  uint64_t invalid = 0;    ///< of them: left out, for an incidence, direction or run that is none
-  uint64_t regions = 0;    ///< delivered, their outer rings joined of fragments
-  uint64_t rings = 0;      ///< joined of fragments and delivered in any region
-  uint64_t unmatched = 0;  ///< chains without a partner and holes without a region, in the end, and
-                           ///< fragments whose place was taken: the measure of what was lost
-  uint64_t passed = 0;     ///< chains passed on for lack of memory, whole fragments or some joined
+  uint64_t fragments = 0;  ///< received
+  uint64_t invalid = 0;    ///< dropped: the incidence, a direction or a run is invalid
+  uint64_t regions = 0;    ///< delivered, with outer rings joined from fragments
+  uint64_t rings = 0;      ///< joined from fragments, and delivered in any region
+  uint64_t unmatched = 0;  ///< at the end: chains without a partner, holes without a region, and
+                           ///< fragments that collided with another; the measure of what was lost
+  uint64_t passed = 0;  ///< chains passed on for lack of memory, single fragments or partly joined
 };
 
-/// Takes the events of extractors and decoders and gives them to a sink, regions completed and
+/// Receives the events of extractors and decoders, and sends them on with regions completed and
 /// joined. Any events are safe.
 ///
-/// The sink gets everything but loose fragments in the order in which it came. What the report
-/// counts as unmatched or passed it gets as loose fragments, unless these are left out. Runs keep
-/// their normals. A region is right when all its fragments came, whatever else is lost.
+/// The sink receives everything except loose fragments in the original order. It receives what the
+/// report counts as unmatched or passed as loose fragments, unless these are left out. Runs keep
+/// their normals. A region is right if all its fragments arrived, whatever else is lost.
 ///
-/// The sink gets one `finish` event: of several, in any order, the sum, when finish() is called.
-/// Its regions, rings and loose fragments are those that were delivered. Layer marks stay true
-/// in the order of a sweep alone.
+/// The sink receives one `finish` event. With several streams in any order it is the sum, sent by
+/// finish(). Its counts of regions, rings and loose fragments are those that the joiner delivered.
+/// Layer marks are valid only in the order of a sweep.
 ///
-/// It is neither copied nor moved: two would write to the same memory.
+/// A joiner is neither copied nor moved: two copies would write to the same memory.
 ///
-/// Cost: of a fragment, its runs. Of a region, its runs times the holes that wait on its plane.
+/// Cost: per fragment, its runs; per region, its runs times the holes that wait on its plane.
 class Joiner {
  public:
   Joiner() = default;
 
-  /// The bytes that a joiner takes from the caller's memory, and the least.
+  /// The bytes of the caller's memory for these capacities, and the minimum.
   static constexpr uint64_t bytes_for(const JoinCapacities& capacities) {
     return join::WaitingChains::bytes_for(capacities.fragments, capacities.runs) +
            Arena::alignment - 1;
   }
   static constexpr uint64_t minimum_bytes() { return bytes_for({1, 1}); }
 
-  /// The default split of a number of bytes: eight runs for every fragment, in 192 bytes.
+  /// The default split of a number of bytes: eight runs per fragment, in 192 bytes.
   static constexpr JoinCapacities default_capacities(uint64_t bytes) {
     // In 32 bits: no 64-bit division on small machines.
     const uint64_t units = bytes < Arena::alignment ? 0 : (bytes - (Arena::alignment - 1)) >> 6;
@@ -101,22 +101,22 @@ class Joiner {
     return {fragments, 8 * fragments};
   }
 
-  /// Begins anew, with the default split of the memory. memory: Owner: the caller, for as long as
-  /// events are taken. Errors: bad_sink, too_little_memory; then nothing has changed.
+  /// Starts anew, with the default split of the memory. memory: Owner: the caller, for as long as
+  /// events arrive. Errors: bad_sink, too_little_memory; then nothing has changed.
   [[nodiscard]] Status start(Memory memory, const Sink& sink, InputOrder order,
                              Unjoined unjoined = Unjoined::passed_on);
-  /// The same with capacities of one's own. Errors: also bad_capacities.
+  /// As above, with explicit capacities. Errors: also bad_capacities.
   [[nodiscard]] Status start(const JoinCapacities& capacities, Memory memory, const Sink& sink,
                              InputOrder order, Unjoined unjoined = Unjoined::passed_on);
 
-  /// Takes an event; SinkResult::not_started before start(), and where the sink says so. What it
-  /// completes has been delivered once it is taken.
+  /// Accepts an event, and delivers what the event completes. Returns SinkResult::not_started
+  /// before start(), and if the sink returns it.
   SinkResult take(const Event& event);
 
-  /// Tells that no event follows, and delivers what waits; a `finish` event in the order of a sweep
-  /// does the same. Status::suspended: the sink said "not now", call again. Errors: not_started;
-  /// bad_sink (it said "never"); too_little_memory when memory was short at any time, though all is
-  /// done that can be.
+  /// Ends the input, and delivers what waits; a `finish` event in the order of a sweep does so,
+  /// too. Status::suspended: the sink is busy, call again. Errors: not_started; bad_sink (the sink
+  /// answered not_started); too_little_memory if memory was short at any time, although everything
+  /// possible was delivered.
   [[nodiscard]] Status finish();
 
   const JoinReport& report() const { return report_; }
@@ -126,7 +126,7 @@ class Joiner {
 
  private:
   Joiner(const Joiner&) = default;
-  Joiner& operator=(const Joiner&) = default;  // start() makes it as new
+  Joiner& operator=(const Joiner&) = default;  // start() resets it
 
   bool accept(const Event& event);
   bool begin_fragment(const Event& event);
@@ -174,13 +174,13 @@ class Joiner {
   SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event
   bool is_short_ = false;                     // of memory: everything is passed on
 
-  // What becomes of the fragment that arrives, and the chain that holds it.
+  // The fate of the arriving fragment, and the chain that holds it.
   enum class Fate : uint8_t { none, held, passed, ignored };
   Fate fate_ = Fate::none;
   uint32_t arriving_ = join::no_chain;
 
-  // What is delivered: the next event, and of which chain. `holes` complete a region that passes; a
-  // `beginning` is of the fragment that arrives.
+  // What is being delivered: the next event, and its chain. `holes` complete a region that passes
+  // through; a `beginning` belongs to the arriving fragment.
   Outlet outlet_ = Outlet::none;
   Event::Kind next_kind_{};
   bool is_letting_go_ = false;  // of all chains, one after another
@@ -196,20 +196,20 @@ class Joiner {
   Statistics totals_{};
 };
 
-/// A sink for a receiver that wants whole regions alone, of a scan that may be short of memory:
+/// Returns a sink for a receiver that needs whole regions, of a scan that may have little memory:
 ///
 ///   static Joiner joiner;
 ///   extractor.start(limits, threshold, memory, make_region_sink(receiver, joiner, join_memory));
 ///
-/// It starts the joiner, which calls `receiver.take(event)` and leaves out what it cannot join:
-/// joiner.report() counts that. Each scan, or stream of a decoder, needs a new call, so an
-/// Extractor is started again and not reset. Owner: all three must outlive the sink. Where the
-/// memory is less than Joiner::minimum_bytes() the sink has no function, which start() refuses with
+/// It starts the joiner, which calls `receiver.take(event)` and drops what it cannot join;
+/// joiner.report() counts the drops. Call it anew for each scan or stream: start the extractor
+/// again instead of reset(). Owner: receiver, joiner and memory must outlive the sink. If the
+/// memory is less than Joiner::minimum_bytes(), the sink has no function, and start() returns
 /// bad_sink.
 ///
-/// Memory: 96 bytes per chain that waits and 12 per run of it; Joiner::high_water() counts both. On
-/// the device that extracts, more memory for the extractor is better: there a chain takes 16 bytes
-/// and 8 per three runs, and does not go loose at all. Cost: that of the Joiner.
+/// Memory: 96 bytes per waiting chain and 12 per run of it; Joiner::high_water() counts both. On
+/// the device that extracts, give the extractor more memory instead: there a chain needs 16 bytes,
+/// and 8 per three runs, and is not sent loose at all. Cost: as the Joiner.
 template <class Receiver>
 Sink make_region_sink(Receiver& receiver, Joiner& joiner, Memory memory) {
   const Status status =

@@ -27,7 +27,7 @@ constexpr bool operator==(const Vertex& a, const Vertex& b) {
 constexpr bool operator!=(const Vertex& a, const Vertex& b) {
   return !(a == b);
 }
-/// Whether a comes before b in the order of z, then y, then x.
+/// Whether a precedes b in the order of z, then y, then x.
 constexpr bool precedes(const Vertex& a, const Vertex& b) {
   return a.z != b.z ? a.z < b.z : a.y != b.y ? a.y < b.y : a.x < b.x;
 }
@@ -40,7 +40,7 @@ constexpr Vertex operator-(const Vertex& a, const Vertex& b) {
 constexpr Vertex operator-(const Vertex& a) {
   return {-a.x, -a.y, -a.z};
 }
-/// Moves v along a vector so many times. Coordinates wrap.
+/// Moves v along a vector this many times. Coordinates wrap.
 constexpr void move(Vertex& v, const Vertex& step, uint32_t times) {
   const auto add = [times](int32_t& coordinate, int32_t by) {
     coordinate =
@@ -60,15 +60,15 @@ constexpr int32_t component(const Vertex& v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-/// A signed normal as a number: 13 + x + 3 y + 9 z for components in {-1, 0, 1}.
-/// Limit: 0 to 26; 13, the zero vector, is no incidence.
+/// A signed normal as a number: 13 + x + 3 y + 9 z for components in {-1, 0, 1}. Limit: 0 to 26;
+/// 13, the zero vector, is not an incidence.
 using Incidence = uint8_t;
 
 constexpr Incidence no_incidence = 13;
 constexpr int incidence_codes = 27;
 
 constexpr Vertex normal(Incidence incidence) {
-  // Without divisions, which the smallest processors do not have.
+  // Without divisions: the smallest processors have no instruction for them.
   const int by_3 = incidence * 171 >> 9, by_9 = incidence * 57 >> 9;
   return {incidence - 3 * by_3 - 1, by_3 - 3 * by_9 - 1, by_9 - 1};
 }
@@ -95,8 +95,8 @@ using Direction = uint8_t;
 constexpr int max_directions = 8;
 constexpr Direction no_direction = 0xFF;
 
-/// The 18 links, and which of them lie in the planes of each incidence. Kept small, since firmware
-/// carries it: read it through the functions below.
+/// The 18 links, and which of them lie in the planes of each incidence. The table is small because
+/// firmware contains it; read it through the functions below.
 struct LinkTable {
   int8_t vector[link_codes][3];
   uint8_t direction_count[incidence_codes];        ///< 8 axis, 4 diagonal, 6 corner
@@ -115,7 +115,7 @@ constexpr Link link_of(const LinkTable& table, const Vertex& vector) {
   return link_codes;
 }
 
-// The next link of the plane counter-clockwise from `from`: no other lies between them.
+// The next link of the plane counter-clockwise from `from`, with no other link between them.
 constexpr Link next_link(const LinkTable& table, const Vertex& normal, Link from) {
   Link best = link_codes;
   for (Link link = 0; link < link_codes; ++link) {
@@ -179,7 +179,7 @@ constexpr Link link_of(Incidence incidence, Direction direction) {
   return direction < half ? first_half[direction] : opposite_link(first_half[direction - half]);
 }
 
-/// The direction of a link in the planes of an incidence, or no_direction when it lies in none.
+/// The direction of a link in the planes of an incidence, or no_direction if the link lies in none.
 constexpr Direction direction_of(Incidence incidence, Link link) {
   const int half = direction_count(incidence) / 2;
   for (int i = 0; i < half; ++i) {
@@ -189,7 +189,7 @@ constexpr Direction direction_of(Incidence incidence, Link link) {
   return no_direction;
 }
 
-/// The same for a link vector. Cost: a search; for tables and references.
+/// As above, for a link vector. Cost: a search; for tables and references.
 constexpr Direction direction_of(Incidence incidence, const Vertex& vector) {
   return direction_of(incidence, derive::link_of(links, vector));
 }
@@ -199,8 +199,7 @@ constexpr Vertex direction_vector(Incidence incidence, Direction direction) {
   return link_vector(link_of(incidence, direction));
 }
 
-/// Moves v so many times along a link, or a direction; back by the negative of the number (0 - n).
-/// Coordinates wrap.
+/// Moves v this many times along a link or a direction; 0 - n moves back n times. Coordinates wrap.
 constexpr void move(Vertex& v, Link link, uint32_t times) {
   move(v, link_vector(link), times);
 }
@@ -208,7 +207,7 @@ constexpr void move(Vertex& v, Incidence incidence, Direction direction, uint32_
   move(v, link_of(incidence, direction), times);
 }
 
-/// The direction half a round on.
+/// The opposite direction.
 constexpr Direction opposite_direction(Incidence incidence, Direction direction) {
   const int half = direction_count(incidence) / 2;
   return static_cast<Direction>(direction < half ? direction + half : direction - half);

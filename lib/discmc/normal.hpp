@@ -1,7 +1,7 @@
-// Normals in integers: unit vectors in fixed point, from vectors of any length.
+// Normals in integers: fixed-point unit vectors from vectors of any length.
 //
-// A normal points outside, from on to off; that of a gradient may not where walls are thinner than
-// two voxels. It comes from one of three sources:
+// A normal points outside, from on to off. A gradient may point elsewhere if a wall is thinner than
+// two voxels. A normal has one of three sources:
 //
 //   the facet      normal(incidence) of lattice.hpp, weighted(): exact, and free
 //   the samples    SampleWindow::negative_gradient(), weighted(): Montani et al. 1994, 2.4
@@ -22,15 +22,15 @@ constexpr LongVector operator+(const LongVector& a, const LongVector& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-/// A unit vector in fixed point, Q1.14. All zero where there is no normal.
+/// A unit vector in fixed point, Q1.14. All zero if there is no normal.
 struct UnitNormal {
   static constexpr int32_t one = 1 << 14;
   int16_t x, y, z;
 };
 
-/// A unit vector in two bytes: its place on the octahedron |x| + |y| + |z| = 127, whose lower half
-/// (z < 0) is folded outwards, plus 128 (Meyer et al., "On Floating-Point Normal Vectors", 2010).
-/// u is zero where there is no normal. At most 0.96 degrees from what it stands for.
+/// A unit vector in two bytes: its place on the octahedron |x| + |y| + |z| = 127, plus 128. The
+/// lower half (z < 0) is folded outwards. Meyer et al., "On Floating-Point Normal Vectors", 2010. u
+/// is zero if there is no normal. Error: at most 0.96 degrees.
 struct OctahedralNormal {
   uint8_t u, v;
 
@@ -50,35 +50,35 @@ constexpr bool operator!=(const OctahedralNormal& a, const OctahedralNormal& b) 
   return !(a == b);
 }
 
-/// What the components of a normal are multiplied by where voxels are not cubes: normals transform
-/// with the inverse of the spacing, so this is 1 / spacing times a number that all three share.
-/// Limit: -2^31 < weight < 2^31.
+/// The factors for the components of a normal if voxels are not cubes. Normals transform with the
+/// inverse of the spacing, so these are 1 / spacing times a common factor. Limit: -2^31 < weight <
+/// 2^31.
 struct AxisWeights {
   int32_t x = 1, y = 1, z = 1;
 };
 
-/// The weights of a spacing. Units: any; negative where an axis is mirrored. Where one is zero, as
-/// in a header that does not know it, voxels are taken as cubes. Error: at most 2^-30 of the
-/// largest.
+/// The weights of a spacing. Units: any; negative for a mirrored axis. If one is zero (unknown),
+/// voxels count as cubes. Error: at most 2^-30 of the largest.
 AxisWeights axis_weights(const int32_t (&spacing)[3]);
 
-/// A vector in units of voxels, such as a normal or a gradient, as it is in space.
-/// Error: none below 2^31, else at most 2^-31 of the largest component.
+/// Converts a vector from units of voxels, such as a normal or a gradient, to space. Error: none
+/// below 2^31, otherwise at most 2^-31 of the largest component.
 LongVector weighted(const LongVector& vector, const AxisWeights& weights);
 
-/// The unit vector of a direction, of any length; none for the zero vector.
-/// Error: at most 0.006 degrees. Cost: three 32-bit divisions and a square root.
+/// The unit vector of a direction of any length; none for the zero vector. Error: at most 0.006
+/// degrees. Cost: three 32-bit divisions and a square root.
 UnitNormal unit_normal(const LongVector& direction);
 OctahedralNormal octahedral_normal(const LongVector& direction);
 
-/// The unit vector that an octahedral one stands for. Any bytes are safe.
+/// Decodes an octahedral normal. Any bytes are safe.
 UnitNormal unit_normal(OctahedralNormal normal);
 
-/// A polygon's part in the normals of its vertices: its normal, with twelve times its area for a
-/// length. twice_area: the sum over its rings (chain.hpp, polygon.hpp). Units: half-steps.
+/// The contribution of a polygon to the normals of its vertices: its normal, with twelve times its
+/// area as the length. twice_area: the sum over its rings (chain.hpp, polygon.hpp). Units:
+/// half-steps.
 constexpr LongVector area_vector(Incidence incidence, int64_t twice_area) {
   const Vertex n = normal(incidence);
-  // twice_area() is too long by the length of n, and n itself is so again.
+  // twice_area() contains the length of n, and n itself does so again.
   const int64_t length = twice_area * (6 / dot(n, n));
   return {n.x * length, n.y * length, n.z * length};
 }

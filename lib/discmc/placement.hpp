@@ -1,5 +1,5 @@
-// Where a volume lies in space: a standard application record, for whoever lays its surface over
-// others.
+// The position of a volume in space: a standard application record, for receivers that align the
+// surface with other data.
 #ifndef DISCMC_PLACEMENT_HPP
 #define DISCMC_PLACEMENT_HPP
 
@@ -7,19 +7,19 @@
 
 namespace discmc {
 
-/// What the axes of space are. Of a patient, as medical formats have them.
+/// The axes of space; for a patient, as in medical formats.
 enum class Frame : uint8_t {
   none,  ///< the scanner's own
   lps,   ///< towards the left, the back (posterior) and the head (superior), as in DICOM
   ras,   ///< towards the right, the front (anterior) and the head, as in NIfTI
 };
 
-/// From voxels to space: voxel (i, j, k) has its centre at origin + i axes[0] + j axes[1] +
-/// k axes[2]; so a vertex (x, y, z), in half-steps, lies at origin + (x axes[0] + y axes[1] +
-/// z axes[2]) / 2. It says where the volume is: the spacing in the header, which normals are made
-/// with, stays what it is. Units: nanometres.
+/// The transform from voxels to space: the centre of voxel (i, j, k) is origin + i axes[0] + j
+/// axes[1] + k axes[2]. So a vertex (x, y, z), in half-steps, lies at origin + (x axes[0] + y
+/// axes[1] + z axes[2]) / 2. The spacing in the stream's header, which the normals use, stays
+/// unchanged. Units: nanometres.
 struct Placement {
-  int32_t axes_nm[3][3] = {};  ///< of one voxel to the next along x, y, z: their x, y, z in space
+  int32_t axes_nm[3][3] = {};  ///< from one voxel to the next along x, y, z: three vectors in space
   int64_t origin_nm[3] = {};   ///< the centre of voxel (0, 0, 0)
   Frame frame = Frame::none;
 
@@ -27,20 +27,21 @@ struct Placement {
   static constexpr size_t record_bytes = 3 * 3 * 4 + 3 * 8 + 1;
 };
 
-/// The record of a placement, for write_record(): best before the first row. bytes: room for
-/// Placement::record_bytes, which are written; Owner: the caller, until the record has been told.
+/// Encodes a placement for write_record(), best before the first row. bytes: room for
+/// Placement::record_bytes, which it writes; Owner: the caller, until write_record() has returned
+/// ok.
 ApplicationRecord record_of(const Placement& placement, uint8_t* bytes);
 
-/// Reads the placement in a record. False, and nothing is written, where it holds none: the kind is
-/// another, or the number of bytes, or the frame is not known.
+/// Reads the placement in a record. Returns false, and writes nothing, if the kind, the number of
+/// bytes or the frame does not match.
 [[nodiscard]] bool read_placement(const ApplicationRecord& record, Placement& placement);
 
-// ---- Which slices of a volume a stream holds: a standard application record, for whoever joins
+// ---- The slices of a volume in a stream: a standard application record, for receivers that join
 // the streams of slabs.
 
-/// The own slices of a slab, without those of its neighbours that its extractor was given as well.
-/// A stream that was joined of several slabs has a record for each range of theirs; one of a whole
-/// volume has none. Units: slices.
+/// The own slices of a slab, without the context slices of its neighbours. A stream joined from
+/// several slabs has a record for each of their ranges; the stream of a whole volume has none.
+/// Units: slices.
 struct SlabRange {
   uint32_t first = 0;
   uint32_t slices = 0;
@@ -53,12 +54,13 @@ struct SlabRange {
   static constexpr size_t record_bytes = 12;
 };
 
-/// The record of a slab, for write_record(), at any time in its scan. bytes: room for
-/// SlabRange::record_bytes, which are written; Owner: the caller, until the record has been told.
+/// Encodes a slab range for write_record(), at any time in its scan. bytes: room for
+/// SlabRange::record_bytes, which it writes; Owner: the caller, until write_record() has returned
+/// ok.
 ApplicationRecord record_of(const SlabRange& range, uint8_t* bytes);
 
-/// Reads the range in a record. False, and nothing is written, where it holds none: the kind is
-/// another, or the number of bytes, or the slices are none, or beyond the depth.
+/// Reads the range in a record. Returns false, and writes nothing, if the kind or the number of
+/// bytes does not match, or if the slices are none or beyond the depth.
 [[nodiscard]] bool read_slab_range(const ApplicationRecord& record, SlabRange& range);
 
 }  // namespace discmc

@@ -1,8 +1,9 @@
 // From chains to polygons: vertices, simple rings, corners.
 //
-// A sweep ring may touch itself in a vertex. Split wherever a vertex recurs it falls into simple
-// rings, which is what polygon libraries take; their set is unique. Slits, which cuts leave behind,
-// come out as rings of two links and are dropped. All of it works in the caller's memory.
+// A sweep ring may touch itself in a vertex. The function split_ring() splits a ring at every
+// repeated vertex into simple rings, as polygon libraries expect. The set of simple rings is
+// unique. It drops rings of two links, the slits that cuts leave behind. All functions work in the
+// caller's memory.
 #ifndef DISCMC_POLYGON_HPP
 #define DISCMC_POLYGON_HPP
 
@@ -10,15 +11,16 @@
 
 namespace discmc {
 
-/// The links of a chain, and so the vertices of a closed one. Limit: straight runs only.
+/// The number of links of a chain, which is the number of vertices of a closed one. Limit: straight
+/// runs only.
 constexpr uint64_t link_count(const Run* runs, uint32_t count) {
   uint64_t sum = 0;
   for (uint32_t i = 0; i < count; ++i) sum += runs[i].length();
   return sum;
 }
 
-/// Writes the vertices of a closed chain, one for every link, beginning with the start.
-/// vertices: link_count() of them; Owner: the caller. Limit: straight runs only.
+/// Writes the vertices of a closed chain, one per link, beginning with the start. vertices:
+/// link_count() of them; Owner: the caller. Limit: straight runs only.
 void ring_vertices(Incidence incidence, const Vertex& start, const Run* runs, uint32_t count,
                    Vertex* vertices);
 
@@ -26,28 +28,27 @@ void ring_vertices(Incidence incidence, const Vertex& start, const Run* runs, ui
 /// positive for an outer ring, negative for a hole. Units: square half-steps.
 int64_t twice_area(Incidence incidence, const Vertex* vertices, uint32_t count);
 
-/// Who is handed simple rings. Owner: the context is the caller's.
+/// The receiver of simple rings. Owner: the context belongs to the caller.
 struct RingReceiver {
   void* context = nullptr;
-  /// A ring of three vertices or more, every link's; valid during the call.
+  /// Receives a ring of three or more vertices, one per link; valid during the call.
   void (*take)(void* context, const Vertex* vertices, uint32_t count) = nullptr;
 };
 
-/// Splits a closed ring of vertices into simple rings and hands them over.
-/// vertices: is used up. scratch: 2 * count words. Owner: the caller.
-/// Cost: count * log(count) comparisons.
+/// Splits a closed ring of vertices into simple rings, and sends them to the receiver. vertices:
+/// overwritten. scratch: 2 * count words. Owner: the caller. Cost: count * log(count) comparisons.
 void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingReceiver& receiver);
 
 /// Whether vertex i of a ring is a corner: the links before and after it differ.
 bool is_corner(const Vertex* vertices, uint32_t count, uint32_t i);
 
 /// Keeps, in order and in place, the corners of a ring and every vertex for which keep(vertex) is
-/// true; returns how many. For a mesh without T-junctions keep the vertices where three or more
-/// boundary links of the surface end, and triangulate without dropping collinear points.
+/// true; returns their number. For a mesh without T-junctions keep the vertices at which three or
+/// more boundary links of the surface end, and triangulate without dropping collinear points.
 template <class Keep>
 uint32_t keep_corners(Vertex* vertices, uint32_t count, Keep keep);
 
-/// Keeps the corners alone.
+/// Keeps only the corners.
 inline uint32_t keep_corners(Vertex* vertices, uint32_t count) {
   return keep_corners(vertices, count, [](const Vertex&) { return false; });
 }

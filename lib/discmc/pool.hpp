@@ -8,46 +8,45 @@
 
 namespace discmc {
 
-/// What stands for no slot. Slots are counted from 1, so that memory that is all zero names
-/// nothing, and the test costs one instruction.
+/// The index of no slot. Slots count from 1, so that all-zero memory refers to no slot, and the
+/// test costs one instruction.
 constexpr uint8_t no_slot = 0;
 
-/// The pointer that makes `first` the array's element 1. There is no element 0 behind it.
+/// Returns the pointer that makes `first` element 1 of the array. Element 0 does not exist.
 template <class T>
 T* counted_from_one(T* first) {
   return reinterpret_cast<T*>(reinterpret_cast<uintptr_t>(first) - sizeof(T));
 }
 
-/// Keeps account of which slots of an array are in use, whatever they are: apart from Pool, so
-/// that there is one copy of it for all of them. A slot begins with an Index, which names the
-/// next free one while it is not in use.
+/// Tracks which slots of an array are in use, independent of their type, so that all pools share
+/// one copy of the code. A free slot begins with the Index of the next free slot.
 template <class Index>
 class SlotAccount {
  public:
-  /// Gives all slots back at once and forgets the high-water mark.
+  /// Releases all slots, and resets the high-water mark.
   void clear() {
     free_ = no_slot;
     fresh_ = 0;
     available_ = capacity_;
   }
 
-  /// Forgets where the slots lie, until start().
+  /// Clears the address of the slots, until start().
   void forget_addresses() { slots_ = nullptr; }
 
   uint32_t capacity() const { return capacity_; }
-  /// Slots that may be taken; those in use, and reserved.
+  /// Slots that take() may still return; slots in use, with reserved ones.
   uint32_t available() const { return available_; }
   uint32_t in_use() const { return capacity_ - available_; }
-  /// The most that have been in use at once, those reserved not counted.
+  /// The most slots in use at once, without reserved ones.
   uint32_t high_water() const { return fresh_; }
 
-  /// Sets slots aside, whichever they will be, until they are released. Limit: so many are
+  /// Reserves slots until release(), without choosing them. Limit: at least this many are
   /// available().
   void reserve(uint32_t count = 1) { available_ -= count; }
   void release(uint32_t count = 1) { available_ += count; }
 
-  /// The first of so many slots side by side that have never been taken, or no_slot when there
-  /// are not so many. Each is given back alone.
+  /// Returns the first of this many adjacent slots that were never used, or no_slot if there are
+  /// not enough. Release each slot separately.
   Index take_fresh(uint32_t count) {
     if (count > available_ || count > capacity_ - fresh_) return no_slot;
     const auto first = static_cast<Index>(fresh_ + 1);
@@ -85,19 +84,19 @@ class SlotAccount {
   Index free_ = no_slot;
 };
 
-/// Slots named by index, from 1 on. Which index a slot gets depends on nothing but the order of
-/// the calls. Slot: trivial, begins with an Index. Owner: the slots lie in the arena.
-/// Cost of take() and give(): a few instructions.
+/// Slots with an index, from 1 on. The index of a slot depends only on the order of the calls.
+/// Slot: trivial, begins with an Index. Owner: the slots lie in the arena. Cost of take() and
+/// give(): a few instructions.
 template <class Slot, class Index>
 class Pool : public SlotAccount<Index> {
  public:
-  /// Says where the slots lie. Call clear() before the first is taken.
+  /// Sets the address of the slots. Call clear() before the first take().
   void start(Slot* slots, uint32_t capacity) {
     this->slots_ = reinterpret_cast<uint8_t*>(counted_from_one(slots));
     this->capacity_ = capacity;
   }
 
-  /// A slot, its members undefined, or no_slot when all are in use.
+  /// Returns a slot with undefined members, or no_slot if all are in use.
   Index take() { return SlotAccount<Index>::take(sizeof(Slot)); }
   void give(Index index) { SlotAccount<Index>::give(index, sizeof(Slot)); }
 

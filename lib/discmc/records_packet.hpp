@@ -1,8 +1,8 @@
-// Packets of records that pass from an encoder or a decoder to another encoder as they are.
+// Packets of records that pass unchanged from an encoder or a decoder to another encoder.
 //
-// An encoder of a part makes them, append() of that of the whole scan sends them, and a Decoder
-// passes them on: so parts are encoded side by side, and what a join of slabs costs is what crosses
-// their seams.
+// The encoder of a part creates them, a Decoder passes them on, and append() of the encoder of the
+// whole scan sends them. So parts are encoded in parallel, and the cost of joining slabs is that of
+// the boundaries at their seams.
 #ifndef DISCMC_RECORDS_PACKET_HPP
 #define DISCMC_RECORDS_PACKET_HPP
 
@@ -14,15 +14,15 @@ namespace discmc {
 
 /// A packet of records on its way from an encoder or a decoder to another encoder.
 struct RecordsPacket {
-  const uint8_t* payload;  ///< Owner: who gives it
+  const uint8_t* payload;  ///< Owner: the sender
   size_t bytes;
   uint32_t pieces;  ///< regions and loose fragments that end in it
-  /// Whether it holds whole regions alone, none of them in part, and no loose fragment of any
-  /// stream belongs to one of them.
+  /// Whether it contains only whole regions, and no loose fragment of any stream belongs to one of
+  /// them.
   bool is_whole;
 };
 
-/// Who takes such packets.
+/// The receiver of such packets.
 struct RecordsPacketSink {
   void* context = nullptr;  ///< Owner: the caller
   void (*take)(void* context, const RecordsPacket& packet) = nullptr;

@@ -1,5 +1,5 @@
-// Gradient normals in a second pass: the slices are shown again, in order, and four of them are
-// held.
+// Gradient normals in a second pass: the caller pushes the slices again, in order, and the window
+// holds four of them.
 //
 //   window.start(limits, memory);
 //   for each slice:
@@ -7,9 +7,9 @@
 //     for the vertices that are due, lowest z first, while window.covers(vertex):
 //       ... unit_normal(weighted(window.negative_gradient(vertex), axis_weights(spacing_nm))) ...
 //   window.end();
-//   and those that are left, lowest z first
+//   and the remaining vertices, lowest z first
 //
-// So memory is bounded by four slices and the vertices of one layer.
+// So four slices and the vertices of one layer bound the memory.
 #ifndef DISCMC_SAMPLE_WINDOW_HPP
 #define DISCMC_SAMPLE_WINDOW_HPP
 
@@ -19,8 +19,8 @@
 
 namespace discmc {
 
-/// The last four slices. Sample is uint8_t, uint16_t or int16_t. It is neither copied nor moved:
-/// two would write to the same memory.
+/// The last four slices. Sample is uint8_t, uint16_t or int16_t. A window is neither copied nor
+/// moved: two copies would write to the same memory.
 template <class Sample>
 class SampleWindow {
   static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
@@ -37,8 +37,8 @@ class SampleWindow {
            1;
   }
 
-  /// Begins a pass. memory: at least bytes_for(limits); Owner: the caller, as long as the window is
-  /// in use. Errors: bad_limits, too_little_memory.
+  /// Begins a pass. memory: at least bytes_for(limits); Owner: the caller, while the window is in
+  /// use. Errors: bad_limits, too_little_memory.
   [[nodiscard]] Status start(const Limits& limits, Memory memory) {
     if (!limits.is_valid()) return Status::bad_limits;
     Arena arena(memory);
@@ -51,9 +51,9 @@ class SampleWindow {
     return Status::ok;
   }
 
-  /// Takes samples of consecutive voxels, rows and slices in x, y, z order. Calls may end anywhere.
-  /// samples: Owner: the caller; free again when the call returns. stride: from one sample to the
-  /// next, in samples. Errors: not_started; finished, after end(). Cost: a copy.
+  /// Accepts samples of consecutive voxels, rows and slices in x, y, z order. A call may end
+  /// anywhere. samples: Owner: the caller; free again when the call returns. stride: from one
+  /// sample to the next, in samples. Errors: not_started; finished, after end(). Cost: a copy.
   [[nodiscard]] Status push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     if (width_ == 0) return Status::not_started;
     if (is_ended_) return Status::finished;
@@ -66,12 +66,12 @@ class SampleWindow {
     return Status::ok;
   }
 
-  /// Says that no slice follows.
+  /// Ends the input.
   void end() { is_ended_ = true; }
 
-  /// Whether negative_gradient() can tell: of the slices that it takes, those around the vertex and
-  /// one more on either side, all that the volume has are held. True of vertices outside the volume
-  /// below, and of those above after end(). Of a vertex whose slices have passed it stays false.
+  /// Whether the window holds the samples for negative_gradient(): all existing slices around the
+  /// vertex, and one more on either side. True for vertices below the volume, and after end() for
+  /// those above it. It stays false once the slices of a vertex have passed.
   bool covers(const Vertex& vertex) const {
     const int64_t below = vertex.z < 4 ? 0 : vertex.z / 2 - 1;
     const int64_t above = (int64_t{vertex.z} + 1) / 2 + 1;

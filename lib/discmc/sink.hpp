@@ -1,29 +1,27 @@
-// What the extractor hands out, and to whom.
+// The events of extractors and decoders, and the sinks that receive them.
 //
-// A sink is one function with a context. It is offered events in a fixed grammar and answers
-// `accepted`, `busy` or `not_started`; what it did not take is offered again, unchanged, on the
-// next resume().
+// A sink is a function with a context. It receives events in a fixed grammar and answers
+// `accepted`, `busy` or `not_started`. The next resume() offers a refused event again, unchanged.
 //
 //   scan     = start { region | fragment | skipped | layer | application } finish
 //   region   = region { ring { run } } region_end         outer ring first, then the holes
 //   fragment = fragment { run } fragment_end              for lack of memory, or at a slab's seam
 //
-// `start` must be taken at once: an extractor whose sink does not is not started. Only decoders
-// send `application`. A decoder may put `lost` in place of the rest of a region or fragment; a
-// stream that breaks off has no `finish`, and one whose header is late has its `start` late, or
-// none.
+// The sink must accept `start` at once; otherwise the extractor does not start. Only decoders send
+// `application`. A decoder may send `lost` instead of the rest of a region or fragment. A truncated
+// stream has no `finish`; a stream whose header is lost has its `start` late, or none.
 //
-// A fragment is loose: a piece of a boundary ring, sent early for lack of memory, complete in
-// itself. Fragment E follows fragment F where both have the same incidence, E starts where F's runs
-// end, and E came there by the direction of F's last run. A directed link belongs to one chain, so
-// there is one match at most. Where two fragments are joined, runs of one direction may meet: that
-// is no corner. A ring that goes out loose as a whole is a fragment that follows itself. All loose
-// fragments of a region's holes come before its outer ring, or the last fragment of it.
+// A fragment is loose: a piece of a boundary ring that left early for lack of memory. Fragment E
+// follows fragment F if both have the same incidence, E starts at the end of F, and E's incoming
+// direction is that of F's last run. A directed link belongs to one chain, so at most one fragment
+// matches. Two joined fragments may meet in runs of one direction: that is no corner. A ring that
+// is sent loose as a whole is a fragment that follows itself. All loose fragments of a region's
+// holes come before its outer ring, or before the last fragment of that ring.
 //
-// A sink that passes over fragments (all events from `fragment` to `fragment_end`) gets an
-// incomplete surface: regions whose outer ring went out loose are missing, and others lack the
-// holes that did. Statistics::fragments counts them. make_region_sink() in joiner.hpp gives a sink
-// whole regions.
+// A sink that ignores fragments (all events from `fragment` to `fragment_end`) gets an incomplete
+// surface: regions with a loose outer ring are missing, and others lack their loose holes.
+// Statistics::fragments counts the fragments. make_region_sink() in joiner.hpp sends whole regions
+// to a sink.
 #ifndef DISCMC_SINK_HPP
 #define DISCMC_SINK_HPP
 
@@ -37,52 +35,51 @@
 
 namespace discmc {
 
-// ---- The user's own data in a stream: a time stamp, a pose, the state of a battery.
+// ---- Application records: your own data in a stream, such as a time stamp, a pose or a battery's
+// state.
 
-/// A record goes out at once, in a packet of its own, which takes 22 bytes more than its data, and
-/// ends the packet before it early. So tell rarely, and much at once.
+/// A record is sent at once, in a packet of its own: it costs 22 bytes beyond its data, and ends
+/// the packet before it early. So write few records with much data each.
 struct ApplicationRecord {
   static constexpr size_t max_bytes = 200;
-  /// Kinds from here on have a meaning of their own: placement.hpp.
+  /// The first standard kind; see placement.hpp.
   static constexpr uint8_t first_standard_kind = 240;
 
-  uint8_t kind = 0;    ///< the user's; Limit: below first_standard_kind, which is not checked, as
-                       ///< standard records are told in the same way
-  uint32_t slice = 0;  ///< where the scan was: as many slices and rows were complete
+  uint8_t kind = 0;    ///< yours; Limit: below first_standard_kind, which is not checked because
+                       ///< standard records use the same call
+  uint32_t slice = 0;  ///< complete slices at this point of the scan
   uint32_t row = 0;
-  const uint8_t* bytes = nullptr;  ///< Owner: whoever tells it; free again when the call returns
+  const uint8_t* bytes = nullptr;  ///< Owner: the caller; free again when the call returns
   size_t count = 0;                ///< Limit: at most max_bytes
 };
 
-// ---- What a stream says of its scan, and what an encoder has to be told of it.
+// ---- The description of a scan in its stream.
 
-/// For a decoder that takes the first stream that comes, of whatever channel.
+/// For a decoder that accepts the first stream on any channel.
 constexpr uint8_t any_channel = 255;
 
-/// What an encoder is told of a scan. The rest the extractor knows.
+/// What an encoder needs to describe a scan; the extractor supplies the rest.
 struct StreamLabel {
   static constexpr uint8_t max_channel = 63;
 
-  uint32_t depth = 0;                 ///< planned slices; 0 when not known
+  uint32_t depth = 0;                 ///< planned slices; 0 if unknown
   int32_t spacing_nm[3] = {0, 0, 0};  ///< between voxels; negative for a mirrored axis; 0 unknown;
-                                      ///< not read where the extractor was told it
-  uint16_t scan = 0;                  ///< a number that no other scan on the link has, such as a
-                                      ///< device's own and a count of its scans
-  uint8_t channel = 0;  ///< of the surface, where several share a link; Limit: at most
-                        ///< max_channel
+                                      ///< ignored if the extractor supplies it
+  uint16_t scan = 0;  ///< a number that no other scan on the link has, such as the device's number
+                      ///< and a count of its scans
+  uint8_t channel = 0;  ///< of the surface, if several share a link; Limit: at most max_channel
 };
 
-/// What a stream says of its scan.
+/// The header of a stream.
 struct StreamHeader {
   uint32_t width = 0;
   uint32_t height = 0;
-  uint32_t depth = 0;                 ///< planned slices; 0 when not known
+  uint32_t depth = 0;                 ///< planned slices; 0 if unknown
   int32_t spacing_nm[3] = {0, 0, 0};  ///< between voxels; negative for a mirrored axis; 0 unknown
   static constexpr uint8_t max_surfaces = 4;
-  int32_t thresholds[max_surfaces] = {};  ///< of each surface: a voxel is on where its sample is at
-                                          ///< least this
+  int32_t thresholds[max_surfaces] = {};  ///< per surface: on if the sample is at least this
   Border border = Border::closed;
-  uint8_t channel = 0;  ///< of the first surface, where a stream of slices has several
+  uint8_t channel = 0;  ///< of the first surface, if a stream of slices has several
   uint16_t scan = 0;
   uint8_t surface_count = 1;  ///< on consecutive channels; Limit: 1 to max_surfaces in a stream of
                               ///< slices, else 1
@@ -99,37 +96,37 @@ struct StreamHeader {
   }
 };
 
-// ---- Events, and who takes them.
+// ---- Events and sinks.
 
-/// What a sink says of an event.
+/// The answer of a sink to an event.
 enum class SinkResult : uint8_t {
   accepted,
   busy,
-  not_started,  ///< the sink was not started, and asking again is of no use. Extractors are not
-                ///< started then; decoders and joiners say bad_sink. To an extractor at work it is
-                ///< as `busy`.
+  not_started,  ///< the sink has not started, and a retry is of no use. An extractor does not start
+                ///< then; decoders and joiners return bad_sink. During a scan, an extractor treats
+                ///< it as `busy`.
 };
 
-/// What a decoder or joiner says when its sink has not taken an event.
+/// The status of a decoder or joiner whose sink has not accepted an event.
 constexpr Status status_of(SinkResult answer) {
   return answer == SinkResult::not_started ? Status::bad_sink : Status::suspended;
 }
 
-/// Totals of a scan so far. All are exact, but for slabs: of the cells at a seam either slab counts
-/// a part, and drops what is not whole in the end. So the first three counts of a volume's slabs
-/// add up to those of the volume, less one a seam at most.
+/// The totals of a scan so far. All are exact, except for slabs: each of two slabs counts a part of
+/// the cells at their seam, and drops the fraction at the end. So the first three counts of all
+/// slabs add up to those of the volume, less at most one per seam.
 struct Statistics {
-  uint64_t cells;              ///< that the surface passes through
-  uint64_t facets;             ///< in them, before they are merged to regions
-  uint64_t classic_triangles;  ///< that classic Marching Cubes would have made in them
+  uint64_t cells;              ///< cells that contain surface
+  uint64_t facets;             ///< in these cells, before the merge to regions
+  uint64_t classic_triangles;  ///< that classic Marching Cubes would make in these cells
   uint64_t regions;            ///< delivered whole
-  uint64_t rings;              ///< of these regions, holes included
-  uint64_t links;              ///< of rings and loose fragments: the lengths of all runs delivered
-  uint64_t fragments;          ///< loose ones, delivered
-  uint64_t skipped_rows;       ///< that never came, by skip_row(); not those after abandon()
+  uint64_t rings;              ///< of these regions, with holes
+  uint64_t links;              ///< the sum of the lengths of all delivered runs
+  uint64_t fragments;          ///< loose fragments delivered
+  uint64_t skipped_rows;       ///< missing rows, by skip_row(), without those after abandon()
 };
 
-/// One thing that a sink is offered. Only the members that its kind names have a meaning.
+/// One event. Only the members that its kind names are valid.
 struct Event {
   enum class Kind : uint8_t {
     start,         ///< the first event: header
@@ -139,20 +136,20 @@ struct Event {
     region_end,    ///< the region is complete
     fragment,      ///< a loose fragment begins: incidence, start, incoming_direction
     fragment_end,  ///< the fragment is complete
-    skipped,       ///< a row never came: slice, row; `repeated` when the row before stood in for it
+    skipped,       ///< a row is missing: slice, row; `repeated` if the previous row replaces it
     layer,         ///< every region that does not reach `slice` has been delivered
-    application,   ///< the user's own data: application
-    finish,        ///< the last event: slice (how many: of a slab its own), abandoned, statistics
-    lost,          ///< decoder only: part of the region or fragment just begun is lost, forget it
+    application,   ///< an application record: application
+    finish,  ///< the last event: slice (their number; of a slab, its own), abandoned, statistics
+    lost,    ///< decoders only: part of the current region or fragment is lost; discard it
   };
   Kind kind;
   Incidence incidence;
-  Direction incoming_direction;  ///< of the link by which a fragment's chain comes to its start
+  Direction incoming_direction;  ///< of the link that leads to the start of a fragment
   bool hole;
   bool repeated;
   bool abandoned;
-  OctahedralNormal normal;  ///< where the run starts, in space: see unit_normal(); none where there
-                            ///< is no gradient, without GradientNormals, or in a stream without
+  OctahedralNormal normal;  ///< at the start of the run, in space: see unit_normal(); none without
+                            ///< a gradient, without GradientNormals, or in a stream without normals
   Run run;
   uint32_t slice;
   uint32_t row;
@@ -160,26 +157,25 @@ struct Event {
   /// Owner: the sender; valid during the call.
   union {
     const Statistics* statistics;
-    const StreamHeader*
-        header;  ///< of an extractor, what it knows: not the depth, scan and channel
+    const StreamHeader* header;  ///< of an extractor: without depth, scan and channel
     const ApplicationRecord* application;
   };
 };
 
-/// Where events go. Owner: the context belongs to the caller and must outlive the scan.
+/// The receiver of events. Owner: the context belongs to the caller and must outlive the scan.
 ///
-/// take() is called within calls of the object that has the sink, by the same thread, and at no
-/// other time. It may wait, and call functions of other objects. Of that object it may call those
-/// that tell something, such as slices(), but none that does something or saves. It must not throw:
-/// the library is compiled without exceptions. Nothing is locked: all calls of an object come from
-/// one context at a time, and from an interrupt only where none come from elsewhere.
+/// The object that has the sink calls take() during its own calls, in the caller's thread. take()
+/// may block, and may call functions of other objects. It may call the queries of that object, such
+/// as slices(), but no function that changes or saves it. It must not throw: the library is
+/// compiled without exceptions. Nothing is locked: call an object from one context at a time, and
+/// from an interrupt only if nothing else calls it.
 struct Sink {
   void* context = nullptr;
   SinkResult (*take)(void* context, const Event& event) = nullptr;
 };
 
-/// A sink that calls `receiver.take(event)` with every event. Owner: the receiver must outlive the
-/// sink.
+/// Returns a sink that calls `receiver.take(event)` with every event. Owner: the receiver must
+/// outlive the sink.
 template <class Receiver>
 Sink make_sink(Receiver& receiver) {
   return {&receiver, [](void* context, const Event& event) {

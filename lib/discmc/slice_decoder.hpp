@@ -1,7 +1,8 @@
-// The slice decoder: bytes of a stream of slices in, rows out.
+// The slice decoder: bytes of a stream of slices in, rows of bits out.
 //
-// Any bytes are safe. It never reads beyond what it is given nor writes beyond its object and its
-// memory, it allocates nothing, and what was whole is handed out, whatever came before or after.
+// Any bytes are safe. The decoder never reads beyond its input, never writes beyond its object and
+// its memory, and allocates nothing. It delivers every intact row, whatever is lost before or
+// after.
 #ifndef DISCMC_SLICE_DECODER_HPP
 #define DISCMC_SLICE_DECODER_HPP
 
@@ -12,19 +13,20 @@
 
 namespace discmc {
 
-/// What a SliceDecoder hands out: every row of a scan in its order, of each surface in turn, and
-/// its end. Only the members that its kind names have a meaning.
+/// One event of a SliceDecoder. It delivers every row of a scan in order, of each surface in turn,
+/// and the end. Only the members that the kind names are valid.
 struct RowEvent {
   enum class Kind : uint8_t {
     start,    ///< the first event: header
     row,      ///< slice, row, channel, bits
-    skipped,  ///< it never came to the encoder: as row, with bits that stand in for it; repeated
-    lost,     ///< so many rows of all were lost on the way: slice, row (of the first), count
-    application,  ///< the user's own data: application
-    finish,       ///< the last event: slice (how many), abandoned
+    skipped,  ///< the encoder never received the row: as `row`, with the bits that replace it;
+              ///< repeated
+    lost,  ///< `count` rows of all surfaces were lost in transit: slice and row of the first, count
+    application,  ///< an application record: application
+    finish,       ///< the last event: slice (their number), abandoned
   };
   Kind kind;
-  bool repeated;  ///< the row before stands in, not a row that is off
+  bool repeated;  ///< the previous row replaces it, not a row that is off
   bool abandoned;
   uint8_t channel;
   uint32_t slice;
@@ -32,19 +34,19 @@ struct RowEvent {
   uint64_t count;
   /// Owner: the decoder; valid during the call.
   union {
-    const uint8_t* bits;  ///< eight voxels a byte, the first in bit 0
+    const uint8_t* bits;  ///< eight voxels per byte, the first in bit 0
     const StreamHeader* header;
     const ApplicationRecord* application;
   };
 };
 
-/// Where rows go. Owner: the context belongs to the caller and must outlive the decoder.
+/// The receiver of rows. Owner: the context belongs to the caller and must outlive the decoder.
 struct RowSink {
   void* context = nullptr;
   SinkResult (*take)(void* context, const RowEvent& event) = nullptr;
 };
 
-/// A row sink that calls `receiver.take(event)`. Owner: the receiver must outlive the sink.
+/// Returns a row sink that calls `receiver.take(event)`. Owner: the receiver must outlive the sink.
 template <class Receiver>
 RowSink row_sink_to(Receiver& receiver) {
   return {&receiver, [](void* context, const RowEvent& event) {
@@ -52,33 +54,33 @@ RowSink row_sink_to(Receiver& receiver) {
           }};
 }
 
-/// Reads one stream of slices, and hands its rows to a RowSink. It points into itself, so it is
-/// neither copied nor moved.
+/// Decodes one stream of slices, and sends its rows to a RowSink. A decoder contains pointers to
+/// itself, so it is neither copied nor moved.
 class SliceDecoder {
  public:
   SliceDecoder() = default;
   SliceDecoder(const SliceDecoder&) = delete;
   SliceDecoder& operator=(const SliceDecoder&) = delete;
 
-  /// Begins a stream. memory: at least slice_decoder_bytes() for the size and the surfaces that the
-  /// header will tell, or none before it is known; Owner: the caller, as long as the decoder is
-  /// used. channel: as of the Decoder; the rows of all surfaces of its stream are handed out.
-  /// Errors: bad_sink.
+  /// Waits for a stream. memory: at least slice_decoder_bytes() for the size and the surfaces in
+  /// the stream's header, or none while they are unknown; Owner: the caller, while the decoder is
+  /// in use. channel: as of the Decoder; the decoder delivers the rows of all surfaces of the
+  /// stream. Errors: bad_sink.
   [[nodiscard]] Status start(Memory memory, const RowSink& sink, uint8_t channel = any_channel);
 
-  /// Takes bytes, any number at a time. Status::suspended: the sink said "not now", push the rest
-  /// again. Status::wrong_version: as of the Decoder. Status::too_little_memory: the header tells
-  /// of larger slices than the memory serves: give_memory(), and push the rest. Errors: also
-  /// not_started, and bad_sink (the sink said "never"). Packets that arrive before any header are
-  /// lost. Of a stream of regions nothing is handed out: report().holds_slices says what it is.
-  /// Cost: as the encoder's.
+  /// Decodes bytes, any number at a time. Status::suspended: the sink is busy; push the remaining
+  /// bytes again. Status::wrong_version: as of the Decoder. Status::too_little_memory: the slices
+  /// in the header need more memory; call give_memory(), and push the remaining bytes. Errors: also
+  /// not_started, and bad_sink (the sink answered not_started). Packets that arrive before any
+  /// header are lost. A stream of regions delivers nothing: see report().holds_slices. Cost: as the
+  /// encoder's.
   Decoded push(const uint8_t* bytes, size_t count);
 
-  /// Goes on with other memory, of slice_decoder_bytes(), after Status::too_little_memory; at
-  /// any other time it does nothing. Errors: not_started, too_little_memory, wrong_version.
+  /// Continues with other memory, of slice_decoder_bytes(), after Status::too_little_memory; does
+  /// nothing at any other time. Errors: not_started, too_little_memory, wrong_version.
   [[nodiscard]] Status give_memory(Memory memory);
 
-  /// Tells that no byte follows. Status::suspended and errors as push().
+  /// Ends the input. Status::suspended and errors as push().
   [[nodiscard]] Status finish();
 
   const StreamHeader& header() const { return packets_.header(); }
@@ -109,7 +111,7 @@ class SliceDecoder {
   Stage stage_ = Stage::collect;
   bool is_started_ = false;
   SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event
-  Status refusal_ = Status::ok;               // of what the stream holds
+  Status refusal_ = Status::ok;               // of the stream's contents
   bool is_laid_out_ = false;
   bool is_whole_ = false;      // nothing is lost since the last key slice began
   bool is_key_ahead_ = false;  // the next row is the first of a key slice
@@ -120,10 +122,10 @@ class SliceDecoder {
   uint8_t surface_ = 0;              // whose row is read
   slices::RowNote note_ = slices::RowNote::none;
   uint32_t cut_row_ = 0;   // where the code is cut: in this row of those of all surfaces
-  uint32_t cut_left_ = 0;  // before so many of its voxels; 0 where it is not
+  uint32_t cut_left_ = 0;  // the number of its voxels behind the cut; 0 without a cut
   uint32_t slice_ = 0;
   uint32_t next_slice_ = 0;   // after what is lost
-  uint64_t lost_rows_ = 0;    // to be told
+  uint64_t lost_rows_ = 0;    // not yet reported
   uint64_t passed_rows_ = 0;  // handed out or lost
   slices::RowReader coder_;
   slices::RowCode row_;

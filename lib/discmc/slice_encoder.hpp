@@ -1,15 +1,15 @@
-// The slice encoder: samples in, a stream of slices out. For a device that leaves the surface to
-// whoever receives it.
+// The slice encoder: samples in, a stream of thresholded slices out. The receiver extracts the
+// surface.
 //
 //   start(header, key_slices, memory, output)
 //   push(samples, count)      as often as samples arrive, any number at a time
-//   resume()                  after Status::suspended, when the output may take again
+//   resume()                  after Status::suspended, when the output is ready again
 //   finish()                  after the last slice
 //
-// Every voxel is told by its neighbours, and what they say of it is learnt on the way (WIRE.md,
-// "Slices"). The stream of a CT head is a tenth of that of its regions, in a quarter of the
-// instructions. But the receiver must extract the surface, in as much memory as the device would
-// have needed; and what is lost on the way costs all slices up to the next key slice.
+// Each voxel is coded from its neighbours, with probabilities that adapt to the scan (WIRE.md,
+// "Slices"). The stream of a CT head has a tenth of the bytes of its regions, and costs a quarter
+// of the instructions. But the receiver must extract the surface, in as much memory as the device
+// would have needed, and a lost packet costs all slices up to the next key slice.
 #ifndef DISCMC_SLICE_ENCODER_HPP
 #define DISCMC_SLICE_ENCODER_HPP
 
@@ -23,19 +23,19 @@
 
 namespace discmc {
 
-// ---- How often a stream of slices can be begun, and what memory its two ends need.
+// ---- The interval of key slices, and the memory of both ends.
 
-/// How often a slice is told without the ones before, so that a receiver who has lost some, or who
-/// comes late, may begin.
+/// The interval of key slices, which decode without the slices before them. A receiver starts at
+/// one, or resumes there after a loss.
 struct KeySlices {
-  /// The slices from one key slice to the next; 0 where only the first is one. A packet that is
-  /// lost takes the slices up to the next key slice with it, so about half of the interval.
+  /// The number of slices from one key slice to the next; 0: only the first slice is one. A lost
+  /// packet costs the slices up to the next key slice, so about half of the interval.
   ///
-  /// For an interval take the loss that you can bear, no less than what fills a packet: a slice of
-  /// a CT head takes about 200 bytes, so 16 slices are 13 packets, and the stream is 4 % longer
-  /// than with one key slice; 8 slices: 8 %, 4 slices: 16 %. 1 takes least memory, but longer
-  /// streams: the CT head 62 %, an engine 83 %, a ball, of which a slice says nearly all of the
-  /// next, 253 %.
+  /// Choose the largest loss that you accept, and no less than the slices in a packet. A slice of a
+  /// CT head has about 200 bytes, so 16 slices are 13 packets. Compared with one key slice, 16 make
+  /// the stream 4 % longer, 8 make it 8 % longer, and 4 make it 16 % longer. 1 needs the least
+  /// memory but makes longer streams: the CT head 62 %, an engine 83 %, a ball, whose slices nearly
+  /// repeat each other, 253 %.
   uint32_t interval = 0;
 
   constexpr bool is_every() const { return interval == 1; }
@@ -46,7 +46,7 @@ struct KeySlices {
 
 namespace slices {
 
-/// The bytes of the rows and probabilities of some surfaces.
+/// The bytes of the rows and probabilities of this many surfaces.
 constexpr uint64_t surface_bytes(const Limits& limits, uint32_t rows, uint32_t surfaces) {
   uint64_t bytes = 0;
   for (uint32_t surface = 0; surface < surfaces; ++surface)
@@ -56,9 +56,9 @@ constexpr uint64_t surface_bytes(const Limits& limits, uint32_t rows, uint32_t s
 
 }  // namespace slices
 
-/// The bytes of memory that a SliceEncoder needs (FOOTPRINT.md has a table). For every surface four
-/// rows of bits and one more where every slice is a key slice, else those of a slice and three; and
-/// 548 bytes for the first surface, 1,060 for each further one. Limit: valid limits.
+/// The bytes of memory that a SliceEncoder needs (FOOTPRINT.md has a table). The first surface
+/// needs 548 bytes, each further one 1,060. In addition each surface needs rows of bits: five if
+/// every slice is a key slice, otherwise the rows of a slice and three more. Limit: valid limits.
 constexpr uint64_t slice_encoder_bytes(const Limits& limits, KeySlices key_slices,
                                        uint32_t surfaces = 1) {
   const uint32_t rows = slices::rows_kept(limits.height, key_slices.is_every());
@@ -73,96 +73,98 @@ constexpr uint64_t slice_decoder_bytes(const Limits& limits, uint32_t surfaces =
 
 // ---- The encoder.
 
-/// Takes the samples of a scan, and writes one stream of the bits of its surfaces. It points into
-/// itself, so it is neither copied nor moved, but by save() and restore().
+/// Accepts the samples of a scan, and writes one stream with the bits of its surfaces. An encoder
+/// contains pointers to itself, so only save() and restore() copy it.
 class SliceEncoder {
  public:
   SliceEncoder() = default;
 
-  /// Begins a scan and its stream; the header is the first packet, and its thresholds those of the
-  /// samples. Where it has several surfaces each gets all samples; bits of the further ones are
-  /// told by those of the first, so let that be the one that the others are like. memory: at least
+  /// Begins a scan and its stream. The header is the first packet; its thresholds apply to the
+  /// samples. With several surfaces, each uses all samples. The bits of the first surface predict
+  /// those of the others, so choose as the first the one that the others resemble. memory: at least
   /// slice_encoder_bytes(); Owner: the caller, for as long as the scan lasts. After a reset send a
   /// zero byte first, as with Encoder::start(). Errors: bad_limits, bad_label, bad_sink (no write),
   /// too_little_memory.
   [[nodiscard]] Status start(const StreamHeader& header, KeySlices key_slices, Memory memory,
                              const ByteOutput& output);
 
-  /// Takes samples of consecutive voxels, rows and slices in x, y, z order. Calls may end anywhere.
-  /// samples: Owner: the caller; free again when the call returns. stride: from one sample to the
-  /// next, in samples. Errors: not_started, finished, too_deep.
-  /// With Status::suspended all samples up to the end of the row that caused it have been taken.
-  /// Sample is uint8_t, uint16_t or int16_t. Cost: a comparison a sample, and of a row one decision
-  /// where it is as its neighbours say, else about one a voxel of outline and two.
+  /// Accepts samples of consecutive voxels, rows and slices in x, y, z order. A call may end
+  /// anywhere. samples: Owner: the caller; free again when the call returns. stride: from one
+  /// sample to the next, in samples. Errors: not_started, finished, too_deep. Status::suspended:
+  /// all samples up to the end of the row that caused it are accepted. Sample is uint8_t, uint16_t
+  /// or int16_t. Cost: one comparison per sample, and per row one coding decision if its neighbours
+  /// predict it, otherwise about two and one per voxel of outline.
   template <class Sample>
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
     return push_samples(samples, count, stride);
   }
 
-  /// Takes a whole row that is thresholded already: eight voxels a byte, the first in bit 0; of
-  /// several surfaces one row behind the other, each of which begins with a byte. Errors: as
-  /// push(), row_in_progress. PushResult::samples is the width when the row was taken, else 0.
+  /// Accepts a whole row of bits that you thresholded: eight voxels per byte, the first in bit 0.
+  /// With several surfaces their rows follow each other, each from a new byte on. Errors: as
+  /// push(), row_in_progress. PushResult::samples is the width if the row was accepted, otherwise
+  /// 0.
   PushResult push_bits(const uint8_t* bits);
 
-  /// Stands in for a row that never came; the stream says so. The first row of a key slice has none
-  /// before it, and is taken as off. Result and errors: as push_bits().
+  /// Replaces a missing row; the stream records it. The first row of a key slice has no previous
+  /// row, and counts as off. Result and errors: as push_bits().
   PushResult skip_row(Substitute substitute);
 
-  /// Goes on after Status::suspended; the output may take nothing again, then it is
-  /// Status::suspended again. Harmless at any other time. Errors: not_started.
+  /// Continues after Status::suspended; returns it again if the output is still busy. Harmless at
+  /// any other time. Errors: not_started.
   [[nodiscard]] Status resume();
 
-  /// Hands over what is there so far instead of waiting for a full packet; costs about 15 bytes of
-  /// stream a call. Errors: not_started. After Status::suspended call it again.
+  /// Sends an incomplete packet instead of waiting for a full one; costs about 15 bytes of stream
+  /// per call. Errors: not_started. After Status::suspended call it again.
   [[nodiscard]] Status flush();
 
-  /// Sends an application record now, before the next row; its slice and row are filled in. Errors:
-  /// not_started, finished, bad_record. Status::suspended: not taken yet, call again.
+  /// Sends an application record now, before the next row, and fills in its slice and row. Errors:
+  /// not_started, finished, bad_record. Status::suspended: not accepted yet, call again.
   [[nodiscard]] Status write_record(const ApplicationRecord& record);
 
-  /// Goes on with another output, as Encoder::set_output(). The next slice is a key slice.
+  /// Continues with another output, as Encoder::set_output(). The next slice is a key slice.
   void set_output(const ByteOutput& output);
 
   /// Ends the scan and the stream. Errors: not_started, slice_in_progress. After Status::suspended
-  /// go on with resume(). Calling it again is harmless.
+  /// call resume(). A second call is harmless.
   [[nodiscard]] Status finish();
 
-  /// Ends the scan wherever it is: the stream says so, and the receiver takes the rest of the slice
-  /// as off. Samples of a row that is not complete are dropped. Errors: not_started.
-  /// Status::suspended as finish().
+  /// Ends the scan anywhere: the stream records it, and for the receiver the rest of the slice is
+  /// off. Samples of an incomplete row are dropped. Errors: not_started. Status::suspended as
+  /// finish().
   [[nodiscard]] Status abandon();
 
-  /// Whether a row, or the end, waits for the output: then resume() before save().
+  /// Whether a row, or the end, waits for the output. If so, call resume() before save().
   bool is_suspended() const { return row_is_due_ || state_ == State::finishing; }
 
-  /// Writes down where scan and stream are, the stream at the beginning of a frame; with the first
-  /// bytes_used() bytes of the memory that is all of both. Errors: not_started. Status::suspended:
-  /// resume() first. Cost: a checksum of those bytes.
+  /// Saves the encoder's state, at the beginning of a frame. Also save the first bytes_used() bytes
+  /// of the memory; restore() needs both. Errors: not_started. Status::suspended: call resume()
+  /// first. Cost: a checksum of those bytes.
   [[nodiscard]] Status save(Checkpoint<SliceEncoder>& checkpoint) const;
 
-  /// Goes on where a checkpoint was saved: with row rows() of slice slices(), bytes() bytes of
-  /// stream before it. memory: as many bytes as start() was given, the first ones as they were
-  /// then; it may lie elsewhere, with the same alignment modulo 4; Owner: as of start(). Errors:
+  /// Restores a saved state: the scan continues with row rows() of slice slices(), after bytes()
+  /// bytes of stream. memory: of the size given to start(), with the saved bytes at its beginning;
+  /// it may lie at another address with the same alignment modulo 4; Owner: as of start(). Errors:
   /// too_little_memory, bad_checkpoint, bad_sink (no write). Cost: as save().
   [[nodiscard]] Status restore(const Checkpoint<SliceEncoder>& checkpoint, Memory memory,
                                const ByteOutput& output);
 
-  /// Goes on as restore() does, where the bytes of this object itself have been read back, with
-  /// those of the memory: for objects that are saved where they lie, as those of C. Limit: they are
-  /// as they were. Errors: bad_sink (no write), too_little_memory.
+  /// Continues like restore() after the bytes of this object itself and of the memory were read
+  /// back, for objects that are saved in place, as those of C. Limit: the bytes are unchanged.
+  /// Errors: bad_sink (no write), too_little_memory.
   [[nodiscard]] Status continue_in(Memory memory, const ByteOutput& output);
 
-  /// The bytes of stream so far: what the output has taken, and what was dropped without one. How
-  /// many those are is what this has grown by between the two calls of set_output().
+  /// The bytes of stream so far, including those dropped without an output. The difference between
+  /// two calls of set_output() is the number of dropped bytes.
   uint64_t bytes() const { return packets_.bytes(); }
-  /// So many bytes at the beginning of the caller's memory the scan uses: slice_encoder_bytes().
+  /// The number of bytes at the beginning of the caller's memory that the scan uses:
+  /// slice_encoder_bytes().
   size_t bytes_used() const;
-  /// Complete slices so far, and complete rows of the current one.
+  /// The number of complete slices so far, and of complete rows of the current slice.
   uint32_t slices() const { return surfaces_.rows().slices(); }
   uint32_t rows() const { return surfaces_.rows().rows(); }
 
-  /// Of what a checkpoint holds: see CheckpointHead.
+  /// For CheckpointHead::layout.
   static constexpr uint32_t layout = sizeof(void*) << 4;
 
  private:
@@ -197,10 +199,10 @@ class SliceEncoder {
   bool row_is_due_ = false;
   bool row_is_begun_ = false;
   bool code_is_open_ = false;
-  bool key_is_due_ = false;  // whatever key_slices_ says
+  bool key_is_due_ = false;  // regardless of key_slices_
   bool is_abandoned_ = false;
   uint8_t packet_bits_ = 0;  // of the packet: see wire::SliceBits
-  uint8_t surface_ = 0;      // whose row is told
+  uint8_t surface_ = 0;      // whose row is being coded
   KeySlices key_slices_;
   uint64_t encoded_rows_ = 0;
   uint64_t skipped_rows_ = 0;

@@ -1,4 +1,4 @@
-// The one result type of the library.
+// The result type of all calls.
 #ifndef DISCMC_STATUS_HPP
 #define DISCMC_STATUS_HPP
 
@@ -7,37 +7,38 @@
 
 namespace discmc {
 
-/// Result of a call. `ok` and `suspended` are not errors: `suspended` means that the sink or output
-/// said "not now" and that resume() goes on with the work; of a decoder, push() of the rest.
+/// The result of a call; docs/statuses.md has the cause and the remedy of each. `ok` and
+/// `suspended` are not errors. `suspended` means that the sink or output is busy: call resume(), or
+/// push() of a decoder with the remaining bytes.
 ///
-/// After an error what is under way goes on as if the call had not been made. But what comes before
-/// the error is done: events that waited have been delivered, and push() tells how much it has
-/// taken of what it was given. Some errors leave more behind:
+/// After an error the object continues as if the call had not been made. But work before the error
+/// is done: waiting events were delivered, and push() returns how much it accepted. These errors
+/// change more:
 ///
-///   Extractor::start()       too_little_memory, or bad_sink of a sink that did not take the start:
-///                            the scan before has ended, too
-///   MajorityFilter::start(), Downsampler::start()  whichever: it is not started
-///   push() of decoders       wrong_version: nothing more of this stream comes
-///   Joiner::finish()         too_little_memory: all has been done that can be
+///   Extractor::start()       too_little_memory, or bad_sink of a sink that rejects the start:
+///                            the previous scan has ended, too
+///   MajorityFilter::start(), Downsampler::start()  any error: it is not started
+///   push() of decoders       wrong_version: the rest of this stream is ignored
+///   Joiner::finish()         too_little_memory: everything possible was delivered
 ///   CheckpointStore          device_error: see each of its functions
 enum class Status : uint8_t {
   ok,
-  suspended,          ///< suspended; nothing is lost: resume(), of a decoder push() the rest
-  bad_limits,         ///< see Limits
-  bad_capacities,     ///< a capacity is below the minimum or beyond what the index type can count
-  too_little_memory,  ///< the memory is smaller than the limits or capacities need, or null
-  bad_sink,           ///< a sink or output without a function, or a sink that refuses to start
+  suspended,   ///< busy, nothing is lost: resume(), or push() of a decoder with the remaining bytes
+  bad_limits,  ///< see Limits
+  bad_capacities,     ///< a capacity is below the minimum or beyond the index type
+  too_little_memory,  ///< the memory is null or smaller than the limits or capacities need
+  bad_sink,           ///< a sink or output without a function, or a sink that rejects the start
   not_started,        ///< start() has not succeeded yet
-  finished,           ///< finish() or abandon() was called: start() another scan, or reset()
-  row_in_progress,    ///< a whole row was given or skipped in the middle of a row of samples
+  finished,           ///< the scan has ended: start() another, or reset()
+  row_in_progress,    ///< a whole row was pushed or skipped in the middle of a row
   slice_in_progress,  ///< finish() in the middle of a slice: push or skip its rows, or abandon()
-  too_deep,       ///< z coordinates are exhausted (Limits::max_slices slices); finish() still works
-  wrong_version,  ///< the stream's version is not known to this decoder
-  bad_checkpoint,  ///< the checkpoint, or the memory that goes with it, is not what was saved
-  bad_label,       ///< see StreamLabel; of a StreamHeader also its surfaces
-  bad_record,      ///< an application record is too long, or a packet of records
-  bad_device,      ///< a flash without read() or program(), or without room for two checkpoints
-  device_error,    ///< a function of a flash failed, or a unit reads otherwise than was programmed
+  too_deep,           ///< the scan has Limits::max_slices slices; finish() still works
+  wrong_version,      ///< this decoder does not support the stream's version
+  bad_checkpoint,     ///< the checkpoint or its memory differs from what was saved
+  bad_label,          ///< see StreamLabel; for a StreamHeader also its surfaces
+  bad_record,         ///< an application record or a packet of records is too long
+  bad_device,         ///< a flash without read() or program(), or too small for two checkpoints
+  device_error,       ///< a flash function failed, or a unit reads back with other bytes
 };
 
 /// A short English text for a status. Owner: static storage.

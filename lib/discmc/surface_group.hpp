@@ -1,10 +1,10 @@
-// Several surfaces of one scan: what is pushed goes to all of them.
+// Several surfaces of one scan: every push goes to all extractors of the group.
 //
 //   static Extractor16 extractors[2];                  // each with its threshold, memory and sink
 //   SurfaceGroup<Extractor16> surfaces(extractors, 2, limits.width);
 //   surfaces.push(row, limits.width);                  // as often as samples arrive
 //
-// Streams of slices need no group: a SliceEncoder tells several surfaces itself.
+// Streams of slices need no group: a SliceEncoder encodes several surfaces itself.
 #ifndef DISCMC_SURFACE_GROUP_HPP
 #define DISCMC_SURFACE_GROUP_HPP
 
@@ -14,21 +14,21 @@
 
 namespace discmc {
 
-/// Scanner is an Extractor of any kind. Each of the group has a sink of its own, and any of them
-/// may say "not now": the group waits for all. It is neither copied nor moved: of two each would
-/// miss what is pushed to the other.
+/// Scanner is an Extractor of any kind. Each extractor has a sink of its own, and the group waits
+/// for all sinks. A group is neither copied nor moved: each of two copies would miss the pushes to
+/// the other.
 template <class Scanner>
 class SurfaceGroup {
  public:
   /// scanners: started for slices of one size, with nothing pushed yet; Owner: the caller, for as
-  /// long as the scan lasts. Units: width in voxels
+  /// long as the scan lasts. Units: width in voxels.
   SurfaceGroup(Scanner* scanners, uint32_t count, uint32_t width)
       : first_(scanners), end_(scanners + count), width_(width) {}
   SurfaceGroup(const SurfaceGroup&) = delete;
   SurfaceGroup& operator=(const SurfaceGroup&) = delete;
 
-  /// As Extractor::push(), for all. Status::suspended: some sink said "not now"; what the result
-  /// counts has gone to all.
+  /// As Extractor::push(), for all. Status::suspended: a sink is busy; all extractors have accepted
+  /// the samples that the result counts.
   template <class Sample>
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     PushResult result{resume(), 0};
@@ -45,8 +45,7 @@ class SurfaceGroup {
     return result;
   }
 
-  /// As Extractor::push_bits(), with a row of bits for each: one behind the other, each of which
-  /// begins with a byte.
+  /// As Extractor::push_bits(), with one row of bits per extractor, each from a new byte on.
   PushResult push_bits(const uint8_t* bits) {
     const uint8_t* row = bits;
     return take_row([&](Scanner& scanner) {
@@ -61,7 +60,7 @@ class SurfaceGroup {
     return take_row([&](Scanner& scanner) { return scanner.skip_row(substitute).status; });
   }
 
-  /// Each as the function of the Extractor, for all.
+  /// As the functions of the Extractor, for all.
   [[nodiscard]] Status resume() {
     return for_each([](Scanner& scanner) { return scanner.resume(); });
   }
@@ -77,7 +76,7 @@ class SurfaceGroup {
     return status != Status::ok && status != Status::suspended;
   }
 
-  // All are where the first one is, so an error is the first one's, before any has changed.
+  // All have the same position, so the first one reports an error before any has changed.
   template <class Call>
   Status for_each(Call call) {
     Status all = Status::ok;

@@ -1,5 +1,5 @@
-// What the parts of a port ask of each other: the processor, the UART's driver, the source of rows
-// and, where there is one, the debugger. The application knows none of this; it knows board.hpp.
+// The interfaces between the parts of a port: the processor, the UART's driver, the source of rows
+// and, if there is one, the debugger. The application uses only board.hpp.
 #ifndef DISCMC_BOARDS_PORT_HPP
 #define DISCMC_BOARDS_PORT_HPP
 
@@ -9,46 +9,46 @@
 /// The processor: cortex_m/cpu.cpp or riscv/cpu.cpp.
 namespace cpu {
 
-/// Has source::on_request() called from an interrupt, as soon as that can be.
+/// Requests a call of source::on_request() from an interrupt, as soon as possible.
 void request_rows();
 
-/// Lets a peripheral interrupt. Each one calls uart::on_interrupt() and source::on_interrupt(),
-/// which look for what has happened in their own registers.
+/// Enables the interrupt of a peripheral. Each one calls uart::on_interrupt() and
+/// source::on_interrupt(), which read their own registers for the cause.
 void enable_interrupt(uint32_t number);
 
-/// The deepest that the stack has been so far, and the most it may be.
+/// The greatest depth of the stack so far, and its limit.
 size_t stack_used();
 size_t stack_bytes();
 
-/// A request to the debugger, in its own words: see semihosting.hpp.
+/// A request to the debugger: see semihosting.hpp.
 uintptr_t ask_debugger(uintptr_t operation, const void* arguments);
 
 }  // namespace cpu
 
 namespace board {
 
-/// The processor has faulted. Called on a fresh stack, as the old one may be what is at fault.
+/// Handles a fault of the processor. Called on a fresh stack, because the old one may be the cause.
 [[noreturn]] void fault();
 
 }  // namespace board
 
-/// The UART by which the stream leaves: one driver a kind of UART, in uart/.
+/// The UART for the stream: one driver per kind of UART, in uart/.
 namespace uart {
 
 void start();
 
-/// Sends a byte. False: there is no room, and an interrupt will come when there is.
+/// Sends a byte. Returns false if there is no room; an interrupt follows when there is.
 bool send(uint8_t byte);
 
-/// Nothing is on its way out.
+/// Whether everything has left.
 bool is_idle();
 
 void on_interrupt();
 
 }  // namespace uart
 
-/// Where the rows come from: rows/file.cpp, or a driver of your own. It calls `rows` (board.hpp),
-/// and only from its two interrupts; it is also what defines board::row_is_free().
+/// The source of rows: rows/file.cpp, or a driver of your own. It calls `rows` (board.hpp), only
+/// from its two interrupts, and defines board::row_is_free().
 namespace source {
 
 void start();

@@ -1,4 +1,4 @@
-// discmc extract and decode without noise and specks.
+// discmc extract, decode and render without noise and specks.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -96,4 +96,21 @@ TEST_CASE("counts and volumes that are none are refused with what is wanted") {
     command_tests::check_failure(
         workshop.run("extract v.nrrd --iso 1 -o v.stl --min-volume=" + none), 2,
         {"'" + none + "' is no number of cubic millimetres"});
+}
+
+TEST_CASE("a picture shows the bodies that are kept, of a volume as of its stream") {
+  const Workshop workshop;
+  workshop.write("v.raw", boxes());
+  workshop.done(extract + "-q -o v.dmc");
+  const std::string layout = "v.raw" + extract.substr(extract.find(" --dims"));
+  const auto picture = [&](const std::string& input, const std::string& options) {
+    return workshop.done("render " + input + " " + options + " --size 60,50 -o -");
+  };
+  const std::string one = picture("v.dmc", "--largest 1");
+  CHECK(one != picture("v.dmc", ""));
+  CHECK(one == picture(layout, "--largest 1"));
+  CHECK(one == picture(layout, "--min-volume 300"));
+  for (const std::string other : {"--classic", "--border open"})
+    check_failure(workshop.run("render " + layout + other + " --largest 1 -o v.png"), 2,
+                  {"--largest"});
 }

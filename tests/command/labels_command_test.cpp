@@ -2,11 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "command.hpp"
+#include "pictures/label_colour.hpp"
 
 namespace {
 
@@ -88,7 +90,8 @@ TEST_CASE("segments of 3D Slicer name the meshes of labels where no table is giv
   };
   CHECK(colour("left lung_top.ply") == discmc::command::Srgb{128, 255, 0});
   CHECK_FALSE(workshop.read("bone.ply").empty());
-  CHECK(colour("bone.ply") == colour("9.ply"));
+  CHECK(colour("bone.ply") == discmc::command::label_colour(1));
+  CHECK(colour("9.ply") == discmc::command::label_colour(9));
   workshop.write("table.txt", "1 tibia 1 2 3\n");
   workshop.done("extract v.seg.nrrd --labels all --label-table table.txt -o 'own-{name}.ply'");
   CHECK_FALSE(workshop.read("own-tibia.ply").empty());
@@ -535,4 +538,26 @@ TEST_CASE("labels that cannot be written are refused before any work") {
   check_failure(workshop.run("extract half.raw --dims 4,2,3 --type f32 --label 1 -o v.stl"), 1,
                 {"half.raw", "slice 0", "whole numbers"});
   CHECK(workshop.names() == names);
+}
+
+TEST_CASE("labels without a colour get colours of their own, the same in every file") {
+  std::set<discmc::command::Srgb> colours;
+  for (int number = 1; number <= 21; ++number)
+    colours.insert(discmc::command::label_colour(number));
+  CHECK(colours.size() == 21);
+  CHECK(discmc::command::label_colour(-20) == discmc::command::label_colour(1));
+  CHECK(discmc::command::label_colour(22) == discmc::command::label_colour(1));
+
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  workshop.done(extract + "--labels all -o all.glb");
+  workshop.done(extract + "--label 2 --label 9 -o two.glb");
+  const auto all = command_tests::meshes_of_glb(workshop.read("all.glb"));
+  const auto two = command_tests::meshes_of_glb(workshop.read("two.glb"));
+  REQUIRE(all.size() == 3);
+  REQUIRE(two.size() == 2);
+  for (const std::size_t i : {0U, 1U, 2U})
+    CHECK(all[i].colour == discmc::command::label_colour(std::stod(all[i].name)));
+  CHECK(two[0].colour == all[1].colour);
+  CHECK(two[1].colour == all[2].colour);
 }

@@ -88,9 +88,9 @@ TEST_CASE("what other programs call a threshold is answered with --iso, where th
 }
 
 TEST_CASE("what would make a surface smooth is answered with the option that does so here") {
-  check_said("extract v.nrrd --iso 5 --smooth",
-             "discmc: '--smooth' is not an option of extract; did you mean --surface "
-             "interpolated?\nSee discmc extract --help.\n");
+  check_said("extract v.nrrd --iso 5 --smoothing",
+             "discmc: '--smoothing' is not an option of extract; did you mean --smooth auto?\n"
+             "See discmc extract --help.\n");
   check_said("render v.nrrd --smooth",
              "discmc: '--smooth' is not an option of render; did you mean --shade smooth?\n"
              "See discmc render --help.\n");

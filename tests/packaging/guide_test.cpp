@@ -158,6 +158,48 @@ Status push_levelled(Extractor16& extractor, const uint8_t* row, int32_t thresho
   return extractor.push_bits(bits).status;
 }
 
+// Of docs/receiving.md.
+struct Outlines {
+  Incidence incidence = no_incidence;  // of the region: normal(incidence)
+  Vertex corner{};
+  uint64_t lines = 0;
+
+  SinkResult take(const Event& event) {
+    if (event.kind == Event::Kind::region) incidence = event.incidence;
+    if (event.kind == Event::Kind::ring) corner = event.start;
+    if (event.kind == Event::Kind::run) {
+      corner = after_run(incidence, corner, event.run);  // draw a line to here
+      ++lines;
+    }
+    return SinkResult::accepted;  // or busy: the same event comes again
+  }
+};
+
+Outlines outlines;
+Joiner joiner;
+uint8_t join_memory[192 * 1024];  // for 1,000 fragments
+SurfaceDecoder decoder;
+uint8_t decoder_memory[256 * 1024];  // for slices of 256x256, and 14,000 slots
+
+bool start_receiver() {
+  return joiner.start(memory_of(join_memory), make_sink(outlines), InputOrder::sweep) ==
+             Status::ok &&
+         decoder.start(memory_of(decoder_memory), make_sink(joiner)) == Status::ok;
+}
+
+Status receive(const uint8_t* bytes, size_t count) {
+  Decoded decoded{Status::suspended, 0};
+  for (size_t pushed = 0; decoded.status == Status::suspended; pushed += decoded.bytes)
+    decoded = decoder.push(bytes + pushed, count - pushed);
+  return decoded.status;
+}
+
+bool is_whole() {
+  while (decoder.finish() == Status::suspended) continue;
+  while (joiner.finish() == Status::suspended) continue;
+  return decoder.report().is_complete() && joiner.report().unmatched == 0;
+}
+
 // Of docs/power-failure.md.
 constexpr FlashGeometry flash_geometry{256, 4096, 32};  // pages, sectors, and how many of them
 
@@ -206,16 +248,45 @@ TEST_CASE("the guide's stream of slices makes the regions of the device's own") 
   const auto regions_of = [](const Bytes& stream) {
     static uint8_t memory[512 * 1024];
     Count count;
-    SurfaceDecoder decoder;
-    REQUIRE(decoder.start(memory_of(memory), make_sink(count)) == Status::ok);
-    REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
-    REQUIRE(decoder.finish() == Status::ok);
-    CHECK(decoder.report().is_complete());
+    SurfaceDecoder counting;
+    REQUIRE(counting.start(memory_of(memory), make_sink(count)) == Status::ok);
+    REQUIRE(counting.push(stream.data(), stream.size()).status == Status::ok);
+    REQUIRE(counting.finish() == Status::ok);
+    CHECK(counting.report().is_complete());
     return count.regions;
   };
   const Bytes regions = stream_of(ball);
   CHECK(regions_of(bytes) == regions_of(regions));
   CHECK(bytes.size() < regions.size() / 2);
+}
+
+TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a lost packet") {
+  // So little memory that the device sends fragments.
+  static uint8_t memory[minimum_bytes<uint16_t>(limits) + 256];
+  Bytes bytes;
+  Encoder encoder;
+  Extractor16 extractor;
+  REQUIRE(encoder.start({size}, {&bytes, append}) == Status::ok);
+  REQUIRE(extractor.start(limits, threshold, memory_of(memory), make_sink(encoder)) == Status::ok);
+  Ball ball;
+  for (uint32_t i = 0; i < size * size; ++i)
+    REQUIRE(extractor.push(ball.scan(i), size).status == Status::ok);
+  REQUIRE(extractor.finish() == Status::ok);
+  REQUIRE(extractor.statistics().fragments > 0);
+
+  REQUIRE(start_receiver());
+  for (const uint8_t byte : bytes) REQUIRE(receive(&byte, 1) == Status::ok);
+  CHECK(is_whole());
+  CHECK(joiner.report().fragments == extractor.statistics().fragments);
+  CHECK(outlines.lines > 0);
+
+  const auto middle =
+      std::find(bytes.begin() + static_cast<std::ptrdiff_t>(bytes.size() / 2), bytes.end(), 0);
+  const auto next = std::find(middle + 1, bytes.end(), 0);
+  bytes.erase(middle + 1, next + 1);
+  REQUIRE(start_receiver());
+  REQUIRE(receive(bytes.data(), bytes.size()) == Status::ok);
+  CHECK_FALSE(is_whole());
 }
 
 TEST_CASE("the guide's filter takes away most of what noise adds to the stream") {

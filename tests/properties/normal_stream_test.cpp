@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <discmc/gradient_normals.hpp>
-#include <discmc/stream/record_encoding.hpp>
+#include <discmc/stream/record_writing.hpp>
 
 #include "oracle/stream_samples.hpp"
 
@@ -59,7 +59,7 @@ const OctahedralNormal none{0, 0};
 // ---- payloads by hand ----
 
 void add_region(Payload& payload, uint32_t runs = 2) {
-  Record record;
+  stream::Record record;
   record.begin(up);
   record.add_ring({1, 0, 0});
   for (uint32_t i = 0; i < runs; ++i) record.add_run(run_to_and_fro(i));
@@ -69,10 +69,10 @@ void add_region(Payload& payload, uint32_t runs = 2) {
 
 // `lacking`: the bytes at its end that are promised and not there.
 void add_normals(Payload& payload, uint32_t type, const Bytes& bytes, uint32_t lacking = 0) {
-  payload.model.record_kind(RecordKind::extension);
-  payload.model.plain_bits(8, type);
-  payload.model.plain_bits(8, static_cast<uint32_t>(bytes.size()) + lacking);
-  for (const uint8_t byte : bytes) payload.model.plain_bits(8, byte);
+  payload.model.record_kind(stream::RecordKind::extension);
+  payload.model.even(8, type);
+  payload.model.even(8, static_cast<uint32_t>(bytes.size()) + lacking);
+  for (const uint8_t byte : bytes) payload.model.even(8, byte);
 }
 
 using List = std::vector<std::vector<int>>;
@@ -145,7 +145,7 @@ TEST_CASE("a normal belongs to the record after it and to no other") {
   }
   SUBCASE("a layer mark comes between") {
     add_normals(payload, 1, {5, 6});
-    payload.model.record_kind(RecordKind::layer);
+    payload.model.record_kind(stream::RecordKind::layer);
     payload.model.layer(3);
     add_region(payload);
     CHECK(normals_of({payload.finish()}) == List{{0, 0}, {0, 0}});

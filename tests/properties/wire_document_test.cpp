@@ -1,11 +1,15 @@
 // WIRE.md is true: its worked example is what the encoder makes, its tables are those of the code.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <sstream>
 #include <string>
 
 #include "oracle/slice_stream.hpp"
+#include "oracle/symbol_rows.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -40,18 +44,30 @@ Bytes single_voxel() {
   return encode(events_of(voxel), header_of(voxel));
 }
 
-// Notes every decision as the document writes it.
+// Notes every symbol and even bits as the document writes them.
 struct TracingCoder {
-  RangeDecoder range;
+  static constexpr bool writes = false;
+  stream::SymbolReader reader;
   std::vector<std::string>* trace;
-  bool code_bit(uint32_t context, bool) {
-    const bool is_even = context == context::even;
-    const Probability one = region_model[context];
-    const bool bit = range.decode(one);
-    trace->push_back(is_even ? "E" : std::to_string(context));
-    trace->push_back(std::to_string(one));
-    trace->push_back(bit ? "1" : "0");
-    return bit;
+
+  uint32_t symbol(uint32_t row, uint32_t) {
+    const uint32_t symbol = reader.symbol(row, 0);
+    const uint8_t* const below = stream::shares + row + symbol;
+    note(std::to_string(row), symbol, (below[1] - below[0]) & 0xFF);
+    return symbol;
+  }
+  uint32_t even(uint32_t bits, uint32_t) {
+    const uint32_t value = reader.even(bits, 0);
+    note("E", value, bits);
+    return value;
+  }
+
+ private:
+  void note(const std::string& row, uint32_t value, int share) {
+    trace->insert(trace->end(), {row, std::to_string(value), std::to_string(share)});
+  }
+  void note(const std::string& row, uint32_t value, uint32_t bits) {
+    note(row, value, static_cast<int>(bits));
   }
 };
 
@@ -113,24 +129,20 @@ TEST_CASE("the dump in WIRE.md is the stream of a single voxel") {
   CHECK(bytes_of_block("hex") == single_voxel());
 }
 
-TEST_CASE("the decisions in WIRE.md are those of the first record and the first region") {
+TEST_CASE("the symbols in WIRE.md are those of the first record and the first region") {
   const Packet packet = packet_of(frames_of(single_voxel())[1]);
   std::vector<std::string> trace;
-  RegionModel<TracingCoder> model(
-      TracingCoder{{packet.payload.data(), packet.payload.size()}, &trace});
-  CHECK(model.record_kind(RecordKind::end) == RecordKind::layer);
+  stream::RecordModel<TracingCoder> model(
+      {{RangeDecoder(packet.payload.data(), packet.payload.size())}, &trace});
+  CHECK(model.record_kind(stream::RecordKind::end) == stream::RecordKind::layer);
   CHECK(model.layer(1) == 0);
-  CHECK(model.record_kind(RecordKind::end) == RecordKind::region);
+  CHECK(model.record_kind(stream::RecordKind::end) == stream::RecordKind::region);
+  CHECK(model.start({0, 0, 0}) == Vertex{-1, 0, 0});
   CHECK(model.incidence(no_incidence) == 0);
-  CHECK(model.ring_count(0) == 1);
-  CHECK(model.start({0, 0, 0}, ChainKind::first) == Vertex{-1, 0, 0});
-  CHECK_FALSE(model.parallelogram(false));
-  CHECK(model.run_count(2) == 3);
-  CHECK(model.direction(0) == 0);
-  CHECK(model.length(1) == 1);
-  CHECK(model.direction(0) == 2);
-  CHECK(model.direction(0) == 4);
-  CHECK(trace == words_of_block("decisions"));
+  CHECK(model.corners(0) == 8);
+  CHECK(model.ring_direction(9) == 1);
+  CHECK(model.length(stream::rows::lengths, 0, 9) == 1);
+  CHECK(trace == words_of_block("symbols"));
 }
 
 TEST_CASE("the dump of slices in WIRE.md is the stream of its volume, behind the header") {
@@ -189,43 +201,26 @@ TEST_CASE("the directions in WIRE.md are those of the code") {
   CHECK(rows == expected);
 }
 
-TEST_CASE("the contexts in WIRE.md are those of the code") {
-  using namespace context;
-  const std::pair<uint32_t, const char*> rows[] = {{region_follows, "region_follows"},
-                                                   {fragment_follows, "fragment_follows"},
-                                                   {other_kind, "other_kind"},
-                                                   {component_zero, "component_zero"},
-                                                   {component_sign, "component_sign"},
-                                                   {one_ring, "one_ring"},
-                                                   {start_z, "start_z"},
-                                                   {start_y, "start_y"},
-                                                   {start_x, "start_x"},
-                                                   {start_hole, "start_hole"},
-                                                   {fragment_z, "fragment_z"},
-                                                   {fragment_y, "fragment_y"},
-                                                   {fragment_x, "fragment_x"},
-                                                   {first_direction, "first_direction"},
-                                                   {parallelogram, "parallelogram"},
-                                                   {context::run_count, "run_count"},
-                                                   {next_turn, "next_turn"},
-                                                   {run_length, "run_length"},
-                                                   {is_backwards, "is_backwards"},
-                                                   {fragment_direction, "fragment_direction"},
-                                                   {z_is_odd, "z_is_odd"},
-                                                   {y_is_odd, "y_is_odd"},
-                                                   {fragment_turn, "fragment_turn"},
-                                                   {context::is_last_link, "is_last_link"},
-                                                   {fragment_length, "fragment_length"},
-                                                   {item_kind, "item_kind"},
-                                                   {part_kind, "part_kind"}};
-  const std::vector<std::string> lines = document();
-  size_t at = 0;
-  for (const auto& [first, context_name] : rows) {
-    const std::string row = "| " + std::to_string(first) + " | ";
-    const std::string name = std::string(" | ") + context_name + " | ";
-    while (at < lines.size() && lines[at].find(name) == std::string::npos) ++at;
-    REQUIRE_MESSAGE(at < lines.size(), name);
-    CHECK_MESSAGE(lines[at].rfind(row, 0) == 0, lines[at]);
+TEST_CASE("the rows in WIRE.md are those of the code") {
+  std::map<std::string, std::vector<reference::SymbolRows>> rows;
+  for (const reference::SymbolRows& row : reference::symbol_rows()) rows[row.name].push_back(row);
+  std::vector<std::string> lines = document();
+  const auto begin = std::find(lines.begin(), lines.end(), "## 8 Rows");
+  lines = {begin, std::find(begin, lines.end(), "## 9 Records")};
+  for (const auto& [name, of_classes] : rows) {
+    const std::string cell = " | " + name + " | ";
+    const auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& text) {
+      return text.find(cell) != std::string::npos;
+    });
+    REQUIRE_MESSAGE(line != lines.end(), name);
+    std::string first = "| ";
+    for (const reference::SymbolRows& row : of_classes) first += std::to_string(row.first) + " | ";
+    CHECK_MESSAGE(line->rfind(first, 0) == 0, *line);
+    if (of_classes.size() > 1) continue;
+    const std::string sizes =
+        std::to_string(of_classes[0].rows) + " | " + std::to_string(of_classes[0].symbols);
+    CHECK_MESSAGE(line->find(first + sizes + cell) == 0, *line);
   }
-  CHECK(context::count == 903);
+  CHECK(rows.size() == 11 + 6);
+  CHECK(std::size(stream::shares) == 556);
 }

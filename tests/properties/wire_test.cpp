@@ -61,7 +61,7 @@ TEST_CASE("the samples hold everything that a stream can hold") {
       holes += recorded.is(Kind::ring) && recorded.event().hole;
     }
     if (sample.name == "noise with fragments") CHECK(count_of(sample.events, Kind::fragment) > 50);
-    if (sample.name == "a spiral, whose rings are long") CHECK(longest_ring > Record::max_words);
+    if (sample.name == "a spiral, whose rings are long") CHECK(longest_ring > stream::Record::max_words);
   }
   CHECK(fragments > 100);
   CHECK(skipped > 10);
@@ -196,8 +196,8 @@ TEST_CASE("loose fragments are encoded as they always were") {
 
 TEST_CASE("parts, fragments and marks are encoded as they always were") {
   const Bytes stream = encode(monstrous_events());
-  CHECK(stream.size() == 29991);
-  CHECK(crc32(stream.data(), stream.size()) == 0x3F5B2956);
+  CHECK(stream.size() == 21928);
+  CHECK(crc32(stream.data(), stream.size()) == 0x2124030A);
 }
 
 TEST_CASE("fields of one to eight bytes are read as they were written, and zeros beyond the end") {

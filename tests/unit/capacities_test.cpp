@@ -35,7 +35,7 @@ void for_each_limits(Check check) {
       }
 }
 
-template <class Index, class Normals = NoNormals>
+template <class Index, class Normals = BitIntake>
 void check_defaults(const Limits& limits, uint64_t bytes) {
   const Capacities capacities = default_capacities<Index, Normals>(limits, bytes);
   CAPTURE(bytes);

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <discmc/discmc.hpp>
-#include <discmc/host/learning_extractor.hpp>
+#include <discmc/host/host_extractor.hpp>
 
 #include <type_traits>
 
@@ -23,7 +23,7 @@ constexpr bool is_plain_bytes =
 
 TEST_CASE("what works in the caller's memory or points into itself stays where it is") {
   static_assert(stays_where_it_is<Extractor16> && stays_where_it_is<Extractor32> &&
-                    stays_where_it_is<LearningExtractor> &&
+                    stays_where_it_is<HostExtractor> &&
                     stays_where_it_is<NormalExtractor16<int16_t>>,
                 "two extractors would write to one memory");
   static_assert(stays_where_it_is<Encoder> && stays_where_it_is<SliceEncoder> &&
@@ -41,7 +41,7 @@ TEST_CASE("what works in the caller's memory or points into itself stays where i
 
 TEST_CASE("checkpoints are written, read back and copied as plain bytes") {
   static_assert(is_plain_bytes<Checkpoint<Extractor16>> &&
-                    is_plain_bytes<Checkpoint<LearningExtractor>> &&
+                    is_plain_bytes<Checkpoint<HostExtractor>> &&
                     is_plain_bytes<Checkpoint<Encoder>>,
                 "checkpoints are written, read back and copied as bytes");
 }

@@ -53,7 +53,7 @@ void require_normals(const Events& events, const SampleVolume<Sample>& volume) {
 
 template <class Sample>
 void check_agreement(const SampleVolume<Sample>& volume, const Setting& setting) {
-  const Events plain = events_of<uint16_t, NoNormals>(volume, setting);
+  const Events plain = events_of<uint16_t, BitIntake>(volume, setting);
   const Events events = events_of<uint16_t, WithNormals<Sample>>(volume, setting);
   REQUIRE(without_normals(events) == plain);
   REQUIRE(events_of<uint32_t, WithNormals<Sample>>(volume, setting) == events);
@@ -197,7 +197,7 @@ TEST_CASE(
         Setting setting{128, border, few};
         setting.slab = slab;
         CHECK(without_normals(events_of<uint16_t, WithNormals<uint8_t>>(volume, setting)) ==
-              events_of<uint16_t, NoNormals>(volume, setting));
+              events_of<uint16_t, BitIntake>(volume, setting));
       }
 }
 
@@ -300,7 +300,7 @@ TEST_CASE("rows that are skipped, and slices that break off, are told as without
         const bool is_broken = ending == Ending::abandon;
         const std::vector<Row> rows = some_rows(is_broken ? chance.below(all) : all, chance);
         const uint32_t part = is_broken ? chance.below(size.width) : 0;
-        const Events plain = events_with_gaps<NoNormals>(volume, rows, threshold, ending, part);
+        const Events plain = events_with_gaps<BitIntake>(volume, rows, threshold, ending, part);
         const Events events =
             events_with_gaps<WithNormals<uint8_t>>(volume, rows, threshold, ending, part);
         REQUIRE(without_normals(events) == plain);

@@ -1,7 +1,8 @@
-// What docs/map.md and discmc.hpp say of the headers.
+// That docs/map.md, docs/statuses.md and discmc.hpp list everything they should.
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -51,6 +52,27 @@ TEST_CASE("the map of the library has every header that users include, and every
   }
   CHECK(headers > 20);
   CHECK(rooms > 5);
+}
+
+TEST_CASE("the page of statuses has every status of C++ and of C, with what to do") {
+  const std::string page = text_of(fs::path(DISCMC_SOURCE_DIR) / "docs/statuses.md");
+  const auto check_all = [&page](const std::string& header, const std::string& first,
+                                 const std::string& name) {
+    const std::string text = text_of(library / header);
+    const size_t begin = text.find(first), end = text.find("};", begin);
+    REQUIRE(begin != std::string::npos);
+    const std::regex line("\\n  (" + name + "),?\\s");
+    size_t count = 0;
+    for (std::sregex_iterator found(text.begin() + static_cast<std::ptrdiff_t>(begin),
+                                    text.begin() + static_cast<std::ptrdiff_t>(end), line);
+         found != std::sregex_iterator(); ++found, ++count) {
+      CAPTURE((*found)[1].str());
+      CHECK(page.find("`" + (*found)[1].str() + "`") != std::string::npos);
+    }
+    return count;
+  };
+  CHECK(check_all("discmc/status.hpp", "enum class Status", "[a-z_]+") > 15);
+  CHECK(check_all("discmc/discmc.h", "typedef uint8_t discmc_status", "DISCMC_[A-Z_]+") > 15);
 }
 
 TEST_CASE("discmc.hpp includes the whole interface") {

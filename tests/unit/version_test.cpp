@@ -35,7 +35,6 @@ TEST_CASE("all files that name the version name this one") {
   CHECK(version_after("project\\(discmc\\s+VERSION ", "CMakeLists.txt") == version);
   CHECK(version_after("project\\(discmc\\s+VERSION ", "packaging/CMakeLists.txt") == version);
   CHECK(version_after("\n## \\[", "CHANGELOG.md") == version);
-  CHECK(version_after("discmc-", "docs/quick-start.md") == version);
   CHECK(version_after("discmc-", "docs/packaging.md") == version);
   CHECK(version_after("project\\(discmc\\s+VERSION ", "packaging/CMakeLists.txt") == version);
   CHECK(version_after("version: '", "meson.build") == version);

@@ -24,9 +24,7 @@ uint64_t discmc_extractor_bytes(const discmc_extractor_config* config) {
   if (!limits.is_valid()) return 0;
   const discmc_extractor_kind& kind = *config->kind;
   const uint32_t slots = config->slots == 0 ? minimum_capacities().slots : config->slots;
-  const uint64_t arena = bytes_of_scan(kind.sizes, limits, slots);
-  const bool has_learnt = kind.sizes.index_bytes == 4 && arena + learnt_bytes >= enough_to_learn;
-  return bytes_with_object(kind.object_bytes, arena + (has_learnt ? learnt_bytes : 0));
+  return bytes_with_object(kind.object_bytes, bytes_of_scan(kind.sizes, limits, slots));
 }
 
 discmc_status discmc_extractor_start(discmc_extractor** extractor,

@@ -58,12 +58,6 @@ struct discmc_extractor_kind : discmc::Kind {
 
 namespace discmc {
 
-/// Of so much memory the extractor of hosts takes the last part to remember neighbourhoods in.
-constexpr size_t enough_to_learn = size_t{4} << 20;
-constexpr size_t learnt_bytes = (size_t{1} << 20) + Arena::alignment;
-template <class Scanner>
-constexpr bool learns = false;
-
 /// What the type of an extractor says, whichever class of its own it has.
 template <class Index, class Intake, class Sweep>
 struct ExtractorType {
@@ -95,11 +89,6 @@ struct ExtractorKind {
                       Memory memory, bool restores) {
     Scanner& scanner = in(extractor);
     const Sink sink = static_cast<Stored&>(extractor).with_sink.set_sink(config.sink);
-    if constexpr (learns<Scanner>) {
-      const size_t learnt = memory.bytes < enough_to_learn ? 0 : learnt_bytes;
-      memory.bytes -= learnt;
-      scanner.learn_in({static_cast<uint8_t*>(memory.data) + memory.bytes, learnt});
-    }
     if (restores) return scanner.continue_in(memory, sink);
     if constexpr (Type::has_normals) scanner.set_spacing(config.spacing_nm);
     Limits limits = cpp(config.limits);

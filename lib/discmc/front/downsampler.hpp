@@ -1,5 +1,5 @@
-// Fewer and larger voxels: blocks of N x N x N samples become their mean, as `discmc extract
-// --shrink N` makes it, voxel for voxel. Noise falls by the square root of the samples of a block.
+// Fewer and larger voxels: the mean of each block of N x N x N samples, voxel for voxel as `discmc
+// extract --shrink N` computes it. Noise falls by the square root of the samples per block.
 //
 //   means.start(incoming, 2, memory);
 //   extractor.start(means.limits(), ...);
@@ -8,8 +8,8 @@
 //
 //   while (const Sample* row = means.drain()) extractor.push(row, means.limits().width);
 //
-// The last blocks along an axis are made of the voxels that are left. Samples of 0 and 1 give a
-// majority: 1 where at least half of a block is.
+// The last blocks along an axis contain the remaining voxels. Samples of 0 and 1 give a majority: 1
+// if at least half of a block is 1.
 #ifndef DISCMC_DOWNSAMPLER_HPP
 #define DISCMC_DOWNSAMPLER_HPP
 
@@ -20,7 +20,7 @@
 namespace discmc {
 
 /// Rows of samples in, rows of means out. Sample is uint8_t, uint16_t or int16_t. It is neither
-/// copied nor moved: two would write to the same memory.
+/// copied nor moved: two copies would write to the same memory.
 template <class Sample>
 class Downsampler {
   static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
@@ -32,37 +32,37 @@ class Downsampler {
   Downsampler(const Downsampler&) = delete;
   Downsampler& operator=(const Downsampler&) = delete;
 
-  /// The memory that start() takes: the sums of one slice, and a row of means. Units: bytes.
+  /// The memory for start(): the sums of one slice, and a row of means. Units: bytes.
   static constexpr uint64_t bytes_for(const Limits& incoming, uint32_t extent) {
     const uint32_t width = blocks(incoming.width, extent);
     return Arena::bytes_of(width * blocks(incoming.height, extent), sizeof(uint32_t)) +
            Arena::bytes_of(width, sizeof(Sample)) + Arena::alignment - 1;
   }
 
-  /// Begins a volume. incoming: the size of the slices that come; its border is that of limits(),
-  /// and the slab is left out. extent: of a block, in voxels each way; Limit: 1 to max_extent.
-  /// memory: at least bytes_for(incoming, extent); Owner: the caller, as long as this is in use.
-  /// Errors: bad_limits, too_little_memory; then it is not started. Cost: a write a block of a
+  /// Begins a volume. incoming: the size of the incoming slices; limits() has its border, and
+  /// ignores its slab. extent: of a block, in voxels along each axis; Limit: 1 to max_extent.
+  /// memory: at least bytes_for(incoming, extent); Owner: the caller, while this object is in use.
+  /// Errors: bad_limits, too_little_memory; then it is not started. Cost: one write per block of a
   /// slice.
   [[nodiscard]] Status start(const Limits& incoming, uint32_t extent, Memory memory);
 
-  /// The size of what comes out: for the extractor.
+  /// The size of the outgoing slices, for the extractor.
   Limits limits() const { return limits_; }
 
-  /// Takes the next row, incoming.width samples. Returns the row of means that is complete with
-  /// it, or null; Owner: this, until the next call. Limit: started, before drain(). Cost: some
-  /// 15 instructions a sample on a Cortex-M4, the division of each block included.
+  /// Accepts the next row, incoming.width samples. Returns the row of means that it completes, or
+  /// null; Owner: this object, until the next call. Limit: started, before drain(). Cost: about 15
+  /// instructions per sample on a Cortex-M4, including the division per block.
   const Sample* push(const Sample* samples);
 
-  /// Returns the next of the rows that are left when the last slice was pushed, or null when there
-  /// are no more; Owner: as of push(). Limit: started, and whole slices.
+  /// Returns the next of the rows left after the last slice, or null at the end; Owner: as of
+  /// push(). Limit: started, and whole slices.
   const Sample* drain();
 
  private:
   static constexpr uint32_t blocks(uint32_t voxels, uint32_t extent) {
     return (voxels + extent - 1) / extent;
   }
-  // Samples are added as they are above the least, which is never negative.
+  // Sums are relative to the smallest value, so they are never negative.
   static constexpr int32_t least = Sample(-1) < 0 ? -32768 : 0;
 
   uint32_t size_of(uint32_t block, uint32_t voxels) const;

@@ -1,7 +1,7 @@
-// Samples of 10 and 12 bits as sensors pack them, to rows of 16 bits that the extractor takes.
+// Packed samples of 10 and 12 bits to rows of 16 bits.
 //
-// In the table P0 is the first sample, and [9:2] are its bits 9 to 2, the last one lowest; a byte's
-// upper bits stand first.
+// In the table P0 is the first sample, and [9:2] are its bits 9 to 2. The upper bits of a byte come
+// first.
 //
 //                   byte 0    byte 1           byte 2           byte 3           byte 4
 //   raw10           P0[9:2]   P1[9:2]          P2[9:2]          P3[9:2]          P3 P2 P1 P0 [1:0]
@@ -18,11 +18,11 @@
 
 namespace discmc {
 
-/// How samples are packed, by the names of the standards: MIPI CSI-2 has raw..., the Pixel Format
-/// Naming Convention of GenICam and its kin mono...
+/// The packing of samples, by the names of the standards: raw... of MIPI CSI-2, mono... of the
+/// Pixel Format Naming Convention of GenICam.
 enum class Packing : uint8_t {
-  raw10,          ///< the upper 8 bits of each sample, then the rest of four; V4L2: Y10P
-  raw12,          ///< the same of two; V4L2: Y12P
+  raw10,          ///< the upper 8 bits of each of four samples, then their lower bits; V4L2: Y10P
+  raw12,          ///< likewise for two samples; V4L2: Y12P
   mono10p,        ///< a string of bits, lowest first: USB3 Vision
   mono12p,        ///< likewise
   mono10pmsb,     ///< a string of bits, highest first: CoaXPress, TIFF; V4L2: Y10BPACK
@@ -30,7 +30,7 @@ enum class Packing : uint8_t {
   mono12_packed,  ///< Mono12Packed: GigE Vision
 };
 
-/// Samples and bytes of a group, which repeats.
+/// The samples and bytes of a group.
 struct PackedGroup {
   uint8_t samples, bytes;
 };
@@ -49,7 +49,7 @@ constexpr PackedGroup group_of(Packing packing) {
   return {2, 3};
 }
 
-/// The bytes that unpack() reads for so many samples: whole groups, also for the last ones. Limit:
+/// The bytes that unpack() reads for this many samples: whole groups, including the last. Limit:
 /// count <= 2^31.
 constexpr uint32_t packed_bytes(Packing packing, uint32_t count) {
   const PackedGroup group = group_of(packing);
@@ -68,10 +68,10 @@ void mono12_packed(const uint8_t* packed, uint32_t count, uint16_t* samples);
 
 }  // namespace unpacking
 
-/// Unpacks a row, or a part of one that begins with a group. samples: room for count; it may begin
-/// where `packed` begins, so that a row is unpacked in place, and must not overlap it otherwise.
-/// Owner: the caller. Where the packing is a constant the code of the others is not linked. Cost: 7
-/// to 12 instructions a sample on a Cortex-M4, 11 to 14 on a Cortex-M0+.
+/// Unpacks a row, or a part of a row that begins with a group. samples: room for count; it may
+/// begin at `packed`, to unpack a row in place, and must not overlap it otherwise. Owner: the
+/// caller. If the packing is a constant, the program links only its code. Cost: 7 to 12
+/// instructions per sample on a Cortex-M4, 11 to 14 on a Cortex-M0+.
 inline void unpack(Packing packing, const uint8_t* packed, uint32_t count, uint16_t* samples) {
   switch (packing) {
     case Packing::raw10:

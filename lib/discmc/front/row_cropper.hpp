@@ -1,4 +1,4 @@
-// A part of what a sensor delivers: of each axis a range, and of that every voxel or every Nth.
+// A part of a sensor's picture: a range of each axis, and of that range every voxel or every Nth.
 //
 //   cropper.start(incoming, {{100, 256}, {}, {0, 200, 2}});    x, y, z
 //   extractor.start(cropper.limits(), ...);
@@ -6,9 +6,9 @@
 //     if (cropper.next()) extractor.push(samples + cropper.first(), cropper.count(),
 //     cropper.step());
 //
-// The voxels between those that are picked are dropped. That is right for a quick look, and where
-// the sensor sees more than the surface needs; but a pick keeps all noise. Means of blocks do not:
-// see downsampler.hpp. The range alone is what `discmc extract --crop` takes.
+// A step drops the voxels between, which suits a quick look or a sensor that oversamples. It keeps
+// all noise; for means of blocks see downsampler.hpp. A range without a step equals `discmc extract
+// --crop`.
 #ifndef DISCMC_ROW_CROPPER_HPP
 #define DISCMC_ROW_CROPPER_HPP
 
@@ -17,61 +17,61 @@
 
 namespace discmc {
 
-/// What is picked of an axis: `count` voxels, each `step` behind the one before.
+/// The selection on an axis: `count` voxels, each `step` after the previous one.
 struct CropRange {
-  static constexpr uint32_t rest = UINT32_MAX;  ///< as many as there are
+  static constexpr uint32_t rest = UINT32_MAX;  ///< to the end of the axis
 
   uint32_t first = 0;
   uint32_t count = rest;
   uint32_t step = 1;
 
-  /// How many are picked of so many; of less than was asked for, 0. Limit: step > 0.
+  /// How many voxels of an axis of this extent are selected; 0 if the axis has too few. Limit: step
+  /// > 0.
   constexpr uint32_t count_of(uint32_t extent) const {
     const uint32_t most = first < extent ? (extent - first - 1) / step + 1 : 0;
     return count == rest ? most : count <= most ? count : 0;
   }
 };
 
-/// Tells of each row that comes whether it is picked, and what of it. Spacings grow by the steps,
-/// and the origin moves to the first voxel that is picked.
+/// Decides for each row whether it is selected, and which of its samples. Multiply the stream's
+/// spacing by the steps, and move the origin to the first selected voxel.
 class RowCropper {
  public:
-  /// Begins a volume. incoming: the size of the slices that come; the border is that of limits(),
-  /// and the slab is left out. Errors: bad_limits (of them; nothing is picked of an axis, or more
-  /// than there is, or by a step of 0); then nothing has changed.
+  /// Begins a volume. incoming: the size of the incoming slices; limits() has its border, and
+  /// ignores its slab. Errors: bad_limits (invalid limits; or a range that is empty, exceeds an
+  /// axis or has a step of 0); then nothing has changed.
   [[nodiscard]] Status start(const Limits& incoming, const CropRange& x, const CropRange& y,
                              const CropRange& z);
 
-  /// The size of what is picked: for the extractor.
+  /// The size of the selection, for the extractor.
   Limits limits() const { return {count_, y_.count, border_}; }
 
-  /// Whether the next row that comes is picked. Call it once for each, lost ones too. Limit: a
-  /// started cropper.
+  /// Whether the next row is selected. Call it once per row, including lost rows. Limit: started.
   bool next();
 
-  /// Whether no row that still comes is picked: the scan may end.
+  /// Whether no further row is selected: the scan may end.
   bool is_done() const { return z_left_ == 0 && row_ == 0; }
 
-  /// Of a row that is picked: its first sample, how many, and from one to the next. Units: samples.
+  /// For a selected row: its first sample, the number of samples, and the step. Units: samples.
   uint32_t first() const { return first_; }
   uint32_t count() const { return count_; }
   uint32_t step() const { return step_; }
 
-  /// The same of a row of bits, eight voxels a byte, the first in bit 0. picked: room for
-  /// count() / 8 bytes, rounded up; it may be `bits`. Owner: the caller. Cost: some 14
-  /// instructions a voxel that is picked.
+  /// Crops a row of bits, eight voxels per byte, the first in bit 0. picked: room for count() / 8
+  /// bytes, rounded up; it may be `bits`. Owner: the caller. Cost: about 14 instructions per
+  /// selected voxel.
   void crop_bits(const uint8_t* bits, uint8_t* picked) const;
 
  private:
   uint32_t first_ = 0, count_ = 0, step_ = 1;  // of x
   CropRange y_{};
   uint32_t height_ = 0;
-  uint32_t row_ = 0;     // that comes next, in its slice
-  uint32_t y_next_ = 0;  // the row that is picked next
-  uint32_t y_left_ = 0;  // rows of the slice that are still picked
+  uint32_t row_ = 0;     // next in its slice
+  uint32_t y_next_ = 0;  // the next selected row
+  uint32_t y_left_ = 0;  // selected rows left in the slice
   uint32_t z_step_ = 1;
-  uint32_t z_wait_ = 0;  // slices to the next one that is picked
-  uint32_t z_left_ = 0;  // slices that are still picked
+  uint32_t z_wait_ = 0;  // slices to the next selected one
+  uint32_t z_left_ = 0;  // selected slices left
   Border border_ = Border::closed;
 };
 

@@ -1,5 +1,5 @@
-// A ring of rows between an interrupt and a task: the sensor's DMA controller writes each row where
-// it stays until the extractor has read it.
+// A ring of rows between an interrupt and a task. The sensor's DMA controller writes each row in
+// place, and the extractor reads it from there.
 //
 //   the interrupt of the sensor             the task
 //
@@ -9,11 +9,11 @@
 //   ring.end()       none follows                        end:     extractor.finish()
 //                                           ring.pop()  after a row, and after a lost one
 //
-// A row that comes while the ring is full is lost, and so known to the task in its place among the
-// others: what is behind it does not shift.
+// A row that arrives while the ring is full is lost. The task sees the lost row in its place, so
+// later rows do not shift.
 //
-// One producer and one consumer. Each word of the ring is written by one of them, and loads and
-// stores are all that is needed of a processor: interrupts need not be masked. Threads do as well.
+// One producer, one consumer. Only one side writes each word of the ring, so loads and stores
+// suffice and interrupts stay enabled. Threads work as well.
 #ifndef DISCMC_ROW_RING_HPP
 #define DISCMC_ROW_RING_HPP
 
@@ -23,15 +23,15 @@
 
 namespace discmc {
 
-/// Rows on their way from a sensor to whoever takes them. It is neither copied nor moved: two would
+/// Rows in transit from a sensor to a task. A ring is neither copied nor moved: two copies would
 /// write to the same memory.
 class RowRing {
  public:
-  /// What comes next on the consumer's side.
+  /// What the consumer finds next.
   enum class Next : uint8_t {
-    nothing,  ///< it has not come yet
+    nothing,  ///< nothing has arrived yet
     row,      ///< row() holds it
-    lost,     ///< a row that was lost
+    lost,     ///< a lost row
     end,      ///< no row follows
   };
 
@@ -39,19 +39,19 @@ class RowRing {
   RowRing(const RowRing&) = delete;
   RowRing& operator=(const RowRing&) = delete;
 
-  /// The memory that start() takes. Units: bytes.
+  /// The memory for start(). Units: bytes.
   static constexpr uint64_t bytes_for(uint32_t row_bytes, uint32_t rows) {
     return uint64_t{rows} * Arena::bytes_of(1, row_bytes) + Arena::bytes_of(rows, 4) +
            Arena::alignment - 1;
   }
 
-  /// Begins a scan, with room for so many rows. Rows lie one after the other from the beginning of
-  /// the memory, each aligned to four bytes; or to a cache line, where the memory is and row_bytes
-  /// is a multiple of one. memory: at least bytes_for(row_bytes, rows); Owner: the caller, for as
-  /// long as the ring is in use. Limit: neither side is at work. Errors: bad_capacities (no rows,
-  /// empty ones, or 4 GiB of them), too_little_memory; then nothing has changed.
+  /// Begins a scan, with room for this many rows. Rows lie consecutively from the beginning of the
+  /// memory. Each row is aligned to four bytes, or to a cache line if the memory is and row_bytes
+  /// is a multiple of a line. memory: at least bytes_for(row_bytes, rows); Owner: the caller, while
+  /// the ring is in use. Limit: neither side is active. Errors: bad_capacities (no rows, empty
+  /// rows, or more than 4 GiB), too_little_memory; then nothing has changed.
   [[nodiscard]] Status start(uint32_t row_bytes, uint32_t rows, Memory memory) {
-    // Here, where sizes may be constants: then little is left of it.
+    // Inline, so that constant sizes fold.
     const uint64_t bytes = bytes_for(row_bytes, rows);
     if (row_bytes == 0 || rows == 0 || bytes > UINT32_MAX) return Status::bad_capacities;
     if (memory.data == nullptr || memory.bytes < bytes) return Status::too_little_memory;
@@ -67,21 +67,21 @@ class RowRing {
 
   // ---- the producer: an interrupt, or several that do not interrupt each other ----
 
-  /// The row to fill next, or, for a DMA controller that is told early, one that comes `ahead` rows
-  /// later; null while there is no room for it. Limit: a started ring.
+  /// Returns the row to fill next, or the row `ahead` rows later, for a DMA controller that is set
+  /// up early; null if there is no room. Limit: started.
   void* free_row(uint32_t ahead = 0) const;
 
-  /// The free row has been filled. Limit: there was one.
+  /// Marks the free row as filled. Limit: there is a free row.
   void commit();
 
-  /// Rows were lost, before the one that will be filled next: without room, damaged, or missed.
-  /// Limit: fewer than 2^31 in succession.
+  /// Records lost rows before the row that is filled next: without room, damaged, or missed. Limit:
+  /// fewer than 2^31 in succession.
   void drop(uint32_t rows = 1) { store_release(produced_, produced_ + rows); }
 
-  /// No row follows.
+  /// Marks the end: no row follows.
   void end() { store_release(ended_, 1); }
 
-  /// The number of the row that comes next: of so many before it, each was filled or lost. Units:
+  /// The number of the next row, which is the number of filled and lost rows before it. Units:
   /// rows, modulo 2^32.
   uint32_t produced() const { return produced_; }
 
@@ -94,10 +94,10 @@ class RowRing {
   /// `row`.
   void* row() const { return rows_ + size_t{empty_place_} * row_bytes_; }
 
-  /// Goes on behind what peek() told; a row is free again. Limit: peek() is `row` or `lost`.
+  /// Removes what peek() returned, and frees its row. Limit: peek() is `row` or `lost`.
   void pop();
 
-  /// The number of what comes next, as produced(), and how many rows were lost before it.
+  /// The number of the next row, as produced(), and the number of lost rows before it.
   uint32_t consumed() const { return consumed_; }
   uint32_t lost() const { return consumed_ - emptied_; }
 

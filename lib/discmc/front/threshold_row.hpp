@@ -1,13 +1,13 @@
-// Rows of samples to rows of bits, with a threshold that changes from row to row, or from column to
-// column: for lamps that drift, shading, and columns of a sensor that differ.
+// Rows of samples to rows of bits, with a threshold per row or per column: for lamps that drift,
+// shading, and sensor columns that differ.
 //
 //   threshold_row(samples, width, threshold_of_this_row, bits);
 //   extractor.push_bits(bits);       or a filter first, see majority_filter.hpp
 //
-// An extractor with one threshold needs none of this: push() compares samples itself.
+// With one threshold for all rows, call push() of the extractor instead.
 //
-// What the extractor was started with is what the stream's header tells as the threshold: start it
-// with the nominal one. Nothing that is decoded depends on it.
+// The stream's header contains the threshold given to the extractor: start it with the nominal one.
+// It is informational; decoding ignores it.
 #ifndef DISCMC_THRESHOLD_ROW_HPP
 #define DISCMC_THRESHOLD_ROW_HPP
 
@@ -15,18 +15,17 @@
 
 namespace discmc {
 
-/// Writes a bit a sample, on where sample >= threshold: eight a byte, the first in bit 0, as
-/// push_bits() takes them. bits: room for count / 8 bytes, rounded up; unused bits are off; Owner:
-/// the caller. stride: from one sample to the next, in samples. Sample is uint8_t, uint16_t or
-/// int16_t. Cost: as push() where samples begin on a word boundary and are consecutive, else some
-/// 15 instructions a sample.
+/// Writes one bit per sample, on if sample >= threshold: eight per byte, the first in bit 0, as
+/// push_bits() expects. bits: room for count / 8 bytes, rounded up; unused bits are off; Owner: the
+/// caller. stride: from one sample to the next, in samples. Sample is uint8_t, uint16_t or int16_t.
+/// Cost: as push() for consecutive samples from a word boundary on, otherwise about 15 instructions
+/// per sample.
 template <class Sample>
 void threshold_row(const Sample* samples, uint32_t count, int32_t threshold, uint8_t* bits,
                    uint32_t stride = 1);
 
-/// The same less an offset for each column: on where sample - offsets[x] >= threshold. A column's
-/// offset is what the sensor adds there, such as its reading in the dark. Cost: some
-/// 13 instructions a sample on a Cortex-M4.
+/// As threshold_row(), with an offset per column: on if sample - offsets[x] >= threshold. Measure a
+/// column's offset as its dark reading. Cost: about 13 instructions per sample on a Cortex-M4.
 template <class Sample>
 void threshold_row_less(const Sample* samples, const int16_t* offsets, uint32_t count,
                         int32_t threshold, uint8_t* bits);

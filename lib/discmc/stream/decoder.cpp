@@ -3,6 +3,9 @@
 
 namespace discmc {
 
+using stream::Record;
+using stream::RecordKind;
+
 Status Decoder::start(const Sink& sink, uint8_t channel) {
   if (sink.take == nullptr) return Status::bad_sink;
   sink_ = sink;
@@ -37,7 +40,7 @@ Status Decoder::finish() {
 void Decoder::open(PacketReader::Completed arrival) {
   if (packets_.take_gap()) lose_open();
   if (arrival == PacketReader::Completed::records) {
-    model_ = Model(Coder{RangeDecoder(packets_.payload(), packets_.payload_bytes())});
+    model_ = stream::ReadingModel({RangeDecoder(packets_.payload(), packets_.payload_bytes())});
     normals_are_ahead_ = false;
     const bool may_pass = packets_.whole_regions() > 0 && packet_sink_.take != nullptr;
     if (may_pass) lose_open();
@@ -87,13 +90,15 @@ void Decoder::read_record() {
   stage_ = Stage::record;
   switch (kind) {
     case RecordKind::region:
-      is_good = read_region();
+    case RecordKind::holed:
+      is_good = stream::read_region(model_, record_, kind);
       break;
-    case RecordKind::fragment:
-      is_good = read_fragment();
+    case RecordKind::forwards:
+    case RecordKind::backwards:
+      is_good = stream::read_fragment(model_, record_, kind);
       break;
     case RecordKind::part:
-      is_good = read_part();
+      is_good = stream::read_part(model_, record_);
       break;
     case RecordKind::layer:
     case RecordKind::skipped:
@@ -106,135 +111,25 @@ void Decoder::read_record() {
     case RecordKind::end:
       stage_ = Stage::collect;
       break;
-    default:
-      is_good = false;
   }
-  is_good = is_good && !model_.coder().range.is_exhausted();
-  if (is_good && (stage_ != Stage::record || begin_record())) return;
+  if (is_good && !model_.coder().range.is_exhausted()) {
+    if (stage_ == Stage::record) begin_record();
+    return;
+  }
   packets_.note_unreadable();
   lose_open();
   stage_ = Stage::collect;
 }
 
 void Decoder::read_extension() {
-  const uint32_t type = model_.plain_bits(8, 0);
-  uint32_t bytes = model_.plain_bits(8, 0);
-  if (type >= first_normals_extension && type <= last_normals_extension) {
+  const uint32_t type = model_.even(8, 0);
+  uint32_t bytes = model_.even(8, 0);
+  if (type >= stream::first_normals_extension && type <= stream::last_normals_extension) {
     normals_.decode(model_, type, bytes);
     normals_are_ahead_ = true;
     return;
   }
-  for (; bytes > 0; --bytes) model_.plain_bits(8, 0);
-}
-
-bool Decoder::read_region() {
-  record_.begin(model_.incidence(no_incidence));
-  record_.is_last = true;
-  const uint32_t rings = model_.ring_count(1);
-  for (uint32_t ring = 0; ring < rings; ++ring)
-    if (!read_ring(ring > 0 ? ChainKind::further : ChainKind::first)) return false;
-  return true;
-}
-
-bool Decoder::read_ring(ChainKind kind) {
-  const Vertex start = model_.start(Vertex{0, 0, 0}, kind);
-  const bool is_parallelogram = model_.parallelogram(false);
-  const uint32_t count = is_parallelogram ? 4 : model_.run_count(2);
-  if (count < 2 || count > Record::max_words || !record_.has_room(Record::ring_words + count))
-    return false;
-  record_.add_ring(start);
-  Direction direction[2] = {0, 0};
-  uint32_t length[2] = {0, 0};
-  Vertex way{0, 0, 0};
-  for (uint32_t i = 0; i < (is_parallelogram ? 2 : count); ++i) {
-    direction[0] = direction[1];
-    direction[1] = model_.direction(0);
-    if (!is_direction_of(record_.incidence, direction[1])) return false;
-    if (i + 2 >= count) continue;
-    length[0] = length[1];
-    length[1] = model_.length(1);
-    if (length[1] > max_compact_length) return false;
-    const Vertex step = direction_vector(record_.incidence, direction[1]);
-    const int32_t steps = static_cast<int32_t>(length[1]);
-    way = way - Vertex{steps * step.x, steps * step.y, steps * step.z};
-    record_.add_run(Run::straight(direction[1], length[1]));
-  }
-  if (is_parallelogram) {
-    for (int i = 0; i < 2; ++i)
-      record_.add_run(
-          Run::straight(opposite_direction(record_.incidence, direction[i]), length[i]));
-    return true;
-  }
-  const Vertex u = direction_vector(record_.incidence, direction[0]);
-  const Vertex v = direction_vector(record_.incidence, direction[1]);
-  uint32_t first_length = 0;
-  if (model_.is_parallel()) first_length = model_.length(1);
-  if (first_length > max_compact_length) return false;
-  const Closure closure = close_ring(u, v, way, first_length);
-  if (!closure.is_valid) return false;
-  record_.add_run(Run::straight(direction[0], closure.first));
-  record_.add_run(Run::straight(direction[1], closure.second));
-  return true;
-}
-
-// The link by which it comes to its start is told first, or from its end last.
-bool Decoder::read_fragment() {
-  const Incidence incidence = model_.incidence(no_incidence);
-  const bool is_backwards = model_.order(ChainKind::fragment) == ChainKind::backwards;
-  record_.begin(incidence);
-  record_.begin_fragment(0, Vertex{0, 0, 0});
-  record_.is_last = true;
-  Vertex start{0, 0, 0};
-  bool is_last = false;
-  for (bool is_first = true; !is_last; is_first = false) {
-    const Direction direction = model_.direction(0);
-    if (!is_direction_of(incidence, direction)) return false;
-    if (is_first) {
-      start = model_.fragment_vertex(Vertex{0, 0, 0});
-      if (is_backwards) move(start, incidence, direction, 1);
-    } else {
-      is_last = model_.is_last_link(false);
-    }
-    if (is_backwards ? is_last : is_first) {
-      record_.incoming = direction;
-      continue;
-    }
-    const uint32_t length = model_.length(1);
-    if (length > Run::max_length || !record_.has_room(1)) return false;
-    record_.add_run(Run::straight(direction, length));
-    if (is_backwards) move(start, incidence, direction, 0U - length);
-  }
-  record_.set_start(0, start);
-  if (is_backwards) record_.reverse_runs();
-  return true;
-}
-
-bool Decoder::read_part() {
-  record_.begin(no_incidence);
-  model_.part(record_);
-  if (record_.is_fragment && !is_direction_of(record_.incidence, record_.incoming)) return false;
-  for (;;) {
-    if (!record_.has_room(1)) {
-      if (model_.item_kind(Item::end) != Item::end) return false;
-      break;
-    }
-    const Item kind = model_.item_kind(Item::end);
-    if (kind == Item::end) break;
-    const bool is_first = record_.count == 0 && !record_.continues;
-    if (kind == Item::ring) {
-      if (!record_.has_room(Record::ring_words) || (record_.is_fragment && !is_first)) return false;
-      record_.add_ring(
-          model_.start(Vertex{0, 0, 0}, is_first ? ChainKind::first : ChainKind::further));
-    } else {
-      const Direction direction = model_.direction(0);
-      if (!is_direction_of(record_.incidence, direction)) return false;
-      const uint32_t length = model_.length(1);
-      if (length > Run::max_length) return false;
-      record_.add_run(Run::straight(direction, length));
-    }
-  }
-  record_.is_last = model_.end_part(false);
-  return true;
+  for (; bytes > 0; --bytes) model_.even(8, 0);
 }
 
 void Decoder::read_mark(RecordKind kind) {
@@ -247,46 +142,26 @@ void Decoder::read_mark(RecordKind kind) {
     mark_.kind = Event::Kind::skipped;
     mark_.slice = model_.plain_number(0);
     mark_.row = model_.plain_number(0);
-    mark_.repeated = model_.plain_bit(false);
+    mark_.repeated = model_.even(1, 0) != 0;
   }
   stage_ = Stage::mark;
 }
 
 // A part goes on with what the part before began; without that it is of no use.
-// False when the record breaks the grammar: a run that is in no ring, or a ring without a run.
-bool Decoder::begin_record() {
+void Decoder::begin_record() {
   sent_words_ = 0;
   sent_runs_ = 0;
-  const bool goes_on =
-      is_open_ && open_.incidence == record_.incidence && open_.is_fragment == record_.is_fragment;
-  if (record_.continues && !goes_on) {
-    lose_open();
-    if (record_.is_last) {
-      ++packets_.report().lost_pieces;
-      packets_.pass_pieces(1);
-    }
-    stage_ = Stage::records;
-    return true;
-  }
-  if (!record_.continues) {
-    lose_open();
-    ring_is_empty_ = false;
-  }
-  if (!rings_are_whole()) return false;
   begin_is_due_ = !record_.continues;
-  return true;
-}
-
-bool Decoder::rings_are_whole() {
-  if (!record_.continues && (record_.count == 0 || record_.word[0] != Record::ring_mark))
-    return false;
-  for (uint32_t i = 0; i < record_.count;) {
-    const bool is_ring = record_.word[i] == Record::ring_mark;
-    if (is_ring && ring_is_empty_) return false;
-    ring_is_empty_ = is_ring;
-    i += is_ring ? Record::ring_words : 1;
+  const bool goes_on = record_.continues && is_open_ && open_.incidence == record_.incidence &&
+                       open_.is_fragment == record_.is_fragment;
+  if (goes_on) return;
+  lose_open();
+  if (!record_.continues) return;
+  if (record_.is_last) {
+    ++packets_.report().lost_pieces;
+    packets_.pass_pieces(1);
   }
-  return !record_.is_last || !ring_is_empty_;
+  stage_ = Stage::records;
 }
 
 // ---- delivery ----

@@ -1,18 +1,10 @@
 #include <discmc/encoder.hpp>
 #include <discmc/stream/normal_encoding.hpp>
-#include <discmc/stream/record_encoding.hpp>
+#include <discmc/stream/record_writing.hpp>
 
 namespace discmc {
 
 namespace {
-
-namespace packet_end {
-
-// What the end of a packet, and the end of a part in it, may take. Units: bytes.
-constexpr size_t reserve = 4;
-constexpr size_t part_reserve = reserve + 4;
-
-}  // namespace packet_end
 
 constexpr bool is_end(Event::Kind kind) {
   return kind == Event::Kind::region_end || kind == Event::Kind::fragment_end;
@@ -22,13 +14,9 @@ constexpr bool is_end(Event::Kind kind) {
 
 // Only this function refers to the code for normals: where nobody calls it, the linker drops both.
 void Encoder::encode_normals() {
-  write_normals_ = [](Encoder& encoder, uint32_t words) {
-    discmc::encode_normals(encoder.model_, encoder.record_, encoder.normals_, words);
+  write_normals_ = [](Encoder& encoder, Model& model, uint32_t words) {
+    stream::encode_normals(model, encoder.record_, encoder.normals_, words);
   };
-}
-
-inline void Encoder::Coder::encode(uint32_t context, bool bit) {
-  range.encode(bit, region_model[context]);
 }
 
 Status Encoder::start(const StreamLabel& label, const ByteOutput& output) {
@@ -67,49 +55,46 @@ SinkResult Encoder::begin_stream(const StreamHeader& scan) {
   return SinkResult::accepted;
 }
 
+// Most events are runs.
 SinkResult Encoder::take(const Event& event) {
-  if (event.kind == Event::Kind::start) return begin_stream(*event.header);
+  if (event.kind == Event::Kind::run && state_ == State::in_piece && record_.has_room(1)) {
+    add_run(event);
+    return SinkResult::accepted;
+  }
+  return take_other(event);
+}
+
+DISCMC_NOINLINE SinkResult Encoder::take_other(const Event& event) {
+  using Kind = Event::Kind;
+  if (event.kind == Kind::start) return begin_stream(*event.header);
   if (state_ == State::idle) return SinkResult::not_started;
   if (!drain()) return SinkResult::busy;
   bool is_done = true;
-  switch (event.kind) {
-    case Event::Kind::region:
-    case Event::Kind::fragment:
-      state_ = State::in_piece;
-      record_.begin(event.incidence);
-      if (event.kind == Event::Kind::fragment)
-        record_.begin_fragment(event.incoming_direction, event.start);
-      break;
-    case Event::Kind::ring:
-      if (!takes(Record::ring_words) && !put_parts(event)) return SinkResult::busy;
+  if (event.kind == Kind::run || event.kind == Kind::ring) {
+    const uint32_t words = event.kind == Kind::run ? 1 : Record::ring_words + 1;
+    is_done = takes(words) || put_parts(event);
+    if (!is_done) return SinkResult::busy;
+    if (event.kind == Kind::run)
+      add_run(event);
+    else
       record_.add_ring(event.start);
-      break;
-    case Event::Kind::run:
-      if (!takes(1) && !put_parts(event)) return SinkResult::busy;
-      normals_[record_.count] = event.normal;
-      record_.add_run(event.run);
-      break;
-    case Event::Kind::region_end:
-    case Event::Kind::fragment_end:
-    case Event::Kind::layer:
-    case Event::Kind::skipped:
-      is_done = put(event);
-      break;
-    case Event::Kind::application:
-      is_done = write_record(*event.application) != Status::suspended;
-      break;
-    case Event::Kind::finish:
-      if (state_ != State::ended) {
-        if (!flush()) return SinkResult::busy;
-        packets_.seal_trailer(event);
-        state_ = State::ended;
-      }
-      is_done = drain();
-      break;
-    case Event::Kind::start:
-    case Event::Kind::lost:
-      state_ = State::between;
-      break;
+  } else if (event.kind == Kind::region || event.kind == Kind::fragment) {
+    state_ = State::in_piece;
+    record_.begin(event.incidence);
+    if (event.kind == Kind::fragment) record_.begin_fragment(event.incoming_direction, event.start);
+  } else if (event.kind == Kind::application) {
+    is_done = write_record(*event.application) != Status::suspended;
+  } else if (event.kind == Kind::finish) {
+    if (state_ != State::ended) {
+      if (!flush()) return SinkResult::busy;
+      packets_.seal_trailer(event);
+      state_ = State::ended;
+    }
+    is_done = drain();
+  } else if (is_end(event.kind) || event.kind == Kind::layer || event.kind == Kind::skipped) {
+    is_done = put(event);
+  } else if (event.kind == Kind::lost) {
+    state_ = State::between;
   }
   return is_done ? SinkResult::accepted : SinkResult::busy;
 }
@@ -209,16 +194,27 @@ bool Encoder::put(const Event& event) {
 // than a packet, goes in parts. False when something is left for the next packet. Inlined, as the
 // two take less stack together.
 DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
-  const Model before = model_;
   uint32_t words = record_.count;
   for (;;) {
-    if (write_normals_ != nullptr) write_normals_(*this, words);
+    Model model = model_;
     const bool is_part = state_ == State::in_parts;
-    const bool is_encoded = is_part ? encode_part(words, event.kind) : encode_whole(event);
-    if (is_encoded && fits(packet_end::reserve)) break;
-    model_ = before;
+    if (is_part) words = record_.words_of_part(words);
+    if (write_normals_ != nullptr) write_normals_(*this, model, words);
+    bool is_encoded = true;
+    if (is_part) {
+      record_.is_last = is_end(event.kind) && words == record_.count;
+      stream::encode_part(model, record_, words);
+    } else {
+      is_encoded = encode_whole(model, event);
+    }
+    if (is_encoded && fits(model)) {
+      model_ = model;
+      break;
+    }
     // What is too long for the rest of this packet goes into the next one.
-    if ((is_encoded || is_part) && !packet_is_empty()) return false;
+    if (is_encoded && !packet_is_empty()) return false;
+    // A start that is far, and all normals, may be too much for one.
+    if (is_part) words -= words / 4;
     state_ = State::in_parts;
   }
   // What is left of the record goes on where these words end.
@@ -231,55 +227,39 @@ DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
   return record_.count == 0;
 }
 
-bool Encoder::encode_whole(const Event& event) {
+bool Encoder::encode_whole(Model& model, const Event& event) {
   switch (event.kind) {
     case Event::Kind::layer:
-      model_.record_kind(RecordKind::layer);
-      model_.layer(event.slice);
+      model.record_kind(stream::RecordKind::layer);
+      model.layer(event.slice);
       return true;
     case Event::Kind::skipped:
-      model_.record_kind(RecordKind::skipped);
-      model_.plain_number(event.slice);
-      model_.plain_number(event.row);
-      model_.plain_bit(event.repeated);
+      model.record_kind(stream::RecordKind::skipped);
+      model.plain_number(event.slice);
+      model.plain_number(event.row);
+      model.even(1, event.repeated ? 1 : 0);
       return true;
     default:
       if constexpr (is_host)
-        return encode_record_in_place(model_, record_);
+        return stream::encode_record_in_place(model, record_);
       else
-        return encode_record(model_, record_);
+        return stream::encode_record(model, record_);
   }
-}
-
-// Encodes the first words of the record as a part. False when fewer fit: `words` says how many.
-bool Encoder::encode_part(uint32_t& words, Event::Kind cause) {
-  model_.record_kind(RecordKind::part);
-  model_.part(record_);
-  for (uint32_t i = 0; i < words;) {
-    const uint32_t end = i + encode_item(model_, record_, i);
-    if (!fits(packet_end::part_reserve)) {
-      words = i > 0 ? i : end;  // a far start and all normals may be too much: then the start alone
-      return false;
-    }
-    i = end;
-  }
-  model_.item_kind(Item::end);
-  model_.end_part(is_end(cause) && words == record_.count);
-  return true;
 }
 
 // ---- packets ----
 
-bool Encoder::fits(size_t reserve) const {
-  return model_.coder().range.size() + reserve <= wire::max_payload;
+// Whether the end of the packet has room, too: a symbol's byte, and the one that closes the code.
+bool Encoder::fits(const Model& model) {
+  return model.coder().range.size() + 2 <= wire::max_payload;
 }
 
 void Encoder::open_packet() {
-  model_ = Model(Coder{RangeEncoder(packets_.payload(), wire::max_payload)});
+  model_ = Model({RangeEncoder(packets_.payload(), wire::max_payload)});
 }
 
 void Encoder::seal_records() {
-  model_.record_kind(RecordKind::end);
+  model_.record_kind(stream::RecordKind::end);
   packets_.seal(wire::PacketKind::records, packets_.payload() + model_.coder().range.finish());
 }
 

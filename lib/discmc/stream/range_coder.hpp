@@ -52,6 +52,20 @@ class RangeEncoder {
     while (range_ < min_range) shift();
   }
 
+  /// Takes a share of the range, where so much lies below it. Units: 256ths. Limit: share 1 to 255.
+  void encode_share(uint32_t below, uint32_t share) {
+    const uint32_t unit = range_ >> 8;
+    add(unit * below);
+    range_ = unit * share;
+    if (range_ < min_range) shift();
+  }
+  /// Encodes the lower bits of a value, all values equally likely. Limit: at most 8 bits.
+  void encode_even(uint32_t bits, uint32_t value) {
+    range_ >>= bits;
+    add(range_ * (value & ((uint32_t{1} << bits) - 1)));
+    if (range_ < min_range) shift();
+  }
+
   /// Whether no bit was encoded: no bit leaves the range as wide as it was.
   bool is_empty() const { return range_ == UINT32_MAX; }
 
@@ -149,6 +163,31 @@ class RangeDecoder {
   bool decode(Probability one) { return decode_below((range_ >> 8) * one); }
   bool decode(LearntProbability one) { return decode_below((range_ >> 16) * one.of_one()); }
 
+  /// The symbol whose share comes next. row: how much lies below each symbol, 0 below the first; 0
+  /// follows the last. The rest of the range, which no encoder uses, is the last one's.
+  uint32_t decode_share(const uint8_t* row) {
+    const uint32_t unit = range_ >> 8;
+    uint32_t symbol = 0;
+    while (row[symbol + 1] != 0 && code_ >= unit * row[symbol + 1]) ++symbol;
+    code_ -= unit * row[symbol];
+    range_ = unit * static_cast<uint8_t>(row[symbol + 1] - row[symbol]);
+    refill();
+    return symbol;
+  }
+  /// So many bits, all values of which are equally likely. Limit: at most 8 bits.
+  uint32_t decode_even(uint32_t bits) {
+    range_ >>= bits;
+    uint32_t value = 0;
+    while (bits-- > 0) {
+      const uint32_t half = range_ << bits;
+      const bool bit = code_ >= half;
+      if (bit) code_ -= half;
+      value = 2 * value + (bit ? 1 : 0);
+    }
+    refill();
+    return value;
+  }
+
   /// Whether more bits were read than the bytes can have held: they were not written by an encoder.
   bool is_exhausted() const { return position_ > count_ + 4; }
 
@@ -173,11 +212,15 @@ class RangeDecoder {
       code_ -= bound;
       range_ -= bound;
     }
+    refill();
+    return bit;
+  }
+
+  void refill() {
     while (range_ < min_range) {
       code_ = code_ << 8 | next();
       range_ <<= 8;
     }
-    return bit;
   }
 
   uint32_t next() {

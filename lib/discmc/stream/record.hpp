@@ -4,7 +4,7 @@
 
 #include <discmc/chain.hpp>
 
-namespace discmc {
+namespace discmc::stream {
 
 /// A region, a loose fragment, or a part of one: as much as is encoded at a time. Rings and runs
 /// stand in one list of words: a zero word begins a ring and is followed by its start (x, y, z);
@@ -54,6 +54,12 @@ struct Record {
     word[mark + 2] = static_cast<uint32_t>(start.y);
     word[mark + 3] = static_cast<uint32_t>(start.z);
   }
+  /// How many of the first words stand in one ring, and are one part.
+  uint32_t words_of_part(uint32_t most) const {
+    uint32_t words = count > 0 && word[0] == ring_mark ? ring_words : 0;
+    while (words < most && word[words] != ring_mark) ++words;
+    return words;
+  }
   /// Reverses the order of a fragment's runs.
   void reverse_runs() {
     for (uint32_t i = ring_words, j = count; i < j; ++i) {
@@ -68,6 +74,6 @@ struct Record {
   }
 };
 
-}  // namespace discmc
+}  // namespace discmc::stream
 
 #endif

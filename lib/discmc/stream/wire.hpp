@@ -9,7 +9,7 @@ namespace discmc {
 
 namespace wire {
 
-constexpr uint8_t version = 2;
+constexpr uint8_t version = 1;
 
 /// What a packet holds. Packets of unknown kinds are skipped: a better region coder is a new kind.
 /// Those of slices are `slices` and their SliceBits.

@@ -15,7 +15,7 @@ inline bool turns_right(Incidence incidence, Direction before, Direction after) 
   return turn(incidence, before, after) < 0;
 }
 
-template <class Index, class Normal>
+template <class Index, class Normal, bool holes_wait>
 class Delivery {
  public:
   using Slots = Pool<Slot<Index, Normal>, Index>;
@@ -69,8 +69,9 @@ class Delivery {
 
 // ---- implementation ----
 
-template <class Index, class Normal>
-bool Delivery<Index, Normal>::settle(Chains& chains, const Sink& sink, Statistics& statistics) {
+template <class Index, class Normal, bool holes_wait>
+bool Delivery<Index, Normal, holes_wait>::settle(Chains& chains, const Sink& sink,
+                                                 Statistics& statistics) {
   if (!is_delivering_ && chains.has_outgoing()) begin(chains);
   while (is_delivering_) {
     if (sink.take(sink.context, event_) != SinkResult::accepted) return false;
@@ -79,11 +80,11 @@ bool Delivery<Index, Normal>::settle(Chains& chains, const Sink& sink, Statistic
   return true;
 }
 
-template <class Index, class Normal>
-bool Delivery<Index, Normal>::settle_holes(Chains& chains, const Sink& sink,
-                                           Statistics& statistics) {
-  while (is_delivering_ || holes_.count() > 0) {
-    if (!is_delivering_) {
+template <class Index, class Normal, bool holes_wait>
+bool Delivery<Index, Normal, holes_wait>::settle_holes(Chains& chains, const Sink& sink,
+                                                       Statistics& statistics) {
+  while (is_delivering_ || (holes_wait && holes_.count() > 0)) {
+    if (holes_wait && !is_delivering_) {
       Out& out = chains.outgoing();
       holes_.any_plane(chains.slots(), out.incidence, out.start);
       event_.incidence = out.incidence;
@@ -95,20 +96,20 @@ bool Delivery<Index, Normal>::settle_holes(Chains& chains, const Sink& sink,
   return true;
 }
 
-template <class Index, class Normal>
-void Delivery<Index, Normal>::begin(Chains& chains) {
+template <class Index, class Normal, bool holes_wait>
+void Delivery<Index, Normal, holes_wait>::begin(Chains& chains) {
   Slots& slots = chains.slots();
   Out& out = chains.outgoing();
   last_ = out.last;
   event_.incidence = out.incidence;
   event_.start = out.start;
   if (out.kind == Out::Kind::fragment) {
-    holes_due_ = holes_.mark(slots, out);
+    if constexpr (holes_wait) holes_due_ = holes_.mark(slots, out);
     return begin_next_loose(chains);
   }
   begin_ring(slots);
   constexpr uint32_t min_spare = minimum_capacities().slots + Holes<Index, Normal>::slots_each;
-  if (event_.hole && holes_.count() < max_holes_ &&
+  if (holes_wait && event_.hole && holes_.count() < max_holes_ &&
       // Never seen false: fragments are cut before so few slots are left. If it ever is, the hole
       // goes out loose.
       chains.spare() >= min_spare) {
@@ -116,7 +117,7 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
     out.kind = Out::Kind::none;
     return;
   }
-  holes_due_ = event_.hole ? 0 : holes_.mark(slots, out);
+  holes_due_ = !holes_wait || event_.hole ? 0 : holes_.mark(slots, out);
   is_delivering_ = true;
   is_fragment_ = event_.hole;
   event_.kind = is_fragment_ ? Event::Kind::fragment : Event::Kind::region;
@@ -128,8 +129,8 @@ void Delivery<Index, Normal>::begin(Chains& chains) {
 // front of the sweep, and there only some directions are left: so it takes few bits to tell. It is
 // a top: the ring ascends to it and descends from it. At no vertex has a plane two tops, so a ring
 // passes its last vertex once; a hole turns right there, and no other ring.
-template <class Index, class Normal>
-void Delivery<Index, Normal>::begin_ring(const Slots& slots) {
+template <class Index, class Normal, bool holes_wait>
+void Delivery<Index, Normal, holes_wait>::begin_ring(const Slots& slots) {
   const Incidence incidence = event_.incidence;
   constexpr Vertex here{0, 0, 0};
   Vertex way = here;  // from the last vertex so far
@@ -153,9 +154,9 @@ void Delivery<Index, Normal>::begin_ring(const Slots& slots) {
 }
 
 // Begins with the next of the marked holes. False when there is none.
-template <class Index, class Normal>
-bool Delivery<Index, Normal>::begin_hole(Chains& chains) {
-  if (holes_due_ == 0) return false;
+template <class Index, class Normal, bool holes_wait>
+bool Delivery<Index, Normal, holes_wait>::begin_hole(Chains& chains) {
+  if (!holes_wait || holes_due_ == 0) return false;
   --holes_due_;
   holes_.take(chains.slots(), last_, event_.start);
   begin_ring(chains.slots());
@@ -163,8 +164,8 @@ bool Delivery<Index, Normal>::begin_hole(Chains& chains) {
 }
 
 // A loose fragment may be the last of the ring around holes of its plane: they go before it.
-template <class Index, class Normal>
-void Delivery<Index, Normal>::begin_next_loose(Chains& chains) {
+template <class Index, class Normal, bool holes_wait>
+void Delivery<Index, Normal, holes_wait>::begin_next_loose(Chains& chains) {
   is_fragment_ = true;
   event_.kind = Event::Kind::fragment;
   is_delivering_ = true;
@@ -180,8 +181,8 @@ void Delivery<Index, Normal>::begin_next_loose(Chains& chains) {
 }
 
 // Runs of one direction go out as one.
-template <class Index, class Normal>
-void Delivery<Index, Normal>::next_run(const Slots& slots) {
+template <class Index, class Normal, bool holes_wait>
+void Delivery<Index, Normal, holes_wait>::next_run(const Slots& slots) {
   event_.kind = Event::Kind::run;
   const Entry& entry = cursor_.entry(slots);
   event_.run = long_run(entry.run);
@@ -191,8 +192,9 @@ void Delivery<Index, Normal>::next_run(const Slots& slots) {
 }
 
 // The sink has taken an event: what comes next?
-template <class Index, class Normal>
-DISCMC_NOINLINE void Delivery<Index, Normal>::go_on(Chains& chains, Statistics& statistics) {
+template <class Index, class Normal, bool holes_wait>
+DISCMC_NOINLINE void Delivery<Index, Normal, holes_wait>::go_on(Chains& chains,
+                                                                Statistics& statistics) {
   Slots& slots = chains.slots();
   switch (event_.kind) {
     case Event::Kind::region:

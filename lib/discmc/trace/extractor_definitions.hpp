@@ -1,4 +1,5 @@
-// What the functions of extractor.hpp do: included where Extractor is instantiated.
+// What the functions of extractor.hpp do: included where an extractor is instantiated, be it in a
+// program that chooses its own features.
 #ifndef DISCMC_TRACE_EXTRACTOR_DEFINITIONS_HPP
 #define DISCMC_TRACE_EXTRACTOR_DEFINITIONS_HPP
 
@@ -13,7 +14,7 @@ Status BasicExtractor<Index, Intake, Sweep>::start(const Limits& limits,
   static_assert(
       sizeof(trace::Slot<Index, typename Intake::Normal>) == sizing::slot_bytes<Index, Intake>,
       "what is said of the size of a slot is true");
-  if (!limits.is_valid()) return Status::bad_limits;
+  if (!limits.is_valid() || !can_scan(limits)) return Status::bad_limits;
   if (!is_valid<Index>(capacities)) return Status::bad_capacities;
   if (sink.take == nullptr) return Status::bad_sink;
   state_ = State::idle;
@@ -30,6 +31,13 @@ Status BasicExtractor<Index, Intake, Sweep>::start(const Limits& limits,
   if (!send_start()) return Status::bad_sink;
   clear();
   return Status::ok;
+}
+
+template <class Index, class Intake, class Sweep>
+bool BasicExtractor<Index, Intake, Sweep>::can_scan(const Limits& limits) {
+  const Slab& slab = limits.slab;
+  return (Features::open_border || limits.border == Border::closed) &&
+         (Features::slabs || (!slab.continues_below && !slab.continues_above));
 }
 
 // Says what lies where in the memory, and writes nothing there. False when it has no room.
@@ -85,7 +93,7 @@ Status BasicExtractor<Index, Intake, Sweep>::ready_for_samples() {
   if (state_ == State::idle) return Status::not_started;
   if (state_ != State::scanning) return Status::finished;
   if (!work()) return Status::suspended;
-  if (slices() >= Limits::max_slices - first_slice_) return Status::too_deep;
+  if (slices() >= Limits::max_slices - first_slice()) return Status::too_deep;
   return Status::ok;
 }
 
@@ -96,8 +104,8 @@ PushResult BasicExtractor<Index, Intake, Sweep>::push_samples(const Sample* samp
   PushResult result{ready_for_samples(), 0};
   while (result.status == Status::ok && result.samples < count) {
     const uint32_t taken = samples_of_row(count - result.samples, intake_.column(bits_), width_);
-    note(intake_.append(bits_, samples + size_t{result.samples} * stride, taken, stride,
-                        threshold_));
+    note_origin(intake_.append(bits_, samples + size_t{result.samples} * stride, taken, stride,
+                               threshold_));
     result.samples += taken;
     const bool is_last = result.samples == count;
     result.status = is_last ? resume() : ready_for_samples();
@@ -120,7 +128,7 @@ PushResult BasicExtractor<Index, Intake, Sweep>::skip_row(Substitute substitute)
   const Status status = ready_for_samples();
   if (status != Status::ok) return {status, 0};
   if (intake_.column(bits_) != 0) return {Status::row_in_progress, 0};
-  note(intake_.skip(bits_, substitute == Substitute::previous_row, threshold_));
+  note_origin(intake_.skip(bits_, substitute == Substitute::previous_row, threshold_));
   return {resume(), width_};
 }
 
@@ -149,11 +157,11 @@ Status BasicExtractor<Index, Intake, Sweep>::abandon() {
   return resume();
 }
 
-// A row of bits whose samples never came is told before it is swept.
+// The event of a row without samples precedes its sweep.
 template <class Index, class Intake, class Sweep>
-void BasicExtractor<Index, Intake, Sweep>::note(Arrival arrival) {
-  if (arrival == Arrival::nothing) return;
-  skip_repeated_ = arrival == Arrival::repeated;
+void BasicExtractor<Index, Intake, Sweep>::note_origin(RowOrigin origin) {
+  if (origin == RowOrigin::samples) return;
+  skip_repeated_ = origin == RowOrigin::repeated;
   skip_is_due_ = true;
   ++statistics_.skipped_rows;
 }
@@ -207,7 +215,7 @@ template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::work() {
   while (state_ != State::finished) {
     if (skip_is_due_) {
-      if (!send(Event::Kind::skipped)) return false;
+      if (!sweep_.flush(sink_, statistics_) || !send(Event::Kind::skipped)) return false;
       skip_is_due_ = false;
     }
     for (; swept_rows_ < ready_rows(); ++swept_rows_)
@@ -215,7 +223,7 @@ bool BasicExtractor<Index, Intake, Sweep>::work() {
     if (bits_.rows() == height_ && !end_slice()) return false;
     if (state_ == State::scanning) break;
     if (intake_.holds_rows(bits_))
-      note(intake_.drain(bits_, threshold_));
+      note_origin(intake_.drain(bits_, threshold_));
     else if (swept_rows_ == ready_rows() && !end_scan())
       return false;
   }
@@ -238,12 +246,12 @@ bool BasicExtractor<Index, Intake, Sweep>::is_last_slice() const {
 // the row before the first, in the slice before the first; those of a slab in the slice below it.
 template <class Index, class Intake, class Sweep>
 uint32_t BasicExtractor<Index, Intake, Sweep>::ready_rows() const {
-  const bool is_closed = border_ == Border::closed;
-  const int32_t first_own = continues_below_ ? 1 : is_closed ? -1 : 0;
-  if (middle_slice() < (continues_below_ ? 0 : first_own)) return 0;
+  const bool is_closed = !is_open();
+  const int32_t first_own = continues_below() ? 1 : is_closed ? -1 : 0;
+  if (middle_slice() < (continues_below() ? 0 : first_own)) return 0;
   const bool is_last = is_last_slice();
   // Nothing has come up to the slice above a slab that has no slices.
-  if (is_last && continues_above_ && middle_slice() == first_own) return 0;
+  if (is_last && continues_above() && middle_slice() == first_own) return 0;
   const uint32_t arrived = is_last ? height_ : bits_.rows();
   if (arrived == height_) return height_ + (is_closed ? 1 : 0);
   return is_closed || arrived == 0 ? arrived : arrived - 1;
@@ -252,7 +260,7 @@ uint32_t BasicExtractor<Index, Intake, Sweep>::ready_rows() const {
 // The rows of cells around row y that lie outside the volume (CellRowBits).
 template <class Index, class Intake, class Sweep>
 uint32_t BasicExtractor<Index, Intake, Sweep>::rows_outside(int32_t y) const {
-  if (border_ == Border::closed) return 0;
+  if (!is_open()) return 0;
   uint32_t outside = 0;
   if (y == 0) outside |= trace::CellRowBits::front;
   if (y + 1 == static_cast<int32_t>(height_)) outside |= trace::CellRowBits::back;
@@ -265,27 +273,26 @@ uint32_t BasicExtractor<Index, Intake, Sweep>::rows_outside(int32_t y) const {
 template <class Index, class Intake, class Sweep>
 DISCMC_NOINLINE trace::SlabRole BasicExtractor<Index, Intake, Sweep>::slab_role() const {
   using trace::SlabRole;
-  if (continues_below_ && middle_slice() == 0) return SlabRole::below_slab;
-  if (continues_below_ && middle_slice() == 1) return SlabRole::first_of_slab;
-  return continues_above_ && is_last_slice() ? SlabRole::above_slab : SlabRole::inside;
+  if (continues_below() && middle_slice() == 0) return SlabRole::below_slab;
+  if (continues_below() && middle_slice() == 1) return SlabRole::first_of_slab;
+  return continues_above() && is_last_slice() ? SlabRole::above_slab : SlabRole::inside;
 }
 
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::sweep_row() {
-  const bool is_open = border_ == Border::open;
-  const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open ? 0 : 1);
+  const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open() ? 0 : 1);
   if (bits_.is_off_around(y)) return true;
   trace::SweptRow row;
   row.y = y;
-  row.z = middle_slice() + static_cast<int32_t>(first_slice_) - (continues_below_ ? 1 : 0);
+  row.z = middle_slice() + static_cast<int32_t>(first_slice()) - (continues_below() ? 1 : 0);
   bits_.find_around(row.y, row.around);
   row.words = bits_.words();
   row.width = width_;
-  row.role = slab_role();
+  row.role = Features::slabs ? slab_role() : trace::SlabRole::inside;
   row.absent_rows = rows_outside(row.y);
   if (row.role == trace::SlabRole::below_slab) row.absent_rows |= trace::CellRowBits::below;
   if (row.role == trace::SlabRole::above_slab) row.absent_rows |= trace::CellRowBits::above;
-  row.has_open_ends = is_open;
+  row.has_open_ends = is_open();
   row.set_absent_quadrants();
   return sweep_.sweep(row, intake_, sink_, statistics_);
 }
@@ -293,7 +300,7 @@ bool BasicExtractor<Index, Intake, Sweep>::sweep_row() {
 // Without those of context.
 template <class Index, class Intake, class Sweep>
 uint32_t BasicExtractor<Index, Intake, Sweep>::own_slices() const {
-  const uint32_t context = (continues_below_ ? 1U : 0U) + (continues_above_ ? 1U : 0U);
+  const uint32_t context = (continues_below() ? 1U : 0U) + (continues_above() ? 1U : 0U);
   return bits_.slices() > context ? bits_.slices() - context : 0;
 }
 
@@ -314,10 +321,10 @@ bool BasicExtractor<Index, Intake, Sweep>::send_start() {
 // Offers an event that tells of rows and slices.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::send(Event::Kind kind) {
-  const uint32_t below = continues_below_ ? 1 : 0;
+  const uint32_t below = continues_below() ? 1 : 0;
   Event event{};
   event.kind = kind;
-  event.slice = bits_.slices() + first_slice_ - below;
+  event.slice = bits_.slices() + first_slice() - below;
   event.row = bits_.rows() - 1;
   event.repeated = skip_repeated_;
   event.abandoned = abandoned_;
@@ -328,7 +335,7 @@ bool BasicExtractor<Index, Intake, Sweep>::send(Event::Kind kind) {
 
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::end_slice() {
-  if (!send(Event::Kind::layer)) return false;
+  if (!sweep_.flush(sink_, statistics_) || !send(Event::Kind::layer)) return false;
   bits_.next_slice();
   swept_rows_ = 0;
   return true;

@@ -40,7 +40,7 @@ inline bool is_longest_side(Place from, Place to) {
 
 /// How many links lead from one place to another. Limit: the places are less than 8,192 apart.
 inline uint32_t links_between(Place from, Place to, Link link) {
-  const int step = link_steps.of[link];
+  const int8_t step = link_steps.of[link];
   const uint32_t way = step < 0 ? from - to : to - from;
   return (way & ((1U << place_bits) - 1)) * link_steps.inverse[step < 0 ? -step : step] >>
          LinkSteps::fraction_bits;
@@ -93,9 +93,9 @@ class Fragments {
   }
 
   /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
-  /// normals.normal_at(vertex) tells the normal at a corner. Cost: constant, but for what is sent.
-  template <class Normals>
-  void take(const Pass& pass, const Vertex& vertex, const Normals& normals);
+  /// intake.normal_at(vertex) tells the normal at a corner. Cost: constant, but for what is sent.
+  template <class Intake>
+  void take(const Pass& pass, const Vertex& vertex, const Intake& intake);
 
   /// At a vertex of the slice above a slab: a chain that comes up to it ends there, or one that
   /// goes down from it begins at the next vertex, loose. Limits and cost as take().
@@ -145,16 +145,16 @@ class Fragments {
     return corner;
   }
 
-  template <class Normals>
-  static Normal normal_where(bool is_corner, const Vertex& vertex, const Normals& normals) {
-    return is_corner ? normals.normal_at(vertex) : Normal{};
+  template <class Intake>
+  static Normal normal_where(bool is_corner, const Vertex& vertex, const Intake& intake) {
+    return is_corner ? intake.normal_at(vertex) : Normal{};
   }
-  template <class Normals>
-  Index begin_fragment(const Pass& pass, const Vertex& vertex, const Normals& normals);
-  template <class Normals>
-  Index new_tail(const Pass& pass, const Vertex& vertex, Index mate, const Normals& normals);
-  template <class Normals>
-  void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Normals& normals);
+  template <class Intake>
+  Index begin_fragment(const Pass& pass, const Vertex& vertex, const Intake& intake);
+  template <class Intake>
+  Index new_tail(const Pass& pass, const Vertex& vertex, Index mate, const Intake& intake);
+  template <class Intake>
+  void lengthen_begin(const Pass& pass, const Vertex& vertex, Index begin, const Intake& intake);
   void cut_begin(const Pass& pass, Index begin, Link incoming, const Vertex& vertex);
   void send_if_long(const Pass& pass, const Vertex& vertex, Index index, bool is_tail);
   // The runs of the fragment that has this begin.
@@ -199,30 +199,30 @@ class Fragments {
 // ---- implementation ----
 
 template <class Index, class Normal>
-template <class Normals>
+template <class Intake>
 DISCMC_NOINLINE void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
-                                                    const Normals& normals) {
+                                                    const Intake& intake) {
   const Place here = place_of(vertex);
   const Index begin = pass.goes_ahead() ? Index{no_slot} : pop(pass.out);
   Index tail;
   bool has_new_runs = pass.turns_at_centroid();
   if (pass.comes_from_ahead) {
-    if (begin != no_slot) return lengthen_begin(pass, vertex, begin, normals);
-    tail = begin_fragment(pass, vertex, normals);
+    if (begin != no_slot) return lengthen_begin(pass, vertex, begin, intake);
+    tail = begin_fragment(pass, vertex, intake);
   } else {
     tail = pop(pass.in);
     if (tail == no_slot) {
       // It comes along a link whose end was lost.
-      tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.incoming)), normals);
+      tail = new_tail(pass, vertex, loose_end<Index>(direction(pass, pass.incoming)), intake);
     } else if (pass.turns() || is_longest_side(end(tail).side.place(), here)) {
       turn(tail, pass.incoming, here, direction(pass, pass.first),
-           normal_where(pass.turns(), vertex, normals));
+           normal_where(pass.turns(), vertex, intake));
       has_new_runs = true;
     }
   }
   if (pass.turns_at_centroid())
     turn(tail, pass.first, moved(here, pass.first), direction(pass, pass.second),
-         normals.normal_at(last_corner(pass, vertex)));
+         intake.normal_at(last_corner(pass, vertex)));
   if (begin != no_slot) return join(pass, vertex, tail, begin);
   if (pass.goes_ahead()) {
     if (admits(pass.out, end(tail).mate)) {
@@ -239,23 +239,23 @@ DISCMC_NOINLINE void Fragments<Index, Normal>::take(const Pass& pass, const Vert
 
 // A tail that starts here. mate: its fragment's begin, or where that is loose the mark for it.
 template <class Index, class Normal>
-template <class Normals>
+template <class Intake>
 DISCMC_NOINLINE Index Fragments<Index, Normal>::new_tail(const Pass& pass, const Vertex& vertex,
-                                                         Index mate, const Normals& normals) {
+                                                         Index mate, const Intake& intake) {
   const Index tail = slots_.take();
   EndSlot& slot = end(tail);
   slot.mate = mate;
   slot.last = no_slot;
   slot.side = Side(direction(pass, pass.first), place_of(vertex));
-  slot.set_normal(normal_where(pass.turns(), vertex, normals));
+  slot.set_normal(normal_where(pass.turns(), vertex, intake));
   return tail;
 }
 
 template <class Index, class Normal>
-template <class Normals>
+template <class Intake>
 DISCMC_NOINLINE Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
                                                                const Vertex& vertex,
-                                                               const Normals& normals) {
+                                                               const Intake& intake) {
   const Direction incoming = direction(pass, pass.incoming);
   Index mate = loose_end<Index>(incoming);
   if (admits(pass.in, pass.goes_ahead() ? Index{no_slot} : mate)) {
@@ -266,27 +266,27 @@ DISCMC_NOINLINE Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
   } else {
     push_lost(pass.in);
   }
-  const Index tail = new_tail(pass, vertex, mate, normals);
+  const Index tail = new_tail(pass, vertex, mate, intake);
   if (!is_loose(mate)) end(mate).mate = tail;
   return tail;
 }
 
 // A chain that comes from ahead goes on as a fragment that has waited for it.
 template <class Index, class Normal>
-template <class Normals>
+template <class Intake>
 DISCMC_NOINLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
                                                               const Vertex& vertex, Index begin,
-                                                              const Normals& normals) {
+                                                              const Intake& intake) {
   const Place here = place_of(vertex);
   const bool is_waiting = admits(pass.in, end(begin).mate);
   bool has_new_runs = pass.turns_at_centroid();
   if (has_new_runs) {
     turn_back(begin, pass.second, moved(here, pass.first), direction(pass, pass.first),
-              normals.normal_at(last_corner(pass, vertex)));
+              intake.normal_at(last_corner(pass, vertex)));
   }
   if (pass.turns() || !is_waiting || is_longest_side(here, end(begin).side.place())) {
     turn_back(begin, pass.first, here, direction(pass, pass.incoming),
-              normal_where(pass.turns(), vertex, normals));
+              normal_where(pass.turns(), vertex, intake));
     has_new_runs = true;
   }
   if (!is_waiting) {

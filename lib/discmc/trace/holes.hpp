@@ -1,9 +1,9 @@
 // Holes wait for the ring around them.
 //
-// An outer ring closes after the holes in it, for no hole reaches as far along the sweep as what
-// surrounds it. So an outer ring that closes takes the holes of its plane that lie in it; those
-// further in were taken by the rings between. Holes are rare: lists by plane, whose slots come
-// from the pool, so that they have no capacity of their own to be set wrong.
+// An outer ring closes after the holes of its region (DESIGN.md has the proof). So an outer ring
+// that closes takes the holes of its plane that lie in it; the rings between have taken those
+// further in. Holes are rare: lists by plane, whose slots come from the pool, so that they have no
+// capacity of their own to be set wrong.
 #ifndef DISCMC_TRACE_HOLES_HPP
 #define DISCMC_TRACE_HOLES_HPP
 

@@ -10,18 +10,18 @@
 
 namespace discmc {
 
-/// What the sink is to be told of a row of bits.
-enum class Arrival : uint8_t {
-  nothing,   ///< its samples came, or it is not complete
-  skipped,   ///< its samples never came: it is off
-  repeated,  ///< they never came: the row before stands in
+/// Where a row of bits comes from. The sink gets an event for each row without samples.
+enum class RowOrigin : uint8_t {
+  samples,   ///< samples of its own; also a row that is not complete
+  skipped,   ///< no samples arrived: the row is off
+  repeated,  ///< no samples arrived: the row before replaces it
 };
 
 /// What a run carries of the normal where it starts when nobody wants normals.
 struct NoNormal {};
 
 /// For an extractor that makes no normals.
-class NoNormals {
+class BitIntake {
  public:
   static constexpr bool holds_samples = false;
   static constexpr uint32_t type = 0;  ///< tells extractors apart: see CheckpointHead
@@ -40,26 +40,26 @@ class NoNormals {
 
   /// Appends samples to the row that arrives. Limit: count <= width - column().
   template <class Sample>
-  Arrival append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
-                 int32_t threshold) {
+  RowOrigin append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
+                   int32_t threshold) {
     rows.append(samples, count, stride, threshold);
     if (rows.row_is_complete()) rows.next_row();
-    return Arrival::nothing;
+    return RowOrigin::samples;
   }
   /// A row never came. Limit: column() == 0.
-  Arrival skip(trace::BitRows& rows, bool is_repeated, int32_t) {
+  RowOrigin skip(trace::BitRows& rows, bool is_repeated, int32_t) {
     if (is_repeated)
       rows.repeat();
     else
       rows.fill_off();
     rows.next_row();
-    return is_repeated ? Arrival::repeated : Arrival::skipped;
+    return is_repeated ? RowOrigin::repeated : RowOrigin::skipped;
   }
   /// No more samples come: what the slice lacks is off. Limit: holds_rows().
-  Arrival drain(trace::BitRows& rows, int32_t) {
+  RowOrigin drain(trace::BitRows& rows, int32_t) {
     rows.fill_off();
     rows.next_row();
-    return Arrival::nothing;
+    return RowOrigin::samples;
   }
   /// Whether a slice is under way.
   bool holds_rows(const trace::BitRows& rows) const { return rows.rows() > 0 || rows.column() > 0; }

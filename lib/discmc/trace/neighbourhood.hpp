@@ -42,7 +42,7 @@ struct EdgePlace {
   uint32_t bit;  ///< of the voxel in its word, 1 to 30
   int axis;
 
-  bool lower_is_on() const { return (rows.row[1][1][word] >> bit & 1) != 0; }
+  DISCMC_ALWAYS_INLINE bool lower_is_on() const { return (rows.row[1][1][word] >> bit & 1) != 0; }
   /// The ring of lines around it, two bits each.
   uint32_t lines() const;
 

@@ -7,9 +7,11 @@ namespace {
 
 // The eight sectors around a vertex have a nibble each in a word: a heading, 8 for none, 15 where
 // the cell is absent. So have the rays between them: a ray is named by where its nibble begins.
+template <bool has_absent_cells, bool has_counts>
 class Surroundings {
  public:
-  Surroundings(const EdgePlace& edge, uint32_t absent)
+  template <class Edge>
+  Surroundings(const Edge& edge, uint32_t absent)
       : axis_(sector_table.axis[edge.axis]), lower_is_on_(edge.lower_is_on() ? 1 : 0) {
     const uint32_t lines = edge.lines();
     lines_ = (lower_is_on_ != 0 ? mirrored(lines) : lines) * 0x10001;
@@ -17,13 +19,13 @@ class Surroundings {
     for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
       const uint32_t seen = cell(quadrant);
       headings_ = headings_ >> 8 | seen << 24;
-      parts_ += sector_table.part[seen >> 12];
+      if constexpr (has_counts) parts_ += sector_table.part[seen >> 12];
     }
     // Turned from quadrant 0 to their own: adds 2q, modulo 8, to both headings of quadrant q, and
     // leaves an 8, no heading, alone.
     const uint32_t nowhere = headings_ & 0x88888888;
     headings_ = ((headings_ + 0x66442200) & 0x77777777 & ~(nowhere - (nowhere >> 3))) | nowhere;
-    if (absent != 0) remove(absent);
+    if (has_absent_cells && absent != 0) remove(absent);
   }
 
   uint32_t parts() const { return parts_; }
@@ -39,7 +41,7 @@ class Surroundings {
   // Of the wedge that begins at a ray.
   Incidence incidence(uint32_t ray) const {
     const uint32_t heading = headings_ >> ray & 15;
-    if (heading > no_heading) return no_incidence;
+    if (has_absent_cells && heading > no_heading) return no_incidence;
     return static_cast<Incidence>(axis_.incidence[heading] +
                                   (lower_is_on_ != 0 ? axis_.to_upper : 0));
   }
@@ -91,17 +93,16 @@ class Surroundings {
 };
 
 // Takes out the wedges where there are no cells.
-void remove_absent(PassList& passes) {
+DISCMC_ALWAYS_INLINE void remove_absent(PassList& passes) {
   uint8_t count = 0;
   for (uint32_t i = 0; i < passes.count; ++i)
     if (passes.pass[i].incidence != no_incidence) passes.pass[count++] = passes.pass[i];
   passes.count = count;
 }
 
-}  // namespace
-
-void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
-  const Surroundings around(edge, absent);
+template <bool has_absent_cells, bool has_counts, class Edge>
+DISCMC_ALWAYS_INLINE void find_passes(const Edge& edge, uint32_t absent, PassList& passes) {
+  const Surroundings<has_absent_cells, has_counts> around(edge, absent);
   passes.parts = around.parts();
   passes.count = 0;
   const uint32_t rays = around.rays();
@@ -118,7 +119,23 @@ void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
     if (left == 0) break;
     ending = beginning;
   }
-  if (absent != 0) remove_absent(passes);
+  if (has_absent_cells && absent != 0) remove_absent(passes);
+}
+
+}  // namespace
+
+template <bool has_absent_cells, bool has_counts>
+void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
+  find_passes<has_absent_cells, has_counts>(edge, absent, passes);
+}
+
+template void derive_passes<true, true>(const EdgePlace&, uint32_t, PassList&);
+template void derive_passes<true, false>(const EdgePlace&, uint32_t, PassList&);
+template void derive_passes<false, true>(const EdgePlace&, uint32_t, PassList&);
+template void derive_passes<false, false>(const EdgePlace&, uint32_t, PassList&);
+
+void derive_passes(const EdgeLines& edge, uint32_t absent, PassList& passes) {
+  find_passes<true, true>(edge, absent, passes);
 }
 
 }  // namespace discmc::trace

@@ -40,7 +40,19 @@ struct PassList {
 
 /// Works out the passes at the vertex on an edge. absent: by quadrant, a bit: there is no cell, or
 /// none that takes part.
+template <bool has_absent_cells = true, bool has_counts = true>
 void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes);
+
+/// An edge whose surroundings are at hand: for hosts, as EdgePlace.
+struct EdgeLines {
+  int axis;
+  bool is_on;
+  uint32_t around;
+
+  bool lower_is_on() const { return is_on; }
+  uint32_t lines() const { return around; }
+};
+void derive_passes(const EdgeLines& edge, uint32_t absent, PassList& passes);
 
 }  // namespace discmc::trace
 

@@ -18,6 +18,7 @@
 #ifndef DISCMC_TRACE_SECTOR_TABLE_HPP
 #define DISCMC_TRACE_SECTOR_TABLE_HPP
 
+#include <discmc/compiler.hpp>
 #include <discmc/geometry/cell.hpp>
 
 namespace discmc::trace {
@@ -88,7 +89,7 @@ struct AxisTable {
 };
 
 /// Of lines of voxels, mirrored along the axis: the ends of each change places.
-constexpr uint32_t mirrored(uint32_t lines) {
+DISCMC_ALWAYS_INLINE constexpr uint32_t mirrored(uint32_t lines) {
   return (lines & 0x5555) << 1 | (lines >> 1 & 0x5555);
 }
 

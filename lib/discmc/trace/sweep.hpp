@@ -8,9 +8,11 @@
 
 namespace discmc::trace {
 
-template <class Index, class Normal>
+template <class Index, class Normal, class AnyFeatures = AllFeatures>
 class Sweep {
  public:
+  using Features = AnyFeatures;
+
   /// Takes its part of the arena, and writes nothing there: clear() does. The slots come last, so
   /// that those never used are behind all that is in use.
   void start(Arena& arena, const Capacities& capacities) {
@@ -34,11 +36,14 @@ class Sweep {
   }
 
   const Fragments<Index, Normal>& fragments() const { return fragments_; }
-  const Delivery<Index, Normal>& delivery() const { return delivery_; }
+  const Delivery<Index, Normal, Features::holes_wait>& delivery() const { return delivery_; }
 
   /// Sweeps a row, or goes on with it. False when the sink said "not now": call again.
-  template <class Normals>
-  bool sweep(const SweptRow& row, const Normals& normals, const Sink& sink, Statistics& statistics);
+  template <class Intake>
+  bool sweep(const SweptRow& row, const Intake& intake, const Sink& sink, Statistics& statistics);
+
+  /// Delivers what may wait of the rows that were swept. As sweep().
+  bool flush(const Sink&, Statistics&) { return true; }
 
   /// After the last vertex: delivers holes that still wait, loose. As sweep().
   bool settle_holes(const Sink& sink, Statistics& statistics) {
@@ -46,52 +51,53 @@ class Sweep {
   }
 
  protected:
-  template <class Normals>
-  bool take_passes(const SweptRow& row, const Normals& normals, const Sink& sink,
+  template <class Intake>
+  bool take_passes(const SweptRow& row, const Intake& intake, const Sink& sink,
                    Statistics& statistics);
 
   bool chains_are_ended_ = false;  // at the row under way above a slab
   DerivedPasses passes_;
   SweepCounts counts_;
   Fragments<Index, Normal> fragments_;
-  Delivery<Index, Normal> delivery_;
+  Delivery<Index, Normal, Features::holes_wait> delivery_;
 };
 
 // Nothing is swept below a slab: what comes from there is lost. Above it a row is swept twice: as
 // an end does not know where it is, the chains that come up to a vertex are ended there first, and
 // those that go down from it begin there then.
-template <class Index, class Normal>
-template <class Normals>
-bool Sweep<Index, Normal>::sweep(const SweptRow& row, const Normals& normals, const Sink& sink,
-                                 Statistics& statistics) {
+template <class Index, class Normal, class AnyFeatures>
+template <class Intake>
+bool Sweep<Index, Normal, AnyFeatures>::sweep(const SweptRow& row, const Intake& intake,
+                                              const Sink& sink, Statistics& statistics) {
+  if constexpr (!Features::slabs) return take_passes(row, intake, sink, statistics);
   if (row.role == SlabRole::below_slab) return true;
   fragments_.set_below_is_lost(row.role == SlabRole::first_of_slab);
   for (;;) {
-    if (!take_passes(row, normals, sink, statistics)) return false;
+    if (!take_passes(row, intake, sink, statistics)) return false;
     chains_are_ended_ = row.role == SlabRole::above_slab && !chains_are_ended_;
     if (!chains_are_ended_) return true;
   }
 }
 
-template <class Index, class Normal>
-template <class Normals>
-bool Sweep<Index, Normal>::take_passes(const SweptRow& row, const Normals& normals,
-                                       const Sink& sink, Statistics& statistics) {
+template <class Index, class Normal, class AnyFeatures>
+template <class Intake>
+bool Sweep<Index, Normal, AnyFeatures>::take_passes(const SweptRow& row, const Intake& intake,
+                                                    const Sink& sink, Statistics& statistics) {
   if (!delivery_.settle(fragments_, sink, statistics)) return false;
   do {
     while (passes_.has_next()) {
       const Pass& pass = passes_.pass();
       const Vertex& vertex = passes_.vertex();
       passes_.advance();
-      if (row.is_own())
-        fragments_.take(pass, vertex, normals);
+      if (!Features::slabs || row.is_own())
+        fragments_.take(pass, vertex, intake);
       else
         fragments_.cut_at(pass, vertex, !chains_are_ended_);
       if (fragments_.has_outgoing() && !delivery_.settle(fragments_, sink, statistics))
         return false;
     }
-  } while (passes_.find(row, counts_));
-  counts_.add_to(statistics);
+  } while (passes_.find<Features>(row, counts_));
+  if constexpr (Features::cell_counts) counts_.add_to(statistics);
   return true;
 }
 

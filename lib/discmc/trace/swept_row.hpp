@@ -11,6 +11,10 @@
 
 namespace discmc::trace {
 
+/// Whether cells may take no part: those beyond an open border or of another slab.
+template <class Features>
+constexpr bool has_absent = Features::open_border || Features::slabs;
+
 /// Which slice a row is of.
 enum class SlabRole : uint8_t {
   inside,
@@ -73,6 +77,7 @@ struct Crossings {
   uint32_t voxels() const { return of[0] | of[1] | of[2]; }
 
   /// False when there are none, and then nothing changes.
+  template <bool has_absent_cells = true>
   bool find(const SweptRow& row, uint32_t word) {
     const auto& rows = row.around.row;
     const uint32_t here = rows[1][1][word];
@@ -80,9 +85,10 @@ struct Crossings {
     const uint32_t y = here ^ rows[1][2][word];
     const uint32_t z = here ^ rows[2][1][word];
     if (((x | y | z) & own_columns) == 0) return false;
-    of[0] = x & (row.has_open_ends ? inner_columns(word, row.width) : own_columns);
-    of[1] = row.has_y ? y & own_columns : 0;
-    of[2] = row.has_z ? z & own_columns : 0;
+    of[0] =
+        x & (has_absent_cells && row.has_open_ends ? inner_columns(word, row.width) : own_columns);
+    of[1] = !has_absent_cells || row.has_y ? y & own_columns : 0;
+    of[2] = !has_absent_cells || row.has_z ? z & own_columns : 0;
     return true;
   }
 };
@@ -92,9 +98,13 @@ class SweepCounts {
  public:
   void add(uint32_t parts) {
     constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
-    cells_ += parts & ((1U << facet) - 1);
-    facets_ += parts >> facet & ((1U << (triangle - facet)) - 1);
-    triangles_ += parts >> triangle;
+    add(parts & ((1U << facet) - 1), parts >> facet & ((1U << (triangle - facet)) - 1),
+        parts >> triangle);
+  }
+  void add(uint32_t cells, uint32_t facets, uint32_t triangles) {
+    cells_ += cells;
+    facets_ += facets;
+    triangles_ += triangles;
   }
   /// Moves what is whole to the statistics.
   void add_to(Statistics& statistics) {

@@ -37,8 +37,10 @@ struct NamedSelection {
 struct VolumeArguments {
   std::vector<NamedSelection> selections;  ///< one a surface
   Border border = Border::closed;
-  std::uint32_t median = 0;   ///< voxels across the filter of bits; 0: none
-  std::string mask;           ///< the file of a volume, or none
+  std::uint32_t median = 0;  ///< voxels across the filter of bits; 0: none
+  std::string mask;          ///< the file of a volume, or none
+  /// Deviation by which the selected voxels are smoothed; 0: by the spacing. Units: millimetres
+  std::optional<double> smooth_mm;
   bool allows_empty = false;  ///< surfaces
   std::uint64_t memory = 0;
   std::vector<std::uint32_t> capacities;  ///< slots and holes, or none
@@ -123,6 +125,7 @@ struct RenderArguments {
   bool is_volume = false;  ///< or a stream
   StreamChoice choice;
   VolumeArguments reading;
+  ComponentChoice components;
   bool classic = false;
   std::string output;
   std::vector<double> view = {-0.9, -1.6, 0.8};

@@ -42,6 +42,8 @@ std::string reason(const VolumeArguments& arguments, const NamedSelection& surfa
   const std::string end = surface.is_label ? ", or there is none" : "";
   if (is_reached && !arguments.mask.empty())
     return "no voxel that " + condition(surface) + " is left by --mask" + end;
+  if (is_reached && arguments.smooth_mm)
+    return "no voxel that " + condition(surface) + " is left by --smooth" + end;
   if (is_reached && arguments.median > 0)
     return "no voxel that " + condition(surface) + " is left by --median" + end;
   return "no voxel " + condition(surface);

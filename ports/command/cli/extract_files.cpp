@@ -78,7 +78,8 @@ MeshSummary MeshFiles::write(const SurfaceOutput& output, OutputFile& file) cons
   if (format == Format::jsonl) {
     write_to(file, [&](std::ostream& out) { write_jsonl(output.surface, out); });
   } else {
-    const Mesh mesh = mesh_of(output);
+    Mesh mesh = mesh_of(output);
+    if (traits_of(format).holds_measures) mesh.name = output.selection.name;
     summary = summary_of(mesh);
     write_to(file, [&](std::ostream& out) { write_mesh(mesh, format, out, jobs_of(arguments_)); });
   }

@@ -16,9 +16,11 @@
 #include "extract_files.hpp"
 #include "extraction/labels.hpp"
 #include "mesh_output.hpp"
+#include "pictures/label_colour.hpp"
 #include "progress.hpp"
 #include "require.hpp"
 #include "segmentation.hpp"
+#include "smoothing/smoothed_labels.hpp"
 #include "text/message.hpp"
 #include "volume_input.hpp"
 #include "volumes/filters/mask_volume.hpp"
@@ -30,6 +32,7 @@ namespace {
 struct FoundLabel {
   LabelledSurface surface;
   NamedSelection name;
+  std::optional<CrossingFinder> crossings{};  // of a smoothed one
 };
 
 // The labels that are asked for, by their layers; of `all` nothing of each.
@@ -62,13 +65,37 @@ Chosen chosen_labels(const ExtractArguments& arguments, const LabelNames& names)
   return chosen;
 }
 
-std::vector<LabelledSurface> surfaces_of(VolumeReader& volume, const ExtractArguments& arguments,
-                                         std::optional<std::set<LabelValue>> chosen) {
+std::vector<FoundLabel> extracted_labels(VolumeReader& volume, const LabelOptions& options) {
+  std::vector<FoundLabel> found;
+  for (LabelledSurface& surface : extract_labels(volume, options))
+    found.push_back({std::move(surface), {}});
+  return found;
+}
+
+std::vector<FoundLabel> smoothed_labels_of(VolumeReader& volume, const LabelOptions& options,
+                                           double deviation_mm) {
+  std::optional<Progress> progress;
+  const auto show = [&progress](std::size_t done, std::size_t all) {
+    if (!progress) progress.emplace("smoothing", all);
+    progress->show(done);
+  };
+  std::vector<FoundLabel> found;
+  for (SmoothedLabel& label : smoothed_labels(volume, options, deviation_mm, show))
+    found.push_back({std::move(label.surface), {}, std::move(label.crossings)});
+  return found;
+}
+
+// Without their names.
+std::vector<FoundLabel> surfaces_of(VolumeReader& volume, const ExtractArguments& arguments,
+                                    std::optional<std::set<LabelValue>> chosen) {
   Progress progress("extracting", volume.info().dims[2]);
+  const LabelOptions options{arguments.reading.border, arguments.reading.median > 0,
+                             std::move(chosen),
+                             [&progress](std::uint32_t slices) { progress.show(slices); }};
   try {
-    return extract_labels(
-        volume, {arguments.reading.border, arguments.reading.median > 0, std::move(chosen),
-                 [&progress](std::uint32_t slices) { progress.show(slices); }});
+    const auto deviation = smoothing_mm(arguments.reading, volume.info());
+    return deviation ? smoothed_labels_of(volume, options, *deviation)
+                     : extracted_labels(volume, options);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(name_for_people(arguments.volume) + ": " + error.what());
   }
@@ -94,7 +121,7 @@ NamedSelection selection_of(const LabelNames& names, std::uint32_t layer, LabelV
   const NamedLabels named = names.named(layer, label);
   NamedSelection selection{{}, label.text()};
   selection.name = named.name;
-  selection.colour = named.colour;
+  selection.colour = named.colour ? named.colour : label_colour(label.rounded());
   return selection;
 }
 
@@ -107,10 +134,10 @@ std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentat
     std::unique_ptr<VolumeReader> volume = segmentation.open(layer);
     if (auto mask = open_noted_mask(arguments.reading, volume->info()))
       volume = masked(std::move(volume), std::move(mask));
-    std::vector<LabelledSurface> surfaces = surfaces_of(*volume, arguments, chosen);
+    std::vector<FoundLabel> surfaces = surfaces_of(*volume, arguments, chosen);
     for (const LabelValue label : chosen.value_or(std::set<LabelValue>())) {
-      const auto is_it = [value = label](const LabelledSurface& each) {
-        return each.label == value;
+      const auto is_it = [value = label](const FoundLabel& each) {
+        return each.surface.label == value;
       };
       if (std::none_of(surfaces.begin(), surfaces.end(), is_it))
         missing.push_back(title(selection_of(names, layer, label)));
@@ -118,9 +145,9 @@ std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentat
     // A mask that is empty.
     if (!chosen && surfaces.empty() && names.layers().size() > 1)
       missing.push_back(names.named(layer, 1).name);
-    for (LabelledSurface& surface : surfaces) {
-      NamedSelection selection = selection_of(names, layer, surface.label);
-      found.push_back({std::move(surface), std::move(selection)});
+    for (FoundLabel& each : surfaces) {
+      each.name = selection_of(names, layer, each.surface.label);
+      found.push_back(std::move(each));
     }
   }
   check_missing(arguments, missing);
@@ -149,6 +176,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
                              "; --allow-empty takes that");
 
   std::vector<NamedSelection> selections;
+  selections.reserve(labels.size());
   for (const FoundLabel& each : labels) selections.push_back(each.name);
   const std::vector<std::string> names = files.names_for(selections);
   if (!arguments.quiet)
@@ -164,7 +192,9 @@ int extract_label_meshes(const ExtractArguments& arguments) {
                                                            : names[i] + " is not written"));
       continue;
     }
-    const MeshSummary mesh = files.add({label.surface, selections[i], names[i]});
+    const bool moves = arguments.interpolates && labels[i].crossings;
+    const MeshSummary mesh = files.add({label.surface, selections[i], names[i],
+                                        moves ? &labels[i].crossings->crossings() : nullptr});
     has_mesh = true;
     if (!arguments.quiet)
       print_line(label, mesh.face_count, files.are_one() ? selections[i].name : names[i],

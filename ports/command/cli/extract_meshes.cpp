@@ -26,21 +26,28 @@ int extract_meshes(ExtractArguments arguments) {
   const std::vector<std::string> names = files.names_for(selections);
   Progress progress("extracting", info.dims[2]);
   ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
+  const auto smooth = smoothed(arguments.reading, *volume, mask.get());
+  VolumeReader& samples = smooth ? static_cast<VolumeReader&>(*smooth) : *volume;
+  std::vector<NamedSelection> taken = selections;
+  if (smooth) {
+    options.mask = nullptr;
+    taken[0].selection = {0};
+  }
   if (is_divisible(arguments)) options.jobs = jobs_of(arguments);
 
   const SurfaceReceivers receivers = receivers_for(selections, Kept::polygons);
-  std::vector<SurfaceRequest> requests = requests_of(selections, receivers);
+  std::vector<SurfaceRequest> requests = requests_of(taken, receivers);
   std::vector<CrossingFinder> finders;
   if (arguments.interpolates)
-    for (const NamedSelection& each : selections) finders.emplace_back(info, each.selection);
+    for (const NamedSelection& each : taken) finders.emplace_back(samples.info(), each.selection);
   for (std::size_t i = 0; i < finders.size(); ++i) requests[i].crossings = &finders[i];
-  const std::vector<Extraction> extractions = extract(*volume, options, requests);
-  note_not_numbers(arguments, extractions[0].not_numbers);
-  if (arguments.interpolates && volume->has_two_values())
+  const std::vector<Extraction> extractions = extract(samples, options, requests);
+  note_not_numbers(arguments, smooth ? smooth->not_numbers() : extractions[0].not_numbers);
+  if (arguments.interpolates && !smooth && volume->has_two_values())
     print_message(
         arguments.volume,
         "there are two values alone, as in a mask, so the interpolated surface keeps the steps of "
-        "the voxels; leave out --surface interpolated, or give the scan that the mask was made of");
+        "the voxels; add --smooth auto");
   check_surfaces(arguments, extractions, *volume);
 
   for (std::size_t i = 0; i < receivers.size(); ++i) {

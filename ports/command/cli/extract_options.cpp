@@ -34,10 +34,11 @@ void check_labels(const ExtractArguments& arguments) {
     throw CLI::ValidationError("--labels", "a stream holds " +
                                                std::to_string(StreamHeader::max_surfaces) +
                                                " surfaces at most: write meshes, or give --label");
-  if (arguments.normals == Normals::gradient || arguments.interpolates)
+  const bool is_smooth = arguments.reading.smooth_mm.has_value();
+  if (arguments.normals == Normals::gradient || (arguments.interpolates && !is_smooth))
     throw CLI::ValidationError("--labels",
-                               "there is nothing between labels: leave out --normals gradient and "
-                               "--surface interpolated");
+                               "there is nothing between labels: leave out --normals gradient; "
+                               "for --surface interpolated add --smooth auto");
 }
 
 void check_selections(const ExtractArguments& arguments) {
@@ -69,10 +70,7 @@ void check_selections(const ExtractArguments& arguments) {
 }
 
 void check_cleaning(const ExtractArguments& arguments) {
-  if (!arguments.components.is_any() && arguments.reading.border == Border::open)
-    throw CLI::ValidationError("--border",
-                               "an open surface encloses nothing: leave out --largest "
-                               "and --min-volume, or --border open");
+  check_closed(arguments.components, arguments.reading.border);
   const bool is_stream = format_of(arguments.output) == Format::stream;
   if (arguments.reading.median > 0 && is_stream && arguments.normals == Normals::gradient)
     throw CLI::ValidationError("--median",
@@ -91,6 +89,19 @@ void check_mask(const ExtractArguments& arguments) {
                                "the mask again: leave out --median, or give each --label");
 }
 
+void check_smoothing(const ExtractArguments& arguments) {
+  if (!arguments.reading.smooth_mm) return;
+  if (arguments.reading.selections.size() > 1)
+    throw CLI::ValidationError("--smooth",
+                               "it takes one surface, or --labels: run discmc once per surface");
+  if (arguments.normals == Normals::gradient)
+    throw CLI::ValidationError("--smooth",
+                               "the gradient of the samples is not normal to a smoothed surface: "
+                               "give --normals surface");
+  if (arguments.reading.median > 0)
+    throw CLI::ValidationError("--smooth", "cannot be combined with --median: leave one out");
+}
+
 void check_surface(const ExtractArguments& arguments) {
   if (!arguments.interpolates) return;
   check_interpolation(arguments.mesh, arguments.output);
@@ -98,9 +109,9 @@ void check_surface(const ExtractArguments& arguments) {
     throw CLI::ValidationError("--median",
                                "the crossings are those of the samples, which are not filtered: "
                                "leave out --surface interpolated");
-  if (arguments.reading.selects_labels())
+  if (arguments.reading.selects_labels() && !arguments.reading.smooth_mm)
     throw CLI::ValidationError("--surface",
-                               "there is nothing to interpolate between labels: leave it out");
+                               "there is nothing to interpolate between labels: add --smooth auto");
 }
 
 void check_tolerance(const ExtractArguments& arguments, const CLI::Option& tolerance) {
@@ -161,6 +172,15 @@ void check_jobs(const ExtractArguments& arguments) {
                                "one or the other");
 }
 
+// The vertices of a smoothed surface follow it, where the mesh can hold that.
+void interpolate_smoothed(ExtractArguments& arguments, const CLI::App& app) {
+  const Format format = format_of(arguments.output);
+  const bool is_triangles = arguments.mesh.faces == Faces::triangles && arguments.mesh.conforming &&
+                            format != Format::stream && format != Format::jsonl;
+  if (arguments.reading.smooth_mm && is_triangles && app.get_option("--surface")->count() == 0)
+    arguments.interpolates = true;
+}
+
 void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_output(arguments.output);
   check_faces(arguments.mesh.faces, arguments.output);
@@ -170,6 +190,7 @@ void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_space(arguments.space, arguments.output);
   check_normals(arguments.normals, arguments.output, true);
   check_selections(arguments);
+  check_smoothing(arguments);
   check_surface(arguments);
   check_tolerance(arguments, *app.get_option("--tolerance"));
   check_wire(arguments);
@@ -188,6 +209,30 @@ SlabChoice slab_choice(const std::string& text) {
     throw CLI::ValidationError(
         "--slab", text + ": give the number of the slab and how many there are, as in 2/7");
   return {*number, *count};
+}
+
+// Nothing where it is neither auto nor a length.
+std::optional<double> deviation(const std::string& text) {
+  if (text == "auto") return 0;
+  const auto length = finite_number(text);
+  return length && *length > 0 && *length <= 1000 ? length : std::nullopt;
+}
+
+void add_smoothing_option(CLI::App& app, ExtractArguments& arguments) {
+  app.option_defaults()->group(surface_group);
+  app.add_option_function<std::string>(
+         "--smooth",
+         [&arguments](const std::string& text) { arguments.reading.smooth_mm = deviation(text); },
+         "smooth the steps of the voxels that are on, as of a mask or label, by a Gaussian of this "
+         "deviation in millimetres; auto: the largest distance between voxels")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            return deviation(text) ? std::string()
+                                   : "invalid deviation '" + text +
+                                         "'; expected auto, or millimetres above 0 and up to 1000";
+          },
+          ""))
+      ->option_text("auto|MM");
 }
 
 void add_label_options(CLI::App& app, ExtractArguments& arguments) {
@@ -209,7 +254,8 @@ void add_label_options(CLI::App& app, ExtractArguments& arguments) {
   app.add_option("--label-table", arguments.reading.label_table,
                  "the names of labels, which {name} stands for, and their colours (.glb, .3mf, "
                  ".ply): a table of 3D Slicer, FreeSurfer, ITK-SNAP or BIDS, or dataset.json of "
-                 "nnU-Net (default: what the file tells, as a .seg.nrrd of 3D Slicer does)")
+                 "nnU-Net (default: what the file has, as a .seg.nrrd of 3D Slicer; else 21 "
+                 "colours by number)")
       ->option_text("FILE");
 }
 
@@ -260,6 +306,7 @@ Command add_extract(CLI::App& app) {
   CLI::Option* iso = extract->get_option("--iso");
   iso->description(iso->get_description() +
                    "; given several times, as the next two: a surface each, up to 4 in a stream");
+  add_smoothing_option(*extract, *arguments);
   add_label_options(*extract, *arguments);
   add_normals_option(*extract, arguments->normals,
                      "from the samples of the volume, and what a .dmc stream can hold");
@@ -282,7 +329,10 @@ Command add_extract(CLI::App& app) {
       "  discmc extract labels.nii.gz --labels all -o 'out/{name}.stl'\n"
       "  discmc extract series/ --iso 300 -o head.stl\n"
       "  discmc extract ct.raw --dims 512,512,275 --type i16 --iso 200 -o ct.dmc");
-  extract->callback([arguments, extract] { check(*arguments, *extract); });
+  extract->callback([arguments, extract] {
+    interpolate_smoothed(*arguments, *extract);
+    check(*arguments, *extract);
+  });
   return {extract, [arguments] { return run_extract(*arguments); }};
 }
 

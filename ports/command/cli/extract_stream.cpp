@@ -84,8 +84,13 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   Progress progress("extracting", info.dims[2]);
   ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
   StreamHeader header = stream_header(info, options);
+  const auto smooth = smoothed(arguments.reading, *volume, mask.get());
   header.scan = arguments.scan;
   std::vector<NamedSelection> selections = arguments.reading.selections;
+  if (smooth) {
+    options.mask = nullptr;
+    options.selection = selections[0].selection = {0};
+  }
   options.slab = slab_of(arguments, info.dims[2]);
   options.normals = arguments.normals == Normals::gradient;
   options.jobs = arguments.jobs;
@@ -119,11 +124,11 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
     }
   }
 
-  stream.extractions =
-      extract(narrow ? *narrow : *volume, options, requests_of(selections, stream.receivers));
+  VolumeReader& samples = smooth ? static_cast<VolumeReader&>(*smooth) : narrow ? *narrow : *volume;
+  stream.extractions = extract(samples, options, requests_of(selections, stream.receivers));
   stream.slice_bytes = output.bytes();
   stream.slice_memory = slices.memory();
-  note_not_numbers(arguments, stream.extractions[0].not_numbers);
+  note_not_numbers(arguments, smooth ? smooth->not_numbers() : stream.extractions[0].not_numbers);
   if (!options.slab) check_surfaces(arguments, stream.extractions, *volume);
   return stream;
 }

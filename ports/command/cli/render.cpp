@@ -23,7 +23,8 @@ namespace discmc::command {
 namespace {
 
 // A mesh that can be shaded smoothly if that is asked, then with the normals that the surface has.
-Mesh mesh_to_draw(const RenderArguments& arguments, const Surface& surface) {
+Mesh mesh_to_draw(const RenderArguments& arguments, Surface& surface) {
+  keep_chosen(arguments.input, arguments.components, surface);
   const bool smooth = arguments.smooth;
   Mesh mesh = build_mesh(surface, {true, smooth ? Faces::triangles : Faces::polygons});
   note_left_out(arguments.input, surface, mesh);
@@ -95,7 +96,7 @@ int run_render(const RenderArguments& arguments) {
     found.reading.selections = with_thresholds(arguments.input, arguments.reading);
     mesh = volume_to_draw(found);
   } else {
-    const DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
+    DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
     mesh = mesh_to_draw(arguments, decoded.surface);
     code = completeness(arguments.input, decoded.report);
   }

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/options/input_kind.hpp"
+#include "cli/options/mesh_options.hpp"
 #include "cli/options/named_values.hpp"
 #include "cli/options/option_checks.hpp"
 #include "cli/options/stream_options.hpp"
@@ -20,6 +21,7 @@ void check(const CLI::App& render, const RenderArguments& arguments) {
                                "a volume is drawn at a threshold: give --iso auto, or a number");
   if (arguments.view == std::vector<double>{0, 0, 0})
     throw CLI::ValidationError("--view", "0,0,0 is no direction: give one that is not zero");
+  check_closed(arguments.components, arguments.reading.border);
 }
 
 void add_picture_options(CLI::App& app, RenderArguments& arguments) {
@@ -63,6 +65,8 @@ void add_classic_option(CLI::App& app, bool& classic) {
       ->excludes("--capacities")
       ->excludes("--median")
       ->excludes("--mask")
+      ->excludes("--largest")
+      ->excludes("--min-volume")
       ->excludes("--range")
       ->excludes("--label");
 }
@@ -85,6 +89,7 @@ Command add_render(CLI::App& app) {
   add_choice_options(*render, arguments->choice);
   add_volume_options(*render, arguments->reading.options);
   add_surface_options(*render, arguments->reading);
+  add_component_options(*render, arguments->components);
   add_classic_option(*render, arguments->classic);
   render->footer(
       "Examples:\n"

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "pictures/label_colour.hpp"
 #include "text/message.hpp"
 #include "volume_input.hpp"
 #include "volumes/label_table.hpp"
@@ -74,6 +75,8 @@ std::unique_ptr<VolumeReader> open_labels(Segmentation& segmentation, const std:
     each.name = labels.name;
     each.colour = labels.colour;
     const std::vector<LabelValue>& values = labels.set.begin()->second;
+    if (!each.colour && selections.size() > 1)
+      each.colour = label_colour(values.empty() ? 1 : values[0].rounded());
     each.selection = {values.empty() ? 1 : values[0].rounded()};
     each.selection.bits = std::uint64_t{1} << sets.size();
     for (const auto& [layer, unused] : labels.set) layers.emplace(layer, nullptr);

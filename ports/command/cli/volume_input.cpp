@@ -113,6 +113,19 @@ GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& o
   return {narrowed_again(path, options, iso, *volume), {0}};
 }
 
+std::optional<double> smoothing_mm(const VolumeArguments& arguments, const VolumeInfo& volume) {
+  if (!arguments.smooth_mm || *arguments.smooth_mm > 0) return arguments.smooth_mm;
+  return steps_mm(volume);
+}
+
+std::unique_ptr<SmoothedVolume> smoothed(const VolumeArguments& arguments, VolumeReader& volume,
+                                         VolumeReader* mask) {
+  const auto deviation = smoothing_mm(arguments, volume.info());
+  if (!deviation) return nullptr;
+  return std::make_unique<SmoothedVolume>(volume, arguments.selections[0].selection, mask,
+                                          *deviation);
+}
+
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,
                                      VolumeReader* mask) {
   ExtractionOptions options;

@@ -3,12 +3,14 @@
 #define DISCMC_COMMAND_CLI_VOLUME_INPUT_HPP
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "arguments.hpp"
 #include "extraction/extraction.hpp"
 #include "extraction/selection.hpp"
 #include "progress.hpp"
+#include "smoothing/smoothed_volume.hpp"
 #include "statistics/measured_volume.hpp"
 #include "volumes/volume.hpp"
 
@@ -49,6 +51,14 @@ std::unique_ptr<VolumeReader> narrowed_again(const std::string& path, const Volu
 /// The volume once more, in samples that the library takes (is_scanner_type()): itself, or else
 /// narrowed, which takes a pass over it. Throws as require_second_pass().
 GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& options, double iso);
+
+/// The deviation of --smooth, if it is given. Units: millimetres.
+std::optional<double> smoothing_mm(const VolumeArguments& arguments, const VolumeInfo& volume);
+
+/// The selected voxels smoothed, if that is asked for, else nothing. Their surface is at 0. volume,
+/// mask: as SmoothedVolume.
+std::unique_ptr<SmoothedVolume> smoothed(const VolumeArguments& arguments, VolumeReader& volume,
+                                         VolumeReader* mask);
 
 /// At the first threshold. progress, mask: have to live as long as the options are in use.
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,

@@ -11,7 +11,7 @@ namespace discmc::command {
 
 /// Whether 16-bit indices count as many slots as so much memory holds of the wider ones: up to
 /// half a MiB. A scan on the host then is one on a device.
-template <class Normals = NoNormals>
+template <class Normals = BitIntake>
 bool takes_narrow_indices(const Limits& limits, std::uint64_t memory) {
   return default_capacities<std::uint16_t, Normals>(limits, memory).slots >=
          default_capacities<std::uint32_t, Normals>(limits, memory).slots;

@@ -97,6 +97,11 @@ Point Crossings::on_edge(const Vertex& middle) const {
 }
 
 Point Crossings::interpolated(const Vertex& vertex) const {
+  const Point point = in_volume(vertex - first_);
+  return {point[0] + first_.x, point[1] + first_.y, point[2] + first_.z};
+}
+
+Point Crossings::in_volume(const Vertex& vertex) const {
   const bool is_centroid = (vertex.x & vertex.y & vertex.z & 1) != 0;
   if (!is_centroid) return on_edge(vertex);
   static const std::array<Loop, configurations> loops = fan_loops();
@@ -115,7 +120,7 @@ Point Crossings::interpolated(const Vertex& vertex) const {
 // What is on, and the samples, of one slice after the other.
 class CrossingFinder::Slices {
  public:
-  explicit Slices(const VolumeInfo& info) : crossings_(info.dims) {}
+  Slices(const VolumeInfo& info, const Vertex& first) : crossings_(info.dims, first) {}
   Slices(const Slices&) = delete;
   Slices& operator=(const Slices&) = delete;
   virtual ~Slices() = default;
@@ -130,8 +135,8 @@ class CrossingFinder::Slices {
 template <class Sample>
 class CrossingFinder::SlicesOf final : public Slices {
  public:
-  SlicesOf(const VolumeInfo& info, const Selection& selection)
-      : Slices(info),
+  SlicesOf(const VolumeInfo& info, const Selection& selection, const Vertex& first)
+      : Slices(info, first),
         selector_(info, selection),
         width_(info.dims[0]),
         height_(info.dims[1]),
@@ -231,9 +236,10 @@ class CrossingFinder::SlicesOf final : public Slices {
   std::vector<std::uint8_t> changes_;  // along the row under way
 };
 
-CrossingFinder::CrossingFinder(const VolumeInfo& info, const Selection& selection)
+CrossingFinder::CrossingFinder(const VolumeInfo& info, const Selection& selection,
+                               const Vertex& first)
     : slices_(with_sample_type(info.type, [&](auto type) -> std::unique_ptr<Slices> {
-        return std::make_unique<SlicesOf<decltype(type)>>(info, selection);
+        return std::make_unique<SlicesOf<decltype(type)>>(info, selection, first);
       })) {}
 
 CrossingFinder::CrossingFinder(CrossingFinder&&) noexcept = default;

@@ -22,7 +22,9 @@ class Crossings {
   /// How near a crossing comes to a voxel. So two of them never meet there. Units: half-steps.
   static constexpr double margin = 1.0 / 64;
 
-  explicit Crossings(const std::array<std::uint32_t, 3>& dims) : dims_(dims) {}
+  /// first: where the volume begins in the coordinates of the vertices; Units: half-steps.
+  Crossings(const std::array<std::uint32_t, 3>& dims, const Vertex& first)
+      : dims_(dims), first_(first) {}
 
   /// The point of the interpolated surface that a vertex of the merged one stands for: the crossing
   /// of an edge for its middle, the mean of the crossings around it for a centroid. Where there is
@@ -45,19 +47,23 @@ class Crossings {
     std::vector<Crossing> crossings;
   };
 
+  Point in_volume(const Vertex& vertex) const;
   bool is_inside(const Vertex& voxel) const;
   const Crossing* crossing_of(const Vertex& middle) const;
   Point on_edge(const Vertex& middle) const;
   Configuration configuration_around(const Vertex& centroid) const;
 
   std::array<std::uint32_t, 3> dims_;
+  Vertex first_;
   std::array<Rows, 3> along_;
 };
 
 /// Finds the crossings, slice by slice. Holds one slice.
 class CrossingFinder {
  public:
-  CrossingFinder(const VolumeInfo& info, const Selection& selection);
+  /// first: as Crossings.
+  CrossingFinder(const VolumeInfo& info, const Selection& selection,
+                 const Vertex& first = {0, 0, 0});
   CrossingFinder(CrossingFinder&&) noexcept;
   CrossingFinder& operator=(CrossingFinder&&) noexcept;
   ~CrossingFinder();

@@ -90,9 +90,9 @@ std::vector<Extraction> extract_with(VolumeReader& volume, const ExtractionOptio
 std::vector<Extraction> extract_fast(VolumeReader& volume, const ExtractionOptions& options,
                                      const std::vector<SurfaceRequest>& surfaces) {
   const Limits limits = limits_of(volume.info(), options);
-  const std::uint64_t bytes = generous_bytes_for<NoNormals>(limits);
+  const std::uint64_t bytes = generous_bytes_for<BitIntake>(limits);
   const Arena arena{false, bytes, default_capacities<std::uint32_t>(limits, bytes)};
-  return extract_by<LearningExtractor>(volume, limits, options, arena, surfaces);
+  return extract_by<HostExtractor>(volume, limits, options, arena, surfaces);
 }
 
 // Three numbers, for people.
@@ -150,7 +150,7 @@ std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& o
     const bool is_of_device =
         options.measures_memory || options.memory > 0 || options.capacities.has_value();
     return is_of_device
-               ? extract_with<NoNormals, Extractor16, Extractor32>(volume, options, surfaces)
+               ? extract_with<BitIntake, Extractor16, Extractor32>(volume, options, surfaces)
                : extract_fast(volume, options, surfaces);
   }
   return with_scanner_type(volume.info().type, [&](auto type) {

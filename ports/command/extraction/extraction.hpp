@@ -37,7 +37,7 @@ struct ExtractionOptions {
   /// In place of `memory`: the arena is as large as these need.
   std::optional<Capacities> capacities{};
   /// Whether the memory is used as on a device, so that what is measured of it is true there.
-  /// Otherwise by a LearningExtractor, which is faster, unless memory, capacities or normals are
+  /// Otherwise by a HostExtractor, which is faster, unless memory, capacities or normals are
   /// asked for. The surface is the same.
   bool measures_memory = false;
   /// Is read along, if there is one: a voxel is off where it is 0. Limit: u8, the extents of the

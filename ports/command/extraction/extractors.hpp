@@ -3,7 +3,7 @@
 #define DISCMC_COMMAND_EXTRACTION_EXTRACTORS_HPP
 
 #include <discmc/gradient_normals.hpp>
-#include <discmc/host/learning_extractor.hpp>
+#include <discmc/host/host_extractor.hpp>
 #include <discmc/surface_group.hpp>
 
 #include <algorithm>
@@ -64,20 +64,12 @@ struct SliceToExtract {
 template <class AnyExtractor>
 class Extractors {
  public:
-  static constexpr bool learns = std::is_same_v<AnyExtractor, LearningExtractor>;
-
   Extractors(const Arena& arena, std::size_t surfaces) : arena_(arena), extractors_(surfaces) {
-    for (AnyExtractor& extractor : extractors_) {
-      memory_.push_back(untouched(arena.bytes));
-      if constexpr (learns) {
-        learnt_.push_back(untouched(learnt_bytes));
-        extractor.learn_in({learnt_.back().get(), learnt_bytes});
-      }
-    }
+    for (std::size_t i = 0; i < surfaces; ++i) memory_.push_back(untouched(arena.bytes));
   }
 
-  /// Extracts as many surfaces of a volume. What has been learnt stays. limits: with the slab that
-  /// the spans are of. next_slice(): returns a SliceToExtract of each slice in spans.read.
+  /// Extracts as many surfaces of a volume. limits: with the slab that the spans are of.
+  /// next_slice(): returns a SliceToExtract of each slice in spans.read.
   template <class NextSlice>
   std::vector<Extraction> extract(const VolumeInfo& info, const Limits& limits,
                                   const SlabSpans& spans, const ExtractionOptions& options,
@@ -124,8 +116,6 @@ class Extractors {
   }
 
  private:
-  static constexpr std::uint64_t learnt_bytes = std::uint64_t{1} << 20;
-
   void start(const VolumeInfo& info, const Limits& limits,
              const std::vector<SurfaceRequest>& surfaces) {
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -152,13 +142,13 @@ class Extractors {
   }
 
   std::optional<MemoryUse> use_of(const AnyExtractor& extractor) const {
-    if (learns) return std::nullopt;
+    if (std::is_same_v<AnyExtractor, HostExtractor>) return std::nullopt;
     return MemoryUse{arena_.bytes, extractor.bytes_used(), arena_.capacities,
                      extractor.high_water()};
   }
 
   Arena arena_;
-  std::vector<std::unique_ptr<std::uint8_t[]>> memory_, learnt_;
+  std::vector<std::unique_ptr<std::uint8_t[]>> memory_;
   std::vector<AnyExtractor> extractors_;
 };
 

@@ -176,9 +176,9 @@ class PartReader {
   std::uint32_t end_ = 0;  // of the slices that were read or skipped
 };
 
-using PartExtractors = Extractors<LearningExtractor>;
+using PartExtractors = Extractors<HostExtractor>;
 
-// Those at rest, with what they have learnt.
+// Those at rest.
 class IdleExtractors {
  public:
   std::unique_ptr<PartExtractors> take() {
@@ -299,7 +299,7 @@ class Parts {
 
   Limits volume_limits() const { return {info_.dims[0], info_.dims[1], options_.border}; }
   std::uint64_t first_arena_bytes() const {
-    return options_.memory > 0 ? options_.memory : generous_bytes_for<NoNormals>(volume_limits());
+    return options_.memory > 0 ? options_.memory : generous_bytes_for<BitIntake>(volume_limits());
   }
   Arena arena_of(std::uint64_t bytes) const {
     return {false, bytes, default_capacities<std::uint32_t>(volume_limits(), bytes)};

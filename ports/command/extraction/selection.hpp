@@ -19,9 +19,7 @@ struct Selection {
   /// Of a volume of label_bits(): what is on has one of these bits. 0: the values count.
   std::uint64_t bits = 0;
 
-  bool has_upper_end() const {
-    return bits != 0 || high < std::numeric_limits<double>::infinity();
-  }
+  bool has_upper_end() const { return bits != 0 || high < std::numeric_limits<double>::infinity(); }
 };
 
 /// Samples from low to high, both of them too; none where low > high.

@@ -9,15 +9,17 @@ namespace discmc::command {
 namespace {
 
 constexpr FormatTraits all_formats[] = {
-    // extension, polygons, normals, several meshes, doubles
-    {Format::stream, ".dmc", false, false, false, false},
-    {Format::stl, ".stl", false, false, false, false},
-    {Format::ply, ".ply", true, true, false, true},
-    {Format::obj, ".obj", true, true, false, true},
-    {Format::glb, ".glb", false, true, true, false},
-    {Format::three_mf, ".3mf", false, false, true, true},
-    {Format::vtp, ".vtp", true, true, false, true},
-    {Format::jsonl, ".jsonl", true, false, false, false},
+    // extension, polygons, normals, several meshes, doubles, measures
+    {Format::stream, ".dmc", false, false, false, false, false},
+    {Format::stl, ".stl", false, false, false, false, false},
+    {Format::ply, ".ply", true, true, false, true, false},
+    {Format::obj, ".obj", true, true, false, true, false},
+    {Format::glb, ".glb", false, true, true, false, false},
+    {Format::three_mf, ".3mf", false, false, true, true, false},
+    {Format::vtp, ".vtp", true, true, false, true, false},
+    {Format::jsonl, ".jsonl", true, false, false, false, false},
+    {Format::csv, ".csv", false, false, true, true, true},
+    {Format::json, ".json", false, false, true, true, true},
 };
 
 }  // namespace
@@ -39,7 +41,8 @@ const FormatTraits& traits_of(Format format) {
 std::string extensions(bool FormatTraits::*holds) {
   std::vector<std::string> names;
   for (const FormatTraits& traits : all_formats)
-    if (holds == nullptr || traits.*holds) names.emplace_back(traits.extension);
+    if (holds == nullptr || (traits.*holds && !traits.holds_measures))
+      names.emplace_back(traits.extension);
   std::string list = names.front();
   for (std::size_t i = 1; i < names.size(); ++i)
     list += (i + 1 == names.size() ? " or " : ", ") + names[i];

@@ -18,6 +18,10 @@ void write_mesh(const Mesh& mesh, Format format, std::ostream& out, unsigned job
       return write_3mf({&mesh}, out);
     case Format::vtp:
       return write_vtp(mesh, out);
+    case Format::csv:
+      return write_csv({&mesh}, out);
+    case Format::json:
+      return write_json({&mesh}, out);
     case Format::stream:
     case Format::jsonl:
       break;
@@ -28,6 +32,8 @@ void write_mesh(const Mesh& mesh, Format format, std::ostream& out, unsigned job
 void write_meshes(const Meshes& meshes, Format format, std::ostream& out) {
   if (format == Format::glb) return write_glb(meshes, out);
   if (format == Format::three_mf) return write_3mf(meshes, out);
+  if (format == Format::csv) return write_csv(meshes, out);
+  if (format == Format::json) return write_json(meshes, out);
   if (meshes.size() != 1) throw std::invalid_argument("the format holds one mesh a file");
   write_mesh(*meshes[0], format, out);
 }

@@ -1,4 +1,5 @@
-// Meshes as STL, PLY, OBJ, GLB, 3MF and VTP files, and polygons as lines of JSON.
+// Meshes as STL, PLY, OBJ, GLB, 3MF and VTP files, polygons as lines of JSON, and measures as
+// tables.
 //
 // All writers append to a stream that the caller opened (binary) and owns. They throw
 // std::runtime_error when the stream fails; what was written before that is worthless.
@@ -56,6 +57,12 @@ void write_3mf(const Meshes& meshes, std::ostream& out);
 
 /// VTK's XML PolyData, coordinates and normals as those of PLY. Units: millimetres.
 void write_vtp(const Mesh& mesh, std::ostream& out);
+
+/// The measures of meshes (measures_of()), a line per mesh in CSV or an object per mesh in
+/// a JSON array. Their keys have the units. What a mesh that is not closed does not have is empty,
+/// or null.
+void write_csv(const Meshes& meshes, std::ostream& out);
+void write_json(const Meshes& meshes, std::ostream& out);
 
 /// One polygon a line, `{"normal":[0,0,1],"rings":[[[1,0,0],...],...]}`: the corners of its simple
 /// rings, the outer one first. Units: half-steps.

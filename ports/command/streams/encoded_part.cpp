@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include <discmc/stream/cobs.hpp>
-#include <discmc/stream/region_model.hpp>
+#include <discmc/stream/record_reading.hpp>
 #include <discmc/stream/wire.hpp>
 
 #include "require.hpp"
@@ -12,17 +12,12 @@
 namespace discmc::command {
 namespace {
 
-struct Coder {
-  RangeDecoder range;
-  bool code_bit(std::uint32_t context, bool) { return range.decode(region_model[context]); }
-};
-
 // Whether a region that a packet before has begun goes on in this one.
 bool continues_region(const std::uint8_t* payload, std::size_t bytes) {
-  RegionModel<Coder> model(Coder{RangeDecoder(payload, bytes)});
-  if (model.record_kind(RecordKind::end) != RecordKind::part) return false;
-  Record record;
-  model.part(record);
+  stream::ReadingModel model({RangeDecoder(payload, bytes)});
+  if (model.record_kind(stream::RecordKind::end) != stream::RecordKind::part) return false;
+  stream::Record record;
+  model.part(record, false);
   return record.continues;
 }
 

@@ -34,8 +34,8 @@ inline std::optional<double> finite_number(std::string_view text) {
 /// The number in six digits at most, for people.
 inline std::string short_number(double value) {
   std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
-                                          std::chars_format::general, 6);
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
   return {text.data(), end};
 }
 

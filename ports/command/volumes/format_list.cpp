@@ -5,6 +5,7 @@
 #include "array_name.hpp"
 #include "formats/dicom/files.hpp"
 #include "formats/zarr/folder.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 namespace {

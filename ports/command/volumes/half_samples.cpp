@@ -9,6 +9,8 @@
 namespace discmc::command {
 namespace {
 
+constexpr std::size_t buffered = 4096;  // samples
+
 class HalfSamples final : public ByteSource {
  public:
   HalfSamples(std::unique_ptr<ByteSource> in, bool big_endian)
@@ -36,7 +38,7 @@ class HalfSamples final : public ByteSource {
 
  private:
   bool refill() {
-    std::array<unsigned char, 2 * 4096> halves;
+    std::array<unsigned char, 2 * buffered> halves;
     const std::size_t count = in_->read(halves.data(), halves.size()) / 2;
     for (std::size_t i = 0; i < count; ++i) {
       const unsigned high = halves[2 * i + (big_endian_ ? 0 : 1)];
@@ -50,7 +52,7 @@ class HalfSamples final : public ByteSource {
 
   std::unique_ptr<ByteSource> in_;
   bool big_endian_;
-  std::array<float, 4096> floats_{};
+  std::array<float, buffered> floats_{};
   std::size_t begin_ = 0;  // of their bytes
   std::size_t end_ = 0;
 };

@@ -32,8 +32,9 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->required()
       ->option_text("LINE");
   app.add_flag("--falling", wiring.sync_is_falling, "its falling edge counts (default: rising)");
-  app.add_option("--button", wiring.button,
-                 "a line that is pressed to start, to pause and to go on; for a second: to end")
+  app.add_option(
+         "--button", wiring.button,
+         "a button that starts, pauses and continues the scan; held for a second, it ends the scan")
       ->option_text("LINE");
   app.add_option("--end-stop", wiring.end_stop, "a line that ends the scan")->option_text("LINE");
   app.add_flag("--to-ground", wiring.contacts_to_ground,
@@ -84,7 +85,7 @@ int run(const Arguments& arguments) {
   } catch (const DeviceGone& gone) {
     std::cerr << "discmc-gpio: " << gone.what() << "; the stream ends after " << scan.rows()
               << " of " << wanted.plan.rows()
-              << " rows; it is valid, and says that it is incomplete\n";
+              << " rows; it is valid, and is marked as incomplete\n";
     is_gone = true;
     scan.abandon();
   }

@@ -110,7 +110,7 @@ int run_scan(const Arguments& arguments) {
   } else {
     scan.abandon();
     std::cerr << "discmc-hid: the stream ends after " << scan.rows() << " of " << wanted.plan.rows()
-              << " rows; it is valid, and says that it is incomplete\n";
+              << " rows; it is valid, and is marked as incomplete\n";
   }
   output.target.flush();
   const bool is_told = is_scanned && outlives([&] {

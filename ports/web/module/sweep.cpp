@@ -11,17 +11,12 @@ namespace {
 
 // As the command has it.
 constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
-constexpr std::size_t learnt_bytes = std::size_t{1} << 20;
 
 }  // namespace
 
 Sweep::Result Sweep::run(const VoxelBits& bits, std::uint32_t width, std::uint32_t height) {
   const Limits limits{width, height};
   const std::uint64_t bytes = std::max(generous_bytes, 2 * minimum_bytes<std::uint32_t>(limits));
-  if (learnt_.empty()) {
-    learnt_.resize(learnt_bytes);
-    extractor_.learn_in({learnt_.data(), learnt_.size()});
-  }
   if (memory_.size() < bytes) memory_.resize(bytes);
   constexpr std::int32_t threshold = 1;  // of bits
   command::SurfaceBuilder builder;

@@ -6,14 +6,14 @@
 #include <memory>
 #include <vector>
 
-#include <discmc/host/learning_extractor.hpp>
+#include <discmc/host/host_extractor.hpp>
 
 #include "surface/surface.hpp"
 #include "voxel_bits.hpp"
 
 namespace discmc::web {
 
-/// Keeps its memory, and what it learnt, from one sweep to the next.
+/// Keeps its memory from one sweep to the next.
 class Sweep {
  public:
   struct Result {
@@ -24,8 +24,7 @@ class Sweep {
   Result run(const VoxelBits& bits, std::uint32_t width, std::uint32_t height);
 
  private:
-  LearningExtractor extractor_;
-  std::vector<std::uint8_t> learnt_;
+  HostExtractor extractor_;
   std::vector<std::uint8_t> memory_;
 };
 

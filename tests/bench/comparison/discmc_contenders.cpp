@@ -1,8 +1,9 @@
 #include <discmc/discmc.hpp>
-#include <discmc/host/learning_extractor.hpp>
+#include <discmc/host/host_extractor.hpp>
 
 #include <memory>
 #include <stdexcept>
+#include <type_traits>
 
 #include "contenders.hpp"
 
@@ -16,18 +17,33 @@ void require_ok(Status status) {
 
 // With so much nothing goes out loose. What is never used is never touched.
 constexpr size_t arena_bytes = size_t{64} << 20;
-// For what is learnt, anew in every scan.
-constexpr size_t learning_bytes = size_t{2} << 20;
+
+struct Counter {
+  uint64_t regions = 0;
+  uint64_t fragments = 0;
+
+  SinkResult take(const Event& event) {
+    if (event.kind == Event::Kind::region) ++regions;
+    if (event.kind == Event::Kind::fragment) ++fragments;
+    return SinkResult::accepted;
+  }
+  SinkResult take_region(const host::WholeRegion&) {
+    ++regions;
+    return SinkResult::accepted;
+  }
+};
 
 // A volume, and the memory for its extraction.
 class Scan {
  public:
-  explicit Scan(const Volume& volume)
-      : volume_(volume), memory_(new uint8_t[arena_bytes]), learnt_(new uint8_t[learning_bytes]) {}
+  explicit Scan(const Volume& volume) : volume_(volume), memory_(new uint8_t[arena_bytes]) {}
 
-  void extract(const Sink& sink) {
-    extractor_.learn_in({learnt_.get(), learning_bytes});
-    require_ok(extractor_.start(limits(), volume_.threshold, {memory_.get(), arena_bytes}, sink));
+  // The receiver is the sink, and gets whole regions if it takes them.
+  template <class Receiver>
+  void extract(Receiver& receiver) {
+    require_ok(extractor_.start(limits(), volume_.threshold, {memory_.get(), arena_bytes},
+                                make_sink(receiver)));
+    if constexpr (std::is_same_v<Receiver, Counter>) extractor_.give_regions_to(receiver);
     const uint32_t slice = volume_.width * volume_.height;
     std::visit(
         [&](const auto& samples) {
@@ -53,19 +69,7 @@ class Scan {
 
   const Volume& volume_;
   std::unique_ptr<uint8_t[]> memory_;
-  std::unique_ptr<uint8_t[]> learnt_;
-  LearningExtractor extractor_;
-};
-
-struct Counter {
-  uint64_t regions = 0;
-  uint64_t fragments = 0;
-
-  SinkResult take(const Event& event) {
-    if (event.kind == Event::Kind::region) ++regions;
-    if (event.kind == Event::Kind::fragment) ++fragments;
-    return SinkResult::accepted;
-  }
+  HostExtractor extractor_;
 };
 
 // Polygons in arrays, as meshes are kept: a region has rings, a ring has corners. The vertex where
@@ -129,19 +133,19 @@ std::vector<Contender> discmc_contenders(const Volume& volume) {
   const auto scan = std::make_shared<Scan>(volume);
   const auto count = [scan] {
     Counter counter;
-    scan->extract(make_sink(counter));
+    scan->extract(counter);
     if (counter.fragments != 0) throw std::runtime_error("the memory is too little");
     return counter.regions;
   };
   const auto keep = [scan] {
     Polygons polygons;
-    scan->extract(make_sink(polygons));
+    scan->extract(polygons);
     return polygons.corners();
   };
   const auto stream = [scan] {
     Encoder encoder;
     require_ok(encoder.start(scan->header().label(), {nullptr, take_bytes}));
-    scan->extract(make_sink(encoder));
+    scan->extract(encoder);
     return encoder.bytes();
   };
   return {

@@ -1,8 +1,8 @@
 # page.awk RECORD PAGE: prints the page with what it shows of the record put between its marks
 #   <!-- footprint: NAME -->  and  <!-- end -->
-# NAME is a group of the record, which becomes a table, or `compilers`, or `summary`. The record has a
-# figure a line: group, name, column, value, with tabs between them; rows and columns of a table come
-# in the order of their first mention.
+# NAME is a group of the record, which becomes a table, or `compilers`, `summary`, `requirements` or
+# `requirements of RAM`. The record has a figure per line: group, name, column, value, with tabs between
+# them; rows and columns of a table come in the order of their first mention.
 
 BEGIN { FS = "\t" }
 
@@ -46,20 +46,61 @@ function print_table(group,    names, rows, heads, columns, i, c, text, rule) {
   }
 }
 
-function print_summary(    target) {
+function bytes_row(name, of_polygons, of_slices) {
+  print "| " name " | " grouped(of_polygons) " bytes | " grouped(of_slices) " bytes |"
+}
+
+function print_summary(    target, head, slices) {
   target = "Cortex-M4 -Os"
-  print "A scanner on a Cortex-M4, compiled with `-Os`, takes " \
-    grouped(figure("Flash", "scanner: the three above", target)) " bytes of flash, " \
-    grouped(figure("RAM", "Extractor16", "bytes") + figure("RAM", "Encoder", "bytes")) \
-    " bytes of RAM for its two"
-  print "objects, an arena of at least " grouped(figure("Arena", "64x64", "extractor, least")) \
-    " bytes for slices of 64x64 voxels (256x256: " grouped(figure("Arena", "256x256", "extractor, least")) \
-    "), and at most"
-  print grouped(figure("Stack", "Extractor16 into an Encoder", target)) \
-    " bytes of stack. Extraction costs " \
-    grouped(figure("Instructions", "an active cell: extraction", target)) \
-    " instructions per active cell. [lib/FOOTPRINT.md](lib/FOOTPRINT.md) has"
-  print "other processors, and says how this is measured."
+  head = "CT head, 256x256x113, at 500"
+  slices = "slices, first is key"
+  print "| | polygons | thresholded slices |"
+  print "|---|--:|--:|"
+  bytes_row("flash", figure("Payloads", target ": flash", "regions"), \
+    figure("Payloads", target ": flash", slices))
+  bytes_row("stack, at most", figure("Stack", "Extractor16 into an Encoder", target), \
+    figure("Stack", "SliceEncoder::push()", target))
+  bytes_row("RAM, least", figure("RAM", "Extractor16", "bytes") + figure("RAM", "Encoder", "bytes") \
+    + figure("Arena", "256x256", "extractor, least"), \
+    figure("Payloads", "RAM for slices of 256x256", slices))
+  bytes_row("RAM as measured here", figure("Payloads", "RAM for slices of 256x256", "regions"), \
+    figure("Payloads", "RAM for slices of 256x256", slices))
+  bytes_row("stream", figure("Payloads", "bytes: " head, "regions"), \
+    figure("Payloads", "bytes: " head, slices))
+  print "| instructions per voxel | " \
+    grouped(figure("Payloads", target ": instructions per voxel, CT head", "regions")) " | " \
+    grouped(figure("Payloads", target ": instructions per voxel, CT head", slices)) " |"
+}
+
+# What a device needs to send either kind of stream.
+function print_requirements(    i, t, cores, targets, part, text) {
+  cores = split("Cortex-M0+|Cortex-M4|RV32IMAC", targets, "|")
+  print "| | Cortex-M0+ | Cortex-M4 | RV32IMAC |"
+  print "|---|--:|--:|--:|"
+  split("sends polygons: flash|Flash|scanner: the three above|" \
+    "sends polygons, fewest features: flash|Features|leanest: without the four|" \
+    "sends polygons: stack|Stack|Extractor16 into an Encoder|" \
+    "sends thresholded slices: flash|Flash|slice encoder of 8-bit samples|" \
+    "sends thresholded slices: stack|Stack|SliceEncoder::push()", part, "|")
+  for (i = 1; i <= 15; i += 3) {
+    text = "| " part[i] " |"
+    for (t = 1; t <= cores; t++)
+      text = text " " grouped(figure(part[i + 1], part[i + 2], targets[t] " -Os")) " |"
+    print text
+  }
+}
+
+# Objects and arena together, by the size of a slice.
+function print_requirements_of_ram(    i, sizes, size, polygons, slices) {
+  polygons = figure("RAM", "Extractor16", "bytes") + figure("RAM", "Encoder", "bytes")
+  slices = figure("RAM", "SliceEncoder", "bytes")
+  print "| | polygons, least | thresholded slices | key slices only |"
+  print "|---|--:|--:|--:|"
+  sizes = split(names_of["Arena"], size, FS)
+  for (i = 2; i <= sizes; i++)
+    print "| " size[i] " | " grouped(polygons + figure("Arena", size[i], "extractor, least")) " | " \
+      grouped(slices + figure("Arena", size[i], "slice encoder")) " | " \
+      grouped(slices + figure("Arena", size[i], "key slices only")) " |"
 }
 
 # ---- the record ----
@@ -88,6 +129,8 @@ FNR == NR {
   name = substr($0, 17, length($0) - 20)
   if (name == "compilers") print "Compilers: " compilers "."
   else if (name == "summary") print_summary()
+  else if (name == "requirements") print_requirements()
+  else if (name == "requirements of RAM") print_requirements_of_ram()
   else if (name in names_of) print_table(name)
   else fail("no figures named '" name "'")
 }

@@ -21,7 +21,7 @@ function bytes_of(name, volume,    i) {
 # first: the count of its regions.
 function instructions_of(name, volume, first,    i) {
   for (i = 1; i <= columns; i++)
-    figure("Payloads", target ": instructions a voxel, " name, head[i],
+    figure("Payloads", target ": instructions per voxel, " name, head[i],
            sprintf("%.1f", count[first + i - 1] / of["voxels_of_" volume]))
 }
 

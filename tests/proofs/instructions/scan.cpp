@@ -1,8 +1,8 @@
 // The scan whose instructions are counted: a ball with some 23 voxels for every active cell, as a
 // CT scan has. Prints the number of active cells.
 //
-//   scan plain | learning      by an Extractor, or a LearningExtractor that has learnt nothing yet
-#include <discmc/host/learning_extractor.hpp>
+//   scan plain | host      by an Extractor, or a HostExtractor
+#include <discmc/host/host_extractor.hpp>
 
 #include <cstdint>
 #include <cstdio>
@@ -38,21 +38,12 @@ extern "C" [[gnu::noinline]] bool counted_scan(bool (*scan)(const reference::Bit
 
 namespace {
 
-constexpr size_t learning_bytes = size_t{2} << 20;
-uint8_t learning_memory[learning_bytes];
-
-void give_memory(Extractor32&) {}
-void give_memory(LearningExtractor& extractor) {
-  extractor.learn_in({learning_memory, learning_bytes});
-}
-
 template <class Scanner>
 bool is_scanned(const reference::BitVolume& volume) {
   const Limits limits{extent, extent};
-  static uint8_t memory[minimum_bytes<uint32_t>(Limits{extent, extent}) + (size_t{1} << 20)];
+  static uint8_t memory[minimum_bytes<uint32_t>(Limits{extent, extent}) + (size_t{4} << 20)];
   const auto voxels = static_cast<uint32_t>(volume.on.size());
   Scanner extractor;
-  give_memory(extractor);
   return extractor.start(limits, 1, {memory, sizeof memory}, {nullptr, take_event}) == Status::ok &&
          extractor.push(volume.on.data(), voxels).status == Status::ok &&
          extractor.finish() == Status::ok;
@@ -62,10 +53,10 @@ bool is_scanned(const reference::BitVolume& volume) {
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
-  const bool learns = std::string_view(argv[1]) == "learning";
+  const bool is_host = std::string_view(argv[1]) == "host";
   const reference::BitVolume volume =
       reference::ball({extent, extent, extent}, {extent - 1, extent - 1, extent - 1}, 45 * 45);
-  if (!counted_scan(learns ? is_scanned<LearningExtractor> : is_scanned<Extractor32>, volume))
+  if (!counted_scan(is_host ? is_scanned<HostExtractor> : is_scanned<Extractor32>, volume))
     return 1;
   std::printf("%llu\n", static_cast<unsigned long long>(active_cells(volume)));
   return 0;

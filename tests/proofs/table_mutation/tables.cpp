@@ -68,7 +68,7 @@ constexpr Field sector_fields[] = {
     DISCMC_FIELD(SectorTable, face_way, never), DISCMC_FIELD(SectorTable, edges, never),
     DISCMC_FIELD(SectorTable, part, never)};
 
-constexpr Field model_fields[] = {DISCMC_FIELD(ModelTable, of, never)};
+constexpr Field model_fields[] = {DISCMC_FIELD(ModelTable, shares, never)};
 #undef DISCMC_FIELD
 
 struct Tally {

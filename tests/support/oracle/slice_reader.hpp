@@ -211,7 +211,7 @@ class SliceReader {
   void read_header(const PacketRead& packet, uint32_t number) {
     require_as_told(packet.number == number % 256, "the number and the pieces of a header");
     Fields fields(packet.payload);
-    require_as_told(fields.next(4) == 0x02434D44, "magic and version");
+    require_as_told(fields.next(4) == 0x01434D44, "magic and version");
     sent_words_.width = static_cast<uint32_t>(fields.next(2));
     sent_words_.height = static_cast<uint32_t>(fields.next(2));
     sent_words_.depth = static_cast<uint32_t>(fields.next(4));

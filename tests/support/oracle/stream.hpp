@@ -319,29 +319,16 @@ inline Bytes with_version(uint8_t version, const Bytes& stream) {
 
 // ---- the model by hand ----
 
-struct WritingCoder {
-  RangeEncoder range;
-  bool code_bit(uint32_t context, bool bit) {
-    range.encode(bit, region_model[context]);
-    return bit;
-  }
-};
-
-struct ReadingCoder {
-  RangeDecoder range;
-  bool code_bit(uint32_t context, bool) { return range.decode(region_model[context]); }
-};
-
 /// The payload of a packet of records, told to the model by hand.
 class Payload {
  public:
-  Payload() : bytes_(wire::max_payload), model(WritingCoder{{bytes_.data(), bytes_.size()}}) {}
+  Payload() : bytes_(wire::max_payload), model({RangeEncoder(bytes_.data(), bytes_.size())}) {}
   Payload(const Payload&) = delete;
   Payload& operator=(const Payload&) = delete;
 
   /// Ends the records and the code. Errors: throws when they do not fit.
   Bytes finish() {
-    model.record_kind(RecordKind::end);
+    model.record_kind(stream::RecordKind::end);
     return close();
   }
   /// The same without a word of an end.
@@ -355,7 +342,7 @@ class Payload {
   Bytes bytes_;
 
  public:
-  RegionModel<WritingCoder> model;
+  stream::RecordModel<stream::SymbolWriter> model;
 };
 
 }  // namespace discmc::test

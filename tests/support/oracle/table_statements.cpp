@@ -245,15 +245,16 @@ FacetTables facet_tables() {
 
 ModelTable model_table() {
   ModelTable model;
-  std::copy(std::begin(region_model), std::end(region_model), model.of);
+  std::copy(std::begin(stream::shares), std::end(stream::shares), model.shares);
   return model;
 }
 
 // Other numbers are another format: a new wire::version, new golden files, a new WIRE.md.
 const char* broken(const ModelTable& model) {
-  const uint32_t version_2 = 0x7ED6F99A;
-  return crc32(model.of, context::count) == version_2 ? nullptr
-                                                      : "the probabilities are those of version 2";
+  const uint32_t version_1 = 0x2725C136;
+  return crc32(model.shares, sizeof(model.shares)) == version_1
+             ? nullptr
+             : "the shares are those of version 1";
 }
 
 }  // namespace discmc::reference

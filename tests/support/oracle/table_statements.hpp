@@ -5,7 +5,9 @@
 #define DISCMC_TESTS_ORACLE_TABLE_STATEMENTS_HPP
 
 #include <discmc/geometry/facet_table.hpp>
-#include <discmc/stream/region_model.hpp>
+#include <discmc/stream/shares.hpp>
+
+#include <iterator>
 
 namespace discmc::reference {
 
@@ -16,9 +18,9 @@ struct FacetTables {
   CellFacts facts;
 };
 
-/// The probabilities of the stream's contexts.
+/// The shares of the stream's symbols.
 struct ModelTable {
-  Probability of[context::count];
+  uint8_t shares[std::size(stream::shares)];
 };
 
 /// What the library has.

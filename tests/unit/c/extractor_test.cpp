@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <discmc/host/learning_extractor.hpp>
+#include <discmc/host/host_extractor.hpp>
 #include <memory>
 #include <vector>
 
@@ -93,8 +93,7 @@ void scan_in_cpp(Scanner& scanner, const Limits& limits, const Capacities& capac
 template <class Scanner>
 std::unique_ptr<Scanner> make_scanner() {
   auto scanner = std::make_unique<Scanner>();
-  if constexpr (!std::is_same_v<Scanner, Extractor16> &&
-                !std::is_same_v<Scanner, LearningExtractor>)
+  if constexpr (!std::is_same_v<Scanner, Extractor16> && !std::is_same_v<Scanner, HostExtractor>)
     scanner->set_spacing(uneven_spacing);
   return scanner;
 }
@@ -136,7 +135,7 @@ void compare(const discmc_extractor_kind& kind, discmc_sample_type type,
   CHECK(counts(from_c(info.statistics)) == counts(scanner->statistics()));
   CHECK(info.statistics.skipped_rows == 1);
   CHECK(info.slices == depth);
-  // What keeps corners may take a few more after it was restored.
+  // What keeps nodes may take a few more after it was restored.
   if (&kind != &discmc_host) CHECK(info.peak_slots == scanner->high_water().slots);
   CHECK(info.peak_holes == scanner->high_water().holes);
 }
@@ -175,13 +174,13 @@ TEST_CASE("kinds with normals deliver what such extractors deliver") {
   compare_normals<int16_t>(discmc_normals_i16, DISCMC_I16);
 }
 
-TEST_CASE("the kind for hosts delivers what a LearningExtractor delivers, whatever the samples") {
+TEST_CASE("the kind for hosts delivers what a HostExtractor delivers, whatever the samples") {
   for (const uint64_t spare : {uint64_t{2} << 20, uint64_t{6} << 20}) {
-    compare<LearningExtractor, uint8_t>(discmc_host, DISCMC_U8, make_samples<uint8_t>(), spare);
-    compare<LearningExtractor, uint16_t>(discmc_host, DISCMC_U16, make_samples<uint16_t>(), spare);
-    compare<LearningExtractor, int16_t>(discmc_host, DISCMC_I16, make_samples<int16_t>(), spare);
-    compare<LearningExtractor, uint8_t>(discmc_host, DISCMC_BITS, bits_of(make_samples<uint8_t>()),
-                                        spare);
+    compare<HostExtractor, uint8_t>(discmc_host, DISCMC_U8, make_samples<uint8_t>(), spare);
+    compare<HostExtractor, uint16_t>(discmc_host, DISCMC_U16, make_samples<uint16_t>(), spare);
+    compare<HostExtractor, int16_t>(discmc_host, DISCMC_I16, make_samples<int16_t>(), spare);
+    compare<HostExtractor, uint8_t>(discmc_host, DISCMC_BITS, bits_of(make_samples<uint8_t>()),
+                                    spare);
   }
 }
 

@@ -6,7 +6,10 @@
 using namespace discmc;
 using namespace discmc::test;
 using Kind = Event::Kind;
+using stream::Record;
+using stream::RecordKind;
 using wire::PacketKind;
+namespace rows = stream::rows;
 
 namespace {
 
@@ -46,83 +49,113 @@ void tell_layer(Model& model, uint32_t slice) {
   model.layer(slice);
 }
 
-// A part of a region across z or of a fragment; its items follow.
+// The symbols of rings across z that turn so at their second, third and last corner.
+constexpr uint32_t corners_symbol(uint32_t second, uint32_t third, uint32_t last) {
+  return 1 + (second - 1) + 3 * (third - 1) + 9 * (last - 1);
+}
+constexpr uint32_t corners_of_square = corners_symbol(2, 2, 2);
+constexpr uint32_t corners_of_triangle = corners_symbol(3, 3, 2);
+
+struct ToldRun {
+  Direction direction;
+  uint32_t length;
+};
+using ToldRuns = std::vector<ToldRun>;
+
+// The runs of a chain, behind its first direction.
 template <class Model>
-void begin_part(Model& model, bool continues, bool is_fragment = false, Incidence incidence = up,
-                Direction came = 6) {
+void tell_runs(Model& model, const ToldRuns& runs) {
+  for (size_t i = 0; i < runs.size(); ++i) {
+    if (i == 0)
+      model.length(rows::lengths, runs[i].direction, runs[i].length);
+    else
+      model.run(Run::straight(runs[i].direction, runs[i].length));
+    model.is_last_run(i + 1 == runs.size());
+  }
+}
+
+// A part of a region across z, or of a fragment.
+struct Part {
+  bool continues;
+  bool is_last;
+  bool has_ring;
+  bool is_fragment = false;
+  Incidence incidence = up;
+  Direction came = 6;
+};
+
+template <class Model>
+void tell_part(Model& model, const Part& part, const ToldRuns& runs) {
   model.record_kind(RecordKind::part);
   Record record;
-  record.incidence = incidence;
-  record.continues = continues;
-  record.is_fragment = is_fragment;
-  record.incoming = came;
-  model.part(record);
+  record.incidence = part.incidence;
+  record.continues = part.continues;
+  record.is_fragment = part.is_fragment;
+  record.is_last = part.is_last;
+  model.part(record, part.has_ring);
+  if (part.has_ring) model.start({1, 0, 0});
+  if (part.is_fragment && !part.continues) model.chain_direction(part.came);
+  if (!runs.empty()) model.chain_direction(runs[0].direction);
+  tell_runs(model, runs);
 }
 
+// A region up to what tells its only ring; it begins with direction 0.
 template <class Model>
-void tell_run(Model& model, Direction direction, uint32_t length) {
-  model.item_kind(Item::run);
-  model.direction(direction);
-  model.length(length);
-}
-
-template <class Model>
-void tell_ring(Model& model, bool further) {
-  model.item_kind(Item::ring);
-  model.start({1, 0, 0}, further ? ChainKind::further : ChainKind::first);
-}
-
-template <class Model>
-void end_part(Model& model, bool is_last) {
-  model.item_kind(Item::end);
-  model.end_part(is_last);
-}
-
-template <class Model>
-void begin_compact_ring(Model& model, uint32_t runs, Incidence incidence = up) {
+void begin_ring(Model& model, uint32_t corners = 0, uint32_t from = 2) {
   model.record_kind(RecordKind::region);
-  model.incidence(incidence);
-  model.ring_count(1);
-  model.start({1, 0, 0}, ChainKind::first);
-  model.parallelogram(false);
-  model.run_count(runs);
+  model.start({1, 0, 0});
+  model.incidence(up);
+  model.corners(corners);
+  model.ring_direction(from);
+  model.begin_chain(0);
 }
 
-// A whole fragment: the directions of its links in the order in which they are told, and the
-// lengths of its runs.
+// Behind a direction a turn of 2 in a plane across z, and a run that is longer than one link.
 template <class Model>
-void tell_fragment(Model& model, ChainKind order, const std::vector<Direction>& directions,
-                   const std::vector<uint32_t>& lengths, Incidence incidence = up) {
-  model.record_kind(RecordKind::fragment);
-  model.incidence(incidence);
-  model.order(order);
-  const bool is_forward = order == ChainKind::fragment;
-  for (size_t i = 0; i < directions.size(); ++i) {
-    model.direction(directions[i]);
-    if (i == 0)
-      model.fragment_vertex({1, 0, 0});
-    else
-      model.is_last_link(i + 1 == directions.size());
-    const size_t run = is_forward ? i - 1 : i;
-    if (run < lengths.size()) model.length(lengths[run]);
-  }
+void tell_long_run(Model& model, Direction direction, uint32_t length) {
+  model.coder().symbol(rows::of_class(2) + rows::by_direction + 8 * rows::turn, 2 * 2 + 1);
+  model.length(rows::longer, direction, length - 1);
+}
+
+// A whole fragment: the direction by which it comes, and its runs; from its end against the order.
+template <class Model>
+void tell_fragment(Model& model, Direction came, const ToldRuns& runs) {
+  model.record_kind(RecordKind::forwards);
+  model.start({1, 0, 0});
+  model.incidence(up);
+  model.chain_direction(came);
+  model.chain_direction(runs[0].direction);
+  tell_runs(model, runs);
+}
+
+template <class Model>
+void tell_fragment_backwards(Model& model, const ToldRuns& runs, Direction came) {
+  model.record_kind(RecordKind::backwards);
+  model.start({1, 0, 0});
+  model.incidence(up);
+  model.chain_direction(runs[0].direction);
+  tell_runs(model, runs);
+  model.chain_direction(came);
+}
+
+// A record that no encoder writes: of an incidence that there is not.
+template <class Model>
+void tell_unreadable(Model& model) {
+  model.record_kind(RecordKind::part);
+  model.even(4, 1);
+  model.even(5, 31);
 }
 
 // A region across z that goes on in a packet to come.
 template <class Model>
 void tell_first_part(Model& model) {
-  begin_part(model, false);
-  tell_ring(model, false);
-  tell_run(model, 0, 2);
-  end_part(model, false);
+  tell_part(model, {false, false, true}, {{0, 2}});
 }
 
 // What goes on with it, to its end.
 template <class Model>
 void tell_last_part(Model& model) {
-  begin_part(model, true);
-  tell_run(model, 2, 2);
-  end_part(model, true);
+  tell_part(model, {true, true, false}, {{2, 2}});
 }
 
 // What the first part is delivered as.
@@ -187,11 +220,7 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
   const Sample sample = samples()[2];
   const Bytes stream = encode(sample.events, sample.header);
   const Bytes unknown = with_version(3, stream_of({}));
-  const Bytes lost = stream_of({payload_of([](auto& model) {
-    begin_part(model, false);
-    tell_ring(model, false);
-    end_part(model, false);
-  })});
+  const Bytes lost = stream_of({first_payload()});
   Decoder decoder;
   EventLog log;
   REQUIRE(decoder.start(make_sink(log)) == Status::ok);
@@ -199,7 +228,7 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
   CHECK_FALSE(decoder.report().has_header);
   REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   CHECK(decoder.push(lost.data(), lost.size()).status == Status::ok);
-  CHECK(log.events == Script().region(up).ring({1, 0, 0}).events);
+  CHECK(log.events == first_part().events);
 
   struct Wall {
     SinkResult take(const Event&) { return SinkResult::busy; }
@@ -592,24 +621,21 @@ TEST_CASE("the shortest and the longest of packets are packets, a longer one is 
 }
 
 TEST_CASE("a region does not go on behind a packet that cannot be read") {
-  const Bytes unreadable =
-      payload_of([](auto& model) { model.record_kind(static_cast<RecordKind>(8)); });
+  const Bytes unreadable = payload_of([](auto& model) { tell_unreadable(model); });
   CHECK(decode(stream_of({first_payload(), unreadable, last_payload()})).events ==
         first_part().lost().events);
 }
 
 TEST_CASE("the longest run is read, in parts and in a fragment") {
   const Received arrival = decode(stream_of({payload_of([](auto& model) {
-    begin_part(model, false);
-    tell_ring(model, false);
-    tell_run(model, 0, Run::max_length);
-    end_part(model, true);
-    tell_fragment(model, ChainKind::fragment, {0, 2}, {Run::max_length});
+    tell_part(model, {false, true, true}, {{0, Run::max_length}, {2, Run::max_length}});
+    tell_fragment(model, 0, {{2, Run::max_length}});
   })}));
   const Events expected = Script()
                               .region(up)
                               .ring({1, 0, 0})
                               .run(0, Run::max_length)
+                              .run(2, Run::max_length)
                               .region_end()
                               .fragment(up, {1, 0, 0}, 0)
                               .run(2, Run::max_length)
@@ -620,7 +646,7 @@ TEST_CASE("the longest run is read, in parts and in a fragment") {
 
 TEST_CASE("a fragment told from its end begins where its runs lead back to") {
   CHECK(decode(stream_of({payload_of([](auto& model) {
-          tell_fragment(model, ChainKind::fragment, {2, 4, 6}, {10, 20});
+          tell_fragment(model, 2, {{4, 10}, {6, 20}});
         })}))
             .events ==
         Script().fragment(up, {1, 0, 0}, 2).run(4, 10).run(6, 20).fragment_end().events);
@@ -629,32 +655,33 @@ TEST_CASE("a fragment told from its end begins where its runs lead back to") {
   const Vertex second = direction_vector(up, 6);
   const Vertex start{1 - 10 * first.x - 19 * second.x, -10 * first.y - 19 * second.y, 0};
   CHECK(decode(stream_of({payload_of([](auto& model) {
-          tell_fragment(model, ChainKind::backwards, {6, 4, 2}, {20, 10});
+          tell_fragment_backwards(model, {{6, 20}, {4, 10}}, 2);
         })}))
             .events == Script().fragment(up, start, 2).run(4, 10).run(6, 20).fragment_end().events);
 }
 
 TEST_CASE("a fragment may fill a record to the last word, and one run more is refused") {
   constexpr uint32_t most = Record::max_words - Record::ring_words;
-  for (const ChainKind order : {ChainKind::fragment, ChainKind::backwards})
-    for (const uint32_t runs : {most, most + 1, most + 5}) {
-      std::vector<Direction> directions;
-      for (uint32_t i = 0; i <= runs; ++i) directions.push_back(static_cast<Direction>(i % 4));
-      const std::vector<uint32_t> lengths(runs, 1);
-      const Received arrival = decode(stream_of(
-          {payload_of([&](auto& model) { tell_fragment(model, order, directions, lengths); })}));
-      CHECK(pieces_of(arrival.events).size() == (runs == most ? 1 : 0));
-      CHECK(arrival.report.fragments == (runs == most ? 1 : 0));
-      CHECK(arrival.report.damaged_packets == (runs == most ? 0 : 1));
+  for (const bool is_backwards : {false, true})
+    for (const uint32_t count : {most, most + 1, most + 5}) {
+      ToldRuns runs;
+      for (uint32_t i = 0; i < count; ++i) runs.push_back({static_cast<Direction>(i % 4), 1});
+      const Received arrival = decode(stream_of({payload_of([&](auto& model) {
+        if (is_backwards)
+          tell_fragment_backwards(model, runs, 0);
+        else
+          tell_fragment(model, 0, runs);
+      })}));
+      CHECK(pieces_of(arrival.events).size() == (count == most ? 1 : 0));
+      CHECK(arrival.report.fragments == (count == most ? 1 : 0));
+      CHECK(arrival.report.damaged_packets == (count == most ? 0 : 1));
     }
 }
 
 TEST_CASE("a part whose beginning is lost counts, of a fragment as of a region") {
   for (const bool is_fragment : {false, true}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-      begin_part(model, true, is_fragment);
-      tell_run(model, 0, 2);
-      end_part(model, true);
+      tell_part(model, {true, true, false, is_fragment}, {{0, 2}});
     })}));
     CHECK(arrival.events.empty());
     CHECK(arrival.report.lost_pieces == 1);
@@ -663,10 +690,8 @@ TEST_CASE("a part whose beginning is lost counts, of a fragment as of a region")
 
 TEST_CASE("so does one of a fragment that follows another's, whatever directions that had") {
   const Received arrival = decode(stream_of({payload_of([](auto& model) {
-    tell_fragment(model, ChainKind::fragment, {7, 0}, {2});
-    begin_part(model, true, true, incidence_of({1, 1, 0}));
-    tell_run(model, 0, 2);
-    end_part(model, true);
+    tell_fragment(model, 7, {{0, 2}});
+    tell_part(model, {true, true, false, true, incidence_of({1, 1, 0})}, {{0, 2}});
   })}));
   CHECK(arrival.report.fragments == 1);
   CHECK(arrival.report.lost_pieces == 1);
@@ -738,7 +763,7 @@ TEST_CASE("noise before, between and after the frames does no harm") {
 
 TEST_CASE("an unknown version is told and nothing of it is delivered") {
   const Sample sample = samples()[2];
-  for (const uint8_t version : Bytes{0, 1, 3, 255}) {
+  for (const uint8_t version : Bytes{0, 2, 3, 255}) {
     std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
     Packet header = packet_of(frames[0]);
     header.payload[3] = version;
@@ -823,9 +848,9 @@ TEST_CASE("extension records are skipped") {
     for (const uint32_t bytes : {0U, 1U, 5U, 100U}) {
       tell_layer(model, bytes);
       model.record_kind(RecordKind::extension);
-      model.plain_bits(8, 0xEE);
-      model.plain_bits(8, bytes);
-      for (uint32_t i = 0; i < bytes; ++i) model.plain_bits(8, i * 37 & 0xFF);
+      model.even(8, 0xEE);
+      model.even(8, bytes);
+      for (uint32_t i = 0; i < bytes; ++i) model.even(8, i * 37 & 0xFF);
     }
     tell_layer(model, 101);
   });
@@ -835,28 +860,17 @@ TEST_CASE("extension records are skipped") {
 }
 
 TEST_CASE("a region in parts that are all there is delivered as one") {
-  const Bytes first = payload_of([](auto& model) {
-    begin_part(model, false);
-    tell_ring(model, false);
-    tell_run(model, 3, 70000);
-    end_part(model, false);
-    begin_part(model, true);
-    end_part(model, false);
-  });
+  const Bytes first =
+      payload_of([](auto& model) { tell_part(model, {false, false, true}, {{3, 70000}}); });
   const Bytes second = payload_of([](auto& model) {
-    begin_part(model, true);
-    tell_run(model, 7, 1);
-    tell_ring(model, true);
-    end_part(model, false);
+    tell_part(model, {true, false, false}, {{7, 1}});
+    tell_part(model, {true, false, true}, {{1, 1}});
   });
-  const Bytes third = payload_of([](auto& model) {
-    begin_part(model, true);
-    tell_run(model, 0, 2);
-    end_part(model, true);
-  });
+  const Bytes third = payload_of([](auto& model) { tell_part(model, {true, true, false}, {{0, 2}}); });
   Script expected;
-  expected.region(up).ring({1, 0, 0}).run(3, 70000).run(7, 1).ring({1, 0, 0}, true).run(0, 2);
-  CHECK(decode(stream_of({first, second, third})).events == expected.region_end().events);
+  expected.region(up).ring({1, 0, 0}).run(3, 70000).run(7, 1).ring({1, 0, 0}, true).run(1, 1);
+  CHECK(decode(stream_of({first, second, third})).events ==
+        expected.run(0, 2).region_end().events);
   CHECK(decode(stream_of({second, third})).events.empty());
   Script broken;
   broken.region(up).ring({1, 0, 0}).run(3, 70000).lost();
@@ -866,186 +880,118 @@ TEST_CASE("a region in parts that are all there is delivered as one") {
 
 TEST_CASE("a mark between parts ends what is open") {
   const Bytes payload = payload_of([](auto& model) {
-    begin_part(model, false);
-    tell_ring(model, false);
-    end_part(model, false);
+    tell_first_part(model);
     tell_layer(model, 9);
-    begin_part(model, true);
-    tell_run(model, 0, 2);
-    end_part(model, true);
+    tell_last_part(model);
   });
-  const Events expected = Script().region(up).ring({1, 0, 0}).lost().layer(9).events;
-  CHECK(decode(stream_of({payload})).events == expected);
+  CHECK(decode(stream_of({payload})).events == first_part().lost().layer(9).events);
 }
 
 TEST_CASE("records that break the grammar are refused") {
-  check_unreadable([](auto& model) {  // a run without a ring
-    begin_part(model, false);
-    tell_run(model, 0, 2);
-    end_part(model, true);
-  });
-  check_unreadable([](auto& model) {  // a ring without a run
-    begin_part(model, false);
-    tell_ring(model, false);
-    end_part(model, true);
-  });
-  check_unreadable([](auto& model) {  // two rings, the first without a run
-    begin_part(model, false);
-    tell_ring(model, false);
-    tell_ring(model, true);
-    tell_run(model, 0, 2);
-    end_part(model, true);
-  });
-  check_unreadable([](auto& model) {  // two rings, the last without a run
-    begin_part(model, false);
-    tell_ring(model, false);
-    tell_run(model, 0, 2);
-    model.item_kind(Item::ring);
-    model.start({1, 0, 2}, ChainKind::further);
-    end_part(model, true);
-  });
-  check_unreadable([](auto& model) {  // a region without a ring
-    begin_part(model, false);
-    end_part(model, true);
+  check_unreadable([](auto& model) {  // runs without a ring before them
+    tell_part(model, {false, true, false}, {{0, 2}});
   });
   check_unreadable([](auto& model) {  // a second ring in a fragment
-    begin_part(model, false, true);
-    tell_ring(model, false);
-    tell_run(model, 0, 2);
-    tell_ring(model, true);
-    tell_run(model, 0, 2);
-    end_part(model, true);
+    tell_part(model, {true, true, true, true}, {{0, 2}});
   });
   check_unreadable([](auto& model) {  // a fragment without a start
-    begin_part(model, false, true);
-    tell_run(model, 0, 2);
-    end_part(model, true);
+    tell_part(model, {false, true, false, true}, {{0, 2}});
   });
-  check_unreadable([](auto& model) {  // a fragment that came by a direction the plane does not have
-    begin_part(model, false, true, incidence_of({1, 1, 0}), 4);
-    tell_ring(model, false);
-    tell_run(model, 0, 2);
-    end_part(model, true);
+  for (const uint32_t incidence : {uint32_t{no_incidence}, 27U, 31U}) {
+    check_unreadable([&](auto& model) {  // a part of no incidence
+      model.record_kind(RecordKind::part);
+      model.even(4, 1);
+      model.even(5, incidence);
+    });
+    for (const RecordKind kind : {RecordKind::region, RecordKind::holed, RecordKind::forwards})
+      check_unreadable([&](auto& model) {  // and what is told whole
+        model.record_kind(kind);
+        model.start({1, 1, 1});
+        model.even(5, incidence);
+      });
+  }
+  check_unreadable([](auto& model) {  // a first run that is too long
+    tell_part(model, {false, true, true}, {{0, Run::max_length + 1}});
   });
-  check_unreadable([](auto& model) {  // a run of a part in such a direction
-    begin_part(model, false, false, incidence_of({1, 1, 0}));
-    tell_ring(model, false);
-    tell_run(model, 0, 2);
-    tell_run(model, 5, 2);
-    end_part(model, true);
+  check_unreadable([](auto& model) {  // and a further one
+    model.record_kind(RecordKind::forwards);
+    model.start({1, 0, 0});
+    model.incidence(up);
+    model.chain_direction(2);
+    model.chain_direction(0);
+    model.length(rows::lengths, 0, 1);
+    model.is_last_run(false);
+    tell_long_run(model, 2, Run::max_length + 1);
+    model.is_last_run(true);
   });
-  check_unreadable([](auto& model) {  // a run of a part that is too long
-    begin_part(model, false);
-    tell_ring(model, false);
-    tell_run(model, 0, Run::max_length + 1);
-    end_part(model, true);
-  });
-  check_unreadable([](auto& model) {  // a whole fragment that came by no direction of the plane
-    tell_fragment(model, ChainKind::fragment, {4, 0}, {1}, incidence_of({1, 1, 0}));
-  });
-  check_unreadable([](auto& model) {  // and of its run
-    tell_fragment(model, ChainKind::backwards, {7, 0}, {1}, incidence_of({1, 1, 0}));
+  check_unreadable([](auto& model) {  // a first run of no links, by a length that wraps
+    tell_part(model, {false, true, true}, {});
+    model.chain_direction(0);
+    model.coder().symbol(rows::lengths + 3 * rows::of_number, rows::of_number - 1);
+    model.even(5, 31);
+    model.even(32, 0);
+    model.is_last_run(true);
   });
   check_unreadable([](auto& model) {  // a run of a fragment too long
-    tell_fragment(model, ChainKind::fragment, {4, 0}, {Run::max_length + 1});
+    tell_fragment(model, 4, {{0, Run::max_length + 1}});
   });
-  check_unreadable([](auto& model) {  // a kind that version 2 does not have
-    model.record_kind(static_cast<RecordKind>(8));
-  });
-  check_unreadable([](auto& model) {  // a region of 0 rings, by a count that wraps
-    model.record_kind(RecordKind::region);
-    model.incidence(up);
-    model.ring_count(0);
-  });
-  check_unreadable([](auto& model) {  // a ring of 0 runs, by a count that wraps
-    begin_compact_ring(model, 0);
-  });
-  check_unreadable([](auto& model) {  // a run of a compact ring that is too long
-    begin_compact_ring(model, 4);
-    model.direction(0);
-    model.length(max_compact_length + 1);
-    model.direction(2);
-    model.length(1);
-    model.direction(4);
-    model.direction(6);
-  });
-  check_unreadable([](auto& model) {  // so many runs that their count and the start's words wrap
-    begin_compact_ring(model, UINT32_MAX);
-  });
-  check_unreadable([](auto& model) {  // a second run of a compact ring that is too long
-    begin_compact_ring(model, 4);
-    model.direction(0);
-    model.length(1);
-    model.direction(2);
-    model.length(max_compact_length + 1);
-    model.direction(4);
-    model.direction(6);
-  });
-  check_unreadable([](auto& model) {  // a turn out of the plane's directions, from 3 to 6 of 4
-    begin_compact_ring(model, 4, incidence_of({1, 1, 0}));
-    model.direction(3);
-    model.length(1);
-    model.direction(10);
-    model.length(1);
-    model.direction(1);
-    model.direction(2);
-  });
-  check_unreadable([](auto& model) {  // a ring that its last two runs cannot close
-    begin_compact_ring(model, 4);
-    model.direction(0);
-    model.length(5);
-    model.direction(2);
-    model.length(3);
-    model.direction(0);
-    model.direction(2);
-  });
-  check_unreadable([](auto& model) {  // a run too long that others take back
-    begin_compact_ring(model, 5);
-    model.direction(0);
-    model.length(max_compact_length + 1);
-    model.direction(2);
-    model.length(1);
-    model.direction(4);
-    model.length(max_compact_length);
-    model.direction(6);
-    model.direction(4);
-  });
-  check_unreadable([](auto& model) {  // the last two runs of four: too long, though parallel
-    begin_compact_ring(model, 4);
-    model.direction(0);
-    model.length(1);
-    model.direction(4);
-    model.length(1);
-    model.direction(0);
-    model.direction(4);
-    model.length(max_compact_length + 1);
-  });
-  check_unreadable([](auto& model) {  // a second ring that no record has room for
-    model.record_kind(RecordKind::region);
-    model.incidence(up);
-    model.ring_count(2);
-    for (const uint32_t runs : {2U, Record::max_words}) {
-      model.start({1, 0, 0}, runs > 2 ? ChainKind::further : ChainKind::first);
-      model.parallelogram(false);
-      model.run_count(runs);
-      model.direction(0);
-      model.direction(4);
-      model.length(1);
+  check_unreadable([](auto& model) {  // more rings than a record has room for
+    model.record_kind(RecordKind::holed);
+    for (uint32_t ring = 0; ring <= Record::max_words / (Record::ring_words + 4); ++ring) {
+      model.start({1, 0, 0});
+      if (ring == 0) model.incidence(up);
+      if (ring == 0) model.plain_number(100);
+      model.corners(corners_of_square);
+      model.ring_direction(2);
+      model.begin_chain(0);
+      model.two_lengths(0);
     }
   });
-  check_unreadable([](auto& model) {  // a ring where a part is full but for three words
-    begin_part(model, false);
-    tell_ring(model, false);
-    for (uint32_t i = 0; i < Record::max_words - 2 * Record::ring_words + 1; ++i)
-      tell_run(model, static_cast<Direction>(i % 4), 1);
-    tell_ring(model, true);
-    end_part(model, false);
+  check_unreadable([](auto& model) {  // a first direction that the plane does not have
+    model.record_kind(RecordKind::region);
+    model.start({0, 1, 0});
+    model.incidence(incidence_of({1, 1, 0}));
+    model.corners(1);
+    model.ring_direction(7);
   });
-  check_unreadable([](auto& model) {  // two parallel runs that are too long to reckon with: without
-    begin_compact_ring(model, 2);     // the look at it, it is the sanitizer that tells
-    model.direction(0);
-    model.direction(4);
-    model.length(INT32_MAX);
+  for (const uint32_t first : {0U, 1U})
+    check_unreadable([&](auto& model) {  // a length of a square that is too long
+      begin_ring(model, corners_of_square);
+      model.two_lengths(first == 0 ? 12 : 3);
+      model.length(rows::longer, 0, stream::max_compact_length - 2);
+    });
+  check_unreadable([](auto& model) {  // the length of a triangle too long
+    begin_ring(model, corners_of_triangle);
+    model.length(rows::lengths, 0, stream::max_compact_length + 1);
+  });
+  for (const uint32_t corners : {corners_symbol(1, 3, 2), corners_symbol(2, 1, 2)})
+    check_unreadable([&](auto& model) {  // rings of four that their last two runs cannot close
+      begin_ring(model, corners);
+      model.two_lengths(0);
+    });
+  check_unreadable([](auto& model) {  // run by run, one too long
+    begin_ring(model);
+    model.length(rows::lengths, 0, stream::max_compact_length + 1);
+    model.is_last_run(true);
+  });
+  check_unreadable([](auto& model) {  // and a further one
+    begin_ring(model);
+    model.length(rows::lengths, 0, 1);
+    model.is_last_run(false);
+    tell_long_run(model, 2, stream::max_compact_length + 1);
+    model.is_last_run(true);
+  });
+  check_unreadable([](auto& model) {  // runs from whose end no run leads back
+    begin_ring(model);
+    tell_runs(model, {{0, 1}, {1, 1}});
+  });
+  check_unreadable([](auto& model) {  // runs that are back already
+    begin_ring(model);
+    tell_runs(model, {{0, 1}, {4, 1}});
+  });
+  check_unreadable([](auto& model) {  // a last run that would be too long
+    begin_ring(model);
+    tell_runs(model, {{0, stream::max_compact_length}, {2, 1}, {6, 1}, {0, 1}});
   });
 }
 
@@ -1053,16 +999,14 @@ TEST_CASE(
     "a stream with a packet that cannot be read is not complete, even if no region is missing") {
   std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
   Packet packet = packet_of(frames[1]);
-  packet.payload = payload_of([](auto& model) { model.record_kind(static_cast<RecordKind>(8)); });
+  packet.payload = payload_of([](auto& model) { tell_unreadable(model); });
   frames[1] = frame_of(packet);
   CHECK_FALSE(decode(joined(frames)).report.is_complete());
 }
 
 TEST_CASE("a part that goes on with nothing ends what is open, and is all that is lost") {
   const auto tell_stray = [](auto& model) {
-    begin_part(model, true, false, incidence_of({1, 0, 0}));
-    tell_run(model, 0, 2);
-    end_part(model, true);
+    tell_part(model, {true, true, false, false, incidence_of({1, 0, 0})}, {{0, 2}});
   };
   const Received arrival = decode(stream_of({payload_of([&](auto& model) {
     tell_first_part(model);
@@ -1097,24 +1041,18 @@ TEST_CASE("a part of another incidence or kind does not go on with what is open"
     for (const Incidence incidence : {up, Incidence{0}}) {
       if (!is_fragment && incidence == up) continue;
       const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-        begin_part(model, false);
-        tell_ring(model, false);
-        end_part(model, false);
-        begin_part(model, true, is_fragment, incidence);
-        tell_run(model, 0, 2);
-        end_part(model, true);
+        tell_first_part(model);
+        tell_part(model, {true, true, false, is_fragment, incidence}, {{0, 2}});
       })}));
-      CHECK(arrival.events == Script().region(up).ring({1, 0, 0}).lost().events);
+      CHECK(arrival.events == first_part().lost().events);
     }
 }
 
 TEST_CASE("two runs there and back are told in full up to the longest compact run") {
-  for (const uint32_t length : {1U, max_compact_length}) {
+  for (const uint32_t length : {1U, stream::max_compact_length}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-      begin_compact_ring(model, 2);
-      model.direction(0);
-      model.direction(4);
-      model.length(length);
+      begin_ring(model);
+      tell_runs(model, {{0, length}});
     })}));
     CHECK(arrival.events ==
           Script().region(up).ring({1, 0, 0}).run(0, length).run(4, length).region_end().events);
@@ -1123,31 +1061,50 @@ TEST_CASE("two runs there and back are told in full up to the longest compact ru
 
 TEST_CASE("a ring as long as a record is delivered, and a longer one refused") {
   constexpr uint32_t longest = Record::max_words - Record::ring_words;
-  for (const uint32_t runs : {longest, longest + 1, longest + 2, longest + 3, longest + 4}) {
+  for (const uint32_t count : {longest, longest + 2, longest + 4}) {
+    ToldRuns runs;
+    for (uint32_t i = 0; i + 1 < count; ++i)
+      runs.push_back({static_cast<Direction>(i % 2 == 0 ? 0 : 4), 1});
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-      begin_compact_ring(model, runs);
-      for (uint32_t i = 0; i + 2 < runs; ++i) {
-        model.direction(i % 2 == 0 ? 0 : 2);
-        model.length(1);
-      }
-      model.direction(4);
-      model.direction(6);
+      begin_ring(model);
+      tell_runs(model, runs);
     })}));
-    CHECK(pieces_of(arrival.events).size() == (runs == longest ? 1 : 0));
-    CHECK(arrival.report.damaged_packets == (runs == longest ? 0 : 1));
+    CHECK(pieces_of(arrival.events).size() == (count == longest ? 1 : 0));
+    CHECK(arrival.report.damaged_packets == (count == longest ? 0 : 1));
   }
+}
+
+TEST_CASE("a ring of four corners is told by its turns and two lengths, one of three by one") {
+  const Received arrival = decode(stream_of({payload_of([](auto& model) {
+    begin_ring(model, corners_of_square);
+    model.two_lengths(4 * 3 + 1);  // four links or more, then two
+    model.length(rows::longer, 0, stream::max_compact_length - 3);
+    begin_ring(model, corners_of_triangle);
+    model.length(rows::lengths, 0, 5);
+  })}));
+  const Events expected = Script()
+                              .region(up)
+                              .ring({1, 0, 0})
+                              .run(0, stream::max_compact_length)
+                              .run(2, 2)
+                              .run(4, stream::max_compact_length)
+                              .run(6, 2)
+                              .region_end()
+                              .region(up)
+                              .ring({1, 0, 0})
+                              .run(0, 5)
+                              .run(3, 10)
+                              .run(6, 5)
+                              .region_end()
+                              .events;
+  CHECK(arrival.events == expected);
 }
 
 TEST_CASE("a fragment in parts goes on with its own parts, and with no other fragment's") {
   for (const bool is_same : {true, false}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-      begin_part(model, false, true, up, 5);
-      tell_ring(model, false);
-      tell_run(model, 0, 2);
-      end_part(model, false);
-      begin_part(model, true, true, is_same ? up : Incidence{0});
-      tell_run(model, 2, 3);
-      end_part(model, true);
+      tell_part(model, {false, false, true, true, up, 5}, {{0, 2}});
+      tell_part(model, {true, true, false, true, is_same ? up : Incidence{0}}, {{2, 3}});
     })}));
     Script expected;
     expected.fragment(up, {1, 0, 0}, 5).run(0, 2);
@@ -1163,14 +1120,8 @@ TEST_CASE("a fragment in parts goes on with its own parts, and with no other fra
 
 TEST_CASE("a fragment has no second ring, nor in a part that goes on") {
   const Received arrival = decode(stream_of({payload_of([&](auto& model) {
-    begin_part(model, false, true, up, 5);
-    tell_ring(model, false);
-    tell_run(model, 0, 2);
-    end_part(model, false);
-    begin_part(model, true, true);
-    tell_ring(model, true);
-    tell_run(model, 2, 3);
-    end_part(model, true);
+    tell_part(model, {false, false, true, true, up, 5}, {{0, 2}});
+    tell_part(model, {true, true, true, true}, {{2, 3}});
   })}));
   CHECK(arrival.events == Script().fragment(up, {1, 0, 0}, 5).run(0, 2).lost().events);
   CHECK(arrival.report.damaged_packets == 1);
@@ -1200,12 +1151,7 @@ TEST_CASE("a header that arrives behind its packets is the first all the same") 
 }
 
 TEST_CASE("a sink may refuse what the end of a stream brings, as often as it likes") {
-  const Bytes stream = stream_of({payload_of([](auto& model) {
-    begin_part(model, false);
-    tell_ring(model, false);
-    tell_run(model, 0, 2);
-    end_part(model, false);
-  })});
+  const Bytes stream = stream_of({first_payload()});
   for (const uint32_t refusals : {0U, 1U, 3U}) {
     struct Sullen {
       SinkResult take(const Event& event) {
@@ -1244,29 +1190,27 @@ TEST_CASE("a mark that the sink does not take is kept for it") {
 
 TEST_CASE("a payload that ends before its records do is refused") {
   const Bytes whole = payload_of([](auto& model) {
-    for (uint32_t slice = 0; slice < 150; ++slice) tell_layer(model, slice * 3);
+    for (uint32_t slice = 0; slice < 100; ++slice) tell_layer(model, slice * 3);
   });
   for (size_t count = 0; count < whole.size(); ++count) {
     const Bytes part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(count));
     const Received arrival = decode(stream_of({part}));
-    CHECK(arrival.events.size() <= 150);
+    CHECK(arrival.events.size() <= 100);
     (void)pieces_of(arrival.events);
   }
 }
 
 TEST_CASE("a part may fill a record to the last word, and one word more is refused") {
-  const auto tell_part = [](auto& model, uint32_t runs) {
-    begin_part(model, false);
-    tell_ring(model, false);
-    for (uint32_t i = 0; i < runs; ++i) tell_run(model, static_cast<Direction>(i % 4), 1);
-    end_part(model, true);
-  };
   constexpr uint32_t most = Record::max_words - Record::ring_words;
-  const Received full =
-      decode(stream_of({payload_of([&](auto& model) { tell_part(model, most); })}));
+  const auto tell_of = [](auto& model, uint32_t count) {
+    ToldRuns runs;
+    for (uint32_t i = 0; i < count; ++i) runs.push_back({static_cast<Direction>(i % 4), 1});
+    tell_part(model, {false, true, true}, runs);
+  };
+  const Received full = decode(stream_of({payload_of([&](auto& model) { tell_of(model, most); })}));
   CHECK(full.report.regions == 1);
   CHECK(full.events.size() == 1 + 1 + most + 1);
-  check_unreadable([&](auto& model) { tell_part(model, most + 1); });
+  check_unreadable([&](auto& model) { tell_of(model, most + 1); });
 }
 
 TEST_CASE("a frame that is cut off at the end counts as damaged, once") {

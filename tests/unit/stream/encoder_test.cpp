@@ -385,6 +385,15 @@ TEST_CASE(
   CHECK(bytes(true) <= bytes(false) + 2);
 }
 
+TEST_CASE("rings of four runs come through that turn twice around, or begin within a side") {
+  Script script;
+  script.region(up).ring({1, 0, 0}).run(0, 1).run(3, 3).run(6, 2).run(1, 1).region_end();
+  script.region(up).ring({1, 0, 0}).run(0, 1).run(2, 2).run(5, 4).run(0, 1).region_end();
+  script.region(up).ring({1, 0, 0}).run(0, 1).run(4, 2).run(0, 3).run(4, 2).region_end();
+  const Events events = script.finish().events;
+  CHECK(decode(encode(events)).events == events);
+}
+
 TEST_CASE("a fragment without runs does harm to nothing but its packet") {
   for (uint32_t follower = 0; follower < 100; ++follower) {
     Script script;
@@ -438,8 +447,8 @@ TEST_CASE("an encoder that is not started takes nothing") {
 }
 
 TEST_CASE("a ring may begin wherever a record is nearly full") {
-  for (uint32_t runs = Record::max_words - 2 * Record::ring_words; runs <= Record::max_words;
-       ++runs) {
+  constexpr uint32_t most = stream::Record::max_words;
+  for (uint32_t runs = most - 2 * stream::Record::ring_words; runs <= most; ++runs) {
     Script script;
     script.region(up).ring({1, 0, 0});
     for (uint32_t i = 0; i < runs; ++i) script.run(i % 2 == 0 ? 0 : 2, 1);

@@ -17,7 +17,7 @@ namespace {
 
 TEST_CASE("the table of sectors is right when it is derived at run time") {
   SectorTable table{};
-  table = derive_table();  // what is initialised the compiler would work out
+  table = derive::sector_table();  // what is initialised the compiler would work out
   CHECK(reference::broken(table) == nullptr);
   CHECK(queues_are_all_used());
   CHECK(memcmp(table.cell, sector_table.cell, sizeof table.cell) == 0);
@@ -41,10 +41,10 @@ TEST_CASE("the steps of links are the same when they are derived at run time") {
 }
 
 TEST_CASE("the edges of a cell have the same numbers when they are derived at run time") {
-  EdgeNumbers again{};
-  again = number_edges();
+  derive::EdgeNumbers again{};
+  again = derive::number_edges();
   for (int i = 0; i < cell_edges; ++i) {
-    CHECK(again.point[i] == edges.point[i]);
+    CHECK(again.point[i] == derive::edges.point[i]);
     CHECK(again.number[again.point[i]] == i);
   }
 }

@@ -80,8 +80,8 @@ const Synonym synonyms[] = {
     {"iso-value", {"iso"}},
     {"isolevel", {"iso"}},
     {"level", {"iso"}},
-    {"smooth", {"surface interpolated", "shade smooth", "normals surface"}},
-    {"smoothing", {"surface interpolated", "shade smooth", "normals surface"}},
+    {"smooth", {"shade smooth", "normals surface"}},
+    {"smoothing", {"smooth auto", "shade smooth", "normals surface"}},
 };
 
 std::string meant(const std::string& name, const std::vector<std::string>& options) {

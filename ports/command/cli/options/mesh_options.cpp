@@ -74,6 +74,13 @@ void check_components(const ComponentChoice& components, const std::string& outp
                              "mesh, or leave it out");
 }
 
+void check_closed(const ComponentChoice& components, Border border) {
+  if (components.is_any() || border == Border::closed) return;
+  throw CLI::ValidationError("--border",
+                             "an open surface encloses nothing: leave out --largest "
+                             "and --min-volume, or --border open");
+}
+
 void add_space_option(CLI::App& app, std::optional<MeshSpace>& space) {
   app.option_defaults()->group(mesh_group);
   add_named_option(
@@ -101,7 +108,7 @@ void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolera
   add_named_option(
       app, "--surface", interpolates, NamedValues<bool>{{"merged", false}, {"interpolated", true}},
       "merged: flat polygons halfway between voxels; interpolated: where the samples cross the "
-      "threshold, as Marching Cubes has it");
+      "threshold, as Marching Cubes has it (default: merged; of --smooth interpolated)");
   app.add_option("--tolerance", tolerance,
                  "how far these crossings may be from an interpolated surface, in voxels: less "
                  "takes more triangles")

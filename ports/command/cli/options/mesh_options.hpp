@@ -28,6 +28,9 @@ void add_component_options(CLI::App& app, ComponentChoice& components);
 /// Only what is written whole can be chosen from. Throws: CLI::ValidationError.
 void check_components(const ComponentChoice& components, const std::string& output);
 
+/// Refuses to choose among parts of a surface that is open.
+void check_closed(const ComponentChoice& components, Border border);
+
 /// --space.
 void add_space_option(CLI::App& app, std::optional<MeshSpace>& space);
 

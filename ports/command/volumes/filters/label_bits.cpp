@@ -97,6 +97,7 @@ std::unique_ptr<VolumeReader> label_bits(
     std::map<std::uint32_t, std::unique_ptr<VolumeReader>> layers,
     const std::vector<LabelSet>& sets) {
   std::vector<LayerBits> all;
+  all.reserve(layers.size());
   for (auto& [number, volume] : layers) all.emplace_back(number, std::move(volume), sets);
   return std::make_unique<LabelBits>(std::move(all), sets.size());
 }

@@ -65,7 +65,7 @@ std::unique_ptr<VolumeReader> open_npz(const std::filesystem::path& name,
                                        const VolumeOptions& options);
 
 /// A folder of Zarr: an image of OME-Zarr, an array, or a group with one of them.
-std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& folder,
+std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path,
                                         const VolumeOptions& options);
 
 /// The file that a name, or a pattern of files, is or goes into: scan.zip of scan.zip/*_c0.png.

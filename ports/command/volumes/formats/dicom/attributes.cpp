@@ -30,7 +30,7 @@ std::optional<double> real_of(DcmElement* element, unsigned long index) {
   constexpr double max_magnitude = 1e9;  // of millimetres and values
   OFString text;                         // of binary numbers, too, with all their digits
   if (element == nullptr || element->getOFString(text, index).bad()) return std::nullopt;
-  const auto value = decimal(std::string(text.c_str()));
+  const auto value = decimal({text.data(), text.length()});
   if (!value || !(std::fabs(*value) <= max_magnitude)) return std::nullopt;
   return value;
 }

@@ -16,7 +16,7 @@ namespace discmc::command {
 /// which the frame of the options is one. Slices that are not there are empty. info: with notes
 /// alone.
 std::unique_ptr<VolumeReader> open_segmentation(const std::filesystem::path& source,
-                                                const std::vector<DicomFrame>& frames,
+                                                const std::vector<DicomFrame>& given,
                                                 VolumeInfo info, const VolumeOptions& options);
 
 }  // namespace discmc::command

@@ -46,6 +46,7 @@ std::vector<std::size_t> counts_of_places(const Group& group) {
   std::map<std::size_t, std::size_t> counts;
   for (const Placed& each : group) ++counts[each.place];
   std::vector<std::size_t> result;
+  result.reserve(counts.size());
   for (const auto& [place, count] : counts) result.push_back(count);
   return result;
 }

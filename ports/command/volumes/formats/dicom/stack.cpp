@@ -50,6 +50,7 @@ std::vector<Frames> by_traits_of_volume(const Frames& frames) {
   std::map<std::vector<std::string>, Frames> groups;
   for (const DicomFrame& frame : frames) groups[traits_of_volume(frame)].push_back(frame);
   std::vector<Frames> result;
+  result.reserve(groups.size());
   for (auto& [traits, group] : groups) result.push_back(std::move(group));
   return result;
 }

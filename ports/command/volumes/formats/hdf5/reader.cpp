@@ -97,7 +97,7 @@ std::string list_of(const std::vector<std::string>& links) {
 // The path of the array that is asked for, or else of the only one.
 std::string path_of(const std::filesystem::path& name, const Hdf5Handle& file,
                     const Hdf5Contents& contents) {
-  const std::string asked = array_name(name).array;
+  std::string asked = array_name(name).array;
   const std::vector<NamedArray> arrays = arrays_of(contents.datasets);
   if (!asked.empty()) {
     const Hdf5Handle object(H5Oopen(file.id(), asked.c_str(), H5P_DEFAULT), H5Oclose);

@@ -56,10 +56,10 @@ void set_order(Hyperstack& stack, std::string_view order) {
   }
 }
 
-void set_axis(Hyperstack& stack, char letter) {
+void set_axis(Hyperstack& stack, char axis) {
   const std::uint64_t all = planes(stack);
   stack.slices = stack.channels = stack.frames = {};
-  axis_called(stack, letter)->size = all;
+  axis_called(stack, axis)->size = all;
   stack.channel_names.clear();
 }
 

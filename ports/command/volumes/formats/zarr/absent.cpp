@@ -3,8 +3,8 @@
 
 namespace discmc::command {
 
-std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& folder, const VolumeOptions&) {
-  fail(folder, "this is Zarr, and discmc was built without nlohmann-json",
+std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path, const VolumeOptions&) {
+  fail(path, "this is Zarr, and discmc was built without nlohmann-json",
        "install nlohmann-json3-dev and build again, or convert, e.g. to NumPy with zarr in Python");
 }
 

@@ -48,7 +48,7 @@ struct ZarrDescription {
 
 /// Throws VolumeError where the array is none of numbers, or packed in a way that is not read, and
 /// where no chunk of it is there.
-ZarrDescription described(const ZarrNode& array);
+ZarrDescription described(const ZarrNode& node);
 
 }  // namespace discmc::command
 

@@ -79,7 +79,7 @@ void set_spacing(Hyperstack& stack, const Description& description, const TiffFa
   if (mm_of_z && (has_distance || stack.slices.size > 1))
     stack.spacing_mm[2] = *mm_of_z * std::fabs(description.number("spacing", 1));
   if (!has_distance && stack.slices.size > 1)
-    stack.notes.push_back("no distance of slices given, 1 unit taken, as ImageJ does");
+    stack.notes.emplace_back("no distance of slices given, 1 unit taken, as ImageJ does");
 }
 
 // Values of grey, as of CT, which ImageJ stores from 0 on.
@@ -102,14 +102,14 @@ bool is_imagej(std::string_view description) {
   return description.rfind("ImageJ=", 0) == 0;
 }
 
-Hyperstack imagej_stack(const TiffFacts& facts, std::string_view text) {
-  const Description description(facts.file, text);
+Hyperstack imagej_stack(const TiffFacts& facts, std::string_view description) {
+  const Description fields(facts.file, description);
   Hyperstack stack;
-  set_axes(stack, description, facts);
-  set_spacing(stack, description, facts);
-  set_calibration(stack, description);
-  stack.origin_voxel = {description.number("xorigin", 0), description.number("yorigin", 0),
-                        description.number("zorigin", 0)};
+  set_axes(stack, fields, facts);
+  set_spacing(stack, fields, facts);
+  set_calibration(stack, fields);
+  stack.origin_voxel = {fields.number("xorigin", 0), fields.number("yorigin", 0),
+                        fields.number("zorigin", 0)};
   stack.files = {facts.file};
   stack.runs = {{0, 0, 0, planes(stack)}};
   return stack;

@@ -78,7 +78,7 @@ class OmeXml {
     if (name.empty())
       fail(file_, "its OME-XML names a file by an identifier alone",
            "export it again, as one file");
-    const auto file = beside(file_, name);
+    auto file = beside(file_, name);
     std::error_code unknown;
     if (std::filesystem::exists(file, unknown)) return file;
     if (names_of_files().size() == 1) return file_;  // it has been renamed

@@ -37,7 +37,7 @@ class LeadingAxes {
   LeadingAxes(const ShapedArray& array, std::size_t count) {
     const bool is_named = array.axes.size() == array.sizes.size();
     for (std::size_t i = count; i-- > 0;)
-      axes_.push_back({is_named ? array.axes[i] : 'Q', array.sizes[i]});
+      axes_.emplace_back(is_named ? array.axes[i] : 'Q', array.sizes[i]);
     const bool has_slices =
         std::any_of(axes_.begin(), axes_.end(), [](const auto& axis) { return axis.first == 'Z'; });
     const auto unnamed = std::find_if(axes_.begin(), axes_.end(), [](const auto& axis) {

@@ -1,0 +1,136 @@
+// Chains as a host keeps them: a node for each vertex that they pass, linked in their direction.
+//
+// Nodes are numbered as they come. What waits in a queue is the number of a node: the last one of a
+// fragment where tails wait, the first one where begins do. A pass is one node, which is linked
+// with those that it takes out of the queues; where the chain goes straight on what has waited
+// waits again, and there is none. So all passes are taken by the same instructions.
+//
+// A ring is closed by the last one of its nodes, which takes an end out of two queues, a join. From
+// a join the chain is followed as long as its nodes are older: a ring comes back to the join. A
+// walk in vain that was long leaves a node that names the end of it, so that none walks there
+// again.
+//
+// When there is no room for nodes those of open fragments are copied to the other half of their
+// slots, fragment by fragment, without what is straight; the other nodes are forgotten.
+//
+// At the seam of a slab a chain that comes from beyond begins, and one that goes there ends, at a
+// node of which one end waits in a queue from which nothing is taken out. A fragment between two of
+// these is complete.
+//
+// Nodes and queues lie in the pool of slots: a checkpoint has them.
+#ifndef DISCMC_HOST_CHAINS_HPP
+#define DISCMC_HOST_CHAINS_HPP
+
+#include <discmc/host/found_passes.hpp>
+#include <discmc/host/node.hpp>
+#include <discmc/trace/fragments.hpp>
+
+namespace discmc::host {
+
+class Chains {
+ public:
+  using Fragments = trace::Fragments<uint32_t, NoNormal>;
+  using Slots = Fragments::Slots;
+
+  /// Rings with as many corners are listed whole.
+  static constexpr uint32_t max_corners = 512;
+
+  /// Begins with slots that have just been cleared. False when they are fewer than min_slots.
+  bool start(Slots& slots);
+
+  /// Whether there is room for what max_edges bring. Limit, here and below: no rings are due.
+  bool has_room(const Slots& slots) const {
+    return free_places_ >= Edges::max_edges && has_room_for(slots, 0);
+  }
+  /// Makes room. False when too many slots would be in use: then hand_over(). Cost: now and then
+  /// copies all open fragments.
+  bool make_room(Slots& slots);
+
+  /// Takes passes in. Limit: there is room.
+  void take(Slots& slots, const FoundPasses& passes, uint32_t edges);
+
+  /// Finds the next ring that was closed, in the order in which they were. False when there is
+  /// none.
+  bool find_ring(Slots& slots);
+  /// Its corners in order, from any one of them on; none if they are more than max_corners.
+  uint64_t* corners() { return corner_; }
+  uint32_t corner_count() const { return corner_count_; }
+  /// Puts the ring out as slots.
+  void put_out_ring(Fragments& fragments) const;
+
+  /// Finds the fragments that are complete, between two seams. Cost: follows those that begin at
+  /// one.
+  void find_complete(Slots& slots);
+  bool has_complete() const { return complete_ > 0; }
+  /// Puts the next of these out as slots. Limit: there is one.
+  void put_out_complete(Fragments& fragments);
+
+  /// Hands all fragments over, when a sweep has come to a word of a row. Limit: none is complete.
+  void hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_t word);
+  /// Forgets everything, and gives the slots back.
+  void give_all(Slots& slots);
+
+ private:
+  // A pass is a node, and may leave a shortcut.
+  static constexpr uint32_t max_new = 2 * FoundPasses::max_passes;
+  // For handing over, slots are set aside: a node that waits at both its ends becomes two ends and,
+  // as both its sides may be long, up to eight slots of runs.
+  static constexpr uint32_t slots_a_node = 10;
+  static constexpr uint32_t min_nodes = 4096;
+  static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
+  // No power of two, so that the first seats of queues do not share sets of a cache.
+  static constexpr uint32_t min_seats = 4 * Edges::max_edges + 16;
+  static constexpr uint32_t seat_slots = 2 * queues_each * min_seats / seats_per_slot;
+  static constexpr uint32_t short_walk = 64;
+
+ public:
+  static constexpr uint32_t min_slots = 1 + seat_slots + 2 * min_nodes + 2 * slots_a_node * max_new;
+
+ private:
+  struct Area {
+    uint32_t first, slots;
+  };
+
+  // Of slots, counted from the first, the number is that of a node less one, and the first is none
+  // that is ever read.
+  static Node* nodes(Slots& slots) { return reinterpret_cast<Node*>(&slots[1]); }
+  static uint32_t* seats(Slots& slots) { return reinterpret_cast<uint32_t*>(&slots[1]); }
+  uint32_t& front(uint32_t queue) { return queue < first_begins ? of_in_[queue] : of_out_[queue]; }
+  uint32_t& back(uint32_t queue) { return queue < first_begins ? of_out_[queue] : of_in_[queue]; }
+
+  uint32_t reserve() const { return slots_a_node * (top_ - area_[0].first + max_new); }
+  bool has_room_for(const Slots& slots, uint32_t nodes) const {
+    return top_ + nodes + max_new <= end_ && slots.available() >= reserve() + slots_a_node * nodes;
+  }
+  Area new_area(Slots& slots, uint32_t count);
+  void give(Slots& slots, const Area& area);
+  bool find_area(Slots& slots, uint32_t count);
+  bool find_places(Slots& slots);
+  void find_least_places();
+  bool make_places(Slots& slots, uint32_t queue);
+  void mark_tails(Slots& slots);
+  void copy_open(Slots& slots);
+  bool comes_back(Slots& slots, uint32_t at);
+
+  Area area_[2] = {};         // of nodes: they are in the first, and the other is free
+  uint32_t top_ = 0;          // behind the last node
+  uint32_t end_ = 0;          // before which it is to stay
+  uint32_t free_places_ = 0;  // no queue has fewer
+  uint32_t complete_ = 0;     // fragments between seams, the first ones of seam_begins
+  uint32_t joins_ = 0;
+  uint32_t next_join_ = 0;
+  uint32_t ring_ = 0;
+  uint32_t corner_count_ = 0;
+  // By queue: the seat that is next for passes that come along it, and for those that go. One is
+  // where an end is taken out, the other where one is put in.
+  uint32_t of_in_[queue_codes] = {};
+  uint32_t of_out_[queue_codes] = {};
+  uint32_t first_seat_[queue_codes] = {};
+  uint32_t end_seat_[queue_codes] = {};
+  uint32_t join_[FoundPasses::max_passes + 1] = {};
+  uint64_t corner_[max_corners + 2] = {};
+};
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,399 @@
+// What the symbols of a packet of records mean: how regions, loose fragments and marks are told.
+//
+// The same functions encode and decode: a Coder's symbol(row, symbol) writes the symbol it is given
+// and returns it, or ignores it and returns the one it reads; so does even(bits, value). Each
+// function returns what was coded. How likely a symbol is stands in a row of shares
+// (record_model.cpp), found by training; nothing is learnt on the way, so that every packet decodes
+// alone.
+#ifndef DISCMC_STREAM_RECORD_MODEL_HPP
+#define DISCMC_STREAM_RECORD_MODEL_HPP
+
+#include <discmc/stream/range_coder.hpp>
+#include <discmc/stream/record.hpp>
+#include <discmc/stream/shares.hpp>
+
+namespace discmc::stream {
+
+/// What a record is.
+enum class RecordKind : uint8_t {
+  region,     ///< of one ring
+  holed,      ///< of several
+  forwards,   ///< a loose fragment, told from its start
+  backwards,  ///< one that is told from its end
+  layer,
+  part,  ///< of a region or fragment
+  end,   ///< of the packet
+  skipped,
+  extension
+};
+
+// Differences wrap: any 32-bit coordinates come through. Units: voxels, of 31 bits.
+constexpr int32_t voxels_between(int32_t to, int32_t from) {
+  const uint32_t voxels = static_cast<uint32_t>(to >> 1) - static_cast<uint32_t>(from >> 1);
+  return static_cast<int32_t>(voxels << 1) >> 1;
+}
+constexpr int32_t voxels_beyond(int32_t from, int32_t voxels, uint32_t parity) {
+  return static_cast<int32_t>(
+      (static_cast<uint32_t>(from >> 1) + static_cast<uint32_t>(voxels)) << 1 | parity);
+}
+
+/// A number of either sign as a positive one: 0, -1, 1, -2, ...
+constexpr uint32_t positive_of(int32_t number) {
+  const uint32_t twice = static_cast<uint32_t>(number) << 1;
+  return (number < 0 ? ~twice : twice) + 1;
+}
+constexpr int32_t signed_of(uint32_t positive) {
+  const uint32_t number = positive - 1;
+  return static_cast<int32_t>(number >> 1 ^ (0 - (number & 1)));
+}
+
+/// The axis of the edge that a vertex is the middle of; 3 for a centroid.
+constexpr uint32_t axis_of(const Vertex& v) {
+  const auto odd = [](int32_t coordinate) { return static_cast<uint32_t>(coordinate) & 1; };
+  return (odd(v.x) | odd(v.y) << 1 | odd(v.z) << 2) >> 1;
+}
+
+/// An incidence seen along an axis: its component there, plus one, and the two others as digits to
+/// base 3, plus one each, that of the later axis first.
+struct Heading {
+  uint32_t along;
+  uint32_t across;
+};
+
+constexpr Heading heading_of(Incidence incidence, uint32_t axis) {
+  const uint32_t z = incidence * 57U >> 9;  // a ninth, up to 26
+  const uint32_t xy = incidence - 9U * z;
+  const uint32_t y = xy * 11U >> 5;  // a third, up to 8
+  const uint32_t x = xy - 3 * y;
+  if (axis == 0) return {x, y + 3 * z};
+  if (axis == 1) return {y, x + 3 * z};
+  return {z, xy};
+}
+constexpr Incidence incidence_of(const Heading& heading, uint32_t axis) {
+  const uint32_t high = heading.across / 3;
+  const uint32_t low = heading.across % 3;
+  if (axis == 0) return static_cast<Incidence>(heading.along + 3 * low + 9 * high);
+  if (axis == 1) return static_cast<Incidence>(low + 3 * heading.along + 9 * high);
+  return static_cast<Incidence>(low + 3 * high + 9 * heading.along);
+}
+
+/// The class of an incidence's planes: 0 for diagonal ones, 1 for corners, 2 for those across an
+/// axis.
+constexpr uint32_t class_of(Incidence incidence) {
+  return direction_count(incidence) / 2U - 2;
+}
+
+/// What a link along a direction does to two coordinates of the plane, by class: a ring is closed
+/// where they add up to none.
+struct PlaneStep {
+  int8_t u, v;
+};
+inline constexpr PlaneStep plane_steps[] = {
+    {1, 0}, {0, 1}, {-1, 0}, {0, -1},                                        // diagonal
+    {1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1},                      // corner
+    {2, 0}, {1, 1}, {0, 2},  {-1, 1}, {-2, 0}, {-1, -1}, {0, -2}, {1, -1}};  // axis
+constexpr const PlaneStep* plane_steps_of(uint32_t link_class) {
+  return plane_steps + link_class * (link_class + 3);
+}
+
+/// The turn to the left from one direction to another, of so many.
+constexpr uint32_t turn_between(uint32_t directions, uint32_t from, uint32_t to) {
+  return to - from + (to < from ? directions : 0);
+}
+
+/// Whether two directions of so many are the same, or opposite.
+constexpr bool are_parallel(uint32_t directions, uint32_t a, uint32_t b) {
+  const uint32_t turn = turn_between(directions, a, b);
+  return turn == 0 || 2 * turn == directions;
+}
+
+/// The first, counter-clockwise, of the directions that lead back in the order z, y, x; the number
+/// of directions where that is direction 0.
+constexpr uint32_t first_back(Incidence incidence) {
+  const uint32_t half = direction_count(incidence) / 2U;
+  const Link* const first_half = links.link[incidence];
+  // Links of the second half are opposite to those of the first, and direction 0 leads back.
+  uint32_t forth = half;
+  while (first_half[forth - 1] >= link_codes / 2) --forth;
+  return half + forth;
+}
+
+/// Runs of whole regions are at most so long; what is longer goes in parts.
+constexpr uint32_t max_compact_length = 0xFFFF;
+
+/// The state that goes from one record of a packet to the next, and the grammar of records.
+/// A copy is a snapshot. Coder has: bool writes, uint32_t symbol(uint32_t row, uint32_t symbol),
+/// uint32_t even(uint32_t bits, uint32_t value) for up to 8 bits.
+template <class Coder>
+class RecordModel {
+ public:
+  RecordModel() = default;
+  /// The state that every packet begins with.
+  explicit RecordModel(const Coder& coder) : coder_(coder), incidence_(no_incidence) {}
+
+  Coder& coder() { return coder_; }
+  const Coder& coder() const { return coder_; }
+
+  RecordKind record_kind(RecordKind kind);
+
+  /// A layer mark's slice.
+  uint32_t layer(uint32_t slice) {
+    return slice_ += plain_number(slice - slice_);
+  }
+  /// A number of up to 2^32 - 2.
+  uint32_t plain_number(uint32_t value) { return number(rows::plain, value + 1) - 1; }
+  /// Bits that are as likely as not, up to 32.
+  uint32_t even(uint32_t bits, uint32_t value);
+
+  /// Where a chain begins, relative to the vertex told last. Limit: an odd coordinate sum.
+  Vertex start(const Vertex& start);
+  /// The vertex told last.
+  const Vertex& last_start() const { return start_; }
+  /// The normal, guessed from that of the record before. Decoding, it may be none.
+  Incidence incidence(Incidence incidence);
+
+  // ---- a ring ----
+
+  /// Three or four corners as one symbol; 0 where the ring is told run by run.
+  uint32_t corners(uint32_t corners) {
+    return of_class(rows::corners(link_class_), corners);
+  }
+  /// How far the first direction is from the first one that leads back.
+  uint32_t ring_direction(uint32_t from);
+  /// The first two lengths of a ring of four corners. Limit: 1 to 4 each, 4 for all that are longer.
+  uint32_t two_lengths(uint32_t lengths) { return of_class(rows::two_lengths, lengths); }
+
+  // ---- any chain ----
+
+  void begin_chain(Direction first) { direction_ = first; }
+  /// Of a fragment or a part: its first direction, or the one on the other side of a cut vertex.
+  Direction chain_direction(Direction direction) {
+    if (direction_ != no_direction) return turn_from(rows::cut_turn + is_level(), direction);
+    return direction_ = static_cast<Direction>(of_direction(rows::first_direction, direction));
+  }
+  /// The length of a run along a direction, or how much it is more than what is told already.
+  uint32_t length(uint32_t row, Direction direction, uint32_t length) {
+    const uint32_t kind = link_class_ == 2 && direction % 2 == 0 ? 3 : link_class_;
+    return number(row + rows::of_number * kind, length);
+  }
+  /// A run after another one. Decoding, an empty one when it is too long.
+  Run run(Run run);
+  /// Whether the run that was told last is the last one.
+  bool is_last_run(bool is_last) {
+    return symbol(rows::is_last + 4 * chain_ + 2 * is_level(), is_last ? 1 : 0) != 0;
+  }
+
+  /// What a part is of, and whether it begins with a ring. Returns that.
+  bool part(Record& record, bool begins_ring);
+
+  uint32_t link_class() const { return link_class_; }
+  uint32_t directions() const { return 4U + 2U * link_class_; }
+  bool is_backwards() const { return chain_ == backwards; }
+
+ private:
+  uint32_t symbol(uint32_t row, uint32_t symbol) { return coder_.symbol(row, symbol); }
+  uint32_t of_class(uint32_t row, uint32_t value) { return symbol(class_rows_ + row, value); }
+  uint32_t of_direction(uint32_t place, uint32_t value) {
+    return of_class(rows::by_direction + place * directions(), value);
+  }
+  uint32_t number(uint32_t row, uint32_t value);
+  void set_incidence(Incidence incidence);
+  // Whether the link told last stays within its slice. Links are numbered in the order of z: 5 lead
+  // down, 8 are level, 5 lead up, and those of the second half are opposite to those of the first.
+  uint32_t is_level() const {
+    const uint32_t half = directions() / 2;
+    const uint32_t link = links.link[incidence_][direction_ < half ? direction_ : direction_ - half];
+    return link - 5 < 8 ? 1 : 0;
+  }
+  uint32_t turn_to(Direction direction) const {
+    return is_backwards() ? turn_between(directions(), direction, direction_)
+                         : turn_between(directions(), direction_, direction);
+  }
+  Direction turn_by(uint32_t turn);
+  Direction turn_from(uint32_t place, Direction direction) {
+    return turn_by(of_direction(place, turn_to(direction)));
+  }
+
+  // Chains that are told in their own order, against it, and rings up to the last run.
+  static constexpr uint8_t forwards = 0, backwards = 1, ring = 2;
+
+  Coder coder_;
+  Incidence incidence_ = 0;
+  uint8_t link_class_ = 0;
+  uint16_t class_rows_ = 0;
+  // Whether loose fragments have come in this packet, as memory is short and more will follow: 0 no,
+  // 1 before the last record, 2 with it.
+  uint8_t fragments_ = 0;
+  uint8_t axis_ = 0;            // of the vertex told last
+  uint8_t axis_before_ = 0;     // and of the one before
+  bool is_same_voxel_ = false;  // as that one's
+  uint8_t chain_ = forwards;    // what is told of it
+  Direction direction_ = 0;
+  Vertex start_{0, 0, 0};
+  uint32_t slice_ = 0;
+};
+
+// ---- implementation ----
+
+template <class Coder>
+uint32_t RecordModel<Coder>::even(uint32_t bits, uint32_t value) {
+  uint32_t coded = 0;
+  while (bits > 0) {
+    const uint32_t taken = bits < 8 ? bits : 8;
+    bits -= taken;
+    coded = coded << taken | coder_.even(taken, value >> bits);
+  }
+  if constexpr (Coder::writes) return value;
+  return coded;
+}
+
+// A positive number: 1, 2, 3, or how many bits follow its highest one, and these.
+template <class Coder>
+uint32_t RecordModel<Coder>::number(uint32_t row, uint32_t value) {
+  constexpr uint32_t last = rows::of_number - 1;
+  uint32_t bits = 0;
+  while (value >> bits > 3) ++bits;
+  uint32_t size = bits == 0 ? value - 1 : bits + 2;
+  size = symbol(row, size < last ? size : last);
+  if (size < 3) return Coder::writes ? value : size + 1;
+  bits = size == last ? even(5, bits) : size - 2;
+  const uint32_t rest = even(bits + 1, value);
+  return Coder::writes ? value : uint32_t{2} << bits | rest;
+}
+
+// With memory to spare there are regions alone; when it is short, fragments by the dozen.
+template <class Coder>
+RecordKind RecordModel<Coder>::record_kind(RecordKind kind) {
+  kind = static_cast<RecordKind>(
+      symbol(rows::kinds + rows::of_kinds * fragments_, static_cast<uint32_t>(kind)));
+  chain_ = kind < RecordKind::forwards ? ring : kind == RecordKind::backwards ? backwards : forwards;
+  direction_ = no_direction;
+  if (kind == RecordKind::backwards || kind == RecordKind::forwards)
+    fragments_ = 2;
+  else if (fragments_ > 1)
+    fragments_ = 1;
+  return kind;
+}
+
+// Chains are told where the sweep is: nearly all begin in the row of the vertex told last or in the
+// next one.
+template <class Coder>
+Vertex RecordModel<Coder>::start(const Vertex& start) {
+  using namespace place;
+  int32_t x = voxels_between(start.x, start_.x);
+  int32_t y = voxels_between(start.y, start_.y);
+  int32_t z = voxels_between(start.z, start_.z);
+  uint32_t place = elsewhere;
+  if (z == 0 && y == 0)
+    place = x < 0 ? behind : static_cast<uint32_t>(x) < ahead ? static_cast<uint32_t>(x) : ahead;
+  else if (z == 0 && y == 1)
+    place = next_row;
+  else if (z == 0 && y == -1)
+    place = row_before;
+  place = symbol(rows::places, place);
+  if constexpr (!Coder::writes) {
+    x = static_cast<int32_t>(place);
+    y = place == next_row ? 1 : place == row_before ? -1 : 0;
+    z = 0;
+  }
+  if (place >= ahead) {
+    if (place == elsewhere) {
+      z = signed_of(number(rows::steps_z, positive_of(z)));
+      y = signed_of(number(rows::steps_y, positive_of(y)));
+    }
+    // Along the row the sign is known.
+    const uint32_t told = number(rows::steps_x + rows::of_number * (place - ahead),
+                                 place == ahead    ? static_cast<uint32_t>(x) - ahead + 1
+                                 : place == behind ? 0 - static_cast<uint32_t>(x)
+                                                   : positive_of(x));
+    if constexpr (!Coder::writes)
+      x = place == ahead    ? static_cast<int32_t>(told + ahead - 1)
+          : place == behind ? static_cast<int32_t>(0 - told)
+                            : signed_of(told);
+  }
+  const uint32_t axis = symbol(rows::axes + (place == 0 ? 0 : 16) + 4U * axis_, axis_of(start));
+  axis_before_ = axis_;
+  axis_ = static_cast<uint8_t>(axis);
+  is_same_voxel_ = place == 0;
+  if constexpr (Coder::writes) return start_ = start;
+  const uint32_t odd = axis == 3 ? 7 : 1U << axis;
+  start_ = {voxels_beyond(start_.x, x, odd & 1), voxels_beyond(start_.y, y, odd >> 1 & 1),
+            voxels_beyond(start_.z, z, odd >> 2)};
+  return start_;
+}
+
+// The normals around a vertex on an edge all have one sign along it, and so have those on the other
+// edges of its voxel. Across the edge it is guessed from the one before: on and off are alike.
+template <class Coder>
+Incidence RecordModel<Coder>::incidence(Incidence incidence) {
+  using rows::other_heading;
+  uint32_t code = other_heading;
+  if (axis_ < 3) {
+    const Heading to = heading_of(incidence, axis_);
+    uint32_t sign = 1;
+    if (is_same_voxel_ && axis_before_ < 3) sign = heading_of(incidence_, axis_before_).along;
+    if (sign == 1) sign = 2 * even(1, to.along >> 1);
+    const auto seen = [sign](uint32_t across) { return sign == 0 ? 8 - across : across; };
+    const uint32_t by = seen(heading_of(incidence_, axis_).across);
+    code = symbol(rows::headings + rows::of_headings * by,
+                  to.along == sign ? seen(to.across) : other_heading);
+    if constexpr (!Coder::writes)
+      if (code < other_heading) incidence = incidence_of({sign, seen(code)}, axis_);
+  }
+  if (code == other_heading) incidence = static_cast<Incidence>(even(5, incidence));
+  set_incidence(incidence);
+  return incidence;
+}
+
+template <class Coder>
+void RecordModel<Coder>::set_incidence(Incidence incidence) {
+  if (!Coder::writes && !is_incidence(incidence)) return;
+  incidence_ = incidence;
+  link_class_ = static_cast<uint8_t>(class_of(incidence));
+  class_rows_ = static_cast<uint16_t>(link_class_ == 0   ? rows::of_class(0)
+                                      : link_class_ == 1 ? rows::of_class(1)
+                                                         : rows::of_class(2));
+}
+
+template <class Coder>
+uint32_t RecordModel<Coder>::ring_direction(uint32_t from) {
+  const uint32_t told = of_class(rows::ring_direction, from < 3 ? from : 3);
+  return told < 3 ? told : even(3, from);
+}
+
+template <class Coder>
+Direction RecordModel<Coder>::turn_by(uint32_t turn) {
+  const uint32_t count = directions();
+  const uint32_t next = direction_ + (is_backwards() ? count - turn : turn);
+  return direction_ = static_cast<Direction>(next < count ? next : next - count);
+}
+
+// The turn, and whether the run is longer than one link, as one symbol.
+template <class Coder>
+Run RecordModel<Coder>::run(Run run) {
+  const uint32_t parity = link_class_ == 2 ? direction_ & 1 : 0;
+  const uint32_t code = of_direction(rows::turn + 2 * parity,
+                                     2 * turn_to(run.direction()) + (run.length() > 1 ? 1U : 0U));
+  const Direction direction = turn_by(code >> 1);
+  if (code % 2 == 0) return Run::straight(direction, 1);
+  const uint32_t more = length(rows::longer, direction, run.length() - 1);
+  return more < Run::max_length ? Run::straight(direction, 1 + more) : Run();
+}
+
+template <class Coder>
+bool RecordModel<Coder>::part(Record& record, bool begins_ring) {
+  const uint32_t flags = even(4, (record.is_fragment ? 8U : 0U) | (record.continues ? 4U : 0U) |
+                                     (record.is_last ? 2U : 0U) | (begins_ring ? 1U : 0U));
+  record.incidence = static_cast<Incidence>(even(5, record.incidence));
+  if constexpr (!Coder::writes) {
+    record.is_fragment = (flags & 8) != 0;
+    record.continues = (flags & 4) != 0;
+    record.is_last = (flags & 2) != 0;
+  }
+  set_incidence(record.incidence);
+  return (flags & 1) != 0;
+}
+
+}  // namespace discmc::stream
+
+#endif

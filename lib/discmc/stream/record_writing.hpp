@@ -1,0 +1,141 @@
+// Records told to a model: whole regions and fragments in few symbols, what is longer in parts.
+#ifndef DISCMC_STREAM_RECORD_WRITING_HPP
+#define DISCMC_STREAM_RECORD_WRITING_HPP
+
+#include <discmc/compiler.hpp>
+#include <discmc/stream/record_model.hpp>
+
+namespace discmc::stream {
+
+constexpr Direction direction_in(uint32_t run) {
+  return Run::from_code(run).direction();
+}
+constexpr uint32_t length_in(uint32_t run) {
+  return Run::from_code(run).length();
+}
+
+/// How many runs the ring has whose first run is word `first`, when they are short and close it:
+/// then its last two lengths follow from the others. 0 when they are not or do not.
+uint32_t closed_runs(const Record& record, uint32_t first);
+
+/// The corners of a ring of three or four, if it turns left at each, by less than a half turn: the
+/// turns at its second, third and last one, as digits. 0 for any other ring.
+uint32_t corners_of(const uint32_t* runs, uint32_t count, uint32_t directions);
+
+/// Whether a whole fragment costs less when it is told from its end, after the vertex `before`.
+/// Returns the vertex before its end, too, else its start.
+bool is_nearer_at_end(const Record& record, const Vertex& before, Vertex& vertex);
+
+/// Runs one after the other up to the last one, behind the first one's direction. run: the one that
+/// is told first.
+template <class Model>
+void encode_runs(Model& model, const uint32_t* run, uint32_t count) {
+  for (uint32_t i = 0; i < count; ++i) {
+    const Run next = Run::from_code(*run);
+    run += model.is_backwards() ? -1 : 1;
+    if (i == 0)
+      model.length(rows::lengths, next.direction(), next.length());
+    else
+      model.run(next);
+    model.is_last_run(i + 1 == count);
+  }
+}
+
+/// Limit: as closed_runs() counts them.
+template <class Model>
+void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32_t count) {
+  const Direction first = direction_in(runs[0]);
+  const uint32_t corners = corners_of(runs, count, model.directions());
+  model.corners(corners);
+  model.ring_direction(turn_between(model.directions(), first_back(incidence), first));
+  model.begin_chain(first);
+  if (corners == 0) {
+    encode_runs(model, runs, count - 1);  // the last one leads back to the start
+  } else if (count == 3) {
+    model.length(rows::lengths, first, length_in(runs[0]));
+  } else {
+    uint32_t lengths = 0;
+    for (uint32_t i = 0; i < 2; ++i)
+      lengths = 4 * lengths + (length_in(runs[i]) < 4 ? length_in(runs[i]) - 1 : 3);
+    model.two_lengths(lengths);
+    for (uint32_t i = 0; i < 2; ++i)
+      if (length_in(runs[i]) > 3)
+        model.length(rows::longer, direction_in(runs[i]), length_in(runs[i]) - 3);
+  }
+}
+
+/// A whole region of closed rings, in as few symbols as they take. False, with only some of it
+/// told, when the record is anything else.
+template <class Model>
+bool encode_region(Model& model, const Record& record) {
+  if (record.continues || record.rings == 0 || record.word[0] != Record::ring_mark) return false;
+  model.record_kind(record.rings == 1 ? RecordKind::region : RecordKind::holed);
+  for (uint32_t mark = 0; mark < record.count;) {
+    const uint32_t first = mark + Record::ring_words;
+    const uint32_t count = closed_runs(record, first);
+    if (count == 0) return false;
+    model.start(record.start_at(mark));
+    if (mark == 0) {
+      model.incidence(record.incidence);
+      if (record.rings > 1) model.plain_number(record.rings - 2);
+    }
+    encode_ring(model, record.incidence, record.word + first, count);
+    mark = first + count;
+  }
+  return true;
+}
+
+/// A whole loose fragment, from the end that costs less: the one where the sweep is. False, with
+/// nothing told, when the record is a part or has no run.
+template <class Model>
+bool encode_fragment(Model& model, const Record& record) {
+  constexpr uint32_t first = Record::ring_words;
+  if (record.continues || record.count == first) return false;
+  Vertex vertex;
+  const bool is_backwards = is_nearer_at_end(record, model.last_start(), vertex);
+  model.record_kind(is_backwards ? RecordKind::backwards : RecordKind::forwards);
+  model.start(vertex);
+  model.incidence(record.incidence);
+  const uint32_t* const run = record.word + (is_backwards ? record.count - 1 : first);
+  if (!is_backwards) model.chain_direction(record.incoming);
+  model.chain_direction(direction_in(*run));
+  encode_runs(model, run, record.count - first);
+  if (is_backwards) model.chain_direction(record.incoming);
+  return true;
+}
+
+/// A record as a whole. False as the two above say.
+template <class Model>
+bool encode_record(Model& model, const Record& record) {
+  return record.is_fragment ? encode_fragment(model, record) : encode_region(model, record);
+}
+
+/// The same for a host, with all that it calls in one function.
+template <class Model>
+DISCMC_FLATTEN bool encode_record_in_place(Model& model, const Record& record) {
+  Model copy = model;  // in registers
+  const bool is_whole = encode_record(copy, record);
+  model = copy;
+  return is_whole;
+}
+
+/// The first words of a record, all of one ring, as a part.
+template <class Model>
+void encode_part(Model& model, Record& record, uint32_t words) {
+  model.record_kind(RecordKind::part);
+  const bool begins_ring = words > 0 && record.word[0] == Record::ring_mark;
+  const uint32_t first = begins_ring ? Record::ring_words : 0;
+  if (words == first) {  // Nobody sends what has no run: a part that no decoder takes.
+    model.even(4, 15);
+    return;
+  }
+  model.part(record, begins_ring);
+  if (begins_ring) model.start(record.start_at(0));
+  if (record.is_fragment && !record.continues) model.chain_direction(record.incoming);
+  model.chain_direction(direction_in(record.word[first]));
+  encode_runs(model, record.word + first, words - first);
+}
+
+}  // namespace discmc::stream
+
+#endif

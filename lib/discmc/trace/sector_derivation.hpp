@@ -1,0 +1,330 @@
+// How the table of sectors follows from the face rule of cell.hpp: for the compiler alone.
+#ifndef DISCMC_TRACE_SECTOR_DERIVATION_HPP
+#define DISCMC_TRACE_SECTOR_DERIVATION_HPP
+
+#include <discmc/geometry/loop_facets.hpp>
+#include <discmc/trace/sector_table.hpp>
+
+namespace discmc::trace::derive {
+
+// Vectors along the axis of an edge and the two that follow it, turned to those of the volume.
+constexpr Vertex from_axis_frame(int axis, const Vertex& v) {
+  return axis == 0 ? v : axis == 1 ? Vertex{v.z, v.x, v.y} : Vertex{v.y, v.z, v.x};
+}
+
+constexpr Vertex quarter_turns(Vertex v, int count) {
+  for (; count > 0; --count) v = {v.x, -v.z, v.y};
+  return v;
+}
+
+// ---- the order of visits ----
+
+// A vertex is visited with the voxel below it on its axis: voxels in the order z, y, x, and at each
+// its edges in the order x, y, z.
+constexpr bool is_visited_before(const Vertex& a, const Vertex& b) {
+  const int by_voxel[] = {(a.z >> 1) - (b.z >> 1), (a.y >> 1) - (b.y >> 1), (a.x >> 1) - (b.x >> 1),
+                          ((a.y & 1) + 2 * (a.z & 1)) - ((b.y & 1) + 2 * (b.z & 1))};
+  for (const int difference : by_voxel)
+    if (difference != 0) return difference < 0;
+  return false;
+}
+
+constexpr bool is_in_next_slice(const Vertex& a, const Vertex& b) {
+  return a.z >> 1 != b.z >> 1;
+}
+
+// ---- edges of a cell ----
+
+struct EdgeNumbers {
+  Point point[cell_edges];
+  CellEdge number[point_codes];
+};
+
+constexpr EdgeNumbers number_edges() {
+  EdgeNumbers edges{};
+  int count = 0;
+  for (Point point = 0; point < point_codes; ++point) {
+    const Vertex at = position(point);
+    if (at.x > 2 || at.y > 2) continue;
+    if ((at.x == 1) + (at.y == 1) + (at.z == 1) != 1) continue;
+    int place = count++;
+    for (; place > 0 && is_visited_before(at, position(edges.point[place - 1])); --place)
+      edges.point[place] = edges.point[place - 1];
+    edges.point[place] = point;
+  }
+  for (int i = 0; i < cell_edges; ++i) edges.number[edges.point[i]] = static_cast<CellEdge>(i);
+  return edges;
+}
+
+constexpr EdgeNumbers edges = number_edges();
+
+// The edge of the cell in a quadrant that the same edge of quadrant 0 becomes when it is turned.
+constexpr CellEdge turned_edge(CellEdge edge, int quadrant) {
+  Vertex at = quarter_turns(position(edges.point[edge]), quadrant);
+  if (quadrant == 1 || quadrant == 2) at.y += 2;
+  if (quadrant >= 2) at.z += 2;
+  return edges.number[point_at(at)];
+}
+
+// ---- the loop through a vertex ----
+
+// The configuration of the cell in quadrant 0 of an edge along x.
+constexpr Configuration configuration_of(int lower_is_on, int lines) {
+  return static_cast<Configuration>((lower_is_on != 0 ? 1 : 2) | (lines & 3) << 2 |
+                                    (lines >> 2 & 3) << 6 | (lines >> 4) << 4);
+}
+
+struct VertexLoop {
+  LoopFacets facets;
+  int index;   // of the vertex in the loop
+  int points;  // of all loops of the cell
+};
+
+constexpr VertexLoop loop_at_vertex(Configuration configuration) {
+  const Point vertex = point_at({1, 0, 0});
+  const Loops loops = discmc::derive::loops(configuration);
+  VertexLoop found{};
+  for (int l = 0; l < loops.count; ++l) {
+    found.points += loops.loop[l].count;
+    for (int i = 0; i < loops.loop[l].count; ++i) {
+      if (loops.loop[l].point[i] != vertex) continue;
+      found.facets = facets_of(loops.loop[l]);
+      found.index = i;
+    }
+  }
+  return found;
+}
+
+// Where the line of a heading lies, seen along the axis.
+constexpr Vertex line_at(int heading) {
+  return quarter_turns(heading % 2 == 0 ? Vertex{0, 1, 0} : Vertex{0, 1, 1}, heading / 2);
+}
+
+constexpr uint8_t heading_of(Incidence incidence) {
+  const Vertex n = normal(incidence);
+  for (uint8_t heading = 0; heading < no_heading; ++heading)
+    if (line_at(heading).y == n.y && line_at(heading).z == n.z) return heading;
+  return no_heading;
+}
+
+constexpr CellAtVertex cell_at_vertex(int lower_is_on, int lines) {
+  const VertexLoop vertex = loop_at_vertex(configuration_of(lower_is_on, lines));
+  const LoopFacets& facets = vertex.facets;
+  const int i = vertex.index;
+  const Incidence before = facets.behind(i - 1);
+  const Incidence after = facets.behind(i);
+  const Incidence first = lower_is_on != 0 ? after : before;
+  const Incidence second = lower_is_on != 0 ? before : after;
+  const auto headings = static_cast<uint8_t>(heading_of(first) | heading_of(second) << 4);
+  if (before == after) return {headings, 0, 0};
+  // The facets before the vertex end at its spoke: their chain leaves it for where they begin.
+  int begin = i - 1;
+  while (facets.behind(begin - 1) == before) --begin;
+  // The facets after it begin there: their chain comes from where they end.
+  int end = i + 1;
+  while (facets.behind(end) == after) ++end;
+  const CellEdge to = edges.number[facets.loop.point[facets.wrap(begin)]];
+  const CellEdge from = edges.number[facets.loop.point[facets.wrap(end)]];
+  return {headings, static_cast<uint8_t>(to | from << 4), 0};
+}
+
+// ---- ways ----
+
+// An edge as it is, of one as if the axis were x and the quadrant the first.
+constexpr CellEdge edge_in(int axis, int quadrant, CellEdge edge) {
+  const CellEdge turned = turned_edge(edge, quadrant);
+  return edges.number[point_at(from_axis_frame(axis, position(edges.point[turned])))];
+}
+
+// The edge of the quadrant's cell that the vertex lies on.
+constexpr CellEdge own_edge(int axis, int quadrant) {
+  return edge_in(axis, quadrant, edges.number[point_at({1, 0, 0})]);
+}
+
+constexpr Link link_inwards(CellEdge edge) {
+  return discmc::derive::link_of(links, position(centroid) - position(edges.point[edge]));
+}
+
+// Numbers queues, those within a slice first.
+struct QueueNumbers {
+  int level = 0;
+  int rising = first_rising_queue;
+  constexpr uint8_t take(int count, bool is_rising) {
+    int& next = is_rising ? rising : level;
+    next += count;
+    return static_cast<uint8_t>(next - count);
+  }
+};
+
+// The queue for chains from an edge of a cell by the centroid to another. That of the way back is
+// the other one of a pair, whether chains go there or not.
+struct SpokeQueues {
+  uint8_t queue[cell_edges][cell_edges];
+};
+
+constexpr SpokeQueues number_spoke_queues(const SectorTable& table, QueueNumbers& numbers) {
+  bool is_used[cell_edges][cell_edges] = {};
+  for (int axis = 0; axis < 3; ++axis)
+    for (int quadrant = 0; quadrant < quadrants; ++quadrant)
+      for (const auto& of_lower : table.edges)
+        for (const uint8_t both : of_lower)
+          if (both != 0) {
+            const CellEdge own = own_edge(axis, quadrant);
+            is_used[own][edge_in(axis, quadrant, both & 15)] = true;
+            is_used[edge_in(axis, quadrant, both >> 4)][own] = true;
+          }
+  SpokeQueues spokes{};
+  const auto add = [&](int from, int to, int count) {
+    const bool is_rising = is_in_next_slice(position(edges.point[from]), position(edges.point[to]));
+    spokes.queue[from][to] = numbers.take(count, is_rising);
+    spokes.queue[to][from] = spokes.queue[from][to] ^ 1;
+  };
+  for (int from = 0; from < cell_edges; ++from)
+    for (int to = from + 1; to < cell_edges; ++to)
+      if (is_used[from][to] && is_used[to][from]) add(from, to, 2);
+  for (int from = 0; from < cell_edges; ++from)
+    for (int to = 0; to < cell_edges; ++to)
+      if (is_used[from][to] && !is_used[to][from]) add(from, to, 1);
+  return spokes;
+}
+
+constexpr void add_spoke_ways(SectorTable& table, const SpokeQueues& spokes) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (int quadrant = 0; quadrant < quadrants; ++quadrant)
+      for (const auto& of_lower : table.edges)
+        for (const uint8_t both : of_lower) {
+          if (both == 0) continue;
+          const CellEdge own = own_edge(axis, quadrant);
+          const uint8_t to_and_from[] = {static_cast<uint8_t>(both & 15),
+                                         static_cast<uint8_t>(both >> 4)};
+          for (const uint8_t way : to_and_from) {
+            const CellEdge other = edge_in(axis, quadrant, way);
+            table.axis[axis].way[quadrant][way] =
+                Way(opposite_link(link_inwards(other)), spokes.queue[own][other], other > own);
+          }
+        }
+}
+
+constexpr Vertex face_vector(int quadrant, uint8_t way) {
+  const Vertex across = quarter_turns({0, 1, 0}, quadrant);
+  return way == straight_way ? across + across
+                             : across + Vertex{way == downward_way ? -1 : 1, 0, 0};
+}
+
+constexpr Vertex lowest_on_axis(int axis) {
+  return from_axis_frame(axis, {1, 0, 0});
+}
+
+// The same link begins at either of its vertices: the earlier one names it.
+constexpr uint8_t queue_of_face_link(const SectorTable& table, const Vertex& begin, Link link) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const auto& of_quadrant : table.axis[axis].way)
+      for (int i = straight_way; i < ways; ++i) {
+        const Way& way = of_quadrant[i];
+        if (lowest_on_axis(axis) == begin && way.link() == link) return way.queue_out();
+      }
+  return queue_count;
+}
+
+// A vertex moved by whole cells to where the edges of the cell at the origin begin.
+constexpr Vertex moved_to_origin(const Vertex& v) {
+  return {v.x & 1, v.y & 1, v.z & 1};
+}
+
+constexpr void add_face_ways(SectorTable& table, QueueNumbers& numbers) {
+  // First those ahead, which number the queues, then those behind, which find them.
+  for (int pass = 0; pass < 2; ++pass)
+    for (int axis = 0; axis < 3; ++axis)
+      for (int quadrant = 0; quadrant < quadrants; ++quadrant)
+        for (uint8_t way = straight_way; way < ways; ++way) {
+          const Vertex here = lowest_on_axis(axis);
+          const Vertex vector = from_axis_frame(axis, face_vector(quadrant, way));
+          const Vertex there = here + vector;
+          const bool is_ahead = is_visited_before(here, there);
+          if (is_ahead != (pass == 0)) continue;
+          const Link link = discmc::derive::link_of(links, vector);
+          const auto queue = static_cast<uint8_t>(
+              is_ahead
+                  ? numbers.take(2, is_in_next_slice(here, there))
+                  : queue_of_face_link(table, moved_to_origin(there), opposite_link(link)) + 1);
+          table.axis[axis].way[quadrant][way] = Way(link, queue, is_ahead);
+        }
+}
+
+// Which way the link on a face goes from a vertex, by the bits of the other line on that face: on
+// corners are separated.
+constexpr uint8_t face_way_of(int lower_is_on, int line) {
+  const bool lower = (line & 1) != 0, upper = (line & 2) != 0;
+  const bool here = lower_is_on != 0;
+  if (lower != upper && lower == here) return straight_way;
+  // The link cuts off one corner of the middle line: the one on, or where both others are on, the
+  // one off.
+  const bool is_upper_cut_off = lower && upper ? here : !here;
+  return is_upper_cut_off ? upward_way : downward_way;
+}
+
+// ---- counts ----
+
+constexpr uint32_t part_of(int lines) {
+  const VertexLoop vertex = loop_at_vertex(configuration_of(0, lines));
+  const uint32_t points = vertex.facets.loop.count;
+  const uint32_t cell = CountParts::cell / static_cast<uint32_t>(vertex.points);
+  const uint32_t facet = vertex.facets.is_fan ? CountParts::facet : CountParts::facet / points;
+  const uint32_t triangle = CountParts::triangle * (points - 2) / points;
+  return cell | facet << CountParts::facet_shift | triangle << CountParts::triangle_shift;
+}
+
+// The number of a value in an array, where it is put behind the others if it is new.
+template <class Value>
+constexpr int number_in(Value* known, int& count, Value value) {
+  int number = 0;
+  while (number < count && known[number] != value) ++number;
+  known[number] = value;
+  if (number == count) ++count;
+  return number;
+}
+
+// ---- the table ----
+
+constexpr void add_cells(SectorTable& table) {
+  int parts = 0, edges_known = 0;
+  for (uint32_t lines = 0; lines < 64; ++lines) {
+    const CellAtVertex cell = cell_at_vertex(0, static_cast<int>(lines));
+    const int index = number_in(table.edges[0], edges_known, cell.edges);
+    table.edges[1][index] = cell_at_vertex(1, static_cast<int>(mirrored(lines))).edges;
+    const int part = number_in(table.part, parts, part_of(static_cast<int>(lines)));
+    table.cell[lines] = static_cast<uint16_t>(cell.headings | index << 8 | part << 12);
+  }
+}
+
+constexpr void add_incidences(AxisTable& table, int axis) {
+  for (uint8_t heading = 0; heading <= no_heading; ++heading) {
+    Vertex n = heading == no_heading ? Vertex{0, 0, 0} : line_at(heading);
+    n.x = -1;
+    table.incidence[heading] = incidence_of(from_axis_frame(axis, n));
+  }
+  table.to_upper = static_cast<uint8_t>(incidence_of(from_axis_frame(axis, {1, 0, 0})) -
+                                        incidence_of(from_axis_frame(axis, {-1, 0, 0})));
+}
+
+constexpr SectorTable sector_table() {
+  SectorTable table{};
+  add_cells(table);
+  for (int lower = 0; lower < 2; ++lower)
+    for (uint32_t line = 0; line < 4; ++line)
+      table.face_way[lower][lower != 0 ? mirrored(line) : line] =
+          face_way_of(lower, static_cast<int>(line));
+  for (int axis = 0; axis < 3; ++axis) {
+    add_incidences(table.axis[axis], axis);
+    for (int quadrant = 0; quadrant < quadrants; ++quadrant)
+      table.axis[axis].inwards[quadrant] = link_inwards(own_edge(axis, quadrant));
+  }
+  QueueNumbers numbers;
+  add_face_ways(table, numbers);
+  add_spoke_ways(table, number_spoke_queues(table, numbers));
+  return table;
+}
+
+}  // namespace discmc::trace::derive
+
+#endif

@@ -1,0 +1,30 @@
+// Colours of labels that have none of their own.
+#ifndef DISCMC_COMMAND_PICTURES_LABEL_COLOUR_HPP
+#define DISCMC_COMMAND_PICTURES_LABEL_COLOUR_HPP
+
+#include <cmath>
+
+#include "srgb.hpp"
+
+namespace discmc::command {
+
+/// The seven colours that people with any colour vision tell apart (M. Okabe, K. Ito, Color
+/// Universal Design, 2008), then the same lighter, then darker: the numbers 1 to 21 have one each,
+/// and others that of the number 21 away. Limit: finite.
+inline Srgb label_colour(double number) {
+  constexpr Srgb colours[] = {{230, 159, 0}, {86, 180, 233}, {0, 158, 115},  {240, 228, 66},
+                              {0, 114, 178}, {213, 94, 0},   {204, 121, 167}};
+  constexpr int count = 7;
+  const double turn = std::fmod(number - 1, 3 * count);
+  const int place = static_cast<int>(turn < 0 ? turn + 3 * count : turn);
+  Srgb colour = colours[place % count];
+  for (std::uint8_t& part : colour) {
+    if (place / count == 1) part = static_cast<std::uint8_t>(part + (255 - part) / 2);
+    if (place / count == 2) part = static_cast<std::uint8_t>(part / 2);
+  }
+  return colour;
+}
+
+}  // namespace discmc::command
+
+#endif

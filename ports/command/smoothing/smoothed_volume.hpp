@@ -1,0 +1,58 @@
+// A mask without the steps of its voxels.
+#ifndef DISCMC_COMMAND_SMOOTHING_SMOOTHED_VOLUME_HPP
+#define DISCMC_COMMAND_SMOOTHING_SMOOTHED_VOLUME_HPP
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "extraction/mask_bits.hpp"
+#include "extraction/selection.hpp"
+#include "gaussian_blur.hpp"
+#include "signed_distance.hpp"
+#include "volumes/volume_reader.hpp"
+
+namespace discmc::command {
+
+/// The voxels that are selected, as samples: the distance to their surface, smoothed, positive
+/// inside. The smooth surface is that of threshold 0. It keeps its volume and parts of two voxels,
+/// unlike that of a blurred mask: a blur G draws a bent surface inwards, and 2G - GG, which is
+/// taken here, to the next order does not. Units: millimetres.
+///
+/// Memory: about 36 slices of float for a deviation of one slice.
+class SmoothedVolume final : public VolumeReader {
+ public:
+  /// volume: not yet read; mask: or none; both have to live as long as this. deviation_mm: of G.
+  SmoothedVolume(VolumeReader& volume, const Selection& selection, VolumeReader* mask,
+                 double deviation_mm);
+
+  const VolumeInfo& info() const override { return info_; }
+  const std::vector<std::string>& notes() const override { return volume_.notes(); }
+  void read_slice(void* samples) override;
+
+  /// How far from the voxels that are selected others have a part in the surface. Units: voxels.
+  static std::array<std::uint32_t, 3> reach(const VolumeInfo& info, double deviation_mm);
+
+  /// Samples that were not a number, and taken as off.
+  std::uint64_t not_numbers() const { return not_numbers_; }
+
+ private:
+  void read_mask(float* mask);
+
+  VolumeReader& volume_;
+  SliceSelector selector_;
+  std::unique_ptr<MaskBits> mask_;
+  VolumeInfo info_;
+  std::vector<std::uint8_t> slice_, bits_;
+  std::uint64_t not_numbers_ = 0;
+  SignedDistance distance_;
+  GaussianBlur once_, twice_;
+};
+
+/// The deviation that removes the steps of voxels with this spacing: the largest distance.
+double steps_mm(const VolumeInfo& info);
+
+}  // namespace discmc::command
+
+#endif

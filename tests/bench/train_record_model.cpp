@@ -1,0 +1,198 @@
+// Prints the shares of shares.cpp, trained on the streams named on the command line:
+//   train_record_model STREAM.dmc...
+// Every stream counts the same, however long, so that no single scan sets the tone. Take streams of
+// scans with memory to spare, which hold regions, and of scans in little memory, which hold loose
+// fragments too; of volumes, and of balls, whose regions are smaller.
+#include <discmc/decoder.hpp>
+#include <discmc/stream/record_writing.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "oracle/symbol_rows.hpp"
+
+namespace {
+
+using discmc::stream::Record;
+using discmc::stream::RecordKind;
+using Counts = std::array<double, discmc::stream::rows::end>;
+
+struct CountingCoder {
+  static constexpr bool writes = true;
+  Counts* counts;
+  uint32_t symbol(uint32_t row, uint32_t symbol) {
+    ++(*counts)[row + symbol];
+    return symbol;
+  }
+  uint32_t even(uint32_t, uint32_t value) { return value; }
+};
+
+// Encodes every record with a counting model, which starts anew about as often as packets do.
+class Trainer {
+ public:
+  discmc::SinkResult take(const discmc::Event& event) {
+    using Kind = discmc::Event::Kind;
+    switch (event.kind) {
+      case Kind::region:
+        record_.begin(event.incidence);
+        break;
+      case Kind::fragment:
+        record_.begin(event.incidence);
+        record_.begin_fragment(event.incoming_direction, event.start);
+        break;
+      case Kind::ring:
+        make_room(Record::ring_words + 1);
+        record_.add_ring(event.start);
+        break;
+      case Kind::run:
+        make_room(1);
+        record_.add_run(event.run);
+        break;
+      case Kind::region_end:
+      case Kind::fragment_end:
+        end_record();
+        break;
+      case Kind::layer:
+        model_.record_kind(RecordKind::layer);
+        model_.layer(event.slice);
+        break;
+      default:
+        break;
+    }
+    return discmc::SinkResult::accepted;
+  }
+  const Counts& counts() const { return counts_; }
+
+ private:
+  using Model = discmc::stream::RecordModel<CountingCoder>;
+
+  void make_room(uint32_t words) {
+    if (!record_.has_room(words)) encode_parts(false);
+  }
+  void end_record() {
+    if (record_.continues || !encode_whole()) encode_parts(true);
+    if (++records_ % records_per_packet != 0) return;
+    model_.record_kind(RecordKind::end);
+    model_ = Model({&counts_});
+  }
+  // What a region has told that then turned out not to be closed is forgotten.
+  bool encode_whole() {
+    const Counts counts = counts_;
+    const Model model = model_;
+    if (encode_record(model_, record_)) return true;
+    counts_ = counts;
+    model_ = model;
+    return false;
+  }
+  void encode_parts(bool is_end) {
+    while (record_.count > 0) {
+      const uint32_t words = record_.words_of_part(record_.count);
+      record_.is_last = is_end && words == record_.count;
+      encode_part(model_, record_, words);
+      record_.count -= words;
+      for (uint32_t i = 0; i < record_.count; ++i) record_.word[i] = record_.word[i + words];
+      record_.continues = true;
+    }
+  }
+
+  static constexpr int records_per_packet = 60;
+  Counts counts_{};
+  Model model_{{&counts_}};
+  Record record_;
+  int records_ = 0;
+};
+
+Counts counts_of(const char* path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
+  Trainer trainer;
+  discmc::Decoder decoder;
+  const auto status = decoder.start(discmc::make_sink(trainer));
+  const auto decoded = decoder.push(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size());
+  if (status != discmc::Status::ok || decoded.status != discmc::Status::ok ||
+      !decoder.report().is_complete())
+    std::fprintf(stderr, "%s: no complete stream\n", path);
+  return trainer.counts();
+}
+
+// The 256 shares of a row: one for each symbol that there is, and each further one where it saves
+// the most bits.
+std::vector<uint32_t> shares_of(const double* counts, const std::vector<bool>& there_is) {
+  const auto symbols = there_is.size();
+  std::vector<uint32_t> shares(symbols);
+  uint32_t left = 256;
+  double total = 0;
+  for (size_t i = 0; i < symbols; ++i) {
+    shares[i] = there_is[i] ? 1 : 0;
+    left -= shares[i];
+    total += counts[i];
+  }
+  const double unseen = total * 1e-5 + 1e-9;
+  for (; left > 0; --left) {
+    size_t best = 0;
+    double most = -1;
+    for (size_t i = 0; i < symbols; ++i) {
+      if (!there_is[i]) continue;
+      const double saved = (counts[i] + unseen) * std::log2((shares[i] + 1.0) / shares[i]);
+      if (saved > most) best = i;
+      if (saved > most) most = saved;
+    }
+    ++shares[best];
+  }
+  return shares;
+}
+
+// In lines as the source has them.
+void print(const std::vector<uint32_t>& numbers) {
+  std::string line;
+  for (const uint32_t number : numbers) {
+    const std::string word = std::to_string(number) + ",";
+    if (line.size() + 1 + word.size() > 100) {
+      std::printf("%s\n", line.c_str());
+      line.clear();
+    }
+    if (!line.empty()) line += ' ';
+    line += word;
+  }
+  std::printf("%s\n", line.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: train_record_model STREAM.dmc...\n");
+    return 2;
+  }
+  Counts all{};
+  for (int i = 1; i < argc; ++i) {
+    const Counts counts = counts_of(argv[i]);
+    double total = 0;
+    for (const double count : counts) total += count;
+    for (size_t symbol = 0; symbol < all.size(); ++symbol)
+      all[symbol] += counts[symbol] / total * 100000;
+  }
+  std::vector<uint32_t> below;
+  for (const discmc::reference::SymbolRows& rows : discmc::reference::symbol_rows())
+    for (uint32_t row = 0; row < rows.rows; ++row) {
+      std::vector<bool> there_is(rows.symbols, true);
+      if (rows.name == std::string("corners"))
+        for (uint32_t i = 0; i < rows.symbols; ++i)
+          there_is[i] = discmc::reference::has_corners(rows.symbols == 2   ? 0
+                                                       : rows.symbols == 9 ? 1
+                                                                           : 2,
+                                                       i);
+      uint32_t sum = 0;
+      for (const uint32_t share : shares_of(&all[rows.first + row * rows.symbols], there_is)) {
+        below.push_back(sum & 0xFF);
+        sum += share;
+      }
+    }
+  below.push_back(0);
+  print(below);
+}

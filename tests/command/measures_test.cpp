@@ -1,0 +1,107 @@
+// The measures of surfaces, alone and as files: extract -o FILE.csv.
+#include "meshes/measures.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "command.hpp"
+#include "mesh_files/mesh_files.hpp"
+#include "sample_reader.hpp"
+#include "surface/components.hpp"
+
+namespace {
+
+using namespace discmc::command;
+using discmc::Vertex;
+using discmc::reference::BitVolume;
+using sample_reader::merged_mesh;
+
+void fill(BitVolume& volume, const Vertex& first, const Vertex& last, std::uint8_t on) {
+  for (int z = first.z; z <= last.z; ++z)
+    for (int y = first.y; y <= last.y; ++y)
+      for (int x = first.x; x <= last.x; ++x) volume.on[volume.index(x, y, z)] = on;
+}
+
+// A block with a cavity, and a smaller one beside it.
+BitVolume two_blocks() {
+  BitVolume volume({30, 20, 20});
+  fill(volume, {2, 3, 4}, {13, 14, 15}, 1);
+  fill(volume, {6, 7, 8}, {9, 9, 9}, 0);
+  fill(volume, {18, 5, 5}, {22, 9, 9}, 1);
+  return volume;
+}
+
+constexpr Point spacing = {0.5, 1, 2};
+
+}  // namespace
+
+TEST_CASE("bodies and cavities are counted, and the volume is that of the components") {
+  const Mesh mesh = merged_mesh(two_blocks(), Faces::triangles, spacing);
+  const Measures measures = measures_of(mesh);
+  REQUIRE(measures.enclosed);
+  CHECK(measures.enclosed->bodies == 2);
+  CHECK(measures.enclosed->cavities == 1);
+
+  sample_reader::SampleReader reader(two_blocks(), spacing);
+  SurfaceBuilder builder;
+  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed, 0, {}},
+          discmc::make_sink(builder));
+  builder.surface().spacing_mm = spacing;
+  double volume = 0;
+  for (const Component& each : components(builder.surface())) volume += each.volume_mm3;
+  CHECK(measures.enclosed->volume_mm3 == doctest::Approx(volume).epsilon(1e-12));
+}
+
+TEST_CASE("a single voxel is an octahedron, whose measures are known") {
+  BitVolume one({5, 5, 5});
+  fill(one, {2, 1, 3}, {2, 1, 3}, 1);
+  const Measures measures = measures_of(merged_mesh(one, Faces::triangles));
+  REQUIRE(measures.enclosed);
+  CHECK(measures.enclosed->volume_mm3 == doctest::Approx(1.0 / 6));
+  CHECK(measures.area_mm2 == doctest::Approx(std::sqrt(3.0)));
+  CHECK(measures.min_mm == Point{1.5, 0.5, 2.5});
+  CHECK(measures.max_mm == Point{2.5, 1.5, 3.5});
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    CHECK(measures.enclosed->centre_mm[axis] == doctest::Approx(Point{2, 1, 3}[axis]));
+}
+
+TEST_CASE("a mesh that is not closed encloses nothing, and an empty one has no extent") {
+  Mesh mesh = merged_mesh(two_blocks(), Faces::triangles);
+  mesh.corners.resize(mesh.corners.size() - 3);
+  mesh.face_begin.pop_back();
+  mesh.name = "open, \"cut\"";
+  CHECK(!measures_of(mesh).enclosed);
+  std::ostringstream csv, json, empty;
+  write_csv({&mesh}, csv);
+  CHECK(csv.str().find("\n\"open, \"\"cut\"\"\",,") != std::string::npos);
+  write_json({&mesh}, json);
+  CHECK(json.str().find(R"("name": "open, \"cut\"", "volume_mm3": null, "area_mm2": )") !=
+        std::string::npos);
+  const Mesh none;
+  write_json({&none}, empty);
+  CHECK(empty.str().find(R"("volume_mm3": 0, "area_mm2": 0, "bodies": 0, "cavities": 0, )"
+                         R"("min_x_mm": null)") != std::string::npos);
+}
+
+TEST_CASE("extract and decode write measures in place of meshes, a line per label") {
+  const command_tests::Workshop workshop;
+  std::string bytes;
+  BitVolume volume = two_blocks();
+  fill(volume, {18, 5, 5}, {22, 9, 9}, 2);
+  for (const std::uint8_t label : volume.on) bytes += static_cast<char>(label);
+  workshop.write("v.raw", bytes);
+  const std::string labels = "v.raw --dims 30,20,20 --type u8 -q --labels all ";
+  workshop.done("extract " + labels + "-o v.csv");
+  const std::string table = workshop.read("v.csv");
+  CHECK(table.rfind("name,volume_mm3,area_mm2,bodies,cavities,min_x_mm,", 0) == 0);
+  CHECK(command_tests::contains(table, "\n1,"));
+  CHECK(command_tests::contains(table, "\n2,"));
+  workshop.done("extract " + labels + "--largest 1 -o v.json");
+  CHECK(command_tests::contains(workshop.read("v.json"), "\"bodies\": 1, \"cavities\": 0"));
+  workshop.done("extract v.raw --dims 30,20,20 --type u8 -q --iso 1 -o v.dmc");
+  workshop.done("decode v.dmc -o decoded.csv");
+  CHECK(command_tests::contains(workshop.read("decoded.csv"), ",2,1,"));
+}

@@ -1,0 +1,374 @@
+// Masks without the steps of their voxels: extract --smooth.
+#include "smoothing/smoothed_volume.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "command.hpp"
+#include "meshes/mesh.hpp"
+#include "sampled_field.hpp"
+#include "smoothing/smoothed_labels.hpp"
+
+namespace {
+
+using namespace discmc::command;
+using namespace sampled_field;
+using discmc::reference::BitVolume;
+using sample_reader::bit_threshold;
+
+Grid grid_of(const BitVolume& volume, const Point& spacing_mm) {
+  return {{volume.width, volume.height, volume.depth}, spacing_mm};
+}
+
+// The slices of a mask, one after another.
+SliceSource slices_of(const BitVolume& volume) {
+  const std::size_t slice = std::size_t{volume.width} * volume.height;
+  return [&volume, slice, next = std::size_t{0}](float* samples) mutable {
+    std::copy_n(volume.on.begin() + static_cast<std::ptrdiff_t>(next), slice, samples);
+    next += slice;
+  };
+}
+
+template <class Stage>
+std::vector<float> all_of(Stage& stage, const Grid& grid) {
+  std::vector<float> all(grid.slice_samples() * grid.dims[2]);
+  for (std::size_t at = 0; at < all.size(); at += grid.slice_samples()) stage.next(all.data() + at);
+  return all;
+}
+
+// In millimetres.
+std::vector<Point> midpoints_of(const BitVolume& volume, const Point& spacing_mm) {
+  std::vector<Point> midpoints;
+  for (std::uint32_t z = 0; z < volume.depth; ++z)
+    for (std::uint32_t y = 0; y < volume.height; ++y)
+      for (std::uint32_t x = 0; x < volume.width; ++x)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          std::array<std::uint32_t, 3> next = {x, y, z};
+          ++next[axis];
+          if (!volume.contains(next[0], next[1], next[2]) ||
+              volume.at(x, y, z) == volume.at(next[0], next[1], next[2]))
+            continue;
+          Point midpoint = {1.0 * x, 1.0 * y, 1.0 * z};
+          midpoint[axis] += 0.5;
+          for (std::size_t i = 0; i < 3; ++i) midpoint[i] *= spacing_mm[i];
+          midpoints.push_back(midpoint);
+        }
+  return midpoints;
+}
+
+double nearest(const std::vector<Point>& points, const Point& to, double limit) {
+  for (const Point& point : points)
+    limit = std::min(limit, std::hypot(point[0] - to[0], point[1] - to[1], point[2] - to[2]));
+  return limit;
+}
+
+void check_distances(const BitVolume& volume, const Point& spacing_mm, double limit) {
+  const Grid grid = grid_of(volume, spacing_mm);
+  SignedDistance distance(grid, limit, slices_of(volume));
+  const std::vector<float> distances = all_of(distance, grid);
+  const std::vector<Point> midpoints = midpoints_of(volume, spacing_mm);
+  double farthest_off = 0;
+  for (std::uint32_t z = 0; z < volume.depth; ++z)
+    for (std::uint32_t y = 0; y < volume.height; ++y)
+      for (std::uint32_t x = 0; x < volume.width; ++x) {
+        const Point here = {x * spacing_mm[0], y * spacing_mm[1], z * spacing_mm[2]};
+        const double expected = nearest(midpoints, here, limit) * (volume.at(x, y, z) ? 1 : -1);
+        const std::size_t at = volume.index(x, y, z);
+        farthest_off =
+            std::max(farthest_off, std::fabs(static_cast<double>(distances[at]) - expected));
+      }
+  CHECK(farthest_off < 1e-4);
+}
+
+struct Smoothed {
+  std::vector<float> samples;
+  Mesh mesh;
+};
+
+Smoothed smoothed(const BitVolume& volume, const Point& spacing_mm, double deviation_mm) {
+  Smoothed result;
+  SampleReader reader(volume, spacing_mm);
+  SmoothedVolume smooth(reader, {bit_threshold}, nullptr, deviation_mm);
+  result.samples.resize(volume.voxels());
+  const std::size_t slice = std::size_t{volume.width} * volume.height;
+  for (std::size_t at = 0; at < result.samples.size(); at += slice)
+    smooth.read_slice(result.samples.data() + at);
+
+  SampleReader again(volume, spacing_mm);
+  SmoothedVolume source(again, {bit_threshold}, nullptr, deviation_mm);
+  SurfaceBuilder builder;
+  CrossingFinder finder(source.info(), {0});
+  extract(source, {{0}, Border::closed, 0, {}}, {{{0}, discmc::make_sink(builder), &finder}});
+  builder.surface().spacing_mm = spacing_mm;
+  result.mesh = build_mesh(builder.surface(), {true, Faces::triangles, &finder.crossings(), 0.05});
+  return result;
+}
+
+// A ball of radius 20 mm in voxels that are longer along z, and its middle.
+constexpr Point long_voxels = {1, 1, 3};
+constexpr double radius = 20;
+constexpr Point middle = {29.7, 29.6, 31.8};
+
+BitVolume ball_of_long_voxels() {
+  BitVolume volume({60, 60, 22});
+  for (std::uint32_t z = 0; z < volume.depth; ++z)
+    for (std::uint32_t y = 0; y < volume.height; ++y)
+      for (std::uint32_t x = 0; x < volume.width; ++x)
+        volume.on[volume.index(x, y, z)] =
+            std::hypot(x - middle[0], y - middle[1], 3 * z - middle[2]) <= radius ? 1 : 0;
+  return volume;
+}
+
+double enclosed(const Mesh& mesh) {
+  double volume = 0;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    volume += dot(area_vector(mesh, face), mesh.vertices_mm[mesh.face(face)[0]]) / 3;
+  return volume;
+}
+
+struct Roundness {
+  double area = 0, volume = 0;
+  double mean_degrees = 0;  // between the faces' normals and those of the ball, by area
+};
+
+Roundness roundness_of(const Mesh& mesh) {
+  Roundness result;
+  double degrees = 0;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    const Point normal = area_vector(mesh, face);
+    const double area = std::sqrt(dot(normal, normal));
+    if (area == 0) continue;
+    Point out = {0, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        out[axis] += (mesh.vertices_mm[mesh.face(face)[i]][axis] - middle[axis]) / 3;
+    const double cosine = dot(normal, out) / (area * std::sqrt(dot(out, out)));
+    degrees += area * std::acos(std::min(1.0, std::max(-1.0, cosine))) * 180 / std::acos(-1.0);
+    result.area += area;
+  }
+  result.volume = enclosed(mesh);
+  result.mean_degrees = degrees / result.area;
+  return result;
+}
+
+// A ball in three parts that meet along a line through its middle: 1, 2 and 3.
+std::vector<int> parts_of_a_ball(int extent) {
+  std::vector<int> labels;
+  const double middle_of_parts = extent / 2.0 - 0.4;
+  for (int z = 0; z < extent; ++z)
+    for (int y = 0; y < extent; ++y)
+      for (int x = 0; x < extent; ++x) {
+        const double dx = x - middle_of_parts, dy = y - middle_of_parts, dz = z - middle_of_parts;
+        const int part = dy > std::fabs(dx) ? 1 : dx > 0 ? 2 : 3;
+        labels.push_back(std::hypot(dx, dy, dz) < extent * 0.375 ? part : 0);
+      }
+  return labels;
+}
+
+BitVolume with_box(Size size, const Vertex& first, const Vertex& last) {
+  return discmc::reference::box(size, first, last);
+}
+
+}  // namespace
+
+TEST_CASE("the distance is that to the nearest midpoint, whatever the spacing and the limit") {
+  for (const double limit : {3.5, 100.0}) {
+    check_distances(discmc::reference::random({9, 8, 7}, 128, 1), {1, 1, 1}, limit);
+    check_distances(discmc::reference::random({9, 8, 7}, 10, 2), {0.7, 1.1, 2.5}, limit);
+    check_distances(discmc::reference::random({1, 12, 5}, 60, 3), {2, 1, 0.5}, limit);
+    check_distances(discmc::reference::random({12, 1, 1}, 60, 4), {1, 2, 3}, limit);
+    check_distances(with_box({14, 13, 12}, {4, 4, 4}, {9, 8, 7}), {1, 1, 3}, limit);
+  }
+}
+
+TEST_CASE("a blur keeps a constant, and what rises evenly away from the ends") {
+  const Grid grid{{24, 20, 22}, {1, 1, 2}};
+  std::uint32_t z = 0;
+  GaussianBlur blur(grid, 1.2, [&](float* slice) {
+    for (std::uint32_t i = 0; i < grid.slice_samples(); ++i)
+      slice[i] = static_cast<float>(5 + 2 * (i % 24) + 3 * (i / 24) + 7 * z);
+    ++z;
+  });
+  const std::vector<float> blurred = all_of(blur, grid);
+  for (const std::uint32_t x : {6U, 12U, 17U})
+    for (const std::uint32_t y : {5U, 14U})
+      for (const std::uint32_t slice : {3U, 10U, 18U})
+        CHECK(blurred[(slice * 20 + y) * 24 + x] ==
+              doctest::Approx(5.0 + 2 * x + 3 * y + 7 * slice));
+}
+
+TEST_CASE("a blur spreads a voxel as the Gaussian has it") {
+  const Grid grid{{15, 15, 15}, {1, 1, 1}};
+  BitVolume one({15, 15, 15});
+  one.on[one.index(7, 7, 7)] = 1;
+  GaussianBlur blur(grid, 1, slices_of(one));
+  const std::vector<float> blurred = all_of(blur, grid);
+  const auto at = [&](int x, int y, int z) { return blurred[one.index(7 + x, 7 + y, 7 + z)]; };
+  for (int i = 1; i <= 3; ++i) {
+    const float weight = static_cast<float>(std::exp(-0.5 * i * i));
+    CHECK(at(i, 0, 0) / at(0, 0, 0) == doctest::Approx(weight));
+    CHECK(at(0, -i, 0) / at(0, 0, 0) == doctest::Approx(weight));
+    CHECK(at(0, 0, i) / at(0, 0, 0) == doctest::Approx(weight));
+  }
+  CHECK(at(4, 0, 0) == 0);
+  double sum = 0;
+  for (const float each : blurred) sum += static_cast<double>(each);
+  CHECK(sum == doctest::Approx(1));
+}
+
+TEST_CASE("a smoothed ball of voxels is round, also where voxels are three times as long") {
+  const BitVolume ball = ball_of_long_voxels();
+  const Roundness round = roundness_of(smoothed(ball, long_voxels, 3).mesh);
+  const double pi = std::acos(-1.0);
+  CHECK(round.mean_degrees < 3);
+  CHECK(round.area == doctest::Approx(4 * pi * radius * radius).epsilon(0.01));
+  CHECK(round.volume ==
+        doctest::Approx(3.0 * static_cast<double>(std::count(ball.on.begin(), ball.on.end(), 1)))
+            .epsilon(0.012));
+}
+
+TEST_CASE("parts of two voxels stay, and flat faces lie where they were") {
+  const std::vector<BitVolume> parts = {with_box({40, 40, 12}, {5, 5, 5}, {34, 34, 6}),
+                                        with_box({40, 12, 12}, {5, 5, 5}, {34, 6, 6})};
+  for (const BitVolume& part : parts) {
+    const std::vector<float> samples = smoothed(part, {1, 1, 1}, 1).samples;
+    for (std::uint32_t z = 0; z < part.depth; ++z)
+      for (std::uint32_t y = 0; y < part.height; ++y)
+        for (std::uint32_t x = 0; x < part.width; ++x) {
+          if (x < 8 || x > 31 || (part.height > 12 && (y < 8 || y > 31))) continue;
+          const bool is_on = samples[part.index(x, y, z)] >= 0;
+          CHECK(is_on == part.at(x, y, z));
+        }
+  }
+  const BitVolume block = with_box({30, 30, 30}, {6, 6, 6}, {23, 23, 23});
+  const std::vector<float> samples = smoothed(block, {1, 1, 1}, 1).samples;
+  CHECK(samples[block.index(15, 15, 6)] == doctest::Approx(0.5).epsilon(0.01));
+  CHECK(samples[block.index(15, 15, 5)] == doctest::Approx(-0.5).epsilon(0.01));
+}
+
+TEST_CASE("--smooth takes a mask, a label and a threshold, and gives triangles") {
+  using command_tests::contains;
+  const command_tests::Workshop workshop;
+  std::string bytes;
+  for (const std::uint8_t on : ball_of_long_voxels().on) bytes += static_cast<char>(2 * on);
+  workshop.write("v.raw", bytes);
+  const std::string volume = "extract v.raw --dims 60,60,22 --spacing 1,1,3 --type u8 -q ";
+  workshop.done(volume + "--iso 1 --smooth auto -o auto.obj");
+  const Roundness round = roundness_of(command_tests::mesh_of_obj(workshop.read("auto.obj")));
+  CHECK(round.mean_degrees < 3);
+  for (const std::string same :
+       {"--iso 1 --smooth 3", "--label 2 --smooth auto", "--range 1..9 --smooth 3.0",
+        "--iso 1 --smooth auto --surface interpolated"}) {
+    workshop.done(volume + same + " -o same.obj");
+    CHECK(workshop.read("same.obj") == workshop.read("auto.obj"));
+  }
+  workshop.done(volume + "--iso 1 --smooth auto --surface merged -o merged.obj");
+  CHECK(roundness_of(command_tests::mesh_of_obj(workshop.read("merged.obj"))).mean_degrees > 10);
+  workshop.done(volume + "--iso 1 --smooth auto -o v.dmc");
+  workshop.done("decode v.dmc -o decoded.obj");
+  workshop.done(volume + "--iso 1 --smooth auto --faces polygons -o polygons.ply");
+
+  CHECK(contains(workshop.run(volume + "--iso 1 --smooth 0 -o v.stl").error,
+                 "invalid deviation '0'; expected auto, or millimetres"));
+  CHECK(contains(workshop.run(volume + "--iso 1 --iso 2 --smooth auto -o '{name}.stl'").error,
+                 "takes one surface"));
+  CHECK(contains(workshop.run(volume + "--iso 1 --smooth auto --normals gradient -o v.ply").error,
+                 "--normals surface"));
+  CHECK(contains(workshop.run(volume + "--iso 1 --smooth auto --median 3 -o v.stl").error,
+                 "--median"));
+}
+
+TEST_CASE("a mask is cut before the rest is smoothed") {
+  const BitVolume ball = ball_of_long_voxels();
+  const BitVolume half = with_box({60, 60, 22}, {0, 0, 0}, {30, 59, 21});
+  BitVolume both = ball;
+  for (std::size_t i = 0; i < both.on.size(); ++i)
+    both.on[i] = static_cast<std::uint8_t>(both.on[i] & half.on[i]);
+  SampleReader samples(ball), expected(both);
+  std::vector<int> ones;
+  for (const std::uint8_t on : half.on) ones.push_back(on);
+  SampleReader mask({60, 60, 22}, ones);
+  SmoothedVolume cut(samples, {bit_threshold}, &mask, 1.5);
+  SmoothedVolume whole(expected, {bit_threshold}, nullptr, 1.5);
+  std::vector<float> a(60 * 60), b(60 * 60);
+  for (int z = 0; z < 22; ++z) {
+    cut.read_slice(a.data());
+    whole.read_slice(b.data());
+    CHECK(a == b);
+  }
+}
+
+TEST_CASE("labels are smoothed one by one, and keep their volumes") {
+  const int extent = 48;
+  const std::vector<int> samples = parts_of_a_ball(extent);
+  SampleReader reader({48, 48, 48}, samples);
+  std::vector<std::size_t> progress;
+  const std::vector<SmoothedLabel> labels = smoothed_labels(
+      reader, {}, 1, [&](std::size_t done, std::size_t all) { progress.push_back(all - done); });
+  REQUIRE(labels.size() == 3);
+  CHECK(progress == std::vector<std::size_t>{2, 1, 0});
+  double all = 0;
+  for (const SmoothedLabel& label : labels) {
+    const Mesh mesh = build_mesh(label.surface.surface,
+                                 {true, Faces::triangles, &label.crossings.crossings(), 0.05});
+    const auto voxels = static_cast<double>(label.surface.voxels);
+    CHECK(enclosed(mesh) == doctest::Approx(voxels).epsilon(0.01));
+    all += enclosed(mesh);
+  }
+  CHECK(all == doctest::Approx(static_cast<double>(samples.size()) -
+                               static_cast<double>(std::count(samples.begin(), samples.end(), 0)))
+                   .epsilon(0.01));
+}
+
+TEST_CASE("a label in its box is smoothed as in the whole volume") {
+  const BitVolume block = with_box({40, 30, 20}, {20, 3, 2}, {33, 9, 12});
+  std::vector<int> samples;
+  for (const std::uint8_t on : block.on) samples.push_back(7 * on);
+  SampleReader reader({40, 30, 20}, samples);
+  const std::vector<SmoothedLabel> labels = smoothed_labels(reader, {}, 1, {});
+  REQUIRE(labels.size() == 1);
+  const Mesh of_box = build_mesh(labels[0].surface.surface,
+                                 {true, Faces::triangles, &labels[0].crossings.crossings(), 0.05});
+  const Mesh of_whole = smoothed(block, {1, 1, 1}, 1).mesh;
+  CHECK(of_box.corners == of_whole.corners);
+  REQUIRE(of_box.vertices_mm.size() == of_whole.vertices_mm.size());
+  for (std::size_t i = 0; i < of_box.vertices_mm.size(); ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      CHECK(of_box.vertices_mm[i][axis] ==
+            doctest::Approx(of_whole.vertices_mm[i][axis]).epsilon(1e-4));
+}
+
+TEST_CASE("labels that are side by side share their smoothed surface") {
+  std::vector<int> samples;
+  for (int i = 0; i < 30 * 20 * 20; ++i) samples.push_back(i % 30 < 17 ? 4 : 9);
+  SampleReader reader({30, 20, 20}, samples);
+  const std::vector<SmoothedLabel> labels = smoothed_labels(reader, {}, 1, {});
+  REQUIRE(labels.size() == 2);
+  for (const SmoothedLabel& label : labels) {
+    const Mesh mesh = build_mesh(label.surface.surface,
+                                 {true, Faces::triangles, &label.crossings.crossings(), 0.05});
+    double nearest_to_seam = 100;
+    for (const Point& vertex : mesh.vertices_mm)
+      nearest_to_seam = std::min(nearest_to_seam, std::fabs(vertex[0] - 16.5));
+    CHECK(nearest_to_seam < 1e-3);
+    CHECK(enclosed(mesh) == doctest::Approx((label.surface.label == 4 ? 17 : 13) * 400)
+                                .epsilon(0.006));  // edges are cut
+  }
+}
+
+TEST_CASE("--smooth with --labels writes a smooth mesh of each") {
+  const command_tests::Workshop workshop;
+  std::string bytes;
+  for (const int label : parts_of_a_ball(48)) bytes += static_cast<char>(label);
+  workshop.write("v.raw", bytes);
+  const std::string extract = "extract v.raw --dims 48,48,48 --type u8 -q --smooth auto ";
+  workshop.done(extract + "--labels all -o '{name}.obj'");
+  workshop.done(extract + "--label 2 -o label.obj");
+  const Mesh one = command_tests::mesh_of_obj(workshop.read("2.obj"));
+  const Mesh same = command_tests::mesh_of_obj(workshop.read("label.obj"));
+  CHECK(enclosed(one) == doctest::Approx(enclosed(same)).epsilon(1e-5));
+  workshop.done(extract + "--labels 1,3 -o all.glb");
+}

@@ -1,0 +1,62 @@
+// The rows of shares, by name: as many rows as stand one after the other, of as many symbols each.
+#ifndef DISCMC_TESTS_ORACLE_SYMBOL_ROWS_HPP
+#define DISCMC_TESTS_ORACLE_SYMBOL_ROWS_HPP
+
+#include <discmc/stream/shares.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace discmc::reference {
+
+struct SymbolRows {
+  const char* name;
+  uint32_t first;
+  uint32_t rows;
+  uint32_t symbols;
+};
+
+/// All of them, in the order of the table.
+inline std::vector<SymbolRows> symbol_rows() {
+  namespace of = stream::rows;
+  std::vector<SymbolRows> all{{"kinds", of::kinds, 3, of::of_kinds},
+                              {"places", of::places, 1, stream::place::count},
+                              {"axes", of::axes, 8, 4},
+                              {"steps_x", of::steps_x, 5, of::of_number},
+                              {"steps_y", of::steps_y, 1, of::of_number},
+                              {"steps_z", of::steps_z, 1, of::of_number},
+                              {"headings", of::headings, 9, of::of_headings},
+                              {"lengths", of::lengths, 4, of::of_number},
+                              {"longer", of::longer, 4, of::of_number},
+                              {"is_last", of::is_last, 6, 2},
+                              {"plain", of::plain, 1, of::of_number}};
+  for (uint32_t link_class = 0; link_class < 3; ++link_class) {
+    const uint32_t first = of::of_class(link_class);
+    const uint32_t directions = 4 + 2 * link_class;
+    const auto by_direction = [&](uint32_t place) {
+      return first + of::by_direction + directions * place;
+    };
+    all.push_back({"ring_direction", first + of::ring_direction, 1, 4});
+    all.push_back({"two_lengths", first + of::two_lengths, 1, 16});
+    all.push_back({"cut_turn", by_direction(of::cut_turn), 2, directions});
+    all.push_back({"first_direction", by_direction(of::first_direction), 1, directions});
+    all.push_back({"turn", by_direction(of::turn), link_class == 2 ? 2U : 1U, 2 * directions});
+    all.push_back({"corners", first + of::corners(link_class), 1, of::of_corners(link_class)});
+  }
+  return all;
+}
+
+/// Whether there is a ring with these corners: it closes after three, or after four that are each
+/// less than a half turn. Symbol 0 is any other ring.
+inline bool has_corners(uint32_t link_class, uint32_t symbol) {
+  if (symbol == 0) return true;
+  const uint32_t directions = 4 + 2 * link_class;
+  const uint32_t most = directions / 2 - 1;
+  const uint32_t code = symbol - 1;
+  const uint32_t sum = 3 + code % most + code / most % most + code / most / most;
+  return sum == directions || (sum < directions && directions - sum <= most);
+}
+
+}  // namespace discmc::reference
+
+#endif

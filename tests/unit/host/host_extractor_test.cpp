@@ -1,0 +1,591 @@
+// An extractor for hosts says what any other says, wherever it hands its fragments over.
+#include <doctest/doctest.h>
+
+#include <discmc/host/host_extractor.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <memory>
+#include <vector>
+
+#include "oracle/event_log.hpp"
+#include "oracle/join.hpp"
+#include "oracle/naive_join.hpp"
+#include "oracle/scan.hpp"
+#include "oracle/thinned.hpp"
+
+using namespace discmc;
+using namespace discmc::reference;
+
+namespace {
+
+// With so many slots chains are kept as nodes, and with a few more for a while.
+constexpr uint32_t min_for_nodes = host::Chains::min_slots;
+constexpr Capacities much{min_for_nodes + 20000, 100};
+
+// A plate with holes of many shapes: rings of many runs, and such as touch themselves.
+BitVolume plate() {
+  const Size size{60, 50, 3};
+  const BitVolume noise = random(size, 190, 6);
+  BitVolume volume = box(size, {0, 0, 1}, {59, 49, 1});
+  for (size_t y = 1; y + 1 < size.height; ++y)
+    for (size_t x = 1; x + 1 < size.width; ++x) {
+      const size_t i = (size.height + y) * size.width + x;
+      volume.on[i] = noise.on[i];
+    }
+  return volume;
+}
+
+std::vector<BitVolume> volumes() {
+  return {random({40, 9, 12}, 128, 1),
+          random({9, 40, 12}, 20, 2),
+          checkerboard({8, 8, 8}),
+          ball({30, 30, 30}, {29, 29, 29}, 600),
+          box({5, 5, 5}, {1, 1, 1}, {3, 3, 3}),
+          box({4200, 3, 3}, {0, 1, 1}, {4199, 1, 1}),
+          plate()};
+}
+
+// The events of an extractor.
+template <class Extractor>
+EventLog scanned(Extractor& extractor, const BitVolume& volume, const Plan& plan,
+                 const Capacities& capacities = much, const EventLog::Refuses& refuses = {}) {
+  EventLog log(refuses);
+  const Limits limits = limits_of(volume, plan.border);
+  Block block(bytes_for<uint32_t>(limits, capacities));
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
+  push_all(extractor, volume.on);
+  finish_all(extractor);
+  CHECK(block.is_intact());
+  return log;
+}
+
+// What any other extractor tells with as much memory as it likes.
+EventLog expected_of(const BitVolume& volume, const Plan& plan = {}) {
+  Extractor32 extractor;
+  return scanned(extractor, volume, plan, {1000000, 1000});
+}
+
+void check_like_others(const Capacities& capacities = much, const EventLog::Refuses& refuses = {}) {
+  HostExtractor extractor;
+  for (const Border border : {Border::closed, Border::open})
+    for (const BitVolume& volume : volumes()) {
+      Plan plan;
+      plan.border = border;
+      Extractor32 other;
+      const EventLog expected = scanned(other, volume, plan, capacities);
+      CHECK(scanned(extractor, volume, plan, capacities, refuses).events == expected.events);
+    }
+}
+
+bool refuses_some(uint64_t offer) {
+  return offer * 0x9E3779B97F4A7C15 >> 62 == 0;
+}
+
+// With so many slots in use they have been taken for queues and nodes.
+template <class Extractor>
+bool has_kept_nodes(const Extractor& extractor) {
+  return extractor.high_water().slots >= min_for_nodes / 4;
+}
+
+// A scan of a volume with few slots beyond the least, so that its fragments are handed over on
+// the way.
+class HandingOver {
+ public:
+  HandingOver(const BitVolume& volume, Border border) : volume_(volume) {
+    plan_.border = border;
+    expected_ = expected_of(volume, plan_);
+  }
+  void check(uint32_t slots_beyond, const EventLog::Refuses& refuses = {}) {
+    CAPTURE(slots_beyond);
+    const Capacities capacities{min_for_nodes + slots_beyond, 1000};
+    const EventLog log = scanned(extractor_, volume_, plan_, capacities, refuses);
+    CHECK(has_kept_nodes(extractor_));
+    CHECK(log.events == expected_.events);
+  }
+
+ private:
+  const BitVolume& volume_;
+  Plan plan_;
+  EventLog expected_;
+  HostExtractor extractor_;
+};
+
+// Walls along a diagonal of the slices, with sides of a thousand links and more, and a little
+// noise.
+BitVolume walls(Size size) {
+  BitVolume volume(size);
+  const BitVolume noise = random(size, 1, 7);
+  for (size_t i = 0; i < volume.on.size(); ++i) {
+    const size_t x = i % size.width, y = i / size.width % size.height;
+    volume.on[i] =
+        static_cast<uint8_t>(((x + y) % 70 < 3 ? 1 : 0) ^ (i % 32 == 0 ? noise.on[i] : 0));
+  }
+  return volume;
+}
+
+// Writes the events down of the regions that it takes whole: of every second one.
+struct EverySecond {
+  EventLog& log;
+  uint32_t offered = 0;
+
+  SinkResult take_region(const host::WholeRegion& region) {
+    if (++offered % 2 == 0) return SinkResult::busy;
+    Event event{};
+    event.incidence = region.incidence;
+    event.start = region.start;
+    const auto write = [&](Event::Kind kind) {
+      event.kind = kind;
+      CHECK(log.take(event) == SinkResult::accepted);
+    };
+    write(Event::Kind::region);
+    write(Event::Kind::ring);
+    for (uint32_t i = 0; i < region.count; ++i) {
+      event.run = region.runs[i];
+      write(Event::Kind::run);
+    }
+    write(Event::Kind::region_end);
+    return SinkResult::accepted;
+  }
+};
+
+// ---- slabs ----
+
+// How many slices the slabs of a volume have, in turn.
+const std::vector<uint32_t> thicknesses[] = {{1}, {2}, {3}, {7}, {3, 1, 2}};
+
+template <class Visit>
+void for_each_slab(const BitVolume& volume, const std::vector<uint32_t>& thick, Visit visit) {
+  size_t turn = 0;
+  for (uint32_t first = 0; first < volume.depth;) {
+    const uint32_t end = std::min(first + thick[turn++ % thick.size()], volume.depth);
+    visit(first, end);
+    first = end;
+  }
+}
+
+struct SlabScan {
+  const BitVolume& volume;
+  Border border;
+  uint32_t first, end;
+
+  Limits limits() const { return limits_of_slab(volume, border, first, end); }
+
+  template <class Extractor>
+  EventLog by(Extractor& extractor, const Capacities& capacities,
+              const EventLog::Refuses& refuses = {}) const {
+    EventLog log(refuses);
+    Block block(bytes_for<uint32_t>(limits(), capacities));
+    require_ok(extractor.start(limits(), capacities, 1, block.memory(), make_sink(log)));
+    push_all(extractor, voxels_of_slab(volume, first, end));
+    finish_all(extractor);
+    CHECK(block.is_intact());
+    return log;
+  }
+};
+
+// What a slab sends, in an order of its own: regions, loose fragments and counts, as numbers.
+std::vector<std::vector<uint64_t>> parts_of(const EventLog& log, const SlabScan& scan) {
+  (void)collected(log.events, scan.limits().slab);  // checks the grammar
+  std::vector<std::vector<uint64_t>> parts(1);
+  for (const RecordedEvent& event : log.events) {
+    for_each_number(event.event(), [&](uint64_t number) { parts.back().push_back(number); });
+    if (event.is(Event::Kind::region_end) || event.is(Event::Kind::fragment_end) ||
+        event.is(Event::Kind::start) || event.is(Event::Kind::layer))
+      parts.emplace_back();
+  }
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
+// Of a region or a loose fragment.
+bool is_piece(const RecordedEvent& event) {
+  return !event.is(Event::Kind::start) && !event.is(Event::Kind::layer) &&
+         !event.is(Event::Kind::finish);
+}
+
+std::vector<Region> regions_among(const Events& events) {
+  std::vector<Region> regions;
+  Vertex at{};
+  for (const RecordedEvent& recorded : events) {
+    const Event event = recorded.event();
+    if (recorded.is(Event::Kind::region)) regions.push_back({event.incidence, {}});
+    if (recorded.is(Event::Kind::ring)) {
+      regions.back().rings.emplace_back();
+      at = event.start;
+    }
+    if (recorded.is(Event::Kind::run)) {
+      const Incidence incidence = regions.back().incidence;
+      const Ring side = vertices_of(incidence, at, {event.run});
+      Ring& ring = regions.back().rings.back();
+      ring.insert(ring.end(), side.begin(), side.end());
+      move(at, incidence, event.run.direction(), event.run.length());
+    }
+  }
+  return canonical(std::move(regions));
+}
+
+// Straight up through all slices, but for a few voxels.
+BitVolume rough_columns(Size size) {
+  BitVolume volume = columns(size);
+  const BitVolume noise = random(size, 12, 9);
+  for (size_t i = 0; i < volume.on.size(); ++i) volume.on[i] ^= noise.on[i];
+  return volume;
+}
+
+// Chains of all kinds across seams: holes in levels, straight up, up and down, and noise.
+std::vector<BitVolume> volumes_of_slabs() {
+  return {random({13, 9, 8}, 128, 1),
+          random({33, 12, 15}, 20, 2),
+          checkerboard({8, 8, 8}),
+          columns({9, 9, 9}),
+          ball({18, 18, 18}, {17, 17, 17}, 200),
+          box({5, 5, 15}, {1, 1, 0}, {3, 3, 14}),
+          torus({24, 24, 24}, 8, 3),
+          spiral({15, 15, 9})};
+}
+
+}  // namespace
+
+TEST_CASE("an extractor for hosts gives the events of any other, from scan to scan") {
+  check_like_others();
+}
+
+TEST_CASE("it does with too few slots to keep nodes, down to those for little") {
+  constexpr uint32_t slots[] = {60, 200, 1100, 3000, min_for_nodes - 1};
+  for (size_t i = 0; i < std::size(slots); i += step(2)) check_like_others({slots[i], 10});
+  HostExtractor extractor;
+  (void)scanned(extractor, plate(), {}, {min_for_nodes - 1, 10});
+  CHECK(!has_kept_nodes(extractor));
+  (void)scanned(extractor, plate(), {}, {min_for_nodes, 10});
+  CHECK(has_kept_nodes(extractor));
+}
+
+TEST_CASE("it does wherever the sink says not now") {
+  for (const Capacities& capacities : {much, Capacities{1200, 10}}) {
+    check_like_others(capacities, refuses_first);
+    check_like_others(capacities, refuses_some);
+  }
+}
+
+TEST_CASE("it does where one ring alone is refused, whole or behind any of its events") {
+  // Two plates, one with a hole: rings with and without holes on their plane.
+  BitVolume plates = box({9, 5, 5}, {0, 0, 1}, {8, 4, 1});
+  plates.on[plates.index(2, 2, 1)] = 0;
+  for (int64_t x = 0; x < 4; ++x) plates.on[plates.index(x, 3, 3)] = 1;
+  const EventLog expected = expected_of(plates);
+  HostExtractor extractor;
+  for (uint64_t refused = 0; refused < expected.events.size(); ++refused) {
+    const auto refuses = [refused](uint64_t offer) { return offer == refused; };
+    const EventLog log = scanned(extractor, plates, {}, {min_for_nodes, 10}, refuses);
+    CHECK(log.events == expected.events);
+    CHECK(log.refusals() == 1);
+  }
+}
+
+TEST_CASE("a region that is given whole is one that is left to the sink") {
+  HostExtractor extractor;
+  for (const BitVolume& volume : volumes()) {
+    EventLog log;
+    EverySecond receiver{log};
+    Block block(bytes_for<uint32_t>(limits_of(volume, Border::closed), much));
+    require_ok(extractor.start(limits_of(volume, Border::closed), much, 1, block.memory(),
+                               make_sink(log)));
+    extractor.give_regions_to(receiver);
+    push_all(extractor, volume.on);
+    finish_all(extractor);
+    CHECK(receiver.offered > 0);
+    CHECK(log.events == expected_of(volume).events);
+  }
+}
+
+TEST_CASE("it does wherever the fragments are handed over") {
+  const BitVolume noise = random({150, 110, 4}, 60, 8);
+  HandingOver closed(noise, Border::closed), open(noise, Border::open);
+  for (uint32_t beyond = 0; beyond < 24000; beyond += 2000 * step(3)) {
+    closed.check(beyond);
+    open.check(beyond, refuses_some);
+  }
+}
+
+TEST_CASE("long sides are handed over, too") {
+  const BitVolume volume = walls({1400, 900, 2});
+  HandingOver scan(volume, Border::closed);
+  for (const uint32_t beyond : {0U, 2000U, 5000U, 10000U}) scan.check(beyond);
+}
+
+TEST_CASE("the fragments are handed over where slices are too many for a corner's place") {
+  const BitVolume column = box({2, 1, 33000}, {0, 0, 0}, {0, 0, 32999});
+  for (const Border border : {Border::closed, Border::open}) HandingOver(column, border).check(0);
+}
+
+TEST_CASE("a slab has the regions, the loose fragments and the counts of any other's") {
+  HostExtractor extractor;
+  Extractor32 other;
+  for (const BitVolume& volume : volumes_of_slabs())
+    for (const Border border : {Border::closed, Border::open})
+      for (const std::vector<uint32_t>& thick : thicknesses) {
+        CAPTURE(volume.depth);
+        CAPTURE(thick[0]);
+        for_each_slab(volume, thick, [&](uint32_t first, uint32_t end) {
+          const SlabScan scan{volume, border, first, end};
+          const EventLog log = scan.by(extractor, much);
+          CHECK(parts_of(log, scan) == parts_of(scan.by(other, {1000000, 1000}), scan));
+          CHECK(has_kept_nodes(extractor));
+          CHECK(scan.by(extractor, much, refuses_first).events == log.events);
+          CHECK(scan.by(extractor, much, refuses_some).events == log.events);
+        });
+      }
+}
+
+TEST_CASE("slabs join to the whole wherever their fragments are handed over, by whomever scanned") {
+  // With so many slots fragments are handed over in the slice below, the first, a later one, or
+  // not at all.
+  constexpr uint32_t slots[] = {200, min_for_nodes, min_for_nodes + 2000, min_for_nodes + 10000,
+                                min_for_nodes + 30000};
+  HostExtractor extractor;
+  Extractor32 other;
+  uint32_t turn = 0;
+  for (const BitVolume& volume :
+       {random({40, 30, 4}, 128, 5), random({60, 40, 4}, 25, 6), rough_columns({32, 20, 6})})
+    for (const Border border : {Border::closed, Border::open}) {
+      Plan plan;
+      plan.border = border;
+      const EventLog whole = expected_of(volume, plan);
+      const std::vector<Region> regions = collected(whole.events).regions();
+      const std::vector<Region> expected = canonical(regions);
+      for (size_t i = 0; i < std::size(slots); i += step(2)) {
+        const uint32_t capacity = slots[i];
+        for (const std::vector<uint32_t>& thick : {thicknesses[0], thicknesses[4]}) {
+          CAPTURE(capacity);
+          CAPTURE(thick[0]);
+          std::vector<Collector> slabs;
+          Events events;
+          for_each_slab(volume, thick, [&](uint32_t first, uint32_t end) {
+            const SlabScan scan{volume, border, first, end};
+            const EventLog::Refuses refuses = ++turn % 2 == 0 ? refuses_first : nullptr;
+            const EventLog log = turn % 5 == 0 ? scan.by(other, {capacity, 100}, refuses)
+                                               : scan.by(extractor, {capacity, 100}, refuses);
+            slabs.push_back(collected(log.events, scan.limits().slab));
+            std::copy_if(log.events.begin(), log.events.end(), std::back_inserter(events),
+                         is_piece);
+          });
+          CHECK(unlike_joined(slabs, regions) == "");
+          JoinPlan join_plan;
+          join_plan.order = InputOrder::any;
+          join_plan.capacities = enough_for(events);
+          const Joined joined = join_all(events, join_plan);
+          CHECK(joined.report.unmatched == 0);
+          CHECK(regions_among(joined.events) == expected);
+        }
+      }
+    }
+}
+
+TEST_CASE(
+    "a slab has them, too, where more chains cross a seam than queues have room for at first") {
+  const BitVolume volume = columns({60, 60, 3});
+  constexpr Capacities plenty{300000, 100};
+  HostExtractor extractor;
+  Extractor32 other;
+  for (const uint32_t end : {2U, 3U}) {
+    const SlabScan scan{volume, Border::closed, 1, end};
+    CHECK(parts_of(scan.by(extractor, plenty), scan) == parts_of(scan.by(other, plenty), scan));
+  }
+}
+
+TEST_CASE("the corners of loose fragments that have gone out are used again") {
+  HostExtractor extractor;
+  const auto slots_used = [&](bool has_fragments) {
+    BitVolume volume({30, 30, 9});
+    const BitVolume noise = random({30, 30, 2}, 128, 8);
+    const auto put_noise = [&](uint32_t z) {
+      std::copy(noise.on.begin(), noise.on.end(), &volume.on[volume.index(0, 0, z)]);
+    };
+    if (has_fragments) put_noise(0);
+    put_noise(5);
+    (void)SlabScan{volume, Border::closed, 1, 9}.by(extractor, much);
+    return extractor.high_water().slots;
+  };
+  // But for the runs of one fragment, as it goes out.
+  CHECK(slots_used(true) < slots_used(false) + 1000);
+}
+
+TEST_CASE("slabs behind the slices that a corner's place has room for join to the whole") {
+  constexpr uint32_t depth = 32790;
+  BitVolume column({4, 3, depth});
+  const BitVolume noise = random({4, 3, 60}, 90, 7);
+  std::copy(noise.on.begin(), noise.on.end(), &column.on[column.index(0, 0, depth - 60)]);
+  const std::vector<Region> regions = collected(expected_of(column).events).regions();
+  HostExtractor extractor;
+  for (uint32_t cut = 32755; cut < 32775; ++cut) {
+    CAPTURE(cut);
+    std::vector<Collector> slabs;
+    for_each_slab(column, {cut, 2, depth}, [&](uint32_t first, uint32_t end) {
+      const SlabScan scan{column, Border::closed, first, end};
+      slabs.push_back(collected(scan.by(extractor, much).events, scan.limits().slab));
+    });
+    CHECK(unlike_joined(slabs, regions) == "");
+  }
+}
+
+TEST_CASE("a slab without a slice of its own has no surface, however many corners lie beneath it") {
+  const BitVolume noise = random({9, 9, 9}, 128, 5);
+  HostExtractor extractor;
+  for (const bool continues_above : {false, true}) {
+    Limits limits = limits_of(noise, Border::closed);
+    limits.slab = {7, true, continues_above};
+    Block block(bytes_for<uint32_t>(limits, much));
+    EventLog log;
+    require_ok(extractor.start(limits, much, 1, block.memory(), make_sink(log)));
+    require_ok(extractor.push(noise.on.data(), continues_above ? 162 : 81).status);
+    finish_all(extractor);
+    CHECK(extractor.statistics().cells == 0);
+    CHECK(extractor.statistics().links == 0);
+  }
+}
+
+TEST_CASE(
+    "a slab abandoned after any sample, or with the sink not ready, has what any other's has") {
+  const BitVolume volume = random({7, 6, 7}, 128, 4);
+  const auto abandoned = [](auto& extractor, const SlabScan& scan, uint32_t samples,
+                            const EventLog::Refuses& refuses) {
+    EventLog log(refuses);
+    Block block(bytes_for<uint32_t>(scan.limits(), much));
+    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
+    uint32_t pushed = 0;
+    const std::vector<uint8_t> voxels = voxels_of_slab(scan.volume, scan.first, scan.end);
+    while (pushed < samples)
+      pushed += extractor.push(voxels.data() + pushed, samples - pushed).samples;
+    while (extractor.abandon() == Status::suspended) {
+    }
+    return log;
+  };
+  HostExtractor extractor;
+  Extractor32 other;
+  for (const Border border : {Border::closed, Border::open})
+    for (uint32_t samples = 0; samples <= 6 * 42; samples += 5) {
+      const SlabScan scan{volume, border, 2, 6};
+      const auto expected = parts_of(abandoned(other, scan, samples, {}), scan);
+      CAPTURE(samples);
+      CHECK(parts_of(abandoned(extractor, scan, samples, {}), scan) == expected);
+      CHECK(parts_of(abandoned(extractor, scan, samples, refuses_first), scan) == expected);
+    }
+}
+
+TEST_CASE("a slab goes on from a checkpoint in any of its slices, those of context included") {
+  const BitVolume volume = random({20, 20, 7}, 100, 3);
+  const SlabScan scan{volume, Border::closed, 1, 6};
+  HostExtractor extractor;
+  const EventLog expected = scan.by(extractor, much);
+  const std::vector<uint8_t> voxels = voxels_of_slab(volume, 1, 6);
+  const auto checkpoint = std::make_unique<Checkpoint<HostExtractor>>();
+  for (uint32_t cut = 0; cut <= voxels.size(); cut += 130) {
+    EventLog log;
+    Block block(bytes_for<uint32_t>(scan.limits(), much));
+    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
+    require_ok(extractor.push(voxels.data(), cut).status);
+    require_ok(extractor.save(*checkpoint));
+    HostExtractor after;
+    require_ok(after.restore(*checkpoint, block.memory(), make_sink(log)));
+    require_ok(after.push(voxels.data() + cut, static_cast<uint32_t>(voxels.size()) - cut).status);
+    finish_all(after);
+    CHECK(log.events == expected.events);
+  }
+}
+
+TEST_CASE("a scan that breaks off where the sink says not now leaves nothing to the next") {
+  const BitVolume volume = random({70, 9, 5}, 100, 4);
+  for (const Border border : {Border::closed, Border::open}) {
+    Plan plan;
+    plan.border = border;
+    const EventLog expected = expected_of(volume, plan);
+    for (const uint64_t last : {0U, 300U, 2000U}) {
+      CAPTURE(last);
+      bool is_first_scan = true;
+      EventLog log([&](uint64_t offer) { return is_first_scan && offer >= last; });
+      const Limits limits = limits_of(volume, border);
+      Block block(bytes_for<uint32_t>(limits, much));
+      HostExtractor extractor;
+      require_ok(extractor.start(limits, much, 1, block.memory(), make_sink(log)));
+      const auto samples = static_cast<uint32_t>(volume.voxels());
+      CHECK(extractor.push(volume.on.data(), samples).status == Status::suspended);
+      is_first_scan = false;
+      for (int scan = 0; scan < 2; ++scan) {
+        EventLog next;
+        require_ok(extractor.start(limits, much, 1, block.memory(), make_sink(next)));
+        push_all(extractor, volume.on);
+        finish_all(extractor);
+        CHECK(next.events == expected.events);
+      }
+    }
+  }
+}
+
+TEST_CASE("a slab that breaks off above its last slice leaves nothing to the next") {
+  const BitVolume volume = random({20, 20, 9}, 100, 3);
+  const SlabScan scan{volume, Border::closed, 2, 5};
+  HostExtractor extractor;
+  const EventLog expected = scan.by(extractor, much);
+  for (const uint64_t left : {2U, 100U, 400U}) {
+    EventLog log([&](uint64_t offer) { return offer >= expected.events.size() - left; });
+    Block block(bytes_for<uint32_t>(scan.limits(), much));
+    require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
+    const std::vector<uint8_t> voxels = voxels_of_slab(volume, 2, 5);
+    require_ok(extractor.push(voxels.data(), static_cast<uint32_t>(voxels.size())).status);
+    CHECK(extractor.finish() == Status::suspended);
+    CHECK(scan.by(extractor, much).events == expected.events);
+  }
+}
+
+TEST_CASE("a checkpoint has the nodes") {
+  const BitVolume volume = random({30, 30, 8}, 100, 4);
+  const Limits limits = limits_of(volume, Border::closed);
+  const auto slice = static_cast<uint32_t>(volume.width) * volume.height;
+  const EventLog expected = expected_of(volume);
+  auto checkpoint = std::make_unique<Checkpoint<HostExtractor>>();
+  for (const uint32_t cut : {slice, 4 * slice + 7 * volume.width, 7 * slice}) {
+    EventLog log;
+    Block block(bytes_for<uint32_t>(limits, much));
+    Block elsewhere(block.memory().bytes);
+    HostExtractor before{};
+    require_ok(before.start(limits, much, 1, block.memory(), make_sink(log)));
+    require_ok(before.push(volume.on.data(), cut).status);
+    require_ok(before.save(*checkpoint));
+    std::copy_n(static_cast<const uint8_t*>(block.memory().data), before.bytes_used(),
+                static_cast<uint8_t*>(elsewhere.memory().data));
+    HostExtractor after;
+    require_ok(after.restore(*checkpoint, elsewhere.memory(), make_sink(log)));
+    require_ok(after.push(volume.on.data() + cut, 8 * slice - cut).status);
+    finish_all(after);
+    CHECK(log.events == expected.events);
+  }
+}
+
+TEST_CASE("a checkpoint does not tell where its memory, its sink and the program lie") {
+  const BitVolume volume = random({20, 20, 9}, 100, 3);
+  Limits limits = limits_of(volume, Border::closed);
+  limits.slab = {3, true, true};
+  const auto check = [&](auto extractor) {
+    EventLog log;
+    Block block(bytes_for<uint32_t>(limits, much));
+    const Memory memory = block.memory();
+    const Sink sink = make_sink(log);
+    require_ok(extractor->start(limits, much, 1, memory, sink));
+    require_ok(extractor->push(volume.on.data(), 1000).status);
+    using Saved = Checkpoint<std::remove_reference_t<decltype(*extractor)>>;
+    const auto checkpoint = std::make_unique<Saved>();
+    require_ok(extractor->save(*checkpoint));
+    const auto* const bytes = reinterpret_cast<const uint8_t*>(checkpoint.get());
+    for (size_t at = 0; at + sizeof(uintptr_t) <= sizeof *checkpoint; ++at) {
+      uintptr_t word;
+      std::memcpy(&word, bytes + at, sizeof word);
+      CHECK(word - reinterpret_cast<uintptr_t>(memory.data) >= memory.bytes);
+      CHECK(word != reinterpret_cast<uintptr_t>(sink.context));
+      CHECK(word != reinterpret_cast<uintptr_t>(sink.take));
+    }
+  };
+  check(std::make_unique<Extractor32>());
+  check(std::make_unique<HostExtractor>());
+}
