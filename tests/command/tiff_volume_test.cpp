@@ -528,7 +528,7 @@ TEST_CASE("pages of ScanImage are slices only if it says so, or the user") {
                                        slices + "\n")}};
     return folder.write("v.tif", numbered(4, "", more).bytes());
   };
-  check_refusal(refusal(write("2")), "its 4 pages are channels or times too, as ScanImage has it");
+  check_refusal(refusal(write("2")), "its 4 pages are not a slice each: ScanImage stores channels");
   VolumeOptions options;
   options.axes = "zyx";
   CHECK(open_volume(write("2"), options)->info().dims[2] == 4);

@@ -56,9 +56,10 @@ void require_slices_of_scan_image(const std::filesystem::path& file, TIFF* tiff,
   for (const char* key : {"numSlices", "actualNumSlices", "stackNumSlices", "numberOfZSlices"})
     if (number_of(text, key) == pages) return;
   fail(file,
-       "its " + std::to_string(pages) + " pages are channels or times too, as ScanImage has it",
-       "save one of them from ImageJ, by its command Stack to Hyperstack, or give --axes zyx if "
-       "they are slices");
+       "its " + std::to_string(pages) +
+           " pages are not a slice each: ScanImage stores channels and times as pages, too",
+       "save one channel from ImageJ, by its command Stack to Hyperstack, or give --axes zyx if "
+       "all are slices");
 }
 
 void require_read_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages) {
