@@ -65,35 +65,36 @@ SinkResult Encoder::take(const Event& event) {
 }
 
 DISCMC_NOINLINE SinkResult Encoder::take_other(const Event& event) {
-  using Kind = Event::Kind;
-  if (event.kind == Kind::start) return begin_stream(*event.header);
+  if (event.kind == Event::Kind::start) return begin_stream(*event.header);
   if (state_ == State::idle) return SinkResult::not_started;
   if (!drain()) return SinkResult::busy;
   bool is_done = true;
-  if (event.kind == Kind::run || event.kind == Kind::ring) {
-    const uint32_t words = event.kind == Kind::run ? 1 : Record::ring_words + 1;
+  if (event.kind == Event::Kind::run || event.kind == Event::Kind::ring) {
+    const uint32_t words = event.kind == Event::Kind::run ? 1 : Record::ring_words + 1;
     is_done = takes(words) || put_parts(event);
     if (!is_done) return SinkResult::busy;
-    if (event.kind == Kind::run)
+    if (event.kind == Event::Kind::run)
       add_run(event);
     else
       record_.add_ring(event.start);
-  } else if (event.kind == Kind::region || event.kind == Kind::fragment) {
+  } else if (event.kind == Event::Kind::region || event.kind == Event::Kind::fragment) {
     state_ = State::in_piece;
     record_.begin(event.incidence);
-    if (event.kind == Kind::fragment) record_.begin_fragment(event.incoming_direction, event.start);
-  } else if (event.kind == Kind::application) {
+    if (event.kind == Event::Kind::fragment)
+      record_.begin_fragment(event.incoming_direction, event.start);
+  } else if (event.kind == Event::Kind::application) {
     is_done = write_record(*event.application) != Status::suspended;
-  } else if (event.kind == Kind::finish) {
+  } else if (event.kind == Event::Kind::finish) {
     if (state_ != State::ended) {
       if (!flush()) return SinkResult::busy;
       packets_.seal_trailer(event);
       state_ = State::ended;
     }
     is_done = drain();
-  } else if (is_end(event.kind) || event.kind == Kind::layer || event.kind == Kind::skipped) {
+  } else if (is_end(event.kind) || event.kind == Event::Kind::layer ||
+             event.kind == Event::Kind::skipped) {
     is_done = put(event);
-  } else if (event.kind == Kind::lost) {
+  } else if (event.kind == Event::Kind::lost) {
     state_ = State::between;
   }
   return is_done ? SinkResult::accepted : SinkResult::busy;
