@@ -300,7 +300,7 @@ typedef struct discmc_extractor_info {
 discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extractor);
 
 /* ---- encoder: polygons in, bytes out ---- */
-/* The second kind encodes normals, too, which makes a stream about four times as long. A program
+/* The second kind encodes normals, too, which makes a stream about five times as long. A program
  * links only the kinds that it names. */
 typedef struct discmc_encoder_kind discmc_encoder_kind;
 extern const discmc_encoder_kind discmc_regions, discmc_regions_with_normals;
