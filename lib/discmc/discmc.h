@@ -4,16 +4,7 @@
  *   samples -> slice encoder -> your link           thresholded slices: a tenth of the bytes
  *   your link -> receiver -> joiner -> your sink    polygons from a stream of either kind
  *
- * A scanner that sends polygons; examples/firmware.c is the whole program:
- *
- *   const discmc_extractor_config config = {.kind = &discmc_plain_u16, .limits = {256, 256},
- *                                           .threshold = 500, .memory = {memory, sizeof memory},
- *                                           .sink = {encoder, discmc_encoder_take}};
- *   status = discmc_extractor_start(&extractor, &config);
- *   for each row:
- *     status = discmc_extractor_push(extractor, DISCMC_U16, row, 256, 1).status;
- *     while (status == DISCMC_SUSPENDED) status = discmc_extractor_resume(extractor);
- *   status = discmc_extractor_finish(extractor);    resume it likewise
+ * Programs: examples/firmware.c sends polygons, slices.c sends slices, receive.c receives both.
  *
  * Objects. An object lies at the beginning of the memory in its config, at any alignment, and uses
  * the rest. start() copies the config, ignores the previous content of the memory, and sets the
@@ -283,8 +274,7 @@ DISCMC_CHECK discmc_status discmc_extractor_finish(discmc_extractor* extractor);
 /* Ends the scan anywhere: the rest of the slice is off, so the surface is closed. */
 DISCMC_CHECK discmc_status discmc_extractor_abandon(discmc_extractor* extractor);
 
-/* A checkpoint; if suspended, resume first. After restore() the scan continues with row `rows` of
- * slice `slices` of the info. */
+/* A checkpoint; if suspended, resume first. restore() continues at `slices`, `rows` of the info. */
 DISCMC_CHECK discmc_status discmc_extractor_save(discmc_extractor* extractor, discmc_memory* part);
 DISCMC_CHECK discmc_status discmc_extractor_restore(discmc_extractor** extractor,
                                                     const discmc_extractor_config* config);
@@ -300,8 +290,7 @@ typedef struct discmc_extractor_info {
 discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extractor);
 
 /* ---- encoder: polygons in, bytes out ---- */
-/* The second kind encodes normals, too, which makes a stream about four times as long. A program
- * links only the kinds that it names. */
+/* The second kind also encodes normals, in five times the bytes. A program links what it names. */
 typedef struct discmc_encoder_kind discmc_encoder_kind;
 extern const discmc_encoder_kind discmc_regions, discmc_regions_with_normals;
 
@@ -483,8 +472,7 @@ typedef struct discmc_store_config {
   uint32_t max_bytes;     /* of all parts of a checkpoint */
   discmc_memory memory;   /* DISCMC_STORE_BYTES(program_bytes) */
 } discmc_store_config;
-/* Finds the newest checkpoint. Errors: DISCMC_BAD_DEVICE. DISCMC_DEVICE_ERROR sets the pointer,
- * too: no checkpoint was found, but a read failed. */
+/* Finds the newest checkpoint. Errors: DISCMC_BAD_DEVICE; DISCMC_DEVICE_ERROR still starts it. */
 DISCMC_CHECK discmc_status discmc_store_start(discmc_store** store,
                                               const discmc_store_config* config);
 

@@ -19,7 +19,7 @@ class Encoder {
 
   /// Also encodes the normals of runs, for the streams to come. Call it before start() and
   /// restore(). Programs without this call do not link the code for normals. Cost: 2 to 3 bytes per
-  /// normal; the stream is about four times as long.
+  /// normal; the stream is about five times as long.
   void encode_normals();
 
   /// Prepares a stream. The `start` event of the extractor supplies the rest of the header, and the
