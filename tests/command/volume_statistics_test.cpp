@@ -153,10 +153,10 @@ TEST_CASE("what CT has outside of its circle does not move Otsu's threshold") {
   CHECK(!padding_value(statistics_of({{-9999, 400}, {300, 100}, {900, 10}})));
   CHECK(!padding_value(statistics_of({{-2000, 400}, {-1, 100}, {1, 10}})));
   VolumeStatistics told = statistics_of({{0, 400}, {300, 100}, {900, 10}});
-  told.told_padding = 0;
+  told.declared_padding = 0;
   CHECK(padding_value(told) == 0);
   CHECK(*otsu_threshold(told) > 300);
-  told.told_padding = 5;
+  told.declared_padding = 5;
   CHECK(!padding_value(told));
 }
 

@@ -40,9 +40,9 @@ bool lies_along_coordinates(const VolumePlacement& placement) {
 }
 
 // A surface where extract and decode would put its mesh.
-Compared placed(Mesh mesh, const std::string& name, const std::optional<VolumePlacement>& told,
+Compared placed(Mesh mesh, const std::string& name, const std::optional<VolumePlacement>& declared,
                 int code) {
-  const auto placement = mesh_placement(name, told, std::nullopt);
+  const auto placement = mesh_placement(name, declared, std::nullopt);
   if (placement) place(mesh, *placement);
   return {std::move(mesh), !placement || lies_along_coordinates(*placement), code};
 }

@@ -55,9 +55,9 @@ class Recoder {
 // A part of the right size may still be another one than that of the stream.
 void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
   if (!volume.whole_dims || !decoded.placement) return;
-  VolumeInfo told = volume;
-  told.placement = decoded.placement;
-  const double apart = offset_mm(volume, told);
+  VolumeInfo of_stream = volume;
+  of_stream.placement = decoded.placement;
+  const double apart = offset_mm(volume, of_stream);
   if (apart == 0) return;
   std::ostringstream text;
   text << "the part of the volume lies " << apart

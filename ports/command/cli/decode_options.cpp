@@ -40,10 +40,10 @@ Command add_decode(CLI::App& app) {
   CLI::Option* volume = decode->add_option("--volume", arguments->volume,
                                            "the file that the stream was made of, for --normals "
                                            "gradient (default: the normals in the stream)");
-  const auto tells_volume = [](const CLI::Option* option) {
+  const auto describes_volume = [](const CLI::Option* option) {
     return option->get_group() == volume_group;
   };
-  for (CLI::Option* option : decode->get_options(tells_volume))
+  for (CLI::Option* option : decode->get_options(describes_volume))
     if (option != volume) option->needs(volume);
   decode->footer(
       "Examples:\n"

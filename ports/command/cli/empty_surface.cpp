@@ -4,7 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "text/say.hpp"
+#include "text/message.hpp"
 #include "text/value_text.hpp"
 
 namespace discmc::command {
@@ -82,8 +82,9 @@ void check_surface(const std::string& path, const VolumeArguments& arguments,
   if (is_empty && !arguments.allows_empty)
     fail_empty(path, arguments, surface, volume, extraction.is_full);
   if (is_empty || !extraction.is_full) return;
-  say(path, every_voxel(arguments, surface) + ", so the surface is the box of the volume" +
-                what_there_is(surface, volume));
+  print_message(path, every_voxel(arguments, surface) +
+                          ", so the surface is the box of the volume" +
+                          what_there_is(surface, volume));
 }
 
 }  // namespace discmc::command

@@ -21,7 +21,7 @@
 #include "require.hpp"
 #include "segmentation.hpp"
 #include "smoothing/smoothed_labels.hpp"
-#include "text/say.hpp"
+#include "text/message.hpp"
 #include "volume_input.hpp"
 #include "volumes/filters/mask_volume.hpp"
 
@@ -114,7 +114,7 @@ void check_missing(const ExtractArguments& arguments, const std::vector<std::str
   if (arguments.labels != "all" && !arguments.reading.allows_empty)
     throw std::runtime_error(name_for_people(arguments.volume) + ": " + text +
                              "; leave out what is not there, or give --allow-empty");
-  say(arguments.volume, text);
+  print_message(arguments.volume, text);
 }
 
 NamedSelection selection_of(const LabelNames& names, std::uint32_t layer, LabelValue label) {
@@ -187,9 +187,9 @@ int extract_label_meshes(const ExtractArguments& arguments) {
     LabelledSurface& label = labels[i].surface;
     keep_chosen(volume + ": " + title(selections[i]), arguments.components, label.surface);
     if (label.surface.polygons.empty() && !arguments.reading.allows_empty) {
-      say(arguments.volume,
-          title(selections[i]) + " has no surface left, so " +
-              (files.are_one() ? "it is not in " + names[i] : names[i] + " is not written"));
+      print_message(arguments.volume, title(selections[i]) + " has no surface left, so " +
+                                          (files.are_one() ? "it is not in " + names[i]
+                                                           : names[i] + " is not written"));
       continue;
     }
     const bool moves = arguments.interpolates && labels[i].crossings;

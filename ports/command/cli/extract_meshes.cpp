@@ -10,7 +10,7 @@
 #include "mesh_output.hpp"
 #include "progress.hpp"
 #include "require.hpp"
-#include "text/say.hpp"
+#include "text/message.hpp"
 #include "volume_input.hpp"
 
 namespace discmc::command {
@@ -44,7 +44,8 @@ int extract_meshes(ExtractArguments arguments) {
   const std::vector<Extraction> extractions = extract(samples, options, requests);
   note_not_numbers(arguments, smooth ? smooth->not_numbers() : extractions[0].not_numbers);
   if (arguments.interpolates && !smooth && volume->has_two_values())
-    say(arguments.volume,
+    print_message(
+        arguments.volume,
         "there are two values alone, as in a mask, so the interpolated surface keeps the steps of "
         "the voxels; add --smooth auto");
   check_surfaces(arguments, extractions, *volume);

@@ -15,7 +15,7 @@
 #include "summary.hpp"
 #include "surface/spilling_joiner.hpp"
 #include "surface_receiver.hpp"
-#include "text/say.hpp"
+#include "text/message.hpp"
 
 namespace discmc::command {
 namespace {
@@ -157,9 +157,9 @@ int run_join(const JoinArguments& arguments) {
   file.commit();
   const std::vector<SlabRange> missing = join.slabs().missing();
   if (!missing.empty()) {
-    say(arguments.output == "-" ? "standard output" : arguments.output,
-        "the " + text(missing) + " are missing, and " + std::to_string(join.fragments()) +
-            " pieces are open: join it with the slabs of these slices");
+    print_message(arguments.output == "-" ? "standard output" : arguments.output,
+                  "the " + text(missing) + " are missing, and " + std::to_string(join.fragments()) +
+                      " pieces are open: join it with the slabs of these slices");
     code = exit_incomplete;
   }
   if (arguments.quiet) return code;

@@ -8,8 +8,8 @@
 #include "meshes/placing.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "progress.hpp"
+#include "text/message.hpp"
 #include "text/number_text.hpp"
-#include "text/say.hpp"
 
 namespace discmc::command {
 namespace {
@@ -29,16 +29,16 @@ std::optional<Point> origin_of_floats(const std::string& file, const Mesh& mesh)
 }  // namespace
 
 std::optional<VolumePlacement> mesh_placement(const std::string& input,
-                                              const std::optional<VolumePlacement>& told,
+                                              const std::optional<VolumePlacement>& placement,
                                               const std::optional<MeshSpace>& asked) {
   if (asked == MeshSpace::voxel) return std::nullopt;
-  if (!told || told->frame == Frame::none) {
-    if (!asked) return told;
+  if (!placement || placement->frame == Frame::none) {
+    if (!asked) return placement;
     throw std::invalid_argument(input +
                                 ": it does not tell where the patient is: leave out --space, or "
                                 "give --space voxel");
   }
-  return in_frame(*told, asked == MeshSpace::ras ? Frame::ras : Frame::lps);
+  return in_frame(*placement, asked == MeshSpace::ras ? Frame::ras : Frame::lps);
 }
 
 Mesh placed_mesh(const Surface& surface, const MeshOptions& options,
@@ -79,12 +79,13 @@ void note_rounding(const std::string& file, const Mesh& mesh) {
             std::to_string(places) + " places";
   text += ": write " + extensions(&FormatTraits::holds_doubles);
   if (suits_floats(mesh, mesh.vertices_mm[0])) text += ", or give --space voxel";
-  say(file, text);
+  print_message(file, text);
 }
 
 void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh) {
   if (mesh.left_out.empty()) return;
-  say(input, std::to_string(mesh.left_out.size()) + " of " +
+  print_message(
+      input, std::to_string(mesh.left_out.size()) + " of " +
                  std::to_string(surface.polygons.size()) +
                  " polygons left out, as their rings cross or bound nothing; -o FILE.jsonl has the "
                  "first in line " +
@@ -96,8 +97,8 @@ void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface
   const Progress progress("choosing");
   const ComponentCounts counts = keep_components(surface, choice);
   if (counts.kept == counts.found) return;
-  say(name, std::to_string(counts.kept) + " of " + std::to_string(counts.found) +
-                " bodies and cavities kept");
+  print_message(name, std::to_string(counts.kept) + " of " + std::to_string(counts.found) +
+                          " bodies and cavities kept");
 }
 
 void add_gradient_normals(VolumeReader& volume, Mesh& mesh) {

@@ -20,7 +20,7 @@ namespace discmc::command {
 /// at index times spacing. Throws std::invalid_argument where a patient's space is asked for and
 /// none is known.
 std::optional<VolumePlacement> mesh_placement(const std::string& input,
-                                              const std::optional<VolumePlacement>& told,
+                                              const std::optional<VolumePlacement>& placement,
                                               const std::optional<MeshSpace>& asked);
 
 /// The mesh of a surface. add_normals: called with it before it is placed.

@@ -45,8 +45,8 @@ void add_picture_options(CLI::App& app, RenderArguments& arguments) {
       ->capture_default_str();
   app.add_option(
          "--at", arguments.at,
-         "point in the middle of the picture, in millimetres as in meshes (default: the middle of "
-         "the surface)")
+         "point in the middle of the picture, in millimetres as by --space voxel (default: the "
+         "middle of the surface)")
       ->delimiter(',')
       ->expected(3)
       ->check(finite())

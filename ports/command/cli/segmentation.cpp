@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "pictures/label_colour.hpp"
-#include "text/say.hpp"
+#include "text/message.hpp"
 #include "volume_input.hpp"
 #include "volumes/label_table.hpp"
 
@@ -45,8 +45,8 @@ Segmentation::Segmentation(const std::string& path, const VolumeArguments& argum
       info_(first_->info()),
       names_(table_of(info_, arguments), layers_of(info_, arguments)) {
   if (info_.frames > names_.layers().size() && !arguments.options.frame)
-    say(path, "layers without a label that is told left out: " +
-                  std::to_string(info_.frames - names_.layers().size()));
+    print_message(path, "layers without a label that is told left out: " +
+                            std::to_string(info_.frames - names_.layers().size()));
 }
 
 std::unique_ptr<VolumeReader> Segmentation::open(std::uint32_t layer) {

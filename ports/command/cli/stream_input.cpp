@@ -15,7 +15,7 @@
 #include "streams/spacing.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
-#include "text/say.hpp"
+#include "text/message.hpp"
 #include "volumes/other_kinds.hpp"
 #include "volumes/volume.hpp"
 
@@ -49,8 +49,8 @@ struct RecordNotes {
   SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::application) {
       records.push_back(text(*event.application));
-      Placement told;
-      if (read_placement(*event.application, told)) placement = in_millimetres(told);
+      Placement nanometres;
+      if (read_placement(*event.application, nanometres)) placement = in_millimetres(nanometres);
       SlabRange range;
       if (read_slab_range(*event.application, range)) slabs.add(range);
     }
@@ -94,7 +94,9 @@ void read_stream(const std::string& path, std::istream& in, std::uint64_t size,
                              joined(list_of_surfaces(reader)));
   refuse_other_kinds(path);
   throw std::runtime_error(path + ": no header of a discmc stream in " +
-                           std::to_string(reader.report().bytes) + " bytes: is this a .dmc file?");
+                           std::to_string(reader.report().bytes) +
+                           " bytes, and none of a known volume; give a .dmc file, or a volume, "
+                           "headerless samples with --dims and --type");
 }
 
 // read: called with the reader.
@@ -108,13 +110,14 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
   read(reader);
   note_others(path, choice, reader);
   if (!notes.slabs.missing().empty())
-    say(path, "it holds the " + text(notes.slabs.ranges()) + " of " +
-                  std::to_string(notes.slabs.ranges()[0].depth) +
-                  " alone: discmc join makes the whole surface of it and the other slabs");
+    print_message(path,
+                  "it holds the " + text(notes.slabs.ranges()) + " of " +
+                      std::to_string(notes.slabs.ranges()[0].depth) +
+                      " alone: discmc join makes the whole surface of it and the other slabs");
   joiner.finish();
   builder.surface().spacing_mm = spacing_mm(reader.header());
   if (notes.placement && !is_usable(*notes.placement)) {
-    say(path, "its placement is unusable, and dropped");
+    print_message(path, "its placement is unusable, and dropped");
     notes.placement.reset();
   }
   StreamReport report = reader.report();
@@ -148,9 +151,9 @@ std::string stream_bytes(const std::string& path) {
 void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader) {
   const std::vector<std::string> surfaces = list_of_surfaces(reader);
   if (surfaces.size() < 2 || !choice.is_any()) return;
-  say(path, "this is scan " + std::to_string(reader.header().scan) + " channel " +
-                std::to_string(reader.channel()) + " of " + joined(surfaces) +
-                ": choose with --scan N and --stream-channel N");
+  print_message(path, "this is scan " + std::to_string(reader.header().scan) + " channel " +
+                          std::to_string(reader.channel()) + " of " + joined(surfaces) +
+                          ": choose with --scan N and --stream-channel N");
 }
 
 void require_one_surface(const std::string& path, const StreamReader& reader) {
@@ -173,8 +176,10 @@ DecodedStream decode_surface(const std::string& path, std::istream& in,
 int completeness(const std::string& path, const StreamReport& report) {
   if (report.is_complete()) return exit_ok;
   if (report.is_mixed)
-    say(path, "two scans of one number are mixed in it: give every scan a number of its own");
-  say(path, "the stream is incomplete: " + std::to_string(report.lost_packets) + " packets and " +
+    print_message(path,
+                  "two scans of one number are mixed in it: give every scan a number of its own");
+  print_message(
+      path, "the stream is incomplete: " + std::to_string(report.lost_packets) + " packets and " +
                 std::to_string(report.holds_slices ? report.lost_rows : report.lost_pieces) +
                 (report.holds_slices ? " rows" : " regions or fragments") + " are missing" +
                 (report.has_trailer ? "" : ", and its end"));

@@ -5,7 +5,7 @@
 
 #include "progress.hpp"
 #include "statistics/volume_statistics.hpp"
-#include "text/say.hpp"
+#include "text/message.hpp"
 #include "text/value_text.hpp"
 #include "volume_input.hpp"
 
@@ -56,7 +56,7 @@ std::vector<NamedSelection> with_thresholds(const std::string& path,
     const auto padding = padding_value(statistics);
     if (threshold.rule == ThresholdRule::otsu && padding)
       text += ", without the " + value_text(*padding) + " outside of what was scanned";
-    say(path, text);
+    print_message(path, text);
   }
   return surfaces;
 }

@@ -19,7 +19,7 @@
 #include "require.hpp"
 #include "stream_input.hpp"
 #include "summary.hpp"
-#include "text/say.hpp"
+#include "text/message.hpp"
 #include "thresholds.hpp"
 #include "view.hpp"
 #include "volume_input.hpp"

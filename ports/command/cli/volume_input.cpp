@@ -8,8 +8,8 @@
 
 #include "extraction/narrowed_volume.hpp"
 #include "segmentation.hpp"
+#include "text/message.hpp"
 #include "text/number_text.hpp"
-#include "text/say.hpp"
 #include "volumes/byte_source.hpp"
 #include "volumes/filters/mask_volume.hpp"
 #include "volumes/volume_filter.hpp"
@@ -19,9 +19,9 @@ namespace discmc::command {
 namespace {
 
 // A volume may be opened for a pass after another: it says once what is to be said.
-void say_once(const std::string& path, const std::string& text) {
-  static std::set<std::pair<std::string, std::string>> said;
-  if (said.emplace(path, text).second) say(path, text);
+void print_once(const std::string& path, const std::string& text) {
+  static std::set<std::pair<std::string, std::string>> printed;
+  if (printed.emplace(path, text).second) print_message(path, text);
 }
 
 // Prints the notes when it is opened, and what the last slice adds to them.
@@ -44,7 +44,7 @@ class NotedVolume final : public VolumeFilter {
 
  private:
   void print_notes() const {
-    for (const std::string& note : notes()) say_once(path_, note);
+    for (const std::string& note : notes()) print_once(path_, note);
   }
 
   std::string path_;
@@ -92,8 +92,9 @@ std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
   auto mask = noted(arguments.mask, open_mask(arguments.mask, arguments.options, volume));
   const double apart = offset_mm(mask->info(), volume);
   if (apart > 0)
-    say(arguments.mask, "its voxels lie up to " + short_number(apart) +
-                            " mm from those of the volume, and are taken for them one by one");
+    print_message(arguments.mask,
+                  "its voxels lie up to " + short_number(apart) +
+                      " mm from those of the volume, and are taken for them one by one");
   return mask;
 }
 

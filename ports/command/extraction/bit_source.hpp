@@ -57,7 +57,7 @@ class BitSource {
   /// Calls for the rows that are left.
   template <class Call>
   void finish(Call call) {
-    while (is_filtered([](OwnFilter& own, std::size_t) { return own.filter.drain(); }))
+    while (filter_next([](OwnFilter& own, std::size_t) { return own.filter.drain(); }))
       pass_on(filtered_.data(), call);
   }
 
@@ -69,13 +69,14 @@ class BitSource {
   template <class Call>
   void add_row(std::uint8_t* row, Call call) {
     if (filters_.empty()) return pass_on(row, call);
-    if (is_filtered(
+    if (filter_next(
             [&](OwnFilter& own, std::size_t i) { return own.filter.push(row + i * row_bytes_); }))
       pass_on(filtered_.data(), call);
   }
-  // Whether the filters, which are all where the first one is, had a row each.
+  // Gives the filters, which are all where the first one is, what is next. Returns whether each has
+  // a row.
   template <class Next>
-  bool is_filtered(Next next) {
+  bool filter_next(Next next) {
     bool has_row = false;
     for (std::size_t i = 0; i < filters_.size(); ++i) {
       const std::uint8_t* const row = next(*filters_[i], i);

@@ -124,9 +124,9 @@ void require_same_volume(const VolumeInfo& info, const StreamHeader& header) {
   bool has_extents = true, has_spacing = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (extents[axis] != 0 && extents[axis] != info.dims[axis]) has_extents = false;
-    const std::int64_t known = header.spacing_nm[axis];
+    const std::int64_t declared = header.spacing_nm[axis];
     constexpr std::int64_t rounding = 1;
-    if (known != 0 && std::abs(known - spacing[axis]) > rounding) has_spacing = false;
+    if (declared != 0 && std::abs(declared - spacing[axis]) > rounding) has_spacing = false;
   }
   const char* remedy =
       ": give the volume that the stream was made of, with the same --crop and --shrink";

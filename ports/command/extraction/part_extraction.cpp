@@ -121,10 +121,10 @@ class OverlappingSlices {
   // read(bytes): reads the next slice. Limit: spans in order, none after a gap but the first.
   template <class Read>
   void fill(const SliceSpan& span, std::vector<std::uint8_t>& slices, Read read) {
-    const std::size_t known = end_ > span.first ? (end_ - span.first) * slice_bytes_ : 0;
+    const std::size_t shared = end_ > span.first ? (end_ - span.first) * slice_bytes_ : 0;
     slices.resize(span.count() * slice_bytes_);
-    std::copy(last_.end() - static_cast<std::ptrdiff_t>(known), last_.end(), slices.begin());
-    for (std::size_t at = known; at < slices.size(); at += slice_bytes_) read(slices.data() + at);
+    std::copy(last_.end() - static_cast<std::ptrdiff_t>(shared), last_.end(), slices.begin());
+    for (std::size_t at = shared; at < slices.size(); at += slice_bytes_) read(slices.data() + at);
     const std::size_t kept = std::min<std::size_t>(max_shared, span.count()) * slice_bytes_;
     last_.assign(slices.end() - static_cast<std::ptrdiff_t>(kept), slices.end());
     end_ = span.end;

@@ -105,8 +105,8 @@ void set_polygon_normals(const Surface& surface, Mesh& mesh) {
 void set_stream_normals(const Surface& surface, Mesh& mesh) {
   mesh.normals.resize(mesh.lattice.size());
   for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
-    const auto told = surface.normals.find(mesh.lattice[i]);
-    if (told != surface.normals.end()) mesh.normals[i] = point_of(unit_normal(told->second));
+    const auto found = surface.normals.find(mesh.lattice[i]);
+    if (found != surface.normals.end()) mesh.normals[i] = point_of(unit_normal(found->second));
   }
 }
 

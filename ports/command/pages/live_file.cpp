@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "text/say.hpp"
+#include "text/message.hpp"
 
 namespace discmc::command {
 namespace {
@@ -53,8 +53,8 @@ void LiveFile::read() {
     if (count < 0 && (errno == EAGAIN || errno == EINTR)) continue;
     if (count <= 0) break;
     if (bytes_.size() + static_cast<std::size_t>(count) > max_bytes) {
-      say(path_,
-          "more than " + std::to_string(max_bytes >> 20) + " MiB came: the rest is left out");
+      print_message(path_, "more than " + std::to_string(max_bytes >> 20) +
+                               " MiB came: the rest is left out");
       break;
     }
     append(piece.data(), static_cast<std::size_t>(count));

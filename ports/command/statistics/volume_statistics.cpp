@@ -47,7 +47,7 @@ VolumeStatistics volume_statistics(VolumeReader& volume,
   statistics.mean = value(histogram.mean());
   for (const Histogram::Bin& bin : histogram.bins())
     statistics.counts.push_back({value(bin.sample), bin.count, bin.whole});
-  statistics.told_padding = info.padding;
+  statistics.declared_padding = info.padding;
   statistics.are_whole = !is_floating(info.type) && info.slope == 1 && info.intercept == 0;
   statistics.least_whole = histogram.least_whole();
   statistics.greatest_whole = histogram.greatest_whole();
@@ -67,10 +67,10 @@ double percentile(const VolumeStatistics& statistics, double percent) {
 
 std::optional<double> padding_value(const VolumeStatistics& statistics) {
   const std::vector<ValueCount>& counts = statistics.counts;
-  const auto told = std::find_if(counts.begin(), counts.end(), [&](const ValueCount& each) {
-    return each.value == statistics.told_padding;
+  const auto padding = std::find_if(counts.begin(), counts.end(), [&](const ValueCount& each) {
+    return each.value == statistics.declared_padding;
   });
-  if (told != counts.end()) return told->value;
+  if (padding != counts.end()) return padding->value;
   // Units: Hounsfield, of what may be air and is not; none beyond is a number that CT writes.
   constexpr double most_air = -500, least_air = -1024, least_ever = -4096, most_padding = -1000;
   constexpr double least_bone = 300, gap = 200, share = 0.05;

@@ -31,7 +31,7 @@ struct VolumeStatistics {
   LabelValue least_whole{}, greatest_whole{};  ///< then `least` and `greatest`, exactly
   std::vector<ValueCount> counts;              ///< in the order of values
   /// The value that the file has where nothing was scanned, if it says so.
-  std::optional<double> told_padding;
+  std::optional<double> declared_padding;
   /// Whether each of `counts` is of one value. Then percentiles and Otsu's threshold are exact,
   /// too.
   bool is_exact = true;

@@ -21,7 +21,7 @@ void StreamCensus::look_at(const std::vector<std::uint8_t>& frame) {
   }
   if (!reader.report().has_header) return;
   const StreamHeader& header = reader.header();
-  const bool is_new = known_.insert(wire::tag_of(header)).second;
+  const bool is_new = tags_.insert(wire::tag_of(header)).second;
   if (is_new) headers_.push_back(header);
 }
 

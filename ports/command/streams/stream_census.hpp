@@ -26,7 +26,7 @@ class StreamCensus {
   void look_at(const std::vector<std::uint8_t>& frame);
 
   Frames frames_;
-  std::unordered_set<std::uint32_t> known_;  // by what names them
+  std::unordered_set<std::uint32_t> tags_;  // by what names them
   std::vector<StreamHeader> headers_;
   std::uint8_t other_version_ = 0;
 };

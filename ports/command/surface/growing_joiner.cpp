@@ -42,7 +42,7 @@ const Statistics& GrowingJoiner::totals() const {
 
 SinkResult GrowingJoiner::pass(const Event& event) {
   const bool has_room = next_ == nullptr && !is_beyond_limit_;
-  if (event.kind == Event::Kind::fragment && has_room && !is_unmatched()) grow();
+  if (event.kind == Event::Kind::fragment && has_room && !update_unmatched()) grow();
   if (event.kind == Event::Kind::finish) totals_ = *event.statistics;
   if (next_) return next_->take(event);
   const Sink& sink = is_beyond_limit_ ? limit_->beyond : sink_;
@@ -55,8 +55,8 @@ void GrowingJoiner::grow() {
   if (!is_beyond_limit_) next_ = std::make_unique<GrowingJoiner>(sink_, order_, 4 * bytes_, limit_);
 }
 
-// Whether the fragment that comes out has no partner. Else the joiner is short of memory.
-bool GrowingJoiner::is_unmatched() {
+// Returns whether the fragment that comes out has no partner. Else the joiner is short of memory.
+bool GrowingJoiner::update_unmatched() {
   const std::uint64_t before = unmatched_;
   unmatched_ = joiner_.report().unmatched;
   return unmatched_ > before;

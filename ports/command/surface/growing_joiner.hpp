@@ -41,7 +41,7 @@ class GrowingJoiner {
 
  private:
   SinkResult pass(const Event& event);
-  bool is_unmatched();
+  bool update_unmatched();
   void grow();
 
   Sink sink_;

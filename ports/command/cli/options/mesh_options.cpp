@@ -10,7 +10,7 @@
 namespace discmc::command {
 namespace {
 
-CLI::Validator known_format() {
+CLI::Validator mesh_format() {
   return CLI::Validator(
       [](std::string& text) {
         try {
@@ -30,7 +30,7 @@ CLI::Option* add_output_option(CLI::App& app, std::string& output,
   return app
       .add_option("-o,--output", output,
                   "the file to write, by extension " + extensions() + "; - is " + standard_output)
-      ->check(known_format());
+      ->check(mesh_format());
 }
 
 void add_normals_option(CLI::App& app, Normals& normals, const std::string& gradient) {

@@ -1,6 +1,6 @@
-// What the command says on standard error.
-#ifndef DISCMC_COMMAND_TEXT_SAY_HPP
-#define DISCMC_COMMAND_TEXT_SAY_HPP
+// Messages on standard error.
+#ifndef DISCMC_COMMAND_TEXT_MESSAGE_HPP
+#define DISCMC_COMMAND_TEXT_MESSAGE_HPP
 
 #include <iostream>
 #include <string>
@@ -12,8 +12,8 @@ inline std::string name_for_people(const std::string& input) {
   return input == "-" ? "standard input" : input;
 }
 
-/// A line about an input or an output. Faults are thrown, and said by main().
-inline void say(const std::string& input, const std::string& text) {
+/// Prints a line about an input or an output. Faults are thrown, and printed by main().
+inline void print_message(const std::string& input, const std::string& text) {
   std::cerr << "discmc: " + name_for_people(input) + ": " + text + '\n';
 }
 
