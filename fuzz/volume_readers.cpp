@@ -107,6 +107,7 @@ constexpr Names names[] = {
     {"v.npz", nullptr, false, true},
     {"v.zarr/.zarray", "v.zarr/0.0.0", false},
     {"v.zarr3/zarr.json", "v.zarr3/c/0/0/0", false},
+    {"v.ome.zarr/zarr.json", "v.ome.zarr/0/zarr.json", false},
 };
 
 /// Whether the environment asks for other names alone.
