@@ -85,7 +85,10 @@ bool ArchiveSource::next_block() {
   if (is_at_end_ || !damage_.empty()) return false;
   const void* block = nullptr;
   la_int64_t offset = 0;
-  const int result = archive_read_data_block(archive_.get(), &block, &block_bytes_, &offset);
+  int result = ARCHIVE_OK;
+  do {  // blocks of no bytes are no end
+    result = archive_read_data_block(archive_.get(), &block, &block_bytes_, &offset);
+  } while (result == ARCHIVE_OK && block_bytes_ == 0);
   block_ = static_cast<const char*>(block);
   is_at_end_ = result == ARCHIVE_EOF;
   if (result != ARCHIVE_OK) block_bytes_ = 0;
