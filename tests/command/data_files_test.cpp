@@ -58,6 +58,25 @@ TEST_CASE("each of several files has an equal share, in the encoding of all") {
       SampleType::i16, "NRRD, raw, detached");
 }
 
+TEST_CASE(
+    "names of data files may have blanks and percent signs, and folders as Windows has them") {
+  const Folder folder;
+  fs::create_directory(folder.path() / "sub");
+  const auto check = [&](const std::string& written, const std::string& told) {
+    INFO(told);
+    folder.write(written, i16);
+    check_volume(
+        folder.write("v.mhd", metaimage(metaimage_i16 + "ElementDataFile = " + told + "\n")),
+        SampleType::i16, "MetaImage, raw, detached");
+    check_volume(folder.write("v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + told + "\n")),
+                 SampleType::i16, "NRRD, raw, detached");
+  };
+  check("best diastole 77 %.raw", "best diastole 77 %.raw");
+  check("sub/a.raw", "sub\\a.raw");
+  check("b.raw", ".\\b.raw");
+  check("c\\d.raw", "c\\d.raw");
+}
+
 TEST_CASE("several files that do not hold the volume are refused") {
   const Folder folder;
   write_slices(folder);

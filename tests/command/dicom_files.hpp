@@ -117,14 +117,15 @@ class Dataset {
     return result;
   }
 
-  /// The bytes of a file.
-  std::string file(Order order = Order::little_endian) const {
+  /// The bytes of a file. syntax: the UID that it names, or that of the order.
+  std::string file(Order order = Order::little_endian, const std::string& syntax = "") const {
     Dataset meta;
     const auto storage = elements_.find(0x00080016);
     meta.bytes(0x00020002, "UI",
                storage == elements_.end() ? "1.2.840.10008.5.1.4.1.1.2" : storage->second.value);
-    meta.bytes(0x00020010, "UI",
-               order == Order::big_endian ? "1.2.840.10008.1.2.2" : "1.2.840.10008.1.2.1");
+    const std::string of_order =
+        order == Order::big_endian ? "1.2.840.10008.1.2.2" : "1.2.840.10008.1.2.1";
+    meta.bytes(0x00020010, "UI", syntax.empty() ? of_order : syntax);
     const std::string group = meta.encoded();
     return std::string(128, '\0') + "DICM" + tag_bytes(0x00020000, Order::little_endian) + "UL" +
            number_bytes(4, 2, Order::little_endian) +

@@ -59,6 +59,43 @@ TEST_CASE("frames that have times are taken as slices with a note") {
               "the frames have times (FrameTime), taken as slices"));
 }
 
+TEST_CASE("frames that are not counted are left out with a note, and no count is one") {
+  const Folder folder;
+  Dataset data = slice(0);
+  data.samples(volume_values(), 16, true);
+  for (const std::string count : {"0", "1"}) {
+    const auto reader =
+        open_volume(folder.write("v.dcm", data.text(0x00280008, "IS", count).file()));
+    CHECK(read_all(*reader) == as_read(slice_values(0)));
+    CHECK(noted(reader->info(), "left out, as many as those of 4 further frames"));
+  }
+  const auto whole = open_volume(folder.write("v.dcm", slice(0).file()));
+  read_all(*whole);
+  CHECK_FALSE(noted(whole->info(), "left out"));
+}
+
+TEST_CASE("a slope of 0 is none, with a note") {
+  const Folder folder;
+  const Dataset data = slice(0).text(0x00281053, "DS", "0").text(0x00281052, "DS", "7");
+  const VolumeInfo info = open_volume(folder.write("v.dcm", data.file()))->info();
+  CHECK(info.slope == 1);
+  CHECK(info.intercept == 0);
+  CHECK(noted(info, "RescaleSlope is 0, taken as none"));
+}
+
+TEST_CASE("pixels that no decoder here reads are refused by the name of their packing") {
+  const Folder folder;
+  for (const auto& [uid, name] :
+       {std::pair<std::string, std::string>{"1.2.840.10008.1.2.4.201", "HTJ2K"},
+        {"1.2.840.10008.1.2.4.110", "JPEG XL"},
+        {"1.2.840.10008.1.2.4.102", "MPEG-4"}}) {
+    const std::string text =
+        refusal(folder.write("v.dcm", slice(0).file(Order::little_endian, uid)));
+    check_refusal(text, "an image packed as " + name);
+    check_refusal(text, uid);
+  }
+}
+
 TEST_CASE("samples of every type are read in either byte order") {
   const Folder folder;
   struct Case {

@@ -37,6 +37,14 @@ Slices along_z(const std::vector<double>& places) {
   });
 }
 
+TEST_CASE("files without a preamble are found among others, whatever their names") {
+  const Folder folder;
+  for (int z = 0; z < depth; ++z) folder.write("IM" + std::to_string(z), slice(z).encoded());
+  folder.write("notes", "not of the series, but in its folder");
+  CHECK(read_all(*open_volume(folder.path())) == as_read(volume_values()));
+  CHECK(open_volume(folder.path() / "IM3")->info().dims[2] == 1);
+}
+
 TEST_CASE("positions that are rounded to tenths have one step within the rounding") {
   const double step = 0.625;
   for (const bool is_told : {true, false})

@@ -28,6 +28,11 @@ TEST_CASE("a format that is not read is named with its converter, by name or by 
       {"a.mnc", "", "mnc2nii"},
       {"a.PAR", "", "dcm2niix"},
       {"a.fits", "", "numpy.save"},
+      {"a.mif.gz", "", "mrconvert"},
+      {"no-name", "mrtrix image", "mrconvert"},
+      {"a.hv", "", "medcon"},
+      {"a.hdr", "!INTERFILE :=", "this is Interfile"},
+      {"a.v", "MATRIX72v", "this is ECAT"},
       {"a.mat", "MATLAB 5.0 MAT-file", "-v7.3"},
       {"a.tar.gz", "", "unpack it"},
   };

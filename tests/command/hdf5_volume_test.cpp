@@ -338,6 +338,20 @@ TEST_CASE("samples of fewer bits than they have room for are numbers as others a
   CHECK(read_all(*reader) == std::vector<double>(samples.begin(), samples.end()));
 }
 
+TEST_CASE("bits of PyTables are truth values") {
+  const Folder folder;
+  const fs::path file = folder.path() / "mask.h5";
+  const std::vector<std::uint8_t> samples = {0, 1, 1, 0, 0, 0, 1, 0};
+  {
+    const Hdf5Handle opened = new_file(file);
+    const Hdf5Handle dataset = new_dataset(opened, "mask", {2, 2, 2}, no_creation(), H5T_STD_B8LE);
+    H5Dwrite(dataset.id(), H5T_NATIVE_B8, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
+  }
+  const auto reader = open_volume(file);
+  CHECK(reader->info().type == SampleType::u8);
+  CHECK(read_all(*reader) == std::vector<double>(samples.begin(), samples.end()));
+}
+
 TEST_CASE("a virtual array is read from other files, and refused where one is not there") {
   const Folder folder;
   folder.write("source.h5", contents(files / "hdf5/u8-little.h5"));

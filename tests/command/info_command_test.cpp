@@ -183,7 +183,8 @@ TEST_CASE("info refuses options of the other kind, and what is neither") {
   check_failure(workshop.run("info v.nrrd --stream-channel 1"), 2,
                 {"--stream-channel", "is for streams"});
   check_failure(workshop.run("info v.dmc --frame 1"), 2, {"--frame", "is for volumes"});
-  check_failure(workshop.run("info nothing"), 1, {"nothing", "is this a .dmc file?"});
+  check_failure(workshop.run("info nothing"), 1,
+                {"nothing", "no header of a discmc stream", "--dims and --type"});
   check_failure(workshop.run("info none.nrrd"), 1, {"none.nrrd", "there is no such file"});
   workshop.write("short.nrrd", u8_file.substr(0, u8_file.size() - 1));
   CHECK(workshop.run("info short.nrrd").code == 1);

@@ -519,6 +519,22 @@ TEST_CASE("a palette of greys stands for them") {
   CHECK(!noted(reader->info(), "palette"));
 }
 
+TEST_CASE("pages of ScanImage are slices only if it says so, or the user") {
+  const Folder folder;
+  constexpr std::uint16_t software = 305;
+  const auto write = [&](const std::string& slices) {
+    const Tags more = {{software, text("SI.VERSION_MAJOR = 2020\nSI.hChannels.channelSave = [1;2]\n"
+                                       "SI.hStackManager.numSlices = " +
+                                       slices + "\n")}};
+    return folder.write("v.tif", numbered(4, "", more).bytes());
+  };
+  check_refusal(refusal(write("2")), "its 4 pages are not a slice each: ScanImage stores channels");
+  VolumeOptions options;
+  options.axes = "zyx";
+  CHECK(open_volume(write("2"), options)->info().dims[2] == 4);
+  CHECK(open_volume(write("4"))->info().dims[2] == 4);
+}
+
 TEST_CASE("what is laid out or stored in other ways is refused by its name") {
   const auto refusal_with = [](const Tags& more) {
     const Folder folder;

@@ -233,6 +233,16 @@ TEST_CASE("NIfTI's qform is taken where the sform spans no space, and nothing wh
   }
 }
 
+TEST_CASE("a qform of NIfTI that is mirrored against the sform is noted") {
+  const Folder folder;
+  const std::vector<float> sform = {0.5F, 0, 0, 1, 0, 2, 0, 2, 0, 0, 3, 3};
+  const Nifti both = with_sform(nifti_of_spacing(), sform).integer(252, 2, 1);
+  CHECK(nifti_info(folder, both).notes.empty());
+  const VolumeInfo mirrored = nifti_info(folder, Nifti(both).real(76, -1));
+  CHECK(noted(mirrored, "the qform is mirrored against the sform, dropped"));
+  check_placement(mirrored, Frame::ras, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
+}
+
 TEST_CASE("a negative distance in NIfTI is taken as positive, with a note") {
   const Folder folder;
   const VolumeInfo info = nifti_info(folder, nifti_of_spacing().real(84, -2));

@@ -52,6 +52,27 @@ TEST_CASE("VTK's XML gives the place of the first voxel, whatever number it has"
   CHECK(info.placement->origin_mm == Vector{1, 12, -1});
 }
 
+TEST_CASE("in VTK's XML samples may be those of cells, whose centres are between points") {
+  const Folder folder;
+  const std::string place = " Origin=\"1 2 3\" Spacing=\"2 3 4\" Direction=\"0 -1 0 1 0 0 0 0 1\"";
+  std::string file = vti("", whole + place, ">" + appended_array, appended);
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"0 4 0 2 0 3", "0 5 0 3 0 4"},
+                                 {"PointData", "CellData"}})
+    for (std::size_t at = 0; (at = file.find(from, at)) != std::string::npos;)
+      file.replace(at, from.size(), to);
+  const auto cells = folder.write("cells.vti", file);
+  check_volume(cells, SampleType::u8, "VTK XML, raw");
+  CHECK(open_volume(cells)->info().placement->origin_mm == std::array<double, 3>{-0.5, 3, 5});
+  // Those at points come first where there are both.
+  const std::string of_cells =
+      "<CellData><DataArray type=\"Int16\" Name=\"c\" format=\"appended\" "
+      "offset=\"70\"/></CellData>";
+  std::string both = vti("", whole, ">" + appended_array, appended);
+  both.insert(both.find("<PointData"), of_cells);
+  check_volume(folder.write("both.vti", both), SampleType::u8, "VTK XML, raw");
+  CHECK(noted(open_volume(folder.path() / "both.vti")->info(), "others left out: 'c'"));
+}
+
 TEST_CASE("in VTK's XML an axis of negative spacing runs backwards along its direction") {
   const Folder folder;
   const std::string place = " Origin=\"1 2 3\" Spacing=\"2 -3 4\" ";
@@ -76,9 +97,8 @@ TEST_CASE("VTK's XML refuses by name what it does not take") {
     check_refusal(refusal(folder.write("v.vti", bytes)), part);
   };
   const std::string points = ">" + appended_array;
-  check("<VTKFile type=\"PolyData\">" + std::string("<AppendedData>"),
-        "no VTKFile of type ImageData");
-  check(vti("", whole, ">", appended), "no array of samples at points");
+  check("<VTKFile type=\"RectilinearGrid\">", "VTK's 'RectilinearGrid' and no ImageData");
+  check(vti("", whole, ">", appended), "there is no array of samples");
   check(vti("", whole, points, ""), "no array of samples in the first");
   check(vti("", "WholeExtent=\"0 4 0 2 0 7\"", points, appended), "in several pieces");
   check(vti("", "WholeExtent=\"0 4 0 2\"", points, appended), "WholeExtent is '0 4 0 2'");

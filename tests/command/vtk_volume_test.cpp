@@ -39,13 +39,25 @@ TEST_CASE("VTK's samples may be scalars, colours or a field, and have a place") 
   CHECK(info.placement->origin_mm == std::array<double, 3>{7, 8, -9});
 }
 
+TEST_CASE("VTK's samples may be those of cells, whose centres are between points") {
+  const Folder folder;
+  const std::string cells =
+      "DATASET STRUCTURED_POINTS\nDIMENSIONS 6 4 5\nSPACING 1 2 3\nORIGIN 7 8 -9\nCELL_DATA 60\n"
+      "SCALARS a unsigned_char 1\nLOOKUP_TABLE default\n";
+  const auto file = folder.write("v.vtk", vtk(cells + u8));
+  check_volume(file, SampleType::u8, "VTK, raw");
+  CHECK(open_volume(file)->info().placement->origin_mm == std::array<double, 3>{7.5, 9, -7.5});
+}
+
 TEST_CASE("VTK's legacy format refuses by name what it does not take") {
   const Folder folder;
   const auto check = [&](const std::string& bytes, const std::string& part) {
     check_refusal(refusal(folder.write("v.vtk", bytes)), part);
   };
   check(vtk("DATASET POLYDATA\n"), "of kind 'POLYDATA'");
-  check(vtk(image + "CELL_DATA 60\n" + u8), "header line 'CELL_DATA 60' is not known");
+  check(vtk(image + "CELLS 60\n" + u8), "header line 'CELLS 60' is not known");
+  check(vtk(image + scalars.substr(scalars.find('S')).insert(0, "CELL_DATA 60\n") + u8),
+        "there are 60 samples for the 24 cells of DIMENSIONS");
   check(vtk(image + "POINT_DATA 60\nVECTORS v float\n"), "of kind 'vectors'");
   check(vtk(image + "POINT_DATA 60\nSCALARS a float 3\nLOOKUP_TABLE t\n"), "has '3' numbers");
   check(vtk(image + "POINT_DATA 60\nSCALARS a bit\nLOOKUP_TABLE t\n"), "type 'bit'");

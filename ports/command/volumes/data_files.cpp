@@ -130,7 +130,7 @@ class JoinedFiles final : public ByteSource {
 bool names_several_files(std::string_view text) {
   const auto parts = words(text);
   return !parts.empty() &&
-         (parts[0] == "LIST" || (parts.size() > 1 && text.find('%') != std::string_view::npos));
+         (parts[0] == "LIST" || (parts.size() > 1 && parts[0].find('%') != std::string_view::npos));
 }
 
 DataFiles data_files(ByteStream& header, std::string_view field, std::string_view text) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "array_name.hpp"
+#include "formats/dicom/files.hpp"
 #include "formats/zarr/folder.hpp"
 #include "text/words.hpp"
 
@@ -41,7 +42,7 @@ const std::vector<VolumeFormat>& formats() {
       {"NumPy", {".npy"}, {{0, "\x93NUMPY"}}, open_numpy, nullptr},
       {"npz", {".npz"}, {}, nullptr, open_npz},
       {"InVesalius", {".inv3"}, {{257, "ustar"}}, open_invesalius, nullptr},
-      {"DICOM", {".dcm", ".ima"}, {{128, "DICM"}}, nullptr, open_dicom_file},
+      {"DICOM", {".dcm", ".ima"}, {}, nullptr, open_dicom_file},
       {"PNG", {".png"}, {{0, "\x89PNG"}}, nullptr, open_picture_file},
       {"TIFF",
        {".tif", ".tiff"},
@@ -76,6 +77,24 @@ const std::vector<VolumeFormat>& formats() {
        nullptr,
        nullptr,
        "convert it, e.g. with: nccopy -k nc4 FILE OUT.nc"},
+      {"MRtrix",
+       {".mif", ".mih"},
+       {{0, "mrtrix image"}},
+       nullptr,
+       nullptr,
+       "convert it, e.g. with: mrconvert FILE OUT.nii"},
+      {"Interfile",
+       {".hv", ".i33"},
+       {{0, "!INTERFILE"}},
+       nullptr,
+       nullptr,
+       "convert it, e.g. with: medcon -c nifti -f FILE"},
+      {"ECAT",
+       {},
+       {{0, "MATRIX"}},
+       nullptr,
+       nullptr,
+       "convert it, e.g. with: medcon -c nifti -f FILE"},
       {"Philips PAR/REC",
        {".par"},
        {},
@@ -167,6 +186,7 @@ const VolumeFormat* format_of_name(const std::filesystem::path& file) {
 
 const VolumeFormat* format_of_head(std::string_view head) {
   return first_format([head](const VolumeFormat& format) {
+    if (format.open_file == open_dicom_file) return is_dicom_head(head);
     return std::any_of(format.magics.begin(), format.magics.end(), [head](const Magic& magic) {
       return head.size() >= magic.offset &&
              head.substr(magic.offset, magic.bytes.size()) == magic.bytes;

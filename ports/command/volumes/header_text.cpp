@@ -1,6 +1,7 @@
 #include "header_text.hpp"
 
 #include <algorithm>
+#include <system_error>
 
 #include "text/control_character.hpp"
 #include "text/number_text.hpp"
@@ -30,7 +31,13 @@ std::filesystem::path beside(const std::filesystem::path& header, std::string_vi
   if (std::any_of(name.begin(), name.end(), is_control))
     fail(header, "the data file " + shown(name) + " has control characters in its name",
          "correct the header");
-  return header.parent_path() / std::filesystem::path(std::string(name));
+  std::filesystem::path file = header.parent_path() / std::string(name);
+  // Windows separates folders by another character.
+  std::error_code ignored;
+  if (std::filesystem::exists(file, ignored)) return file;
+  std::string turned(name);
+  std::replace(turned.begin(), turned.end(), '\\', '/');
+  return header.parent_path() / turned;
 }
 
 }  // namespace discmc::command

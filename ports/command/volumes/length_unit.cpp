@@ -16,7 +16,7 @@ struct Unit {
 
 // Words stand here as in British spelling and singular. Micro has two characters in Unicode, one
 // in Latin-1, and an escape in files of ImageJ.
-const Unit known_units[] = {
+const Unit length_units[] = {
     {1000, {"m", "metre"}},
     {100, {"dm", "decimetre"}},
     {10, {"cm", "centimetre"}},
@@ -42,7 +42,7 @@ std::string in_british_singular(std::string_view name) {
 
 std::optional<double> millimetres_in(std::string_view unit) {
   const std::string name = in_british_singular(unit);
-  for (const Unit& each : known_units)
+  for (const Unit& each : length_units)
     if (std::find(each.names.begin(), each.names.end(), name) != each.names.end())
       return each.millimetres;
   return std::nullopt;

@@ -47,16 +47,16 @@ std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path&
   return files;
 }
 
-std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
+std::unique_ptr<VolumeReader> open_by_kind(const std::filesystem::path& file,
                                            const VolumeOptions& options);
 
 // Masks are labels. For what takes none, one of the files is to be named.
-std::unique_ptr<VolumeReader> open_told_masks(const std::filesystem::path& source,
-                                              const std::vector<std::filesystem::path>& files,
-                                              const VolumeOptions& options) {
-  const bool is_told = options.holds_labels || options.frame;
-  if (is_told && files.size() > 1) return open_masks(source, files, options);
-  if (is_told) return open_as_told(files[0], options);
+std::unique_ptr<VolumeReader> open_requested_masks(const std::filesystem::path& source,
+                                                   const std::vector<std::filesystem::path>& files,
+                                                   const VolumeOptions& options) {
+  const bool are_requested = options.holds_labels || options.frame;
+  if (are_requested && files.size() > 1) return open_masks(source, files, options);
+  if (are_requested) return open_by_kind(files[0], options);
   const std::string count = std::to_string(files.size());
   fail(
       source, "volumes of their own: " + count + ", such as " + shown(files[0].filename().string()),
@@ -107,7 +107,7 @@ std::unique_ptr<VolumeReader> open_unpacked(ByteStream stream, const VolumeOptio
   return unpacked_volume(stream.file(), name(*stream.packing()), [&](const auto& folder) {
     const std::filesystem::path file = folder / without_packing(stream.file()).filename();
     unpack(stream, file);
-    return open_as_told(file, options);
+    return open_by_kind(file, options);
   });
 }
 
@@ -122,7 +122,7 @@ std::unique_ptr<VolumeReader> open_stream(ByteStream stream, const VolumeFormat&
   return format.open_file(stream.file(), options);
 }
 
-std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
+std::unique_ptr<VolumeReader> open_by_kind(const std::filesystem::path& file,
                                            const VolumeOptions& options) {
   if (options.layout) {
     require_headerless_name(file);
@@ -140,8 +140,9 @@ std::unique_ptr<VolumeReader> open_as_told(const std::filesystem::path& file,
     return format->open_file(file, options);
 
   ByteStream stream = open_content(file);
-  if (format == nullptr && !is_stream_name(file) && !is_mesh_name(file))
-    format = format_of_head(stream.peek(magic_bytes));
+  const VolumeFormat* const of_head = format_of_head(stream.peek(magic_bytes));
+  const bool may_be_any = format == nullptr && !is_stream_name(file) && !is_mesh_name(file);
+  if (may_be_any || (of_head != nullptr && !is_read(*of_head))) format = of_head;
   if (format == nullptr) fail_unread(stream.file(), nullptr);
   return open_stream(std::move(stream), *format, options);
 }
@@ -186,7 +187,7 @@ std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
                                            const VolumeOptions& options) {
   const auto files = files_of_pattern(pattern);
   if (std::all_of(files.begin(), files.end(), is_mask_name))
-    return open_told_masks(pattern, files, options);
+    return open_requested_masks(pattern, files, options);
   const auto picture = std::find_if(files.begin(), files.end(), is_picture_name);
   const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
   if (other == files.end()) return open_pictures(pattern, files, options);
@@ -218,7 +219,7 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
   }
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
   const auto masks = mask_files(folder);
-  if (!masks.empty()) return open_told_masks(folder, masks, options);
+  if (!masks.empty()) return open_requested_masks(folder, masks, options);
   if (!dead.empty()) fail(folder, dead, "copy what they should lead to");
   fail(folder, "the folder holds no DICOM files and no pictures",
        "name a file, or the folder of a series");
@@ -239,7 +240,7 @@ bool is_volume_name(const std::filesystem::path& file) {
 
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options) {
-  auto volume = open_as_told(file, options);
+  auto volume = open_by_kind(file, options);
   if (volume->info().frames > 1 && !options.frame) fail_frames(file, volume->info());
   if (options.frame.value_or(0) >= volume->info().frames)
     fail(file, "this is one volume, and volume " + std::to_string(*options.frame) + " is asked for",

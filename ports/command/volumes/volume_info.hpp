@@ -55,7 +55,7 @@ struct VolumeInfo {
   }
 };
 
-// What readers and filters fill it with; its place is that of set_place() in told_place.hpp.
+// What readers and filters fill it with; its place is that of set_place() in declared_place.hpp.
 
 /// Adds a note, unless it is there.
 void note(VolumeInfo& info, const std::string& text);

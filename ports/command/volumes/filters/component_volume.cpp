@@ -1,9 +1,11 @@
 #include "component_volume.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
+#include "volumes/volume_error.hpp"
 #include "volumes/volume_filter.hpp"
 
 namespace discmc::command {
@@ -42,6 +44,27 @@ class ComponentVolume final : public VolumeFilter {
 std::unique_ptr<VolumeReader> component(std::unique_ptr<VolumeReader> all, VolumeInfo info,
                                         std::uint32_t first, std::uint32_t count) {
   return std::make_unique<ComponentVolume>(std::move(all), std::move(info), first, count);
+}
+
+VolumeInfo of_all_components(const std::string& file, VolumeInfo info, std::uint64_t count,
+                             const std::string& remedy) {
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+  if (count > most / info.dims[0])
+    fail(file, std::to_string(count) + " samples side by side make the rows too long", remedy);
+  info.dims[0] *= static_cast<std::uint32_t>(count);
+  info.channels = 1;
+  return info;
+}
+
+std::unique_ptr<VolumeReader> channel_of(
+    const std::string& file, VolumeInfo info, std::optional<std::uint32_t> channel,
+    const std::function<std::unique_ptr<VolumeReader>(VolumeInfo all)>& open) {
+  if (info.channels == 1) return open(std::move(info));
+  const std::uint64_t count = info.channels;
+  auto all = open(of_all_components(file, info, count));
+  info.notes = all->info().notes;
+  return component(std::move(all), std::move(info), channel.value_or(0),
+                   static_cast<std::uint32_t>(count));
 }
 
 }  // namespace discmc::command

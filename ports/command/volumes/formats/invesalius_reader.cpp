@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_text.hpp"
-#include "volumes/told_place.hpp"
 
 #if defined(DISCMC_WITH_PUGIXML) && defined(DISCMC_WITH_LIBARCHIVE)
 #include <archive.h>
@@ -127,12 +127,12 @@ std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOpt
            {integer(file, "shape", shape[2]), integer(file, "shape", shape[1]),
             integer(file, "shape", shape[0])});
   const auto spacing = three_of(file, project, "spacing");
-  ToldPlace told;
-  told.set_unit("mm");
+  DeclaredPlace place;
+  place.set_unit("mm");
   // InVesalius stores images upside down: its y runs to the front.
-  told.spacing = {real(file, "spacing", spacing[0]), -real(file, "spacing", spacing[1]),
-                  real(file, "spacing", spacing[2])};
-  set_place(info, told, options);
+  place.spacing = {real(file, "spacing", spacing[0]), -real(file, "spacing", spacing[1]),
+                   real(file, "spacing", spacing[2])};
+  set_place(info, place, options);
   note(info, "y runs backwards: InVesalius stores images upside down");
   const std::string name = value_of(file, matrix, "filename").text().get();
   ByteStream samples = member(open_content(file), name);

@@ -6,10 +6,11 @@
 
 #include "text/words.hpp"
 #include "volumes/data_files.hpp"
+#include "volumes/declared_place.hpp"
+#include "volumes/filters/component_volume.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_fields.hpp"
 #include "volumes/header_text.hpp"
-#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -88,6 +89,11 @@ void set_sizes(VolumeInfo& info, const HeaderFields& header, const VolumeOptions
              std::to_string(sizes.size()),
          "correct the header");
   set_dims(info, header.file(), sizes, options.frame);
+  const std::int64_t channels = header.integer("ElementNumberOfChannels", 1);
+  if (channels < 1)
+    fail(header.file(), "ElementNumberOfChannels is " + std::to_string(channels),
+         "correct the header");
+  set_channels(info, header.file(), static_cast<std::uint64_t>(channels), options.channel);
 }
 
 // Where the axes come from by their letters: RAI are axes along LPS. ITK writes them beside the
@@ -104,12 +110,12 @@ std::string orientation_of(const Axes& axes) {
   return letters;
 }
 
-void note_orientation(VolumeInfo& info, std::string_view told) {
-  if (told.empty() || told.find('?') != std::string_view::npos || !info.placement) return;
+void note_orientation(VolumeInfo& info, std::string_view letters) {
+  if (letters.empty() || letters.find('?') != std::string_view::npos || !info.placement) return;
   const std::string taken = orientation_of(info.placement->axes_mm);
-  if (told != taken)
-    note(info, "AnatomicalOrientation " + shown(told) + " dropped: by the TransformMatrix it is '" +
-                   taken + "'");
+  if (letters != taken)
+    note(info, "AnatomicalOrientation " + shown(letters) +
+                   " dropped: by the TransformMatrix it is '" + taken + "'");
 }
 
 // A row an axis, of length 1; nothing where the numbers are no matrix of the axes.
@@ -128,7 +134,8 @@ std::optional<Axes> directions_of(VolumeInfo& info, const std::vector<double>& m
   return directions;
 }
 
-void set_spacing(VolumeInfo& info, const HeaderFields& header, std::size_t axes, ToldPlace& told) {
+void set_spacing(VolumeInfo& info, const HeaderFields& header, std::size_t axes,
+                 DeclaredPlace& place) {
   auto lengths = header.reals({"ElementSpacing"});
   if (lengths.empty()) {
     lengths = header.reals({"ElementSize"});
@@ -139,22 +146,22 @@ void set_spacing(VolumeInfo& info, const HeaderFields& header, std::size_t axes,
          "ElementSpacing holds " + std::to_string(lengths.size()) + " numbers for " +
              std::to_string(axes) + " dimensions",
          "correct the header");
-  std::copy_n(lengths.begin(), std::min<std::size_t>(lengths.size(), 3), told.spacing.begin());
+  std::copy_n(lengths.begin(), std::min<std::size_t>(lengths.size(), 3), place.spacing.begin());
 }
 
 void set_geometry(VolumeInfo& info, const HeaderFields& header, const VolumeOptions& options) {
   const std::size_t axes = words(header.needed("DimSize")).size();
-  ToldPlace told;
+  DeclaredPlace place;
   // ITK, which the format is from, has millimetres and the space of DICOM.
   const std::string_view unit = header.text("DistanceUnits");
-  told.set_unit(unit.empty() ? "mm" : unit == "?" ? "" : std::string(unit));
-  set_spacing(info, header, axes, told);
+  place.set_unit(unit.empty() ? "mm" : unit == "?" ? "" : std::string(unit));
+  set_spacing(info, header, axes, place);
   const auto matrix = header.reals({"TransformMatrix", "Rotation", "Orientation"});
   const auto origin = header.reals({"Offset", "Position", "Origin"});
-  if (!matrix.empty() || !origin.empty()) told.frame = Frame::lps;
-  told.directions = directions_of(info, matrix, axes);
-  std::copy_n(origin.begin(), std::min<std::size_t>(origin.size(), 3), told.origin.begin());
-  set_place(info, told, options);
+  if (!matrix.empty() || !origin.empty()) place.frame = Frame::lps;
+  place.directions = directions_of(info, matrix, axes);
+  std::copy_n(origin.begin(), std::min<std::size_t>(origin.size(), 3), place.origin.begin());
+  set_place(info, place, options);
   note_orientation(info, header.text("AnatomicalOrientation"));
 }
 
@@ -205,7 +212,6 @@ ByteStream open_data(ByteStream& stream, const HeaderFields& header, const Stora
 std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOptions& options) {
   const HeaderFields header = read_header(stream);
   expect(header, "ObjectType", "Image");
-  expect(header, "ElementNumberOfChannels", "1");
 
   VolumeInfo info;
   info.type = sample_type(header.file(), header.needed("ElementType"));
@@ -220,10 +226,13 @@ std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOpti
   if (!storage.is_text && sample_bytes(info.type) > 1 && header.text(order).empty())
     note(info, "byte order not given, little-endian taken");
 
-  ByteStream data = open_data(stream, header, storage, info);
   info.format = "MetaImage, " + storage.name() +
                 (is_local(header.needed("ElementDataFile")) ? "" : ", detached");
-  return std::make_unique<SliceStream>(std::move(info), std::move(data), big_endian, options.frame);
+  return channel_of(header.file(), std::move(info), options.channel, [&](VolumeInfo all) {
+    ByteStream data = open_data(stream, header, storage, all);
+    return std::make_unique<SliceStream>(std::move(all), std::move(data), big_endian,
+                                         options.frame);
+  });
 }
 
 }  // namespace discmc::command

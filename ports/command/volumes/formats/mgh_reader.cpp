@@ -3,9 +3,9 @@
 #include <array>
 #include <utility>
 
+#include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_bytes.hpp"
-#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -31,7 +31,7 @@ SampleType sample_type(const std::filesystem::path& file, std::int32_t type) {
 }
 
 // Where it says nothing, FreeSurfer takes coronal slices of 1 mm about the origin.
-ToldPlace place_of(VolumeInfo& info, const HeaderBytes& header) {
+DeclaredPlace place_of(VolumeInfo& info, const HeaderBytes& header) {
   constexpr std::size_t flag = 28;
   std::array<double, 3> spacing{1, 1, 1}, centre{};
   Axes directions{{{-1, 0, 0}, {0, 0, -1}, {0, 1, 0}}};
@@ -43,16 +43,16 @@ ToldPlace place_of(VolumeInfo& info, const HeaderBytes& header) {
   } else {
     note(info, "no directions given, coronal slices of 1 mm taken, as FreeSurfer does");
   }
-  ToldPlace told;
-  told.set_unit("mm");
-  told.frame = Frame::ras;
-  told.spacing = {spacing[0], spacing[1], spacing[2]};
-  told.directions = directions;
-  told.origin = centre;
+  DeclaredPlace place;
+  place.set_unit("mm");
+  place.frame = Frame::ras;
+  place.spacing = {spacing[0], spacing[1], spacing[2]};
+  place.directions = directions;
+  place.origin = centre;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t i = 0; i < 3; ++i)
-      told.origin[i] -= info.dims[axis] / 2.0 * spacing[axis] * directions[axis][i];
-  return told;
+      place.origin[i] -= info.dims[axis] / 2.0 * spacing[axis] * directions[axis][i];
+  return place;
 }
 
 }  // namespace

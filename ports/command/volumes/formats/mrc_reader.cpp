@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "volumes/array_layout.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_bytes.hpp"
-#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -85,19 +85,20 @@ Storage storage_of(VolumeInfo& info, const std::filesystem::path& file, const He
 // The axis of space, 0 to 2, that columns, rows and sections run along.
 std::array<std::size_t, 3> axes_of(VolumeInfo& info, const std::filesystem::path& file,
                                    const HeaderBytes& header) {
-  const auto told = integers(header, axes_at);
-  if (told == std::array<std::int32_t, 3>{}) {
+  const auto axis_numbers = integers(header, axes_at);
+  if (axis_numbers == std::array<std::int32_t, 3>{}) {
     note(info, "no axes given, columns, rows and sections taken as x, y and z");
     return {0, 1, 2};
   }
-  if (!std::all_of(told.begin(), told.end(), is_axis) || told[0] == told[1] || told[0] == told[2] ||
-      told[1] == told[2])
+  if (!std::all_of(axis_numbers.begin(), axis_numbers.end(), is_axis) ||
+      axis_numbers[0] == axis_numbers[1] || axis_numbers[0] == axis_numbers[2] ||
+      axis_numbers[1] == axis_numbers[2])
     fail(file,
-         "MAPC, MAPR and MAPS are " + std::to_string(told[0]) + ", " + std::to_string(told[1]) +
-             " and " + std::to_string(told[2]),
+         "MAPC, MAPR and MAPS are " + std::to_string(axis_numbers[0]) + ", " +
+             std::to_string(axis_numbers[1]) + " and " + std::to_string(axis_numbers[2]),
          "correct them: 1, 2 and 3 in some order");
   std::array<std::size_t, 3> axes{};
-  for (std::size_t i = 0; i < 3; ++i) axes[i] = static_cast<std::size_t>(told[i] - 1);
+  for (std::size_t i = 0; i < 3; ++i) axes[i] = static_cast<std::size_t>(axis_numbers[i] - 1);
   return axes;
 }
 
@@ -146,24 +147,24 @@ Axes edges_of(const HeaderBytes& header) {
 
 // Where the map is: at ORIGIN, or where that is 0 as many steps away as the first column, row and
 // section are from those of the cell.
-ToldPlace place_of(VolumeInfo& info, const HeaderBytes& header,
-                   const std::array<std::size_t, 3>& axes) {
-  ToldPlace told;
+DeclaredPlace place_of(VolumeInfo& info, const HeaderBytes& header,
+                       const std::array<std::size_t, 3>& axes) {
+  DeclaredPlace place;
   const auto intervals = integers(header, intervals_at);
   const auto lengths = header.reals(cell_at);
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (!(intervals[axis] > 0 && lengths[axis] > 0)) return told;
+    if (!(intervals[axis] > 0 && lengths[axis] > 0)) return place;
   note(info, "lengths are in angstrom: 1 angstrom is written as 1 mm");
-  told.set_unit("mm");
-  Axes& steps = told.steps.emplace(edges_of(header));
+  place.set_unit("mm");
+  Axes& steps = place.steps.emplace(edges_of(header));
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (double& along : steps[axis]) along /= intervals[axis];
-  told.origin = header.reals(origin_at);
+  place.origin = header.reals(origin_at);
   const auto starts = integers(header, starts_at);
-  if (told.origin == std::array<double, 3>{})
+  if (place.origin == std::array<double, 3>{})
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) told.origin[j] += starts[i] * steps[axes[i]][j];
-  return told;
+      for (std::size_t j = 0; j < 3; ++j) place.origin[j] += starts[i] * steps[axes[i]][j];
+  return place;
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "text/words.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/format_list.hpp"
 #include "volumes/formats/readers.hpp"
-#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "text/words.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_text.hpp"
-#include "volumes/told_place.hpp"
 
 #ifdef DISCMC_WITH_PUGIXML
 #include <pugixml.hpp>
@@ -27,33 +27,37 @@ class Head {
     do {
       take_tag(stream, text);
       const std::string_view tag = std::string_view(text).substr(text.rfind('<'));
-      is_appended_ = tag.rfind("<AppendedData", 0) == 0;
-      if (!is_appended_ && tag.rfind("<DataArray", 0) != 0) continue;
+      const auto begins = [tag](std::string_view name) { return tag.rfind(name, 0) == 0; };
+      is_appended_ = begins("<AppendedData");
+      if (!is_appended_ && !begins("<DataArray") && !begins("<VTKFile")) continue;
       document_.load_buffer(text.data(), text.size());
+      const std::string_view type = root().attribute("type").value();
+      if (type != "ImageData")
+        fail(file_, "this is VTK's " + shown(type) + " and no ImageData",
+             "write one image, e.g. with ParaView's filter Resample To Image");
     } while (!is_appended_ && !(array() && format() != "appended"));
-    if (std::string_view(root().attribute("type").value()) != "ImageData")
-      fail(file_, "this is no VTKFile of type ImageData", "give an image");
-    if (!array())
-      fail(file_, "there is no array of samples at points", "give an image with point data");
+    if (!array()) fail(file_, "there is no array of samples", "give an image with samples");
   }
 
   pugi::xml_node root() const { return document_.child("VTKFile"); }
   pugi::xml_node image() const { return root().child("ImageData"); }
   pugi::xml_node piece() const { return image().child("Piece"); }
-  pugi::xml_node points() const { return piece().child("PointData"); }
+  /// Whether the samples are those of cells, between points: where points have none.
+  bool is_of_cells() const { return !piece().child("PointData").child("DataArray"); }
   /// Whether an array is said to be the scalars.
   bool has_scalars() const { return !std::string_view(scalars()).empty(); }
   /// That one, or else the first.
   pugi::xml_node array() const {
-    return has_scalars() ? points().find_child_by_attribute("DataArray", "Name", scalars())
-                         : points().child("DataArray");
+    return has_scalars() ? data().find_child_by_attribute("DataArray", "Name", scalars())
+                         : data().child("DataArray");
   }
   /// Those of the other arrays that stand before the samples, "b, c".
   std::string other_arrays() const {
     std::string names;
-    for (const pugi::xml_node& other : points().children("DataArray"))
-      if (other != array())
-        names += (names.empty() ? "" : ", ") + shown(other.attribute("Name").value());
+    for (const char* kind : {"PointData", "CellData"})
+      for (const pugi::xml_node& other : piece().child(kind).children("DataArray"))
+        if (other != array())
+          names += (names.empty() ? "" : ", ") + shown(other.attribute("Name").value());
     return names;
   }
   std::string_view format() const { return array().attribute("format").value(); }
@@ -78,7 +82,8 @@ class Head {
   }
 
  private:
-  const char* scalars() const { return points().attribute("Scalars").value(); }
+  pugi::xml_node data() const { return piece().child(is_of_cells() ? "CellData" : "PointData"); }
+  const char* scalars() const { return data().attribute("Scalars").value(); }
 
   // Appends what comes, up to the end of a tag.
   void take_tag(ByteStream& stream, std::string& text) const {
@@ -89,7 +94,7 @@ class Head {
       if (text.size() == max_header_bytes || stream.read(&c, 1) == 0)
         fail(file_,
              "there is no array of samples in the first " + std::to_string(text.size()) + " bytes",
-             "give an image with point data");
+             "give an image with samples");
       text += c;
       has_tag = has_tag || c == '<';
     }
@@ -122,22 +127,25 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Hea
   const auto extent = head.extent(head.image(), "WholeExtent");
   if (head.extent(head.piece(), "Extent") != extent)
     fail(file, "the image is in several pieces", "write it in one, e.g. with ParaView");
-  set_dims(info, file,
-           {extent[1] - extent[0] + 1, extent[3] - extent[2] + 1, extent[5] - extent[4] + 1});
-  ToldPlace told;
+  const std::int64_t last = head.is_of_cells() ? 0 : 1;
+  set_dims(
+      info, file,
+      {extent[1] - extent[0] + last, extent[3] - extent[2] + last, extent[5] - extent[4] + last});
+  DeclaredPlace place;
   const auto spacing = numbers<3>(file, head.image(), "Spacing");
-  if (spacing) std::copy(spacing->begin(), spacing->end(), told.spacing.begin());
-  told.origin = numbers<3>(file, head.image(), "Origin").value_or(told.origin);
+  if (spacing) std::copy(spacing->begin(), spacing->end(), place.spacing.begin());
+  place.origin = numbers<3>(file, head.image(), "Origin").value_or(place.origin);
   // A row of the matrix a coordinate.
   const auto matrix = numbers<9>(file, head.image(), "Direction");
-  Axes& directions = told.directions.emplace(coordinates);
+  Axes& directions = place.directions.emplace(coordinates);
   for (std::size_t i = 0; i < 9 && matrix; ++i) directions[i % 3][i / 3] = (*matrix)[i];
-  // The origin is that of the point with the number 0.
+  // The origin is that of the point with the number 0, half a step before the centre of a cell.
+  const double before = head.is_of_cells() ? 0.5 : 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t row = 0; row < 3; ++row)
-      told.origin[row] += static_cast<double>(extent[2 * axis]) * directions[axis][row] *
-                          told.spacing[axis].value_or(1);
-  set_place(info, told, options);
+      place.origin[row] += (static_cast<double>(extent[2 * axis]) + before) *
+                           directions[axis][row] * place.spacing[axis].value_or(1);
+  set_place(info, place, options);
 }
 
 // Which of several arrays was taken, or may have been.

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "text/words.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_text.hpp"
-#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -14,8 +14,9 @@ namespace {
 struct Header {
   bool is_text = false;
   std::vector<std::int64_t> sizes;
-  std::int64_t points = 0;
-  ToldPlace place;
+  std::int64_t samples = 0;
+  bool are_of_cells = false;  // between points, or else at points
+  DeclaredPlace place;
   std::string type;
   std::string components = "1";
 };
@@ -42,7 +43,7 @@ class HeaderReader {
 
   std::string line() {
     auto line = stream_.read_line();
-    if (!line) refuse("the header holds no array of samples", "give a volume with point data");
+    if (!line) refuse("the header holds no array of samples", "give an image with samples");
     return std::move(*line);
   }
 
@@ -77,16 +78,17 @@ class HeaderReader {
       std::copy(spacing.begin(), spacing.end(), header_.place.spacing.begin());
     } else if (key == "origin") {
       header_.place.origin = reals(found);
-    } else if (key == "point_data") {
+    } else if (key == "point_data" || key == "cell_data") {
       expect_words(found, 2);
-      header_.points = integer(stream_.file(), key, found[1]);
-      in_points_ = true;
+      header_.samples = integer(stream_.file(), key, found[1]);
+      header_.are_of_cells = key == "cell_data";
+      are_arrays_next_ = true;
     } else if (key == "metadata") {
       while (!trimmed(line()).empty()) continue;
-    } else if (in_points_) {
+    } else if (are_arrays_next_) {
       take_array(key, found);
     } else {
-      refuse("the header line " + shown(text) + " is not known", "give an image with point data");
+      refuse("the header line " + shown(text) + " is not known", "correct the header");
     }
   }
 
@@ -110,16 +112,16 @@ class HeaderReader {
       const auto parts = words(array);
       if (parts.size() < 4) refuse("the field's line " + shown(array) + " is short", "correct it");
       header_.components = parts[1];
-      header_.points = integer(stream_.file(), "the field's length", parts[2]);
+      header_.samples = integer(stream_.file(), "the field's length", parts[2]);
       header_.type = lower(parts[3]);
     } else {
-      refuse("the first array of points is of kind " + shown(key), "store scalars first");
+      refuse("the first array is of kind " + shown(key), "store scalars first");
     }
   }
 
   ByteStream& stream_;
   Header header_;
-  bool in_points_ = false;
+  bool are_arrays_next_ = false;
 };
 
 SampleType sample_type(const std::filesystem::path& file, const std::string& type) {
@@ -134,6 +136,20 @@ SampleType sample_type(const std::filesystem::path& file, const std::string& typ
   for (const auto& [name, of_name] : names)
     if (type == name) return of_name;
   fail_type(file, type);
+}
+
+// Cells are one less along each axis than points, and their centres half a step behind these.
+std::vector<std::int64_t> sizes(const Header& header) {
+  std::vector<std::int64_t> sizes = header.sizes;
+  for (std::int64_t& size : sizes) size -= header.are_of_cells ? 1 : 0;
+  return sizes;
+}
+
+DeclaredPlace place(const Header& header) {
+  DeclaredPlace place = header.place;
+  for (std::size_t axis = 0; axis < 3 && header.are_of_cells; ++axis)
+    place.origin[axis] += place.spacing[axis].value_or(1) / 2;
+  return place;
 }
 
 // Further arrays and their like. The decoder of text ends at the first word that is no number.
@@ -156,13 +172,14 @@ std::unique_ptr<VolumeReader> open_vtk(ByteStream stream, const VolumeOptions& o
   VolumeInfo info;
   info.type = sample_type(file, header.type);
   info.format = header.is_text ? "VTK, text" : "VTK, raw";
-  set_dims(info, file, header.sizes);
-  set_place(info, header.place, options);
-  const std::uint64_t points = volume_bytes(info) / sample_bytes(info.type);
-  if (header.points < 0 || static_cast<std::uint64_t>(header.points) != points)
+  set_dims(info, file, sizes(header));
+  set_place(info, place(header), options);
+  const std::uint64_t voxels = volume_bytes(info) / sample_bytes(info.type);
+  if (header.samples < 0 || static_cast<std::uint64_t>(header.samples) != voxels)
     fail(file,
-         "there are " + std::to_string(header.points) + " samples for the " +
-             std::to_string(points) + " points of DIMENSIONS",
+         "there are " + std::to_string(header.samples) + " samples for the " +
+             std::to_string(voxels) + (header.are_of_cells ? " cells" : " points") +
+             " of DIMENSIONS",
          "correct the header");
   if (header.is_text)
     stream.decode([&info](auto in) { return samples_of_text(std::move(in), info.type); });

@@ -1,7 +1,9 @@
 #include "files.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -38,19 +40,58 @@ void for_each_entry(const Path& folder, Call call) {
 
 bool is_dicom(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  std::string head(dicom_magic_bytes, '\0');
+  std::string head(dicom_head_bytes, '\0');
   in.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(in.gcount()));
   if (packing_of_name(file) && packing_of(head))
     return has_dicom_name(without_packing(file)) ||
-           has_dicom_magic(open_content(file).peek(dicom_magic_bytes));
-  return has_dicom_magic(head) || has_dicom_name(file);
+           is_dicom_head(open_content(file).peek(dicom_head_bytes));
+  return is_dicom_head(head) || has_dicom_name(file);
+}
+
+// An element at the beginning of some bytes, low byte first, as old files have it.
+struct Element {
+  std::uint32_t tag;
+  std::size_t bytes;  // with its value
+};
+
+std::optional<Element> element_at(std::string_view bytes) {
+  constexpr std::size_t header_bytes = 8;
+  if (bytes.size() < header_bytes) return std::nullopt;
+  const auto number = [bytes](std::size_t at, std::size_t count) {
+    std::uint32_t value = 0;
+    for (std::size_t i = count; i-- > 0;)
+      value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+  };
+  const auto is_letter = [bytes](std::size_t at) { return bytes[at] >= 'A' && bytes[at] <= 'Z'; };
+  // The kind of value is either told by two letters before a length of 16 bits, or not at all.
+  const bool is_explicit = is_letter(4) && is_letter(5);
+  return Element{number(0, 2) << 16 | number(2, 2),
+                 header_bytes + (is_explicit ? number(6, 2) : number(4, 4))};
+}
+
+// Elements without what comes before them in files: those that identify the image, in the order of
+// their tags.
+bool is_bare_dataset(std::string_view head) {
+  constexpr std::uint32_t group = 0x0008;
+  constexpr int enough = 3;
+  std::uint32_t last = 0;
+  for (int count = 0; count < enough; ++count) {
+    const auto element = element_at(head);
+    if (!element || element->tag >> 16 != group || (count > 0 && element->tag <= last))
+      return false;
+    last = element->tag;
+    head.remove_prefix(std::min(element->bytes, head.size()));
+  }
+  return true;
 }
 
 }  // namespace
 
-bool has_dicom_magic(std::string_view head) {
-  return head.size() >= dicom_magic_bytes && head.substr(dicom_magic_bytes - 4, 4) == "DICM";
+bool is_dicom_head(std::string_view head) {
+  constexpr std::size_t magic_at = 128;
+  return (head.size() > magic_at && head.substr(magic_at, 4) == "DICM") || is_bare_dataset(head);
 }
 
 bool has_dicom_name(const std::filesystem::path& file) {

@@ -9,12 +9,13 @@
 namespace discmc::command {
 
 /// Units: bytes from the beginning of a file that tell whether it is DICOM.
-constexpr std::size_t dicom_magic_bytes = 132;
+constexpr std::size_t dicom_head_bytes = 256;
 
-/// Whether a file that begins so is DICOM.
-bool has_dicom_magic(std::string_view head);
+/// Whether a file that begins so is DICOM: with its magic, or with elements at once, as some write
+/// it.
+bool is_dicom_head(std::string_view head);
 
-/// Whether a file is named as DICOM files are: old ones have no magic.
+/// Whether a file is named as DICOM files are.
 bool has_dicom_name(const std::filesystem::path& file);
 
 /// Returns the DICOM files of a folder and of all folders in it, packed ones too, by their names.

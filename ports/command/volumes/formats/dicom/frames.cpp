@@ -30,16 +30,16 @@ void note_times(DcmItem& dataset, DicomImage& image) {
 void place_by_steps(DicomImage& image, std::vector<DicomFrame>& frames,
                     const std::vector<std::uint32_t>& slices) {
   const DicomFrame first = frames.front();
-  const bool is_told = first.slice_spacing_mm != 0;
-  const double step_mm = is_told ? first.slice_spacing_mm : 1;
+  const bool is_given = first.slice_spacing_mm != 0;
+  const double step_mm = is_given ? first.slice_spacing_mm : 1;
   const Vector normal = normal_of(*first.place);
   for (std::size_t i = 0; i < frames.size(); ++i)
     frames[i].place->position = sum(first.place->position, slices[i] * step_mm, normal);
   if (frames.size() > 1)
     image.notes.push_back(
         "one position for all frames, taken as slices " + short_number(step_mm) + " mm apart, " +
-        (is_told ? "by " + std::string(first.slice_spacing_name)
-                 : "as neither SpacingBetweenSlices nor SliceThickness is there"));
+        (is_given ? "by " + std::string(first.slice_spacing_name)
+                  : "as neither SpacingBetweenSlices nor SliceThickness is there"));
 }
 
 NoSlices place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {

@@ -186,17 +186,42 @@ bool is_directory(DcmFileFormat& file) {
          UID_MediaStorageDirectoryStorage;
 }
 
+// All values would be one.
+void drop_slopes_of_zero(DicomImage& image, std::vector<DicomFrame>& frames) {
+  bool have_any = false;
+  for (DicomFrame& frame : frames) {
+    if (frame.slope != 0) continue;
+    have_any = true;
+    frame.slope = 1;
+    frame.intercept = 0;
+  }
+  if (have_any) image.notes.emplace_back("RescaleSlope is 0, taken as none");
+}
+
 // Reads all frames. Returns why they are no slices, or nothing.
 NoSlices set_frames(DcmDataset& dataset, const std::shared_ptr<DicomImage>& image,
                     std::vector<DicomFrame>& frames) {
   Sint32 count = 0;
-  if (dataset.findAndGetSint32(DCM_NumberOfFrames, count).bad()) count = 1;
+  if (dataset.findAndGetSint32(DCM_NumberOfFrames, count).bad() || count == 0) count = 1;
   if (count < 1 || static_cast<std::uint32_t>(count) > max_frames)
     return {"an image of " + std::to_string(count) + " frames"};
   for (Sint32 i = 0; i < count; ++i)
     frames.push_back(frame(dataset, image, static_cast<std::uint32_t>(i)));
+  drop_slopes_of_zero(*image, frames);
   if (is_mosaic(dataset)) return unfold_mosaic(dataset, *image, frames);
   return place_frames(dataset, *image, frames);
+}
+
+// Returns how the pixels are packed where that is not read, or nothing.
+NoSlices unread_packing(DcmFileFormat& file) {
+  const std::string uid = text_of(*file.getMetaInfo(), DCM_TransferSyntaxUID);
+  if (uid.empty() || can_decode(uid)) return {};
+  std::string name = DcmXfer(uid.c_str()).getXferName();
+  for (const auto& [syntaxes, newer] : {std::pair("1.2.840.10008.1.2.4.20", "HTJ2K"),
+                                        std::pair("1.2.840.10008.1.2.4.11", "JPEG XL")})
+    if (uid.rfind(syntaxes, 0) == 0) name = newer;
+  return {"an image packed as " + name + " (" + shown(uid) + "), which is not read",
+          "export it without compression, or unpack it, e.g. with pydicom: dataset.decompress()"};
 }
 
 // Returns what is in the file instead of slices, or nothing.
@@ -248,6 +273,8 @@ DicomContent dicom_content(const std::filesystem::path& file) {
     return content;
   }
   content.is_directory = is_directory(*opened);
+  content.instead = unread_packing(*opened);
+  if (content.instead) return content;
   const auto image = std::make_shared<DicomImage>();
   image->file = file;
   content.instead = read_image(*opened->getDataset(), image, content.frames);

@@ -11,10 +11,10 @@ void Overlaps::start_slice(std::size_t voxels) {
 std::uint32_t Overlaps::number_of(Set set) {
   constexpr std::size_t most = 1U << 20;
   const auto next = static_cast<std::uint32_t>(sets_.size());
-  const auto [known, is_new] = numbers_.emplace(set, next);
+  const auto [entry, is_new] = numbers_.emplace(set, next);
   if (is_new) sets_.push_back(std::move(set));
   if (sets_.size() > most) throw std::length_error("segments overlap in too many ways");
-  return known->second;
+  return entry->second;
 }
 
 void Overlaps::add(std::uint32_t segment, const std::uint8_t* voxels) {
@@ -25,13 +25,13 @@ void Overlaps::add(std::uint32_t segment, const std::uint8_t* voxels) {
     if (voxels[i] == 0) continue;
     if (last_after == 0 || slice_[i] != last_before) {
       last_before = slice_[i];
-      const auto [known, is_new] = with_segment.emplace(last_before, 0);
+      const auto [entry, is_new] = with_segment.emplace(last_before, 0);
       if (is_new) {
         Set set = sets_[last_before];
         set.push_back(segment);
-        known->second = number_of(std::move(set));
+        entry->second = number_of(std::move(set));
       }
-      last_after = known->second;
+      last_after = entry->second;
     }
     slice_[i] = last_after;
   }

@@ -10,8 +10,8 @@
 #include "stack.hpp"
 #include "text/number_text.hpp"
 #include "vectors.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
-#include "volumes/told_place.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {
@@ -125,18 +125,18 @@ void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::option
       note(info, "no PixelSpacing, " + name + " taken, which is that at the detector");
     if (distance == 0) note(info, "no SpacingBetweenSlices or SliceThickness, 1 mm taken");
   }
-  const auto or_one = [](double told) { return told == 0 ? 1 : told; };
-  ToldPlace told;
-  told.set_unit("mm");
-  told.spacing = {or_one(first.spacing_mm[0]), or_one(first.spacing_mm[1]), or_one(distance)};
+  const auto or_one = [](double length) { return length == 0 ? 1 : length; };
+  DeclaredPlace place;
+  place.set_unit("mm");
+  place.spacing = {or_one(first.spacing_mm[0]), or_one(first.spacing_mm[1]), or_one(distance)};
   if (line) {
-    told.frame = Frame::lps;
-    told.origin = line->origin;
+    place.frame = Frame::lps;
+    place.origin = line->origin;
     const Vector across =
         distance == 0 ? normal_of(*first.place) : sum({}, 1 / distance, line->step);
-    told.directions = {first.place->along_row, first.place->along_column, across};
+    place.directions = {first.place->along_row, first.place->along_column, across};
   }
-  set_place(info, told, options);
+  set_place(info, place, options);
 }
 
 bool have_one_scale(const Frames& stack) {

@@ -50,10 +50,6 @@ std::uint32_t frames(DcmDataset& dataset) {
   return static_cast<std::uint32_t>(std::max(count, 1));
 }
 
-bool is_jpeg2000(E_TransferSyntax syntax) {
-  return syntax == EXS_JPEG2000LosslessOnly || syntax == EXS_JPEG2000;
-}
-
 // The fragments of compressed pixel data: after a table of offsets the frames, of one or more each.
 class Fragments {
  public:
@@ -198,6 +194,10 @@ void DicomPixels::read_picture(DcmDataset& dataset, DcmElement& element,
   const E_TransferSyntax syntax = dataset.getOriginalXfer();
   std::optional<Fragments> fragments;
   if (is_encapsulated(syntax)) fragments.emplace(dataset, element, picture);
+  const std::uint64_t counted = frames(dataset);
+  const std::uint64_t there =
+      fragments ? counted : element.getLength() / picture_bytes(picture.image);
+  left_out_ = there - std::min(there, counted);
   // Where the file does not tell where frames begin, that is found behind the one before.
   Uint32 fragment = 0;
   if (picture.number == next_picture_)

@@ -27,6 +27,9 @@ class DicomPixels {
   /// Throws VolumeError when they are not there or damaged.
   void read(const DicomFrame& frame, void* samples);
 
+  /// The pictures that the file of the last frame has beyond those that its header counts.
+  std::uint64_t left_out() const { return left_out_; }
+
  private:
   // Into decoded_, as the samples are stored. DCMTK decodes all but bits and JPEG 2000.
   void decode(const StoredPicture& picture);
@@ -40,6 +43,7 @@ class DicomPixels {
   std::shared_ptr<const DicomImage> image_;  ///< of the open file
   std::uint32_t next_picture_ = 0;
   std::uint32_t next_fragment_ = 0;
+  std::uint64_t left_out_ = 0;
   bool is_decoded_ = false;  ///< the picture of the open file, if it is the only one
   std::vector<unsigned char> decoded_;
 };

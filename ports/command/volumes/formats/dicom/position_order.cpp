@@ -78,9 +78,9 @@ bool are_mostly_neighbours(const std::vector<std::uint64_t>& numbers) {
 }
 
 // The slices as positions that are rounded have them, with the step that the file tells if it fits.
-std::optional<EvenSlices> rounded_slices(const std::vector<double>& along, double told_step,
+std::optional<EvenSlices> rounded_slices(const std::vector<double>& along, double declared_step,
                                          double rounding) {
-  for (const double step : {told_step, best_step(along)})
+  for (const double step : {declared_step, best_step(along)})
     if (auto slices = slices_by_step(along, step, rounding))
       if (are_mostly_neighbours(slices->numbers)) return slices;
   return std::nullopt;
@@ -108,8 +108,8 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const Frames& stack
          "resample the series to even distances, e.g. with 3D Slicer or dcm2niix");
   }
   const double off = farthest_off(along, *slices);
-  constexpr double max_share = 0.25, share_to_tell = 0.02;
-  if (off > std::max(rounding, share_to_tell * slices->step))
+  constexpr double max_share = 0.25, share_to_note = 0.02;
+  if (off > std::max(rounding, share_to_note * slices->step))
     note(info, "slices lie up to " + short_number(off) + " mm from where even distances have them");
   if (off > max_share * slices->step)
     fail(source,

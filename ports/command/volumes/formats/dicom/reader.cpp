@@ -38,6 +38,10 @@ class DicomVolume final : public VolumeReader {
     else
       read_values(frame, samples);
     ++slice_;
+    if (pixels_.left_out() > 0)
+      note(info_, "pixels of a file left out, as many as those of " +
+                      std::to_string(pixels_.left_out()) +
+                      " further frames: NumberOfFrames does not count them");
   }
 
   void skip_slice() override {

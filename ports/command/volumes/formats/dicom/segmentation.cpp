@@ -133,14 +133,14 @@ EvenSlices even_slices(const Path& source, const DicomFrame& first,
   double least = places[1] - places[0];
   for (std::size_t i = 1; i < places.size(); ++i)
     least = std::min(least, places[i] - places[i - 1]);
-  const double told = std::fabs(first.slice_spacing_mm);
-  for (const double step : {told, least}) {
+  const double declared = std::fabs(first.slice_spacing_mm);
+  for (const double step : {declared, least}) {
     constexpr double share = 0.02;  // of a step
     const double rounding = std::max(half_a_decimal(places), share * step);
     if (auto slices = slices_by_step(places, step, rounding)) return *slices;
   }
   fail(source,
-       "the slices of the segmentation are " + short_number(told > 0 ? told : least) +
+       "the slices of the segmentation are " + short_number(declared > 0 ? declared : least) +
            " mm apart, but not everywhere",
        "resample it to even distances, e.g. with 3D Slicer");
 }

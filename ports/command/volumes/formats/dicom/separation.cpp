@@ -33,10 +33,10 @@ Group placed(const std::vector<DicomFrame>& frames) {
 }
 
 void drop_copies(Group& group) {
-  std::set<std::pair<std::string, std::uint32_t>> known;
+  std::set<std::pair<std::string, std::uint32_t>> found;
   const auto is_copy = [&](const Placed& each) {
     const std::string& instance = each.frame->image->instance;
-    return !instance.empty() && !known.emplace(instance, each.frame->number).second;
+    return !instance.empty() && !found.emplace(instance, each.frame->number).second;
   };
   group.erase(std::remove_if(group.begin(), group.end(), is_copy), group.end());
 }

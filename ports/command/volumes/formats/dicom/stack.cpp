@@ -27,8 +27,8 @@ using Frames = std::vector<DicomFrame>;
 std::vector<Frames> by_kind(const Frames& frames, bool merges_series) {
   std::vector<Frames> groups;
   for (const DicomFrame& frame : frames) {
-    const auto group = std::find_if(groups.begin(), groups.end(), [&](const Frames& known) {
-      return are_of_one_kind(known[0], frame, merges_series);
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const Frames& each) {
+      return are_of_one_kind(each[0], frame, merges_series);
     });
     if (group != groups.end())
       group->push_back(frame);

@@ -2,6 +2,7 @@
 
 #include "nesting.hpp"
 
+#include <dcmtk/dcmdata/dccodec.h>
 #include <dcmtk/dcmdata/dcrledrg.h>
 #include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/dcmjpls/djdecode.h>
@@ -59,6 +60,16 @@ std::optional<Uint32> frame_bytes_by_header(DcmElement& pixels, DcmDataset& data
   Uint32 bytes = 0;
   if (find_frame_bytes(pixels, dataset, bytes, 0).bad()) return std::nullopt;
   return bytes;
+}
+
+bool is_jpeg2000(E_TransferSyntax syntax) {
+  return syntax == EXS_JPEG2000LosslessOnly || syntax == EXS_JPEG2000;
+}
+
+bool can_decode(const std::string& transfer_syntax) {
+  const E_TransferSyntax syntax = DcmXfer(transfer_syntax.c_str()).getXfer();
+  return syntax != EXS_Unknown && (!is_encapsulated(syntax) || is_jpeg2000(syntax) ||
+                                   DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit));
 }
 
 std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels) {

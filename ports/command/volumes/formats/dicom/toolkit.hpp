@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace discmc::command {
 
@@ -20,6 +21,12 @@ enum class Pixels { left_out, included };
 /// Opens a file. Values of some size stay in it until they are asked for. Returns nothing where it
 /// is no DICOM file, a damaged one, or deflated as a whole.
 std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels);
+
+/// Whether pixel data of a transfer syntax, by its UID, is read. Limit: after open_dicom_file().
+bool can_decode(const std::string& transfer_syntax);
+
+/// Whether OpenJPEG decodes it, and not DCMTK.
+bool is_jpeg2000(E_TransferSyntax syntax);
 
 // What the versions of DCMTK, 3.6.7 of Debian 12 and 3.6.9 of Debian 13 among them, have under
 // different names or with different parameters.

@@ -48,6 +48,7 @@ std::optional<SampleType> sample_type_of(const Hdf5Handle& type) {
   const std::size_t bytes = H5Tget_size(type.id());
   if (kind == H5T_FLOAT && bytes <= 4) return SampleType::f32;
   if (kind == H5T_FLOAT && bytes == 8) return SampleType::f64;
+  if (kind == H5T_BITFIELD && bytes == 1) return SampleType::u8;
   if (kind != H5T_INTEGER) return std::nullopt;
   const bool has_sign = H5Tget_sign(type.id()) == H5T_SGN_2;
   switch (bytes) {
@@ -90,6 +91,11 @@ hid_t memory_type_of(SampleType type) {
       return H5T_NATIVE_DOUBLE;
   }
   return H5I_INVALID_HID;
+}
+
+// Bits, as PyTables has truth values, become no other type.
+hid_t memory_type_of(const Hdf5Handle& dataset, SampleType type) {
+  return H5Tget_class(type_of(dataset).id()) == H5T_BITFIELD ? H5T_NATIVE_B8 : memory_type_of(type);
 }
 
 std::vector<hsize_t> sizes_of(const Hdf5Handle& dataset) {
@@ -222,8 +228,8 @@ bool Hdf5Dataset::read(const Hdf5Region& first, const Hdf5Region& count, void* s
                           H5Sclose);
   return H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(),
                              nullptr) >= 0 &&
-         H5Dread(dataset_.id(), memory_type_of(*description_.type), region.id(), space.id(),
-                 H5P_DEFAULT, samples) >= 0;
+         H5Dread(dataset_.id(), memory_type_of(dataset_, *description_.type), region.id(),
+                 space.id(), H5P_DEFAULT, samples) >= 0;
 }
 
 }  // namespace discmc::command

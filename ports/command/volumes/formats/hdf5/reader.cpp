@@ -9,9 +9,9 @@
 #include "text/control_character.hpp"
 #include "volumes/array_layout.hpp"
 #include "volumes/array_name.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/filters/turned_volume.hpp"
 #include "volumes/formats/readers.hpp"
-#include "volumes/told_place.hpp"
 
 #ifdef DISCMC_WITH_JSON
 #include <nlohmann/json.hpp>
@@ -120,9 +120,9 @@ std::string letters_of(const Hdf5Dataset& dataset) {
     const auto key = axis.is_object() ? axis.value("key", nlohmann::json()) : nlohmann::json();
     letters += key.is_string() ? key.get<std::string>() : "?";
   }
-  const bool is_known = letters.size() == dataset.description().sizes.size() &&
+  const bool are_axes = letters.size() == dataset.description().sizes.size() &&
                         letters.find_first_not_of("tczyx") == std::string::npos;
-  if (!is_known) letters.clear();
+  if (!are_axes) letters.clear();
 #endif
   return letters;
 }
@@ -140,14 +140,14 @@ void require_possible(const std::filesystem::path& file, const VolumeInfo& info)
 }
 
 // What it tells is for the three axes of space as they are stored; an image may lack the first.
-ToldPlace place_of(const Hdf5Dataset& dataset, const ArrayLayout& layout) {
-  ToldPlace told;
-  told.set_unit("um");
+DeclaredPlace place_of(const Hdf5Dataset& dataset, const ArrayLayout& layout) {
+  DeclaredPlace place;
+  place.set_unit("um");
   const auto size = dataset.element_size_um();
   const std::string order = layout.order();
   for (std::size_t i = 0; size && i < order.size(); ++i)
-    told.spacing[static_cast<std::size_t>(order[i] - 'x')] = (*size)[3 - order.size() + i];
-  return told;
+    place.spacing[static_cast<std::size_t>(order[i] - 'x')] = (*size)[3 - order.size() + i];
+  return place;
 }
 
 // By slices, or where the samples of one are far from each other, by regions along the slowest

@@ -20,10 +20,11 @@
 #include "label_extension.hpp"
 #include "text/words.hpp"
 #include "types.hpp"
+#include "volumes/declared_place.hpp"
+#include "volumes/filters/component_volume.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_bytes.hpp"
 #include "volumes/header_text.hpp"
-#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -164,11 +165,24 @@ SampleType sample_type(const std::filesystem::path& file, int datatype) {
                       std::to_string(datatype) + ")");
 }
 
-void set_sizes(VolumeInfo& info, const std::filesystem::path& file, const std::int64_t (&dim)[8],
-               const VolumeOptions& options) {
-  if (dim[0] < 1 || dim[0] > 7)
-    fail(file, "the header gives " + std::to_string(dim[0]) + " dimensions", "correct dim[0]");
-  set_dims(info, file, std::vector<std::int64_t>(dim + 1, dim + 1 + dim[0]), options.frame);
+// Bytes side by side in colours, or 1.
+std::uint64_t channels_of(int datatype) {
+  return datatype == DT_RGB24 ? 3 : datatype == DT_RGBA32 ? 4 : 1;
+}
+
+void set_samples(VolumeInfo& info, const std::filesystem::path& file, const nifti_2_header& header,
+                 const VolumeOptions& options) {
+  const std::uint64_t channels = channels_of(header.datatype);
+  info.type = channels > 1 ? SampleType::u8 : sample_type(file, header.datatype);
+  const std::int64_t dimensions = header.dim[0];
+  if (dimensions < 1 || dimensions > 7)
+    fail(file, "the header gives " + std::to_string(dimensions) + " dimensions", "correct dim[0]");
+  std::vector<std::int64_t> sizes(header.dim + 1, header.dim + 1 + dimensions);
+  // Some leave 0 for axes behind the third that they do not have.
+  if (sizes.size() > 3)
+    std::replace(sizes.begin() + 3, sizes.end(), std::int64_t{0}, std::int64_t{1});
+  set_dims(info, file, sizes, options.frame);
+  set_channels(info, file, channels, options.channel, {"red", "green", "blue"});
 }
 
 std::string unit_of(int code) {
@@ -209,35 +223,44 @@ Rows qform_of(const nifti_2_header& header) {
 }
 
 // Returns whether they span a space.
-bool take(const Rows& rows, ToldPlace& told) {
+bool take(const Rows& rows, DeclaredPlace& place) {
   Axes steps{};
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t axis = 0; axis < 3; ++axis) steps[axis][row] = rows[row][axis];
   if (!is_usable(steps)) return false;
-  told.frame = Frame::ras;
-  told.steps = steps;
-  for (std::size_t row = 0; row < 3; ++row) told.origin[row] = rows[row][3];
+  place.frame = Frame::ras;
+  place.steps = steps;
+  for (std::size_t row = 0; row < 3; ++row) place.origin[row] = rows[row][3];
   return true;
+}
+
+// The sides that the qform tells are not looked at otherwise.
+void note_mirrored(VolumeInfo& info, const nifti_2_header& header, const DeclaredPlace& place) {
+  DeclaredPlace other;
+  if (header.qform_code > 0 && take(qform_of(header), other) &&
+      (determinant(*other.steps) < 0) != (determinant(*place.steps) < 0))
+    note(info, "the qform is mirrored against the sform, dropped: check which side is left");
 }
 
 void set_geometry(VolumeInfo& info, const Header& whole, const VolumeOptions& options) {
   const nifti_2_header& header = whole.fields;
-  ToldPlace told;
-  told.set_unit(unit_of(header.xyzt_units));
+  DeclaredPlace place;
+  place.set_unit(unit_of(header.xyzt_units));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    told.spacing[axis] = std::fabs(header.pixdim[axis + 1]);
+    place.spacing[axis] = std::fabs(header.pixdim[axis + 1]);
     if (header.pixdim[axis + 1] < 0)
       note(info, "pixdim " + std::to_string(axis + 1) + " is negative, taken as positive");
   }
-  bool is_placed = header.sform_code > 0 && take(sform_of(header), told);
+  bool is_placed = header.sform_code > 0 && take(sform_of(header), place);
+  if (is_placed) note_mirrored(info, header, place);
   if (header.sform_code > 0 && !is_placed) note(info, "the sform spans no space, dropped");
   if (!is_placed && header.qform_code > 0) {
-    is_placed = take(qform_of(header), told);
+    is_placed = take(qform_of(header), place);
     if (!is_placed) note(info, "the qform spans no space, dropped");
   }
   if (!is_placed)
     note(info, whole.format + " tells no directions here: which side is left is not known");
-  set_place(info, told, options);
+  set_place(info, place, options);
 }
 
 // A slope that is no number is none, as for nibabel and FSL.
@@ -266,8 +289,7 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
   const Header header = read_header(stream);
   const nifti_2_header& fields = header.fields;
   VolumeInfo info;
-  info.type = sample_type(file, fields.datatype);
-  set_sizes(info, file, fields.dim, options);
+  set_samples(info, file, fields, options);
   set_geometry(info, header, options);
   set_values(info, file, fields);
   info.format = header.format;
@@ -283,8 +305,10 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
     stream = open_content(is_data ? file : partner(file, ".img"));
     stream.skip(offset);
   }
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), header.big_endian,
-                                       options.frame);
+  return channel_of(file, std::move(info), options.channel, [&](VolumeInfo all) {
+    return std::make_unique<SliceStream>(std::move(all), std::move(stream), header.big_endian,
+                                         options.frame);
+  });
 }
 
 }  // namespace discmc::command

@@ -87,7 +87,7 @@ Numbers numbers_of(const HeaderFields& fields, std::string_view name) {
 }
 
 // The bounds of axes stand for a spacing, and for an origin where there is no other.
-void set_bounds(VolumeInfo& info, const HeaderFields& fields, ToldPlace& told) {
+void set_bounds(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& place) {
   const Numbers mins = numbers_of(fields, "axis mins");
   const Numbers maxs = numbers_of(fields, "axis maxs");
   const auto centerings = words(fields.text("centerings"));
@@ -100,65 +100,65 @@ void set_bounds(VolumeInfo& info, const HeaderFields& fields, ToldPlace& told) {
     const double steps = info.dims[axis] - (is_node ? 1.0 : 0.0);
     if (maxs[axis] && steps > 0) {
       const double spacing = (*maxs[axis] - *mins[axis]) / steps;
-      if (!told.spacing[axis]) told.spacing[axis] = spacing;
-      if (std::fabs(*told.spacing[axis] - spacing) > 1e-3 * std::fabs(spacing))
+      if (!place.spacing[axis]) place.spacing[axis] = spacing;
+      if (std::fabs(*place.spacing[axis] - spacing) > 1e-3 * std::fabs(spacing))
         note(info, "axis mins and maxs contradict the spacings, which are taken");
     }
-    told.origin[axis] = *mins[axis] + (is_node ? 0 : told.spacing[axis].value_or(1) / 2);
+    place.origin[axis] = *mins[axis] + (is_node ? 0 : place.spacing[axis].value_or(1) / 2);
   }
-  if (fields.has("axis mins")) told.space_units = told.axis_units;
+  if (fields.has("axis mins")) place.space_units = place.axis_units;
 }
 
 // What is told without directions.
-void set_spacings(VolumeInfo& info, const HeaderFields& fields, ToldPlace& told) {
-  told.spacing = numbers_of(fields, "spacings");
-  if (!fields.has("space origin")) set_bounds(info, fields, told);
+void set_spacings(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& place) {
+  place.spacing = numbers_of(fields, "spacings");
+  if (!fields.has("space origin")) set_bounds(info, fields, place);
   const Numbers thicknesses = numbers_of(fields, "thicknesses");
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (told.spacing[axis] || !thicknesses[axis]) continue;
-    told.spacing[axis] = thicknesses[axis];
+    if (place.spacing[axis] || !thicknesses[axis]) continue;
+    place.spacing[axis] = thicknesses[axis];
     note(info, "no spacing of axis " + std::to_string(axis + 1) + " given, its thickness taken");
   }
 }
 
 // What the coordinates of the file are.
-void set_space(VolumeInfo& info, std::string_view text, ToldPlace& told) {
+void set_space(VolumeInfo& info, std::string_view text, DeclaredPlace& place) {
   std::string name = lower(text);
   constexpr std::string_view time = "-time";
   if (name.size() > time.size() && name.substr(name.size() - time.size()) == time)
     name.resize(name.size() - time.size());
-  if (one_of(name, {"left-posterior-superior", "lps", "lpst"})) told.frame = Frame::lps;
-  if (one_of(name, {"right-anterior-superior", "ras", "rast"})) told.frame = Frame::ras;
-  if (one_of(name, {"left-anterior-superior", "las", "last"})) told.frame = Frame::ras;
-  told.is_left_handed = one_of(name, {"left-anterior-superior", "las", "last", "3d-left-handed"});
+  if (one_of(name, {"left-posterior-superior", "lps", "lpst"})) place.frame = Frame::lps;
+  if (one_of(name, {"right-anterior-superior", "ras", "rast"})) place.frame = Frame::ras;
+  if (one_of(name, {"left-anterior-superior", "las", "last"})) place.frame = Frame::ras;
+  place.is_left_handed = one_of(name, {"left-anterior-superior", "las", "last", "3d-left-handed"});
   if (name == "3d-left-handed")
     note(info, "x of the left-handed space " + shown(text) + " negated");
-  const bool is_known = told.frame != Frame::none || told.is_left_handed || name.empty() ||
-                        one_of(name, {"scanner-xyz", "3d-right-handed"});
-  if (!is_known) note(info, "the space " + shown(text) + " is not known, taken as right-handed");
+  const bool is_defined = place.frame != Frame::none || place.is_left_handed || name.empty() ||
+                          one_of(name, {"scanner-xyz", "3d-right-handed"});
+  if (!is_defined) note(info, "the space " + shown(text) + " is not known, taken as right-handed");
 }
 
 }  // namespace
 
-ToldPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields) {
-  ToldPlace told;
-  set_space(info, fields.text("space"), told);
+DeclaredPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields) {
+  DeclaredPlace place;
+  set_space(info, fields.text("space"), place);
   // The space of patients is in millimetres, as programs have it that tell no unit.
-  if (told.frame != Frame::none) told.set_unit("mm");
-  if (fields.has("units")) told.axis_units = units_of(fields.text("units"));
-  if (fields.has("space units")) told.space_units = units_of(fields.text("space units"));
+  if (place.frame != Frame::none) place.set_unit("mm");
+  if (fields.has("units")) place.axis_units = units_of(fields.text("units"));
+  if (fields.has("space units")) place.space_units = units_of(fields.text("space units"));
   if (fields.text("space directions").empty())
-    set_spacings(info, fields, told);
+    set_spacings(info, fields, place);
   else
-    told.steps = directions_of(fields);
+    place.steps = directions_of(fields);
   if (const std::string_view origin = fields.text("space origin"); !origin.empty()) {
     const auto numbers = vector_of(fields.file(), "space origin", origin);
-    std::copy(numbers.begin(), numbers.end(), told.origin.begin());
+    std::copy(numbers.begin(), numbers.end(), place.origin.begin());
   }
   if ((fields.has("axis mins") || fields.has("axis maxs")) &&
       (fields.has("space origin") || fields.has("space directions")))
     note(info, "axis mins and axis maxs dropped: the place is told by space directions or origin");
-  return told;
+  return place;
 }
 
 }  // namespace discmc::command

@@ -2,14 +2,14 @@
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_NRRD_PLACE_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_NRRD_PLACE_HPP
 
+#include "volumes/declared_place.hpp"
 #include "volumes/header_fields.hpp"
-#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 
 /// As the header tells it: by directions, spacings, bounds of axes or thicknesses. info: with the
 /// extents; gets the notes.
-ToldPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields);
+DeclaredPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields);
 
 }  // namespace discmc::command
 

@@ -3,7 +3,6 @@
 // The header is parsed here and not by libteem, whose parser (1.12) hands the name in "data file:"
 // to sprintf as a format: "%99999d" writes past its heap block before any check could help.
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "header.hpp"
@@ -159,15 +158,12 @@ ByteStream open_data(ByteStream& header, std::string_view name, const HeaderFiel
 }
 
 // As it is stored: one volume, in whose rows the samples of all are side by side.
-VolumeInfo stored(const std::filesystem::path& file, VolumeInfo info) {
-  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
-  const std::uint64_t count = info.frames * info.channels;
-  if (count > most / info.dims[0])
-    fail(file, "the first axis has size " + std::to_string(count) + ", and the rows are too long",
-         "make it the last axis, e.g. with: unu permute -p 1 2 3 0 -i in.nrrd -o out.nrrd");
-  info.dims[0] *= static_cast<std::uint32_t>(count);
-  info.frames = info.channels = 1;
-  return info;
+VolumeInfo stored(const std::filesystem::path& file, const VolumeInfo& info) {
+  VolumeInfo all = of_all_components(
+      file, info, info.frames * info.channels,
+      "make the first axis the last, e.g. with: unu permute -p 1 2 3 0 -i in.nrrd -o out.nrrd");
+  all.frames = 1;
+  return all;
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 
 #include "header.hpp"
 #include "volumes/array_layout.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
-#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 

@@ -45,8 +45,8 @@ class BmpHeader {
   std::uint32_t colour_bytes() const { return is_of_os2() ? 3 : 4; }
   std::uint32_t colours() const {
     const std::uint32_t most = bits() <= 8 ? 1U << bits() : 0;
-    const std::uint32_t told = is_of_os2() ? 0 : field(46, 4);
-    return told == 0 ? most : std::min(told, most);
+    const std::uint32_t count = is_of_os2() ? 0 : field(46, 4);
+    return count == 0 ? most : std::min(count, most);
   }
 
  private:
@@ -69,7 +69,7 @@ class BmpFile final : public SinglePicture {
   PictureHeader header(std::uint32_t) override {
     std::ifstream in = opened();
     const BmpHeader bmp(file(), in);
-    require_known(bmp);
+    require_read_kind(bmp);
     PictureHeader header;
     header.width = bmp.width();
     header.height = bmp.height();
@@ -85,23 +85,23 @@ class BmpFile final : public SinglePicture {
   }
 
   void read(std::uint32_t, std::uint32_t channel, unsigned char* samples) override {
-    const PictureHeader told = header(0);
+    const PictureHeader picture = header(0);
     std::ifstream in = opened();
     const BmpHeader bmp(file(), in);
     in.seekg(static_cast<std::streamoff>(bmp.pixels_at()));
-    const std::size_t of_row = (std::size_t{told.width} * bmp.bits() + 31) / 32 * 4;
+    const std::size_t of_row = (std::size_t{picture.width} * bmp.bits() + 31) / 32 * 4;
     std::vector<unsigned char> row(of_row);
-    for (std::uint32_t i = 0; i < told.height; ++i) {
+    for (std::uint32_t i = 0; i < picture.height; ++i) {
       if (!in.read(reinterpret_cast<char*>(row.data()), static_cast<std::streamsize>(of_row)))
         fail(file(), "the BMP file is cut off", remedy);
-      const std::size_t y = bmp.is_from_the_top() ? i : told.height - 1 - i;
-      unsigned char* const out = samples + y * told.width;
+      const std::size_t y = bmp.is_from_the_top() ? i : picture.height - 1 - i;
+      unsigned char* const out = samples + y * picture.width;
       if (bmp.bits() <= 8) {
-        unpack_bits(row.data(), told.width, bmp.bits(), out);
-        resolve_greys(greys_, out, told.width);
+        unpack_bits(row.data(), picture.width, bmp.bits(), out);
+        resolve_greys(greys_, out, picture.width);
       } else {
         // Blue comes first, and may be followed by a byte that is none.
-        take_channel(row.data(), told.width, 1, bmp.bits() / 8, 2 - channel, out);
+        take_channel(row.data(), picture.width, 1, bmp.bits() / 8, 2 - channel, out);
       }
     }
   }
@@ -113,10 +113,10 @@ class BmpFile final : public SinglePicture {
     return in;
   }
 
-  void require_known(const BmpHeader& bmp) const {
+  void require_read_kind(const BmpHeader& bmp) const {
     const std::uint32_t bits = bmp.bits();
-    const bool is_known = bits == 1 || bits == 4 || bits == 8 || bits == 24 || bits == 32;
-    if (!is_known || bmp.compression() != 0)
+    const bool is_read = bits == 1 || bits == 4 || bits == 8 || bits == 24 || bits == 32;
+    if (!is_read || bmp.compression() != 0)
       fail(file(),
            "BMP of " + std::to_string(bits) + " bits and compression " +
                std::to_string(bmp.compression()) + " is not read",

@@ -59,9 +59,9 @@ class JpegFile final : public SinglePicture {
   }
 
   void read(std::uint32_t, std::uint32_t channel, unsigned char* samples) override {
-    const PictureHeader told = header(0);
-    row_.resize(std::size_t{told.width} * told.channels);
-    if (!read_rows(told, channel, samples)) fail_damaged();
+    const PictureHeader picture = header(0);
+    row_.resize(std::size_t{picture.width} * picture.channels);
+    if (!read_rows(picture, channel, samples)) fail_damaged();
     close();
   }
 
@@ -96,15 +96,15 @@ class JpegFile final : public SinglePicture {
     jpeg_read_header(&jpeg_, TRUE);
     return true;
   }
-  bool read_rows(const PictureHeader& told, std::uint32_t channel, unsigned char* samples) {
+  bool read_rows(const PictureHeader& picture, std::uint32_t channel, unsigned char* samples) {
     if (setjmp(damage_.place) != 0) return false;
-    jpeg_.out_color_space = told.channels == 1 ? JCS_GRAYSCALE : JCS_RGB;
+    jpeg_.out_color_space = picture.channels == 1 ? JCS_GRAYSCALE : JCS_RGB;
     jpeg_start_decompress(&jpeg_);
     while (jpeg_.output_scanline < jpeg_.output_height) {
-      unsigned char* const row = samples + std::size_t{told.width} * jpeg_.output_scanline;
+      unsigned char* const row = samples + std::size_t{picture.width} * jpeg_.output_scanline;
       JSAMPROW decoded = row_.data();
       jpeg_read_scanlines(&jpeg_, &decoded, 1);
-      take_channel(row_.data(), told.width, 1, told.channels, channel, row);
+      take_channel(row_.data(), picture.width, 1, picture.channels, channel, row);
     }
     jpeg_finish_decompress(&jpeg_);
     return true;

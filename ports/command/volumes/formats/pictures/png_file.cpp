@@ -40,17 +40,17 @@ class PngFile final : public SinglePicture {
   }
 
   void read(std::uint32_t, std::uint32_t channel, unsigned char* samples) override {
-    const PictureHeader told = header(0);
-    const std::size_t bytes = sample_bytes(told.type);
-    const std::size_t pixels = std::size_t{told.width} * told.height;
-    const bool is_direct = told.channels == 1;
-    if (!is_direct) pixels_.resize(pixels * told.channels * bytes);
+    const PictureHeader picture = header(0);
+    const std::size_t bytes = sample_bytes(picture.type);
+    const std::size_t pixels = std::size_t{picture.width} * picture.height;
+    const bool is_direct = picture.channels == 1;
+    if (!is_direct) pixels_.resize(pixels * picture.channels * bytes);
     unsigned char* const stored = is_direct ? samples : pixels_.data();
-    std::vector<png_bytep> rows(told.height);
+    std::vector<png_bytep> rows(picture.height);
     for (std::size_t y = 0; y < rows.size(); ++y)
-      rows[y] = stored + y * told.width * told.channels * bytes;
+      rows[y] = stored + y * picture.width * picture.channels * bytes;
     if (!read_rows(rows.data())) fail_damaged();
-    if (!is_direct) take_channel(stored, pixels, bytes, told.channels, channel, samples);
+    if (!is_direct) take_channel(stored, pixels, bytes, picture.channels, channel, samples);
     if (!greys_.empty()) resolve_greys(greys_, samples, pixels);
     close();
   }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "skyscan.hpp"
-#include "volumes/told_place.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_info.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 using Spacing = std::array<std::optional<double>, 3>;
 
-bool is_told(const Spacing& spacing) {
+bool is_given(const Spacing& spacing) {
   return spacing[0] || spacing[1] || spacing[2];
 }
 
@@ -45,9 +45,9 @@ Spacing spacing_of_log(const Stack& stack, VolumeInfo& info) {
 
 Spacing spacing_of(const Stack& stack, VolumeInfo& info) {
   Spacing spacing = stack.described.spacing_mm;
-  if (!is_told(spacing)) spacing = spacing_of_log(stack, info);
+  if (!is_given(spacing)) spacing = spacing_of_log(stack, info);
   const auto& resolution = stack.header.resolution;
-  if (!is_told(spacing) && resolution && resolution->unit_mm > 0)
+  if (!is_given(spacing) && resolution && resolution->unit_mm > 0)
     note(info, note_of_resolution(*resolution));
   // Pixels are mostly square, and voxels cubes.
   if (!spacing[1]) spacing[1] = spacing[0];
@@ -61,21 +61,22 @@ Spacing spacing_of(const Stack& stack, VolumeInfo& info) {
 }  // namespace
 
 void set_place_of(VolumeInfo& info, const Stack& stack, const VolumeOptions& options) {
-  ToldPlace told;
-  told.set_unit("mm");
-  if (!options.spacing_mm) told.spacing = spacing_of(stack, info);
-  told.directions = coordinates;
+  DeclaredPlace place;
+  place.set_unit("mm");
+  if (!options.spacing_mm) place.spacing = spacing_of(stack, info);
+  place.directions = coordinates;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    double step = options.spacing_mm ? (*options.spacing_mm)[axis] : told.spacing[axis].value_or(1);
+    double step =
+        options.spacing_mm ? (*options.spacing_mm)[axis] : place.spacing[axis].value_or(1);
     if (axis < 2 && stack.header.runs_backwards[axis]) {
-      (*told.directions)[axis][axis] = -1;
+      (*place.directions)[axis][axis] = -1;
       step = -step;
       note(info, axis == 0 ? "its first column is the right one (Orientation)"
                            : "its first row is the lowest (Orientation)");
     }
-    told.origin[axis] = -stack.described.origin_voxel[axis] * step;
+    place.origin[axis] = -stack.described.origin_voxel[axis] * step;
   }
-  set_place(info, told, options);
+  set_place(info, place, options);
 }
 
 }  // namespace discmc::command

@@ -35,9 +35,10 @@ std::uint32_t crc32c(const ChunkBytes& bytes, std::size_t count) {
 void take_checksum(const std::filesystem::path& chunk, ChunkBytes& bytes) {
   if (bytes.size() < checksum_bytes) fail_damaged(chunk, "it is not whole");
   const std::size_t count = bytes.size() - checksum_bytes;
-  std::uint32_t told = 0;
-  for (std::size_t i = 0; i < checksum_bytes; ++i) told |= std::uint32_t{bytes[count + i]} << 8 * i;
-  if (told != crc32c(bytes, count)) fail_damaged(chunk, "its checksum is another");
+  std::uint32_t expected = 0;
+  for (std::size_t i = 0; i < checksum_bytes; ++i)
+    expected |= std::uint32_t{bytes[count + i]} << 8 * i;
+  if (expected != crc32c(bytes, count)) fail_damaged(chunk, "its checksum is another");
   bytes.resize(count);
 }
 
@@ -71,8 +72,9 @@ ChunkBytes unpacked_bytes(const std::filesystem::path& chunk, ChunkBytes packed,
 #ifdef DISCMC_WITH_BLOSC
 ChunkBytes unblosced(const std::filesystem::path& chunk, const ChunkBytes& packed,
                      std::size_t bytes) {
-  std::size_t told = 0;
-  if (blosc_cbuffer_validate(packed.data(), packed.size(), &told) < 0 || told != bytes)
+  std::size_t unpacked_bytes = 0;
+  if (blosc_cbuffer_validate(packed.data(), packed.size(), &unpacked_bytes) < 0 ||
+      unpacked_bytes != bytes)
     fail_damaged(chunk, "it is not what Blosc packs");
   ChunkBytes result(bytes);
   constexpr int threads = 1;

@@ -32,8 +32,8 @@ PerAxis sizes_of_chunk(const Path& file, const Json& sizes, std::size_t axes) {
 }
 
 void set_type(ZarrDescription& array, const Path& file, const std::optional<NumpyType>& type,
-              const Json& told) {
-  if (!type) fail_type(file, told.is_string() ? text_of(told) : told.dump().substr(0, 60));
+              const Json& given) {
+  if (!type) fail_type(file, given.is_string() ? text_of(given) : given.dump().substr(0, 60));
   array.type = type->type;
   array.is_half = type->is_half;
   array.big_endian = type->big_endian;

@@ -24,9 +24,9 @@ char letter_of(const std::string& name, const std::string& type) {
 
 // Objects since version 0.4, names before, and before 0.3 nothing.
 std::vector<ZarrAxis> axes_of(const Json& multiscale) {
-  const Json& told = member(multiscale, "axes");
+  const Json& listed = member(multiscale, "axes");
   std::vector<ZarrAxis> axes;
-  for (const Json& axis : told.is_array() ? told : Json{"t", "c", "z", "y", "x"}) {
+  for (const Json& axis : listed.is_array() ? listed : Json{"t", "c", "z", "y", "x"}) {
     const std::string name = axis.is_string() ? text_of(axis) : text_of(member(axis, "name"));
     axes.push_back(
         {letter_of(name, text_of(member(axis, "type"))), 1, 0, text_of(member(axis, "unit"))});
@@ -93,11 +93,9 @@ ZarrImage image_at(const ZarrNode& node, const Json& multiscale,
     image.array = described(read_zarr_node(level_folder(node, datasets[++number])));
   if (datasets.size() > 1)
     image.level = "level " + std::to_string(number) + " of " + std::to_string(datasets.size());
-  constexpr const char* transformations = "coordinateTransformations";
-  const bool is_scaled =
-      transform(image.axes, node.file, member(datasets[number], transformations));
-  image.has_scale =
-      transform(image.axes, node.file, member(multiscale, transformations)) || is_scaled;
+  constexpr const char* listed = "coordinateTransformations";
+  const bool is_scaled = transform(image.axes, node.file, member(datasets[number], listed));
+  image.has_scale = transform(image.axes, node.file, member(multiscale, listed)) || is_scaled;
   for (const Json& channel : member(member(node.attributes, "omero"), "channels"))
     image.channels.push_back(text_of(member(channel, "label")));
   return image;

@@ -12,8 +12,8 @@
 #include "folder.hpp"
 #include "image.hpp"
 #include "volumes/array_layout.hpp"
+#include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
-#include "volumes/told_place.hpp"
 
 namespace discmc::command {
 namespace {
@@ -152,17 +152,17 @@ void require_possible(const std::filesystem::path& folder, const VolumeInfo& inf
        "copy the folder whole");
 }
 
-ToldPlace place_of(const ZarrImage& image, const ArrayLayout& layout) {
-  ToldPlace told;
-  told.set_unit("mm");
+DeclaredPlace place_of(const ZarrImage& image, const ArrayLayout& layout) {
+  DeclaredPlace place;
+  place.set_unit("mm");
   for (std::size_t i = 0; i < 3 && image.has_scale; ++i) {
     if (!layout.axes[i]) continue;  // an image
     const ZarrAxis& axis = image.axes[*layout.axes[i]];
-    told.spacing[i] = axis.scale;
-    told.origin[i] = axis.origin;
-    told.axis_units[i] = told.space_units[i] = axis.unit;
+    place.spacing[i] = axis.scale;
+    place.origin[i] = axis.origin;
+    place.axis_units[i] = place.space_units[i] = axis.unit;
   }
-  return told;
+  return place;
 }
 
 std::string letters_of(const ZarrImage& image) {

@@ -55,7 +55,7 @@ class TiffFile final : public PictureFile {
 
   std::vector<Hyperstack> hyperstacks(const std::string& axes) override {
     go_to(0);
-    require_known_layout(file_, tiff_.get(), directories_);
+    require_read_layout(file_, tiff_.get(), directories_);
     const std::string description = description_of(tiff_.get());
     std::vector<Hyperstack> stacks;
     if (is_ome(description))
@@ -64,6 +64,8 @@ class TiffFile final : public PictureFile {
       stacks = {of_imagej(description)};
     else
       stacks = of_tifffile();
+    if (stacks.empty() && axes.empty())
+      require_slices_of_scan_image(file_, tiff_.get(), directories_);
     if (stacks.empty()) stacks = {of_pages()};
     note_left_out(stacks[0]);
     if (!axes.empty())

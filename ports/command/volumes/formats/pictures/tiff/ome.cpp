@@ -246,8 +246,8 @@ class Images {
   }
 
   std::uint64_t number_of_pages(const std::filesystem::path& file) {
-    const auto known = pages_.find(file);
-    if (known != pages_.end()) return known->second;
+    const auto counted = pages_.find(file);
+    if (counted != pages_.end()) return counted->second;
     return pages_[file] = count_pages_(file);
   }
 

@@ -11,6 +11,11 @@ Value field(TIFF* tiff, std::uint32_t tag, Value otherwise) {
   return TIFFGetFieldDefaulted(tiff, tag, &value) == 1 ? value : otherwise;
 }
 
+std::string text(TIFF* tiff, std::uint32_t tag) {
+  const char* text = nullptr;
+  return TIFFGetField(tiff, tag, &text) == 1 && text != nullptr ? text : "";
+}
+
 // Of samples of whole bytes.
 std::optional<SampleType> type_of_bytes(std::uint16_t bits, std::uint16_t format) {
   struct Kind {
@@ -60,8 +65,11 @@ TiffPage page_of(TIFF* tiff) {
 }
 
 std::string description_of(TIFF* tiff) {
-  const char* text = nullptr;
-  return TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &text) == 1 && text != nullptr ? text : "";
+  return text(tiff, TIFFTAG_IMAGEDESCRIPTION);
+}
+
+std::string software_of(TIFF* tiff) {
+  return text(tiff, TIFFTAG_SOFTWARE);
 }
 
 Palette palette_of(TIFF* tiff, const TiffPage& page) {

@@ -47,6 +47,7 @@ TiffPage page_of(TIFF* tiff);
 
 /// Empty where there is none.
 std::string description_of(TIFF* tiff);
+std::string software_of(TIFF* tiff);
 Palette palette_of(TIFF* tiff, const TiffPage& page);
 
 /// Returns how many values a tag has that the library does not know.

@@ -1,13 +1,19 @@
 #include "unread.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <string>
+#include <string_view>
 
+#include "text/number_text.hpp"
+#include "text/words.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {
 
-void require_known_colours(const std::filesystem::path& file, const TiffPage& page) {
+void require_read_colours(const std::filesystem::path& file, const TiffPage& page) {
   switch (page.photometric) {
     case PHOTOMETRIC_YCBCR:
       if (page.compression == COMPRESSION_JPEG && !page.is_planar) return;
@@ -28,9 +34,35 @@ void require_known_colours(const std::filesystem::path& file, const TiffPage& pa
        "convert it to RGB or grey");
 }
 
+// The number behind "KEY = " in what ScanImage writes, or nothing.
+std::optional<std::uint32_t> number_of(std::string_view text, std::string_view key) {
+  const std::size_t at = text.find(key);
+  if (at == std::string_view::npos) return std::nullopt;
+  text.remove_prefix(at + key.size());
+  const std::string_view line = take_line(text).value_or("");
+  return whole_number<std::uint32_t>(
+      trimmed(line.substr(std::min(line.size(), line.find('=') + 1))));
+}
+
 }  // namespace
 
-void require_known_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages) {
+void require_slices_of_scan_image(const std::filesystem::path& file, TIFF* tiff,
+                                  std::uint32_t pages) {
+  // Versions of ScanImage put it in one or the other.
+  const std::string text = software_of(tiff) + '\n' + description_of(tiff);
+  constexpr std::string_view signs[] = {"SI.VERSION_MAJOR", "scanimage.SI", "state.acq."};
+  const auto has = [&text](std::string_view sign) { return text.find(sign) != std::string::npos; };
+  if (std::none_of(std::begin(signs), std::end(signs), has)) return;
+  for (const char* key : {"numSlices", "actualNumSlices", "stackNumSlices", "numberOfZSlices"})
+    if (number_of(text, key) == pages) return;
+  fail(file,
+       "its " + std::to_string(pages) +
+           " pages are not a slice each: ScanImage stores channels and times as pages, too",
+       "save one channel from ImageJ, by its command Stack to Hyperstack, or give --axes zyx if "
+       "all are slices");
+}
+
+void require_read_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages) {
   struct Kind {
     std::uint32_t tag;
     const char* name;
@@ -49,7 +81,7 @@ void require_known_layout(const std::filesystem::path& file, TIFF* tiff, std::ui
 }
 
 void require_read(const std::filesystem::path& file, const TiffPage& page) {
-  require_known_colours(file, page);
+  require_read_colours(file, page);
   if (!sample_type(page))
     fail(file,
          "samples of " + std::to_string(page.bits) + " bits and format " +

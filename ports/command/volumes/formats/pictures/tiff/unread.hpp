@@ -12,7 +12,12 @@
 namespace discmc::command {
 
 /// Throws where pages are laid out by rules that are in tags of a maker.
-void require_known_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages);
+void require_read_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages);
+
+/// Throws where pages are those of ScanImage, and not a slice each: channels and times are pages,
+/// too.
+void require_slices_of_scan_image(const std::filesystem::path& file, TIFF* tiff,
+                                  std::uint32_t pages);
 
 /// Throws where the samples of a page are of a kind that is not read.
 void require_read(const std::filesystem::path& file, const TiffPage& page);

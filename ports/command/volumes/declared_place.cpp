@@ -1,4 +1,4 @@
-#include "told_place.hpp"
+#include "declared_place.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,15 +59,15 @@ Vector usable(VolumeInfo& info, Vector spacing_mm) {
 }
 
 // What the file tells without steps.
-Vector spacing_of(VolumeInfo& info, const ToldPlace& told) {
-  const auto& spacing = told.spacing;
-  const auto is_told = [](const auto& distance) { return distance.has_value(); };
-  if (std::none_of(spacing.begin(), spacing.end(), is_told)) {
+Vector spacing_of(VolumeInfo& info, const DeclaredPlace& place) {
+  const auto& spacing = place.spacing;
+  const auto is_given = [](const auto& distance) { return distance.has_value(); };
+  if (std::none_of(spacing.begin(), spacing.end(), is_given)) {
     note(info, "no spacing given, 1 mm taken");
     return {1, 1, 1};
   }
-  note_units(info, told.axis_units);
-  Vector spacing_mm = millimetres_of(told.axis_units);
+  note_units(info, place.axis_units);
+  Vector spacing_mm = millimetres_of(place.axis_units);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!spacing[axis])
       note(info, "no spacing of axis " + std::to_string(axis + 1) + " given, 1 mm taken");
@@ -77,19 +77,19 @@ Vector spacing_of(VolumeInfo& info, const ToldPlace& told) {
 }
 
 // In place of those of the file, whose axes keep their directions.
-Vector given_spacing(VolumeInfo& info, const ToldPlace& told, Vector spacing_mm) {
-  for (std::size_t axis = 0; axis < 3 && !told.steps; ++axis)
-    spacing_mm[axis] *= std::copysign(1.0, told.spacing[axis].value_or(1));
+Vector given_spacing(VolumeInfo& info, const DeclaredPlace& place, Vector spacing_mm) {
+  for (std::size_t axis = 0; axis < 3 && !place.steps; ++axis)
+    spacing_mm[axis] *= std::copysign(1.0, place.spacing[axis].value_or(1));
   return usable(info, spacing_mm);
 }
 
-void note_contradiction(VolumeInfo& info, const ToldPlace& told, const Vector& lengths_mm) {
+void note_contradiction(VolumeInfo& info, const DeclaredPlace& place, const Vector& lengths_mm) {
   constexpr double rounding = 1e-3;
-  const Vector units_mm = millimetres_of(told.axis_units);
+  const Vector units_mm = millimetres_of(place.axis_units);
   Vector spacing_mm = lengths_mm;
   bool is_same = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (told.spacing[axis]) spacing_mm[axis] = std::fabs(*told.spacing[axis] * units_mm[axis]);
+    if (place.spacing[axis]) spacing_mm[axis] = std::fabs(*place.spacing[axis] * units_mm[axis]);
     is_same =
         is_same && std::fabs(spacing_mm[axis] - lengths_mm[axis]) <= rounding * lengths_mm[axis];
   }
@@ -105,22 +105,22 @@ void multiply(Vector& vector, const Vector& factors) {
 }
 
 // Sets the spacing but for its signs, and returns the axes.
-Axes take_axes(VolumeInfo& info, const ToldPlace& told, const VolumeOptions& options) {
-  Axes axes = told.steps ? *told.steps : told.directions.value_or(coordinates);
+Axes take_axes(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options) {
+  Axes axes = place.steps ? *place.steps : place.directions.value_or(coordinates);
   Vector lengths{1, 1, 1};
-  if (told.steps) {
-    for (Vector& step : axes) multiply(step, millimetres_of(told.space_units));
+  if (place.steps) {
+    for (Vector& step : axes) multiply(step, millimetres_of(place.space_units));
     lengths = lengths_of(axes);
   }
   if (options.spacing_mm) {
-    info.spacing_mm = given_spacing(info, told, *options.spacing_mm);
-  } else if (told.steps) {
-    note_units(info, told.space_units);
-    note_contradiction(info, told, lengths);
+    info.spacing_mm = given_spacing(info, place, *options.spacing_mm);
+  } else if (place.steps) {
+    note_units(info, place.space_units);
+    note_contradiction(info, place, lengths);
     info.spacing_mm = usable(info, lengths);
     return axes;
   } else {
-    info.spacing_mm = spacing_of(info, told);
+    info.spacing_mm = spacing_of(info, place);
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (double& along : axes[axis]) along *= info.spacing_mm[axis] / lengths[axis];
@@ -143,11 +143,11 @@ Vector signs_of(const Axes& axes) {
 
 }  // namespace
 
-void set_place(VolumeInfo& info, const ToldPlace& told, const VolumeOptions& options) {
-  VolumePlacement placement{told.frame, told.origin, take_axes(info, told, options)};
-  if (told.origin != Vector{}) note_units(info, told.space_units);
-  multiply(placement.origin_mm, millimetres_of(told.space_units));
-  if (told.is_left_handed) {
+void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options) {
+  VolumePlacement placement{place.frame, place.origin, take_axes(info, place, options)};
+  if (place.origin != Vector{}) note_units(info, place.space_units);
+  multiply(placement.origin_mm, millimetres_of(place.space_units));
+  if (place.is_left_handed) {
     for (Vector& axis : placement.axes_mm) axis[0] = -axis[0];
     placement.origin_mm[0] = -placement.origin_mm[0];
   }

@@ -1,7 +1,7 @@
 // What a file tells of the place of its voxels, and what becomes of it: the one place for units,
 // spacings, directions and origins.
-#ifndef DISCMC_COMMAND_VOLUMES_TOLD_PLACE_HPP
-#define DISCMC_COMMAND_VOLUMES_TOLD_PLACE_HPP
+#ifndef DISCMC_COMMAND_VOLUMES_DECLARED_PLACE_HPP
+#define DISCMC_COMMAND_VOLUMES_DECLARED_PLACE_HPP
 
 #include <array>
 #include <optional>
@@ -12,7 +12,7 @@
 namespace discmc::command {
 
 /// As the file has it, in its own units. What it does not tell stays empty.
-struct ToldPlace {
+struct DeclaredPlace {
   /// Distances of neighbouring voxels along x, y and z, negative where an axis runs backwards.
   std::array<std::optional<double>, 3> spacing{};
   /// The way to the next voxel along each axis. It counts more than the spacing.
@@ -42,7 +42,7 @@ struct ToldPlace {
 /// The spacing gets the signs of the axes in right-handed coordinates: a surface by the spacing
 /// alone is turned and moved against the placed one, never mirrored. A placement that says no more
 /// than the spacing is none.
-void set_place(VolumeInfo& info, const ToldPlace& told, const VolumeOptions& options);
+void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options);
 
 }  // namespace discmc::command
 
