@@ -3,16 +3,16 @@
 #include <discmc/discmc.hpp>
 
 using namespace discmc;
-constexpr int32_t size = 48;  // voxels a row, rows a slice, slices
+constexpr int32_t size = 48;  // voxels per row, rows per slice, slices
 constexpr int32_t threshold = 192;
 constexpr Limits limits{size, size};
 
-// All its RAM but the stack: 7.7 KiB. This arena of 6.4 sends whole regions; 1.5 would send pieces.
+// All its RAM except the stack: 7.7 KiB. An arena of 6.4 KiB sends whole regions, 1.5 pieces.
 static uint8_t memory[minimum_bytes<uint16_t>(limits) + 5 * 1024];
 static Extractor16 extractor;
 static Encoder encoder;
 
-// The UART takes what its FIFO has room for. Every other time it is busy and takes nothing.
+// The UART accepts what its FIFO has room for. Every other time it is busy.
 static size_t uart_write(void*, const uint8_t* bytes, size_t count) {
   static unsigned calls = 0;
   return ++calls % 2 == 0 ? fwrite(bytes, 1, count < 16 ? count : 16, stdout) : 0;

@@ -90,6 +90,7 @@ typedef struct discmc_joiner discmc_joiner;
 typedef struct discmc_store discmc_store;
 typedef struct discmc_row_ring discmc_row_ring;
 
+/* Memory that you supply. */
 typedef struct discmc_memory {
   void* data;
   size_t bytes;
@@ -216,6 +217,7 @@ typedef struct discmc_event {
  * be accepted at once. NOT_STARTED: a retry is of no use. */
 typedef uint8_t discmc_sink_result;
 enum { DISCMC_SINK_ACCEPTED, DISCMC_SINK_BUSY, DISCMC_SINK_NOT_STARTED };
+/* What accepts events: a function, and the object that it is called with. */
 typedef struct discmc_sink {
   void* context;
   discmc_sink_result (*take)(void* context, const discmc_event* event);
@@ -236,6 +238,7 @@ typedef struct discmc_extractor_kind discmc_extractor_kind;
 extern const discmc_extractor_kind discmc_plain_bits, discmc_plain_u8, discmc_plain_u16,
     discmc_plain_i16, discmc_normals_u8, discmc_normals_u16, discmc_normals_i16, discmc_host;
 
+/* What an extractor is started with. */
 typedef struct discmc_extractor_config {
   const discmc_extractor_kind* kind;
   discmc_limits limits;
@@ -286,6 +289,7 @@ DISCMC_CHECK discmc_status discmc_extractor_save(discmc_extractor* extractor, di
 DISCMC_CHECK discmc_status discmc_extractor_restore(discmc_extractor** extractor,
                                                     const discmc_extractor_config* config);
 
+/* The progress of a scan, and the memory that it needed. */
 typedef struct discmc_extractor_info {
   discmc_statistics statistics;    /* so far */
   uint32_t slices, rows;           /* complete slices, and complete rows of the next */
@@ -301,6 +305,7 @@ discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extracto
 typedef struct discmc_encoder_kind discmc_encoder_kind;
 extern const discmc_encoder_kind discmc_regions, discmc_regions_with_normals;
 
+/* What an encoder is started with. */
 typedef struct discmc_encoder_config {
   const discmc_encoder_kind* kind;
   discmc_stream_label label; /* a spacing that the extractor has replaces the one here */
@@ -338,6 +343,7 @@ typedef struct discmc_slice_kind discmc_slice_kind;
 extern const discmc_slice_kind discmc_slices_bits, discmc_slices_u8, discmc_slices_u16,
     discmc_slices_i16;
 
+/* What a slice encoder is started with. */
 typedef struct discmc_slice_encoder_config {
   const discmc_slice_kind* kind;
   discmc_limits limits;
@@ -378,6 +384,7 @@ DISCMC_CHECK discmc_status discmc_slice_encoder_write_record(
 DISCMC_CHECK discmc_status discmc_slice_encoder_flush(discmc_slice_encoder* encoder);
 void discmc_slice_encoder_set_output(discmc_slice_encoder* encoder, discmc_byte_output output);
 
+/* The progress of a scan. */
 typedef struct discmc_slice_encoder_info {
   uint64_t stream_bytes; /* so far, dropped ones included */
   uint32_t slices, rows; /* complete slices, and complete rows of the next */
@@ -385,6 +392,7 @@ typedef struct discmc_slice_encoder_info {
 discmc_slice_encoder_info discmc_slice_encoder_get_info(const discmc_slice_encoder* encoder);
 
 /* ---- receiver: bytes in, polygons out ---- */
+/* What a receiver is started with. */
 typedef struct discmc_receiver_config {
   uint8_t channel;      /* of the surface; DISCMC_ANY_CHANNEL: of the first stream that comes */
   discmc_memory memory; /* for slices, more than the least makes whole regions of fragments */
@@ -411,6 +419,7 @@ DISCMC_CHECK discmc_status discmc_receiver_give_memory(discmc_receiver* receiver
 /* Ends the input. If suspended, call again. Errors: DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_status discmc_receiver_finish(discmc_receiver* receiver);
 
+/* What a receiver has received and missed so far. */
 typedef struct discmc_receiver_info {
   discmc_stream_header header;
   uint8_t has_header, has_trailer, holds_slices, abandoned;
@@ -429,6 +438,7 @@ typedef struct discmc_receiver_info {
 discmc_receiver_info discmc_receiver_get_info(const discmc_receiver* receiver);
 
 /* ---- joiner: fragments in, regions out ---- */
+/* What a joiner is started with. */
 typedef struct discmc_joiner_config {
   uint8_t order;        /* DISCMC_SWEEP_ORDER: the events of one extractor or receiver */
   discmc_memory memory; /* DISCMC_JOINER_BYTES(fragments that wait at once) */
@@ -445,6 +455,7 @@ discmc_sink_result discmc_joiner_take(void* joiner, const discmc_event* event);
  * DISCMC_TOO_LITTLE_MEMORY (the sink received fragments that a larger joiner can join). */
 DISCMC_CHECK discmc_status discmc_joiner_finish(discmc_joiner* joiner);
 
+/* What a joiner has joined so far. */
 typedef struct discmc_joiner_info {
   uint64_t received, invalid;         /* fragments, and invalid ones, which are dropped */
   uint64_t regions, rings;            /* delivered, joined from fragments */
@@ -477,6 +488,7 @@ typedef struct discmc_store_config {
 DISCMC_CHECK discmc_status discmc_store_start(discmc_store** store,
                                               const discmc_store_config* config);
 
+/* The newest checkpoint of a store, and what a checkpoint costs. */
 typedef struct discmc_store_info {
   uint8_t has_checkpoint;
   uint32_t bytes, sequence; /* its length; its number, one more than that of the previous one */
@@ -524,6 +536,7 @@ void discmc_row_ring_end(discmc_row_ring* ring);
 
 /* Task: what comes next. */
 enum { DISCMC_ROW_NONE /* yet */, DISCMC_ROW_READY, DISCMC_ROW_LOST, DISCMC_ROW_END };
+/* What peek() returns: a row, or why there is none. */
 typedef struct discmc_row {
   uint8_t kind;
   void* samples;   /* may be changed in place; Owner: the ring, until pop */

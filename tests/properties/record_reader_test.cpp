@@ -25,8 +25,8 @@ std::vector<RecordRead> records_of(const Events& events) {
       records.push_back({"run", {event.run.direction(), event.run.length()}});
     if (recorded.is(Kind::region_end)) records.push_back({"region end", {}});
     if (recorded.is(Kind::fragment))
-      records.push_back({"fragment",
-                         {event.incidence, event.incoming_direction, start.x, start.y, start.z}});
+      records.push_back(
+          {"fragment", {event.incidence, event.incoming_direction, start.x, start.y, start.z}});
     if (recorded.is(Kind::fragment_end)) records.push_back({"fragment end", {}});
     if (recorded.is(Kind::layer)) records.push_back({"layer", {event.slice}});
     if (recorded.is(Kind::skipped))

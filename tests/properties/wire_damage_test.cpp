@@ -19,7 +19,7 @@ Received survive(const Bytes& bytes, size_t portion = 0) {
   const Received arrival = decode(bytes, portion);
   const std::vector<Events> pieces = pieces_of(arrival.events);
   CHECK(pieces.size() == arrival.report.regions + arrival.report.fragments);
-  const Bytes again = encode(arrival.events);
+  const Bytes again = encode<NormalEncoder>(arrival.events);  // hostile bytes may hold normals
   for (const Bytes& frame : frames_of(again)) CHECK(frame.size() <= wire::max_frame);
   CHECK(pieces_of(decode(again).events) == pieces);
   return arrival;

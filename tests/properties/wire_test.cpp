@@ -61,7 +61,8 @@ TEST_CASE("the samples hold everything that a stream can hold") {
       holes += recorded.is(Kind::ring) && recorded.event().hole;
     }
     if (sample.name == "noise with fragments") CHECK(count_of(sample.events, Kind::fragment) > 50);
-    if (sample.name == "a spiral, whose rings are long") CHECK(longest_ring > stream::Record::max_words);
+    if (sample.name == "a spiral, whose rings are long")
+      CHECK(longest_ring > stream::Record::max_words);
   }
   CHECK(fragments > 100);
   CHECK(skipped > 10);

@@ -52,8 +52,7 @@ void Chains::give(Slots& slots, const Area& area) {
 }
 
 bool Chains::make_room(Slots& slots) {
-  if (free_places_ < Edges::max_edges && !find_places(slots)) return false;
-  if (has_room_for(slots, 0)) return true;
+  if (free_places_ < Edges::max_edges) return false;
   if (!find_area(slots, area_[0].slots)) return false;
   copy_open(slots);
   // So that copying now and then is little work for each pass.
@@ -179,10 +178,6 @@ namespace {
 DISCMC_ALWAYS_INLINE uint32_t all_if_zero(uint32_t number) {
   return static_cast<uint32_t>(static_cast<int32_t>(number - 1) >> 31);
 }
-// One of two, by all bits or none.
-DISCMC_ALWAYS_INLINE uint32_t chosen(uint32_t bits, uint32_t if_all, uint32_t if_none) {
-  return if_none ^ ((if_none ^ if_all) & bits);
-}
 
 }  // namespace
 
@@ -195,13 +190,13 @@ void Chains::take(Slots& slots, const FoundPasses& passes, uint32_t edges) {
     const size_t in = in_of(pass), out = out_of(pass);
     const uint32_t in_seat = of_in_[in]++, out_seat = of_out_[out]++;
     const uint32_t before = seat[in_seat], after = seat[out_seat];
-    // All bits or none, to choose by: no branch depends on the surface.
+    // All bits or none, and conditional moves: no branch depends on the surface.
     const uint32_t comes_from_ahead = ray_ends.comes_from_ahead[in];
     const uint32_t goes_ahead = ray_ends.goes_ahead[out];
     const uint32_t difference = ray_ends.straight_in[in] ^ ray_ends.straight_out[out];
     const uint32_t is_straight = all_if_zero(difference);
-    const uint32_t goes_on = chosen(comes_from_ahead, after, before);
-    seat[in_seat] = seat[out_seat] = chosen(is_straight, goes_on, top);
+    const uint32_t goes_on = comes_from_ahead != 0 ? after : before;
+    seat[in_seat] = seat[out_seat] = difference == 0 ? goes_on : top;
     node[top].set_voxel(voxel);
     node[top].next = after | goes_ahead;
     node[top].pass = pass;

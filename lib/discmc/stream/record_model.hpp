@@ -3,7 +3,7 @@
 // The same functions encode and decode: a Coder's symbol(row, symbol) writes the symbol it is given
 // and returns it, or ignores it and returns the one it reads; so does even(bits, value). Each
 // function returns what was coded. How likely a symbol is stands in a row of shares
-// (record_model.cpp), found by training; nothing is learnt on the way, so that every packet decodes
+// (shares.hpp), found by training; nothing is learnt on the way, so that every packet decodes
 // alone.
 #ifndef DISCMC_STREAM_RECORD_MODEL_HPP
 #define DISCMC_STREAM_RECORD_MODEL_HPP
@@ -137,9 +137,7 @@ class RecordModel {
   RecordKind record_kind(RecordKind kind);
 
   /// A layer mark's slice.
-  uint32_t layer(uint32_t slice) {
-    return slice_ += plain_number(slice - slice_);
-  }
+  uint32_t layer(uint32_t slice) { return slice_ += plain_number(slice - slice_); }
   /// A number of up to 2^32 - 2.
   uint32_t plain_number(uint32_t value) { return number(rows::plain, value + 1) - 1; }
   /// Bits that are as likely as not, up to 32.
@@ -155,12 +153,11 @@ class RecordModel {
   // ---- a ring ----
 
   /// Three or four corners as one symbol; 0 where the ring is told run by run.
-  uint32_t corners(uint32_t corners) {
-    return of_class(rows::corners(link_class_), corners);
-  }
+  uint32_t corners(uint32_t corners) { return of_class(rows::corners(link_class_), corners); }
   /// How far the first direction is from the first one that leads back.
   uint32_t ring_direction(uint32_t from);
-  /// The first two lengths of a ring of four corners. Limit: 1 to 4 each, 4 for all that are longer.
+  /// The first two lengths of a ring of four corners. Limit: 1 to 4 each, 4 for all that are
+  /// longer.
   uint32_t two_lengths(uint32_t lengths) { return of_class(rows::two_lengths, lengths); }
 
   // ---- any chain ----
@@ -202,12 +199,13 @@ class RecordModel {
   // down, 8 are level, 5 lead up, and those of the second half are opposite to those of the first.
   uint32_t is_level() const {
     const uint32_t half = directions() / 2;
-    const uint32_t link = links.link[incidence_][direction_ < half ? direction_ : direction_ - half];
+    const uint32_t link =
+        links.link[incidence_][direction_ < half ? direction_ : direction_ - half];
     return link - 5 < 8 ? 1 : 0;
   }
   uint32_t turn_to(Direction direction) const {
     return is_backwards() ? turn_between(directions(), direction, direction_)
-                         : turn_between(directions(), direction_, direction);
+                          : turn_between(directions(), direction_, direction);
   }
   Direction turn_by(uint32_t turn);
   Direction turn_from(uint32_t place, Direction direction) {
@@ -221,8 +219,8 @@ class RecordModel {
   Incidence incidence_ = 0;
   uint8_t link_class_ = 0;
   uint16_t class_rows_ = 0;
-  // Whether loose fragments have come in this packet, as memory is short and more will follow: 0 no,
-  // 1 before the last record, 2 with it.
+  // Whether loose fragments have come in this packet, as memory is short and more will follow: 0
+  // no, 1 before the last record, 2 with it.
   uint8_t fragments_ = 0;
   uint8_t axis_ = 0;            // of the vertex told last
   uint8_t axis_before_ = 0;     // and of the one before
@@ -266,7 +264,9 @@ template <class Coder>
 RecordKind RecordModel<Coder>::record_kind(RecordKind kind) {
   kind = static_cast<RecordKind>(
       symbol(rows::kinds + rows::of_kinds * fragments_, static_cast<uint32_t>(kind)));
-  chain_ = kind < RecordKind::forwards ? ring : kind == RecordKind::backwards ? backwards : forwards;
+  chain_ = kind < RecordKind::forwards     ? ring
+           : kind == RecordKind::backwards ? backwards
+                                           : forwards;
   direction_ = no_direction;
   if (kind == RecordKind::backwards || kind == RecordKind::forwards)
     fragments_ = 2;

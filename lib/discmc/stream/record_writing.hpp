@@ -125,7 +125,7 @@ void encode_part(Model& model, Record& record, uint32_t words) {
   model.record_kind(RecordKind::part);
   const bool begins_ring = words > 0 && record.word[0] == Record::ring_mark;
   const uint32_t first = begins_ring ? Record::ring_words : 0;
-  if (words == first) {  // Nobody sends what has no run: a part that no decoder takes.
+  if (words == first) {  // Without a run it is invalid: decoders refuse this part.
     model.even(4, 15);
     return;
   }

@@ -26,15 +26,15 @@ constexpr uint32_t count = elsewhere + 1;
 /// Where the rows are, by what they tell.
 namespace rows {
 
-constexpr uint32_t of_kinds = 9;     ///< symbols of a row
+constexpr uint32_t of_kinds = 9;  ///< symbols of a row
 constexpr uint32_t of_headings = 10;
 constexpr uint32_t of_number = 11;
 constexpr uint32_t other_heading = of_headings - 1;
 
-constexpr uint32_t kinds = 0;                       ///< by what came before
+constexpr uint32_t kinds = 0;  ///< by what came before
 constexpr uint32_t places = kinds + 3 * of_kinds;
-constexpr uint32_t axes = places + place::count;     ///< by same voxel, axis before
-constexpr uint32_t steps_x = axes + 2 * 4 * 4;      ///< by place, from `ahead` on
+constexpr uint32_t axes = places + place::count;  ///< by same voxel, axis before
+constexpr uint32_t steps_x = axes + 2 * 4 * 4;    ///< by place, from `ahead` on
 constexpr uint32_t steps_y = steps_x + 5 * of_number;
 constexpr uint32_t steps_z = steps_y + of_number;
 constexpr uint32_t headings = steps_z + of_number;        ///< by heading before

@@ -107,7 +107,11 @@ class Extractors {
   /// Whether no fragment had to go out for lack of memory; when in doubt it says no. Limit: a sink
   /// that takes fragments.
   bool had_enough() const {
-    constexpr std::uint64_t reserve = 4096;  // more than any extractor keeps from being used
+    // More than any extractor keeps from being used. Without nodes, other pieces go out at seams.
+    constexpr std::uint64_t reserve = 4096;
+    if (std::is_same_v<AnyExtractor, HostExtractor> &&
+        arena_.capacities.slots < host::Chains::min_slots)
+      return false;
     return std::all_of(extractors_.begin(), extractors_.end(), [this](const AnyExtractor& each) {
       const HighWater most = each.high_water();
       return most.slots + reserve <= arena_.capacities.slots &&

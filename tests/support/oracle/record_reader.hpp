@@ -229,9 +229,7 @@ class RecordReader {
     require_as_told(incidence_ < 27 && incidence_ != 13, "an incidence");
   }
 
-  void turn(uint64_t by) {
-    direction_ = (direction_ + (is_backwards_ ? n() - by : by)) % n();
-  }
+  void turn(uint64_t by) { direction_ = (direction_ + (is_backwards_ ? n() - by : by)) % n(); }
   void add_run(int64_t length) {
     require_as_told(length >= 1, "the length of a run");
     runs_.push_back({static_cast<int64_t>(direction_), length});

@@ -860,17 +860,19 @@ TEST_CASE("extension records are skipped") {
 }
 
 TEST_CASE("a region in parts that are all there is delivered as one") {
-  const Bytes first =
-      payload_of([](auto& model) { tell_part(model, {false, false, true}, {{3, 70000}}); });
+  const Bytes first = payload_of([](auto& model) {
+    tell_part(model, {false, false, true}, {{3, 70000}});
+  });
   const Bytes second = payload_of([](auto& model) {
     tell_part(model, {true, false, false}, {{7, 1}});
     tell_part(model, {true, false, true}, {{1, 1}});
   });
-  const Bytes third = payload_of([](auto& model) { tell_part(model, {true, true, false}, {{0, 2}}); });
+  const Bytes third = payload_of([](auto& model) {
+    tell_part(model, {true, true, false}, {{0, 2}});
+  });
   Script expected;
   expected.region(up).ring({1, 0, 0}).run(3, 70000).run(7, 1).ring({1, 0, 0}, true).run(1, 1);
-  CHECK(decode(stream_of({first, second, third})).events ==
-        expected.run(0, 2).region_end().events);
+  CHECK(decode(stream_of({first, second, third})).events == expected.run(0, 2).region_end().events);
   CHECK(decode(stream_of({second, third})).events.empty());
   Script broken;
   broken.region(up).ring({1, 0, 0}).run(3, 70000).lost();

@@ -243,8 +243,9 @@ TEST_CASE("starts anywhere on the lattice come back, near and at the ends of 32 
   const std::vector<int32_t> some = coordinates();
   const auto any = [&](int32_t near) {
     const int32_t step = static_cast<int32_t>(chance.below(13)) - 6;
-    return chance.below(2) == 0 ? static_cast<int32_t>(static_cast<uint32_t>(near) + static_cast<uint32_t>(step))
-                                : some[chance.below(static_cast<uint32_t>(some.size()))];
+    return chance.below(2) == 0
+               ? static_cast<int32_t>(static_cast<uint32_t>(near) + static_cast<uint32_t>(step))
+               : some[chance.below(static_cast<uint32_t>(some.size()))];
   };
   std::vector<Vertex> starts{{1, 0, 0}};
   while (starts.size() < 3000) {
@@ -269,7 +270,8 @@ TEST_CASE("starts anywhere on the lattice come back, near and at the ends of 32 
 TEST_CASE("directions come back after every other direction, in every kind of chain") {
   for_each_incidence([&](Incidence incidence) {
     const uint32_t count = direction_count(incidence);
-    for (const RecordKind kind : {RecordKind::region, RecordKind::forwards, RecordKind::backwards}) {
+    for (const RecordKind kind :
+         {RecordKind::region, RecordKind::forwards, RecordKind::backwards}) {
       Values expected;
       for (uint32_t a = 0; a < count; ++a)
         for (uint32_t b = 0; b < count; ++b) expected.insert(expected.end(), {a, b, b, a});
@@ -385,7 +387,8 @@ TEST_CASE("a chain told backwards costs about what it costs forwards") {
   CHECK(cost(RecordKind::forwards, {0, 1, 2, 3}) < cost(RecordKind::forwards, {3, 2, 1, 0}));
 }
 
-TEST_CASE("a ring is closed by any two directions and lengths that lead back, and by nothing else") {
+TEST_CASE(
+    "a ring is closed by any two directions and lengths that lead back, and by nothing else") {
   Chance chance(2);
   int closed = 0;
   for (uint32_t link_class = 0; link_class < 3; ++link_class) {
@@ -449,8 +452,8 @@ TEST_CASE("steps of a plane add up as its links do") {
           const Vertex sum = direction_vector(incidence, i) + direction_vector(incidence, j) -
                              direction_vector(incidence, k);
           const bool is_none = sum == Vertex{0, 0, 0};
-          const bool is_closed = steps[i].u + steps[j].u == steps[k].u &&
-                                 steps[i].v + steps[j].v == steps[k].v;
+          const bool is_closed =
+              steps[i].u + steps[j].u == steps[k].u && steps[i].v + steps[j].v == steps[k].v;
           CHECK(is_none == is_closed);
         }
   });
