@@ -52,7 +52,8 @@ void Chains::give(Slots& slots, const Area& area) {
 }
 
 bool Chains::make_room(Slots& slots) {
-  if (free_places_ < Edges::max_edges) return false;
+  if (free_places_ < Edges::max_edges && !find_places(slots)) return false;
+  if (has_room_for(slots, 0)) return true;
   if (!find_area(slots, area_[0].slots)) return false;
   copy_open(slots);
   // So that copying now and then is little work for each pass.

@@ -38,10 +38,9 @@ class Chains {
   /// Begins with slots that have just been cleared. False when they are fewer than min_slots.
   bool start(Slots& slots);
 
-  /// Whether there is room for what max_edges bring. Limit, here and below: no rings are due. Cost:
-  /// now and then moves what waits in the queues.
-  bool has_room(Slots& slots) {
-    return (free_places_ >= Edges::max_edges || find_places(slots)) && has_room_for(slots, 0);
+  /// Whether there is room for what max_edges bring. Limit, here and below: no rings are due.
+  bool has_room(const Slots& slots) const {
+    return free_places_ >= Edges::max_edges && has_room_for(slots, 0);
   }
   /// Makes room. False when too many slots would be in use: then hand_over(). Cost: now and then
   /// copies all open fragments.
