@@ -13,6 +13,7 @@
 #include "oracle/join.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
+#include "oracle/stream.hpp"
 #include "oracle/thinned.hpp"
 
 using namespace discmc;
@@ -246,6 +247,24 @@ std::vector<BitVolume> volumes_of_slabs() {
           spiral({15, 15, 9})};
 }
 
+// Its faces cross all seams, and some of the holes in them do.
+BitVolume slanting_plate_with_holes() {
+  BitVolume plate({48, 48, 48});
+  for (int z = 2; z < 46; ++z)
+    for (int y = 2; y < 46; ++y)
+      for (int x = 0; x < 48; ++x)
+        plate.on[plate.index(x, y, z)] = x + z >= 44 && x + z < 51 ? 1 : 0;
+  test::Chance chance(1);
+  for (int hole = 0; hole < 25; ++hole) {
+    const uint32_t z = 3 + chance.below(37), y = 3 + chance.below(37);
+    const uint32_t height = 1 + chance.below(8), width = 1 + chance.below(8);
+    for (uint32_t k = z; k < z + height; ++k)
+      for (uint32_t j = y; j < y + width; ++j)
+        for (uint32_t x = 0; x < 48; ++x) plate.on[plate.index(x, j, k)] = 0;
+  }
+  return plate;
+}
+
 }  // namespace
 
 TEST_CASE("an extractor for hosts gives the events of any other, from scan to scan") {
@@ -337,6 +356,26 @@ TEST_CASE("a slab has the regions, the loose fragments and the counts of any oth
           CHECK(scan.by(extractor, much, refuses_some).events == log.events);
         });
       }
+}
+
+TEST_CASE("in every slab holes go out before the last fragment of the ring around them") {
+  const BitVolume plate = slanting_plate_with_holes();
+  const std::vector<Region> regions = collected(expected_of(plate, {}).events).regions();
+  HostExtractor extractor;
+  for (const uint32_t thick : {3U, 5U, 8U, 11U, 16U}) {
+    CAPTURE(thick);
+    Events events;
+    for_each_slab(plate, {thick}, [&](uint32_t first, uint32_t end) {
+      const EventLog log = SlabScan{plate, Border::closed, first, end}.by(extractor, much);
+      std::copy_if(log.events.begin(), log.events.end(), std::back_inserter(events), is_piece);
+    });
+    JoinPlan in_order;
+    in_order.order = InputOrder::sweep;
+    in_order.capacities = enough_for(events);
+    const Joined joined = join_all(events, in_order);
+    CHECK(joined.report.unmatched == 0);
+    CHECK(regions_among(joined.events) == canonical(regions));
+  }
 }
 
 TEST_CASE("slabs join to the whole wherever their fragments are handed over, by whomever scanned") {
