@@ -29,9 +29,10 @@ struct HighWater {
 };
 
 /// The base of all extractors: accepts the samples of a scan, and sends its regions to a Sink. Use
-/// Extractor, NormalExtractor (gradient_normals.hpp) or HostExtractor (host/host_extractor.hpp). Index is uint16_t (up to 32,759 slots; firmware) or uint32_t
-/// (hosts); it does not change the events if the capacities are equal. Only save() and restore()
-/// copy an extractor: two copies would write to the same memory.
+/// Extractor, NormalExtractor (gradient_normals.hpp) or HostExtractor (host/host_extractor.hpp).
+/// Index is uint16_t (up to 32,759 slots; firmware) or uint32_t (hosts); it does not change the
+/// events if the capacities are equal. Only save() and restore() copy an extractor: two copies
+/// would write to the same memory.
 template <class Index, class Intake, class Sweep>
 class BasicExtractor {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");

@@ -24,7 +24,8 @@ TEST_CASE("an unknown extension is refused by name, and those that are known are
     INFO(name);
     CHECK_THROWS_WITH_AS(format_of(name), doctest::Contains((std::string(name) + ": ").c_str()),
                          std::invalid_argument);
-    CHECK_THROWS_WITH(format_of(name),
-                      doctest::Contains("use .dmc, .stl, .ply, .obj, .glb, .3mf, .vtp, .jsonl, .csv or .json"));
+    CHECK_THROWS_WITH(
+        format_of(name),
+        doctest::Contains("use .dmc, .stl, .ply, .obj, .glb, .3mf, .vtp, .jsonl, .csv or .json"));
   }
 }

@@ -46,7 +46,7 @@ LineSide line_side(const Vertex& from, Side side, std::uint32_t polygon) {
   const std::int32_t place = (at[along] - rest) / step[along];
   LineSide result{{{}, step}, place, place, polygon};
   for (std::size_t axis = 0; axis < 3; ++axis)
-    result.line.point[axis] = std::int64_t{at[axis]} - std::int64_t{place} * step[axis];
+    result.line.point[axis] = at[axis] - std::int64_t{place} * step[axis];
   (is_backwards ? result.begin : result.end) += is_backwards ? -side.links : side.links;
   return result;
 }
