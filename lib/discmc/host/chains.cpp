@@ -175,9 +175,9 @@ void Chains::give_all(Slots& slots) {
 
 namespace {
 
-// All bits or none. Limit: a small number.
+// All bits or none.
 DISCMC_ALWAYS_INLINE uint32_t all_if_zero(uint32_t number) {
-  return static_cast<uint32_t>(static_cast<int32_t>(number - 1) >> 31);
+  return 0 - static_cast<uint32_t>(number == 0);
 }
 
 }  // namespace
