@@ -10,6 +10,7 @@
 #include <numeric>
 #include <set>
 
+#include "command.hpp"
 #include "meshes/intersections.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/point_distance.hpp"
@@ -18,6 +19,7 @@
 namespace {
 
 using namespace sampled_field;
+using command_tests::volume_of;
 
 double distance_to(const Mesh& mesh, const Point& point) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -35,13 +37,6 @@ double farthest_crossing(const Field& field, const Mesh& mesh) {
   for (const Point& vertex : classic(field).vertices_mm)
     farthest = std::max(farthest, distance_to(mesh, vertex));
   return farthest;
-}
-
-double enclosed_volume(const Mesh& mesh) {
-  double volume = 0;
-  for (std::size_t face = 0; face < mesh.face_count(); ++face)
-    volume += dot(area_vector(mesh, face), mesh.vertices_mm[mesh.face(face)[0]]) / 3;
-  return volume;
 }
 
 // One voxel thick, in terraces, and mostly just above the threshold: two sheets, very near.
@@ -87,7 +82,7 @@ TEST_CASE("an interpolated mesh is closed and has its outside outside, whichever
       for (const double tolerance : {0.0, 0.05, 0.25, 2.0}) {
         const Mesh mesh = interpolated(extracted(field, SampleType::u8, spacing), tolerance);
         CHECK(check_mesh(mesh).closed());
-        CHECK(enclosed_volume(mesh) > 0);
+        CHECK(volume_of(mesh) > 0);
         CHECK(mesh.lattice.size() == mesh.vertices_mm.size());
         CHECK(mesh.polygons.size() == mesh.face_count());
       }
@@ -111,7 +106,7 @@ TEST_CASE("a ball gets its volume, from fewer triangles than Marching Cubes take
   const Field field = ball(40, 16, 4);
   const Mesh mesh = interpolated(extracted(field), 0.05);
   const double volume = 4.0 / 3 * std::acos(-1.0) * 16 * 16 * 16;
-  CHECK(enclosed_volume(mesh) == doctest::Approx(volume).epsilon(0.005));
+  CHECK(volume_of(mesh) == doctest::Approx(volume).epsilon(0.005));
   CHECK(mesh.face_count() < classic(field).face_count() / 2);
 }
 

@@ -16,6 +16,7 @@ namespace {
 
 using namespace discmc::command;
 using namespace sampled_field;
+using command_tests::volume_of;
 using discmc::reference::BitVolume;
 using sample_reader::bit_threshold;
 
@@ -122,13 +123,6 @@ BitVolume ball_of_long_voxels() {
   return volume;
 }
 
-double enclosed(const Mesh& mesh) {
-  double volume = 0;
-  for (std::size_t face = 0; face < mesh.face_count(); ++face)
-    volume += dot(area_vector(mesh, face), mesh.vertices_mm[mesh.face(face)[0]]) / 3;
-  return volume;
-}
-
 struct Roundness {
   double area = 0, volume = 0;
   double mean_degrees = 0;  // between the faces' normals and those of the ball, by area
@@ -149,7 +143,7 @@ Roundness roundness_of(const Mesh& mesh) {
     degrees += area * std::acos(std::min(1.0, std::max(-1.0, cosine))) * 180 / std::acos(-1.0);
     result.area += area;
   }
-  result.volume = enclosed(mesh);
+  result.volume = volume_of(mesh);
   result.mean_degrees = degrees / result.area;
   return result;
 }
@@ -315,8 +309,8 @@ TEST_CASE("labels are smoothed one by one, and keep their volumes") {
     const Mesh mesh = build_mesh(label.surface.surface,
                                  {true, Faces::triangles, &label.crossings.crossings(), 0.05});
     const auto voxels = static_cast<double>(label.surface.voxels);
-    CHECK(enclosed(mesh) == doctest::Approx(voxels).epsilon(0.01));
-    all += enclosed(mesh);
+    CHECK(volume_of(mesh) == doctest::Approx(voxels).epsilon(0.01));
+    all += volume_of(mesh);
   }
   CHECK(all == doctest::Approx(static_cast<double>(samples.size()) -
                                static_cast<double>(std::count(samples.begin(), samples.end(), 0)))
@@ -354,8 +348,8 @@ TEST_CASE("labels that are side by side share their smoothed surface") {
     for (const Point& vertex : mesh.vertices_mm)
       nearest_to_seam = std::min(nearest_to_seam, std::fabs(vertex[0] - 16.5));
     CHECK(nearest_to_seam < 1e-3);
-    CHECK(enclosed(mesh) == doctest::Approx((label.surface.label == 4 ? 17 : 13) * 400)
-                                .epsilon(0.006));  // edges are cut
+    CHECK(volume_of(mesh) == doctest::Approx((label.surface.label == 4 ? 17 : 13) * 400)
+                                 .epsilon(0.006));  // edges are cut
   }
 }
 
@@ -369,6 +363,6 @@ TEST_CASE("--smooth with --labels writes a smooth mesh of each") {
   workshop.done(extract + "--label 2 -o label.obj");
   const Mesh one = command_tests::mesh_of_obj(workshop.read("2.obj"));
   const Mesh same = command_tests::mesh_of_obj(workshop.read("label.obj"));
-  CHECK(enclosed(one) == doctest::Approx(enclosed(same)).epsilon(1e-5));
+  CHECK(volume_of(one) == doctest::Approx(volume_of(same)).epsilon(1e-5));
   workshop.done(extract + "--labels 1,3 -o all.glb");
 }

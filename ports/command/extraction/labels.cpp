@@ -22,12 +22,6 @@ struct Label {
 
 constexpr std::uint64_t max_run_bytes = std::uint64_t{4} << 30;
 
-[[noreturn]] void refuse_count(std::uint32_t slice, std::uint32_t most) {
-  throw std::invalid_argument("more than " + std::to_string(most) + " values up to slice " +
-                              std::to_string(slice) +
-                              ": these are samples, not labels; give --iso or --range");
-}
-
 // The labels of a volume by the samples that stand for them.
 template <class Sample>
 class LabelScan {
@@ -77,7 +71,7 @@ class LabelScan {
 
   void require_room(std::uint32_t running) const {
     if (running > max_scattered_labels && voxels_ < 2 * stretches_)
-      refuse_count(slice_, max_scattered_labels);
+      refuse_values(slice_, max_scattered_labels);
     if (running > max_run_bytes / LabelRun::bytes_for(limits_))
       throw std::invalid_argument(std::to_string(running) + " labels at once, up to slice " +
                                   std::to_string(slice_) +
@@ -98,17 +92,13 @@ class LabelScan {
     if (has_last_ && sample == last_sample_) return last_label_;
     has_last_ = true;
     last_sample_ = sample;
-    return last_label_ = is_taken(sample) ? taken(sample) : nullptr;
-  }
-
-  bool is_taken(LabelValue value) const {
-    return value != LabelValue(0) && (!options_.chosen || options_.chosen->count(value) > 0);
+    return last_label_ = options_.takes(sample) ? taken(sample) : nullptr;
   }
 
   Label* taken(Sample sample) {
     Label*& label = by_sample_[sample];
     if (label != nullptr) return label;
-    if (labels_.size() == max_labels) refuse_count(slice_, max_labels);
+    if (labels_.size() == max_labels) refuse_values(slice_, max_labels);
     labels_.push_back(std::make_unique<Label>(Label{sample}));
     return label = labels_.back().get();
   }
@@ -129,6 +119,12 @@ class LabelScan {
 };
 
 }  // namespace
+
+void refuse_values(std::uint32_t slice, std::uint32_t most) {
+  throw std::invalid_argument("more than " + std::to_string(most) + " values up to slice " +
+                              std::to_string(slice) +
+                              ": these are samples, not labels; give --iso or --range");
+}
 
 std::vector<LabelledSurface> extract_labels(VolumeReader& volume, const LabelOptions& options) {
   const VolumeInfo& info = volume.info();

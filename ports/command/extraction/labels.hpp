@@ -24,6 +24,10 @@ struct LabelOptions {
   std::optional<std::set<LabelValue>> chosen{};
   /// Called after every slice with how many are done.
   std::function<void(std::uint32_t)> progress;
+
+  bool takes(LabelValue value) const {
+    return value != LabelValue(0) && (!chosen || chosen->count(value) > 0);
+  }
 };
 
 /// The surface of the voxels of one value.
@@ -38,6 +42,9 @@ constexpr std::uint32_t max_labels = 65536;
 /// In a slice and the two before it, where voxels of one value lie side by side no more than by
 /// chance: such a volume is none of labels, and its surfaces would be noise.
 constexpr std::uint32_t max_scattered_labels = 1024;
+
+/// Throws the std::invalid_argument of a volume that has more values than that up to a slice.
+[[noreturn]] void refuse_values(std::uint32_t slice, std::uint32_t most);
 
 /// Reads the volume to its end and takes the surface of every value that occurs but 0, which is the
 /// background; the least label comes first. volume: of whole_labels(). Throws VolumeError as the

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
+
+#include "surface/sets.hpp"
 
 namespace discmc::command {
 namespace {
@@ -19,41 +20,29 @@ struct Edge {
   bool is_of(const Edge& other) const { return from == other.from && to == other.to; }
 };
 
-// Of the faces, by numbers that lead to that of their piece.
-class Pieces {
- public:
-  explicit Pieces(const Mesh& mesh) : next_(mesh.face_count()) {
-    std::iota(next_.begin(), next_.end(), 0U);
-    std::vector<Edge> edges;
-    edges.reserve(mesh.corners.size());
-    for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
-      const std::size_t size = mesh.face_size(face);
-      for (std::size_t i = 0; i < size; ++i) {
-        const auto [from, to] = std::minmax(mesh.face(face)[i], mesh.face(face)[(i + 1) % size]);
-        edges.push_back({from, to, face});
-      }
+// Sets of faces that hang together by edges.
+Sets pieces_of(const Mesh& mesh) {
+  std::vector<Edge> edges;
+  edges.reserve(mesh.corners.size());
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    const std::size_t size = mesh.face_size(face);
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto [from, to] = std::minmax(mesh.face(face)[i], mesh.face(face)[(i + 1) % size]);
+      edges.push_back({from, to, face});
     }
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t i = 1; i < edges.size(); ++i)
-      if (edges[i].is_of(edges[i - 1])) join(edges[i].face, edges[i - 1].face);
   }
-
-  std::uint32_t of(std::uint32_t face) {
-    while (next_[face] != face) face = next_[face] = next_[next_[face]];
-    return face;
-  }
-
- private:
-  void join(std::uint32_t a, std::uint32_t b) { next_[of(a)] = of(b); }
-
-  std::vector<std::uint32_t> next_;
-};
+  std::sort(edges.begin(), edges.end());
+  Sets pieces(mesh.face_count());
+  for (std::size_t i = 1; i < edges.size(); ++i)
+    if (edges[i].is_of(edges[i - 1])) pieces.join(edges[i].face, edges[i - 1].face);
+  return pieces;
+}
 
 // Adds up pyramids from one point to the faces: near by, so that little is rounded.
 Enclosed enclosed_by(const Mesh& mesh) {
   if (mesh.face_count() == 0) return {0, {}, 0, 0};
   const Point apex = mesh.vertices_mm[mesh.face(0)[0]];
-  Pieces pieces(mesh);
+  Sets pieces = pieces_of(mesh);
   std::vector<double> volumes(mesh.face_count());
   Enclosed all{0, {}, 0, 0};
   Point moment{};
@@ -64,7 +53,7 @@ Enclosed enclosed_by(const Mesh& mesh) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       height += normal[axis] * (corner[axis] - apex[axis]);
     const double volume = height / 3;
-    volumes[pieces.of(face)] += volume;
+    volumes[pieces.name(face)] += volume;
     all.volume_mm3 += volume;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)

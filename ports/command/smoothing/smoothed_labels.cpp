@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "extraction/extraction.hpp"
@@ -118,17 +116,10 @@ class LabelSmoother {
       const Sample* row = samples_.data() + (std::size_t{z} * info_.dims[1] + y) * info_.dims[0];
       for (std::uint32_t x = 0, end = 0; x < info_.dims[0]; x = end) {
         for (end = x + 1; end < info_.dims[0] && row[end] == row[x];) ++end;
-        if (is_taken(row[x])) boxes_[row[x]].add({x, y, z}, end);
+        if (options_.takes(row[x])) boxes_[row[x]].add({x, y, z}, end);
       }
     }
-    if (boxes_.size() > max_labels)
-      throw std::invalid_argument("more than " + std::to_string(max_labels) +
-                                  " values up to slice " + std::to_string(z) +
-                                  ": these are samples, not labels; give --iso or --range");
-  }
-
-  bool is_taken(LabelValue value) const {
-    return value != LabelValue(0) && (!options_.chosen || options_.chosen->count(value) > 0);
+    if (boxes_.size() > max_labels) refuse_values(z, max_labels);
   }
 
   SmoothedLabel smoothed(Sample label, const Box& box) const {

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
+#include <vector>
+
+#include "sets.hpp"
 
 namespace discmc::command {
 namespace {
@@ -62,29 +64,6 @@ std::vector<LineSide> sorted_sides(const Surface& surface) {
   std::sort(sides.begin(), sides.end());
   return sides;
 }
-
-// Sets of polygons; each is named by its lowest.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t name(std::uint32_t polygon) {
-    while (parent_[polygon] != polygon) {
-      parent_[polygon] = parent_[parent_[polygon]];
-      polygon = parent_[polygon];
-    }
-    return polygon;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t first = name(a);
-    const std::uint32_t second = name(b);
-    parent_[std::max(first, second)] = std::min(first, second);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 // Those whose sides have a link in common.
 void join_neighbours(const std::vector<LineSide>& sides, Sets& sets) {
