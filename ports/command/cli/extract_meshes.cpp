@@ -26,13 +26,10 @@ int extract_meshes(ExtractArguments arguments) {
   const std::vector<std::string> names = files.names_for(selections);
   Progress progress("extracting", info.dims[2]);
   ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
-  const auto smooth = smoothed(arguments.reading, *volume, mask.get());
+  const auto smooth = smoothed(arguments.reading, *volume, options);
   VolumeReader& samples = smooth ? static_cast<VolumeReader&>(*smooth) : *volume;
   std::vector<NamedSelection> taken = selections;
-  if (smooth) {
-    options.mask = nullptr;
-    taken[0].selection = {0};
-  }
+  if (smooth) taken[0].selection = options.selection;
   if (is_divisible(arguments)) options.jobs = jobs_of(arguments);
 
   const SurfaceReceivers receivers = receivers_for(selections, Kept::polygons);

@@ -84,13 +84,10 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   Progress progress("extracting", info.dims[2]);
   ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
   StreamHeader header = stream_header(info, options);
-  const auto smooth = smoothed(arguments.reading, *volume, mask.get());
+  const auto smooth = smoothed(arguments.reading, *volume, options);
   header.scan = arguments.scan;
   std::vector<NamedSelection> selections = arguments.reading.selections;
-  if (smooth) {
-    options.mask = nullptr;
-    options.selection = selections[0].selection = {0};
-  }
+  if (smooth) selections[0].selection = options.selection;
   options.slab = slab_of(arguments, info.dims[2]);
   options.normals = arguments.normals == Normals::gradient;
   options.jobs = arguments.jobs;

@@ -119,11 +119,12 @@ std::optional<double> smoothing_mm(const VolumeArguments& arguments, const Volum
 }
 
 std::unique_ptr<SmoothedVolume> smoothed(const VolumeArguments& arguments, VolumeReader& volume,
-                                         VolumeReader* mask) {
+                                         ExtractionOptions& options) {
   const auto deviation = smoothing_mm(arguments, volume.info());
   if (!deviation) return nullptr;
-  return std::make_unique<SmoothedVolume>(volume, arguments.selections[0].selection, mask,
-                                          *deviation);
+  const Selection selection = std::exchange(options.selection, Selection{0});
+  VolumeReader* const mask = std::exchange(options.mask, nullptr);
+  return std::make_unique<SmoothedVolume>(volume, selection, mask, *deviation);
 }
 
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,

@@ -55,10 +55,11 @@ GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& o
 /// The deviation of --smooth, if it is given. Units: millimetres.
 std::optional<double> smoothing_mm(const VolumeArguments& arguments, const VolumeInfo& volume);
 
-/// The selected voxels smoothed, if that is asked for, else nothing. Their surface is at 0. volume,
-/// mask: as SmoothedVolume.
+/// The selected voxels smoothed, if that is asked for, else nothing. options: of the volume; become
+/// those of the smoothed one, whose surface is at 0 and which the mask has cut. volume: as
+/// SmoothedVolume.
 std::unique_ptr<SmoothedVolume> smoothed(const VolumeArguments& arguments, VolumeReader& volume,
-                                         VolumeReader* mask);
+                                         ExtractionOptions& options);
 
 /// At the first threshold. progress, mask: have to live as long as the options are in use.
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,
