@@ -1,4 +1,4 @@
-// The text of a status, what a sink asks of an event, and that both sides have the same layout.
+// The text of a status, the queries of events, and checks that both languages have the same layout.
 #include <discmc/c/object.hpp>
 #include <discmc/c/values.hpp>
 #include <discmc/chain.hpp>
