@@ -94,11 +94,11 @@ TEST_CASE("several files that do not hold the volume are refused") {
   check("a%02d.raw 1 8 1", "a02.raw: there is no such file");
   check("a%02d.raw 1 7 1", "7 data files share 120 bytes");
   check("a%02d.raw 1 4 1", "a02.raw: there is no such file");
-  check("a%02d.raw 1 4 0", "whose range holds no number");
-  check("a%02d.raw 4 1 1", "whose range holds no number");
-  check("a%02d.raw 1 9223372036854775807 1", "whose range holds no number");
-  check("a%s.raw 1 4 1", "no pattern with a range");
-  check("a%02d%d.raw 1 4 1", "no pattern with a range");
+  check("a%02d.raw 1 4 0", "whose range is empty");
+  check("a%02d.raw 4 1 1", "whose range is empty");
+  check("a%02d.raw 1 9223372036854775807 1", "whose range is empty");
+  check("a%s.raw 1 4 1", "not a pattern with a range");
+  check("a%02d%d.raw 1 4 1", "not a pattern with a range");
   check("LIST\nshort\nshort\nshort\nshort", "7 bytes of 30 are missing");
   check("LIST\na\001.raw", "control characters");
 }

@@ -122,7 +122,8 @@ std::string folder_of_growing(const Folder& folder, int count) {
 
 TEST_CASE("slices that are off even distances are told, and refused from a quarter of a step on") {
   const Folder few, some, many;
-  CHECK(!noted(open_volume(folder_of_growing(few, 4))->info(), "from where even distances"));
+  CHECK(
+      !noted(open_volume(folder_of_growing(few, 4))->info(), "from their place at even distances"));
   CHECK(noted(open_volume(folder_of_growing(some, 40))->info(), "slices lie up to 0.4"));
   check_refusal(refusal(folder_of_growing(many, 60)), "mm everywhere some would be 0.7");
 }
@@ -212,7 +213,7 @@ TEST_CASE("a comma in decimals is a point, and a note says so") {
   });
   const auto reader = open_volume(slices.path());
   check_places(reader->info(), {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
-  CHECK(noted(reader->info(), "decimal commas, taken as points"));
+  CHECK(noted(reader->info(), "decimal commas are read as points"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
@@ -256,7 +257,7 @@ TEST_CASE("slices without positions are in the order of their numbers when that 
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
   CHECK(!reader->info().placement);
   CHECK(noted(reader->info(), "in the order of their InstanceNumber; "));
-  CHECK(noted(reader->info(), "which side is left, is not known"));
+  CHECK(noted(reader->info(), "which side is left, is unknown"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
@@ -315,7 +316,7 @@ TEST_CASE("slices with a UID each are one volume when that is asked for") {
       [](Dataset& data, int z) { data.text(0x0020000e, "UI", "1.2.3.77." + std::to_string(z)); });
   const std::string text = refusal(slices.path());
   check_refusal(text, "several volumes:");
-  check_refusal(text, "--merge-series takes them as slices of one volume");
+  check_refusal(text, "--merge-series reads them as slices of one volume");
   VolumeOptions options;
   options.merges_series = true;
   CHECK(read_all(*open_volume(slices.path(), options)) == as_read(volume_values()));
@@ -363,7 +364,7 @@ TEST_CASE("a DICOMDIR is its folder") {
   const auto reader = open_volume(slices.path());
   CHECK(reader->info().notes.empty());
   const Folder alone;
-  check_refusal(refusal(alone.write("DICOMDIR", bytes)), "the DICOMDIR has no image beside it");
+  check_refusal(refusal(alone.write("DICOMDIR", bytes)), "there is no image beside the DICOMDIR");
 }
 
 TEST_CASE("slices that are packed one by one are read") {

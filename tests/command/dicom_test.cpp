@@ -150,7 +150,8 @@ TEST_CASE("JPEG with losses is near what it was, of 8 bits and of 12") {
 }
 
 TEST_CASE("what is deflated as a whole is refused with the remedy") {
-  check_refusal(refusal(files / "deflated.dcm"), "deflated as a whole (dcmconv +te inflates it)");
+  check_refusal(refusal(files / "deflated.dcm"),
+                "deflated as a whole (inflate it with dcmconv +te)");
 }
 
 TEST_CASE("bits above those of a sample are none of its value") {
@@ -162,7 +163,7 @@ TEST_CASE("where slope and intercept differ between slices, the values are read"
   CHECK(reader->info().type == SampleType::f32);
   CHECK(reader->info().slope == 1);
   CHECK(reader->info().intercept == 0);
-  CHECK(noted(reader->info(), "differ from slice to slice"));
+  CHECK(noted(reader->info(), "differ between slices"));
   auto expected = values();
   const double slopes[] = {1, 0.25, 2, 0.5, 1};
   for (std::size_t i = 0; i < expected.size(); ++i)
@@ -198,7 +199,7 @@ TEST_CASE("with gaps allowed the nearest slice stands for one that is missing, a
   CHECK(read_all(*reader) == expected);
   // Far apart: not of slices that were lost, and without end to fill.
   series.put(4, replaced(slice(4), place(4), "1100000"));
-  check_refusal(refusal(series.path(), options), "too much to be filled");
+  check_refusal(refusal(series.path(), options), "too many to fill");
 }
 
 TEST_CASE("a frame stands for one that is missing, however it is compressed") {

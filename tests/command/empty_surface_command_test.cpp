@@ -53,7 +53,7 @@ TEST_CASE("an empty surface is a failure that tells the values, and leaves no fi
       INFO(arguments, "\n", result.error);
       if (result.code == 2) continue;  // what does not go together
       const bool is_label = selection.find("--label") != std::string::npos;
-      const std::string more = is_label ? "; discmc info shows which labels there are" : values;
+      const std::string more = is_label ? "; list the labels with discmc info" : values;
       check_failure(result, 1, {"v.nrrd: " + reason + more, "--allow-empty"});
     }
   CHECK(workshop.names() == names);
@@ -75,7 +75,7 @@ TEST_CASE("a surface whose bodies are all too small is empty, too") {
   const std::string extract = "extract v.nrrd --iso 100 --min-volume 100 -o v.stl";
   const Result result = workshop.run(extract);
   CHECK(result.code == 1);
-  CHECK(contains(result.error, "no body is as large as --min-volume says"));
+  CHECK(contains(result.error, "no body is as large as --min-volume"));
   CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
   workshop.done(extract + " --allow-empty");
 }

@@ -215,7 +215,7 @@ TEST_CASE("LZF is unpacked as h5py packs it, and refused where it is damaged") {
   for (const std::string& damaged :
        {std::string("\x20\x03", 2), std::string("\5\1", 2), std::string("\xe0", 1)}) {
     write(damaged);
-    check_refusal(refusal(file), "damaged or not there");
+    check_refusal(refusal(file), "damaged or missing");
   }
 }
 
@@ -303,7 +303,7 @@ TEST_CASE("of an array of MATLAB it is said which index is taken for x") {
   folder.write("volume.mat", bytes);
   const auto reader = open_volume(file);
   CHECK(reader->info().format == "HDF5, /V, raw");
-  CHECK(noted(reader->info(), "its first index is taken as x; if that is y, give --axes zxy"));
+  CHECK(noted(reader->info(), "its first index is read as x; if it is y, give --axes zxy"));
 }
 
 TEST_CASE("arrays that Imaris fills up are refused with what converts them") {
@@ -319,7 +319,7 @@ TEST_CASE("arrays that Imaris fills up are refused with what converts them") {
         H5Gclose);
     new_dataset(group, "Data", {4, 3, 5}, no_creation());
   }
-  check_refusal(refusal(file), "this is Imaris, which fills its arrays up");
+  check_refusal(refusal(file), "this is Imaris, which pads its arrays");
 }
 
 TEST_CASE("samples of fewer bits than they have room for are numbers as others are") {

@@ -96,7 +96,7 @@ TEST_CASE("dataset.json of nnU-Net names labels in both of its forms") {
   const auto check_refused = [](const std::string& text, const std::string& part) {
     CHECK_THROWS_WITH_AS(table_of(text), doctest::Contains(part.c_str()), VolumeError);
   };
-  check_refused("{\"labels\": {\"liver\": 1}", "the file is no JSON");
+  check_refused("{\"labels\": {\"liver\": 1}", "the file is not JSON");
   check_refused("{\"label\": {}}", "no object \"labels\"");
   check_refused("{\"labels\": [1]}", "no object \"labels\"");
   check_refused("{\"labels\": {}}", "no object \"labels\"");

@@ -144,11 +144,11 @@ TEST_CASE("layers are told, and refused where one is not enough") {
   workshop.write("layers.seg.nrrd", layered());
   const std::string info = workshop.done("info layers.seg.nrrd");
   for (const char* line : {"frames 2", "label 1 layer 0 Bone", "label 1 layer 1 Skin",
-                           "note the values are those of layer 0; --frame N tells those of"})
+                           "note the values are those of layer 0; choose"})
     CHECK(contains(info, line));
   CHECK(contains(workshop.done("info layers.seg.nrrd --frame 1"), "range 0 1\n"));
   check_failure(workshop.run("extract layers.seg.nrrd --iso 1 -o v.stl"), 1,
-                {"the file holds labels in 2 volumes", "take labels with --label NAME"});
+                {"the file holds labels in 2 volumes", "select labels with --label NAME"});
   check_failure(workshop.run("extract layers.seg.nrrd --label 1 -o v.stl"), 1,
                 {"label 1 is 'Bone' and, in another layer, 'Skin'"});
   check_failure(workshop.shell("\"$discmc\" extract - --labels all -q -o v.glb < layers.seg.nrrd"),
@@ -522,7 +522,8 @@ TEST_CASE("labels that cannot be written are refused before any work") {
                 {"table.txt", "line 1"});
   check_failure(workshop.run(extract + "--iso 1 --label-table table.txt -o v.stl"), 2,
                 {"--label-table", "--label N"});
-  check_failure(workshop.run(all + "-o '{name}/v.stl'"), 1, {"{name}", "not of folders"});
+  check_failure(workshop.run(all + "-o '{name}/v.stl'"), 1,
+                {"{name}", "not allowed in the name of a folder"});
   check_failure(workshop.run(all + "-o 'none/{name}.stl'"), 1, {"none", "no such folder"});
   check_failure(
       workshop.run("extract nothing.raw --dims 4,2,3 --type u8 --labels all -o '{name}.stl'"), 1,

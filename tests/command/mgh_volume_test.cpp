@@ -53,7 +53,7 @@ TEST_CASE("the place is that of the header: the centre lies between the middle v
 TEST_CASE("without a place FreeSurfer's own is taken, with a note") {
   const Folder folder;
   const auto reader = open_volume(folder.write("a.mgh", mgh(0, stored(SampleType::u8), {})));
-  CHECK(noted(reader->info(), "no directions given, coronal slices of 1 mm taken"));
+  CHECK(noted(reader->info(), "no directions given, coronal slices of 1 mm assumed"));
   REQUIRE(reader->info().placement);
   CHECK(reader->info().placement->axes_mm == Axes{{{-1, 0, 0}, {0, 0, -1}, {0, 1, 0}}});
   CHECK(reader->info().placement->origin_mm == std::array<double, 3>{2.5, -2, 1.5});

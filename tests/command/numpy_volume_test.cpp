@@ -142,7 +142,7 @@ TEST_CASE("axes of size 1 are dropped, wherever they are, with a note") {
     INFO(shape);
     const auto file = folder.write("a.npy", npy("<u2", shape, array_with("zyx")));
     check_places(file, {});
-    CHECK(noted(open_volume(file)->info(), "axes of size 1 dropped of "));
+    CHECK(noted(open_volume(file)->info(), "axes of size 1 are dropped from "));
   }
   const auto image = folder.write("image.npy", npy("<u2", "1, 1, 12, 5", array_with("zyx")));
   CHECK(open_volume(image)->info().dims == std::array<std::uint32_t, 3>{5, 12, 1});
@@ -165,7 +165,8 @@ TEST_CASE("of more axes a volume is chosen, or they are named; what does not fit
   check_refusal(refusal(plain, options), "no channel 6: the file holds 1; leave out --channel");
   check_refusal(refusal(folder.write("none.npy", npy("<u2", "0, 3, 5", ""))), "0 x 3 x 5");
   const std::string beyond = "4294967296, 4294967296, 5";
-  check_refusal(refusal(folder.write("beyond.npy", npy("<u2", beyond, ""))), "which no file holds");
+  check_refusal(refusal(folder.write("beyond.npy", npy("<u2", beyond, ""))),
+                "more than a file can hold");
 }
 
 TEST_CASE("axes are not named of a format that says what they are") {

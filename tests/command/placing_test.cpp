@@ -184,7 +184,7 @@ TEST_CASE("a volume without a frame is placed as it says, and in no patient's sp
   for (const std::string command : {"extract v.nrrd --iso 100", "decode v.dmc"}) {
     const Result result = workshop.run(command + " --space lps -o v.ply");
     CHECK(result.code == 1);
-    CHECK(contains(result.error, "does not tell where the patient is: leave out --space"));
+    CHECK(contains(result.error, "has no patient orientation; leave out --space"));
   }
   for (const std::string output : {"v2.dmc", "v.jsonl"})
     CHECK(workshop.run("extract v.nrrd --iso 100 --space voxel -o " + output).code == 2);

@@ -94,7 +94,7 @@ TEST_CASE("a name of a format with a header is not that of headerless samples") 
   const std::string u8 = stored(SampleType::u8);
   for (const std::string name : {"v.nrrd", "v.nii.gz", "v.mhd"})
     check_refusal(refusal(folder.write(name, u8), layout_of(SampleType::u8)),
-                  "the name is that of a format with a header");
+                  "this name has the extension of a format with a header");
   for (const std::string name : {"v.img", "v.raw", "v", "v.dat"})
     check_volume(folder.write(name, u8), SampleType::u8, "raw", layout_of(SampleType::u8));
   VolumeOptions options = layout_of(SampleType::u8);

@@ -132,6 +132,6 @@ TEST_CASE("wrong usage of render is told, and nothing is written") {
   for (const std::string braces : {"{name}", "{n}", "{}"})
     for (const std::string command : {"render v.nrrd --iso 100 -o 'a", "decode v.dmc -o 'a"})
       check_failure(workshop.run(command + braces + (command[0] == 'r' ? ".png'" : ".stl'")), 2,
-                    {"--output: ", braces + " stands for nothing"});
+                    {"--output: ", braces + " is no placeholder here"});
   CHECK(workshop.names() == names);
 }

@@ -163,8 +163,8 @@ TEST_CASE("what a join says that it wrote is so, also where a slab broke off") {
     CHECK(joined.code == 3);
     auto written = workshop.info("joined.dmc");
     CHECK(contains(joined.out, "\n" + written["regions"] + " polygons\n"));
-    if (contains(joined.error, "pieces are open"))
-      CHECK(contains(joined.error, " " + written["lost_pieces"] + " pieces are open"));
+    if (contains(joined.error, "fragments are loose"))
+      CHECK(contains(joined.error, " " + written["lost_pieces"] + " fragments are loose"));
   }
 }
 

@@ -162,7 +162,7 @@ TEST_CASE("without a unit OME-XML is in micrometres, and what is no length is no
   CHECK(noted(of_pixels, "PhysicalSizeX is in 'pixel', which is no length"));
   CHECK(noted(of_pixels, "no spacing given"));
   const VolumeInfo without_z = info_of("PhysicalSizeX=\"2\" PhysicalSizeY=\"2\"");
-  CHECK(noted(without_z, "no distance of slices given, that of pixels taken"));
+  CHECK(noted(without_z, "no distance of slices given, the distance of pixels is used"));
   check_spacing(without_z, {2e-3, 2e-3, 2e-3});
 }
 
@@ -302,7 +302,7 @@ TEST_CASE("ImageJ's units are read as it writes them") {
   CHECK(noted(in_pixels, "its unit is 'pixel', which is no length"));
   CHECK(noted(in_pixels, "no spacing given"));
   const VolumeInfo flat = info_of(numbered(3, "ImageJ=1\nimages=3\nunit=mm\n", of_four_units));
-  CHECK(noted(flat, "no distance of slices given, 1 unit taken, as ImageJ does"));
+  CHECK(noted(flat, "no distance of slices given, 1 unit assumed, as by ImageJ"));
   check_spacing(flat, {4, 4, 1});
 }
 
@@ -430,7 +430,7 @@ TEST_CASE("bytes behind the only page are noted, unless they may well be metadat
   const auto notes_much = [](std::size_t behind) {
     Tiff tiff;
     tiff.page(256, 256, std::string(65536, 'a')).behind(std::string(behind, 'b'));
-    return noted(info_of(tiff), "bytes behind its only page left out");
+    return noted(info_of(tiff), "bytes after its only page are left out");
   };
   CHECK(notes_much(200000));
   CHECK(!notes_much(60000));
@@ -477,8 +477,8 @@ TEST_CASE("pages of different sizes, types, resolutions, colours or directions a
   check_refusal(refusal_with({{256, whole({1})}}), "page 1 has 1 x 1 samples of u8");
   check_refusal(refusal_with({{tag::bits, whole({16})}}), "page 1 has 2 x 1 samples of u16");
   check_refusal(refusal_with({{tag::samples, whole({3})}}), "page 1 has 3 channels, and not 1");
-  check_refusal(refusal_with({{tag::photometric, whole({0})}}), "black and white the other way");
-  check_refusal(refusal_with({{tag::orientation, whole({4})}}), "its rows in another direction");
+  check_refusal(refusal_with({{tag::photometric, whole({0})}}), "black and white are exchanged");
+  check_refusal(refusal_with({{tag::orientation, whole({4})}}), "rows in another direction");
   check_refusal(refusal_with(other_resolution),
                 "another resolution than v.tif; if its voxels are as large, give --spacing X,Y,Z");
   VolumeOptions options;

@@ -117,7 +117,7 @@ TEST_CASE("the code that tune prints says what of the surface is not in it") {
   const std::string left = "Left to you: voxels above 250 are off; a MajorityFilter";
   for (const char* heading : {"regions, C++", "regions, C", "slices, C++", "slices, C"}) {
     CHECK(contains(code("--range 100..250 --median 3", heading), left));
-    CHECK(!contains(code("--iso 100", heading), "Left to you"));
+    CHECK(!contains(code("--iso 100", heading), "Not in this code"));
   }
 }
 
@@ -162,14 +162,14 @@ TEST_CASE("tune refuses with the value and the remedy") {
     CHECK(result.code == code);
     CHECK(contains(result.error, remedy));
   };
-  refused("", 2, "give --iso auto, or the threshold");
+  refused("", 2, "add --iso auto, or the threshold");
   refused("--iso 100 --clock fast", 2, "'fast' is no clock: give Hertz, as in 48M");
   refused("--iso 100 --baud 0", 2, "'0' is no baud rate");
   refused("--iso 100 --memory 100", 1,
           "give at least " + std::to_string(discmc::minimum_bytes<std::uint16_t>(limits)));
   refused("--iso 100 --memory 1M", 1,
           "give at most " + std::to_string(discmc::bytes_for<std::uint16_t>(limits, {32759, 0})));
-  refused("--iso 100 --capacities 40000,1", 1, "give 4 to 32759 slots");
+  refused("--iso 100 --capacities 40000,1", 1, "expected 4 to 32759");
   refused("--iso 300", 1, "no voxel reaches 300");
   refused("--iso 300 --allow-empty", 2, "'--allow-empty' is not an option of tune");
   refused("--iso 100 --payload slices --memory 2K", 2, "leave out --memory and --capacities");

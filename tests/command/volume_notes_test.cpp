@@ -14,10 +14,10 @@ using Notes = std::vector<std::string>;
 
 const std::string u8 = stored(SampleType::u8);
 
-const std::string no_spacing = "no spacing given, 1 mm taken";
+const std::string no_spacing = "no spacing given, 1 mm assumed";
 const std::string no_axes =
     "the axes are not named: taken as array[z][y][x]; --axes names others, such as xyz";
-const std::string no_unit = "no unit of length given, mm taken";
+const std::string no_unit = "no unit of length given, mm assumed";
 
 std::string vti(const std::string& image, const std::string& points) {
   return "<VTKFile type=\"ImageData\" byte_order=\"LittleEndian\"><ImageData WholeExtent=\"0 4 0 2 "
@@ -86,7 +86,7 @@ TEST_CASE("a spacing that is given leaves no note of a missing one") {
 
 TEST_CASE("bytes behind the samples are noted, packed ones when they are reached") {
   const Folder folder;
-  const std::string behind = " bytes behind the samples left out: check the sizes";
+  const std::string behind = " bytes after the samples are left out; check the sizes";
   const std::string head = nrrd(nrrd_u8 + "spacings: 1 1 1\n" + units_in_mm);
   const auto whole = open_volume(folder.write("v.nrrd", head + "\n" + u8 + "1234567"));
   CHECK(noted(whole->info(), "7" + behind));

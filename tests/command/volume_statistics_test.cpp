@@ -184,7 +184,7 @@ TEST_CASE("a threshold that does not fit says what is there") {
   CHECK(complaint(ThresholdRule::otsu, statistics_of({{7, 3}})) ==
         "all values are 7, and none divides them; give --iso 7 to take them all");
   CHECK(complaint(ThresholdRule::automatic, {}) ==
-        "no value is a finite number, and none divides them; check the file");
+        "no value is finite, so there is no threshold; check the file");
 }
 
 TEST_CASE("a value is told by the digits that it has") {

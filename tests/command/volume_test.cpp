@@ -220,7 +220,7 @@ TEST_CASE("NRRD refuses by name what it does not take") {
   const Folder folder;
   const std::vector<std::pair<std::string, std::string>> cases = {
       {nrrd("type: block\nencoding: raw\n\n"), "type 'block'"},
-      {nrrd("type: char\nencoding: raw\n\n"), "one number a voxel"},
+      {nrrd("type: char\nencoding: raw\n\n"), "one number per voxel"},
       {nrrd("type: uchar\nencoding: hex\n\n"), "encoding 'hex'"},
       {nrrd("type: short\nencoding: raw\n\n"), "'endian' is missing"},
       {nrrd("type: short\nencoding: raw\nendian: pdp\n\n"), "endian is 'pdp'"},
@@ -237,20 +237,20 @@ TEST_CASE("NRRD refuses by name what it does not take") {
        "holds 2 volumes"},
       {nrrd(nrrd_u8 + "kinds: list domain domain domain\n\n", "200000 30000 3 4"),
        "200000 samples side by side make the rows too long"},
-      {nrrd(nrrd_u8 + "space directions: (1,0,0,0) (1,0,0) (0,1,0)\n\n"), "no vector of up to"},
+      {nrrd(nrrd_u8 + "space directions: (1,0,0,0) (1,0,0) (0,1,0)\n\n"), "not a vector of up to"},
       {nrrd(nrrd_u8 + "space directions: (1,0,0) (0,1,0)\n\n"), "2 entries for 3 dimensions"},
       {nrrd(nrrd_u8 + "spacings: 1\n\n"), "1 entries for 3 dimensions"},
       {nrrd(nrrd_u8 + "data file: LIST\nabsent\nb\n"), "absent: there is no such file"},
       {nrrd(nrrd_u8 + "data file: LIST\n"), "list of data files is empty"},
-      {nrrd(nrrd_u8 + "data file: %99999d.raw 1 4 1\n"), "no pattern with a range"},
+      {nrrd(nrrd_u8 + "data file: %99999d.raw 1 4 1\n"), "not a pattern with a range"},
       {nrrd(nrrd_u8 + "data file: absent.raw\n"), "no such file"},
-      {nrrd(nrrd_u8 + "data file: .\n"), "no file or pipe"},
+      {nrrd(nrrd_u8 + "data file: .\n"), "neither a file nor a pipe"},
       {nrrd(nrrd_u8), "no end"},
       {nrrd(nrrd_u8 + "\n", "5 3"), "slice 0 (the first is 0) of 1: 15 bytes"},
       {nrrd(nrrd_u8 + "\n", "5 3 4 2") + u8, "holds 2 volumes"},
       {nrrd(nrrd_u8 + "\n", "5 0 4"), "dimension 2 has size 0"},
       {nrrd(nrrd_u8 + "\n", "5 -3 4"), "dimension 2 has size -3"},
-      {nrrd(nrrd_u8 + "\n", "5 3 99999999999999999999"), "no whole number in range"},
+      {nrrd(nrrd_u8 + "\n", "5 3 99999999999999999999"), "not a whole number in range"},
       {"NRRD0006\n", "'NRRD0006'"},
       {"", "begins with ''"},
   };
@@ -464,7 +464,7 @@ TEST_CASE("compressed data that ends early or is damaged is refused") {
 
 TEST_CASE("a file of no known format, a folder and a missing file are refused") {
   const Folder folder;
-  check_refusal(refusal(folder.write("v.dat", "DICM")), "format is not known");
+  check_refusal(refusal(folder.write("v.dat", "DICM")), "format is unknown");
   check_refusal(refusal(folder.write("v.dat", "%PDF-1.4")), "this is PDF, which is not read");
   check_refusal(refusal(folder.write("v.DMC", "")),
                 "a stream, not a volume; give it to discmc decode");

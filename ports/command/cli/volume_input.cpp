@@ -56,7 +56,7 @@ class NotedVolume final : public VolumeFilter {
 void require_second_pass(const std::string& path, const std::string& purpose) {
   if (is_read_once(path))
     throw std::runtime_error(name_for_people(path) + ": " + purpose +
-                             ", and this can be read once; store the volume in a file first");
+                             ", and this input can be read only once; store it in a file first");
 }
 
 std::unique_ptr<VolumeReader> noted(const std::string& path, std::unique_ptr<VolumeReader> volume) {
@@ -94,7 +94,7 @@ std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
   if (apart > 0)
     print_message(arguments.mask,
                   "its voxels lie up to " + short_number(apart) +
-                      " mm from those of the volume, and are taken for them one by one");
+                      " mm from those of the volume, and are used for them one by one");
   return mask;
 }
 

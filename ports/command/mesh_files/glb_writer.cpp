@@ -161,7 +161,7 @@ void write_glb(const Meshes& meshes, std::ostream& out) {
   const std::uint64_t binary = arrays.bytes() > 0 ? 8 + arrays.bytes() : 0;
   const std::uint64_t total = 12 + 8 + json.size() + binary;
   if (total > 0xFFFFFFFFu)
-    throw std::invalid_argument("a GLB file takes 4 GiB at most: write .ply or .stl");
+    throw std::invalid_argument("a GLB file holds at most 4 GiB; write .ply or .stl");
   Writer writer(out);
   writer.bytes(magic, 4);
   writer.bytes(2, 4);

@@ -151,7 +151,7 @@ void serve_page(const ServedFile& file, std::uint16_t port,
   const int bound = server.bind(port);
   if (bound < 0)
     throw std::runtime_error("port " + std::to_string(port) +
-                             " is taken: give another --port, or none for any that is free");
+                             " is in use; give another --port, or leave it out for any free port");
   // Blocked before there are threads, which then have them blocked, too.
   sigset_t signals;
   sigemptyset(&signals);

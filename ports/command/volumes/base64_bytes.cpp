@@ -61,7 +61,7 @@ class Base64 final : public ByteSource {
       const unsigned value = c == '=' ? 0 : value_of(c);
       filled += c == '=' ? 1 : 0;
       if (value > 63 || filled > 2 || (c != '=' && filled > 0)) {
-        damage_ = "the base64 text holds " + shown({&c, 1}) + " where it does not belong";
+        damage_ = "the base64 text holds " + shown({&c, 1}) + ", which is not allowed there";
         return false;
       }
       bits = bits << 6 | value;

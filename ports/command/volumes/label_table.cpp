@@ -174,7 +174,7 @@ LabelTable read_label_table(const std::filesystem::path& file) {
       fail(file, "line " + std::to_string(number) + " is " + shown(line),
            "give a whole number, a name of one word, and red, green and blue from 0 to 255");
     if (!taken.insert(read->values[0]).second)
-      fail(file, "label " + read->values[0].text() + " is there twice",
+      fail(file, "label " + read->values[0].text() + " is given twice",
            "delete line " + std::to_string(number));
     table.push_back(*std::move(read));
   }

@@ -101,7 +101,7 @@ std::string unknown_option(const std::string& argument, const CLI::App& app) {
   const std::string near = meant(name, names_of_options(app));
   const std::string remedy = !near.empty() ? "did you mean --" + near + "?"
                              : app.get_parent() == nullptr
-                                 ? "options of a command are given after its name"
+                                 ? "give options of a command after its name"
                                  : "leave it out";
   return "'" + option + "' is not an option of " + app.get_name() + "; " + remedy;
 }
@@ -142,7 +142,7 @@ std::string unknown_command(const std::string& argument, const CLI::App& app) {
 std::string surplus(const std::string& argument, const CLI::App& app) {
   const CLI::Option* output = app.get_option_no_throw("--output");
   const bool has_output = output == nullptr || output->count() > 0;
-  return "'" + argument + "' is one argument too many; " +
+  return "'" + argument + "' is an unexpected argument; " +
          (has_output ? "leave it out" : "name the output with -o " + argument);
 }
 

@@ -41,7 +41,7 @@ DeclaredPlace place_of(VolumeInfo& info, const HeaderBytes& header) {
       directions[axis] = header.reals(flag + 14 + 12 * axis);
     centre = header.reals(flag + 50);
   } else {
-    note(info, "no directions given, coronal slices of 1 mm taken, as FreeSurfer does");
+    note(info, "no directions given, coronal slices of 1 mm assumed, as by FreeSurfer");
   }
   DeclaredPlace place;
   place.set_unit("mm");

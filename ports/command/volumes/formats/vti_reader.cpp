@@ -33,7 +33,7 @@ class Head {
       document_.load_buffer(text.data(), text.size());
       const std::string_view type = root().attribute("type").value();
       if (type != "ImageData")
-        fail(file_, "this is VTK's " + shown(type) + " and no ImageData",
+        fail(file_, "this is VTK's " + shown(type) + ", not ImageData",
              "write one image, e.g. with ParaView's filter Resample To Image");
     } while (!is_appended_ && !(array() && format() != "appended"));
     if (!array()) fail(file_, "there is no array of samples", "give an image with samples");
@@ -154,7 +154,7 @@ void note_arrays(VolumeInfo& info, const Head& head) {
   if (const std::string others = head.other_arrays(); !others.empty())
     note(info, taken + "others left out: " + others);
   else if (!head.is_appended() && !head.has_scalars())
-    note(info, taken + "the first; what follows its samples is left out");
+    note(info, taken + "the first; everything after its samples is left out");
 }
 
 SampleType sample_type(const std::filesystem::path& file, std::string_view type) {
@@ -273,8 +273,8 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
 }
 #else
 std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions&) {
-  fail(stream.file(), "this discmc was built without pugixml, which reads XML",
-       "store the volume as .vtk, or build discmc with pugixml");
+  fail(stream.file(), "this is VTK XML, and discmc was built without pugixml",
+       "install libpugixml-dev and build again, or store the volume as .vtk");
 }
 #endif
 

@@ -103,11 +103,11 @@ NoSlices check_decimals(DcmItem& dataset, DicomImage& image) {
     for (unsigned long i = 0; i < static_cast<unsigned long>(count); ++i)
       if (!real_of(element, i))
         return {"an image whose " + std::string(DcmTag(key).getTagName()) + " is " + shown(text) +
-                    ", which is no number",
+                    ", which is not a number",
                 "correct it, e.g. with: dcmodify -m " + std::string(DcmTag(key).getTagName()) +
                     "=VALUE FILE"};
   }
-  if (have_commas) image.notes.emplace_back("decimal commas, taken as points");
+  if (have_commas) image.notes.emplace_back("decimal commas are read as points");
   return {};
 }
 
@@ -148,7 +148,7 @@ NoSlices set_samples(DcmItem& dataset, DicomImage& image) {
   else if (allocated == 32)
     image.type = is_signed ? SampleType::i32 : SampleType::u32;
   else
-    return {"an image of " + std::to_string(allocated) + " bits a sample"};
+    return {"an image of " + std::to_string(allocated) + " bits per sample"};
   image.bits = whole_of(dataset, DCM_BitsStored).value_or(allocated);
   image.high_bit = whole_of(dataset, DCM_HighBit).value_or(image.bits - 1);
   if (image.bits < 1 || image.high_bit >= allocated || image.high_bit + 1 < image.bits)
@@ -195,7 +195,7 @@ void drop_slopes_of_zero(DicomImage& image, std::vector<DicomFrame>& frames) {
     frame.slope = 1;
     frame.intercept = 0;
   }
-  if (have_any) image.notes.emplace_back("RescaleSlope is 0, taken as none");
+  if (have_any) image.notes.emplace_back("RescaleSlope is 0 and is ignored");
 }
 
 // Reads all frames. Returns why they are no slices, or nothing.
@@ -229,7 +229,7 @@ NoSlices read_image(DcmDataset& dataset, const std::shared_ptr<DicomImage>& imag
                     std::vector<DicomFrame>& frames) {
   image->rows = whole_of(dataset, DCM_Rows).value_or(0);
   image->columns = whole_of(dataset, DCM_Columns).value_or(0);
-  if (image->rows == 0 || image->columns == 0) return {"a DICOM file without image"};
+  if (image->rows == 0 || image->columns == 0) return {"a DICOM file without an image"};
   set_encoding(dataset);
   if (dataset.tagExists(DCM_SegmentationType)) image->segments = segments_of(dataset);
   for (const auto& step : {set_samples, check_decimals})
@@ -268,8 +268,7 @@ DicomContent dicom_content(const std::filesystem::path& file) {
   auto opened = open_dicom_file(file, Pixels::left_out);
   if (!opened) {
     content.instead.what =
-        "no DICOM file, a damaged one, or one that is deflated as a whole (dcmconv +te inflates "
-        "it)";
+        "not a DICOM file, damaged, or deflated as a whole (inflate it with dcmconv +te)";
     return content;
   }
   content.is_directory = is_directory(*opened);

@@ -98,7 +98,7 @@ struct DicomFrame {
 /// What is in a file instead of slices, "a colour image", and what to do; nothing where slices are.
 struct NoSlices {
   std::string what;
-  std::string remedy = "give the images of a CT, an MRI or the like, one grey value a voxel";
+  std::string remedy = "give images of a CT, an MRI or the like, with one grey value per voxel";
 
   explicit operator bool() const { return !what.empty(); }
 };

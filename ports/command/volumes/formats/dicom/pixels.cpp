@@ -80,7 +80,7 @@ class Fragments {
     const auto first = start(picture_.number);
     const auto beyond = picture_.number + 1 < frames_ ? start(picture_.number + 1) : end();
     if (!first || !beyond)
-      fail_picture(picture_, "its part of the compressed pixel data is not told");
+      fail_picture(picture_, "its part of the compressed pixel data is unknown");
     std::vector<std::uint8_t> all;
     for (Uint32 i = *first; i < *beyond; ++i) {
       DcmPixelItem& item = at(i);
@@ -164,7 +164,7 @@ void DicomPixels::read_bytes(DcmElement& element, const StoredPicture& picture, 
 void DicomPixels::read_bits(DcmDataset& dataset, DcmElement& element,
                             const StoredPicture& picture) {
   if (is_encapsulated(dataset.getOriginalXfer()))
-    fail_picture(picture, "compressed samples of one bit, which are not read");
+    fail_picture(picture, "compressed samples of one bit are not read");
   // Pictures follow each other without a gap, the lowest bit of a byte first.
   const std::uint64_t count = std::uint64_t{picture.image.columns} * picture.image.rows;
   const std::uint64_t first = picture.number * count;
@@ -190,7 +190,7 @@ void DicomPixels::read_jpeg2000(DcmDataset& dataset, DcmElement& element,
 void DicomPixels::read_picture(DcmDataset& dataset, DcmElement& element,
                                const StoredPicture& picture) {
   if (frame_bytes_by_header(element, dataset) != picture_bytes(picture.image))
-    fail_picture(picture, "the pixel data has another size than the header says");
+    fail_picture(picture, "the pixel data has another size than the header");
   const E_TransferSyntax syntax = dataset.getOriginalXfer();
   std::optional<Fragments> fragments;
   if (is_encapsulated(syntax)) fragments.emplace(dataset, element, picture);

@@ -155,8 +155,8 @@ Hdf5Handle open_hdf5_file(const std::filesystem::path& file) {
     fail(file, "there is no such file", "check the name");
   Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, file_access().id()), H5Fclose);
   if (!opened)
-    fail(file, "this is no HDF5 file, or it is damaged, locked or not to be read",
-         "copy or export it again; where a program writes it, wait for its end");
+    fail(file, "this is not an HDF5 file, or it is damaged, locked or unreadable",
+         "copy or export it again; if a program is writing it, wait for the program");
   return opened;
 }
 
@@ -177,7 +177,7 @@ Hdf5Dataset::Hdf5Dataset(const std::filesystem::path& name, const Hdf5Handle& fi
   is_virtual_ = layout == H5D_VIRTUAL || H5Pget_external_count(creation.id()) > 0;
   file_ = file_of(dataset_);
   if (const auto missing = missing_source(dataset_))
-    fail(name, "it takes samples from the file " + shown(*missing) + ", which is not there",
+    fail(name, "it needs samples from the file " + shown(*missing) + ", which is missing",
          "copy it to the folder of " + shown(file_.filename().string()));
   storage_ = hdf5_filters(name, path, creation);
   if (storage_.empty())

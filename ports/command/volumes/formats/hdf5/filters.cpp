@@ -135,7 +135,7 @@ std::string quoted(const std::string& name, const char* otherwise) {
                               H5Z_filter_t filter) {
   fail(name,
        "its samples are packed by the filter " + std::to_string(filter) +
-           " of HDF5, which is not here",
+           " of HDF5, which is not installed",
        "unpack them in Python, with: pip install h5py hdf5plugin; python3 -c \"import h5py, "
        "hdf5plugin; h5py.File('unpacked.h5', 'w')['volume'] = h5py.File('" +
            quoted(array_name(name).file.string(), "FILE") + "')['" + quoted(array, "NAME") +

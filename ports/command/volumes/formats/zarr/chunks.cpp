@@ -92,7 +92,7 @@ void ZarrChunks::open_shard(const std::filesystem::path& file) {
     const Place place{number_at(index, 16 * i), number_at(index, 16 * i + 8)};
     const bool is_there = place.offset != UINT64_MAX || place.bytes != UINT64_MAX;
     if (is_there && (place.offset < begin || place.bytes > end || place.offset > end - place.bytes))
-      fail(file, "a chunk lies outside of the shard", "copy it again");
+      fail(file, "a chunk lies outside the shard", "copy it again");
     places_.push_back(place);
   }
 }

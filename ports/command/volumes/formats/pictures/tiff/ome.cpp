@@ -76,8 +76,7 @@ class OmeXml {
     const bool is_own = !uuid_.empty() && uuid_ == uuid.text().get();
     if (!uuid || is_own) return file_;
     if (name.empty())
-      fail(file_, "its OME-XML names a file by an identifier alone",
-           "export it again, as one file");
+      fail(file_, "its OME-XML names a file only by an identifier", "export it again, as one file");
     auto file = beside(file_, name);
     std::error_code unknown;
     if (std::filesystem::exists(file, unknown)) return file;
@@ -136,7 +135,7 @@ std::array<std::optional<double>, 3> spacing_mm(const pugi::xml_node& pixels,
     if (const auto mm = millimetres_in(unit))
       spacing[axis] = *value * *mm;
     else
-      notes.push_back(size + " is in " + shown(unit) + ", which is no length");
+      notes.push_back(size + " is in " + shown(unit) + ", which is not a length");
   }
   return spacing;
 }
@@ -217,7 +216,7 @@ class Images {
       if (first >= axis.size)
         fail(xml_.file(),
              std::string("in its OME-XML ") + name + " is " + std::to_string(first) +
-                 ", behind the last",
+                 ", after the last",
              "export the file again");
       run.first_plane += first * axis.step;
     }
