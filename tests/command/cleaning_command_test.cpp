@@ -51,7 +51,7 @@ TEST_CASE("the largest bodies are kept, in meshes of volumes and of streams") {
     return result.error;
   };
   constexpr std::size_t of_box = 26, of_voxel = 8;
-  CHECK(contains(kept("--largest 2"), "2 of 3 bodies and cavities kept"));
+  CHECK(contains(kept("--largest 2"), "2 of 3 bodies and cavities are kept"));
   CHECK(lines(workshop.read("kept.jsonl")) == 2 * of_box);
   CHECK(contains(kept("--largest 1"), "1 of 3"));
   CHECK(kept("--largest 9").empty());

@@ -122,7 +122,7 @@ TEST_CASE(
   check_told(
       stl.error,
       {"far.stl: coordinates are rounded to 0.5 mm, as .stl files hold 32-bit floats",
-       std::to_string(vertices.size()) + " vertices are in " + std::to_string(places) + " places",
+       std::to_string(vertices.size()) + " vertices share " + std::to_string(places) + " places",
        ".ply, .obj, .3mf or .vtp", "--space voxel"});
   CHECK(contains(stl.out, "closed                                no"));
   workshop.done("extract far.nrrd --iso 100 -q -o far.dmc");
@@ -481,7 +481,7 @@ TEST_CASE("samples that are not a number are off, and told") {
                  volume_files::nrrd("type: float\nencoding: raw\nendian: little\n\n") + samples);
   const Result result = workshop.run("extract v.nrrd --iso 7 -o v.dmc");
   CHECK(result.code == 0);
-  CHECK(contains(result.error, "v.nrrd: 1 samples are not a number (NaN), and taken as off"));
+  CHECK(contains(result.error, "v.nrrd: 1 samples are not a number (NaN) and count as off"));
   workshop.done("extract v.nrrd --iso 7.25 --allow-empty -o none.dmc");
   CHECK(contains(workshop.done("info v.dmc"), "regions 8\n"));
   CHECK(contains(workshop.done("info none.dmc"), "regions 0\n"));

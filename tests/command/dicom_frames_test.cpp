@@ -27,7 +27,7 @@ TEST_CASE("frames of one position lie one behind the other, and a note says so")
   const Folder folder;
   const auto reader = open_volume(folder.write("v.dcm", cone_beam().file()));
   check_places(reader->info(), {-10, -20, 100}, along_axes);
-  CHECK(noted(reader->info(), "one position for all frames, taken as slices 2.5 mm apart"));
+  CHECK(noted(reader->info(), "one position for all frames, read as slices 2.5 mm apart"));
   CHECK(noted(reader->info(), "by SliceThickness"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
@@ -386,7 +386,7 @@ TEST_CASE("a mosaic whose header does not tell how it lies is refused by its nam
   CsaElements many = csa_elements("1.0");
   many[1].second = {"50"};
   check_refusal(refusal(folder.write("v.dcm", mosaic(csa_header(many, true)).file())),
-                "mosaic of 50 slices that cannot be in 24 x 18 voxels");
+                "mosaic of 50 slices that do not fit in 24 x 18 voxels");
   CsaElements aside = csa_elements("0.0");
   check_refusal(refusal(folder.write("v.dcm", mosaic(csa_header(aside, true)).file())),
                 "whose SliceNormalVector is not a normal");

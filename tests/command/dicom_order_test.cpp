@@ -60,7 +60,7 @@ TEST_CASE("positions that are rounded to tenths have one step within the roundin
       }
       const auto reader = open_volume(folder.path());
       const VolumeInfo& info = reader->info();
-      CHECK(noted(info, "the positions are rounded, slices taken 0.62"));
+      CHECK(noted(info, "the positions are rounded, slices assumed to be 0.62"));
       const double found = std::fabs(info.spacing_mm[2]);
       CHECK(found == doctest::Approx(step).epsilon(is_told ? 1e-12 : 0.01));
       for (int z = 0; z < 16; ++z)
@@ -137,7 +137,7 @@ TEST_CASE("a tilted gantry shears the volume as its slices lie, and a note says 
   const VolumeInfo& info = reader->info();
   check_places(info, {-10, -20, 100},
                {{{0.5, 0, 0}, {0, 0.75 * std::cos(tilt), -0.75 * std::sin(tilt)}, {0, 0, 2.5}}});
-  CHECK(noted(info, "as by a gantry tilted by 15 degrees; the volume is sheared as they lie"));
+  CHECK(noted(info, "as by a gantry tilted by 15 degrees; the volume is sheared accordingly"));
   CHECK(std::fabs(info.spacing_mm[2]) == 2.5);
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
@@ -191,7 +191,7 @@ TEST_CASE("slices that lie on no line are refused") {
     if (z == 2) place[0] += 0.4;
     put_at(data, place);
   });
-  check_refusal(refusal(slices.path()), "IM4 is shifted aside by 0.4 mm against the line");
+  check_refusal(refusal(slices.path()), "IM4 is shifted sideways by 0.4 mm against the line");
 }
 
 TEST_CASE("slices that are a little aside are straight") {
@@ -222,7 +222,7 @@ TEST_CASE("what is no number is refused by the name of its element") {
   Dataset data = slice(0);
   const auto file = folder.write("v.dcm", data.text(0x00280030, "DS", "0.75;0.5").file());
   const std::string text = refusal(file);
-  check_refusal(text, "an image whose PixelSpacing is '0.75;0.5', which is no number");
+  check_refusal(text, "an image whose PixelSpacing is '0.75;0.5', which is not a number");
   check_refusal(text, "dcmodify -m PixelSpacing=VALUE FILE");
 }
 
@@ -294,7 +294,7 @@ TEST_CASE("slices without numbers or with the same are refused, and put in order
   check_refusal(missing, "--order name");
   const Slices equal([](Dataset& data, int) { data.drop(0x00200032).text(0x00200013, "IS", "1"); });
   check_refusal(refusal(equal.path(), ordered(SliceOrder::instance)),
-                "two slices have one InstanceNumber: instance 1 (");
+                "two slices have the same InstanceNumber: instance 1 (");
   const Folder named;
   for (int z = 0; z < depth; ++z)
     named.write("IM" + std::to_string(9 + z), slice(z).drop(0x00200032).drop(0x00200013).file());

@@ -243,7 +243,7 @@ TEST_CASE("a slice that is there twice counts once, and another in its place is 
   series.write("sent-again", replaced(replaced(slice(1), uid, "1.2.826.0.1.3680043.10.1.1.8"), uid,
                                       "1.2.826.0.1.3680043.10.1.1.8"));
   const auto reader = open_volume(series.path());
-  CHECK(noted(reader->info(), "2 slices that are there twice dropped"));
+  CHECK(noted(reader->info(), "2 slices that occur twice are dropped"));
   CHECK(read_all(*reader) == values());
   series.write("echo", replaced(replaced(slice(2), place(2), place(1)), "Head 2.5", "Echo two"));
   check_refusal(refusal(series.path()), "two slices at 102.5 mm differ: ");
@@ -309,7 +309,7 @@ TEST_CASE("pictures beside DICOM are left out, and a note tells") {
   const Series series;
   series.write("preview.png", "of the first slice");
   const auto reader = open_volume(series.path());
-  CHECK(noted(reader->info(), "left out: 1, such as 'preview.png'; to read them give a pattern"));
+  CHECK(noted(reader->info(), "left out: 1, such as 'preview.png'; to read them, give a pattern"));
   CHECK(read_all(*reader) == values());
 }
 
@@ -338,7 +338,7 @@ TEST_CASE("files that hold no image are skipped and counted") {
   const auto reader = open_volume(series.path());
   CHECK(noted(reader->info(), "3 files without a volume's image skipped"));
   CHECK(read_all(*reader) == values());
-  check_refusal(refusal(files / "report.dcm"), "this is a DICOM file without image");
+  check_refusal(refusal(files / "report.dcm"), "this is a DICOM file without an image");
   check_refusal(refusal(files / "colour.dcm"), "this is a colour image");
   check_refusal(refusal(series.path() / "reports"), "none of 2 DICOM files holds an image");
   const Folder empty;

@@ -232,7 +232,7 @@ TEST_CASE("where more is missing than is there, that is refused with the largest
   for (const VolumeOptions& options : {VolumeOptions{}, with_gaps_allowed()})
     check_refusal(refusal(stack.path(), options),
                   "895 slices are missing, the largest of 2 gaps between a2_5.png and a2_900.png, "
-                  "which is too much to be filled");
+                  "which is too many to fill");
 }
 
 TEST_CASE("what is of several kinds is refused with the remedy, and not left out") {

@@ -152,14 +152,14 @@ TEST_CASE("layers are told, and refused where one is not enough") {
   check_failure(workshop.run("extract layers.seg.nrrd --label 1 -o v.stl"), 1,
                 {"label 1 is 'Bone' and, in another layer, 'Skin'"});
   check_failure(workshop.shell("\"$discmc\" extract - --labels all -q -o v.glb < layers.seg.nrrd"),
-                1, {"standard input: each layer of a segmentation takes a pass"});
+                1, {"standard input: reading each layer of a segmentation needs a pass"});
   workshop.write("wrong.seg.nrrd", with_line(layered(), "Segment1_Layer:=1", "Segment1_Layer:=2"));
   const auto wrong = workshop.run("extract wrong.seg.nrrd --labels all -q -o w.glb");
   CHECK(wrong.code == 0);
-  CHECK(contains(wrong.error,
-                 "segments of layers that are not in the file left out: 1, such as "
-                 "'Skin' of layer 2"));
-  CHECK(contains(wrong.error, "layers without a label that is told left out: 1"));
+  CHECK(contains(
+      wrong.error,
+      "segments of layers that are not in the file are left out: 1, such as 'Skin' of layer 2"));
+  CHECK(contains(wrong.error, "layers without a described label are left out: 1"));
   workshop.write("share.seg.nrrd", with_line(layered(), "type: uchar",
                                              "type: uchar\nSegmentation_SourceRepresentation:="
                                              "Fractional labelmap"));
@@ -275,7 +275,7 @@ TEST_CASE("a folder or pattern of masks is a label a file, named after it") {
   workshop.done("extract seg/bone.nii.gz --iso 1 -q -o v.stl");
   CHECK(workshop.read("v.stl") == workshop.read("bone.stl"));
   check_failure(workshop.run("extract seg --iso 1 -o v.stl"), 1,
-                {"seg: volumes of their own: 3, such as ", "--labels all or --label NAME"});
+                {"seg: several volumes: 3, such as ", "--labels all or --label NAME"});
   check_failure(workshop.run("extract seg --labels spleen -o v.glb"), 1, {"no voxel has spleen"});
   check_failure(workshop.run("extract seg --label 1 -o v.glb"), 1, {"no label has the number 1"});
 }
@@ -318,11 +318,11 @@ TEST_CASE("labels that are asked for are there, or that is a failure") {
   workshop.done(extract + "--label 2,9 -q -o union.stl");
   CHECK(workshop.read("skin.stl") == workshop.read("union.stl"));
   check_failure(workshop.run(named + "--labels skin -o v.glb"), 1,
-                {"'skin' stands for 2 labels; give them one by one"});
+                {"'skin' names 2 labels; give each by its number"});
   check_failure(workshop.run(extract + "--labels '' -o v.glb"), 2, {"no label is given"});
   check_failure(workshop.run(extract + "--label '' -o v.stl"), 2, {"'' is no label"});
   check_failure(workshop.run(extract + "--label 7 -o v.stl"), 1,
-                {"v.raw: no voxel has label 7; discmc info shows which labels there are"});
+                {"v.raw: no voxel has label 7; list the labels with discmc info"});
 }
 
 TEST_CASE("labels that are floating point are rounded, and that is told") {
@@ -340,8 +340,8 @@ TEST_CASE("labels that are floating point are rounded, and that is told") {
         workshop.run("extract f.raw --dims 4,2,3 --type f32 -q -o f.glb " + labels);
     CHECK(rounded.code == 0);
     CHECK(contains(rounded.error,
-                   "discmc: f.raw: 10 values are rounded to whole numbers, which labels are; "
-                   "farthest off was 9.009"));
+                   "discmc: f.raw: 10 values are rounded to whole numbers, as labels are; the "
+                   "farthest is 9.009"));
     workshop.done(extract + "-q -o v.glb " + labels);
     CHECK(workshop.read("f.glb") == workshop.read("v.glb"));
   }
@@ -416,7 +416,8 @@ TEST_CASE("a file of a format that holds several has all meshes, with their name
     CHECK(two[1].corners == all[2].corners);
 
     const auto result = workshop.run(extract + "--labels all --median 3 -q -o " + file);
-    CHECK(contains(result.error, "label 9 has no surface left, so it is not in " + file));
+    CHECK(
+        contains(result.error, "label 9 has no surface left, so " + file + " does not contain it"));
     CHECK(meshes_in(file).size() == 1);
     check_failure(workshop.run(extract + "--labels all -q --min-volume 99 -o no" + file), 1,
                   {"no label has a surface left, so no" + file + " is not written"});
@@ -461,9 +462,9 @@ TEST_CASE("what a choice takes from a label is said with its name") {
   workshop.write("table.txt", "1 bone 1 2 3\n2 skin 4 5 6\n");
   const std::string named = extract + "--label-table table.txt -q -o v.glb --largest 1 ";
   CHECK(workshop.run(named + "--labels all").error ==
-        "discmc: v.raw: label 2 (skin): 1 of 2 bodies and cavities kept\n");
+        "discmc: v.raw: label 2 (skin): 1 of 2 bodies and cavities are kept\n");
   CHECK(workshop.run(named + "--label 1 --label 2").error ==
-        "discmc: v.raw: skin: 1 of 2 bodies and cavities kept\n");
+        "discmc: v.raw: skin: 1 of 2 bodies and cavities are kept\n");
 }
 
 TEST_CASE("control characters of names are not printed") {
@@ -529,10 +530,12 @@ TEST_CASE("labels that cannot be written are refused before any work") {
       workshop.run("extract nothing.raw --dims 4,2,3 --type u8 --labels all -o '{name}.stl'"), 1,
       {"nothing.raw", "no label", "--allow-empty"});
   check_failure(workshop.run(all + "--mask nothing.nrrd -o '{name}.stl'"), 1,
-                {"v.raw: it holds no label that --mask leaves; --allow-empty"});
+                {"v.raw: the volume holds no label within --mask; check --frame and --channel, or "
+                 "give --allow-empty"});
   check_failure(
       workshop.run("extract nan.raw --dims 4,2,3 --type f32 --labels all -o v.glb"), 1,
-      {"24 samples are not a number", "nan.raw: it holds no label; --allow-empty takes that"});
+      {"24 samples are not a number",
+       "nan.raw: the volume holds no label; check --frame and --channel, or give --allow-empty"});
   check_failure(
       workshop.run("extract half.raw --dims 4,2,3 --type f32 --labels all -o '{name}.stl'"), 1,
       {"half.raw", "slice 0", "whole numbers"});

@@ -92,7 +92,7 @@ TEST_CASE("another version, a short header and missing samples are refused") {
   const std::string samples = stored(SampleType::u8);
   check_refusal(refusal(folder.write("a.mgh", mgh(0, samples, conformed, 1, 2))), "version 2");
   check_refusal(refusal(folder.write("a.mgh", mgh(0, samples, conformed).substr(0, 283))),
-                "header of 284 bytes is not whole");
+                "header of 284 bytes is incomplete");
   check_refusal(refusal(folder.write("a.mgh", mgh(0, samples.substr(1), conformed))),
                 "1 bytes of it are missing");
 }

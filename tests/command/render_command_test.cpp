@@ -105,7 +105,7 @@ TEST_CASE("wrong usage of render is told, and nothing is written") {
   const std::pair<std::string, std::string> wrong[] = {
       {"v.nrrd", "v.nrrd: a volume is drawn at a threshold: give --iso"},
       {"v.raw" + raw_layout, "give --iso"},
-      {"v.dmc --iso 100", "--iso: is for volumes, and v.dmc is a stream"},
+      {"v.dmc --iso 100", "--iso: applies to volumes, and v.dmc is a stream"},
       {"v.dmc --memory 64K", "--memory: is for volumes"},
       {"v.dmc --capacities 9,9", "--capacities: is for volumes"},
       {"v.dmc --border open", "--border: is for volumes"},

@@ -143,7 +143,8 @@ TEST_CASE("slabs may be joined by and by, and one that is missing is named") {
   CHECK(contains(part.error, "the slices 2 to 3 and 5 to 7 are missing"));
   CHECK(contains(workshop.run("info part.dmc").out, "slab of the slices 4 to 4 of 9"));
   CHECK(contains(workshop.run("decode part.dmc -o part.stl").error,
-                 "it holds the slices 0 to 1, 4 to 4 and 8 to 8 of 9 alone"));
+                 "the stream holds only the slices 0 to 1, 4 to 4 and 8 to 8 of 9; join it with "
+                 "the other slabs by discmc join"));
   workshop.done("join part4.dmc part6.dmc part.dmc part3.dmc part8.dmc part7.dmc -o all.dmc");
   CHECK(discmc::reference::describe_difference(regions_in(workshop, "all.dmc"),
                                                regions_in(workshop, "whole.dmc")) == "");
@@ -186,7 +187,7 @@ TEST_CASE("the depth of a volume may stand in the records of its slabs alone") {
       "-o other.dmc");
   forget_depth(workshop, "other.dmc");
   CHECK(contains(workshop.run("join part1.dmc other.dmc -o joined.dmc").error,
-                 "other.dmc: its slab is one of 8 slices, and the volume has 9"));
+                 "other.dmc: its slab is part of 8 slices, and the volume has 9"));
 }
 
 TEST_CASE("streams that do not belong together are not joined, and nothing is written") {

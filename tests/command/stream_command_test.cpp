@@ -74,10 +74,9 @@ TEST_CASE("a stream of another version is refused by its version, wherever its h
             "info other.dmc --stream-channel 0 --scan 0"}) {
         const Result result = workshop.run(arguments);
         CHECK(result.code == 1);
-        CHECK(contains(result.error,
-                       "other.dmc: stream version " + std::to_string(version) +
-                           " is unknown; this discmc reads version 1: use the release of discmc "
-                           "that wrote the stream"));
+        CHECK(contains(result.error, "other.dmc: stream version " + std::to_string(version) +
+                                         " is unknown; this discmc reads version 1, so use the "
+                                         "release of discmc that wrote the stream"));
       }
     }
   }

@@ -114,7 +114,7 @@ TEST_CASE("the code that tune prints says what of the surface is not in it") {
   const auto code = [&](const std::string& options, const char* heading) {
     return code_of(workshop.done("tune v.nrrd " + options), heading);
   };
-  const std::string left = "Left to you: voxels above 250 are off; a MajorityFilter";
+  const std::string left = "Not in this code: voxels above 250 are off; a MajorityFilter";
   for (const char* heading : {"regions, C++", "regions, C", "slices, C++", "slices, C"}) {
     CHECK(contains(code("--range 100..250 --median 3", heading), left));
     CHECK(!contains(code("--iso 100", heading), "Not in this code"));
@@ -129,7 +129,7 @@ TEST_CASE("the code that tune prints says for which value of the file its thresh
   const std::string scaled = workshop.done("tune scaled.nii --iso=-900");
   for (const char* heading : {"regions, C++", "regions, C", "slices, C++", "slices, C"})
     CHECK(contains(code_of(scaled, heading),
-                   "The threshold of the samples is 50 where the value is -900."));
+                   "The threshold of the stored samples is 50 for the value -900."));
   CHECK(!contains(workshop.done("tune v.nrrd --iso 100"), "where the value is"));
 }
 
@@ -163,7 +163,7 @@ TEST_CASE("tune refuses with the value and the remedy") {
     CHECK(contains(result.error, remedy));
   };
   refused("", 2, "add --iso auto, or the threshold");
-  refused("--iso 100 --clock fast", 2, "'fast' is no clock: give Hertz, as in 48M");
+  refused("--iso 100 --clock fast", 2, "invalid clock 'fast'; expected Hertz, as in 48M");
   refused("--iso 100 --baud 0", 2, "'0' is no baud rate");
   refused("--iso 100 --memory 100", 1,
           "give at least " + std::to_string(discmc::minimum_bytes<std::uint16_t>(limits)));

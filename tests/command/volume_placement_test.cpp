@@ -158,13 +158,14 @@ TEST_CASE("NRRD's thicknesses stand in for a spacing that is missing") {
   const VolumeInfo info =
       nrrd_info(folder, "spacings: 0.5 2 nan\nthicknesses: nan 9 3\n" + units_in_mm);
   CHECK(info.spacing_mm == Vector{0.5, 2, 3});
-  CHECK(info.notes == std::vector<std::string>{"no spacing of axis 3 given, its thickness taken"});
+  CHECK(info.notes ==
+        std::vector<std::string>{"no spacing of axis 3 given, its thickness is used"});
 }
 
 TEST_CASE("units are noted where they are not known") {
   const Folder folder;
   const VolumeInfo nrrd = nrrd_info(folder, "spacings: 1 2 3\nunits: mm furlong \"\"\n");
-  CHECK(noted(nrrd, "unit 'furlong' not known, mm taken"));
+  CHECK(noted(nrrd, "unit 'furlong' is unknown, mm assumed"));
   CHECK(noted(nrrd_info(folder, "spacings: 1 2 3\n"), "no unit of length given, mm assumed"));
   CHECK(nrrd_info(folder, "space: LPS\nspacings: 1 2 3\n").notes.empty());
   CHECK(nrrd_info(folder, "spacings: 1 2 3\nunits: microns Micrometers \"\u00b5m\"\n").spacing_mm ==
@@ -177,9 +178,8 @@ TEST_CASE("a space that NRRD does not have is noted") {
   const Folder folder;
   const std::string steps = "space directions: (1,0,0) (0,1,0) (0,0,1)\n" + units_in_mm;
   const VolumeInfo info = nrrd_info(folder, "space: right-posterior-superior\n" + steps);
-  CHECK(info.notes ==
-        std::vector<std::string>{
-            "the space 'right-posterior-superior' is not known, taken as right-handed"});
+  CHECK(info.notes == std::vector<std::string>{
+                          "the space 'right-posterior-superior' is unknown, right-handed assumed"});
   for (const std::string space : {"3D-right-handed-time", "scanner-xyz-time", "LPST"})
     CHECK(nrrd_info(folder, "space: " + space + "\n" + steps).notes.empty());
 }
@@ -247,7 +247,7 @@ TEST_CASE("a negative distance in NIfTI is taken as positive, with a note") {
   const Folder folder;
   const VolumeInfo info = nifti_info(folder, nifti_of_spacing().real(84, -2));
   CHECK(info.spacing_mm == Vector{0.5, 2, 3});
-  CHECK(noted(info, "pixdim 2 is negative, taken as positive"));
+  CHECK(noted(info, "pixdim 2 is negative, and read as positive"));
 }
 
 TEST_CASE("MetaImage tells its unit, and the size of voxels where it tells no spacing") {
@@ -318,7 +318,7 @@ TEST_CASE("a placement of no use becomes the coordinates, with a note") {
                                    "space: LPS\nspace directions: (1,0,0) (0,2,0) (0,0,3)\n"
                                    "space origin: (nan,0,1e10)\n");
   check_placement(far, Frame::lps, {0, 0, 0}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
-  CHECK(noted(far, "origin (nan, 0, 1e+10) unusable, 0 taken"));
+  CHECK(noted(far, "origin (nan, 0, 1e+10) is unusable, 0 is used"));
   const float infinite = std::numeric_limits<float>::infinity();
   const VolumeInfo nifti = nifti_info(
       folder, with_sform(nifti_of_spacing(), {infinite, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 0}));

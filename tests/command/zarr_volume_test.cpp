@@ -128,7 +128,7 @@ TEST_CASE("units are those of each axis, and a missing or unknown one is noted")
   const auto reader = open_volume(image);
   CHECK(reader->info().spacing_mm == std::array<double, 3>{3, 2, 4});
   CHECK(noted(reader->info(), "no unit of length given, mm assumed"));
-  CHECK(noted(reader->info(), "unit 'parsec' not known, mm taken"));
+  CHECK(noted(reader->info(), "unit 'parsec' is unknown, mm assumed"));
 }
 
 TEST_CASE("a time and a channel are chosen, by the names that the file has for them") {

@@ -77,7 +77,7 @@ class WholeLabels final : public VolumeFilter {
     if (++slices_ < info().dims[2]) return;
     if (rounded_ > 0)
       add_note(std::to_string(rounded_) +
-               " values are rounded to whole numbers, as labels are; the largest change was of " +
+               " values are rounded to whole numbers, as labels are; the farthest is " +
                value_text(farthest_));
     if (not_numbers_ > 0)
       add_note(std::to_string(not_numbers_) + " samples are not a number (NaN) and count as off");

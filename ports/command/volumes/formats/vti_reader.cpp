@@ -150,11 +150,11 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Hea
 
 // Which of several arrays was taken, or may have been.
 void note_arrays(VolumeInfo& info, const Head& head) {
-  const std::string taken = "array " + shown(head.array().attribute("Name").value()) + " taken, ";
+  const std::string read = "array " + shown(head.array().attribute("Name").value()) + " is read, ";
   if (const std::string others = head.other_arrays(); !others.empty())
-    note(info, taken + "others left out: " + others);
+    note(info, read + "others are left out: " + others);
   else if (!head.is_appended() && !head.has_scalars())
-    note(info, taken + "the first; everything after its samples is left out");
+    note(info, read + "the first; everything after its samples is left out");
 }
 
 SampleType sample_type(const std::filesystem::path& file, std::string_view type) {
