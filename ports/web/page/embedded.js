@@ -14,7 +14,7 @@ async function bytesIn(id, encoding) {
 /** The module of WebAssembly. */
 export async function embeddedModule() {
   const bytes = await bytesIn('module', 'deflate');
-  if (!bytes) throw new Error('It lacks its module.');
+  if (!bytes) throw new Error('The WebAssembly module is missing; rebuild discmc.html.');
   return bytes;
 }
 

@@ -4,7 +4,7 @@ import { Listener } from '../live/listener.js';
 import { replayed } from '../live/replay.js';
 import { hasSerial, serialBytes } from '../live/serial.js';
 import { servedBytes } from '../live/served.js';
-import { fail, hideError, tellBusy } from '../messages.js';
+import { fail, hideError, showBusy } from '../messages.js';
 
 export class LivePanel {
   /**
@@ -79,7 +79,7 @@ export class LivePanel {
       await this.hear(this.name, replayed(bytes, Number(by('replay-baud').value),
         Number(by('replay-lost').value), signal), this.recorded);
     } catch {
-      fail(new Error(`${this.name}: it can no longer be read; open it again`));
+      fail(new Error(`${this.name}: the file can no longer be read; open it again`));
     }
   }
 
@@ -92,7 +92,7 @@ export class LivePanel {
     hideError();
     this.recorded = recorded ?? null;
     this.showListening(true);
-    tellBusy('Waiting for the stream…');
+    showBusy('Waiting for the stream…');
     let isFirst = true;
     try {
       await this.listener.hear(source, (arrived, isEnd) => {
@@ -101,10 +101,10 @@ export class LivePanel {
           this.open(name, recorded ?? new Blob(this.listener.pieces));
         }
         if (isEnd && !arrived.stream.hasHeader)
-          fail(new Error(`${name}: no header of a discmc stream in ${whole(arrived.stream.bytes)} ` +
+          fail(new Error(`${name}: there is no header of a discmc stream in ${whole(arrived.stream.bytes)} ` +
             'bytes; check the baud rate, and that the device begins a scan'));
         if (!arrived.stream.hasHeader) return;
-        tellBusy('');
+        showBusy('');
         this.show(name, arrived, isFirst, isEnd);
         isFirst = false;
       });

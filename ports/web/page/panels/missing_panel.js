@@ -1,7 +1,7 @@
 // Where something of a stream is missing: its slices, and its outline in the picture.
 import { by, on } from '../elements.js';
 
-const mostRanges = 8; // that are told
+const mostRanges = 8; // that are listed
 
 /** @param {[number, number]} range */
 const rangeText = ([first, last]) => (first === last ? `${first}` : `${first} to ${last}`);
