@@ -50,7 +50,7 @@ HidDevice::HidDevice(const std::string& name) : name_(name), device_(open(name))
   if (device_ == nullptr)
     throw std::runtime_error(
         "HID device '" + name +
-        "' cannot be opened: see discmc-hid list, and whether you may read and write its path");
+        "' cannot be opened; check its name with discmc-hid list, and the permissions of its path");
 }
 
 std::size_t HidDevice::read(Bytes& report, std::chrono::milliseconds timeout) {
@@ -65,7 +65,7 @@ void HidDevice::write(const Bytes& report) {
   std::array<std::uint8_t, 1 + Report::bytes> bytes{};
   std::copy(report.begin(), report.end(), bytes.begin() + 1);
   if (hid_write(device_.get(), bytes.data(), bytes.size()) < 0)
-    throw DeviceGone("HID device '" + name_ + "' takes no report (" +
+    throw DeviceGone("HID device '" + name_ + "' rejects a report (" +
                      narrow(hid_error(device_.get())) + ")");
 }
 
