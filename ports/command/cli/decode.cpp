@@ -68,8 +68,8 @@ void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
   throw std::invalid_argument(text.str());
 }
 
-// Opens the volume that a stream was made of. A headerless one gets the spacing of the stream before
-// it was shrunk, unless another spacing is given.
+// Opens the volume that a stream was made of. A headerless one gets the spacing of the stream
+// before it was shrunk, unless another spacing is given.
 std::unique_ptr<VolumeReader> open_volume_of(const DecodedStream& decoded,
                                              const StreamArguments& arguments) {
   const StreamHeader& header = decoded.header;

@@ -187,10 +187,9 @@ int extract_label_meshes(const ExtractArguments& arguments) {
     LabelledSurface& label = labels[i].surface;
     keep_chosen(volume + ": " + title(selections[i]), arguments.components, label.surface);
     if (label.surface.polygons.empty() && !arguments.reading.allows_empty) {
-      print_message(arguments.volume, title(selections[i]) + " has no surface left, so " +
-                                          names[i] +
-                                          (files.are_one() ? " does not contain it"
-                                                           : " is not written"));
+      print_message(arguments.volume,
+                    title(selections[i]) + " has no surface left, so " + names[i] +
+                        (files.are_one() ? " does not contain it" : " is not written"));
       continue;
     }
     const bool moves = arguments.interpolates && labels[i].crossings;

@@ -83,8 +83,8 @@ class Join {
   std::uint64_t fragments() const { return encoded_.fragments; }
 
  private:
-  // Accepts what the joiner emits, and pieces that need no joining. Counts them here, as a truncated
-  // stream has no totals.
+  // Accepts what the joiner emits, and pieces that need no joining. Counts them here, as a
+  // truncated stream has no totals.
   struct Encoded {
     Encoder& encoder;
     std::uint64_t regions = 0;
