@@ -23,8 +23,8 @@
 namespace discmc::command {
 namespace {
 
-// Slices are read in turn, as not every library does so in two threads. Whoever is slow to take
-// what was read holds nobody up.
+// Slices are read in turn, as not every library does so in two threads. A slow
+// client delays no other.
 class ReadInTurn final : public VolumeFilter {
  public:
   ReadInTurn(std::unique_ptr<VolumeReader> volume, std::mutex& turn)
@@ -47,7 +47,7 @@ void serve(const ViewArguments& arguments, const ServedFile& file) {
   });
 }
 
-// Samples are read anew for every page: none waits in memory.
+// Samples are read again for every page: none waits in memory.
 void serve_samples(const ViewArguments& arguments) {
   constexpr std::uint64_t most = std::uint64_t{1} << 30;
   require_second_pass(arguments.input, "each page that is served needs a pass");

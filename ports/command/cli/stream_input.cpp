@@ -58,7 +58,7 @@ struct RecordNotes {
   }
 };
 
-// Says which command takes what is no stream.
+// Throws for an input that is no stream, with the command that accepts it.
 void refuse_other_kinds(const std::string& path) {
   if (is_volume_name(path))
     throw std::runtime_error(

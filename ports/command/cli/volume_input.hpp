@@ -1,4 +1,4 @@
-// The volume of a command: opened as its arguments say, and how its surface is taken.
+// The volume of a command: opened as its arguments require, and how its surface is extracted.
 #ifndef DISCMC_COMMAND_CLI_VOLUME_INPUT_HPP
 #define DISCMC_COMMAND_CLI_VOLUME_INPUT_HPP
 
@@ -33,7 +33,7 @@ std::unique_ptr<VolumeReader> open_layer(const std::string& path, const VolumeOp
 /// bits, and the selections are what was found of them.
 std::unique_ptr<MeasuredVolume> open_measured(const std::string& path, VolumeArguments& arguments);
 
-/// Opens the mask of the volume, if there is one, and says where it is not what it should be.
+/// Opens the mask of the volume, if there is one, and prints what is unusual about it.
 std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
                                               const VolumeInfo& volume);
 

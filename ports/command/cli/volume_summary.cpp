@@ -53,7 +53,7 @@ std::vector<Line> lines_of_intervals(const VolumeStatistics& statistics, int mos
     high = statistics.greatest;
   }
   const double step = round_step(high / most - low / most);
-  constexpr double max_steps = 1e15;  // that are still told apart
+  constexpr double max_steps = 1e15;  // that double still distinguishes
   if (!(std::fabs(low) / step < max_steps))
     return {{statistics.least, statistics.greatest, statistics.numbers}};
   const double begin = std::floor(low / step);

@@ -1,4 +1,4 @@
-// What `info` says of a volume.
+// What `info` prints about a volume.
 #ifndef DISCMC_COMMAND_CLI_VOLUME_SUMMARY_HPP
 #define DISCMC_COMMAND_CLI_VOLUME_SUMMARY_HPP
 
@@ -9,7 +9,7 @@
 
 namespace discmc::command {
 
-/// What its file tells but for the notes, one `key value` a line, for people and programs.
+/// The header, without the notes: a key and its values per line, for people and programs.
 void print_volume_info(const VolumeInfo& info, std::ostream& out);
 
 /// What its values are, in the same way: range, mean, percentiles; a histogram, a line for every

@@ -22,7 +22,7 @@ struct Label {
 
 constexpr std::uint64_t max_run_bytes = std::uint64_t{4} << 30;
 
-// The labels of a volume by the samples that stand for them.
+// The labels of a volume by their samples.
 template <class Sample>
 class LabelScan {
  public:

@@ -50,7 +50,7 @@ class PartSurface {
     return answer;
   }
 
-  // What is to be joined goes to the joiner, which stands before the same sink.
+  // What is to be joined goes to the joiner, which sends to the same sink.
   void pass_on(const SurfaceRequest& request, GrowingJoiner& joiner) {
     if (polygons_) request.builder->append(std::move(*polygons_));
     joined_.replay(make_sink(joiner));

@@ -38,7 +38,7 @@ struct SampleRange {
 template <class Sample>
 SampleRange<Sample> selected_samples(const VolumeInfo& info, const Selection& selection);
 
-/// Units: bytes that a row of so many bits takes.
+/// Units: bytes of a row with this many bits.
 constexpr std::size_t bit_row_bytes(std::uint32_t width) {
   return (std::size_t{width} + 7) / 8;
 }

@@ -1,5 +1,5 @@
-// What the writers of mesh files share: numbers as text and as bytes, and what a file says of
-// itself. Internal to the writers.
+// What the writers of mesh files share: numbers as text and as bytes, and the description
+// that a file contains. Internal to the writers.
 #ifndef DISCMC_COMMAND_MESH_FILES_WRITER_HPP
 #define DISCMC_COMMAND_MESH_FILES_WRITER_HPP
 
@@ -20,7 +20,7 @@
 
 namespace discmc::command {
 
-/// What every file says of itself, in a comment or where its format has a place for such text; the
+/// The description in every file, in a comment or where its format has a place for text; the
 /// frame as 3D Slicer reads and writes it.
 constexpr std::string_view header_text(const Mesh& mesh) {
   switch (mesh.frame) {

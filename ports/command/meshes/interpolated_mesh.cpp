@@ -83,7 +83,7 @@ class InterpolatedMesh {
     return corners_.vertices.positions().size() > vertices;
   }
 
-  // Makes those anew that are of an outdated polygon, or of one with a new vertex on a side.
+  // Replaces triangles of an outdated polygon, or of one with a new vertex on a side.
   FaceList renewed_faces(const std::vector<bool>& is_outdated, std::size_t first_new) {
     place_vertices();
     Mesh earlier;

@@ -38,7 +38,7 @@ struct MeshOptions {
   /// How far a crossing may be from the mesh then: where it would be farther, sides and triangles
   /// are split. Units: voxels.
   double tolerance = 0.05;
-  /// Polygons are triangulated by so many at once, unless they are interpolated. The mesh is the
+  /// This many threads triangulate polygons, unless they are interpolated. The mesh is the
   /// same.
   unsigned jobs = 1;
 };

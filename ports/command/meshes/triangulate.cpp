@@ -97,7 +97,7 @@ void Triangulator::add_edges(const std::vector<std::uint32_t>& ring_ends) {
 }
 
 // Floors and ceilings take turns from bottom to top: those at even places are floors. What the
-// point ends is cut off; what it goes on with begins at a chain that has it for its rightmost.
+// point ends is cut off; what continues begins at a chain that has it for its rightmost.
 void Triangulator::pass(Rank point) {
   // The edges that end in the point or lead through it.
   const auto side_of = [&](const ActiveEdge& active) {

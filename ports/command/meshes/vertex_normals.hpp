@@ -16,8 +16,8 @@ namespace discmc::command {
 /// Throws std::invalid_argument when the spacing is beyond what a stream can hold.
 void set_polygon_normals(const Surface& surface, Mesh& mesh);
 
-/// Gives every vertex the normal that the scan or the stream told there. Where it told none the
-/// vertex keeps the one that it has.
+/// Gives every vertex its normal in the scan or the stream. A vertex without one keeps the normal
+/// that it has.
 void set_stream_normals(const Surface& surface, Mesh& mesh);
 
 /// Gives every vertex the direction in which the samples fall there. Where they are level, and on

@@ -29,8 +29,8 @@ class VertexNumbers {
     return number;
   }
 
-  /// The numbers of many positions, as add() of one after the other gives them, by so many jobs at
-  /// once. Limit: nothing has a number yet.
+  /// The numbers of many positions, as add() of one after the other gives them, by `jobs` threads
+  /// at once. Limit: nothing has a number yet.
   std::vector<std::uint32_t> add_all(const std::vector<Vertex>& positions, unsigned jobs);
 
   /// The number of a position, or none.

@@ -14,7 +14,7 @@ namespace {
 // The data is inserted before this script, which reads it.
 constexpr std::string_view scripts = "<script type=\"application/base64\" id=\"module\">";
 
-// The page in two parts: what is to be found in it stands between them.
+// The page in two parts: before and after the text that was searched.
 struct Parts {
   std::string_view head, scripts;
 };

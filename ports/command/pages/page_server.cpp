@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* own_address = "127.0.0.1";
 
-// What is written to it is sent; it fails when nobody is there any more, and when all shall end.
+// What is written to it is sent; it fails when the client is gone, and when the server stops.
 class Sending : public std::streambuf {
  public:
   Sending(httplib::DataSink& sink, const std::atomic<bool>& is_stopping)
@@ -92,7 +92,7 @@ class Server {
   }
 
   // A site whose name leads here sends that name (DNS rebinding). No part of a file is sent, so
-  // that nobody need start in its middle.
+  // that no decoder starts in its middle.
   static httplib::Server::HandlerResponse refuse(const httplib::Request& request,
                                                  httplib::Response& response) {
     const std::string host = request.get_header_value("Host");

@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint64_t step = 256;
 constexpr std::uint32_t max_slots = sizing::max_slots<std::uint16_t>;
 
-// With so many slots more than are in use nothing is ever sent loose (docs/memory.md).
+// With this many unused slots no loose fragment is ever sent (docs/memory.md).
 constexpr std::uint32_t spare_slots = 1168;
 
 std::uint64_t rounded_up(std::uint64_t bytes, std::uint64_t unit) {

@@ -32,8 +32,8 @@ void require_countable(const std::filesystem::path& file, const Sizes& sizes) {
   }
 }
 
-// Returns the axes that are left when those of size 1 are dropped until there are so many, the last
-// ones first.
+// Returns the axes that are left when those of size 1 are dropped until this many are left, the
+// last ones first.
 std::vector<std::size_t> kept_axes(const Sizes& sizes, std::size_t count) {
   std::vector<std::size_t> kept(sizes.size());
   for (std::size_t axis = 0; axis < kept.size(); ++axis) kept[axis] = axis;
@@ -47,7 +47,7 @@ std::vector<std::size_t> kept_axes(const Sizes& sizes, std::size_t count) {
   return kept;
 }
 
-// Those of axes of which nothing is said: the last ones are of the volume, all others of time.
+// Letters of unnamed axes: the last ones are of the volume, all others of time.
 std::string default_letters(std::size_t count) {
   std::string letters(count, 't');
   for (std::size_t i = 0; i < std::min<std::size_t>(count, 3); ++i)

@@ -16,7 +16,7 @@
 
 namespace discmc::command {
 
-/// What a file says of an array.
+/// The description of an array in a file.
 struct ArrayShape {
   std::vector<std::int64_t> sizes;         ///< of array[a][b][c]: a, b, c
   std::string letters = {};                ///< of each axis, such as "tczyx", or nothing
@@ -47,7 +47,7 @@ struct ArrayLayout {
 ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, const ArrayShape& shape,
                        const VolumeOptions& options);
 
-/// The volume of an array whose first sample the stream stands at. In memory are the slices of all
+/// The volume of an array whose first sample is next in the stream. In memory are the slices of all
 /// channels; where z is not the slowest of its axes, the volume.
 std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
                                            const ArrayLayout& layout, bool big_endian);

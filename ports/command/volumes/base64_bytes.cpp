@@ -8,7 +8,7 @@
 namespace discmc::command {
 namespace {
 
-// Characters in fours stand for bytes in threes; the last of a part are filled up with '='. Parts
+// Four characters encode three bytes; '=' fills the last four of a part. Parts
 // may follow each other.
 class Base64 final : public ByteSource {
  public:

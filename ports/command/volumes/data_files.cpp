@@ -15,8 +15,8 @@
 namespace discmc::command {
 namespace {
 
-// The pattern of printf for one whole number, as it stands in headers: "%d", "%03d". printf itself
-// would follow whatever else the file says.
+// The pattern of printf for one whole number, as headers have it: "%d", "%03d". printf itself
+// would follow whatever else the file contains.
 struct Pattern {
   std::string before;
   std::string after;
@@ -97,7 +97,7 @@ class JoinedFiles final : public ByteSource {
              std::to_string(left_) + " bytes of " + std::to_string(bytes_each_) + " are missing" +
                  (damage.empty() ? "" : ": " + damage),
              "copy the file again");
-      // A header that nobody skips would move all samples.
+      // A header that is not skipped would move all samples.
       if (has_more && !skips_header_)
         fail(file_->file(),
              "the data file is longer than its share of " + std::to_string(bytes_each_) + " bytes",

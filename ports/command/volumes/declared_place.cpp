@@ -58,7 +58,7 @@ Vector usable(VolumeInfo& info, Vector spacing_mm) {
   return spacing_mm;
 }
 
-// What the file tells without steps.
+// The spacing of a file without steps.
 Vector spacing_of(VolumeInfo& info, const DeclaredPlace& place) {
   const auto& spacing = place.spacing;
   const auto is_given = [](const auto& distance) { return distance.has_value(); };

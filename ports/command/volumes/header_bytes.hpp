@@ -1,4 +1,4 @@
-// A header of fixed length, whose fields stand at offsets.
+// A header of fixed length, whose fields are at offsets.
 #ifndef DISCMC_COMMAND_VOLUMES_HEADER_BYTES_HPP
 #define DISCMC_COMMAND_VOLUMES_HEADER_BYTES_HPP
 

@@ -73,7 +73,7 @@ std::optional<LabelDescription> entry(std::string_view index, std::string_view n
   return LabelDescription{std::string(name), colour, {*label}};
 }
 
-// The lines of a table, which its first one tells how to read.
+// The lines of a table, whose first line defines how to read the others.
 class Reader {
  public:
   /// Returns whether the line is the head of columns.
@@ -106,7 +106,7 @@ class Reader {
     return at < words.size() ? trimmed(words[at]) : std::string_view();
   }
 
-  // 3D Slicer may leave the name out, as its columns of terms say more: "Left Kidney".
+  // 3D Slicer may leave the name out, as its columns of terms are more precise: "Left Kidney".
   std::string name(const Words& words) const {
     const std::string_view own = value(words, "name");
     if (!own.empty()) return std::string(own);

@@ -59,8 +59,7 @@ bool is_option(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-';
 }
 
-// The first option that an app does not know, or else the first argument; empty where all are
-// known.
+// The first option that an app has not, or else the first surplus argument; empty if there is none.
 std::string first_unknown(const CLI::App& app) {
   std::vector<std::string> unknown = app.remaining();
   unknown.erase(std::remove(unknown.begin(), unknown.end(), "--"), unknown.end());
@@ -138,7 +137,7 @@ std::string unknown_command(const std::string& argument, const CLI::App& app) {
                        : "did you mean " + near + "?");
 }
 
-// A file that stands where none is expected is often the output.
+// A surplus file is often meant as the output.
 std::string surplus(const std::string& argument, const CLI::App& app) {
   const CLI::Option* output = app.get_option_no_throw("--output");
   const bool has_output = output == nullptr || output->count() > 0;
@@ -146,7 +145,7 @@ std::string surplus(const std::string& argument, const CLI::App& app) {
          (has_output ? "leave it out" : "name the output with -o " + argument);
 }
 
-// Empty where an app knows all its arguments.
+// Empty if an app has all its arguments.
 std::string unknown_argument(const CLI::App& app, const CLI::Error& error) {
   const std::string argument = first_unknown(app);
   if (argument.empty()) return "";

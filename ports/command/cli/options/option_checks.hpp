@@ -17,8 +17,8 @@
 
 namespace discmc::command {
 
-/// A finite number for which the condition holds. wanted: what it is called, as CLI11 would name
-/// the largest number there is.
+/// A finite number for which the condition holds. wanted: the expected value, for
+/// the message.
 template <class Condition>
 CLI::Validator accepted(Condition holds, const std::string& wanted) {
   return CLI::Validator(
@@ -57,7 +57,7 @@ inline CLI::Validator not_negative() {
 }
 
 /// A file whose name ends in one of these, which begin with a dot, or standard output by the name
-/// "-". what: is told where it does not.
+/// "-". what: the fault, for the message.
 inline CLI::Validator named_with(const std::vector<std::string>& extensions,
                                  const std::string& what) {
   return CLI::Validator(
@@ -71,7 +71,7 @@ inline CLI::Validator named_with(const std::vector<std::string>& extensions,
       "");
 }
 
-/// For commands that write one surface, where no name stands in braces.
+/// For commands that write one surface, and so support no {name}.
 inline CLI::Validator without_braces() {
   return CLI::Validator(
       [](std::string& text) {

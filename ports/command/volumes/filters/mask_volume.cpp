@@ -156,7 +156,7 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   VolumeOptions of_all;
   of_all.spacing_mm = options.spacing_mm;
   of_all.allow_gaps = options.allow_gaps;
-  // The options are those of the volume: none tells what is in a mask.
+  // The options are those of the volume: none describes the mask.
   of_all.frame = 0;
   of_all.channel = 0;
   if (names_no_axes(file)) of_all.axes = axes_of_space(options.axes);

@@ -1,5 +1,5 @@
 // Projects of InVesalius: an archive of tar with the samples and, before or behind them, a property
-// list that tells how they are stored.
+// list that describes how they are stored.
 #include <algorithm>
 #include <utility>
 

@@ -173,7 +173,7 @@ void set_values(VolumeInfo& info, const HeaderFields& header) {
 }
 
 // Leaves a data file at its first sample. HeaderSize counts from the beginning of the file that
-// holds the data, and -1 says that the data is its end.
+// holds the data, and -1 means that the data is its end.
 ByteStream at_data(ByteStream data, std::int64_t header_bytes, const Storage& storage,
                    std::uint64_t bytes_in_file) {
   if (header_bytes < (storage.is_raw() ? -1 : 0))

@@ -30,7 +30,7 @@ SampleType sample_type(const std::filesystem::path& file, std::int32_t type) {
   }
 }
 
-// Where it says nothing, FreeSurfer takes coronal slices of 1 mm about the origin.
+// Without directions, FreeSurfer assumes coronal slices of 1 mm about the origin.
 DeclaredPlace place_of(VolumeInfo& info, const HeaderBytes& header) {
   constexpr std::size_t flag = 28;
   std::array<double, 3> spacing{1, 1, 1}, centre{};

@@ -1,4 +1,4 @@
-// Headerless samples. The layout is the user's word, so the file must agree with it: what has a
+// Headerless samples. The layout comes from the user, so the file must agree with it: what has a
 // header would otherwise be read as voxels.
 #include <optional>
 #include <string>
@@ -23,7 +23,7 @@ void require_no_header(ByteStream& stream) {
          "leave out --dims and --type, or skip its header with --skip-bytes");
 }
 
-// What the user may have meant, where the file has so many bytes.
+// What the user may have meant, by the number of bytes in the file.
 std::optional<std::string> proposal(const VolumeInfo& info, std::uint64_t bytes) {
   const std::uint64_t slice = info.slice_bytes();
   const std::uint64_t voxels = slice / sample_bytes(info.type) * info.dims[2];

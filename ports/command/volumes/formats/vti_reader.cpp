@@ -1,5 +1,5 @@
 // VTK's image in XML, https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html: the
-// samples stand in an element of their own, or behind all elements, which is then no XML any more.
+// samples are in an element of their own, or after all elements, which is then no XML any more.
 // So what comes before them is cut off and parsed.
 #include <algorithm>
 #include <cmath>
@@ -44,14 +44,14 @@ class Head {
   pugi::xml_node piece() const { return image().child("Piece"); }
   /// Whether the samples are those of cells, between points: where points have none.
   bool is_of_cells() const { return !piece().child("PointData").child("DataArray"); }
-  /// Whether an array is said to be the scalars.
+  /// Whether an array is declared as the scalars.
   bool has_scalars() const { return !std::string_view(scalars()).empty(); }
   /// That one, or else the first.
   pugi::xml_node array() const {
     return has_scalars() ? data().find_child_by_attribute("DataArray", "Name", scalars())
                          : data().child("DataArray");
   }
-  /// Those of the other arrays that stand before the samples, "b, c".
+  /// Those of the other arrays that precede the samples, "b, c".
   std::string other_arrays() const {
     std::string names;
     for (const char* kind : {"PointData", "CellData"})
@@ -168,7 +168,7 @@ SampleType sample_type(const std::filesystem::path& file, std::string_view type)
   fail_type(file, type);
 }
 
-// Before the samples stand their bytes or, compressed, the number of blocks and their sizes.
+// Their number of bytes precedes the samples or, if compressed, the number and sizes of blocks.
 class Blocks {
  public:
   Blocks(ByteStream& stream, const Head& head, bool big_endian)
@@ -266,7 +266,7 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
     else
       blocks.go_to_compressed_samples(bytes_of_all(info));
   }
-  // The length of the array is told, and elements follow it.
+  // The length of the array is stored, and elements follow it.
   const auto no_note = [](ByteStream&) { return std::string(); };
   return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian, std::nullopt,
                                        no_note);

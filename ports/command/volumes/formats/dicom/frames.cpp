@@ -9,7 +9,7 @@
 namespace discmc::command {
 namespace {
 
-// Whether a functional group tells positions, and not the file as a whole.
+// Whether a functional group has the positions, and not the file as a whole.
 bool have_own_positions(DcmItem& dataset) {
   return Attributes(dataset, 0)
              .grouped_element(DCM_PlanePositionSequence, DCM_ImagePositionPatient) != nullptr;

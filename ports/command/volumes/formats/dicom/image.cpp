@@ -41,7 +41,7 @@ void set_spacing(DcmItem& dataset, const Attributes& attributes, DicomFrame& fra
   }
 }
 
-// Maps of parameters tell the values of their samples in a way of their own.
+// Maps of parameters store the scale of their samples in a way of their own.
 void set_scale(const Attributes& attributes, DicomFrame& frame) {
   const auto real = [&](const DcmTagKey& group, const DcmTagKey& key) {
     return real_of(attributes.element(group, key));
@@ -131,7 +131,7 @@ NoSlices set_samples(DcmItem& dataset, DicomImage& image) {
   image.is_inverted = photometric == "MONOCHROME1";
   const auto allocated = whole_of(dataset, DCM_BitsAllocated).value_or(0);
   const auto representation = whole_of(dataset, DCM_PixelRepresentation);
-  // Floating point has no representation to tell.
+  // Floating point has no PixelRepresentation.
   if (!representation && (allocated == 32 || allocated == 64)) {
     image.type = allocated == 32 ? SampleType::f32 : SampleType::f64;
     return {};

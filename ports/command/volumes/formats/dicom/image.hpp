@@ -1,4 +1,4 @@
-// What the headers of DICOM files tell of their images.
+// The images of DICOM files, by their headers.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_IMAGE_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_IMAGE_HPP
 
@@ -16,7 +16,7 @@
 
 namespace discmc::command {
 
-/// How slices stand in the picture of a mosaic: in rows, the first at the top left.
+/// How slices lie in the picture of a mosaic: in rows, the first at the top left.
 struct MosaicLayout {
   std::uint32_t across = 1;  ///< slices side by side, and as many rows of them
 };
@@ -81,11 +81,11 @@ struct DicomFrame {
   std::uint32_t number = 0;
   std::optional<DicomPlace> place;
   /// Distances of neighbouring voxels along a row and along a column, and the name of the element
-  /// that says so. Units: millimetres, 0 where the file does not tell them.
+  /// that has them. Units: millimetres, 0 if the file has none.
   std::array<double, 2> spacing_mm{};
   const char* spacing_name = nullptr;
-  /// What the file says of the distance of slices, which counts where there are no places, and the
-  /// name of the element that says so. Units: millimetres, 0 where the file does not tell it.
+  /// The declared distance of slices, which counts if there are no places, and the name of the
+  /// element that has it. Units: millimetres, 0 if the file has none.
   double slice_spacing_mm = 0;
   const char* slice_spacing_name = nullptr;
   double slope = 1;

@@ -1,4 +1,4 @@
-// Nuclear medicine: the detector tells where the frames lie.
+// Nuclear medicine: the detector defines where the frames lie.
 #include <optional>
 
 #include "attributes.hpp"

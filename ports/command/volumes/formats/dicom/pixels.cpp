@@ -66,7 +66,7 @@ class Fragments {
 
   Uint32 end() const { return static_cast<Uint32>(sequence_->card()); }
 
-  /// The first fragment of a frame, where that is told.
+  /// The first fragment of a frame, if the file stores that.
   std::optional<Uint32> start(std::uint32_t number) const {
     Uint32 fragment = 0;
     if (DcmCodec::determineStartFragment(number, static_cast<Sint32>(frames_), sequence_, fragment)
@@ -198,7 +198,7 @@ void DicomPixels::read_picture(DcmDataset& dataset, DcmElement& element,
   const std::uint64_t there =
       fragments ? counted : element.getLength() / picture_bytes(picture.image);
   left_out_ = there - std::min(there, counted);
-  // Where the file does not tell where frames begin, that is found behind the one before.
+  // If the file does not store where frames begin, each begins after the previous one.
   Uint32 fragment = 0;
   if (picture.number == next_picture_)
     fragment = next_fragment_;

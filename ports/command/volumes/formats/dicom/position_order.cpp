@@ -77,7 +77,7 @@ bool are_mostly_neighbours(const std::vector<std::uint64_t>& numbers) {
   return 2 * neighbours >= numbers.size() - 1;
 }
 
-// The slices as positions that are rounded have them, with the step that the file tells if it fits.
+// The slices by rounded positions, with the step that the file declares if it fits.
 std::optional<EvenSlices> rounded_slices(const std::vector<double>& along, double declared_step,
                                          double rounding) {
   for (const double step : {declared_step, best_step(along)})

@@ -126,7 +126,7 @@ std::vector<double> places_along(const Frames& frames, const Vector& normal) {
   return places;
 }
 
-// Slices without a segment may not be there at all, so the distances alone do not tell the step.
+// Slices without a segment may not be there at all, so the distances alone do not define the step.
 EvenSlices even_slices(const Path& source, const DicomFrame& first,
                        const std::vector<double>& places) {
   if (places.size() == 1) return {places[0], std::fabs(first.slice_spacing_mm), {0}};

@@ -12,7 +12,7 @@ namespace discmc::command {
 /// Frames of one volume.
 struct DicomStack {
   std::vector<DicomFrame> frames;
-  /// What tells it apart from others of its series, for people: ", echo time 4.6 ms".
+  /// What distinguishes it from others of its series, for people: ", echo time 4.6 ms".
   std::string distinction = {};
   /// Where no element does, but an order: "number 2 by trigger time".
   std::string order = {};

@@ -17,7 +17,7 @@ constexpr bool loads_plugins = false;
 constexpr bool loads_plugins = true;
 #endif
 
-// Errors are told here, not by the library, which has this setting for each thread.
+// Errors are reported here, not by the library, which has this setting for each thread.
 void be_silent() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   if (!loads_plugins) H5PLset_loading_state(0);
@@ -117,7 +117,7 @@ std::uint64_t product(const std::vector<hsize_t>& factors) {
   return std::accumulate(factors.begin(), factors.end(), std::uint64_t{1}, std::multiplies<>());
 }
 
-// A cache for all chunks that a region goes through, of so many samples along each axis. Where
+// A cache for all chunks that a region goes through, with this extent along each axis. Where
 // these are as small as voxels, and more than there is room to list, that of the library.
 Hdf5Handle cache_of(const Hdf5Handle& dataset, const Hdf5Region& region) {
   Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);

@@ -110,7 +110,7 @@ std::string path_of(const std::filesystem::path& name, const Hdf5Handle& file,
   return only_array(name, arrays);
 }
 
-// The axes as ilastik and vigra tell them, in JSON: [{"key": "z", ...}, ...].
+// The axes as ilastik and vigra store them, in JSON: [{"key": "z", ...}, ...].
 std::string letters_of(const Hdf5Dataset& dataset) {
   std::string letters;
 #ifdef DISCMC_WITH_JSON
@@ -139,7 +139,7 @@ void require_possible(const std::filesystem::path& file, const VolumeInfo& info)
          "export or copy the file again");
 }
 
-// What it tells is for the three axes of space as they are stored; an image may lack the first.
+// The attribute is for the three axes of space as they are stored; an image may lack the first.
 DeclaredPlace place_of(const Hdf5Dataset& dataset, const ArrayLayout& layout) {
   DeclaredPlace place;
   place.set_unit("um");

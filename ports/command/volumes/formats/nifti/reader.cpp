@@ -234,7 +234,7 @@ bool take(const Rows& rows, DeclaredPlace& place) {
   return true;
 }
 
-// The sides that the qform tells are not looked at otherwise.
+// Otherwise the sides of the qform are not used.
 void note_mirrored(VolumeInfo& info, const nifti_2_header& header, const DeclaredPlace& place) {
   DeclaredPlace other;
   if (header.qform_code > 0 && take(qform_of(header), other) &&

@@ -87,7 +87,7 @@ Numbers numbers_of(const HeaderFields& fields, std::string_view name) {
   return numbers;
 }
 
-// The bounds of axes stand for a spacing, and for an origin where there is no other.
+// The bounds of axes define a spacing, and an origin if there is no other.
 void set_bounds(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& place) {
   const Numbers mins = numbers_of(fields, "axis mins");
   const Numbers maxs = numbers_of(fields, "axis maxs");
@@ -110,7 +110,7 @@ void set_bounds(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& pla
   if (fields.has("axis mins")) place.space_units = place.axis_units;
 }
 
-// What is told without directions.
+// The place without directions.
 void set_spacings(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& place) {
   place.spacing = numbers_of(fields, "spacings");
   if (!fields.has("space origin")) set_bounds(info, fields, place);
@@ -144,7 +144,7 @@ void set_space(VolumeInfo& info, std::string_view text, DeclaredPlace& place) {
 DeclaredPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields) {
   DeclaredPlace place;
   set_space(info, fields.text("space"), place);
-  // The space of patients is in millimetres, as programs have it that tell no unit.
+  // The space of patients is in millimetres, as programs assume that write no unit.
   if (place.frame != Frame::none) place.set_unit("mm");
   if (fields.has("units")) place.axis_units = units_of(fields.text("units"));
   if (fields.has("space units")) place.space_units = units_of(fields.text("space units"));

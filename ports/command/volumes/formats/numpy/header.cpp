@@ -1,5 +1,5 @@
 // NumPy's .npy, https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html: a magic
-// number, a version and a dictionary of Python that says how one array is stored.
+// number, a version and a dictionary of Python that describes how one array is stored.
 #include "header.hpp"
 
 #include <algorithm>

@@ -17,7 +17,7 @@
 namespace discmc::command {
 namespace {
 
-// What libjpeg says, and where it goes when it gives up.
+// The message of libjpeg, and where it jumps on an error.
 struct Damage : jpeg_error_mgr {
   std::jmp_buf place;
   char text[JMSG_LENGTH_MAX];

@@ -19,7 +19,7 @@ std::uint64_t bytes_of(const std::filesystem::path& file) {
   return bytes;
 }
 
-// Limit: the file has so many bytes there.
+// Limit: the file has this many bytes there.
 ChunkBytes read_part(const std::filesystem::path& file, std::istream& in, std::uint64_t offset,
                      std::uint64_t bytes) {
   ChunkBytes part(bytes);

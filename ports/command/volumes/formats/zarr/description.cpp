@@ -239,7 +239,7 @@ ZarrDescription described(const ZarrNode& node) {
     most /= size;
   }
   if (has_chunk(array)) return array;
-  // Some writers do not say that their chunks are nested.
+  // Some writers do not declare that their chunks are nested.
   if (!is_version_3) array.separator = array.separator == '.' ? '/' : '.';
   if (is_version_3 || !has_chunk(array))
     fail(node.folder, "the array has no chunk", "copy the whole folder");

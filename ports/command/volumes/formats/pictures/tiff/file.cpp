@@ -1,4 +1,4 @@
-// TIFF, by libtiff: of any compression that it knows.
+// TIFF, by libtiff: of any compression that it supports.
 #include <tiffio.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct Close {
 using OpenTiff = std::unique_ptr<TIFF, Close>;
 
 OpenTiff opened(const std::filesystem::path& file) {
-  // Its messages go nowhere; what it refuses is told below.
+  // Its messages are not printed; refusals are reported below.
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(nullptr);
   OpenTiff tiff(TIFFOpen(file.c_str(), "r"));
@@ -284,7 +284,7 @@ class TiffFile final : public PictureFile {
     if (directories_ == 1 && planes(stack) == 1) note_behind(stack, page);
   }
 
-  // Whole pages behind the only one, of which nothing tells.
+  // Whole pages after the only one, which nothing describes.
   void note_behind(Hyperstack& stack, const TiffPage& page) {
     constexpr std::uint64_t max_metadata = 65536;
     const PagesBehind behind = pages_behind(tiff_.get(), page, file_bytes_);

@@ -140,7 +140,7 @@ std::array<std::optional<double>, 3> spacing_mm(const pugi::xml_node& pixels,
   return spacing;
 }
 
-// z may stand for two axes: modulo annotations.
+// z may combine two axes: modulo annotations.
 void require_plain_slices(const OmeXml& xml) {
   struct Finder final : pugi::xml_tree_walker {
     bool is_found = false;
@@ -203,7 +203,7 @@ class Images {
     return samples > 1 && channels % samples == 0 ? channels / samples : channels;
   }
 
-  // A missing element, or one without attributes, stands for all pages.
+  // A missing element, or one without attributes, means all pages.
   void add_run(Hyperstack& stack, const pugi::xml_node& data) {
     PageRun run;
     const std::filesystem::path file = xml_.file_of(data);
