@@ -65,7 +65,7 @@ struct SlabChoice {
   std::uint32_t number, count;
 };
 
-/// Of `extract`.
+/// The arguments of `extract`.
 struct ExtractArguments {
   std::string volume;
   VolumeArguments reading;
@@ -90,7 +90,7 @@ inline bool is_divisible(const ExtractArguments& arguments) {
          arguments.reading.capacities.empty();
 }
 
-/// Of `info`.
+/// The arguments of `info`.
 struct InfoArguments {
   std::string input;
   std::optional<bool> is_volume;  ///< or a stream; else by its first bytes
@@ -98,7 +98,7 @@ struct InfoArguments {
   VolumeOptions options;
 };
 
-/// Of `decode`.
+/// The arguments of `decode`.
 struct StreamArguments {
   std::string stream;
   StreamChoice choice;
@@ -111,7 +111,7 @@ struct StreamArguments {
   std::optional<MeshSpace> space;  ///< else LPS if the frame is known, or that of the file
 };
 
-/// Of `join`.
+/// The arguments of `join`.
 struct JoinArguments {
   std::vector<std::string> streams;
   std::string output;
@@ -119,7 +119,7 @@ struct JoinArguments {
   bool quiet = false;
 };
 
-/// Of `render`.
+/// The arguments of `render`.
 struct RenderArguments {
   std::string input;
   bool is_volume = false;  ///< or a stream
@@ -136,7 +136,7 @@ struct RenderArguments {
   bool outlines = false;
 };
 
-/// Of `view`.
+/// The arguments of `view`.
 struct ViewArguments {
   std::string input;
   std::optional<bool> is_volume;  ///< or a stream; else by its first bytes
@@ -147,7 +147,7 @@ struct ViewArguments {
   std::uint16_t port = 0;  ///< 0: any that is free
 };
 
-/// Of `tune`.
+/// The arguments of `tune`.
 struct TuneArguments {
   std::string volume;
   VolumeArguments reading;
@@ -164,7 +164,7 @@ struct ComparedInput {
   Kind kind = Kind::mesh;
 };
 
-/// Of `compare`.
+/// The arguments of `compare`.
 struct CompareArguments {
   std::array<ComparedInput, 2> inputs;
   StreamChoice choice;

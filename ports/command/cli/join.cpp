@@ -139,7 +139,7 @@ class Join {
   std::uint32_t depth_ = 0;  // of the volume; if headers lack it, of the first range
   StreamHeader header_;
   std::string first_path_;
-  // Of the stream that is read.
+  // The stream that is read.
   std::string path_;
   bool is_first_ = false;
   bool is_begun_ = false;

@@ -58,9 +58,9 @@ class SurfaceReceiver {
     return builds_ ? joiner_.take(event) : SinkResult::accepted;
   }
 
-  /// Of the stream; 0 without one.
+  /// The bytes of the stream; 0 without one.
   std::uint64_t stream_bytes() const { return encodes_ ? encoder_.bytes() : 0; }
-  /// Where regions may go in place of their events, or null where nothing is kept of them.
+  /// Accepts regions instead of their events; null if regions are not kept.
   SurfaceBuilder* builder() { return builds_ ? &builder_ : nullptr; }
   /// Likewise packets, or null without a stream.
   Encoder* encoder() { return encodes_ ? &encoder_ : nullptr; }

@@ -29,8 +29,8 @@ std::unique_ptr<VolumeReader> open_noted(const std::string& path, const VolumeOp
 /// Opens a volume; of labels in several layers the first one, where none is chosen.
 std::unique_ptr<VolumeReader> open_layer(const std::string& path, const VolumeOptions& options);
 
-/// As open_noted(), measured as it is read. Where labels are selected it is the volume of their
-/// bits, and the selections are what was found of them.
+/// As open_noted(), measured as it is read. If labels are selected, returns the volume of their
+/// bits, and completes the selections.
 std::unique_ptr<MeasuredVolume> open_measured(const std::string& path, VolumeArguments& arguments);
 
 /// Opens the mask of the volume, if there is one, and prints what is unusual about it.

@@ -96,7 +96,7 @@ void print_histogram(const VolumeStatistics& statistics, std::ostream& out) {
 
 // ---- what to give to extract ----
 
-// Of a segmentation, without its background.
+// Labels of a segmentation, without its background.
 std::vector<std::string> labels(const VolumeStatistics& statistics) {
   constexpr std::size_t most = 64;
   std::vector<std::string> labels;

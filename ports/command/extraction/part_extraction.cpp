@@ -228,8 +228,8 @@ class Parts {
     reader_.read(part);
   }
 
-  // Where memory is short, some pieces go out loose that cross no seam, and they would have to be
-  // joined before the regions that are whole.
+  // If memory is short, some pieces are sent loose that cross no seam, and would have to be joined
+  // before the whole regions.
   void work_on(Part& part) {
     std::unique_ptr<PartExtractors> extractors = idle_.take();
     if (!extractors) extractors = new_extractors(first_arena_bytes());

@@ -16,7 +16,7 @@ namespace discmc::command {
 struct Selection {
   double low = 0;
   double high = std::numeric_limits<double>::infinity();
-  /// Of a volume of label_bits(): what is on has one of these bits. 0: the values count.
+  /// For a volume of label_bits(): voxels with one of these bits are on. 0: the values count.
   std::uint64_t bits = 0;
 
   bool has_upper_end() const { return bits != 0 || high < std::numeric_limits<double>::infinity(); }

@@ -10,7 +10,7 @@
 namespace discmc::command {
 namespace {
 
-// Of each incidence.
+// One per incidence.
 std::array<Point, incidence_codes> plane_normals(const Point& spacing_mm) {
   std::array<Point, incidence_codes> normals;
   for (Incidence i = 0; i < incidence_codes; ++i) normals[i] = outward_normal(i, spacing_mm);

@@ -110,7 +110,7 @@ class Writer {
     bytes(bits, sizeof bits);
   }
 
-  // Where the next bytes go, full at most.
+  // The place of the next bytes, at most full.
   char* room_for(std::size_t count) {
     if (used_ + count > buffer_.size()) make_room(count);
     char* const place = buffer_.data() + used_;

@@ -200,7 +200,7 @@ void Triangulator::add_at_bottom(Chain& chain, Rank point) {
   chain.bottom = chain.rightmost = node;
 }
 
-// Where the two edges meet, all that is left between them sees the point.
+// If the two edges meet, all points left between them see that point.
 void Triangulator::close(Chain chain, Rank point) {
   for (; chain.bottom != chain.top; chain.bottom = nodes_[chain.bottom].above)
     cut(point, nodes_[nodes_[chain.bottom].above].point, nodes_[chain.bottom].point);

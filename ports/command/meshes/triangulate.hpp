@@ -33,7 +33,7 @@ class Triangulator {
                                            const std::vector<std::uint32_t>& ring_ends);
 
  private:
-  // A number of a point from left to right. Of those of equal u the lower is left.
+  // The rank of a point from left to right; at equal u the lower point is left.
   using Rank = std::uint32_t;
   struct Edge {
     Rank left, right;

@@ -20,8 +20,8 @@ void set_polygon_normals(const Surface& surface, Mesh& mesh);
 /// that it has.
 void set_stream_normals(const Surface& surface, Mesh& mesh);
 
-/// Gives every vertex the direction in which the samples fall there. Where they are level, and on
-/// the walls around the volume, it keeps the normal that it has. Reads the volume to its end, and
+/// Gives every vertex the direction in which the samples fall there. If they are level, and on
+/// the walls around the volume, the vertex keeps its normal. Reads the volume to its end, and
 /// holds four slices of it.
 /// mesh: from a volume of these extents; its spacing counts, not that of the volume.
 /// Limit: is_scanner_type() samples; extraction/narrowed_volume.hpp makes them of others.

@@ -67,7 +67,7 @@ class VertexNumbers {
     }
 
    private:
-    // Where the position is, or would be.
+    // The slot of the position, occupied or free.
     std::size_t slot_of(const Vertex& position, const std::vector<Vertex>& positions) const {
       const std::size_t mask = slots_.size() - 1;
       std::size_t slot = hash(position) & mask;

@@ -34,7 +34,7 @@ std::string begin_data(const std::string& name) {
 
 constexpr std::string_view end_data = "</script>\n";
 
-// Of the page that needs no network.
+// The policy of a page that needs no network.
 constexpr std::string_view no_source = "default-src 'none';";
 
 }  // namespace

@@ -178,7 +178,7 @@ class Canvas {
     return place > 0 ? static_cast<int>(std::min(place, static_cast<double>(count))) : 0;
   }
 
-  // Where the outline crosses the middle of sample rows, sorted: pairs bound what is inside.
+  // The crossings of the outline with the middle of sample rows, sorted: pairs bound the inside.
   void find_crossings(const std::vector<Projected>& outline) {
     crossings_.clear();
     for (std::size_t i = 0; i < outline.size(); ++i) {

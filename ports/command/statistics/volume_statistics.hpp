@@ -46,13 +46,13 @@ VolumeStatistics volume_statistics(VolumeReader& volume,
 double percentile(const VolumeStatistics& statistics, double percent);
 
 /// The value where nothing was scanned, outside the circle that CT reconstructs: the value that
-/// the file declares, if it occurs; or the least value, from -1000 down, where all others are
-/// far above, or most of several that may be air, as of no thing that was scanned.
+/// the file declares, if it occurs; or the least value, from -1000 down, if all others are
+/// far above, or if most values that may be air have it.
 std::optional<double> padding_value(const VolumeStatistics& statistics);
 
-/// Otsu's threshold, without padding_value(): of all pairs of what is below a value and what is
-/// not, that whose means differ most, weighed by their sizes. Of the thresholds between the two,
-/// one with few digits. Nothing where there are no two values.
+/// Otsu's threshold, without padding_value(): divides the values into the two groups whose means
+/// differ most, weighed by their sizes. A threshold between the two groups with few digits is
+/// returned; nothing if there are no two values.
 std::optional<double> otsu_threshold(const VolumeStatistics& statistics);
 
 }  // namespace discmc::command

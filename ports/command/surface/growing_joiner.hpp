@@ -36,7 +36,7 @@ class GrowingJoiner {
   /// Ends the events: a stream may break off before its `finish`.
   void finish();
 
-  /// Of the `finish` event that the sink got; before it, zeroes.
+  /// The totals of the `finish` event that the sink got; before it, zeroes.
   const Statistics& totals() const;
 
  private:

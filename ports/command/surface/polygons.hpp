@@ -110,9 +110,9 @@ class Polygons {
             {corners_.data(), begins, polygon_begins_[place + 1] - polygon_begins_[place]}};
   }
 
-  /// Of all rings, in order.
+  /// The corners of all rings, in order.
   const std::vector<Vertex>& corners() const { return corners_; }
-  /// Where those of a polygon begin; of place size(), where they end.
+  /// Where the corners of a polygon begin; for place size(), where they end.
   std::size_t first_corner(std::size_t place) const { return ring_begins_[polygon_begins_[place]]; }
 
   /// Adds a polygon that has no ring yet.

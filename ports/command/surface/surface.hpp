@@ -48,7 +48,7 @@ struct Surface {
   /// means that the axis runs backwards.
   std::array<double, 3> spacing_mm;
   Polygons polygons;
-  /// Of corners, from the scan or the stream: in space, pointing from on to off.
+  /// Normals of corners, from the scan or the stream: in space, pointing from on to off.
   std::unordered_map<discmc::Vertex, discmc::OctahedralNormal, VertexHash> normals{};
 };
 

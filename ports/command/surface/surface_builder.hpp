@@ -86,12 +86,12 @@ class SurfaceBuilder {
   Counts counts_;
   std::uint64_t incomplete_regions_ = 0;
   Incidence incidence_ = no_incidence;
-  // Of the region under way.
+  // The region under way.
   std::vector<OpenRing> rings_;
   std::vector<PlacedRun> runs_;
   std::vector<Span> simple_rings_;
   std::vector<Vertex> corners_;
-  // Of one ring; here to keep the memory.
+  // Buffers of one ring; here to keep the memory.
   std::vector<Vertex> ends_;          // its start and its corners
   std::vector<std::uint32_t> slots_;  // their places, by a hash
   std::vector<Vertex> vertices_;      // the ends, and where a side passes through another one

@@ -8,8 +8,8 @@
 
 namespace discmc::command {
 
-/// Of the library compiled with -Os. scripts/check/cycles measures and writes them, and prints
-/// their errors (docs/measure.md).
+/// The costs of the library compiled with -Os. scripts/check/cycles measures and writes them, and
+/// prints their errors (docs/measure.md).
 enum class Core { cortex_m0plus, cortex_m4, cortex_m7 };
 
 enum class Payload { regions, slices };

@@ -99,7 +99,7 @@ std::int64_t product_along(char letter, const StoredArray& array) {
   return product;
 }
 
-// Of the axes with a letter, the last one counts fastest.
+// The last of the axes with a letter counts fastest.
 void go_to(ArrayLayout& layout, const StoredArray& array, char letter, std::uint64_t index) {
   for (std::size_t i = array.axes.size(); i-- > 0;) {
     if (array.letters[i] != letter) continue;

@@ -37,7 +37,7 @@ void note_units(VolumeInfo& info, const Units& units) {
       note(info, "unit " + shown(unit) + " is unknown, mm assumed");
 }
 
-// Of each.
+// The length of each unit.
 Vector millimetres_of(const Units& units) {
   Vector lengths{};
   std::transform(units.begin(), units.end(), lengths.begin(),

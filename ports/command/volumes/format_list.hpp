@@ -27,7 +27,7 @@ struct VolumeFormat {
   std::unique_ptr<VolumeReader> (*open_stream)(ByteStream stream, const VolumeOptions& options);
   std::unique_ptr<VolumeReader> (*open_file)(const std::filesystem::path& file,
                                              const VolumeOptions& options);
-  /// Of a format that is not read: what makes another of it.
+  /// The remedy for a format that is not read: a program that converts it.
   std::string_view remedy = {};
 };
 

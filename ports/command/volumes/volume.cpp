@@ -103,7 +103,7 @@ void require_headerless_name(const std::filesystem::path& file) {
        "and --type");
 }
 
-// Of a packed file whose reader takes files alone.
+// Opens a packed file whose reader needs a file.
 std::unique_ptr<VolumeReader> open_unpacked(ByteStream stream, const VolumeOptions& options) {
   return unpacked_volume(stream.file(), name(*stream.packing()), [&](const auto& folder) {
     const std::filesystem::path file = folder / without_packing(stream.file()).filename();

@@ -53,12 +53,11 @@ struct VolumeOptions {
   /// Distances of voxels instead of those in the file; an axis that runs backwards still
   /// does. Units: millimetres. Limit: as VolumeInfo.
   std::optional<std::array<double, 3>> spacing_mm = {};
-  /// Of DICOM: the UID of the series, or its number in the list that the refusal shows where there
-  /// are several.
+  /// For DICOM: the UID of the series, or its number in the list of the error if there are several.
   std::string series = {};
-  /// Of DICOM: otherwise than by their positions, which then count nothing.
+  /// For DICOM: another order than by positions, which are then ignored.
   SliceOrder order = SliceOrder::position;
-  /// Of DICOM: whether slices of several series are of one volume.
+  /// For DICOM: whether slices of several series are of one volume.
   bool merges_series = false;
   /// Whether slices that are missing in a folder are filled with the nearest ones, not refused.
   bool allow_gaps = false;

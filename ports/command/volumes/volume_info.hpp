@@ -55,12 +55,12 @@ struct VolumeInfo {
   }
 };
 
-// What readers and filters fill it with; its place is that of set_place() in declared_place.hpp.
+// Readers and filters fill it with these; set_place() of declared_place.hpp sets its place.
 
 /// Adds a note, unless it is there.
 void note(VolumeInfo& info, const std::string& text);
 
-/// Of VolumeInfo::dims. Units: voxels along x and y.
+/// The limit of VolumeInfo::dims. Units: voxels along x and y.
 constexpr std::int64_t max_across = 32766;
 
 /// Takes sizes, fastest axis first. Two give one slice; those beyond the third count volumes.

@@ -8,7 +8,7 @@
 
 namespace discmc::command {
 
-/// Of voxels.
+/// The limits of distances between voxels.
 constexpr double min_spacing_mm = 1e-6;
 constexpr double max_spacing_mm = 1e6;
 

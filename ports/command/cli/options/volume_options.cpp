@@ -81,7 +81,7 @@ void add_part_options(CLI::App& app, VolumeOptions& options) {
       ->option_text("N");
 }
 
-// Of headerless files.
+// Options for headerless files.
 void add_layout_options(CLI::App& app, VolumeOptions& options) {
   const auto layout = [&options]() -> RawLayout& {
     return options.layout ? *options.layout : options.layout.emplace();

@@ -12,7 +12,7 @@
 
 namespace discmc::command {
 
-/// Where samples are in blocks, of which there is one for each voxel along one axis. Units:
+/// The layout of samples in blocks; there is a block for each voxel along one axis. Units:
 /// samples.
 struct BlockLayout {
   std::size_t block_axis = 2;  ///< x, y or z: 0 to 2

@@ -55,8 +55,8 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
                                           const VolumeOptions& options,
                                           const std::string& remedy_of_pictures);
 
-/// An HDF5 file, or a dataset in it: scan.h5:/exchange/data. Of a file alone the dataset is the
-/// only one that can be a volume.
+/// An HDF5 file, or a dataset in it: scan.h5:/exchange/data. Without a dataset in the name,
+/// the only one that can be a volume.
 std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
                                         const VolumeOptions& options);
 

@@ -19,7 +19,7 @@ DcmElement* element_of(DcmItem& item, const DcmTagKey& key);
 /// Returns the first item of a sequence, or nullptr.
 DcmItem* first_item(DcmItem& item, const DcmTagKey& sequence);
 
-// Of the values of an element, which may be nullptr: then there are none.
+// These read the values of an element; nullptr has none.
 
 /// Returns the text without the blanks around it, several values with \ between them.
 std::string text_of(DcmElement* element);

@@ -1,5 +1,5 @@
-// Where the frames of one file lie, and what their values are, if that is stored for the file as a
-// whole: of doses, of nuclear medicine, of cone beams.
+// The places and values of frames that one file describes as a whole: doses, nuclear medicine, cone
+// beams.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FRAMES_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FRAMES_HPP
 

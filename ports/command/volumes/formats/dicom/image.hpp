@@ -30,23 +30,23 @@ struct DicomImage {
   std::string modality;
   bool is_parametric_map = false;
   std::int32_t series_number = 0;
-  /// Of one among the files of a series.
+  /// The number of a file in its series.
   std::optional<std::int32_t> instance_number;
-  /// Of a slice.
+  /// The extents of a slice.
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
-  /// As wide as a sample is stored.
+  /// The type of a sample, as wide as it is stored.
   SampleType type = SampleType::u8;
-  /// Of a whole number: its bits, and the place of the highest. Limit: those of the type.
+  /// The bits of a whole number, and the place of the highest. Limit: those of the type.
   std::uint32_t bits = 8;
   std::uint32_t high_bit = 7;
   /// Whether a sample is one bit, eight of them in a byte; the type is then u8.
   bool is_of_bits = false;
-  /// Of a picture of several slices, each of which is then a frame.
+  /// For a picture of several slices, each of which is then a frame.
   std::optional<MosaicLayout> mosaic;
-  /// Of a segmentation.
+  /// The segments of a segmentation.
   std::optional<DicomSegments> segments;
-  /// Whether low values are the bright ones: MONOCHROME1.
+  /// Whether low values are bright: MONOCHROME1.
   bool is_inverted = false;
   /// The sample where nothing was scanned: PixelPaddingValue.
   std::optional<std::int32_t> padding;
@@ -91,7 +91,7 @@ struct DicomFrame {
   double slope = 1;
   double intercept = 0;
   DicomTraits traits;
-  /// Of a segmentation that has a frame for each segment: its number, otherwise 0.
+  /// The number of the segment, if a segmentation has a frame for each; otherwise 0.
   std::uint32_t segment = 0;
 };
 

@@ -111,8 +111,8 @@ class Fragments {
   DcmPixelSequence* sequence_ = nullptr;
 };
 
-// DCMTK puts the bytes of 16 bits in native order. Of longer samples the words of big-endian files
-// are then the wrong way round, and in files that call them bytes all is.
+// DCMTK puts the bytes of 16 bits in native order. The words of longer samples in big-endian files
+// are then in the wrong order, and all bytes in files that declare them as bytes.
 void put_in_order(E_TransferSyntax syntax, DcmElement& element, std::size_t size,
                   unsigned char* samples, std::size_t bytes) {
   if (!DcmXfer(syntax).isBigEndian() || gLocalByteOrder == EBO_BigEndian) return;

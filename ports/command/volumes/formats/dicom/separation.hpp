@@ -12,7 +12,7 @@ namespace discmc::command {
 /// Frames of which no two lie in the same place, or that nothing separates.
 struct SeparatedFrames {
   std::vector<DicomFrame> frames;
-  /// Where no trait does, but an order: "number 2 by trigger time".
+  /// If only an order separates them, not a trait: "number 2 by trigger time".
   std::string order;
 };
 

@@ -35,7 +35,7 @@ Hdf5Handle creation_of(const Hdf5Handle& dataset) {
   return {H5Dget_create_plist(dataset.id()), H5Pclose};
 }
 
-// Of truth values, which h5py stores as an enumeration, the whole numbers behind it.
+// h5py stores truth values as an enumeration; returns the type of its whole numbers.
 Hdf5Handle number_type_of(const Hdf5Handle& dataset) {
   Hdf5Handle type = type_of(dataset);
   if (H5Tget_class(type.id()) == H5T_ENUM) type = {H5Tget_super(type.id()), H5Tclose};
@@ -117,8 +117,8 @@ std::uint64_t product(const std::vector<hsize_t>& factors) {
   return std::accumulate(factors.begin(), factors.end(), std::uint64_t{1}, std::multiplies<>());
 }
 
-// A cache for all chunks that a region goes through, with this extent along each axis. Where
-// these are as small as voxels, and more than there is room to list, that of the library.
+// A cache for all chunks that a region goes through, with this extent along each axis. If
+// these are as small as voxels, and too many to list, the cache of the library.
 Hdf5Handle cache_of(const Hdf5Handle& dataset, const Hdf5Region& region) {
   Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
   const Hdf5Handle creation = creation_of(dataset);

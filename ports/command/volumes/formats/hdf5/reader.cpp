@@ -65,7 +65,7 @@ class Hdf5Blocks final : public VolumeReader {
   std::uint32_t next_ = 0;
 };
 
-// Of whom the arrays of a file are that are no volumes as they are.
+// Programs whose arrays are not volumes as stored.
 void require_plain(const std::filesystem::path& name,
                    const std::vector<Hdf5Description>& datasets) {
   const auto holds = [&datasets](std::string_view begin) {

@@ -30,7 +30,7 @@ std::string note_of_resolution(const Resolution& resolution) {
   return text.str();
 }
 
-// Of SkyScan's log, where it is of these slices.
+// The spacing in SkyScan's log, if the log describes these slices.
 Spacing spacing_of_log(const Stack& stack, VolumeInfo& info) {
   const auto log = skyscan_log(stack.files[0]);
   if (!log) return {};

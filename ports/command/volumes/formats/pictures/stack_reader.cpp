@@ -48,7 +48,7 @@ void leave_out_overviews(Files& files, VolumeInfo& info) {
   files.erase(overviews, files.end());
 }
 
-// Where a file is a slice, names that are missing are slices that are missing.
+// If each file is a slice, missing names are missing slices.
 void close_gaps(const std::filesystem::path& source, bool allow_gaps, Stack& stack,
                 VolumeInfo& info) {
   if (stack.files.size() != stack.pages.size() || stack.described.files.size() > 1) return;

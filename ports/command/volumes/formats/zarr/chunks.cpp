@@ -56,7 +56,7 @@ ChunkBytes widened(const ChunkBytes& halves) {
 
 }  // namespace
 
-// Of a chunk in a shard, that of the shard.
+// The file of a chunk, or of the shard that contains it.
 std::filesystem::path ZarrChunks::file_of(PerAxis chunk) const {
   std::string name;
   for (std::size_t axis = 0; axis < chunk.size(); ++axis) {

@@ -202,8 +202,8 @@ class TiffFile final : public PictureFile {
     return stack;
   }
 
-  // Where a description promises another number of planes than there are directories, they follow
-  // the page of the only one.
+  // If a description promises more planes than there are directories, they follow the page of the
+  // only directory.
   void require_behind(const TiffPage& page, std::uint64_t planes) {
     const std::uint64_t there =
         directories_ == 1 ? pages_behind(tiff_.get(), page, file_bytes_).count : 0;

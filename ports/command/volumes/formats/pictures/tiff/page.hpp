@@ -42,7 +42,7 @@ struct TiffPage {
   std::uint64_t plane_bytes() const { return row_bytes(width) * height; }
 };
 
-/// Of the directory that the file is at.
+/// The page of the current directory.
 TiffPage page_of(TIFF* tiff);
 
 /// Empty where there is none.
