@@ -115,17 +115,18 @@ int run_scan(const Arguments& arguments) {
               << " rows; it is valid and marked as incomplete\n";
   }
   output.target.flush();
-  const bool is_told = is_scanned && outlives([&] {
-                         if (arguments.echo)
-                           output.reports.send_all([&](const auto& bytes) { device.write(bytes); });
-                         send(device, Report::Kind::stop);
-                       });
+  const bool is_confirmed =
+      is_scanned && outlives([&] {
+        if (arguments.echo)
+          output.reports.send_all([&](const auto& bytes) { device.write(bytes); });
+        send(device, Report::Kind::stop);
+      });
 
   if (!wanted.quiet) {
     assembler.report(std::cerr);
     scan.report(std::cerr);
   }
-  if (!is_scanned || (arguments.echo && !is_told)) return exit_gone;
+  if (!is_scanned || (arguments.echo && !is_confirmed)) return exit_gone;
   return scan.is_whole() ? exit_ok : exit_incomplete;
 }
 

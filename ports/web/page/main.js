@@ -16,7 +16,7 @@ import { SlicePanel } from './panels/slice_panel.js';
 import { SurfaceChoice } from './panels/surface_choice.js';
 import { ThresholdPanel } from './panels/threshold_panel.js';
 import { SurfaceView } from './surface_view.js';
-import { told } from './timing.js';
+import { record } from './timing.js';
 
 const settled = 250; // milliseconds without another surface
 
@@ -202,7 +202,7 @@ class Page {
   /** @param {any} surface */
   showSurface(surface) {
     const { iso, counts, milliseconds } = surface;
-    told('extracted', performance.now() - milliseconds, milliseconds, { iso, ...counts });
+    record('extracted', performance.now() - milliseconds, milliseconds, { iso, ...counts });
     showBusy('');
     if (iso !== this.shownIso) this.measure.clear();
     this.shownIso = iso;

@@ -55,7 +55,7 @@ const requests = {
   },
 
   /** @param {{bytes: Uint8Array}} request */
-  hear({ bytes }) {
+  receive({ bytes }) {
     module.pushStream(bytes);
   },
 

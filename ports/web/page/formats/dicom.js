@@ -100,21 +100,21 @@ async function imagesOf(file) {
   return Array.from({ length: frames }, (_, frame) => {
     // What a frame tells itself, or what all of the file share, or the file as a whole.
     const [own, shared] = [data.elements.x52009230?.items?.[frame], data.elements.x52009229?.items?.[0]];
-    const told = (/** @type {string} */ group, /** @type {string} */ tag) => {
+    const read = (/** @type {string} */ group, /** @type {string} */ tag) => {
       const holders = [own, shared].map((item) => item?.dataSet.elements[group]?.items?.[0]?.dataSet);
       const holder = holders.find((each) => each?.elements[tag]) ?? data;
       return numbersIn(holder, tag);
     };
-    const direction = told('x00209116', 'x00200037');
-    const [down, right] = told('x00289110', 'x00280030');
+    const direction = read('x00209116', 'x00200037');
+    const [down, right] = read('x00289110', 'x00280030');
     return {
       ...common,
       parts: parts[frame],
-      slope: told('x00289145', 'x00281053')[0] ?? 1,
-      intercept: told('x00289145', 'x00281052')[0] ?? 0,
+      slope: read('x00289145', 'x00281053')[0] ?? 1,
+      intercept: read('x00289145', 'x00281052')[0] ?? 0,
       spacing: [right ?? 1, down ?? 1,
-        told('x00289110', 'x00180088')[0] ?? told('x00289110', 'x00180050')[0] ?? 1],
-      position: told('x00209113', 'x00200032'),
+        read('x00289110', 'x00180088')[0] ?? read('x00289110', 'x00180050')[0] ?? 1],
+      position: read('x00209113', 'x00200032'),
       alongRow: direction.slice(0, 3),
       alongColumn: direction.slice(3, 6),
     };

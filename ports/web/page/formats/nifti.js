@@ -96,9 +96,9 @@ function placeFrom(header) {
   const lengths = header.pixdim.slice(1, 4).map((length) => unit * Math.abs(length));
   if (header.sform > 0) {
     const axes = [0, 1, 2].map((axis) => header.rows.map((row) => unit * row[axis]));
-    const told = axes.map((axis) => Math.hypot(...axis));
-    const isUsable = told.every((length) => length >= 1e-6 && length <= 1e6);
-    const place = placeOf(isUsable ? told : lengths, isUsable ? axes : undefined, true);
+    const steps = axes.map((axis) => Math.hypot(...axis));
+    const isUsable = steps.every((length) => length >= 1e-6 && length <= 1e6);
+    const place = placeOf(isUsable ? steps : lengths, isUsable ? axes : undefined, true);
     const ofItsOwn = 5; // "template, other": what its directions are is not known
     return header.sform === ofItsOwn ? { spacing: place.spacing } : place;
   }

@@ -58,7 +58,7 @@ export class LivePanel {
   async connect(baud) {
     const signal = this.begin();
     try {
-      await this.hear('device', await serialBytes(baud, signal));
+      await this.receive('device', await serialBytes(baud, signal));
     } catch (error) {
       const isRefused = error instanceof DOMException && error.name === 'NotFoundError';
       if (!isRefused) fail(/** @type {Error} */ (error)); // else no port was chosen
@@ -67,7 +67,7 @@ export class LivePanel {
 
   /** A stream that a server has. @param {string} name @param {string} source */
   async fetch(name, source) {
-    await this.hear(name, servedBytes(source, this.begin()));
+    await this.receive(name, servedBytes(source, this.begin()));
   }
 
   async replay() {
@@ -76,7 +76,7 @@ export class LivePanel {
     try {
       const bytes = new Uint8Array(await this.recorded.arrayBuffer());
       if (signal.aborted) return; // something else was opened meanwhile
-      await this.hear(this.name, replayed(bytes, Number(by('replay-baud').value),
+      await this.receive(this.name, replayed(bytes, Number(by('replay-baud').value),
         Number(by('replay-lost').value), signal), this.recorded);
     } catch {
       fail(new Error(`${this.name}: the file can no longer be read; open it again`));
@@ -88,14 +88,14 @@ export class LivePanel {
    * @param {string} name @param {AsyncIterable<Uint8Array>} source
    * @param {Blob} [recorded] what is replayed
    */
-  async hear(name, source, recorded) {
+  async receive(name, source, recorded) {
     hideError();
     this.recorded = recorded ?? null;
     this.showListening(true);
     showBusy('Waiting for the stream…');
     let isFirst = true;
     try {
-      await this.listener.hear(source, (arrived, isEnd) => {
+      await this.listener.receive(source, (arrived, isEnd) => {
         if (isEnd) {
           this.showListening(false);
           this.open(name, recorded ?? new Blob(this.listener.pieces));

@@ -8,10 +8,10 @@ const rangeText = ([first, last]) => (first === last ? `${first}` : `${first} to
 
 /** @param {[number, number][]} slices */
 function slicesText(slices) {
-  const told = slices.slice(0, mostRanges).map(rangeText).join(', ');
+  const listed = slices.slice(0, mostRanges).map(rangeText).join(', ');
   const more = slices.length > mostRanges ? `, and ${slices.length - mostRanges} more places` : '';
   const isOne = slices.length === 1 && slices[0][0] === slices[0][1];
-  return `Missing in slice${isOne ? '' : 's'} ${told}${more}.`;
+  return `Missing in slice${isOne ? '' : 's'} ${listed}${more}.`;
 }
 
 export class MissingPanel {
