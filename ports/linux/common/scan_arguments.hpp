@@ -29,7 +29,7 @@ struct ScanArguments {
 /// Adds the options to a command; the arguments must outlive the parsing.
 void add_scan_options(CLI::App& command, ScanArguments& arguments);
 
-/// Parses, runs and tells what went wrong. run: returns an exit code.
+/// Parses, runs and reports errors. run: returns an exit code.
 int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& run);
 
 }  // namespace discmc::device

@@ -38,7 +38,7 @@ hid_device* open(const std::string& name) {
 std::size_t list_hid_devices(std::ostream& out) {
   const std::unique_ptr<hid_device_info, void (*)(hid_device_info*)> all(hid_enumerate(0, 0),
                                                                          hid_free_enumeration);
-  std::set<std::string> paths;  // a device is told once for each of its uses
+  std::set<std::string> paths;  // hidapi lists a device once for each of its uses
   for (const hid_device_info* info = all.get(); info != nullptr; info = info->next)
     if (paths.insert(info->path).second)
       out << info->path << ' ' << vendor_and_product(*info) << ' '

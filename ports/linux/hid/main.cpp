@@ -65,7 +65,7 @@ void send(HidDevice& device, Report::Kind kind) {
   device.write(report);
 }
 
-// Takes reports until the scan has all its rows, or the scanner or somebody ends it.
+// Takes reports until the scan has all its rows, or the scanner or the user ends it.
 void follow(HidDevice& device, RowAssembler& assembler, RowScan& scan, Output& output) {
   command::Progress progress("row", 0);
   HidDevice::Bytes report{};

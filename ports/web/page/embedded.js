@@ -18,7 +18,7 @@ export async function embeddedModule() {
   return bytes;
 }
 
-/** What the element `data` says of a file that is served: data-name, data-source, data-live. */
+/** The attributes of the element `data` for a file that is served: data-name, data-source, data-live. */
 export function servedFile() {
   const data = document.getElementById('data')?.dataset;
   if (data?.source === undefined) return null;

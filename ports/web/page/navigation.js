@@ -35,7 +35,7 @@ export function navigate(element, camera, notify) {
     travelled += Math.hypot(now.x - before.x, now.y - before.y);
     pointers.set(event.pointerId, now);
     if (other) {
-      // Two fingers: each tells half of the way.
+      // Two fingers: each contributes half of the way.
       camera.pan(right / 2, -down / 2);
       const apart = (/** @type {{x: number, y: number}} */ p) =>
         Math.hypot(p.x - other.x, p.y - other.y);

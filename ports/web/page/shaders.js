@@ -158,7 +158,7 @@ export const edgeVertex = lines(` * ${vertexUnit}.0`);
 export const lineVertex = lines(' * toPlace');
 
 /**
- * Of lines of some width, each a strip of two triangles: `corner` tells which end of it, and on
+ * Of lines of some width, each a strip of two triangles: `corner` is the number of its end, and on
  * which side. In half-steps.
  */
 export const wideLineVertex = `#version 300 es

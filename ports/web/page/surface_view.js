@@ -294,7 +294,7 @@ export class SurfaceView {
     gl.flush();
     const pending = () => !gl.isContextLost() &&
       gl.getSyncParameter(sync, gl.SYNC_STATUS) === gl.UNSIGNALED;
-    // A task of its own each time: the browser tells news of the card between tasks.
+    // A task of its own each time: the browser reports the state of the card between tasks.
     do await new Promise((resolve) => setTimeout(resolve, 1));
     while (pending());
     gl.deleteSync(sync);

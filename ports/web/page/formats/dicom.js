@@ -20,7 +20,7 @@ export const isDicom = (head) => asText(head.subarray(128, 132)) === 'DICM';
  * @property {import('./volume_info.js').SampleType} type
  * @property {boolean} bigEndian @property {number} highBit @property {number} bits
  * @property {number} slope @property {number} intercept
- * @property {number[]} spacing from column to column, from row to row, and of slices where told
+ * @property {number[]} spacing from column to column, from row to row, and of slices if stored
  * @property {number[]} position @property {number[]} alongRow @property {number[]} alongColumn
  * @property {import('./dicom_frames.js').Part[]} parts of the file, which have the pixels
  * @property {import('./dicom_frames.js').Unpack} unpack
@@ -98,7 +98,7 @@ async function imagesOf(file) {
     modality: data.string('x00080060') ?? '',
   };
   return Array.from({ length: frames }, (_, frame) => {
-    // What a frame tells itself, or what all of the file share, or the file as a whole.
+    // An element of the frame, of all frames together, or of the file as a whole.
     const [own, shared] = [data.elements.x52009230?.items?.[frame], data.elements.x52009229?.items?.[0]];
     const read = (/** @type {string} */ group, /** @type {string} */ tag) => {
       const holders = [own, shared].map((item) => item?.dataSet.elements[group]?.items?.[0]?.dataSet);
@@ -188,7 +188,7 @@ async function pixelsOf({ file, parts, unpack, columns, rows, type }) {
     const bytes = unpack(new Uint8Array(await packed.arrayBuffer()), samples, sampleBytes(type));
     if (bytes.length === samples * sampleBytes(type)) return bytes;
   } catch {
-    // what a decoder says of it is for its makers
+    // the message of a decoder is for its authors
   }
   throw new FileError(file.name, `its compressed pixels are not ${columns} x ${rows} of ${type}`,
     'copy or export it again');

@@ -26,7 +26,7 @@ const formats = [
 
 const headBytes = 540;
 
-/** A file that no format knows: the page asks what it is. */
+/** A file of unknown format: the page asks for its layout. */
 export class UnknownLayout extends Error {
   /** @param {File} file */
   constructor(file) {
