@@ -66,7 +66,7 @@ TEST_CASE("tune tells the stream that extract makes in the same memory") {
 TEST_CASE("with the least that tune says nothing is loose, and with 256 bytes less something is") {
   const Workshop workshop;
   write_ball(workshop);
-  const auto words = words_of(workshop.done("tune v.nrrd --iso 100"), "  nothing loose from  ");
+  const auto words = words_of(workshop.done("tune v.nrrd --iso 100"), "  no fragments from   ");
   REQUIRE(!words.empty());
   std::string digits = words[0];
   digits.erase(std::remove(digits.begin(), digits.end(), ','), digits.end());

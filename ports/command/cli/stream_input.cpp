@@ -131,6 +131,20 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
           notes.placement};
 }
 
+// As in "3 packets and 100 rows are missing".
+std::string losses(const StreamReport& report) {
+  const std::uint64_t lost = report.holds_slices ? report.lost_rows : report.lost_pieces;
+  const std::uint64_t received = report.holds_slices ? report.rows : report.regions;
+  std::string text;
+  if (report.lost_packets > 0 || lost > 0)
+    text = std::to_string(report.lost_packets) + " packets and " + std::to_string(lost) +
+           (report.holds_slices ? " rows" : " regions or fragments") + " are missing";
+  if (!report.has_trailer)
+    text += (text.empty() ? "" : ", ") + std::string("its end is missing after ") +
+            std::to_string(received) + (report.holds_slices ? " rows" : " regions");
+  return text.empty() ? "its contents contradict its trailer" : text;
+}
+
 }  // namespace
 
 void read_file(const std::string& path, StreamReader& reader) {
@@ -179,11 +193,8 @@ int completeness(const std::string& path, const StreamReport& report) {
     print_message(path,
                   "two scans with the same number are mixed in the stream; give every scan a "
                   "number of its own");
-  print_message(
-      path, "the stream is incomplete: " + std::to_string(report.lost_packets) + " packets and " +
-                std::to_string(report.holds_slices ? report.lost_rows : report.lost_pieces) +
-                (report.holds_slices ? " rows" : " regions or fragments") + " are missing" +
-                (report.has_trailer ? "" : ", and the end of the stream"));
+  print_message(path,
+                "the stream is incomplete: " + losses(report) + "; see the counts of discmc info");
   return exit_incomplete;
 }
 

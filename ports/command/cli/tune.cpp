@@ -123,7 +123,7 @@ void print_needs(const VolumeBits& volume, const Trials& trials, std::ostream& o
       << grouped(most.holes) << " holes\n"
       << "  least arena         " << bytes_text(minimum_bytes<std::uint16_t>(volume.limits()))
       << '\n'
-      << "  nothing loose from  ";
+      << "  no fragments from   ";
   if (trials.no_loose)
     out << bytes_text(trials.no_loose->memory) << '\n';
   else
