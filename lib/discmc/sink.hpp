@@ -183,6 +183,31 @@ Sink make_sink(Receiver& receiver) {
           }};
 }
 
+// ---- Regions at once.
+
+/// A region of one ring, as most are, with all runs of the ring.
+struct WholeRegion {
+  Incidence incidence;
+  Vertex start;     ///< Units: half-steps
+  const Run* runs;  ///< Owner: the sender; valid during the call
+  uint32_t count;
+};
+
+/// A second receiver beside a sink, which may take a region in one call: see
+/// HostExtractor::give_regions_to(). If it does not accept the region, the sink gets its events.
+struct RegionReceiver {
+  void* context = nullptr;
+  SinkResult (*take)(void* context, const WholeRegion& region) = nullptr;
+};
+
+/// Returns a receiver that calls `receiver.take_region(region)`. Owner: as make_sink().
+template <class Receiver>
+RegionReceiver make_region_receiver(Receiver& receiver) {
+  return {&receiver, [](void* context, const WholeRegion& region) {
+            return static_cast<Receiver*>(context)->take_region(region);
+          }};
+}
+
 }  // namespace discmc
 
 #endif

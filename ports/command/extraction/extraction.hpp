@@ -74,6 +74,8 @@ struct Extraction {
 struct SurfaceRequest {
   Selection selection;
   Sink sink;
+  /// Is offered regions before the sink gets their events, if it is there.
+  RegionReceiver regions{};
   /// Is given the samples, if there is one. Owner: the caller.
   CrossingFinder* crossings = nullptr;
   /// If the volume is extracted in parts, these get the regions that lie in one part, and the sink

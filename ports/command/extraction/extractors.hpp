@@ -131,6 +131,8 @@ class Extractors {
       const Status started = extractors_[i].start(
           limits, arena_.capacities, threshold, {memory_[i].get(), arena_.bytes}, surfaces[i].sink);
       if (started != Status::ok) throw std::invalid_argument(to_string(started));
+      if constexpr (std::is_same_v<AnyExtractor, HostExtractor>)
+        extractors_[i].give_regions_to(surfaces[i].regions);
     }
   }
 

@@ -32,6 +32,12 @@ SinkResult EncodedPart::take(const Event& event) {
   return encoder_.take(event);
 }
 
+SinkResult EncodedPart::take_region(const WholeRegion& region) {
+  const SinkResult result = encoder_.take_region(region);
+  if (result == SinkResult::accepted) ++pieces_;
+  return result;
+}
+
 // An encoder offers a frame at a time. Headers are the other encoder's matter.
 std::size_t EncodedPart::keep(const std::uint8_t* frame, std::size_t bytes) {
   std::uint8_t plain[wire::max_frame];

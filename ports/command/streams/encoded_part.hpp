@@ -19,6 +19,8 @@ class EncodedPart {
 
   /// Takes a scan's start, then regions. Always takes the event.
   SinkResult take(const Event& event);
+  /// As Encoder::take_region().
+  SinkResult take_region(const WholeRegion& region);
 
   /// Gives all packets to an encoder. Call once, after the last region. encoder: started; its
   /// output must take all.

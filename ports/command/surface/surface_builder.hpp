@@ -26,6 +26,8 @@ class SurfaceBuilder {
   explicit SurfaceBuilder(Kept kept = Kept::polygons) : kept_(kept) {}
 
   SinkResult take(const Event& event);
+  /// Takes a region in place of its events.
+  void take_region(const WholeRegion& region);
 
   Kept kept() const { return kept_; }
 
