@@ -442,11 +442,11 @@ TEST_CASE("wrong values are told with what is expected") {
   const Workshop workshop;
   for (const char* memory : {"some", "3Q", "-5", "1.5M", ""})
     check_failure(workshop.run("extract v.nrrd --iso 1 --memory '" + std::string(memory) + "'"), 2,
-                  {"'" + std::string(memory) + "invalid number of bytes '", "as in 24K"});
+                  {"invalid number of bytes '" + std::string(memory) + "'", "as in 24K"});
   check_failure(workshop.run("extract v.nrrd --iso 1 --memory 3K --memory 4K"), 2,
                 {"--memory is given more than once"});
   check_failure(workshop.run("extract v.raw --iso 1 --type u8 --dims 3,4"), 2,
-                {"give --dims X,Y,Z"});
+                {"--dims: invalid value '3,4'; expected X,Y,Z"});
 }
 
 TEST_CASE("a volume that cannot be read is told by its name, and nothing is written") {

@@ -128,7 +128,9 @@ TEST_CASE("arguments too many and too few are told by name") {
       "discmc: 'out.stl' is an unexpected argument; leave it out\nSee discmc extract --help.\n");
   CHECK(contains(Workshop().run("extract v.nrrd -o v.stl").error,
                  "discmc: --iso: is missing: give --iso auto, or --iso ISO, "));
-  check_said("extract --border -o v.dmc v.nrrd --iso 5",
-             "discmc: --border: -o not in {closed,open}\nSee discmc extract --help.\n");
-  check_said("info --", "discmc: INPUT is required\nSee discmc info --help.\n");
+  check_said(
+      "extract --border -o v.dmc v.nrrd --iso 5",
+      "discmc: --border: invalid value '-o'; expected closed|open\nSee discmc extract --help.\n");
+  check_said("info --",
+             "discmc: INPUT is missing; give INPUT after the command\nSee discmc info --help.\n");
 }

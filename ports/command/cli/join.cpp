@@ -53,7 +53,7 @@ class Join {
                                    }});
     read_file(path, reader);
     require_one_surface(path, reader);
-    if (is_begun_ && !has_range_ && depth_ > 0) add_range({0, depth_, depth_});
+    if (is_begun_ && !has_range_ && depth_ > 0) add_whole();
     return completeness(path, reader.report());
   }
   /// Limit: after the last stream.
@@ -113,22 +113,30 @@ class Join {
       encoder_.encode_normals();
       require(encoder_.start(header.label(), output_.byte_output()));
     } else if (!is_same_volume(header, header_)) {
-      throw std::runtime_error(path_ + ": this slab has " + described(header) + ", and " +
-                               first_path_ + " has " + described(header_) +
-                               "; give the slabs of one volume");
+      throw std::runtime_error("this slab has " + described(header) + ", and " + first_path_ +
+                               " has " + described(header_) + "; give the slabs of one volume");
     }
   }
 
+  // A stream without a range is that of the whole volume.
+  void add_whole() {
+    try {
+      add_range({0, depth_, depth_});
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(path_ + ": " + error.what());
+    }
+  }
+
+  // What is thrown while a stream is read gets its name from read_file().
   void add_range(const SlabRange& range) {
     has_range_ = true;
     if (depth_ == 0) depth_ = range.depth;
     if (range.depth != depth_)
-      throw std::runtime_error(path_ + ": its slab is part of " + std::to_string(range.depth) +
+      throw std::runtime_error("its slab is part of " + std::to_string(range.depth) +
                                " slices, and the volume has " + std::to_string(depth_) +
                                "; extract the slab again");
     if (const auto twice = slabs_.add(range))
-      throw std::runtime_error(path_ + ": the " + text({*twice}) +
-                               " are given twice; give every slab once");
+      throw std::runtime_error("the " + text({*twice}) + " are given twice; give every slab once");
   }
 
   StreamOutput output_;

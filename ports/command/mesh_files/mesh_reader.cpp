@@ -51,6 +51,8 @@ void add(const aiMesh& part, const std::string& file, bool is_gltf, Mesh& mesh) 
 }  // namespace
 
 Mesh read_mesh(const std::string& file) {
+  if (!std::filesystem::exists(file))
+    throw std::runtime_error(file + ": there is no such file; check the name");
   Assimp::Importer importer;
   const aiScene* scene =
       importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices);
@@ -58,8 +60,8 @@ Mesh read_mesh(const std::string& file) {
     throw std::runtime_error(file +
                              ": meshes of this format are not read; export it as .ply or .stl");
   if (scene == nullptr)
-    throw std::runtime_error(file + ": the file cannot be read as a mesh; " +
-                             importer.GetErrorString());
+    throw std::runtime_error(file + ": the file cannot be read as a mesh (" +
+                             importer.GetErrorString() + "); export it again as .ply or .stl");
   Mesh mesh;
   const bool is_gltf = is_gltf_name(file);
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) add(*scene->mMeshes[i], file, is_gltf, mesh);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <regex>
 #include <system_error>
 #include <vector>
 
@@ -169,12 +170,34 @@ const CLI::Option* mistaken_option(const CLI::App& command, const CLI::Error& er
   return command.get_option_no_throw(what.substr(start, what.find_first_of(": ", start) - start));
 }
 
+// CLI11's own messages in the form of all others: fault, value, remedy.
+std::string plain(const std::string& what) {
+  static const std::regex member(R"((\S+): (.*) not in \{(.*)\})");
+  static const std::pair<std::regex, const char*> rules[] = {
+      {std::regex(R"((\S+): Value (.*) not in range \[?(\S+) (?:to|-) ([^\]]+)\]?)"),
+       "$1: invalid value '$2'; expected $3 to $4"},
+      {std::regex(R"((\S+) excludes (\S+))"), "$1 cannot be combined with $2; leave one out"},
+      {std::regex(R"((\S+) requires (\S+))"), "$1 needs $2; add $2"},
+      {std::regex(R"((--\S+) is required)"), "$1 is missing; add $1"},
+      {std::regex(R"((\S+) is required)"), "$1 is missing; give $1 after the command"}};
+  std::smatch found;
+  if (std::regex_match(what, found, member))
+    return found.str(1) + ": invalid value '" + found.str(2) + "'; expected " +
+           CLI::detail::find_and_replace(found.str(3), ",", "|");
+  for (const auto& [pattern, text] : rules)
+    if (std::regex_match(what, found, pattern)) return found.format(text);
+  return what;
+}
+
 std::string wrong_value(const CLI::App& command, const CLI::Error& error) {
   const CLI::Option* option = mistaken_option(command, error);
-  if (option == nullptr || option->get_option_text().empty()) return error.what();
+  if (option == nullptr || option->get_option_text().empty()) return plain(error.what());
   if (option->get_items_expected_max() == 1 && option->results().size() > 1)
     return option->get_name() + " is given more than once; give it once";
-  return error.what() + ("; give " + option->get_name() + " " + option->get_option_text());
+  const std::string values = CLI::detail::join(option->results(), ",");
+  return option->get_name() +
+         (values.empty() ? ": the value is missing" : ": invalid value '" + values + "'") +
+         "; expected " + option->get_option_text();
 }
 
 }  // namespace

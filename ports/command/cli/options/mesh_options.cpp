@@ -110,8 +110,8 @@ void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolera
   add_named_option(app, "--surface", interpolates,
                    NamedValues<bool>{{"merged", false}, {"interpolated", true}},
                    "the place of the vertices; merged: halfway between voxels, in flat polygons; "
-                   "interpolated: where the samples cross the threshold, as in Marching Cubes "
-                   "(default: merged, with --smooth interpolated)");
+                   "interpolated: where the samples cross the threshold, as in Marching Cubes, and "
+                   "the default with --smooth");
   app.add_option("--tolerance", tolerance,
                  "the largest distance of an interpolated surface from these crossings, in voxels; "
                  "less needs more triangles")
