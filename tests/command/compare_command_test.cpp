@@ -104,7 +104,7 @@ TEST_CASE("what cannot be compared is refused by its name") {
   check_failure(workshop.run("compare v.dmc v.nrrd --iso 300"), 1, {"v.nrrd", "no voxel"});
   check_failure(workshop.run("compare v.dmc broken.obj"), 1, {"broken.obj"});
   check_failure(workshop.run("compare v.dmc empty.stl"), 1, {"empty.stl"});
-  check_failure(workshop.run("compare v.dmc none.ply"), 1, {"none.ply"});
+  check_failure(workshop.run("compare v.dmc none.ply"), 1, {"none.ply: there is no such file"});
   check_failure(workshop.run("compare v.dmc"), 2, {"B"});
 }
 
