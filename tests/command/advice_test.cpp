@@ -159,7 +159,7 @@ TEST_CASE("what is advised of volumes in files works") {
        {v + " --order name", "leave out --order", v},
        {"extract times.npy" + iso, "choose one with --frame N",
         "extract times.npy --frame 1" + any},
-       {"extract times.npy" + iso, "which axis of the array, 2 x 4 x 5 x 6, is which",
+       {"extract times.npy" + iso, "name the axes of the array, 2 x 4 x 5 x 6, with --axes",
         "extract times.npy --axes czyx --channel 1" + any},
        {"extract v.npy --axes yx" + iso, "name each axis with --axes, as in --axes zyx",
         "extract v.npy --axes zyx" + any},

@@ -251,7 +251,7 @@ TEST_CASE("slices without positions are in the order of their numbers when that 
     data.drop(0x00200032).drop(0x00200037).text(0x00180050, "DS", "2.5");
   });
   const std::string text = refusal(slices.path());
-  check_refusal(text, "the 5 slices tell no position");
+  check_refusal(text, "the 5 slices have no position");
   check_refusal(text, "--order instance");
   const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});

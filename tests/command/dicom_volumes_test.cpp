@@ -182,7 +182,7 @@ TEST_CASE("slices that have times of their own are told apart by their order") {
   VolumeOptions options;
   options.series = "2";
   CHECK(noted(open_volume(volumes.path(), options)->info(),
-              "told apart by their order alone: number 2 by trigger time"));
+              "distinguished only by their order: number 2 by trigger time"));
 }
 
 TEST_CASE("without anything else the instance numbers tell the order") {

@@ -182,7 +182,7 @@ TEST_CASE("info refuses options of the other kind, and what is neither") {
   workshop.write("nothing", "words");
   check_failure(workshop.run("info v.nrrd --stream-channel 1"), 2,
                 {"--stream-channel", "applies to streams"});
-  check_failure(workshop.run("info v.dmc --frame 1"), 2, {"--frame", "is for volumes"});
+  check_failure(workshop.run("info v.dmc --frame 1"), 2, {"--frame", "applies to volumes"});
   check_failure(workshop.run("info nothing"), 1,
                 {"nothing", "no header of a discmc stream", "--dims and --type"});
   check_failure(workshop.run("info none.nrrd"), 1, {"none.nrrd", "there is no such file"});

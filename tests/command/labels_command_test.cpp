@@ -289,7 +289,7 @@ TEST_CASE("masks of other scans, and label maps, are none of a folder of masks")
     workshop.write("seg/b.nii", file);
     check_failure(workshop.run("extract seg --labels all -o v.glb"), 1, {"seg/b.nii: ", part});
   };
-  refused(nifti().file(volume), "the values 1 and 2 are in it");
+  refused(nifti().file(volume), "the values 1 and 2 are in the file");
   refused(nifti().dims({3, 2, 4, 3}).file(second_layer), "has 2 x 4 x 3 voxels, and 'a.nii' 4 x 2");
   refused(nifti().real(80, 2).file(second_layer), "the mask lies elsewhere than 'a.nii'");
   refused(nifti().scale(0.5F, 0).file(second_layer), "the value 0.5 in slice 0 is no label");
@@ -309,7 +309,7 @@ TEST_CASE("labels that are asked for are there, or that is a failure") {
   CHECK(workshop.read("some-9.stl") == workshop.read("9.stl"));
   CHECK(workshop.read("some-2.stl").empty());
   check_failure(workshop.run(extract + "--labels 1,7,8 -o 'x-{name}.stl'"), 1,
-                {"v.raw: no voxel has label 7, label 8; leave out what is not there"});
+                {"v.raw: no voxel has label 7, label 8; leave out these labels"});
   const auto allowed = workshop.run(extract + "--labels 1,7 --allow-empty -q -o 'x-{name}.stl'");
   CHECK(allowed.code == 0);
   CHECK(contains(allowed.error, "no voxel has label 7\n"));

@@ -276,5 +276,5 @@ TEST_CASE("a mask that is turned and lies elsewhere is refused") {
   workshop.write("v.nii", nifti_at(axes, origin, {9, 8, 7}, masked.samples));
   workshop.write("flipped.nii", turned(masked.mask, {0, 1, 2}, 1, 0.5));
   check_failure(workshop.run("extract v.nii --iso 100 --mask flipped.nii -o v.stl"), 1,
-                {"flipped.nii: the axes of the mask run otherwise than those of the volume"});
+                {"flipped.nii: the axes of the mask differ from those of the volume"});
 }

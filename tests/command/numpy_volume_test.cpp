@@ -157,7 +157,7 @@ TEST_CASE("of more axes a volume is chosen, or they are named; what does not fit
       "name the axes of the array, 4 x 3 x 5 x 6, with --axes, as in --axes zyxc");
   check_refusal(refusal(file, with_axes("zyxc")), "holds 6 channels, and one is read at a time");
   check_refusal(refusal(file, with_axes("zyx")),
-                "said to be 'zyx', but the array is 4 x 3 x 5 x 6");
+                "the axes are named 'zyx', but the array is 4 x 3 x 5 x 6");
   VolumeOptions options = with_axes("zyxc");
   options.channel = 6;
   check_refusal(refusal(file, options), "no channel 6: the file holds 6");

@@ -208,7 +208,7 @@ TEST_CASE("streams that do not belong together are not joined, and nothing is wr
   refused("part1.dmc slices.dmc", "discmc: slices.dmc: the slices 0 to 2 are given twice");
   refused("part1.dmc v.raw", "v.raw");
   workshop.done(volume + "--iso 20 -o two.dmc");
-  refused("two.dmc", "channel 1 (threshold 20), and one surface is joined");
+  refused("two.dmc", "channel 1 (threshold 20), and join accepts one surface per stream");
 }
 
 TEST_CASE("a slab that there is not is refused, with what to give") {

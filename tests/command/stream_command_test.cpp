@@ -390,7 +390,7 @@ TEST_CASE("a polygon that is none costs that polygon, and is told") {
   for (const char* arguments : {"decode c.dmc -o c.stl", "render c.dmc -o c.png --size 16,16"}) {
     const Result result = workshop.run(arguments);
     CHECK(result.code == 3);  // the trailer counts eight regions
-    CHECK(contains(result.error, "discmc: c.dmc: 1 of 9 polygons left out"));
+    CHECK(contains(result.error, "discmc: c.dmc: 1 of 9 polygons are left out"));
     CHECK(contains(result.error, "in line 1\n"));
   }
   CHECK(workshop.read("c.stl").size() == 84 + 8 * 50);

@@ -52,8 +52,8 @@ TEST_CASE("padding that Otsu's threshold leaves out is told") {
   CHECK(otsu.error ==
         "discmc: ct.nrrd: --iso otsu: -500, without the -2000 outside the scanned circle\n");
   CHECK(contains(workshop.done("info ct.nrrd"),
-                 "otsu: divides the values in two groups that differ most, without the padding "
-                 "-2000\n"));
+                 "otsu: divides the values into the two groups that differ most, without the "
+                 "padding -2000\n"));
   CHECK(contains(workshop.run("extract ct.nrrd --iso auto -q -o v.stl").error,
                  "--iso auto: 300 (bone)\n"));
 }

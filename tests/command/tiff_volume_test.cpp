@@ -202,7 +202,8 @@ TEST_CASE("OME-XML that does not fit its pages is refused") {
   check_refusal(refusal_of(other_order), "DimensionOrder is 'xzyct'");
   std::string other_size = ome(image(four_slices));
   other_size.replace(other_size.find("SizeX=\"2\""), 9, "SizeX=\"3\"");
-  check_refusal(refusal_of(other_size), "of planes of 3 x 1, and its pages have 2 x 1");
+  check_refusal(refusal_of(other_size),
+                "its description has planes of 3 x 1, and its pages have 2 x 1");
 }
 
 TEST_CASE("positions of OME-XML are volumes for --frame") {
@@ -424,7 +425,7 @@ TEST_CASE("smaller copies among the pages, and within them, are left out with a 
   const VolumeInfo info = info_of(tiff);
   CHECK(info.dims == Dims{2, 2, 2});
   CHECK(noted(info, "pages that are smaller copies or masks are left out: 1"));
-  CHECK(noted(info, "mostly smaller copies, left out: 2"));
+  CHECK(noted(info, "usually smaller copies, are left out: 2"));
 }
 
 TEST_CASE("bytes behind the only page are noted, unless they may well be metadata") {
@@ -530,7 +531,8 @@ TEST_CASE("pages of ScanImage are slices only if it says so, or the user") {
                                        slices + "\n")}};
     return folder.write("v.tif", numbered(4, "", more).bytes());
   };
-  check_refusal(refusal(write("2")), "its 4 pages are not a slice each: ScanImage stores channels");
+  check_refusal(refusal(write("2")),
+                "its 4 pages are not one slice each: ScanImage also stores channels");
   VolumeOptions options;
   options.axes = "zyx";
   CHECK(open_volume(write("2"), options)->info().dims[2] == 4);

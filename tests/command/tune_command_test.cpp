@@ -130,7 +130,7 @@ TEST_CASE("the code that tune prints says for which value of the file its thresh
   for (const char* heading : {"regions, C++", "regions, C", "slices, C++", "slices, C"})
     CHECK(contains(code_of(scaled, heading),
                    "The threshold of the stored samples is 50 for the value -900."));
-  CHECK(!contains(workshop.done("tune v.nrrd --iso 100"), "where the value is"));
+  CHECK(!contains(workshop.done("tune v.nrrd --iso 100"), "of the stored samples"));
 }
 
 TEST_CASE("tune tells the threshold that a rule has found") {
@@ -164,7 +164,7 @@ TEST_CASE("tune refuses with the value and the remedy") {
   };
   refused("", 2, "add --iso auto, or the threshold");
   refused("--iso 100 --clock fast", 2, "invalid clock 'fast'; expected Hertz, as in 48M");
-  refused("--iso 100 --baud 0", 2, "'0' is no baud rate");
+  refused("--iso 100 --baud 0", 2, "invalid value '0'; expected bits per second");
   refused("--iso 100 --memory 100", 1,
           "give at least " + std::to_string(discmc::minimum_bytes<std::uint16_t>(limits)));
   refused("--iso 100 --memory 1M", 1,

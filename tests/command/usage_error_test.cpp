@@ -127,7 +127,7 @@ TEST_CASE("arguments too many and too few are told by name") {
       "extract v.nrrd out.stl --iso 5 -o v.stl",
       "discmc: 'out.stl' is an unexpected argument; leave it out\nSee discmc extract --help.\n");
   CHECK(contains(Workshop().run("extract v.nrrd -o v.stl").error,
-                 "discmc: --iso: is missing: give --iso auto, or --iso ISO, "));
+                 "discmc: --iso: no threshold is given; add --iso auto, --iso ISO, "));
   check_said(
       "extract --border -o v.dmc v.nrrd --iso 5",
       "discmc: --border: invalid value '-o'; expected closed|open\nSee discmc extract --help.\n");

@@ -418,7 +418,7 @@ TEST_CASE("MetaImage refuses by name what it does not take") {
   };
   const std::string local = "ElementDataFile = LOCAL\n";
   check("ElementType = MET_UCHAR_ARRAY\n" + local, "'MET_UCHAR_ARRAY'");
-  check(metaimage_u8 + "BinaryData = False\n" + local, "no sample of type u8");
+  check(metaimage_u8 + "BinaryData = False\n" + local, "not a sample of type u8");
   check(metaimage_u8 + "ElementNumberOfChannels = 0\n" + local, "ElementNumberOfChannels is 0");
   check(metaimage_u8 + "ElementToIntensityFunctionSlope = -1\n" + local, "negative slope");
   check(metaimage_u8 + "ElementSpacing = 1 one 1\n" + local, "'one'");

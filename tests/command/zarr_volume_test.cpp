@@ -176,7 +176,7 @@ TEST_CASE("chunks that are not there are full of the fill value, but some must b
   write_metadata("<f2", "\"NaN\"");
   CHECK(std::isnan(read_all(*open_volume(array))[0]));
   write_metadata("<i2", "\"words\"");
-  check_refusal(refusal(array), "the fill value '\"words\"' is no sample");
+  check_refusal(refusal(array), "the fill value '\"words\"' is not a sample");
 }
 
 TEST_CASE("labels of 64 bits keep all of them") {

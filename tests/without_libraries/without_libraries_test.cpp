@@ -15,7 +15,7 @@ TEST_CASE("a file that needs a library is refused by the name of the library") {
   check_refusal(refusal(files / "dicom/series"), "built without DCMTK and OpenJPEG");
   check_refusal(refusal(files / "dicom/u16.dcm"), "install libdcmtk-dev");
   check_refusal(refusal(files / "pictures/u16.tif"), "built without LibTIFF; install libtiff-dev");
-  check_refusal(refusal(files / "hdf5/u8-little.h5"), "built without its library; install libhdf5");
+  check_refusal(refusal(files / "hdf5/u8-little.h5"), "built without libhdf5; install libhdf5");
   check_refusal(refusal(files / "vti/u8-little-appended-raw.vti"), "built without pugixml");
   check_refusal(refusal(files / "invesalius/i16-little.inv3"), "libarchive or pugixml");
   check_refusal(refusal(files / "nrrd/i16-big-bzip2.nrrd"),
