@@ -125,7 +125,7 @@ TEST_CASE("slices that are off even distances are told, and refused from a quart
   CHECK(
       !noted(open_volume(folder_of_growing(few, 4))->info(), "from their place at even distances"));
   CHECK(noted(open_volume(folder_of_growing(some, 40))->info(), "slices lie up to 0.4"));
-  check_refusal(refusal(folder_of_growing(many, 60)), "mm everywhere some would be 0.7");
+  check_refusal(refusal(folder_of_growing(many, 60)), "mm everywhere, slices would be 0.7");
 }
 
 TEST_CASE("a tilted gantry shears the volume as its slices lie, and a note says so") {
