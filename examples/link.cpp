@@ -90,7 +90,7 @@ size_t radio_write(void*, const uint8_t* bytes, size_t count) {
   if (!radio_works) return 0;
   const size_t taken = count < 16 ? count : 16;
   for (Receiver& receiver : receivers)
-    if (!receiver.push(bytes, taken)) fputs("a receiver gives up\n", stderr);
+    if (!receiver.push(bytes, taken)) fputs("a receiver has stopped\n", stderr);
   return taken;
 }
 

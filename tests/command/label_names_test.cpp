@@ -83,6 +83,7 @@ TEST_CASE("labels that are not known, or not alone, are refused") {
   check_refused(names, "twice", "several labels are called 'twice': give their numbers");
   check_refused(names, "liver,lver", "no label is called 'lver': there are 'liver', 'Right_Lung'");
   check_refused(names, "liver,", "no label is called ''");
-  check_refused(LabelNames({}, {0}), "liver", "no name is known; give numbers, or --label-table");
+  check_refused(LabelNames({}, {0}), "liver",
+                "the labels have no names; give numbers, or --label-table");
   CHECK(first_layer.each("44")[0].set == LabelSet{{0, {44}}});
 }

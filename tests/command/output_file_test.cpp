@@ -123,7 +123,7 @@ TEST_CASE("a folder that is not there, or is a file, is refused by name") {
   CHECK(complaint([&] { OutputFile output(missing / "b.obj"); }) ==
         missing.string() + ": there is no such folder; make it first");
   CHECK(complaint([&] { OutputFile output(file / "b.obj"); }) ==
-        file.string() + ": is not a folder; give another name");
+        file.string() + ": this is not a folder; give another name");
 }
 
 TEST_CASE("a folder is not replaced by a file") {

@@ -26,7 +26,7 @@ struct NamedSelection {
   Selection selection;
   std::string given;                    ///< on the command line: "300", "otsu", "5,right lung"
   std::string name = given;             ///< the same, or what the label is called
-  std::optional<Srgb> colour{};         ///< of a label, if one is told
+  std::optional<Srgb> colour{};         ///< of a label, if it has one
   std::optional<ThresholdRule> rule{};  ///< by which the selection is still to be found
   bool is_label = false;                ///< which is looked up as the volume is opened
 
@@ -60,12 +60,12 @@ enum class MeshSpace { lps, ras, voxel };
 /// What a stream holds.
 enum class Wire { regions, slices };
 
-/// One of so many slabs of a volume, counted from 1 at its first slice.
+/// One of `count` slabs of a volume, counted from 1 at its first slice.
 struct SlabChoice {
   std::uint32_t number, count;
 };
 
-/// Of `extract`.
+/// The arguments of `extract`.
 struct ExtractArguments {
   std::string volume;
   VolumeArguments reading;
@@ -79,7 +79,7 @@ struct ExtractArguments {
   std::optional<unsigned> jobs;  ///< parts at once; else all cores for a mesh, one for a stream
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
-  std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
+  std::optional<MeshSpace> space;  ///< else LPS if the frame is known, or that of the file
   bool interpolates = false;       ///< the vertices of a mesh
   bool quiet = false;
 };
@@ -90,15 +90,15 @@ inline bool is_divisible(const ExtractArguments& arguments) {
          arguments.reading.capacities.empty();
 }
 
-/// Of `info`.
+/// The arguments of `info`.
 struct InfoArguments {
   std::string input;
-  std::optional<bool> is_volume;  ///< or a stream; else as its first bytes tell
+  std::optional<bool> is_volume;  ///< or a stream; else by its first bytes
   StreamChoice choice;
   VolumeOptions options;
 };
 
-/// Of `decode`.
+/// The arguments of `decode`.
 struct StreamArguments {
   std::string stream;
   StreamChoice choice;
@@ -108,10 +108,10 @@ struct StreamArguments {
   VolumeOptions options;
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
-  std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
+  std::optional<MeshSpace> space;  ///< else LPS if the frame is known, or that of the file
 };
 
-/// Of `join`.
+/// The arguments of `join`.
 struct JoinArguments {
   std::vector<std::string> streams;
   std::string output;
@@ -119,7 +119,7 @@ struct JoinArguments {
   bool quiet = false;
 };
 
-/// Of `render`.
+/// The arguments of `render`.
 struct RenderArguments {
   std::string input;
   bool is_volume = false;  ///< or a stream
@@ -136,10 +136,10 @@ struct RenderArguments {
   bool outlines = false;
 };
 
-/// Of `view`.
+/// The arguments of `view`.
 struct ViewArguments {
   std::string input;
-  std::optional<bool> is_volume;  ///< or a stream; else as its first bytes tell
+  std::optional<bool> is_volume;  ///< or a stream; else by its first bytes
   VolumeArguments reading;        ///< without a selection the samples are shown
   std::string output;             ///< none where it is served
   bool opens = true;
@@ -147,14 +147,14 @@ struct ViewArguments {
   std::uint16_t port = 0;  ///< 0: any that is free
 };
 
-/// Of `tune`.
+/// The arguments of `tune`.
 struct TuneArguments {
   std::string volume;
   VolumeArguments reading;
   double baud = 921600;
   double clock_hz = 48e6;
   Core core = Core::cortex_m4;
-  std::vector<Payload> payloads;  ///< none stands for all
+  std::vector<Payload> payloads;  ///< empty: all
 };
 
 /// A surface of `compare`.
@@ -164,7 +164,7 @@ struct ComparedInput {
   Kind kind = Kind::mesh;
 };
 
-/// Of `compare`.
+/// The arguments of `compare`.
 struct CompareArguments {
   std::array<ComparedInput, 2> inputs;
   StreamChoice choice;

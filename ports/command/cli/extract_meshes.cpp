@@ -41,10 +41,9 @@ int extract_meshes(ExtractArguments arguments) {
   const std::vector<Extraction> extractions = extract(samples, options, requests);
   note_not_numbers(arguments, smooth ? smooth->not_numbers() : extractions[0].not_numbers);
   if (arguments.interpolates && !smooth && volume->has_two_values())
-    print_message(
-        arguments.volume,
-        "there are two values alone, as in a mask, so the interpolated surface keeps the steps of "
-        "the voxels; add --smooth auto");
+    print_message(arguments.volume,
+                  "the volume has only two values, as a mask, so the interpolated surface keeps "
+                  "the steps of the voxels; add --smooth auto");
   check_surfaces(arguments, extractions, *volume);
 
   for (std::size_t i = 0; i < receivers.size(); ++i) {
@@ -54,8 +53,8 @@ int extract_meshes(ExtractArguments arguments) {
                 arguments.components, surface);
     if (surface.polygons.empty() && !arguments.reading.allows_empty)
       throw std::runtime_error(arguments.volume +
-                               ": no body is as large as --min-volume says; give less, "
-                               "--allow-empty takes an empty surface");
+                               ": no body is as large as --min-volume; give a smaller volume, or "
+                               "accept an empty surface with --allow-empty");
     const MeshSummary mesh =
         files.add({surface, selections[i], names[i],
                    arguments.interpolates ? &finders[i].crossings() : nullptr});

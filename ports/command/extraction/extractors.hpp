@@ -104,7 +104,7 @@ class Extractors {
 
   const Arena& arena() const { return arena_; }
 
-  /// Whether no fragment had to go out for lack of memory; when in doubt it says no. Limit: a sink
+  /// Whether no fragment had to go out for lack of memory; when in doubt false. Limit: a sink
   /// that takes fragments.
   bool had_enough() const {
     // More than any extractor keeps from being used. Without nodes, other pieces go out at seams.

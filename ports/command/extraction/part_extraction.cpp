@@ -58,7 +58,7 @@ class PartSurface {
     return SinkResult::accepted;
   }
 
-  // What is to be joined goes to the joiner, which stands before the same sink.
+  // What is to be joined goes to the joiner, which sends to the same sink.
   void pass_on(const SurfaceRequest& request, GrowingJoiner& joiner) {
     if (polygons_) request.builder->append(std::move(*polygons_));
     joined_.replay(make_sink(joiner));
@@ -239,8 +239,8 @@ class Parts {
     reader_.read(part);
   }
 
-  // Where memory is short, some pieces go out loose that cross no seam, and they would have to be
-  // joined before the regions that are whole.
+  // If memory is short, some pieces are sent loose that cross no seam, and would have to be joined
+  // before the whole regions.
   void work_on(Part& part) {
     std::unique_ptr<PartExtractors> extractors = idle_.take();
     if (!extractors) extractors = new_extractors(first_arena_bytes());

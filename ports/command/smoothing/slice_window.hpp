@@ -37,7 +37,7 @@ using SliceSource = std::function<void(float*)>;
 /// The slices around one that a filter across slices takes.
 class SliceWindow {
  public:
-  /// radius: so many slices on either side. Limit: at least 1
+  /// radius: slices on either side. Limit: at least 1
   SliceWindow(const Grid& grid, std::uint32_t radius)
       : depth_(grid.dims[2]),
         radius_(std::min(radius, depth_)),

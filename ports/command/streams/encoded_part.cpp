@@ -12,7 +12,7 @@
 namespace discmc::command {
 namespace {
 
-// Whether a region that a packet before has begun goes on in this one.
+// Whether a region that an earlier packet has begun continues in this one.
 bool continues_region(const std::uint8_t* payload, std::size_t bytes) {
   stream::ReadingModel model({RangeDecoder(payload, bytes)});
   if (model.record_kind(stream::RecordKind::end) != stream::RecordKind::part) return false;

@@ -29,7 +29,7 @@ class EncodedPart {
  private:
   struct Packet {
     std::size_t end;              // of its payload
-    std::uint16_t pieces_before;  // as the packet tells them
+    std::uint16_t pieces_before;  // as the packet encodes them
     bool is_whole;                // only whole regions, with room for their number
   };
 
