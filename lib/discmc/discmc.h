@@ -142,8 +142,8 @@ enum { DISCMC_MAX_RECORD_BYTES = 200, DISCMC_FIRST_STANDARD_KIND = 240 };
  *   region   = REGION { RING { RUN } } REGION_END       the outer ring first, then the holes
  *   fragment = FRAGMENT { RUN } FRAGMENT_END
  *
- * A region is a merged polygon. A fragment is a loose piece of a ring, which was sent early for lack
- * of memory, or at the seam of a slab. Put a joiner before a sink that needs whole regions. */
+ * A region is a merged polygon. A fragment is a loose piece of a ring, which was sent early for
+ * lack of memory, or at the seam of a slab. Put a joiner before a sink that needs whole regions. */
 enum {
   DISCMC_START,  /* of.header; from an extractor without depth, scan and channel */
   DISCMC_REGION, /* incidence */
