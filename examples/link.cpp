@@ -102,7 +102,7 @@ constexpr discmc::Limits limits{size, size};
 // A slice has 30 bytes here, so a packet holds eight: a lost one costs hardly more than itself.
 constexpr discmc::KeySlices key_slices{8};
 
-// All its RAM except the stack: 3 KiB.
+// RAM without the stack: 3 KiB.
 discmc::SliceEncoder encoder;
 uint8_t memory[discmc::slice_encoder_bytes(limits, key_slices, surfaces)];
 

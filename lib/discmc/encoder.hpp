@@ -35,9 +35,9 @@ class Encoder {
   /// bytes.
   SinkResult take(const Event& event);
 
-  /// Encodes a region at once, to the same bytes as its events. For a host: see
-  /// HostExtractor::give_regions_to(). Returns SinkResult::busy if the sink must get the events,
-  /// for whatever reason: the output is busy, the region does not fit, or the stream has normals.
+  /// Encodes a region in one call, to the same bytes as its events. For hosts: see
+  /// HostExtractor::give_regions_to(). Returns SinkResult::busy if the encoder needs the events
+  /// instead: the output is busy, the region does not fit, or the stream has normals.
   SinkResult take_region(const WholeRegion& region);
 
   /// Sends an application record now, in the order of the stream. Set its slice and row to

@@ -183,9 +183,9 @@ Sink make_sink(Receiver& receiver) {
           }};
 }
 
-// ---- Regions at once.
+// ---- Regions in one call.
 
-/// A region of one ring, as most are, with all runs of the ring.
+/// A region of one ring, with all runs of the ring. Most regions have one ring.
 struct WholeRegion {
   Incidence incidence;
   Vertex start;     ///< Units: half-steps
@@ -193,8 +193,8 @@ struct WholeRegion {
   uint32_t count;
 };
 
-/// A second receiver beside a sink, which may take a region in one call: see
-/// HostExtractor::give_regions_to(). If it does not accept the region, the sink gets its events.
+/// A receiver beside a sink that may accept a region in one call: see
+/// HostExtractor::give_regions_to(). If it does not, the sink receives the region's events.
 struct RegionReceiver {
   void* context = nullptr;
   SinkResult (*take)(void* context, const WholeRegion& region) = nullptr;
