@@ -114,7 +114,8 @@ TEST_CASE("what is advised of inputs works") {
         "extract labels.nrrd --label 2" + out},
        {"extract v.nrrd --space lps --iso 100" + out, "leave out --space, or give --space voxel",
         "extract v.nrrd --space voxel --iso 100" + out},
-       {"extract v.nrrd --iso 720575940621039145" + out, "give --label 720575940621039145 if it",
+       {"extract v.nrrd --iso 720575940621039145" + out,
+        "if it is a label, give --label 720575940621039145",
         "extract v.nrrd --label 720575940621039145 --allow-empty" + out},
        {"extract v.nrrd --iso 100 --min-volume 1e9" + out,
         "give a smaller volume, or accept an empty surface with --allow-empty",
@@ -125,7 +126,7 @@ TEST_CASE("what is advised of inputs works") {
                      advised.substr(6) + " --iso auto" + out)
               .code == 1);
   CHECK(contains(workshop.shell("cat v.nrrd | \"$discmc\" extract - --iso auto" + out).error,
-                 "store the volume in a file first"));
+                 "can be read only once; store it in a file first"));
 }
 
 TEST_CASE("what is advised of volumes in files works") {
@@ -192,8 +193,9 @@ TEST_CASE("what is advised of options works") {
   const std::string all = "extract labels.nrrd --labels all -q ";
   check_advice(
       workshop,
-      {{"extract v.nrrd -o out.stl", "give --iso auto, or", "extract v.nrrd --iso auto -o out.stl"},
-       {"tune v.nrrd", "give --iso auto, or", "tune v.nrrd --iso auto"},
+      {{"extract v.nrrd -o out.stl", "add --iso auto, --iso ISO",
+        "extract v.nrrd --iso auto -o out.stl"},
+       {"tune v.nrrd", "add --iso auto, or", "tune v.nrrd --iso auto"},
        {"render v.nrrd -o out.png", "give --iso auto, or", "render v.nrrd --iso auto -o out.png"},
        {"compare v.nrrd v.stl", "give --iso auto, or", "compare v.nrrd v.stl --iso auto"},
        {all + "-o out.stl", "give -o 'FOLDER/{name}.stl'", all + "-o './{name}.stl'"},
@@ -222,7 +224,8 @@ TEST_CASE("what is advised of options works") {
        {"extract v.nrrd --range 100..250 -q -o out.ply --normals gradient",
         "give --normals surface",
         "extract v.nrrd --range 100..250 -q -o out.ply --normals surface"},
-       {stl + "--surface interpolated --median 3", "leave out --surface interpolated",
+       {stl + "--surface interpolated --median 3",
+        "with --surface interpolated, as the samples are not filtered; leave one out",
         stl + "--median 3"},
        {stl + "--surface interpolated --faces polygons", "leave it out",
         stl + "--surface interpolated"},
@@ -241,7 +244,9 @@ TEST_CASE("what is advised of options works") {
         "leave out --surface interpolated, or write a mesh", stl + "--surface interpolated"},
        {stl + "--tolerance 0.1", "add --surface interpolated",
         stl + "--tolerance 0.1 --surface interpolated"},
-       {dmc + "--median 3 --normals gradient", "leave out --normals", dmc + "--median 3"},
+       {dmc + "--median 3 --normals gradient",
+        "with --normals gradient in a stream, as the samples are not filtered; leave one out",
+        dmc + "--median 3"},
        {stl + "--wire slices", "give -o FILE.dmc", dmc + "--wire slices"},
        {dmc + "--wire slices --normals gradient", "leave out --normals", dmc + "--wire slices"},
        {dmc + "--wire slices --memory 1M", "leave out --memory and --capacities",
@@ -258,7 +263,8 @@ TEST_CASE("what is advised of options works") {
        {iso + "-o '{name}/out.stl'", "put it after the last /", iso + "-o './{name}.stl'"},
        {iso + "-o out.xyz", "use ", ply},
        {dmc + "--memory 10", "give at least ", dmc + "--memory 64K"},
-       {dmc + "--capacities 1,1", "give at least 4 slots", dmc + "--capacities 4,1"},
+       {dmc + "--capacities 1,1", "invalid number of slots; give at least 4,",
+        dmc + "--capacities 4,1"},
        {"decode v.dmc --volume v.nrrd -o out.ply", "used with --normals gradient alone",
         "decode v.dmc --volume v.nrrd --normals gradient -o out.ply"},
        {"decode v.dmc --normals gradient -o out.ply",

@@ -145,8 +145,8 @@ TEST_CASE("outputs that cannot be written are refused before the volume is read"
        {"-o none/v.stl", "-o none/v.dmc", "--iso 2 -o 'none/v{name}.stl'", "--iso 2 -o none/v.glb"})
     check_failure(workshop.run(cut + output), 1, {"none: there is no such folder; make it first"});
   for (const std::string output : {"-o file/v.stl", "--iso 2 -o 'file/v{name}.stl'"})
-    check_failure(workshop.run(cut + output), 1, {"file: is not a folder"});
-  check_failure(workshop.run(cut + "-o folder.stl"), 1, {"folder.stl: is a folder"});
+    check_failure(workshop.run(cut + output), 1, {"file: this is not a folder"});
+  check_failure(workshop.run(cut + "-o folder.stl"), 1, {"folder.stl: this is a folder"});
   check_failure(workshop.run("extract cut.nrrd --labels all -o none/v.glb"), 1, {"no such folder"});
   check_failure(workshop.run("render cut.nrrd --iso 1 -o none/v.png"), 1, {"no such folder"});
   CHECK(workshop.names() == std::vector<std::string>{"cut.nrrd", "file", "folder.stl"});
@@ -519,9 +519,10 @@ TEST_CASE("gradient normals are made of samples of every type, in streams and in
 TEST_CASE("a wrong word is answered with those that are known") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());
-  check_failure(workshop.run("extract v.nrrd --iso 1 --border ajar"), 2, {"ajar", "closed,open"});
+  check_failure(workshop.run("extract v.nrrd --iso 1 --border ajar"), 2,
+                {"invalid value 'ajar'", "expected closed|open"});
   check_failure(workshop.run("extract v.nrrd --iso 1 --dims 1,1,1 --type f16"), 2,
-                {"f16", "u8,i8,u16,i16,u32,i32,u64,i64,f32,f64"});
+                {"invalid value 'f16'", "expected u8|i8|u16|i16|u32|i32|u64|i64|f32|f64"});
 }
 
 TEST_CASE("a spacing that a stream cannot hold is refused") {

@@ -235,7 +235,7 @@ TEST_CASE("a spacing that is missing is told by its name") {
       [](Dataset& data, int) { data.drop(0x00280030).text(0x00181164, "DS", "0.75\\0.5"); });
   const auto stand_in = open_volume(projected.path());
   CHECK(stand_in->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
-  CHECK(noted(stand_in->info(), "no PixelSpacing, ImagerPixelSpacing taken"));
+  CHECK(noted(stand_in->info(), "no PixelSpacing, ImagerPixelSpacing is used"));
 }
 
 // ---- as the user says ----

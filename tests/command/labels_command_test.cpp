@@ -320,7 +320,8 @@ TEST_CASE("labels that are asked for are there, or that is a failure") {
   check_failure(workshop.run(named + "--labels skin -o v.glb"), 1,
                 {"'skin' names 2 labels; give each by its number"});
   check_failure(workshop.run(extract + "--labels '' -o v.glb"), 2, {"no label is given"});
-  check_failure(workshop.run(extract + "--label '' -o v.stl"), 2, {"'' is no label"});
+  check_failure(workshop.run(extract + "--label '' -o v.stl"), 2,
+                {"invalid value ''; expected a number or name"});
   check_failure(workshop.run(extract + "--label 7 -o v.stl"), 1,
                 {"v.raw: no voxel has label 7; list the labels with discmc info"});
 }

@@ -111,7 +111,7 @@ TEST_CASE("without names the axis that is stored side by side is x, with a note"
   check_places(file, {});
   CHECK(noted(open_volume(file)->info(),
               "read as array[z][y][x]; to read others, give --axes, such as xyz"));
-  CHECK_FALSE(noted(open_volume(file, with_axes("zyx"))->info(), "taken as"));
+  CHECK_FALSE(noted(open_volume(file, with_axes("zyx"))->info(), "read as"));
   const auto fortran = folder.write("f.npy", npy("<u2", shape_of("xyz"), array_with("zyx"), true));
   check_places(fortran, {});
   CHECK(noted(open_volume(fortran)->info(),

@@ -33,7 +33,7 @@ TEST_CASE("a file that is longer or shorter than its dimensions and type say is 
   check(i16.substr(1), "has 119 bytes, but a volume of 5 x 3 x 4 i16 has 120");
   check("", "has 0 bytes");
   const auto packed = folder.write("v.raw.gz", gzip(i16 + "x"));
-  check_refusal(refusal(packed, layout_of(SampleType::i16)), "more than the 120 bytes");
+  check_refusal(refusal(packed, layout_of(SampleType::i16)), "longer than the 120 bytes");
   check_refusal(refusal(folder.write("v.raw.gz", gzip(i16.substr(1))), layout_of(SampleType::i16)),
                 "1 bytes of it are missing");
 }
@@ -61,7 +61,8 @@ TEST_CASE("what stands before headerless samples is skipped where that is asked"
   check_refusal(refusal(file, layout_of(SampleType::i16, 23)), "--skip-bytes 24");
   check_refusal(refusal(file, layout_of(SampleType::i16, 25)),
                 "has 119 bytes after the 25 skipped");
-  check_refusal(refusal(file, layout_of(SampleType::i16, 145)), "of 145 bytes to skip 1 are not");
+  check_refusal(refusal(file, layout_of(SampleType::i16, 145)),
+                "of 145 bytes to skip 1 are missing");
 }
 
 TEST_CASE("a file with the beginning of a known format is not read as headerless samples") {

@@ -99,7 +99,7 @@ TEST_CASE("pictures whose palettes differ are refused") {
   folder.write("a1.bmp", bmp.bytes());
   bmp.palette = little(0, 4) + little(0x00ff00, 4) + std::string(254 * 4, '\1');
   folder.write("a2.bmp", bmp.bytes());
-  check_refusal(refusal(folder.path()), "it differs from a1.bmp: another palette");
+  check_refusal(refusal(folder.path()), "has another palette, unlike a1.bmp");
 }
 
 TEST_CASE("BMP of other kinds, or cut off, is refused") {

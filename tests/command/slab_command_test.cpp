@@ -204,7 +204,7 @@ TEST_CASE("streams that do not belong together are not joined, and nothing is wr
     CHECK(workshop.read("joined.dmc").empty());
   };
   refused("part1.dmc part2.dmc part1.dmc", "discmc: part1.dmc: the slices 0 to 2 are given twice");
-  refused("part1.dmc other.dmc", "at threshold 51, and part1.dmc of");
+  refused("part1.dmc other.dmc", "at threshold 51, and part1.dmc has");
   refused("part1.dmc slices.dmc", "discmc: slices.dmc: the slices 0 to 2 are given twice");
   refused("part1.dmc v.raw", "v.raw");
   workshop.done(volume + "--iso 20 -o two.dmc");

@@ -52,7 +52,7 @@ TEST_CASE("padding that Otsu's threshold leaves out is told") {
   CHECK(otsu.error ==
         "discmc: ct.nrrd: --iso otsu: -500, without the -2000 outside the scanned circle\n");
   CHECK(contains(workshop.done("info ct.nrrd"),
-                 "otsu: divides the values into the two groups that differ most, without the "
+                 "otsu: divides the values into two groups, without the "
                  "padding -2000\n"));
   CHECK(contains(workshop.run("extract ct.nrrd --iso auto -q -o v.stl").error,
                  "--iso auto: 300 (bone)\n"));
@@ -92,11 +92,11 @@ TEST_CASE("a named threshold is refused where it cannot be found") {
   check_failure(workshop.run("extract flat.nrrd --iso auto" + mesh), 1,
                 {"flat.nrrd: all values are 7, "});
   check_failure(workshop.run("extract ct.nrrd --iso bones" + mesh), 2,
-                {"'bones' is no finite number, auto, otsu, bone or skin"});
+                {"invalid value 'bones'; expected a finite number, auto, otsu, bone or skin"});
   for (const std::string name : {"auto", "otsu", "bone", "skin"})
     check_failure(workshop.shell("cat ct.nrrd | \"$discmc\" extract - --iso " + name + mesh), 1,
                   {"standard input: --iso " + name + " needs a pass of its own",
-                   "store the volume in a file first"});
+                   "can be read only once; store it in a file first"});
   CHECK(workshop.names() == names);
 }
 

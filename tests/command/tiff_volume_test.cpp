@@ -355,7 +355,7 @@ TEST_CASE("axes that are given say what the pages are, as the refusal of one sli
     CHECK(pages_read(file, with_axes("zyx")) == Pages{0, 1, 2, 3});
     CHECK(pages_read(file, with_axes("tyx", chosen(3, {}))) == Pages{3});
     CHECK(pages_read(file, with_axes("cyx", chosen({}, 2))) == Pages{2});
-    check_refusal(refusal(file, with_axes("zxy")), "and not 'zxy'; give --axes zyx, cyx or tyx");
+    check_refusal(refusal(file, with_axes("zxy")), "not 'zxy'; give --axes zyx, cyx or tyx");
     check_refusal(refusal(file, with_axes("czyx")), "and not 'czyx'");
   }
   check_refusal(refusal(files / "u8.png", with_axes("zyx")),
@@ -478,9 +478,12 @@ TEST_CASE("pages of different sizes, types, resolutions, colours or directions a
                                  {tag::resolution_unit, whole({1})}};
   check_refusal(refusal_with({{256, whole({1})}}), "page 1 has 1 x 1 samples of u8");
   check_refusal(refusal_with({{tag::bits, whole({16})}}), "page 1 has 2 x 1 samples of u16");
-  check_refusal(refusal_with({{tag::samples, whole({3})}}), "page 1 has 3 channels instead of 1");
-  check_refusal(refusal_with({{tag::photometric, whole({0})}}), "black and white are exchanged");
-  check_refusal(refusal_with({{tag::orientation, whole({4})}}), "rows in another direction");
+  check_refusal(refusal_with({{tag::samples, whole({3})}}),
+                "page 1 has 3 channels instead of 1, unlike v.tif");
+  check_refusal(refusal_with({{tag::photometric, whole({0})}}),
+                "page 1 has black and white exchanged, unlike v.tif");
+  check_refusal(refusal_with({{tag::orientation, whole({4})}}),
+                "page 1 has rows in another direction, unlike v.tif");
   check_refusal(
       refusal_with(other_resolution),
       "another resolution than v.tif; if its voxels have the same size, give --spacing X,Y,Z");

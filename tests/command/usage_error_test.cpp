@@ -108,13 +108,16 @@ TEST_CASE("an option that is like none is answered without a guess") {
 }
 
 TEST_CASE("a value that is missing or no value of its option is answered with the form of it") {
-  CHECK(contains(Workshop().run("extract v.raw --dims 1,2").error, "2; give --dims X,Y,Z\n"));
-  CHECK(contains(Workshop().run("extract v.raw --dims a,b,c").error, "; give --dims X,Y,Z\n"));
-  CHECK(contains(Workshop().run("extract v.raw --scan").error, "; give --scan N\n"));
+  CHECK(contains(Workshop().run("extract v.raw --dims 1,2").error,
+                 "--dims: invalid value '1,2'; expected X,Y,Z\n"));
+  CHECK(contains(Workshop().run("extract v.raw --dims a,b,c").error,
+                 "--dims: invalid value 'a,b,c'; expected X,Y,Z\n"));
+  CHECK(contains(Workshop().run("extract v.raw --scan").error,
+                 "--scan: the value is missing; expected N\n"));
   CHECK(contains(Workshop().run("extract v.raw --iso much").error,
-                 "'much' is no finite number, auto, otsu, bone or skin\n"));
+                 "invalid value 'much'; expected a finite number, auto, otsu, bone or skin\n"));
   CHECK(contains(Workshop().run("extract v.raw --iso 5x").error,
-                 "'5x' is no finite number, auto, otsu, bone or skin\n"));
+                 "invalid value '5x'; expected a finite number, auto, otsu, bone or skin\n"));
 }
 
 TEST_CASE("arguments too many and too few are told by name") {

@@ -295,7 +295,7 @@ TEST_CASE("MetaImage tells a row an axis and the origin, in LPS") {
                                  "5 3 4 1"),
                   Frame::lps, {1, 2, 3}, {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});
   CHECK(noted(metaimage_info(folder, "TransformMatrix = 1 0 0 1\n"),
-              "TransformMatrix of 4 numbers dropped"));
+              "TransformMatrix of 4 numbers is ignored"));
 }
 
 TEST_CASE("MetaImage's letters are noted where they contradict the matrix") {

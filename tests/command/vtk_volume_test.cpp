@@ -95,7 +95,7 @@ TEST_CASE("NumPy refuses by name what it does not take") {
   check(numpy("{'descr': '|u1', 'fortran_order': False, 'shape': (4, 3, 5)}") + u8.substr(1),
         "1 bytes of it are missing");
   check("\x93NUMPY\x07 abcdef", "version 7");
-  check("\x93NUM", "not whole");
+  check("\x93NUM", "incomplete");
   check(std::string("\x93NUMPY\2\0\xff\xff\xff\xff", 12), "header has 4294967295 bytes");
 }
 

@@ -32,7 +32,7 @@ void add_picture_options(CLI::App& app, RenderArguments& arguments) {
       ->check(finite())
       ->option_text("X,Y,Z")
       ->capture_default_str();
-  app.add_option("--size", arguments.size, "width and height of the picture, in pixels")
+  app.add_option("--size", arguments.size, "width and height in pixels")
       ->delimiter(',')
       ->expected(2)
       ->check(CLI::Range(1, 8192))

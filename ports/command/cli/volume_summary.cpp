@@ -122,15 +122,14 @@ void propose_thresholds(bool is_in_hounsfield, const VolumeStatistics& statistic
                         std::ostream& out) {
   const auto padding = padding_value(statistics);
   if (const auto iso = otsu_threshold(statistics))
-    out << "proposal --iso=" << value_text(*iso)
-        << " otsu: divides the values into the two groups that differ most"
+    out << "proposal --iso=" << value_text(*iso) << " otsu: divides the values into two groups"
         << (padding ? ", without the padding " + value_text(*padding) : "") << '\n';
   if (is_in_hounsfield && divides(bone_threshold, statistics))
     out << "proposal --iso=" << value_text(bone_threshold)
-        << " bone: the values are Hounsfield units, and soft tissue has less\n";
+        << " bone: in Hounsfield units; soft tissue has less\n";
   if (is_in_hounsfield && divides(skin_threshold, statistics))
     out << "proposal --iso=" << value_text(skin_threshold)
-        << " skin: the values are Hounsfield units, and air has less\n";
+        << " skin: in Hounsfield units; air has less\n";
 }
 
 // What is most likely comes first.

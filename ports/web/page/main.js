@@ -125,7 +125,7 @@ class Page {
     this.opened = { name, dims: stream.dims, spacing: stream.spacing, upright: stream.upright };
     this.choice.show(surfaces, choice);
     this.showOpened(stream.isComplete && stream.isClosed);
-    this.showStream(stream);
+    this.reportStream(stream);
     this.missing.show(missing);
     await this.redrawStream();
   }
@@ -144,14 +144,14 @@ class Page {
     }
     this.view.setSurface(surface);
     this.missing.show(missing);
-    if (isEnd) return this.showStream(stream);
+    if (isEnd) return this.reportStream(stream);
     const lost = stream.lostPackets > 0 ? `, ${counted(stream.lostPackets, 'packet')} lost` : '';
     by('stream-text').textContent = `Arriving: ${whole(stream.bytes)} bytes${lost}.`;
     this.showCounts(stream.polygons, 0);
   }
 
   /** @param {any} stream at its end */
-  showStream(stream) {
+  reportStream(stream) {
     const missing = [
       counted(stream.lostPackets, 'packet'),
       stream.holdsSlices ? counted(stream.lostPieces, 'row')

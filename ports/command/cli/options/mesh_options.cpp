@@ -29,7 +29,7 @@ CLI::Option* add_output_option(CLI::App& app, std::string& output,
                                const std::string& standard_output) {
   return app
       .add_option("-o,--output", output,
-                  "the file to write, of the format that its extension names: " + extensions() +
+                  "the file to write; its extension chooses the format: " + extensions() +
                       "; - is " + standard_output)
       ->check(mesh_format());
 }

@@ -62,7 +62,7 @@ std::string difference(const PictureHeader& first, const PictureHeader& other) {
     return std::to_string(other.channels) + " channels instead of " +
            std::to_string(first.channels);
   if (other.palette != first.palette) return "another palette";
-  if (other.is_inverted != first.is_inverted) return "black and white are exchanged";
+  if (other.is_inverted != first.is_inverted) return "black and white exchanged";
   if (other.runs_backwards != first.runs_backwards) return "rows in another direction";
   return {};
 }
@@ -86,8 +86,7 @@ class Alike {
                 "give slices of one size and type");
     const std::string what = difference(first, header);
     if (!what.empty())
-      fail_page(page, "it differs from " + first_file() + ": " + what,
-                "store the slices in one way");
+      fail_page(page, what + ", unlike " + first_file(), "store the slices in one way");
     if (have_other_pixels(first, header) && !options_.spacing_mm)
       fail_page(page, "another resolution than " + first_file(),
                 "if its voxels have the same size, give --spacing X,Y,Z");
