@@ -25,12 +25,8 @@ std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selec
                                         const SurfaceReceivers& receivers) {
   std::vector<SurfaceRequest> requests;
   for (std::size_t i = 0; i < selections.size(); ++i)
-    requests.push_back({selections[i].selection,
-                        make_sink(*receivers[i]),
-                        {},
-                        nullptr,
-                        receivers[i]->builder(),
-                        receivers[i]->encoder()});
+    requests.push_back({selections[i].selection, make_sink(*receivers[i]), nullptr,
+                        receivers[i]->builder(), receivers[i]->encoder()});
   return requests;
 }
 

@@ -74,8 +74,6 @@ struct Extraction {
 struct SurfaceRequest {
   Selection selection;
   Sink sink;
-  /// Is offered regions before the sink gets their events, if it is there.
-  RegionReceiver regions{};
   /// Is given the samples, if there is one. Owner: the caller.
   CrossingFinder* crossings = nullptr;
   /// If the volume is extracted in parts, these get the regions that lie in one part, and the sink
@@ -84,6 +82,8 @@ struct SurfaceRequest {
   /// Owner: the caller.
   SurfaceBuilder* builder = nullptr;
   Encoder* encoder = nullptr;
+  /// Is offered regions before the sink gets their events, if it is there.
+  RegionReceiver regions{};
 };
 
 /// The header of a volume's stream.
