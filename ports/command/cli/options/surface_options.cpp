@@ -6,6 +6,34 @@
 
 namespace discmc::command {
 
+void add_labels_option(CLI::App& app, std::string& labels, const std::string& result) {
+  app.option_defaults()->group(surface_group);
+  CLI::Option* option =
+      app.add_option("--labels", labels,
+                     "a surface of every value but 0, or of each label in a list, by numbers or "
+                     "names: " +
+                         result)
+          ->check(CLI::Validator(
+              [](std::string& text) {
+                return text.empty() ? std::string("no label is given: give all, or a list")
+                                    : std::string();
+              },
+              ""))
+          ->option_text("all|N|NAME,...");
+  for (const char* other : {"--iso", "--range", "--label", "--memory", "--capacities"})
+    option->excludes(app.get_option(other));
+}
+
+void add_label_table_option(CLI::App& app, std::string& file) {
+  app.option_defaults()->group(surface_group);
+  app.add_option("--label-table", file,
+                 "the names of labels, which {name} stands for, and their colours (not in .stl): a "
+                 "table of 3D Slicer, FreeSurfer, ITK-SNAP or BIDS, or dataset.json of nnU-Net "
+                 "(default: what the file has, as a .seg.nrrd of 3D Slicer; else 21 colours by "
+                 "number)")
+      ->option_text("FILE");
+}
+
 void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
   add_selection_options(app, arguments.selections);
   add_named_option(
