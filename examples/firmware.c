@@ -4,7 +4,7 @@
 
 enum { SIZE = 48, THRESHOLD = 192 }; /* voxels per row, rows per slice, slices */
 
-/* All its RAM except the stack, 7.7 KiB: 640 slots send whole regions, 4 pieces. */
+/* RAM without the stack: 7.7 KiB. Fewer slots, from 4 on, make the stream longer. */
 static uint8_t encoder_memory[DISCMC_ENCODER_BYTES];
 static uint8_t extractor_memory[DISCMC_EXTRACTOR_BYTES(SIZE, SIZE, 640)];
 static discmc_encoder* encoder;

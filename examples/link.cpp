@@ -90,7 +90,7 @@ size_t radio_write(void*, const uint8_t* bytes, size_t count) {
   if (!radio_works) return 0;
   const size_t taken = count < 16 ? count : 16;
   for (Receiver& receiver : receivers)
-    if (!receiver.push(bytes, taken)) fputs("a receiver gives up\n", stderr);
+    if (!receiver.push(bytes, taken)) fputs("a receiver has stopped\n", stderr);
   return taken;
 }
 
@@ -102,7 +102,7 @@ constexpr discmc::Limits limits{size, size};
 // A slice has 30 bytes here, so a packet holds eight: a lost one costs hardly more than itself.
 constexpr discmc::KeySlices key_slices{8};
 
-// All its RAM except the stack: 3 KiB.
+// RAM without the stack: 3 KiB.
 discmc::SliceEncoder encoder;
 uint8_t memory[discmc::slice_encoder_bytes(limits, key_slices, surfaces)];
 

@@ -104,7 +104,7 @@ int parsed_configuration(std::string_view text) {
 // Standard output may be a full disk: report it.
 int finished_writing() {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return 0;
-  std::fprintf(stderr, "print_facets: the output could not be written; is there room for it?\n");
+  std::fprintf(stderr, "print_facets: the output cannot be written; is the disk full?\n");
   return exit_failure;
 }
 

@@ -1,5 +1,5 @@
 // The part of FreeRTOS that rtos_task.cpp uses, for a computer: types and constants. The functions
-// are in queue.h and task.h, and do what FreeRTOS's manual says they do, with threads (host.cpp).
+// are in queue.h and task.h, and work as in FreeRTOS's manual, with threads (host.cpp).
 #ifndef DISCMC_RTOS_FREERTOS_H
 #define DISCMC_RTOS_FREERTOS_H
 

@@ -24,9 +24,7 @@ static_assert(INT_MAX >= 0x7FFFFFFF,
 #endif
 #endif
 // Vectors are for hosts: firmware is compiled freestanding.
-#if __STDC_HOSTED__ && defined(__AVX2__)
-#define DISCMC_HAS_AVX2
-#elif __STDC_HOSTED__ && defined(__SSE2__)
+#if __STDC_HOSTED__ && defined(__SSE2__)
 #define DISCMC_HAS_SSE2
 #elif __STDC_HOSTED__ && defined(__AARCH64EL__) && defined(__ARM_NEON)
 #define DISCMC_HAS_NEON
@@ -107,12 +105,12 @@ inline void store_release(uint32_t& word, uint32_t value) {
   __atomic_store_n(&word, value, __ATOMIC_RELEASE);
 }
 #else
-// Clang would call a function for these on a Cortex-M0, which other compilers do not have.
+// On a Cortex-M0 Clang would call a function for these, which other compilers do not have.
 inline void keep_order() {
 #if defined(DISCMC_HAS_GNU)
   __asm__ volatile("dmb" ::: "memory");
 #else
-  void (*volatile unknown)() = [] {};  // may read and write all memory, for all that is known
+  void (*volatile unknown)() = [] {};  // for the compiler, it may read and write all memory
   unknown();
 #endif
 }
@@ -153,7 +151,7 @@ constexpr uint32_t trailing_zeros_by_table(uint32_t bits) {
   return bit_places.of[(bits & (0 - bits)) * derive::de_bruijn >> 27];
 }
 
-/// Zeros below the lowest bit that is set. Limit: bits != 0.
+/// The number of zeros below the lowest 1. Limit: bits != 0.
 inline uint32_t trailing_zeros(uint32_t bits) {
 #if !defined(DISCMC_HAS_GNU) || (defined(__arm__) && !defined(__ARM_FEATURE_CLZ)) || \
     (defined(__riscv) && !defined(__riscv_zbb))
@@ -163,7 +161,7 @@ inline uint32_t trailing_zeros(uint32_t bits) {
 #endif
 }
 
-/// Bits up to the highest one that is set, 0 to 64.
+/// The number of bits up to the highest 1, 0 to 64.
 inline uint32_t bit_width(uint64_t bits) {
 #if defined(DISCMC_HAS_GNU)
   return bits == 0 ? 0 : 64 - static_cast<uint32_t>(__builtin_clzll(bits));
@@ -198,7 +196,7 @@ constexpr bool has_lane_selection = false;
 template <uint32_t lane_bits>
 uint32_t select_lanes(uint32_t a, uint32_t b, uint32_t yes, uint32_t no) {
 #if defined(DISCMC_HAS_LANE_SELECTION)
-  // The subtraction leaves a flag a lane, by which bytes are selected.
+  // The subtraction sets a flag per lane, which selects the bytes.
   uint32_t lanes;
   __asm__("usub%c5 %0, %1, %2\n\tsel %0, %3, %4"
           : "=&r"(lanes)

@@ -142,8 +142,8 @@ enum { DISCMC_MAX_RECORD_BYTES = 200, DISCMC_FIRST_STANDARD_KIND = 240 };
  *   region   = REGION { RING { RUN } } REGION_END       the outer ring first, then the holes
  *   fragment = FRAGMENT { RUN } FRAGMENT_END
  *
- * A region is a merged polygon. A fragment is a loose piece of a region, which left early for lack
- * of memory or at the seam of a slab. Put a joiner before a sink that needs whole regions. */
+ * A region is a merged polygon. A fragment is a loose piece of a ring, which was sent early for
+ * lack of memory, or at the seam of a slab. Put a joiner before a sink that needs whole regions. */
 enum {
   DISCMC_START,  /* of.header; from an extractor without depth, scan and channel */
   DISCMC_REGION, /* incidence */
@@ -188,7 +188,7 @@ typedef struct discmc_stream_header {
 /* One event. Only the members that its kind names are valid. */
 typedef struct discmc_event {
   uint8_t kind;
-  uint8_t incidence;          /* which way the polygon faces: discmc_incidence_normal() */
+  uint8_t incidence;          /* the normal of the polygon: discmc_incidence_normal() */
   uint8_t incoming_direction; /* of the link that leads to the start of a fragment */
   uint8_t hole;               /* the ring is a hole */
   uint8_t repeated;           /* the previous row replaces it, not voxels that are off */
@@ -208,7 +208,7 @@ typedef struct discmc_event {
  * be accepted at once. NOT_STARTED: a retry is of no use. */
 typedef uint8_t discmc_sink_result;
 enum { DISCMC_SINK_ACCEPTED, DISCMC_SINK_BUSY, DISCMC_SINK_NOT_STARTED };
-/* What accepts events: a function, and the object that it is called with. */
+/* A receiver of events: a function, and the object that it is called with. */
 typedef struct discmc_sink {
   void* context;
   discmc_sink_result (*take)(void* context, const discmc_event* event);
@@ -229,20 +229,20 @@ typedef struct discmc_extractor_kind discmc_extractor_kind;
 extern const discmc_extractor_kind discmc_plain_bits, discmc_plain_u8, discmc_plain_u16,
     discmc_plain_i16, discmc_normals_u8, discmc_normals_u16, discmc_normals_i16, discmc_host;
 
-/* What an extractor is started with. */
+/* The configuration of an extractor. */
 typedef struct discmc_extractor_config {
   const discmc_extractor_kind* kind;
   discmc_limits limits;
   /* The slices that one of several extractors scans; all zero: all of them. Push one more slice of
-   * context where the volume continues. A joiner in DISCMC_ANY_ORDER joins what they deliver. */
+   * context where the volume continues. A joiner in DISCMC_ANY_ORDER joins their events. */
   struct {
     uint32_t first; /* the number of its first own slice; 0 unless the volume continues below */
     uint8_t continues_below, continues_above;
   } slab;
   int32_t threshold;     /* a voxel is on if its sample is >= threshold */
   int32_t spacing_nm[3]; /* for normals: between voxels; all zero: they are cubes */
-  /* Each holds up to three corners of polygons under way, in 8 bytes (normals 14, hosts 16). Few
-   * make the stream longer; the surface is unchanged. 0: as many as the memory has room for. */
+  /* Each slot holds up to three corners of unfinished polygons, in 8 bytes (normals 14, hosts 16).
+   * Few slots make the stream longer; the surface is unchanged. 0: as many as fit. */
   uint32_t slots;
   discmc_memory memory;
   discmc_sink sink;
@@ -294,7 +294,7 @@ discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extracto
 typedef struct discmc_encoder_kind discmc_encoder_kind;
 extern const discmc_encoder_kind discmc_regions, discmc_regions_with_normals;
 
-/* What an encoder is started with. */
+/* The configuration of an encoder. */
 typedef struct discmc_encoder_config {
   const discmc_encoder_kind* kind;
   discmc_stream_label label; /* a spacing that the extractor has replaces the one here */
@@ -332,7 +332,7 @@ typedef struct discmc_slice_kind discmc_slice_kind;
 extern const discmc_slice_kind discmc_slices_bits, discmc_slices_u8, discmc_slices_u16,
     discmc_slices_i16;
 
-/* What a slice encoder is started with. */
+/* The configuration of a slice encoder. */
 typedef struct discmc_slice_encoder_config {
   const discmc_slice_kind* kind;
   discmc_limits limits;
@@ -381,7 +381,7 @@ typedef struct discmc_slice_encoder_info {
 discmc_slice_encoder_info discmc_slice_encoder_get_info(const discmc_slice_encoder* encoder);
 
 /* ---- receiver: bytes in, polygons out ---- */
-/* What a receiver is started with. */
+/* The configuration of a receiver. */
 typedef struct discmc_receiver_config {
   uint8_t channel;      /* of the surface; DISCMC_ANY_CHANNEL: of the first stream that comes */
   discmc_memory memory; /* for slices, more than the least makes whole regions of fragments */
@@ -408,7 +408,7 @@ DISCMC_CHECK discmc_status discmc_receiver_give_memory(discmc_receiver* receiver
 /* Ends the input. If suspended, call again. Errors: DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_status discmc_receiver_finish(discmc_receiver* receiver);
 
-/* What a receiver has received and missed so far. */
+/* The report of a receiver: received and missing data so far. */
 typedef struct discmc_receiver_info {
   discmc_stream_header header;
   uint8_t has_header, has_trailer, holds_slices, abandoned;
@@ -417,7 +417,7 @@ typedef struct discmc_receiver_info {
   uint8_t is_mixed;      /* packets of another scan of the same number were accepted */
   uint64_t bytes, packets, repeated_packets, damaged_packets;
   uint64_t foreign_packets;           /* of other scans and channels; in no other count */
-  uint64_t lost_packets, lost_pieces; /* known when the next packet comes; pieces: of polygons */
+  uint64_t lost_packets, lost_pieces; /* grow with the next packet; pieces: of polygons */
   uint64_t regions, fragments;        /* of a stream of polygons */
   uint64_t rows, lost_rows;           /* of a stream of slices */
   uint64_t total_rows;                /* from here on: according to the trailer */
@@ -427,7 +427,7 @@ typedef struct discmc_receiver_info {
 discmc_receiver_info discmc_receiver_get_info(const discmc_receiver* receiver);
 
 /* ---- joiner: fragments in, regions out ---- */
-/* What a joiner is started with. */
+/* The configuration of a joiner. */
 typedef struct discmc_joiner_config {
   uint8_t order;        /* DISCMC_SWEEP_ORDER: the events of one extractor or receiver */
   discmc_memory memory; /* DISCMC_JOINER_BYTES(fragments that wait at once) */
@@ -444,7 +444,7 @@ discmc_sink_result discmc_joiner_take(void* joiner, const discmc_event* event);
  * DISCMC_TOO_LITTLE_MEMORY (the sink received fragments that a larger joiner can join). */
 DISCMC_CHECK discmc_status discmc_joiner_finish(discmc_joiner* joiner);
 
-/* What a joiner has joined so far. */
+/* The report of a joiner so far. */
 typedef struct discmc_joiner_info {
   uint64_t received, invalid;         /* fragments, and invalid ones, which are dropped */
   uint64_t regions, rings;            /* delivered, joined from fragments */
@@ -476,7 +476,7 @@ typedef struct discmc_store_config {
 DISCMC_CHECK discmc_status discmc_store_start(discmc_store** store,
                                               const discmc_store_config* config);
 
-/* The newest checkpoint of a store, and what a checkpoint costs. */
+/* The newest checkpoint of a store, and the costs of a checkpoint. */
 typedef struct discmc_store_info {
   uint8_t has_checkpoint;
   uint32_t bytes, sequence; /* its length; its number, one more than that of the previous one */
@@ -522,9 +522,9 @@ uint32_t discmc_row_ring_drop(discmc_row_ring* ring, uint32_t rows);
 /* Interrupt: no row follows. */
 void discmc_row_ring_end(discmc_row_ring* ring);
 
-/* Task: what comes next. */
+/* Task: the next row, or the end. */
 enum { DISCMC_ROW_NONE /* yet */, DISCMC_ROW_READY, DISCMC_ROW_LOST, DISCMC_ROW_END };
-/* What peek() returns: a row, or why there is none. */
+/* The result of peek(): a row, or the reason why there is none. */
 typedef struct discmc_row {
   uint8_t kind;
   void* samples;   /* may be changed in place; Owner: the ring, until pop */

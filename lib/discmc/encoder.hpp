@@ -35,6 +35,11 @@ class Encoder {
   /// bytes.
   SinkResult take(const Event& event);
 
+  /// Encodes a region in one call, to the same bytes as its events. For hosts: see
+  /// HostExtractor::give_regions_to(). Returns SinkResult::busy if the encoder needs the events
+  /// instead: the output is busy, the region does not fit, or the stream has normals.
+  SinkResult take_region(const WholeRegion& region);
+
   /// Sends an application record now, in the order of the stream. Set its slice and row to
   /// extractor.slices() and rows(). Status::suspended: the output is busy, or a region is in
   /// progress; call resume() of the extractor, then call this again. Errors: not_started, finished,

@@ -125,8 +125,8 @@ class BasicExtractor {
   HighWater high_water() const {
     return {sweep_.fragments().slots().high_water(), sweep_.delivery().holes().high_water()};
   }
-  /// The number of bytes at the beginning of the caller's memory that the scan has used so far.
-  /// Nothing behind them was written.
+  /// The number of bytes at the beginning of the caller's memory that the scan has used so far. No
+  /// later byte was written.
   size_t bytes_used() const;
   /// The number of complete slices so far, and of complete rows of the current slice.
   uint32_t slices() const { return intake_.slices(bits_); }

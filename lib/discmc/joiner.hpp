@@ -39,7 +39,7 @@ enum class InputOrder : uint8_t {
   any,
 };
 
-/// What the joiner does with fragments that it cannot join, for lack of a partner or of memory.
+/// The fate of fragments that the joiner cannot join, for lack of a partner or of memory.
 enum class Unjoined : uint8_t {
   passed_on,  ///< to the sink, as loose fragments
   left_out,   ///< dropped, with the regions or holes that they belong to

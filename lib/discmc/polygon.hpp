@@ -1,9 +1,9 @@
 // From chains to polygons: vertices, simple rings, corners.
 //
-// A sweep ring may touch itself in a vertex. The function split_ring() splits a ring at every
-// repeated vertex into simple rings, as polygon libraries expect. The set of simple rings is
-// unique. It drops rings of two links, the slits that cuts leave behind. All functions work in the
-// caller's memory.
+// A ring of a region may touch itself in a vertex. split_ring() splits a ring at every repeated
+// vertex into simple rings, as polygon libraries expect. The set of simple rings is unique. Rings
+// of two links, which are slits without area, are dropped. All functions work in the caller's
+// memory.
 #ifndef DISCMC_POLYGON_HPP
 #define DISCMC_POLYGON_HPP
 

@@ -17,8 +17,8 @@ struct RecordsPacket {
   const uint8_t* payload;  ///< Owner: the sender
   size_t bytes;
   uint32_t pieces;  ///< regions and loose fragments that end in it
-  /// Whether it contains only whole regions, and no loose fragment of any stream belongs to one of
-  /// them.
+  /// Whether the packet contains only whole regions, to none of which a loose fragment of any
+  /// stream belongs.
   bool is_whole;
 };
 

@@ -183,6 +183,31 @@ Sink make_sink(Receiver& receiver) {
           }};
 }
 
+// ---- Regions in one call.
+
+/// A region of one ring, with all runs of the ring. Most regions have one ring.
+struct WholeRegion {
+  Incidence incidence;
+  Vertex start;     ///< Units: half-steps
+  const Run* runs;  ///< Owner: the sender; valid during the call
+  uint32_t count;
+};
+
+/// A receiver beside a sink that may accept a region in one call: see
+/// HostExtractor::give_regions_to(). If it does not, the sink receives the region's events.
+struct RegionReceiver {
+  void* context = nullptr;
+  SinkResult (*take)(void* context, const WholeRegion& region) = nullptr;
+};
+
+/// Returns a receiver that calls `receiver.take_region(region)`. Owner: as make_sink().
+template <class Receiver>
+RegionReceiver make_region_receiver(Receiver& receiver) {
+  return {&receiver, [](void* context, const WholeRegion& region) {
+            return static_cast<Receiver*>(context)->take_region(region);
+          }};
+}
+
 }  // namespace discmc
 
 #endif

@@ -93,7 +93,7 @@ class SliceEncoder {
   /// sample to the next, in samples. Errors: not_started, finished, too_deep. Status::suspended:
   /// all samples up to the end of the row that caused it are accepted. Sample is uint8_t, uint16_t
   /// or int16_t. Cost: one comparison per sample, and per row one coding decision if its neighbours
-  /// predict it, otherwise about two and one per voxel of outline.
+  /// predict it, otherwise about two, plus one per voxel of outline.
   template <class Sample>
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");

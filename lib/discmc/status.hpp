@@ -47,37 +47,40 @@ constexpr const char* to_string(Status status) {
     case Status::ok:
       return "ok";
     case Status::suspended:
-      return "the sink or output is busy: call resume(), of a decoder push() the rest";
+      return "the sink or output is busy: call resume(), or push() the remaining bytes to a "
+             "decoder";
     case Status::bad_limits:
-      return "width and height must be 1 to 32766, and border and slab valid";
+      return "invalid limits: width and height must be 1 to 32766, and border and slab valid";
     case Status::bad_capacities:
-      return "a capacity is below its minimum or beyond the index type";
+      return "a capacity is below its minimum or beyond the index type: use the default capacities";
     case Status::too_little_memory:
-      return "the memory is too small: see minimum_bytes(), slice_encoder_bytes() or the like";
+      return "the memory is null or too small: size it with minimum_bytes() or "
+             "slice_encoder_bytes()";
     case Status::bad_sink:
-      return "the sink or output has no function, or was not started";
+      return "the sink or output has no function, or was not started: start the encoder first";
     case Status::not_started:
-      return "start() has not succeeded";
+      return "start() was not called or failed: check its status";
     case Status::slice_in_progress:
-      return "the current slice is not complete: push or skip its rows, or abandon()";
+      return "the current slice is incomplete: push or skip its rows, or call abandon()";
     case Status::finished:
-      return "the scan is finished: start() another, or reset() where there is that";
+      return "the scan has ended: start() another, or reset()";
     case Status::row_in_progress:
-      return "the current row is not complete";
+      return "the current row is incomplete: push the rest of it first";
     case Status::too_deep:
-      return "more slices than a z coordinate can count";
+      return "the scan has the maximum of 1073741823 slices: finish() it, and start another";
     case Status::wrong_version:
-      return "the stream's version is not known";
+      return "the stream has another format version: use a receiver of that version";
     case Status::bad_checkpoint:
-      return "the checkpoint is torn, damaged or of another build: take the one before";
+      return "the checkpoint is damaged or from another build: use the previous one";
     case Status::bad_label:
-      return "channels are 0 to 63, and a stream has at most 4 surfaces";
+      return "invalid label: channels are 0 to 63, and a stream has at most 4 surfaces";
     case Status::bad_record:
-      return "an application record holds at most 200 bytes, a packet of records 243";
+      return "the record is too long: use at most 200 bytes, or 243 in a packet of records";
     case Status::bad_device:
-      return "the flash has no read() or program(), or no room for two checkpoints";
+      return "the flash has no read() or program(), or no room for two checkpoints: check "
+             "store_plan()";
     case Status::device_error:
-      return "the flash failed: see its driver";
+      return "a function of the flash failed: check its driver";
   }
   return "unknown status";
 }

@@ -3,8 +3,7 @@
 set(DISCMC_BOARD "" CACHE STRING "The board to build firmware for: a folder with a board.cmake")
 file(GLOB discmc_board_dir ${CMAKE_CURRENT_LIST_DIR}/*/${DISCMC_BOARD}/board.cmake)
 if(NOT DISCMC_BOARD OR NOT discmc_board_dir)
-  message(FATAL_ERROR "no board '${DISCMC_BOARD}': -DDISCMC_BOARD= takes the name of a folder of "
-    "ports/boards/cortex_m or ports/boards/riscv")
+  message(FATAL_ERROR "no board '${DISCMC_BOARD}'; give -DDISCMC_BOARD= the name of a folder in ports/boards/cortex_m or ports/boards/riscv")
 endif()
 get_filename_component(discmc_board_dir ${discmc_board_dir} DIRECTORY)
 include(${discmc_board_dir}/board.cmake)

@@ -1,5 +1,5 @@
 // The four functions that a compiler may call on its own, for programs without a C library. They
-// are used even where nobody is seen to call them, or they would be gone when linking optimises.
+// are marked as used, or the optimising linker would drop them.
 #include <stddef.h>
 #include <stdint.h>
 

@@ -16,9 +16,7 @@ namespace discmc::command {
 namespace {
 
 int run(int argc, char** argv) {
-  CLI::App app{
-      "Surfaces of scanned volumes by Discretized Marching Cubes, merged while they stream",
-      "discmc"};
+  CLI::App app{"Extract surfaces of scanned volumes by Discretized Marching Cubes", "discmc"};
   app.require_subcommand(1);
   app.set_help_flag("-h,--help", "print this help");
   app.set_version_flag("--version", discmc::version(), "print the version");
@@ -42,13 +40,13 @@ int run(int argc, char** argv) {
 }  // namespace discmc::command
 
 int main(int argc, char** argv) {
-  // A file that grows beyond what is allowed is a failed write, which is told.
+  // A file beyond the size limit becomes a failed write, which is reported.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     return discmc::command::run(argc, argv);
   } catch (const std::bad_alloc&) {
-    std::cerr
-        << "discmc: the memory of this computer is not enough: take a smaller volume or stream\n";
+    std::cerr << "discmc: the memory of this computer is not enough; extract a part with --crop, "
+                 "or --shrink\n";
     return discmc::command::exit_failure;
   } catch (const std::exception& error) {
     std::cerr << "discmc: " << error.what() << '\n';

@@ -1,4 +1,4 @@
-// What has to succeed, or the command has failed.
+// Calls that must succeed; otherwise the command fails.
 #ifndef DISCMC_COMMAND_REQUIRE_HPP
 #define DISCMC_COMMAND_REQUIRE_HPP
 
@@ -13,7 +13,7 @@ inline void require(Status status) {
 }
 
 inline void require_written(std::ostream& out) {
-  if (!out.flush()) throw std::runtime_error("the table cannot be written: is the disk full?");
+  if (!out.flush()) throw std::runtime_error("the output cannot be written; is the disk full?");
 }
 
 }  // namespace discmc::command

@@ -20,7 +20,7 @@ async function script(name) {
   return outputFiles[0].text.replaceAll('</script', '<\\/script');
 }
 
-// Of ogl none is asked for.
+// ogl requires no licence text.
 const licences = ['dicom-parser', 'jpeg-lossless-decoder-js'].map((name) => {
   const text = readFileSync(new URL(`node_modules/${name}/LICENSE`, import.meta.url), 'utf8');
   return `With code of ${name}:\n\n${text.trim()}\n`;

@@ -75,7 +75,7 @@ TEST_CASE("who asks for no channel gets the first, and is told of the others") {
   CHECK(workshop.run("decode all.dmc --stream-channel 0 -o first.stl").error.empty());
   const auto none = workshop.run("decode all.dmc --stream-channel 2 -o none.stl");
   CHECK(none.code == 1);
-  CHECK(contains(none.error, "no such surface: it has scan 0 channel 0 (threshold 20), "));
+  CHECK(contains(none.error, "no such surface; choose one of scan 0 channel 0 (threshold 20), "));
 }
 
 TEST_CASE("streams of two scans on one link are told apart") {

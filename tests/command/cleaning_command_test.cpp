@@ -51,7 +51,7 @@ TEST_CASE("the largest bodies are kept, in meshes of volumes and of streams") {
     return result.error;
   };
   constexpr std::size_t of_box = 26, of_voxel = 8;
-  CHECK(contains(kept("--largest 2"), "2 of 3 bodies and cavities kept"));
+  CHECK(contains(kept("--largest 2"), "2 of 3 bodies and cavities are kept"));
   CHECK(lines(workshop.read("kept.jsonl")) == 2 * of_box);
   CHECK(contains(kept("--largest 1"), "1 of 3"));
   CHECK(kept("--largest 9").empty());
@@ -91,11 +91,12 @@ TEST_CASE("counts and volumes that are none are refused with what is wanted") {
   const Workshop workshop;
   for (const std::string none : {"0", "2.5", "abc", "-1"})
     command_tests::check_failure(workshop.run("extract v.nrrd --iso 1 -o v.stl --largest=" + none),
-                                 2, {"'" + none + "' is no whole number from 1 on"});
+                                 2,
+                                 {"invalid value '" + none + "'; expected a whole number from 1"});
   for (const std::string none : {"100mm", "-1", "inf"})
     command_tests::check_failure(
         workshop.run("extract v.nrrd --iso 1 -o v.stl --min-volume=" + none), 2,
-        {"'" + none + "' is no number of cubic millimetres"});
+        {"invalid value '" + none + "'; expected cubic millimetres"});
 }
 
 TEST_CASE("a picture shows the bodies that are kept, of a volume as of its stream") {

@@ -122,7 +122,7 @@ TEST_CASE(
   check_told(
       stl.error,
       {"far.stl: coordinates are rounded to 0.5 mm, as .stl files hold 32-bit floats",
-       std::to_string(vertices.size()) + " vertices are in " + std::to_string(places) + " places",
+       std::to_string(vertices.size()) + " vertices share " + std::to_string(places) + " places",
        ".ply, .obj, .3mf or .vtp", "--space voxel"});
   CHECK(contains(stl.out, "closed                                no"));
   workshop.done("extract far.nrrd --iso 100 -q -o far.dmc");
@@ -145,8 +145,8 @@ TEST_CASE("outputs that cannot be written are refused before the volume is read"
        {"-o none/v.stl", "-o none/v.dmc", "--iso 2 -o 'none/v{name}.stl'", "--iso 2 -o none/v.glb"})
     check_failure(workshop.run(cut + output), 1, {"none: there is no such folder; make it first"});
   for (const std::string output : {"-o file/v.stl", "--iso 2 -o 'file/v{name}.stl'"})
-    check_failure(workshop.run(cut + output), 1, {"file: is not a folder"});
-  check_failure(workshop.run(cut + "-o folder.stl"), 1, {"folder.stl: is a folder"});
+    check_failure(workshop.run(cut + output), 1, {"file: this is not a folder"});
+  check_failure(workshop.run(cut + "-o folder.stl"), 1, {"folder.stl: this is a folder"});
   check_failure(workshop.run("extract cut.nrrd --labels all -o none/v.glb"), 1, {"no such folder"});
   check_failure(workshop.run("render cut.nrrd --iso 1 -o none/v.png"), 1, {"no such folder"});
   CHECK(workshop.names() == std::vector<std::string>{"cut.nrrd", "file", "folder.stl"});
@@ -338,7 +338,7 @@ TEST_CASE("a table that cannot be written is a failure, and the stream is there"
   workshop.write("v.nrrd", small_ball());
   if (workshop.shell("test -c /dev/full").code != 0) return;
   const Result result = workshop.shell("\"$discmc\" extract v.nrrd --iso 100 -o v.dmc >/dev/full");
-  check_failure(result, 1, {"the table cannot be written"});
+  check_failure(result, 1, {"the output cannot be written"});
   CHECK(workshop.run("info v.dmc").code == 0);
 }
 
@@ -352,7 +352,7 @@ TEST_CASE("little memory costs bytes of the stream and never a polygon") {
   for (const std::string options :
        {"--memory 1500", "--memory 2K", "--capacities 20,0", "--capacities 100,9"}) {
     const std::string table = workshop.done("extract v.nrrd --iso 100 " + options + " -o v.dmc");
-    CHECK(contains(table, "memory ran short of slots"));
+    CHECK(contains(table, "the arena lacked slots"));
     workshop.done("decode v.dmc -o v.stl");
     const Mesh mesh = mesh_of_stl(workshop.read("v.stl"));
     CHECK(check_mesh(mesh).closed());
@@ -370,7 +370,7 @@ TEST_CASE("little memory costs bytes of the stream and never a polygon") {
   }
   for (const std::string memory : {"64KiB", "1MB"})
     CHECK(!contains(workshop.done("extract v.nrrd --iso 100 --memory " + memory + " -o v.dmc"),
-                    "ran short"));
+                    "lacked"));
   check_failure(workshop.run("extract v.nrrd --iso 100 --memory 100 -o no.dmc"), 1,
                 {"--memory 100 ", "at least "});
 }
@@ -442,11 +442,11 @@ TEST_CASE("wrong values are told with what is expected") {
   const Workshop workshop;
   for (const char* memory : {"some", "3Q", "-5", "1.5M", ""})
     check_failure(workshop.run("extract v.nrrd --iso 1 --memory '" + std::string(memory) + "'"), 2,
-                  {"'" + std::string(memory) + "' is no count of bytes", "as in 24K"});
+                  {"invalid number of bytes '" + std::string(memory) + "'", "as in 24K"});
   check_failure(workshop.run("extract v.nrrd --iso 1 --memory 3K --memory 4K"), 2,
                 {"--memory is given more than once"});
   check_failure(workshop.run("extract v.raw --iso 1 --type u8 --dims 3,4"), 2,
-                {"give --dims X,Y,Z"});
+                {"--dims: invalid value '3,4'; expected X,Y,Z"});
 }
 
 TEST_CASE("a volume that cannot be read is told by its name, and nothing is written") {
@@ -463,7 +463,7 @@ TEST_CASE("a volume that cannot be read is told by its name, and nothing is writ
   check_failure(workshop.run("extract . --iso 1 -o v.dmc"), 1, {".: "});
   check_failure(workshop.run("extract empty.nrrd --iso 1 -o v.dmc"), 1, {"empty.nrrd"});
   check_failure(workshop.run("extract block.nrrd --iso 1 -o v.dmc"), 1,
-                {"block.nrrd", "'block'", "one number a voxel"});
+                {"block.nrrd", "'block'", "one number per voxel"});
   for (const std::string& format : all_formats)
     check_failure(workshop.run("extract cut.nrrd --iso 513 -o v." + format), 1,
                   {"cut.nrrd: slice 10 ", "1 bytes of it are missing"});
@@ -481,7 +481,7 @@ TEST_CASE("samples that are not a number are off, and told") {
                  volume_files::nrrd("type: float\nencoding: raw\nendian: little\n\n") + samples);
   const Result result = workshop.run("extract v.nrrd --iso 7 -o v.dmc");
   CHECK(result.code == 0);
-  CHECK(contains(result.error, "v.nrrd: 1 samples are not a number (NaN), and taken as off"));
+  CHECK(contains(result.error, "v.nrrd: 1 samples are not a number (NaN) and count as off"));
   workshop.done("extract v.nrrd --iso 7.25 --allow-empty -o none.dmc");
   CHECK(contains(workshop.done("info v.dmc"), "regions 8\n"));
   CHECK(contains(workshop.done("info none.dmc"), "regions 0\n"));
@@ -519,9 +519,10 @@ TEST_CASE("gradient normals are made of samples of every type, in streams and in
 TEST_CASE("a wrong word is answered with those that are known") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());
-  check_failure(workshop.run("extract v.nrrd --iso 1 --border ajar"), 2, {"ajar", "closed,open"});
+  check_failure(workshop.run("extract v.nrrd --iso 1 --border ajar"), 2,
+                {"invalid value 'ajar'", "expected closed|open"});
   check_failure(workshop.run("extract v.nrrd --iso 1 --dims 1,1,1 --type f16"), 2,
-                {"f16", "u8,i8,u16,i16,u32,i32,u64,i64,f32,f64"});
+                {"invalid value 'f16'", "expected u8|i8|u16|i16|u32|i32|u64|i64|f32|f64"});
 }
 
 TEST_CASE("a spacing that a stream cannot hold is refused") {

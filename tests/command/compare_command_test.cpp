@@ -104,7 +104,7 @@ TEST_CASE("what cannot be compared is refused by its name") {
   check_failure(workshop.run("compare v.dmc v.nrrd --iso 300"), 1, {"v.nrrd", "no voxel"});
   check_failure(workshop.run("compare v.dmc broken.obj"), 1, {"broken.obj"});
   check_failure(workshop.run("compare v.dmc empty.stl"), 1, {"empty.stl"});
-  check_failure(workshop.run("compare v.dmc none.ply"), 1, {"none.ply"});
+  check_failure(workshop.run("compare v.dmc none.ply"), 1, {"none.ply: there is no such file"});
   check_failure(workshop.run("compare v.dmc"), 2, {"B"});
 }
 
@@ -117,7 +117,8 @@ TEST_CASE("a mesh that has no distance, or is not read, is refused before anythi
   for (const std::string inputs : {"square.obj line.obj", "line.obj square.obj"})
     check_failure(workshop.run("compare " + inputs), 1,
                   {"line.obj: no triangle has an area", "give the mesh"});
-  check_failure(workshop.run("compare v.vtp square.obj"), 1, {"v.vtp", "write it as .ply or .stl"});
+  check_failure(workshop.run("compare v.vtp square.obj"), 1,
+                {"v.vtp", "export it as .ply or .stl"});
   for (const std::string command : {"info v.vtp", "render v.vtp -o v.png", "decode v.vtp -o v.stl"})
     check_failure(workshop.run(command), 1, {"v.vtp: this is a mesh", ".stl, .ply"});
 }

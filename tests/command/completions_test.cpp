@@ -100,5 +100,5 @@ TEST_CASE("no text of the command line is taken for a part of a script") {
 TEST_CASE("completions of another shell are refused") {
   const Result result = Workshop().run("completions csh");
   CHECK(result.code == 2);
-  CHECK(contains(result.error, "csh not in {bash,zsh,fish}"));
+  CHECK(contains(result.error, "invalid value 'csh'; expected bash|zsh|fish"));
 }

@@ -94,11 +94,11 @@ TEST_CASE("several files that do not hold the volume are refused") {
   check("a%02d.raw 1 8 1", "a02.raw: there is no such file");
   check("a%02d.raw 1 7 1", "7 data files share 120 bytes");
   check("a%02d.raw 1 4 1", "a02.raw: there is no such file");
-  check("a%02d.raw 1 4 0", "whose range holds no number");
-  check("a%02d.raw 4 1 1", "whose range holds no number");
-  check("a%02d.raw 1 9223372036854775807 1", "whose range holds no number");
-  check("a%s.raw 1 4 1", "no pattern with a range");
-  check("a%02d%d.raw 1 4 1", "no pattern with a range");
+  check("a%02d.raw 1 4 0", "whose range is empty");
+  check("a%02d.raw 4 1 1", "whose range is empty");
+  check("a%02d.raw 1 9223372036854775807 1", "whose range is empty");
+  check("a%s.raw 1 4 1", "not a pattern with a range");
+  check("a%02d%d.raw 1 4 1", "not a pattern with a range");
   check("LIST\nshort\nshort\nshort\nshort", "7 bytes of 30 are missing");
   check("LIST\na\001.raw", "control characters");
 }
@@ -112,7 +112,7 @@ TEST_CASE("data files that are longer than their share are refused unless a head
   const auto nrrd_of = [&](const std::string& lines) {
     return folder.write("v.nhdr", nrrd(nrrd_i16 + lines));
   };
-  const std::string more = "there is more than its share of 30 bytes";
+  const std::string more = "the data file is longer than its share of 30 bytes";
   CHECK_THROWS_WITH(read_all(*open_volume(nrrd_of("raw\ndata file: a%d 0 3 1\n"))),
                     doctest::Contains(more.c_str()));
   CHECK_THROWS_WITH(read_all(*open_volume(nrrd_of("gzip\ndata file: b%d 0 3 1\n"))),
@@ -123,5 +123,6 @@ TEST_CASE("data files that are longer than their share are refused unless a head
                "NRRD, gzip, detached");
   write_slices(folder);
   const auto skipping = nrrd_of("raw\nbyte skip: 6\ndata file: a%02d.raw 7 1 -2\n");
-  CHECK(noted(open_volume(skipping)->info(), "6 bytes behind the samples of a data file left out"));
+  CHECK(noted(open_volume(skipping)->info(),
+              "6 bytes after the samples of a data file are left out"));
 }

@@ -27,7 +27,7 @@ TEST_CASE("frames of one position lie one behind the other, and a note says so")
   const Folder folder;
   const auto reader = open_volume(folder.write("v.dcm", cone_beam().file()));
   check_places(reader->info(), {-10, -20, 100}, along_axes);
-  CHECK(noted(reader->info(), "one position for all frames, taken as slices 2.5 mm apart"));
+  CHECK(noted(reader->info(), "one position for all frames, read as slices 2.5 mm apart"));
   CHECK(noted(reader->info(), "by SliceThickness"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
@@ -45,7 +45,7 @@ TEST_CASE("frames without any distance are 1 mm apart, and a note says so") {
   const auto file = folder.write("v.dcm", cone_beam().drop(0x00180050).file());
   const auto reader = open_volume(file);
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 1});
-  CHECK(noted(reader->info(), "neither SpacingBetweenSlices nor SliceThickness"));
+  CHECK(noted(reader->info(), "SpacingBetweenSlices and SliceThickness are missing"));
   VolumeOptions options;
   options.spacing_mm = Spacing{1, 1, 3};
   CHECK(open_volume(file, options)->info().spacing_mm == Spacing{1, 1, 3});
@@ -56,7 +56,7 @@ TEST_CASE("frames that have times are taken as slices with a note") {
   Dataset data = cone_beam();
   data.tags(0x00280009, 0x00181063).text(0x00181063, "DS", "33");
   CHECK(noted(open_volume(folder.write("v.dcm", data.file()))->info(),
-              "the frames have times (FrameTime), taken as slices"));
+              "the frames have times (FrameTime), and are read as slices"));
 }
 
 TEST_CASE("frames that are not counted are left out with a note, and no count is one") {
@@ -80,7 +80,7 @@ TEST_CASE("a slope of 0 is none, with a note") {
   const VolumeInfo info = open_volume(folder.write("v.dcm", data.file()))->info();
   CHECK(info.slope == 1);
   CHECK(info.intercept == 0);
-  CHECK(noted(info, "RescaleSlope is 0, taken as none"));
+  CHECK(noted(info, "RescaleSlope is 0 and is ignored"));
 }
 
 TEST_CASE("pixels that no decoder here reads are refused by the name of their packing") {
@@ -386,10 +386,10 @@ TEST_CASE("a mosaic whose header does not tell how it lies is refused by its nam
   CsaElements many = csa_elements("1.0");
   many[1].second = {"50"};
   check_refusal(refusal(folder.write("v.dcm", mosaic(csa_header(many, true)).file())),
-                "mosaic of 50 slices that cannot be in 24 x 18 voxels");
+                "mosaic of 50 slices that do not fit in 24 x 18 voxels");
   CsaElements aside = csa_elements("0.0");
   check_refusal(refusal(folder.write("v.dcm", mosaic(csa_header(aside, true)).file())),
-                "whose SliceNormalVector is none");
+                "whose SliceNormalVector is not a normal");
   for (std::size_t size = 0; size <= whole.rfind("1.0"); size += 7) {
     INFO("cut at ", size);
     check_refusal(refusal(folder.write("v.dcm", mosaic(whole.substr(0, size)).file())),

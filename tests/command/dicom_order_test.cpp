@@ -60,7 +60,7 @@ TEST_CASE("positions that are rounded to tenths have one step within the roundin
       }
       const auto reader = open_volume(folder.path());
       const VolumeInfo& info = reader->info();
-      CHECK(noted(info, "the positions are rounded, slices taken 0.62"));
+      CHECK(noted(info, "the positions are rounded, slices assumed to be 0.62"));
       const double found = std::fabs(info.spacing_mm[2]);
       CHECK(found == doctest::Approx(step).epsilon(is_told ? 1e-12 : 0.01));
       for (int z = 0; z < 16; ++z)
@@ -122,9 +122,10 @@ std::string folder_of_growing(const Folder& folder, int count) {
 
 TEST_CASE("slices that are off even distances are told, and refused from a quarter of a step on") {
   const Folder few, some, many;
-  CHECK(!noted(open_volume(folder_of_growing(few, 4))->info(), "from where even distances"));
+  CHECK(
+      !noted(open_volume(folder_of_growing(few, 4))->info(), "from their place at even distances"));
   CHECK(noted(open_volume(folder_of_growing(some, 40))->info(), "slices lie up to 0.4"));
-  check_refusal(refusal(folder_of_growing(many, 60)), "mm everywhere some would be 0.7");
+  check_refusal(refusal(folder_of_growing(many, 60)), "mm everywhere, slices would be 0.7");
 }
 
 TEST_CASE("a tilted gantry shears the volume as its slices lie, and a note says so") {
@@ -136,7 +137,7 @@ TEST_CASE("a tilted gantry shears the volume as its slices lie, and a note says 
   const VolumeInfo& info = reader->info();
   check_places(info, {-10, -20, 100},
                {{{0.5, 0, 0}, {0, 0.75 * std::cos(tilt), -0.75 * std::sin(tilt)}, {0, 0, 2.5}}});
-  CHECK(noted(info, "as by a gantry tilted by 15 degrees; the volume is sheared as they lie"));
+  CHECK(noted(info, "as by a gantry tilted by 15 degrees; the volume is sheared accordingly"));
   CHECK(std::fabs(info.spacing_mm[2]) == 2.5);
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
@@ -190,7 +191,7 @@ TEST_CASE("slices that lie on no line are refused") {
     if (z == 2) place[0] += 0.4;
     put_at(data, place);
   });
-  check_refusal(refusal(slices.path()), "IM4 is shifted aside by 0.4 mm against the line");
+  check_refusal(refusal(slices.path()), "IM4 is shifted sideways by 0.4 mm against the line");
 }
 
 TEST_CASE("slices that are a little aside are straight") {
@@ -212,7 +213,7 @@ TEST_CASE("a comma in decimals is a point, and a note says so") {
   });
   const auto reader = open_volume(slices.path());
   check_places(reader->info(), {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
-  CHECK(noted(reader->info(), "decimal commas, taken as points"));
+  CHECK(noted(reader->info(), "decimal commas are read as points"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
@@ -221,7 +222,7 @@ TEST_CASE("what is no number is refused by the name of its element") {
   Dataset data = slice(0);
   const auto file = folder.write("v.dcm", data.text(0x00280030, "DS", "0.75;0.5").file());
   const std::string text = refusal(file);
-  check_refusal(text, "an image whose PixelSpacing is '0.75;0.5', which is no number");
+  check_refusal(text, "an image whose PixelSpacing is '0.75;0.5', which is not a number");
   check_refusal(text, "dcmodify -m PixelSpacing=VALUE FILE");
 }
 
@@ -234,7 +235,7 @@ TEST_CASE("a spacing that is missing is told by its name") {
       [](Dataset& data, int) { data.drop(0x00280030).text(0x00181164, "DS", "0.75\\0.5"); });
   const auto stand_in = open_volume(projected.path());
   CHECK(stand_in->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
-  CHECK(noted(stand_in->info(), "no PixelSpacing, ImagerPixelSpacing taken"));
+  CHECK(noted(stand_in->info(), "no PixelSpacing, ImagerPixelSpacing is used"));
 }
 
 // ---- as the user says ----
@@ -250,13 +251,13 @@ TEST_CASE("slices without positions are in the order of their numbers when that 
     data.drop(0x00200032).drop(0x00200037).text(0x00180050, "DS", "2.5");
   });
   const std::string text = refusal(slices.path());
-  check_refusal(text, "the 5 slices tell no position");
+  check_refusal(text, "the 5 slices have no position");
   check_refusal(text, "--order instance");
   const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
   CHECK(!reader->info().placement);
   CHECK(noted(reader->info(), "in the order of their InstanceNumber; "));
-  CHECK(noted(reader->info(), "which side is left, is not known"));
+  CHECK(noted(reader->info(), "which side is left, is unknown"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
@@ -293,7 +294,7 @@ TEST_CASE("slices without numbers or with the same are refused, and put in order
   check_refusal(missing, "--order name");
   const Slices equal([](Dataset& data, int) { data.drop(0x00200032).text(0x00200013, "IS", "1"); });
   check_refusal(refusal(equal.path(), ordered(SliceOrder::instance)),
-                "two slices have one InstanceNumber: instance 1 (");
+                "two slices have the same InstanceNumber: instance 1 (");
   const Folder named;
   for (int z = 0; z < depth; ++z)
     named.write("IM" + std::to_string(9 + z), slice(z).drop(0x00200032).drop(0x00200013).file());
@@ -315,7 +316,7 @@ TEST_CASE("slices with a UID each are one volume when that is asked for") {
       [](Dataset& data, int z) { data.text(0x0020000e, "UI", "1.2.3.77." + std::to_string(z)); });
   const std::string text = refusal(slices.path());
   check_refusal(text, "several volumes:");
-  check_refusal(text, "--merge-series takes them as slices of one volume");
+  check_refusal(text, "--merge-series reads them as slices of one volume");
   VolumeOptions options;
   options.merges_series = true;
   CHECK(read_all(*open_volume(slices.path(), options)) == as_read(volume_values()));
@@ -363,7 +364,7 @@ TEST_CASE("a DICOMDIR is its folder") {
   const auto reader = open_volume(slices.path());
   CHECK(reader->info().notes.empty());
   const Folder alone;
-  check_refusal(refusal(alone.write("DICOMDIR", bytes)), "the DICOMDIR has no image beside it");
+  check_refusal(refusal(alone.write("DICOMDIR", bytes)), "there is no image beside the DICOMDIR");
 }
 
 TEST_CASE("slices that are packed one by one are read") {

@@ -195,7 +195,7 @@ TEST_CASE("fractions of at least a half are of a segment, and a note says so") {
   fractions[5] = 200;
   Dataset data = segmentation("FRACTIONAL", {segment(1, "Liver")}, {{1, 0, fractions}});
   const auto reader = open_volume(folder.write("v.dcm", data.whole(0x0062000e, {200}).file()));
-  CHECK(noted(reader->info(), "a voxel of at least a half is of a segment"));
+  CHECK(noted(reader->info(), "a voxel belongs to a segment from a half on"));
   CHECK(name_of(reader->info(), 1) == "Liver");
   Voxels expected(voxels_of_slice, 0);
   expected[4] = expected[5] = 1;
@@ -243,11 +243,11 @@ TEST_CASE("a segmentation that lies nowhere or not evenly is refused") {
   const Folder folder;
   Dataset unplaced = segmentation("BINARY", {segment(1, "Liver")}, {{1, 0, box(0, 1, 0, 1)}});
   check_refusal(refusal(folder.write("v.dcm", unplaced.drop(0x52009229).file())),
-                "a segmentation whose frames tell no position");
+                "a segmentation whose frames have no position");
   Dataset twice = segmentation("BINARY", {segment(1, "Liver")},
                                {{1, 0, box(0, 1, 0, 1)}, {1, 0, box(2, 3, 0, 1)}});
   check_refusal(refusal(folder.write("v.dcm", twice.file())),
-                "two frames of one place and segment");
+                "two frames have the same place and segment");
 }
 
 TEST_CASE("segmentations beside an image are volumes of their own") {

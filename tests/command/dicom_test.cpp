@@ -150,7 +150,8 @@ TEST_CASE("JPEG with losses is near what it was, of 8 bits and of 12") {
 }
 
 TEST_CASE("what is deflated as a whole is refused with the remedy") {
-  check_refusal(refusal(files / "deflated.dcm"), "deflated as a whole (dcmconv +te inflates it)");
+  check_refusal(refusal(files / "deflated.dcm"),
+                "deflated as a whole (inflate it with dcmconv +te)");
 }
 
 TEST_CASE("bits above those of a sample are none of its value") {
@@ -162,7 +163,7 @@ TEST_CASE("where slope and intercept differ between slices, the values are read"
   CHECK(reader->info().type == SampleType::f32);
   CHECK(reader->info().slope == 1);
   CHECK(reader->info().intercept == 0);
-  CHECK(noted(reader->info(), "differ from slice to slice"));
+  CHECK(noted(reader->info(), "differ between slices"));
   auto expected = values();
   const double slopes[] = {1, 0.25, 2, 0.5, 1};
   for (std::size_t i = 0; i < expected.size(); ++i)
@@ -198,7 +199,7 @@ TEST_CASE("with gaps allowed the nearest slice stands for one that is missing, a
   CHECK(read_all(*reader) == expected);
   // Far apart: not of slices that were lost, and without end to fill.
   series.put(4, replaced(slice(4), place(4), "1100000"));
-  check_refusal(refusal(series.path(), options), "too much to be filled");
+  check_refusal(refusal(series.path(), options), "too many to fill");
 }
 
 TEST_CASE("a frame stands for one that is missing, however it is compressed") {
@@ -242,7 +243,7 @@ TEST_CASE("a slice that is there twice counts once, and another in its place is 
   series.write("sent-again", replaced(replaced(slice(1), uid, "1.2.826.0.1.3680043.10.1.1.8"), uid,
                                       "1.2.826.0.1.3680043.10.1.1.8"));
   const auto reader = open_volume(series.path());
-  CHECK(noted(reader->info(), "2 slices that are there twice dropped"));
+  CHECK(noted(reader->info(), "2 slices that occur twice are dropped"));
   CHECK(read_all(*reader) == values());
   series.write("echo", replaced(replaced(slice(2), place(2), place(1)), "Head 2.5", "Echo two"));
   check_refusal(refusal(series.path()), "two slices at 102.5 mm differ: ");
@@ -308,7 +309,7 @@ TEST_CASE("pictures beside DICOM are left out, and a note tells") {
   const Series series;
   series.write("preview.png", "of the first slice");
   const auto reader = open_volume(series.path());
-  CHECK(noted(reader->info(), "left out: 1, such as 'preview.png'; to read them give a pattern"));
+  CHECK(noted(reader->info(), "left out: 1, such as 'preview.png'; to read them, give a pattern"));
   CHECK(read_all(*reader) == values());
 }
 
@@ -335,9 +336,9 @@ TEST_CASE("files that hold no image are skipped and counted") {
   series.write("notes.txt", "of a colleague");
   series.write("capture", contents(files / "colour.dcm"));
   const auto reader = open_volume(series.path());
-  CHECK(noted(reader->info(), "3 files without a volume's image skipped"));
+  CHECK(noted(reader->info(), "3 files without a volume's image are skipped"));
   CHECK(read_all(*reader) == values());
-  check_refusal(refusal(files / "report.dcm"), "this is a DICOM file without image");
+  check_refusal(refusal(files / "report.dcm"), "this is a DICOM file without an image");
   check_refusal(refusal(files / "colour.dcm"), "this is a colour image");
   check_refusal(refusal(series.path() / "reports"), "none of 2 DICOM files holds an image");
   const Folder empty;
@@ -410,7 +411,8 @@ TEST_CASE("sequences that are nested without end are refused") {
   const Folder folder;
   for (const bool has_lengths : {false, true}) {
     CHECK(open_volume(folder.write("v.dcm", nested(30, has_lengths)))->info().dims[0] == width);
-    check_refusal(refusal(folder.write("v.dcm", nested(20000, has_lengths))), "a damaged one");
+    check_refusal(refusal(folder.write("v.dcm", nested(20000, has_lengths))),
+                  "damaged, or deflated");
   }
 }
 

@@ -182,7 +182,7 @@ TEST_CASE("slices that have times of their own are told apart by their order") {
   VolumeOptions options;
   options.series = "2";
   CHECK(noted(open_volume(volumes.path(), options)->info(),
-              "told apart by their order alone: number 2 by trigger time"));
+              "distinguished only by their order: number 2 by trigger time"));
 }
 
 TEST_CASE("without anything else the instance numbers tell the order") {
@@ -209,7 +209,7 @@ TEST_CASE("an order tells nothing where places have not as many slices each") {
     data.text(instance_number, "IS", std::to_string(1 + number + 2 * z));
   });
   fs::remove(volumes.path() / ("IM" + std::to_string(7 * 2 % 11) + "0"));
-  check_refusal(refusal(volumes.path()), "nothing tells which are of one volume");
+  check_refusal(refusal(volumes.path()), "no attribute separates their volumes");
 }
 
 TEST_CASE("a volume of which a slice is missing is told apart, and refused alone") {
@@ -228,7 +228,7 @@ TEST_CASE("slices in one place that nothing tells apart are refused with both") 
   const Volumes volumes(2, [](Dataset& data, int, int) { data.drop(instance_number); });
   const std::string text = refusal(volumes.path());
   check_refusal(text, "two slices at 100 mm differ: ");
-  check_refusal(text, "nothing tells which are of one volume");
+  check_refusal(text, "no attribute separates their volumes");
   check_refusal(text, "give a pattern of the files of one volume");
   CHECK(read_all(*open_volume(volumes.path() / "IM*1")) == as_read(numbered_values(1)));
 }

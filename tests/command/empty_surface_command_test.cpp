@@ -20,7 +20,8 @@ const std::string ramp = [] {
          "\n" + samples;
 }();
 
-const std::string values = ": the values are -1000 to 4900; discmc info shows more";
+const std::string values =
+    ", and the values are -1000 to 4900; choose a threshold with discmc info";
 
 }  // namespace
 
@@ -37,14 +38,15 @@ TEST_CASE("an empty surface is a failure that tells the values, and leaves no fi
       {"--label 33", "no voxel has label 33"},
       {"--range 101..199.5", "no voxel is in 101..199.5"},
       {"--range=..-1001", "no voxel is in ..-1001"},
-      {"--iso=-1000 --border open", "every voxel reaches -1000, and an open border has no surface"},
+      {"--iso=-1000 --border open",
+       "every voxel reaches -1000, so a surface with an open border is empty"},
       {"--iso 4901 --median 3", "no voxel reaches 4901"},
       {"--label 100 --mask none.nrrd",
-       "no voxel that has label 100 is left by --mask, or there is none"},
+       "no voxel that has label 100 is left by --mask, or no voxel has that label"},
       {"--label 100 --median 3",
-       "no voxel that has label 100 is left by --median, or there is none"},
+       "no voxel that has label 100 is left by --median, or no voxel has that label"},
       {"--iso=-1000 --border open --median 3",
-       "after --median every voxel reaches -1000, and an open border has no surface"},
+       "after --median every voxel reaches -1000, so a surface with an open border is empty"},
   };
   for (const auto& [selection, reason] : examples)
     for (const std::string file : {"v.stl", "v.jsonl", "v.dmc", "other.stl"}) {
@@ -53,7 +55,7 @@ TEST_CASE("an empty surface is a failure that tells the values, and leaves no fi
       INFO(arguments, "\n", result.error);
       if (result.code == 2) continue;  // what does not go together
       const bool is_label = selection.find("--label") != std::string::npos;
-      const std::string more = is_label ? "; discmc info shows which labels there are" : values;
+      const std::string more = is_label ? "; list the labels with discmc info" : values;
       check_failure(result, 1, {"v.nrrd: " + reason + more, "--allow-empty"});
     }
   CHECK(workshop.names() == names);
@@ -75,7 +77,7 @@ TEST_CASE("a surface whose bodies are all too small is empty, too") {
   const std::string extract = "extract v.nrrd --iso 100 --min-volume 100 -o v.stl";
   const Result result = workshop.run(extract);
   CHECK(result.code == 1);
-  CHECK(contains(result.error, "no body is as large as --min-volume says"));
+  CHECK(contains(result.error, "no body is as large as --min-volume"));
   CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
   workshop.done(extract + " --allow-empty");
 }
@@ -97,8 +99,9 @@ TEST_CASE("an empty surface of a pipe is a failure, too") {
     const std::string extract = "cat v.nrrd | \"$discmc\" extract - -o " + file;
     check_failure(workshop.shell(extract + " --iso 7000"), 1,
                   {"standard input: no voxel reaches 7000" + values});
-    check_failure(workshop.shell(extract + " --iso=-2000 --border open"), 1,
-                  {"standard input: every voxel reaches -2000, and an open border has no surface"});
+    check_failure(
+        workshop.shell(extract + " --iso=-2000 --border open"), 1,
+        {"standard input: every voxel reaches -2000, so a surface with an open border is empty"});
   }
   CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
 }
@@ -145,7 +148,7 @@ TEST_CASE("what fills the volume after the median, or by infinite values, is tol
       "one.nrrd",
       nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "5 3 4") +
           "\n" + mostly_off);
-  const std::string open = ", and an open border has no surface: ";
+  const std::string open = ", so a surface with an open border is empty, and ";
   const std::pair<std::string, std::string> examples[] = {
       {"hole.nrrd --median 3 --border open", "after --median every voxel reaches 5" + open},
       {"inf.nrrd --border open", "every voxel reaches 5" + open},
@@ -171,7 +174,7 @@ TEST_CASE("an empty surface of a volume without numbers says so") {
       nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "2 1 2") +
           "\nnan nan nan nan");
   check_failure(workshop.run("extract v.nrrd --iso 3 -o v.stl"), 1,
-                {"no voxel reaches 3: no value is a finite number; "});
+                {"no voxel reaches 3, and no value is finite; "});
 }
 
 TEST_CASE("pictures and distances of empty surfaces are refused with the values") {
@@ -194,5 +197,5 @@ TEST_CASE("values of a volume that is narrowed for its normals are those of the 
           "\n0.25 0.5 nan -8");
   for (const std::string file : {"v.ply", "v.dmc"})
     check_failure(workshop.run("extract v.nrrd --iso 3 --normals gradient -o " + file), 1,
-                  {"no voxel reaches 3: the values are -8 to 0.5;"});
+                  {"no voxel reaches 3, and the values are -8 to 0.5;"});
 }

@@ -111,8 +111,8 @@ TEST_CASE("a name behind that of a file which is no array of numbers is refused"
   for (const std::string name : {"/scan/none", "/scan", "/scan/complex"})
     check_refusal(refusal(several + ":" + name),
                   "there is no array '" + name +
-                      "' of numbers with two or more dimensions in it; "
-                      "choose one of /scan/half (5 x 3 x 4)");
+                      "' of numbers with two or more dimensions in the file; choose one of "
+                      "/scan/half (5 x 3 x 4)");
   check_refusal(refusal(files / "none.h5"), "there is no such file");
 }
 
@@ -132,7 +132,7 @@ TEST_CASE("the first bytes tell HDF5") {
 
 TEST_CASE("what cannot be unpacked or has scales of its own is refused with the remedy") {
   const fs::path packed = files / "hdf5_arrays/packed.h5";
-  check_refusal(refusal(packed), "packed by the filter 32008 of HDF5, which is not here");
+  check_refusal(refusal(packed), "packed by the filter 32008 of HDF5, which is not installed");
   check_refusal(refusal(packed), "h5py.File('" + packed.string() + "')['/volume'][()]");
   check_refusal(refusal(files / "hdf5_arrays/minc.h5"), "mnc2nii");
 }
@@ -215,7 +215,7 @@ TEST_CASE("LZF is unpacked as h5py packs it, and refused where it is damaged") {
   for (const std::string& damaged :
        {std::string("\x20\x03", 2), std::string("\5\1", 2), std::string("\xe0", 1)}) {
     write(damaged);
-    check_refusal(refusal(file), "damaged or not there");
+    check_refusal(refusal(file), "damaged or missing");
   }
 }
 
@@ -225,7 +225,7 @@ TEST_CASE("links to other files are followed, and one array is one however many 
   const Folder folder;
   folder.write("master.h5", contents(files / "hdf5_arrays/master.h5"));
   check_refusal(refusal(folder.path() / "master.h5"),
-                "its links lead to what is not there: /entry/data/data_000001 to data_000001.h5");
+                "its links lead nowhere: /entry/data/data_000001 to data_000001.h5");
   {
     const Hdf5Handle opened(
         H5Fopen((folder.path() / "master.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
@@ -303,7 +303,7 @@ TEST_CASE("of an array of MATLAB it is said which index is taken for x") {
   folder.write("volume.mat", bytes);
   const auto reader = open_volume(file);
   CHECK(reader->info().format == "HDF5, /V, raw");
-  CHECK(noted(reader->info(), "its first index is taken as x; if that is y, give --axes zxy"));
+  CHECK(noted(reader->info(), "its first index is read as x; if it is y, give --axes zxy"));
 }
 
 TEST_CASE("arrays that Imaris fills up are refused with what converts them") {
@@ -319,7 +319,7 @@ TEST_CASE("arrays that Imaris fills up are refused with what converts them") {
         H5Gclose);
     new_dataset(group, "Data", {4, 3, 5}, no_creation());
   }
-  check_refusal(refusal(file), "this is Imaris, which fills its arrays up");
+  check_refusal(refusal(file), "this is Imaris, which pads its arrays");
 }
 
 TEST_CASE("samples of fewer bits than they have room for are numbers as others are") {
@@ -359,7 +359,7 @@ TEST_CASE("a virtual array is read from other files, and refused where one is no
   CHECK(read_all(*open_volume(folder.path() / "there.h5")) ==
         read_all(*open_volume(folder.path() / "source.h5")));
   write_virtual(folder.path() / "missing.h5", "none.h5");
-  check_refusal(refusal(folder.path() / "missing.h5"), "the file 'none.h5', which is not there");
+  check_refusal(refusal(folder.path() / "missing.h5"), "the file 'none.h5', which is missing");
 }
 
 TEST_CASE("how large a slice can be is told by the file that it is in, behind a link") {

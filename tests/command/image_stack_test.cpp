@@ -156,7 +156,7 @@ TEST_CASE("a picture is what its first bytes say, whatever its name") {
       CHECK(open_volume(folder.write("picture", bytes))->info().dims[0] == width);
     CHECK(open_volume(folder.write("v.png", bytes))->info().dims[0] == width);
   }
-  check_refusal(refusal(folder.write("v.png", "no picture")), "no PNG, TIFF, JPEG or BMP file");
+  check_refusal(refusal(folder.write("v.png", "no picture")), "not a PNG, TIFF, JPEG or BMP file");
   for (const std::string name : {"slice1", "slice2"})
     folder.write(name, contents(files / "u8.png"));
   CHECK(open_volume(folder.path() / "slice*")->info().dims[2] == 2);
@@ -168,7 +168,7 @@ TEST_CASE("a slice of another size or type is refused by its name") {
   folder.write("a2.png", contents(files / "u8.png"));
   check_refusal(refusal(folder.path()),
                 "a2.png: page 0 has 8 x 6 samples of u8, and a1.png has 8 x 6 samples of u16");
-  check_refusal(refusal(folder.path() / "b*.png"), "no file has such a name");
+  check_refusal(refusal(folder.path() / "b*.png"), "no file matches the pattern");
 }
 
 VolumeOptions with_gaps_allowed() {
@@ -232,7 +232,7 @@ TEST_CASE("where more is missing than is there, that is refused with the largest
   for (const VolumeOptions& options : {VolumeOptions{}, with_gaps_allowed()})
     check_refusal(refusal(stack.path(), options),
                   "895 slices are missing, the largest of 2 gaps between a2_5.png and a2_900.png, "
-                  "which is too much to be filled");
+                  "which is too many to fill");
 }
 
 TEST_CASE("what is of several kinds is refused with the remedy, and not left out") {

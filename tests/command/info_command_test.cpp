@@ -125,7 +125,7 @@ TEST_CASE("a volume without numbers has no values to tell") {
   const std::string info = workshop.done("info v.nrrd");
   CHECK(has_line(info, "not_numbers 3"));
   CHECK(has_line(info, "infinite 1"));
-  CHECK(has_line(info, "note no value is a finite number: check the file"));
+  CHECK(has_line(info, "note no value is finite; check the file"));
   CHECK(!contains(info, "range"));
   CHECK(!contains(info, "proposal"));
 }
@@ -181,8 +181,8 @@ TEST_CASE("info refuses options of the other kind, and what is neither") {
   workshop.write("v.nrrd", u8_file);
   workshop.write("nothing", "words");
   check_failure(workshop.run("info v.nrrd --stream-channel 1"), 2,
-                {"--stream-channel", "is for streams"});
-  check_failure(workshop.run("info v.dmc --frame 1"), 2, {"--frame", "is for volumes"});
+                {"--stream-channel", "applies to streams"});
+  check_failure(workshop.run("info v.dmc --frame 1"), 2, {"--frame", "applies to volumes"});
   check_failure(workshop.run("info nothing"), 1,
                 {"nothing", "no header of a discmc stream", "--dims and --type"});
   check_failure(workshop.run("info none.nrrd"), 1, {"none.nrrd", "there is no such file"});

@@ -54,7 +54,7 @@ TEST_CASE("a mask, between whose two values nothing is to interpolate, is told w
   const std::string masked = "extract mask.raw --dims 14,14,14 --type u8 -q --iso 1 -o v.obj";
   const auto told = workshop.run(masked + " --surface interpolated");
   CHECK(told.code == 0);
-  CHECK(command_tests::contains(told.error, "mask.raw: there are two values alone, as in a mask"));
+  CHECK(command_tests::contains(told.error, "mask.raw: the volume has only two values, as a mask"));
   const auto warns = [&](const std::string& arguments) {
     return command_tests::contains(workshop.run(arguments).error, "two values");
   };
@@ -95,7 +95,8 @@ TEST_CASE("an interpolated surface is of triangles without T-junctions, in a mes
   check_failure(workshop.run(interpolated + "--no-conforming -o v.ply"), 2, {"--no-conforming"});
   check_failure(workshop.run(extract + "--tolerance 0.1 -o v.ply"), 2,
                 {"--tolerance", "add --surface interpolated"});
-  check_failure(workshop.run(interpolated + "--tolerance=-1 -o v.ply"), 2, {"'-1' is negative"});
+  check_failure(workshop.run(interpolated + "--tolerance=-1 -o v.ply"), 2,
+                {"invalid value '-1'; expected 0 or more"});
   check_failure(workshop.run(interpolated + "--tolerance inf -o v.ply"), 2, {"'inf'"});
   check_failure(workshop.run("extract v.raw --dims 14,14,14 --type u8 --label 1 --surface "
                              "interpolated -o v.ply"),

@@ -77,12 +77,15 @@ TEST_CASE("a value that several labels have, or none, is called by its number") 
 }
 
 TEST_CASE("labels that are not known, or not alone, are refused") {
-  check_refused(names, "1",
-                "label 1 is 'liver' and, in another layer, 'vein, portal': give a name");
+  check_refused(
+      names, "1",
+      "label 1 is 'liver' and, in another layer, 'vein, portal'; give a name, or the layer");
   check_refused(names, "44", "no label has the number 44: there are 'liver', ");
-  check_refused(names, "twice", "several labels are called 'twice': give their numbers");
+  check_refused(names, "twice",
+                "several labels are called 'twice'; give their numbers, or the layer");
   check_refused(names, "liver,lver", "no label is called 'lver': there are 'liver', 'Right_Lung'");
   check_refused(names, "liver,", "no label is called ''");
-  check_refused(LabelNames({}, {0}), "liver", "no name is known; give numbers, or --label-table");
+  check_refused(LabelNames({}, {0}), "liver",
+                "the labels have no names; give numbers, or --label-table");
   CHECK(first_layer.each("44")[0].set == LabelSet{{0, {44}}});
 }

@@ -96,7 +96,7 @@ TEST_CASE("dataset.json of nnU-Net names labels in both of its forms") {
   const auto check_refused = [](const std::string& text, const std::string& part) {
     CHECK_THROWS_WITH_AS(table_of(text), doctest::Contains(part.c_str()), VolumeError);
   };
-  check_refused("{\"labels\": {\"liver\": 1}", "the file is no JSON");
+  check_refused("{\"labels\": {\"liver\": 1}", "the file is not JSON");
   check_refused("{\"label\": {}}", "no object \"labels\"");
   check_refused("{\"labels\": [1]}", "no object \"labels\"");
   check_refused("{\"labels\": {}}", "no object \"labels\"");
@@ -117,7 +117,7 @@ TEST_CASE("a line that is no label is refused with its number") {
   check_refused("1 1 1 1 1 1 1 \"\"\n", "line 1");
   check_refused("index\tname\n1\n", "line 2");
   check_refused("99999999999999999999 bone\n", "line 1");
-  check_refused("1 bone\n1 skin\n", "label 1 is there twice; delete line 2");
+  check_refused("1 bone\n1 skin\n", "label 1 is given twice; delete line 2");
   CHECK_THROWS_WITH_AS(read_label_table("/none/table"), doctest::Contains("/none/table"),
                        VolumeError);
   check_refused("", "the table has no label");

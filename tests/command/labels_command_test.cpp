@@ -163,22 +163,22 @@ TEST_CASE("layers are told, and refused where one is not enough") {
   workshop.write("layers.seg.nrrd", layered());
   const std::string info = workshop.done("info layers.seg.nrrd");
   for (const char* line : {"frames 2", "label 1 layer 0 Bone", "label 1 layer 1 Skin",
-                           "note the values are those of layer 0; --frame N tells those of"})
+                           "note the values are those of layer 0; choose"})
     CHECK(contains(info, line));
   CHECK(contains(workshop.done("info layers.seg.nrrd --frame 1"), "range 0 1\n"));
   check_failure(workshop.run("extract layers.seg.nrrd --iso 1 -o v.stl"), 1,
-                {"the file holds labels in 2 volumes", "take labels with --label NAME"});
+                {"the file holds labels in 2 volumes", "select labels with --label NAME"});
   check_failure(workshop.run("extract layers.seg.nrrd --label 1 -o v.stl"), 1,
                 {"label 1 is 'Bone' and, in another layer, 'Skin'"});
   check_failure(workshop.shell("\"$discmc\" extract - --labels all -q -o v.glb < layers.seg.nrrd"),
-                1, {"standard input: each layer of a segmentation takes a pass"});
+                1, {"standard input: reading each layer of a segmentation needs a pass"});
   workshop.write("wrong.seg.nrrd", with_line(layered(), "Segment1_Layer:=1", "Segment1_Layer:=2"));
   const auto wrong = workshop.run("extract wrong.seg.nrrd --labels all -q -o w.glb");
   CHECK(wrong.code == 0);
-  CHECK(contains(wrong.error,
-                 "segments of layers that are not in the file left out: 1, such as "
-                 "'Skin' of layer 2"));
-  CHECK(contains(wrong.error, "layers without a label that is told left out: 1"));
+  CHECK(contains(
+      wrong.error,
+      "segments of layers that are not in the file are left out: 1, such as 'Skin' of layer 2"));
+  CHECK(contains(wrong.error, "layers without a described label are left out: 1"));
   workshop.write("share.seg.nrrd", with_line(layered(), "type: uchar",
                                              "type: uchar\nSegmentation_SourceRepresentation:="
                                              "Fractional labelmap"));
@@ -294,7 +294,7 @@ TEST_CASE("a folder or pattern of masks is a label a file, named after it") {
   workshop.done("extract seg/bone.nii.gz --iso 1 -q -o v.stl");
   CHECK(workshop.read("v.stl") == workshop.read("bone.stl"));
   check_failure(workshop.run("extract seg --iso 1 -o v.stl"), 1,
-                {"seg: volumes of their own: 3, such as ", "--labels all or --label NAME"});
+                {"seg: several volumes: 3, such as ", "--labels all or --label NAME"});
   check_failure(workshop.run("extract seg --labels spleen -o v.glb"), 1, {"no voxel has spleen"});
   check_failure(workshop.run("extract seg --label 1 -o v.glb"), 1, {"no label has the number 1"});
 }
@@ -308,7 +308,7 @@ TEST_CASE("masks of other scans, and label maps, are none of a folder of masks")
     workshop.write("seg/b.nii", file);
     check_failure(workshop.run("extract seg --labels all -o v.glb"), 1, {"seg/b.nii: ", part});
   };
-  refused(nifti().file(volume), "the values 1 and 2 are in it");
+  refused(nifti().file(volume), "the values 1 and 2 are in the file");
   refused(nifti().dims({3, 2, 4, 3}).file(second_layer), "has 2 x 4 x 3 voxels, and 'a.nii' 4 x 2");
   refused(nifti().real(80, 2).file(second_layer), "the mask lies elsewhere than 'a.nii'");
   refused(nifti().scale(0.5F, 0).file(second_layer), "the value 0.5 in slice 0 is no label");
@@ -328,7 +328,7 @@ TEST_CASE("labels that are asked for are there, or that is a failure") {
   CHECK(workshop.read("some-9.stl") == workshop.read("9.stl"));
   CHECK(workshop.read("some-2.stl").empty());
   check_failure(workshop.run(extract + "--labels 1,7,8 -o 'x-{name}.stl'"), 1,
-                {"v.raw: no voxel has label 7, label 8; leave out what is not there"});
+                {"v.raw: no voxel has label 7, label 8; leave out these labels"});
   const auto allowed = workshop.run(extract + "--labels 1,7 --allow-empty -q -o 'x-{name}.stl'");
   CHECK(allowed.code == 0);
   CHECK(contains(allowed.error, "no voxel has label 7\n"));
@@ -337,11 +337,12 @@ TEST_CASE("labels that are asked for are there, or that is a failure") {
   workshop.done(extract + "--label 2,9 -q -o union.stl");
   CHECK(workshop.read("skin.stl") == workshop.read("union.stl"));
   check_failure(workshop.run(named + "--labels skin -o v.glb"), 1,
-                {"'skin' stands for 2 labels; give them one by one"});
+                {"'skin' names 2 labels; give each by its number"});
   check_failure(workshop.run(extract + "--labels '' -o v.glb"), 2, {"no label is given"});
-  check_failure(workshop.run(extract + "--label '' -o v.stl"), 2, {"'' is no label"});
+  check_failure(workshop.run(extract + "--label '' -o v.stl"), 2,
+                {"invalid value ''; expected a number or name"});
   check_failure(workshop.run(extract + "--label 7 -o v.stl"), 1,
-                {"v.raw: no voxel has label 7; discmc info shows which labels there are"});
+                {"v.raw: no voxel has label 7; list the labels with discmc info"});
 }
 
 TEST_CASE("labels that are floating point are rounded, and that is told") {
@@ -359,8 +360,8 @@ TEST_CASE("labels that are floating point are rounded, and that is told") {
         workshop.run("extract f.raw --dims 4,2,3 --type f32 -q -o f.glb " + labels);
     CHECK(rounded.code == 0);
     CHECK(contains(rounded.error,
-                   "discmc: f.raw: 10 values are rounded to whole numbers, which labels are; "
-                   "farthest off was 9.009"));
+                   "discmc: f.raw: 10 values are rounded to whole numbers, as labels are; the "
+                   "farthest is 9.009"));
     workshop.done(extract + "-q -o v.glb " + labels);
     CHECK(workshop.read("f.glb") == workshop.read("v.glb"));
   }
@@ -435,7 +436,8 @@ TEST_CASE("a file of a format that holds several has all meshes, with their name
     CHECK(two[1].corners == all[2].corners);
 
     const auto result = workshop.run(extract + "--labels all --median 3 -q -o " + file);
-    CHECK(contains(result.error, "label 9 has no surface left, so it is not in " + file));
+    CHECK(
+        contains(result.error, "label 9 has no surface left, so " + file + " does not contain it"));
     CHECK(meshes_in(file).size() == 1);
     check_failure(workshop.run(extract + "--labels all -q --min-volume 99 -o no" + file), 1,
                   {"no label has a surface left, so no" + file + " is not written"});
@@ -480,9 +482,9 @@ TEST_CASE("what a choice takes from a label is said with its name") {
   workshop.write("table.txt", "1 bone 1 2 3\n2 skin 4 5 6\n");
   const std::string named = extract + "--label-table table.txt -q -o v.glb --largest 1 ";
   CHECK(workshop.run(named + "--labels all").error ==
-        "discmc: v.raw: label 2 (skin): 1 of 2 bodies and cavities kept\n");
+        "discmc: v.raw: label 2 (skin): 1 of 2 bodies and cavities are kept\n");
   CHECK(workshop.run(named + "--label 1 --label 2").error ==
-        "discmc: v.raw: skin: 1 of 2 bodies and cavities kept\n");
+        "discmc: v.raw: skin: 1 of 2 bodies and cavities are kept\n");
 }
 
 TEST_CASE("control characters of names are not printed") {
@@ -541,16 +543,19 @@ TEST_CASE("labels that cannot be written are refused before any work") {
                 {"table.txt", "line 1"});
   check_failure(workshop.run(extract + "--iso 1 --label-table table.txt -o v.stl"), 2,
                 {"--label-table", "--label N"});
-  check_failure(workshop.run(all + "-o '{name}/v.stl'"), 1, {"{name}", "not of folders"});
+  check_failure(workshop.run(all + "-o '{name}/v.stl'"), 1,
+                {"{name}", "not allowed in the name of a folder"});
   check_failure(workshop.run(all + "-o 'none/{name}.stl'"), 1, {"none", "no such folder"});
   check_failure(
       workshop.run("extract nothing.raw --dims 4,2,3 --type u8 --labels all -o '{name}.stl'"), 1,
       {"nothing.raw", "no label", "--allow-empty"});
   check_failure(workshop.run(all + "--mask nothing.nrrd -o '{name}.stl'"), 1,
-                {"v.raw: it holds no label that --mask leaves; --allow-empty"});
+                {"v.raw: the volume holds no label within --mask; check --frame and --channel, or "
+                 "give --allow-empty"});
   check_failure(
       workshop.run("extract nan.raw --dims 4,2,3 --type f32 --labels all -o v.glb"), 1,
-      {"24 samples are not a number", "nan.raw: it holds no label; --allow-empty takes that"});
+      {"24 samples are not a number",
+       "nan.raw: the volume holds no label; check --frame and --channel, or give --allow-empty"});
   check_failure(
       workshop.run("extract half.raw --dims 4,2,3 --type f32 --labels all -o '{name}.stl'"), 1,
       {"half.raw", "slice 0", "whole numbers"});

@@ -59,7 +59,7 @@ TEST_CASE("a mask of several volumes is refused, whichever frame of the volume i
   VolumeOptions options;
   options.frame = 1;
   CHECK_THROWS_WITH(open_mask(mask, options, volume_of()),
-                    doctest::Contains("the mask holds 2 volumes; store the one to take in a file"));
+                    doctest::Contains("the mask holds 2 volumes; store the mask in a file"));
 }
 
 TEST_CASE("a mask is cropped as its volume is, and of a block has what most of it has") {

@@ -53,7 +53,7 @@ TEST_CASE("the place is that of the header: the centre lies between the middle v
 TEST_CASE("without a place FreeSurfer's own is taken, with a note") {
   const Folder folder;
   const auto reader = open_volume(folder.write("a.mgh", mgh(0, stored(SampleType::u8), {})));
-  CHECK(noted(reader->info(), "no directions given, coronal slices of 1 mm taken"));
+  CHECK(noted(reader->info(), "no directions given, coronal slices of 1 mm assumed"));
   REQUIRE(reader->info().placement);
   CHECK(reader->info().placement->axes_mm == Axes{{{-1, 0, 0}, {0, 0, -1}, {0, 1, 0}}});
   CHECK(reader->info().placement->origin_mm == std::array<double, 3>{2.5, -2, 1.5});
@@ -92,7 +92,7 @@ TEST_CASE("another version, a short header and missing samples are refused") {
   const std::string samples = stored(SampleType::u8);
   check_refusal(refusal(folder.write("a.mgh", mgh(0, samples, conformed, 1, 2))), "version 2");
   check_refusal(refusal(folder.write("a.mgh", mgh(0, samples, conformed).substr(0, 283))),
-                "header of 284 bytes is not whole");
+                "header of 284 bytes is incomplete");
   check_refusal(refusal(folder.write("a.mgh", mgh(0, samples.substr(1), conformed))),
                 "1 bytes of it are missing");
 }

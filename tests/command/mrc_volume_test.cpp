@@ -90,7 +90,7 @@ TEST_CASE("bytes of IMOD without its flag have no sign, with a note") {
   const auto file =
       folder.write("a.mrc", Map().numbers(152, {1146047817, 0}).file(stored(SampleType::u8)));
   check_volume(file, SampleType::u8, "MRC");
-  CHECK(noted(open_volume(file)->info(), "bytes taken as u8, as IMOD wrote them"));
+  CHECK(noted(open_volume(file)->info(), "bytes are read as u8, as IMOD wrote them"));
   check_volume(folder.write("b.mrc", Map().numbers(152, {1146047817, 1}).file(i8)), SampleType::i8,
                "MRC");
 }
@@ -104,7 +104,7 @@ TEST_CASE("the spacing is that of the cell, and an angstrom is written as a mill
   const auto part = open_volume(folder.write("a.mrc", Map().numbers(28, {20, 3, 4}).file(i8)));
   CHECK(part->info().spacing_mm == std::array<double, 3>{0.5, 2, 2});
   const auto none = open_volume(folder.write("a.mrc", Map().reals(40, {0, 0, 0}).file(i8)));
-  CHECK(noted(none->info(), "no spacing given, 1 mm taken"));
+  CHECK(noted(none->info(), "no spacing given, 1 mm assumed"));
 }
 
 TEST_CASE("the origin is told, or else as many steps away as the first column, row and section") {
@@ -142,7 +142,7 @@ TEST_CASE("columns, rows and sections may run along any axis") {
   check_refusal(refusal(folder.write("a.map", Map().numbers(64, {1, 1, 3}).file(i8))),
                 "MAPC, MAPR and MAPS are 1, 1 and 3");
   const auto untold = open_volume(folder.write("a.map", Map().numbers(64, {0, 0, 0}).file(i8)));
-  CHECK(noted(untold->info(), "columns, rows and sections taken as x, y and z"));
+  CHECK(noted(untold->info(), "columns, rows and sections are read as x, y and z"));
 }
 
 TEST_CASE("the axes of a crystal's cell may be oblique") {

@@ -14,7 +14,7 @@ std::size_t count_of(const std::string& part, const std::string& text) {
   return count;
 }
 
-const std::string no_spacing = "v.nrrd: no spacing given, 1 mm taken\n";
+const std::string no_spacing = "v.nrrd: no spacing given, 1 mm assumed\n";
 
 }  // namespace
 
@@ -48,14 +48,14 @@ TEST_CASE("the notes of a mask are printed, too") {
   workshop.write("v.nrrd", body);
   workshop.write("m.nrrd", body, "");
   CHECK(contains(workshop.run("extract v.nrrd --mask m.nrrd --iso 100 -q -o v.stl").error,
-                 "discmc: m.nrrd: no spacing given, 1 mm taken\n"));
+                 "discmc: m.nrrd: no spacing given, 1 mm assumed\n"));
 }
 
 TEST_CASE("what is found behind the last slice is printed") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81));
   workshop.write("w.nrrd.gz", volume_files::gzip(workshop.read("v.nrrd") + "behind"));
-  const std::string behind = "more bytes behind the samples left out";
+  const std::string behind = "more bytes after the samples are left out";
   CHECK(contains(workshop.run("extract w.nrrd.gz --iso 100 -q -o w.stl").error,
                  "discmc: w.nrrd.gz: " + behind));
   CHECK(contains(workshop.done("info w.nrrd.gz"), "note " + behind));

@@ -21,7 +21,7 @@ TEST_CASE("the only array of three axes is the volume, and of several one is cho
   check_volume(several + ":/scan", SampleType::u8, "NumPy, npz");
   check_refusal(
       refusal(several + ":/none"),
-      "no array '/none' of numbers with two or more dimensions in it; choose one of /scan");
+      "no array '/none' of numbers with two or more dimensions in the file; choose one of /scan");
   check_refusal(refusal(several + ":/words"), "samples of type '<U5' are not read");
 }
 

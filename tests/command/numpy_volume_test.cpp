@@ -110,12 +110,12 @@ TEST_CASE("without names the axis that is stored side by side is x, with a note"
   const auto file = folder.write("c.npy", npy("<u2", shape_of("zyx"), array_with("zyx")));
   check_places(file, {});
   CHECK(noted(open_volume(file)->info(),
-              "taken as array[z][y][x]; --axes names others, such as xyz"));
-  CHECK_FALSE(noted(open_volume(file, with_axes("zyx"))->info(), "taken as"));
+              "read as array[z][y][x]; to read others, give --axes, such as xyz"));
+  CHECK_FALSE(noted(open_volume(file, with_axes("zyx"))->info(), "read as"));
   const auto fortran = folder.write("f.npy", npy("<u2", shape_of("xyz"), array_with("zyx"), true));
   check_places(fortran, {});
   CHECK(noted(open_volume(fortran)->info(),
-              "taken as array[x][y][z]; --axes names others, such as zyx"));
+              "read as array[x][y][z]; to read others, give --axes, such as zyx"));
 }
 
 TEST_CASE("slices of a turned volume are skipped as others are") {
@@ -142,7 +142,7 @@ TEST_CASE("axes of size 1 are dropped, wherever they are, with a note") {
     INFO(shape);
     const auto file = folder.write("a.npy", npy("<u2", shape, array_with("zyx")));
     check_places(file, {});
-    CHECK(noted(open_volume(file)->info(), "axes of size 1 dropped of "));
+    CHECK(noted(open_volume(file)->info(), "axes of size 1 are dropped from "));
   }
   const auto image = folder.write("image.npy", npy("<u2", "1, 1, 12, 5", array_with("zyx")));
   CHECK(open_volume(image)->info().dims == std::array<std::uint32_t, 3>{5, 12, 1});
@@ -151,12 +151,13 @@ TEST_CASE("axes of size 1 are dropped, wherever they are, with a note") {
 TEST_CASE("of more axes a volume is chosen, or they are named; what does not fit is refused") {
   const Folder folder;
   const auto file = folder.write("a.npy", npy("<u2", shape_of("zyxc"), array_with("zyxc")));
-  check_refusal(refusal(file),
-                "holds 4 volumes, and one is read at a time; choose one with --frame N, the first "
-                "is 0; or say which axis of the array, 4 x 3 x 5 x 6, is which, as in --axes zyxc");
+  check_refusal(
+      refusal(file),
+      "holds 4 volumes, and one is read at a time; choose one with --frame N, the first is 0; or "
+      "name the axes of the array, 4 x 3 x 5 x 6, with --axes, as in --axes zyxc");
   check_refusal(refusal(file, with_axes("zyxc")), "holds 6 channels, and one is read at a time");
   check_refusal(refusal(file, with_axes("zyx")),
-                "said to be 'zyx', but the array is 4 x 3 x 5 x 6");
+                "the axes are named 'zyx', but the array is 4 x 3 x 5 x 6");
   VolumeOptions options = with_axes("zyxc");
   options.channel = 6;
   check_refusal(refusal(file, options), "no channel 6: the file holds 6");
@@ -165,13 +166,15 @@ TEST_CASE("of more axes a volume is chosen, or they are named; what does not fit
   check_refusal(refusal(plain, options), "no channel 6: the file holds 1; leave out --channel");
   check_refusal(refusal(folder.write("none.npy", npy("<u2", "0, 3, 5", ""))), "0 x 3 x 5");
   const std::string beyond = "4294967296, 4294967296, 5";
-  check_refusal(refusal(folder.write("beyond.npy", npy("<u2", beyond, ""))), "which no file holds");
+  check_refusal(refusal(folder.write("beyond.npy", npy("<u2", beyond, ""))),
+                "more than a file can hold");
 }
 
 TEST_CASE("axes are not named of a format that says what they are") {
   const Folder folder;
   const auto file = folder.write("a.nii", Nifti().file(stored(SampleType::u8)));
-  check_refusal(refusal(file, with_axes("zyx")), "axes are named, but this is NIfTI-1");
+  check_refusal(refusal(file, with_axes("zyx")),
+                "--axes applies to arrays and TIFF, and this is NIfTI-1");
 }
 
 TEST_CASE("floating point of 16 bits is read as that of 32") {
@@ -226,7 +229,7 @@ TEST_CASE("samples behind an array are noted, whatever its axes are") {
     read_all(*reader);
     bool is_noted = false;
     for (const std::string& note : reader->notes())
-      is_noted = is_noted || note.find("4 bytes behind the samples") != std::string::npos;
+      is_noted = is_noted || note.find("4 bytes after the samples") != std::string::npos;
     CHECK(is_noted);
   }
 }

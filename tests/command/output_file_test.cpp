@@ -84,7 +84,7 @@ TEST_CASE("links that lead in a circle are refused") {
   std::filesystem::create_symlink("b.obj", folder.path() / "a.obj");
   std::filesystem::create_symlink("a.obj", folder.path() / "b.obj");
   const std::string text = complaint([&] { OutputFile file(folder.path() / "a.obj"); });
-  CHECK(contains(text, "a.obj: cannot be written"));
+  CHECK(contains(text, "a.obj: the file cannot be written"));
 }
 
 TEST_CASE("a file that is replaced keeps its permissions") {
@@ -123,7 +123,7 @@ TEST_CASE("a folder that is not there, or is a file, is refused by name") {
   CHECK(complaint([&] { OutputFile output(missing / "b.obj"); }) ==
         missing.string() + ": there is no such folder; make it first");
   CHECK(complaint([&] { OutputFile output(file / "b.obj"); }) ==
-        file.string() + ": is not a folder; give another name");
+        file.string() + ": this is not a folder; give another name");
 }
 
 TEST_CASE("a folder is not replaced by a file") {

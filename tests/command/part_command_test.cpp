@@ -155,7 +155,7 @@ TEST_CASE("the gradient of a part's stream is that of the same part of the volum
   workshop.done("extract v.raw --iso 1000 -q -o part.dmc" + layout + crop);
   check_failure(workshop.run("decode part.dmc --normals gradient -o v.ply --volume v.raw" + layout +
                              "--crop 6..,1..,2..13"),
-                1, {"v.raw", "1 mm from that of the stream", "--crop and --shrink"});
+                1, {"v.raw", "1 mm from the part of the stream", "--crop and --shrink"});
   check_failure(workshop.run("decode part.dmc -o v.ply --crop ..,..,.."), 2, {"--volume"});
 }
 

@@ -262,8 +262,8 @@ TEST_CASE("jobs that cannot be are refused, with the remedy") {
     CHECK(command_tests::contains(result.error, part));
   };
   refused("-o v.stl --jobs 0", "--jobs");
-  refused("-o v.stl --jobs 2 --memory 4096", "leave out one or the other");
-  refused("-o v.stl --jobs 2 --surface interpolated", "leave out one or the other");
-  refused("-o v.dmc --jobs 2 --wire slices", "leave out one or the other");
-  refused("-o v.dmc --jobs 2 --normals gradient", "leave out one or the other");
+  refused("-o v.stl --jobs 2 --memory 4096", "leave one out");
+  refused("-o v.stl --jobs 2 --surface interpolated", "leave one out");
+  refused("-o v.dmc --jobs 2 --wire slices", "leave one out");
+  refused("-o v.dmc --jobs 2 --normals gradient", "leave one out");
 }

@@ -184,7 +184,7 @@ TEST_CASE("a volume without a frame is placed as it says, and in no patient's sp
   for (const std::string command : {"extract v.nrrd --iso 100", "decode v.dmc"}) {
     const Result result = workshop.run(command + " --space lps -o v.ply");
     CHECK(result.code == 1);
-    CHECK(contains(result.error, "does not tell where the patient is: leave out --space"));
+    CHECK(contains(result.error, "has no patient orientation; leave out --space"));
   }
   for (const std::string output : {"v2.dmc", "v.jsonl"})
     CHECK(workshop.run("extract v.nrrd --iso 100 --space voxel -o " + output).code == 2);
@@ -231,7 +231,7 @@ TEST_CASE("a placement in a stream that spans no space is dropped, and that is s
   workshop.write("v.dmc", stream_with({}));
   const Result result = workshop.run("decode v.dmc -o v.obj");
   CHECK(result.code == 0);
-  CHECK(contains(result.error, "v.dmc: its placement is unusable, and dropped"));
+  CHECK(contains(result.error, "v.dmc: the placement in the stream is unusable and ignored"));
   check_vertices(mesh_in(workshop, "v.obj"),
                  {{-0.5, 0, 0}, {0.5, 0, 0}, {0, -0.5, 0}, {0, 0.5, 0}, {0, 0, -0.5}, {0, 0, 0.5}});
 }

@@ -33,7 +33,7 @@ TEST_CASE("a file that is longer or shorter than its dimensions and type say is 
   check(i16.substr(1), "has 119 bytes, but a volume of 5 x 3 x 4 i16 has 120");
   check("", "has 0 bytes");
   const auto packed = folder.write("v.raw.gz", gzip(i16 + "x"));
-  check_refusal(refusal(packed, layout_of(SampleType::i16)), "more than the 120 bytes");
+  check_refusal(refusal(packed, layout_of(SampleType::i16)), "longer than the 120 bytes");
   check_refusal(refusal(folder.write("v.raw.gz", gzip(i16.substr(1))), layout_of(SampleType::i16)),
                 "1 bytes of it are missing");
 }
@@ -44,10 +44,11 @@ TEST_CASE("the type or the number of slices that fits the length is proposed") {
     const auto file = folder.write("v.raw", std::string(bytes, 'x'));
     check_refusal(refusal(file, layout_of(SampleType::i16)), part);
   };
-  check(60, "has 120; give --type u8 or i8, which is as long, or copy the file again");
-  check(240, "has 120; give --type u32 or i32 or f32, which is as long, or skip a header with");
-  check(90, "has 120; give --dims 5,3,3, which is as long");
-  check(150, "has 120; give --dims 5,3,5, which is as long");
+  check(60, "has 120; give --type u8 or i8, which fits the length, or copy the file again");
+  check(240,
+        "has 120; give --type u32 or i32 or f32, which fits the length, or skip a header with");
+  check(90, "has 120; give --dims 5,3,3, which fits the length");
+  check(150, "has 120; give --dims 5,3,5, which fits the length");
 }
 
 TEST_CASE("what stands before headerless samples is skipped where that is asked") {
@@ -59,8 +60,9 @@ TEST_CASE("what stands before headerless samples is skipped where that is asked"
                layout_of(SampleType::i16, 6));
   check_refusal(refusal(file, layout_of(SampleType::i16, 23)), "--skip-bytes 24");
   check_refusal(refusal(file, layout_of(SampleType::i16, 25)),
-                "has 119 bytes behind the 25 skipped");
-  check_refusal(refusal(file, layout_of(SampleType::i16, 145)), "of 145 bytes to skip 1 are not");
+                "has 119 bytes after the 25 skipped");
+  check_refusal(refusal(file, layout_of(SampleType::i16, 145)),
+                "of 145 bytes to skip 1 are missing");
 }
 
 TEST_CASE("a file with the beginning of a known format is not read as headerless samples") {
@@ -94,15 +96,15 @@ TEST_CASE("a name of a format with a header is not that of headerless samples") 
   const std::string u8 = stored(SampleType::u8);
   for (const std::string name : {"v.nrrd", "v.nii.gz", "v.mhd"})
     check_refusal(refusal(folder.write(name, u8), layout_of(SampleType::u8)),
-                  "the name is that of a format with a header");
+                  "this name has the extension of a format with a header");
   for (const std::string name : {"v.img", "v.raw", "v", "v.dat"})
     check_volume(folder.write(name, u8), SampleType::u8, "raw", layout_of(SampleType::u8));
   VolumeOptions options = layout_of(SampleType::u8);
   options.frame = 1;
   check_refusal(refusal(folder.write("v.raw", u8), options),
-                "this is one volume, and volume 1 is asked for");
+                "the input has one volume, and volume 1 was requested");
   options.frame = std::nullopt;
   options.channel = 1;
   check_refusal(refusal(folder.write("v.raw", u8), options),
-                "this has one channel, and channel 1 is asked for; leave out --channel");
+                "the input has one channel, and channel 1 was requested; leave out --channel");
 }

@@ -88,10 +88,10 @@ TEST_CASE("what takes a second pass is refused before the first, and surplus sam
     INFO(result.error);
     CHECK(contains(result.error, part));
   };
-  const std::string second = "standard input: normals of the gradient take a second pass";
+  const std::string second = "standard input: normals of the gradient need a second pass";
   check("cat v.nrrd", "extract - --iso 100 --normals gradient -o v.ply", second);
   check("cat v.nrrd", "render - --iso 100 --shade smooth -o v.png", second);
   check("cat v.raw", "extract - --dims 5,3,4 --type u8 --iso 100 -o v.dmc",
-        "more than the 60 bytes of the volume");
+        "longer than the 60 bytes of the volume");
   CHECK(workshop.names() == std::vector<std::string>{"v.nrrd", "v.raw"});
 }

@@ -103,13 +103,13 @@ TEST_CASE("wrong usage of render is told, and nothing is written") {
   write_volumes(workshop);
   const auto names = workshop.names();
   const std::pair<std::string, std::string> wrong[] = {
-      {"v.nrrd", "v.nrrd: a volume is drawn at a threshold: give --iso"},
+      {"v.nrrd", "v.nrrd: a volume needs a threshold; give --iso"},
       {"v.raw" + raw_layout, "give --iso"},
-      {"v.dmc --iso 100", "--iso: is for volumes, and v.dmc is a stream"},
-      {"v.dmc --memory 64K", "--memory: is for volumes"},
-      {"v.dmc --capacities 9,9", "--capacities: is for volumes"},
-      {"v.dmc --border open", "--border: is for volumes"},
-      {"v.dmc --classic", "--classic: is for volumes"},
+      {"v.dmc --iso 100", "--iso: applies to volumes, and v.dmc is a stream"},
+      {"v.dmc --memory 64K", "--memory: applies to volumes"},
+      {"v.dmc --capacities 9,9", "--capacities: applies to volumes"},
+      {"v.dmc --border open", "--border: applies to volumes"},
+      {"v.dmc --classic", "--classic: applies to volumes"},
       {"v.nrrd --iso 100 --classic --memory 1M", "--memory"},
       {"v.nrrd --iso 100 --classic --capacities 9,9", "--capacities"},
       {"v.raw --iso 100 --dims 20,20,20", "--type"},
@@ -132,7 +132,7 @@ TEST_CASE("wrong usage of render is told, and nothing is written") {
   for (const std::string braces : {"{name}", "{n}", "{}"})
     for (const std::string command : {"render v.nrrd --iso 100 -o 'a", "decode v.dmc -o 'a"})
       check_failure(workshop.run(command + braces + (command[0] == 'r' ? ".png'" : ".stl'")), 2,
-                    {"--output: ", braces + " stands for nothing"});
+                    {"--output: ", braces + " is no placeholder here"});
   CHECK(workshop.names() == names);
 }
 

@@ -83,7 +83,7 @@ TEST_CASE("selections that make no sense are refused before any work") {
   check_failure(workshop.run(ramp + "--iso 1 --iso 2 -o v.stl"), 2, {"{name}"});
   for (const std::string unknown : {"{nam}", "{label}", "{}"})
     check_failure(workshop.run(ramp + "--iso 1 --iso 2 -o '{name}-" + unknown + ".stl'"), 2,
-                  {"--output: " + unknown + " stands for nothing", "{name}"});
+                  {"--output: " + unknown + " is an unknown placeholder", "{name}"});
   check_failure(workshop.run(ramp + "--range 1..2 --normals gradient -o v.ply"), 2,
                 {"--normals surface"});
   check_failure(workshop.run(ramp + "--iso 1 -o none/v.stl"), 1, {"none", "no such folder"});

@@ -99,7 +99,7 @@ TEST_CASE("pictures whose palettes differ are refused") {
   folder.write("a1.bmp", bmp.bytes());
   bmp.palette = little(0, 4) + little(0x00ff00, 4) + std::string(254 * 4, '\1');
   folder.write("a2.bmp", bmp.bytes());
-  check_refusal(refusal(folder.path()), "another palette as that of a1.bmp");
+  check_refusal(refusal(folder.path()), "has another palette, unlike a1.bmp");
 }
 
 TEST_CASE("BMP of other kinds, or cut off, is refused") {
@@ -141,7 +141,7 @@ TEST_CASE("the spacing of slices is that of the reconstruction in SkyScan's log"
     CHECK(info.dims == std::array<std::uint32_t, 3>{3, 2, 3});
     CHECK(info.spacing_mm == Spacing{0.0125, 0.0125, 0.025});
     CHECK(noted(info, "spacing from 's_rec.log'"));
-    CHECK(noted(info, "'s_rec_spr.bmp' is an overview, left out"));
+    CHECK(noted(info, "'s_rec_spr.bmp' is an overview, and is left out"));
   }
   CHECK(open_volume(scan.path(), {{}, Spacing{1, 2, 3}})->info().spacing_mm == Spacing{1, 2, 3});
 }
@@ -149,7 +149,7 @@ TEST_CASE("the spacing of slices is that of the reconstruction in SkyScan's log"
 TEST_CASE("a log of other slices, or without a size of pixels, is not used") {
   const SkyScan other("Result Image Width (pixels)=1000\r\nPixel Size (um)=12.50\r\n");
   CHECK(noted(open_volume(other.path())->info(),
-              "'s_rec.log' is of slices of another size, and not used"));
+              "'s_rec.log' describes slices of another size, and is not used"));
   CHECK(noted(open_volume(other.path())->info(), "no spacing given"));
   for (const SkyScan& none :
        {SkyScan("Result Image Width (pixels)=3\r\n"), SkyScan("Pixel Size (um)=0\r\n")})

@@ -143,7 +143,8 @@ TEST_CASE("slabs may be joined by and by, and one that is missing is named") {
   CHECK(contains(part.error, "the slices 2 to 3 and 5 to 7 are missing"));
   CHECK(contains(workshop.run("info part.dmc").out, "slab of the slices 4 to 4 of 9"));
   CHECK(contains(workshop.run("decode part.dmc -o part.stl").error,
-                 "it holds the slices 0 to 1, 4 to 4 and 8 to 8 of 9 alone"));
+                 "the stream holds only the slices 0 to 1, 4 to 4 and 8 to 8 of 9; join it with "
+                 "the other slabs by discmc join"));
   workshop.done("join part4.dmc part6.dmc part.dmc part3.dmc part8.dmc part7.dmc -o all.dmc");
   CHECK(discmc::reference::describe_difference(regions_in(workshop, "all.dmc"),
                                                regions_in(workshop, "whole.dmc")) == "");
@@ -163,8 +164,8 @@ TEST_CASE("what a join says that it wrote is so, also where a slab broke off") {
     CHECK(joined.code == 3);
     auto written = workshop.info("joined.dmc");
     CHECK(contains(joined.out, "\n" + written["regions"] + " polygons\n"));
-    if (contains(joined.error, "pieces are open"))
-      CHECK(contains(joined.error, " " + written["lost_pieces"] + " pieces are open"));
+    if (contains(joined.error, "fragments are loose"))
+      CHECK(contains(joined.error, " " + written["lost_pieces"] + " fragments are loose"));
   }
 }
 
@@ -186,7 +187,7 @@ TEST_CASE("the depth of a volume may stand in the records of its slabs alone") {
       "-o other.dmc");
   forget_depth(workshop, "other.dmc");
   CHECK(contains(workshop.run("join part1.dmc other.dmc -o joined.dmc").error,
-                 "other.dmc: its slab is one of 8 slices, and the volume has 9"));
+                 "other.dmc: its slab is part of 8 slices, and the volume has 9"));
 }
 
 TEST_CASE("streams that do not belong together are not joined, and nothing is written") {
@@ -202,12 +203,12 @@ TEST_CASE("streams that do not belong together are not joined, and nothing is wr
     CHECK(contains(result.error, part));
     CHECK(workshop.read("joined.dmc").empty());
   };
-  refused("part1.dmc part2.dmc part1.dmc", "part1.dmc: the slices 0 to 2 are there already");
-  refused("part1.dmc other.dmc", "at threshold 51, and part1.dmc of");
-  refused("part1.dmc slices.dmc", "slices.dmc: the slices 0 to 2 are there already");
+  refused("part1.dmc part2.dmc part1.dmc", "discmc: part1.dmc: the slices 0 to 2 are given twice");
+  refused("part1.dmc other.dmc", "at threshold 51, and part1.dmc has");
+  refused("part1.dmc slices.dmc", "discmc: slices.dmc: the slices 0 to 2 are given twice");
   refused("part1.dmc v.raw", "v.raw");
   workshop.done(volume + "--iso 20 -o two.dmc");
-  refused("two.dmc", "channel 1 (threshold 20), and one surface is joined");
+  refused("two.dmc", "channel 1 (threshold 20), and join accepts one surface per stream");
 }
 
 TEST_CASE("a slab that there is not is refused, with what to give") {

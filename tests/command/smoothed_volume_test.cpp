@@ -268,7 +268,7 @@ TEST_CASE("--smooth takes a mask, a label and a threshold, and gives triangles")
   CHECK(contains(workshop.run(volume + "--iso 1 --smooth 0 -o v.stl").error,
                  "invalid deviation '0'; expected auto, or millimetres"));
   CHECK(contains(workshop.run(volume + "--iso 1 --iso 2 --smooth auto -o '{name}.stl'").error,
-                 "takes one surface"));
+                 "accepts one surface"));
   CHECK(contains(workshop.run(volume + "--iso 1 --smooth auto --normals gradient -o v.ply").error,
                  "--normals surface"));
   CHECK(contains(workshop.run(volume + "--iso 1 --smooth auto --median 3 -o v.stl").error,

@@ -86,7 +86,7 @@ TEST_CASE("a pattern is advised also where names have the signs of one") {
 
 TEST_CASE("without a pattern of one stack the refusal says to copy it") {
   check_refusal(refusal(Pictures({"a1b.png", "a2b.png", "a1b1b.png"}).path()),
-                "copy those of one stack into a folder of their own");
+                "copy the pictures of one stack into a folder of their own");
 }
 
 TEST_CASE("numbers that count together, or that change at times, are one stack") {

@@ -74,10 +74,9 @@ TEST_CASE("a stream of another version is refused by its version, wherever its h
             "info other.dmc --stream-channel 0 --scan 0"}) {
         const Result result = workshop.run(arguments);
         CHECK(result.code == 1);
-        CHECK(contains(result.error,
-                       "other.dmc: stream version " + std::to_string(version) +
-                           " is unknown; this discmc reads version 1: use the release of discmc "
-                           "that wrote the stream"));
+        CHECK(contains(result.error, "other.dmc: stream version " + std::to_string(version) +
+                                         " is unknown; this discmc reads version 1, so use the "
+                                         "release of discmc that wrote the stream"));
       }
     }
   }
@@ -262,7 +261,7 @@ TEST_CASE("what is no stream is refused by its name, and nothing is written") {
       CHECK(result.out.empty());
     }
   CHECK(workshop.names() == names);
-  CHECK(contains(workshop.run("info none.dmc").error, "check the name"));
+  CHECK(contains(workshop.run("info none.dmc").error, "check its name"));
 }
 
 TEST_CASE("damaged bytes and packets end in an exit code and never in a crash") {
@@ -391,7 +390,7 @@ TEST_CASE("a polygon that is none costs that polygon, and is told") {
   for (const char* arguments : {"decode c.dmc -o c.stl", "render c.dmc -o c.png --size 16,16"}) {
     const Result result = workshop.run(arguments);
     CHECK(result.code == 3);  // the trailer counts eight regions
-    CHECK(contains(result.error, "discmc: c.dmc: 1 of 9 polygons left out"));
+    CHECK(contains(result.error, "discmc: c.dmc: 1 of 9 polygons are left out"));
     CHECK(contains(result.error, "in line 1\n"));
   }
   CHECK(workshop.read("c.stl").size() == 84 + 8 * 50);

@@ -50,10 +50,10 @@ TEST_CASE("padding that Otsu's threshold leaves out is told") {
   workshop.write("ct.nrrd", head("-2000 -2000 -1000 40 900 "));
   const Result otsu = workshop.run("extract ct.nrrd --iso otsu -q -o v.stl");
   CHECK(otsu.error ==
-        "discmc: ct.nrrd: --iso otsu: -500, without the -2000 outside of what was scanned\n");
+        "discmc: ct.nrrd: --iso otsu: -500, without the -2000 outside the scanned circle\n");
   CHECK(contains(workshop.done("info ct.nrrd"),
-                 "otsu: divides the values in two groups that differ most, without the padding "
-                 "-2000\n"));
+                 "otsu: divides the values into two groups, without the "
+                 "padding -2000\n"));
   CHECK(contains(workshop.run("extract ct.nrrd --iso auto -q -o v.stl").error,
                  "--iso auto: 300 (bone)\n"));
 }
@@ -88,15 +88,15 @@ TEST_CASE("a named threshold is refused where it cannot be found") {
   const auto names = workshop.names();
   const std::string mesh = " -o v.stl";
   check_failure(workshop.run("extract mri.nrrd --iso bone" + mesh), 1,
-                {"mri.nrrd: --iso bone is of Hounsfield units, and the values are 0 to 600; "});
+                {"mri.nrrd: --iso bone needs Hounsfield units, and the values are 0 to 600; "});
   check_failure(workshop.run("extract flat.nrrd --iso auto" + mesh), 1,
                 {"flat.nrrd: all values are 7, "});
   check_failure(workshop.run("extract ct.nrrd --iso bones" + mesh), 2,
-                {"'bones' is no finite number, auto, otsu, bone or skin"});
+                {"invalid value 'bones'; expected a finite number, auto, otsu, bone or skin"});
   for (const std::string name : {"auto", "otsu", "bone", "skin"})
     check_failure(workshop.shell("cat ct.nrrd | \"$discmc\" extract - --iso " + name + mesh), 1,
-                  {"standard input: --iso " + name + " takes a pass of its own",
-                   "store the volume in a file first"});
+                  {"standard input: --iso " + name + " needs a pass of its own",
+                   "can be read only once; store it in a file first"});
   CHECK(workshop.names() == names);
 }
 

@@ -159,10 +159,10 @@ TEST_CASE("without a unit OME-XML is in micrometres, and what is no length is no
   check_spacing(info_of("PhysicalSizeX=\"2\" PhysicalSizeY=\"3\" PhysicalSizeZ=\"4\""),
                 {2e-3, 3e-3, 4e-3});
   const VolumeInfo of_pixels = info_of("PhysicalSizeX=\"2\" PhysicalSizeXUnit=\"pixel\"");
-  CHECK(noted(of_pixels, "PhysicalSizeX is in 'pixel', which is no length"));
+  CHECK(noted(of_pixels, "PhysicalSizeX is in 'pixel', which is not a length"));
   CHECK(noted(of_pixels, "no spacing given"));
   const VolumeInfo without_z = info_of("PhysicalSizeX=\"2\" PhysicalSizeY=\"2\"");
-  CHECK(noted(without_z, "no distance of slices given, that of pixels taken"));
+  CHECK(noted(without_z, "no distance of slices given, the distance of pixels is used"));
   check_spacing(without_z, {2e-3, 2e-3, 2e-3});
 }
 
@@ -182,13 +182,13 @@ TEST_CASE("TiffData elements order the pages") {
 
 TEST_CASE("OME-XML that does not fit its pages is refused") {
   check_refusal(refusal_of(ome(image(four_slices)), 3), "slice 3 of channel 0 has no page");
-  check_refusal(refusal_of(ome(image(four_slices)), 5), "its description leaves out page 4");
+  check_refusal(refusal_of(ome(image(four_slices)), 5), "its description lacks page 4");
   const auto with_data = [](const std::string& data) { return ome(image(four_slices, data)); };
   check_refusal(refusal_of(with_data("<TiffData IFD=\"2\" PlaneCount=\"4\"/>")),
                 "describes 4 planes from page 2 on, and 'v.ome.tif' has 4 pages");
   check_refusal(refusal_of(with_data("<TiffData/><TiffData IFD=\"1\"/>")),
-                "plane 0 is described as two pages");
-  check_refusal(refusal_of(with_data("<TiffData FirstZ=\"4\"/>")), "FirstZ is 4, behind the last");
+                "plane 0 has two pages in the description");
+  check_refusal(refusal_of(with_data("<TiffData FirstZ=\"4\"/>")), "FirstZ is 4, after the last");
   check_refusal(refusal_of(with_data("<TiffData IFD=\"x\"/>")), "IFD is 'x'");
   check_refusal(refusal_of(ome(image("SizeZ=\"4\" SizeC=\"1\" SizeT=\"0\""))),
                 "an image of 0 planes");
@@ -202,7 +202,8 @@ TEST_CASE("OME-XML that does not fit its pages is refused") {
   check_refusal(refusal_of(other_order), "DimensionOrder is 'xzyct'");
   std::string other_size = ome(image(four_slices));
   other_size.replace(other_size.find("SizeX=\"2\""), 9, "SizeX=\"3\"");
-  check_refusal(refusal_of(other_size), "of planes of 3 x 1, and its pages have 2 x 1");
+  check_refusal(refusal_of(other_size),
+                "its description has planes of 3 x 1, and its pages have 2 x 1");
 }
 
 TEST_CASE("positions of OME-XML are volumes for --frame") {
@@ -249,7 +250,7 @@ TEST_CASE("a file of a set of OME-TIFF stands for the set") {
     CHECK(pages_read(set.path() / OmeSet::name(1)) == Pages{0, 1, 2});
     CHECK(pages_read(set.path()) == Pages{0, 1, 2});
     check_refusal(refusal(set.path() / "b[67].ome.tif"),
-                  "' is one of a set of 3 files; give it alone: it names the others");
+                  "' is one of a set of 3 files; give this file alone; it names the others");
   }
 }
 
@@ -299,10 +300,10 @@ TEST_CASE("ImageJ's units are read as it writes them") {
       {4, 4, 5e-3});
   const VolumeInfo in_pixels =
       info_of(numbered(3, "ImageJ=1\nimages=3\nunit=pixel\n", of_four_units));
-  CHECK(noted(in_pixels, "its unit is 'pixel', which is no length"));
+  CHECK(noted(in_pixels, "its unit is 'pixel', which is not a length"));
   CHECK(noted(in_pixels, "no spacing given"));
   const VolumeInfo flat = info_of(numbered(3, "ImageJ=1\nimages=3\nunit=mm\n", of_four_units));
-  CHECK(noted(flat, "no distance of slices given, 1 unit taken, as ImageJ does"));
+  CHECK(noted(flat, "no distance of slices given, 1 unit assumed, as by ImageJ"));
   check_spacing(flat, {4, 4, 1});
 }
 
@@ -354,10 +355,11 @@ TEST_CASE("axes that are given say what the pages are, as the refusal of one sli
     CHECK(pages_read(file, with_axes("zyx")) == Pages{0, 1, 2, 3});
     CHECK(pages_read(file, with_axes("tyx", chosen(3, {}))) == Pages{3});
     CHECK(pages_read(file, with_axes("cyx", chosen({}, 2))) == Pages{2});
-    check_refusal(refusal(file, with_axes("zxy")), "and not 'zxy'; give --axes zyx, cyx or tyx");
+    check_refusal(refusal(file, with_axes("zxy")), "not 'zxy'; give --axes zyx, cyx or tyx");
     check_refusal(refusal(file, with_axes("czyx")), "and not 'czyx'");
   }
-  check_refusal(refusal(files / "u8.png", with_axes("zyx")), "axes are named, but this is PNG");
+  check_refusal(refusal(files / "u8.png", with_axes("zyx")),
+                "--axes applies to arrays and TIFF, and this is PNG");
 }
 
 TEST_CASE("ImageJ's straight line makes values of samples, and its origin places them") {
@@ -422,15 +424,15 @@ TEST_CASE("smaller copies among the pages, and within them, are left out with a 
   tiff.page(2, 2, large, {{tag::kind_of_page, whole({2})}});
   const VolumeInfo info = info_of(tiff);
   CHECK(info.dims == Dims{2, 2, 2});
-  CHECK(noted(info, "pages that are smaller copies or masks left out: 1"));
-  CHECK(noted(info, "mostly smaller copies, left out: 2"));
+  CHECK(noted(info, "pages that are smaller copies or masks are left out: 1"));
+  CHECK(noted(info, "usually smaller copies, are left out: 2"));
 }
 
 TEST_CASE("bytes behind the only page are noted, unless they may well be metadata") {
   const auto notes_much = [](std::size_t behind) {
     Tiff tiff;
     tiff.page(256, 256, std::string(65536, 'a')).behind(std::string(behind, 'b'));
-    return noted(info_of(tiff), "bytes behind its only page left out");
+    return noted(info_of(tiff), "bytes after its only page are left out");
   };
   CHECK(notes_much(200000));
   CHECK(!notes_much(60000));
@@ -476,11 +478,15 @@ TEST_CASE("pages of different sizes, types, resolutions, colours or directions a
                                  {tag::resolution_unit, whole({1})}};
   check_refusal(refusal_with({{256, whole({1})}}), "page 1 has 1 x 1 samples of u8");
   check_refusal(refusal_with({{tag::bits, whole({16})}}), "page 1 has 2 x 1 samples of u16");
-  check_refusal(refusal_with({{tag::samples, whole({3})}}), "page 1 has 3 channels, and not 1");
-  check_refusal(refusal_with({{tag::photometric, whole({0})}}), "black and white the other way");
-  check_refusal(refusal_with({{tag::orientation, whole({4})}}), "its rows in another direction");
-  check_refusal(refusal_with(other_resolution),
-                "another resolution than v.tif; if its voxels are as large, give --spacing X,Y,Z");
+  check_refusal(refusal_with({{tag::samples, whole({3})}}),
+                "page 1 has 3 channels instead of 1, unlike v.tif");
+  check_refusal(refusal_with({{tag::photometric, whole({0})}}),
+                "page 1 has black and white exchanged, unlike v.tif");
+  check_refusal(refusal_with({{tag::orientation, whole({4})}}),
+                "page 1 has rows in another direction, unlike v.tif");
+  check_refusal(
+      refusal_with(other_resolution),
+      "another resolution than v.tif; if its voxels have the same size, give --spacing X,Y,Z");
   VolumeOptions options;
   options.spacing_mm = {1, 1, 1};
   CHECK(open_volume(folder.path() / "v.tif", options)->info().dims[2] == 2);
@@ -528,7 +534,8 @@ TEST_CASE("pages of ScanImage are slices only if it says so, or the user") {
                                        slices + "\n")}};
     return folder.write("v.tif", numbered(4, "", more).bytes());
   };
-  check_refusal(refusal(write("2")), "its 4 pages are not a slice each: ScanImage stores channels");
+  check_refusal(refusal(write("2")),
+                "its 4 pages are not one slice each: ScanImage also stores channels");
   VolumeOptions options;
   options.axes = "zyx";
   CHECK(open_volume(write("2"), options)->info().dims[2] == 4);

@@ -66,7 +66,7 @@ TEST_CASE("tune tells the stream that extract makes in the same memory") {
 TEST_CASE("with the least that tune says nothing is loose, and with 256 bytes less something is") {
   const Workshop workshop;
   write_ball(workshop);
-  const auto words = words_of(workshop.done("tune v.nrrd --iso 100"), "  nothing loose from  ");
+  const auto words = words_of(workshop.done("tune v.nrrd --iso 100"), "  no fragments from   ");
   REQUIRE(!words.empty());
   std::string digits = words[0];
   digits.erase(std::remove(digits.begin(), digits.end(), ','), digits.end());
@@ -114,10 +114,10 @@ TEST_CASE("the code that tune prints says what of the surface is not in it") {
   const auto code = [&](const std::string& options, const char* heading) {
     return code_of(workshop.done("tune v.nrrd " + options), heading);
   };
-  const std::string left = "Left to you: voxels above 250 are off; a MajorityFilter";
+  const std::string left = "Not in this code: voxels above 250 are off; a MajorityFilter";
   for (const char* heading : {"regions, C++", "regions, C", "slices, C++", "slices, C"}) {
     CHECK(contains(code("--range 100..250 --median 3", heading), left));
-    CHECK(!contains(code("--iso 100", heading), "Left to you"));
+    CHECK(!contains(code("--iso 100", heading), "Not in this code"));
   }
 }
 
@@ -129,8 +129,8 @@ TEST_CASE("the code that tune prints says for which value of the file its thresh
   const std::string scaled = workshop.done("tune scaled.nii --iso=-900");
   for (const char* heading : {"regions, C++", "regions, C", "slices, C++", "slices, C"})
     CHECK(contains(code_of(scaled, heading),
-                   "The threshold of the samples is 50 where the value is -900."));
-  CHECK(!contains(workshop.done("tune v.nrrd --iso 100"), "where the value is"));
+                   "The threshold of the stored samples is 50 for the value -900."));
+  CHECK(!contains(workshop.done("tune v.nrrd --iso 100"), "of the stored samples"));
 }
 
 TEST_CASE("tune tells the threshold that a rule has found") {
@@ -162,14 +162,14 @@ TEST_CASE("tune refuses with the value and the remedy") {
     CHECK(result.code == code);
     CHECK(contains(result.error, remedy));
   };
-  refused("", 2, "give --iso auto, or the threshold");
-  refused("--iso 100 --clock fast", 2, "'fast' is no clock: give Hertz, as in 48M");
-  refused("--iso 100 --baud 0", 2, "'0' is no baud rate");
+  refused("", 2, "add --iso auto, or the threshold");
+  refused("--iso 100 --clock fast", 2, "invalid clock 'fast'; expected Hertz, as in 48M");
+  refused("--iso 100 --baud 0", 2, "invalid value '0'; expected bits per second");
   refused("--iso 100 --memory 100", 1,
           "give at least " + std::to_string(discmc::minimum_bytes<std::uint16_t>(limits)));
   refused("--iso 100 --memory 1M", 1,
           "give at most " + std::to_string(discmc::bytes_for<std::uint16_t>(limits, {32759, 0})));
-  refused("--iso 100 --capacities 40000,1", 1, "give 4 to 32759 slots");
+  refused("--iso 100 --capacities 40000,1", 1, "expected 4 to 32759");
   refused("--iso 300", 1, "no voxel reaches 300");
   refused("--iso 300 --allow-empty", 2, "'--allow-empty' is not an option of tune");
   refused("--iso 100 --payload slices --memory 2K", 2, "leave out --memory and --capacities");

@@ -103,32 +103,37 @@ TEST_CASE("an option that is like none is answered without a guess") {
   check_said("info v.dmc --zoom 5",
              "discmc: '--zoom' is not an option of info; leave it out\nSee discmc info --help.\n");
   check_said("--iso 5 extract v.nrrd",
-             "discmc: '--iso' is not an option of discmc; options of a command are given after its "
+             "discmc: '--iso' is not an option of discmc; give options of a command after its "
              "name\nSee discmc extract --help.\n");
 }
 
 TEST_CASE("a value that is missing or no value of its option is answered with the form of it") {
-  CHECK(contains(Workshop().run("extract v.raw --dims 1,2").error, "2; give --dims X,Y,Z\n"));
-  CHECK(contains(Workshop().run("extract v.raw --dims a,b,c").error, "; give --dims X,Y,Z\n"));
-  CHECK(contains(Workshop().run("extract v.raw --scan").error, "; give --scan N\n"));
+  CHECK(contains(Workshop().run("extract v.raw --dims 1,2").error,
+                 "--dims: invalid value '1,2'; expected X,Y,Z\n"));
+  CHECK(contains(Workshop().run("extract v.raw --dims a,b,c").error,
+                 "--dims: invalid value 'a,b,c'; expected X,Y,Z\n"));
+  CHECK(contains(Workshop().run("extract v.raw --scan").error,
+                 "--scan: the value is missing; expected N\n"));
   CHECK(contains(Workshop().run("extract v.raw --iso much").error,
-                 "'much' is no finite number, auto, otsu, bone or skin\n"));
+                 "invalid value 'much'; expected a finite number, auto, otsu, bone or skin\n"));
   CHECK(contains(Workshop().run("extract v.raw --iso 5x").error,
-                 "'5x' is no finite number, auto, otsu, bone or skin\n"));
+                 "invalid value '5x'; expected a finite number, auto, otsu, bone or skin\n"));
 }
 
 TEST_CASE("arguments too many and too few are told by name") {
   check_said("info a.dmc b.dmc",
-             "discmc: 'b.dmc' is one argument too many; leave it out\nSee discmc info --help.\n");
+             "discmc: 'b.dmc' is an unexpected argument; leave it out\nSee discmc info --help.\n");
   check_said("extract v.nrrd out.stl",
-             "discmc: 'out.stl' is one argument too many; name the output with -o out.stl\n"
-             "See discmc extract --help.\n");
-  check_said("extract v.nrrd out.stl --iso 5 -o v.stl",
-             "discmc: 'out.stl' is one argument too many; leave it out\n"
-             "See discmc extract --help.\n");
+             "discmc: 'out.stl' is an unexpected argument; name the output with -o out.stl\nSee "
+             "discmc extract --help.\n");
+  check_said(
+      "extract v.nrrd out.stl --iso 5 -o v.stl",
+      "discmc: 'out.stl' is an unexpected argument; leave it out\nSee discmc extract --help.\n");
   CHECK(contains(Workshop().run("extract v.nrrd -o v.stl").error,
-                 "discmc: --iso: is missing: give --iso auto, or --iso ISO, "));
-  check_said("extract --border -o v.dmc v.nrrd --iso 5",
-             "discmc: --border: -o not in {closed,open}\nSee discmc extract --help.\n");
-  check_said("info --", "discmc: INPUT is required\nSee discmc info --help.\n");
+                 "discmc: --iso: no threshold is given; add --iso auto, --iso ISO, "));
+  check_said(
+      "extract --border -o v.dmc v.nrrd --iso 5",
+      "discmc: --border: invalid value '-o'; expected closed|open\nSee discmc extract --help.\n");
+  check_said("info --",
+             "discmc: INPUT is missing; give INPUT after the command\nSee discmc info --help.\n");
 }

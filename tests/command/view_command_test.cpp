@@ -116,7 +116,7 @@ TEST_CASE("view refuses what it would lose or leave out, and says what to give")
   refused("- --no-open", "give -o PAGE.html");
   refused("'*.png'", "give -o PAGE.html");
   refused("v.nrrd -o v.png", "give a name that ends in .html");
-  refused("v.nrrd -o w.html --median 3", "give --iso auto as well");
+  refused("v.nrrd -o w.html --median 3", "add --iso auto");
   refused("v.nrrd --serve -o w.html", "--output");
   refused("v.nrrd --serve --port 0", "--port");
   refused("v.nrrd -o w.html --port 8000", "--serve");

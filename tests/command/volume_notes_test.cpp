@@ -14,10 +14,10 @@ using Notes = std::vector<std::string>;
 
 const std::string u8 = stored(SampleType::u8);
 
-const std::string no_spacing = "no spacing given, 1 mm taken";
+const std::string no_spacing = "no spacing given, 1 mm assumed";
 const std::string no_axes =
-    "the axes are not named: taken as array[z][y][x]; --axes names others, such as xyz";
-const std::string no_unit = "no unit of length given, mm taken";
+    "the axes are not named; read as array[z][y][x]; to read others, give --axes, such as xyz";
+const std::string no_unit = "no unit of length given, mm assumed";
 
 std::string vti(const std::string& image, const std::string& points) {
   return "<VTKFile type=\"ImageData\" byte_order=\"LittleEndian\"><ImageData WholeExtent=\"0 4 0 2 "
@@ -57,7 +57,7 @@ TEST_CASE("a file of each format that tells no place has exactly these notes") {
       {folder.write("v.mha", metaimage(metaimage_u8 + "ElementDataFile = LOCAL\n") + u8),
        {no_spacing}},
       {folder.write("v.nii", nifti.file(u8)),
-       {"NIfTI-1 tells no directions here: which side is left is not known", no_unit}},
+       {"NIfTI-1 has no directions here; which side is left is unknown", no_unit}},
       {folder.write("v.vtk", vtk + scalars + u8), {no_spacing}},
       {folder.write(
            "v.vti",
@@ -86,7 +86,7 @@ TEST_CASE("a spacing that is given leaves no note of a missing one") {
 
 TEST_CASE("bytes behind the samples are noted, packed ones when they are reached") {
   const Folder folder;
-  const std::string behind = " bytes behind the samples left out: check the sizes";
+  const std::string behind = " bytes after the samples are left out; check the sizes";
   const std::string head = nrrd(nrrd_u8 + "spacings: 1 1 1\n" + units_in_mm);
   const auto whole = open_volume(folder.write("v.nrrd", head + "\n" + u8 + "1234567"));
   CHECK(noted(whole->info(), "7" + behind));
@@ -122,7 +122,7 @@ TEST_CASE("further arrays in VTK's files are noted") {
   };
   CHECK(left_out(file + "\n").empty());
   CHECK(left_out(file + "\nSCALARS b float 1\nLOOKUP_TABLE default\n1234") ==
-        "what follows the first array left out: 'SCALARS b float 1'");
+        "everything after the first array is left out: 'SCALARS b float 1'");
   std::string text = file.substr(0, file.size() - u8.size());
   text.replace(text.find("BINARY"), 6, "ASCII");
   for (int voxel = 0; voxel < voxels; ++voxel) text += "7 ";
@@ -135,15 +135,15 @@ TEST_CASE("further arrays in VTK's files are noted") {
   const std::string spacing = "Spacing=\"1 1 1\"";
   CHECK(notes_of(folder.write("v.vti", vti(spacing, ">" + a) + appended)) == Notes{no_unit});
   CHECK(notes_of(folder.write("v.vti", vti(spacing, ">" + a + b) + appended)) ==
-        Notes{no_unit, "array 'a' taken, others left out: 'b'"});
+        Notes{no_unit, "array 'a' is read, others are left out: 'b'"});
   CHECK(notes_of(folder.write("v.vti", vti(spacing, "Scalars=\"a\">" + b + a) + appended)) ==
-        Notes{no_unit, "array 'a' taken, others left out: 'b'"});
+        Notes{no_unit, "array 'a' is read, others are left out: 'b'"});
   std::string numbers;
   for (int voxel = 0; voxel < voxels; ++voxel) numbers += "7 ";
   const std::string in_place =
       "<DataArray type=\"UInt8\" Name=\"a\" format=\"ascii\">" + numbers + "</DataArray>" + b;
   CHECK(notes_of(folder.write("v.vti", vti(spacing, ">" + in_place))) ==
-        Notes{no_unit, "array 'a' taken, the first; what follows its samples is left out"});
+        Notes{no_unit, "array 'a' is read, the first; everything after its samples is left out"});
   CHECK(notes_of(folder.write("v.vti", vti(spacing, "Scalars=\"a\">" + in_place))) ==
         Notes{no_unit});
 }

@@ -150,7 +150,7 @@ TEST_CASE("NRRD's spacings and origin count more than axis mins and maxs, and a 
   const VolumeInfo placed = nrrd_info(
       folder, bounds + "space: LPS\nspacings: 1 2 3\nspace origin: (7,8,9)\n" + units_in_mm);
   check_placement(placed, Frame::lps, {7, 8, 9}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
-  CHECK(noted(placed, "axis mins and axis maxs dropped"));
+  CHECK(noted(placed, "axis mins and axis maxs are ignored"));
 }
 
 TEST_CASE("NRRD's thicknesses stand in for a spacing that is missing") {
@@ -158,28 +158,28 @@ TEST_CASE("NRRD's thicknesses stand in for a spacing that is missing") {
   const VolumeInfo info =
       nrrd_info(folder, "spacings: 0.5 2 nan\nthicknesses: nan 9 3\n" + units_in_mm);
   CHECK(info.spacing_mm == Vector{0.5, 2, 3});
-  CHECK(info.notes == std::vector<std::string>{"no spacing of axis 3 given, its thickness taken"});
+  CHECK(info.notes ==
+        std::vector<std::string>{"no spacing of axis 3 given, its thickness is used"});
 }
 
 TEST_CASE("units are noted where they are not known") {
   const Folder folder;
   const VolumeInfo nrrd = nrrd_info(folder, "spacings: 1 2 3\nunits: mm furlong \"\"\n");
-  CHECK(noted(nrrd, "unit 'furlong' not known, mm taken"));
-  CHECK(noted(nrrd_info(folder, "spacings: 1 2 3\n"), "no unit of length given, mm taken"));
+  CHECK(noted(nrrd, "unit 'furlong' is unknown, mm assumed"));
+  CHECK(noted(nrrd_info(folder, "spacings: 1 2 3\n"), "no unit of length given, mm assumed"));
   CHECK(nrrd_info(folder, "space: LPS\nspacings: 1 2 3\n").notes.empty());
   CHECK(nrrd_info(folder, "spacings: 1 2 3\nunits: microns Micrometers \"\u00b5m\"\n").spacing_mm ==
         Vector{0.001, 0.002, 0.003});
   CHECK(noted(nifti_info(folder, nifti_of_spacing().integer(123, 1, 0)),
-              "no unit of length given, mm taken"));
+              "no unit of length given, mm assumed"));
 }
 
 TEST_CASE("a space that NRRD does not have is noted") {
   const Folder folder;
   const std::string steps = "space directions: (1,0,0) (0,1,0) (0,0,1)\n" + units_in_mm;
   const VolumeInfo info = nrrd_info(folder, "space: right-posterior-superior\n" + steps);
-  CHECK(info.notes ==
-        std::vector<std::string>{
-            "the space 'right-posterior-superior' is not known, taken as right-handed"});
+  CHECK(info.notes == std::vector<std::string>{
+                          "the space 'right-posterior-superior' is unknown, right-handed assumed"});
   for (const std::string space : {"3D-right-handed-time", "scanner-xyz-time", "LPST"})
     CHECK(nrrd_info(folder, "space: " + space + "\n" + steps).notes.empty());
 }
@@ -225,11 +225,11 @@ TEST_CASE("NIfTI's qform is taken where the sform spans no space, and nothing wh
   for (const auto& rows : of_no_use) {
     const VolumeInfo info = nifti_info(folder, with_sform(nifti, rows));
     check_placement(info, Frame::ras, {7, -8, 9}, {{{0, 0.5, 0}, {-2, 0, 0}, {0, 0, 3}}});
-    CHECK(info.notes == std::vector<std::string>{"the sform spans no space, dropped"});
+    CHECK(info.notes == std::vector<std::string>{"the sform spans no space, and is ignored"});
     const VolumeInfo neither = nifti_info(folder, with_sform(nifti_of_spacing(), rows));
     CHECK_FALSE(neither.placement);
     CHECK(neither.spacing_mm == Vector{0.5, 2, 3});
-    CHECK(noted(neither, "tells no directions"));
+    CHECK(noted(neither, "has no directions"));
   }
 }
 
@@ -239,7 +239,7 @@ TEST_CASE("a qform of NIfTI that is mirrored against the sform is noted") {
   const Nifti both = with_sform(nifti_of_spacing(), sform).integer(252, 2, 1);
   CHECK(nifti_info(folder, both).notes.empty());
   const VolumeInfo mirrored = nifti_info(folder, Nifti(both).real(76, -1));
-  CHECK(noted(mirrored, "the qform is mirrored against the sform, dropped"));
+  CHECK(noted(mirrored, "the qform is mirrored against the sform, and ignored"));
   check_placement(mirrored, Frame::ras, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
 }
 
@@ -247,7 +247,7 @@ TEST_CASE("a negative distance in NIfTI is taken as positive, with a note") {
   const Folder folder;
   const VolumeInfo info = nifti_info(folder, nifti_of_spacing().real(84, -2));
   CHECK(info.spacing_mm == Vector{0.5, 2, 3});
-  CHECK(noted(info, "pixdim 2 is negative, taken as positive"));
+  CHECK(noted(info, "pixdim 2 is negative, and read as positive"));
 }
 
 TEST_CASE("MetaImage tells its unit, and the size of voxels where it tells no spacing") {
@@ -259,10 +259,10 @@ TEST_CASE("MetaImage tells its unit, and the size of voxels where it tells no sp
   CHECK(microns.notes.empty());
   CHECK(metaimage_info(folder, "DistanceUnits = cm\n" + place).spacing_mm == Vector{5, 20, 30});
   CHECK(noted(metaimage_info(folder, "DistanceUnits = ?\n" + place),
-              "no unit of length given, mm taken"));
+              "no unit of length given, mm assumed"));
   const VolumeInfo sized = metaimage_info(folder, "ElementSize = 0.5 2 3\n");
   CHECK(sized.spacing_mm == Vector{0.5, 2, 3});
-  CHECK(noted(sized, "no ElementSpacing given, ElementSize taken"));
+  CHECK(noted(sized, "no ElementSpacing given, ElementSize is used"));
   CHECK(metaimage_info(folder, "ElementSize = 9 9 9\nElementSpacing = 0.5 2 3\n").spacing_mm ==
         Vector{0.5, 2, 3});
 }
@@ -295,7 +295,7 @@ TEST_CASE("MetaImage tells a row an axis and the origin, in LPS") {
                                  "5 3 4 1"),
                   Frame::lps, {1, 2, 3}, {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});
   CHECK(noted(metaimage_info(folder, "TransformMatrix = 1 0 0 1\n"),
-              "TransformMatrix of 4 numbers dropped"));
+              "TransformMatrix of 4 numbers is ignored"));
 }
 
 TEST_CASE("MetaImage's letters are noted where they contradict the matrix") {
@@ -304,7 +304,7 @@ TEST_CASE("MetaImage's letters are noted where they contradict the matrix") {
   CHECK(metaimage_info(folder, matrix + "AnatomicalOrientation = RPI\n").notes.empty());
   CHECK(metaimage_info(folder, matrix + "AnatomicalOrientation = ???\n").notes.empty());
   CHECK(noted(metaimage_info(folder, matrix + "AnatomicalOrientation = RAI\n"),
-              "AnatomicalOrientation 'RAI' dropped: by the TransformMatrix it is 'RPI'"));
+              "AnatomicalOrientation 'RAI' is ignored; by the TransformMatrix it is 'RPI'"));
 }
 
 TEST_CASE("a placement of no use becomes the coordinates, with a note") {
@@ -313,16 +313,16 @@ TEST_CASE("a placement of no use becomes the coordinates, with a note") {
                                     "space: LPS\nspace directions: (1,0,0) (0,2,0) (1,1,0)\n"
                                     "space origin: (1,2,3)\n");
   check_placement(flat, Frame::lps, {1, 2, 3}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, std::sqrt(2.0)}}});
-  CHECK(noted(flat, "axis directions unusable"));
+  CHECK(noted(flat, "the axis directions are unusable"));
   const VolumeInfo far = nrrd_info(folder,
                                    "space: LPS\nspace directions: (1,0,0) (0,2,0) (0,0,3)\n"
                                    "space origin: (nan,0,1e10)\n");
   check_placement(far, Frame::lps, {0, 0, 0}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
-  CHECK(noted(far, "origin (nan, 0, 1e+10) unusable, 0 taken"));
+  CHECK(noted(far, "origin (nan, 0, 1e+10) is unusable, 0 is used"));
   const float infinite = std::numeric_limits<float>::infinity();
   const VolumeInfo nifti = nifti_info(
       folder, with_sform(nifti_of_spacing(), {infinite, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 0}));
   CHECK_FALSE(nifti.placement);
   CHECK(nifti.spacing_mm == Vector{0.5, 2, 3});
-  CHECK(noted(nifti, "the sform spans no space, dropped"));
+  CHECK(noted(nifti, "the sform spans no space, and is ignored"));
 }

@@ -179,12 +179,12 @@ TEST_CASE("Hounsfield units are told by the file, or by values from air to bone"
 TEST_CASE("a threshold that does not fit says what is there") {
   const VolumeStatistics mri = statistics_of({{0, 5}, {900, 1}});
   CHECK(complaint(ThresholdRule::bone, mri) ==
-        "--iso bone is of Hounsfield units, and the values are 0 to 900; give a number or --iso "
+        "--iso bone needs Hounsfield units, and the values are 0 to 900; give a number or --iso "
         "otsu");
   CHECK(complaint(ThresholdRule::otsu, statistics_of({{7, 3}})) ==
-        "all values are 7, and none divides them; give --iso 7 to take them all");
+        "all values are 7, so no threshold divides them; give --iso 7 to select them all");
   CHECK(complaint(ThresholdRule::automatic, {}) ==
-        "no value is a finite number, and none divides them; check the file");
+        "no value is finite, so there is no threshold; check the file");
 }
 
 TEST_CASE("a value is told by the digits that it has") {

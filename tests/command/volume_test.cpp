@@ -115,9 +115,9 @@ TEST_CASE("NRRD skips lines of the file and bytes of its content") {
   check_refusal(refusal(folder.write("d.nrrd", nrrd(gzip_u8 + "byte skip: -1\n\n") + gzip(u8))),
                 "byte skip -1");
   check_refusal(refusal(folder.write("e.nrrd", nrrd(nrrd_u8 + "line skip: 9\n\n") + "one\ntwo\n")),
-                "of 9 lines to skip only 2 are there");
+                "of 9 lines to skip only 2 exist");
   check_refusal(refusal(folder.write("f.nrrd", nrrd(gzip_u8 + "byte skip: 99\n\n") + gzip(u8))),
-                "of 99 bytes to skip 39 are not there");
+                "of 99 bytes to skip 39 are missing");
   check_refusal(
       refusal(folder.write("g.nrrd", nrrd(nrrd_u8 + "byte skip: 9223372036854775807\n\n") + u8)),
       "of 9223372036854775807 bytes to skip");
@@ -131,8 +131,8 @@ TEST_CASE("NRRD gives a signed spacing in millimetres") {
   const std::string directions = "space dimension: 3\nspace directions: ";
   CHECK(info("spacings: 0.5 -2 3\n").spacing_mm == Spacing{0.5, -2, 3});
   CHECK(info("spacings: 1 2 3\nunits: \"cm\" \"\" \"um\"\n").spacing_mm == Spacing{10, 2, 0.003});
-  CHECK(noted(info("spacings: 1 nan 0\n"), "no spacing of axis 2 given, 1 mm taken"));
-  CHECK(noted(info("spacings: 1 nan 0\n"), "spacing 0 of axis 3 unusable, 1 mm taken"));
+  CHECK(noted(info("spacings: 1 nan 0\n"), "no spacing of axis 2 given, 1 mm assumed"));
+  CHECK(noted(info("spacings: 1 nan 0\n"), "spacing 0 of axis 3 is unusable, 1 mm assumed"));
   CHECK(noted(info(""), "no spacing"));
   CHECK(info(directions + "(-0.5,0,0) (0, 2, 0) (0,0,3)\n").spacing_mm == Spacing{-0.5, 2, 3});
   CHECK(info(directions + "(0,2,0) (-3,0,0) (0,0,4)\n").spacing_mm == Spacing{2, 3, 4});
@@ -220,12 +220,12 @@ TEST_CASE("NRRD refuses by name what it does not take") {
   const Folder folder;
   const std::vector<std::pair<std::string, std::string>> cases = {
       {nrrd("type: block\nencoding: raw\n\n"), "type 'block'"},
-      {nrrd("type: char\nencoding: raw\n\n"), "one number a voxel"},
+      {nrrd("type: char\nencoding: raw\n\n"), "one number per voxel"},
       {nrrd("type: uchar\nencoding: hex\n\n"), "encoding 'hex'"},
       {nrrd("type: short\nencoding: raw\n\n"), "'endian' is missing"},
       {nrrd("type: short\nencoding: raw\nendian: pdp\n\n"), "endian is 'pdp'"},
-      {nrrd(nrrd_u8 + "endain: big\n\n"), "'endain' is not known"},
-      {nrrd(nrrd_u8 + "type: uchar\n\n"), "'type' is there twice"},
+      {nrrd(nrrd_u8 + "endain: big\n\n"), "'endain' is unknown"},
+      {nrrd(nrrd_u8 + "type: uchar\n\n"), "'type' is given twice"},
       {nrrd(nrrd_u8 + "kinds: 3-color domain domain\n\n"), "kind '3-color'"},
       {nrrd(nrrd_u8 + "kinds: 3-color domain domain\n\n"), "unu slice -p 0 -a 0 -i in.nrrd"},
       {nrrd(nrrd_u8 + "kinds: domain list domain domain\n\n", "5 2 3 4"),
@@ -236,21 +236,21 @@ TEST_CASE("NRRD refuses by name what it does not take") {
       {nrrd(nrrd_u8 + "kinds: list domain domain domain\n\n", "2 5 3 4") + u8 + u8,
        "holds 2 volumes"},
       {nrrd(nrrd_u8 + "kinds: list domain domain domain\n\n", "200000 30000 3 4"),
-       "200000 samples side by side make the rows too long"},
-      {nrrd(nrrd_u8 + "space directions: (1,0,0,0) (1,0,0) (0,1,0)\n\n"), "no vector of up to"},
+       "200000 samples per voxel make the rows too long"},
+      {nrrd(nrrd_u8 + "space directions: (1,0,0,0) (1,0,0) (0,1,0)\n\n"), "not a vector of up to"},
       {nrrd(nrrd_u8 + "space directions: (1,0,0) (0,1,0)\n\n"), "2 entries for 3 dimensions"},
       {nrrd(nrrd_u8 + "spacings: 1\n\n"), "1 entries for 3 dimensions"},
       {nrrd(nrrd_u8 + "data file: LIST\nabsent\nb\n"), "absent: there is no such file"},
       {nrrd(nrrd_u8 + "data file: LIST\n"), "list of data files is empty"},
-      {nrrd(nrrd_u8 + "data file: %99999d.raw 1 4 1\n"), "no pattern with a range"},
+      {nrrd(nrrd_u8 + "data file: %99999d.raw 1 4 1\n"), "not a pattern with a range"},
       {nrrd(nrrd_u8 + "data file: absent.raw\n"), "no such file"},
-      {nrrd(nrrd_u8 + "data file: .\n"), "no file or pipe"},
+      {nrrd(nrrd_u8 + "data file: .\n"), "neither a file nor a pipe"},
       {nrrd(nrrd_u8), "no end"},
       {nrrd(nrrd_u8 + "\n", "5 3"), "slice 0 (the first is 0) of 1: 15 bytes"},
       {nrrd(nrrd_u8 + "\n", "5 3 4 2") + u8, "holds 2 volumes"},
       {nrrd(nrrd_u8 + "\n", "5 0 4"), "dimension 2 has size 0"},
       {nrrd(nrrd_u8 + "\n", "5 -3 4"), "dimension 2 has size -3"},
-      {nrrd(nrrd_u8 + "\n", "5 3 99999999999999999999"), "no whole number in range"},
+      {nrrd(nrrd_u8 + "\n", "5 3 99999999999999999999"), "not a whole number in range"},
       {"NRRD0006\n", "'NRRD0006'"},
       {"", "begins with ''"},
   };
@@ -270,7 +270,7 @@ TEST_CASE("a fourth dimension of size 1 is dropped with a note in every format")
         folder.write("v.mha",
                      metaimage(metaimage_u8 + "ElementDataFile = LOCAL\n", "5 3 4 1") + u8),
         folder.write("v.nii", Nifti().dims({4, 5, 3, 4, 1}).file(u8))})
-    CHECK(noted(open_volume(file)->info(), "dimension 4 of size 1 dropped"));
+    CHECK(noted(open_volume(file)->info(), "dimension 4 of size 1 is dropped"));
 }
 
 TEST_CASE("axes behind the third that NIfTI gives no size are not there") {
@@ -356,7 +356,7 @@ TEST_CASE("NIfTI refuses by name what it does not take") {
   check(Nifti().integer(0, 4, 541).file(u8), "size 541");
   check(Nifti().integer(344, 4, 0).file(u8), "no .img or .img.gz beside it");
   check(Nifti().real(108, -1).file(u8), "vox_offset");
-  check(Nifti().real(108, 1000).file(u8), "of 648 bytes to skip 588 are not there");
+  check(Nifti().real(108, 1000).file(u8), "of 648 bytes to skip 588 are missing");
   check(Nifti().pair().file(u8), "no .img or .img.gz beside it");
   check(Nifti().file(u8).substr(0, 347), "348 bytes");
   check_refusal(refusal(folder.write("v.img", u8)), "no .hdr or .hdr.gz beside it");
@@ -418,7 +418,7 @@ TEST_CASE("MetaImage refuses by name what it does not take") {
   };
   const std::string local = "ElementDataFile = LOCAL\n";
   check("ElementType = MET_UCHAR_ARRAY\n" + local, "'MET_UCHAR_ARRAY'");
-  check(metaimage_u8 + "BinaryData = False\n" + local, "no sample of type u8");
+  check(metaimage_u8 + "BinaryData = False\n" + local, "not a sample of type u8");
   check(metaimage_u8 + "ElementNumberOfChannels = 0\n" + local, "ElementNumberOfChannels is 0");
   check(metaimage_u8 + "ElementToIntensityFunctionSlope = -1\n" + local, "negative slope");
   check(metaimage_u8 + "ElementSpacing = 1 one 1\n" + local, "'one'");
@@ -429,7 +429,7 @@ TEST_CASE("MetaImage refuses by name what it does not take") {
   check(metaimage_u8 + local, "holds 2 volumes", "5 3 4 2");
   check(metaimage_u8 + local, "dimension 3 has size 0", "5 3 0");
   check(metaimage_u8, "no equals sign");
-  check("ObjectType = Tube\n", "'ObjectType' is there twice");
+  check("ObjectType = Tube\n", "'ObjectType' is given twice");
   check_refusal(refusal(folder.write("v.mhd", "NDims = 3\n")), "ElementDataFile is missing");
 }
 
@@ -464,7 +464,7 @@ TEST_CASE("compressed data that ends early or is damaged is refused") {
 
 TEST_CASE("a file of no known format, a folder and a missing file are refused") {
   const Folder folder;
-  check_refusal(refusal(folder.write("v.dat", "DICM")), "format is not known");
+  check_refusal(refusal(folder.write("v.dat", "DICM")), "format is unknown");
   check_refusal(refusal(folder.write("v.dat", "%PDF-1.4")), "this is PDF, which is not read");
   check_refusal(refusal(folder.write("v.DMC", "")),
                 "a stream, not a volume; give it to discmc decode");

@@ -70,7 +70,7 @@ TEST_CASE("in VTK's XML samples may be those of cells, whose centres are between
   std::string both = vti("", whole, ">" + appended_array, appended);
   both.insert(both.find("<PointData"), of_cells);
   check_volume(folder.write("both.vti", both), SampleType::u8, "VTK XML, raw");
-  CHECK(noted(open_volume(folder.path() / "both.vti")->info(), "others left out: 'c'"));
+  CHECK(noted(open_volume(folder.path() / "both.vti")->info(), "others are left out: 'c'"));
 }
 
 TEST_CASE("in VTK's XML an axis of negative spacing runs backwards along its direction") {
@@ -97,7 +97,7 @@ TEST_CASE("VTK's XML refuses by name what it does not take") {
     check_refusal(refusal(folder.write("v.vti", bytes)), part);
   };
   const std::string points = ">" + appended_array;
-  check("<VTKFile type=\"RectilinearGrid\">", "VTK's 'RectilinearGrid' and no ImageData");
+  check("<VTKFile type=\"RectilinearGrid\">", "VTK's 'RectilinearGrid', not ImageData");
   check(vti("", whole, ">", appended), "there is no array of samples");
   check(vti("", whole, points, ""), "no array of samples in the first");
   check(vti("", "WholeExtent=\"0 4 0 2 0 7\"", points, appended), "in several pieces");

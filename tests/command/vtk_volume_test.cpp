@@ -55,13 +55,13 @@ TEST_CASE("VTK's legacy format refuses by name what it does not take") {
     check_refusal(refusal(folder.write("v.vtk", bytes)), part);
   };
   check(vtk("DATASET POLYDATA\n"), "of kind 'POLYDATA'");
-  check(vtk(image + "CELLS 60\n" + u8), "header line 'CELLS 60' is not known");
+  check(vtk(image + "CELLS 60\n" + u8), "header line 'CELLS 60' is unknown");
   check(vtk(image + scalars.substr(scalars.find('S')).insert(0, "CELL_DATA 60\n") + u8),
         "there are 60 samples for the 24 cells of DIMENSIONS");
   check(vtk(image + "POINT_DATA 60\nVECTORS v float\n"), "of kind 'vectors'");
   check(vtk(image + "POINT_DATA 60\nSCALARS a float 3\nLOOKUP_TABLE t\n"), "has '3' numbers");
   check(vtk(image + "POINT_DATA 60\nSCALARS a bit\nLOOKUP_TABLE t\n"), "type 'bit'");
-  check(vtk(image + "POINT_DATA 60\nSCALARS a int\n\n"), "behind SCALARS stands ''");
+  check(vtk(image + "POINT_DATA 60\nSCALARS a int\n\n"), "after SCALARS the header has ''");
   check(vtk(image + "POINT_DATA 59\nSCALARS a unsigned_char\nLOOKUP_TABLE t\n" + u8),
         "there are 59 samples for the 60 points of DIMENSIONS");
   check(vtk(image + "POINT_DATA 60\nFIELD FieldData 1\na 1 61 unsigned_char\n" + u8),
@@ -79,7 +79,7 @@ TEST_CASE("an array of NumPy has x where it is stored side by side") {
   const auto fortran_file = folder.write("fortran.npy", numpy(fortran) + u8);
   check_volume(c_file, SampleType::u8, "NumPy");
   check_volume(fortran_file, SampleType::u8, "NumPy");
-  CHECK(noted(open_volume(fortran_file)->info(), "taken as array[x][y][z]"));
+  CHECK(noted(open_volume(fortran_file)->info(), "read as array[x][y][z]"));
   CHECK(noted(open_volume(c_file)->info(), "no spacing given"));
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("NumPy refuses by name what it does not take") {
   check(numpy("{'descr': '|u1', 'fortran_order': False, 'shape': (4, 3, 5)}") + u8.substr(1),
         "1 bytes of it are missing");
   check("\x93NUMPY\x07 abcdef", "version 7");
-  check("\x93NUM", "not whole");
+  check("\x93NUM", "incomplete");
   check(std::string("\x93NUMPY\2\0\xff\xff\xff\xff", 12), "header has 4294967295 bytes");
 }
 

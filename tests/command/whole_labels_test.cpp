@@ -58,8 +58,8 @@ TEST_CASE("values within 0.01 of a whole number are that label, and counted") {
   CHECK(read.labels == std::vector<double>{0, 1, 1, 1, 1, -2, 0, 0, 3});
   CHECK(read.notes ==
         std::vector<std::string>{
-            "4 values are rounded to whole numbers, which labels are; farthest off was 0.99",
-            "2 samples are not a number (NaN), and taken as off"});
+            "4 values are rounded to whole numbers, as labels are; the farthest is 0.99",
+            "2 samples are not a number (NaN) and count as off"});
 }
 
 TEST_CASE("what rounding makes of a slope is no more than that") {

@@ -126,7 +126,7 @@ TEST_CASE("what else is in a zip is passed over, and names may be in any languag
   CHECK(open_volume(place.write("study.zip", zip(series)))->info().dims[2] == series.size());
   series.emplace_back("preview.png", "of the first slice");
   CHECK(noted(open_volume(place.write("with-picture.zip", zip(series)))->info(),
-              "such as 'preview.png'; to read them give a pattern, such as '"));
+              "such as 'preview.png'; to read them, give a pattern, such as '"));
 }
 
 TEST_CASE("a pattern names files in a zip, as the refusal of two stacks in it says") {
@@ -167,7 +167,8 @@ TEST_CASE("errors name the archive, and the member where it is one's") {
   CHECK(contains(refusal_of(zip(fewer)), "study.zip: 1 slice is missing"));
   CHECK(
       contains(refusal_of(zip({{"read me", "nothing"}})), "study.zip: the folder holds no DICOM"));
-  CHECK(contains(refusal_of("no zip"), "study.zip: the archive is damaged or no zip; copy"));
+  CHECK(contains(refusal_of("not a ZIP file"),
+                 "study.zip: the archive is damaged, or not a ZIP file; copy"));
   const std::string whole = zip(members);
   CHECK(contains(refusal_of(whole.substr(0, whole.size() / 2)), "study.zip: "));
   std::string damaged = whole;

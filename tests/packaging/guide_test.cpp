@@ -108,16 +108,16 @@ constexpr uint32_t pixels = 640, rows_held = 4;
 alignas(32) uint8_t row_memory[RowRing::bytes_for(pixels * sizeof(uint16_t), rows_held)];
 RowRing ring;
 
-// The interrupt of the DMA controller: a row has come. Returns where the next one goes.
+// The interrupt of the DMA controller: a row is complete. Returns the memory for the next row.
 void* on_row() {
   if (ring.free_row(1) != nullptr)
     ring.commit();
   else
-    ring.drop();  // there is no room behind it: the next one overwrites it
+    ring.drop();  // the ring is full: the next row overwrites this one
   return ring.free_row();
 }
 
-// The task. False: nothing has come, so sleep until the interrupt has.
+// The task. Returns false if no row has arrived: sleep until the next interrupt.
 bool take_row(Extractor16& extractor, Status& status) {
   switch (ring.peek()) {
     case RowRing::Next::nothing:
@@ -148,7 +148,7 @@ bool start_part(Extractor16& extractor, const Memory& memory, const Sink& sink) 
 }
 
 Status push_part(Extractor16& extractor, const uint8_t* row) {
-  if (!cropper.next()) return Status::ok;  // not of the part
+  if (!cropper.next()) return Status::ok;  // outside the selection
   return extractor.push(row + cropper.first(), cropper.count(), cropper.step()).status;
 }
 
@@ -201,7 +201,7 @@ bool is_whole() {
 }
 
 // Of docs/power-failure.md.
-constexpr FlashGeometry flash_geometry{256, 4096, 32};  // pages, sectors, and how many of them
+constexpr FlashGeometry flash_geometry{256, 4096, 32};  // bytes per page and sector, sectors
 
 struct Saved {
   Checkpoint<Extractor16> scan;
@@ -224,7 +224,7 @@ bool save(Device& device, Saved& saved, CheckpointStore& store) {
   if (encoder.save(saved.stream) != Status::ok) return false;
   const Memory parts[] = {{&saved, sizeof saved}, {memory, extractor.bytes_used()}};
   Status status = store.save(parts, 2);
-  while (status == Status::suspended) status = store.resume();  // what must not wait goes here
+  while (status == Status::suspended) status = store.resume();  // do urgent work between calls
   return status == Status::ok;
 }
 

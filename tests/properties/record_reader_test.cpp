@@ -1,4 +1,4 @@
-// Streams of regions as a reader has them who knows WIRE.md alone.
+// Streams of regions as read by a reader that uses WIRE.md alone.
 #include "oracle/record_reader.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Streams of slices as a reader has them who knows WIRE.md alone, and those that must decode for
+// Streams of slices as read by a reader that uses WIRE.md alone, and those that must decode for
 // ever.
 #include "oracle/slice_reader.hpp"
 
@@ -144,7 +144,7 @@ void check_golden(const char* name, const Scan& scan) {
 
 }  // namespace
 
-TEST_CASE("volumes of any width and height are read as WIRE.md tells it") {
+TEST_CASE("volumes of any width and height are read as WIRE.md specifies") {
   for (uint32_t width = 1; width < 100; width += width < 35 ? 1 : 7)
     for (const uint32_t height : {1U, 2U, 3U, 4U, 9U})
       for (const uint32_t density : {2U, 40U, 128U, 250U})
@@ -152,7 +152,7 @@ TEST_CASE("volumes of any width and height are read as WIRE.md tells it") {
           check_volume(reference::random({width, height, 3}, density, width), {{interval}});
 }
 
-TEST_CASE("surfaces, skipped rows and what was flushed are read as WIRE.md tells it") {
+TEST_CASE("surfaces, skipped rows and what was flushed are read as WIRE.md specifies") {
   for (const std::vector<int32_t>& thresholds :
        {std::vector<int32_t>{170}, {170, 173}, {190, 150, 0}, {180, 181, 300, 160}})
     for (const uint32_t interval : {0U, 1U, 3U})
@@ -168,7 +168,7 @@ TEST_CASE("surfaces, skipped rows and what was flushed are read as WIRE.md tells
   check_volume(reference::random({40, 7, 9}, 60, 5), plan);
 }
 
-TEST_CASE("a code with a header in it is read as WIRE.md tells it") {
+TEST_CASE("a code with a header in it is read as WIRE.md specifies") {
   const BitVolume volume = reference::random({400, 400, 1}, 128, 8);
   const Bytes stream = encode_slices(volume);
   REQUIRE(frames_of(stream).size() > 70);

@@ -13,7 +13,7 @@ namespace {
 static_assert(DISCMC_STORE_BYTES(256) >= bytes_with_object(sizeof(discmc_store), 256),
               "the size in sizes.h suffices");
 
-// The parts as C++ has them. False when they are too many.
+// Converts the parts to C++. False if there are too many.
 bool copy(const discmc_memory* from, uint32_t count, Memory* to) {
   if (count > CheckpointStore::max_parts) return false;
   for (uint32_t i = 0; i < count; ++i) to[i] = cpp(from[i]);

@@ -20,11 +20,11 @@ discmc_status discmc_encoder_restore(discmc_encoder** encoder,
 }
 discmc_status discmc_encoder_save(discmc_encoder* encoder, discmc_memory* part) {
   encoder->close(sizeof *encoder);
-  *part = encoder->memory;  // as long as that of the config, wherever the object lies in it
+  *part = encoder->memory;  // as long as the memory of the config, wherever the object lies in it
   return DISCMC_OK;
 }
 
-// The header of a start is the beginning of one of C++'s, and no more is read.
+// The header of a `start` event is the beginning of a C++ header; only that part is read.
 discmc_sink_result discmc_encoder_take(void* encoder, const discmc_event* event) {
   Encoder& object = static_cast<discmc_encoder*>(encoder)->encoder;
   return static_cast<discmc_sink_result>(object.take(reinterpret_cast<const Event&>(*event)));

@@ -1,4 +1,4 @@
-// The text of a status, what a sink asks of an event, and that both sides have the same layout.
+// The text of a status, the queries of events, and checks that both languages have the same layout.
 #include <discmc/c/object.hpp>
 #include <discmc/c/values.hpp>
 #include <discmc/chain.hpp>
@@ -58,7 +58,8 @@ static_assert(DISCMC_MAX_EXTENT == Limits::max_extent && DISCMC_MAX_SLICES == Li
 extern "C" {
 
 const char* discmc_status_string(discmc_status status) {
-  if (status == DISCMC_BAD_SAMPLES) return "samples of a type that the kind does not take";
+  if (status == DISCMC_BAD_SAMPLES)
+    return "samples of a type that the kind does not accept, or not one row of bits";
   return to_string(static_cast<Status>(status));
 }
 

@@ -2,7 +2,7 @@
 
 namespace discmc {
 
-// The bytes that are in use, from the object on.
+// The used bytes, from the object on.
 static size_t used_bytes(const discmc_extractor_kind& kind, const ExtractorView& view) {
   const uint64_t bytes = bytes_of_scan(kind.sizes, view.limits, view.high_water.slots);
   return kind.object_bytes + static_cast<size_t>(bytes);

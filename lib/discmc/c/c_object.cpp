@@ -47,7 +47,7 @@ Sealed* open_sealed(const discmc_memory& memory, const Kind& kind, Memory& rest,
                     discmc_status& status) {
   auto* const object = reinterpret_cast<Sealed*>(place_object(memory, kind.object_bytes, rest));
   status = object == nullptr ? DISCMC_TOO_LITTLE_MEMORY : DISCMC_BAD_CHECKPOINT;
-  // What is not whole may say anything.
+  // Every member of a damaged object may have any value.
   if (object == nullptr || object->layout != kind.layout || object->bytes < sizeof(Sealed) ||
       object->bytes > kind.object_bytes + rest.bytes || object->checksum != checksum_of(*object))
     return nullptr;

@@ -16,7 +16,7 @@ static_assert(DISCMC_ROW_RING_BYTES(37, 5) >=
 
 extern "C" {
 
-// Behind the rows, which are aligned as the memory is.
+// Places the object after the rows, which have the alignment of the memory.
 discmc_status discmc_row_ring_start(discmc_row_ring** ring, const discmc_row_ring_config* config) {
   const uint64_t bytes = RowRing::bytes_for(config->row_bytes, config->rows);
   const discmc_memory& memory = config->memory;

@@ -1,4 +1,4 @@
-// The kinds of encoders: with normals or without. A program links those that it names.
+// The kinds of encoders, with or without normals. A program links only the kinds that it names.
 #ifndef DISCMC_C_ENCODER_KIND_HPP
 #define DISCMC_C_ENCODER_KIND_HPP
 

@@ -1,4 +1,4 @@
-// The kinds of extractors: tables of what an extractor of a C++ type does. A program links those
+// The kinds of extractors: tables of the functions of a C++ type. A program links only the kinds
 // that it names.
 #ifndef DISCMC_C_EXTRACTOR_KIND_HPP
 #define DISCMC_C_EXTRACTOR_KIND_HPP
@@ -9,7 +9,7 @@
 
 namespace discmc {
 
-/// What can be seen of an extractor of any type.
+/// The queries of an extractor of any type.
 struct ExtractorView {
   const Statistics* statistics;
   Limits limits;
@@ -19,14 +19,14 @@ struct ExtractorView {
   bool is_suspended;
 };
 
-/// What the memory of a scan depends on besides its limits and slots.
+/// The properties that determine the memory of a scan, besides limits and slots.
 struct ScanSizes {
   uint8_t index_bytes;
   uint8_t slot_bytes;
-  uint8_t sample_bytes;  ///< of those that are kept for normals, or 0
+  uint8_t sample_bytes;  ///< of the samples kept for normals, or 0
 };
 
-/// As bytes_for(), in one piece of code for all.
+/// As bytes_for(), in one function for all types.
 constexpr uint64_t bytes_of_scan(const ScanSizes& sizes, const Limits& limits, uint32_t slots) {
   uint64_t bytes = bytes_for<uint16_t>(limits, {0, 0}) + Arena::bytes_of(slots, sizes.slot_bytes);
   if (sizes.index_bytes > sizeof(uint16_t))
@@ -44,7 +44,7 @@ struct discmc_extractor : discmc::Sealed {};
 
 struct discmc_extractor_kind : discmc::Kind {
   discmc::ScanSizes sizes;
-  /// What of the memory is left, the scan uses. `restores`: the object is one that was saved.
+  /// The scan uses the rest of the memory. `restores`: the object is a saved one.
   discmc::Status (*start)(discmc_extractor& extractor, const discmc_extractor_config& config,
                           discmc::Memory memory, bool restores);
   discmc_push_result (*push)(discmc_extractor& extractor, discmc_sample_type type,
@@ -58,7 +58,7 @@ struct discmc_extractor_kind : discmc::Kind {
 
 namespace discmc {
 
-/// What the type of an extractor says, whichever class of its own it has.
+/// The properties of an extractor's type.
 template <class Index, class Intake, class Sweep>
 struct ExtractorType {
   static constexpr ScanSizes sizes = {sizeof(Index), sizing::slot_bytes<Index, Intake>,

@@ -1,4 +1,4 @@
-// Where objects of C's lie in the memory of the caller, and how they are saved there.
+// The objects of C in the caller's memory, and how they are saved there.
 #ifndef DISCMC_C_OBJECT_HPP
 #define DISCMC_C_OBJECT_HPP
 
@@ -8,14 +8,14 @@
 
 namespace discmc {
 
-/// Of every object. What it may cost at the beginning is set aside, needed or not.
+/// The alignment of every object. The bytes that alignment may cost are always reserved.
 constexpr size_t object_alignment = 8;
 constexpr uint64_t bytes_with_object(size_t object_bytes, uint64_t rest) {
   return object_alignment - 1 + object_bytes + rest;
 }
 
-/// Where an object of so many bytes lies in a memory, filled with zeros, which are an object that
-/// was never started; and what of the memory is left. Null if the memory has no room.
+/// Places an object of this many bytes in a memory, filled with zeros, which are an object that was
+/// not started. Sets `rest` to the rest of the memory. Null if the memory has no room.
 void* begin_object(const discmc_memory& memory, size_t object_bytes, Memory& rest);
 
 template <class Object>
@@ -25,32 +25,33 @@ Object* begin(const discmc_memory& memory, Memory& rest) {
   return static_cast<Object*>(begin_object(memory, sizeof(Object), rest));
 }
 
-/// What kinds begin with.
+/// The first members of every kind.
 struct Kind {
-  uint32_t layout;  ///< of the object: another build, or kind, has another number
+  uint32_t layout;  ///< of the object: differs between builds and kinds
   uint32_t object_bytes;
 };
 
-/// What an object that has a kind, and can be saved, begins with.
+/// The first members of an object that has a kind and can be saved.
 struct Sealed {
-  uint32_t checksum;  // of the bytes that follow this
+  uint32_t checksum;  // of the bytes after this member
   uint32_t layout;
-  size_t bytes;          // that are sealed, from here on
+  size_t bytes;          // sealed bytes, from here on
   discmc_memory memory;  // of the config
   const Kind* kind;
 
-  /// Seals so many bytes from here on.
+  /// Seals this many bytes from here on.
   void close(size_t bytes_from_here);
-  /// The first bytes of the memory: those, and what lies before them.
+  /// The first bytes of the memory: the sealed bytes, and those before them.
   discmc_memory part(size_t bytes_from_here) const;
 };
 
-/// The object of a config: one that was never started; one that was sealed there, or null and why.
+/// Returns the object of a config: one that was not started; or the one that was sealed there, or
+/// null with a status.
 Sealed* begin_sealed(const discmc_memory& memory, const Kind& kind, Memory& rest);
 Sealed* open_sealed(const discmc_memory& memory, const Kind& kind, Memory& rest,
                     discmc_status& status);
 
-/// Starts the object of a config: `call` says how, of the object and the rest of its memory.
+/// Starts the object of a config by `call`, with the object and the rest of its memory.
 template <class Object, class Config, class Call>
 discmc_status start(Object** object, const Config& config, Call call) {
   Memory rest;

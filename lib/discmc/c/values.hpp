@@ -1,5 +1,5 @@
-// Values of C's as those of C++, and sinks of C's as those of C++. Events, totals, application
-// records and the headers in events have one layout on both sides, which c_events.cpp checks.
+// Converts values and sinks of C to C++. Events, totals, application records and the headers in
+// events have the same layout in both languages, which c_events.cpp checks.
 #ifndef DISCMC_C_VALUES_HPP
 #define DISCMC_C_VALUES_HPP
 
@@ -42,13 +42,13 @@ inline discmc_vertex c(const Vertex& from) {
   return {from.x, from.y, from.z};
 }
 
-/// An object and the sink of C's that it delivers to.
+/// An object, and the C sink that receives its events.
 template <class Object>
 struct WithSink {
   Object object;
   discmc_sink sink;
 
-  /// Makes `to` the sink. It calls a function of a C++ type, which calls the C function.
+  /// Sets the sink to `to`. A C++ function calls the C function.
   Sink set_sink(const discmc_sink& to) {
     sink = to;
     return {this, to.take == nullptr ? nullptr : offer};
@@ -60,8 +60,8 @@ struct WithSink {
   }
 };
 
-/// A row of samples, whatever their type, for push() of the C++ object. Bits are one row, so the
-/// count says nothing that the object does not know.
+/// Represents a row of bits in place of a sample type. Bits are one whole row, so their count is
+/// the width.
 struct Bits {};
 template <class Sample>
 constexpr discmc_sample_type type_of = sizeof(Sample) == 2

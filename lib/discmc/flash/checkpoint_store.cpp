@@ -7,7 +7,7 @@ namespace discmc {
 
 namespace {
 
-// Whether a number was given before another: numbers go on with 0 behind the last.
+// Whether a sequence number is older than another: after the highest number comes 0.
 bool is_before(uint32_t sequence, uint32_t other) {
   return static_cast<int32_t>(sequence - other) < 0;
 }
@@ -36,8 +36,7 @@ Status CheckpointStore::start(const FlashDevice& device, uint32_t max_bytes, Mem
 
 // ---- finding and reading ----
 
-// Looks at checkpoints from the newest on. A number that was given to one that is not whole is not
-// given again.
+// Searches checkpoints from the newest on. The number of a damaged checkpoint is not used again.
 Status CheckpointStore::find_newest() {
   has_newest_ = false;
   read_failed_ = false;
@@ -51,13 +50,13 @@ Status CheckpointStore::find_newest() {
     newest_bytes_ = head.bytes;
     newest_sequence_ = head.sequence;
     slot_ = newest_;
-    go_to_other_blocks();  // what is behind it in its block may have been begun
+    go_to_other_blocks();  // the rest of its block may be partly written
     return Status::ok;
   }
   return read_failed_ ? Status::device_error : Status::ok;
 }
 
-// The newest head before another one, or of all, and its slot. False when there is none.
+// Finds the newest header older than `bound`, or of all, and its slot. False if there is none.
 bool CheckpointStore::find_head_before(const StoredHead* bound, StoredHead& head, uint32_t& slot) {
   bool is_found = false;
   for (uint32_t at = 0; at < plan_.slots; ++at) {
@@ -142,7 +141,7 @@ void CheckpointStore::begin_pieces() {
   pieces_.checksum = 0;
 }
 
-// Moves what a unit holds of the pieces into the buffer or out of it. Null takes what it is given.
+// Copies the part of the pieces in one unit into the buffer or out of it. Null memory is skipped.
 void CheckpointStore::move_pieces(bool to_unit) {
   uint32_t done = 0;
   while (done < device_.geometry.program_bytes && pieces_.at < pieces_.count) {
@@ -231,7 +230,7 @@ bool CheckpointStore::program_unit() {
   return true;
 }
 
-// Where a unit of a slot is. Either blocks hold slots, or slots blocks.
+// The position of a unit of a slot. Either a block contains slots, or a slot contains blocks.
 void CheckpointStore::place_of(uint32_t slot, uint32_t unit, uint32_t& block,
                                uint32_t& offset) const {
   const uint32_t per_block = device_.geometry.units_per_block();
@@ -240,7 +239,7 @@ void CheckpointStore::place_of(uint32_t slot, uint32_t unit, uint32_t& block,
   offset = in_group % per_block * device_.geometry.program_bytes;
 }
 
-// The next slot is the one behind, in the same erased block if that has room.
+// Selects the following slot, in the same erased block if that has room.
 void CheckpointStore::complete() {
   is_saving_ = false;
   has_newest_ = true;
@@ -262,7 +261,7 @@ void CheckpointStore::break_off() {
   is_saving_ = false;
 }
 
-// To the next blocks that do not hold the newest checkpoint; nothing in them counts as erased.
+// Continues with the next blocks without the newest checkpoint; nothing in them counts as erased.
 void CheckpointStore::go_to_other_blocks() {
   const uint32_t groups = group_of(plan_.slots);
   uint32_t next = group_of(slot_) + 1;

@@ -21,7 +21,7 @@ Status Downsampler<Sample>::start(const Limits& incoming, uint32_t extent, Memor
   return Status::ok;
 }
 
-// How many voxels a block has of an axis that has so many.
+// The extent of a block on an axis of this many voxels.
 template <class Sample>
 uint32_t Downsampler<Sample>::size_of(uint32_t block, uint32_t voxels) const {
   const uint32_t left = voxels - block * extent_;
@@ -56,7 +56,7 @@ const Sample* Downsampler<Sample>::drain() {
   return slice_ > 0 && block_ < limits_.height ? next_row(slice_) : nullptr;
 }
 
-// The means of a row of blocks, whose sums begin anew.
+// Computes the means of a row of blocks, and resets their sums.
 template <class Sample>
 const Sample* Downsampler<Sample>::next_row(uint32_t slices) {
   uint32_t* const sums = sums_ + size_t{block_} * limits_.width;

@@ -3,7 +3,7 @@
 namespace discmc {
 namespace {
 
-// Adds a two-bit number to a five-bit one, in 32 lanes of a bit.
+// Adds a two-bit number to a five-bit number, in 32 lanes of one bit.
 void add(uint32_t (&sum)[5], uint32_t ones, uint32_t twos) {
   uint32_t carry = sum[0] & ones;
   sum[0] ^= ones;
@@ -44,7 +44,7 @@ const uint8_t* MajorityFilter::push(const uint8_t* bits) {
   for (uint32_t word = 0; word < words; ++word) row[word] = 0;
   for (uint32_t byte = 0; byte < (limits_.width + 7) / 8; ++byte)
     row[byte / 4] |= uint32_t{bits[byte]} << 8 * (byte % 4);
-  // The last voxel goes on.
+  // The last voxel continues beyond the side.
   const uint32_t used = limits_.width % 32;
   if (used != 0) {
     const uint32_t mask = (uint32_t{1} << used) - 1;
@@ -58,7 +58,7 @@ const uint8_t* MajorityFilter::push(const uint8_t* bits) {
 
 const uint8_t* MajorityFilter::drain() {
   if (waiting_ == 0) return nullptr;
-  // Where a row of the slice below is waiting, its neighbour above has come.
+  // If a row of the slice below waits, its neighbour above has arrived.
   return next_row(waiting_ <= limits_.height);
 }
 
@@ -70,7 +70,7 @@ const uint32_t* MajorityFilter::held(int32_t y, int32_t z) const {
   return rows_ + static_cast<size_t>(place) * words_of(limits_.width);
 }
 
-// The row that is due, and the next one is.
+// Filters the due row, and makes the next one due.
 const uint8_t* MajorityFilter::next_row(bool is_last_slice) {
   const int32_t layers[] = {is_first_slice_ ? 0 : -1, 0, is_last_slice ? 0 : 1};
   const int32_t lines[] = {due_y_ == 0 ? 0 : -1, 0, due_y_ + 1 == limits_.height ? 0 : 1};

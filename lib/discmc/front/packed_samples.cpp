@@ -5,7 +5,7 @@
 namespace discmc {
 namespace {
 
-// Of each layout: sample i of a group in the lowest bits, and perhaps others above it.
+// Per layout: sample i of a group in the lowest bits, perhaps with other bits above.
 
 struct Raw10 {
   static constexpr uint32_t bits = 10, group = 4, bytes = 5;
@@ -61,8 +61,8 @@ void take_group(const uint8_t* packed, uint32_t count, uint16_t* samples) {
           static_cast<uint16_t>(Layout::sample(byte, i) & ((uint32_t{1} << Layout::bits) - 1));
 }
 
-// From the last group to the first: in place, a group is written behind all that is still to be
-// read. It is read before it is written.
+// From the last group to the first: in place, each group is written after all unread bytes, and
+// read before it is written.
 template <class Layout>
 void unpack_row(const uint8_t* packed, uint32_t count, uint16_t* samples) {
   const uint32_t groups = count / Layout::group;

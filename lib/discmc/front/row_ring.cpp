@@ -17,13 +17,13 @@ void RowRing::commit() {
 }
 
 RowRing::Next RowRing::peek() const {
-  // In the order opposite to that in which they are written: of the rows that have come, those that
-  // were filled are known then, and the last one is when there is an end.
+  // Reads in the opposite order of the writes: so every counted row that was filled is visible, and
+  // the last row if the end is.
   const bool was_last = load_acquire(ended_) != 0;
   const uint32_t incoming = load_acquire(produced_);
   const bool is_there = load_acquire(filled_) != emptied_;
   if (is_there && numbers_[empty_place_] == consumed_) return Next::row;
-  // A row that was passed may not have been counted yet.
+  // A popped row may not be counted yet: then consumed_ is ahead.
   const bool is_behind = static_cast<int32_t>(incoming - consumed_) > 0;
   if (is_there || is_behind) return Next::lost;
   return was_last ? Next::end : Next::nothing;

@@ -3,11 +3,11 @@
 //
 //   the interrupt of the sensor             the task
 //
-//   ring.free_row()  where a row goes       ring.peek()  row:     extractor.push(ring.row(), width)
-//   ring.commit()      it is there                         lost:    extractor.skip_row(substitute)
-//   ring.drop()      or it is lost                       nothing: sleep until an interrupt has come
-//   ring.end()       none follows                        end:     extractor.finish()
-//                                           ring.pop()  after a row, and after a lost one
+//   ring.free_row()  the row to fill        ring.peek()  row:     extractor.push(ring.row(), width)
+//   ring.commit()    the row is filled                   lost:    extractor.skip_row(substitute)
+//   ring.drop()      or the row is lost                  nothing: sleep until an interrupt has come
+//   ring.end()       no row follows                      end:     extractor.finish()
+//                                           ring.pop()  after a row, and after a lost row
 //
 // A row that arrives while the ring is full is lost. The task sees the lost row in its place, so
 // later rows do not shift.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint32_t word_bits = 32;
 
-// Writes the bits of up to 32 samples, and moves on behind them.
+// Writes the bits of up to 32 samples, and advances the pointer.
 uint8_t* write_word(uint32_t word, uint32_t count, uint8_t* bits) {
   for (uint32_t bit = 0; bit < count; bit += 8) *bits++ = static_cast<uint8_t>(word >> bit);
   return bits;
@@ -41,7 +41,7 @@ void threshold_row(const Sample* samples, uint32_t count, int32_t threshold, uin
   }
   const trace::Threshold<Sample> on(threshold);
   const bool reads_words = stride == 1 && on.reads_words(samples);
-  // Where the last samples were on, the next are most likely not off all of them.
+  // If the last samples were on, the next ones are unlikely to be all off.
   bool may_be_off = true;
   while (count > 0) {
     uint32_t off = may_be_off && reads_words ? on.leading_off(samples, count) / word_bits : 0;

@@ -1,7 +1,6 @@
 // One cell: its eight corners, the points of the half-step lattice in it, and the loops in which
 // the surface crosses its faces.
-//
-// Corner c lies at (c & 1, c >> 1 & 1, c >> 2); bit c of a configuration says that it is on.
+// Corner c lies at (c & 1, c >> 1 & 1, c >> 2); bit c of a configuration is 1 if the corner is on.
 //
 //          6-------7
 //         /|      /|        z
@@ -9,9 +8,8 @@
 //        | 2-----|-3        |/
 //        |/      |/         o-- x
 //        0-------1
-//
-// The rule that derives everything (Montani et al. 1994, section 2; the ambiguous faces settled
-// once and for all): on each cell face join the edge crossings so that on corners are separated.
+// One rule defines the surface (Montani et al. 1994, section 2, with a rule for ambiguous faces):
+// on each cell face, join the edge crossings so that on corners are separated.
 #ifndef DISCMC_CELL_HPP
 #define DISCMC_CELL_HPP
 

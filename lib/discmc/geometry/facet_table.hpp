@@ -1,9 +1,8 @@
-// The lookup table: the facets of each of the 256 configurations, one byte a facet.
-//
+// The lookup table: the facets of each of the 256 configurations, one byte per facet.
 // A loop of three links is the corner triangle; a loop of four around one cell edge is the
-// rectangle; every other loop is a fan about the centroid. Nothing is typed in: the table is
-// derived from that rule at compile time, and static_asserts in facet_table.cpp state what is known
-// of it. Montani, Scateni, Scopigno 1994, section 2 and figures 3 and 4.
+// rectangle; every other loop is a fan about the centroid. The compiler derives the table from this
+// rule, and static_asserts in facet_table.cpp compare it with known facts. Montani, Scateni,
+// Scopigno 1994, section 2 and figures 3 and 4.
 #ifndef DISCMC_FACET_TABLE_HPP
 #define DISCMC_FACET_TABLE_HPP
 
@@ -52,7 +51,7 @@ struct FacetRings {
   FacetRing ring[facet_codes];
 };
 
-/// Numbers known of each configuration.
+/// Counts of each configuration.
 struct CellFacts {
   uint8_t facets[configurations];             ///< 0 to 7
   uint8_t classic_triangles[configurations];  ///< of classic Marching Cubes: loop lengths less 2

@@ -25,13 +25,13 @@ int64_t shifted(int64_t value, int left) {
   return left >= 0 ? value * (int64_t{1} << left) : shifted_right(value, -left);
 }
 
-// The vector at a length whose largest component takes so many bits; rounded it may be one above.
+// Scales the vector until its largest component has this many bits; rounding may add one.
 LongVector scaled(const LongVector& v, int bits) {
   const int left = bits - bits_of(v);
   return {shifted(v.x, left), shifted(v.y, left), shifted(v.z, left)};
 }
 
-// The vector at a length that 32 bits can reckon with: the largest component is 2^14 to 2^15.
+// Scales the vector for arithmetic in 32 bits: the largest component is 2^14 to 2^15.
 struct ShortVector {
   int32_t x, y, z;
 };
@@ -61,7 +61,8 @@ int32_t share(int32_t value, uint32_t scale, uint32_t whole) {
   return value < 0 ? -static_cast<int32_t>(size) : static_cast<int32_t>(size);
 }
 
-// Folds a place of the lower half of the octahedron outwards, and back: it is its own inverse.
+// Folds a point of the lower half of the octahedron outwards, and back: the function is its own
+// inverse.
 void fold(int32_t& u, int32_t& v) {
   const int32_t folded_u = 127 - static_cast<int32_t>(size_of(v));
   const int32_t folded_v = 127 - static_cast<int32_t>(size_of(u));

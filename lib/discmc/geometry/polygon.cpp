@@ -36,7 +36,7 @@ void sort_by_vertex(const Vertex* vertices, uint32_t* order, uint32_t count) {
   }
 }
 
-// Gives every vertex a name that it shares with its recurrences. False when there are none.
+// Gives every vertex a name that it shares with its recurrences. False if no vertex recurs.
 bool name_vertices(const Vertex* vertices, uint32_t* order, uint32_t* name, uint32_t count) {
   sort_by_vertex(vertices, order, count);
   bool recurs = false;
@@ -78,13 +78,14 @@ int64_t twice_area(Incidence incidence, const Vertex* vertices, uint32_t count) 
 }
 
 void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingReceiver& receiver) {
-  uint32_t* const depth = scratch;  // by name: the vertex's place in the path, from 1; 0 for none
+  uint32_t* const depth = scratch;  // by name: the vertex's position in the path, from 1; 0 for
+                                    // none
   uint32_t* const name = scratch + count;
   if (count < 3) return;
   if (!name_vertices(vertices, scratch, name, count))
     return receiver.take(receiver.context, vertices, count);
   for (uint32_t i = 0; i < count; ++i) depth[i] = 0;
-  // The path so far has no vertex twice. It takes the places of vertices that have been read.
+  // The path so far has no vertex twice. It overwrites vertices that have been read.
   uint32_t length = 0;
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t recurrence = depth[name[i]];

@@ -97,6 +97,19 @@ uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link 
   return end;
 }
 
+// Shell's sort, with gaps of Knuth (The Art of Computer Programming, vol. 3, section 5.2.1).
+void sort(uint32_t* numbers, uint32_t count) {
+  uint32_t gap = 1;
+  while (gap < count / 3) gap = 3 * gap + 1;
+  for (; gap > 0; gap /= 3)
+    for (uint32_t i = gap; i < count; ++i) {
+      const uint32_t number = numbers[i];
+      uint32_t at = i;
+      for (; at >= gap && numbers[at - gap] > number; at -= gap) numbers[at] = numbers[at - gap];
+      numbers[at] = number;
+    }
+}
+
 }  // namespace
 
 void Chains::put_out_ring(Fragments& fragments) const {
@@ -119,28 +132,39 @@ void Chains::put_out_ring(Fragments& fragments) const {
   outgoing.last = sides.list();
 }
 
+// Fragments go out in the order in which they were completed, each by its newest node. That node
+// gets the seat of the fragment, and the chain becomes a circle.
 void Chains::find_complete(Slots& slots) {
-  const Node* const node = nodes(slots);
+  Node* const node = nodes(slots);
   uint32_t* const seat = seats(slots);
   complete_ = 0;
   for (uint32_t i = front(seam_begins); i != back(seam_begins); ++i) {
     const uint32_t first = seat[i];
-    uint32_t last = first;
-    while (node[last].next != Node::no_node) last = node[last].next;
+    uint32_t last = first, newest = first;
+    while (node[last].next != Node::no_node) {
+      last = node[last].next;
+      if (last > newest && node[last].pass != Node::shortcut) newest = last;
+    }
     if (!node[last].ends_at_seam()) continue;
+    node[last].next = first;
     uint32_t& other = seat[front(seam_begins) + complete_++];
     seat[i] = other;
-    other = first;
+    other = newest;
   }
+  sort(seat + front(seam_begins), complete_);
 }
 
 void Chains::put_out_complete(Fragments& fragments) {
   --complete_;
   const Node* const node = nodes(fragments.slots());
   uint32_t at = seats(fragments.slots())[front(seam_begins)++];
+  while (!node[at].begins_at_seam()) at = node[at].next;
   const CornerCode start = seam_corner(node[at]);
   Sides sides(fragments.slots(), start);
-  for (at = node[at].next; at != Node::no_node; at = node[at].next) sides.add(node[at]);
+  while (!node[at].ends_at_seam()) {
+    at = node[at].next;
+    sides.add(node[at]);
+  }
   auto& outgoing = fragments.outgoing();
   outgoing.kind = trace::Outgoing<uint32_t>::Kind::fragment;
   outgoing.incidence = start.incidence();

@@ -52,9 +52,7 @@ void Chains::give(Slots& slots, const Area& area) {
 }
 
 bool Chains::make_room(Slots& slots) {
-  if (free_places_ < Edges::max_edges && !find_places(slots)) return false;
-  if (has_room_for(slots, 0)) return true;
-  if (!find_area(slots, area_[0].slots)) return false;
+  if (!has_places(slots) || !find_area(slots, area_[0].slots)) return false;
   copy_open(slots);
   // So that copying now and then is little work for each pass.
   const uint32_t open = top_ - area_[0].first;
@@ -75,7 +73,7 @@ bool Chains::find_area(Slots& slots, uint32_t count) {
   return true;
 }
 
-// So that a fragment is known to end there, and in which seat it waits.
+// Marks the last node of each fragment with the seat in which it waits.
 void Chains::mark_tails(Slots& slots) {
   for (uint32_t queue = 0; queue < seam_tails; ++queue)
     for (uint32_t i = front(queue); i != back(queue); ++i)

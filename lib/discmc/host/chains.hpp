@@ -38,12 +38,11 @@ class Chains {
   /// Begins with slots that have just been cleared. False when they are fewer than min_slots.
   bool start(Slots& slots);
 
-  /// Whether there is room for what max_edges bring. Limit, here and below: no rings are due.
-  bool has_room(const Slots& slots) const {
-    return free_places_ >= Edges::max_edges && has_room_for(slots, 0);
-  }
-  /// Makes room. False when too many slots would be in use: then hand_over(). Cost: now and then
-  /// copies all open fragments.
+  /// Whether there is room for what max_edges bring, in the nodes under way. Limit, here and below:
+  /// no ring and no complete fragment is due.
+  bool has_room(Slots& slots) { return has_places(slots) && has_room_for(slots, 0); }
+  /// Makes room. False when too many slots would be in use: then hand_over(). Limit: no fragment is
+  /// complete. Cost: copies all open fragments.
   bool make_room(Slots& slots);
 
   /// Takes passes in. Limit: there is room.
@@ -105,6 +104,7 @@ class Chains {
   Area new_area(Slots& slots, uint32_t count);
   void give(Slots& slots, const Area& area);
   bool find_area(Slots& slots, uint32_t count);
+  bool has_places(Slots& slots) { return free_places_ >= Edges::max_edges || find_places(slots); }
   bool find_places(Slots& slots);
   void find_least_places();
   bool make_places(Slots& slots, uint32_t queue);

@@ -1,9 +1,8 @@
 // The rays at a vertex, looked up by the voxels around it, and what a pass along two rays is.
 //
-// What surrounds a vertex is known by halves, of which there are few kinds: the rays between the
-// sectors of a half, and one where halves meet, if the sectors on both sides of it differ. A pass
-// is named by the queues of two rays. That says everything else about it, as a queue begins at one
-// edge of a cell and ends at one.
+// The neighbourhood of a vertex is looked up by halves, of which there are few kinds. A half has
+// the rays between its sectors, and one where the halves meet, if the sectors on both sides differ.
+// Two queues, those of its rays, name a pass: a queue begins at one edge of a cell and ends at one.
 #ifndef DISCMC_HOST_RAY_TABLE_HPP
 #define DISCMC_HOST_RAY_TABLE_HPP
 
@@ -55,7 +54,7 @@ struct PartSum {
 };
 
 /// Half of what surrounds a vertex: two of its four cells, quadrants 0 and 1 or 2 and 3. Five lines
-/// of voxels (sector_table.hpp) and the one in the middle tell what its rays are.
+/// of voxels (sector_table.hpp) and the one in the middle decide its rays.
 struct HalfRays {
   static constexpr uint32_t lines_bits = 10;
   static constexpr uint32_t places = 1U << (lines_bits + 1);
@@ -70,7 +69,7 @@ struct HalfRays {
 };
 
 struct RayTable {
-  /// What the voxels of a slice say of the lines around a voxel, the one in the middle of nine: by
+  /// What nine voxels of a slice contribute to the lines around the one in the middle: by
   /// how far above the voxel it lies, from -1 on, and its voxels, bit x + 3 y. From the lowest bit,
   /// for each axis: lines 0 to 4 (10 bits), whether the voxel is on (1), lines 4 to 7 and 0 (10).
   uint64_t lines[3][512];
@@ -87,7 +86,7 @@ struct RayTable {
   uint64_t parts[120];                   ///< PartSum
 };
 
-/// What the queue of a ray says of the vertex: for chains that come along it, and that go.
+/// What follows from the queue of a ray, for chains that come along it, and for those that leave.
 struct RayEnds {
   /// From the voxel to the vertex, CornerCode::vector(), and `incoming` in its place.
   uint64_t vertex[queue_codes];

@@ -128,7 +128,7 @@ bool Sweep::sweep_plain(const trace::SweptRow& row, const BitIntake& intake, con
 
 // ---- delivery ----
 
-// Delivers all that is due. False when the sink said "not now".
+// Delivers all that is due. False when the sink is busy.
 bool Sweep::deliver(const Sink& sink, Statistics& statistics) {
   if (!delivery_.settle(fragments_, sink, statistics)) return false;
   while (chains_.find_ring(slots()))
@@ -192,7 +192,7 @@ bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
   return true;
 }
 
-// When the sink says "not now" the ordinary delivery goes on.
+// When the sink is busy, the ordinary delivery continues.
 bool Sweep::send_events(const WholeRegion& region, const Sink& sink, Statistics& statistics) {
   Event event{};
   event.incidence = region.incidence;

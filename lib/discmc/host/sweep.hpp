@@ -10,20 +10,6 @@
 
 namespace discmc::host {
 
-/// A region of one ring, as most are: what its events say.
-struct WholeRegion {
-  Incidence incidence;
-  Vertex start;
-  const Run* runs;  ///< Owner: the sender; valid during the call
-  uint32_t count;
-};
-
-/// Who takes regions whole.
-struct RegionReceiver {
-  void* context = nullptr;
-  SinkResult (*take)(void* context, const WholeRegion& region) = nullptr;
-};
-
 /// To an extractor what a trace::Sweep is.
 class Sweep : private trace::Sweep<uint32_t, NoNormal> {
  public:

@@ -23,9 +23,9 @@ class VectorThreshold {
   /// Bit i: whether samples[i] is on, for 32 samples at any address.
   uint32_t reached(const Sample* samples) const {
     constexpr uint32_t bytes = sizeof(Vector);
-    Vector on[lanes / bytes];
+    Vector on[2];
     DISCMC_UNROLL(2)
-    for (uint32_t i = 0; i < lanes / bytes; ++i) {
+    for (uint32_t i = 0; i < 2; ++i) {
       const Sample* const at = samples + bytes * i;
       if constexpr (sizeof(Sample) == 1)
         on[i] = above<Sample>(load(at), bound_);

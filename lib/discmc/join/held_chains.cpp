@@ -67,7 +67,7 @@ void HeldChains::join(uint32_t index, uint32_t other_index) {
   chain.turn = static_cast<uint8_t>(chain.turn + other.turn);
   chain.end = other.end;
   widen(chain, other.low, other.high);
-  // The two need not have been parted at a corner.
+  // The two chains may have been cut within a side.
   const bool is_straight = runs_[chain.last_run].run.absorb(runs_[other.first_run].run);
   if (is_straight) drop_first_run(other_index);
   if (other.first_run != no_run) {
@@ -85,7 +85,7 @@ void HeldChains::close(uint32_t index) {
   ring.state = turns_left ? HeldChain::State::outer : HeldChain::State::hole;
   const Run first = runs_[ring.first_run].run;
   if (!runs_[ring.last_run].run.absorb(first)) return;
-  // It started in the middle of a side.
+  // The chain started in the middle of a side.
   ring.start = after_run(ring.incidence, ring.start, first);
   drop_first_run(index);
 }

@@ -13,7 +13,7 @@ constexpr uint32_t no_chain = no_slot, no_run = no_slot;
 
 /// A run of a chain, and the normal where it starts.
 struct HeldRun {
-  uint32_t next;  ///< no_run behind the last
+  uint32_t next;  ///< no_run after the last
   Run run;
   OctahedralNormal normal;
 };
@@ -24,19 +24,19 @@ struct HeldChain {
     open,
     outer,
     hole,
-    hole_inside,   ///< of the region under way, as far as its runs have gone
-    hole_claimed,  ///< by that region
+    hole_inside,   ///< inside the current region, by the runs so far
+    hole_claimed,  ///< belongs to the current region
   };
 
-  uint32_t next;  ///< of a ring in a list of rings
+  uint32_t next;  ///< the next ring in a list
   uint32_t first_run;
   uint32_t last_run;
   Vertex start;
-  Vertex end;         ///< of an open one
-  int32_t low, high;  ///< from where to where it reaches, along v (chain.hpp)
+  Vertex end;         ///< of an open chain
+  int32_t low, high;  ///< its extent along v (chain.hpp)
   Incidence incidence;
-  Direction incoming;  ///< the direction of the link by which it came to its start
-  uint8_t turn;        ///< the sum of its turns, the one at its start included, modulo 256
+  Direction incoming;  ///< the direction of the link that leads to its start
+  uint8_t turn;        ///< the sum of its turns, with the one at its start, modulo 256
   State state;
 
   constexpr bool is_hole() const { return state >= State::hole; }
@@ -58,20 +58,20 @@ class HeldChains {
     runs_.clear();
   }
 
-  /// An open chain without runs, or no_chain when there is no room.
+  /// Allocates an open chain without runs, or returns no_chain if there is no room.
   uint32_t take(Incidence incidence, const Vertex& start, Direction incoming);
 
-  /// Gives a chain back, and its runs. Cost: its runs.
+  /// Releases a chain and its runs. Cost: its runs.
   void give(uint32_t chain);
 
-  /// Puts a run behind a chain. False when there is no room; then nothing has changed.
+  /// Appends a run to a chain. False if there is no room; then nothing has changed.
   bool append(uint32_t index, Run run, OctahedralNormal normal);
 
-  /// Puts another chain behind the one at whose end it starts; the other is then no more.
+  /// Appends another chain, which starts at the end of this one and then no longer exists.
   void join(uint32_t index, uint32_t other_index);
 
-  /// Makes a ring of a chain that ends where it starts, after two runs at least: outer when it
-  /// turns left, else a hole.
+  /// Makes a ring of a chain that ends where it starts and has at least two runs: outer if it turns
+  /// left, else a hole.
   void close(uint32_t index);
 
   void drop_first_run(uint32_t index);
@@ -80,13 +80,14 @@ class HeldChains {
   const HeldChain& operator[](uint32_t chain) const { return chains_[chain]; }
   const HeldRun& run(uint32_t index) const { return runs_[index]; }
 
-  /// The directed link that comes before a chain and the one that ends it, as keys to match by.
+  /// The directed link before a chain, and the one that ends it, as keys for matching.
   WaitingKey start_key(uint32_t index) const;
   WaitingKey end_key(uint32_t index) const;
 
   /// A point of the region beside a ring.
   PlanePoint point_beside(uint32_t index) const;
-  /// Whether a ring goes round a point of its plane. Cost: its runs, where it reaches so far.
+  /// Whether a ring surrounds a point of its plane. Cost: its runs, if the point is within its
+  /// extent.
   bool contains(uint32_t index, const PlanePoint& point) const;
 
   /// No chain in use has a larger index.

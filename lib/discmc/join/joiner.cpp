@@ -47,14 +47,14 @@ Status Joiner::finish() {
   return is_short_ ? Status::too_little_memory : Status::ok;
 }
 
-// ---- events, one by one: false when the sink said "not now"; then the same comes again ----
+// ---- events, one by one: false if the sink is busy; then the event comes again ----
 
 bool Joiner::accept(const Event& event) {
   const Event::Kind kind = event.kind;
   if (kind == Event::Kind::run) return add_run(event);
   if (kind == Event::Kind::fragment_end) return end_fragment(event);
   if (kind == Event::Kind::lost) return lose(event);
-  forget_fragment();  // there is none, unless events break the grammar
+  forget_fragment();  // no fragment is open, unless events break the grammar
   if (kind == Event::Kind::fragment) return begin_fragment(event);
   if (kind == Event::Kind::region_end) return end_region(event);
   if (kind == Event::Kind::finish) return take_finish(event);
@@ -108,7 +108,7 @@ bool Joiner::end_fragment(const Event& event) {
     case Fate::ignored:
       ++report_.invalid;
       break;
-    default:  // it has its place, and was counted
+    default:  // the fragment has its place, and was counted
       return true;
   }
   ++report_.fragments;
@@ -117,14 +117,14 @@ bool Joiner::end_fragment(const Event& event) {
 }
 
 bool Joiner::lose(const Event& event) {
-  // Of a fragment that is held the sink knows nothing.
+  // The sink has received nothing of a held fragment.
   if (fate_ == Fate::none) return pass(event);
   if (fate_ == Fate::passed && !pass_loose(event)) return false;
   forget_fragment();
   return true;
 }
 
-// Before a region ends it gets the holes that came loose.
+// Before the end of a region, its loose holes are delivered.
 bool Joiner::end_region(const Event& event) {
   outlet_ = Outlet::holes;
   claimed_ = region_.claim(waiting_);
@@ -132,7 +132,7 @@ bool Joiner::end_region(const Event& event) {
   return settle() && pass(event);
 }
 
-// Of several streams, such as those of slabs, the first.
+// Several streams, such as those of slabs, have one start: the first.
 bool Joiner::take_start(const Event& event) {
   has_start_ = has_start_ || pass(event);
   return has_start_;
@@ -165,7 +165,7 @@ bool Joiner::pass_loose(const Event& event) {
 
 // ---- fragments ----
 
-// Joins the fragment that has arrived with what it belongs to.
+// Joins the fragment that has arrived with its neighbours.
 void Joiner::place_fragment() {
   const uint32_t arrived = arriving_;
   if (chains()[arrived].first_run == join::no_chain) {
@@ -193,7 +193,7 @@ void Joiner::forget_fragment() {
   fate_ = Fate::none;
 }
 
-// From now on everything is passed on, what is held first.
+// From now on everything is passed on, the held chains first.
 void Joiner::run_short() {
   is_short_ = true;
   if (arriving_ != join::no_chain) fate_ = Fate::passed;
@@ -202,8 +202,8 @@ void Joiner::run_short() {
 
 // ---- delivery ----
 
-// Delivers what is under way, and all chains when these are let go. False when the sink said "not
-// now".
+// Continues the current delivery, and that of all chains if they are passed on. False if the sink
+// is busy.
 bool Joiner::settle() {
   while (outlet_ != Outlet::none || begin_next_loose()) {
     if (!pass(next_event())) return false;
@@ -231,7 +231,7 @@ Event Joiner::next_event() const {
   return event;
 }
 
-// The sink has taken an event: what comes next?
+// Selects the next event after the sink has accepted one.
 void Joiner::go_on() {
   switch (next_kind_) {
     case Event::Kind::region:
@@ -253,7 +253,7 @@ void Joiner::go_on() {
   if (chains()[delivered_].first_run == join::no_chain) end_chain();
 }
 
-// All runs of the chain are gone.
+// Ends a chain after its last run.
 void Joiner::end_chain() {
   const bool is_outer = !chains()[delivered_].is_hole();
   chains().give(delivered_);
@@ -303,7 +303,7 @@ void Joiner::let_all_go() {
   region_.forget();
 }
 
-// Begins the delivery of the next of the chains that are let go. False when all are gone.
+// Begins the delivery of the next chain that is passed on. False if none is left.
 bool Joiner::begin_next_loose() {
   if (!is_letting_go_) return false;
   while (looked_at_ < chains().last_used()) {
@@ -331,7 +331,7 @@ bool Joiner::end() {
   return settle() && send_finish();
 }
 
-// Begins the delivery of an outer ring that waits: the first on the plane of one that is found.
+// Begins the delivery of a waiting outer ring: the first one on the plane of the one found.
 bool Joiner::begin_next_outer() {
   for (; looked_at_ < chains().last_used(); ++looked_at_) {
     const uint32_t chain = looked_at_ + 1;

@@ -1,4 +1,4 @@
-// Which of the holes that wait are those of a region that passes? Told by its events.
+// Finds the waiting holes of a passing region from its events.
 #ifndef DISCMC_JOIN_REGION_HOLES_HPP
 #define DISCMC_JOIN_REGION_HOLES_HPP
 
@@ -7,20 +7,20 @@
 
 namespace discmc::join {
 
-/// A hole belongs to a region when it lies in it, and in no other waiting ring inside: that would
-/// be of a region that lies in one of its holes.
+/// A hole belongs to a region if it lies inside, and in no other waiting ring that lies inside:
+/// that ring would be of a region in one of the holes.
 class RegionHoles {
  public:
-  /// Looks at an event of the region, in their order. Nothing may begin or end to wait from its
-  /// outer ring on. Cost: of a run, the holes that wait on its plane.
+  /// Follows an event of the region, in order. Limit: from its outer ring on, no chain may begin or
+  /// cease to wait. Cost: per run, the holes that wait on its plane.
   void follow(const Event& event, WaitingChains& waiting);
 
   /// Forgets the region.
   void forget() { first_ = no_chain; }
 
-  /// Takes the holes that are the region's out of those that wait, when all its runs have passed;
-  /// no_chain when there is none, and from then on. The others follow by HeldChain::next.
-  /// Cost: for every hole inside, the rings of its plane, and the runs of those near by.
+  /// Takes the region's holes out of the waiting ones, after all runs of the region. Returns the
+  /// first; the others follow by HeldChain::next. Returns no_chain if there is none, and in later
+  /// calls. Cost: for every hole inside, the rings of its plane, and the runs of the near ones.
   uint32_t claim(WaitingChains& waiting);
 
  private:
@@ -30,8 +30,8 @@ class RegionHoles {
 
   Incidence incidence_ = 0;
   uint32_t first_ = no_chain;  // of the holes on the plane
-  Vertex at_{};                // where the ring under way has got to
-  PlanePoint point_{};         // of the region, beside the run that passed last
+  Vertex at_{};                // the end of the current ring so far
+  PlanePoint point_{};         // in the region, beside the last run
 };
 
 }  // namespace discmc::join

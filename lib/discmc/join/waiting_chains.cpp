@@ -83,7 +83,7 @@ uint32_t WaitingChains::first_outer(Incidence incidence, const Vertex& vertex) c
   return chain_of(find(plane_key(incidence, vertex, Role::outer)));
 }
 
-// Puts another ring, or none, in the place of the first on a plane.
+// Replaces the first ring of a plane by another one, or by none.
 void WaitingChains::set_first(uint32_t ring, uint32_t first, Role role) {
   table_.replace(plane_key(ring, role), entry(ring, role),
                  first != no_chain ? entry(first, role) : none);

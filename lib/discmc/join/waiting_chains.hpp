@@ -1,5 +1,5 @@
-// What waits in a joiner: open chains for the fragments before and behind them, rings for the other
-// rings of their plane.
+// The waiting chains of a joiner: open chains wait for the fragments before and after them, rings
+// for the other rings of their region.
 #ifndef DISCMC_JOIN_WAITING_CHAINS_HPP
 #define DISCMC_JOIN_WAITING_CHAINS_HPP
 
@@ -11,16 +11,16 @@ namespace discmc::join {
 
 class WaitingChains {
  public:
-  /// What became of a chain that was joined with what waited for it.
+  /// The result of joining a chain.
   enum class Joined : uint8_t {
-    open,     ///< it waits
-    ring,     ///< it is closed, and waits for nothing yet
-    refused,  ///< another chain waits where it starts, or where it ends
-    no_room,  ///< and nothing can be joined from now on
+    open,     ///< the chain waits
+    ring,     ///< the chain is closed, and does not wait yet
+    refused,  ///< another chain waits at its start, or at its end
+    no_room,  ///< nothing can be joined from now on
   };
   struct Result {
     Joined joined;
-    uint32_t chain;  ///< of which the fragment is now a part
+    uint32_t chain;  ///< the chain that contains the fragment now
   };
 
   static constexpr uint64_t bytes_for(uint32_t chains, uint32_t runs) {
@@ -28,17 +28,17 @@ class WaitingChains {
            2 * Arena::bytes_of(buckets_for(chains), sizeof(uint32_t));
   }
 
-  /// Takes its arrays from the arena. Limit: these have room in it.
+  /// Allocates its arrays in the arena. Limit: they fit.
   void start(Arena& arena, uint32_t chains, uint32_t runs);
 
   HeldChains& chains() { return chains_; }
   const HeldChains& chains() const { return chains_; }
 
-  /// Joins a chain that has runs with those that it follows and that follow it. Refused, or without
-  /// room, it is as it was. Cost: a few look-ups.
+  /// Joins a chain that has runs with the chain before it and the chain after it. If refused, or
+  /// without room, the chain is unchanged. Cost: a few look-ups.
   Result join(uint32_t arrived);
 
-  /// Lets a ring wait on its plane. False when there is no room, from now on.
+  /// Lets a ring wait on its plane. False if there is no room, which remains so.
   bool keep(uint32_t ring);
 
   /// The first of the holes, or of the outer rings, that wait on the plane of a vertex; the others
@@ -47,20 +47,20 @@ class WaitingChains {
   uint32_t first_outer(Incidence incidence, const Vertex& vertex) const;
   uint32_t hole_count() const { return hole_count_; }
 
-  /// Takes the claimed ones out of a list of holes that wait. Returns the list of these.
+  /// Takes the claimed holes out of a list of waiting holes. Returns the list of the claimed ones.
   uint32_t take_claimed(uint32_t first_hole);
 
-  /// Takes out the first of the outer rings that wait on the plane of one of them.
+  /// Takes out the first waiting outer ring on the plane of the given one.
   uint32_t take_outer(uint32_t outer);
 
-  /// Empties the table: for when the chains go one after another.
+  /// Empties the table, before all chains are passed on one by one.
   void forget();
 
  private:
-  // What the table says of a chain: an entry is an index and one of these.
+  // The role of a chain in the table: an entry is an index and a role.
   enum class Role : uint8_t { start, end, hole, outer };
 
-  // Both ends of a chain wait, or a ring.
+  // Per chain: both of its ends wait, or a ring.
   static constexpr uint32_t buckets_for(uint32_t chains) {
     return WaitingTable::buckets_for(2 * chains);
   }

@@ -1,8 +1,7 @@
-// A fixed-capacity hash table with open addressing: what waits for a partner, by where.
-//
-// An entry lies within `window` buckets of its key's own bucket, or is not there. So a removed
-// entry needs no tombstone, a full window is a result ("no room"), and the cost of every call is
-// bounded whatever the keys.
+// A fixed-capacity hash table with open addressing, for chains that wait for a partner at a place.
+// An entry lies within `window` buckets of its key's own bucket, or is not in the table. So a
+// removed entry needs no tombstone, a full window is a result ("no room"), and the cost of every
+// call is bounded for all keys.
 #ifndef DISCMC_JOIN_WAITING_TABLE_HPP
 #define DISCMC_JOIN_WAITING_TABLE_HPP
 
@@ -10,25 +9,25 @@
 
 namespace discmc::join {
 
-/// Where something waits.
+/// The place where a chain waits.
 struct WaitingKey {
   Vertex vertex;
   Incidence incidence;
-  uint8_t kind;  ///< a direction, or another number that the table's owner gives a meaning
+  uint8_t kind;  ///< a direction, or another number defined by the owner of the table
 };
 
 constexpr bool operator==(const WaitingKey& a, const WaitingKey& b) {
   return a.vertex == b.vertex && a.incidence == b.incidence && a.kind == b.kind;
 }
 
-/// The keys themselves stay with what waits: a bucket holds the hash of a key and a value that
-/// leads to it, which is not 0. Owner: the buckets lie in the arena.
+/// The keys are stored with the chains. A bucket contains the hash of a key, and a value other than
+/// 0 that leads to the chain. Owner: the arena, of the buckets.
 class WaitingTable {
  public:
   static constexpr uint32_t window = 64;  ///< the bound on probes of every call
   static constexpr uint32_t none = 0;
 
-  /// The buckets for a number of entries: so many that of 10^12 windows less than one is full.
+  /// The buckets for a number of entries: less than one of 10^12 windows is full.
   static constexpr uint32_t buckets_for(uint32_t entries) { return 3 * entries; }
 
   static constexpr uint32_t hash_of(const WaitingKey& key) {
@@ -66,8 +65,8 @@ class WaitingTable {
     return bucket == buckets_ ? none : values_[bucket];
   }
 
-  /// Remembers a value under a key that is not in the table. False when the key's window is full;
-  /// then nothing has changed.
+  /// Inserts a value under a key that is not in the table. False if the key's window is full; then
+  /// nothing has changed.
   bool insert(const WaitingKey& key, uint32_t value) {
     const uint32_t hash = hash_of(key);
     const uint32_t bucket = first_bucket(hash, [this](uint32_t i) { return values_[i] == none; });
@@ -77,7 +76,7 @@ class WaitingTable {
     return true;
   }
 
-  /// Puts another value in the place of one that is in the table under the key.
+  /// Replaces a value in the table under the key by another one.
   void replace(const WaitingKey& key, uint32_t value, uint32_t other) {
     const uint32_t hash = hash_of(key);
     const uint32_t bucket =
@@ -89,7 +88,7 @@ class WaitingTable {
   void remove(const WaitingKey& key, uint32_t value) { replace(key, value, none); }
 
  private:
-  // The first bucket of the hash's window that is right, or buckets_ when none is.
+  // The first bucket in the hash's window for which is_right(), or buckets_ if there is none.
   template <class IsRight>
   uint32_t first_bucket(uint32_t hash, IsRight is_right) const {
     uint32_t bucket = static_cast<uint32_t>(uint64_t{hash} * buckets_ >> 32);

@@ -1,4 +1,4 @@
-// A row of bits, told or read voxel by voxel, and where neighbours are all alike run by run.
+// Codes or reads a row of bits: voxel by voxel, or run by run where all neighbours are alike.
 #ifndef DISCMC_SLICES_ROW_CODE_HPP
 #define DISCMC_SLICES_ROW_CODE_HPP
 
@@ -8,16 +8,16 @@
 
 namespace discmc::slices {
 
-/// The rows that a row is told by. Owner: whoever has the rows.
+/// The rows that contain the neighbours of a row's voxels. Owner: Surfaces.
 struct RowsBefore {
   const uint32_t* nearest;  ///< its voxels 0, 1 and 2 are neighbours: see slice_model.hpp
   const uint32_t* next;     ///< 3, 4 and 5
   const uint32_t* third;    ///< 6
   const uint32_t* last;     ///< 7
-  const uint32_t* first;    ///< 8: this row of the first surface, or null where that is told
+  const uint32_t* first;    ///< 8: this row of the first surface; null for the first surface itself
 };
 
-/// Those of the row that arrives. first: as in RowsBefore.
+/// The neighbours of the arriving row. first: as in RowsBefore.
 inline RowsBefore rows_before(const trace::BitRows& rows, uint32_t height, SliceKind kind,
                               const uint32_t* first = nullptr) {
   const auto row = [&rows](bool is_there, uint32_t back) {
@@ -29,28 +29,28 @@ inline RowsBefore rows_before(const trace::BitRows& rows, uint32_t height, Slice
   return {row(y >= 1, 1), rows.row(height), row(y + 1 < height, height - 1),
           row(y >= 1, height + 1), first};
 }
-/// The rows that have to be kept for that, the one that arrives among them.
+/// The number of rows to keep for these neighbours, with the arriving row.
 constexpr uint32_t rows_kept(uint32_t height, bool all_are_key) {
   const uint32_t of_slice = height + 2;
   return all_are_key || of_slice < 4 ? 4 : of_slice;
 }
 
-/// What is said before a row.
+/// The note before a row.
 enum class RowNote : uint8_t {
   end,       ///< no row follows: the code ends
-  off,       ///< the row never came, and is off
-  repeated,  ///< the row never came, and the one before stands in for it
+  off,       ///< the row is skipped, and off
+  repeated,  ///< the row is skipped, and the row before replaces it
   none,      ///< the row follows
 };
-/// The bits of a note, which is told where there is one.
+/// The bits of a note.
 constexpr uint32_t note_bits = 3;
 
-/// Where a row is told or read. A coder's code_bit(probability, bit) tells a bit or gives the one
-/// that is read, and so does its number(bits, value).
+/// The position in a row that is written or read. A coder's code_bit(probability, bit) and
+/// number(bits, value) write the value, or return the one that they read.
 class RowCode {
  public:
-  /// row: as BitRows has it, of so many voxels; what is read is written there. Limit: a row that is
-  /// to be read is off.
+  /// row: in the format of BitRows, of `width` voxels; reading writes to it. Limit: before reading,
+  /// the row is off.
   void begin(uint32_t* row, const RowsBefore& before, uint32_t width) {
     row_ = row;
     before_ = before;
@@ -61,11 +61,11 @@ class RowCode {
     level_end_ = width;
   }
   bool is_done() const { return left_ == 0; }
-  /// The voxels that are not told yet.
+  /// The number of voxels that are not coded yet.
   uint32_t left() const { return left_; }
 
-  /// The next voxel or run. False when no encoder told what is read. Limit: not is_done().
-  /// Cost: 1 decision, or for a run that ends early some 10.
+  /// Codes the next voxel or run. False if the bits that were read are from no encoder. Limit: not
+  /// is_done(). Cost: 1 decision; for a run that ends early, about 10.
   template <class Coder>
   bool step(Coder& coder, SliceModel& model) {
     const uint32_t neighbours = differing_neighbours();
@@ -86,7 +86,7 @@ class RowCode {
     return true;
   }
 
-  /// A row that has been read: what each word holds of the words beside it is written.
+  /// Completes a row that was read: copies into each word its columns of the adjacent words.
   void complete(uint32_t words) {
     for (uint32_t word = 1; word < words; ++word) {
       row_[word] |= row_[word - 1] >> 30 & 1;
@@ -95,10 +95,10 @@ class RowCode {
   }
 
  private:
-  // Whether the next voxel is not as the one before; nothing where it is still to be read.
+  // Whether the next voxel differs from the one before. Meaningless while reading.
   bool differs() const { return ((row_[word_] ^ as_before_) >> bit_ & 1) != 0; }
 
-  // A bit each for those that are not as the voxel before.
+  // One bit per neighbour that differs from the voxel before.
   uint32_t differing_neighbours() const {
     const uint32_t nearest = before_.nearest[word_] >> (bit_ - 1) & 7;
     const uint32_t next = before_.next[word_] >> (bit_ - 1) & 7;
@@ -109,10 +109,10 @@ class RowCode {
     return differing | ((before_.first[word_] ^ as_before_) >> bit_ & 1) << 8;
   }
 
-  // The voxels from here on, as far as all their neighbours but the first surface's are as the
-  // voxel before. Limit: those of the next one are.
+  // The number of voxels from here on whose neighbours, except that of the first surface, all equal
+  // the voxel before. Limit: the neighbours of the next voxel do.
   uint32_t level_voxels() {
-    // Where a run has ended early its level goes on, and is not looked at again.
+    // If a run has ended early, its level continues and is not computed again.
     if (left_ <= level_end_) level_end_ = left_ - level_voxels_ahead();
     return left_ - level_end_;
   }
@@ -121,15 +121,15 @@ class RowCode {
       const uint32_t beside =
           (before_.nearest[word] ^ as_before_) | (before_.next[word] ^ as_before_);
       const uint32_t below = (before_.third[word] ^ as_before_) | (before_.last[word] ^ as_before_);
-      // Of those beside it a voxel shares all but the last with the one before.
+      // A voxel shares all neighbours beside it but the last with the voxel before.
       return beside >> 1 | below;
     });
   }
-  // The same as far as they are as the voxel before.
+  // The number of voxels from here on that equal the voxel before, at most `most`.
   uint32_t same_voxels(uint32_t most) const {
     return voxels_before(most, [this](uint32_t word) { return row_[word] ^ as_before_; });
   }
-  // Those from here on before the first whose bit is set, at most so many.
+  // The number of voxels from here on before the first whose bit is set, at most `most`.
   template <class Bits>
   uint32_t voxels_before(uint32_t most, Bits bits) const {
     uint32_t passed = 0;
@@ -150,7 +150,7 @@ class RowCode {
     return context::run + 2 * (length - 1) + (level == left_ ? 1 : 0);
   }
 
-  // So many voxels are as the one before.
+  // Writes this many voxels that equal the one before.
   void pass(uint32_t voxels) {
     left_ -= voxels;
     while (voxels > 0) {
@@ -160,13 +160,13 @@ class RowCode {
       voxels -= here;
     }
   }
-  // The next one is, or differs.
+  // Writes the next voxel, which differs or not.
   void go_on(bool differs) {
     if (differs) as_before_ = ~as_before_;
     --left_;
     write(1);
   }
-  // Limit: so many are left in the word.
+  // Limit: the word has room for them.
   void write(uint32_t voxels) {
     const uint32_t next = bit_ + voxels;
     row_[word_] |= as_before_ & ((uint32_t{1} << next) - (uint32_t{1} << bit_));
@@ -179,8 +179,8 @@ class RowCode {
   uint32_t left_ = 0;
   uint32_t word_ = 0;
   uint32_t bit_ = 0;        // of the next voxel
-  uint32_t as_before_ = 0;  // a word of voxels that are as the one before
-  uint32_t level_end_ = 0;  // voxels left behind the level that was seen last
+  uint32_t as_before_ = 0;  // a word of voxels that equal the one before
+  uint32_t level_end_ = 0;  // voxels left after the last computed level
 };
 
 }  // namespace discmc::slices

@@ -1,4 +1,4 @@
-// The coders of a row (row_code.hpp): one tells its bits, the other reads them.
+// The coders of a row (row_code.hpp): one writes its bits, the other reads them.
 #ifndef DISCMC_SLICES_ROW_CODERS_HPP
 #define DISCMC_SLICES_ROW_CODERS_HPP
 
@@ -14,7 +14,7 @@ struct RowWriter {
     probability.learn(bit);
     return bit;
   }
-  /// So many even bits, the highest first.
+  /// Writes this many even bits, the highest first.
   uint32_t number(uint32_t bits, uint32_t value) {
     while (bits > 0) range.encode((value >> --bits & 1) != 0, Probability{128});
     return value;

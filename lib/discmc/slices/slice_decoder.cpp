@@ -6,7 +6,7 @@ using slices::RowNote;
 
 namespace {
 
-// What a step or a note may read. Units: bytes.
+// The most that a step or a note reads. Units: bytes.
 constexpr size_t max_of_a_step = 4;
 static_assert(max_of_a_step <= wire::packet_head, "what is left has room before a payload");
 
@@ -84,7 +84,7 @@ void SliceDecoder::lay_out() {
   stage_ = Stage::start;
 }
 
-// What follows cannot be read before the next key slice.
+// Nothing can be read until the next key slice.
 void SliceDecoder::give_up() {
   packets_.note_unreadable();
   is_whole_ = false;
@@ -99,7 +99,7 @@ void SliceDecoder::open_slices() {
   stage_ = Stage::lose;
   lost_rows_ = 0;
   if ((bits & SliceBits::key) != 0) {
-    // It begins a code: with any other there is nothing to go on from.
+    // A key slice begins a code; in the middle of a code it cannot be read.
     const bool begins_code = (bits & SliceBits::first) != 0;
     if (!begins_code || bytes < wire::key_slice_head || !begin_key_slice()) return give_up();
     code += wire::key_slice_head;
@@ -124,8 +124,8 @@ void SliceDecoder::open_slices() {
     coder_.range.continue_in(code, bytes + rest_bytes_);
     return;
   }
-  // A code begins with a row, or where the one before was cut, and with as many bytes as a decoder
-  // asks for first.
+  // A code begins with a row, or where the previous code was cut. Its first packet has the bytes
+  // that a decoder reads first.
   if (row_is_begun_ != goes_on_in_row || (bytes < max_of_a_step && !code_is_over_))
     return give_up();
   coder_.range = RangeDecoder(code, bytes);
@@ -148,18 +148,18 @@ bool SliceDecoder::begin_key_slice() {
 
 // ---- rows ----
 
-// Whether the bytes at hand suffice for a step, whatever it is.
+// Whether the present bytes suffice for any step.
 bool SliceDecoder::can_read() const {
   return code_is_over_ || coder_.range.left() >= max_of_a_step;
 }
 
-// Never where the code is not cut: of a row that is begun voxels are left.
+// Never true without a cut: a row in progress has voxels left.
 bool SliceDecoder::is_at_cut() const {
   return row_is_begun_ && row_.left() == cut_left_ &&
          static_cast<uint32_t>(passed_rows_ * surfaces_.count() + surface_) == cut_row_;
 }
 
-// Reads up to the end of a row, or of what is there.
+// Reads up to the end of a row, or of the present bytes.
 void SliceDecoder::read() {
   while (can_read()) {
     if (is_at_cut()) {
@@ -187,7 +187,7 @@ void SliceDecoder::read() {
   stage_ = Stage::collect;
 }
 
-// False when no encoder told it.
+// False if no encoder wrote it.
 bool SliceDecoder::begin_row() {
   if (surface_ == 0) {
     if (!read_note()) return false;
@@ -213,7 +213,7 @@ bool SliceDecoder::read_note() {
 
 // ---- delivery ----
 
-// Hands out all that is known. False when the sink said "not now".
+// Delivers all pending events. False if the sink does not accept one.
 bool SliceDecoder::deliver() {
   for (;;) {
     switch (stage_) {
@@ -256,7 +256,7 @@ bool SliceDecoder::report_loss() {
   return true;
 }
 
-// The rows of all surfaces, or none: what is lost then is lost for all.
+// Delivers the rows of all surfaces, or of none: a loss affects all of them.
 bool SliceDecoder::hand_out() {
   const bool is_row = note_ == RowNote::none;
   for (; surface_ < surfaces_.count(); ++surface_)

@@ -37,13 +37,13 @@ void SliceEncoder::lay_out(Memory memory) {
   memory_ = memory.data;
 }
 
-// ---- what the caller gives ----
+// ---- input ----
 
 Status SliceEncoder::ready_for_row() {
   if (state_ == State::idle) return Status::not_started;
   if (state_ != State::scanning) return Status::finished;
   (void)work();
-  if (row_is_due_) return Status::suspended;  // it has the place of the next one
+  if (row_is_due_) return Status::suspended;  // the waiting row has the place of the next one
   if (slices() >= Limits::max_slices) return Status::too_deep;
   return Status::ok;
 }
@@ -123,11 +123,11 @@ Status SliceEncoder::write_record(const ApplicationRecord& record) {
   placed.slice = slices();
   placed.row = rows();
   packets_.seal_application(wire::PacketKind::slices_application, placed);
-  (void)packets_.drain();  // it is taken, whenever the output takes it
+  (void)packets_.drain();  // the packet is accepted, even if the output is busy now
   return Status::ok;
 }
 
-// Whoever gets the stream again can read on from there.
+// A receiver of the new output can read from there.
 void SliceEncoder::set_output(const ByteOutput& output) {
   packets_.set_output(output);
   if (output.write != nullptr) packets_.repeat_header(!code_is_open_);
@@ -167,7 +167,7 @@ Status SliceEncoder::save(Checkpoint<SliceEncoder>& checkpoint) const {
   if (is_suspended()) return Status::suspended;
   SliceEncoder& image = checkpoint.object;
   image = *this;
-  // Addresses are of no use to whoever restores it.
+  // Addresses are useless after a restore.
   image.row_ = {};
   image.coder_.range.move_to(nullptr);
   image.packets_.rewind();
@@ -197,7 +197,7 @@ Status SliceEncoder::continue_in(Memory memory, const ByteOutput& output) {
 
 // ---- rows ----
 
-// Does all that is due. False when the output said "not now".
+// Does all pending work. False if the output is busy.
 bool SliceEncoder::work() {
   if (!packets_.drain()) return false;
   if (row_is_due_ && !encode_row()) return false;
@@ -233,14 +233,14 @@ bool SliceEncoder::begin_row() {
   return true;
 }
 
-// Tells what comes before the voxels of a row; one that never came has none.
+// Writes what precedes the voxels of a row.
 bool SliceEncoder::encode_what_precedes() {
   const bool begins_key_slice = is_at_key_slice();
   if (begins_key_slice) {
     if (code_is_open_ && !end_code()) return false;
     surfaces_.begin_key_slice();
     if (note_ == RowNote::repeated) {
-      note_ = RowNote::off;  // a key slice is told by nothing before it
+      note_ = RowNote::off;  // a key slice depends on nothing before it
       surfaces_.clear_row();
     }
   }
@@ -263,14 +263,14 @@ void SliceEncoder::encode_note(RowNote note) {
 
 // ---- packets ----
 
-// A step or a note takes up to 4 bytes, the last bits one, and before them a note 2 or behind them
-// the place of a cut 6.
+// A step or a note takes up to 4 bytes and the end of the code 1. A note before it takes 2, or a
+// cut after it 6.
 constexpr size_t code_reserve = 4 + 1 + wire::cut_tail;
 
-// Makes room in the packet for a step or a note. False when the output said "not now".
+// Makes room in the packet for a step or a note. False if the output is busy.
 bool SliceEncoder::make_room() {
   if (code_is_open_ && !coder_.range.has_room(code_reserve)) {
-    // Where hardly a byte is final, as a carry may yet change all others, the code ends.
+    // If hardly a byte is final, because a carry may change all others, the code ends.
     if (coder_.range.final_bytes() < code_reserve) {
       if (!cut_code()) return false;
     } else {
@@ -302,7 +302,7 @@ bool SliceEncoder::end_code() {
   return close_code(0);
 }
 
-// Ends it wherever it is.
+// Ends the code at any place.
 bool SliceEncoder::cut_code() {
   return row_is_begun_ ? close_code(wire::SliceBits::cut) : end_code();
 }
@@ -320,7 +320,7 @@ bool SliceEncoder::close_code(uint8_t bits) {
   return packets_.drain();
 }
 
-// Where so many bytes of the code end in the packet.
+// The end of this many bytes of code in the packet.
 uint8_t* SliceEncoder::code_end(size_t code_bytes) {
   const size_t head = (packet_bits_ & wire::SliceBits::key) != 0 ? wire::key_slice_head : 0;
   return packets_.payload() + head + code_bytes;

@@ -42,7 +42,7 @@ constexpr uint8_t trained[2][context::count - context::run] = {
 };
 // clang-format on
 
-// Notes are rare whatever is scanned.
+// Notes are rare in every scan.
 constexpr LearntProbability note_at_first(32);
 
 }  // namespace
@@ -52,7 +52,7 @@ void SliceModel::start(Arena& arena, bool is_further) {
   of_ = arena.take<LearntProbability>(count_);
 }
 
-// Where the first surface differs nothing is known at first: the voxel is told as if it did not.
+// Nothing was trained for a first surface that differs: those contexts begin as if it did not.
 void SliceModel::begin(SliceKind kind) {
   const uint8_t* const at_first = trained[kind == SliceKind::key ? 0 : 1];
   of_[context::note] = note_at_first;

@@ -4,7 +4,7 @@ namespace discmc {
 
 namespace {
 
-// Whether the row has to be offered again: one beyond the last slice there can be is never taken.
+// Whether the row has to be offered again. A row beyond the last possible slice is never accepted.
 bool is_refused(PushResult row) {
   return row.status == Status::suspended && row.samples == 0;
 }
@@ -23,12 +23,12 @@ Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
   const RowSink rows{this, [](void* context, const RowEvent& event) {
                        return static_cast<SurfaceDecoder*>(context)->take(event);
                      }};
-  return slices_.start({}, rows, channel);  // it gets its part when the size is known
+  return slices_.start({}, rows, channel);  // its memory follows when the header has arrived
 }
 
 Decoded SurfaceDecoder::push(const uint8_t* bytes, size_t count) {
   size_t taken = 0;
-  // What the stream holds is known from its header on. Until then both decoders listen.
+  // The header determines the kind of stream. Until then both decoders read.
   while (!is_known_ && taken < count) {
     const Decoded decoded = push_to_both(bytes + taken);
     taken += decoded.bytes;
@@ -51,15 +51,15 @@ Decoded SurfaceDecoder::push_to_both(const uint8_t* byte) {
   return {refusal_, 1};
 }
 
-// The memory holds the rows of the slice decoder first, and behind them what the sweep needs.
+// The memory contains the rows of the slice decoder, followed by the memory of the extractor.
 Status SurfaceDecoder::begin_sweep() {
   const Limits limits{header().width, header().height, header().border};
   const uint64_t of_rows = slice_decoder_bytes(limits, header().surface_count);
   if (memory_.data == nullptr || memory_.bytes < of_rows) return Status::too_little_memory;
   const auto bytes = static_cast<size_t>(of_rows);
   const Memory rest{static_cast<uint8_t*>(memory_.data) + bytes, memory_.bytes - bytes};
-  constexpr int32_t any = 0;  // bits are not compared
-  // The slice decoder tells of the start, and knows more of it.
+  constexpr int32_t any = 0;  // the extractor receives bits, not samples
+  // The slice decoder sends the start, with more members.
   const auto pass_all_else = [](void* context, const Event& event) {
     return event.kind == Event::Kind::start ? SinkResult::accepted
                                             : static_cast<SurfaceDecoder*>(context)->pass(event);
@@ -77,9 +77,9 @@ Status SurfaceDecoder::give_memory(Memory memory) {
 }
 
 Status SurfaceDecoder::finish() {
-  const Status of_slices = slices_.finish();  // before a header both decoders listen
+  const Status of_slices = slices_.finish();  // before a header both decoders read
   if (!is_of_slices_) return regions_.finish();
-  return of_slices == Status::ok ? extractor_.resume() : of_slices;  // where there was no end
+  return of_slices == Status::ok ? extractor_.resume() : of_slices;  // if the stream had no trailer
 }
 
 // ---- rows ----
@@ -97,7 +97,7 @@ SinkResult SurfaceDecoder::take(const RowEvent& event) {
     case RowEvent::Kind::lost:
       return skip(event.count, Substitute::off);
     case RowEvent::Kind::application: {
-      // What the rows before it have made comes first, and all of a region together.
+      // Events of the rows before come first, and a region is not interrupted.
       if (extractor_.resume() == Status::suspended) return SinkResult::busy;
       Event same{};
       same.kind = Event::Kind::application;
@@ -110,7 +110,7 @@ SinkResult SurfaceDecoder::take(const RowEvent& event) {
   return end(event.abandoned);
 }
 
-// Of several surfaces in the stream the header of the one that is wanted, as if it were alone.
+// Reduces the header of several surfaces to the wanted surface.
 SinkResult SurfaceDecoder::begin(const StreamHeader& all) {
   StreamHeader header = all;
   header.channel = wanted_channel();

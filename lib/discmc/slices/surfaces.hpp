@@ -1,4 +1,4 @@
-// The surfaces of one stream of slices: the rows of each, and what is learnt of them.
+// The surfaces of one stream of slices: the rows and the model of each.
 #ifndef DISCMC_SLICES_SURFACES_HPP
 #define DISCMC_SLICES_SURFACES_HPP
 
@@ -14,7 +14,7 @@ struct Surface {
 
 class Surfaces {
  public:
-  /// Takes rows and probabilities from the arena; clear() writes to them. Limit: a valid header.
+  /// Allocates rows and probabilities in the arena; clear() writes to them. Limit: a valid header.
   void start(Arena& arena, const StreamHeader& header, uint32_t rows) {
     const Limits limits{header.width, header.height, header.border};
     count_ = header.surface_count;
@@ -33,37 +33,37 @@ class Surfaces {
   uint32_t count() const { return count_; }
   Surface& operator[](uint32_t surface) { return of_[surface]; }
 
-  /// The rows of all arrive together.
+  /// The rows of all surfaces arrive together.
   const trace::BitRows& rows() const { return of_[0].rows; }
   LearntProbability& note() { return of_[0].model[context::note]; }
 
-  /// A key slice begins.
+  /// Begins a key slice.
   void begin_key_slice() {
     kind_ = SliceKind::key;
     begin_models();
   }
-  /// A slice that is told by the one before begins, behind its first note. Nothing is learnt for it
-  /// from a key slice.
+  /// Begins a slice that follows another, after its first note. What a key slice has learnt does
+  /// not continue.
   void begin_following_slice() {
     if (kind_ == SliceKind::follows) return;
     kind_ = SliceKind::follows;
     begin_models();
   }
 
-  /// Begins the row that arrives, of one surface. width: 0 where it never came.
+  /// Begins the arriving row of one surface. width: 0 if the row is skipped.
   void begin_row(RowCode& row, uint32_t surface, uint32_t width) {
     const uint32_t* const first = surface > 0 ? rows().row(0) : nullptr;
     trace::BitRows& rows = of_[surface].rows;
     row.begin(rows.arriving(), rows_before(rows, height_, kind_, first), width);
   }
-  /// The row that arrives is off, whatever it was, of all of them.
+  /// Turns off the arriving row of all surfaces.
   void clear_row() {
     for (Surface& surface : *this) {
       uint32_t* const row = surface.rows.arriving();
       for (uint32_t word = 0; word < surface.rows.words(); ++word) row[word] = 0;
     }
   }
-  /// The row that arrives is complete, of all of them. True when the slice is, too.
+  /// Completes the arriving row of all surfaces. True if the slice is complete, too.
   bool next_row() {
     for (Surface& surface : *this) surface.rows.next_row();
     if (rows().rows() < height_) return false;

@@ -1,8 +1,7 @@
 // Consistent overhead byte stuffing, in place, for frames of up to 254 bytes.
-//
-// A frame without zero bytes, ended by a zero, is found again after any loss.
-// S. Cheshire, M. Baker, "Consistent Overhead Byte Stuffing", IEEE/ACM Transactions on Networking,
-// 1999.
+// A zero byte ends a frame and occurs nowhere else in it, so a reader finds the next frame after
+// any loss. S. Cheshire, M. Baker, "Consistent Overhead Byte Stuffing", IEEE/ACM Transactions on
+// Networking, 1999.
 #ifndef DISCMC_STREAM_COBS_HPP
 #define DISCMC_STREAM_COBS_HPP
 
@@ -14,9 +13,9 @@ namespace discmc::cobs {
 
 constexpr size_t max_plain = 254;
 
-/// Stuffs the `count` bytes that stand at frame[1]: afterwards frame[0] to frame[count + 1] are the
-/// frame on the wire, its ending zero included. Limit: count <= max_plain; frame has count + 2
-/// bytes. Returns the length of the frame: count + 2.
+/// Stuffs the `count` bytes at frame[1]. Afterwards frame[0] to frame[count + 1] are the frame on
+/// the wire, with its final zero. Limit: count <= max_plain; frame has count + 2 bytes. Returns the
+/// length of the frame: count + 2.
 constexpr size_t stuff(uint8_t* frame, size_t count) {
   size_t next = count + 1;
   frame[next] = 0;
@@ -29,8 +28,8 @@ constexpr size_t stuff(uint8_t* frame, size_t count) {
   return count + 2;
 }
 
-/// Undoes stuff() for the `count` bytes before the ending zero: the plain bytes stand at frame[1].
-/// Returns how many they are, or 0 when this is no frame.
+/// Undoes stuff() for the `count` bytes before the final zero; the plain bytes are then at
+/// frame[1]. Returns their number, or 0 if the frame is damaged.
 constexpr size_t unstuff(uint8_t* frame, size_t count) {
   if (count < 2) return 0;
   size_t code = 0;

@@ -1,4 +1,4 @@
-// CRC-32 (IEEE 802.3, reflected, as in zlib and PNG): bit by bit, and tables for those in a hurry.
+// CRC-32 (IEEE 802.3, reflected, as in zlib and PNG): bit by bit, or with a table on hosts.
 #ifndef DISCMC_STREAM_CRC32_HPP
 #define DISCMC_STREAM_CRC32_HPP
 
@@ -16,7 +16,7 @@ constexpr uint32_t crc32_shifted(uint32_t crc, int bits) {
   return crc;
 }
 
-/// What so many bits come to at a time. 64 bytes for four of them, 1 KiB for eight.
+/// The remainders of all values of `bits` bits: 64 bytes for four bits, 1 KiB for eight.
 template <int bits>
 struct Crc32Table {
   uint32_t remainder[1 << bits];
@@ -33,8 +33,8 @@ inline constexpr Crc32Table<8> crc32_of_bytes = crc32_table<8>();
 
 }  // namespace derive
 
-/// The checksum of some bytes, or of those that `before` is the checksum of and these. Cost: a step
-/// a byte on a host, eight on firmware, where a packet is short and a table is not.
+/// The checksum of some bytes; `before` is the checksum of the bytes in front of them. Cost: a step
+/// per byte on a host, eight on firmware, where packets are short and flash is scarce.
 constexpr uint32_t crc32(const uint8_t* bytes, size_t count, uint32_t before = 0) {
   uint32_t crc = ~before;
   for (size_t i = 0; i < count; ++i) {

@@ -52,7 +52,7 @@ void Decoder::open(PacketReader::Completed arrival) {
   }
 }
 
-// What is under way cannot be ended: the sink is told.
+// The current piece cannot be completed: the sink receives `lost`.
 void Decoder::lose_open() {
   lost_is_due_ = lost_is_due_ || is_open_;
   is_open_ = false;
@@ -81,7 +81,7 @@ void Decoder::note_finish() {
 
 // ---- records ----
 
-// Reads the next record of the packet and sets the stage for its delivery.
+// Reads the next record of the packet, and selects the stage that delivers it.
 void Decoder::read_record() {
   bool is_good = true;
   if (!normals_are_ahead_) normals_.clear();
@@ -147,7 +147,7 @@ void Decoder::read_mark(RecordKind kind) {
   stage_ = Stage::mark;
 }
 
-// A part goes on with what the part before began; without that it is of no use.
+// A part continues the part before; without that part it is useless.
 void Decoder::begin_record() {
   sent_words_ = 0;
   sent_runs_ = 0;
@@ -166,7 +166,7 @@ void Decoder::begin_record() {
 
 // ---- delivery ----
 
-// Offers all that is known to the sink. False when it said "not now".
+// Offers all pending events to the sink. False if the sink does not accept one.
 bool Decoder::deliver() {
   for (;;) {
     if (lost_is_due_) {
@@ -197,7 +197,7 @@ bool Decoder::deliver() {
   }
 }
 
-// Before any header the sink has no scan, and gets events as ever.
+// Before the first header the sink has no scan, and receives events as usual.
 void Decoder::pass_whole_regions() {
   stage_ = start_is_sent_ ? Stage::collect : Stage::records;
   if (!start_is_sent_) return;
@@ -208,7 +208,7 @@ void Decoder::pass_whole_regions() {
   packets_.pass_pieces(count);
 }
 
-// Tells of the header once it is there, and between two pieces. A stream of slices is not for this
+// Sends `start` when the header has arrived, between two pieces. A stream of slices is not for this
 // decoder.
 bool Decoder::send_start() {
   const bool is_there = report().has_header && !report().holds_slices;

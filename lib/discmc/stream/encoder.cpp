@@ -12,7 +12,7 @@ constexpr bool is_end(Event::Kind kind) {
 
 }  // namespace
 
-// Only this function refers to the code for normals: where nobody calls it, the linker drops both.
+// Only this function refers to the code for normals: if it is not called, the linker drops both.
 void Encoder::encode_normals() {
   write_normals_ = [](Encoder& encoder, Model& model, uint32_t words) {
     stream::encode_normals(model, encoder.record_, encoder.normals_, words);
@@ -32,8 +32,8 @@ Status Encoder::start(const StreamLabel& label, const ByteOutput& output) {
   return Status::ok;
 }
 
-// The header is what the label says and what the extractor knows.
-// Of the header of a scan nothing is read that only streams of slices have.
+// The header combines the label with the extractor's own data. Members that only streams of slices
+// have are ignored.
 SinkResult Encoder::begin_stream(const StreamHeader& scan) {
   const Limits limits{scan.width, scan.height, scan.border};
   if (!packets_.has_output() || !limits.is_valid()) return SinkResult::not_started;
@@ -51,7 +51,7 @@ SinkResult Encoder::begin_stream(const StreamHeader& scan) {
     for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = scan.spacing_nm[axis];
   packets_.begin_stream(header, 0);
   state_ = State::between;
-  (void)drain();  // whoever listens knows at once; or later
+  (void)drain();  // sent now if the output accepts it, otherwise later
   return SinkResult::accepted;
 }
 
@@ -100,7 +100,21 @@ DISCMC_NOINLINE SinkResult Encoder::take_other(const Event& event) {
   return is_done ? SinkResult::accepted : SinkResult::busy;
 }
 
-// Whether a packet without the encoder's records can be sent now.
+SinkResult Encoder::take_region(const WholeRegion& region) {
+  const bool fits_in_record = region.count <= Record::max_words - Record::ring_words;
+  if (state_ != State::between || write_normals_ != nullptr || !fits_in_record || !drain())
+    return SinkResult::busy;
+  record_.begin(region.incidence);
+  record_.add_ring(region.start);
+  for (uint32_t i = 0; i < region.count; ++i) record_.add_run(region.runs[i]);
+  Model model = model_;
+  if (!stream::encode_record_in_place(model, record_) || !fits(model)) return SinkResult::busy;
+  model_ = model;
+  packets_.count_piece();
+  return SinkResult::accepted;
+}
+
+// Whether a packet without records of the encoder can be sent now.
 Status Encoder::ready_for_packet(bool is_good) {
   if (state_ == State::idle) return Status::not_started;
   if (state_ == State::ended) return Status::finished;
@@ -169,7 +183,7 @@ Status Encoder::continue_to(const ByteOutput& output) {
 
 // ---- records ----
 
-// Sends the record in parts to make room for the event. False when the output takes nothing now.
+// Sends the record in parts to make room for the event. False if the output is busy.
 inline bool Encoder::put_parts(const Event& event) {
   state_ = State::in_parts;
   if (!put(event)) return false;
@@ -177,8 +191,8 @@ inline bool Encoder::put_parts(const Event& event) {
   return true;
 }
 
-// Puts a mark, or the record, into this packet and into more if one is not enough. False when the
-// output takes nothing now.
+// Writes a mark, or the record, into this packet and into more packets if needed. False if the
+// output is busy.
 bool Encoder::put(const Event& event) {
   while (!fill_packet(event)) {
     seal_records();
@@ -191,9 +205,9 @@ bool Encoder::put(const Event& event) {
   return true;
 }
 
-// Puts a mark, or the record, into the packet. A record that cannot be encoded whole, or is longer
-// than a packet, goes in parts. False when something is left for the next packet. Inlined, as the
-// two take less stack together.
+// Writes a mark, or the record, into the packet. A record that cannot be encoded whole, or is
+// longer than a packet, is sent in parts. False if something is left for the next packet. Inlined,
+// because the two functions need less stack together.
 DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
   uint32_t words = record_.count;
   for (;;) {
@@ -212,13 +226,13 @@ DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
       model_ = model;
       break;
     }
-    // What is too long for the rest of this packet goes into the next one.
+    // What does not fit into the rest of this packet goes into the next one.
     if (is_encoded && !packet_is_empty()) return false;
-    // A start that is far, and all normals, may be too much for one.
+    // A distant start with all normals may not fit into one packet.
     if (is_part) words -= words / 4;
     state_ = State::in_parts;
   }
-  // What is left of the record goes on where these words end.
+  // The rest of the record continues after these words.
   record_.count -= words;
   for (uint32_t i = 0; i < record_.count; ++i) {
     record_.word[i] = record_.word[i + words];
@@ -250,7 +264,8 @@ bool Encoder::encode_whole(Model& model, const Event& event) {
 
 // ---- packets ----
 
-// Whether the end of the packet has room, too: a symbol's byte, and the one that closes the code.
+// Whether the end of the packet fits, too: the byte of its symbol, and the byte that closes the
+// code.
 bool Encoder::fits(const Model& model) {
   return model.coder().range.size() + 2 <= wire::max_payload;
 }
@@ -264,7 +279,7 @@ void Encoder::seal_records() {
   packets_.seal(wire::PacketKind::records, packets_.payload() + model_.coder().range.finish());
 }
 
-// Hands the sealed frame over. When all of it is gone the next packet is open.
+// Sends the sealed frame. When all of it is sent, the next packet is open.
 bool Encoder::drain() {
   if (packets_.is_open()) return true;
   if (!packets_.drain()) return false;

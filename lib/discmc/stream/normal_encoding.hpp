@@ -1,7 +1,6 @@
-// The normals of a record's runs, as an extension of the stream told before the record.
-//
-// The first is told in full, every other as the difference to the one before, in as few bits as the
-// largest difference takes.
+// The normals of a record's runs, as an extension record before the record.
+// The first normal is stored in full, every other as the difference to the one before, in as few
+// bits as the largest difference needs.
 #ifndef DISCMC_STREAM_NORMAL_ENCODING_HPP
 #define DISCMC_STREAM_NORMAL_ENCODING_HPP
 
@@ -10,20 +9,20 @@
 
 namespace discmc::stream {
 
-/// The types of extensions that hold normals: the first for differences of no bits, the last for
-/// eight.
+/// The types of extensions that contain normals: the first for differences of 0 bits, the last for
+/// 8.
 constexpr uint32_t first_normals_extension = 1;
 constexpr uint32_t last_normals_extension = first_normals_extension + 8;
 
-/// What an extension has told of normals, in the order of the record's runs.
+/// The normals of an extension, in the order of the record's runs.
 class RecordNormals {
  public:
   void clear() { count_ = 0; }
-  /// Of run number `i`; none beyond those told.
+  /// The normal of run number `i`; none beyond those in the extension.
   OctahedralNormal at(uint32_t i) const {
     return i < count_ && !normal_[i].is_none() ? normal_[i] : OctahedralNormal{0, 0};
   }
-  /// Reads an extension of so many bytes whose type is one of those for normals.
+  /// Reads an extension of `bytes` bytes. Limit: its type is one of those for normals.
   template <class Model>
   void decode(Model& model, uint32_t type, uint32_t bytes);
 
@@ -47,13 +46,13 @@ constexpr uint8_t sum(uint8_t from, uint32_t number) {
 
 }  // namespace normal_difference
 
-/// Tells the normals where the runs among the record's first words start, by these words; nothing
-/// when there is none.
+/// Encodes the normals of the runs among the record's first words; normals has one entry per word.
+/// Encodes nothing if there is no normal.
 template <class Model>
 void encode_normals(Model& model, const Record& record, const OctahedralNormal* normals,
                     uint32_t words) {
   using namespace normal_difference;
-  // Calls visit(normal, the one before) for every run; the first is its own.
+  // Calls visit(normal, previous normal, is first) for every run.
   const auto for_each = [&](auto visit) {
     const OctahedralNormal* before = nullptr;
     for (uint32_t i = 0; i < words;) {

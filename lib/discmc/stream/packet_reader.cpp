@@ -12,7 +12,7 @@ struct HeaderPacket {
   uint64_t pieces_before;
 };
 
-// reader: behind the version. What is missing reads as 0.
+// reader: after the version. Missing bytes read as 0.
 HeaderPacket parse_header(wire::ByteReader& reader, uint32_t tag) {
   HeaderPacket packet;
   StreamHeader& header = packet.header;
@@ -136,7 +136,7 @@ ApplicationRecord PacketReader::application() const {
   return record;
 }
 
-// Whether a packet is of this stream; the first one of the channel decides which scan that is.
+// Whether a packet belongs to this stream; the first packet on the channel determines the scan.
 bool PacketReader::adopt(uint32_t tag) {
   if (!has_tag_) {
     const uint32_t first = wire::channel_in(tag);
@@ -148,8 +148,9 @@ bool PacketReader::adopt(uint32_t tag) {
   return tag == tag_;
 }
 
-// Accepts a packet that is the next one or a later one, and notes a gap before it. Half of the
-// counts of pieces, and where these say nothing half of the numbers, lie behind.
+// Accepts a packet that is the next one or a later one, and notes a gap before it. A count of
+// pieces in the upper half of its range means an earlier packet; if the count is unchanged, so does
+// a number in the upper half.
 bool PacketReader::accept_number(const uint8_t* packet) {
   if (wire::is_of_slices(packet[0])) return accept_long_number(packet);
   const uint8_t number = packet[1];
@@ -161,11 +162,11 @@ bool PacketReader::accept_number(const uint8_t* packet) {
     ++report_.repeated_packets;
     return false;
   }
-  note_gap(gap, is_trailer ? 0 : pieces);  // a trailer tells of pieces in full
+  note_gap(gap, is_trailer ? 0 : pieces);  // a trailer has the number of all pieces
   return true;
 }
 
-// Those of slices tell more of their number instead.
+// Packets of slices have a longer number instead.
 bool PacketReader::accept_long_number(const uint8_t* packet) {
   constexpr uint32_t numbers = uint32_t{1} << 24;
   const auto number = static_cast<uint32_t>(wire::ByteReader(packet + 1, 3).get(3));
@@ -187,8 +188,8 @@ void PacketReader::note_gap(uint64_t packets, uint64_t pieces) {
   pieces_passed_ += pieces;
 }
 
-// The header's own counts are whole numbers: they correct what the short ones could not say. False
-// when nothing more is to be had of the packet.
+// The counts in the header have no modulus: they correct those of the packets. False if the packet
+// has nothing more to read.
 bool PacketReader::read_header() {
   wire::ByteReader reader(payload(), payload_bytes_);
   const bool has_magic = reader.get(3) == wire::magic;
@@ -211,8 +212,8 @@ bool PacketReader::read_header() {
   const uint64_t packets_missing = packet.packets_before - packets_passed();
   const uint64_t pieces =
       packet.pieces_before > pieces_passed_ ? packet.pieces_before - pieces_passed_ : 0;
-  // A gap noted too small, by whole rounds of the short number, was before what is open. The
-  // number that packets of slices tell is not so short.
+  // A gap that was noted too small, by multiples of the short number, was before the open piece.
+  // The number of packets of slices is longer.
   const bool may_be_noted = gap_is_noted_ && !report_.holds_slices;
   const bool is_gap_here =
       packets_missing % 256 != 0 || pieces > 0 || (packets_missing > 0 && !may_be_noted);
@@ -225,14 +226,14 @@ bool PacketReader::read_header() {
   return true;
 }
 
-// What both kinds of trailer begin with.
+// The beginning of both kinds of trailer.
 void PacketReader::note_end(wire::ByteReader& reader) {
   report_.has_trailer = true;
   report_.slices = static_cast<uint32_t>(reader.get(4));
   report_.abandoned = reader.get(1) != 0;
 }
 
-// Where packets are missing it says nothing.
+// The digest has no meaning if packets are missing.
 void PacketReader::compare_digest(uint32_t expected) {
   report_.is_mixed = report_.lost_packets == 0 && expected != digest_;
 }

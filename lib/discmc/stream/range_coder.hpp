@@ -1,8 +1,7 @@
 // A binary range coder in 32-bit integers.
-//
-// Fixed probabilities are in 256ths: p of 1 to 255 says that a bit is 1 with p / 256. Those that
-// are learnt are in 65,536ths. G. N. N. Martin, "Range encoding: an algorithm for removing
-// redundancy from a digitised message", 1979.
+// Fixed probabilities are in 256ths: with p of 1 to 255, a bit is 1 with probability p / 256.
+// Learnt probabilities are in 65,536ths. G. N. N. Martin, "Range encoding: an algorithm for
+// removing redundancy from a digitised message", 1979.
 #ifndef DISCMC_STREAM_RANGE_CODER_HPP
 #define DISCMC_STREAM_RANGE_CODER_HPP
 
@@ -14,13 +13,13 @@ namespace discmc {
 
 using Probability = uint8_t;
 
-/// A probability that is learnt. Units: 65,536ths. It stays between 15 and 65,520 of them.
+/// A learnt probability. Units: 65,536ths, between 15 and 65,520.
 class LearntProbability {
  public:
-  /// Limit: one of 15 to 65,520.
+  /// Limit: 15 to 65,520.
   explicit constexpr LearntProbability(uint16_t one) : one_(one) {}
   constexpr uint32_t of_one() const { return one_; }
-  /// The bit has come: a 16th of the way to its certainty.
+  /// Adapts to a bit: by a 16th of the way to its certainty.
   constexpr void learn(bool bit) {
     constexpr int rate = 4;
     one_ =
@@ -31,9 +30,9 @@ class LearntProbability {
   uint16_t one_;
 };
 
-/// Writes bits into a fixed buffer. A copy is a snapshot: to go back to it undoes all bits since,
-/// as bytes once written are never changed. Limit: at most 65,535 bytes. Owner: the buffer is the
-/// caller's.
+/// Writes bits into a fixed buffer. A copy is a snapshot: assigning it back undoes all bits since,
+/// because written bytes never change. Limit: at most 65,535 bytes. Owner: the caller, of the
+/// buffer.
 class RangeEncoder {
  public:
   RangeEncoder() = default;
@@ -45,14 +44,15 @@ class RangeEncoder {
 
   void encode(bool bit, Probability one) {
     narrow(bit, (range_ >> 8) * one);
-    if (range_ < min_range) shift();  // down to a 256th of it is at least 2^16
+    if (range_ < min_range) shift();  // one shift suffices: a share is at least a 256th
   }
   void encode(bool bit, LearntProbability one) {
     narrow(bit, (range_ >> 16) * one.of_one());
     while (range_ < min_range) shift();
   }
 
-  /// Takes a share of the range, where so much lies below it. Units: 256ths. Limit: share 1 to 255.
+  /// Encodes a symbol with this share of the range, above `below`. Units: 256ths. Limit: share 1 to
+  /// 255.
   void encode_share(uint32_t below, uint32_t share) {
     const uint32_t unit = range_ >> 8;
     add(unit * below);
@@ -66,17 +66,17 @@ class RangeEncoder {
     if (range_ < min_range) shift();
   }
 
-  /// Whether no bit was encoded: no bit leaves the range as wide as it was.
+  /// Whether no bit was encoded: every bit narrows the range.
   bool is_empty() const { return range_ == UINT32_MAX; }
 
-  /// Goes on in another buffer, which holds the same bytes.
+  /// Continues in another buffer, which contains the same bytes.
   void move_to(uint8_t* buffer) { buffer_ = buffer; }
 
-  /// Whether so many more bytes fit, whatever a carry does to those that are held back.
+  /// Whether this many more bytes fit, with the held-back bytes.
   bool has_room(size_t bytes) const { return size_t{count_} + held_ + bytes <= capacity_; }
-  /// The bytes that no carry changes any more.
+  /// The number of bytes that no carry can change.
   size_t final_bytes() const { return count_; }
-  /// Goes on in another buffer with what comes after the final bytes. Returns how many these are.
+  /// Continues in another buffer after the final bytes. Returns their number.
   size_t continue_in(uint8_t* buffer, size_t capacity) {
     const size_t taken = count_;
     count_ = 0;
@@ -85,11 +85,11 @@ class RangeEncoder {
     return taken;
   }
 
-  /// The bytes that finish() would come to. More than the capacity means that bits were lost.
+  /// The number of bytes after finish(). More than the capacity means that bits were lost.
   size_t size() const { return size_t{count_} + held_ + (needs_closing_byte() ? 1 : 0); }
   bool fits() const { return size() <= capacity_; }
 
-  /// Ends the code with as few bytes as identify it; bytes beyond read as zero. Returns the length.
+  /// Ends the code with as few bytes as identify it; later bytes read as zero. Returns the length.
   /// Limit: fits().
   size_t finish() {
     if (needs_closing_byte()) {
@@ -106,7 +106,8 @@ class RangeEncoder {
  private:
   static constexpr uint32_t min_range = uint32_t{1} << 24;
 
-  // Whether no multiple of 2^32, which takes no further byte, lies in the range. One of 2^24 does.
+  // Whether the range contains no multiple of 2^32, which would need no further byte. It always
+  // contains a multiple of 2^24.
   bool needs_closing_byte() const { return 0 - low_ >= range_; }
 
   void narrow(bool bit, uint32_t bound) {
@@ -123,8 +124,8 @@ class RangeEncoder {
     carry_ = static_cast<uint8_t>(carry_ + (low_ < value ? 1 : 0));
   }
 
-  // The top byte is held, and with it those of 255 that follow: a carry may still come through
-  // them. They leave when none can, or when it has come.
+  // Holds the top byte and any bytes 255 after it, because a carry may still pass through them.
+  // They are written when no carry can come, or when it has come.
   void shift() {
     if (carry_ != 0 || low_ < 0xFF000000U) {
       for (; held_ > 0; --held_) {
@@ -140,7 +141,7 @@ class RangeEncoder {
     range_ <<= 8;
   }
 
-  // In an order that leaves no gaps: a checkpoint would hold whatever lay in them.
+  // In an order without padding, whose random content would be in a checkpoint.
   uint8_t carry_ = 0;
   uint8_t first_held_ = 0;
   uint16_t held_ = 0;
@@ -151,8 +152,8 @@ class RangeEncoder {
   uint32_t range_ = 0;
 };
 
-/// Reads what a RangeEncoder wrote. Any bytes are safe: beyond the end zeros are read.
-/// Owner: the buffer is the caller's.
+/// Reads the output of a RangeEncoder. Any bytes are safe: after the end it reads zeros. Owner: the
+/// caller, of the buffer.
 class RangeDecoder {
  public:
   RangeDecoder() = default;
@@ -163,8 +164,8 @@ class RangeDecoder {
   bool decode(Probability one) { return decode_below((range_ >> 8) * one); }
   bool decode(LearntProbability one) { return decode_below((range_ >> 16) * one.of_one()); }
 
-  /// The symbol whose share comes next. row: how much lies below each symbol, 0 below the first; 0
-  /// follows the last. The rest of the range, which no encoder uses, is the last one's.
+  /// Decodes a symbol. row: the sum of the shares below each symbol, 0 for the first; a 0 follows
+  /// the last. The rest of the range, which no encoder uses, belongs to the last symbol.
   uint32_t decode_share(const uint8_t* row) {
     const uint32_t unit = range_ >> 8;
     uint32_t symbol = 0;
@@ -174,7 +175,7 @@ class RangeDecoder {
     refill();
     return symbol;
   }
-  /// So many bits, all values of which are equally likely. Limit: at most 8 bits.
+  /// Decodes this many bits, all values equally likely. Limit: at most 8 bits.
   uint32_t decode_even(uint32_t bits) {
     range_ >>= bits;
     uint32_t value = 0;
@@ -188,13 +189,13 @@ class RangeDecoder {
     return value;
   }
 
-  /// Whether more bits were read than the bytes can have held: they were not written by an encoder.
+  /// Whether more bits were read than the bytes can contain: no encoder wrote them.
   bool is_exhausted() const { return position_ > count_ + 4; }
 
-  /// The bytes that are not read yet.
+  /// The number of unread bytes.
   size_t left() const { return position_ < count_ ? count_ - position_ : 0; }
   const uint8_t* rest() const { return buffer_ + (count_ - left()); }
-  /// Goes on in another buffer, which begins with the rest.
+  /// Continues in another buffer, which begins with the rest.
   void continue_in(const uint8_t* buffer, size_t count) {
     buffer_ = buffer;
     count_ = count;

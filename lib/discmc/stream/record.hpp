@@ -1,4 +1,4 @@
-// A record of the stream on its way into or out of a packet.
+// A record of the stream, before encoding or after decoding.
 #ifndef DISCMC_STREAM_RECORD_HPP
 #define DISCMC_STREAM_RECORD_HPP
 
@@ -6,10 +6,10 @@
 
 namespace discmc::stream {
 
-/// A region, a loose fragment, or a part of one: as much as is encoded at a time. Rings and runs
-/// stand in one list of words: a zero word begins a ring and is followed by its start (x, y, z);
-/// any other word is the code of a Run. All runs before the first ring go on where the part before
-/// ended. A fragment begins like a ring.
+/// A region, a loose fragment, or a part of one: the unit of encoding. One list of words contains
+/// rings and runs. A zero word begins a ring, and its start (x, y, z) follows; any other word is
+/// the code of a Run. Runs before the first ring continue the previous part. A fragment begins like
+/// a ring.
 struct Record {
   static constexpr uint32_t max_words = 96;
   static constexpr uint32_t ring_mark = 0;
@@ -34,7 +34,7 @@ struct Record {
     rings = 0;
     count = 0;
   }
-  /// Makes it that of a fragment instead.
+  /// Makes the record that of a fragment instead.
   void begin_fragment(Direction incoming_by, const Vertex& start) {
     incoming = incoming_by;
     is_fragment = true;
@@ -54,7 +54,7 @@ struct Record {
     word[mark + 2] = static_cast<uint32_t>(start.y);
     word[mark + 3] = static_cast<uint32_t>(start.z);
   }
-  /// How many of the first words stand in one ring, and are one part.
+  /// How many of the first words belong to one ring, and so form one part.
   uint32_t words_of_part(uint32_t most) const {
     uint32_t words = count > 0 && word[0] == ring_mark ? ring_words : 0;
     while (words < most && word[words] != ring_mark) ++words;

@@ -1,10 +1,9 @@
-// What the symbols of a packet of records mean: how regions, loose fragments and marks are told.
-//
-// The same functions encode and decode: a Coder's symbol(row, symbol) writes the symbol it is given
-// and returns it, or ignores it and returns the one it reads; so does even(bits, value). Each
-// function returns what was coded. How likely a symbol is stands in a row of shares
-// (shares.hpp), found by training; nothing is learnt on the way, so that every packet decodes
-// alone.
+// The grammar of a packet of records: the symbols of regions, loose fragments and marks.
+// The same functions encode and decode. symbol(row, symbol) of a writing Coder writes the symbol
+// and returns it; that of a reading Coder ignores the argument and returns the symbol it reads.
+// even(bits, value) does likewise. Each function returns what was coded. The probabilities of
+// symbols are rows of shares (shares.hpp), found by training. They do not adapt, so every packet
+// decodes alone.
 #ifndef DISCMC_STREAM_RECORD_MODEL_HPP
 #define DISCMC_STREAM_RECORD_MODEL_HPP
 
@@ -14,12 +13,12 @@
 
 namespace discmc::stream {
 
-/// What a record is.
+/// The kind of a record.
 enum class RecordKind : uint8_t {
   region,     ///< of one ring
-  holed,      ///< of several
-  forwards,   ///< a loose fragment, told from its start
-  backwards,  ///< one that is told from its end
+  holed,      ///< of several rings
+  forwards,   ///< a loose fragment, coded from its start
+  backwards,  ///< a loose fragment, coded from its end
   layer,
   part,  ///< of a region or fragment
   end,   ///< of the packet
@@ -27,7 +26,7 @@ enum class RecordKind : uint8_t {
   extension
 };
 
-// Differences wrap: any 32-bit coordinates come through. Units: voxels, of 31 bits.
+// Differences wrap, so any 32-bit coordinates can be coded. Units: voxels, of 31 bits.
 constexpr int32_t voxels_between(int32_t to, int32_t from) {
   const uint32_t voxels = static_cast<uint32_t>(to >> 1) - static_cast<uint32_t>(from >> 1);
   return static_cast<int32_t>(voxels << 1) >> 1;
@@ -37,7 +36,7 @@ constexpr int32_t voxels_beyond(int32_t from, int32_t voxels, uint32_t parity) {
       (static_cast<uint32_t>(from >> 1) + static_cast<uint32_t>(voxels)) << 1 | parity);
 }
 
-/// A number of either sign as a positive one: 0, -1, 1, -2, ...
+/// Maps a signed number to a positive one, in the order 0, -1, 1, -2, ...
 constexpr uint32_t positive_of(int32_t number) {
   const uint32_t twice = static_cast<uint32_t>(number) << 1;
   return (number < 0 ? ~twice : twice) + 1;
@@ -47,14 +46,14 @@ constexpr int32_t signed_of(uint32_t positive) {
   return static_cast<int32_t>(number >> 1 ^ (0 - (number & 1)));
 }
 
-/// The axis of the edge that a vertex is the middle of; 3 for a centroid.
+/// The axis of the edge whose midpoint a vertex is; 3 for a centroid.
 constexpr uint32_t axis_of(const Vertex& v) {
   const auto odd = [](int32_t coordinate) { return static_cast<uint32_t>(coordinate) & 1; };
   return (odd(v.x) | odd(v.y) << 1 | odd(v.z) << 2) >> 1;
 }
 
-/// An incidence seen along an axis: its component there, plus one, and the two others as digits to
-/// base 3, plus one each, that of the later axis first.
+/// An incidence seen along an axis: its component there, plus one; and the two others, plus one
+/// each, as a number of base 3, whose high digit is that of the later axis.
 struct Heading {
   uint32_t along;
   uint32_t across;
@@ -77,14 +76,13 @@ constexpr Incidence incidence_of(const Heading& heading, uint32_t axis) {
   return static_cast<Incidence>(low + 3 * high + 9 * heading.along);
 }
 
-/// The class of an incidence's planes: 0 for diagonal ones, 1 for corners, 2 for those across an
-/// axis.
+/// The class of an incidence: 0 diagonal, 1 corner, 2 along an axis.
 constexpr uint32_t class_of(Incidence incidence) {
   return direction_count(incidence) / 2U - 2;
 }
 
-/// What a link along a direction does to two coordinates of the plane, by class: a ring is closed
-/// where they add up to none.
+/// A link along each direction in two coordinates of the plane, by class. A ring is closed if its
+/// steps add up to zero.
 struct PlaneStep {
   int8_t u, v;
 };
@@ -96,19 +94,19 @@ constexpr const PlaneStep* plane_steps_of(uint32_t link_class) {
   return plane_steps + link_class * (link_class + 3);
 }
 
-/// The turn to the left from one direction to another, of so many.
+/// The turn to the left from one direction to another.
 constexpr uint32_t turn_between(uint32_t directions, uint32_t from, uint32_t to) {
   return to - from + (to < from ? directions : 0);
 }
 
-/// Whether two directions of so many are the same, or opposite.
+/// Whether two directions are equal or opposite.
 constexpr bool are_parallel(uint32_t directions, uint32_t a, uint32_t b) {
   const uint32_t turn = turn_between(directions, a, b);
   return turn == 0 || 2 * turn == directions;
 }
 
-/// The first, counter-clockwise, of the directions that lead back in the order z, y, x; the number
-/// of directions where that is direction 0.
+/// The first, counter-clockwise, of the directions that lead back in the order z, y, x. Returns the
+/// number of directions if that is direction 0.
 constexpr uint32_t first_back(Incidence incidence) {
   const uint32_t half = direction_count(incidence) / 2U;
   const Link* const first_half = links.link[incidence];
@@ -118,12 +116,12 @@ constexpr uint32_t first_back(Incidence incidence) {
   return half + forth;
 }
 
-/// Runs of whole regions are at most so long; what is longer goes in parts.
+/// The maximum length of a run in a whole region; longer regions are sent in parts.
 constexpr uint32_t max_compact_length = 0xFFFF;
 
-/// The state that goes from one record of a packet to the next, and the grammar of records.
-/// A copy is a snapshot. Coder has: bool writes, uint32_t symbol(uint32_t row, uint32_t symbol),
-/// uint32_t even(uint32_t bits, uint32_t value) for up to 8 bits.
+/// The grammar of records, and the state that continues from record to record of a packet. A copy
+/// is a snapshot. Coder has: bool writes, uint32_t symbol(uint32_t row, uint32_t symbol), uint32_t
+/// even(uint32_t bits, uint32_t value) for up to 8 bits.
 template <class Coder>
 class RecordModel {
  public:
@@ -140,47 +138,47 @@ class RecordModel {
   uint32_t layer(uint32_t slice) { return slice_ += plain_number(slice - slice_); }
   /// A number of up to 2^32 - 2.
   uint32_t plain_number(uint32_t value) { return number(rows::plain, value + 1) - 1; }
-  /// Bits that are as likely as not, up to 32.
+  /// Up to 32 bits, all values equally likely.
   uint32_t even(uint32_t bits, uint32_t value);
 
-  /// Where a chain begins, relative to the vertex told last. Limit: an odd coordinate sum.
+  /// The start of a chain, relative to the vertex coded last. Limit: an odd coordinate sum.
   Vertex start(const Vertex& start);
-  /// The vertex told last.
+  /// The vertex coded last.
   const Vertex& last_start() const { return start_; }
-  /// The normal, guessed from that of the record before. Decoding, it may be none.
+  /// The incidence, predicted from that of the previous record. A decoded one may be none.
   Incidence incidence(Incidence incidence);
 
   // ---- a ring ----
 
-  /// Three or four corners as one symbol; 0 where the ring is told run by run.
+  /// Three or four corners as one symbol; 0 if the ring is coded run by run.
   uint32_t corners(uint32_t corners) { return of_class(rows::corners(link_class_), corners); }
-  /// How far the first direction is from the first one that leads back.
+  /// The distance of the first direction from the first direction that leads back.
   uint32_t ring_direction(uint32_t from);
-  /// The first two lengths of a ring of four corners. Limit: 1 to 4 each, 4 for all that are
-  /// longer.
+  /// The first two lengths of a ring of four corners. Limit: 1 to 4 each; 4 means 4 or more.
   uint32_t two_lengths(uint32_t lengths) { return of_class(rows::two_lengths, lengths); }
 
   // ---- any chain ----
 
   void begin_chain(Direction first) { direction_ = first; }
-  /// Of a fragment or a part: its first direction, or the one on the other side of a cut vertex.
+  /// The first direction of a fragment or a part, or the direction on the other side of the vertex
+  /// where it was cut.
   Direction chain_direction(Direction direction) {
     if (direction_ != no_direction) return turn_from(rows::cut_turn + is_level(), direction);
     return direction_ = static_cast<Direction>(of_direction(rows::first_direction, direction));
   }
-  /// The length of a run along a direction, or how much it is more than what is told already.
+  /// The length of a run along a direction, or the part of it that is not coded yet.
   uint32_t length(uint32_t row, Direction direction, uint32_t length) {
     const uint32_t kind = link_class_ == 2 && direction % 2 == 0 ? 3 : link_class_;
     return number(row + rows::of_number * kind, length);
   }
-  /// A run after another one. Decoding, an empty one when it is too long.
+  /// A run after another one. A decoded run is empty if it is too long.
   Run run(Run run);
-  /// Whether the run that was told last is the last one.
+  /// Whether the run coded last is the last one.
   bool is_last_run(bool is_last) {
     return symbol(rows::is_last + 4 * chain_ + 2 * is_level(), is_last ? 1 : 0) != 0;
   }
 
-  /// What a part is of, and whether it begins with a ring. Returns that.
+  /// The kind of a part, and whether it begins a ring. Returns the latter.
   bool part(Record& record, bool begins_ring);
 
   uint32_t link_class() const { return link_class_; }
@@ -195,8 +193,8 @@ class RecordModel {
   }
   uint32_t number(uint32_t row, uint32_t value);
   void set_incidence(Incidence incidence);
-  // Whether the link told last stays within its slice. Links are numbered in the order of z: 5 lead
-  // down, 8 are level, 5 lead up, and those of the second half are opposite to those of the first.
+  // Whether the link coded last stays within its slice. Links are numbered in the order of z: 5
+  // lead down, 8 are level, 5 lead up. Those of the second half are opposite to those of the first.
   uint32_t is_level() const {
     const uint32_t half = directions() / 2;
     const uint32_t link =
@@ -212,20 +210,20 @@ class RecordModel {
     return turn_by(of_direction(place, turn_to(direction)));
   }
 
-  // Chains that are told in their own order, against it, and rings up to the last run.
+  // Chains coded in their own order, chains coded backwards, and rings up to the last run.
   static constexpr uint8_t forwards = 0, backwards = 1, ring = 2;
 
   Coder coder_;
   Incidence incidence_ = 0;
   uint8_t link_class_ = 0;
   uint16_t class_rows_ = 0;
-  // Whether loose fragments have come in this packet, as memory is short and more will follow: 0
-  // no, 1 before the last record, 2 with it.
+  // Whether loose fragments have occurred in this packet, which makes more of them likely: 0 no, 1
+  // before the last record, 2 with it.
   uint8_t fragments_ = 0;
-  uint8_t axis_ = 0;            // of the vertex told last
-  uint8_t axis_before_ = 0;     // and of the one before
-  bool is_same_voxel_ = false;  // as that one's
-  uint8_t chain_ = forwards;    // what is told of it
+  uint8_t axis_ = 0;            // of the vertex coded last
+  uint8_t axis_before_ = 0;     // of the vertex before that
+  bool is_same_voxel_ = false;  // the two vertices have the same voxel
+  uint8_t chain_ = forwards;    // forwards, backwards or ring
   Direction direction_ = 0;
   Vertex start_{0, 0, 0};
   uint32_t slice_ = 0;
@@ -245,7 +243,7 @@ uint32_t RecordModel<Coder>::even(uint32_t bits, uint32_t value) {
   return coded;
 }
 
-// A positive number: 1, 2, 3, or how many bits follow its highest one, and these.
+// A positive number: 1, 2, 3, or the number of bits below its highest one, and these bits.
 template <class Coder>
 uint32_t RecordModel<Coder>::number(uint32_t row, uint32_t value) {
   constexpr uint32_t last = rows::of_number - 1;
@@ -259,7 +257,7 @@ uint32_t RecordModel<Coder>::number(uint32_t row, uint32_t value) {
   return Coder::writes ? value : uint32_t{2} << bits | rest;
 }
 
-// With memory to spare there are regions alone; when it is short, fragments by the dozen.
+// With ample memory all records are regions; when memory is short, many are fragments.
 template <class Coder>
 RecordKind RecordModel<Coder>::record_kind(RecordKind kind) {
   kind = static_cast<RecordKind>(
@@ -275,8 +273,8 @@ RecordKind RecordModel<Coder>::record_kind(RecordKind kind) {
   return kind;
 }
 
-// Chains are told where the sweep is: nearly all begin in the row of the vertex told last or in the
-// next one.
+// Chains are sent near the sweep: nearly all begin in the row of the vertex coded last or in the
+// next row.
 template <class Coder>
 Vertex RecordModel<Coder>::start(const Vertex& start) {
   using namespace place;
@@ -301,7 +299,7 @@ Vertex RecordModel<Coder>::start(const Vertex& start) {
       z = signed_of(number(rows::steps_z, positive_of(z)));
       y = signed_of(number(rows::steps_y, positive_of(y)));
     }
-    // Along the row the sign is known.
+    // Along the row the place determines the sign.
     const uint32_t told = number(rows::steps_x + rows::of_number * (place - ahead),
                                  place == ahead    ? static_cast<uint32_t>(x) - ahead + 1
                                  : place == behind ? 0 - static_cast<uint32_t>(x)
@@ -322,8 +320,9 @@ Vertex RecordModel<Coder>::start(const Vertex& start) {
   return start_;
 }
 
-// The normals around a vertex on an edge all have one sign along it, and so have those on the other
-// edges of its voxel. Across the edge it is guessed from the one before: on and off are alike.
+// All incidences around a vertex have one sign along its edge, and so have those on the other edges
+// of its voxel. Across the edge the incidence is predicted from the previous one, alike for on and
+// off.
 template <class Coder>
 Incidence RecordModel<Coder>::incidence(Incidence incidence) {
   using rows::other_heading;

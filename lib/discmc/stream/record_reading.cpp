@@ -10,7 +10,7 @@ bool is_length(int32_t value) {
   return value >= 1 && value <= static_cast<int32_t>(max_compact_length);
 }
 
-// The first direction of a ring; none where it is none of the plane's.
+// The first direction of a ring; none if the plane does not have it.
 Direction read_ring_direction(ReadingModel& model, Incidence incidence) {
   const uint32_t from = model.ring_direction(0);
   if (from >= model.directions()) return no_direction;
@@ -21,7 +21,7 @@ Direction read_ring_direction(ReadingModel& model, Incidence incidence) {
   return first;
 }
 
-// One after the other up to the last one, behind the first one's direction.
+// Reads runs one after the other up to the last one, after the direction of the first.
 bool read_runs(ReadingModel& model, Record& record, Direction first, uint32_t most) {
   const uint32_t length = model.length(rows::lengths, first, 1);
   Run run = length <= most ? Run::straight(first, length) : Run();
@@ -33,7 +33,7 @@ bool read_runs(ReadingModel& model, Record& record, Direction first, uint32_t mo
   }
 }
 
-// How the runs behind these words lead back to where they begin, in steps of their plane.
+// The way from the end of the runs back to their start, in steps of their plane.
 PlaneWay way_back(const Record& record, uint32_t first, const PlaneStep* steps) {
   PlaneWay way{0, 0};
   for (uint32_t i = first; i < record.count; ++i) {
@@ -44,14 +44,14 @@ PlaneWay way_back(const Record& record, uint32_t first, const PlaneStep* steps) 
   return way;
 }
 
-// A ring of three or four corners, where turns lead to the second and the further ones. The last
-// two lengths follow from the others.
+// Reads a ring of three or four corners from its turns. The last two lengths follow from the
+// others.
 bool read_corners(ReadingModel& model, Record& record, uint32_t code) {
   const uint32_t directions = model.directions();
   const uint32_t base = model.link_class() + 1;
   const uint32_t turns[] = {1 + code % base, 1 + code / base % base, 1 + code / base / base};
   const uint32_t sum = turns[0] + turns[1] + turns[2];
-  const uint32_t told = sum == directions ? 1 : 2;  // of three runs, or of four
+  const uint32_t told = sum == directions ? 1 : 2;  // coded lengths of three runs, or of four
   const uint32_t first = read_ring_direction(model, record.incidence);
   if (first == no_direction || !record.has_room(told + 2)) return false;
   Direction direction[4] = {static_cast<Direction>(first)};
@@ -82,7 +82,7 @@ bool read_corners(ReadingModel& model, Record& record, uint32_t code) {
   return closure.is_valid;
 }
 
-// Run by run; the last one leads back to the start.
+// Reads a ring run by run; the last run leads back to the start.
 bool read_long_ring(ReadingModel& model, Record& record) {
   const uint32_t begin = record.count;
   const Direction first = read_ring_direction(model, record.incidence);
@@ -139,7 +139,8 @@ bool read_region(ReadingModel& model, Record& record, RecordKind kind) {
   return true;
 }
 
-// The link by which it comes to its start is told first, or from its end last.
+// The link that leads to the start of the fragment is coded first; for a fragment coded backwards,
+// last.
 bool read_fragment(ReadingModel& model, Record& record, RecordKind kind) {
   const bool is_backwards = kind == RecordKind::backwards;
   Vertex start = model.start(no_vertex);
@@ -167,7 +168,7 @@ bool read_part(ReadingModel& model, Record& record) {
   record.begin(no_incidence);
   const bool begins_ring = model.part(record, false);
   if (!is_incidence(record.incidence)) return false;
-  // A ring begins every region and fragment, and others go on in a region.
+  // Every region and fragment begins with a ring; only a region has more rings.
   if (record.continues ? begins_ring && record.is_fragment : !begins_ring) return false;
   if (begins_ring) record.add_ring(model.start(no_vertex));
   if (record.is_fragment && !record.continues) record.incoming = model.chain_direction(0);

@@ -4,7 +4,7 @@ namespace discmc::stream {
 
 namespace {
 
-// About what it costs to tell a vertex relative to the one before: a step in z most of all.
+// The approximate cost of a vertex relative to the previous one; a step in z costs most.
 uint32_t cost_of_vertex(const Vertex& vertex, const Vertex& before) {
   const auto distance = [](int32_t to, int32_t from) {
     const int32_t voxels = (to >> 1) - (from >> 1);
@@ -41,7 +41,7 @@ uint32_t corners_of(const uint32_t* runs, uint32_t count, uint32_t directions) {
     code = code * turns + turn;
     sum += turn + 1;
   }
-  // Of four corners, those told are less than a full turn.
+  // The coded turns of four corners are less than a full turn.
   return sum + count > directions + 3 ? 0 : code + 1;
 }
 

@@ -1,4 +1,4 @@
-// Records told to a model: whole regions and fragments in few symbols, what is longer in parts.
+// Writes records: whole regions and fragments in few symbols, longer records in parts.
 #ifndef DISCMC_STREAM_RECORD_WRITING_HPP
 #define DISCMC_STREAM_RECORD_WRITING_HPP
 
@@ -14,20 +14,20 @@ constexpr uint32_t length_in(uint32_t run) {
   return Run::from_code(run).length();
 }
 
-/// How many runs the ring has whose first run is word `first`, when they are short and close it:
-/// then its last two lengths follow from the others. 0 when they are not or do not.
+/// The number of runs of the ring whose first run is word `first`, if they are short and close the
+/// ring: then its last two lengths follow from the others. Otherwise 0.
 uint32_t closed_runs(const Record& record, uint32_t first);
 
-/// The corners of a ring of three or four, if it turns left at each, by less than a half turn: the
-/// turns at its second, third and last one, as digits. 0 for any other ring.
+/// The symbol of a ring of three or four corners that turns left at each, by less than a half turn:
+/// the turns at its second, third and last corner, as digits. 0 for any other ring.
 uint32_t corners_of(const uint32_t* runs, uint32_t count, uint32_t directions);
 
-/// Whether a whole fragment costs less when it is told from its end, after the vertex `before`.
-/// Returns the vertex before its end, too, else its start.
+/// Whether coding a whole fragment from its end costs less, after the vertex `before`. vertex: set
+/// to the vertex before the end, or else to the start.
 bool is_nearer_at_end(const Record& record, const Vertex& before, Vertex& vertex);
 
-/// Runs one after the other up to the last one, behind the first one's direction. run: the one that
-/// is told first.
+/// Encodes runs one after the other up to the last one, after the direction of the first. run: the
+/// run coded first.
 template <class Model>
 void encode_runs(Model& model, const uint32_t* run, uint32_t count) {
   for (uint32_t i = 0; i < count; ++i) {
@@ -64,8 +64,8 @@ void encode_ring(Model& model, Incidence incidence, const uint32_t* runs, uint32
   }
 }
 
-/// A whole region of closed rings, in as few symbols as they take. False, with only some of it
-/// told, when the record is anything else.
+/// Encodes a whole region of closed rings in few symbols. False if the record is anything else;
+/// then some symbols may have been written.
 template <class Model>
 bool encode_region(Model& model, const Record& record) {
   if (record.continues || record.rings == 0 || record.word[0] != Record::ring_mark) return false;
@@ -85,8 +85,8 @@ bool encode_region(Model& model, const Record& record) {
   return true;
 }
 
-/// A whole loose fragment, from the end that costs less: the one where the sweep is. False, with
-/// nothing told, when the record is a part or has no run.
+/// Encodes a whole loose fragment from the end that costs less, which is the one near the sweep.
+/// False, with nothing written, if the record is a part or has no run.
 template <class Model>
 bool encode_fragment(Model& model, const Record& record) {
   constexpr uint32_t first = Record::ring_words;
@@ -104,13 +104,13 @@ bool encode_fragment(Model& model, const Record& record) {
   return true;
 }
 
-/// A record as a whole. False as the two above say.
+/// Encodes a whole record. False: as the two functions above.
 template <class Model>
 bool encode_record(Model& model, const Record& record) {
   return record.is_fragment ? encode_fragment(model, record) : encode_region(model, record);
 }
 
-/// The same for a host, with all that it calls in one function.
+/// As above for a host, with all called functions inlined.
 template <class Model>
 DISCMC_FLATTEN bool encode_record_in_place(Model& model, const Record& record) {
   Model copy = model;  // in registers
@@ -119,13 +119,13 @@ DISCMC_FLATTEN bool encode_record_in_place(Model& model, const Record& record) {
   return is_whole;
 }
 
-/// The first words of a record, all of one ring, as a part.
+/// Encodes the first words of a record, all of one ring, as a part.
 template <class Model>
 void encode_part(Model& model, Record& record, uint32_t words) {
   model.record_kind(RecordKind::part);
   const bool begins_ring = words > 0 && record.word[0] == Record::ring_mark;
   const uint32_t first = begins_ring ? Record::ring_words : 0;
-  if (words == first) {  // Without a run it is invalid: decoders refuse this part.
+  if (words == first) {  // A part without a run is invalid: decoders reject this one.
     model.even(4, 15);
     return;
   }

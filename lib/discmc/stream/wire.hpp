@@ -11,8 +11,8 @@ namespace wire {
 
 constexpr uint8_t version = 1;
 
-/// What a packet holds. Packets of unknown kinds are skipped: a better region coder is a new kind.
-/// Those of slices are `slices` and their SliceBits.
+/// The kind of a packet. Readers skip packets of unknown kinds, so a better coding of regions can
+/// be a new kind. Packets of slices have `slices` plus their SliceBits.
 enum class PacketKind : uint8_t {
   header = 1,
   records = 2,
@@ -24,12 +24,12 @@ enum class PacketKind : uint8_t {
   slices = 16
 };
 
-/// What a packet of slices is in its code, which may go through several.
+/// The role of a packet of slices in its code, which may continue through several packets.
 struct SliceBits {
-  static constexpr uint8_t key = 1;    ///< a key slice begins with it: nothing before is needed
+  static constexpr uint8_t key = 1;    ///< a key slice begins with it, which needs nothing before
   static constexpr uint8_t first = 2;  ///< the code begins with it
-  static constexpr uint8_t last = 4;   ///< and ends with it
-  static constexpr uint8_t cut = 8;    ///< within a row
+  static constexpr uint8_t last = 4;   ///< the code ends with it
+  static constexpr uint8_t cut = 8;    ///< the code ends within a row
   static constexpr uint8_t all = 15;
 };
 constexpr bool is_of_slices(uint8_t kind) {
@@ -37,15 +37,16 @@ constexpr bool is_of_slices(uint8_t kind) {
   return kind / slices == 1 || kind == static_cast<uint8_t>(PacketKind::slices_trailer) ||
          kind == static_cast<uint8_t>(PacketKind::slices_application);
 }
-/// A packet with which a key slice begins tells its number first; one that is cut tells last how
-/// many rows there were before, modulo 2^32, and how many voxels of the row are left. Units: bytes.
+/// A payload with which a key slice begins starts with the number of the slice. A payload that is
+/// cut ends with the number of rows before, modulo 2^32, and the number of voxels left in the row.
+/// Units: bytes.
 constexpr int key_slice_head = 4;
 constexpr int cut_tail = 4 + 2;
 
-// A packet before stuffing: kind, number modulo 256, complete pieces (regions and fragments) before
-// it modulo 65,536, or of slices two more bytes of the number; payload; scan and channel; CRC-32 of
-// all before. What names the stream stands behind the payload: a header's version is at the same
-// place in every version of the stream.
+// A packet before stuffing: kind; number modulo 256; the complete pieces (regions and fragments)
+// before it modulo 65,536, or for slices two more bytes of the number; payload; scan and channel;
+// CRC-32 of all of these. Scan and channel come after the payload, so that the version in a header
+// has the same position in every version of the stream.
 constexpr size_t packet_head = 4;
 constexpr size_t packet_tag = 2 + 1;
 constexpr size_t packet_crc = 4;
@@ -53,12 +54,12 @@ constexpr size_t packet_tail = packet_tag + packet_crc;
 constexpr size_t max_packet = cobs::max_plain;
 constexpr size_t max_payload = max_packet - packet_head - packet_tail;
 
-/// What names a stream: its scan, the channel of its first surface, and in the upper two bits how
-/// many surfaces follow that.
+/// The name of a stream: its scan, the channel of its first surface, and in the upper two bits the
+/// number of further surfaces.
 constexpr uint32_t tag_of(const StreamHeader& header) {
   return header.scan | uint32_t{header.channel} << 16 | (header.surface_count - 1U) << 22;
 }
-/// Before there is a stream. All zero, so that a static encoder takes no flash.
+/// The header before a stream. All zero, so that a static encoder takes no flash.
 constexpr StreamHeader no_header() {
   return {0, 0, 0, {}, {}, Border::closed, 0, 0, 0};
 }
@@ -70,19 +71,19 @@ constexpr uint8_t surface_count_in(uint32_t tag) {
   return static_cast<uint8_t>(1 + (tag >> 22));
 }
 
-/// A packet of whole regions tells last how many they are. Units: bytes.
+/// A packet of whole regions ends with their number. Units: bytes.
 constexpr size_t whole_regions_tail = 2;
 constexpr size_t max_whole_regions = max_payload - whole_regions_tail;
 
-/// A frame is a packet with its stuffing byte and its ending zero.
+/// A frame is a packet with its code byte and its final zero byte.
 constexpr size_t max_frame = max_packet + 2;
 
-/// The header is repeated after so many packets of records, so that a listener may join late.
+/// The header is repeated after this many packets of records, so that a receiver can join late.
 constexpr uint32_t header_interval = 64;
 
 constexpr uint32_t magic = 'D' | 'M' << 8 | 'C' << 16;
 
-/// Writes a little-endian field. Returns the place behind it. Limit: the buffer has room.
+/// Writes a little-endian field. Returns the position after it. Limit: the buffer has room.
 inline uint8_t* put(uint8_t* place, uint32_t value, int bytes) {
   for (; bytes > 0; --bytes, value >>= 8) *place++ = static_cast<uint8_t>(value);
   return place;
@@ -93,7 +94,7 @@ inline uint8_t* put_long(uint8_t* place, uint64_t value) {
   return put(place, static_cast<uint32_t>(value >> 32), 4);
 }
 
-/// Reads little-endian fields; beyond the end zeros.
+/// Reads little-endian fields; after the end, zeros.
 class ByteReader {
  public:
   ByteReader(const uint8_t* bytes, size_t count) : bytes_(bytes), left_(count) {}
@@ -116,7 +117,7 @@ class ByteReader {
 /// Bits of the header's flags.
 struct HeaderFlags {
   static constexpr uint8_t open_border = 1;
-  static constexpr uint8_t slices = 2;  ///< the packets hold slices, not regions
+  static constexpr uint8_t slices = 2;  ///< the packets contain slices, not regions
 };
 
 /// An application record: kind, slice, row, and its bytes.
@@ -125,7 +126,7 @@ static_assert(application_head + ApplicationRecord::max_bytes <= max_payload, "i
 
 constexpr size_t header_payload = 3 + 1 + 2 + 2 + 4 + 3 * 4 + 4 + 1 + 4 + 8;
 
-/// The totals of the trailer in their order. A reader must know all of them.
+/// The totals of the trailer, in their order. A reader must read all of them.
 constexpr uint64_t Statistics::*trailer_totals[] = {
     &Statistics::cells,     &Statistics::facets,      &Statistics::classic_triangles,
     &Statistics::regions,   &Statistics::rings,       &Statistics::links,
@@ -134,8 +135,8 @@ constexpr size_t trailer_payload = 4 + 1 + sizeof(Statistics) + 4;
 static_assert(sizeof(Statistics) == 8 * sizeof(uint64_t), "every total is told");
 constexpr size_t slices_trailer_payload = 4 + 1 + 8 + 8 + 4;
 
-/// The digest of a stream with one more packet, of this checksum. A trailer tells that of all
-/// packets before it: one of another stream among them, even of the same name, changes it.
+/// The digest of a stream with one more packet, which has this checksum. A trailer contains the
+/// digest of all packets before it, so a packet of another stream with the same name is detected.
 constexpr uint32_t digest_with(uint32_t digest, uint32_t crc) {
   return (digest << 1 | digest >> 31) ^ crc;
 }

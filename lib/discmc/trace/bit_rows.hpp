@@ -7,7 +7,7 @@
 //     bit      31   30 ......... 1   0
 //     word k   30k + 30   30k + 29 ... 30k   30k - 1
 //
-// Before the first word there is no column: its bit 0 says that a voxel of the row is on.
+// Before the first word there is no column: its bit 0 is set if a voxel of the row is on.
 //
 // A ring of 2 * height + 3 rows suffices: while row y of a slice is swept, row y - 1 of the slice
 // below and row y + 1 of the slice above are the oldest and the newest in use.

@@ -32,7 +32,7 @@ class Delivery {
   }
   void forget_addresses() { holes_.start(nullptr); }
 
-  /// Delivers what goes out, if anything. False when the sink said "not now": call again.
+  /// Delivers what goes out, if anything. False when the sink is busy: call again.
   bool settle(Chains& chains, const Sink& sink, Statistics& statistics);
 
   /// After the last vertex: delivers holes that still wait, loose. As settle().

@@ -13,7 +13,7 @@ Status BasicExtractor<Index, Intake, Sweep>::start(const Limits& limits,
                                                    Memory memory, const Sink& sink) {
   static_assert(
       sizeof(trace::Slot<Index, typename Intake::Normal>) == sizing::slot_bytes<Index, Intake>,
-      "what is said of the size of a slot is true");
+      "slot_bytes is the size of a slot");
   if (!limits.is_valid() || !can_scan(limits)) return Status::bad_limits;
   if (!is_valid<Index>(capacities)) return Status::bad_capacities;
   if (sink.take == nullptr) return Status::bad_sink;
@@ -210,7 +210,7 @@ Status BasicExtractor<Index, Intake, Sweep>::continue_in(Memory memory, const Si
 
 // ---- the sweep ----
 
-// Does all that the rows at hand allow. False when the sink said "not now".
+// Does all that the rows at hand allow. False when the sink is busy.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::work() {
   while (state_ != State::finished) {
@@ -318,7 +318,7 @@ bool BasicExtractor<Index, Intake, Sweep>::send_start() {
   return sink_.take(sink_.context, event) == SinkResult::accepted;
 }
 
-// Offers an event that tells of rows and slices.
+// Offers an event about rows and slices.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::send(Event::Kind kind) {
   const uint32_t below = continues_below() ? 1 : 0;

@@ -32,7 +32,7 @@ constexpr LinkSteps link_steps() {
 inline constexpr LinkSteps link_steps = derive::link_steps();
 
 /// Whether a side between two places is as long as may be kept whole: two such sides may join, and
-/// places still tell the length. Which place comes first does not matter.
+/// places still give the length. The order of the places does not matter.
 inline bool is_longest_side(Place from, Place to) {
   constexpr uint32_t longest = 4080;
   return (to - from + longest - 1) % (1U << place_bits) >= 2 * longest - 1;
@@ -93,7 +93,7 @@ class Fragments {
   }
 
   /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
-  /// intake.normal_at(vertex) tells the normal at a corner. Cost: constant, but for what is sent.
+  /// intake.normal_at(vertex) returns the normal at a corner. Cost: constant, but for what is sent.
   template <class Intake>
   void take(const Pass& pass, const Vertex& vertex, const Intake& intake);
 

@@ -24,7 +24,7 @@ struct NoNormal {};
 class BitIntake {
  public:
   static constexpr bool holds_samples = false;
-  static constexpr uint32_t type = 0;  ///< tells extractors apart: see CheckpointHead
+  static constexpr uint32_t type = 0;  ///< of extractor: see CheckpointHead
   using Normal = NoNormal;
 
   static constexpr uint64_t bytes_for(const Limits&) { return 0; }

@@ -2,7 +2,7 @@
 //
 // A fragment is a piece of a chain whose two ends wait for the vertices where it goes on. Its tail
 // is where the chain goes, its begin where the chain comes from. The side under way at either end
-// has no length yet: an end knows where it starts (tail) or stops (begin), and its direction. The
+// has no length yet: an end holds where it starts (tail) or stops (begin), and its direction. The
 // sides between are runs, in a circular list of slots named by its last, which the tail holds, or
 // the begin where the tail is loose. So a fragment of k corners has k - 1 runs.
 #ifndef DISCMC_TRACE_SLOTS_HPP
@@ -53,7 +53,7 @@ class Side {
   uint16_t code_;
 };
 
-/// A straight side of known length in two bytes: direction, and 1 to longest_short_run links. 0 is
+/// A complete straight side in two bytes: direction, and 1 to longest_short_run links. 0 is
 /// none.
 using ShortRun = uint16_t;
 constexpr uint32_t longest_short_run = 8191;

@@ -38,7 +38,7 @@ class Sweep {
   const Fragments<Index, Normal>& fragments() const { return fragments_; }
   const Delivery<Index, Normal, Features::holes_wait>& delivery() const { return delivery_; }
 
-  /// Sweeps a row, or goes on with it. False when the sink said "not now": call again.
+  /// Sweeps a row, or goes on with it. False when the sink is busy: call again.
   template <class Intake>
   bool sweep(const SweptRow& row, const Intake& intake, const Sink& sink, Statistics& statistics);
 
@@ -63,7 +63,7 @@ class Sweep {
 };
 
 // Nothing is swept below a slab: what comes from there is lost. Above it a row is swept twice: as
-// an end does not know where it is, the chains that come up to a vertex are ended there first, and
+// an end does not hold its vertex, the chains that come up to a vertex are ended there first, and
 // those that go down from it begin there then.
 template <class Index, class Normal, class AnyFeatures>
 template <class Intake>

@@ -85,7 +85,7 @@ class Threshold {
     return lanes - reinterpret_cast<uintptr_t>(samples) / sizeof(Sample) % lanes;
   }
 
-  /// How many samples from the first on are known to be off: whole blocks of eight words. Blocks
+  /// How many samples from the first on are certainly off: whole blocks of eight words. Blocks
   /// with samples of many values near the threshold are not recognised. Limit:
   /// reads_words(samples).
   uint32_t leading_off(const Sample* samples, uint32_t count) const {

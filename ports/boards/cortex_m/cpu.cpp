@@ -12,7 +12,7 @@ extern uint32_t data_begin[], data_end[];
 extern const uint32_t data_load[];
 extern uint32_t bss_begin[], bss_end[];
 
-void application() __asm__("main");  // C++ lets nobody call main by its name
+void application() __asm__("main");  // C++ forbids calls of main
 void start();
 void on_fault();
 void fault();

@@ -13,7 +13,7 @@ extern uintptr_t data_begin[], data_end[];
 extern const uintptr_t data_load[];
 extern uintptr_t bss_begin[], bss_end[];
 
-void application() __asm__("main");  // C++ lets nobody call main by its name
+void application() __asm__("main");  // C++ forbids calls of main
 void entry();
 void start();
 void on_trap();
@@ -43,7 +43,7 @@ constexpr uintptr_t paint = 0xA5C3A5C3;
 
 bool was_interrupted = false;
 
-// Nobody may touch the bytes below the stack: RAM that goes on there would hide an overflow.
+// Accesses below the stack are forbidden: RAM that continues there would hide an overflow.
 void guard_stack() {
   const uintptr_t guard = reinterpret_cast<uintptr_t>(stack_begin) - guard_bytes;
   __asm__ volatile("csrw pmpaddr0, %0; csrw pmpcfg0, %1" ::"r"(guard >> 2 | range_of_4096),
@@ -135,7 +135,7 @@ size_t cpu::stack_bytes() {
   return static_cast<size_t>(stack_end - stack_begin) * sizeof *stack_begin;
 }
 
-// The debugger knows the request by the three instructions, which must be uncompressed and on one
+// The debugger detects the request by the three instructions, which must be uncompressed and on one
 // page.
 [[gnu::noinline]] uintptr_t cpu::ask_debugger(uintptr_t operation, const void* arguments) {
   register uintptr_t a0 __asm__("a0") = operation;

@@ -1,5 +1,5 @@
 // Rows from the file volume.raw, read by the debugger: as fast as they are wanted, as if a DMA
-// controller brought them. Of the size and type that scan.hpp says, x first, little-endian; what is
+// controller brought them. They have the size and type of scan.hpp, x first, little-endian; what is
 // beyond its slices is left.
 #include <scan.hpp>
 

@@ -8,7 +8,7 @@
 
 namespace row_frame {
 
-/// What a frame tells. The number that goes with it is below.
+/// The kind of a frame. The number of each kind is below.
 enum class Kind : uint8_t {
   start,       ///< the scan begins; how many bytes a row has
   row,         ///< samples follow; the row's number, counted over all slices from 0
@@ -74,7 +74,7 @@ class Reader {
 
  private:
   static constexpr uint32_t crc_begin = 0xFFFFFFFF;
-  // What the checksum of any bytes comes to when it goes on over itself.
+  // The checksum of any bytes followed by their checksum.
   static constexpr uint32_t crc_of_whole = 0xDEBB20E3;
 
   Event end() {

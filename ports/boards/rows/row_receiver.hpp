@@ -11,7 +11,7 @@ class RowReceiver {
   enum class Event : uint8_t {
     nothing,
     start,       ///< a scan begins
-    refused,     ///< a start while a scan goes on, or for rows of another size
+    refused,     ///< a start during a scan, or for rows of another size
     row,         ///< the row has come that is number(), which is higher than the one before
     end,         ///< no row follows: there were number()
     broken_off,  ///< no row follows, against the plan: there were number()

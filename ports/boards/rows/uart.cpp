@@ -19,7 +19,8 @@ static_assert(row_bytes <= row_frame::max_samples, "a row has to fit a frame");
 
 RowReceiver receiver(row_bytes);
 
-// What the host is still to be told. The main loop writes the first, the interrupts all others.
+// Messages to the host that are still to be sent. The main loop writes the first, the interrupts
+// all others.
 uint32_t rows_emptied = 0;
 uint32_t rows_reported = 0;
 uint32_t frames_dropped = 0;

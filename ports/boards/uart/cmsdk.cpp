@@ -34,7 +34,7 @@ bool uart::send(uint8_t byte) {
   return true;
 }
 
-// What is left is in the shift register, which does not tell.
+// The last byte is in the shift register, which has no status.
 bool uart::is_idle() {
   return (register_at(state) & is_full) == 0;
 }

@@ -28,7 +28,7 @@ struct NamedSelection {
   Selection selection;
   std::string given;                    ///< on the command line: "300", "otsu", "5,right lung"
   std::string name = given;             ///< the same, or what the label is called
-  std::optional<Srgb> colour{};         ///< of a label, if one is told
+  std::optional<Srgb> colour{};         ///< of a label, if it has one
   std::optional<ThresholdRule> rule{};  ///< by which the selection is still to be found
   bool is_label = false;                ///< which is looked up as the volume is opened
 
@@ -63,12 +63,12 @@ enum class MeshSpace { lps, ras, voxel };
 /// What a stream holds.
 enum class Wire { regions, slices };
 
-/// One of so many slabs of a volume, counted from 1 at its first slice.
+/// One of `count` slabs of a volume, counted from 1 at its first slice.
 struct SlabChoice {
   std::uint32_t number, count;
 };
 
-/// Of `extract`.
+/// The arguments of `extract`.
 struct ExtractArguments {
   std::string volume;
   VolumeArguments reading;
@@ -84,7 +84,7 @@ struct ExtractArguments {
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   Decimation decimation;           ///< of each mesh
-  std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
+  std::optional<MeshSpace> space;  ///< else LPS if the frame is known, or that of the file
   MeshSize size;
   bool interpolates = false;  ///< the vertices of a mesh
   bool quiet = false;
@@ -96,15 +96,15 @@ inline bool is_divisible(const ExtractArguments& arguments) {
          arguments.reading.capacities.empty();
 }
 
-/// Of `info`.
+/// The arguments of `info`.
 struct InfoArguments {
   std::string input;
-  std::optional<bool> is_volume;  ///< or a stream; else as its first bytes tell
+  std::optional<bool> is_volume;  ///< or a stream; else by its first bytes
   StreamChoice choice;
   VolumeOptions options;
 };
 
-/// Of `decode`.
+/// The arguments of `decode`.
 struct StreamArguments {
   std::string stream;
   StreamChoice choice;
@@ -115,11 +115,11 @@ struct StreamArguments {
   VolumeOptions options;
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
-  std::optional<MeshSpace> space;  ///< else LPS where the frame is known, or what is told
+  std::optional<MeshSpace> space;  ///< else LPS if the frame is known, or that of the file
   MeshSize size;
 };
 
-/// Of `join`.
+/// The arguments of `join`.
 struct JoinArguments {
   std::vector<std::string> streams;
   std::string output;
@@ -130,7 +130,7 @@ struct JoinArguments {
 /// What an input with a surface is.
 enum class InputKind { mesh, stream, volume };
 
-/// Of `render`.
+/// The arguments of `render`.
 struct RenderArguments {
   std::string input;
   InputKind kind = InputKind::stream;
@@ -148,10 +148,10 @@ struct RenderArguments {
   bool outlines = false;
 };
 
-/// Of `view`.
+/// The arguments of `view`.
 struct ViewArguments {
   std::string input;
-  std::optional<bool> is_volume;  ///< or a stream; else as its first bytes tell
+  std::optional<bool> is_volume;  ///< or a stream; else by its first bytes
   VolumeArguments reading;        ///< without a selection the samples are shown
   std::string output;             ///< none where it is served
   bool opens = true;
@@ -159,14 +159,14 @@ struct ViewArguments {
   std::uint16_t port = 0;  ///< 0: any that is free
 };
 
-/// Of `tune`.
+/// The arguments of `tune`.
 struct TuneArguments {
   std::string volume;
   VolumeArguments reading;
   double baud = 921600;
   double clock_hz = 48e6;
   Core core = Core::cortex_m4;
-  std::vector<Payload> payloads;  ///< none stands for all
+  std::vector<Payload> payloads;  ///< empty: all
 };
 
 /// A surface of `compare`.
@@ -175,7 +175,7 @@ struct ComparedInput {
   InputKind kind = InputKind::mesh;
 };
 
-/// Of `compare`.
+/// The arguments of `compare`.
 struct CompareArguments {
   std::array<ComparedInput, 2> inputs;
   StreamChoice choice;

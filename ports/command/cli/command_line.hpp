@@ -1,4 +1,4 @@
-// The command line: which commands there are, and how their arguments are told and checked.
+// The command line: the commands, and the parsing and checks of their arguments.
 #ifndef DISCMC_COMMAND_CLI_COMMAND_LINE_HPP
 #define DISCMC_COMMAND_CLI_COMMAND_LINE_HPP
 
@@ -16,7 +16,7 @@ struct Command {
 /// Adds all commands to a command line.
 std::vector<Command> add_commands(CLI::App& app);
 
-// One command each, in a file of its name; the last two, which tell of all commands, in
+// One command each, in a file of its name; the last two, which describe all commands, in
 // documents.cpp.
 
 Command add_extract(CLI::App& app);

@@ -1,5 +1,5 @@
 // The commands. Each takes its arguments, does all, and returns the exit code of the program.
-// They throw std::exception with a text for people when they have failed.
+// On failure they throw std::exception with the message for the user.
 #ifndef DISCMC_COMMAND_CLI_COMMANDS_HPP
 #define DISCMC_COMMAND_CLI_COMMANDS_HPP
 

@@ -1,4 +1,4 @@
-// discmc compare: how far two surfaces are from each other.
+// discmc compare: the distance between two surfaces.
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -27,11 +27,11 @@ namespace {
 
 struct Compared {
   Mesh mesh;
-  bool has_voxels;  ///< whether distances can be told in voxels
+  bool has_voxels;  ///< whether distances can be printed in voxels
   int code;
 };
 
-// Where axes are turned, distances along them are no voxels.
+// Distances along turned axes are not multiples of the voxels.
 bool lies_along_coordinates(const VolumePlacement& placement) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t other = 0; other < 3; ++other)
@@ -39,7 +39,7 @@ bool lies_along_coordinates(const VolumePlacement& placement) {
   return true;
 }
 
-// A surface where extract and decode would put its mesh.
+// Places a surface as extract and decode place its mesh.
 Compared placed(Mesh mesh, const std::string& name, const std::optional<VolumePlacement>& declared,
                 int code) {
   const auto placement = mesh_placement(name, declared, std::nullopt);
@@ -107,12 +107,13 @@ int run_compare(const CompareArguments& arguments) {
   for (std::size_t i = 0; i < 2; ++i) {
     const Mesh& mesh = compared[i]->mesh;
     if (mesh.face_count() == 0)
-      throw std::invalid_argument(arguments.inputs[i].name +
-                                  ": the surface is empty: there is no distance from it");
+      throw std::invalid_argument(
+          arguments.inputs[i].name +
+          ": the surface is empty, so it has no distance; give one with triangles");
     if (!has_area(mesh))
-      throw std::invalid_argument(arguments.inputs[i].name +
-                                  ": no triangle has an area: there is no distance from it; give "
-                                  "the mesh of a surface");
+      throw std::invalid_argument(
+          arguments.inputs[i].name +
+          ": no triangle has an area, so the mesh has no distance; give the mesh of a surface");
   }
   std::cout << "  " << std::left << std::setw(20) << "distances" << std::right << std::setw(12)
             << "mean" << std::setw(12) << "99 % within" << std::setw(12) << "largest" << '\n';

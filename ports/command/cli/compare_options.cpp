@@ -22,23 +22,22 @@ ComparedInput input_called(const std::string& name) {
 void check(const CompareArguments& arguments) {
   for (const ComparedInput& input : arguments.inputs)
     if (input.kind == InputKind::volume && arguments.reading.selections.empty())
-      throw CLI::ValidationError(
-          input.name, "a volume is compared at a threshold: give --iso auto, or a number");
+      throw CLI::ValidationError(input.name,
+                                 "a volume needs a threshold; give --iso auto, or a number");
 }
 
 }  // namespace
 
 Command add_compare(CLI::App& app) {
   const auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* compare =
-      app.add_subcommand("compare", "Tell how far two surfaces are from each other");
+  CLI::App* compare = app.add_subcommand("compare", "Measure the distance between two surfaces");
   const char* const names[] = {"A", "B"};
   for (std::size_t i = 0; i < arguments->inputs.size(); ++i)
     compare
         ->add_option_function<std::string>(
             names[i],
             [arguments, i](const std::string& name) { arguments->inputs[i] = input_called(name); },
-            "a mesh, a .dmc stream, or a volume: the surface of Marching Cubes at --iso")
+            "a mesh, a .dmc stream, or a volume, whose surface Marching Cubes makes at --iso")
         ->required();
   add_choice_options(*compare, arguments->choice);
   add_volume_options(*compare, arguments->reading.options);

@@ -23,7 +23,7 @@
 namespace discmc::command {
 namespace {
 
-// A stream from a stream: what was whole, or is now that it is joined, packed anew.
+// Re-encodes a stream: the regions that were whole, and those that are joined from fragments.
 class Recoder {
  public:
   explicit Recoder(const ByteOutput& output) : output_(output) {}
@@ -32,17 +32,19 @@ class Recoder {
       encoder_.encode_normals();
       require(encoder_.start(event.header->label(), output_));
       encoder_.take(event);
-      for (const Event& early : early_) encoder_.take(early);  // a file takes all
+      for (const Event& early : early_) encoder_.take(early);  // a file accepts all
       is_started_ = true;
     } else if (is_started_) {
       encoder_.take(event);
-    } else if (event.kind != Event::Kind::application) {  // what that points to will be gone
-      early_.push_back(event);  // its first header is lost: wait for the next
+    } else if (event.kind !=
+               Event::Kind::application) {  // its bytes are valid during the call only
+      early_.push_back(event);              // its first header is lost: wait for the next
     }
     return SinkResult::accepted;
   }
   void flush() {
-    if (is_started_ && !encoder_.flush()) throw std::runtime_error("the output takes no more");
+    if (is_started_ && !encoder_.flush())
+      throw std::runtime_error("the output accepts no more bytes; free space");
   }
 
  private:
@@ -52,7 +54,7 @@ class Recoder {
   bool is_started_ = false;
 };
 
-// A part of the right size may still be another one than that of the stream.
+// A part of the right size may still lie elsewhere than that of the stream.
 void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
   if (!volume.whole_dims || !decoded.placement) return;
   VolumeInfo of_stream = volume;
@@ -61,12 +63,13 @@ void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
   if (apart == 0) return;
   std::ostringstream text;
   text << "the part of the volume lies " << apart
-       << " mm from that of the stream: give the --crop and --shrink that it was made with";
+       << " mm from the part of the stream; give the --crop and --shrink that the stream was made "
+          "with";
   throw std::invalid_argument(text.str());
 }
 
-// Opens the volume that a stream was made of. A headerless one has the stream's spacing, less what
-// it is shrunk by, unless another is given.
+// Opens the volume that a stream was made of. A headerless one gets the spacing of the stream
+// before it was shrunk, unless another spacing is given.
 std::unique_ptr<VolumeReader> open_volume_of(const DecodedStream& decoded,
                                              const StreamArguments& arguments) {
   const StreamHeader& header = decoded.header;
@@ -75,7 +78,7 @@ std::unique_ptr<VolumeReader> open_volume_of(const DecodedStream& decoded,
     options.spacing_mm = spacing_mm(header);
     for (double& spacing : *options.spacing_mm) spacing /= options.shrink;
   }
-  // Where the values are counted from makes no difference to the directions that they fall in.
+  // An offset of the values does not change the direction of their gradient.
   auto volume = open_for_gradient(arguments.volume, options, header.thresholds[0]).reader;
   try {
     require_same_volume(volume->info(), header);
@@ -96,8 +99,8 @@ void add_normals(const StreamArguments& arguments, const DecodedStream& decoded,
     set_stream_normals(decoded.surface, mesh);
   else
     throw std::invalid_argument(arguments.stream +
-                                ": the stream holds no normals: name the volume that it was made "
-                                "of with --volume FILE, or take --normals surface");
+                                ": the stream holds no normals; name its volume with --volume "
+                                "FILE, or give --normals surface");
 }
 
 }  // namespace

@@ -18,14 +18,15 @@ void check(const StreamArguments& arguments) {
   check_size(arguments.size, arguments.output);
   check_normals(arguments.normals, arguments.output, false);
   if (!arguments.volume.empty() && arguments.normals != Normals::gradient)
-    throw CLI::ValidationError("--volume", "is read for its gradient: add --normals gradient");
+    throw CLI::ValidationError(
+        "--volume", "is used with --normals gradient alone; add that, or leave out --volume");
 }
 
 }  // namespace
 
 Command add_decode(CLI::App& app) {
   const auto arguments = std::make_shared<StreamArguments>();
-  CLI::App* decode = app.add_subcommand("decode", "Turn a stream into a mesh, or pack it anew");
+  CLI::App* decode = app.add_subcommand("decode", "Convert a stream to a mesh, or re-encode it");
   decode->add_option("STREAM", arguments->stream, "a .dmc file; - reads standard input")
       ->required();
   add_output_option(*decode, arguments->output, "a stream on standard output")
@@ -34,14 +35,14 @@ Command add_decode(CLI::App& app) {
   add_format_option(*decode, arguments->format);
   add_choice_options(*decode, arguments->choice);
   add_normals_option(*decode, arguments->normals,
-                     "those that the stream tells, or from the samples of --volume");
+                     "from the stream, or from the samples of --volume");
   add_mesh_options(*decode, arguments->mesh);
   add_component_options(*decode, arguments->components);
   add_space_option(*decode, arguments->space);
   add_size_options(*decode, arguments->size);
   add_volume_options(*decode, arguments->options);
   CLI::Option* volume = decode->add_option("--volume", arguments->volume,
-                                           "the file that the stream was made of, for --normals "
+                                           "the volume that the stream was made of, for --normals "
                                            "gradient (default: the normals in the stream)");
   const auto describes_volume = [](const CLI::Option* option) {
     return option->get_group() == volume_group;

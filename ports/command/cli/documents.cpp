@@ -25,7 +25,7 @@ int write(const std::string& document) {
 Command add_completions(CLI::App& app) {
   const auto completions = std::make_shared<Completions>(nullptr);
   CLI::App* command =
-      app.add_subcommand("completions", "Write completions of the command line for a shell");
+      app.add_subcommand("completions", "Write command-line completions for a shell");
   add_named_option(
       *command, "SHELL", *completions,
       NamedValues<Completions>{

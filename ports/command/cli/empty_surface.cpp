@@ -35,11 +35,11 @@ std::string reason(const VolumeArguments& arguments, const NamedSelection& surfa
   const bool has_all =
       !surface.is_label && selection.low <= range.least && range.greatest <= selection.high;
   if (is_full || (arguments.border == Border::open && has_all && arguments.mask.empty()))
-    return every_voxel(arguments, surface) + ", and an open border has no surface";
-  // Of labels it is not known: their samples are bits of several.
+    return every_voxel(arguments, surface) + ", so a surface with an open border is empty";
+  // The samples of labels are bits of several, so their range does not answer it.
   const bool is_reached =
       surface.is_label || (selection.low <= range.greatest && selection.high >= range.least);
-  const std::string end = surface.is_label ? ", or there is none" : "";
+  const std::string end = surface.is_label ? ", or no voxel has that label" : "";
   if (is_reached && !arguments.mask.empty())
     return "no voxel that " + condition(surface) + " is left by --mask" + end;
   if (is_reached && arguments.smooth_mm)
@@ -51,14 +51,14 @@ std::string reason(const VolumeArguments& arguments, const NamedSelection& surfa
 
 // As in "the values are 0 to 255".
 std::string values_text(const std::optional<ValueRange>& range) {
-  if (!range) return "no value is a finite number";
+  if (!range) return "no value is finite";
   return "the values are " + value_text(range->least) + " to " + value_text(range->greatest);
 }
 
-// As in ": the values are 0 to 255; discmc info shows more of the values".
+// As in ", the values are 0 to 255; choose a threshold with discmc info".
 std::string what_there_is(const NamedSelection& surface, const MeasuredVolume& volume) {
-  if (surface.is_label) return "; discmc info shows which labels there are";
-  return ": " + values_text(volume.range()) + "; discmc info shows more of the values";
+  if (surface.is_label) return "; list the labels with discmc info";
+  return ", and " + values_text(volume.range()) + "; choose a threshold with discmc info";
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ std::string why_empty(const std::string& path, const VolumeArguments& arguments,
 void fail_empty(const std::string& path, const VolumeArguments& arguments,
                 const NamedSelection& surface, const MeasuredVolume& volume, bool is_full) {
   throw std::runtime_error(why_empty(path, arguments, surface, volume, is_full) +
-                           ", --allow-empty takes an empty surface");
+                           ", or accept an empty surface with --allow-empty");
 }
 
 void check_surface(const std::string& path, const VolumeArguments& arguments,

@@ -1,4 +1,4 @@
-// What is said where a threshold leaves no surface, or takes the whole volume.
+// The messages for a surface that is empty, or is the box of the whole volume.
 #ifndef DISCMC_COMMAND_CLI_EMPTY_SURFACE_HPP
 #define DISCMC_COMMAND_CLI_EMPTY_SURFACE_HPP
 
@@ -10,19 +10,19 @@
 
 namespace discmc::command {
 
-/// Says why the surface of the volume is empty, with the range of the values. volume: has been
+/// Returns why the surface of the volume is empty, with the range of the values. volume: has been
 /// read. is_full: whether every voxel is known to be on.
 std::string why_empty(const std::string& path, const VolumeArguments& arguments,
                       const NamedSelection& surface, const MeasuredVolume& volume,
                       bool is_full = false);
 
-/// Throws what says so, where there is --allow-empty.
+/// Throws the message of why_empty(), with --allow-empty as a remedy.
 [[noreturn]] void fail_empty(const std::string& path, const VolumeArguments& arguments,
                              const NamedSelection& surface, const MeasuredVolume& volume,
                              bool is_full = false);
 
-/// Throws as fail_empty() where the surface is empty and must not be, and says if it is the box of
-/// the volume, with the range of the values. extraction: of the volume, which has been read.
+/// Throws as fail_empty() if the surface is empty without --allow-empty, and prints a note if it is
+/// the box of the volume. extraction: of the volume, which has been read.
 void check_surface(const std::string& path, const VolumeArguments& arguments,
                    const NamedSelection& surface, const MeasuredVolume& volume,
                    const Extraction& extraction);

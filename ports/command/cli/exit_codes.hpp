@@ -1,4 +1,4 @@
-// How the program ends: `discmc --help` says it as well.
+// The exit codes of the program; `discmc --help` lists them, too.
 #ifndef DISCMC_COMMAND_CLI_EXIT_CODES_HPP
 #define DISCMC_COMMAND_CLI_EXIT_CODES_HPP
 

@@ -36,8 +36,8 @@ unsigned jobs_of(const ExtractArguments& arguments) {
 
 void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbers) {
   if (not_numbers > 0)
-    print_message(arguments.volume, std::to_string(not_numbers) +
-                                        " samples are not a number (NaN), and taken as off");
+    print_message(arguments.volume,
+                  std::to_string(not_numbers) + " samples are not a number (NaN) and count as off");
 }
 
 void check_surfaces(const ExtractArguments& arguments, const std::vector<Extraction>& extractions,

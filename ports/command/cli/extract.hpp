@@ -54,7 +54,7 @@ unsigned jobs_of(const ExtractArguments& arguments);
 void check_surfaces(const ExtractArguments& arguments, const std::vector<Extraction>& extractions,
                     const MeasuredVolume& volume);
 
-/// Says how many samples are not a number, if any.
+/// Prints how many samples are not a number, if any.
 void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbers);
 
 }  // namespace discmc::command

@@ -35,7 +35,7 @@ struct FoundLabel {
   std::optional<CrossingFinder> crossings{};  // of a smoothed one
 };
 
-// The labels that are asked for, by their layers; of `all` nothing of each.
+// The labels that are asked for, by their layers; for `all`, layers without labels.
 using Chosen = std::map<std::uint32_t, std::optional<std::set<LabelValue>>>;
 
 Chosen chosen_labels(const ExtractArguments& arguments, const LabelNames& names) {
@@ -56,9 +56,9 @@ Chosen chosen_labels(const ExtractArguments& arguments, const LabelNames& names)
       if (values.empty()) continue;  // a mask, which has one label
       if (values.size() > 1)
         throw std::invalid_argument(name_for_people(arguments.volume) + ": '" + each.name +
-                                    "' stands for " + std::to_string(values.size()) +
-                                    " labels; give them one by one, or all " +
-                                    "as one surface with --label");
+                                    "' names " + std::to_string(values.size()) +
+                                    " labels; give each by its number, or " +
+                                    "all as one surface with --label");
       if (!of_layer) of_layer.emplace();
       of_layer->insert(values[0]);
     }
@@ -106,14 +106,14 @@ std::string title(const NamedSelection& label) {
   return "label " + label.given + (label.name == label.given ? "" : " (" + label.name + ")");
 }
 
-// Of labels that are asked for, and have no voxel.
+// For labels that are asked for and have no voxel.
 void check_missing(const ExtractArguments& arguments, const std::vector<std::string>& missing) {
   if (missing.empty()) return;
   std::string text = "no voxel has";
   for (const std::string& label : missing) text += (label == missing[0] ? " " : ", ") + label;
   if (arguments.labels != "all" && !arguments.reading.allows_empty)
     throw std::runtime_error(name_for_people(arguments.volume) + ": " + text +
-                             "; leave out what is not there, or give --allow-empty");
+                             "; leave out these labels, or give --allow-empty");
   print_message(arguments.volume, text);
 }
 
@@ -125,7 +125,7 @@ NamedSelection selection_of(const LabelNames& names, std::uint32_t layer, LabelV
   return selection;
 }
 
-// In one pass a layer: in the order of the layers, then of the labels.
+// Reads each layer once. Returns labels in the order of the layers, then of their values.
 std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentation& segmentation) {
   const LabelNames& names = segmentation.names();
   std::vector<FoundLabel> found;
@@ -206,9 +206,9 @@ int extract_label_meshes(const ExtractArguments& arguments) {
     LabelledSurface& label = labels[i].surface;
     keep_chosen(volume + ": " + title(selections[i]), arguments.components, label.surface);
     if (label.surface.polygons.empty() && !arguments.reading.allows_empty) {
-      print_message(arguments.volume, title(selections[i]) + " has no surface left, so " +
-                                          (files.are_one() ? "it is not in " + names[i]
-                                                           : names[i] + " is not written"));
+      print_message(arguments.volume,
+                    title(selections[i]) + " has no surface left, so " + names[i] +
+                        (files.are_one() ? " does not contain it" : " is not written"));
       continue;
     }
     const bool moves = arguments.interpolates && labels[i].crossings;
@@ -219,8 +219,9 @@ int extract_label_meshes(const ExtractArguments& arguments) {
       print_line(label, mesh.face_count, files.are_one() ? selections[i].name : names[i], table);
   }
   if (files.are_one() && !has_mesh && !arguments.reading.allows_empty)
-    throw std::runtime_error(volume + ": no label has a surface left, so " + arguments.output +
-                             " is not written; --allow-empty takes that");
+    throw std::runtime_error(
+        volume + ": no label has a surface left, so " + arguments.output +
+        " is not written; check --median, --mask and --min-volume, or give --allow-empty");
   files.finish();
   if (!arguments.quiet) require_written(table);
   return exit_ok;

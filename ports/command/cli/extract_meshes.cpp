@@ -42,10 +42,9 @@ int extract_meshes(ExtractArguments arguments) {
   note_not_numbers(arguments,
                    mended.is_changed() ? mended.not_numbers() : extractions[0].not_numbers);
   if (arguments.interpolates && !mended.is_changed() && volume->has_two_values())
-    print_message(
-        arguments.volume,
-        "there are two values alone, as in a mask, so the interpolated surface keeps the steps of "
-        "the voxels; add --smooth auto");
+    print_message(arguments.volume,
+                  "the volume has only two values, as a mask, so the interpolated surface keeps "
+                  "the steps of the voxels; add --smooth auto");
   check_surfaces(arguments, extractions, *volume);
 
   std::ostream& table = table_stream(arguments.output);
@@ -56,8 +55,8 @@ int extract_meshes(ExtractArguments arguments) {
                 arguments.components, surface);
     if (surface.polygons.empty() && !arguments.reading.allows_empty)
       throw std::runtime_error(arguments.volume +
-                               ": no body is as large as --min-volume says; give less, "
-                               "--allow-empty takes an empty surface");
+                               ": no body is as large as --min-volume; give a smaller volume, or "
+                               "accept an empty surface with --allow-empty");
     const MeshSummary mesh =
         files.add({surface, selections[i], names[i],
                    arguments.interpolates ? &finders[i].crossings() : nullptr});

@@ -26,48 +26,48 @@ bool is_one_mesh(const std::string& output) {
 
 void check_labels(const ExtractArguments& arguments) {
   if (is_one_mesh(arguments.output))
-    throw CLI::ValidationError("--labels",
-                               "every label is a mesh of its own: give -o 'FOLDER/{name}.stl', or "
-                               "a " +
-                                   extensions(&FormatTraits::holds_several) +
-                                   " name, which holds them all");
+    throw CLI::ValidationError(
+        "--labels", "every label becomes a mesh of its own; give -o 'FOLDER/{name}.stl', or a " +
+                        extensions(&FormatTraits::holds_several) + " name, whose file holds all");
   if (format_of(arguments.output) == Format::stream)
     throw CLI::ValidationError("--labels", "a stream holds " +
                                                std::to_string(StreamHeader::max_surfaces) +
-                                               " surfaces at most: write meshes, or give --label");
+                                               " surfaces at most; write meshes, or give --label");
   const bool is_smooth = arguments.reading.smooth_mm.has_value();
   if (arguments.normals == Normals::gradient || (arguments.interpolates && !is_smooth))
-    throw CLI::ValidationError("--labels",
-                               "there is nothing between labels: leave out --normals gradient; "
-                               "for --surface interpolated add --smooth auto");
+    throw CLI::ValidationError(
+        "--labels",
+        "cannot be combined with --normals gradient, or with --surface interpolated without "
+        "--smooth; leave one out, or add --smooth auto");
 }
 
 void check_selections(const ExtractArguments& arguments) {
   if (!arguments.labels.empty()) return check_labels(arguments);
   if (!arguments.reading.label_table.empty() && !arguments.reading.selects_labels())
-    throw CLI::ValidationError("--label-table", "it is of labels: add --label N or --labels all");
+    throw CLI::ValidationError("--label-table",
+                               "names labels, and none is selected; add --label N or --labels all");
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const std::size_t surfaces = selections.size();
   if (surfaces == 0)
     throw CLI::ValidationError("--iso",
-                               "is missing: give --iso auto, or --iso ISO, --range LOW..HIGH, "
-                               "--label N or --labels all");
+                               "no threshold is given; add --iso auto, --iso ISO, --range "
+                               "LOW..HIGH, --label N or --labels all");
   const bool is_stream = format_of(arguments.output) == Format::stream;
   if (is_stream && surfaces > StreamHeader::max_surfaces)
     throw CLI::ValidationError(
-        "--iso", std::to_string(surfaces) + " surfaces are too many for a stream: give " +
+        "--iso", std::to_string(surfaces) + " surfaces are too many for a stream; give " +
                      std::to_string(StreamHeader::max_surfaces) + " at most");
   if (surfaces > 1 && is_one_mesh(arguments.output))
     throw CLI::ValidationError("--output",
-                               "several surfaces are as many meshes: write {name} in the name, as "
-                               "in -o 'surface-{name}.stl', or give a " +
+                               "every surface becomes a mesh of its own; put {name} in the name, "
+                               "as in -o 'surface-{name}.stl', or give a " +
                                    extensions(&FormatTraits::holds_several) +
-                                   " name, which holds them all");
+                                   " name, whose file holds all");
   for (const NamedSelection& each : selections)
     if (each.has_upper_end() && arguments.normals == Normals::gradient)
       throw CLI::ValidationError("--normals",
-                                 "the gradient points from on to off only where --iso divides "
-                                 "them: give --normals surface");
+                                 "gradient normals need a threshold by --iso, not a range or "
+                                 "label; give --normals surface");
 }
 
 void check_cleaning(const ExtractArguments& arguments) {
@@ -75,32 +75,34 @@ void check_cleaning(const ExtractArguments& arguments) {
   const bool is_stream = format_of(arguments.output) == Format::stream;
   if (arguments.reading.median > 0 && is_stream && arguments.normals == Normals::gradient)
     throw CLI::ValidationError("--median",
-                               "a stream's normals are those of the samples, which are not "
-                               "filtered: leave out --normals");
+                               "cannot be combined with --normals gradient in a stream, as the "
+                               "samples are not filtered; leave one out");
 }
 
 void check_mask(const ExtractArguments& arguments) {
   if (!arguments.reading.mask.empty() && arguments.normals == Normals::gradient)
-    throw CLI::ValidationError("--mask",
-                               "where the mask ends the samples have no gradient that points out: "
-                               "give --normals surface, or leave it out");
+    throw CLI::ValidationError(
+        "--mask",
+        "cannot be combined with --normals gradient, as the samples have no gradient at the edge "
+        "of the mask; give --normals surface, or leave one out");
   if (!arguments.reading.mask.empty() && !arguments.labels.empty() && arguments.reading.median > 0)
-    throw CLI::ValidationError("--mask",
-                               "labels are masked before they are filtered, and would grow over "
-                               "the mask again: leave out --median, or give each --label");
+    throw CLI::ValidationError(
+        "--mask",
+        "cannot be combined with --median and --labels, as the filter would grow labels over the "
+        "mask; leave out --median, or give each label by --label");
 }
 
 void check_smoothing(const ExtractArguments& arguments) {
   if (!arguments.reading.smooth_mm) return;
   if (arguments.reading.selections.size() > 1)
     throw CLI::ValidationError("--smooth",
-                               "it takes one surface, or --labels: run discmc once per surface");
+                               "accepts one surface, or --labels; run discmc once per surface");
   if (arguments.normals == Normals::gradient)
     throw CLI::ValidationError("--smooth",
-                               "the gradient of the samples is not normal to a smoothed surface: "
-                               "give --normals surface");
+                               "cannot be combined with --normals gradient, as the samples are not "
+                               "smoothed; give --normals surface");
   if (arguments.reading.median > 0)
-    throw CLI::ValidationError("--smooth", "cannot be combined with --median: leave one out");
+    throw CLI::ValidationError("--smooth", "cannot be combined with --median; leave one out");
 }
 
 void check_closing(const ExtractArguments& arguments) {
@@ -111,8 +113,8 @@ void check_closing(const ExtractArguments& arguments) {
                                "once per surface");
   if (arguments.normals == Normals::gradient)
     throw CLI::ValidationError("--close",
-                               "the gradient of the samples is not normal to a closed gap; give "
-                               "--normals surface");
+                               "cannot be combined with --normals gradient, as a closed gap has "
+                               "no samples; give --normals surface");
   if (arguments.reading.median > 0)
     throw CLI::ValidationError("--close", "cannot be combined with --median; leave one out");
   if (arguments.interpolates && !arguments.reading.smooth_mm)
@@ -126,56 +128,56 @@ void check_surface(const ExtractArguments& arguments) {
   check_interpolation(arguments.mesh, arguments.output);
   if (arguments.reading.median > 0)
     throw CLI::ValidationError("--median",
-                               "the crossings are those of the samples, which are not filtered: "
-                               "leave out --surface interpolated");
+                               "cannot be combined with --surface interpolated, as the samples are "
+                               "not filtered; leave one out");
   if (arguments.reading.selects_labels() && !arguments.reading.smooth_mm)
     throw CLI::ValidationError("--surface",
-                               "there is nothing to interpolate between labels: add --smooth auto");
+                               "labels have no values to interpolate; add --smooth auto");
 }
 
 void check_tolerance(const ExtractArguments& arguments, const CLI::Option& tolerance) {
   if (tolerance.count() > 0 && !arguments.interpolates)
     throw CLI::ValidationError("--tolerance",
-                               "it is of interpolated surfaces: add --surface interpolated");
+                               "applies to interpolated surfaces; add --surface interpolated");
 }
 
 void check_output(const std::string& output) {
   const std::string unknown = FilePattern(output).unknown_placeholder();
   if (!unknown.empty())
-    throw CLI::ValidationError("--output", unknown +
-                                               " stands for nothing: the name of a surface "
-                                               "is {name}, and nothing else is in braces");
+    throw CLI::ValidationError(
+        "--output",
+        unknown + " is an unknown placeholder; only {name} is supported, the name of the surface");
 }
 
 void check_wire(const ExtractArguments& arguments) {
   const bool is_of_slices = arguments.wire == Wire::slices;
   if (is_of_slices && format_of(arguments.output) != Format::stream)
-    throw CLI::ValidationError("--wire", "slices are a stream: give -o FILE.dmc");
+    throw CLI::ValidationError("--wire", "slices are written to a stream; give -o FILE.dmc");
   if (is_of_slices && arguments.normals != Normals::none)
     throw CLI::ValidationError("--wire",
-                               "a stream of slices holds no normals: leave out --normals");
+                               "a stream of slices holds no normals; leave out --normals");
   if (is_of_slices && (arguments.reading.memory > 0 || !arguments.reading.capacities.empty()))
-    throw CLI::ValidationError("--wire",
-                               "a slice encoder takes the memory that it needs, and no more: leave "
-                               "out --memory and --capacities");
+    throw CLI::ValidationError(
+        "--wire", "the memory of a slice encoder is fixed; leave out --memory and --capacities");
   if (!is_of_slices && arguments.key_slices > 0)
-    throw CLI::ValidationError("--key-slices", "is of streams of slices: add --wire slices");
+    throw CLI::ValidationError("--key-slices", "applies to streams of slices; add --wire slices");
 }
 
 void check_slab(const ExtractArguments& arguments) {
   if (!arguments.slab) return;
   if (format_of(arguments.output) != Format::stream || arguments.wire == Wire::slices)
-    throw CLI::ValidationError("--slab",
-                               "what crosses its seams is joined by discmc join, from streams of "
-                               "regions: give -o FILE.dmc, without --wire slices");
+    throw CLI::ValidationError(
+        "--slab",
+        "writes a stream of regions for discmc join; give -o FILE.dmc, without --wire slices");
   if (arguments.reading.selections.size() > 1)
     throw CLI::ValidationError("--slab",
-                               "discmc join takes one surface of each stream: give one --iso, "
-                               "--range or --label, and the others in runs of their own");
+                               "discmc join accepts one surface per stream; give one --iso, "
+                               "--range or --label, and run discmc once per surface");
   if (arguments.normals == Normals::gradient)
-    throw CLI::ValidationError("--slab",
-                               "the gradient at its seams would not be that of the whole volume: "
-                               "leave out --normals, and give decode --normals gradient --volume");
+    throw CLI::ValidationError(
+        "--slab",
+        "cannot be combined with --normals gradient, as a slab lacks the slices beside it; leave "
+        "out --normals, and give discmc decode --normals gradient --volume FILE");
 }
 
 void check_jobs(const ExtractArguments& arguments) {
@@ -183,12 +185,12 @@ void check_jobs(const ExtractArguments& arguments) {
   const bool is_stream = format_of(arguments.output) == Format::stream;
   if (!is_divisible(arguments))
     throw CLI::ValidationError("--jobs",
-                               "of --memory, --capacities, --labels and --surface interpolated "
-                               "the volume is taken as a whole: leave out one or the other");
+                               "cannot be combined with --memory, --capacities, --labels or "
+                               "--surface interpolated; leave one out");
   if (is_stream && (arguments.wire == Wire::slices || arguments.normals == Normals::gradient))
-    throw CLI::ValidationError("--jobs",
-                               "a stream of slices or with normals is that of one sweep: leave out "
-                               "one or the other");
+    throw CLI::ValidationError(
+        "--jobs",
+        "cannot be combined with --wire slices or --normals gradient in a stream; leave one out");
 }
 
 // The vertices of a smoothed or decimated surface follow it, where there is something to follow and
@@ -235,7 +237,7 @@ SlabChoice slab_choice(const std::string& text) {
                          : whole_number<std::uint32_t>(text.substr(slash + 1));
   if (!number || !count || *number == 0 || *number > *count)
     throw CLI::ValidationError(
-        "--slab", text + ": give the number of the slab and how many there are, as in 2/7");
+        "--slab", "invalid slab '" + text + "'; expected its number and their count, as in 2/7");
   return {*number, *count};
 }
 
@@ -251,8 +253,8 @@ void add_smoothing_option(CLI::App& app, ExtractArguments& arguments) {
   app.add_option_function<std::string>(
          "--smooth",
          [&arguments](const std::string& text) { arguments.reading.smooth_mm = deviation(text); },
-         "smooth the steps of the voxels that are on, as of a mask or label, by a Gaussian of this "
-         "deviation in millimetres; auto: the largest distance between voxels")
+         "smooth the steps of voxels, as of a mask or label, by a Gaussian with this deviation in "
+         "millimetres; auto: the largest distance between voxels")
       ->check(CLI::Validator(
           [](std::string& text) {
             return deviation(text) ? std::string()
@@ -266,42 +268,40 @@ void add_smoothing_option(CLI::App& app, ExtractArguments& arguments) {
 void add_closing_option(CLI::App& app, ExtractArguments& arguments) {
   app.option_defaults()->group(surface_group);
   app.add_option("--close", arguments.reading.close_mm,
-                 "close gaps of the voxels that are on: dilate them by this many millimetres, then "
-                 "erode them again")
+                 "close gaps between voxels that are on: dilate the voxels by MM millimetres, then "
+                 "erode them")
       ->check(accepted([](double length) { return length > 0 && length <= 1000; },
-                       "length above 0 and up to 1000"))
+                       "millimetres above 0 and up to 1000"))
       ->option_text("MM");
 }
 
 void add_label_options(CLI::App& app, ExtractArguments& arguments) {
   app.option_defaults()->group(surface_group);
-  add_labels_option(app, arguments.labels,
-                    "a mesh each, in a file each or in one " +
-                        extensions(&FormatTraits::holds_several) + " file");
+  add_labels_option(
+      app, arguments.labels,
+      "into a file each, or into one " + extensions(&FormatTraits::holds_several) + " file");
   add_label_table_option(app, arguments.reading.label_table);
 }
 
 // What a stream holds, where that is what is written.
 void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
   app.option_defaults()->group(stream_group);
-  add_named_option(
-      app, "--wire", arguments.wire,
-      NamedValues<Wire>{{"regions", Wire::regions}, {"slices", Wire::slices}},
-      "what a .dmc stream holds; regions: polygons, final as they come; slices: the bits of the "
-      "volume, in a tenth of the bytes");
+  add_named_option(app, "--wire", arguments.wire,
+                   NamedValues<Wire>{{"regions", Wire::regions}, {"slices", Wire::slices}},
+                   "the content of a .dmc stream; regions: polygons, final as they arrive; slices: "
+                   "the thresholded voxels, in a tenth of the bytes");
   app.add_option("--key-slices", arguments.key_slices,
-                 "with --wire slices: every N slices one that is read without those before it, "
-                 "where some are lost (default: the first alone)")
+                 "with --wire slices: make every Nth slice a key slice that decodes alone, for "
+                 "links that lose packets (default: the first slice only)")
       ->check(CLI::Range(std::uint32_t{1}, Limits::max_slices))
       ->option_text("N");
   app.add_option("--scan", arguments.scan,
-                 "number of the scan, by which streams on one link are told apart")
+                 "number of the scan, which distinguishes streams on one link")
       ->option_text("N")
       ->capture_default_str();
   app.add_option_function<std::string>(
          "--slab", [&arguments](const std::string& text) { arguments.slab = slab_choice(text); },
-         "one part of the slices, the K-th of N, as a .dmc stream; discmc join makes of all of "
-         "them the surface of the volume")
+         "extract the K-th of N parts of the slices, as a .dmc stream; discmc join joins all parts")
       ->option_text("K/N");
 }
 
@@ -311,34 +311,32 @@ Command add_extract(CLI::App& app) {
   const auto arguments = std::make_shared<ExtractArguments>();
   CLI::App* extract = app.add_subcommand("extract", "Extract the surface of a volume");
   extract
-      ->add_option(
-          "VOLUME", arguments->volume,
-          "file of NRRD, NIfTI, Analyze, MetaImage, MGH, MRC, VTK, NumPy, HDF5 or InVesalius, a "
-          "folder of Zarr, a folder or file of DICOM, a folder, 'pattern' or file of PNG, TIFF, "
-          "JPEG "
-          "or BMP slices, a folder or 'pattern' of masks, one a label, or headerless samples with "
-          "--dims and --type; - reads standard input")
+      ->add_option("VOLUME", arguments->volume,
+                   "a volume. A file: NRRD, NIfTI, Analyze, MetaImage, MGH, MRC, VTK, NumPy, HDF5, "
+                   "InVesalius. A file or folder: DICOM, Zarr. A file, folder or 'pattern': slices "
+                   "as PNG, TIFF, JPEG or BMP; masks, one per label. Headerless samples: with "
+                   "--dims and --type. - reads standard input")
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");
   add_format_option(*extract, arguments->format);
-  extract->add_flag("-q,--quiet", arguments->quiet, "print nothing of what was written");
+  extract->add_flag("-q,--quiet", arguments->quiet, "do not print the table of results");
   add_volume_options(*extract, arguments->reading.options);
   add_surface_options(*extract, arguments->reading);
   for (const char* option : {"--iso", "--range", "--label"})
     extract->get_option(option)->expected(1, -1)->allow_extra_args(false);
   CLI::Option* iso = extract->get_option("--iso");
-  iso->description(iso->get_description() +
-                   "; given several times, as the next two: a surface each, up to 4 in a stream");
+  iso->description(
+      iso->get_description() +
+      ". --iso, --range and --label may be repeated: a surface each, up to 4 in a stream");
   add_closing_option(*extract, *arguments);
   add_smoothing_option(*extract, *arguments);
   add_label_options(*extract, *arguments);
   add_normals_option(*extract, arguments->normals,
-                     "from the samples of the volume, and what a .dmc stream can hold");
+                     "from the samples of the volume; also in a .dmc stream");
   extract
       ->add_option("-j,--jobs", arguments->jobs,
-                   "parts of the volume that are worked on at once (default: as many as there are "
-                   "cores for a mesh, which is the same whatever the number; a stream is that of "
-                   "one sweep unless this is given)")
+                   "work on N parts of the volume at once (default: for a mesh, the number of "
+                   "cores; for a stream, one sweep). The mesh is the same for every N")
       ->check(CLI::Range(1U, max_jobs))
       ->option_text("N");
   add_mesh_options(*extract, arguments->mesh);

@@ -22,7 +22,7 @@
 namespace discmc::command {
 namespace {
 
-// Tells the bits of a volume, in memory of its own.
+// Encodes the bits of a volume, in memory of its own.
 class SliceWriter {
  public:
   void start(const StreamHeader& header, KeySlices key_slices, const ByteOutput& output) {
@@ -50,26 +50,26 @@ StreamHeader header_of_all(StreamHeader header, const VolumeInfo& info,
   return header;
 }
 
-// Of slabs that are as thick as can be: no two differ by more than a slice.
+// No two slabs differ by more than a slice.
 std::optional<SlabRange> slab_of(const ExtractArguments& arguments, std::uint32_t depth) {
   if (!arguments.slab || arguments.slab->count == 1) return std::nullopt;
   const auto [number, count] = *arguments.slab;
   if (count > depth)
     throw std::invalid_argument("--slab " + std::to_string(number) + "/" + std::to_string(count) +
                                 ": the volume has " + std::to_string(depth) +
-                                " slices: give that many slabs at most");
+                                " slices; give that many slabs at most");
   const auto end_of = [depth, slabs = count](std::uint32_t slab) {
     return static_cast<std::uint32_t>(std::uint64_t{depth} * slab / slabs);
   };
   return SlabRange{end_of(number - 1), end_of(number) - end_of(number - 1), depth};
 }
 
-// Samples that are narrowed for the gradient are counted from one threshold.
+// Samples that are narrowed for the gradient have one threshold as their zero.
 void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& info) {
   if (arguments.selections.size() > 1)
     throw std::invalid_argument(
-        "--normals gradient of several surfaces takes samples of u8, u16 or i16, and these are " +
-        std::string(name(info.type)) + ": give one --iso");
+        "--normals gradient of several surfaces needs samples of u8, u16 or i16, and these are " +
+        std::string(name(info.type)) + "; give one --iso, or run discmc once per surface");
 }
 
 }  // namespace

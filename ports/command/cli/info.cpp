@@ -1,4 +1,4 @@
-// discmc info: what is in a stream or a volume.
+// discmc info: the content of a stream or a volume.
 #include <cstddef>
 #include <iostream>
 #include <optional>
@@ -31,7 +31,7 @@ int info_of_volume(const InfoArguments& arguments) {
   std::size_t printed = 0;
   print_notes(volume->notes(), printed);
   if (info.frames > 1 && !arguments.options.frame)
-    std::cout << "note the values are those of layer 0; --frame N tells those of another\n";
+    std::cout << "note the values are those of layer 0; choose another with --frame N\n";
   require_written(std::cout);
   Progress progress("measuring", info.dims[2]);
   const VolumeStatistics statistics =

@@ -11,11 +11,11 @@ namespace discmc::command {
 
 Command add_info(CLI::App& app) {
   const auto arguments = std::make_shared<InfoArguments>();
-  CLI::App* info =
-      app.add_subcommand("info", "Tell what a stream or a volume holds, one key and value a line");
+  CLI::App* info = app.add_subcommand(
+      "info", "Print the content of a stream or a volume, a key and its values per line");
   info->add_option("INPUT", arguments->input,
-                   "a .dmc stream, or a volume as extract takes it: its values, how often they "
-                   "are, and which --iso they suggest; - reads standard input")
+                   "a .dmc stream, or a volume as for extract; of a volume: the range and "
+                   "histogram of its values, and thresholds to try; - reads standard input")
       ->required();
   add_choice_options(*info, arguments->choice);
   add_volume_options(*info, arguments->options);

@@ -1,4 +1,4 @@
-// What an input is by its first bytes, where its name does not tell.
+// The kind of an input by its first bytes, if its name does not decide.
 #ifndef DISCMC_COMMAND_CLI_INPUT_CONTENT_HPP
 #define DISCMC_COMMAND_CLI_INPUT_CONTENT_HPP
 
@@ -10,8 +10,8 @@
 namespace discmc::command {
 
 /// Whether a file, or standard input by the name "-", begins like a volume. What cannot be opened
-/// may be a pattern of names, and is one: the volume's reader says what is wrong. A pipe is none,
-/// as its first bytes cannot be given back. replayed: gives those of standard input again.
+/// may be a pattern of names, and counts as a volume: its reader reports the fault. A pipe does
+/// not, as its first bytes cannot be returned. replayed: returns those of standard input again.
 bool begins_like_volume(const std::string& input, std::optional<ReplayedInput>& replayed);
 
 }  // namespace discmc::command

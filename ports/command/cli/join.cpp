@@ -1,4 +1,4 @@
-// discmc join: the streams of slabs to that of the volume.
+// discmc join: joins the streams of slabs to the stream of the volume.
 #include <algorithm>
 #include <iostream>
 #include <sstream>
@@ -29,7 +29,7 @@ std::string described(const StreamHeader& header) {
   return text.str();
 }
 
-// Of scans whose surfaces can meet. The number of the scan may be another on each device.
+// Whether two surfaces can meet. Each device may have another number of the scan.
 bool is_same_volume(const StreamHeader& a, const StreamHeader& b) {
   return a.width == b.width && a.height == b.height && a.depth == b.depth &&
          a.thresholds[0] == b.thresholds[0] && a.border == b.border &&
@@ -43,7 +43,7 @@ class Join {
   Join(std::ostream& out, std::uint64_t memory)
       : output_(&out), joiner_(make_sink(encoded_), memory) {}
 
-  /// Throws std::runtime_error where the streams do not belong together.
+  /// Throws std::runtime_error if the streams do not belong together.
   int add(const std::string& path) {
     path_ = path;
     is_begun_ = has_range_ = false;
@@ -53,7 +53,7 @@ class Join {
                                    }});
     read_file(path, reader);
     require_one_surface(path, reader);
-    if (is_begun_ && !has_range_ && depth_ > 0) add_range({0, depth_, depth_});
+    if (is_begun_ && !has_range_ && depth_ > 0) add_whole();
     return completeness(path, reader.report());
   }
   /// Limit: after the last stream.
@@ -61,7 +61,7 @@ class Join {
     if (!slabs_.missing().empty())
       for (const SlabRange& range : slabs_.ranges()) write_slab(range, encoder_);
     joiner_.finish();
-    if (!encoder_.flush()) throw std::runtime_error("the output takes no more");
+    if (!encoder_.flush()) throw std::runtime_error("the output accepts no more bytes; free space");
   }
 
   SinkResult take(const Event& event) {
@@ -72,7 +72,7 @@ class Join {
     if (read_slab_range(*event.application, range)) {
       add_range(range);
     } else if (!read_placement(*event.application, placement) || is_first_) {
-      return joiner_.take(event);  // a placement once: all are the same
+      return joiner_.take(event);  // only the first placement: all are the same
     }
     return SinkResult::accepted;
   }
@@ -83,8 +83,8 @@ class Join {
   std::uint64_t fragments() const { return encoded_.fragments; }
 
  private:
-  // What comes out of the joiner, and what need not be joined. It is counted here: a stream that
-  // broke off tells no totals.
+  // Accepts what the joiner emits, and pieces that need no joining. Counts them here, as a
+  // truncated stream has no totals.
   struct Encoded {
     Encoder& encoder;
     std::uint64_t regions = 0;
@@ -113,22 +113,30 @@ class Join {
       encoder_.encode_normals();
       require(encoder_.start(header.label(), output_.byte_output()));
     } else if (!is_same_volume(header, header_)) {
-      throw std::runtime_error(path_ + ": this is of " + described(header) + ", and " +
-                               first_path_ + " of " + described(header_) +
-                               ": give the slabs of one volume");
+      throw std::runtime_error("this slab has " + described(header) + ", and " + first_path_ +
+                               " has " + described(header_) + "; give the slabs of one volume");
     }
   }
 
+  // A stream without a range is that of the whole volume.
+  void add_whole() {
+    try {
+      add_range({0, depth_, depth_});
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(path_ + ": " + error.what());
+    }
+  }
+
+  // What is thrown while a stream is read gets its name from read_file().
   void add_range(const SlabRange& range) {
     has_range_ = true;
     if (depth_ == 0) depth_ = range.depth;
     if (range.depth != depth_)
-      throw std::runtime_error(path_ + ": its slab is one of " + std::to_string(range.depth) +
+      throw std::runtime_error("its slab is part of " + std::to_string(range.depth) +
                                " slices, and the volume has " + std::to_string(depth_) +
-                               ": make it again");
+                               "; extract the slab again");
     if (const auto twice = slabs_.add(range))
-      throw std::runtime_error(path_ + ": the " + text({*twice}) +
-                               " are there already: give every slab once");
+      throw std::runtime_error("the " + text({*twice}) + " are given twice; give every slab once");
   }
 
   StreamOutput output_;
@@ -136,10 +144,10 @@ class Join {
   Encoded encoded_{encoder_};
   SpillingJoiner joiner_;
   SlabRanges slabs_;
-  std::uint32_t depth_ = 0;  // of the volume; where headers do not tell it, of the first range
+  std::uint32_t depth_ = 0;  // of the volume; if headers lack it, of the first range
   StreamHeader header_;
   std::string first_path_;
-  // Of the stream that is read.
+  // The stream that is read.
   std::string path_;
   bool is_first_ = false;
   bool is_begun_ = false;
@@ -159,7 +167,7 @@ int run_join(const JoinArguments& arguments) {
   if (!missing.empty()) {
     print_message(arguments.output == "-" ? "standard output" : arguments.output,
                   "the " + text(missing) + " are missing, and " + std::to_string(join.fragments()) +
-                      " pieces are open: join it with the slabs of these slices");
+                      " fragments are loose; join it with the slabs of these slices");
     code = exit_incomplete;
   }
   if (arguments.quiet) return code;

@@ -34,9 +34,9 @@ std::optional<VolumePlacement> mesh_placement(const std::string& input,
   if (asked == MeshSpace::voxel) return std::nullopt;
   if (!placement || placement->frame == Frame::none) {
     if (!asked) return placement;
-    throw std::invalid_argument(input +
-                                ": it does not tell where the patient is: leave out --space, or "
-                                "give --space voxel");
+    throw std::invalid_argument(
+        input +
+        ": the volume has no patient orientation; leave out --space, or give --space voxel");
   }
   return in_frame(*placement, asked == MeshSpace::ras ? Frame::ras : Frame::lps);
 }
@@ -77,21 +77,20 @@ void note_rounding(const std::string& file, const Mesh& mesh) {
                      std::string(traits_of(format_of(file)).extension) +
                      " files hold 32-bit floats";
   if (places < mesh.vertices_mm.size())
-    text += ", and " + std::to_string(mesh.vertices_mm.size()) + " vertices are in " +
+    text += ", and " + std::to_string(mesh.vertices_mm.size()) + " vertices share " +
             std::to_string(places) + " places";
-  text += ": write " + extensions(&FormatTraits::holds_doubles);
+  text += "; write " + extensions(&FormatTraits::holds_doubles);
   if (suits_floats(mesh, mesh.vertices_mm[0])) text += ", or give --space voxel";
   print_message(file, text);
 }
 
 void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh) {
   if (mesh.left_out.empty()) return;
-  print_message(
-      input, std::to_string(mesh.left_out.size()) + " of " +
-                 std::to_string(surface.polygons.size()) +
-                 " polygons left out, as their rings cross or bound nothing; -o FILE.jsonl has the "
-                 "first in line " +
-                 std::to_string(mesh.left_out[0] + 1));
+  print_message(input, std::to_string(mesh.left_out.size()) + " of " +
+                           std::to_string(surface.polygons.size()) +
+                           " polygons are left out, as their rings cross or bound no area; -o "
+                           "FILE.jsonl has the first in line " +
+                           std::to_string(mesh.left_out[0] + 1));
 }
 
 void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface) {
@@ -100,7 +99,7 @@ void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface
   const ComponentCounts counts = keep_components(surface, choice);
   if (counts.kept == counts.found) return;
   print_message(name, std::to_string(counts.kept) + " of " + std::to_string(counts.found) +
-                          " bodies and cavities kept");
+                          " bodies and cavities are kept");
 }
 
 std::uint64_t decimate_noted(const std::string& name, const Decimation& decimation, Mesh& mesh) {

@@ -17,9 +17,9 @@
 
 namespace discmc::command {
 
-/// Where the mesh of an input is to lie, which tells of its volume what `told` says; nothing:
-/// at index times spacing. Throws std::invalid_argument where a patient's space is asked for and
-/// none is known.
+/// Returns where the mesh of an input lies; nothing: at index times spacing. placement: that the
+/// input declares. Throws std::invalid_argument if a patient's space is asked for and the input
+/// declares none.
 std::optional<VolumePlacement> mesh_placement(const std::string& input,
                                               const std::optional<VolumePlacement>& placement,
                                               const std::optional<MeshSpace>& asked);
@@ -29,20 +29,20 @@ Mesh placed_mesh(const Surface& surface, const MeshOptions& options,
                  const std::function<void(Mesh&)>& add_normals,
                  const std::optional<VolumePlacement>& placement, const MeshSize& size);
 
-/// Calls write with the stream of the file; what goes wrong is told with the file's name.
+/// Calls write with the stream of the file; errors get the name of the file.
 void write_to(OutputFile& file, const std::function<void(std::ostream&)>& write);
 
 /// Whether the mesh is closed as the file holds it: as is_closed(), and no vertices fall together.
 bool is_closed_in(const std::string& file, const Mesh& mesh);
 
-/// Says how coarse the coordinates in the file are, if its format has too few digits for them.
+/// Prints how coarse the coordinates in the file are, if its format has too few digits for them.
 void note_rounding(const std::string& file, const Mesh& mesh);
 
-/// Says which polygons of the surface of this input the mesh has not, if there are any.
+/// Prints which polygons of the surface the mesh lacks, if any.
 void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh);
 
-/// Takes away what is not chosen, and says how much is left, where that is not all. name: of the
-/// volume or stream, and of the surface where it has several.
+/// Removes the components that are not chosen, and prints how many are kept, if not all. name: of
+/// the volume or stream, and of the surface if there are several.
 void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface);
 
 /// Decimates a mesh, and reports which bodies keep all their triangles. name: as keep_chosen().

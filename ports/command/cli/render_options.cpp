@@ -22,9 +22,9 @@ void check(const CLI::App& render, const RenderArguments& arguments) {
     check_kind(render, arguments.input, is_volume);
   if (is_volume && arguments.reading.selections.empty() && arguments.labels.empty())
     throw CLI::ValidationError(arguments.input,
-                               "a volume is drawn at a threshold: give --iso auto, or a number");
+                               "a volume needs a threshold; give --iso auto, or a number");
   if (arguments.view == std::vector<double>{0, 0, 0})
-    throw CLI::ValidationError("--view", "0,0,0 is no direction: give one that is not zero");
+    throw CLI::ValidationError("--view", "0,0,0 is not a direction; give another vector");
   check_closed(arguments.components, arguments.reading.border);
 }
 
@@ -36,21 +36,20 @@ void add_picture_options(CLI::App& app, RenderArguments& arguments) {
       ->check(finite())
       ->option_text("X,Y,Z")
       ->capture_default_str();
-  app.add_option("--size", arguments.size, "of the picture, in pixels")
+  app.add_option("--size", arguments.size, "width and height in pixels")
       ->delimiter(',')
       ->expected(2)
       ->check(CLI::Range(1, 8192))
       ->option_text("W,H")
       ->capture_default_str();
-  app.add_option("--zoom", arguments.zoom, "times nearer than what shows all")
+  app.add_option("--zoom", arguments.zoom, "enlarge the picture; at 1 all of the surface is in it")
       ->check(finite())
       ->check(CLI::Range(1e-3, 1e3))
       ->option_text("FACTOR")
       ->capture_default_str();
-  app.add_option(
-         "--at", arguments.at,
-         "point in the middle of the picture, in millimetres as by --space voxel (default: the "
-         "middle of the surface)")
+  app.add_option("--at", arguments.at,
+                 "point in the middle of the picture, in millimetres as with --space voxel "
+                 "(default: the middle of the surface)")
       ->delimiter(',')
       ->expected(3)
       ->check(finite())
@@ -58,13 +57,12 @@ void add_picture_options(CLI::App& app, RenderArguments& arguments) {
   add_named_option(app, "--shade", arguments.smooth,
                    NamedValues<bool>{{"flat", false}, {"smooth", true}},
                    "flat: every face in one colour; smooth: by the normals of vertices");
-  app.add_flag("--edges", arguments.outlines, "outline the faces: the merged polygons");
+  app.add_flag("--edges", arguments.outlines, "draw the outlines of the merged polygons");
 }
 
 void add_classic_option(CLI::App& app, bool& classic) {
   app.option_defaults()->group(surface_group);
-  app.add_flag("--classic", classic,
-               "triangles of classic Marching Cubes, with interpolated vertices, to compare")
+  app.add_flag("--classic", classic, "draw the triangles of classic Marching Cubes, to compare")
       ->excludes("--memory")
       ->excludes("--capacities")
       ->excludes("--median")
@@ -84,21 +82,20 @@ Command add_render(CLI::App& app) {
   CLI::App* render =
       app.add_subcommand("render", "Draw a stream, a volume or a mesh as a PNG picture");
   render
-      ->add_option(
-          "INPUT", arguments->input,
-          "a .dmc stream, a volume as extract takes it, or a mesh (.stl, .ply, .obj, .glb, "
-          ".3mf); - reads standard input")
+      ->add_option("INPUT", arguments->input,
+                   "a .dmc stream, a volume as for extract, or a mesh (.stl, .ply, .obj, .glb, "
+                   ".3mf); - reads standard input")
       ->required();
   render
       ->add_option("-o,--output", arguments->output, "the PNG file to write; - is standard output")
-      ->check(named_with({".png", ".PNG"}, "pictures are PNG files"))
+      ->check(named_with({".png", ".PNG"}, "invalid name of a picture"))
       ->check(without_braces())
       ->required();
   add_picture_options(*render, *arguments);
   add_choice_options(*render, arguments->choice);
   add_volume_options(*render, arguments->reading.options);
   add_surface_options(*render, arguments->reading);
-  add_labels_option(*render, arguments->labels, "each in its colour");
+  add_labels_option(*render, arguments->labels, "each has its colour");
   add_component_options(*render, arguments->components);
   add_classic_option(*render, arguments->classic);
   render->footer(

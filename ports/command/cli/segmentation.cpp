@@ -28,7 +28,7 @@ std::vector<std::uint32_t> layers_of(const VolumeInfo& info, const VolumeArgumen
   return {layers.begin(), layers.end()};
 }
 
-// A table that is given stands in place of what the file tells.
+// A given table replaces the labels of the file.
 LabelTable table_of(const VolumeInfo& info, const VolumeArguments& arguments) {
   if (arguments.label_table.empty()) return info.labels;
   LabelTable table = read_label_table(arguments.label_table);
@@ -45,13 +45,13 @@ Segmentation::Segmentation(const std::string& path, const VolumeArguments& argum
       info_(first_->info()),
       names_(table_of(info_, arguments), layers_of(info_, arguments)) {
   if (info_.frames > names_.layers().size() && !arguments.options.frame)
-    print_message(path, "layers without a label that is told left out: " +
+    print_message(path, "layers without a described label are left out: " +
                             std::to_string(info_.frames - names_.layers().size()));
 }
 
 std::unique_ptr<VolumeReader> Segmentation::open(std::uint32_t layer) {
   if (first_ && layer == options_.frame.value_or(0)) return std::move(first_);
-  require_second_pass(path_, "each layer of a segmentation takes a pass");
+  require_second_pass(path_, "reading each layer of a segmentation needs a pass");
   VolumeOptions options = options_;
   options.frame = layer;
   return open_noted(path_, options);
@@ -61,7 +61,7 @@ std::unique_ptr<VolumeReader> open_labels(Segmentation& segmentation, const std:
                                           std::vector<NamedSelection>& selections) {
   if (selections.size() > max_label_sets)
     throw std::invalid_argument("--label is given " + std::to_string(selections.size()) +
-                                " times: give it " + std::to_string(max_label_sets) +
+                                " times; give it " + std::to_string(max_label_sets) +
                                 " times at most, or a list to --labels");
   std::vector<LabelSet> sets;
   std::map<std::uint32_t, std::unique_ptr<VolumeReader>> layers;

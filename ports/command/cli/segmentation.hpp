@@ -21,7 +21,7 @@ class Segmentation {
   /// none is chosen.
   Segmentation(const std::string& path, const VolumeArguments& arguments);
 
-  /// Of the first layer; the others have the same extents.
+  /// The description of the first layer; the others have the same extents.
   const VolumeInfo& info() const { return info_; }
   const LabelNames& names() const { return names_; }
 

@@ -23,8 +23,8 @@
 namespace discmc::command {
 namespace {
 
-// Slices are read in turn, as not every library does so in two threads. Whoever is slow to take
-// what was read holds nobody up.
+// Slices are read in turn, as not every library does so in two threads. A slow
+// client delays no other.
 class ReadInTurn final : public VolumeFilter {
  public:
   ReadInTurn(std::unique_ptr<VolumeReader> volume, std::mutex& turn)
@@ -40,17 +40,17 @@ class ReadInTurn final : public VolumeFilter {
 
 void serve(const ViewArguments& arguments, const ServedFile& file) {
   serve_page(file, arguments.port, [&](const std::string& address) {
-    std::cout << file.name << ": " << address << " (Ctrl-C ends it)" << std::endl;
+    std::cout << file.name << ": " << address << " (stop it with Ctrl-C)" << std::endl;
     require_written(std::cout);
     if (arguments.opens && !open_in_browser(address))
-      std::cerr << "discmc: no browser was found: open " << address << " in one\n";
+      std::cerr << "discmc: no browser was found; open " << address << " in a browser\n";
   });
 }
 
-// Samples are read anew for every page: none waits in memory.
+// Samples are read again for every page: none waits in memory.
 void serve_samples(const ViewArguments& arguments) {
   constexpr std::uint64_t most = std::uint64_t{1} << 30;
-  require_second_pass(arguments.input, "every page that is served takes a pass");
+  require_second_pass(arguments.input, "each page that is served needs a pass");
   std::mutex turn;
   const auto open = [&] {
     const std::lock_guard<std::mutex> lock(turn);

@@ -58,7 +58,7 @@ struct RecordNotes {
   }
 };
 
-// Says which command takes what is no stream.
+// Throws for an input that is no stream, with the command that accepts it.
 void refuse_other_kinds(const std::string& path) {
   if (is_volume_name(path))
     throw std::runtime_error(
@@ -75,7 +75,7 @@ std::ifstream opened(const std::string& path) {
   else
     refuse_other_kinds(path);
   if (!file.is_open())
-    throw std::runtime_error(path + ": cannot be read: check the name and its permissions");
+    throw std::runtime_error(path + ": the file cannot be read; check its name and permissions");
   return file;
 }
 
@@ -90,12 +90,12 @@ void read_stream(const std::string& path, std::istream& in, std::uint64_t size,
   }
   if (reader.report().has_header) return;
   if (!reader.headers().empty())
-    throw std::runtime_error(path + ": no such surface: it has " +
+    throw std::runtime_error(path + ": the stream has no such surface; choose one of " +
                              joined(list_of_surfaces(reader)));
   refuse_other_kinds(path);
-  throw std::runtime_error(path + ": no header of a discmc stream in " +
+  throw std::runtime_error(path + ": there is no header of a discmc stream in its " +
                            std::to_string(reader.report().bytes) +
-                           " bytes, and none of a known volume; give a .dmc file, or a volume, "
+                           " bytes, and no known volume; give a .dmc file or a volume, or "
                            "headerless samples with --dims and --type");
 }
 
@@ -110,14 +110,13 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
   read(reader);
   note_others(path, choice, reader);
   if (!notes.slabs.missing().empty())
-    print_message(path,
-                  "it holds the " + text(notes.slabs.ranges()) + " of " +
-                      std::to_string(notes.slabs.ranges()[0].depth) +
-                      " alone: discmc join makes the whole surface of it and the other slabs");
+    print_message(path, "the stream holds only the " + text(notes.slabs.ranges()) + " of " +
+                            std::to_string(notes.slabs.ranges()[0].depth) +
+                            "; join it with the other slabs by discmc join");
   joiner.finish();
   builder.surface().spacing_mm = spacing_mm(reader.header());
   if (notes.placement && !is_usable(*notes.placement)) {
-    print_message(path, "its placement is unusable, and dropped");
+    print_message(path, "the placement in the stream is unusable and ignored");
     notes.placement.reset();
   }
   StreamReport report = reader.report();
@@ -130,6 +129,20 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
           builder.counts(),
           std::move(notes.records),
           notes.placement};
+}
+
+// As in "3 packets and 100 rows are missing".
+std::string losses(const StreamReport& report) {
+  const std::uint64_t lost = report.holds_slices ? report.lost_rows : report.lost_pieces;
+  const std::uint64_t received = report.holds_slices ? report.rows : report.regions;
+  std::string text;
+  if (report.lost_packets > 0 || lost > 0)
+    text = std::to_string(report.lost_packets) + " packets and " + std::to_string(lost) +
+           (report.holds_slices ? " rows" : " regions or fragments") + " are missing";
+  if (!report.has_trailer)
+    text += (text.empty() ? "" : ", ") + std::string("its end is missing after ") +
+            std::to_string(received) + (report.holds_slices ? " rows" : " regions");
+  return text.empty() ? "its contents contradict its trailer" : text;
 }
 
 }  // namespace
@@ -153,14 +166,15 @@ void note_others(const std::string& path, const StreamChoice& choice, const Stre
   if (surfaces.size() < 2 || !choice.is_any()) return;
   print_message(path, "this is scan " + std::to_string(reader.header().scan) + " channel " +
                           std::to_string(reader.channel()) + " of " + joined(surfaces) +
-                          ": choose with --scan N and --stream-channel N");
+                          "; choose with --scan N and --stream-channel N");
 }
 
 void require_one_surface(const std::string& path, const StreamReader& reader) {
   const std::vector<std::string> surfaces = list_of_surfaces(reader);
   if (surfaces.size() > 1)
-    throw std::runtime_error(path + ": it holds " + joined(surfaces) +
-                             ", and one surface is joined: give streams of one each");
+    throw std::runtime_error(
+        path + ": the stream holds " + joined(surfaces) +
+        ", and join accepts one surface per stream; give streams with one surface");
 }
 
 DecodedStream decode_surface(const std::string& path, const StreamChoice& choice, Kept kept) {
@@ -177,12 +191,10 @@ int completeness(const std::string& path, const StreamReport& report) {
   if (report.is_complete()) return exit_ok;
   if (report.is_mixed)
     print_message(path,
-                  "two scans of one number are mixed in it: give every scan a number of its own");
-  print_message(
-      path, "the stream is incomplete: " + std::to_string(report.lost_packets) + " packets and " +
-                std::to_string(report.holds_slices ? report.lost_rows : report.lost_pieces) +
-                (report.holds_slices ? " rows" : " regions or fragments") + " are missing" +
-                (report.has_trailer ? "" : ", and its end"));
+                  "two scans with the same number are mixed in the stream; give every scan a "
+                  "number of its own");
+  print_message(path,
+                "the stream is incomplete: " + losses(report) + "; see the counts of discmc info");
   return exit_incomplete;
 }
 

@@ -19,13 +19,13 @@ namespace discmc::command {
 /// Reads the named stream; "-" is standard input.
 void read_file(const std::string& path, StreamReader& reader);
 
-/// Where there are several surfaces and none was asked for, the others are worth a word.
+/// Prints the other surfaces if there are several and none was chosen.
 void note_others(const std::string& path, const StreamChoice& choice, const StreamReader& reader);
 
 /// Throws where there are several surfaces, in what takes one.
 void require_one_surface(const std::string& path, const StreamReader& reader);
 
-/// What a stream tells of its surface.
+/// The surface of a stream, and its properties.
 struct DecodedStream {
   StreamHeader header;
   std::uint8_t channel;
@@ -34,7 +34,7 @@ struct DecodedStream {
   Surface surface;                           ///< without polygons where counts alone are kept
   Counts counts;                             ///< else none
   std::vector<std::string> records;          ///< the user's own, in words
-  std::optional<VolumePlacement> placement;  ///< if it is told, and of use
+  std::optional<VolumePlacement> placement;  ///< if the stream has a usable one
 };
 
 DecodedStream decode_surface(const std::string& path, const StreamChoice& choice,
@@ -45,7 +45,7 @@ DecodedStream decode_surface(const std::string& path, std::istream& in, const St
 /// All bytes of the named stream, or of standard input by the name "-"; what is no stream, too.
 std::string stream_bytes(const std::string& path);
 
-/// What is missing is said, and told by the exit code, but what is there is used.
+/// Prints what is missing, and returns the exit code. The received parts are used.
 int completeness(const std::string& path, const StreamReport& report);
 
 }  // namespace discmc::command

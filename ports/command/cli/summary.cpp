@@ -33,9 +33,9 @@ std::string ratio(std::uint64_t a, std::uint64_t b) {
 // What there was too little of, if anything.
 std::string shortage(const Extraction& extraction, const MemoryUse& memory) {
   if (extraction.statistics.fragments == 0) return {};
-  if (extraction.is_of_slab) return "at the seams, or as memory ran short";
+  if (extraction.is_of_slab) return "at the seams, or for lack of memory";
   const bool lacked_holes = memory.high_water.holes == memory.capacities.holes;
-  return std::string("memory ran short of slots") + (lacked_holes ? " or holes" : "");
+  return std::string("the arena lacked slots") + (lacked_holes ? " or holes" : "");
 }
 
 // In the words of --space where they fit.
@@ -58,7 +58,7 @@ void print_memory(const Extraction& extraction, std::ostream& out) {
       "of " + grouped(memory.arena_bytes));
   row(out, "  slots at most in use", grouped(memory.high_water.slots),
       "of " + grouped(memory.capacities.slots));
-  row(out, "  holes at most waiting", grouped(memory.high_water.holes),
+  row(out, "  holes at most in use", grouped(memory.high_water.holes),
       "of " + grouped(memory.capacities.holes));
   row(out, "loose fragments", grouped(extraction.statistics.fragments),
       shortage(extraction, memory));
@@ -123,9 +123,10 @@ void print_table(const Extraction& extraction, const Counts& counts, std::uint64
   row(out, "  with 4 corners", grouped(counts.four));
   row(out, "  with more", grouped(counts.more));
   row(out, "holes", grouped(counts.holes));
-  row(out, "reduction", ratio(statistics.classic_triangles, counts.regions), "triangles a region");
+  row(out, "reduction", ratio(statistics.classic_triangles, counts.regions),
+      "triangles per region");
   row(out, "bytes of stream", grouped(stream_bytes),
-      ratio(stream_bytes, counts.regions) + " a region");
+      ratio(stream_bytes, counts.regions) + " per region");
   if (slice_encoder_bytes > 0) {
     row(out, "bytes of slice encoder", grouped(slice_encoder_bytes));
     return;

@@ -1,4 +1,4 @@
-// What the command says of a surface: the tables after `extract`, the lines of `info`.
+// What the command prints about a surface: the tables after `extract`, the lines of `info`.
 #ifndef DISCMC_COMMAND_CLI_SUMMARY_HPP
 #define DISCMC_COMMAND_CLI_SUMMARY_HPP
 
@@ -48,7 +48,7 @@ void print_place(const std::array<double, 3>& spacing_mm,
                  const std::optional<VolumePlacement>& placement, std::ostream& out);
 
 /// One `key value` a line, for people and programs. channel: of the surface that was counted.
-/// streams: all that share the link with it. placement: where the stream tells one.
+/// streams: all that share the link with it. placement: if the stream has one.
 void print_info(const StreamHeader& header, std::uint8_t channel,
                 const std::vector<StreamHeader>& streams, const StreamReport& report,
                 const Counts& counts, const std::optional<VolumePlacement>& placement,

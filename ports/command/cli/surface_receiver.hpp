@@ -15,8 +15,8 @@
 
 namespace discmc::command {
 
-/// Tells a stream where its volume lies, if that is known. encoder: started; its output must take
-/// all.
+/// Writes the placement of the volume to a stream, if there is one. encoder: started; its output
+/// must accept everything.
 template <class Encoder>
 void write_placement(const std::optional<VolumePlacement>& placement, Encoder& encoder) {
   if (!placement) return;
@@ -24,7 +24,7 @@ void write_placement(const std::optional<VolumePlacement>& placement, Encoder& e
   require(encoder.write_record(record_of(in_nanometres(*placement), bytes)));
 }
 
-/// Tells a stream that it is of a part of the slices, if it is. encoder: as above.
+/// Writes the range of slices to the stream of a slab. encoder: as above.
 template <class Encoder>
 void write_slab(const std::optional<SlabRange>& slab, Encoder& encoder) {
   if (!slab) return;
@@ -58,9 +58,9 @@ class SurfaceReceiver {
     return builds_ ? joiner_.take(event) : SinkResult::accepted;
   }
 
-  /// Of the stream; 0 without one.
+  /// The bytes of the stream; 0 without one.
   std::uint64_t stream_bytes() const { return encodes_ ? encoder_.bytes() : 0; }
-  /// Where regions may go in place of their events, or null where nothing is kept of them.
+  /// Accepts regions instead of their events; null if regions are not kept.
   SurfaceBuilder* builder() { return builds_ ? &builder_ : nullptr; }
   /// Likewise packets, or null without a stream.
   Encoder* encoder() { return encodes_ ? &encoder_ : nullptr; }

@@ -36,7 +36,7 @@ std::vector<NamedSelection> with_thresholds(const std::string& path,
   std::vector<NamedSelection> surfaces = arguments.selections;
   const auto first = std::find_if(surfaces.begin(), surfaces.end(), has_rule);
   if (first == surfaces.end()) return surfaces;
-  require_second_pass(path, "--iso " + first->name + " takes a pass of its own");
+  require_second_pass(path, "--iso " + first->name + " needs a pass of its own");
 
   const auto volume = open_noted(path, arguments.options);
   const VolumeInfo& info = volume->info();
@@ -55,7 +55,7 @@ std::vector<NamedSelection> with_thresholds(const std::string& path,
     if (threshold.rule != surface.rule) text += " (" + std::string(name(threshold.rule)) + ')';
     const auto padding = padding_value(statistics);
     if (threshold.rule == ThresholdRule::otsu && padding)
-      text += ", without the " + value_text(*padding) + " outside of what was scanned";
+      text += ", without the " + value_text(*padding) + " outside the scanned circle";
     print_message(path, text);
   }
   return surfaces;

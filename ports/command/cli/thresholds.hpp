@@ -9,10 +9,9 @@
 
 namespace discmc::command {
 
-/// The surfaces that are asked for of the volume, each with its threshold. What is found by a rule
-/// is said; it takes a pass over the volume, unless the file tells that it is in Hounsfield units
-/// and no more is asked. Throws where a rule does not fit the values, and as
-/// require_second_pass().
+/// The surfaces that are asked for of the volume, each with its threshold. What a rule finds is
+/// printed. A rule needs a pass over the volume, unless the file states Hounsfield units and the
+/// rule needs no more. Throws where a rule does not fit the values, and as require_second_pass().
 std::vector<NamedSelection> with_thresholds(const std::string& path,
                                             const VolumeArguments& arguments);
 

@@ -1,4 +1,4 @@
-// discmc tune: what a device makes of a volume, by its memory, line and processor.
+// discmc tune: estimates RAM, stream size and CPU time of a device for a volume.
 #include <algorithm>
 #include <iostream>
 #include <optional>
@@ -26,10 +26,10 @@ namespace {
 
 constexpr std::uint32_t key_slice_intervals[] = {16, 1};
 
-// What was tried of a volume.
+// The trials of a volume.
 struct Trials {
   Trial plenty;                   // with memory for everything
-  std::optional<Trial> no_loose;  // the least with nothing loose
+  std::optional<Trial> no_loose;  // the least without loose fragments
   std::vector<Trial> regions;     // by the size of the arena
   std::size_t chosen = 0;         // of them
   std::vector<Trial> slices;      // by key_slice_intervals
@@ -44,28 +44,29 @@ std::string bytes_text(std::uint64_t bytes) {
   return grouped(bytes) + " bytes";
 }
 
-// What was given as memory or capacities. Throws where the device would refuse it.
+// The arena that --memory or --capacities gives. Throws if the device would reject it.
 std::optional<std::uint64_t> given_arena(const VolumeArguments& arguments, const Limits& limits) {
   if (!arguments.capacities.empty()) {
     const Capacities capacities{arguments.capacities[0], arguments.capacities[1]};
     if (!is_valid<std::uint16_t>(capacities))
-      throw std::invalid_argument("--capacities " + std::to_string(capacities.slots) + "," +
-                                  std::to_string(capacities.holes) +
-                                  ": give 4 to 32759 slots, which 16-bit indices can count");
+      throw std::invalid_argument(
+          "--capacities " + std::to_string(capacities.slots) + "," +
+          std::to_string(capacities.holes) +
+          ": invalid number of slots; expected 4 to 32759, the range of 16-bit indices");
     return bytes_for<std::uint16_t>(limits, capacities);
   }
   if (arguments.memory == 0) return std::nullopt;
   const std::uint64_t least = minimum_bytes<std::uint16_t>(limits);
   if (arguments.memory < least)
     throw std::invalid_argument(too_little_memory(arguments.memory, limits, least) +
-                                ", or send slices, which take " +
+                                ", or send slices with --payload slices, which need " +
                                 std::to_string(slice_encoder_bytes(limits, {1})) +
-                                " where each is a key slice: --payload slices");
+                                " bytes if every slice is a key slice");
   const std::uint64_t most = max_arena_bytes(limits);
   if (arguments.memory > most)
-    throw std::invalid_argument("--memory " + std::to_string(arguments.memory) + ": give at most " +
-                                std::to_string(most) +
-                                " bytes, which is all that 16-bit indices make use of");
+    throw std::invalid_argument("--memory " + std::to_string(arguments.memory) +
+                                " is too much; give at most " + std::to_string(most) +
+                                " bytes, the range of 16-bit indices");
   return arguments.memory;
 }
 
@@ -122,12 +123,12 @@ void print_needs(const VolumeBits& volume, const Trials& trials, std::ostream& o
       << grouped(most.holes) << " holes\n"
       << "  least arena         " << bytes_text(minimum_bytes<std::uint16_t>(volume.limits()))
       << '\n'
-      << "  nothing loose from  ";
+      << "  no fragments from   ";
   if (trials.no_loose)
     out << bytes_text(trials.no_loose->memory) << '\n';
   else
     out << "more than the " << bytes_text(max_arena_bytes(volume.limits()))
-        << " that 16-bit indices address\n";
+        << " of 16-bit indices\n";
 }
 
 void print_regions(const Trials& trials, const Device& device, std::ostream& out) {
@@ -154,17 +155,16 @@ std::string comment_of(const Trial& trial, Payload payload, const Device& device
   std::string text =
       payload == Payload::slices
           ? bytes_text(trial.memory)
-          : grouped(trial.loose_pieces) + " loose pieces in " + bytes_text(trial.memory);
+          : grouped(trial.loose_pieces) + " loose fragments in " + bytes_text(trial.memory);
   return text + ": a stream of " + bytes_text(trial.stream_bytes()) + ", " +
          seconds_text(seconds_on_line(trial, device)) + " s on the line.";
 }
 
-// What has made the surface and is not in the code, or empty.
+// The options that the printed code lacks, or empty.
 std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments) {
   std::vector<std::string> all;
   const NamedSelection& surface = arguments.selections[0];
-  if (volume.is_floating())
-    all.emplace_back("the threshold in whole numbers, as the device has them");
+  if (volume.is_floating()) all.emplace_back("the threshold in the whole numbers of the device");
   if (surface.is_label)
     all.emplace_back("which voxels have the label");
   else if (surface.has_upper_end())
@@ -172,29 +172,29 @@ std::string left_out(const VolumeBits& volume, const VolumeArguments& arguments)
   if (arguments.median > 0) all.emplace_back("a MajorityFilter and its memory");
   if (!arguments.mask.empty()) all.emplace_back("the mask");
   std::string text;
-  for (const std::string& each : all) text += (text.empty() ? "Left to you: " : "; ") + each;
+  for (const std::string& each : all) text += (text.empty() ? "Not in this code: " : "; ") + each;
   return text.empty() ? text : text + ".";
 }
 
-// Where the file's values are not those of its samples, or empty.
-std::string threshold_stands_for(const VolumeBits& volume, const Selection& selection) {
+// A comment if the values of the file differ from its samples, or empty.
+std::string scaled_threshold_text(const VolumeBits& volume, const Selection& selection) {
   const std::int32_t threshold = volume.header().thresholds[0];
   if (volume.is_floating() || selection.low == threshold) return "";
-  return "The threshold of the samples is " + std::to_string(threshold) + " where the value is " +
+  return "The threshold of the stored samples is " + std::to_string(threshold) + " for the value " +
          value_text(selection.low) + ".";
 }
 
-// The comments above the code. trial: what it gives.
+// The comments above the code. trial: its results.
 std::vector<std::string> comments(const VolumeBits& volume, const VolumeArguments& arguments,
                                   const std::string& trial) {
   std::vector<std::string> all{trial};
-  for (const std::string& more : {threshold_stands_for(volume, arguments.selections[0].selection),
+  for (const std::string& more : {scaled_threshold_text(volume, arguments.selections[0].selection),
                                   left_out(volume, arguments)})
     if (!more.empty()) all.push_back(more);
   return all;
 }
 
-// As it was given, with the number that a rule has found.
+// As it was given, after the number that a rule has found.
 std::string surface_text(const NamedSelection& surface) {
   if (!surface.rule) return surface.name;
   return value_text(surface.selection.low) + " (" + surface.name + ")";
@@ -242,10 +242,9 @@ void print_report(const VolumeBits& volume, const TuneArguments& arguments, cons
     print_regions(trials, device, out);
   }
   if (!trials.slices.empty()) print_slices(trials, device, out);
-  out << "\n"
-         "line: on the wire, 10 bits a byte. work: of the library alone, estimated within a\n"
-         "fifth, without wait states of the flash: docs/measure.md. rows/s: what both keep\n"
-         "up with on average; at worst: the processor, in the slice that takes it longest.\n";
+  out << "\nline: time on the UART, 10 bits per byte. work: time of the library, estimated within "
+         "a\nfifth and without wait states of the flash (docs/measure.md). rows/s: average "
+         "sustainable\nrate; at worst: CPU-limited rate in the slowest slice.\n";
   print_all_code(volume, arguments, trials, device, out);
 }
 

@@ -27,41 +27,39 @@ std::optional<double> frequency(std::string text) {
 void check(const TuneArguments& arguments) {
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   if (selections.empty())
-    throw CLI::ValidationError("--iso",
-                               "is missing: give --iso auto, or the threshold of the device");
+    throw CLI::ValidationError(
+        "--iso", "no threshold is given; add --iso auto, or the threshold of the device");
   const bool sends_slices_alone = arguments.payloads == std::vector<Payload>{Payload::slices};
   if (sends_slices_alone && (arguments.reading.memory > 0 || !arguments.reading.capacities.empty()))
-    throw CLI::ValidationError("--payload",
-                               "a slice encoder takes the memory that it needs, and no more: leave "
-                               "out --memory and --capacities");
+    throw CLI::ValidationError(
+        "--payload", "the memory of a slice encoder is fixed; leave out --memory and --capacities");
 }
 
 void add_device_options(CLI::App& app, TuneArguments& arguments) {
   app.option_defaults()->group("Device");
-  app.add_option("--baud", arguments.baud, "of the UART; a byte takes 10 bits (8N1)")
+  app.add_option("--baud", arguments.baud,
+                 "bits per second of the UART; a byte needs 10 bits (8N1)")
       ->check(accepted([](double baud) { return baud >= 1 && baud <= 1e12; },
-                       "baud rate: give bits a second, as in 921600"))
+                       "bits per second, as in 921600"))
       ->option_text("BAUD")
       ->capture_default_str();
   app.add_option_function<std::string>(
          "--clock",
          [&arguments](const std::string& text) { arguments.clock_hz = *frequency(text); },
-         "of the processor, in Hertz, with k or M for 1000 and 1000^2")
+         "clock of the processor in Hertz, with k or M for 1000 and 1000^2")
       ->check(CLI::Validator(
           [](std::string& text) {
             return frequency(text) ? std::string()
-                                   : "'" + text + "' is no clock: give Hertz, as in 48M";
+                                   : "invalid clock '" + text + "'; expected Hertz, as in 48M";
           },
           ""))
       ->option_text("HZ")
       ->default_str("48M");
-  add_named_option(
-      app, "--core", arguments.core,
-      NamedValues<Core>{{"cortex-m0plus", Core::cortex_m0plus},
-                        {"cortex-m4", Core::cortex_m4},
-                        {"cortex-m7", Core::cortex_m7}},
-      "the processor that the work is estimated for; take cortex-m0plus for an M0, and "
-      "cortex-m4 for an M3 or M33");
+  add_named_option(app, "--core", arguments.core,
+                   NamedValues<Core>{{"cortex-m0plus", Core::cortex_m0plus},
+                                     {"cortex-m4", Core::cortex_m4},
+                                     {"cortex-m7", Core::cortex_m7}},
+                   "the processor; give cortex-m0plus for an M0, and cortex-m4 for an M3 or M33");
   const NamedValues<Payload> payloads{{"regions", Payload::regions}, {"slices", Payload::slices}};
   app.add_option_function<std::vector<std::string>>(
          "--payload",
@@ -70,7 +68,7 @@ void add_device_options(CLI::App& app, TuneArguments& arguments) {
              if (std::find(names.begin(), names.end(), name) != names.end())
                arguments.payloads.push_back(payload);
          },
-         "what the stream holds; may be given twice (default: both)")
+         "the content of the stream; may be given twice (default: both)")
       ->check(CLI::IsMember({"regions", "slices"}))
       ->expected(1, -1)
       ->allow_extra_args(false)
@@ -81,12 +79,11 @@ void add_device_options(CLI::App& app, TuneArguments& arguments) {
 
 Command add_tune(CLI::App& app) {
   const auto arguments = std::make_shared<TuneArguments>();
-  CLI::App* tune = app.add_subcommand(
-      "tune", "Size a device: what memory, line and processor make of a volume like yours");
-  tune->add_option(
-          "VOLUME", arguments->volume,
-          "as extract takes it, as large and as intricate as what will be scanned; - reads "
-          "standard input")
+  CLI::App* tune =
+      app.add_subcommand("tune", "Estimate RAM, stream size and CPU time for a device");
+  tune->add_option("VOLUME", arguments->volume,
+                   "a volume as for extract, as large and as intricate as the scans to come; - "
+                   "reads standard input")
       ->required();
   add_device_options(*tune, *arguments);
   add_volume_options(*tune, arguments->reading.options);
@@ -94,8 +91,8 @@ Command add_tune(CLI::App& app) {
   tune->remove_option(tune->get_option("--allow-empty"));
   tune->get_option("--memory")
       ->description(
-          "bytes of the arena, with K or M for 1024 and 1024^2 (default: the least with nothing "
-          "loose)");
+          "bytes of the arena, with K or M for 1024 and 1024^2 (default: the least without loose "
+          "fragments)");
   tune->footer(
       "Examples:\n"
       "  discmc tune head.nii.gz --iso 300\n"

@@ -91,8 +91,8 @@ void require_size(const std::string& input, const VolumeInfo& info, std::uint64_
   const std::uint64_t bytes = info.slice_bytes() * info.dims[2];
   if (bytes > most)
     throw std::runtime_error(input + ": its samples are " + std::to_string(bytes >> 20) +
-                             " MiB, and a page holds " + std::to_string(most >> 20) +
-                             ": give --iso auto, --shrink 2 or a part by --crop");
+                             " MiB, and a page holds at most " + std::to_string(most >> 20) +
+                             "; give --iso auto, --shrink 2 or a part by --crop");
 }
 
 int run_view(const ViewArguments& arguments) {
@@ -104,7 +104,7 @@ int run_view(const ViewArguments& arguments) {
   print_file(arguments.output, std::cout);
   require_written(std::cout);
   if (arguments.opens && !open_in_browser(arguments.output))
-    std::cerr << "discmc: no browser was found: open " << arguments.output << " in one\n";
+    std::cerr << "discmc: no browser was found; open " << arguments.output << " in a browser\n";
   return code;
 }
 

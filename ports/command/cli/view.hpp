@@ -13,7 +13,7 @@ namespace discmc::command {
 /// Serves the page with the data beside it, until the user ends it. Returns the exit code.
 int serve_view(const ViewArguments& arguments);
 
-/// Of the input, for people.
+/// The name of the input, for people.
 std::string name_of(const std::string& input);
 
 /// A stream in memory. code: as of completeness().

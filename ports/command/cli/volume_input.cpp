@@ -18,7 +18,7 @@
 namespace discmc::command {
 namespace {
 
-// A volume may be opened for a pass after another: it says once what is to be said.
+// A volume may be opened for several passes; each note is printed once.
 void print_once(const std::string& path, const std::string& text) {
   static std::set<std::pair<std::string, std::string>> printed;
   if (printed.emplace(path, text).second) print_message(path, text);
@@ -56,7 +56,7 @@ class NotedVolume final : public VolumeFilter {
 void require_second_pass(const std::string& path, const std::string& purpose) {
   if (is_read_once(path))
     throw std::runtime_error(name_for_people(path) + ": " + purpose +
-                             ", and this can be read once; store the volume in a file first");
+                             ", and this input can be read only once; store it in a file first");
 }
 
 std::unique_ptr<VolumeReader> noted(const std::string& path, std::unique_ptr<VolumeReader> volume) {
@@ -73,7 +73,7 @@ std::unique_ptr<VolumeReader> open_layer(const std::string& path, const VolumeOp
   auto volume = open_volume(path, of_first);
   const VolumeInfo& info = volume->info();
   if (options.frame || info.frames == 1 || !info.labels.empty()) return volume;
-  // The reader may say what there is to choose from.
+  // The reader may list the choices.
   if (!is_read_once(path)) open_volume(path, options);
   fail_frames(path, info);
 }
@@ -94,7 +94,7 @@ std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
   if (apart > 0)
     print_message(arguments.mask,
                   "its voxels lie up to " + short_number(apart) +
-                      " mm from those of the volume, and are taken for them one by one");
+                      " mm from those of the volume, and are used for them one by one");
   return mask;
 }
 

@@ -1,4 +1,4 @@
-// The volume of a command: opened as its arguments say, and how its surface is taken.
+// The volume of a command: opened as its arguments require, and how its surface is extracted.
 #ifndef DISCMC_COMMAND_CLI_VOLUME_INPUT_HPP
 #define DISCMC_COMMAND_CLI_VOLUME_INPUT_HPP
 
@@ -20,7 +20,7 @@ namespace discmc::command {
 /// Throws when the file can be read once only. purpose: what takes the pass.
 void require_second_pass(const std::string& path, const std::string& purpose);
 
-constexpr const char* gradient_pass = "normals of the gradient take a second pass";
+constexpr const char* gradient_pass = "normals of the gradient need a second pass";
 
 /// The volume, whose notes are printed: each once, however often it is opened. All commands open
 /// volumes by this or the next ones, but info, which has notes in its table.
@@ -30,11 +30,11 @@ std::unique_ptr<VolumeReader> open_noted(const std::string& path, const VolumeOp
 /// Opens a volume; of labels in several layers the first one, where none is chosen.
 std::unique_ptr<VolumeReader> open_layer(const std::string& path, const VolumeOptions& options);
 
-/// As open_noted(), measured as it is read. Where labels are selected it is the volume of their
-/// bits, and the selections are what was found of them.
+/// As open_noted(), measured as it is read. If labels are selected, returns the volume of their
+/// bits, and completes the selections.
 std::unique_ptr<MeasuredVolume> open_measured(const std::string& path, VolumeArguments& arguments);
 
-/// Opens the mask of the volume, if there is one, and says where it is not what it should be.
+/// Opens the mask of the volume, if there is one, and prints what is unusual about it.
 std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
                                               const VolumeInfo& volume);
 

@@ -53,7 +53,7 @@ std::vector<Line> lines_of_intervals(const VolumeStatistics& statistics, int mos
     high = statistics.greatest;
   }
   const double step = round_step(high / most - low / most);
-  constexpr double max_steps = 1e15;  // that are still told apart
+  constexpr double max_steps = 1e15;  // that double still distinguishes
   if (!(std::fabs(low) / step < max_steps))
     return {{statistics.least, statistics.greatest, statistics.numbers}};
   const double begin = std::floor(low / step);
@@ -96,7 +96,7 @@ void print_histogram(const VolumeStatistics& statistics, std::ostream& out) {
 
 // ---- what to give to extract ----
 
-// Of a segmentation, without its background.
+// Labels of a segmentation, without its background.
 std::vector<std::string> labels(const VolumeStatistics& statistics) {
   constexpr std::size_t most = 64;
   std::vector<std::string> labels;
@@ -112,7 +112,7 @@ std::vector<std::string> labels(const VolumeStatistics& statistics) {
 
 void propose_labels(const std::vector<std::string>& labels, std::ostream& out) {
   if (labels.empty()) return;
-  out << "proposal --labels all: the values are few and whole, as labels are; a mesh each\n"
+  out << "proposal --labels all: the values are few and whole, as labels are; a mesh per label\n"
       << "proposal --label N: one of";
   for (const std::string& label : labels) out << ' ' << label;
   out << '\n';
@@ -122,15 +122,14 @@ void propose_thresholds(bool is_in_hounsfield, const VolumeStatistics& statistic
                         std::ostream& out) {
   const auto padding = padding_value(statistics);
   if (const auto iso = otsu_threshold(statistics))
-    out << "proposal --iso=" << value_text(*iso)
-        << " otsu: divides the values in two groups that differ most"
+    out << "proposal --iso=" << value_text(*iso) << " otsu: divides the values into two groups"
         << (padding ? ", without the padding " + value_text(*padding) : "") << '\n';
   if (is_in_hounsfield && divides(bone_threshold, statistics))
     out << "proposal --iso=" << value_text(bone_threshold)
-        << " bone: these are Hounsfield units, soft tissue has less\n";
+        << " bone: in Hounsfield units; soft tissue has less\n";
   if (is_in_hounsfield && divides(skin_threshold, statistics))
     out << "proposal --iso=" << value_text(skin_threshold)
-        << " skin: these are Hounsfield units, air has less\n";
+        << " skin: in Hounsfield units; air has less\n";
 }
 
 // What is most likely comes first.
@@ -175,7 +174,7 @@ void print_volume_statistics(const VolumeInfo& info, const VolumeStatistics& sta
       << "not_numbers " << statistics.not_numbers << '\n'
       << "infinite " << statistics.infinite << '\n';
   if (statistics.numbers == 0) {
-    out << "note no value is a finite number: check the file\n";
+    out << "note no value is finite; check the file\n";
     return;
   }
   const std::vector<ValueCount> ends = {{statistics.least, 0, statistics.least_whole},

@@ -1,4 +1,4 @@
-// What `info` says of a volume.
+// What `info` prints about a volume.
 #ifndef DISCMC_COMMAND_CLI_VOLUME_SUMMARY_HPP
 #define DISCMC_COMMAND_CLI_VOLUME_SUMMARY_HPP
 
@@ -9,12 +9,12 @@
 
 namespace discmc::command {
 
-/// What its file tells but for the notes, one `key value` a line, for people and programs.
+/// The header, without the notes: a key and its values per line, for people and programs.
 void print_volume_info(const VolumeInfo& info, std::ostream& out);
 
-/// What its values are, in the same way: range, mean, percentiles; a histogram, a line for every
-/// value where they are few, else for intervals, of which the first and the last also hold
-/// outliers; and what to give to extract.
+/// The values, in the same way: range, mean, percentiles, a histogram, and options for extract. The
+/// histogram has a line for every value if they are few, otherwise for intervals. The first and the
+/// last interval also hold outliers.
 void print_volume_statistics(const VolumeInfo& info, const VolumeStatistics& statistics,
                              std::ostream& out);
 

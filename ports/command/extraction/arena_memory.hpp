@@ -21,7 +21,7 @@ bool takes_narrow_indices(const Limits& limits, std::uint64_t memory) {
 inline std::string too_little_memory(std::uint64_t bytes, const Limits& limits,
                                      std::uint64_t least) {
   return "--memory " + std::to_string(bytes) + " is too little for slices of " +
-         std::to_string(limits.width) + "x" + std::to_string(limits.height) + ": give at least " +
+         std::to_string(limits.width) + "x" + std::to_string(limits.height) + "; give at least " +
          std::to_string(least) + " bytes";
 }
 

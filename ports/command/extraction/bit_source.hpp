@@ -61,7 +61,7 @@ class BitSource {
       pass_on(filtered_.data(), call);
   }
 
-  /// Of its own slices.
+  /// The rows of its own slices.
   std::uint64_t not_numbers() const { return not_numbers_; }
   bool is_full(std::size_t surface) const { return is_full_[surface]; }
 

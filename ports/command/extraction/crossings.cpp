@@ -10,7 +10,7 @@
 namespace discmc::command {
 namespace {
 
-// Of every configuration the loop that is a fan about the centroid; no points where there is none.
+// The loop of each configuration that is a fan about the centroid; no points if there is none.
 std::array<Loop, configurations> fan_loops() {
   const auto axis_of = [](discmc::Point point) {
     const Vertex at = position(point);

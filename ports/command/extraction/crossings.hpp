@@ -1,4 +1,4 @@
-// Where the surface crosses the edges of the lattice, interpolated between the samples.
+// The crossings of the surface with the edges of the lattice, interpolated between the samples.
 #ifndef DISCMC_COMMAND_EXTRACTION_CROSSINGS_HPP
 #define DISCMC_COMMAND_EXTRACTION_CROSSINGS_HPP
 
@@ -26,10 +26,10 @@ class Crossings {
   Crossings(const std::array<std::uint32_t, 3>& dims, const Vertex& first)
       : dims_(dims), first_(first) {}
 
-  /// The point of the interpolated surface that a vertex of the merged one stands for: the crossing
-  /// of an edge for its middle, the mean of the crossings around it for a centroid. Where there is
-  /// nothing to interpolate, because a voxel is outside the volume or its mask, or a sample is not
-  /// finite, the crossing is in the middle. Units: half-steps.
+  /// The point of the interpolated surface that replaces a vertex of the merged one: the crossing
+  /// of an edge replaces its middle, the mean of the crossings around it a centroid. If a voxel is
+  /// outside the volume or its mask, or a sample is not finite, the crossing is in the middle.
+  /// Units: half-steps.
   Point interpolated(const Vertex& vertex) const;
 
  private:

@@ -1,4 +1,4 @@
-// The events of a scan, kept to be told later.
+// The events of a scan, kept to be sent later.
 #ifndef DISCMC_COMMAND_EXTRACTION_EVENT_RECORD_HPP
 #define DISCMC_COMMAND_EXTRACTION_EVENT_RECORD_HPP
 
@@ -9,14 +9,14 @@
 
 namespace discmc::command {
 
-/// Keeps what an extractor tells, but for layer marks: they are true in the order of a single sweep
-/// alone. Limit: a scan at once, without skipped rows.
+/// Keeps the events of an extractor except layer marks, which are true only in the order of one
+/// sweep. Limit: a scan at once, without skipped rows.
 class EventRecord {
  public:
   /// Always takes the event.
   SinkResult take(const Event& event);
 
-  /// Tells all of them. sink: must take everything at once.
+  /// Sends all of them. sink: must accept everything at once.
   void replay(const Sink& sink) const;
 
  private:

@@ -24,10 +24,10 @@ Arena arena_with(const Limits& limits, const Capacities& capacities) {
     return {true, bytes_for<std::uint16_t, Normals>(limits, capacities), capacities};
   if (is_valid<std::uint32_t>(capacities))
     return {false, bytes_for<std::uint32_t, Normals>(limits, capacities), capacities};
-  throw std::invalid_argument("--capacities " + std::to_string(capacities.slots) + "," +
-                              std::to_string(capacities.holes) + ": give at least " +
-                              std::to_string(minimum_capacities().slots) +
-                              " slots, and fewer than 2^31 - 8");
+  throw std::invalid_argument(
+      "--capacities " + std::to_string(capacities.slots) + "," + std::to_string(capacities.holes) +
+      ": invalid number of slots; give at least " + std::to_string(minimum_capacities().slots) +
+      ", and fewer than 2^31 - 8");
 }
 
 template <class Normals>
@@ -129,14 +129,14 @@ void require_same_volume(const VolumeInfo& info, const StreamHeader& header) {
     if (declared != 0 && std::abs(declared - spacing[axis]) > rounding) has_spacing = false;
   }
   const char* remedy =
-      ": give the volume that the stream was made of, with the same --crop and --shrink";
+      "; give the volume that the stream was made of, with the same --crop and --shrink";
   if (!has_extents)
     throw std::invalid_argument("the volume has " + list(info.dims, "x") +
-                                " voxels, and the stream is of " + list(extents, "x") + remedy);
+                                " voxels, and the stream has " + list(extents, "x") + remedy);
   if (!has_spacing)
     throw std::invalid_argument("the volume has the spacing " + list(info.spacing_mm, ",") +
-                                " mm, and the stream is of " + list(spacing_mm(header), ",") +
-                                " mm" + remedy);
+                                " mm, and the stream has " + list(spacing_mm(header), ",") + " mm" +
+                                remedy);
 }
 
 Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {

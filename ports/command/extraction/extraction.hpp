@@ -27,7 +27,7 @@ struct ExtractionOptions {
   std::uint64_t memory = 0;
   /// Called after every slice with how many are done.
   std::function<void(std::uint32_t)> progress;
-  /// Whether the events tell gradient normals. The arena then also holds four slices.
+  /// Whether the events contain gradient normals. The arena then also holds four slices.
   /// Limit: samples of a type with is_scanner_type(), selections without an upper end.
   bool normals = false;
   /// Whether bits pass a MajorityFilter first. Limit: not with normals.
@@ -46,8 +46,8 @@ struct ExtractionOptions {
   /// Only these slices of the volume, where there is one. What crosses its seams are loose
   /// fragments. Slices behind it are not read. Limit: its depth is the volume's.
   std::optional<SlabRange> slab{};
-  /// The volume in parts, so many at once (extract_in_parts()), where there is a number. What
-  /// `memory` says is then the first try: a part that it is not enough for takes more.
+  /// If set, extracts the volume in parts, this many at once (extract_in_parts()). `memory` is then
+  /// the first try; a part that needs more gets more.
   /// Limit: not with capacities, measures_memory, normals, slices or crossings.
   std::optional<unsigned> jobs{};
 };
@@ -69,8 +69,8 @@ struct Extraction {
   std::optional<MemoryUse> memory;  ///< if it was measured
 };
 
-/// A surface of a volume: the voxels inside, and who gets its events. The sink must not say "not
-/// now".
+/// A surface of a volume: the voxels inside, and the receiver of its events. The sink must not
+/// return "busy".
 struct SurfaceRequest {
   Selection selection;
   Sink sink;
@@ -82,22 +82,24 @@ struct SurfaceRequest {
   /// Owner: the caller.
   SurfaceBuilder* builder = nullptr;
   Encoder* encoder = nullptr;
+  /// Is offered regions before the sink gets their events, if it is there.
+  RegionReceiver regions{};
 };
 
 /// The header of a volume's stream.
 StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options);
 
 /// Throws std::invalid_argument when the stream cannot be of this volume, because their extents or
-/// spacings differ; the text tells both. What the header does not say is not compared.
+/// spacings differ; the text names both. What the header lacks is not compared.
 void require_same_volume(const VolumeInfo& info, const StreamHeader& header);
 
-/// Reads the volume to its end and gives its surface to the sink, which must not say "not now".
+/// Reads the volume to its end and gives its surface to the sink, which must not return "busy".
 /// Throws VolumeError as the reader does, std::invalid_argument when the memory is too small (the
 /// text names the minimum) or the capacities are not valid.
 Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink);
 
 /// The same for several surfaces in one pass, whatever the selection of the options; each has an
-/// arena as the options say.
+/// arena by the options.
 std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& options,
                                 const std::vector<SurfaceRequest>& surfaces);
 

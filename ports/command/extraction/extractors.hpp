@@ -104,7 +104,7 @@ class Extractors {
 
   const Arena& arena() const { return arena_; }
 
-  /// Whether no fragment had to go out for lack of memory; when in doubt it says no. Limit: a sink
+  /// Whether no fragment had to go out for lack of memory; when in doubt false. Limit: a sink
   /// that takes fragments.
   bool had_enough() const {
     // More than any extractor keeps from being used. Without nodes, other pieces go out at seams.
@@ -131,6 +131,8 @@ class Extractors {
       const Status started = extractors_[i].start(
           limits, arena_.capacities, threshold, {memory_[i].get(), arena_.bytes}, surfaces[i].sink);
       if (started != Status::ok) throw std::invalid_argument(to_string(started));
+      if constexpr (std::is_same_v<AnyExtractor, HostExtractor>)
+        extractors_[i].give_regions_to(surfaces[i].regions);
     }
   }
 

@@ -22,7 +22,7 @@ struct Label {
 
 constexpr std::uint64_t max_run_bytes = std::uint64_t{4} << 30;
 
-// The labels of a volume by the samples that stand for them.
+// The labels of a volume by their samples.
 template <class Sample>
 class LabelScan {
  public:
@@ -73,7 +73,7 @@ class LabelScan {
     if (running > max_run_bytes / LabelRun::bytes_for(limits_))
       throw std::invalid_argument(std::to_string(running) + " labels at once, up to slice " +
                                   std::to_string(slice_) +
-                                  ", take more than 4 GiB; take parts with --crop, or --shrink");
+                                  ", need more than 4 GiB; extract parts with --crop, or --shrink");
   }
 
   void end_slice(Label& label) {
@@ -120,7 +120,7 @@ class LabelScan {
 void refuse_values(std::uint32_t slice, std::uint32_t most) {
   throw std::invalid_argument("more than " + std::to_string(most) + " values up to slice " +
                               std::to_string(slice) +
-                              ": these are samples, not labels; give --iso or --range");
+                              ": the values are samples, not labels; give --iso or --range");
 }
 
 std::vector<LabelledSurface> extract_labels(VolumeReader& volume, const LabelOptions& options) {

@@ -39,8 +39,8 @@ struct LabelledSurface {
 
 /// What a volume may hold.
 constexpr std::uint32_t max_labels = 65536;
-/// In a slice and the two before it, where voxels of one value lie side by side no more than by
-/// chance: such a volume is none of labels, and its surfaces would be noise.
+/// The most values in a slice and the two before it whose voxels are neighbours only by chance.
+/// Such a volume holds no labels, and its surfaces would be noise.
 constexpr std::uint32_t max_scattered_labels = 1024;
 
 /// Throws the std::invalid_argument of a volume that has more values than that up to a slice.
@@ -65,11 +65,11 @@ class ValueScatter {
   std::uint64_t stretches_ = 0;
 };
 
-/// Reads the volume to its end and takes the surface of every value that occurs but 0, which is the
-/// background; the least label comes first. volume: of whole_labels(). Throws VolumeError as the
-/// reader does, std::invalid_argument where there are too many values; the text names the slice.
-/// Cost: memory of the surfaces, and of some five slices of bits a label of the slices under way, 4
-/// GiB of those at most; time of a scan a label, of the slices that have it.
+/// Reads the volume to its end and extracts the surface of every value except 0, the background;
+/// the least label comes first. volume: of whole_labels(). Throws VolumeError as the reader does,
+/// std::invalid_argument where there are too many values; the text names the slice. Cost: memory of
+/// the surfaces, and of some five slices of bits a label of the slices under way, 4 GiB of those at
+/// most; time of a scan a label, of the slices that have it.
 std::vector<LabelledSurface> extract_labels(VolumeReader& volume, const LabelOptions& options);
 
 }  // namespace discmc::command

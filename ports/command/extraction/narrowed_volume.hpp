@@ -9,8 +9,8 @@
 
 namespace discmc::command {
 
-/// The volume as 16-bit samples with sign, whose values are counted from iso: below zero exactly
-/// where the value is below iso, else zero or more, and in proportion as far as 16 bits tell it.
+/// The volume as 16-bit samples with sign, whose values are counted from iso. They are negative
+/// exactly if the value is below iso, and in proportion as far as 16 bits allow.
 /// So the surface at 0 is that of the volume at iso. What is not a number is just off.
 /// bounds: of the volume.
 std::unique_ptr<VolumeReader> narrowed(std::unique_ptr<VolumeReader> volume,

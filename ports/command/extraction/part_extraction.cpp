@@ -50,7 +50,15 @@ class PartSurface {
     return answer;
   }
 
-  // What is to be joined goes to the joiner, which stands before the same sink.
+  // A region that is whole. The packets may refuse it, and come first.
+  SinkResult take_region(const WholeRegion& region) {
+    if (has_loose_rings(region.incidence, region.start)) return SinkResult::busy;
+    if (packets_ && packets_->take_region(region) != SinkResult::accepted) return SinkResult::busy;
+    if (polygons_) polygons_->take_region(region);
+    return SinkResult::accepted;
+  }
+
+  // What is to be joined goes to the joiner, which sends to the same sink.
   void pass_on(const SurfaceRequest& request, GrowingJoiner& joiner) {
     if (polygons_) request.builder->append(std::move(*polygons_));
     joined_.replay(make_sink(joiner));
@@ -65,10 +73,13 @@ class PartSurface {
            static_cast<std::uint32_t>(plane_offset(incidence, vertex));
   }
 
+  bool has_loose_rings(Incidence incidence, const Vertex& vertex) const {
+    return !ring_planes_.empty() && ring_planes_.count(plane_of(incidence, vertex)) > 0;
+  }
+
   void begin_region(const Vertex& vertex) {
     const Event region = *std::exchange(region_, std::nullopt);
-    const bool has_loose_rings = ring_planes_.count(plane_of(region.incidence, vertex)) > 0;
-    place_ = has_loose_rings ? Place::joined : Place::whole;
+    place_ = has_loose_rings(region.incidence, vertex) ? Place::joined : Place::whole;
     give(region);
   }
 
@@ -228,8 +239,8 @@ class Parts {
     reader_.read(part);
   }
 
-  // Where memory is short, some pieces go out loose that cross no seam, and they would have to be
-  // joined before the regions that are whole.
+  // If memory is short, some pieces are sent loose that cross no seam, and would have to be joined
+  // before the whole regions.
   void work_on(Part& part) {
     std::unique_ptr<PartExtractors> extractors = idle_.take();
     if (!extractors) extractors = new_extractors(first_arena_bytes());
@@ -252,8 +263,10 @@ class Parts {
     std::vector<SurfaceRequest> requests = requests_;
     part.surfaces.clear();
     for (const SurfaceRequest& request : requests_) part.surfaces.emplace_back(request);
-    for (std::size_t i = 0; i < requests.size(); ++i)
+    for (std::size_t i = 0; i < requests.size(); ++i) {
       requests[i].sink = make_sink(part.surfaces[i]);
+      requests[i].regions = make_region_receiver(part.surfaces[i]);
+    }
     const std::size_t slice_bytes = info_.slice_bytes();
     const std::size_t mask_bytes = part.mask.size() / part.spans.read.count();
     std::size_t next = 0;

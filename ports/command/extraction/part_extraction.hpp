@@ -14,10 +14,10 @@ namespace discmc::command {
 /// large. They do not depend on the jobs, and neither does the surface.
 std::vector<SliceSpan> parts_of(const VolumeInfo& info, const SliceSpan& slices);
 
-/// As extract(), by so many jobs at once. Regions come in the order of the parts: those that cross
-/// seams with the part that they end in, before its own.
-/// Memory: twice as many parts as jobs, and the pieces that cross seams. Limit: at least one job;
-/// of the options and requests what ExtractionOptions::jobs says.
+/// As extract(), by `jobs` threads at once. Regions come in the order of the parts: those that
+/// cross seams with the part that they end in, before its own. Memory: twice as many parts as jobs,
+/// and the pieces that cross seams. Limit: at least one job; of the options and requests as for
+/// ExtractionOptions::jobs.
 std::vector<Extraction> extract_in_parts(VolumeReader& volume, const ExtractionOptions& options,
                                          const std::vector<SurfaceRequest>& surfaces);
 

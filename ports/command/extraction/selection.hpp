@@ -16,7 +16,7 @@ namespace discmc::command {
 struct Selection {
   double low = 0;
   double high = std::numeric_limits<double>::infinity();
-  /// Of a volume of label_bits(): what is on has one of these bits. 0: the values count.
+  /// For a volume of label_bits(): voxels with one of these bits are on. 0: the values count.
   std::uint64_t bits = 0;
 
   bool has_upper_end() const { return bits != 0 || high < std::numeric_limits<double>::infinity(); }
@@ -38,7 +38,7 @@ struct SampleRange {
 template <class Sample>
 SampleRange<Sample> selected_samples(const VolumeInfo& info, const Selection& selection);
 
-/// Units: bytes that a row of so many bits takes.
+/// Units: bytes of a row with this many bits.
 constexpr std::size_t bit_row_bytes(std::uint32_t width) {
   return (std::size_t{width} + 7) / 8;
 }

@@ -17,7 +17,7 @@ struct SliceSpan {
 
   bool holds(std::uint32_t z) const { return z >= first && z < end; }
   std::uint32_t count() const { return end - first; }
-  /// With so many slices more on either side, where the volume has them.
+  /// With this many more slices on either side, as far as the volume has them.
   SliceSpan widened(std::uint32_t slices, std::uint32_t depth) const {
     return {first > slices ? first - slices : 0, end + std::min(slices, depth - end)};
   }
@@ -29,7 +29,7 @@ struct SlabSpans {
   SliceSpan read;   ///< what these are made from: a MajorityFilter looks at a slice on either side
 };
 
-/// slab: nothing stands for the whole volume. depth: of the volume.
+/// slab: nothing for the whole volume. depth: of the volume.
 inline SliceSpan slices_of(const std::optional<SlabRange>& slab, std::uint32_t depth) {
   return slab ? SliceSpan{slab->first, slab->end()} : SliceSpan{0, depth};
 }
@@ -40,7 +40,7 @@ inline SlabSpans slab_spans(const SliceSpan& own, std::uint32_t depth, bool take
   return {own, given, given.widened(takes_majority ? 1 : 0, depth)};
 }
 
-/// What an extractor is told of a slab. depth: of the volume.
+/// The slab as the extractor expects it. depth: of the volume.
 inline Slab slab_limits(const SlabRange& slab, std::uint32_t depth) {
   return {slab.first, slab.first > 0, slab.end() < depth};
 }

@@ -65,9 +65,8 @@ std::string FilePattern::file_for(const std::string& name, const std::string& ad
 
 void FilePattern::require_folder() const {
   if (std::filesystem::path(pattern_).parent_path().string().find(placeholder) != std::string::npos)
-    throw std::invalid_argument(pattern_ +
-                                ": {name} is of files, not of folders: write it behind "
-                                "the last /");
+    throw std::invalid_argument(
+        pattern_ + ": {name} is not allowed in the name of a folder; put it after the last /");
   command::require_folder(std::filesystem::path(pattern_).parent_path());
 }
 

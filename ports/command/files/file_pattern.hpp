@@ -8,7 +8,7 @@
 
 namespace discmc::command {
 
-/// The name of an output in which {name} stands for a surface's own: "out/{name}.stl".
+/// The name of an output in which the name of a surface replaces {name}: "out/{name}.stl".
 class FilePattern {
  public:
   explicit FilePattern(std::string pattern) : pattern_(std::move(pattern)) {}
@@ -22,7 +22,7 @@ class FilePattern {
   std::string unknown_placeholder() const { return first_in_braces(placeholder); }
 
   /// What no name of a file can have becomes an underscore; a long name is cut, but not the
-  /// addition that tells it from others.
+  /// addition that makes it unique.
   std::string file_for(const std::string& name, const std::string& addition = {}) const;
 
   /// Throws, before work is done, std::invalid_argument where {name} is in the name of a folder,

@@ -49,10 +49,10 @@ void require_folder(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(status))
     throw std::runtime_error(named.string() + ": there is no such folder; make it first");
   if (!std::filesystem::is_directory(status))
-    throw std::runtime_error(named.string() + ": is not a folder; give another name");
+    throw std::runtime_error(named.string() + ": this is not a folder; give another name");
   if (access(named.c_str(), W_OK | X_OK) != 0)
     throw std::runtime_error(named.string() +
-                             ": no file can be made in this folder; check its permissions");
+                             ": no file can be created in this folder; check its permissions");
 }
 
 OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
@@ -60,10 +60,10 @@ OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::none)
-    throw std::runtime_error(path.string() + ": cannot be written: " + error.message() +
-                             ": give another name");
+    throw std::runtime_error(path.string() + ": the file cannot be written (" + error.message() +
+                             "); give another name");
   if (std::filesystem::is_directory(status))
-    throw std::runtime_error(path.string() + ": is a folder: give the name of a file");
+    throw std::runtime_error(path.string() + ": this is a folder; give the name of a file");
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
     target_ = target_of(path);
     require_folder(target_.parent_path());
@@ -74,7 +74,7 @@ OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
   file_.open(is_in_place() ? path_ : temporary_, std::ios::binary);
   if (!file_)
     throw std::runtime_error(path.string() +
-                             ": cannot be written: check the folder and its permissions");
+                             ": the file cannot be written; check the folder and its permissions");
   if (!is_in_place() && std::filesystem::exists(status))
     std::filesystem::permissions(temporary_, status.permissions());
 }
@@ -93,13 +93,14 @@ std::ostream& OutputFile::stream() {
 
 void OutputFile::commit() {
   stream().flush();
-  if (!stream()) throw std::runtime_error(path_.string() + ": writing failed: is the disk full?");
+  if (!stream()) throw std::runtime_error(path_.string() + ": writing failed; is the disk full?");
   if (is_standard_output()) return;
   file_.close();
-  if (!file_) throw std::runtime_error(path_.string() + ": writing failed: is the disk full?");
+  if (!file_) throw std::runtime_error(path_.string() + ": writing failed; is the disk full?");
   std::error_code error;
   if (!is_in_place()) std::filesystem::rename(temporary_, target_, error);
-  if (error) throw std::runtime_error(path_.string() + ": cannot be replaced: " + error.message());
+  if (error)
+    throw std::runtime_error(path_.string() + ": the file cannot be replaced; " + error.message());
   is_committed_ = true;
   set_unfinished({});
 }

@@ -8,7 +8,7 @@
 
 namespace discmc::command {
 
-/// Throws std::runtime_error where no file can be made in the folder, and says why.
+/// Throws std::runtime_error with the reason if no file can be made in the folder.
 void require_folder(const std::filesystem::path& folder);
 
 /// Whether an output of this name is standard output: "-", or "-." with the extension of a format.

@@ -25,7 +25,7 @@ TemporaryFile::TemporaryFile() {
   std::string name = (std::filesystem::temp_directory_path(error) / "discmc-XXXXXX").string();
   if (error)
     throw std::runtime_error(
-        "no folder for temporary files: set TMPDIR to one that can be written");
+        "there is no folder for temporary files; set TMPDIR to a folder that can be written");
   file_ = mkstemp(name.data());
   if (file_ < 0) fail(name);
   unlink(name.c_str());

@@ -16,7 +16,7 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile();
 
-  /// Tells where the bytes begin.
+  /// Returns where the bytes begin.
   std::uint64_t append(const void* data, std::size_t bytes);
   /// Limit: bytes that were appended.
   void read(std::uint64_t from, void* data, std::size_t bytes) const;

@@ -29,8 +29,8 @@ Format format_of(const std::filesystem::path& path) {
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   for (const FormatTraits& traits : all_formats)
     if (extension == traits.extension) return traits.format;
-  throw std::invalid_argument(path.string() + ": cannot tell a format from \"" + extension +
-                              "\": use " + extensions());
+  throw std::invalid_argument(path.string() + ": unknown extension \"" + extension + "\"; use " +
+                              extensions());
 }
 
 const FormatTraits& traits_of(Format format) {

@@ -1,4 +1,4 @@
-// Formats of the files that a command writes, told by their names.
+// Formats of the files that a command writes, by their names.
 #ifndef DISCMC_COMMAND_MESH_FILES_FILE_FORMAT_HPP
 #define DISCMC_COMMAND_MESH_FILES_FILE_FORMAT_HPP
 

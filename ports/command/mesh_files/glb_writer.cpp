@@ -54,7 +54,7 @@ std::string material(const Mesh& mesh) {
          R"(,1],"metallicFactor":0,"roughnessFactor":0.8}})";
 }
 
-// What a viewer wants to know of positions: "min" and "max" of what is written.
+// The bounds of positions that the format requires: "min" and "max" of what is written.
 std::string extent_of(const std::vector<Point>& points, const Point& origin) {
   Point low, high;
   low.fill(std::numeric_limits<double>::infinity());
@@ -68,7 +68,7 @@ std::string extent_of(const std::vector<Point>& points, const Point& origin) {
   return ",\"min\":[" + decimals(low) + "],\"max\":[" + decimals(high) + "]";
 }
 
-// The arrays of the binary chunk, one after another, as JSON tells them.
+// The arrays of the binary chunk, one after another, as JSON describes them.
 class Arrays {
  public:
   // Returns the number of the array.
@@ -136,7 +136,7 @@ std::string describe(const Meshes& meshes, const Point& origin, Arrays& arrays) 
 
 void write_arrays(const Mesh& mesh, const Point& origin, Writer& writer) {
   for (const Point& vertex : mesh.vertices_mm) writer.floats(difference(vertex, origin));
-  // The format knows no vertex without a normal either.
+  // The format allows no vertex without a normal, either.
   for (const Point& normal : mesh.normals)
     writer.floats(normal == Point{} ? Point{0, 0, 1} : normal);
   for (const std::uint32_t corner : mesh.corners) writer.bytes(corner, 4);
@@ -152,7 +152,7 @@ Point glb_origin(const Meshes& meshes) {
 }
 
 void write_glb(const Meshes& meshes, std::ostream& out) {
-  const Meshes seen = with_faces(meshes);  // the format knows no empty arrays
+  const Meshes seen = with_faces(meshes);  // the format allows no empty arrays
   for (const Mesh* mesh : seen) require_triangles(*mesh, "GLB");
   Arrays arrays;
   const Point origin = glb_origin(seen);
@@ -161,7 +161,7 @@ void write_glb(const Meshes& meshes, std::ostream& out) {
   const std::uint64_t binary = arrays.bytes() > 0 ? 8 + arrays.bytes() : 0;
   const std::uint64_t total = 12 + 8 + json.size() + binary;
   if (total > 0xFFFFFFFFu)
-    throw std::invalid_argument("a GLB file takes 4 GiB at most: write .ply or .stl");
+    throw std::invalid_argument("a GLB file holds at most 4 GiB; write .ply or .stl");
   Writer writer(out);
   writer.bytes(magic, 4);
   writer.bytes(2, 4);

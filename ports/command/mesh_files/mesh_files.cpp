@@ -26,7 +26,7 @@ void write_mesh(const Mesh& mesh, Format format, std::ostream& out, unsigned job
     case Format::jsonl:
       break;
   }
-  throw std::invalid_argument("no format of meshes");
+  throw std::invalid_argument("the format holds no meshes");
 }
 
 void write_meshes(const Meshes& meshes, Format format, std::ostream& out) {
@@ -34,7 +34,7 @@ void write_meshes(const Meshes& meshes, Format format, std::ostream& out) {
   if (format == Format::three_mf) return write_3mf(meshes, out);
   if (format == Format::csv) return write_csv(meshes, out);
   if (format == Format::json) return write_json(meshes, out);
-  if (meshes.size() != 1) throw std::invalid_argument("the format holds one mesh a file");
+  if (meshes.size() != 1) throw std::invalid_argument("the format holds one mesh per file");
   write_mesh(*meshes[0], format, out);
 }
 

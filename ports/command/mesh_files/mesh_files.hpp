@@ -31,7 +31,7 @@ void write_meshes(const Meshes& meshes, Format format, std::ostream& out);
 void write_stl(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
 
 /// PLY, binary little endian: coordinates as 32-bit floats, or as doubles where floats do not suit
-/// (suits_floats()). Doubles make a file a third larger, and some readers know floats alone. Also
+/// (suits_floats()). Doubles make a file a third larger, and some readers support only floats. Also
 /// normals, as floats, if the mesh has them, and at every vertex the colour, if it has one.
 /// Units: millimetres. Limit: faces of max_face_corners, which a byte counts as every reader takes
 /// it, and 2^31 - 1 vertices; otherwise std::invalid_argument.
@@ -56,7 +56,7 @@ void write_glb(const Meshes& meshes, std::ostream& out);
 Point glb_origin(const Meshes& meshes);
 
 /// 3MF, an object a mesh that has faces: exact decimal coordinates, its name, and its colour if it
-/// has one. Units: millimetres, and the file says so. Limit: triangles only, otherwise
+/// has one. Units: millimetres, and the file states it. Limit: triangles only, otherwise
 /// std::invalid_argument.
 void write_3mf(const Meshes& meshes, std::ostream& out);
 

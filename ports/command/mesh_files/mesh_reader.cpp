@@ -36,7 +36,7 @@ void add(const aiMesh& part, const std::string& file, bool is_gltf, Mesh& mesh) 
     const aiVector3D& at = part.mVertices[i];
     if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
       throw std::runtime_error(file + ": vertex " + std::to_string(first + i) +
-                               " is not finite: write the mesh anew");
+                               " is not finite; export the mesh again");
     mesh.vertices_mm.push_back(in_mm(at, is_gltf));
   }
   for (unsigned i = 0; i < part.mNumFaces; ++i) {
@@ -51,19 +51,22 @@ void add(const aiMesh& part, const std::string& file, bool is_gltf, Mesh& mesh) 
 }  // namespace
 
 Mesh read_mesh(const std::string& file) {
+  if (!std::filesystem::exists(file))
+    throw std::runtime_error(file + ": there is no such file; check the name");
   Assimp::Importer importer;
   const aiScene* scene =
       importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices);
   if (scene == nullptr && !importer.IsExtensionSupported(extension_of(file)))
     throw std::runtime_error(file +
-                             ": meshes of this format are not read: write it as .ply or .stl");
+                             ": meshes of this format are not read; export it as .ply or .stl");
   if (scene == nullptr)
-    throw std::runtime_error(file + ": cannot be read as a mesh: " + importer.GetErrorString());
+    throw std::runtime_error(file + ": the file cannot be read as a mesh (" +
+                             importer.GetErrorString() + "); export it again as .ply or .stl");
   Mesh mesh;
   const bool is_gltf = is_gltf_name(file);
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) add(*scene->mMeshes[i], file, is_gltf, mesh);
   if (mesh.face_count() == 0)
-    throw std::runtime_error(file + ": holds no triangle: give a mesh with faces");
+    throw std::runtime_error(file + ": the mesh has no triangle; give a mesh with faces");
   return mesh;
 }
 

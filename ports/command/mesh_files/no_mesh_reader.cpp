@@ -7,8 +7,8 @@ namespace discmc::command {
 
 Mesh read_mesh(const std::string& file) {
   throw std::runtime_error(file +
-                           ": this discmc was built without Assimp, which reads meshes: install it "
-                           "(Debian: libassimp-dev) and build anew");
+                           ": this is a mesh, and discmc was built without Assimp; install "
+                           "libassimp-dev and build again");
 }
 
 }  // namespace discmc::command

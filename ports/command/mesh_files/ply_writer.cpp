@@ -12,9 +12,12 @@ namespace {
 void require_fit(const Mesh& mesh) {
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
     if (mesh.face_size(face) > max_face_corners)
-      throw std::invalid_argument("a face of more corners than PLY counts in a byte");
+      throw std::invalid_argument(
+          "a face has more corners than a byte of PLY counts; write triangles");
   constexpr std::size_t most = 0x7FFFFFFF;  // numbers have a sign, as in the files of others
-  if (mesh.vertices_mm.size() > most) throw std::invalid_argument("too many vertices for PLY");
+  if (mesh.vertices_mm.size() > most)
+    throw std::invalid_argument(
+        "the mesh has too many vertices for PLY; write .vtp, or a part with --crop");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace discmc::command {
 namespace {
 
-// Of each incidence.
+// One per incidence.
 std::array<Point, incidence_codes> plane_normals(const Point& spacing_mm) {
   std::array<Point, incidence_codes> normals;
   for (Incidence i = 0; i < incidence_codes; ++i) normals[i] = outward_normal(i, spacing_mm);
@@ -21,7 +21,9 @@ std::array<Point, incidence_codes> plane_normals(const Point& spacing_mm) {
 
 void write_stl(const Mesh& mesh, std::ostream& out, unsigned jobs) {
   require_triangles(mesh, "STL");
-  if (mesh.face_count() > 0xFFFFFFFFu) throw std::invalid_argument("too many triangles for STL");
+  if (mesh.face_count() > 0xFFFFFFFFu)
+    throw std::invalid_argument(
+        "the mesh has too many triangles for STL; write .ply, or a part with --crop");
   Writer writer(out);
   std::string header = "binary STL, ";  // "solid" would announce text
   header += header_text(mesh);

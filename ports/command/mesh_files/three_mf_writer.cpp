@@ -121,7 +121,7 @@ void write_3mf(const Meshes& meshes, std::ostream& out) {
   constexpr std::uint64_t vertex_line = 100, triangle_line = 70, the_rest = 1000;  // at most
   constexpr std::uint64_t letter = 12;  // of a name, in both places, escaped
   std::uint64_t bytes = the_rest;
-  const Meshes seen = with_faces(meshes);  // the format knows no object without triangles
+  const Meshes seen = with_faces(meshes);  // the format allows no object without triangles
   for (const Mesh* mesh : seen) {
     require_triangles(*mesh, "3MF");
     bytes += vertex_line * mesh->vertices_mm.size() + triangle_line * mesh->face_count() +

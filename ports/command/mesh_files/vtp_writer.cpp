@@ -9,7 +9,7 @@
 namespace discmc::command {
 namespace {
 
-// write: gives a Writer so many bytes.
+// write: gives a Writer this many bytes.
 template <class Write>
 void write_array(const std::string& attributes, std::uint64_t bytes, std::ostream& out,
                  const Write& write) {
@@ -54,7 +54,7 @@ void write_point_data(const Mesh& mesh, std::ostream& out) {
   out << "</PointData>\n";
 }
 
-// The frame as 3D Slicer reads it: a string, told by its characters and a zero.
+// The frame as 3D Slicer reads it: a string, as its characters and a zero.
 const char* field_data(Frame frame) {
   switch (frame) {
     case Frame::none:
@@ -71,7 +71,7 @@ const char* field_data(Frame frame) {
 
 }  // namespace
 
-// The types of the arrays are those that VTK itself writes: some readers know no others.
+// The types of the arrays are those that VTK itself writes: some readers support no others.
 void write_vtp(const Mesh& mesh, std::ostream& out) {
   out << "<?xml version=\"1.0\"?>\n<!-- " << header_text(mesh)
       << " -->\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "

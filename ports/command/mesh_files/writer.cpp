@@ -32,7 +32,7 @@ std::string header_text(const Mesh& mesh) {
 
 void require_triangles(const Mesh& mesh, const std::string& format) {
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
-    if (mesh.face_size(face) != 3) throw std::invalid_argument(format + " takes triangles only");
+    if (mesh.face_size(face) != 3) throw std::invalid_argument(format + " holds triangles only");
 }
 
 Meshes with_faces(Meshes meshes) {

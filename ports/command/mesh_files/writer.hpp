@@ -1,5 +1,5 @@
-// What the writers of mesh files share: numbers as text and as bytes, and what a file says of
-// itself. Internal to the writers.
+// What the writers of mesh files share: numbers as text and as bytes, and the description
+// that a file contains. Internal to the writers.
 #ifndef DISCMC_COMMAND_MESH_FILES_WRITER_HPP
 #define DISCMC_COMMAND_MESH_FILES_WRITER_HPP
 
@@ -20,7 +20,7 @@
 
 namespace discmc::command {
 
-/// What every file says of itself, in a comment or where its format has a place for such text; the
+/// The description in every file, in a comment or where its format has a place for text; the
 /// frame as 3D Slicer reads and writes it.
 std::string header_text(const Mesh& mesh);
 
@@ -100,7 +100,7 @@ class Writer {
     bytes(bits, sizeof bits);
   }
 
-  // Where the next bytes go, full at most.
+  // The place of the next bytes, at most full.
   char* room_for(std::size_t count) {
     if (used_ + count > buffer_.size()) make_room(count);
     char* const place = buffer_.data() + used_;

@@ -16,7 +16,7 @@ namespace discmc::command {
 class ZipFile {
  public:
   /// out: outlives this. largest: no file in the archive has more bytes. Beyond 4 GiB it is of the
-  /// extended kind (Zip64), which some readers do not know.
+  /// extended kind (Zip64), which some readers do not support.
   ZipFile(std::ostream& out, std::uint64_t largest);
 
   /// Adds a file of what write gives to the stream, compressed.

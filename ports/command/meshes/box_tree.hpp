@@ -15,7 +15,7 @@
 
 namespace discmc::command {
 
-/// Of a triangle.
+/// The three corners of a triangle.
 using Corners = std::array<Point, 3>;
 
 /// A box along the axes; empty at first. Its bounds are rounded outwards.
@@ -133,7 +133,7 @@ class BoxTree {
     return std::min(begin_of(leaf) + leaf_size, places_.size());
   }
 
-  // Of one leaf, or of two.
+  // Pairs in one leaf, or in two.
   template <class Call>
   void for_each_pair_of(std::size_t a, std::size_t b, Call& call) const {
     std::array<std::array<std::size_t, 2>, leaf_size * leaf_size> near;

@@ -50,8 +50,8 @@ void DelaunayFlips::improve(const std::vector<PlanePoint>& points,
   flip_waiting(points, triangles);
 }
 
-// The point cuts the triangle in three. Where it lies on an edge, one of them has no area, until
-// the edge is flipped.
+// The point cuts the triangle in three. If it lies on an edge, one of them has no area, until the
+// edge is flipped.
 void DelaunayFlips::insert(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
                            std::uint32_t triangle) {
   const auto point = static_cast<std::uint32_t>(points.size() - 1);

@@ -21,8 +21,8 @@ inline std::int64_t doubled_area(const PlanePoint& a, const PlanePoint& b, const
   return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
 }
 
-/// Whether d lies inside the circle around a, b and c, which are in counter-clockwise order. Says
-/// no when in doubt, so that flips come to an end.
+/// Whether d lies inside the circle around a, b and c, which are in counter-clockwise order. False
+/// when in doubt, so that flips come to an end.
 bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
                   const PlanePoint& d);
 

@@ -54,8 +54,8 @@ class InterpolatedMesh {
       command::for_each_polygon(surface_, corners_, block, outline_, call);
   }
 
-  // Where two sheets are near to each other, triangles that leave out crossings may go through each
-  // other. They get theirs, until what is left does so in the interpolated surface itself.
+  // If two sheets are near to each other, triangles that leave out crossings may intersect. Such
+  // triangles get their crossings, until only the interpolated surface itself intersects.
   void separate_faces() {
     FaceList faces(mesh_.face_count());
     std::iota(faces.begin(), faces.end(), 0U);
@@ -83,7 +83,7 @@ class InterpolatedMesh {
     return corners_.vertices.positions().size() > vertices;
   }
 
-  // Makes those anew that are of an outdated polygon, or of one with a new vertex on a side.
+  // Replaces triangles of an outdated polygon, or of one with a new vertex on a side.
   FaceList renewed_faces(const std::vector<bool>& is_outdated, std::size_t first_new) {
     place_vertices();
     Mesh earlier;

@@ -8,7 +8,7 @@
 namespace discmc::command {
 namespace {
 
-// Of a triangle.
+// The normal of a triangle.
 class Normal {
  public:
   explicit Normal(const Corners& triangle)
@@ -42,7 +42,7 @@ bool meets(const Point& begin, const Point& end, const Corners& triangle) {
   return true;
 }
 
-// Of the three vertices of a face, whether another one has them too.
+// For each of the three vertices of a face, whether another face has it, too.
 using Shared = std::array<bool, 3>;
 
 // The side of a plane that each of the three is on.
@@ -75,7 +75,7 @@ class SomeFaces {
     for (const std::uint32_t face : faces) normals_.emplace_back(corners_of(mesh, face));
   }
 
-  // Of two, by their places in the list.
+  // Whether two faces intersect. one, other: places in the list.
   bool intersect(std::size_t one, std::size_t other) const {
     const std::uint32_t* const a = mesh_.face(faces_[one]);
     const std::uint32_t* const b = mesh_.face(faces_[other]);

@@ -13,7 +13,7 @@ namespace discmc::command {
 Mesh build_mesh(const Surface& surface, const MeshOptions& options) {
   for (const double spacing : surface.spacing_mm)
     if (spacing == 0 || !std::isfinite(spacing))
-      throw std::invalid_argument("spacing is zero or not finite");
+      throw std::invalid_argument("the spacing is zero or not finite");
   const bool are_conforming_triangles = options.conforming && options.faces == Faces::triangles;
   if (options.crossings != nullptr && !are_conforming_triangles)
     throw std::invalid_argument("an interpolated mesh is one of conforming triangles");

@@ -38,7 +38,7 @@ struct MeshOptions {
   /// How far a crossing may be from the mesh then: where it would be farther, sides and triangles
   /// are split. Units: voxels.
   double tolerance = 0.05;
-  /// Polygons are triangulated by so many at once, unless they are interpolated. The mesh is the
+  /// This many threads triangulate polygons, unless they are interpolated. The mesh is the
   /// same.
   unsigned jobs = 1;
 };
@@ -103,8 +103,8 @@ struct MeshReport {
 
 MeshReport check_mesh(const Mesh& mesh);
 
-/// Whether every edge is used in one direction as often as in the other, as in MeshReport, but in
-/// time n for n faces: by sums of hashes, which a mesh that is not closed passes once in 2^64.
+/// Whether every edge is used in one direction as often as in the other, as in MeshReport, in time
+/// n for n faces. Compares sums of hashes, so an open mesh passes once in 2^64.
 bool is_closed(const Mesh& mesh);
 
 }  // namespace discmc::command

@@ -43,8 +43,8 @@ class Outline {
     ring_ends.push_back(static_cast<std::uint32_t>(numbers.size()));
   }
 
-  // Where three or more boundary links end, some side ends as well, in whichever ring it is: what
-  // is a corner of no ring is no junction.
+  // If three or more boundary links end in a vertex, some side ends there as well: a vertex that is
+  // a corner of no ring is no junction.
   void add_junctions(const Vertex& from, const Vertex& to) {
     const Side side = side_between(from, to);
     Vertex vertex = from;
@@ -92,7 +92,7 @@ class OutlineTriangulator {
     return triangulator_.triangulate(points_, outline.ring_ends);
   }
 
-  // Of the polygon that was triangulated last.
+  // Belongs to the polygon that was triangulated last.
   const LatticePlane& plane() const { return *plane_; }
   const std::vector<PlanePoint>& points() const { return points_; }
 

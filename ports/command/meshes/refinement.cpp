@@ -10,7 +10,7 @@
 namespace discmc::command {
 namespace {
 
-// The mean of crossings that is at a centroid tells nothing that they do not.
+// The mean of crossings at a centroid adds nothing to the crossings.
 bool is_crossing(const Vertex& vertex) {
   return (vertex.x & 1) + (vertex.y & 1) + (vertex.z & 1) == 1;
 }

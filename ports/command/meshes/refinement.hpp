@@ -23,7 +23,7 @@ struct MovedTriangles {
   std::vector<Triangle> triangles;
 };
 
-/// Finds the vertices that a polygon cannot do without when its vertices are moved to the crossings
+/// Finds the vertices that a polygon needs when its vertices are moved to the crossings
 /// of the samples: in the manner of greedy insertion (M. Garland, P. Heckbert, Fast Polygonal
 /// Approximation of Terrains and Height Fields, 1995) the one that is farthest away is added, until
 /// none is farther than the tolerance.

@@ -12,7 +12,7 @@ namespace discmc::command {
 /// Whether any face is more than a line or a point.
 bool has_area(const Mesh& mesh);
 
-/// Of points of one mesh from the nearest points of another.
+/// The distances of points of one mesh from another.
 struct Distances {
   double mean = 0;
   double percentile_99 = 0;

@@ -97,7 +97,7 @@ void Triangulator::add_edges(const std::vector<std::uint32_t>& ring_ends) {
 }
 
 // Floors and ceilings take turns from bottom to top: those at even places are floors. What the
-// point ends is cut off; what it goes on with begins at a chain that has it for its rightmost.
+// point ends is cut off; what continues begins at a chain that has it for its rightmost.
 void Triangulator::pass(Rank point) {
   // The edges that end in the point or lead through it.
   const auto side_of = [&](const ActiveEdge& active) {
@@ -200,7 +200,7 @@ void Triangulator::add_at_bottom(Chain& chain, Rank point) {
   chain.bottom = chain.rightmost = node;
 }
 
-// Where the two edges meet, all that is left between them sees the point.
+// If the two edges meet, all points left between them see that point.
 void Triangulator::close(Chain chain, Rank point) {
   for (; chain.bottom != chain.top; chain.bottom = nodes_[chain.bottom].above)
     cut(point, nodes_[nodes_[chain.bottom].above].point, nodes_[chain.bottom].point);

@@ -33,7 +33,7 @@ class Triangulator {
                                            const std::vector<std::uint32_t>& ring_ends);
 
  private:
-  // A number of a point from left to right. Of those of equal u the lower is left.
+  // The rank of a point from left to right; at equal u the lower point is left.
   using Rank = std::uint32_t;
   struct Edge {
     Rank left, right;
@@ -80,7 +80,7 @@ class Triangulator {
   std::vector<Edge> edges_;            // by their left ends
   std::vector<std::uint32_t> edges_begin_;
   std::vector<ActiveEdge> active_;  // those that the sweep meets, from bottom to top
-  std::vector<Edge> leaving_;       // those that go on from a point, from bottom to top
+  std::vector<Edge> leaving_;       // those that continue from a point, from bottom to top
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
   DelaunayFlips flips_;

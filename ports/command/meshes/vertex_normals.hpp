@@ -16,12 +16,12 @@ namespace discmc::command {
 /// Throws std::invalid_argument when the spacing is beyond what a stream can hold.
 void set_polygon_normals(const Surface& surface, Mesh& mesh);
 
-/// Gives every vertex the normal that the scan or the stream told there. Where it told none the
-/// vertex keeps the one that it has.
+/// Gives every vertex its normal in the scan or the stream. A vertex without one keeps the normal
+/// that it has.
 void set_stream_normals(const Surface& surface, Mesh& mesh);
 
-/// Gives every vertex the direction in which the samples fall there. Where they are level, and on
-/// the walls around the volume, it keeps the normal that it has. Reads the volume to its end, and
+/// Gives every vertex the direction in which the samples fall there. If they are level, and on
+/// the walls around the volume, the vertex keeps its normal. Reads the volume to its end, and
 /// holds four slices of it.
 /// mesh: from a volume of these extents; its spacing counts, not that of the volume.
 /// Limit: is_scanner_type() samples; extraction/narrowed_volume.hpp makes them of others.

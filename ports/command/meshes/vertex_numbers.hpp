@@ -29,8 +29,8 @@ class VertexNumbers {
     return number;
   }
 
-  /// The numbers of many positions, as add() of one after the other gives them, by so many jobs at
-  /// once. Limit: nothing has a number yet.
+  /// The numbers of many positions, as add() of one after the other gives them, by `jobs` threads
+  /// at once. Limit: nothing has a number yet.
   std::vector<std::uint32_t> add_all(const std::vector<Vertex>& positions, unsigned jobs);
 
   /// The number of a position, or none.
@@ -67,7 +67,7 @@ class VertexNumbers {
     }
 
    private:
-    // Where the position is, or would be.
+    // The slot of the position, occupied or free.
     std::size_t slot_of(const Vertex& position, const std::vector<Vertex>& positions) const {
       const std::size_t mask = slots_.size() - 1;
       std::size_t slot = hash(position) & mask;

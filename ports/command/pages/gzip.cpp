@@ -47,7 +47,7 @@ bool Gzip::deflate(int flush) {
 }
 
 void Gzip::finish() {
-  if (!deflate(Z_FINISH)) throw std::runtime_error("the output took not everything: free space");
+  if (!deflate(Z_FINISH)) throw std::runtime_error("the output accepts no more bytes; free space");
 }
 
 }  // namespace discmc::command

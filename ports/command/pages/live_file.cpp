@@ -25,7 +25,7 @@ int opened(const std::string& path) {
   const int descriptor = path == "-" ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
                                      : open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0)
-    throw std::runtime_error(path + ": cannot be read: check the name and its permissions");
+    throw std::runtime_error(path + ": the file cannot be read; check its name and permissions");
   return descriptor;
 }
 
@@ -54,7 +54,7 @@ void LiveFile::read() {
     if (count <= 0) break;
     if (bytes_.size() + static_cast<std::size_t>(count) > max_bytes) {
       print_message(path_, "more than " + std::to_string(max_bytes >> 20) +
-                               " MiB came: the rest is left out");
+                               " MiB arrived; the rest is left out");
       break;
     }
     append(piece.data(), static_cast<std::size_t>(count));

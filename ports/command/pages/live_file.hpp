@@ -27,8 +27,8 @@ class LiveFile {
   ~LiveFile();
 
   /// Writes all from the first byte on, as it comes, and returns at the end of the pipe. While
-  /// nothing comes `out` is flushed now and then, so that it can throw where nobody reads it any
-  /// more. For several threads at a time.
+  /// nothing comes `out` is flushed now and then, so that it can throw if it is no longer
+  /// read. For several threads at a time.
   void copy_to(std::ostream& out);
 
  private:

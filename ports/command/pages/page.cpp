@@ -11,10 +11,10 @@
 namespace discmc::command {
 namespace {
 
-// What the data comes before: all that looks for it.
+// The data is inserted before this script, which reads it.
 constexpr std::string_view scripts = "<script type=\"application/base64\" id=\"module\">";
 
-// The page in two parts: what is to be found in it stands between them.
+// The page in two parts: before and after the text that was searched.
 struct Parts {
   std::string_view head, scripts;
 };
@@ -24,7 +24,7 @@ Parts parts_of_page() {
   const std::size_t begin = page.find(scripts);
   if (begin == std::string_view::npos)
     throw std::runtime_error(
-        "this discmc was built without the page: run scripts/setup page, and build it again");
+        "this discmc was built without the page; run scripts/setup page and build again");
   return {page.substr(0, begin), page.substr(begin)};
 }
 
@@ -34,7 +34,7 @@ std::string begin_data(const std::string& name) {
 
 constexpr std::string_view end_data = "</script>\n";
 
-// Of the page that needs no network.
+// The policy of a page that needs no network.
 constexpr std::string_view no_source = "default-src 'none';";
 
 }  // namespace
@@ -56,7 +56,8 @@ std::string served_page(const std::string& name, const std::string& source, bool
   const Parts page = parts_of_page();
   std::string text(page.head);
   const std::size_t policy = text.find(no_source);
-  if (policy == std::string::npos) throw std::logic_error("the page says not what it may fetch");
+  if (policy == std::string::npos)
+    throw std::logic_error("the page has no policy for its connections");
   text.insert(policy + no_source.size(), " connect-src 'self';");
   text += begin_data(name) + " data-source=\"" + source + '"' + (is_live ? " data-live" : "") + '>';
   return text.append(end_data).append(page.scripts);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* own_address = "127.0.0.1";
 
-// What is written to it is sent; it fails when nobody is there any more, and when all shall end.
+// What is written to it is sent; it fails when the client is gone, and when the server stops.
 class Sending : public std::streambuf {
  public:
   Sending(httplib::DataSink& sink, const std::atomic<bool>& is_stopping)
@@ -92,7 +92,7 @@ class Server {
   }
 
   // A site whose name leads here sends that name (DNS rebinding). No part of a file is sent, so
-  // that nobody need start in its middle.
+  // that no decoder starts in its middle.
   static httplib::Server::HandlerResponse refuse(const httplib::Request& request,
                                                  httplib::Response& response) {
     const std::string host = request.get_header_value("Host");
@@ -151,7 +151,7 @@ void serve_page(const ServedFile& file, std::uint16_t port,
   const int bound = server.bind(port);
   if (bound < 0)
     throw std::runtime_error("port " + std::to_string(port) +
-                             " is taken: give another --port, or none for any that is free");
+                             " is in use; give another --port, or leave it out for any free port");
   // Blocked before there are threads, which then have them blocked, too.
   sigset_t signals;
   sigemptyset(&signals);

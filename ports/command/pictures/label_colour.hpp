@@ -8,7 +8,7 @@
 
 namespace discmc::command {
 
-/// The seven colours that people with any colour vision tell apart (M. Okabe, K. Ito, Color
+/// The seven colours that people with any colour vision can distinguish (M. Okabe, K. Ito, Color
 /// Universal Design, 2008), then the same lighter, then darker: the numbers 1 to 21 have one each,
 /// and others that of the number 21 away. Limit: finite.
 inline Srgb label_colour(double number) {

@@ -23,7 +23,7 @@ constexpr float outline_light = 0.30f;  // what an outline leaves of the light
 Point unit(const Point& a) {
   const Point result = unit_or_zero(a);
   if (result == Point{})
-    throw std::invalid_argument("a direction of no length: give one that is not 0,0,0");
+    throw std::invalid_argument("0,0,0 is not a direction; give another vector");
   return result;
 }
 
@@ -97,7 +97,7 @@ std::vector<Projected> project(const Mesh& mesh, const Axes& axes, const Picture
   if (options.at && !vertices.empty()) middle = camera.project(*options.at);
   if (!(middle.weight > 0))
     throw std::invalid_argument(
-        "the point to look at lies behind the viewer: give one of the mesh");
+        "the point in the middle lies behind the viewer; give a point on the mesh");
 
   const double width = options.width * samples_per_side;
   const double height = options.height * samples_per_side;
@@ -178,7 +178,7 @@ class Canvas {
     return place > 0 ? static_cast<int>(std::min(place, static_cast<double>(count))) : 0;
   }
 
-  // Where the outline crosses the middle of sample rows, sorted: pairs bound what is inside.
+  // The crossings of the outline with the middle of sample rows, sorted: pairs bound the inside.
   void find_crossings(const std::vector<Projected>& outline) {
     crossings_.clear();
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -259,9 +259,9 @@ void check(const Mesh& mesh, const PictureOptions& options) {
   constexpr int largest = 8192;
   if (options.width < 1 || options.height < 1 || options.width > largest ||
       options.height > largest)
-    throw std::invalid_argument("picture size out of range");
+    throw std::invalid_argument("the size of the picture is out of range");
   if (!(options.zoom >= 1e-3 && options.zoom <= 1e3))
-    throw std::invalid_argument("zoom out of range");
+    throw std::invalid_argument("the zoom is out of range");
   if (options.shading == Shading::flat) return;
   if (mesh.normals.size() != mesh.vertices_mm.size())
     throw std::invalid_argument("smooth shading of a mesh without normals");

@@ -7,7 +7,7 @@ namespace discmc::command {
 namespace {
 
 // Between the normal of a face and that of a vertex. Facets lean up to 55 degrees away from the
-// surface that they stand for, and walls at which a volume ends are 90 degrees away.
+// surface that they approximate, and walls at which a volume ends are 90 degrees away.
 constexpr double min_cosine = 0.3;
 
 float linear(std::uint8_t srgb) {
@@ -71,7 +71,7 @@ Colour Shader::light(const Point& normal, bool inside) const {
   const auto light = static_cast<float>(0.28 * std::max(0.0, seen[2]) +
                                         0.74 * std::max(0.0, dot(seen, key_light_)));
   const Colour tone = inside ? Colour{0.3f, 0.6f, 1.2f} : Colour{1, 1, 1};
-  const Colour sky = {0.7f, 0.95f, 1.4f};  // a cool fill tells shade from a dark colour
+  const Colour sky = {0.7f, 0.95f, 1.4f};  // a cool fill distinguishes shade from a dark colour
   Colour colour{};
   for (std::size_t i = 0; i < 3; ++i) colour[i] = surface_[i] * tone[i] * (fill * sky[i] + light);
   return colour;

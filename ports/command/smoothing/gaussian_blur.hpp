@@ -23,7 +23,7 @@ class GaussianBlur {
   const float* sharp() const { return window_.at(next_ - 1); }
 
  private:
-  // Weights of the voxel itself, and of those so many steps away.
+  // Weights of the voxel itself, and of those at each distance in steps.
   using Kernel = std::vector<float>;
 
   void blur_rows(float* slice);

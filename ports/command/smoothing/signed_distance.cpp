@@ -67,7 +67,7 @@ void SignedDistance::add_slice() {
   if (masks_.count() > 1) find_between(masks_.at(masks_.count() - 2), mask, between_.add());
 }
 
-// Of midpoints between neighbours in a row.
+// Distances from midpoints between neighbours in a row.
 void SignedDistance::find_along_rows(const float* mask, float* squares) {
   std::vector<float> before(width_);
   for (std::uint32_t y = 0; y < height_; ++y) {
@@ -82,7 +82,7 @@ void SignedDistance::find_along_rows(const float* mask, float* squares) {
   spread_to_columns(squares);
 }
 
-// Of midpoints between neighbours in a column.
+// Distances from midpoints between neighbours in a column.
 void SignedDistance::find_along_columns(const float* mask, float* squares) {
   std::vector<float> before(found_.size(), unreached);
   std::fill(found_.begin(), found_.end(), unreached);
@@ -95,7 +95,7 @@ void SignedDistance::find_along_columns(const float* mask, float* squares) {
   spread_to_rows(squares);
 }
 
-// Of midpoints between neighbours of two slices.
+// Distances from midpoints between neighbours of two slices.
 void SignedDistance::find_between(const float* below, const float* above, float* squares) {
   std::vector<float> before(width_);
   for (std::size_t row = 0; row < found_.size(); row += width_) {

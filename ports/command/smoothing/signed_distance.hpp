@@ -10,7 +10,7 @@
 namespace discmc::command {
 
 /// The distance from each voxel to the nearest midpoint between an on and an off voxel: to a vertex
-/// of the merged surface. Exact up to a limit, which stands for all that is farther. Positive
+/// of the merged surface. Exact up to a limit, which replaces all larger distances. Positive
 /// inside. There are no midpoints at the ends of the volume. Units: millimetres.
 ///
 /// Midpoints lie in planes: in a slice, or between two slices. In each plane distances are found

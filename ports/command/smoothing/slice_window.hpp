@@ -38,7 +38,7 @@ using SliceSource = std::function<void(float*)>;
 template <class Element>
 class SliceWindow {
  public:
-  /// elements: of a slice. radius: so many slices on either side.
+  /// elements: of a slice. radius: slices on either side.
   SliceWindow(std::uint32_t depth, std::size_t elements, std::uint32_t radius)
       : depth_(depth),
         radius_(std::min(radius, depth_)),

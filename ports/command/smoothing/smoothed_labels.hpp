@@ -17,7 +17,7 @@ struct SmoothedLabel {
   CrossingFinder crossings;  ///< of the surface
 };
 
-/// As extract_labels(), each label smoothed as SmoothedVolume does it. Where two labels meet, and
+/// As extract_labels(), each label smoothed as SmoothedVolume does it. If two labels meet, and
 /// no third is near, their surfaces are the same. Along the lines where three meet, narrow gaps and
 /// overlaps are left. progress: called with how many labels are done, and with their number; that
 /// of the options is called before, after every slice that is read.

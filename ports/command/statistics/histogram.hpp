@@ -11,10 +11,10 @@
 
 namespace discmc::command {
 
-/// Counts samples of one type. As long as no more than max_bins different ones have come, each
-/// has a bin of its own: always, where they are of 8 or 16 bits. Beyond, samples share a bin that
-/// are alike but for their last bits, as few bits as will do: then whole numbers are counted to
-/// 2^n, floating point to a part of 2^-n of them, mostly less than a thousandth.
+/// Counts samples of one type. Up to max_bins different samples have a bin each; this always holds
+/// for 8 or 16 bits. Beyond, samples that differ only in their last bits share a bin, with as few
+/// such bits as possible. Whole numbers are then counted to 2^n, floating point to a share of 2^-n,
+/// mostly less than a thousandth.
 /// Memory: 2 MiB, whatever comes.
 class Histogram {
  public:
@@ -36,7 +36,7 @@ class Histogram {
   /// Whether every bin is of one sample.
   bool is_exact() const { return dropped_bits_ == 0; }
 
-  /// Of the finite samples; 0 where there are none. Exact, save that a mean is rounded.
+  /// The figures of the finite samples; 0 if there are none. Exact, except that a mean is rounded.
   double least() const;
   double greatest() const;
   double mean() const;

@@ -25,7 +25,7 @@ class MeasuredVolume final : public VolumeFilter {
 
   void read_slice(void* samples) override;
 
-  /// Of the finite values that were read so far, if there are any.
+  /// The range of the finite values that were read so far, if there are any.
   std::optional<ValueRange> range() const;
 
   /// Whether there are two finite values and no other, as in a mask.

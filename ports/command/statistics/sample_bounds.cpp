@@ -37,8 +37,7 @@ Bounds<Sample> bounds_of(const Sample* samples, std::size_t count, Condition is_
 
 }  // namespace
 
-// Infinite samples are few: they are looked for only where there are any. Of what is not a number
-// no comparison holds.
+// Infinite samples are rare: they are searched only if there are any. No comparison holds for NaN.
 void SampleBounds::include(SampleType type, const void* samples, std::size_t count) {
   with_sample_type(type, [&](auto type_of) {
     using Sample = decltype(type_of);

@@ -9,7 +9,7 @@
 
 namespace discmc::command {
 
-/// Of the finite samples that have come, and whether infinite ones have. Units: as stored.
+/// The bounds of the finite samples so far, and whether there were infinite ones. Units: as stored.
 struct SampleBounds {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 

@@ -14,18 +14,18 @@ std::string range_text(const VolumeStatistics& statistics) {
 
 RuledThreshold otsu(const VolumeStatistics& statistics) {
   if (const auto iso = otsu_threshold(statistics)) return {*iso, ThresholdRule::otsu};
-  throw std::invalid_argument(
-      statistics.numbers == 0 ? "no value is a finite number, and none divides them; check the file"
-                              : "all values are " + value_text(statistics.least) +
-                                    ", and none divides them; give --iso " +
-                                    value_text(statistics.least) + " to take them all");
+  throw std::invalid_argument(statistics.numbers == 0
+                                  ? "no value is finite, so there is no threshold; check the file"
+                                  : "all values are " + value_text(statistics.least) +
+                                        ", so no threshold divides them; give --iso " +
+                                        value_text(statistics.least) + " to select them all");
 }
 
 }  // namespace
 
 bool is_in_hounsfield(const VolumeInfo& info, const VolumeStatistics& statistics) {
   constexpr double air_at_most = -500;
-  constexpr double beyond = 65536;  // no scanner tells such values, nor their opposites
+  constexpr double beyond = 65536;  // no scanner writes such values, nor their opposites
   return info.is_in_hounsfield ||
          (statistics.least <= air_at_most && statistics.greatest >= bone_threshold &&
           statistics.least > -beyond && statistics.greatest < beyond);
@@ -43,7 +43,7 @@ RuledThreshold threshold_by(ThresholdRule rule, bool is_in_hounsfield,
   if (rule == ThresholdRule::otsu) return otsu(statistics);
   if (!is_in_hounsfield)
     throw std::invalid_argument("--iso " + std::string(name(rule)) +
-                                " is of Hounsfield units, and the values are " +
+                                " needs Hounsfield units, and the values are " +
                                 range_text(statistics) + "; give a number or --iso otsu");
   return {rule == ThresholdRule::bone ? bone_threshold : skin_threshold, rule};
 }

@@ -29,7 +29,7 @@ constexpr std::string_view name(ThresholdRule rule) {
 constexpr double bone_threshold = 300;
 constexpr double skin_threshold = -300;
 
-/// Whether values are Hounsfield units: the file says so, or they reach from air to bone. Other
+/// Whether values are Hounsfield units: the file states it, or they reach from air to bone. Other
 /// scanners measure nothing as far below zero.
 bool is_in_hounsfield(const VolumeInfo& info, const VolumeStatistics& statistics);
 

@@ -30,7 +30,7 @@ struct VolumeStatistics {
   bool are_whole = false;                      ///< the values, as they are stored: up to 64 bits
   LabelValue least_whole{}, greatest_whole{};  ///< then `least` and `greatest`, exactly
   std::vector<ValueCount> counts;              ///< in the order of values
-  /// The value that the file has where nothing was scanned, if it says so.
+  /// The value that the file has where nothing was scanned, if it states one.
   std::optional<double> declared_padding;
   /// Whether each of `counts` is of one value. Then percentiles and Otsu's threshold are exact,
   /// too.
@@ -41,18 +41,18 @@ struct VolumeStatistics {
 VolumeStatistics volume_statistics(VolumeReader& volume,
                                    const std::function<void(std::uint32_t)>& progress);
 
-/// The least value that at least so many percent of the numbers do not exceed.
+/// The least value that at least `percent` percent of the numbers do not exceed.
 /// Limit: there are numbers; 0 < percent <= 100.
 double percentile(const VolumeStatistics& statistics, double percent);
 
-/// What stands where nothing was scanned, outside the circle that CT reconstructs: the value that
-/// the file says is that, if it is there; or the least value, from -1000 down, where all others are
-/// far above, or most of several that may be air, as of no thing that was scanned.
+/// The value where nothing was scanned, outside the circle that CT reconstructs: the value that
+/// the file declares, if it occurs; or the least value, from -1000 down, if all others are
+/// far above, or if most values that may be air have it.
 std::optional<double> padding_value(const VolumeStatistics& statistics);
 
-/// Otsu's threshold, without padding_value(): of all pairs of what is below a value and what is
-/// not, that whose means differ most, weighed by their sizes. Of the thresholds between the two,
-/// one with few digits. Nothing where there are no two values.
+/// Otsu's threshold, without padding_value(): divides the values into the two groups whose means
+/// differ most, weighed by their sizes. A threshold between the two groups with few digits is
+/// returned; nothing if there are no two values.
 std::optional<double> otsu_threshold(const VolumeStatistics& statistics);
 
 }  // namespace discmc::command

@@ -1,4 +1,4 @@
-// What application records say, in words.
+// The content of application records, in words.
 #ifndef DISCMC_COMMAND_STREAMS_APPLICATION_TEXT_HPP
 #define DISCMC_COMMAND_STREAMS_APPLICATION_TEXT_HPP
 
@@ -8,7 +8,7 @@
 
 namespace discmc::command {
 
-/// A record in one line: its kind, where it was told, and its bytes; of a placement what it says.
+/// A record in one line: its kind, its place in the stream, and its bytes or its placement.
 std::string text(const ApplicationRecord& record);
 
 }  // namespace discmc::command

@@ -12,7 +12,7 @@
 namespace discmc::command {
 namespace {
 
-// Whether a region that a packet before has begun goes on in this one.
+// Whether a region that an earlier packet has begun continues in this one.
 bool continues_region(const std::uint8_t* payload, std::size_t bytes) {
   stream::ReadingModel model({RangeDecoder(payload, bytes)});
   if (model.record_kind(stream::RecordKind::end) != stream::RecordKind::part) return false;
@@ -30,6 +30,12 @@ SinkResult EncodedPart::take(const Event& event) {
                                 }}));
   if (event.kind == Event::Kind::region_end) ++pieces_;
   return encoder_.take(event);
+}
+
+SinkResult EncodedPart::take_region(const WholeRegion& region) {
+  const SinkResult result = encoder_.take_region(region);
+  if (result == SinkResult::accepted) ++pieces_;
+  return result;
 }
 
 // An encoder offers a frame at a time. Headers are the other encoder's matter.

@@ -19,6 +19,8 @@ class EncodedPart {
 
   /// Takes a scan's start, then regions. Always takes the event.
   SinkResult take(const Event& event);
+  /// As Encoder::take_region().
+  SinkResult take_region(const WholeRegion& region);
 
   /// Gives all packets to an encoder. Call once, after the last region. encoder: started; its
   /// output must take all.
@@ -27,7 +29,7 @@ class EncodedPart {
  private:
   struct Packet {
     std::size_t end;              // of its payload
-    std::uint16_t pieces_before;  // as the packet tells them
+    std::uint16_t pieces_before;  // as the packet encodes them
     bool is_whole;                // only whole regions, with room for their number
   };
 

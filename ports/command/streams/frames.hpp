@@ -12,8 +12,8 @@ namespace discmc::command {
 
 class Frames {
  public:
-  /// Calls take(frame) for every frame that these bytes end, with its zero. Of one that is too long
-  /// for a packet hardly more than that is kept.
+  /// Calls take(frame) for every frame that these bytes end, with its zero. A frame that is too
+  /// long for a packet is cut to little more.
   template <class Take>
   void push(const std::uint8_t* bytes, std::size_t count, Take take) {
     for (std::size_t i = 0; i < count; ++i) {

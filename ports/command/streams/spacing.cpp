@@ -11,9 +11,9 @@ namespace {
 std::int32_t nanometres(double millimetres) {
   const double value = std::round(millimetres * 1e6);
   if (!(std::fabs(value) <= 2147483647.0))
-    throw std::invalid_argument("spacing " + std::to_string(millimetres) +
-                                " mm is more than the 2147 mm that a stream can hold: give the "
-                                "volume a smaller unit");
+    throw std::invalid_argument(
+        "spacing " + std::to_string(millimetres) +
+        " mm is more than the 2147 mm that a stream holds; give a smaller --spacing");
   return static_cast<std::int32_t>(value);
 }
 

@@ -1,4 +1,4 @@
-// The distance between voxels, as volumes and as streams tell it.
+// The distance between voxels, as volumes and as streams store it.
 #ifndef DISCMC_COMMAND_STREAMS_SPACING_HPP
 #define DISCMC_COMMAND_STREAMS_SPACING_HPP
 
@@ -12,7 +12,7 @@ namespace discmc::command {
 /// The spacing as headers hold it. Throws std::invalid_argument beyond their range.
 std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm);
 
-/// The header's spacing, 1 where the stream does not say. Units: millimetres.
+/// The header's spacing, 1 if the stream has none. Units: millimetres.
 std::array<double, 3> spacing_mm(const StreamHeader& header);
 
 }  // namespace discmc::command

@@ -43,7 +43,7 @@ void StreamReader::require_ok() const {
     throw std::runtime_error("stream version " + std::to_string(census_.other_version()) +
                              " is unknown; this discmc reads version " +
                              std::to_string(wire::version) +
-                             ": use the release of discmc that wrote the stream");
+                             ", so use the release of discmc that wrote the stream");
   if (status_ != Status::ok) throw std::runtime_error(to_string(status_));
 }
 
@@ -68,9 +68,9 @@ Status StreamReader::go_on_skipping() {
   for (;;) {
     skipped_ += SurfaceDecoder::max_skipped_rows * work_of_row;
     if (skipped_ > most)
-      throw std::runtime_error("the stream says that more than " +
+      throw std::runtime_error("the stream claims that more than " +
                                std::to_string(most / work_of_row) +
-                               " rows were lost: these bytes are not from a scanner");
+                               " rows were lost, which no scanner does; check the file");
     const Status status = decoder_.push(nullptr, 0).status;
     if (status != Status::suspended) return status;
   }

@@ -27,17 +27,17 @@ struct StreamChoice {
 /// A stream of either kind.
 class StreamReader {
  public:
-  /// sink: it must not say "not now".
+  /// sink: it must not return "busy".
   explicit StreamReader(const Sink& sink, const StreamChoice& choice = {});
   /// As of the Decoder.
   void set_packet_passthrough(const RecordsPacketSink& sink) {
     decoder_.set_packet_passthrough(sink);
   }
   /// Any number of bytes; a sink gets what they complete. Throws std::runtime_error when the
-  /// stream's version is not known, or when it claims that more was lost than anybody can wait for.
-  /// Limit: not after that.
+  /// stream's version is unknown, or when it claims more lost rows than can be skipped in some
+  /// seconds. Limit: not after that.
   void push(const std::uint8_t* bytes, std::size_t count);
-  /// Tells that no bytes follow. Throws as push().
+  /// Ends the stream: no bytes follow. Throws as push().
   void finish();
   /// All of a stream. progress: called now and then with the bytes read so far. Throws as push().
   void read(std::istream& in, const std::function<void(std::uint64_t)>& progress = {});

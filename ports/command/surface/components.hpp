@@ -21,7 +21,7 @@ std::vector<Component> components(const Surface& surface);
 
 /// Which components are kept.
 struct ComponentChoice {
-  std::uint64_t largest = 0;  ///< so many, by the volume that they enclose; 0: all
+  std::uint64_t largest = 0;  ///< the number kept, by enclosed volume; 0: all
   double min_volume_mm3 = 0;  ///< those that enclose less go
   bool fills = false;         ///< cavities go first, with the bodies inside them
 

@@ -3,7 +3,7 @@
 namespace discmc::command {
 namespace {
 
-// What tells other words from a run without a normal, whose length is never as great.
+// Marks words other than a run without a normal, whose length is always smaller.
 constexpr std::uint32_t event_mark = std::uint32_t{1} << 31;
 static_assert(Run::max_length < event_mark >> 3);
 

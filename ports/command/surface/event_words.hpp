@@ -11,7 +11,7 @@
 namespace discmc::command {
 
 /// Appends an event: a run takes a word, two with a normal; what has a vertex takes four; else one.
-/// Of `start`, `application` and `finish` the kind alone, not what they point to.
+/// Stores only the kind of `start`, `application` and `finish`.
 void append_words(const Event& event, std::vector<std::uint32_t>& words);
 
 /// Reads them again, one event after another.

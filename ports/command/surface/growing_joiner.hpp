@@ -13,7 +13,7 @@ namespace discmc::command {
 
 /// A sink before another: takes the events of scans and makes regions of the loose fragments
 /// among them. What finds no partner reaches the sink loose. A joiner that runs short of memory
-/// passes on what it holds; then the next one, with four times as much, goes on.
+/// passes on what it holds; then the next one, with four times as much, continues.
 class GrowingJoiner {
  public:
   static constexpr std::size_t first_bytes = std::size_t{1} << 20;
@@ -33,10 +33,10 @@ class GrowingJoiner {
 
   SinkResult take(const Event& event);
 
-  /// Tells that no event follows: a stream may break off before its `finish`.
+  /// Ends the events: a stream may break off before its `finish`.
   void finish();
 
-  /// Of the `finish` event that the sink got; before it, zeroes.
+  /// The totals of the `finish` event that the sink got; before it, zeroes.
   const Statistics& totals() const;
 
  private:

@@ -109,7 +109,7 @@ void PlaneSpill::replay(const Group& group, GrowingJoiner& joiner) {
   for (EventWords reader(group.words); reader.next(event);) joiner.take(event);
 }
 
-// Of a group, to the sink. The end of a group is not that of all.
+// Passes the events of a group to the sink. The end of a group is not the end of all.
 SinkResult PlaneSpill::pass(const Event& event) {
   const bool is_end = event.kind == Event::Kind::finish;
   return is_end ? SinkResult::accepted : sink_.take(sink_.context, event);

@@ -76,9 +76,9 @@ struct Polygon {
 inline void require_numbers_for(std::size_t corners) {
   constexpr std::size_t most = 0xFFFFFFFFu;
   if (corners > most)
-    throw std::length_error("the surface has more than " + std::to_string(most) +
-                            " corners, more than a mesh can have: take a part of the volume with "
-                            "--crop, or --shrink");
+    throw std::length_error(
+        "the surface has more than " + std::to_string(most) +
+        " corners, the limit of a mesh; extract a part with --crop, or --shrink");
 }
 
 /// Polygons one behind the other. Limit: fewer than 2^32 corners, else std::length_error.
@@ -110,9 +110,9 @@ class Polygons {
             {corners_.data(), begins, polygon_begins_[place + 1] - polygon_begins_[place]}};
   }
 
-  /// Of all rings, in order.
+  /// The corners of all rings, in order.
   const std::vector<Vertex>& corners() const { return corners_; }
-  /// Where those of a polygon begin; of place size(), where they end.
+  /// Where the corners of a polygon begin; for place size(), where they end.
   std::size_t first_corner(std::size_t place) const { return ring_begins_[polygon_begins_[place]]; }
 
   /// Adds a polygon that has no ring yet.

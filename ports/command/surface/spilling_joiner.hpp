@@ -11,7 +11,7 @@
 
 namespace discmc::command {
 
-/// A GrowingJoiner for streams in any order that goes on in a temporary file when it has so much
+/// A GrowingJoiner for streams in any order that continues in a temporary file beyond this much
 /// memory.
 class SpillingJoiner {
  public:

@@ -45,10 +45,10 @@ inline Side side_between(const discmc::Vertex& from, const discmc::Vertex& to) {
 /// All polygons of a volume.
 struct Surface {
   /// Distance between neighbouring voxels along x, y and z. Units: millimetres. A negative value
-  /// says that the axis runs backwards.
+  /// means that the axis runs backwards.
   std::array<double, 3> spacing_mm;
   Polygons polygons;
-  /// Of corners, where the scan or the stream told them: in space, pointing from on to off.
+  /// Normals of corners, from the scan or the stream: in space, pointing from on to off.
   std::unordered_map<discmc::Vertex, discmc::OctahedralNormal, VertexHash> normals{};
 };
 

@@ -68,6 +68,14 @@ SinkResult SurfaceBuilder::take(const Event& event) {
   return SinkResult::accepted;
 }
 
+void SurfaceBuilder::take_region(const WholeRegion& region) {
+  incidence_ = region.incidence;
+  rings_.assign(1, {region.start, 0});
+  runs_.clear();
+  for (std::uint32_t i = 0; i < region.count; ++i) runs_.push_back({region.runs[i], {}});
+  end_region();
+}
+
 void SurfaceBuilder::append(SurfaceBuilder&& other) {
   counts_ += other.counts_;
   incomplete_regions_ += other.incomplete_regions_;

@@ -19,13 +19,15 @@ enum class Kept { polygons, counts };
 /// Takes events of an extractor or a decoder and always answers "taken". Loose fragments are to be
 /// joined before.
 /// Memory: of one region at a time in proportion to its runs, not to its links, since a few bytes
-/// of a hostile stream can stand for any number of these.
+/// of a hostile stream can encode any number of these.
 /// Errors: take() and append() throw std::length_error beyond the limit of Polygons.
 class SurfaceBuilder {
  public:
   explicit SurfaceBuilder(Kept kept = Kept::polygons) : kept_(kept) {}
 
   SinkResult take(const Event& event);
+  /// Takes a region in place of its events.
+  void take_region(const WholeRegion& region);
 
   Kept kept() const { return kept_; }
 
@@ -86,12 +88,12 @@ class SurfaceBuilder {
   Counts counts_;
   std::uint64_t incomplete_regions_ = 0;
   Incidence incidence_ = no_incidence;
-  // Of the region under way.
+  // The region under way.
   std::vector<OpenRing> rings_;
   std::vector<PlacedRun> runs_;
   std::vector<Span> simple_rings_;
   std::vector<Vertex> corners_;
-  // Of one ring; here to keep the memory.
+  // Buffers of one ring; here to keep the memory.
   std::vector<Vertex> ends_;          // its start and its corners
   std::vector<std::uint32_t> slots_;  // their places, by a hash
   std::vector<Vertex> vertices_;      // the ends, and where a side passes through another one

@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint64_t step = 256;
 constexpr std::uint32_t max_slots = sizing::max_slots<std::uint16_t>;
 
-// With so many slots more than are in use nothing is ever sent loose (docs/memory.md).
+// With this many unused slots no loose fragment is ever sent (docs/memory.md).
 constexpr std::uint32_t spare_slots = 1168;
 
 std::uint64_t rounded_up(std::uint64_t bytes, std::uint64_t unit) {
@@ -56,7 +56,7 @@ std::vector<std::uint64_t> arena_sizes(const Limits& limits, std::uint64_t end) 
   std::uint64_t size = least;
   // In quarters of the minimum: 4, 5, 6, 8, 12, 16, 24 and so on.
   for (std::uint64_t quarters = 5; size < end;) {
-    sizes.push_back(size);
+    if (sizes.empty() || size > sizes.back()) sizes.push_back(size);
     size = rounded_up(least * quarters / 4, unit);
     quarters = quarters == 5 ? 6 : quarters % 3 == 0 ? quarters / 3 * 4 : quarters / 2 * 3;
   }

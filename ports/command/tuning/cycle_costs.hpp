@@ -1,4 +1,4 @@
-// What a device's work takes: an estimate, of processors that were not there to be measured.
+// The cycles of a device's work: an estimate, as no processor was measured.
 #ifndef DISCMC_COMMAND_TUNING_CYCLE_COSTS_HPP
 #define DISCMC_COMMAND_TUNING_CYCLE_COSTS_HPP
 
@@ -8,8 +8,8 @@
 
 namespace discmc::command {
 
-/// Of the library compiled with -Os. scripts/check/cycles measures and writes them, and says how
-/// far off they are (docs/measure.md).
+/// The costs of the library compiled with -Os. scripts/check/cycles measures and writes them, and
+/// prints their errors (docs/measure.md).
 enum class Core { cortex_m0plus, cortex_m4, cortex_m7 };
 
 enum class Payload { regions, slices };

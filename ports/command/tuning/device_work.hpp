@@ -12,7 +12,7 @@ struct DeviceWork {
   std::uint64_t rows = 0;
   std::uint64_t cells = 0;  ///< that the surface passes through
   std::uint64_t steps = 0;  ///< of regions the links of rings and loose pieces; of slices the
-                            ///< voxels and runs that are told
+                            ///< voxels and runs that are coded
   std::uint64_t bytes = 0;  ///< of the stream
 
   DeviceWork operator-(const DeviceWork& before) const {

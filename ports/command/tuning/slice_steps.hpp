@@ -1,4 +1,4 @@
-// How many voxels and runs a stream of slices tells: what a slice encoder's time goes by.
+// The number of voxels and runs that a stream of slices codes, which determines the encoder's time.
 //
 // With the library alone, so that boards can count them, too.
 #ifndef DISCMC_COMMAND_TUNING_SLICE_STEPS_HPP

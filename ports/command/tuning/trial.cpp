@@ -37,7 +37,7 @@ void push_all(Scanner& scanner, const VolumeBits& volume, Call call) {
   require(scanner.finish());
 }
 
-// That are told by the end of each slice, in all.
+// Coded by the end of each slice, in all.
 std::vector<std::uint64_t> steps_by_slice(const VolumeBits& volume, KeySlices key_slices) {
   const auto bytes = slice_encoder_bytes(volume.limits(), key_slices);
   const auto memory = untouched(bytes);

@@ -54,7 +54,7 @@ void print_trials(const std::vector<TriedRow>& rows, Payload payload, const Devi
     if (is_of_regions) out << std::setw(13) << text;
   };
   out << "  " << std::right << std::setw(memory_width) << (is_of_regions ? "arena" : "memory");
-  loose("loose pieces");
+  loose("fragments");
   out << std::setw(13) << "stream" << std::setw(10) << "line" << std::setw(10) << "work"
       << std::setw(9) << "rows/s" << std::setw(10) << "at worst" << '\n';
   for (const TriedRow& row : rows) {

@@ -1,4 +1,4 @@
-// What `tune` says.
+// What `tune` prints.
 #ifndef DISCMC_COMMAND_TUNING_TUNING_REPORT_HPP
 #define DISCMC_COMMAND_TUNING_TUNING_REPORT_HPP
 
@@ -23,7 +23,7 @@ struct Device {
 /// With a start and a stop bit to a byte.
 double seconds_on_line(const Trial& trial, const Device& device);
 
-/// Seconds as people say them: three digits.
+/// Seconds for people: three digits.
 std::string seconds_text(double seconds);
 
 /// A trial and what its row begins with.

@@ -23,13 +23,13 @@ class VolumeBits {
 
   const Limits& limits() const { return limits_; }
   std::uint32_t slices() const { return header_.depth; }
-  /// Of a stream of this volume.
+  /// The header of a stream of this volume.
   const StreamHeader& header() const { return header_; }
-  /// Of a sample on the device: 1 or 2. Units: bytes.
+  /// The size of a sample on the device: 1 or 2. Units: bytes.
   std::uint32_t sample_bytes() const { return sample_bytes_; }
   /// Whether the file's samples are floating point, which no device has.
   bool is_floating() const { return is_floating_; }
-  /// Voxels that are on in the first so many slices.
+  /// Voxels that are on in the first slices, as many as given.
   std::uint64_t on(std::uint32_t slices) const { return on_[slices]; }
   bool is_full() const { return is_full_; }
 

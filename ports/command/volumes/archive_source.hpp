@@ -19,7 +19,7 @@ namespace discmc::command {
 /// An archive, whose members are read one after the other.
 class ArchiveSource final : public ByteSource {
  public:
-  /// Tells libarchive which formats and filters there can be.
+  /// Registers the formats and filters with libarchive.
   using Support = void (*)(archive*);
 
   /// Reads the bytes of another source as they come.

@@ -26,14 +26,14 @@ void require_countable(const std::filesystem::path& file, const Sizes& sizes) {
   std::int64_t most = std::numeric_limits<std::int64_t>::max() / max_sample_bytes;
   for (const std::int64_t size : sizes) {
     if (size < 1 || size > most)
-      fail(file, "the array is " + shape_text(sizes) + ", which no file holds",
+      fail(file, "the array is " + shape_text(sizes) + ", more than a file can hold",
            "give an array of three axes");
     most /= size;
   }
 }
 
-// Returns the axes that are left when those of size 1 are dropped until there are so many, the last
-// ones first.
+// Returns the axes that are left when those of size 1 are dropped until this many are left, the
+// last ones first.
 std::vector<std::size_t> kept_axes(const Sizes& sizes, std::size_t count) {
   std::vector<std::size_t> kept(sizes.size());
   for (std::size_t axis = 0; axis < kept.size(); ++axis) kept[axis] = axis;
@@ -47,7 +47,7 @@ std::vector<std::size_t> kept_axes(const Sizes& sizes, std::size_t count) {
   return kept;
 }
 
-// Those of axes of which nothing is said: the last ones are of the volume, all others of time.
+// Letters of unnamed axes: the last ones are of the volume, all others of time.
 std::string default_letters(std::size_t count) {
   std::string letters(count, 't');
   for (std::size_t i = 0; i < std::min<std::size_t>(count, 3); ++i)
@@ -64,9 +64,9 @@ struct StoredArray {
 
 void note_default_axes(VolumeInfo& info, const ArrayShape& shape) {
   const bool is_first_fastest = shape.is_first_fastest;
-  note(info, std::string("the axes are not named: taken as array") +
+  note(info, std::string("the axes are not named; read as array") +
                  (is_first_fastest ? "[x][y][z]" : "[z][y][x]") +
-                 "; --axes names others, such as " + (is_first_fastest ? "zyx" : "xyz"));
+                 "; to read others, give --axes, such as " + (is_first_fastest ? "zyx" : "xyz"));
 }
 
 StoredArray stored_array(VolumeInfo& info, const std::filesystem::path& file,
@@ -82,14 +82,13 @@ StoredArray stored_array(VolumeInfo& info, const std::filesystem::path& file,
   require_countable(file, array.sizes);
   array.axes = kept_axes(array.sizes, named.empty() ? 3 : named.size());
   if (array.axes.size() < array.sizes.size())
-    note(info, "axes of size 1 dropped of " + shape_text(shape.sizes));
+    note(info, "axes of size 1 are dropped from " + shape_text(shape.sizes));
   if (named.empty()) array.letters = default_letters(array.axes.size());
   if (named.empty() && array.axes.size() > 2) note_default_axes(info, shape);
   if (array.letters.size() != array.axes.size())
-    fail(
-        file,
-        "the axes are said to be " + shown(named) + ", but the array is " + shape_text(shape.sizes),
-        "name each of them with --axes, as in --axes zyx");
+    fail(file,
+         "the axes are named " + shown(named) + ", but the array is " + shape_text(shape.sizes),
+         "name each axis with --axes, as in --axes zyx");
   return array;
 }
 
@@ -100,7 +99,7 @@ std::int64_t product_along(char letter, const StoredArray& array) {
   return product;
 }
 
-// Of the axes with a letter, the last one counts fastest.
+// The last of the axes with a letter counts fastest.
 void go_to(ArrayLayout& layout, const StoredArray& array, char letter, std::uint64_t index) {
   for (std::size_t i = array.axes.size(); i-- > 0;) {
     if (array.letters[i] != letter) continue;
@@ -140,8 +139,8 @@ ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, cons
   const std::int64_t frames = product_along('t', array);
   if (named.empty() && frames > 1 && !options.frame)
     fail(file, "the file holds " + std::to_string(frames) + " volumes, and one is read at a time",
-         "choose one with --frame N, the first is 0; or say which axis of the array, " +
-             shape_text(shape.sizes) + ", is which, as in --axes zyxc");
+         "choose one with --frame N, the first is 0; or name the axes of the array, " +
+             shape_text(shape.sizes) + ", with --axes, as in --axes zyxc");
 
   ArrayLayout layout;
   layout.sizes.assign(array.sizes.begin(), array.sizes.end());
@@ -151,8 +150,8 @@ ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, cons
     if (found != std::string::npos) layout.axes[i] = array.axes[found];
   }
   if (!layout.axes[0] || !layout.axes[1])
-    fail(file, "the axes are said to be " + shown(named) + ", without x and y",
-         "name them with --axes, as in --axes zyx");
+    fail(file, "the axes are named " + shown(named) + ", without x and y",
+         "name the axes with --axes, as in --axes zyx");
   const auto size_of = [&](std::size_t i) { return array.sizes[*layout.axes[i]]; };
   Sizes dims{size_of(0), size_of(1)};
   if (layout.axes[2] || frames > 1) dims.push_back(layout.axes[2] ? size_of(2) : 1);
@@ -191,8 +190,8 @@ std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
   // Those of all channels, where these are faster than the volume.
   const std::uint64_t columns = layout.sizes.back();
   if (columns > UINT32_MAX || in_block / columns > UINT32_MAX || frames > UINT32_MAX)
-    fail(file, "the array has " + std::to_string(in_block) + " samples a slice",
-         "give a part of it");
+    fail(file, "the array has " + std::to_string(in_block) + " samples per slice",
+         "give an array with smaller slices");
   VolumeInfo of_blocks = info;
   of_blocks.dims = {static_cast<std::uint32_t>(columns),
                     static_cast<std::uint32_t>(in_block / columns), info.dims[blocks.block_axis]};

@@ -16,7 +16,7 @@
 
 namespace discmc::command {
 
-/// What a file says of an array.
+/// The description of an array in a file.
 struct ArrayShape {
   std::vector<std::int64_t> sizes;         ///< of array[a][b][c]: a, b, c
   std::string letters = {};                ///< of each axis, such as "tczyx", or nothing
@@ -41,13 +41,13 @@ struct ArrayLayout {
 };
 
 /// Takes an array as a volume. Axes of size 1 are dropped, with a note, until as many are left as
-/// there are letters, else three. --axes is stronger than the file's letters; without any, the
+/// there are letters, else three. --axes overrides the letters in the file. Without letters, the
 /// three fastest axes are z, y and x, and those before them count volumes. Throws as set_dims(),
 /// where the letters are not those of the axes, and where of several channels none is chosen.
 ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, const ArrayShape& shape,
                        const VolumeOptions& options);
 
-/// The volume of an array whose first sample the stream stands at. In memory are the slices of all
+/// The volume of an array whose first sample is next in the stream. In memory are the slices of all
 /// channels; where z is not the slowest of its axes, the volume.
 std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
                                            const ArrayLayout& layout, bool big_endian);

@@ -45,7 +45,8 @@ ArrayName array_name(const std::filesystem::path& name) {
 
 void fail_no_array(const std::filesystem::path& file, const std::string& asked,
                    const std::vector<NamedArray>& arrays) {
-  fail(file, "there is no array " + shown(asked) + " of numbers with two or more dimensions in it",
+  fail(file,
+       "there is no array " + shown(asked) + " of numbers with two or more dimensions in the file",
        arrays.empty() ? "give a file that holds a volume" : "choose one of " + list_of(arrays));
 }
 
@@ -56,11 +57,11 @@ std::string only_array(const std::filesystem::path& file, const std::vector<Name
   if (volumes.empty()) volumes = arrays;
   if (volumes.empty())
     fail(file, "the file holds no array of numbers with two or more dimensions",
-         "give one that holds a volume");
+         "give a file that holds a volume");
   if (volumes.size() > 1)
     fail(file, "the file holds " + std::to_string(volumes.size()) + " arrays: " + list_of(volumes),
-         "choose one by its name behind that of the file, as in " + file.filename().string() + ":" +
-             without_control(volumes.front().name));
+         "choose one by its name after the name of the file, as in " + file.filename().string() +
+             ":" + without_control(volumes.front().name));
   return volumes.front().name;
 }
 

@@ -8,7 +8,7 @@
 namespace discmc::command {
 namespace {
 
-// Characters in fours stand for bytes in threes; the last of a part are filled up with '='. Parts
+// Four characters encode three bytes; '=' fills the last four of a part. Parts
 // may follow each other.
 class Base64 final : public ByteSource {
  public:
@@ -61,7 +61,7 @@ class Base64 final : public ByteSource {
       const unsigned value = c == '=' ? 0 : value_of(c);
       filled += c == '=' ? 1 : 0;
       if (value > 63 || filled > 2 || (c != '=' && filled > 0)) {
-        damage_ = "the base64 text holds " + shown({&c, 1}) + " where it does not belong";
+        damage_ = "the base64 text holds " + shown({&c, 1}) + ", which is not allowed there";
         return false;
       }
       bits = bits << 6 | value;

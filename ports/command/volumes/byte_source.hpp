@@ -36,7 +36,7 @@ class ByteSource {
   /// Returns what read() can still give, where that is known. Units: bytes.
   virtual std::optional<std::uint64_t> left() const { return std::nullopt; }
 
-  /// Reads what only the end can tell, such as a checksum, when all that is wanted has been read.
+  /// Reads the end, such as a checksum, after all needed bytes.
   virtual void check_end() {}
 
   /// Returns what is wrong with the bytes, empty if nothing so far.
@@ -53,10 +53,10 @@ std::unique_ptr<ByteSource> bytes_of_file(const std::filesystem::path& file);
 /// The content of gzip members or of a zlib stream.
 std::unique_ptr<ByteSource> inflated(std::unique_ptr<ByteSource> in);
 
-/// The content of so many zlib streams, one behind the other.
+/// The content of this many zlib streams, one after the other.
 std::unique_ptr<ByteSource> inflated_blocks(std::unique_ptr<ByteSource> in, std::uint64_t count);
 
-/// What text in base64 stands for, in parts of which each is filled up, up to the first '<'.
+/// The bytes of text in base64, in parts that are each filled up, up to the first '<'.
 std::unique_ptr<ByteSource> base64_decoded(std::unique_ptr<ByteSource> in);
 
 /// Floating point of 32 bits in native byte order, from that of 16 bits.

@@ -15,8 +15,8 @@
 namespace discmc::command {
 namespace {
 
-// The pattern of printf for one whole number, as it stands in headers: "%d", "%03d". printf itself
-// would follow whatever else the file says.
+// The pattern of printf for one whole number, as headers have it: "%d", "%03d". printf itself
+// would follow whatever else the file contains.
 struct Pattern {
   std::string before;
   std::string after;
@@ -46,8 +46,9 @@ DataFiles numbered(const std::filesystem::path& header, std::string_view field,
   const auto parts = words(text);
   const auto pattern = pattern_of(parts[0]);
   if (!pattern || parts.size() < 3 || parts.size() > 5)
-    fail(header, std::string(field) + " is " + shown(text) + ", which is no pattern with a range",
-         "write it like: slice%03d.raw 1 4 1");
+    fail(header,
+         std::string(field) + " is " + shown(text) + ", which is not a pattern with a range",
+         "correct it, as in: slice%03d.raw 1 4 1");
   const std::int64_t first = integer(header, field, parts[1]);
   const std::int64_t last = integer(header, field, parts[2]);
   const std::int64_t step = parts.size() > 3 ? integer(header, field, parts[3]) : 1;
@@ -55,8 +56,8 @@ DataFiles numbered(const std::filesystem::path& header, std::string_view field,
   const auto is_small = [](std::int64_t number) { return number >= -most && number <= most; };
   if (!is_small(first) || !is_small(last) || !is_small(step) || step == 0 ||
       (last - first) / step < 0)
-    fail(header, std::string(field) + " is " + shown(text) + ", whose range holds no number",
-         "give the first number, the last and the step");
+    fail(header, std::string(field) + " is " + shown(text) + ", whose range is empty",
+         "give the first number, the last number and the step");
   const auto path = [header, pattern = *pattern, first, step](std::uint64_t file) {
     return beside(header, pattern.name(first + static_cast<std::int64_t>(file) * step));
   };
@@ -68,7 +69,8 @@ DataFiles listed(ByteStream& header) {
   while (const auto line = header.read_line())
     if (!trimmed(*line).empty()) paths.push_back(beside(header.file(), trimmed(*line)));
   if (paths.empty())
-    fail(header.file(), "the list of data files is empty", "name one a line behind the header");
+    fail(header.file(), "the list of data files is empty",
+         "name one file per line after the header");
   const std::size_t count = paths.size();
   return {count, [paths = std::move(paths)](std::uint64_t file) { return paths[file]; }};
 }
@@ -95,11 +97,11 @@ class JoinedFiles final : public ByteSource {
              std::to_string(left_) + " bytes of " + std::to_string(bytes_each_) + " are missing" +
                  (damage.empty() ? "" : ": " + damage),
              "copy the file again");
-      // A header that nobody skips would move all samples.
+      // A header that is not skipped would move all samples.
       if (has_more && !skips_header_)
         fail(file_->file(),
-             "there is more than its share of " + std::to_string(bytes_each_) + " bytes",
-             "tell what stands before the samples, as byte skip or HeaderSize");
+             "the data file is longer than its share of " + std::to_string(bytes_each_) + " bytes",
+             "give the bytes before the samples as byte skip or HeaderSize");
     }
     return done;
   }
@@ -147,7 +149,7 @@ ByteStream joined(const std::filesystem::path& header, const DataFiles& files, V
   const std::uint64_t share = bytes / files.count;
   if (const auto in_file = open(files.path(0)).left(); in_file && *in_file > share)
     note(info,
-         std::to_string(*in_file - share) + " bytes behind the samples of a data file left out");
+         std::to_string(*in_file - share) + " bytes after the samples of a data file are left out");
   return {header, std::make_unique<JoinedFiles>(files, share, std::move(open))};
 }
 

@@ -32,12 +32,12 @@ using Units = std::array<std::string, 3>;
 void note_units(VolumeInfo& info, const Units& units) {
   for (const std::string& unit : units)
     if (unit.empty())
-      note(info, "no unit of length given, mm taken");
+      note(info, "no unit of length given, mm assumed");
     else if (!millimetres_in(unit))
-      note(info, "unit " + shown(unit) + " not known, mm taken");
+      note(info, "unit " + shown(unit) + " is unknown, mm assumed");
 }
 
-// Of each.
+// The length of each unit.
 Vector millimetres_of(const Units& units) {
   Vector lengths{};
   std::transform(units.begin(), units.end(), lengths.begin(),
@@ -52,25 +52,25 @@ Vector usable(VolumeInfo& info, Vector spacing_mm) {
     const double size = std::fabs(spacing_mm[axis]);
     if (size >= min_spacing_mm && size <= max_spacing_mm) continue;
     note(info, "spacing " + short_number(spacing_mm[axis]) + " of axis " +
-                   std::to_string(axis + 1) + " unusable, 1 mm taken");
+                   std::to_string(axis + 1) + " is unusable, 1 mm assumed");
     spacing_mm[axis] = 1;
   }
   return spacing_mm;
 }
 
-// What the file tells without steps.
+// The spacing of a file without steps.
 Vector spacing_of(VolumeInfo& info, const DeclaredPlace& place) {
   const auto& spacing = place.spacing;
   const auto is_given = [](const auto& distance) { return distance.has_value(); };
   if (std::none_of(spacing.begin(), spacing.end(), is_given)) {
-    note(info, "no spacing given, 1 mm taken");
+    note(info, "no spacing given, 1 mm assumed");
     return {1, 1, 1};
   }
   note_units(info, place.axis_units);
   Vector spacing_mm = millimetres_of(place.axis_units);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!spacing[axis])
-      note(info, "no spacing of axis " + std::to_string(axis + 1) + " given, 1 mm taken");
+      note(info, "no spacing of axis " + std::to_string(axis + 1) + " given, 1 mm assumed");
     spacing_mm[axis] = spacing[axis] ? spacing_mm[axis] * *spacing[axis] : 1;
   }
   return usable(info, spacing_mm);
@@ -95,7 +95,7 @@ void note_contradiction(VolumeInfo& info, const DeclaredPlace& place, const Vect
   }
   if (!is_same)
     note(info, "spacing " + list(spacing_mm) + " contradicts the axes, whose " + list(lengths_mm) +
-                   " mm is taken");
+                   " mm is used");
 }
 
 // ---- axes ----
@@ -156,11 +156,11 @@ void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions
     for (std::size_t axis = 0; axis < 3; ++axis)
       info.spacing_mm[axis] = std::copysign(info.spacing_mm[axis], signs[axis]);
   } else {
-    note(info, "axis directions unusable, taken as along the coordinates");
+    note(info, "the axis directions are unusable, the axes of the coordinates are used");
     placement.axes_mm = along_coordinates(info.spacing_mm).axes_mm;
   }
   if (!is_usable(placement)) {
-    note(info, "origin " + list(placement.origin_mm) + " unusable, 0 taken");
+    note(info, "origin " + list(placement.origin_mm) + " is unusable, 0 is used");
     placement.origin_mm = {};
   }
   // Sums with zero have no negative zeros.

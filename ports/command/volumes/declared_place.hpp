@@ -1,4 +1,4 @@
-// What a file tells of the place of its voxels, and what becomes of it: the one place for units,
+// The place of voxels as a file declares it, and as it is used: the one place for units,
 // spacings, directions and origins.
 #ifndef DISCMC_COMMAND_VOLUMES_DECLARED_PLACE_HPP
 #define DISCMC_COMMAND_VOLUMES_DECLARED_PLACE_HPP
@@ -11,7 +11,7 @@
 
 namespace discmc::command {
 
-/// As the file has it, in its own units. What it does not tell stays empty.
+/// As the file has it, in its own units. What the file lacks stays empty.
 struct DeclaredPlace {
   /// Distances of neighbouring voxels along x, y and z, negative where an axis runs backwards.
   std::array<std::optional<double>, 3> spacing{};
@@ -24,7 +24,7 @@ struct DeclaredPlace {
   /// Names of units: those of the spacing, along the axes of the volume, and those of steps and
   /// origin, along the coordinates of space.
   std::array<std::string, 3> axis_units{}, space_units{};
-  /// What the coordinates of space are; nothing where no more than the spacing is told.
+  /// What the coordinates of space are; nothing if the file has only a spacing.
   Frame frame = Frame::none;
   /// Whether those coordinates are left-handed: right-handed ones have the opposite x.
   bool is_left_handed = false;
@@ -35,13 +35,13 @@ struct DeclaredPlace {
   }
 };
 
-/// Takes spacing and placement. Millimetres stand in for a unit that is not known, 1 mm for a
+/// Takes spacing and placement. Millimetres replace an unknown unit, 1 mm a
 /// spacing that is missing or of no use, the coordinates for such directions, and 0 for such an
 /// origin: each with a note. options: whose spacing_mm counts more than the file's.
 ///
 /// The spacing gets the signs of the axes in right-handed coordinates: a surface by the spacing
-/// alone is turned and moved against the placed one, never mirrored. A placement that says no more
-/// than the spacing is none.
+/// alone is turned and moved against the placed one, never mirrored. A placement that adds
+/// nothing to the spacing is dropped.
 void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options);
 
 }  // namespace discmc::command

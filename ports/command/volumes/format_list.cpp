@@ -151,7 +151,7 @@ const std::vector<VolumeFormat>& formats() {
        {},
        nullptr,
        nullptr,
-       "give the .vol beside it, with the --dims and --type that the .vgi names"},
+       "give the .vol file beside it, with the --dims and --type in the .vgi file"},
       {"GIPL", {".gipl"}, {}, nullptr, nullptr, "convert it, e.g. with: c3d FILE -o OUT.nii.gz"},
       {"tar", {".tar", ".tgz"}, {}, nullptr, nullptr, unpack},
       {"7z", {".7z"}, {{0, "7z\xbc\xaf\x27\x1c"}}, nullptr, nullptr, unpack},

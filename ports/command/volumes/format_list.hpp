@@ -27,7 +27,7 @@ struct VolumeFormat {
   std::unique_ptr<VolumeReader> (*open_stream)(ByteStream stream, const VolumeOptions& options);
   std::unique_ptr<VolumeReader> (*open_file)(const std::filesystem::path& file,
                                              const VolumeOptions& options);
-  /// Of a format that is not read: what makes another of it.
+  /// The remedy for a format that is not read: a program that converts it.
   std::string_view remedy = {};
 };
 
@@ -36,7 +36,7 @@ inline bool is_read(const VolumeFormat& format) {
 }
 
 /// Returns the format that a file has by its name, which may be that of an array in it; a packed
-/// file has that of its content. Null where the name tells none.
+/// file has that of its content. Null if the name is of no format.
 const VolumeFormat* format_of_name(const std::filesystem::path& file);
 
 /// Returns the format that bytes begin like, or null. head: the first magic_bytes of them, fewer
@@ -46,7 +46,7 @@ const VolumeFormat* format_of_head(std::string_view head);
 /// Whether a file is named as arrays are, whose axes the user may name.
 bool names_no_axes(const std::filesystem::path& file);
 
-/// Units: bytes from the beginning of a file that tell its format.
+/// Units: bytes at the beginning of a file that identify its format.
 constexpr std::size_t magic_bytes = 348;
 
 /// Whether bytes begin like a file of a format with a header, or of one that is packed; of volumes

@@ -27,10 +27,9 @@ std::uint64_t missing_slices(const std::vector<Gap>& gaps) {
 std::string note_of_filling(const std::filesystem::path& source, const std::vector<Gap>& gaps,
                             std::size_t slices, bool is_allowed, const std::string& remedy) {
   const std::string what = are_missing(gaps);
-  if (missing_slices(gaps) > slices)
-    fail(source, what + ", which is too much to be filled", remedy);
-  if (!is_allowed) fail(source, what, remedy + ", or let --allow-gaps repeat the nearest slice");
-  return what + ", filled with the nearest ones";
+  if (missing_slices(gaps) > slices) fail(source, what + ", which is too many to fill", remedy);
+  if (!is_allowed) fail(source, what, remedy + ", or repeat the nearest slice with --allow-gaps");
+  return what + ", and filled with the nearest ones";
 }
 
 }  // namespace discmc::command

@@ -8,7 +8,7 @@
 
 namespace discmc::command {
 
-/// Returns the number that 16 bits stand for. It is exact.
+/// Returns the number that 16 bits encode. It is exact.
 inline float float_of_half(std::uint16_t half) {
   const int exponent = half >> 10 & 0x1f;
   const int fraction = half & 0x3ff;

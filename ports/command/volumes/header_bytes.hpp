@@ -1,4 +1,4 @@
-// A header of fixed length, whose fields stand at offsets.
+// A header of fixed length, whose fields are at offsets.
 #ifndef DISCMC_COMMAND_VOLUMES_HEADER_BYTES_HPP
 #define DISCMC_COMMAND_VOLUMES_HEADER_BYTES_HPP
 
@@ -23,7 +23,7 @@ class HeaderBytes {
   HeaderBytes(ByteStream& stream, std::size_t bytes, bool big_endian)
       : bytes_(bytes, '\0'), is_turned_(big_endian != is_native_big_endian()) {
     if (stream.read(bytes_.data(), bytes) < bytes)
-      fail(stream.file(), "the header of " + std::to_string(bytes) + " bytes is not whole",
+      fail(stream.file(), "the header of " + std::to_string(bytes) + " bytes is incomplete",
            "copy or export the file again");
   }
 

@@ -8,7 +8,7 @@ namespace discmc::command {
 
 void HeaderFields::add(const std::string& name, std::string_view text) {
   if (!fields_.emplace(name, text).second)
-    fail(file_, "the header field " + shown(name) + " is there twice", "delete one of the lines");
+    fail(file_, "the header field " + shown(name) + " is given twice", "delete one of the lines");
 }
 
 void HeaderFields::replace(std::string_view name, std::string text) {

@@ -27,7 +27,7 @@ class HeaderFields {
 
   bool has(std::string_view name) const { return fields_.find(name) != fields_.end(); }
 
-  /// Of the first of the names that is there; empty where none is.
+  /// The value of the first name that is there; empty if none is.
   std::string_view text(std::initializer_list<std::string_view> names) const;
   std::string_view text(std::string_view name) const { return text({name}); }
 

@@ -13,7 +13,7 @@ std::int64_t integer(const std::filesystem::path& file, std::string_view field,
                      std::string_view text) {
   const auto value = whole_number<std::int64_t>(text);
   if (!value)
-    fail(file, std::string(field) + " is " + shown(text) + ", which is no whole number in range",
+    fail(file, std::string(field) + " is " + shown(text) + ", which is not a whole number in range",
          "correct the header");
   return *value;
 }
@@ -21,7 +21,7 @@ std::int64_t integer(const std::filesystem::path& file, std::string_view field,
 double real(const std::filesystem::path& file, std::string_view field, std::string_view text) {
   const auto value = decimal_number(text);
   if (!value)
-    fail(file, std::string(field) + " is " + shown(text) + ", which is no number",
+    fail(file, std::string(field) + " is " + shown(text) + ", which is not a number",
          "correct the header");
   return *value;
 }

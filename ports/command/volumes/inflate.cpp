@@ -12,7 +12,7 @@ namespace {
 
 class Inflater final : public ByteSource {
  public:
-  /// blocks: how many streams there are, or 0 for gzip members, which tell it themselves.
+  /// blocks: how many streams there are, or 0 for gzip members, which end themselves.
   Inflater(std::unique_ptr<ByteSource> in, std::uint64_t blocks)
       : in_(std::move(in)), blocks_(blocks) {
     constexpr int largest_window_either_wrapper = 15 + 32;

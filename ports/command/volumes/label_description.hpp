@@ -15,14 +15,14 @@ namespace discmc::command {
 struct LabelDescription {
   std::string name;
   std::optional<Srgb> colour{};
-  /// That its voxels have: several of a region of nnU-Net. None stands for all but 0.
+  /// That its voxels have: several of a region of nnU-Net. None means all but 0.
   std::vector<LabelValue> values{};
   /// The volume of the file that it is in, as VolumeOptions::frame counts: labels that overlap are
   /// in several.
   std::uint32_t layer = 0;
 };
 
-/// What is known of labels, in the order in which it is told.
+/// The descriptions of labels, in the order of the file.
 using LabelTable = std::vector<LabelDescription>;
 
 }  // namespace discmc::command

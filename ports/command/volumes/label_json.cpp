@@ -44,16 +44,16 @@ LabelTable read_label_json(const std::filesystem::path& file) {
   std::ifstream in(file);
   const Json json = Json::parse(in, nullptr, false);
   const std::string remedy = R"(give a file with {"labels": {"liver": 1}}, as dataset.json is)";
-  if (json.is_discarded() || !json.is_object()) fail(file, "the file is no JSON", remedy);
+  if (json.is_discarded() || !json.is_object()) fail(file, "the file is not JSON", remedy);
   const auto labels = json.find("labels");
   if (labels == json.end() || !labels->is_object() || labels->empty())
-    fail(file, "there is no object \"labels\" with labels in it", remedy);
+    fail(file, "there is no object \"labels\" with labels", remedy);
   LabelTable table;
   for (const auto& [key, value] : labels->items()) {
     auto label = label_in(key, value);
     if (!label)
       fail(file, "label " + shown(key) + " is " + shown(value.dump()),
-           "give it a whole number, or several");
+           "give one or more whole numbers");
     table.push_back(*std::move(label));
   }
   return table;

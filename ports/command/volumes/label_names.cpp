@@ -41,13 +41,13 @@ LabelNames::LabelNames(LabelTable table, std::vector<std::uint32_t> layers)
 
 std::string LabelNames::list_of_names() const {
   constexpr std::size_t most = 12;
-  if (table_.empty()) return "no name is known; give numbers, or --label-table FILE";
+  if (table_.empty()) return "the labels have no names; give numbers, or --label-table FILE";
   std::string text = "there are ";
   for (std::size_t i = 0; i < std::min(most, table_.size()); ++i)
     text += (i > 0 ? ", " : "") + shown(table_[i].name);
   return table_.size() <= most ? text
                                : text + " and " + std::to_string(table_.size() - most) +
-                                     " more; discmc info lists all";
+                                     " more; list all with discmc info";
 }
 
 std::optional<NamedLabels> LabelNames::by_number(std::string_view text) const {
@@ -62,7 +62,7 @@ std::optional<NamedLabels> LabelNames::by_number(std::string_view text) const {
   if (!is_in_one_layer)
     throw std::invalid_argument("label " + value->text() + " is " + shown(found[0]->name) +
                                 " and, in another layer, " + shown(found.back()->name) +
-                                ": give a name, or --frame N, the layer");
+                                "; give a name, or the layer with --frame N");
   if (found.empty() && layers_.size() > 1)
     throw std::invalid_argument("no label has the number " + value->text() + ": " +
                                 list_of_names());
@@ -76,7 +76,7 @@ std::optional<NamedLabels> LabelNames::by_name(std::string_view text) const {
       if (is_exact ? each.name != text : plain(each.name) != plain(text)) continue;
       if (found != nullptr)
         throw std::invalid_argument("several labels are called " + shown(text) +
-                                    ": give their numbers, or --frame N, the layer");
+                                    "; give their numbers, or the layer with --frame N");
       found = &each;
     }
     if (found != nullptr) return labels_of(*found);

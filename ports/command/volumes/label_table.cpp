@@ -73,7 +73,7 @@ std::optional<LabelDescription> entry(std::string_view index, std::string_view n
   return LabelDescription{std::string(name), colour, {*label}};
 }
 
-// The lines of a table, which its first one tells how to read.
+// The lines of a table, whose first line defines how to read the others.
 class Reader {
  public:
   /// Returns whether the line is the head of columns.
@@ -106,7 +106,7 @@ class Reader {
     return at < words.size() ? trimmed(words[at]) : std::string_view();
   }
 
-  // 3D Slicer may leave the name out, as its columns of terms say more: "Left Kidney".
+  // 3D Slicer may leave the name out, as its columns of terms are more precise: "Left Kidney".
   std::string name(const Words& words) const {
     const std::string_view own = value(words, "name");
     if (!own.empty()) return std::string(own);
@@ -174,7 +174,7 @@ LabelTable read_label_table(const std::filesystem::path& file) {
       fail(file, "line " + std::to_string(number) + " is " + shown(line),
            "give a whole number, a name of one word, and red, green and blue from 0 to 255");
     if (!taken.insert(read->values[0]).second)
-      fail(file, "label " + read->values[0].text() + " is there twice",
+      fail(file, "label " + read->values[0].text() + " is given twice",
            "delete line " + std::to_string(number));
     table.push_back(*std::move(read));
   }

@@ -14,7 +14,7 @@ struct Unit {
   std::initializer_list<std::string_view> names;
 };
 
-// Words stand here as in British spelling and singular. Micro has two characters in Unicode, one
+// Words have British spelling and are singular here. Micro has two characters in Unicode, one
 // in Latin-1, and an escape in files of ImageJ.
 const Unit length_units[] = {
     {1000, {"m", "metre"}},

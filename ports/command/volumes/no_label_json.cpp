@@ -5,8 +5,8 @@
 namespace discmc::command {
 
 LabelTable read_label_json(const std::filesystem::path& file) {
-  fail(file, "this discmc was built without nlohmann-json, which reads JSON",
-       "give a table with a line for every label, such as: 1 liver");
+  fail(file, "this is JSON, and discmc was built without nlohmann-json",
+       "give a table with a line per label, such as: 1 liver");
 }
 
 }  // namespace discmc::command

@@ -27,7 +27,8 @@ TemporaryFolder::TemporaryFolder() {
   std::string name =
       (std::filesystem::temp_directory_path(error) / "discmc-unpacked-XXXXXX").string();
   if (error || mkdtemp(name.data()) == nullptr)
-    fail(name, "there is no folder for temporary files", "set TMPDIR to one that can be written");
+    fail(name, "there is no folder for temporary files",
+         "set TMPDIR to a folder that can be written");
   path_ = name;
   leave_to_remover();
 }
@@ -42,7 +43,7 @@ void TemporaryFolder::leave_to_remover() {
   int ends[2];
   if (pipe(ends) != 0 || (remover_ = fork()) < 0) {
     rmdir(path_.c_str());
-    fail(path_, "no process can be started that removes what is unpacked",
+    fail(path_, "the process that removes unpacked files cannot be started",
          "unpack it and give the file or the folder");
   }
   if (remover_ == 0) remove_at_end(ends[0], ends[1]);

@@ -71,7 +71,7 @@ class TextSamples final : public ByteSource {
     });
     if (is_number) return true;
     end_ = 0;
-    damage_ = "the text " + shown(word_) + " is no sample of type " + std::string(name(type_));
+    damage_ = "the text " + shown(word_) + " is not a sample of type " + std::string(name(type_));
     return false;
   }
 

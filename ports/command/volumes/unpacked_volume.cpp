@@ -85,7 +85,7 @@ void unpack(ByteStream& stream, const std::filesystem::path& file) {
   stream.check_end();
   if (!stream.damage().empty()) fail(stream.file(), stream.damage(), "copy the file again");
   if (!out.flush())
-    fail(stream.file(), "it cannot be unpacked into the temporary folder",
+    fail(stream.file(), "the file cannot be unpacked into the temporary folder",
          "set TMPDIR to a folder with more space, or unpack it yourself");
 }
 

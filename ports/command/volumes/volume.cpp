@@ -43,7 +43,7 @@ std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path&
     files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
   globfree(&found);
   files.erase(std::remove_if(files.begin(), files.end(), is_system_name), files.end());
-  if (files.empty()) fail(pattern, "no file has such a name", "check it");
+  if (files.empty()) fail(pattern, "no file matches the pattern", "check the pattern");
   return files;
 }
 
@@ -58,9 +58,8 @@ std::unique_ptr<VolumeReader> open_requested_masks(const std::filesystem::path& 
   if (are_requested && files.size() > 1) return open_masks(source, files, options);
   if (are_requested) return open_by_kind(files[0], options);
   const std::string count = std::to_string(files.size());
-  fail(
-      source, "volumes of their own: " + count + ", such as " + shown(files[0].filename().string()),
-      "give the name of one, or take all as labels, one a file, with --labels all or --label NAME");
+  fail(source, "several volumes: " + count + ", such as " + shown(files[0].filename().string()),
+       "name one file, or read each file as a label with --labels all or --label NAME");
 }
 
 // By its first bytes: pictures may have names without their kind.
@@ -84,8 +83,10 @@ bool is_pattern(const std::filesystem::path& file) {
 
 void require_headerless_name(const std::filesystem::path& file) {
   if (!may_be_headerless(file) || is_folder(file))
-    fail(file, "the name is that of a format with a header, which --dims and --type are not for",
-         "leave them out, or name headerless samples .raw");
+    fail(file,
+         "--dims and --type are for headerless samples, and this name has the extension of a "
+         "format with a header",
+         "leave them out, or rename headerless samples to .raw");
 }
 
 [[noreturn]] void fail_unread(const std::filesystem::path& file, const VolumeFormat* format) {
@@ -96,13 +97,13 @@ void require_headerless_name(const std::filesystem::path& file) {
     fail(file, "this is a stream, not a volume", "give it to discmc decode, info or render");
   if (is_mesh_name(file))
     fail(file, "this is a mesh, not a volume",
-         std::string("give the volume that it was made of; ") + who_takes_meshes);
-  fail(file, "the format is not known",
+         std::string("give the volume that the mesh was made of; ") + who_takes_meshes);
+  fail(file, "the format is unknown",
        "convert it, e.g. to NRRD or NIfTI, or give the layout of headerless samples with --dims "
        "and --type");
 }
 
-// Of a packed file whose reader takes files alone.
+// Opens a packed file whose reader needs a file.
 std::unique_ptr<VolumeReader> open_unpacked(ByteStream stream, const VolumeOptions& options) {
   return unpacked_volume(stream.file(), name(*stream.packing()), [&](const auto& folder) {
     const std::filesystem::path file = folder / without_packing(stream.file()).filename();
@@ -155,24 +156,24 @@ void require_used(const std::filesystem::path& file, const VolumeOptions& option
       return format.substr(0, name.size()) == name;
     });
   };
-  const std::string what = ", but this is " + std::string(format);
+  const std::string what = ", and this is " + std::string(format);
   if (!options.axes.empty() && !is_one_of({"NumPy", "HDF5", "Zarr", "OME-Zarr", "TIFF"}))
-    fail(file, "axes are named" + what + ", which names its own", "leave out --axes");
+    fail(file, "--axes applies to arrays and TIFF" + what, "leave out --axes");
   if (options.level && !is_one_of({"OME-Zarr"}))
-    fail(file, "a level is chosen" + what, "leave out --level");
+    fail(file, "--level applies to OME-Zarr" + what, "leave out --level");
   if (!options.series.empty() && !is_one_of({"DICOM"}))
-    fail(file, "a series is chosen" + what, "leave out --series");
+    fail(file, "--series applies to DICOM" + what, "leave out --series");
   if (options.merges_series && !is_one_of({"DICOM"}))
-    fail(file, "series are merged" + what, "leave out --merge-series");
+    fail(file, "--merge-series applies to DICOM" + what, "leave out --merge-series");
   if (options.order != SliceOrder::position && !is_one_of({"DICOM"}))
-    fail(file, "an order of slices is chosen" + what, "leave out --order");
+    fail(file, "--order applies to DICOM" + what, "leave out --order");
 }
 
 std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::path>& pictures,
                                            const std::string& remedy) {
   if (pictures.empty()) return {};
-  return {"pictures beside the DICOM left out: " + std::to_string(pictures.size()) + ", such as " +
-          shown(pictures[0].filename().string()) + "; to read them " + remedy};
+  return {"pictures beside the DICOM files are left out: " + std::to_string(pictures.size()) +
+          ", such as " + shown(pictures[0].filename().string()) + "; to read them, " + remedy};
 }
 
 std::string text_of_dead(const std::vector<std::filesystem::path>& links) {
@@ -193,7 +194,7 @@ std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
   if (other == files.end()) return open_pictures(pattern, files, options);
   if (picture != files.end())
     fail(pattern,
-         "there are pictures of such a name, and other files, such as " +
+         "the pattern matches pictures and other files, such as " +
              shown(other->filename().string()),
          "give a pattern of one kind, such as '" +
              (pattern.parent_path() / ("*" + picture->extension().string())).string() + "'");
@@ -220,7 +221,7 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
   if (!pictures.empty()) return open_pictures(folder, pictures, options);
   const auto masks = mask_files(folder);
   if (!masks.empty()) return open_requested_masks(folder, masks, options);
-  if (!dead.empty()) fail(folder, dead, "copy what they should lead to");
+  if (!dead.empty()) fail(folder, dead, "copy the files that they should lead to");
   fail(folder, "the folder holds no DICOM files and no pictures",
        "name a file, or the folder of a series");
 }
@@ -231,7 +232,7 @@ void fail_frames(const std::filesystem::path& file, const VolumeInfo& info) {
   if (info.labels.empty())
     fail(file, "the file holds " + frames + " volumes, and one is read at a time", remedy);
   fail(file, "the file holds labels in " + frames + " volumes, and one is read at a time",
-       "take labels with --label NAME, or " + remedy);
+       "select labels with --label NAME, or " + remedy);
 }
 
 bool is_volume_name(const std::filesystem::path& file) {
@@ -243,11 +244,14 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
   auto volume = open_by_kind(file, options);
   if (volume->info().frames > 1 && !options.frame) fail_frames(file, volume->info());
   if (options.frame.value_or(0) >= volume->info().frames)
-    fail(file, "this is one volume, and volume " + std::to_string(*options.frame) + " is asked for",
-         "leave out --frame");
+    fail(
+        file,
+        "the input has one volume, and volume " + std::to_string(*options.frame) + " was requested",
+        "leave out --frame");
   if (options.channel.value_or(0) >= volume->info().channels)
     fail(file,
-         "this has one channel, and channel " + std::to_string(*options.channel) + " is asked for",
+         "the input has one channel, and channel " + std::to_string(*options.channel) +
+             " was requested",
          "leave out --channel");
   require_used(file, options, volume->info().format);
   if (options.holds_labels) volume = whole_labels(file, std::move(volume));

@@ -20,13 +20,13 @@
 
 namespace discmc::command {
 
-/// The layout of a file that does not tell its own.
+/// The layout of a file without a header.
 struct RawLayout {
   /// Units: voxels. Limit: as VolumeInfo.
   std::array<std::uint32_t, 3> dims{};
   SampleType type = SampleType::u8;
   bool big_endian = false;
-  /// What stands before the samples. Units: bytes.
+  /// Bytes before the samples.
   std::uint64_t skipped_bytes = 0;
 };
 
@@ -40,25 +40,24 @@ struct VoxelRange {
 /// A part of a volume, along x, y and z.
 using Crop = std::array<VoxelRange, 3>;
 
-/// What the voxel is that stands for a block of voxels.
+/// The voxel that replaces a block of voxels.
 enum class BlockValue { mean, most_frequent };
 
 /// By what the slices of a volume are put in order that are files of their own.
 enum class SliceOrder { position, instance, name };
 
-/// What is said of a volume beside its name.
+/// The options of a volume.
 struct VolumeOptions {
   /// The layout of headerless samples; nothing where the file has a header.
   std::optional<RawLayout> layout = {};
-  /// Distances of voxels in place of those that the file tells; an axis that runs backwards keeps
-  /// doing so. Units: millimetres. Limit: as VolumeInfo.
+  /// Distances of voxels instead of those in the file; an axis that runs backwards still
+  /// does. Units: millimetres. Limit: as VolumeInfo.
   std::optional<std::array<double, 3>> spacing_mm = {};
-  /// Of DICOM: the UID of the series, or its number in the list that the refusal shows where there
-  /// are several.
+  /// For DICOM: the UID of the series, or its number in the list of the error if there are several.
   std::string series = {};
-  /// Of DICOM: otherwise than by their positions, which then count nothing.
+  /// For DICOM: another order than by positions, which are then ignored.
   SliceOrder order = SliceOrder::position;
-  /// Of DICOM: whether slices of several series are of one volume.
+  /// For DICOM: whether slices of several series are of one volume.
   bool merges_series = false;
   /// Whether slices that are missing in a folder are filled with the nearest ones, not refused.
   bool allow_gaps = false;
@@ -67,14 +66,14 @@ struct VolumeOptions {
   /// Which of the channels, likewise.
   std::optional<std::uint32_t> channel = {};
   /// What the axes of an array are, the slowest first: letters of "tczyx", each once, x and y among
-  /// them. Otherwise as the file says, or as its format has it.
+  /// them. Otherwise as in the file, or as in its format.
   std::string axes = {};
   /// Which of the resolutions of a file, the finest is 0. Otherwise the finest that VolumeInfo
   /// takes.
   std::optional<std::uint32_t> level = {};
   /// The part of the volume that is taken; otherwise all of it.
   std::optional<Crop> crop = {};
-  /// Blocks of so many voxels along x, y and z become one voxel each, after the crop.
+  /// Blocks of this many voxels along x, y and z become one voxel each, after the crop.
   /// Limit: 1 to 16.
   std::uint32_t shrink = 1;
   BlockValue block_value = BlockValue::mean;

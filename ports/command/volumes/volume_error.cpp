@@ -17,7 +17,7 @@ void fail(const std::string& file, const std::string& fault, const std::string& 
 
 void fail_type(const std::string& file, std::string_view type) {
   fail(file, "samples of type " + shown(type) + " are not read",
-       "give a volume of one number a voxel: whole, or floating point of 32 or 64 bits");
+       "give a volume with one number per voxel: whole, or floating point of 32 or 64 bits");
 }
 
 void require_slice_left(const std::string& file, std::size_t read, std::size_t slices) {

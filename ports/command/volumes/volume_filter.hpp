@@ -29,7 +29,7 @@ class VolumeFilter : public VolumeReader {
       : volume_(std::move(volume)), info_(volume_->info()) {}
 
   VolumeReader& volume() const { return *volume_; }
-  /// To be changed where the filter is another volume. At first it is that of the volume.
+  /// A filter that is another volume changes this. At first it is that of the volume.
   VolumeInfo& own_info() { return info_; }
   /// Behind the notes of the volume.
   void add_note(const std::string& text) { own_notes_.push_back(text); }

@@ -48,12 +48,12 @@ void set_dims(VolumeInfo& info, const std::string& file, const std::vector<std::
     else
       info.frames *= static_cast<std::uint64_t>(sizes[axis]);
     if (axis >= 3 && sizes[axis] == 1)
-      note(info, "dimension " + std::to_string(axis + 1) + " of size 1 dropped");
+      note(info, "dimension " + std::to_string(axis + 1) + " of size 1 is dropped");
   }
   // All bytes can be counted.
   if (info.frames > std::numeric_limits<std::uint64_t>::max() / info.dims[2] / info.slice_bytes())
-    fail(file, "the sizes are beyond any file", "correct the header");
-  if (sizes.size() == 2) note(info, "two dimensions, taken as one slice");
+    fail(file, "the sizes are larger than any file", "correct the header");
+  if (sizes.size() == 2) note(info, "two dimensions, read as one slice");
   if (frame && *frame >= info.frames)
     fail(file,
          "there is no volume " + std::to_string(*frame) + ": the file holds " +
@@ -83,7 +83,7 @@ void set_scale(VolumeInfo& info, const std::string& file, double slope, double i
   if (!std::isfinite(slope) || !std::isfinite(intercept))
     fail(file, formula + " is not finite", "correct the slope and intercept in the header");
   if (slope < 0)
-    fail(file, formula + " has a negative slope, which turns inside out",
+    fail(file, formula + " has a negative slope, which would turn the surface inside out",
          "negate the samples and the slope");
   info.slope = slope == 0 ? 1 : slope;
   info.intercept = slope == 0 ? 0 : intercept;
@@ -101,9 +101,8 @@ void set_part(VolumeInfo& info, const std::string& file, const std::array<std::u
     }
   }
   if (!is_usable(placement))
-    fail(file,
-         "the part that is asked for would be more than 1e9 mm away, or its voxels 1e6 mm apart",
-         "give the distances of the voxels with --spacing");
+    fail(file, "the part would be more than 1e9 mm away, or its voxels more than 1e6 mm apart",
+         "give the distances between voxels with --spacing");
   info.placement.reset();
   if (!(placement == along_coordinates(info.spacing_mm))) info.placement = placement;
   if (!info.whole_dims) info.whole_dims = info.dims;

@@ -1,4 +1,4 @@
-// What is known of a volume before its samples are read.
+// The description of a volume, which is read before its samples.
 #ifndef DISCMC_COMMAND_VOLUMES_VOLUME_INFO_HPP
 #define DISCMC_COMMAND_VOLUMES_VOLUME_INFO_HPP
 
@@ -14,7 +14,7 @@
 
 namespace discmc::command {
 
-/// What a file says about its volume.
+/// The description of a volume in its file.
 struct VolumeInfo {
   /// Width, height and number of slices. Units: voxels. Limit: 1 to 32766 in x and y, 1 to 2^30 - 1
   /// in z.
@@ -31,22 +31,22 @@ struct VolumeInfo {
   /// placement only turns and moves it.
   /// Units: millimetres. Limit: min_spacing_mm to max_spacing_mm either way.
   std::array<double, 3> spacing_mm{1, 1, 1};
-  /// Where the volume lies; nothing where the file tells no more of it than the spacing.
+  /// Where the volume lies; nothing if the file has only a spacing.
   /// Limit: is_usable().
   std::optional<VolumePlacement> placement;
   /// value = slope * stored + intercept, in the file's declared units. Limit: slope > 0.
   double slope = 1;
   double intercept = 0;
-  /// The value that the file says it has where nothing was scanned.
+  /// The value where nothing was scanned, if the file declares one.
   std::optional<double> padding;
-  /// Whether the file says that values are Hounsfield units.
+  /// Whether the file declares that values are Hounsfield units.
   bool is_in_hounsfield = false;
-  /// The labels that the file tells, those in other volumes of it too. Then these are layers of one
-  /// segmentation.
+  /// The labels that the file describes, also those in its other volumes. Then these are layers of
+  /// one segmentation.
   LabelTable labels;
   /// The format and the way it is stored, for people: "NRRD, gzip".
   std::string format;
-  /// What the reader had to assume, and what the file says and it left out. Written by note().
+  /// What the reader assumed, and what it left out of the file. Written by note().
   std::vector<std::string> notes;
 
   /// Units: bytes of one slice.
@@ -55,12 +55,12 @@ struct VolumeInfo {
   }
 };
 
-// What readers and filters fill it with; its place is that of set_place() in declared_place.hpp.
+// Readers and filters fill it with these; set_place() of declared_place.hpp sets its place.
 
 /// Adds a note, unless it is there.
 void note(VolumeInfo& info, const std::string& text);
 
-/// Of VolumeInfo::dims. Units: voxels along x and y.
+/// The limit of VolumeInfo::dims. Units: voxels along x and y.
 constexpr std::int64_t max_across = 32766;
 
 /// Takes sizes, fastest axis first. Two give one slice; those beyond the third count volumes.
@@ -75,7 +75,7 @@ void set_dims(VolumeInfo& info, const std::string& file, const std::vector<std::
 void set_channels(VolumeInfo& info, const std::string& file, std::uint64_t channels,
                   std::optional<std::uint32_t> channel, const std::vector<std::string>& names = {});
 
-/// Takes value = slope * stored + intercept; a slope of 0 stands for no scaling at all. Throws when
+/// Takes value = slope * stored + intercept; a slope of 0 means no scaling. Throws when
 /// slope is negative or either not finite.
 void set_scale(VolumeInfo& info, const std::string& file, double slope, double intercept);
 

@@ -13,7 +13,7 @@ VolumePlacement by_spacing(const VolumeInfo& info) {
   return along_coordinates(spacing);
 }
 
-// Two placements that can be compared; where one tells the patient's space alone, that is by the
+// Two placements that can be compared; if only one has a patient's space, by the
 // spacing.
 std::array<VolumePlacement, 2> comparable(const VolumeInfo& a, const VolumeInfo& b) {
   const VolumePlacement at_a = a.placement.value_or(along_coordinates(a.spacing_mm));

@@ -23,12 +23,12 @@ constexpr bool is_same(const AxesMatch& match) {
 }
 
 /// Which axis of `other` runs nearest to each of the volume. The same ones where that is not clear,
-/// and where one of them does not know the patient's space.
+/// and if one of them has no patient's space.
 AxesMatch matching_axes(const VolumeInfo& volume, const VolumeInfo& other);
 
-/// How far voxels of the same number lie apart at most, as far as the volumes tell; 0 where that is
-/// a tenth of a voxel or less. Where one of them does not know the patient's space their spacings
-/// alone are compared. Units: millimetres. Limit: the same extents.
+/// How far voxels of the same number lie apart at most, as far as the volumes declare; 0 if that is
+/// a tenth of a voxel or less. If one of them has no patient's space, only their spacings
+/// are compared. Units: millimetres. Limit: the same extents.
 double offset_mm(const VolumeInfo& a, const VolumeInfo& b);
 
 }  // namespace discmc::command

@@ -53,8 +53,7 @@ Placement in_nanometres(const VolumePlacement& placement) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (std::fabs(placement.axes_mm[axis][i]) > longest_mm)
         throw std::invalid_argument(
-            "voxels are more than the 2147 mm apart that the placement in a stream can hold: give "
-            "the volume a smaller unit");
+            "voxels are more than 2147 mm apart, the limit of a stream; give a smaller --spacing");
       rounded.axes_nm[axis][i] =
           static_cast<std::int32_t>(std::lround(placement.axes_mm[axis][i] * 1e6));
     }

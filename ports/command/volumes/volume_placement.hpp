@@ -8,7 +8,7 @@
 
 namespace discmc::command {
 
-/// Of voxels.
+/// The limits of distances between voxels.
 constexpr double min_spacing_mm = 1e-6;
 constexpr double max_spacing_mm = 1e6;
 
@@ -42,7 +42,7 @@ double determinant(const Axes& axes);
 bool is_usable(const Axes& axes_mm);
 bool is_usable(const VolumePlacement& placement);
 
-/// The same place told in another frame. Limit: neither is Frame::none.
+/// The same place in another frame. Limit: neither is Frame::none.
 VolumePlacement in_frame(VolumePlacement placement, Frame frame);
 
 /// As the record of a stream holds it, rounded to nanometres. Limit: is_usable(). Throws

@@ -22,12 +22,12 @@ class VolumeReader {
   /// Valid as long as the reader.
   virtual const VolumeInfo& info() const = 0;
 
-  /// What was assumed or left out so far. The last slice may add what stands behind it.
+  /// What was assumed or left out so far. The last slice may add what follows it.
   virtual const std::vector<std::string>& notes() const { return info().notes; }
 
   /// Writes the next slice, rows of x from y = 0, samples in native byte order.
   /// Size: info().slice_bytes(), owned by the caller.
-  /// Throws VolumeError when the data ends early (the text says in which slice and how many bytes
+  /// Throws VolumeError when the data ends early (the text names the slice and how many bytes
   /// are missing), when compressed data is damaged, and after the last slice. What a failed call
   /// wrote has no meaning.
   virtual void read_slice(void* samples) = 0;

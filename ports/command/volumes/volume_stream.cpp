@@ -23,7 +23,7 @@ void order_samples(unsigned char* bytes, std::uint64_t count, std::size_t size, 
 }
 
 constexpr const char* note_of_surplus =
-    " bytes behind the samples left out: check the sizes, and what stands before the samples";
+    " bytes after the samples are left out; check the sizes and the header";
 
 }  // namespace
 
@@ -115,7 +115,7 @@ std::optional<std::string> ByteStream::read_line() {
     if (position_ + seen > max_header_bytes)
       fail(file_,
            "the header has no end in its first " + std::to_string(position_ + seen) + " bytes",
-           "check that it is what its name says");
+           "check that the name has the right extension");
     const std::size_t before = seen;
     seen = peek(seen + step).size();
     end = ahead_.find('\n', before);
@@ -141,7 +141,7 @@ void ByteStream::skip(std::uint64_t count) {
   if (missing == 0) return;
   fail(file_,
        "of " + std::to_string(count) + " bytes to skip " + std::to_string(missing) +
-           " are not there" + (damage().empty() ? "" : ": " + damage()),
+           " are missing" + (damage().empty() ? "" : ": " + damage()),
        "copy the file again or correct its header");
 }
 
@@ -153,7 +153,7 @@ void ByteStream::skip_lines(std::uint64_t count) {
       if (take_ahead(&byte, 1) == 0)
         fail(file_,
              "of " + std::to_string(count) + " lines to skip only " + std::to_string(line) +
-                 " are there",
+                 " exist",
              "correct the line skip in the header");
     } while (byte != '\n');
   }
@@ -178,8 +178,8 @@ ByteStream open_content(const std::filesystem::path& file) {
 void skip_to_end(ByteStream& stream, std::uint64_t bytes) {
   const auto left = stream.left();
   if (!left)
-    fail(stream.file(), "the data is the end of a file, and this has no known end",
-         "store it in a file, not compressed");
+    fail(stream.file(), "the data is at the end of the file, and the end of this input is unknown",
+         "store it in an uncompressed file");
   if (bytes > *left)
     fail(stream.file(),
          "the last " + std::to_string(bytes) + " bytes are data, but the file has only " +

@@ -91,20 +91,20 @@ class ByteStream {
 /// The bytes of a file, unpacked where it is packed as a whole.
 ByteStream open_content(const std::filesystem::path& file);
 
-/// Goes to so many bytes before the end of the file. Throws when the file is shorter, and where it
-/// has no known end.
+/// Goes to this many bytes before the end of the file. Throws when the file is shorter, and where
+/// it has no known end.
 void skip_to_end(ByteStream& stream, std::uint64_t bytes);
 
-/// Returns a note of what stands behind the samples; empty where that is of no account.
+/// Returns a note of what follows the samples; empty if that does not matter.
 using NoteOfRest = std::function<std::string(ByteStream&)>;
 
 /// The reader of every format: its header is done, the samples of all slices follow in order.
 class SliceStream final : public VolumeReader {
  public:
-  /// The stream stands at the first sample of the first volume in the file. frame: the volume that
-  /// is read. note_of_rest: asked when the last slice has been read; without it bytes behind the
-  /// last volume are noted, at once where the end of the file is known. Throws when the first slice
-  /// cannot be there.
+  /// The next sample of the stream is the first of the first volume in the file. frame: the volume
+  /// that is read. note_of_rest: asked when the last slice has been read; without it bytes behind
+  /// the last volume are noted, at once where the end of the file is known. Throws when the first
+  /// slice cannot be there.
   SliceStream(VolumeInfo info, ByteStream stream, bool big_endian,
               std::optional<std::uint32_t> frame = {}, NoteOfRest note_of_rest = {});
 

@@ -46,14 +46,14 @@ class RowScan {
   /// Limit: not after the last row, as with skip().
   void push(const std::uint8_t* row);
 
-  /// Stands in for rows that never came: the row before is taken again, and the stream says so. No
+  /// Replaces rows that never came: the previous row is repeated, and the stream marks this. No
   /// more than the plan has left.
   void skip(std::uint32_t rows);
 
   /// Ends the scan: whole where a slice is, else abandoned in the middle of it.
   void finish();
 
-  /// Ends a scan that broke off. The stream is valid and says that it was abandoned.
+  /// Ends a scan that broke off. The stream is valid and marked as abandoned.
   void abandon();
 
   /// Rows so far, skipped ones included.

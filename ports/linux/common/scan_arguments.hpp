@@ -17,7 +17,8 @@ constexpr int exit_gone = 4;
 
 constexpr const char* exit_codes =
     "Exit codes: 0 all rows are in the stream, 1 failed, 2 wrong usage, 3 rows were skipped or the "
-    "scan ended early, 4 the device went away in mid-scan. The stream is valid with 0, 3 and 4.";
+    "scan ended early, 4 the device was removed during the scan. The stream is valid with 0, 3 and "
+    "4.";
 
 struct ScanArguments {
   ScanPlan plan;
@@ -28,7 +29,7 @@ struct ScanArguments {
 /// Adds the options to a command; the arguments must outlive the parsing.
 void add_scan_options(CLI::App& command, ScanArguments& arguments);
 
-/// Parses, runs and tells what went wrong. run: returns an exit code.
+/// Parses, runs and reports errors. run: returns an exit code.
 int run_command(CLI::App& app, int argc, char** argv, const std::function<int()>& run);
 
 }  // namespace discmc::device

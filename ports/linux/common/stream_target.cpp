@@ -11,16 +11,17 @@ StreamTarget::StreamTarget(const std::string& path)
     : path_(path), out_(path == "-" ? &std::cout : &file_), stream_(out_) {
   if (path == "-") {
     if (isatty(STDOUT_FILENO) == 1)
-      throw std::runtime_error("a stream is not written to a terminal: give -o FILE, or a pipe");
+      throw std::runtime_error("a stream is not written to a terminal; give -o FILE, or a pipe");
     return;
   }
   file_.open(path, std::ios::binary);
   if (!file_)
-    throw std::runtime_error(path + ": cannot be written: check the folder and its permissions");
+    throw std::runtime_error(path +
+                             ": the file cannot be written; check the folder and its permissions");
 }
 
 void StreamTarget::flush() {
-  if (!out_->flush()) throw std::runtime_error(path_ + ": writing failed: is the disk full?");
+  if (!out_->flush()) throw std::runtime_error(path_ + ": writing failed; is the disk full?");
 }
 
 }  // namespace discmc::device

@@ -1,4 +1,4 @@
-// A button that bounces: what presses it tells, and for how long.
+// A button that bounces: its presses, and how long they are.
 #ifndef DISCMC_LINUX_GPIO_BUTTON_HPP
 #define DISCMC_LINUX_GPIO_BUTTON_HPP
 
@@ -15,7 +15,7 @@ class Button {
   /// A press of this length is a lengthy one. Units: nanoseconds.
   static constexpr std::uint64_t lengthy_ns = 1'000'000'000;
 
-  /// Takes a change of the contact. A press is told when the button is let go.
+  /// Takes a change of the contact. A press is reported when the button is released.
   Press take(bool is_pressed, std::uint64_t time_ns) {
     if (has_changed_ && time_ns - changed_ns_ < bounce_ns) return Press::none;
     const bool is_release = is_pressed_ && !is_pressed;

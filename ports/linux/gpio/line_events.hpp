@@ -1,4 +1,4 @@
-// The lines of a scanner on a GPIO chip, and what the kernel tells of them.
+// The lines of a scanner on a GPIO chip, and their events from the kernel.
 //
 // libgpiod has two interfaces that have nothing in common; each has a file of its own behind this
 // one, line_events_v1.cpp and line_events_v2.cpp, of which CMake takes the one that fits.
@@ -16,12 +16,12 @@ namespace discmc::device {
 
 enum class LineRole : std::uint8_t { sync, button, end_stop };
 
-/// A change of a line. Of the sync line and the end-stop only changes to active are told.
+/// A change of a line. The sync line and the end-stop report only changes to active.
 struct LineEvent {
   LineRole role;
   bool is_active;
   std::uint64_t time_ns;  ///< of a clock that is never set
-  /// Counts the edges of the line from 1, lost ones included, where the kernel says (2.x).
+  /// Counts the edges of the line from 1, lost ones included, if the kernel counts them (2.x).
   std::optional<std::uint32_t> number{};
   /// Where it does not (1.x): edges may have been dropped since the event before.
   bool may_follow_loss = false;
@@ -37,14 +37,14 @@ struct Wiring {
   bool contacts_to_ground = false;  ///< button and end-stop: active is low, with a pull-up
 };
 
-/// Whether a line is told by its offset on the chip, else by its name.
+/// Whether a line is given by its offset on the chip, else by its name.
 inline bool is_offset(const std::string& line) {
   return line.find_first_not_of("0123456789") == std::string::npos && line.size() < 6;
 }
 
 class LineEvents {
  public:
-  /// Takes the lines. Throws std::runtime_error with the line or chip that cannot be had.
+  /// Takes the lines. Throws std::runtime_error with the line or chip that is not available.
   explicit LineEvents(const Wiring& wiring);
   ~LineEvents();
   LineEvents(const LineEvents&) = delete;

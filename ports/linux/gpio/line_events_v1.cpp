@@ -42,10 +42,11 @@ struct LineEvents::Lines {
                              ? gpiod_chip_get_line(chip, static_cast<unsigned>(std::stoul(name)))
                              : gpiod_chip_find_line(chip, name.c_str());
     if (handle == nullptr)
-      throw std::runtime_error("the GPIO chip has no line '" + name + "': see gpioinfo");
+      throw std::runtime_error("the GPIO chip has no line '" + name +
+                               "'; list the lines with gpioinfo");
     const gpiod_line_request_config config{"discmc-gpio", request_type, flags};
     if (gpiod_line_request(handle, &config, 0) != 0)
-      throw std::runtime_error("GPIO line '" + name + "' cannot be had: " + reason());
+      throw std::runtime_error("GPIO line '" + name + "' cannot be requested: " + reason());
     taken.push_back({role, handle});
   }
 
@@ -72,7 +73,7 @@ LineEvents::LineEvents(const Wiring& wiring) : lines_(std::make_unique<Lines>())
   lines_->chip = gpiod_chip_open_lookup(wiring.chip.c_str());
   if (lines_->chip == nullptr)
     throw std::runtime_error("no GPIO chip '" + wiring.chip + "': " + reason() +
-                             "; see gpiodetect");
+                             "; list the chips with gpiodetect");
   const int contact = wiring.contacts_to_ground ? GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW |
                                                       GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP
                                                 : 0;

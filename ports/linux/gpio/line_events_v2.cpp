@@ -57,7 +57,8 @@ unsigned offset_of(gpiod_chip* chip, const std::string& line) {
   if (is_offset(line)) return static_cast<unsigned>(std::stoul(line));
   const int offset = gpiod_chip_get_line_offset_from_name(chip, line.c_str());
   if (offset < 0)
-    throw std::runtime_error("the GPIO chip has no line '" + line + "': see gpioinfo");
+    throw std::runtime_error("the GPIO chip has no line '" + line +
+                             "'; list the lines with gpioinfo");
   return static_cast<unsigned>(offset);
 }
 
@@ -83,7 +84,7 @@ struct LineEvents::Lines {
     const unsigned offset = offset_of(chip.get(), name);
     for (const Taken& other : taken)
       if (other.offset == offset)
-        throw std::runtime_error("GPIO line '" + name + "' cannot be had twice");
+        throw std::runtime_error("GPIO line '" + name + "' is given twice; give each line once");
     const Settings settings(gpiod_line_settings_new());
     require(config != nullptr && settings != nullptr);
     require(gpiod_line_settings_set_direction(settings.get(), GPIOD_LINE_DIRECTION_INPUT) == 0);
@@ -103,7 +104,8 @@ struct LineEvents::Lines {
     gpiod_request_config_set_event_buffer_size(options.get(), queue_events);
     request.reset(gpiod_chip_request_lines(chip.get(), options.get(), config.get()));
     if (request == nullptr)
-      throw std::runtime_error("the GPIO lines cannot be had: " + reason() + "; see gpioinfo");
+      throw std::runtime_error("the GPIO lines cannot be requested: " + reason() +
+                               "; see their users with gpioinfo");
   }
 
   LineEvent read(gpiod_edge_event* edge) const {
@@ -124,7 +126,7 @@ LineEvents::LineEvents(const Wiring& wiring) : lines_(std::make_unique<Lines>())
   lines_->chip = open_chip(wiring.chip);
   if (lines_->chip == nullptr)
     throw std::runtime_error("no GPIO chip '" + wiring.chip + "': " + reason() +
-                             "; see gpiodetect");
+                             "; list the chips with gpiodetect");
   if (!wiring.button.empty())
     lines_->add(LineRole::button, wiring.button, GPIOD_LINE_EDGE_BOTH, wiring.contacts_to_ground);
   if (!wiring.end_stop.empty())

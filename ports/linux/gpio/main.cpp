@@ -27,23 +27,23 @@ struct Arguments {
 
 void add_options(CLI::App& app, Arguments& arguments) {
   Wiring& wiring = arguments.wiring;
-  app.add_option("--chip", wiring.chip, "by name (gpiochip0), path or label")->required();
-  app.add_option("--sync", wiring.sync, "the line with an edge for every row, by offset or name")
+  app.add_option("--chip", wiring.chip, "the GPIO chip, by name (gpiochip0), path or label")
+      ->required();
+  app.add_option("--sync", wiring.sync, "the line with an edge per row, by offset or name")
       ->required()
       ->option_text("LINE");
-  app.add_flag("--falling", wiring.sync_is_falling, "its falling edge counts (default: rising)");
-  app.add_option(
-         "--button", wiring.button,
-         "a button that starts, pauses and continues the scan; held for a second, it ends the scan")
+  app.add_flag("--falling", wiring.sync_is_falling, "count falling edges (default: rising)");
+  app.add_option("--button", wiring.button,
+                 "a button that starts, pauses and continues the scan; held for a second, the "
+                 "button ends it")
       ->option_text("LINE");
   app.add_option("--end-stop", wiring.end_stop, "a line that ends the scan")->option_text("LINE");
   app.add_flag("--to-ground", wiring.contacts_to_ground,
-               "button and end-stop close to ground, against a pull-up (default: active is high)");
-  CLI::Option* rows = app.add_option(
-      "--rows", arguments.rows,
-      "the samples: a device or pipe that gives a row at every edge, a file of rows, "
-      "or - for standard input");
-  app.add_flag("--simulate", arguments.simulate, "made-up samples")->excludes(rows);
+               "button and end-stop connect to ground, with a pull-up (default: active is high)");
+  CLI::Option* rows = app.add_option("--rows", arguments.rows,
+                                     "read samples from a device or pipe that gives a row per "
+                                     "edge, from a file of rows, or from standard input (-)");
+  app.add_flag("--simulate", arguments.simulate, "generate samples")->excludes(rows);
   add_scan_options(app, arguments.scan);
 }
 
@@ -65,7 +65,7 @@ void follow(LineEvents& lines, TriggeredScan& triggered, const RowScan& scan,
     if (is_printed || !triggered.first_missed_row()) continue;
     is_printed = true;  // once: printing takes time, and the report counts them all
     std::cerr << "discmc-gpio: edges were missed from row " << *triggered.first_missed_row()
-              << " on; their rows are skipped\n";
+              << " on, so their rows are skipped; slow the stage down\n";
   }
 }
 
@@ -84,8 +84,7 @@ int run(const Arguments& arguments) {
     scan.finish();
   } catch (const DeviceGone& gone) {
     std::cerr << "discmc-gpio: " << gone.what() << "; the stream ends after " << scan.rows()
-              << " of " << wanted.plan.rows()
-              << " rows; it is valid, and is marked as incomplete\n";
+              << " of " << wanted.plan.rows() << " rows; it is valid and marked as incomplete\n";
     is_gone = true;
     scan.abandon();
   }
@@ -103,7 +102,7 @@ int run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   using namespace discmc::device;
-  CLI::App app{"Surface of a scan whose rows are triggered by a GPIO line, as a stream",
+  CLI::App app{"Write the surface of a scan as a stream; a GPIO line triggers its rows",
                "discmc-gpio"};
   app.set_version_flag("--version", discmc::version());
   app.footer(exit_codes);

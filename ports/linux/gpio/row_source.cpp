@@ -20,10 +20,10 @@ class FileRows final : public RowSource {
       : path_(path), file_(path == "-" ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
     struct stat status {};
     if (file_ < 0 || fstat(file_, &status) != 0)
-      throw std::runtime_error(path + ": cannot be read (" + std::strerror(errno) +
-                               "): check the name and its permissions");
+      throw std::runtime_error(path + ": the rows cannot be read (" + std::strerror(errno) +
+                               "); check the name and its permissions");
     if (S_ISDIR(status.st_mode))
-      throw std::runtime_error(path + ": is a folder: give a file, a pipe or a device");
+      throw std::runtime_error(path + ": this is a folder; give a file, a pipe or a device");
     is_numbered_ = S_ISREG(status.st_mode);
   }
   ~FileRows() override {
@@ -38,7 +38,7 @@ class FileRows final : public RowSource {
       if (count == 0) return false;
       if (count > 0) taken += static_cast<std::size_t>(count);
       if (count < 0 && errno != EINTR)
-        throw DeviceGone(path_ + ": cannot be read: " + std::strerror(errno));
+        throw DeviceGone(path_ + ": the rows cannot be read: " + std::strerror(errno));
     }
     return taken == row.size();
   }

@@ -1,4 +1,4 @@
-// Where the samples of a row come from when an edge has said that it is there.
+// The source of the samples of a row, after its edge.
 #ifndef DISCMC_LINUX_GPIO_ROW_SOURCE_HPP
 #define DISCMC_LINUX_GPIO_ROW_SOURCE_HPP
 
@@ -30,7 +30,7 @@ class RowSource {
 /// whatever its number. Throws std::runtime_error when it cannot be opened.
 std::unique_ptr<RowSource> open_rows(const std::string& path);
 
-/// A made-up volume: a ball with a hole through it, in noise.
+/// A generated volume: a ball with a hole through it, in noise.
 std::unique_ptr<RowSource> simulated_rows(const std::array<std::uint32_t, 3>& dims,
                                           command::SampleType type);
 

@@ -17,7 +17,7 @@ namespace discmc::device {
 /// Every edge of the sync line is a row while the scan runs, and none while it waits or is paused.
 /// A missed edge is a skipped row.
 ///
-///   brief press     the scan starts, pauses, goes on, pauses, ...
+///   brief press     the scan starts, pauses, continues, pauses, ...
 ///   lengthy press   the scan ends
 ///   end-stop        the scan ends
 class TriggeredScan {

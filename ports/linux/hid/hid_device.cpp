@@ -38,7 +38,7 @@ hid_device* open(const std::string& name) {
 std::size_t list_hid_devices(std::ostream& out) {
   const std::unique_ptr<hid_device_info, void (*)(hid_device_info*)> all(hid_enumerate(0, 0),
                                                                          hid_free_enumeration);
-  std::set<std::string> paths;  // a device is told once for each of its uses
+  std::set<std::string> paths;  // hidapi lists a device once for each of its uses
   for (const hid_device_info* info = all.get(); info != nullptr; info = info->next)
     if (paths.insert(info->path).second)
       out << info->path << ' ' << vendor_and_product(*info) << ' '
@@ -50,7 +50,7 @@ HidDevice::HidDevice(const std::string& name) : name_(name), device_(open(name))
   if (device_ == nullptr)
     throw std::runtime_error(
         "HID device '" + name +
-        "' cannot be opened: see discmc-hid list, and whether you may read and write its path");
+        "' cannot be opened; check its name with discmc-hid list, and the permissions of its path");
 }
 
 std::size_t HidDevice::read(Bytes& report, std::chrono::milliseconds timeout) {
@@ -65,7 +65,7 @@ void HidDevice::write(const Bytes& report) {
   std::array<std::uint8_t, 1 + Report::bytes> bytes{};
   std::copy(report.begin(), report.end(), bytes.begin() + 1);
   if (hid_write(device_.get(), bytes.data(), bytes.size()) < 0)
-    throw DeviceGone("HID device '" + name_ + "' takes no report (" +
+    throw DeviceGone("HID device '" + name_ + "' rejects a report (" +
                      narrow(hid_error(device_.get())) + ")");
 }
 

@@ -26,15 +26,17 @@ struct Arguments {
 
 CLI::App* add_scan(CLI::App& app, Arguments& arguments) {
   CLI::App* scan = app.add_subcommand("scan", "Scan, and write the surface as a stream");
-  scan->add_option("DEVICE", arguments.device, "a path, or vendor:product as list shows them")
+  scan->add_option("DEVICE", arguments.device,
+                   "the device: a path, or vendor:product as in discmc-hid list")
       ->required();
-  scan->add_flag("--echo", arguments.echo, "send the stream to the device as well");
+  scan->add_flag("--echo", arguments.echo, "also send the stream to the device");
   add_scan_options(*scan, arguments.scan);
   return scan;
 }
 
 int run_list() {
-  if (list_hid_devices(std::cout) == 0) std::cerr << "discmc-hid: no HID device is there\n";
+  if (list_hid_devices(std::cout) == 0)
+    std::cerr << "discmc-hid: no HID device found; connect the scanner\n";
   return exit_ok;
 }
 
@@ -63,7 +65,7 @@ void send(HidDevice& device, Report::Kind kind) {
   device.write(report);
 }
 
-// Takes reports until the scan has all its rows, or the scanner or somebody ends it.
+// Takes reports until the scan has all its rows, or the scanner or the user ends it.
 void follow(HidDevice& device, RowAssembler& assembler, RowScan& scan, Output& output) {
   command::Progress progress("row", 0);
   HidDevice::Bytes report{};
@@ -110,20 +112,21 @@ int run_scan(const Arguments& arguments) {
   } else {
     scan.abandon();
     std::cerr << "discmc-hid: the stream ends after " << scan.rows() << " of " << wanted.plan.rows()
-              << " rows; it is valid, and is marked as incomplete\n";
+              << " rows; it is valid and marked as incomplete\n";
   }
   output.target.flush();
-  const bool is_told = is_scanned && outlives([&] {
-                         if (arguments.echo)
-                           output.reports.send_all([&](const auto& bytes) { device.write(bytes); });
-                         send(device, Report::Kind::stop);
-                       });
+  const bool is_confirmed =
+      is_scanned && outlives([&] {
+        if (arguments.echo)
+          output.reports.send_all([&](const auto& bytes) { device.write(bytes); });
+        send(device, Report::Kind::stop);
+      });
 
   if (!wanted.quiet) {
     assembler.report(std::cerr);
     scan.report(std::cerr);
   }
-  if (!is_scanned || (arguments.echo && !is_told)) return exit_gone;
+  if (!is_scanned || (arguments.echo && !is_confirmed)) return exit_gone;
   return scan.is_whole() ? exit_ok : exit_incomplete;
 }
 
@@ -132,7 +135,8 @@ int run_scan(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   using namespace discmc::device;
-  CLI::App app{"Surface of a scan whose rows arrive in HID reports, as a stream", "discmc-hid"};
+  CLI::App app{"Write the surface of a scan as a stream; HID reports contain its rows",
+               "discmc-hid"};
   app.set_version_flag("--version", discmc::version());
   app.require_subcommand(1);
   app.footer(exit_codes);

@@ -19,11 +19,11 @@ struct Report {
 
   enum class Kind : std::uint8_t {
     row = 1,         ///< from the scanner: a part of a row
-    end = 2,         ///< from the scanner: no row follows; number says how many there were
-    start = 3,       ///< to the scanner: somebody listens, scan
-    stop = 4,        ///< to the scanner: nobody listens any more
+    end = 2,         ///< from the scanner: no row follows; number: their count
+    start = 3,       ///< to the scanner: begin to scan
+    stop = 4,        ///< to the scanner: stop
     stream = 5,      ///< to the scanner: a part of the surface stream
-    stream_end = 6,  ///< to the scanner: the stream is complete; number says how many parts it had
+    stream_end = 6,  ///< to the scanner: the stream is complete; number: its parts
   };
 
   Kind kind = Kind::row;

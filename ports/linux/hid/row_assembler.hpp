@@ -24,7 +24,7 @@ class RowAssembler {
   /// row_bytes: Limit: 1 to 65,532.
   RowAssembler(std::size_t row_bytes, std::uint32_t rows);
 
-  /// Takes any bytes. All rows told as lost or as there are never more than there are rows.
+  /// Takes any bytes. The lost and received rows are never more than the rows of the scan.
   Taken take(const std::uint8_t* report, std::size_t count);
 
   /// Valid until the next take().
@@ -47,7 +47,7 @@ class RowAssembler {
 
   std::vector<std::uint8_t> row_;
   std::uint32_t rows_;
-  std::uint32_t next_row_ = 0;       // the first that is not told yet
+  std::uint32_t next_row_ = 0;       // the first that is not reported yet
   std::uint64_t next_position_ = 0;  // of a report among those of all rows
   bool is_damaged_ = false;          // the next row lacks a report
   std::uint64_t reports_ = 0;

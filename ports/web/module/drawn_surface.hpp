@@ -22,7 +22,7 @@ struct DrawnVertex {
 
   std::int16_t x, y, z;
   std::uint8_t incidence;
-  std::uint8_t colour;  ///< below colours; tells the polygon from those beside it, mostly
+  std::uint8_t colour;  ///< below colours; mostly differs from those of neighbouring polygons
 };
 static_assert(sizeof(DrawnVertex) == 8, "the page reads them so");
 

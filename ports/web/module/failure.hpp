@@ -4,8 +4,8 @@
 
 namespace discmc::web {
 
-/// Calls, and returns whether nothing was thrown. What was on the stack then is dropped as it
-/// stands: no destructor runs.
+/// Calls, and returns whether nothing was thrown. The stack is then dropped;
+/// no destructor runs.
 bool attempt(void (*call)(void* context), void* context);
 
 template <class Call>

@@ -275,7 +275,7 @@ EXPORT(stream_state) const double* stream_state() {
                  report.holds_slices ? report.lost_rows : report.lost_pieces, report.holds_slices,
                  report.totals.classic_triangles, report.bytes, header.border == Border::closed);
 }
-/// The axes of the voxels in space, one after another, 0 where they are not told; and whether space
+/// The axes of the voxels in space, one after another, 0 if there are none; and whether space
 /// is RAS.
 EXPORT(stream_axes) const double* stream_axes() {
   const auto& placement = state().stream->placement();

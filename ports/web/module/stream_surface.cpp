@@ -7,9 +7,9 @@ StreamSurface::StreamSurface(const command::StreamChoice& choice)
 
 SinkResult StreamSurface::take(const Event& event) {
   if (event.kind == Event::Kind::skipped) note_skipped(event.slice, event.row);
-  Placement told;
-  if (event.kind == Event::Kind::application && read_placement(*event.application, told))
-    placement_ = told;
+  Placement placement;
+  if (event.kind == Event::Kind::application && read_placement(*event.application, placement))
+    placement_ = placement;
   return joiner_.take(event);
 }
 
@@ -35,11 +35,11 @@ void StreamSurface::note_skipped(std::uint32_t slice, std::uint32_t row) {
 
 Missing StreamSurface::missing(bool is_end) const {
   StreamHeader header = reader_.header();
-  const StreamReport told = report();
-  if (told.has_trailer) header.depth = told.slices;
+  const StreamReport state = report();
+  if (state.has_trailer) header.depth = state.slices;
   Missing missing(header);
   missing.add_rows(rows_);
-  if (is_end && !told.is_complete()) missing.add_open_links(polygons());
+  if (is_end && !state.is_complete()) missing.add_open_links(polygons());
   return missing;
 }
 

@@ -30,7 +30,7 @@ class StreamSurface {
   void finish();
 
   const command::StreamReader& reader() const { return reader_; }
-  /// Where the volume lies, if that was told.
+  /// Where the volume lies, if the stream has a placement.
   const std::optional<Placement>& placement() const { return placement_; }
   /// Regions that came in pieces of which some did not are among the lost ones.
   StreamReport report() const;

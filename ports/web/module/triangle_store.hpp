@@ -10,8 +10,8 @@
 
 namespace discmc::web {
 
-/// As a Triangulator, which it asks for shapes that it does not know. It keeps its memory, and what
-/// it knows, from one surface to the next.
+/// As a Triangulator, which makes shapes that are not stored yet. It keeps its memory, and the
+/// shapes, from one surface to the next.
 class TriangleStore {
  public:
   TriangleStore();

@@ -14,11 +14,11 @@ async function bytesIn(id, encoding) {
 /** The module of WebAssembly. */
 export async function embeddedModule() {
   const bytes = await bytesIn('module', 'deflate');
-  if (!bytes) throw new Error('It lacks its module.');
+  if (!bytes) throw new Error('The WebAssembly module is missing; rebuild discmc.html.');
   return bytes;
 }
 
-/** What the element `data` says of a file that is served: data-name, data-source, data-live. */
+/** The attributes of the element `data` for a file that is served: data-name, data-source, data-live. */
 export function servedFile() {
   const data = document.getElementById('data')?.dataset;
   if (data?.source === undefined) return null;

@@ -6,7 +6,7 @@ export class EngineError extends Error {
   constructor(answer) {
     super(answer.message ?? '');
     this.unknownLayout = answer.unknownLayout;
-    /** Something else was opened meanwhile: there is nothing to tell. */
+    /** Something else was opened meanwhile: no message is needed. */
     this.isStale = answer.isStale;
   }
 }

@@ -1,10 +1,10 @@
-// The page: what is open, and who is told when something changes.
+// The page: what is open, and who is notified of changes.
 import { takeDropped } from './dropped.js';
 import { by, counted, number, on, whole } from './elements.js';
 import { embeddedFile, embeddedModule, servedFile } from './embedded.js';
 import { Engine, EngineError, Newest } from './engine.js';
 import { servedWhole } from './live/served.js';
-import { fail, hideError, tellBusy, tellError } from './messages.js';
+import { fail, hideError, showBusy, showError } from './messages.js';
 import { navigate } from './navigation.js';
 import { DevicePanel } from './panels/device_panel.js';
 import { LivePanel } from './panels/live_panel.js';
@@ -16,7 +16,7 @@ import { SlicePanel } from './panels/slice_panel.js';
 import { SurfaceChoice } from './panels/surface_choice.js';
 import { ThresholdPanel } from './panels/threshold_panel.js';
 import { SurfaceView } from './surface_view.js';
-import { told } from './timing.js';
+import { record } from './timing.js';
 
 const settled = 250; // milliseconds without another surface
 
@@ -60,7 +60,7 @@ class Page {
     on('classic', 'change', () => {
       by('caption-classic').hidden = true;
       if (!by('classic').checked) return this.view.setClassic(null);
-      tellBusy('Marching Cubes…');
+      showBusy('Marching Cubes…');
       this.classics.ask({});
     });
     navigate(by('view'), this.view.camera, {
@@ -83,7 +83,7 @@ class Page {
   async open(files, { layout, iso, choice } = {}) {
     if (files.length === 0) return;
     hideError();
-    tellBusy('Reading…');
+    showBusy('Reading…');
     this.live.leave();
     try {
       const opened = await this.engine.call('open', { files, layout, choice });
@@ -93,7 +93,7 @@ class Page {
     } catch (error) {
       const unknown = error instanceof EngineError && error.unknownLayout;
       if (!unknown) return fail(/** @type {Error} */ (error));
-      tellBusy('');
+      showBusy('');
       const answer = await askLayout(unknown);
       if (answer) await this.open(files.filter(({ name }) => name === unknown.name), { layout: answer });
     }
@@ -104,7 +104,7 @@ class Page {
     if (isLive) return this.live.fetch(name, source);
     try {
       const file = await servedWhole(name, source,
-        (share) => tellBusy(`Loading… ${Math.floor(100 * share)} %`));
+        (share) => showBusy(`Loading… ${Math.floor(100 * share)} %`));
       await this.open([file]);
     } catch (error) {
       fail(/** @type {Error} */ (error));
@@ -125,7 +125,7 @@ class Page {
     this.opened = { name, dims: stream.dims, spacing: stream.spacing, upright: stream.upright };
     this.choice.show(surfaces, choice);
     this.showOpened(stream.isComplete && stream.isClosed);
-    this.tellStream(stream);
+    this.reportStream(stream);
     this.missing.show(missing);
     await this.redrawStream();
   }
@@ -137,21 +137,21 @@ class Page {
   showArrived(name, { stream, surface, surfaces, missing }, isFirst, isEnd) {
     this.choice.show(isEnd ? surfaces : []);
     if (isFirst || (isEnd && stream.dims[2] !== this.opened.dims[2])) {
-      const [width, height, depth] = stream.dims; // it may be told at the end alone
+      const [width, height, depth] = stream.dims; // a stream may state it only at its end
       this.opened = { name, dims: [width, height, depth || Math.max(width, height)],
         spacing: stream.spacing, upright: stream.upright };
       this.showOpened(stream.isComplete && stream.isClosed, true);
     }
     this.view.setSurface(surface);
     this.missing.show(missing);
-    if (isEnd) return this.tellStream(stream);
+    if (isEnd) return this.reportStream(stream);
     const lost = stream.lostPackets > 0 ? `, ${counted(stream.lostPackets, 'packet')} lost` : '';
     by('stream-text').textContent = `Arriving: ${whole(stream.bytes)} bytes${lost}.`;
     this.showCounts(stream.polygons, 0);
   }
 
   /** @param {any} stream at its end */
-  tellStream(stream) {
+  reportStream(stream) {
     const missing = [
       counted(stream.lostPackets, 'packet'),
       stream.holdsSlices ? counted(stream.lostPieces, 'row')
@@ -161,7 +161,7 @@ class Page {
     by('stream-text').textContent = stream.isComplete
       ? `Complete: ${whole(stream.bytes)} bytes, threshold ${number(stream.threshold)}.`
       : `Incomplete. Missing: ${missing.join(', ')}. Damaged: ${counted(stream.damagedPackets, 'packet')}. ` +
-        'What is whole is shown.';
+        'The page shows the complete parts.';
     this.showCounts(stream.polygons, stream.classicTriangles);
   }
 
@@ -202,8 +202,8 @@ class Page {
   /** @param {any} surface */
   showSurface(surface) {
     const { iso, counts, milliseconds } = surface;
-    told('extracted', performance.now() - milliseconds, milliseconds, { iso, ...counts });
-    tellBusy('');
+    record('extracted', performance.now() - milliseconds, milliseconds, { iso, ...counts });
+    showBusy('');
     if (iso !== this.shownIso) this.measure.clear();
     this.shownIso = iso;
     this.view.setSurface(surface);
@@ -220,7 +220,7 @@ class Page {
 
   /** @param {any} classic */
   showClassic(classic) {
-    tellBusy('');
+    showBusy('');
     if (!by('classic').checked) return;
     this.view.setClassic(classic);
     const triangles = whole(classic.triangles.byteLength / 12);
@@ -241,9 +241,9 @@ class Page {
     try {
       const surface = await this.engine.call('redraw', { hasEdges: this.view.hasEdges });
       this.view.setSurface(surface);
-      tellBusy('');
+      showBusy('');
       if (surface.leftOut > 0)
-        tellError(`${this.opened.name}: ${whole(surface.leftOut)} polygons are not valid and are ` +
+        showError(`${this.opened.name}: ${whole(surface.leftOut)} polygons are invalid and ` +
           'left out; check where the stream is from');
     } catch (error) {
       fail(/** @type {Error} */ (error));
@@ -266,8 +266,8 @@ async function start() {
     if (served) page.openServed(served);
     document.body.dataset.ready = '';
   } catch (error) {
-    tellError(`The page cannot start: ${/** @type {Error} */ (error).message} ` +
-      'It needs a browser of 2023 or later with WebGL 2 and WebAssembly.');
+    showError(`The page cannot start: ${/** @type {Error} */ (error).message} ` +
+      'The page needs a browser of 2023 or later with WebGL 2 and WebAssembly.');
   }
 }
 

@@ -165,7 +165,7 @@ export class Module {
       ({ scan: list[3 * i], channel: list[3 * i + 1], threshold: list[3 * i + 2] }));
   }
 
-  /** @param {string} name of a call that tells bytes @param {...number} values */
+  /** @param {string} name of a call that returns bytes @param {...number} values */
   copy(name, ...values) {
     const at = this.call(name, ...values) >>> 0;
     const view = new DataView(this.exports.memory.buffer);

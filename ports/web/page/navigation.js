@@ -6,11 +6,11 @@ const keySteps = 0.08;
  * @param {HTMLElement} element
  * @param {import('./camera.js').Camera} camera
  * @param {{changed: () => void, picked: (right: number, up: number) => void,
- *   pointed: (right: number, up: number) => void, home: () => void}} tell
+ *   pointed: (right: number, up: number) => void, home: () => void}} notify
  *   picked: a click, and pointed: a mouse that passes; from -1 to 1 to the right and upwards in the
  *   element
  */
-export function navigate(element, camera, tell) {
+export function navigate(element, camera, notify) {
   /** @type {Map<number, {x: number, y: number}>} */
   const pointers = new Map();
   let travelled = 0;
@@ -27,7 +27,7 @@ export function navigate(element, camera, tell) {
   });
   element.addEventListener('pointermove', (event) => {
     const before = pointers.get(event.pointerId);
-    if (!before) return tell.pointed(...placeOf(event));
+    if (!before) return notify.pointed(...placeOf(event));
     const now = { x: event.clientX, y: event.clientY };
     const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
     const size = Math.min(element.clientWidth, element.clientHeight);
@@ -35,7 +35,7 @@ export function navigate(element, camera, tell) {
     travelled += Math.hypot(now.x - before.x, now.y - before.y);
     pointers.set(event.pointerId, now);
     if (other) {
-      // Two fingers: each tells half of the way.
+      // Two fingers: each contributes half of the way.
       camera.pan(right / 2, -down / 2);
       const apart = (/** @type {{x: number, y: number}} */ p) =>
         Math.hypot(p.x - other.x, p.y - other.y);
@@ -45,13 +45,13 @@ export function navigate(element, camera, tell) {
     } else {
       camera.rotate(right * Math.PI, down * Math.PI);
     }
-    tell.changed();
+    notify.changed();
   });
   const release = (/** @type {PointerEvent} */ event) => {
     if (!pointers.delete(event.pointerId)) return;
     const mostOfClick = 4; // pixels
     if (event.type !== 'pointerup' || travelled > mostOfClick || event.button !== 0) return;
-    tell.picked(...placeOf(event));
+    notify.picked(...placeOf(event));
   };
   element.addEventListener('pointerup', release);
   element.addEventListener('pointercancel', release);
@@ -59,7 +59,7 @@ export function navigate(element, camera, tell) {
   element.addEventListener('wheel', (event) => {
     event.preventDefault();
     camera.zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)));
-    tell.changed();
+    notify.changed();
   }, { passive: false });
 
   /** @type {Record<string, () => void>} */
@@ -75,9 +75,9 @@ export function navigate(element, camera, tell) {
     '+': () => camera.zoom(1.15),
     '=': () => camera.zoom(1.15),
     '-': () => camera.zoom(1 / 1.15),
-    0: tell.home,
-    Home: tell.home,
-    Enter: () => tell.picked(0, 0),
+    0: notify.home,
+    Home: notify.home,
+    Enter: () => notify.picked(0, 0),
   };
   element.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
@@ -86,6 +86,6 @@ export function navigate(element, camera, tell) {
     if (!act) return;
     event.preventDefault();
     act();
-    tell.changed();
+    notify.changed();
   });
 }

@@ -1,4 +1,4 @@
-// Colours that those tell apart, too, who do not see all of them: M. Okabe and K. Ito, Color
+// Colours that people with any colour vision can distinguish: M. Okabe and K. Ito, Color
 // Universal Design, 2008.
 
 /** Red, green and blue from 0 to 1. @param {string} hex */

@@ -68,7 +68,7 @@ vec3 lit(vec3 base, vec3 normal, bool isInside) {
 }
 `;
 
-/** Of merged polygons, smooth by told normals. */
+/** Of merged polygons, smooth by their packed normals. */
 export const smoothVertex = `#version 300 es
 precision highp float;
 ${unpacking}
@@ -83,8 +83,8 @@ out vec3 place;
 out vec3 colour;
 
 // As normal.hpp unfolds it.
-vec3 unfolded(vec2 told) {
-  vec2 at = (told * 255.0 - 128.0) / 127.0;
+vec3 unfolded(vec2 packed) {
+  vec2 at = (packed * 255.0 - 128.0) / 127.0;
   float z = 1.0 - abs(at.x) - abs(at.y);
   vec2 side = vec2(at.x < 0.0 ? -1.0 : 1.0, at.y < 0.0 ? -1.0 : 1.0);
   if (z < 0.0) at = (1.0 - abs(at.yx)) * side;
@@ -94,9 +94,9 @@ vec3 unfolded(vec2 told) {
 void main() {
   vec3 own = planes[incidence()];
   if (octahedral.x > 0.0) {
-    vec3 told = unfolded(octahedral);
+    vec3 smooth_normal = unfolded(octahedral);
     const float steepest = 0.309; // 72 degrees: there is an edge
-    if (dot(told, own) > steepest) own = told;
+    if (dot(smooth_normal, own) > steepest) own = smooth_normal;
   }
   normal = toView * own;
   place = halfSteps();
@@ -158,7 +158,7 @@ export const edgeVertex = lines(` * ${vertexUnit}.0`);
 export const lineVertex = lines(' * toPlace');
 
 /**
- * Of lines of some width, each a strip of two triangles: `corner` tells which end of it, and on
+ * Of lines of some width, each a strip of two triangles: `corner` is the number of its end, and on
  * which side. In half-steps.
  */
 export const wideLineVertex = `#version 300 es

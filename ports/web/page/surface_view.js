@@ -5,7 +5,7 @@ import { facing } from './facing.js';
 import { kindBases, litPlanes, plainBases, planesOf, whiteBases } from './light.js';
 import * as palette from './palette.js';
 import * as shaders from './shaders.js';
-import { told } from './timing.js';
+import { record } from './timing.js';
 
 /** Of polygons, so that neighbours differ. */
 const tints = [palette.bone, palette.skyBlue, palette.orange, palette.green, palette.yellow, palette.purple,
@@ -271,7 +271,7 @@ export class SurfaceView {
     this.drawNow(isFinal ? finest : this.scale);
     await this.finished();
     const duration = performance.now() - begin;
-    told('drawn', begin, duration, { isFinal });
+    record('drawn', begin, duration, { isFinal });
     this.isDrawing = false;
     const [fast, slow] = [12, 60]; // milliseconds
     if (!isFinal && duration > slow) this.scale = Math.max(0.5, this.scale / 2);
@@ -294,7 +294,7 @@ export class SurfaceView {
     gl.flush();
     const pending = () => !gl.isContextLost() &&
       gl.getSyncParameter(sync, gl.SYNC_STATUS) === gl.UNSIGNALED;
-    // A task of its own each time: the browser tells news of the card between tasks.
+    // A task of its own each time: the browser reports the state of the card between tasks.
     do await new Promise((resolve) => setTimeout(resolve, 1));
     while (pending());
     gl.deleteSync(sync);

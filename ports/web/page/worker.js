@@ -55,7 +55,7 @@ const requests = {
   },
 
   /** @param {{bytes: Uint8Array}} request */
-  hear({ bytes }) {
+  receive({ bytes }) {
     module.pushStream(bytes);
   },
 
@@ -105,12 +105,12 @@ async function openVolume(opened, name, info, data) {
   data.cancel();
   if (filled < bytes)
     throw new FileError(name,
-      `it ends after ${filled} of ${bytes} bytes of samples (${info.dims.join(' x ')} ${info.type})`,
+      `the file ends after ${filled} of ${bytes} bytes of samples (${info.dims.join(' x ')} ${info.type})`,
       'check whether the file is complete');
   if (info.bigEndian) swapBytes(samples, sampleBytes(info.type));
   const values = opened.measure();
   if (values.count === 0)
-    throw new FileError(name, 'no value is a finite number', 'check the file');
+    throw new FileError(name, 'no value is finite', 'check the file');
   return { name, info, values };
 }
 
@@ -123,8 +123,8 @@ async function openStream(opened, name, data, choice) {
   for (let piece = await data.next(); piece; piece = await data.next()) opened.pushStream(piece);
   const stream = opened.endStream();
   if (!stream.hasHeader)
-    throw new FileError(name, `no header of a discmc stream in ${stream.bytes} bytes`,
-      'check whether this is a stream (.dmc)');
+    throw new FileError(name, `there is no header of a discmc stream in its ${stream.bytes} bytes`,
+      'check that this is a stream (.dmc)');
   requireExtents(name, stream.dims);
   return { name, stream, surfaces: opened.streamSurfaces(), missing: opened.missing(true) };
 }

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <stdexcept>
-#include <type_traits>
 
 #include "contenders.hpp"
 
@@ -27,7 +26,7 @@ struct Counter {
     if (event.kind == Event::Kind::fragment) ++fragments;
     return SinkResult::accepted;
   }
-  SinkResult take_region(const host::WholeRegion&) {
+  SinkResult take_region(const WholeRegion&) {
     ++regions;
     return SinkResult::accepted;
   }
@@ -38,12 +37,12 @@ class Scan {
  public:
   explicit Scan(const Volume& volume) : volume_(volume), memory_(new uint8_t[arena_bytes]) {}
 
-  // The receiver is the sink, and gets whole regions if it takes them.
+  // The receiver is the sink, and is offered regions before their events.
   template <class Receiver>
   void extract(Receiver& receiver) {
     require_ok(extractor_.start(limits(), volume_.threshold, {memory_.get(), arena_bytes},
                                 make_sink(receiver)));
-    if constexpr (std::is_same_v<Receiver, Counter>) extractor_.give_regions_to(receiver);
+    extractor_.give_regions_to(make_region_receiver(receiver));
     const uint32_t slice = volume_.width * volume_.height;
     std::visit(
         [&](const auto& samples) {
@@ -92,6 +91,14 @@ class Polygons {
       default:
         break;
     }
+    return SinkResult::accepted;
+  }
+  SinkResult take_region(const WholeRegion& region) {
+    regions_.push_back({region.incidence, rings_.size()});
+    rings_.push_back({false, corners_.size()});
+    at_ = region.start;
+    direction_ = none;
+    for (uint32_t i = 0; i < region.count; ++i) add(region.runs[i]);
     return SinkResult::accepted;
   }
 

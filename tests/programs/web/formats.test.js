@@ -69,10 +69,10 @@ const changed = (change) => {
   return bytes;
 };
 const wrongHeaders = {
-  'lines.nrrd': [nrrdOf(roughBall(8, 8, 8), 'line skip: 1e999\n'), /of Infinity lines .* are there; correct/],
+  'lines.nrrd': [nrrdOf(roughBall(8, 8, 8), 'line skip: 1e999\n'), /of Infinity lines .* exist; correct/],
   'short.npy': [Buffer.from('\x93NUMPY', 'latin1'), /cut off; save/],
   'half.npy': [Buffer.from("\x93NUMPY\x01\0\x40\0{'descr': '<f2', 'shape': (1, 1, 1), }", 'latin1'), /not of numbers; save/],
-  'none.nii': [changed((bytes) => bytes.writeInt16LE(0, 40)), /gives 0 dimensions; correct/],
+  'none.nii': [changed((bytes) => bytes.writeInt16LE(0, 40)), /declares 0 dimensions; correct/],
   'nowhere.nii': [changed((bytes) => bytes.writeFloatLE(NaN, 108)), /vox_offset is NaN; correct/],
 };
 for (const [name, [bytes, message]] of Object.entries(wrongHeaders))

@@ -97,8 +97,9 @@ test('wrong, damaged and huge files are refused, and the page goes on', async ()
   const cut = join(folder, 'cut.nrrd');
   writeFileSync(cut, readFileSync(volume).subarray(0, 9000));
 
-  const expected = [[wrong, /^wrong.dmc: no header .*; check/], [text, /^letter.txt: .*; give NRRD/],
-    [huge, /^huge.nrrd: 9999 x 9999 x 9999 voxels .*; make/], [cut, /^cut.nrrd: it ends after .*; check/]];
+  const expected = [[wrong, /^wrong.dmc: there is no header .*; check/],
+    [text, /^letter.txt: the format is unknown; open NRRD/],
+    [huge, /^huge.nrrd: 9999 x 9999 x 9999 voxels .*; make/], [cut, /^cut.nrrd: the file ends after .*; check/]];
   for (const [file, message] of expected) {
     await openFiles(page, file);
     assert.match(await page.textContent('#error[role=alert] p'), message);

@@ -1,5 +1,5 @@
-// A whole stream of regions, read as WIRE.md has it: slowly, and without a line of the library. A
-// mistake that its encoder and its decoder share shows here.
+// A whole stream of regions, read as WIRE.md specifies: slowly, and without a line of the library.
+// A mistake that its encoder and its decoder share shows here.
 #ifndef DISCMC_TESTS_ORACLE_RECORD_READER_HPP
 #define DISCMC_TESTS_ORACLE_RECORD_READER_HPP
 
@@ -35,7 +35,7 @@ class RecordReader {
     read_shares(source);
   }
 
-  /// Errors: throws where the stream is not whole, or not as WIRE.md tells it.
+  /// Errors: throws where the stream is not whole, or not as WIRE.md specifies.
   std::vector<RecordRead> read(const std::vector<uint8_t>& stream) {
     records_.clear();
     for (const PacketRead& packet : packets_in(stream))

@@ -1,4 +1,4 @@
-// A whole stream of slices, read as WIRE.md tells it: slowly, and without a line of the library. A
+// A whole stream of slices, read as WIRE.md specifies: slowly, and without a line of the library. A
 // mistake that its encoder and its decoder share shows here.
 #ifndef DISCMC_TESTS_ORACLE_SLICE_READER_HPP
 #define DISCMC_TESTS_ORACLE_SLICE_READER_HPP
@@ -14,7 +14,7 @@
 namespace discmc::reference {
 
 inline void require_as_told(bool holds, const char* what) {
-  if (!holds) throw std::runtime_error(std::string("not as WIRE.md tells it: ") + what);
+  if (!holds) throw std::runtime_error(std::string("not as WIRE.md specifies: ") + what);
 }
 
 /// Little-endian fields. Errors: throws beyond the end.
@@ -179,7 +179,7 @@ class SliceReader {
     for (size_t i = 0; i < numbers.size(); ++i) tables_[i / 272][i % 272] = numbers[i];
   }
 
-  /// Errors: throws where the stream is not whole, or not as WIRE.md tells it.
+  /// Errors: throws where the stream is not whole, or not as WIRE.md specifies.
   SlicesRead read(const std::vector<uint8_t>& stream) {
     sent_words_ = SlicesRead{};
     uint32_t digest = 0, number = 0;

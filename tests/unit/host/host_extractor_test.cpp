@@ -131,7 +131,7 @@ struct EverySecond {
   EventLog& log;
   uint32_t offered = 0;
 
-  SinkResult take_region(const host::WholeRegion& region) {
+  SinkResult take_region(const WholeRegion& region) {
     if (++offered % 2 == 0) return SinkResult::busy;
     Event event{};
     event.incidence = region.incidence;
@@ -311,12 +311,52 @@ TEST_CASE("a region that is given whole is one that is left to the sink") {
     Block block(bytes_for<uint32_t>(limits_of(volume, Border::closed), much));
     require_ok(extractor.start(limits_of(volume, Border::closed), much, 1, block.memory(),
                                make_sink(log)));
-    extractor.give_regions_to(receiver);
+    extractor.give_regions_to(make_region_receiver(receiver));
     push_all(extractor, volume.on);
     finish_all(extractor);
     CHECK(receiver.offered > 0);
     CHECK(log.events == expected_of(volume).events);
   }
+}
+
+TEST_CASE("a stream has the same bytes if its encoder is offered regions at once") {
+  const auto stream_of = [](const BitVolume& volume, bool at_once, bool with_normals, size_t most) {
+    test::Line line(most);
+    Encoder encoder;
+    if (with_normals) encoder.encode_normals();
+    require_ok(encoder.start({}, line.output()));
+    HostExtractor extractor;
+    Block block(bytes_for<uint32_t>(limits_of(volume, Border::closed), much));
+    require_ok(extractor.start(limits_of(volume, Border::closed), much, 1, block.memory(),
+                               make_sink(encoder)));
+    if (at_once) extractor.give_regions_to(make_region_receiver(encoder));
+    push_all(extractor, volume.on);
+    finish_all(extractor);
+    return line.bytes;
+  };
+  for (const BitVolume& volume : volumes())
+    for (const bool with_normals : {false, true}) {
+      const test::Bytes expected = stream_of(volume, false, with_normals, 0);
+      for (const size_t most : {size_t{0}, size_t{7}})
+        CHECK(stream_of(volume, true, with_normals, most) == expected);
+    }
+}
+
+TEST_CASE("an encoder takes a region at once only between others, with room for it") {
+  const Run runs[4] = {Run::straight(0, 2), Run::straight(2, 2), Run::straight(4, 2),
+                       Run::straight(6, 2)};
+  const Incidence incidence = incidence_of({0, 0, 1});
+  const WholeRegion square{incidence, {2, 2, 1}, runs, 4};
+  test::Line line;
+  Encoder encoder;
+  CHECK(encoder.take_region(square) == SinkResult::busy);
+  require_ok(test::begin_stream(encoder, test::any_header(), line.output()));
+  CHECK(encoder.take_region(square) == SinkResult::accepted);
+  Event event{};
+  event.kind = Event::Kind::region;
+  event.incidence = incidence;
+  CHECK(encoder.take(event) == SinkResult::accepted);
+  CHECK(encoder.take_region(square) == SinkResult::busy);
 }
 
 TEST_CASE("it does wherever the fragments are handed over") {

@@ -466,7 +466,7 @@ TEST_CASE("where every slice is a key slice four rows of bits are all that is ke
   CHECK(slice_decoder_bytes({256, 256}) == 259 * 9 * 4 + 548 + 3 + 32);
 }
 
-TEST_CASE("streams of slices are as short as the page of the stream says") {
+TEST_CASE("streams of slices are as short as documented") {
   const auto bytes = [](const BitVolume& volume, uint32_t interval) {
     return encode_slices(volume, {{interval}}).size();
   };

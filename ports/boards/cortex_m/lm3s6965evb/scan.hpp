@@ -10,7 +10,7 @@ namespace scan {
 
 using Sample = uint16_t;
 constexpr discmc::Limits limits{128, 128};
-constexpr uint32_t depth = 80;               // slices; the receiver is told
+constexpr uint32_t depth = 80;               // slices, for the header of the stream
 constexpr int32_t spacing_nm[] = {0, 0, 0};  // not known
 constexpr int32_t threshold = 2000;
 constexpr size_t arena_bytes = 60 * 1024;

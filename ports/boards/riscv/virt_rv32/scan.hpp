@@ -10,7 +10,7 @@ namespace scan {
 
 using Sample = uint8_t;
 constexpr discmc::Limits limits{160, 120};
-constexpr uint32_t depth = 50;               // slices; the receiver is told
+constexpr uint32_t depth = 50;               // slices, for the header of the stream
 constexpr int32_t spacing_nm[] = {0, 0, 0};  // not known
 constexpr int32_t threshold = 77;
 constexpr size_t arena_bytes = 120 * 1024;

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t width = 80;
 constexpr std::size_t text_column = 26;
 
-// Words in lines, from a column on; the first stands there already.
+// Words in lines, from a column on; the first begins there.
 std::string wrapped(const std::string& text, std::size_t column) {
   std::string lines;
   std::size_t at = column;
@@ -28,7 +28,7 @@ std::string wrapped(const std::string& text, std::size_t column) {
   return lines + '\n';
 }
 
-// A term on the left and its text on the right, below the term where that is long.
+// A term on the left and its text on the right, below the term if that is long.
 std::string entry(const std::string& term, const std::string& text) {
   std::string line = "  " + term;
   if (line.size() + 2 > text_column)
@@ -59,7 +59,7 @@ std::string help(const CommandOutline& outline) {
       text += entry(term(option), option.description);
   }
   if (!outline.commands.empty())
-    text += '\n' + outline.name + " COMMAND --help tells the options of a command.\n";
+    text += '\n' + outline.name + " COMMAND --help lists the options of a command.\n";
   if (!outline.footer.empty()) text += '\n' + outline.footer + '\n';
   return text;
 }

@@ -25,7 +25,7 @@ std::string bold(const std::string& text) {
   return "\\fB" + escaped(text) + "\\fR";
 }
 
-// A value: what stands for something is in italics, what is typed as it is in bold.
+// A value: placeholders are in italics, literal words in bold.
 std::string value_of(const OptionOutline& option) {
   std::string value;
   for (const std::string& word : CLI::detail::split(option.value, '|')) {

@@ -12,7 +12,7 @@ bool is_lower_case(const std::string& word) {
   });
 }
 
-// Where an option does not say it, text is the name of a file.
+// Without another option text, text is the name of a file.
 std::string value_of(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return "";
   if (!option.get_option_text().empty()) return option.get_option_text();

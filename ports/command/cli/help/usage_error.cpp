@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <regex>
 #include <system_error>
 #include <vector>
 
@@ -59,8 +60,7 @@ bool is_option(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-';
 }
 
-// The first option that an app does not know, or else the first argument; empty where all are
-// known.
+// The first option that an app has not, or else the first surplus argument; empty if there is none.
 std::string first_unknown(const CLI::App& app) {
   std::vector<std::string> unknown = app.remaining();
   unknown.erase(std::remove(unknown.begin(), unknown.end(), "--"), unknown.end());
@@ -101,7 +101,7 @@ std::string unknown_option(const std::string& argument, const CLI::App& app) {
   const std::string near = meant(name, names_of_options(app));
   const std::string remedy = !near.empty() ? "did you mean --" + near + "?"
                              : app.get_parent() == nullptr
-                                 ? "options of a command are given after its name"
+                                 ? "give options of a command after its name"
                                  : "leave it out";
   return "'" + option + "' is not an option of " + app.get_name() + "; " + remedy;
 }
@@ -138,15 +138,15 @@ std::string unknown_command(const std::string& argument, const CLI::App& app) {
                        : "did you mean " + near + "?");
 }
 
-// A file that stands where none is expected is often the output.
+// A surplus file is often meant as the output.
 std::string surplus(const std::string& argument, const CLI::App& app) {
   const CLI::Option* output = app.get_option_no_throw("--output");
   const bool has_output = output == nullptr || output->count() > 0;
-  return "'" + argument + "' is one argument too many; " +
+  return "'" + argument + "' is an unexpected argument; " +
          (has_output ? "leave it out" : "name the output with -o " + argument);
 }
 
-// Empty where an app knows all its arguments.
+// Empty if an app has all its arguments.
 std::string unknown_argument(const CLI::App& app, const CLI::Error& error) {
   const std::string argument = first_unknown(app);
   if (argument.empty()) return "";
@@ -170,12 +170,34 @@ const CLI::Option* mistaken_option(const CLI::App& command, const CLI::Error& er
   return command.get_option_no_throw(what.substr(start, what.find_first_of(": ", start) - start));
 }
 
+// CLI11's own messages in the form of all others: fault, value, remedy.
+std::string plain(const std::string& what) {
+  static const std::regex member(R"((\S+): (.*) not in \{(.*)\})");
+  static const std::pair<std::regex, const char*> rules[] = {
+      {std::regex(R"((\S+): Value (.*) not in range \[?(\S+) (?:to|-) ([^\]]+)\]?)"),
+       "$1: invalid value '$2'; expected $3 to $4"},
+      {std::regex(R"((\S+) excludes (\S+))"), "$1 cannot be combined with $2; leave one out"},
+      {std::regex(R"((\S+) requires (\S+))"), "$1 needs $2; add $2"},
+      {std::regex(R"((--\S+) is required)"), "$1 is missing; add $1"},
+      {std::regex(R"((\S+) is required)"), "$1 is missing; give $1 after the command"}};
+  std::smatch found;
+  if (std::regex_match(what, found, member))
+    return found.str(1) + ": invalid value '" + found.str(2) + "'; expected " +
+           CLI::detail::find_and_replace(found.str(3), ",", "|");
+  for (const auto& [pattern, text] : rules)
+    if (std::regex_match(what, found, pattern)) return found.format(text);
+  return what;
+}
+
 std::string wrong_value(const CLI::App& command, const CLI::Error& error) {
   const CLI::Option* option = mistaken_option(command, error);
-  if (option == nullptr || option->get_option_text().empty()) return error.what();
+  if (option == nullptr || option->get_option_text().empty()) return plain(error.what());
   if (option->get_items_expected_max() == 1 && option->results().size() > 1)
     return option->get_name() + " is given more than once; give it once";
-  return error.what() + ("; give " + option->get_name() + " " + option->get_option_text());
+  const std::string values = CLI::detail::join(option->results(), ",");
+  return option->get_name() +
+         (values.empty() ? ": the value is missing" : ": invalid value '" + values + "'") +
+         "; expected " + option->get_option_text();
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What is said of a command line that cannot be parsed.
+// The message for a command line that cannot be parsed.
 #ifndef DISCMC_COMMAND_CLI_HELP_USAGE_ERROR_HPP
 #define DISCMC_COMMAND_CLI_HELP_USAGE_ERROR_HPP
 
@@ -7,8 +7,8 @@
 
 namespace discmc::command {
 
-/// For CLI::App::failure_message. What no command knows is named first, with the nearest name
-/// that it may have been meant for: an unknown option often causes the error of another.
+/// For CLI::App::failure_message. Reports unknown options first, with the nearest known name: an
+/// unknown option often causes the error of another.
 std::string usage_error(const CLI::App* app, const CLI::Error& error);
 
 }  // namespace discmc::command

@@ -56,9 +56,9 @@ void check_kind(const CLI::App& app, const std::string& input, bool is_volume) {
   const CLI::Option* option = given_option(app, is_volume ? is_for_streams : is_for_volumes);
   if (option != nullptr)
     throw CLI::ValidationError(option->get_name(),
-                               (is_volume ? "is for streams, and " + input + " is a volume"
-                                          : "is for volumes, and " + input + " is a stream") +
-                                   ": leave it out");
+                               (is_volume ? "applies to streams, and " + input + " is a volume"
+                                          : "applies to volumes, and " + input + " is a stream") +
+                                   "; leave it out");
 }
 
 }  // namespace discmc::command

@@ -8,8 +8,8 @@
 
 namespace discmc::command {
 
-/// Whether the input is a volume, or a stream, by its name, or else by the options that are given
-/// for it. Nothing where neither tells.
+/// Whether the input is a volume, or a stream, by its name, or else by the given options. Nothing
+/// if neither decides.
 std::optional<bool> is_volume_input(const CLI::App& app, const std::string& input);
 
 /// Whether the name is that of a mesh which discmc writes and reads.

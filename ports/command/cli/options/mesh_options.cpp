@@ -29,7 +29,8 @@ CLI::Option* add_output_option(CLI::App& app, std::string& output,
                                const std::string& standard_output) {
   return app
       .add_option("-o,--output", output,
-                  "the file to write, by extension " + extensions() + "; - is " + standard_output)
+                  "the file to write; its extension chooses the format: " + extensions() +
+                      "; - is " + standard_output)
       ->check(mesh_format());
 }
 
@@ -59,8 +60,8 @@ void add_normals_option(CLI::App& app, Normals& normals, const std::string& grad
       app, "--normals", normals,
       NamedValues<Normals>{
           {"none", Normals::none}, {"surface", Normals::surface}, {"gradient", Normals::gradient}},
-      "at the vertices of a mesh (" + extensions(&FormatTraits::holds_normals) +
-          "); surface: from the polygons that meet there, by area; gradient: " + gradient);
+      "write normals of vertices (" + extensions(&FormatTraits::holds_normals) +
+          "); surface: the mean of the polygons around a vertex, by area; gradient: " + gradient);
 }
 
 void add_mesh_options(CLI::App& app, MeshOptions& mesh) {
@@ -68,22 +69,23 @@ void add_mesh_options(CLI::App& app, MeshOptions& mesh) {
   add_named_option(
       app, "--faces", mesh.faces,
       NamedValues<Faces>{{"triangles", Faces::triangles}, {"polygons", Faces::polygons}},
-      "triangles, which every program reads; polygons: the merged ones, of up to " +
-          std::to_string(max_face_corners) + " corners, for programs that take them as they are");
-  app.add_flag("--conforming,!--no-conforming", mesh.conforming,
-               "a mesh without T-junctions (default), or with corners alone");
+      "triangles: for every program; polygons: the merged polygons, with up to " +
+          std::to_string(max_face_corners) + " corners, for programs that accept concave n-gons");
+  app.add_flag(
+      "--conforming,!--no-conforming", mesh.conforming,
+      "write a mesh without T-junctions (default), or one with fewer vertices that has them");
 }
 
 void add_component_options(CLI::App& app, ComponentChoice& components) {
   app.option_defaults()->group(mesh_group);
   app.add_option("--largest", components.largest,
-                 "keep the N bodies and cavities that enclose most (default: all)")
+                 "keep the N bodies and cavities that enclose the most volume (default: all)")
       ->check(accepted([](double count) { return count >= 1 && count == std::floor(count); },
-                       "whole number from 1 on"))
+                       "a whole number from 1"))
       ->option_text("N");
   app.add_option("--min-volume", components.min_volume_mm3,
-                 "drop bodies and cavities that enclose less, in cubic millimetres")
-      ->check(accepted([](double volume) { return volume >= 0; }, "number of cubic millimetres"))
+                 "drop bodies and cavities that enclose less than MM3 cubic millimetres")
+      ->check(accepted([](double volume) { return volume >= 0; }, "cubic millimetres, 0 or more"))
       ->option_text("MM3");
   app.add_flag("--fill", components.fills,
                "fill the cavities: enclosed hollows, with the bodies inside them");
@@ -91,18 +93,19 @@ void add_component_options(CLI::App& app, ComponentChoice& components) {
 
 void check_components(const ComponentChoice& components, const std::string& output) {
   if (components.is_any() || format_of(output) != Format::stream) return;
-  throw CLI::ValidationError(components.largest > 0 ? "--largest"
-                             : components.fills     ? "--fill"
-                                                    : "--min-volume",
-                             "a stream is written before its surface is whole: give the name of a "
-                             "mesh, or leave it out");
+  throw CLI::ValidationError(
+      components.largest > 0 ? "--largest"
+      : components.fills     ? "--fill"
+                             : "--min-volume",
+      "a stream is written before its surface is complete; write a mesh, or leave it out");
 }
 
 void check_closed(const ComponentChoice& components, Border border) {
   if (components.is_any() || border == Border::closed) return;
-  throw CLI::ValidationError("--border",
-                             "an open surface encloses nothing: leave out --largest, "
-                             "--min-volume and --fill, or --border open");
+  throw CLI::ValidationError(
+      "--border",
+      "an open surface encloses no volume; leave out --largest, --min-volume and "
+      "--fill, or --border open");
 }
 
 void add_space_option(CLI::App& app, std::optional<MeshSpace>& space) {
@@ -111,9 +114,9 @@ void add_space_option(CLI::App& app, std::optional<MeshSpace>& space) {
       app, "--space", space,
       NamedValues<MeshSpace>{
           {"lps", MeshSpace::lps}, {"ras", MeshSpace::ras}, {"voxel", MeshSpace::voxel}},
-      "the coordinates of a mesh; lps, ras: the patient's, from the origin and directions of the "
-      "volume; voxel: index times spacing (default: lps where the frame is known, else those of "
-      "the volume)");
+      "the coordinates of a mesh; lps, ras: of the patient, by the origin and axes of the volume; "
+      "voxel: index times spacing (default: lps if the file has an orientation, otherwise the "
+      "coordinates of the file)");
 }
 
 void check_space(const std::optional<MeshSpace>& space, const std::string& output) {
@@ -122,9 +125,9 @@ void check_space(const std::optional<MeshSpace>& space, const std::string& outpu
   throw CLI::ValidationError(
       "--space",
       output +
-          (format == Format::stream ? " is a stream, which holds the placement beside the surface"
-                                    : " has half-steps of voxels") +
-          ": leave it out, or give the name of a mesh");
+          (format == Format::stream ? " is a stream, which stores the placement as a record"
+                                    : " has coordinates in half-steps of voxels") +
+          "; leave it out, or write a mesh");
 }
 
 void add_size_options(CLI::App& app, MeshSize& size) {
@@ -157,13 +160,14 @@ void check_size(const MeshSize& size, const std::string& output) {
 
 void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolerance) {
   app.option_defaults()->group(mesh_group);
-  add_named_option(
-      app, "--surface", interpolates, NamedValues<bool>{{"merged", false}, {"interpolated", true}},
-      "merged: flat polygons halfway between voxels; interpolated: where the samples cross the "
-      "threshold, as Marching Cubes has it (default: merged; of --smooth interpolated)");
+  add_named_option(app, "--surface", interpolates,
+                   NamedValues<bool>{{"merged", false}, {"interpolated", true}},
+                   "the place of the vertices; merged: halfway between voxels, in flat polygons; "
+                   "interpolated: where the samples cross the threshold, as in Marching Cubes, and "
+                   "the default with --smooth");
   app.add_option("--tolerance", tolerance,
-                 "how far these crossings may be from an interpolated surface, in voxels: less "
-                 "takes more triangles")
+                 "the largest distance of an interpolated surface from these crossings, in voxels; "
+                 "less needs more triangles")
       ->check(finite())
       ->check(not_negative())
       ->option_text("VOXELS")
@@ -203,19 +207,19 @@ void check_interpolation(const MeshOptions& mesh, const std::string& output) {
   const Format format = format_of(output);
   if (format == Format::stream || format == Format::jsonl)
     throw CLI::ValidationError("--surface", output +
-                                                " has its vertices halfway between voxels: leave "
-                                                "out --surface interpolated, or name a mesh");
+                                                " has vertices halfway between voxels; leave out "
+                                                "--surface interpolated, or write a mesh");
   if (mesh.faces == Faces::polygons)
-    throw CLI::ValidationError("--faces",
-                               "polygons of an interpolated surface are not flat: leave it out");
+    throw CLI::ValidationError(
+        "--faces", "polygons of an interpolated surface are not flat; leave out --faces polygons");
   if (!mesh.conforming)
     throw CLI::ValidationError("--no-conforming",
-                               "an interpolated surface has no T-junctions: leave it out");
+                               "an interpolated surface has no T-junctions; leave it out");
 }
 
 void check_faces(Faces faces, const std::string& output) {
   if (faces == Faces::triangles || traits_of(format_of(output)).holds_polygons) return;
-  throw CLI::ValidationError("--faces", output + " cannot hold polygons: leave it out, or give a " +
+  throw CLI::ValidationError("--faces", output + " cannot hold polygons; leave it out, or give a " +
                                             extensions(&FormatTraits::holds_polygons) + " name");
 }
 
@@ -227,9 +231,9 @@ void check_normals(Normals normals, const std::string& output, bool has_samples)
   const std::string name = "a " + extensions(&FormatTraits::holds_normals) + " name";
   throw CLI::ValidationError(
       "--normals",
-      (format != Format::stream ? output + " cannot hold normals of vertices: give "
-       : has_samples ? "a stream holds normals of the gradient alone: give --normals gradient, or "
-                     : "a stream keeps the normals that it has: leave it out, or give ") +
+      (format != Format::stream ? output + " cannot hold normals; give "
+       : has_samples ? "a stream holds only normals of the gradient; give --normals gradient, or "
+                     : "a stream keeps its normals; leave it out, or give ") +
           name);
 }
 

@@ -17,20 +17,21 @@
 
 namespace discmc::command {
 
-/// A finite number for which the condition holds. wanted: what it is called, as CLI11 would name
-/// the largest number there is.
+/// A finite number for which the condition holds. wanted: the expected value, for
+/// the message.
 template <class Condition>
 CLI::Validator accepted(Condition holds, const std::string& wanted) {
   return CLI::Validator(
       [holds, wanted](std::string& text) {
         const auto value = finite_number(text);
-        return value && holds(*value) ? std::string() : "'" + text + "' is no " + wanted;
+        return value && holds(*value) ? std::string()
+                                      : "invalid value '" + text + "'; expected " + wanted;
       },
       "");
 }
 
 inline CLI::Validator finite() {
-  return accepted([](double) { return true; }, "finite number");
+  return accepted([](double) { return true; }, "a finite number");
 }
 
 /// The spacing of a stream is a count of nanometres in 32 bits.
@@ -38,8 +39,9 @@ inline CLI::Validator usable_spacing() {
   return CLI::Validator(
       [](std::string& text) {
         const double size = std::fabs(std::strtod(text.c_str(), nullptr));
-        return size >= 1e-6 && size <= 2147 ? std::string()
-                                            : "'" + text + "' is not within 1e-6 to 2147 mm";
+        return size >= 1e-6 && size <= 2147
+                   ? std::string()
+                   : "invalid spacing '" + text + "'; expected 1e-6 to 2147 mm";
       },
       "");
 }
@@ -47,13 +49,15 @@ inline CLI::Validator usable_spacing() {
 inline CLI::Validator not_negative() {
   return CLI::Validator(
       [](std::string& text) {
-        return text.find('-') == std::string::npos ? std::string() : "'" + text + "' is negative";
+        return text.find('-') == std::string::npos
+                   ? std::string()
+                   : "invalid value '" + text + "'; expected 0 or more";
       },
       "");
 }
 
 /// A file whose name ends in one of these, which begin with a dot, or standard output by the name
-/// "-". what: is told where it does not.
+/// "-". what: the fault, for the message.
 inline CLI::Validator named_with(const std::vector<std::string>& extensions,
                                  const std::string& what) {
   return CLI::Validator(
@@ -62,19 +66,20 @@ inline CLI::Validator named_with(const std::vector<std::string>& extensions,
         const bool is_right =
             text == "-" || std::find(extensions.begin(), extensions.end(), own) != extensions.end();
         return is_right ? std::string()
-                        : text + ": " + what + ": give a name that ends in " + extensions[0];
+                        : text + ": " + what + "; give a name that ends in " + extensions[0];
       },
       "");
 }
 
-/// For commands that write one surface, where no name stands in braces.
+/// For commands that write one surface, and so support no {name}.
 inline CLI::Validator without_braces() {
   return CLI::Validator(
       [](std::string& text) {
         const std::string found = FilePattern(text).first_placeholder();
-        return found.empty() ? std::string()
-                             : text + ": " + found +
-                                   " stands for nothing, as there is one surface: leave it out";
+        return found.empty()
+                   ? std::string()
+                   : text + ": " + found +
+                         " is no placeholder here, as the command writes one file; leave it out";
       },
       "");
 }
@@ -90,7 +95,8 @@ inline CLI::Validator count_of_bytes() {
         const bool is_right =
             digits > 0 && std::find(units.begin(), units.end(), unit) != units.end();
         return is_right ? std::string()
-                        : "'" + text + "' is no count of bytes: give a whole number, as in 24K";
+                        : "invalid number of bytes '" + text +
+                              "'; expected a whole number with K, M or G, as in 24K";
       },
       "");
 }

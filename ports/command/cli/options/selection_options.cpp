@@ -78,9 +78,10 @@ CLI::Option* add_selection_option(CLI::App& app, const std::string& name, Parse 
           [parse, wanted](std::string& text) {
             if (parse(text)) return std::string();
             const std::string part = rounded_part(text);
-            if (part.empty()) return "'" + text + "' is no " + wanted;
-            return "'" + part + "' has more than the 53 bits of a threshold: give --label " + part +
-                   " if it is a label";
+            if (part.empty()) return "invalid value '" + text + "'; expected " + wanted;
+            return "'" + part +
+                   "' has more than the 53 bits of a threshold; if it is a label, give --label " +
+                   part;
           },
           ""))
       ->expected(1)
@@ -91,19 +92,19 @@ CLI::Option* add_selection_option(CLI::App& app, const std::string& name, Parse 
 
 void add_selection_options(CLI::App& app, std::vector<NamedSelection>& selections) {
   app.option_defaults()->group(surface_group);
-  CLI::Option* iso = add_selection_option(
-      app, "--iso", threshold, "ISO|auto|otsu|bone|skin", "finite number, auto, otsu, bone or skin",
-      selections,
-      "the threshold, in the units of the file: a voxel is on if its value is >= ISO; otsu: that "
-      "which divides the values best; bone, skin: of CT, 300 and -300; auto: bone of CT, else "
-      "otsu");
-  CLI::Option* between = add_selection_option(
-      app, "--range", range, "LOW..HIGH", "range: give LOW..HIGH, one of which may be left out",
-      selections, "in place of --iso: a voxel is on if LOW <= value <= HIGH");
-  CLI::Option* label_option = add_selection_option(
-      app, "--label", label, "N|NAME,...", "label", selections,
-      "in place of --iso: a voxel is on if it has the label with this number or name; one surface "
-      "of all in a list: 5,6 or 'left lung,right lung'");
+  CLI::Option* iso =
+      add_selection_option(app, "--iso", threshold, "ISO|auto|otsu|bone|skin",
+                           "a finite number, auto, otsu, bone or skin", selections,
+                           "the threshold, in the units of the file: a voxel is on if its value is "
+                           ">= ISO; otsu: divides the values into the two groups that differ most; "
+                           "bone, skin: 300 and -300, for CT; auto: bone for CT, otherwise otsu");
+  CLI::Option* between =
+      add_selection_option(app, "--range", range, "LOW..HIGH", "LOW..HIGH, LOW.. or ..HIGH",
+                           selections, "instead of --iso: a voxel is on if LOW <= value <= HIGH");
+  CLI::Option* label_option =
+      add_selection_option(app, "--label", label, "N|NAME,...", "a number or name", selections,
+                           "instead of --iso: a voxel is on if it has the label with this number "
+                           "or name; a list makes one surface: 5,6 or 'left lung,right lung'");
   iso->excludes(between)->excludes(label_option);
   between->excludes(label_option);
 }

@@ -1,4 +1,4 @@
-// Options that say which voxels are on.
+// Options that select the voxels that are on.
 #ifndef DISCMC_COMMAND_CLI_OPTIONS_SELECTION_OPTIONS_HPP
 #define DISCMC_COMMAND_CLI_OPTIONS_SELECTION_OPTIONS_HPP
 

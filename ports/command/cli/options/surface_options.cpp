@@ -10,12 +10,12 @@ void add_labels_option(CLI::App& app, std::string& labels, const std::string& re
   app.option_defaults()->group(surface_group);
   CLI::Option* option =
       app.add_option("--labels", labels,
-                     "a surface of every value but 0, or of each label in a list, by numbers or "
-                     "names: " +
+                     "extract a mesh of every value except 0, or of each label in a list of "
+                     "numbers or names; " +
                          result)
           ->check(CLI::Validator(
               [](std::string& text) {
-                return text.empty() ? std::string("no label is given: give all, or a list")
+                return text.empty() ? std::string("no label is given; give all, or a list")
                                     : std::string();
               },
               ""))
@@ -26,11 +26,11 @@ void add_labels_option(CLI::App& app, std::string& labels, const std::string& re
 
 void add_label_table_option(CLI::App& app, std::string& file) {
   app.option_defaults()->group(surface_group);
-  app.add_option("--label-table", file,
-                 "the names of labels, which {name} stands for, and their colours (not in .stl): a "
-                 "table of 3D Slicer, FreeSurfer, ITK-SNAP or BIDS, or dataset.json of nnU-Net "
-                 "(default: what the file has, as a .seg.nrrd of 3D Slicer; else 21 colours by "
-                 "number)")
+  app.add_option(
+         "--label-table", file,
+         "read the names of labels for {name}, and their colours (not in .stl). A table of 3D "
+         "Slicer, FreeSurfer, ITK-SNAP or BIDS, or dataset.json of nnU-Net (default: those "
+         "in the file, as in .seg.nrrd; otherwise 21 colours by number)")
       ->option_text("FILE");
 }
 
@@ -39,29 +39,27 @@ void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
   add_named_option(
       app, "--border", arguments.border,
       NamedValues<Border>{{"closed", Border::closed}, {"open", Border::open}},
-      "closed: with off voxels all around; open: the surface ends at the outermost voxels");
+      "closed: voxels outside the volume are off; open: the surface ends at the outermost voxels");
   app.add_option("--median", arguments.median,
-                 "filter the bits: a voxel is on where most of the N x N x N around it are; noise "
-                 "goes")
+                 "remove noise: a voxel is on if most of the 3 x 3 x 3 voxels around it are")
       ->check(CLI::IsMember({3}))
       ->option_text("3");
   app.add_option("--mask", arguments.mask,
-                 "file of a volume with a header and the same extents: a voxel is off where it is "
-                 "0, whatever else is said; --crop and --shrink take the same of it")
+                 "a volume with a header and the same extents: a voxel is off if its mask is 0. "
+                 "--crop and --shrink apply to the mask, too")
       ->check(CLI::Validator(
           [](std::string& text) {
-            return text == "-" ? std::string("a mask is not read from standard input: name a file")
+            return text == "-" ? std::string("a mask is not read from standard input; name a file")
                                : std::string();
           },
           ""))
       ->option_text("FILE");
-  app.add_flag("--allow-empty", arguments.allows_empty,
-               "take a surface without polygons for no failure");
+  app.add_flag("--allow-empty", arguments.allows_empty, "succeed even if the surface is empty");
   CLI::Option* memory = add_memory_option(
       app, arguments.memory,
-      "bytes that the extractor has, with K or M for 1024 and 1024^2 (default: plenty)");
+      "bytes of the extractor's arena, with K or M for 1024 and 1024^2 (default: enough for all)");
   app.add_option("--capacities", arguments.capacities,
-                 "records and holes that the extractor has room for, in place of --memory")
+                 "slots and holes of the extractor's arena, instead of --memory")
       ->delimiter(',')
       ->expected(2)
       ->option_text("SLOTS,HOLES")

@@ -54,9 +54,8 @@ CLI::Validator usable_axes() {
                                text.find('x') != std::string::npos &&
                                text.find('y') != std::string::npos;
         return is_usable ? std::string()
-                         : "'" + text +
-                               "' names no axes: give letters of tczyx, each once, x and y among "
-                               "them, as in zyx";
+                         : "invalid axes '" + text +
+                               "'; expected letters of tczyx, each once, with x and y, as in zyx";
       },
       "");
 }
@@ -64,25 +63,25 @@ CLI::Validator usable_axes() {
 void add_part_options(CLI::App& app, VolumeOptions& options) {
   app.add_option_function<std::string>(
          "--crop", [&options](const std::string& text) { options.crop = crop_of(text); },
-         "the part to take: voxels A to B along x, C to D along y, E to F along z, the first is 0; "
-         "an end left out is the volume's, as in ..,..,100..; it stays where it is in space")
+         "read voxels A to B along x, C to D along y, E to F along z; the first is 0. An end left "
+         "out is the volume's, as in ..,..,100... The part keeps its place in space")
       ->check(CLI::Validator(
           [](std::string& text) {
-            return crop_of(text) ? std::string()
-                                 : "'" + text +
-                                       "' is no part: give A..B,C..D,E..F, each from less "
-                                       "to more; any of them may be left out";
+            return crop_of(text)
+                       ? std::string()
+                       : "invalid part '" + text +
+                             "'; expected A..B,C..D,E..F with A <= B; any number may be left out";
           },
           ""))
       ->option_text("A..B,C..D,E..F");
   app.add_option("--shrink", options.shrink,
-                 "make one voxel of N x N x N, after --crop: their mean, of labels the one that "
-                 "most of them have; the last along an axis are of those that are left")
+                 "replace N x N x N voxels by their mean, after --crop; labels by the most "
+                 "frequent. The last blocks along an axis may be smaller")
       ->check(CLI::Range(2, 16))
       ->option_text("N");
 }
 
-// Of headerless files.
+// Options for headerless files.
 void add_layout_options(CLI::App& app, VolumeOptions& options) {
   const auto layout = [&options]() -> RawLayout& {
     return options.layout ? *options.layout : options.layout.emplace();
@@ -99,16 +98,16 @@ void add_layout_options(CLI::App& app, VolumeOptions& options) {
   CLI::Option* type = add_named_option<SampleType>(
       app, "--type", [layout](SampleType of_samples) { layout().type = of_samples; },
       {std::begin(sample_types), std::end(sample_types)},
-      "samples of a headerless file: whole numbers without or with sign, or floating point");
+      "sample type of a headerless file: unsigned, signed or floating point, with its bits");
   dims->needs(type);
   type->needs(dims);
   app.add_flag_callback(
          "--big-endian", [layout] { layout().big_endian = true; },
-         "a headerless file has the high byte of a sample first")
+         "read samples of a headerless file with the high byte first")
       ->needs(dims);
   app.add_option_function<std::uint64_t>(
          "--skip-bytes", [layout](std::uint64_t bytes) { layout().skipped_bytes = bytes; },
-         "what stands before the samples of a headerless file")
+         "bytes to skip before the first sample of a headerless file")
       ->option_text("N")
       ->needs(dims);
 }
@@ -118,21 +117,21 @@ void add_layout_options(CLI::App& app, VolumeOptions& options) {
 void add_volume_options(CLI::App& app, VolumeOptions& options) {
   app.option_defaults()->group(volume_group);
   add_layout_options(app, options);
-  app.add_option("--frame", options.frame,
-                 "the volume to read of a file, or of a series of DICOM, that holds several (4D); "
-                 "the first is 0")
+  app.add_option(
+         "--frame", options.frame,
+         "read this volume of a file or DICOM series that holds several (4D); the first is 0")
       ->option_text("N");
   app.add_option("--channel", options.channel,
-                 "the channel to read of a file that holds several, the first is 0")
+                 "read this channel of a file that holds several; the first is 0")
       ->option_text("N");
   app.add_option("--axes", options.axes,
-                 "what the axes of an array are (NumPy, HDF5, Zarr), the slowest first: letters of "
-                 "tczyx, where t is chosen by --frame and c by --channel; of the pages of a TIFF "
-                 "zyx, cyx or tyx (default: as the file says, or zyx)")
+                 "the axes of an array (NumPy, HDF5, Zarr), the slowest first: letters of tczyx. "
+                 "--frame chooses t, --channel chooses c. For pages of a TIFF: zyx, cyx or tyx "
+                 "(default: the axes in the file, or zyx)")
       ->check(usable_axes())
       ->option_text("LETTERS");
   app.add_option("--level", options.level,
-                 "the resolution to read of OME-Zarr, the finest is 0 (default: the finest whose "
+                 "read this resolution of OME-Zarr; the finest is 0 (default: the finest whose "
                  "slices are not too large)")
       ->option_text("N");
   app.add_option_function<std::vector<double>>(
@@ -140,29 +139,27 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
          [&options](const std::vector<double>& spacing) {
            std::copy_n(spacing.begin(), 3, options.spacing_mm.emplace().begin());
          },
-         "distances of voxels in millimetres, in place of those of the file (default: "
-         "those of the file, or 1 where it tells none)")
+         "distances between voxels in millimetres, instead of those in the file (default: those in "
+         "the file, otherwise 1)")
       ->delimiter(',')
       ->expected(3)
       ->option_text("X,Y,Z")
       ->check(usable_spacing());
-  app.add_option(
-         "--series", options.series,
-         "the series or volume to read of DICOM that holds several: its number in the list that is "
-         "shown without this, or the UID of a series")
+  app.add_option("--series", options.series,
+                 "read this series or volume of several in DICOM: its number in the list that is "
+                 "printed without this option, or the UID of a series")
       ->option_text("SERIES");
+  app.add_flag("--merge-series", options.merges_series,
+               "read DICOM slices of several series as one volume, for files that each have a "
+               "series UID of their own");
+  add_named_option(app, "--order", options.order,
+                   NamedValues<SliceOrder>{{"position", SliceOrder::position},
+                                           {"instance", SliceOrder::instance},
+                                           {"name", SliceOrder::name}},
+                   "order DICOM slices by position, by InstanceNumber or by file name");
   app.add_flag(
-      "--merge-series", options.merges_series,
-      "take DICOM slices of several series as one volume, as if each file has a UID of its own");
-  add_named_option(
-      app, "--order", options.order,
-      NamedValues<SliceOrder>{{"position", SliceOrder::position},
-                              {"instance", SliceOrder::instance},
-                              {"name", SliceOrder::name}},
-      "order DICOM slices by their positions, by InstanceNumber or by the names of the files");
-  app.add_flag("--allow-gaps", options.allow_gaps,
-               "repeat the nearest slice where slices are missing, of DICOM or pictures (default: "
-               "refuse them)");
+      "--allow-gaps", options.allow_gaps,
+      "repeat the nearest slice if slices of DICOM or pictures are missing (default: fail)");
   add_part_options(app, options);
 }
 

@@ -50,7 +50,7 @@ VolumeInfo of_all_components(const std::string& file, VolumeInfo info, std::uint
                              const std::string& remedy) {
   constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
   if (count > most / info.dims[0])
-    fail(file, std::to_string(count) + " samples side by side make the rows too long", remedy);
+    fail(file, std::to_string(count) + " samples per voxel make the rows too long", remedy);
   info.dims[0] *= static_cast<std::uint32_t>(count);
   info.channels = 1;
   return info;

@@ -57,7 +57,7 @@ class CroppedVolume final : public VolumeFilter {
 [[noreturn]] void fail_outside(const std::filesystem::path& file, const VolumeInfo& info,
                                const VoxelRange& range, std::size_t axis) {
   fail(file,
-       "--crop asks for the voxels " + std::to_string(range.first) + ".." +
+       "--crop selects the voxels " + std::to_string(range.first) + ".." +
            (range.last ? std::to_string(*range.last) : "") + " along " + "xyz"[axis] +
            ", but the volume has " + extents(info.dims),
        "give a part of 0.." + std::to_string(info.dims[axis] - 1));

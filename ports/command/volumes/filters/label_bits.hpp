@@ -13,7 +13,7 @@
 
 namespace discmc::command {
 
-/// Labels whose voxels are one surface: values, by the layer that they are in. No values stand for
+/// Labels whose voxels are one surface: values, by the layer that they are in. No values mean
 /// all but 0.
 using LabelSet = std::map<std::uint32_t, std::vector<LabelValue>>;
 

@@ -72,7 +72,7 @@ class TurnedMask final : public VolumeFilter {
       }
     }
     own_info().placement = to;
-    add_note("axes put in the order and direction of those of the volume");
+    add_note("the axes are turned to those of the volume");
   }
 
   void read_slice(void* samples) override {
@@ -156,17 +156,17 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   VolumeOptions of_all;
   of_all.spacing_mm = options.spacing_mm;
   of_all.allow_gaps = options.allow_gaps;
-  // The options are those of the volume: none tells what is in a mask.
+  // The options are those of the volume: none describes the mask.
   of_all.frame = 0;
   of_all.channel = 0;
   if (names_no_axes(file)) of_all.axes = axes_of_space(options.axes);
   auto mask = open_volume(file, of_all);
   if (mask->info().frames > 1)
     fail(file, "the mask holds " + std::to_string(mask->info().frames) + " volumes",
-         "store the one to take in a file of its own");
+         "store the mask in a file of its own");
   if (mask->info().channels > 1)
     fail(file, "the mask holds " + std::to_string(mask->info().channels) + " channels",
-         "store the one to take in a file of its own");
+         "store the mask in a file of its own");
   mask = std::make_unique<Mask>(std::move(mask));
   const AxesMatch match = matching_axes(volume, mask->info());
   if (!is_same(match)) mask = std::make_unique<TurnedMask>(file, std::move(mask), match);
@@ -174,16 +174,13 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
   if (mask->info().dims != whole)
     fail(file,
          "the mask has " + extents(mask->info().dims) + " voxels, and the volume " + extents(whole),
-         "give a mask with a voxel for each of the volume's");
+         "give a mask with a voxel for each voxel of the volume");
   if (options.crop) mask = cropped(file, std::move(mask), *options.crop);
   if (options.shrink > 1)
     mask = shrunk(file, std::move(mask), options.shrink, BlockValue::most_frequent);
   if (!is_same(match) && offset_mm(mask->info(), volume) > 0)
-    fail(
-        file,
-        "the axes of the mask run otherwise than those of the volume, and its voxels are not where "
-        "the volume's are",
-        "resample the mask on the grid of the volume");
+    fail(file, "the axes of the mask differ from those of the volume, and its voxels lie elsewhere",
+         "resample the mask on the grid of the volume");
   return mask;
 }
 

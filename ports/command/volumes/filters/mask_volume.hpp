@@ -1,4 +1,4 @@
-// Volumes that say which voxels of another one count.
+// Volumes that select voxels of another volume.
 #ifndef DISCMC_COMMAND_VOLUMES_FILTERS_MASK_VOLUME_HPP
 #define DISCMC_COMMAND_VOLUMES_FILTERS_MASK_VOLUME_HPP
 

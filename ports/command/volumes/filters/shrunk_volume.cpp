@@ -37,8 +37,8 @@ struct Division {
   }
 };
 
-// Of whole numbers, exactly: counted from the least one, which makes all of them positive, and
-// added in halves of 32 bits, whose sums fit 64.
+// The exact mean of whole numbers: counted from the least one, which makes all of them positive,
+// and added in halves of 32 bits, whose sums fit 64.
 template <class Sample, bool = std::is_floating_point_v<Sample>>
 class Mean {
  public:
@@ -198,7 +198,7 @@ class ShrunkVolume final : public VolumeFilter {
 
  private:
   // Returns the number of slices in the next layer. At the end the volume is asked for one too
-  // many, and says so.
+  // many, and throws.
   std::uint32_t take_layer() {
     const std::uint32_t layer = std::clamp(volume().info().dims[2] - read_, 1U, extent_);
     read_ += layer;

@@ -11,11 +11,11 @@
 namespace discmc::command {
 
 /// Every block of extent x extent x extent voxels becomes a voxel in the middle of where it lies;
-/// the last blocks along an axis may hold fewer, and lie as if they were whole. Of those that are
-/// not a number (NaN) a block takes no account, unless all are: then it is NaN.
+/// the last blocks along an axis may hold fewer, and lie as if they were whole. NaN does not count,
+/// unless all samples of a block are NaN: then it is NaN.
 ///
-/// mean: of the block, in the samples' own type. Of whole numbers it is exact and rounded to the
-/// nearest one, a half to the greater. Holds the sums of a slice of blocks.
+/// mean: of the block, in the samples' own type. For whole numbers it is exact and rounded to the
+/// nearest, halves up. Holds the sums of a slice of blocks.
 /// most_frequent: of labels, which have no mean; of equally frequent ones that which comes first in
 /// the block, x fastest, then y, then z. Holds the slices of a block.
 ///

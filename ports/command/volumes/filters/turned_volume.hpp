@@ -12,12 +12,12 @@
 
 namespace discmc::command {
 
-/// Where samples are in blocks, of which there is one for each voxel along one axis. Units:
+/// The layout of samples in blocks; there is a block for each voxel along one axis. Units:
 /// samples.
 struct BlockLayout {
   std::size_t block_axis = 2;  ///< x, y or z: 0 to 2
   std::uint64_t first = 0;     ///< voxel (0, 0, 0) in the first block
-  /// From a voxel to the next one along x, y and z; nothing to say for block_axis.
+  /// From a voxel to the next one along x, y and z; unused for block_axis.
   std::array<std::uint64_t, 3> strides{};
 };
 

@@ -60,8 +60,7 @@ class WholeLabels final : public VolumeFilter {
     if (!label)
       fail(file_,
            "the value " + value_text(value) + " in slice " + std::to_string(slices_) +
-               " is no label: labels are whole numbers, below 2^53 where they are scaled or "
-               "floating point",
+               " is no label: labels are whole numbers, below 2^53 if scaled or floating point",
            "give --iso or --range");
     const double off = std::fabs(value - static_cast<double>(*label));
     was_rounded_ = off > noticed;
@@ -78,10 +77,10 @@ class WholeLabels final : public VolumeFilter {
     if (++slices_ < info().dims[2]) return;
     if (rounded_ > 0)
       add_note(std::to_string(rounded_) +
-               " values are rounded to whole numbers, which labels are; farthest off was " +
+               " values are rounded to whole numbers, as labels are; the farthest is " +
                value_text(farthest_));
     if (not_numbers_ > 0)
-      add_note(std::to_string(not_numbers_) + " samples are not a number (NaN), and taken as off");
+      add_note(std::to_string(not_numbers_) + " samples are not a number (NaN) and count as off");
   }
 
   std::filesystem::path file_;

@@ -11,14 +11,14 @@
 
 namespace discmc::command {
 
-/// The label that a value stands for: the whole number that it is off by no more than 0.01. Nothing
-/// where there is none, or from 2^53 on, where double rounds some.
+/// The label of a value: the whole number within 0.01 of it. Nothing
+/// if there is none, or from 2^53 on, where double rounds some.
 std::optional<std::int64_t> nearest_label(double value);
 
 /// The volume with its values as samples: slope 1, intercept 0. Whole numbers that are values
 /// already stay as they are, up to all 64 bits; others become i64, each its nearest_label(), and
-/// what is not a number 0. Notes after the last slice tell how many are rounded or no numbers.
-/// Throws VolumeError in read_slice() where a value is of no label. file: for errors.
+/// what is not a number 0. Notes after the last slice count the rounded values and those that are
+/// no numbers. Throws VolumeError in read_slice() where a value is of no label. file: for errors.
 std::unique_ptr<VolumeReader> whole_labels(const std::filesystem::path& file,
                                            std::unique_ptr<VolumeReader> volume);
 

@@ -1,5 +1,5 @@
 // Projects of InVesalius: an archive of tar with the samples and, before or behind them, a property
-// list that tells how they are stored.
+// list that describes how they are stored.
 #include <algorithm>
 #include <utility>
 
@@ -36,7 +36,7 @@ class Member final : public ByteSource {
     if (is_found) return;
     archive_read_free(archive_);
     fail(stream_.file(), "the archive has no whole file " + std::string(name),
-         "check that it is a project of InVesalius");
+         "check that this is a project of InVesalius");
   }
   Member(const Member&) = delete;
   Member& operator=(const Member&) = delete;
@@ -107,7 +107,7 @@ ByteStream member(ByteStream archive, std::string_view name) {
 std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
   if (stream.is_read_once())
-    fail(file, "projects of InVesalius are read twice, and a pipe is read once",
+    fail(file, "projects of InVesalius are not read from a pipe",
          "store the project in a file first");
   ByteStream list = member(std::move(stream), "main.plist");
   constexpr std::size_t max_list_bytes = 1U << 20;

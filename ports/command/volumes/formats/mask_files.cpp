@@ -50,8 +50,8 @@ class Mask final : public VolumeFilter {
     if (label_ != LabelValue(0))
       fail(file_,
            "the values " + label_.text() + " and " + label.text() +
-               " are in it, and of several files each is the mask of one label",
-           "give the file alone");
+               " are in the file, and each of several files must be the mask of one label",
+           "give this file alone");
     label_ = label;
   }
 
@@ -62,7 +62,7 @@ class Mask final : public VolumeFilter {
 // What has another shape or place is no mask of the same scan.
 void require_same_place(const std::filesystem::path& file, const VolumeInfo& info,
                         const std::filesystem::path& first_file, const VolumeInfo& first) {
-  const std::string remedy = "take them one by one, or leave out those of other scans";
+  const std::string remedy = "extract them one by one, or leave out the masks of other scans";
   const std::string name = shown(first_file.filename().string());
   if (info.dims != first.dims)
     fail(file,

@@ -63,7 +63,7 @@ void expect(const HeaderFields& header, std::string_view name, std::string_view 
   if (!found.empty() && lower(found) != lower(expected))
     fail(header.file(),
          std::string(name) + " is " + shown(found) + " and not " + std::string(expected),
-         "write the image anew, e.g. with ITK or SimpleITK");
+         "write the image again, e.g. with ITK or SimpleITK");
 }
 
 SampleType sample_type(const std::filesystem::path& file, std::string_view text) {
@@ -115,7 +115,7 @@ void note_orientation(VolumeInfo& info, std::string_view letters) {
   const std::string taken = orientation_of(info.placement->axes_mm);
   if (letters != taken)
     note(info, "AnatomicalOrientation " + shown(letters) +
-                   " dropped: by the TransformMatrix it is '" + taken + "'");
+                   " is ignored; by the TransformMatrix it is '" + taken + "'");
 }
 
 // A row an axis, of length 1; nothing where the numbers are no matrix of the axes.
@@ -123,8 +123,8 @@ std::optional<Axes> directions_of(VolumeInfo& info, const std::vector<double>& m
                                   std::size_t axes) {
   if (matrix.size() != axes * axes) {
     if (!matrix.empty())
-      note(info, "TransformMatrix of " + std::to_string(matrix.size()) + " numbers dropped: " +
-                     std::to_string(axes) + " dimensions take " + std::to_string(axes * axes));
+      note(info, "TransformMatrix of " + std::to_string(matrix.size()) + " numbers is ignored; " +
+                     std::to_string(axes) + " dimensions need " + std::to_string(axes * axes));
     return std::nullopt;
   }
   Axes directions = coordinates;
@@ -139,7 +139,7 @@ void set_spacing(VolumeInfo& info, const HeaderFields& header, std::size_t axes,
   auto lengths = header.reals({"ElementSpacing"});
   if (lengths.empty()) {
     lengths = header.reals({"ElementSize"});
-    if (!lengths.empty()) note(info, "no ElementSpacing given, ElementSize taken");
+    if (!lengths.empty()) note(info, "no ElementSpacing given, ElementSize is used");
   }
   if (!lengths.empty() && lengths.size() < axes)
     fail(header.file(),
@@ -173,7 +173,7 @@ void set_values(VolumeInfo& info, const HeaderFields& header) {
 }
 
 // Leaves a data file at its first sample. HeaderSize counts from the beginning of the file that
-// holds the data, and -1 says that the data is its end.
+// holds the data, and -1 means that the data is its end.
 ByteStream at_data(ByteStream data, std::int64_t header_bytes, const Storage& storage,
                    std::uint64_t bytes_in_file) {
   if (header_bytes < (storage.is_raw() ? -1 : 0))
@@ -224,7 +224,7 @@ std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOpti
                                                          "ElementByteOrderMSB"};
   const bool big_endian = storage.is_text ? is_native_big_endian() : flag(header, order, false);
   if (!storage.is_text && sample_bytes(info.type) > 1 && header.text(order).empty())
-    note(info, "byte order not given, little-endian taken");
+    note(info, "no byte order given, little-endian assumed");
 
   info.format = "MetaImage, " + storage.name() +
                 (is_local(header.needed("ElementDataFile")) ? "" : ", detached");

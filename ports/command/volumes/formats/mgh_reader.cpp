@@ -30,7 +30,7 @@ SampleType sample_type(const std::filesystem::path& file, std::int32_t type) {
   }
 }
 
-// Where it says nothing, FreeSurfer takes coronal slices of 1 mm about the origin.
+// Without directions, FreeSurfer assumes coronal slices of 1 mm about the origin.
 DeclaredPlace place_of(VolumeInfo& info, const HeaderBytes& header) {
   constexpr std::size_t flag = 28;
   std::array<double, 3> spacing{1, 1, 1}, centre{};
@@ -41,7 +41,7 @@ DeclaredPlace place_of(VolumeInfo& info, const HeaderBytes& header) {
       directions[axis] = header.reals(flag + 14 + 12 * axis);
     centre = header.reals(flag + 50);
   } else {
-    note(info, "no directions given, coronal slices of 1 mm taken, as FreeSurfer does");
+    note(info, "no directions given, coronal slices of 1 mm assumed, as by FreeSurfer");
   }
   DeclaredPlace place;
   place.set_unit("mm");

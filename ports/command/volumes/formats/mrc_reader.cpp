@@ -63,7 +63,7 @@ Storage storage_of(VolumeInfo& info, const std::filesystem::path& file, const He
     case 0:
       if (header.number<std::int32_t>(imod_stamp_at) == imod_stamp &&
           (header.number<std::int32_t>(imod_flags_at) & has_sign) == 0) {
-        note(info, "bytes taken as u8, as IMOD wrote them");
+        note(info, "bytes are read as u8, as IMOD wrote them");
         return {SampleType::u8};
       }
       return {SampleType::i8};
@@ -87,7 +87,7 @@ std::array<std::size_t, 3> axes_of(VolumeInfo& info, const std::filesystem::path
                                    const HeaderBytes& header) {
   const auto axis_numbers = integers(header, axes_at);
   if (axis_numbers == std::array<std::int32_t, 3>{}) {
-    note(info, "no axes given, columns, rows and sections taken as x, y and z");
+    note(info, "no axes given, columns, rows and sections are read as x, y and z");
     return {0, 1, 2};
   }
   if (!std::all_of(axis_numbers.begin(), axis_numbers.end(), is_axis) ||
@@ -154,7 +154,7 @@ DeclaredPlace place_of(VolumeInfo& info, const HeaderBytes& header,
   const auto lengths = header.reals(cell_at);
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (!(intervals[axis] > 0 && lengths[axis] > 0)) return place;
-  note(info, "lengths are in angstrom: 1 angstrom is written as 1 mm");
+  note(info, "lengths are in angstrom; 1 angstrom is written as 1 mm");
   place.set_unit("mm");
   Axes& steps = place.steps.emplace(edges_of(header));
   for (std::size_t axis = 0; axis < 3; ++axis)

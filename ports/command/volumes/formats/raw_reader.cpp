@@ -1,4 +1,4 @@
-// Headerless samples. The layout is the user's word, so the file must agree with it: what has a
+// Headerless samples. The layout comes from the user, so the file must agree with it: what has a
 // header would otherwise be read as voxels.
 #include <optional>
 #include <string>
@@ -23,7 +23,7 @@ void require_no_header(ByteStream& stream) {
          "leave out --dims and --type, or skip its header with --skip-bytes");
 }
 
-// What the user may have meant, where the file has so many bytes.
+// What the user may have meant, by the number of bytes in the file.
 std::optional<std::string> proposal(const VolumeInfo& info, std::uint64_t bytes) {
   const std::uint64_t slice = info.slice_bytes();
   const std::uint64_t voxels = slice / sample_bytes(info.type) * info.dims[2];
@@ -31,10 +31,10 @@ std::optional<std::string> proposal(const VolumeInfo& info, std::uint64_t bytes)
   for (const auto& [called, type] : sample_types)
     if (voxels * sample_bytes(type) == bytes)
       types += (types.empty() ? "" : " or ") + std::string(called);
-  if (!types.empty()) return "give --type " + types + ", which is as long";
+  if (!types.empty()) return "give --type " + types + ", which fits the length";
   if (bytes == 0 || bytes % slice != 0) return std::nullopt;
   return "give --dims " + std::to_string(info.dims[0]) + ',' + std::to_string(info.dims[1]) + ',' +
-         std::to_string(bytes / slice) + ", which is as long";
+         std::to_string(bytes / slice) + ", which fits the length";
 }
 
 // As far as the length is known: of compressed samples and of pipes at their end.
@@ -44,7 +44,7 @@ void require_length(const ByteStream& stream, const VolumeInfo& info, const RawL
   if (!left || *left == volume) return;
   std::string what = "the file has " + std::to_string(*left) + " bytes";
   if (layout.skipped_bytes > 0)
-    what += " behind the " + std::to_string(layout.skipped_bytes) + " skipped";
+    what += " after the " + std::to_string(layout.skipped_bytes) + " skipped";
   what += ", but a volume of " + extents(info.dims) + " " + std::string(name(info.type)) + " has " +
           std::to_string(volume);
   const std::string correct = proposal(info, *left).value_or("correct --dims and --type");
@@ -58,8 +58,8 @@ NoteOfRest refusal_of_rest(const VolumeInfo& info) {
   return [bytes = volume_bytes(info)](ByteStream& stream) {
     if (!stream.peek(1).empty())
       fail(stream.file(),
-           "there is more than the " + std::to_string(bytes) + " bytes of the volume",
-           "correct --dims and --type, or skip what stands before it with --skip-bytes");
+           "the input is longer than the " + std::to_string(bytes) + " bytes of the volume",
+           "correct --dims and --type, or skip a header with --skip-bytes");
     return std::string();
   };
 }

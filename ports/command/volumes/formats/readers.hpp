@@ -1,11 +1,11 @@
 // The readers of the formats, and what each of them promises:
 //
-//   A reader gives every sample of the volume that was asked for, where and as large as the file
-//   says, or refuses and says why; what it had to assume it prints as a note.
+//   A reader gives every sample of the requested volume, in the place and size that the file
+//   declares, or throws the reason; it prints each assumption as a note.
 //
 // So it accounts for all that it has not used, such as axes, pages, bytes behind the samples, and
 // fields that change their meaning. What readers share does its part: set_dims() and set_place()
-// note what they drop or assume, SliceStream what stands behind the samples, VolumeError names the
+// note what they drop or assume, SliceStream what follows the samples, VolumeError names the
 // file, the fault and the remedy.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_READERS_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_READERS_HPP
@@ -32,7 +32,7 @@ std::unique_ptr<VolumeReader> open_mgh(ByteStream stream, const VolumeOptions& o
 std::unique_ptr<VolumeReader> open_mrc(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const VolumeOptions& options);
-/// source: what was named, of which these are the DICOM files. notes: of what else it holds, told
+/// source: what was named, of which these are the DICOM files. notes: of its other content, printed
 /// with those of the volume.
 std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
                                          const std::vector<std::filesystem::path>& files,
@@ -55,8 +55,8 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
                                           const VolumeOptions& options,
                                           const std::string& remedy_of_pictures);
 
-/// An HDF5 file, or a dataset in it: scan.h5:/exchange/data. Of a file alone the dataset is the
-/// only one that can be a volume.
+/// An HDF5 file, or a dataset in it: scan.h5:/exchange/data. Without a dataset in the name,
+/// the only one that can be a volume.
 std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
                                         const VolumeOptions& options);
 

@@ -1,5 +1,5 @@
 // VTK's image in XML, https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html: the
-// samples stand in an element of their own, or behind all elements, which is then no XML any more.
+// samples are in an element of their own, or after all elements, which is then no XML any more.
 // So what comes before them is cut off and parsed.
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ class Head {
       document_.load_buffer(text.data(), text.size());
       const std::string_view type = root().attribute("type").value();
       if (type != "ImageData")
-        fail(file_, "this is VTK's " + shown(type) + " and no ImageData",
+        fail(file_, "this is VTK's " + shown(type) + ", not ImageData",
              "write one image, e.g. with ParaView's filter Resample To Image");
     } while (!is_appended_ && !(array() && format() != "appended"));
     if (!array()) fail(file_, "there is no array of samples", "give an image with samples");
@@ -44,14 +44,14 @@ class Head {
   pugi::xml_node piece() const { return image().child("Piece"); }
   /// Whether the samples are those of cells, between points: where points have none.
   bool is_of_cells() const { return !piece().child("PointData").child("DataArray"); }
-  /// Whether an array is said to be the scalars.
+  /// Whether an array is declared as the scalars.
   bool has_scalars() const { return !std::string_view(scalars()).empty(); }
   /// That one, or else the first.
   pugi::xml_node array() const {
     return has_scalars() ? data().find_child_by_attribute("DataArray", "Name", scalars())
                          : data().child("DataArray");
   }
-  /// Those of the other arrays that stand before the samples, "b, c".
+  /// Those of the other arrays that precede the samples, "b, c".
   std::string other_arrays() const {
     std::string names;
     for (const char* kind : {"PointData", "CellData"})
@@ -150,11 +150,11 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Hea
 
 // Which of several arrays was taken, or may have been.
 void note_arrays(VolumeInfo& info, const Head& head) {
-  const std::string taken = "array " + shown(head.array().attribute("Name").value()) + " taken, ";
+  const std::string read = "array " + shown(head.array().attribute("Name").value()) + " is read, ";
   if (const std::string others = head.other_arrays(); !others.empty())
-    note(info, taken + "others left out: " + others);
+    note(info, read + "others are left out: " + others);
   else if (!head.is_appended() && !head.has_scalars())
-    note(info, taken + "the first; what follows its samples is left out");
+    note(info, read + "the first; everything after its samples is left out");
 }
 
 SampleType sample_type(const std::filesystem::path& file, std::string_view type) {
@@ -168,7 +168,7 @@ SampleType sample_type(const std::filesystem::path& file, std::string_view type)
   fail_type(file, type);
 }
 
-// Before the samples stand their bytes or, compressed, the number of blocks and their sizes.
+// Their number of bytes precedes the samples or, if compressed, the number and sizes of blocks.
 class Blocks {
  public:
   Blocks(ByteStream& stream, const Head& head, bool big_endian)
@@ -266,15 +266,15 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
     else
       blocks.go_to_compressed_samples(bytes_of_all(info));
   }
-  // The length of the array is told, and elements follow it.
+  // The length of the array is stored, and elements follow it.
   const auto no_note = [](ByteStream&) { return std::string(); };
   return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian, std::nullopt,
                                        no_note);
 }
 #else
 std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions&) {
-  fail(stream.file(), "this discmc was built without pugixml, which reads XML",
-       "store the volume as .vtk, or build discmc with pugixml");
+  fail(stream.file(), "this is VTK XML, and discmc was built without pugixml",
+       "install libpugixml-dev and build again, or store the volume as .vtk");
 }
 #endif
 

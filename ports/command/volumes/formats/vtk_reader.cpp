@@ -88,7 +88,7 @@ class HeaderReader {
     } else if (are_arrays_next_) {
       take_array(key, found);
     } else {
-      refuse("the header line " + shown(text) + " is not known", "correct the header");
+      refuse("the header line " + shown(text) + " is unknown", "correct the header");
     }
   }
 
@@ -99,7 +99,7 @@ class HeaderReader {
       if (found.size() > 3) header_.components = found[3];
       const std::string table = line();
       if (words(table).empty() || lower(words(table)[0]) != "lookup_table")
-        refuse("behind SCALARS stands " + shown(table), "name a LOOKUP_TABLE there");
+        refuse("after SCALARS the header has " + shown(table), "name a LOOKUP_TABLE there");
     } else if (key == "color_scalars") {
       // As bytes in binary files, and as fractions of 255 in text.
       expect_words(found, 3);
@@ -159,7 +159,7 @@ std::string note_of_rest(ByteStream& stream) {
   const std::string damage = stream.damage();
   const std::string_view line = take_line(text).value_or("");
   if (line.empty() && damage.empty()) return {};
-  return "what follows the first array left out: " + (damage.empty() ? shown(line) : damage);
+  return "everything after the first array is left out: " + (damage.empty() ? shown(line) : damage);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ void unpack_member(const std::filesystem::path& zip, ArchiveSource& archive,
   while (out && (got = archive.read(block.data(), block.size())) > 0)
     out.write(block.data(), static_cast<std::streamsize>(got));
   if (!archive.damage().empty())
-    fail(zip, shown(file.filename().string()) + " is damaged or encrypted in it",
+    fail(zip, shown(file.filename().string()) + " in the archive is damaged or encrypted",
          "copy or export the archive again, without a password");
   if (!out.flush())
     fail(zip, shown(file.filename().string()) + " cannot be unpacked into the temporary folder",
@@ -66,7 +66,7 @@ void unpack(const std::filesystem::path& zip, const std::filesystem::path& folde
     if (name.has_filename()) unpack_member(zip, archive, folder / name);
   }
   if (!archive.damage().empty())
-    fail(zip, "the archive is damaged or no zip", "copy or export it again");
+    fail(zip, "the archive is damaged, or not a ZIP file", "copy or export it again");
 }
 
 // Where pictures are: goes into a folder that is alone, but for files that are none.

@@ -28,13 +28,13 @@ const determinant = ([x, y, z]) => dot(x, cross(y, z));
  */
 export function placeOf(lengths, axes, isRas = false) {
   const isUsable = (/** @type {number} */ length) => length >= 1e-6 && length <= 2147;
-  const isTold = axes && axes.flat().every(Number.isFinite) && determinant(axes) !== 0;
-  const signs = isTold ? signsOf(axes) : lengths.map((length) => (length < 0 ? -1 : 1));
+  const isGiven = axes && axes.flat().every(Number.isFinite) && determinant(axes) !== 0;
+  const signs = isGiven ? signsOf(axes) : lengths.map((length) => (length < 0 ? -1 : 1));
   const spacing = /** @type {any} */ ([0, 1, 2].map((i) => {
     const length = Math.abs(lengths[i] ?? 1);
     return (signs[i] ?? 1) * (isUsable(length) ? length : 1);
   }));
-  if (!isTold) return { spacing };
+  if (!isGiven) return { spacing };
   const inLps = isRas ? axes.map(([x, y, z]) => [-x, -y, z]) : axes;
   return { spacing, upright: uprightBy(inLps, signs) };
 }

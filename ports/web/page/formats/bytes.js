@@ -8,7 +8,7 @@ export class ByteSource {
     this.held = new Uint8Array(0);
   }
 
-  /** Up to so many of the next bytes, without taking them. @param {number} count */
+  /** Up to `count` of the next bytes, without consuming them. @param {number} count */
   async peek(count) {
     while (this.held.length < count && (await this.hold()));
     return this.held.subarray(0, count);

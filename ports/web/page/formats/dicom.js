@@ -7,7 +7,7 @@ import { partsOf, unpackFor } from './dicom_frames.js';
 import { FileError, sampleBytes } from './volume_info.js';
 
 const implicitLittle = '1.2.840.10008.1.2', big = '1.2.840.10008.1.2.2';
-const remedy = 'discmc view FOLDER makes a page of it, and discmc extract FOLDER -o FILE.dmc a stream';
+const remedy = 'use discmc view FOLDER, or make a stream with discmc extract FOLDER -o FILE.dmc';
 
 /** @param {Uint8Array} head */
 export const isDicom = (head) => asText(head.subarray(128, 132)) === 'DICM';
@@ -20,7 +20,7 @@ export const isDicom = (head) => asText(head.subarray(128, 132)) === 'DICM';
  * @property {import('./volume_info.js').SampleType} type
  * @property {boolean} bigEndian @property {number} highBit @property {number} bits
  * @property {number} slope @property {number} intercept
- * @property {number[]} spacing from column to column, from row to row, and of slices where told
+ * @property {number[]} spacing from column to column, from row to row, and of slices if stored
  * @property {number[]} position @property {number[]} alongRow @property {number[]} alongColumn
  * @property {import('./dicom_frames.js').Part[]} parts of the file, which have the pixels
  * @property {import('./dicom_frames.js').Unpack} unpack
@@ -35,7 +35,7 @@ export async function readDicom(files) {
   const images = [];
   for (const file of files) images.push(...(await imagesOf(file))); // one file in memory at a time
   if (images.length === 0)
-    throw new FileError(files[0].name, 'no image of a volume', 'give the folder of a series');
+    throw new FileError(files[0].name, 'there is no image of a volume', 'give the folder of a series');
   /** @type {Map<string, Image[]>} */
   const stacks = new Map();
   for (const image of images) {
@@ -74,19 +74,19 @@ async function imagesOf(file) {
   const unpack = unpackFor(syntax);
   if (!unpack)
     throw new FileError(file.name,
-      `its pixels are compressed in a way that the page does not know (transfer syntax ${syntax})`, remedy);
+      `its compression is not read by the page (transfer syntax ${syntax})`, remedy);
   const data = parsed(file, bytes);
   const pixels = data.elements.x7fe00010;
   if (!pixels) return [];
   const columns = data.uint16('x00280011'), rows = data.uint16('x00280010');
   const allocated = data.uint16('x00280100');
   if ((data.uint16('x00280002') ?? 1) !== 1 || ![8, 16, 32].includes(allocated))
-    throw new FileError(file.name, 'it is in colour, or of samples that are no volume', remedy);
+    throw new FileError(file.name, 'the image is in colour, or its samples are not read by the page', remedy);
   const frameBytes = columns * rows * (allocated / 8);
   const frames = numbersIn(data, 'x00280008')[0] ?? 1;
   const parts = partsOf(pixels, frames, frameBytes);
   if (!parts)
-    throw new FileError(file.name, 'its frames are not all there', 'copy or export it again');
+    throw new FileError(file.name, 'frames are missing', 'copy or export it again');
   const bits = data.uint16('x00280101') ?? allocated;
   const common = {
     file, columns, rows, bits, unpack,
@@ -98,23 +98,23 @@ async function imagesOf(file) {
     modality: data.string('x00080060') ?? '',
   };
   return Array.from({ length: frames }, (_, frame) => {
-    // What a frame tells itself, or what all of the file share, or the file as a whole.
+    // An element of the frame, of all frames together, or of the file as a whole.
     const [own, shared] = [data.elements.x52009230?.items?.[frame], data.elements.x52009229?.items?.[0]];
-    const told = (/** @type {string} */ group, /** @type {string} */ tag) => {
+    const read = (/** @type {string} */ group, /** @type {string} */ tag) => {
       const holders = [own, shared].map((item) => item?.dataSet.elements[group]?.items?.[0]?.dataSet);
       const holder = holders.find((each) => each?.elements[tag]) ?? data;
       return numbersIn(holder, tag);
     };
-    const direction = told('x00209116', 'x00200037');
-    const [down, right] = told('x00289110', 'x00280030');
+    const direction = read('x00209116', 'x00200037');
+    const [down, right] = read('x00289110', 'x00280030');
     return {
       ...common,
       parts: parts[frame],
-      slope: told('x00289145', 'x00281053')[0] ?? 1,
-      intercept: told('x00289145', 'x00281052')[0] ?? 0,
+      slope: read('x00289145', 'x00281053')[0] ?? 1,
+      intercept: read('x00289145', 'x00281052')[0] ?? 0,
       spacing: [right ?? 1, down ?? 1,
-        told('x00289110', 'x00180088')[0] ?? told('x00289110', 'x00180050')[0] ?? 1],
-      position: told('x00209113', 'x00200032'),
+        read('x00289110', 'x00180088')[0] ?? read('x00289110', 'x00180050')[0] ?? 1],
+      position: read('x00209113', 'x00200032'),
       alongRow: direction.slice(0, 3),
       alongColumn: direction.slice(3, 6),
     };
@@ -134,7 +134,7 @@ function parsed(file, bytes, options) {
   } catch (error) {
     // The library throws texts, and objects with an `exception`.
     const { exception } = /** @type {any} */ (error);
-    throw new FileError(file.name, `damaged DICOM (${exception ?? error})`, 'copy or export it again');
+    throw new FileError(file.name, `the file is damaged (${exception ?? error})`, 'copy or export it again');
   }
 }
 
@@ -144,7 +144,7 @@ function inOrder(stack) {
   const { alongRow: u, alongColumn: v } = first;
   const hasPlaces = stack.every(({ position }) => position.length === 3) && u.length + v.length === 6;
   if (!hasPlaces && stack.some(({ file }) => file !== first.file))
-    throw new FileError(first.file.name, 'the slices tell no position, and so no order',
+    throw new FileError(first.file.name, 'the slices have no position, and so no order',
       'export the series with positions');
   if (!hasPlaces) return { ordered: stack, distance: first.spacing[2], axes: undefined };
   const normal = cross(u, v);
@@ -157,7 +157,7 @@ function inOrder(stack) {
     const step = i === 0 ? distance : height(image) - height(ordered[i - 1]);
     if (Math.abs(step - distance) > 0.05 * distance)
       throw new FileError(image.file.name,
-        `the slice before it is ${step.toFixed(2)} mm away, and others ${distance.toFixed(2)}`,
+        `the previous slice is ${step.toFixed(2)} mm away, and others ${distance.toFixed(2)} mm`,
         'give the whole series, or fill the gaps with discmc extract --allow-gaps');
   });
   return { ordered, distance, axes: [u, v, normal] };
@@ -188,7 +188,7 @@ async function pixelsOf({ file, parts, unpack, columns, rows, type }) {
     const bytes = unpack(new Uint8Array(await packed.arrayBuffer()), samples, sampleBytes(type));
     if (bytes.length === samples * sampleBytes(type)) return bytes;
   } catch {
-    // what a decoder says of it is for its makers
+    // the message of a decoder is for its authors
   }
   throw new FileError(file.name, `its compressed pixels are not ${columns} x ${rows} of ${type}`,
     'copy or export it again');

@@ -21,7 +21,7 @@ export const unpackFor = (syntax) => unpacks[syntax];
  * The parts of the file that each frame has.
  * @param {any} pixels the element, as dicom-parser has it @param {number} frames
  * @param {number} frameBytes where they are not packed
- * @returns {Part[][] | null} null where they cannot be told apart, or are not all there
+ * @returns {Part[][] | null} null if they cannot be separated, or some are missing
  */
 export function partsOf(pixels, frames, frameBytes) {
   if (!pixels.encapsulatedPixelData) {

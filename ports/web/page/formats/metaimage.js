@@ -31,15 +31,16 @@ export async function readMetaImage(name, source, others) {
   };
   const type = types[fields.get('ElementType') ?? ''];
   if (!type)
-    throw new FileError(name, `samples of ElementType ${fields.get('ElementType') ?? 'unknown'}`,
+    throw new FileError(name, `samples of ElementType ${fields.get('ElementType') ?? 'unknown'} are not read`,
       'convert them to MET_SHORT');
   if ((fields.get('ElementNumberOfChannels') ?? '1') !== '1')
-    throw new FileError(name, `${fields.get('ElementNumberOfChannels')} channels`, 'give one');
+    throw new FileError(name, `the file holds ${fields.get('ElementNumberOfChannels')} channels`,
+      'give a volume of one channel');
   if (fields.has('BinaryData') && !is('BinaryData'))
     throw new FileError(name, 'its samples are text', 'save it with BinaryData = True');
   const dims = numbers('DimSize');
   if (dims.slice(3).some((size) => size !== 1))
-    throw new FileError(name, `it holds ${dims.length} dimensions`, 'give a volume of three');
+    throw new FileError(name, `the data has ${dims.length} dimensions`, 'give a volume of three');
   const slope = numbers('ElementToIntensityFunctionSlope')[0] ?? 1;
   const isScaled = slope > 0 && Number.isFinite(slope);
   const info = {
@@ -58,13 +59,13 @@ export async function readMetaImage(name, source, others) {
     await source.skip(last.index + last[0].length);
   } else if (/^list|%/i.test(last[1])) {
     throw new FileError(name, `its samples are in several files (${last[1]})`,
-      'make one file of it, or a stream with discmc extract -o FILE.dmc');
+      'store them in one file, or make a stream with discmc extract -o FILE.dmc');
   } else {
     data = await others(last[1]);
   }
   const skipped = Number(fields.get('HeaderSize') ?? 0);
   if (skipped < 0)
-    throw new FileError(name, `HeaderSize ${skipped}`, 'give the number of bytes before the samples');
+    throw new FileError(name, `HeaderSize is ${skipped}`, 'give the number of bytes before the samples');
   await data.skip(skipped);
   return { info, data: is('CompressedData') ? inflated(data, 'deflate') : data };
 }

@@ -37,14 +37,15 @@ export async function readNifti(name, source, others) {
   const header = fieldsOf(new DataView(head.buffer, head.byteOffset, head.length), kind);
   const type = types.get(header.datatype);
   if (!type)
-    throw new FileError(name, `samples of datatype ${header.datatype}`, 'convert them to int16');
+    throw new FileError(name, `samples of datatype ${header.datatype} are not read`,
+      'convert them to int16');
   const further = header.dim.slice(4, 1 + header.dim[0]);
   if (further.some((size) => size > 1))
-    throw new FileError(name, `it holds ${further.reduce((a, b) => a * b, 1)} volumes`,
-      'give one of them');
+    throw new FileError(name, `the file holds ${further.reduce((a, b) => a * b, 1)} volumes`,
+      'save one of them as a file of its own');
   const dimensions = header.dim[0];
   if (dimensions < 1 || dimensions > 7)
-    throw new FileError(name, `the header gives ${dimensions} dimensions`, 'correct dim[0]');
+    throw new FileError(name, `the header declares ${dimensions} dimensions`, 'correct dim[0]');
   if (!(header.offset >= 0 && Number.isFinite(header.offset)))
     throw new FileError(name, `vox_offset is ${header.offset}`, 'correct the header');
   const isScaled = header.slope !== 0 && Number.isFinite(header.slope) && header.slope > 0;
@@ -95,9 +96,9 @@ function placeFrom(header) {
   const lengths = header.pixdim.slice(1, 4).map((length) => unit * Math.abs(length));
   if (header.sform > 0) {
     const axes = [0, 1, 2].map((axis) => header.rows.map((row) => unit * row[axis]));
-    const told = axes.map((axis) => Math.hypot(...axis));
-    const isUsable = told.every((length) => length >= 1e-6 && length <= 1e6);
-    const place = placeOf(isUsable ? told : lengths, isUsable ? axes : undefined, true);
+    const steps = axes.map((axis) => Math.hypot(...axis));
+    const isUsable = steps.every((length) => length >= 1e-6 && length <= 1e6);
+    const place = placeOf(isUsable ? steps : lengths, isUsable ? axes : undefined, true);
     const ofItsOwn = 5; // "template, other": what its directions are is not known
     return header.sform === ofItsOwn ? { spacing: place.spacing } : place;
   }

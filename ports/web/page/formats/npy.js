@@ -14,17 +14,17 @@ export async function readNpy(name, source) {
   const begin = start[6] === 1 ? 10 : 12;
   const length = start[6] === 1 ? view.getUint16(8, true) : view.getUint32(8, true);
   if (length > 1 << 16)
-    throw new FileError(name, `a header of ${length} bytes`, 'check whether the file is damaged');
+    throw new FileError(name, `the header has ${length} bytes`, 'check whether the file is damaged');
   const text = asText((await source.peek(begin + length)).subarray(begin));
   const descr = /'descr':\s*'([<>|=])(u[1248]|i[1248]|f[48])'/.exec(text);
   const shape = /'shape':\s*\(([\d, ]*)\)/.exec(text);
   if (!descr || !shape)
-    throw new FileError(name, 'the array is not of numbers', 'save one of int16 or float32');
+    throw new FileError(name, 'the array is not of numbers', 'save an array of int16 or float32');
   const sizes = shape[1].split(',').filter((size) => size.trim()).map(Number);
   const isFortran = /'fortran_order':\s*True/.test(text);
   const dims = (isFortran ? sizes : sizes.reverse()).concat(1, 1).slice(0, Math.max(3, sizes.length));
   if (dims.length > 3)
-    throw new FileError(name, `the array has ${dims.length} dimensions`, 'save one of three');
+    throw new FileError(name, `the array has ${dims.length} dimensions`, 'save an array of three');
   await source.skip(begin + length);
   const info = {
     format: 'NumPy',

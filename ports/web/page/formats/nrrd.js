@@ -36,10 +36,11 @@ export async function readNrrd(name, source, others) {
   };
   const type = types.get(needed('type').toLowerCase());
   if (!type)
-    throw new FileError(name, `samples of type ${needed('type')}`, 'convert them to short');
+    throw new FileError(name, `samples of type ${needed('type')} are not read`,
+      'convert them to short');
   const sizes = numbersOf(needed('sizes'));
   if (sizes.slice(3).some((size) => size !== 1))
-    throw new FileError(name, `it holds ${sizes.length} dimensions (${sizes.join(' ')})`,
+    throw new FileError(name, `the data has ${sizes.length} dimensions (${sizes.join(' ')})`,
       'give a volume of three');
   const info = {
     format: 'NRRD',
@@ -56,7 +57,7 @@ export async function readNrrd(name, source, others) {
     const file = needed('data file');
     if (/^list|%/i.test(file))
       throw new FileError(name, `its samples are in several files (${file})`,
-        'make one file of it, or a stream with discmc extract -o FILE.dmc');
+        'store them in one file, or make a stream with discmc extract -o FILE.dmc');
     data = await others(file);
   } else {
     await source.skip((end?.index ?? 0) + (end?.[0].length ?? 0));
@@ -65,10 +66,10 @@ export async function readNrrd(name, source, others) {
   const encoding = needed('encoding').toLowerCase();
   if (encoding === 'gzip' || encoding === 'gz') data = await unpacked(data);
   else if (encoding !== 'raw')
-    throw new FileError(name, `encoding ${encoding}`, 'the page takes raw and gzip: save it so');
+    throw new FileError(name, `encoding ${encoding} is not read`, 'save it with raw or gzip');
   const skipped = Number(fields.get('byte skip') ?? 0);
   if (skipped < 0)
-    throw new FileError(name, `byte skip ${skipped}`, 'give the number of bytes before the samples');
+    throw new FileError(name, `byte skip is ${skipped}`, 'give the number of bytes before the samples');
   await data.skip(skipped);
   return { info, data };
 }
@@ -104,7 +105,7 @@ async function skipLines(name, data, lines) {
   for (let skipped = 0; skipped < lines; ++skipped) {
     const end = (await data.peek(longestHeader)).indexOf(10);
     if (end < 0)
-      throw new FileError(name, `of ${lines} lines to skip only ${skipped} are there`,
+      throw new FileError(name, `of ${lines} lines to skip only ${skipped} exist`,
         'correct the line skip in the header');
     await data.skip(end + 1);
   }

@@ -1,4 +1,4 @@
-// Headerless samples: what the file does not tell, its name may.
+// Headerless samples: the name of the file may contain the layout.
 import { sampleBytes, sampleTypes } from './volume_info.js';
 
 /**

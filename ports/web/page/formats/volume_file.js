@@ -26,7 +26,7 @@ const formats = [
 
 const headBytes = 540;
 
-/** A file that no format knows: the page asks what it is. */
+/** A file of unknown format: the page asks for its layout. */
 export class UnknownLayout extends Error {
   /** @param {File} file */
   constructor(file) {
@@ -46,7 +46,7 @@ export async function openFiles(files, layout) {
     const wanted = path.split(/[\\/]/).pop();
     const file = files.find((each) => each.name === wanted);
     if (!file)
-      throw new FileError(files[0].name, `its samples are in ${wanted}`, 'drop both files together');
+      throw new FileError(files[0].name, `its samples are in ${wanted}`, 'open both files together');
     return openBytes(file);
   };
   for (const file of files) {
@@ -75,8 +75,8 @@ export async function openFiles(files, layout) {
   }
   const named = files.find((file) => /\.(raw|bin|img)(\.gz)?$/i.test(file.name));
   if (named) throw new UnknownLayout(named);
-  throw new FileError(files[0].name, 'this is neither a volume nor a stream that the page knows',
-    'give NRRD, NIfTI, MetaImage, NumPy, DICOM, raw samples (.raw) or a stream (.dmc)');
+  throw new FileError(files[0].name, 'the format is unknown',
+    'open NRRD, NIfTI, MetaImage, NumPy, DICOM, raw samples (.raw) or a stream (.dmc)');
 }
 
 /** @param {File} file @param {import('./volume_info.js').VolumeInfo} info */
@@ -84,6 +84,6 @@ function requireRawSize(file, info) {
   requireSize(file.name, info);
   if (!/\.gz$/i.test(file.name) && file.size !== volumeBytes(info))
     throw new FileError(file.name,
-      `${file.size} bytes, and ${info.dims.join(' x ')} of ${info.type} are ${volumeBytes(info)}`,
-      'give the sizes and the type of the samples');
+      `the file has ${file.size} bytes, and ${info.dims.join(' x ')} of ${info.type} need ${volumeBytes(info)}`,
+      'correct the voxels and the type');
 }

@@ -1,4 +1,4 @@
-// What a file says of its volume, whatever its format.
+// The description of a volume, whatever its format.
 
 /**
  * @typedef {object} VolumeInfo
@@ -11,7 +11,7 @@
  * @property {number[][]} [upright] the directions of space, as the surface has them: see axes.js
  * @property {number} slope value = slope * stored + intercept
  * @property {number} intercept
- * @property {boolean} isInHounsfield whether the file says so
+ * @property {boolean} isInHounsfield whether the file states it
  */
 
 /** @typedef {'u8'|'i8'|'u16'|'i16'|'u32'|'i32'|'u64'|'i64'|'f32'|'f64'} SampleType */
@@ -35,7 +35,7 @@ export class FileError extends Error {
   }
 }
 
-/** What the page takes: beyond, a browser's memory may not hold the surface. */
+/** The largest volume of the page: beyond, a browser's memory may not hold the surface. */
 export const mostBytes = 2 ** 30;
 export const mostExtent = 16383;
 
@@ -46,21 +46,21 @@ export const mostExtent = 16383;
 export function requireSize(file, info) {
   const sizes = info.dims.join(' x ');
   if (!info.dims.every((extent) => Number.isInteger(extent) && extent > 0))
-    throw new FileError(file, `the header gives ${sizes} voxels`, 'correct the header');
+    throw new FileError(file, `the header declares ${sizes} voxels`, 'correct the header');
   requireExtents(file, info.dims);
   if (volumeBytes(info) > mostBytes)
     throw new FileError(file,
-      `${sizes} voxels are ${inMebibytes(volumeBytes(info))}; the page takes at most ` +
+      `${sizes} voxels are ${inMebibytes(volumeBytes(info))}; the page accepts at most ` +
         inMebibytes(mostBytes),
-      'make a smaller stream of it with discmc extract --shrink 2 -o FILE.dmc, which opens here');
+      'make a smaller stream with discmc extract --shrink 2 -o FILE.dmc, and open that');
 }
 
 /** @param {string} file @param {number[]} dims voxels */
 export function requireExtents(file, dims) {
   if (Math.max(...dims) > mostExtent)
     throw new FileError(file,
-      `${dims.join(' x ')} voxels; the page takes at most ${mostExtent} along an axis`,
-      'crop it with discmc extract --crop');
+      `${dims.join(' x ')} voxels; the page accepts at most ${mostExtent} along an axis`,
+      'extract a part with discmc extract --crop -o FILE.dmc, and open that');
 }
 
 /** @param {number} bytes */

@@ -20,7 +20,7 @@ export class Listener {
    * @param {AsyncIterable<Uint8Array>} source
    * @param {(arrived: {stream: any, surface: any}, isEnd: boolean) => void} show
    */
-  async hear(source, show) {
+  async receive(source, show) {
     const turn = ++this.turn;
     this.pieces = [];
     await this.engine.call('listen');
@@ -28,7 +28,7 @@ export class Listener {
     for await (const bytes of source) {
       if (this.turn !== turn) return;
       this.pieces.push(bytes);
-      await this.engine.call('hear', { bytes });
+      await this.engine.call('receive', { bytes });
       if (this.turn !== turn) return;
       if (performance.now() < next) continue;
       show(await this.arrived(false), false);

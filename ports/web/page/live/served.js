@@ -3,10 +3,10 @@
 /**
  * What arrives, to its end, until the server is gone, or `stop` is signalled.
  * @param {string} source @param {AbortSignal} [stop]
- * @param {(share: number) => void} [tell] called with how much of it is here, 0 to 1, where that is
+ * @param {(share: number) => void} [notify] called with how much of it is here, 0 to 1, where that is
  *   known
  */
-export async function* servedBytes(source, stop, tell = () => {}) {
+export async function* servedBytes(source, stop, notify = () => {}) {
   const response = await fetch(source, { signal: stop }).catch(() => null);
   if (stop?.aborted) return;
   if (!response?.ok || !response.body)
@@ -18,14 +18,14 @@ export async function* servedBytes(source, stop, tell = () => {}) {
     const { done, value } = await reader.read().catch(() => ({ done: true, value: undefined }));
     if (done || !value) return;
     count += value.length;
-    if (all > 0) tell(count / all);
+    if (all > 0) notify(count / all);
     yield value;
   }
 }
 
-/** The whole file. @param {string} name @param {string} source @param {(share: number) => void} tell */
-export async function servedWhole(name, source, tell) {
+/** The whole file. @param {string} name @param {string} source @param {(share: number) => void} notify */
+export async function servedWhole(name, source, notify) {
   const pieces = [];
-  for await (const piece of servedBytes(source, undefined, tell)) pieces.push(piece);
+  for await (const piece of servedBytes(source, undefined, notify)) pieces.push(piece);
   return new File(pieces, name);
 }

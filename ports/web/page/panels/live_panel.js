@@ -4,7 +4,7 @@ import { Listener } from '../live/listener.js';
 import { replayed } from '../live/replay.js';
 import { hasSerial, serialBytes } from '../live/serial.js';
 import { servedBytes } from '../live/served.js';
-import { fail, hideError, tellBusy } from '../messages.js';
+import { fail, hideError, showBusy } from '../messages.js';
 
 export class LivePanel {
   /**
@@ -58,7 +58,7 @@ export class LivePanel {
   async connect(baud) {
     const signal = this.begin();
     try {
-      await this.hear('device', await serialBytes(baud, signal));
+      await this.receive('device', await serialBytes(baud, signal));
     } catch (error) {
       const isRefused = error instanceof DOMException && error.name === 'NotFoundError';
       if (!isRefused) fail(/** @type {Error} */ (error)); // else no port was chosen
@@ -67,7 +67,7 @@ export class LivePanel {
 
   /** A stream that a server has. @param {string} name @param {string} source */
   async fetch(name, source) {
-    await this.hear(name, servedBytes(source, this.begin()));
+    await this.receive(name, servedBytes(source, this.begin()));
   }
 
   async replay() {
@@ -76,10 +76,10 @@ export class LivePanel {
     try {
       const bytes = new Uint8Array(await this.recorded.arrayBuffer());
       if (signal.aborted) return; // something else was opened meanwhile
-      await this.hear(this.name, replayed(bytes, Number(by('replay-baud').value),
+      await this.receive(this.name, replayed(bytes, Number(by('replay-baud').value),
         Number(by('replay-lost').value), signal), this.recorded);
     } catch {
-      fail(new Error(`${this.name}: it can no longer be read; open it again`));
+      fail(new Error(`${this.name}: the file can no longer be read; open it again`));
     }
   }
 
@@ -88,23 +88,23 @@ export class LivePanel {
    * @param {string} name @param {AsyncIterable<Uint8Array>} source
    * @param {Blob} [recorded] what is replayed
    */
-  async hear(name, source, recorded) {
+  async receive(name, source, recorded) {
     hideError();
     this.recorded = recorded ?? null;
     this.showListening(true);
-    tellBusy('Waiting for the stream…');
+    showBusy('Waiting for the stream…');
     let isFirst = true;
     try {
-      await this.listener.hear(source, (arrived, isEnd) => {
+      await this.listener.receive(source, (arrived, isEnd) => {
         if (isEnd) {
           this.showListening(false);
           this.open(name, recorded ?? new Blob(this.listener.pieces));
         }
         if (isEnd && !arrived.stream.hasHeader)
-          fail(new Error(`${name}: no header of a discmc stream in ${whole(arrived.stream.bytes)} ` +
+          fail(new Error(`${name}: there is no header of a discmc stream in ${whole(arrived.stream.bytes)} ` +
             'bytes; check the baud rate, and that the device begins a scan'));
         if (!arrived.stream.hasHeader) return;
-        tellBusy('');
+        showBusy('');
         this.show(name, arrived, isFirst, isEnd);
         isFirst = false;
       });

@@ -13,17 +13,17 @@ export class MeasurePanel {
     this.clear();
   }
 
-  /** What was measured is no more. */
+  /** Forgets the points. */
   clear() {
     /** @type {number[][]} */
     this.points = [];
     this.view.setMarks([]);
-    this.tell(by('measure').checked
+    this.show(by('measure').checked
       ? 'Click on the surface, or press Enter in the view for its middle.' : '');
   }
 
   /** @param {string} text */
-  tell(text) {
+  show(text) {
     by('distance').textContent = text;
   }
 
@@ -31,11 +31,11 @@ export class MeasurePanel {
   pick(right, up) {
     if (!by('measure').checked) return;
     const point = this.view.pick(right, up);
-    if (!point) return this.tell('There is no surface at this point.');
+    if (!point) return this.show('There is no surface at this point.');
     this.points = this.points.length === 1 ? [this.points[0], point] : [point];
     this.view.setMarks(this.points);
     const [from, to] = this.points;
-    this.tell(to ? `${Math.hypot(...to.map((at, i) => at - from[i])).toFixed(2)} mm`
+    this.show(to ? `${Math.hypot(...to.map((at, i) => at - from[i])).toFixed(2)} mm`
       : `From ${from.map((at) => at.toFixed(1)).join(', ')} mm to …`);
   }
 }

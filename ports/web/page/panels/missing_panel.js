@@ -1,17 +1,17 @@
 // Where something of a stream is missing: its slices, and its outline in the picture.
 import { by, on } from '../elements.js';
 
-const mostRanges = 8; // that are told
+const mostRanges = 8; // that are listed
 
 /** @param {[number, number]} range */
 const rangeText = ([first, last]) => (first === last ? `${first}` : `${first} to ${last}`);
 
 /** @param {[number, number][]} slices */
 function slicesText(slices) {
-  const told = slices.slice(0, mostRanges).map(rangeText).join(', ');
+  const listed = slices.slice(0, mostRanges).map(rangeText).join(', ');
   const more = slices.length > mostRanges ? `, and ${slices.length - mostRanges} more places` : '';
   const isOne = slices.length === 1 && slices[0][0] === slices[0][1];
-  return `Missing in slice${isOne ? '' : 's'} ${told}${more}.`;
+  return `Missing in slice${isOne ? '' : 's'} ${listed}${more}.`;
 }
 
 export class MissingPanel {

@@ -1,4 +1,4 @@
-// Asks for what headerless samples do not tell.
+// Asks for the layout of headerless samples.
 import { by, whole } from '../elements.js';
 import { proposedLayout } from '../formats/raw.js';
 import { sampleTypes } from '../formats/volume_info.js';
@@ -13,7 +13,7 @@ export function askLayout(file) {
   const dialog = by('raw'), form = by('raw-form').elements;
   const proposed = proposedLayout(file.name, file.size);
   by('raw-text').textContent =
-    `${file.name} (${whole(file.size)} bytes) does not tell what it holds.`;
+    `${file.name} (${whole(file.size)} bytes) has no header. Enter its layout.`;
   ['x', 'y', 'z'].forEach((axis, i) => (form[axis].value = proposed.dims[i]));
   form.type.value = proposed.type;
   dialog.returnValue = '';

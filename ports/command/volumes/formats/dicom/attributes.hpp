@@ -19,16 +19,16 @@ DcmElement* element_of(DcmItem& item, const DcmTagKey& key);
 /// Returns the first item of a sequence, or nullptr.
 DcmItem* first_item(DcmItem& item, const DcmTagKey& sequence);
 
-// Of the values of an element, which may be nullptr: then there are none.
+// These read the values of an element; nullptr has none.
 
 /// Returns the text without the blanks around it, several values with \ between them.
 std::string text_of(DcmElement* element);
 
-/// Returns one of the numbers, told as text or not. Nothing where it is none, or out of all
+/// Returns one of the numbers, stored as text or not. Nothing where it is none, or out of all
 /// measure.
 std::optional<double> real_of(DcmElement* element, unsigned long index = 0);
 
-/// Returns as many numbers, if there are so many at least.
+/// Returns this many numbers, if there are at least as many.
 template <std::size_t count>
 std::optional<std::array<double, count>> reals_of(DcmElement* element) {
   std::array<double, count> values{};
@@ -50,10 +50,10 @@ inline std::optional<double> real_of(DcmItem& item, const DcmTagKey& key, unsign
 /// Returns a whole number of 16 bits.
 std::optional<std::uint32_t> whole_of(DcmItem& item, const DcmTagKey& key);
 
-/// Returns the number of a decimal text, in which a comma stands for the point.
+/// Returns the number of a decimal text, in which a comma may replace the point.
 std::optional<double> decimal(std::string text);
 
-/// What a file tells of one of its frames.
+/// The attributes of a frame of a file.
 class Attributes {
  public:
   Attributes(DcmItem& dataset, std::uint32_t frame);

@@ -103,7 +103,7 @@ bool are_slices_of_series(const Stacks& stacks, const Places& places) {
   fail(source, "several volumes:" + list(stacks, places),
        choose + ", or --series UID" +
            (are_slices_of_series(stacks, places)
-                ? "; --merge-series takes them as slices of one volume"
+                ? "; --merge-series reads them as slices of one volume"
                 : ""));
 }
 
@@ -127,7 +127,7 @@ ChosenStack chosen_stack(const std::filesystem::path& source, const Stacks& stac
     Places all;
     for (std::size_t i = 0; i < stacks.size(); ++i) all.push_back(i);
     fail(source, "no series " + shown(options.series) + " among" + list(stacks, all),
-         "give one of them to --series");
+         "give one of these with --series");
   }
   if (chosen.size() == 1) return {&stacks[chosen[0]]};
   if (!options.frame || !have_one_series(stacks, chosen)) fail_several(source, stacks, chosen);

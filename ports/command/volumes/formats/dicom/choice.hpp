@@ -17,8 +17,8 @@ struct ChosenStack {
   std::uint64_t among = 1;
 };
 
-/// Returns the stack of the series, given by its UID or by its place in the list, from 1; of one
-/// stack also without. Of several in one series the frame is one, the first is 0. Throws
+/// Returns the stack of the series, given by its UID or by its place in the list, from 1; the only
+/// stack also without it. The frame chooses one of several in a series; the first is 0. Throws
 /// VolumeError, with the list, where none is meant or several are.
 ChosenStack chosen_stack(const std::filesystem::path& source, const std::vector<DicomStack>& stacks,
                          const VolumeOptions& options);

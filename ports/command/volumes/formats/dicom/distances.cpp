@@ -49,7 +49,7 @@ std::optional<EvenSlices> slices_by_step(const std::vector<double>& along, doubl
   }
   const Ends ends = firsts(along, slices.numbers, step);
   if (ends.high - ends.low > 2 * (rounding + same_mm)) return std::nullopt;
-  // Rather the position that is told.
+  // The stored position is preferred.
   if (farthest_off(along, slices) > rounding + same_mm) slices.first = (ends.low + ends.high) / 2;
   return slices;
 }

@@ -13,7 +13,7 @@ namespace discmc::command {
 struct EvenSlices {
   double first = 0;  ///< where number 0 lies
   double step = 0;
-  /// Of every slice, from 0; where one is left out, a slice is missing.
+  /// The number of every slice, from 0; an omitted number is a missing slice.
   std::vector<std::uint64_t> numbers;
 };
 

@@ -11,7 +11,7 @@ namespace discmc::command {
 void scale_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
   const double scaling = real_of(dataset, DCM_DoseGridScaling).value_or(0);
   if (!(scaling > 0)) {
-    image.notes.emplace_back("a dose without DoseGridScaling, its stored values taken");
+    image.notes.emplace_back("a dose without DoseGridScaling, the stored values are used");
     return;
   }
   for (DicomFrame& frame : frames) frame.slope = scaling;

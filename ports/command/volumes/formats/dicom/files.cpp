@@ -65,7 +65,7 @@ std::optional<Element> element_at(std::string_view bytes) {
     return value;
   };
   const auto is_letter = [bytes](std::size_t at) { return bytes[at] >= 'A' && bytes[at] <= 'Z'; };
-  // The kind of value is either told by two letters before a length of 16 bits, or not at all.
+  // The kind of value is either two letters before a length of 16 bits, or missing.
   const bool is_explicit = is_letter(4) && is_letter(5);
   return Element{number(0, 2) << 16 | number(2, 2),
                  header_bytes + (is_explicit ? number(6, 2) : number(4, 4))};

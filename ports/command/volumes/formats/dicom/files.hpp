@@ -8,7 +8,7 @@
 
 namespace discmc::command {
 
-/// Units: bytes from the beginning of a file that tell whether it is DICOM.
+/// Units: bytes from the beginning of a file that identify it as DICOM.
 constexpr std::size_t dicom_head_bytes = 256;
 
 /// Whether a file that begins so is DICOM: with its magic, or with elements at once, as some write

@@ -9,7 +9,7 @@
 namespace discmc::command {
 namespace {
 
-// Whether a functional group tells positions, and not the file as a whole.
+// Whether a functional group has the positions, and not the file as a whole.
 bool have_own_positions(DcmItem& dataset) {
   return Attributes(dataset, 0)
              .grouped_element(DCM_PlanePositionSequence, DCM_ImagePositionPatient) != nullptr;
@@ -22,7 +22,7 @@ void note_times(DcmItem& dataset, DicomImage& image) {
       pointer->getTagVal(key, 0).bad())
     return;
   if (key == DCM_FrameTime || key == DCM_FrameTimeVector)
-    image.notes.emplace_back("the frames have times (FrameTime), taken as slices");
+    image.notes.emplace_back("the frames have times (FrameTime), and are read as slices");
 }
 
 }  // namespace
@@ -36,10 +36,10 @@ void place_by_steps(DicomImage& image, std::vector<DicomFrame>& frames,
   for (std::size_t i = 0; i < frames.size(); ++i)
     frames[i].place->position = sum(first.place->position, slices[i] * step_mm, normal);
   if (frames.size() > 1)
-    image.notes.push_back(
-        "one position for all frames, taken as slices " + short_number(step_mm) + " mm apart, " +
-        (is_given ? "by " + std::string(first.slice_spacing_name)
-                  : "as neither SpacingBetweenSlices nor SliceThickness is there"));
+    image.notes.push_back("one position for all frames, read as slices " + short_number(step_mm) +
+                          " mm apart, " +
+                          (is_given ? "by " + std::string(first.slice_spacing_name)
+                                    : "as SpacingBetweenSlices and SliceThickness are missing"));
 }
 
 NoSlices place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {

@@ -1,5 +1,5 @@
-// Where the frames of one file lie, and what their values are, where that is told for the file as a
-// whole: of doses, of nuclear medicine, of cone beams.
+// The places and values of frames that one file describes as a whole: doses, nuclear medicine, cone
+// beams.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FRAMES_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FRAMES_HPP
 
@@ -12,8 +12,8 @@ class DcmItem;
 
 namespace discmc::command {
 
-/// Moves the frames of a file to where each lies, where it tells one place for all of them. Adds to
-/// the notes of the image what was assumed. Returns why that cannot be, or nothing.
+/// Moves the frames of a file to where each lies, if the file has one place for all of them. Adds
+/// to the notes of the image what was assumed. Returns why that cannot be, or nothing.
 NoSlices place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
 
 /// Moves frames from the place of the first, which all of them have, by steps along the normal.

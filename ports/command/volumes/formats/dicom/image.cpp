@@ -41,7 +41,7 @@ void set_spacing(DcmItem& dataset, const Attributes& attributes, DicomFrame& fra
   }
 }
 
-// Maps of parameters tell the values of their samples in a way of their own.
+// Maps of parameters store the scale of their samples in a way of their own.
 void set_scale(const Attributes& attributes, DicomFrame& frame) {
   const auto real = [&](const DcmTagKey& group, const DcmTagKey& key) {
     return real_of(attributes.element(group, key));
@@ -103,11 +103,11 @@ NoSlices check_decimals(DcmItem& dataset, DicomImage& image) {
     for (unsigned long i = 0; i < static_cast<unsigned long>(count); ++i)
       if (!real_of(element, i))
         return {"an image whose " + std::string(DcmTag(key).getTagName()) + " is " + shown(text) +
-                    ", which is no number",
+                    ", which is not a number",
                 "correct it, e.g. with: dcmodify -m " + std::string(DcmTag(key).getTagName()) +
                     "=VALUE FILE"};
   }
-  if (have_commas) image.notes.emplace_back("decimal commas, taken as points");
+  if (have_commas) image.notes.emplace_back("decimal commas are read as points");
   return {};
 }
 
@@ -131,7 +131,7 @@ NoSlices set_samples(DcmItem& dataset, DicomImage& image) {
   image.is_inverted = photometric == "MONOCHROME1";
   const auto allocated = whole_of(dataset, DCM_BitsAllocated).value_or(0);
   const auto representation = whole_of(dataset, DCM_PixelRepresentation);
-  // Floating point has no representation to tell.
+  // Floating point has no PixelRepresentation.
   if (!representation && (allocated == 32 || allocated == 64)) {
     image.type = allocated == 32 ? SampleType::f32 : SampleType::f64;
     return {};
@@ -148,7 +148,7 @@ NoSlices set_samples(DcmItem& dataset, DicomImage& image) {
   else if (allocated == 32)
     image.type = is_signed ? SampleType::i32 : SampleType::u32;
   else
-    return {"an image of " + std::to_string(allocated) + " bits a sample"};
+    return {"an image of " + std::to_string(allocated) + " bits per sample"};
   image.bits = whole_of(dataset, DCM_BitsStored).value_or(allocated);
   image.high_bit = whole_of(dataset, DCM_HighBit).value_or(image.bits - 1);
   if (image.bits < 1 || image.high_bit >= allocated || image.high_bit + 1 < image.bits)
@@ -195,7 +195,7 @@ void drop_slopes_of_zero(DicomImage& image, std::vector<DicomFrame>& frames) {
     frame.slope = 1;
     frame.intercept = 0;
   }
-  if (have_any) image.notes.emplace_back("RescaleSlope is 0, taken as none");
+  if (have_any) image.notes.emplace_back("RescaleSlope is 0 and is ignored");
 }
 
 // Reads all frames. Returns why they are no slices, or nothing.
@@ -229,7 +229,7 @@ NoSlices read_image(DcmDataset& dataset, const std::shared_ptr<DicomImage>& imag
                     std::vector<DicomFrame>& frames) {
   image->rows = whole_of(dataset, DCM_Rows).value_or(0);
   image->columns = whole_of(dataset, DCM_Columns).value_or(0);
-  if (image->rows == 0 || image->columns == 0) return {"a DICOM file without image"};
+  if (image->rows == 0 || image->columns == 0) return {"a DICOM file without an image"};
   set_encoding(dataset);
   if (dataset.tagExists(DCM_SegmentationType)) image->segments = segments_of(dataset);
   for (const auto& step : {set_samples, check_decimals})
@@ -268,8 +268,7 @@ DicomContent dicom_content(const std::filesystem::path& file) {
   auto opened = open_dicom_file(file, Pixels::left_out);
   if (!opened) {
     content.instead.what =
-        "no DICOM file, a damaged one, or one that is deflated as a whole (dcmconv +te inflates "
-        "it)";
+        "not a DICOM file, damaged, or deflated as a whole (inflate it with dcmconv +te)";
     return content;
   }
   content.is_directory = is_directory(*opened);

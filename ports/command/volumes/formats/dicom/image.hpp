@@ -1,4 +1,4 @@
-// What the headers of DICOM files tell of their images.
+// The images of DICOM files, by their headers.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_IMAGE_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_IMAGE_HPP
 
@@ -16,7 +16,7 @@
 
 namespace discmc::command {
 
-/// How slices stand in the picture of a mosaic: in rows, the first at the top left.
+/// How slices lie in the picture of a mosaic: in rows, the first at the top left.
 struct MosaicLayout {
   std::uint32_t across = 1;  ///< slices side by side, and as many rows of them
 };
@@ -30,23 +30,23 @@ struct DicomImage {
   std::string modality;
   bool is_parametric_map = false;
   std::int32_t series_number = 0;
-  /// Of one among the files of a series.
+  /// The number of a file in its series.
   std::optional<std::int32_t> instance_number;
-  /// Of a slice.
+  /// The extents of a slice.
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
-  /// As wide as a sample is stored.
+  /// The type of a sample, as wide as it is stored.
   SampleType type = SampleType::u8;
-  /// Of a whole number: its bits, and the place of the highest. Limit: those of the type.
+  /// The bits of a whole number, and the place of the highest. Limit: those of the type.
   std::uint32_t bits = 8;
   std::uint32_t high_bit = 7;
   /// Whether a sample is one bit, eight of them in a byte; the type is then u8.
   bool is_of_bits = false;
-  /// Of a picture of several slices, each of which is then a frame.
+  /// For a picture of several slices, each of which is then a frame.
   std::optional<MosaicLayout> mosaic;
-  /// Of a segmentation.
+  /// The segments of a segmentation.
   std::optional<DicomSegments> segments;
-  /// Whether low values are the bright ones: MONOCHROME1.
+  /// Whether low values are bright: MONOCHROME1.
   bool is_inverted = false;
   /// The sample where nothing was scanned: PixelPaddingValue.
   std::optional<std::int32_t> padding;
@@ -81,24 +81,24 @@ struct DicomFrame {
   std::uint32_t number = 0;
   std::optional<DicomPlace> place;
   /// Distances of neighbouring voxels along a row and along a column, and the name of the element
-  /// that says so. Units: millimetres, 0 where the file does not tell them.
+  /// that has them. Units: millimetres, 0 if the file has none.
   std::array<double, 2> spacing_mm{};
   const char* spacing_name = nullptr;
-  /// What the file says of the distance of slices, which counts where there are no places, and the
-  /// name of the element that says so. Units: millimetres, 0 where the file does not tell it.
+  /// The declared distance of slices, which counts if there are no places, and the name of the
+  /// element that has it. Units: millimetres, 0 if the file has none.
   double slice_spacing_mm = 0;
   const char* slice_spacing_name = nullptr;
   double slope = 1;
   double intercept = 0;
   DicomTraits traits;
-  /// Of a segmentation that has a frame for each segment: its number, otherwise 0.
+  /// The number of the segment, if a segmentation has a frame for each; otherwise 0.
   std::uint32_t segment = 0;
 };
 
 /// What is in a file instead of slices, "a colour image", and what to do; nothing where slices are.
 struct NoSlices {
   std::string what;
-  std::string remedy = "give the images of a CT, an MRI or the like, one grey value a voxel";
+  std::string remedy = "give images of a CT, an MRI or the like, with one grey value per voxel";
 
   explicit operator bool() const { return !what.empty(); }
 };

@@ -90,7 +90,7 @@ std::string decode_jpeg2000(const std::vector<std::uint8_t>& bytes, PictureSize 
   const Image image(header, &opj_image_destroy);
   // Before anything of that size is allocated.
   if (image->numcomps < 1 || !is_of_size(*image, size))
-    return "the JPEG 2000 picture is not of the size that the header says";
+    return "the JPEG 2000 picture has another size than the header";
   if (opj_decode(codec.get(), stream.get(), image.get()) == OPJ_FALSE ||
       image->comps[0].data == nullptr || !is_of_size(*image, size))
     return "the JPEG 2000 data is damaged";

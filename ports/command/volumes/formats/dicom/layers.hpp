@@ -14,7 +14,7 @@ namespace discmc::command {
 /// Finds which segments have voxels in common, slice by slice.
 class Overlaps {
  public:
-  /// Begins a slice of so many voxels.
+  /// Begins a slice of this many voxels.
   void start_slice(std::size_t voxels);
   /// Adds the voxels of a segment in that slice: those that are not 0. Size: those of the slice.
   /// Limit: a segment once a slice. Throws std::length_error where segments overlap in too many

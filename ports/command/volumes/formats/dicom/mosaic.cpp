@@ -97,19 +97,19 @@ NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFra
   for (std::size_t i = 0; i < 3; ++i) {
     const auto component = csa_number(header, "SliceNormalVector", i);
     if (!component || slices == 0)
-      return {called + " without the CSA header (0029,xx10) that says which way they follow",
-              remedy + ", which assumes one way"};
+      return {called + " without the CSA header (0029,xx10), which holds their direction",
+              remedy + ", which assumes a direction"};
     towards[i] = *component;
   }
   const auto across = static_cast<std::uint32_t>(std::ceil(std::sqrt(slices)));
   if (frames.size() != 1 || image.columns % across != 0 || image.rows % across != 0)
-    return {called + " that cannot be in " + std::to_string(image.columns) + " x " +
+    return {called + " that do not fit in " + std::to_string(image.columns) + " x " +
                 std::to_string(image.rows) + " voxels",
             remedy};
   const DicomFrame first = frames.front();
   if (!first.place || !(first.spacing_mm[0] > 0 && first.spacing_mm[1] > 0) ||
       !(first.slice_spacing_mm > 0))
-    return {called + " that tells no position, or no distances of voxels", remedy};
+    return {called + " without a position or a voxel size", remedy};
 
   image.mosaic = {across};
   image.columns /= across;
@@ -117,7 +117,8 @@ NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFra
   Vector step = normal_of(*first.place);
   const double along = dot(step, towards);
   constexpr double least = 0.5;  // of the cosine: it is a normal
-  if (!(std::fabs(along) > least)) return {called + " whose SliceNormalVector is none", remedy};
+  if (!(std::fabs(along) > least))
+    return {called + " whose SliceNormalVector is not a normal", remedy};
   for (double& component : step) component *= std::copysign(first.slice_spacing_mm, along);
   frames = slices_of(first, image, slices, step);
   return {};

@@ -1,4 +1,4 @@
-// Nuclear medicine: the detector tells where the frames lie.
+// Nuclear medicine: the detector defines where the frames lie.
 #include <optional>
 
 #include "attributes.hpp"
@@ -33,7 +33,7 @@ NoSlices place_nuclear(DcmItem& dataset, DicomImage& image, std::vector<DicomFra
        {"STATIC", "DYNAMIC", "WHOLE BODY", "GATED", "TOMO", "GATED TOMO"})
     if (type.find('\\' + std::string(planar) + '\\') != std::string::npos)
       return {"pictures of a gamma camera, not slices (image type " + std::string(planar) + ")",
-              "give the slices that were reconstructed of them (RECON TOMO)"};
+              "give the slices that were reconstructed from them (RECON TOMO)"};
   // The sign of the distance is that of the way along the normal (PS3.3, NM Reconstruction).
   std::vector<std::uint32_t> slices;
   for (DicomFrame& frame : frames) {

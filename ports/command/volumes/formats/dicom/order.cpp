@@ -23,7 +23,7 @@ using Path = std::filesystem::path;
 void order_by_instance(const Path& source, VolumeInfo& info, Frames& stack, bool allow_gaps) {
   for (const DicomFrame& frame : stack)
     if (!frame.image->instance_number)
-      fail(source, name_of(frame) + " has no InstanceNumber", "put them in order by --order name");
+      fail(source, name_of(frame) + " has no InstanceNumber", "order the slices with --order name");
   const auto key = [](const DicomFrame& frame) {
     return std::pair(*frame.image->instance_number, frame.number);
   };
@@ -39,8 +39,9 @@ void order_by_instance(const Path& source, VolumeInfo& info, Frames& stack, bool
   }
   for (std::size_t i = 1; i < stack.size(); ++i)
     if (key(stack[i]) == key(stack[i - 1]))
-      fail(source, "two slices have one InstanceNumber: " + places[i - 1] + " and " + places[i],
-           "put them in order by --order name");
+      fail(source,
+           "two slices have the same InstanceNumber: " + places[i - 1] + " and " + places[i],
+           "order the slices with --order name");
   const bool is_one_file = stack.front().image == stack.back().image;
   if (!is_one_file) fill_missing(source, info, stack, numbers, places, allow_gaps);
 }
@@ -60,22 +61,21 @@ void order_by_name(Frames& stack) {
 
 void order_without_positions(const Path& source, VolumeInfo& info, Frames& stack,
                              const VolumeOptions& options) {
-  const std::string and_sides =
-      "; which way they follow each other, and so which side is left, is not known";
+  const std::string and_sides = "; their direction, and so which side is left, is unknown";
   if (options.order == SliceOrder::instance) {
     order_by_instance(source, info, stack, options.allow_gaps);
-    note(info, "slices in the order of their InstanceNumber" + and_sides);
+    note(info, "slices are in the order of their InstanceNumber" + and_sides);
   } else if (options.order == SliceOrder::name) {
     order_by_name(stack);
-    note(info, "slices in the order of their names" + and_sides);
+    note(info, "slices are in the order of their names" + and_sides);
   } else if (std::any_of(stack.begin(), stack.end(),
                          [&](const DicomFrame& frame) { return frame.image != stack[0].image; })) {
     fail(source,
          "the " + std::to_string(stack.size()) +
-             " slices tell no position (ImagePositionPatient), and so no order",
-         "put them in order by --order instance (InstanceNumber) or --order name");
+             " slices have no position (ImagePositionPatient), and so no order",
+         "order them with --order instance (InstanceNumber) or --order name");
   } else if (stack.size() > 1) {
-    note(info, "the frames tell no positions, taken in their order" + and_sides);
+    note(info, "the frames have no positions, and are read in their order" + and_sides);
   }
 }
 
@@ -90,7 +90,7 @@ void require_one_spacing(const Path& source, const Frames& stack) {
         fail(source,
              "voxels are " + short_number(first) + " mm apart in " + name_of(stack[0]) + " and " +
                  short_number(frame.spacing_mm[i]) + " mm in " + name_of(frame),
-             "resample the slices to one size of voxels");
+             "resample the slices to one voxel size");
     }
 }
 
@@ -109,7 +109,7 @@ void set_values(VolumeInfo& info, const Path& source, const Frames& stack) {
   info.type = SampleType::f32;
   info.slope = 1;
   info.intercept = 0;
-  note(info, "slope and intercept differ from slice to slice, values taken as f32");
+  note(info, "slope and intercept differ between slices, so the values are converted to f32");
 }
 
 }  // namespace
@@ -120,10 +120,10 @@ void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::option
   const std::string name = first.spacing_name == nullptr ? "" : first.spacing_name;
   if (!options.spacing_mm) {
     if (name.empty())
-      note(info, "no PixelSpacing, 1 mm taken");
+      note(info, "no PixelSpacing, 1 mm assumed");
     else if (name != "PixelSpacing")
-      note(info, "no PixelSpacing, " + name + " taken, which is that at the detector");
-    if (distance == 0) note(info, "no SpacingBetweenSlices or SliceThickness, 1 mm taken");
+      note(info, "no PixelSpacing, " + name + " is used, the spacing at the detector");
+    if (distance == 0) note(info, "no SpacingBetweenSlices or SliceThickness, 1 mm assumed");
   }
   const auto or_one = [](double length) { return length == 0 ? 1 : length; };
   DeclaredPlace place;
@@ -161,7 +161,7 @@ void order_stack(const Path& source, Frames& stack, const SamePixels& same_pixel
   for (const DicomFrame& frame : stack)
     for (const std::string& each : frame.image->notes) note(info, each);
   if (image.is_inverted)
-    note(info, "MONOCHROME1: the low values are the bright ones, taken as stored");
+    note(info, "MONOCHROME1: low values are bright; the values are used as stored");
   info.format = "DICOM";
   if (!image.compression.empty()) info.format += ", " + image.compression;
 }

@@ -12,7 +12,7 @@
 
 namespace discmc::command {
 
-/// Takes spacing and placement of slices that are alike, with notes of what is not told. Without a
+/// Takes spacing and placement of slices that are alike, with notes of what is missing. Without a
 /// line they lie in no space.
 void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::optional<SliceLine>& line,
                     const VolumeOptions& options);

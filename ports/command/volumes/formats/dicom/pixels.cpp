@@ -66,7 +66,7 @@ class Fragments {
 
   Uint32 end() const { return static_cast<Uint32>(sequence_->card()); }
 
-  /// The first fragment of a frame, where that is told.
+  /// The first fragment of a frame, if the file stores that.
   std::optional<Uint32> start(std::uint32_t number) const {
     Uint32 fragment = 0;
     if (DcmCodec::determineStartFragment(number, static_cast<Sint32>(frames_), sequence_, fragment)
@@ -80,7 +80,7 @@ class Fragments {
     const auto first = start(picture_.number);
     const auto beyond = picture_.number + 1 < frames_ ? start(picture_.number + 1) : end();
     if (!first || !beyond)
-      fail_picture(picture_, "its part of the compressed pixel data is not told");
+      fail_picture(picture_, "its part of the compressed pixel data is unknown");
     std::vector<std::uint8_t> all;
     for (Uint32 i = *first; i < *beyond; ++i) {
       DcmPixelItem& item = at(i);
@@ -111,8 +111,8 @@ class Fragments {
   DcmPixelSequence* sequence_ = nullptr;
 };
 
-// DCMTK puts the bytes of 16 bits in native order. Of longer samples the words of big-endian files
-// are then the wrong way round, and in files that call them bytes all is.
+// DCMTK puts the bytes of 16 bits in native order. The words of longer samples in big-endian files
+// are then in the wrong order, and all bytes in files that declare them as bytes.
 void put_in_order(E_TransferSyntax syntax, DcmElement& element, std::size_t size,
                   unsigned char* samples, std::size_t bytes) {
   if (!DcmXfer(syntax).isBigEndian() || gLocalByteOrder == EBO_BigEndian) return;
@@ -164,7 +164,7 @@ void DicomPixels::read_bytes(DcmElement& element, const StoredPicture& picture, 
 void DicomPixels::read_bits(DcmDataset& dataset, DcmElement& element,
                             const StoredPicture& picture) {
   if (is_encapsulated(dataset.getOriginalXfer()))
-    fail_picture(picture, "compressed samples of one bit, which are not read");
+    fail_picture(picture, "compressed samples of one bit are not read");
   // Pictures follow each other without a gap, the lowest bit of a byte first.
   const std::uint64_t count = std::uint64_t{picture.image.columns} * picture.image.rows;
   const std::uint64_t first = picture.number * count;
@@ -190,7 +190,7 @@ void DicomPixels::read_jpeg2000(DcmDataset& dataset, DcmElement& element,
 void DicomPixels::read_picture(DcmDataset& dataset, DcmElement& element,
                                const StoredPicture& picture) {
   if (frame_bytes_by_header(element, dataset) != picture_bytes(picture.image))
-    fail_picture(picture, "the pixel data has another size than the header says");
+    fail_picture(picture, "the pixel data has another size than the header");
   const E_TransferSyntax syntax = dataset.getOriginalXfer();
   std::optional<Fragments> fragments;
   if (is_encapsulated(syntax)) fragments.emplace(dataset, element, picture);
@@ -198,7 +198,7 @@ void DicomPixels::read_picture(DcmDataset& dataset, DcmElement& element,
   const std::uint64_t there =
       fragments ? counted : element.getLength() / picture_bytes(picture.image);
   left_out_ = there - std::min(there, counted);
-  // Where the file does not tell where frames begin, that is found behind the one before.
+  // If the file does not store where frames begin, each begins after the previous one.
   Uint32 fragment = 0;
   if (picture.number == next_picture_)
     fragment = next_fragment_;

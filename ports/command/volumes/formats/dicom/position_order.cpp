@@ -44,7 +44,7 @@ std::size_t drop_duplicates(const Path& source, Frames& stack, const Along& alon
     if (!is_same_object && !same_pixels(frame, kept.back()))
       fail(source,
            "two slices at " + short_number(along(frame)) + " mm differ: " + name_of(kept.back()) +
-               " and " + name_of(frame) + ", and nothing tells which are of one volume",
+               " and " + name_of(frame) + ", and no attribute separates their volumes",
            "give a pattern of the files of one volume, such as 'FOLDER/a*'");
   }
   const std::size_t dropped = stack.size() - kept.size();
@@ -77,7 +77,7 @@ bool are_mostly_neighbours(const std::vector<std::uint64_t>& numbers) {
   return 2 * neighbours >= numbers.size() - 1;
 }
 
-// The slices as positions that are rounded have them, with the step that the file tells if it fits.
+// The slices by rounded positions, with the step that the file declares if it fits.
 std::optional<EvenSlices> rounded_slices(const std::vector<double>& along, double declared_step,
                                          double rounding) {
   for (const double step : {declared_step, best_step(along)})
@@ -94,8 +94,8 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const Frames& stack
   if (!slices) {
     slices = rounded_slices(along, std::fabs(stack[0].slice_spacing_mm), rounding);
     if (slices)
-      note(info,
-           "the positions are rounded, slices taken " + short_number(slices->step) + " mm apart");
+      note(info, "the positions are rounded, slices assumed to be " + short_number(slices->step) +
+                     " mm apart");
   }
   if (!slices) {
     const DicomFrame& before = stack[odd.slice];
@@ -110,11 +110,11 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const Frames& stack
   const double off = farthest_off(along, *slices);
   constexpr double max_share = 0.25, share_to_note = 0.02;
   if (off > std::max(rounding, share_to_note * slices->step))
-    note(info, "slices lie up to " + short_number(off) + " mm from where even distances have them");
+    note(info, "slices lie up to " + short_number(off) + " mm from their place at even distances");
   if (off > max_share * slices->step)
     fail(source,
-         "the distances of slices change: with " + short_number(slices->step) +
-             " mm everywhere some would be " + short_number(off) + " mm off",
+         "the distances of slices vary: with " + short_number(slices->step) +
+             " mm everywhere, slices would be " + short_number(off) + " mm off",
          "resample the series to even distances, e.g. with 3D Slicer or dcm2niix");
   return *slices;
 }
@@ -141,9 +141,9 @@ Vector step_of(const Path& source, VolumeInfo& info, const Frames& stack,
     const double off = length(sum(aside(i), -number, shift));
     if (off > std::max(rounding, share * voxel))
       fail(source,
-           name_of(stack[i]) + " is shifted aside by " + short_number(off) +
+           name_of(stack[i]) + " is shifted sideways by " + short_number(off) +
                " mm against the line of the others",
-           "resample the series to a straight one, e.g. with 3D Slicer");
+           "resample the series to a straight line, e.g. with 3D Slicer");
   }
   const Vector straight = sum({}, slices.step, normal);
   if (is_straight) return straight;
@@ -151,7 +151,7 @@ Vector step_of(const Path& source, VolumeInfo& info, const Frames& stack,
   note(info, "each slice is shifted by " + short_number(length(shift)) +
                  " mm against the one before it, as by a gantry tilted by " +
                  short_number(std::atan2(length(shift), slices.step) * degrees) +
-                 " degrees; the volume is sheared as they lie");
+                 " degrees; the volume is sheared accordingly");
   // That of the positions themselves, unless they are rounded.
   const Vector way = sum({}, 1 / last, sum(stack.back().place->position, -1, first));
   constexpr double same_mm = 1e-6;
@@ -182,8 +182,8 @@ SliceLine order_by_position(const Path& source, VolumeInfo& info, Frames& stack,
   });
   if (const std::size_t dropped = drop_duplicates(source, stack, along_normal, same_pixels);
       dropped > 0)
-    note(info, std::to_string(dropped) + (dropped == 1 ? " slice that is there twice dropped"
-                                                       : " slices that are there twice dropped"));
+    note(info, std::to_string(dropped) + (dropped == 1 ? " slice that occurs twice is dropped"
+                                                       : " slices that occur twice are dropped"));
   const Vector normal = normal_of(*stack[0].place);
   if (stack.size() == 1)
     return {stack[0].place->position, sum({}, std::fabs(stack[0].slice_spacing_mm), normal)};
@@ -196,7 +196,7 @@ SliceLine order_by_position(const Path& source, VolumeInfo& info, Frames& stack,
   const EvenSlices slices = even_slices(source, info, stack, along);
   const SliceLine line = {sum(stack[0].place->position, slices.first - along[0], normal),
                           step_of(source, info, stack, slices)};
-  places.back() += ", where the others are " + short_number(slices.step) + " mm apart";
+  places.back() += ", and the others are " + short_number(slices.step) + " mm apart";
   fill_missing(source, info, stack, slices.numbers, places, allow_gaps);
   return line;
 }

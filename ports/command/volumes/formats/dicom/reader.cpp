@@ -39,9 +39,9 @@ class DicomVolume final : public VolumeReader {
       read_values(frame, samples);
     ++slice_;
     if (pixels_.left_out() > 0)
-      note(info_, "pixels of a file left out, as many as those of " +
+      note(info_, "pixels of a file are left out, as many as those of " +
                       std::to_string(pixels_.left_out()) +
-                      " further frames: NumberOfFrames does not count them");
+                      " further frames; NumberOfFrames does not count them");
   }
 
   void skip_slice() override {
@@ -123,7 +123,7 @@ bool have_same_pixels(const DicomFrame& a, const DicomFrame& b) {
 [[noreturn]] void fail_empty(const std::filesystem::path& source, const Found& found,
                              std::size_t files) {
   if (!found.instead)
-    fail(source, "the DICOMDIR has no image beside it", "copy the folder with all that is in it");
+    fail(source, "there is no image beside the DICOMDIR", "copy the whole folder");
   fail(source,
        files == 1 ? "this is " + found.instead.what
                   : "none of " + std::to_string(files) +
@@ -137,7 +137,7 @@ std::unique_ptr<VolumeReader> open_stack(const std::filesystem::path& source,
   const DicomStack& stack = *chosen.stack;
   for (const DicomFrame& frame : stack.frames) require_possible(*frame.image);
   if (!stack.order.empty())
-    notes.push_back("slices in one place are told apart by their order alone: " + stack.order);
+    notes.push_back("slices in one place are distinguished only by their order: " + stack.order);
   VolumeInfo info;
   for (const std::string& each : notes) note(info, each);
   if (stack.image().segments)
@@ -145,7 +145,7 @@ std::unique_ptr<VolumeReader> open_stack(const std::filesystem::path& source,
   std::vector<DicomFrame> frames = stack.frames;
   order_stack(source, frames, have_same_pixels, options, info);
   info.frames = chosen.among;
-  if (frames.size() == 1) note(info, "one slice; to take a whole series give its folder");
+  if (frames.size() == 1) note(info, "this is one slice; for a whole series, give its folder");
   return std::make_unique<DicomVolume>(source, std::move(info), std::move(frames));
 }
 
@@ -154,7 +154,8 @@ void require_file(const std::filesystem::path& file) {
   if (std::filesystem::exists(file, error)) return;
   const auto target = std::filesystem::read_symlink(file, error);
   if (error) fail(file, "there is no such file", "check the name");
-  fail(file, "the link leads nowhere, to " + shown(target.string()), "copy what it should lead to");
+  fail(file, "the link leads nowhere, to " + shown(target.string()),
+       "copy the file that the link names");
 }
 
 bool is_packed(const std::filesystem::path& file) {
@@ -201,7 +202,7 @@ std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
   std::vector<std::string> all_notes = notes;
   if (found.skipped > 0)
     all_notes.push_back(std::to_string(found.skipped) + (found.skipped == 1 ? " file" : " files") +
-                        " without a volume's image skipped, such as " + found.instead.what);
+                        " without a volume's image are skipped, such as " + found.instead.what);
   return open_stack(source, chosen_stack(source, stacks, options), options, std::move(all_notes));
 }
 

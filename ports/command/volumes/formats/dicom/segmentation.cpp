@@ -126,7 +126,7 @@ std::vector<double> places_along(const Frames& frames, const Vector& normal) {
   return places;
 }
 
-// Slices without a segment may not be there at all, so the distances alone do not tell the step.
+// Slices without a segment may not be there at all, so the distances alone do not define the step.
 EvenSlices even_slices(const Path& source, const DicomFrame& first,
                        const std::vector<double>& places) {
   if (places.size() == 1) return {places[0], std::fabs(first.slice_spacing_mm), {0}};
@@ -155,8 +155,8 @@ Grid grid_of(const Path& source, const Frames& frames) {
   const DicomFrame& first = frames[0];
   for (const DicomFrame& frame : frames)
     if (!frame.place || !have_one_direction(first, frame))
-      fail(source, "a segmentation whose frames tell no position, or are not parallel",
-           "give that of a volume, not of a slide or a single picture");
+      fail(source, "a segmentation whose frames have no position, or are not parallel",
+           "give the segmentation of a volume, not of a slide or a single picture");
   const Vector normal = normal_of(*first.place);
   const auto places = places_along(frames, normal);
   const EvenSlices even = even_slices(source, first, places);
@@ -224,9 +224,10 @@ void require_one_frame_a_segment(const Path& source, const Slices& slices) {
     std::set<std::uint32_t> segments;
     for (const DicomFrame* frame : slice)
       if (!segments.insert(frame->segment).second)
-        fail(source,
-             "two frames of one place and segment: " + name_of(*frame) + " and one before it",
-             "export the segmentation again");
+        fail(
+            source,
+            "two frames have the same place and segment: " + name_of(*frame) + " and one before it",
+            "export the segmentation again");
   }
 }
 
@@ -260,7 +261,7 @@ std::unique_ptr<VolumeReader> open_segmentation(const Path& source, const Frames
   set_slice_line(info, frames[0], grid.line, options);
   info.labels = table_of(segments, layers);
   if (segments.kind == DicomSegments::Kind::fractions)
-    note(info, "fractions: a voxel of at least a half is of a segment");
+    note(info, "fractional segments: a voxel belongs to a segment from a half on");
   for (const std::string& each : image.notes) note(info, each);
   info.format = "DICOM segmentation";
   if (!image.compression.empty()) info.format += ", " + image.compression;

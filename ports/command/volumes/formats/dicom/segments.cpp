@@ -9,7 +9,7 @@
 namespace discmc::command {
 namespace {
 
-// Of CIELab, back to a share of white.
+// Converts CIELab back to a share of white.
 double share(double root) {
   constexpr double linear_below = 6.0 / 29;
   return root > linear_below ? root * root * root

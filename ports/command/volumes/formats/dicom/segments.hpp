@@ -1,4 +1,4 @@
-// What a DICOM segmentation says of its segments.
+// The segments of a DICOM segmentation.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_SEGMENTS_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_SEGMENTS_HPP
 
@@ -23,9 +23,9 @@ struct DicomSegments {
   /// Whether a frame holds one segment, as bits or as fractions, or the numbers of all segments.
   enum class Kind { bits, fractions, numbers };
   Kind kind = Kind::bits;
-  /// The fraction that stands for all of a voxel.
+  /// The fraction of a whole voxel.
   std::uint32_t full = 1;
-  /// Whether the file says that no voxel is of two segments.
+  /// Whether the file declares that no voxel is of two segments.
   bool are_disjoint = false;
   /// By their numbers.
   std::map<std::uint32_t, DicomSegment> all;

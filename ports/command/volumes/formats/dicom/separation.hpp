@@ -1,4 +1,4 @@
-// Slices in the same place, as of several times, echoes or phases, told apart.
+// Slices in the same place, as of several times, echoes or phases, separated.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_SEPARATION_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_SEPARATION_HPP
 
@@ -9,10 +9,10 @@
 
 namespace discmc::command {
 
-/// Frames of which no two lie in the same place, or that nothing tells apart.
+/// Frames of which no two lie in the same place, or that nothing separates.
 struct SeparatedFrames {
   std::vector<DicomFrame> frames;
-  /// Where no trait does, but an order: "number 2 by trigger time".
+  /// If only an order separates them, not a trait: "number 2 by trigger time".
   std::string order;
 };
 

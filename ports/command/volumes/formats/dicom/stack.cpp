@@ -55,7 +55,7 @@ std::vector<Frames> by_traits_of_volume(const Frames& frames) {
   return result;
 }
 
-// ---- what tells stacks of one series apart ----
+// ---- what distinguishes stacks of one series ----
 
 // Empty where the frames have not one value.
 std::string common_trait(const Frames& frames, std::size_t kind) {

@@ -12,9 +12,9 @@ namespace discmc::command {
 /// Frames of one volume.
 struct DicomStack {
   std::vector<DicomFrame> frames;
-  /// What tells it apart from others of its series, for people: ", echo time 4.6 ms".
+  /// What distinguishes it from others of its series, for people: ", echo time 4.6 ms".
   std::string distinction = {};
-  /// Where no element does, but an order: "number 2 by trigger time".
+  /// If only an order does, not an element: "number 2 by trigger time".
   std::string order = {};
 
   const DicomImage& image() const { return *frames[0].image; }
@@ -29,8 +29,8 @@ struct DicomSorting {
 };
 
 /// Returns the stacks of all frames, by the numbers of their series. A stack is of one series, of
-/// one size, sample type and direction, and of one kernel and kind of image. Where slices lie in
-/// the same place, those are of one stack that have a time, an echo, or another trait in common.
+/// one size, sample type and direction, and of one kernel and kind of image. If slices lie in
+/// the same place, a stack holds those with the same time, echo, or another trait.
 std::vector<DicomStack> dicom_stacks(const std::vector<DicomFrame>& frames,
                                      const DicomSorting& sorting);
 

@@ -31,7 +31,7 @@ struct Kind {
 const DcmTagKey none = DCM_UndefinedTagKey;
 constexpr auto volume = Kind::Use::volume, part = Kind::Use::part, programs = Kind::Use::programs;
 
-// In the order in which they tell volumes apart.
+// In the order in which they separate volumes.
 const Kind kinds[] = {
     {"kernel", "", Form::text, volume, DCM_CTReconstructionSequence, DCM_ConvolutionKernel},
     {"image type", "", Form::image_type, volume, none, DCM_ImageType},

@@ -1,4 +1,4 @@
-// What tells the volumes of one series apart: times, echoes, phases, kernels.
+// What distinguishes the volumes of one series: times, echoes, phases, kernels.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_TRAITS_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_TRAITS_HPP
 
@@ -28,7 +28,7 @@ std::size_t trait_count();
 /// be, as slices are acquired one after the other.
 bool is_of_volume(std::size_t kind);
 
-/// Whether the value says little to people, as a UID.
+/// Whether the value is of little use to people, as a UID.
 bool is_for_programs(std::size_t kind);
 
 /// Whether the order of its values is that of volumes: of times, not of UIDs.

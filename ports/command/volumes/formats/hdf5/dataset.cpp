@@ -17,7 +17,7 @@ constexpr bool loads_plugins = false;
 constexpr bool loads_plugins = true;
 #endif
 
-// Errors are told here, not by the library, which has this setting for each thread.
+// Errors are reported here, not by the library, which has this setting for each thread.
 void be_silent() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   if (!loads_plugins) H5PLset_loading_state(0);
@@ -35,7 +35,7 @@ Hdf5Handle creation_of(const Hdf5Handle& dataset) {
   return {H5Dget_create_plist(dataset.id()), H5Pclose};
 }
 
-// Of truth values, which h5py stores as an enumeration, the whole numbers behind it.
+// h5py stores truth values as an enumeration; returns the type of its whole numbers.
 Hdf5Handle number_type_of(const Hdf5Handle& dataset) {
   Hdf5Handle type = type_of(dataset);
   if (H5Tget_class(type.id()) == H5T_ENUM) type = {H5Tget_super(type.id()), H5Tclose};
@@ -117,8 +117,8 @@ std::uint64_t product(const std::vector<hsize_t>& factors) {
   return std::accumulate(factors.begin(), factors.end(), std::uint64_t{1}, std::multiplies<>());
 }
 
-// A cache for all chunks that a region goes through, of so many samples along each axis. Where
-// these are as small as voxels, and more than there is room to list, that of the library.
+// A cache for all chunks that a region goes through, with this extent along each axis. If
+// these are as small as voxels, and too many to list, the cache of the library.
 Hdf5Handle cache_of(const Hdf5Handle& dataset, const Hdf5Region& region) {
   Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
   const Hdf5Handle creation = creation_of(dataset);
@@ -155,8 +155,8 @@ Hdf5Handle open_hdf5_file(const std::filesystem::path& file) {
     fail(file, "there is no such file", "check the name");
   Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, file_access().id()), H5Fclose);
   if (!opened)
-    fail(file, "this is no HDF5 file, or it is damaged, locked or not to be read",
-         "copy or export it again; where a program writes it, wait for its end");
+    fail(file, "this is not an HDF5 file, or it is damaged, locked or unreadable",
+         "copy or export it again; if a program is writing it, wait for the program");
   return opened;
 }
 
@@ -177,7 +177,7 @@ Hdf5Dataset::Hdf5Dataset(const std::filesystem::path& name, const Hdf5Handle& fi
   is_virtual_ = layout == H5D_VIRTUAL || H5Pget_external_count(creation.id()) > 0;
   file_ = file_of(dataset_);
   if (const auto missing = missing_source(dataset_))
-    fail(name, "it takes samples from the file " + shown(*missing) + ", which is not there",
+    fail(name, "it needs samples from the file " + shown(*missing) + ", which is missing",
          "copy it to the folder of " + shown(file_.filename().string()));
   storage_ = hdf5_filters(name, path, creation);
   if (storage_.empty())

@@ -14,7 +14,7 @@
 
 namespace discmc::command {
 
-/// What a dataset holds, as the file says.
+/// The description of a dataset in the file.
 struct Hdf5Description {
   std::string path;                 ///< "/exchange/data"
   std::vector<std::int64_t> sizes;  ///< as they are stored: x is the last one
@@ -54,11 +54,11 @@ class Hdf5Dataset {
   /// An attribute that is a text.
   std::optional<std::string> text(const char* attribute) const;
 
-  /// Keeps all chunks that a region of so many samples along each axis goes through, so that each
+  /// Keeps all chunks that a region with this extent along each axis goes through, so that each
   /// is unpacked once where such regions are read in their order. file: that it was opened from.
   void expect(const Hdf5Handle& file, const Hdf5Region& region);
 
-  /// Reads a region of so many samples along each axis. Size: as many samples of the type. Returns
+  /// Reads a region with this extent along each axis. Size: its samples of the type. Returns
   /// whether they could be read.
   bool read(const Hdf5Region& first, const Hdf5Region& count, void* samples) const;
 

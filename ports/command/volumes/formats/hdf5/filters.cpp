@@ -38,10 +38,10 @@ std::size_t hand_over(const Unpacked& unpacked, std::size_t* room, void** buffer
   return unpacked.count;
 }
 
-// LZF, http://oldhome.schmorp.de/marc/liblzf.html: a byte below 32 is followed by so many and one
-// more that stand for themselves; others repeat what came before, their upper three bits telling
-// how much of it, and their lower five with the next byte how far back. Calls take(bytes, count)
-// for those that stand for themselves and repeat(distance, count). Returns whether all was well.
+// LZF, http://oldhome.schmorp.de/marc/liblzf.html: a byte n below 32 is followed by n + 1 literal
+// bytes; others repeat earlier bytes, their upper three bits encoding
+// how many, and their lower five with the next byte how far back. Calls take(bytes, count)
+// for literal bytes and repeat(distance, count). Returns whether all was well.
 template <class Take, class Repeat>
 bool read_lzf(const unsigned char* in, std::size_t bytes, Take take, Repeat repeat) {
   const unsigned char* const end = in + bytes;
@@ -117,8 +117,8 @@ std::size_t unpack_blosc(unsigned flags, std::size_t, const unsigned*, std::size
 #endif
 
 void register_filter(H5Z_filter_t id, const char* name, H5Z_func_t unpack) {
-  // It packs nothing, but says so when it is asked to: else no dataset can be made with it, as the
-  // tests do.
+  // It packs nothing, but must report a failure when asked to: else no dataset can be made with it,
+  // as the tests do.
   const H5Z_class2_t filter = {H5Z_CLASS_T_VERS, id, 1, 1, name, nullptr, nullptr, unpack};
   H5Zregister(&filter);
 }
@@ -135,7 +135,7 @@ std::string quoted(const std::string& name, const char* otherwise) {
                               H5Z_filter_t filter) {
   fail(name,
        "its samples are packed by the filter " + std::to_string(filter) +
-           " of HDF5, which is not here",
+           " of HDF5, which is not installed",
        "unpack them in Python, with: pip install h5py hdf5plugin; python3 -c \"import h5py, "
        "hdf5plugin; h5py.File('unpacked.h5', 'w')['volume'] = h5py.File('" +
            quoted(array_name(name).file.string(), "FILE") + "')['" + quoted(array, "NAME") +

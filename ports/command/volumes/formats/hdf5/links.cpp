@@ -12,7 +12,7 @@ namespace {
 struct Link {
   std::string name;
   H5L_type_t type;
-  std::size_t bytes;  // of what it says
+  std::size_t bytes;  // of the name in it
 };
 
 herr_t collect(hid_t, const char* name, const H5L_info_t* info, void* links) {

@@ -41,7 +41,7 @@ class Hdf5Blocks final : public VolumeReader {
     if (!dataset_.read(first_, count_, samples))
       fail(name_,
            "slice " + std::to_string(next_) + " (the first is 0) of " +
-               std::to_string(info_.dims[2]) + " cannot be read: it is damaged or not there",
+               std::to_string(info_.dims[2]) + " cannot be read; it is damaged or missing",
            "copy or export the file again");
     go_on();
   }
@@ -65,7 +65,7 @@ class Hdf5Blocks final : public VolumeReader {
   std::uint32_t next_ = 0;
 };
 
-// Of whom the arrays of a file are that are no volumes as they are.
+// Programs whose arrays are not volumes as stored.
 void require_plain(const std::filesystem::path& name,
                    const std::vector<Hdf5Description>& datasets) {
   const auto holds = [&datasets](std::string_view begin) {
@@ -74,10 +74,10 @@ void require_plain(const std::filesystem::path& name,
     });
   };
   if (holds("/minc-2.0/"))
-    fail(name, "this is MINC, which scales every slice in a way of its own",
+    fail(name, "this is MINC, which scales every slice differently, and is not read",
          "convert it with mnc2nii");
   if (holds("/DataSet/ResolutionLevel"))
-    fail(name, "this is Imaris, which fills its arrays up with samples that are none",
+    fail(name, "this is Imaris, which pads its arrays, and is not read",
          "convert it, e.g. with: bioformats2raw FILE OUT.zarr");
 }
 
@@ -105,12 +105,12 @@ std::string path_of(const std::filesystem::path& name, const Hdf5Handle& file,
     return asked;
   }
   if (arrays.empty() && !contents.dead_links.empty())
-    fail(name, "its links lead to what is not there: " + list_of(contents.dead_links),
+    fail(name, "its links lead nowhere: " + list_of(contents.dead_links),
          "copy the files to its folder");
   return only_array(name, arrays);
 }
 
-// The axes as ilastik and vigra tell them, in JSON: [{"key": "z", ...}, ...].
+// The axes as ilastik and vigra store them, in JSON: [{"key": "z", ...}, ...].
 std::string letters_of(const Hdf5Dataset& dataset) {
   std::string letters;
 #ifdef DISCMC_WITH_JSON
@@ -139,7 +139,7 @@ void require_possible(const std::filesystem::path& file, const VolumeInfo& info)
          "export or copy the file again");
 }
 
-// What it tells is for the three axes of space as they are stored; an image may lack the first.
+// The attribute is for the three axes of space as they are stored; an image may lack the first.
 DeclaredPlace place_of(const Hdf5Dataset& dataset, const ArrayLayout& layout) {
   DeclaredPlace place;
   place.set_unit("um");
@@ -197,7 +197,7 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
   const ArrayLayout layout =
       take_array(info, name, {dataset.description().sizes, letters_of(dataset)}, options);
   if (dataset.text("MATLAB_class") && options.axes.empty())
-    note(info, "an array of MATLAB: its first index is taken as x; if that is y, give --axes zxy");
+    note(info, "an array of MATLAB: its first index is read as x; if it is y, give --axes zxy");
   if (!dataset.is_virtual()) require_possible(dataset.file(), info);
   set_place(info, place_of(dataset, layout), options);
   return volume_of(name, std::move(info), std::move(dataset), file, layout);

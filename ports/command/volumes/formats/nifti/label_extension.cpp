@@ -57,7 +57,7 @@ void take_labels(std::string_view xml, VolumeInfo& info) {
 }
 #else
 void take_labels(std::string_view, VolumeInfo& info) {
-  note(info, "names of labels left out: this discmc was built without pugixml");
+  note(info, "the names of labels are left out, as discmc was built without pugixml");
 }
 #endif
 

@@ -118,7 +118,7 @@ template <class Fields>
 Fields taken(ByteStream& stream, bool is_turned) {
   Fields fields{};
   if (stream.read(&fields, sizeof fields) < sizeof fields)
-    fail(stream.file(), "the header of " + std::to_string(sizeof fields) + " bytes is not whole",
+    fail(stream.file(), "the header of " + std::to_string(sizeof fields) + " bytes is incomplete",
          "copy or export the file again");
   if (is_turned) turn_fields(fields);
   return fields;
@@ -136,7 +136,7 @@ Header read_header(ByteStream& stream) {
   if (is_turned) size = other_order;
   if (size != size_of_1 && size != size_of_2)
     fail(stream.file(),
-         "the header has size " + std::to_string(size) + ", which is not that of NIfTI",
+         "the header has size " + std::to_string(size) + ", which is not a size of NIfTI",
          "check that it is a NIfTI or Analyze file");
   Header header;
   header.big_endian = is_native_big_endian() != is_turned;
@@ -234,12 +234,12 @@ bool take(const Rows& rows, DeclaredPlace& place) {
   return true;
 }
 
-// The sides that the qform tells are not looked at otherwise.
+// Otherwise the sides of the qform are not used.
 void note_mirrored(VolumeInfo& info, const nifti_2_header& header, const DeclaredPlace& place) {
   DeclaredPlace other;
   if (header.qform_code > 0 && take(qform_of(header), other) &&
       (determinant(*other.steps) < 0) != (determinant(*place.steps) < 0))
-    note(info, "the qform is mirrored against the sform, dropped: check which side is left");
+    note(info, "the qform is mirrored against the sform, and ignored; check which side is left");
 }
 
 void set_geometry(VolumeInfo& info, const Header& whole, const VolumeOptions& options) {
@@ -249,17 +249,17 @@ void set_geometry(VolumeInfo& info, const Header& whole, const VolumeOptions& op
   for (std::size_t axis = 0; axis < 3; ++axis) {
     place.spacing[axis] = std::fabs(header.pixdim[axis + 1]);
     if (header.pixdim[axis + 1] < 0)
-      note(info, "pixdim " + std::to_string(axis + 1) + " is negative, taken as positive");
+      note(info, "pixdim " + std::to_string(axis + 1) + " is negative, and read as positive");
   }
   bool is_placed = header.sform_code > 0 && take(sform_of(header), place);
   if (is_placed) note_mirrored(info, header, place);
-  if (header.sform_code > 0 && !is_placed) note(info, "the sform spans no space, dropped");
+  if (header.sform_code > 0 && !is_placed) note(info, "the sform spans no space, and is ignored");
   if (!is_placed && header.qform_code > 0) {
     is_placed = take(qform_of(header), place);
-    if (!is_placed) note(info, "the qform spans no space, dropped");
+    if (!is_placed) note(info, "the qform spans no space, and is ignored");
   }
   if (!is_placed)
-    note(info, whole.format + " tells no directions here: which side is left is not known");
+    note(info, whole.format + " has no directions here; which side is left is unknown");
   set_place(info, place, options);
 }
 
@@ -267,7 +267,7 @@ void set_geometry(VolumeInfo& info, const Header& whole, const VolumeOptions& op
 void set_values(VolumeInfo& info, const std::filesystem::path& file, const nifti_2_header& header) {
   const bool has_slope = std::isfinite(header.scl_slope) && header.scl_slope != 0;
   if (!std::isfinite(header.scl_slope))
-    note(info, "scl_slope is " + std::to_string(header.scl_slope) + ", taken as none");
+    note(info, "scl_slope is " + std::to_string(header.scl_slope) + ", and is ignored");
   set_scale(info, file, has_slope ? header.scl_slope : 0, has_slope ? header.scl_inter : 0);
 }
 

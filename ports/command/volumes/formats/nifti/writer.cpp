@@ -45,7 +45,7 @@ nifti_2_header header_of(const VolumeInfo& info) {
   header.vox_offset = header_bytes;
   header.scl_slope = info.slope;
   header.scl_inter = info.intercept;
-  // Of the codes the one that says least of what the directions are.
+  // The code that claims least about the directions.
   header.sform_code = has_frame(info) ? NIFTI_XFORM_SCANNER_ANAT : NIFTI_XFORM_TEMPLATE_OTHER;
   header.xyzt_units = NIFTI_UNITS_MM;
   return header;

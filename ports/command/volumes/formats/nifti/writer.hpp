@@ -10,7 +10,7 @@
 
 namespace discmc::command {
 
-/// Writes the volume as one file, with its scale and where it lies. A volume that tells no frame
+/// Writes the volume as one file, with its scale and where it lies. A volume without a frame
 /// lies in that of the format. volume: not yet read; is at the end. progress: called with the
 /// number of slices that are written.
 void write_nifti(VolumeReader& volume, const std::function<void(std::uint32_t)>& progress,

@@ -49,7 +49,7 @@ std::string field_name(const std::filesystem::path& file, std::string_view text)
                      "old min",
                      "old max",
                      "block size"}))
-    fail(file, "the header field " + shown(name) + " is not known", "correct or delete the line");
+    fail(file, "the header field " + shown(name) + " is unknown", "correct or delete the line");
   return name;
 }
 
@@ -59,7 +59,7 @@ NrrdHeader read_nrrd_header(ByteStream& stream) {
   const std::filesystem::path& file = stream.file();
   const std::string magic = stream.read_line().value_or("");
   if (magic.size() != 8 || magic.substr(0, 7) != "NRRD000" || magic[7] < '1' || magic[7] > '5')
-    fail(file, "the file begins with " + shown(magic) + " and not with NRRD0001 to NRRD0005",
+    fail(file, "the file begins with " + shown(magic) + ", not with NRRD0001 to NRRD0005",
          "check that it is an NRRD file");
   NrrdHeader header{HeaderFields(file)};
   while (const auto line = stream.read_line()) {

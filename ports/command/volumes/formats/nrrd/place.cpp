@@ -39,7 +39,8 @@ std::vector<double> vector_of(const std::filesystem::path& file, std::string_vie
     if (text.size() == 1) break;
   }
   if (numbers.empty() || numbers.size() > 3)
-    fail(file, std::string(name) + " holds " + shown(text) + ", which is no vector of up to three",
+    fail(file,
+         std::string(name) + " holds " + shown(text) + ", which is not a vector of up to three",
          "correct the header");
   return numbers;
 }
@@ -86,7 +87,7 @@ Numbers numbers_of(const HeaderFields& fields, std::string_view name) {
   return numbers;
 }
 
-// The bounds of axes stand for a spacing, and for an origin where there is no other.
+// The bounds of axes define a spacing, and an origin if there is no other.
 void set_bounds(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& place) {
   const Numbers mins = numbers_of(fields, "axis mins");
   const Numbers maxs = numbers_of(fields, "axis maxs");
@@ -96,20 +97,20 @@ void set_bounds(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& pla
     const std::string center = axis < centerings.size() ? lower(centerings[axis]) : std::string();
     const bool is_node = center == "node";
     if (!is_node && center != "cell")
-      note(info, "no centerings given: axis mins and maxs taken as bounds of whole voxels");
+      note(info, "no centerings given; axis mins and maxs are read as bounds of whole voxels");
     const double steps = info.dims[axis] - (is_node ? 1.0 : 0.0);
     if (maxs[axis] && steps > 0) {
       const double spacing = (*maxs[axis] - *mins[axis]) / steps;
       if (!place.spacing[axis]) place.spacing[axis] = spacing;
       if (std::fabs(*place.spacing[axis] - spacing) > 1e-3 * std::fabs(spacing))
-        note(info, "axis mins and maxs contradict the spacings, which are taken");
+        note(info, "axis mins and maxs contradict the spacings, which are used");
     }
     place.origin[axis] = *mins[axis] + (is_node ? 0 : place.spacing[axis].value_or(1) / 2);
   }
   if (fields.has("axis mins")) place.space_units = place.axis_units;
 }
 
-// What is told without directions.
+// The place without directions.
 void set_spacings(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& place) {
   place.spacing = numbers_of(fields, "spacings");
   if (!fields.has("space origin")) set_bounds(info, fields, place);
@@ -117,7 +118,7 @@ void set_spacings(VolumeInfo& info, const HeaderFields& fields, DeclaredPlace& p
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (place.spacing[axis] || !thicknesses[axis]) continue;
     place.spacing[axis] = thicknesses[axis];
-    note(info, "no spacing of axis " + std::to_string(axis + 1) + " given, its thickness taken");
+    note(info, "no spacing of axis " + std::to_string(axis + 1) + " given, its thickness is used");
   }
 }
 
@@ -135,7 +136,7 @@ void set_space(VolumeInfo& info, std::string_view text, DeclaredPlace& place) {
     note(info, "x of the left-handed space " + shown(text) + " negated");
   const bool is_defined = place.frame != Frame::none || place.is_left_handed || name.empty() ||
                           one_of(name, {"scanner-xyz", "3d-right-handed"});
-  if (!is_defined) note(info, "the space " + shown(text) + " is not known, taken as right-handed");
+  if (!is_defined) note(info, "the space " + shown(text) + " is unknown, right-handed assumed");
 }
 
 }  // namespace
@@ -143,7 +144,7 @@ void set_space(VolumeInfo& info, std::string_view text, DeclaredPlace& place) {
 DeclaredPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields) {
   DeclaredPlace place;
   set_space(info, fields.text("space"), place);
-  // The space of patients is in millimetres, as programs have it that tell no unit.
+  // The space of patients is in millimetres, as programs assume that write no unit.
   if (place.frame != Frame::none) place.set_unit("mm");
   if (fields.has("units")) place.axis_units = units_of(fields.text("units"));
   if (fields.has("space units")) place.space_units = units_of(fields.text("space units"));
@@ -157,7 +158,7 @@ DeclaredPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields) {
   }
   if ((fields.has("axis mins") || fields.has("axis maxs")) &&
       (fields.has("space origin") || fields.has("space directions")))
-    note(info, "axis mins and axis maxs dropped: the place is told by space directions or origin");
+    note(info, "axis mins and axis maxs are ignored; space directions or origin define the place");
   return place;
 }
 

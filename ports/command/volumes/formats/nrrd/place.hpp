@@ -7,8 +7,8 @@
 
 namespace discmc::command {
 
-/// As the header tells it: by directions, spacings, bounds of axes or thicknesses. info: with the
-/// extents; gets the notes.
+/// As the header declares it: by directions, spacings, bounds of axes or thicknesses. info: with
+/// the extents; gets the notes.
 DeclaredPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields);
 
 }  // namespace discmc::command

@@ -177,7 +177,8 @@ std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& 
   info.type = sample_type(fields.file(), fields.needed("type"));
   set_sizes(info, fields, options, first_axis);
   set_place(info, nrrd_place(info, fields), options);
-  if (fields.has("old min")) note(info, "old min and old max dropped: values are the stored ones");
+  if (fields.has("old min"))
+    note(info, "old min and old max are ignored; the values are the stored ones");
   header.segments.describe(info);
   const bool is_big_endian = big_endian(fields, info.type);
 

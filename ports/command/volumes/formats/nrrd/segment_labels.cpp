@@ -57,7 +57,7 @@ void SegmentLabels::take(std::string_view key, std::string_view value) {
 
 void SegmentLabels::describe(VolumeInfo& info) const {
   if (is_fractional_) {
-    note(info, "a fractional segmentation: its values are shares, not labels");
+    note(info, "a fractional segmentation; its values are fractions, not labels");
     return;
   }
   std::size_t outside = 0;
@@ -76,8 +76,8 @@ void SegmentLabels::describe(VolumeInfo& info) const {
       first_outside = shown(name) + " of layer " + std::to_string(layer);
   }
   if (outside > 0)
-    note(info, "segments of layers that are not in the file left out: " + std::to_string(outside) +
-                   ", such as " + first_outside);
+    note(info, "segments of layers that are not in the file are left out: " +
+                   std::to_string(outside) + ", such as " + first_outside);
 }
 
 }  // namespace discmc::command

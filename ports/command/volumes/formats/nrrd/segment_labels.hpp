@@ -1,4 +1,4 @@
-// What 3D Slicer tells of the segments of a segmentation, as keys in the header of NRRD:
+// What 3D Slicer stores about the segments of a segmentation, as keys in the header of NRRD:
 // https://slicer.readthedocs.io/en/latest/developer_guide/modules/segmentations.html
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_NRRD_SEGMENT_LABELS_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_NRRD_SEGMENT_LABELS_HPP
@@ -20,7 +20,7 @@ class SegmentLabels {
   /// Takes a key and its value; of no use are other keys.
   void take(std::string_view key, std::string_view value);
 
-  /// Tells the segments that have a name and are in one of the volumes of the file, with a note of
+  /// Adds the segments that have a name and are in one of the volumes of the file, with a note of
   /// those that are not. info: its frames are known.
   void describe(VolumeInfo& info) const;
 

@@ -1,5 +1,5 @@
 // NumPy's .npy, https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html: a magic
-// number, a version and a dictionary of Python that says how one array is stored.
+// number, a version and a dictionary of Python that describes how one array is stored.
 #include "header.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::string read_dictionary(ByteStream& stream) {
   unsigned char length[4] = {};
   const std::size_t length_bytes = is_long ? 4 : 2;
   if (got < sizeof start || stream.read(length, length_bytes) < length_bytes)
-    fail(stream.file(), "the header is not whole", "save the array again");
+    fail(stream.file(), "the header is incomplete", "save the array again");
   if (start[6] < 1 || start[6] > 3)
     fail(stream.file(), "this is version " + std::to_string(start[6]) + " of the format",
          "save the array as version 1 to 3");
@@ -32,7 +32,7 @@ std::string read_dictionary(ByteStream& stream) {
          "save one plain array");
   std::string text(bytes, '\0');
   if (stream.read(text.data(), text.size()) < text.size())
-    fail(stream.file(), "the header is not whole", "save the array again");
+    fail(stream.file(), "the header is incomplete", "save the array again");
   return text;
 }
 

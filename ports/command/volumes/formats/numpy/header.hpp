@@ -1,4 +1,4 @@
-// What stands before the samples in a file of NumPy.
+// The header of a file of NumPy.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_NUMPY_HEADER_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_NUMPY_HEADER_HPP
 

@@ -1,4 +1,4 @@
-// Arrays of NumPy, .npy: which axis is which, the file does not say.
+// Arrays of NumPy, .npy: the file does not name its axes.
 #include <utility>
 
 #include "header.hpp"

@@ -40,7 +40,7 @@ class BmpHeader {
     if (is_of_os2() || field(38, 4) == 0 || field(42, 4) == 0) return std::nullopt;
     return Resolution{{1.0 * field(38, 4), 1.0 * field(42, 4)}, mm_of_metre};
   }
-  /// Where the palette begins, and how many bytes and colours it has.
+  /// The place of the palette, and its bytes and colours.
   std::uint64_t palette_at() const { return 14 + std::uint64_t{header_bytes()}; }
   std::uint32_t colour_bytes() const { return is_of_os2() ? 3 : 4; }
   std::uint32_t colours() const {

@@ -91,14 +91,14 @@ ChosenFrame chosen_frame(const std::filesystem::path& file, const std::vector<Hy
 
 std::vector<Page> pages_of(const std::filesystem::path& file, const Hyperstack& stack,
                            std::uint64_t channel, std::uint64_t frame) {
-  if (stack.slices.size == 0)
-    fail(file, "it is described as without slices", "export the file again");
+  if (stack.slices.size == 0) fail(file, "its description has no slices", "export the file again");
   std::vector<PageRun> runs = stack.runs;
   std::sort(runs.begin(), runs.end(),
             [](const PageRun& a, const PageRun& b) { return a.first_plane < b.first_plane; });
   for (std::size_t i = 1; i < runs.size(); ++i)
     if (runs[i].first_plane - runs[i - 1].first_plane < runs[i - 1].count)
-      fail(file, "plane " + std::to_string(runs[i].first_plane) + " is described as two pages",
+      fail(file,
+           "plane " + std::to_string(runs[i].first_plane) + " has two pages in the description",
            "export the file again");
   std::vector<Page> pages;
   for (std::uint64_t slice = 0; slice < stack.slices.size; ++slice) {

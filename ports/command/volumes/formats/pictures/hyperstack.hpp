@@ -60,7 +60,7 @@ void set_order(Hyperstack& stack, std::string_view order);
 /// Takes all planes as those along one axis: 'c', 'z' or 't'.
 void set_axis(Hyperstack& stack, char axis);
 
-/// What else remedies say where several channels or frames have one slice each.
+/// A further remedy if several channels or frames have one slice each.
 constexpr const char* if_slices = "; if they are slices, give --axes zyx";
 
 /// Returns the number of planes, or the greatest number where it is beyond that.

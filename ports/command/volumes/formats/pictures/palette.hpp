@@ -11,7 +11,7 @@ namespace discmc::command {
 
 using Palette = std::vector<Srgb>;
 
-/// Whether it stands for grey values: its samples then are those, not their numbers.
+/// Whether its colours are grey values: samples then become those, not their numbers.
 bool is_grey(const Palette& palette);
 
 /// Replaces numbers of greys by the greys. Limit: is_grey(palette). Numbers beyond it stay.

@@ -23,7 +23,7 @@ std::unique_ptr<PictureFile> open_picture(const std::filesystem::path& file) {
     case PictureKind::none:
       break;
   }
-  fail(file, "this is no PNG, TIFF, JPEG or BMP file, or a damaged one",
+  fail(file, "this is not a PNG, TIFF, JPEG or BMP file, or it is damaged",
        "copy or export the file again");
 }
 

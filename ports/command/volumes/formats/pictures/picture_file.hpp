@@ -21,7 +21,7 @@ namespace discmc::command {
 /// Pixels of a unit of length, mostly of a print.
 struct Resolution {
   std::array<double, 2> pixels{};
-  double unit_mm = 0;  ///< 0 where the unit is not told
+  double unit_mm = 0;  ///< 0 if there is no unit
 };
 constexpr double mm_of_inch = 25.4, mm_of_centimetre = 10, mm_of_metre = 1000;
 
@@ -56,7 +56,7 @@ class PictureFile {
   virtual std::vector<Hyperstack> hyperstacks(const std::string& axes) = 0;
   virtual PictureHeader header(std::uint32_t page) = 0;
   /// Writes the samples of a channel, rows as they are stored, in native byte order. Size: of
-  /// samples, as the header says.
+  /// samples, as in the header.
   virtual void read(std::uint32_t page, std::uint32_t channel, unsigned char* samples) = 0;
 };
 
@@ -81,7 +81,7 @@ class SinglePicture : public PictureFile {
 /// The kind of a file by its first bytes. Throws as ByteStream.
 PictureKind kind_of(const std::filesystem::path& file);
 
-/// Opens a picture as its first bytes say it is.
+/// Opens a picture by its first bytes.
 std::unique_ptr<PictureFile> open_picture(const std::filesystem::path& file);
 
 std::unique_ptr<PictureFile> open_png(const std::filesystem::path& file);

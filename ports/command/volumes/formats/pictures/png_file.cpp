@@ -77,7 +77,7 @@ class PngFile final : public SinglePicture {
     return palette;
   }
 
-  // To the first row.
+  // Reads up to the first row.
   void open() {
     close();
     stream_ = std::fopen(file().c_str(), "rb");

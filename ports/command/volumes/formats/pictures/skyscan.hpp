@@ -16,12 +16,12 @@ bool is_overview_name(const std::filesystem::path& file);
 struct SkyScanLog {
   std::filesystem::path file;
   std::array<double, 3> spacing_mm{};
-  /// Width and height of the slices; 0 where they are not told.
+  /// Width and height of the slices; 0 if the log lacks them.
   std::array<std::uint32_t, 2> size{};
 };
 
 /// Returns the log of a stack, by one of its slices: beside it, and called as it begins. Nothing
-/// where there is none that tells a pixel size.
+/// if there is none with a pixel size.
 std::optional<SkyScanLog> skyscan_log(const std::filesystem::path& slice);
 
 }  // namespace discmc::command

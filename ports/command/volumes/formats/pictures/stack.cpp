@@ -40,7 +40,7 @@ bool is_set(const std::filesystem::path& source, const std::filesystem::path& fi
     fail(source,
          shown(file.filename().string()) + " is one of a set of " +
              std::to_string(described.files.size()) + " files",
-         "give it alone: it names the others");
+         "give this file alone; it names the others");
   return true;
 }
 
@@ -59,10 +59,11 @@ std::string text_of(const PictureHeader& header) {
 // What a later picture has that the first has not; empty where they are alike.
 std::string difference(const PictureHeader& first, const PictureHeader& other) {
   if (other.channels != first.channels)
-    return std::to_string(other.channels) + " channels, and not " + std::to_string(first.channels);
+    return std::to_string(other.channels) + " channels instead of " +
+           std::to_string(first.channels);
   if (other.palette != first.palette) return "another palette";
-  if (other.is_inverted != first.is_inverted) return "black and white the other way round";
-  if (other.runs_backwards != first.runs_backwards) return "its rows in another direction";
+  if (other.is_inverted != first.is_inverted) return "black and white exchanged";
+  if (other.runs_backwards != first.runs_backwards) return "rows in another direction";
   return {};
 }
 
@@ -85,10 +86,10 @@ class Alike {
                 "give slices of one size and type");
     const std::string what = difference(first, header);
     if (!what.empty())
-      fail_page(page, what + " as that of " + first_file(), "store the slices in one way");
+      fail_page(page, what + ", unlike " + first_file(), "store the slices in one way");
     if (have_other_pixels(first, header) && !options_.spacing_mm)
       fail_page(page, "another resolution than " + first_file(),
-                "if its voxels are as large, give --spacing X,Y,Z");
+                "if its voxels have the same size, give --spacing X,Y,Z");
   }
 
   void require(const Hyperstack& described, const std::filesystem::path& file) const {
@@ -98,13 +99,13 @@ class Alike {
       fail(file, "it holds other channels or volumes than " + first_file(),
            "give slices of one kind");
     if (described.slope != first.slope || described.intercept != first.intercept)
-      fail(file, "its values are scaled otherwise than those of " + first_file(),
+      fail(file, "its values have another scale than those of " + first_file(),
            "store the slices in one way");
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (!options_.spacing_mm &&
           differ(described.spacing_mm[axis].value_or(1), first.spacing_mm[axis].value_or(1)))
-        fail(file, "its voxels are larger or smaller than those of " + first_file(),
-             "if they are as large, give --spacing X,Y,Z");
+        fail(file, "its voxels have another size than those of " + first_file(),
+             "if the sizes are the same, give --spacing X,Y,Z");
   }
 
  private:
@@ -196,7 +197,7 @@ class StackBuilder {
     if (stack.plane_size &&
         *stack.plane_size != std::array<std::uint64_t, 2>{header.width, header.height})
       fail(file,
-           "its description is of planes of " + std::to_string((*stack.plane_size)[0]) + " x " +
+           "its description has planes of " + std::to_string((*stack.plane_size)[0]) + " x " +
                std::to_string((*stack.plane_size)[1]) + ", and its pages have " + text_of(header),
            "export the file again");
   }

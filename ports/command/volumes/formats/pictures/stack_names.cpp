@@ -175,7 +175,7 @@ std::string remedy(const Names& names, const std::filesystem::path& folder) {
   }
   const auto found = pattern_of(stack, any, folder);
   return found ? "give a pattern of one stack, such as '" + *found + "'"
-               : "copy those of one stack into a folder of their own";
+               : "copy the pictures of one stack into a folder of their own";
 }
 
 // ---- refusals ----
@@ -197,7 +197,7 @@ std::string remedy(const Names& names, const std::filesystem::path& folder) {
                               const std::filesystem::path& folder) {
   fail(source,
        "the names count in several numbers, such as " + shown(text_of(names[0])) + " and " +
-           shown(text_of(names[1])) + ", and those of a stack in one",
+           shown(text_of(names[1])) + ", and the names of one stack count in one number",
        remedy(names, folder));
 }
 
@@ -226,7 +226,7 @@ void require_one_stack(const std::filesystem::path& source,
     fail_counts(source, names, folder);
   if (!is_one_order(names, of_names))
     fail(source,
-         "the numbers in the names give different orders, such as of " + shown(text_of(names[0])) +
+         "the numbers in the names give different orders, such as for " + shown(text_of(names[0])) +
              " and " + shown(text_of(names[1])),
          "rename the pictures so that one number counts them");
 }

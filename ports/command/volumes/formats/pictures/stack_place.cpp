@@ -25,12 +25,12 @@ std::string note_of_resolution(const Resolution& resolution) {
   text.imbue(std::locale::classic());
   const double x = resolution.unit_mm / resolution.pixels[0];
   const double y = resolution.unit_mm / resolution.pixels[1];
-  text << "its resolution, mostly that of a print, is not used; to use it, give --spacing " << x
-       << ',' << y << ",Z";
+  text << "its resolution, usually for a print, is not used; to use it, give --spacing " << x << ','
+       << y << ",Z";
   return text.str();
 }
 
-// Of SkyScan's log, where it is of these slices.
+// The spacing in SkyScan's log, if the log describes these slices.
 Spacing spacing_of_log(const Stack& stack, VolumeInfo& info) {
   const auto log = skyscan_log(stack.files[0]);
   if (!log) return {};
@@ -38,7 +38,7 @@ Spacing spacing_of_log(const Stack& stack, VolumeInfo& info) {
   const std::array<std::uint32_t, 2> size = {stack.header.width, stack.header.height};
   const bool is_of_slices = log->size == std::array<std::uint32_t, 2>{} || log->size == size;
   note(info, is_of_slices ? "spacing from " + called
-                          : called + " is of slices of another size, and not used");
+                          : called + " describes slices of another size, and is not used");
   if (!is_of_slices) return {};
   return {log->spacing_mm[0], log->spacing_mm[1], log->spacing_mm[2]};
 }
@@ -53,7 +53,8 @@ Spacing spacing_of(const Stack& stack, VolumeInfo& info) {
   if (!spacing[1]) spacing[1] = spacing[0];
   if (spacing[0] && !spacing[2]) {
     spacing[2] = spacing[0];
-    if (stack.pages.size() > 1) note(info, "no distance of slices given, that of pixels taken");
+    if (stack.pages.size() > 1)
+      note(info, "no distance of slices given, the distance of pixels is used");
   }
   return spacing;
 }

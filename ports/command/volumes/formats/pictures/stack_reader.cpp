@@ -44,11 +44,11 @@ void leave_out_overviews(Files& files, VolumeInfo& info) {
       files.begin(), files.end(), [](const auto& file) { return !is_overview_name(file); });
   if (overviews == files.begin()) return;
   for (auto file = overviews; file != files.end(); ++file)
-    note(info, shown(file->filename().string()) + " is an overview, left out");
+    note(info, shown(file->filename().string()) + " is an overview, and is left out");
   files.erase(overviews, files.end());
 }
 
-// Where a file is a slice, names that are missing are slices that are missing.
+// If each file is a slice, missing names are missing slices.
 void close_gaps(const std::filesystem::path& source, bool allow_gaps, Stack& stack,
                 VolumeInfo& info) {
   if (stack.files.size() != stack.pages.size() || stack.described.files.size() > 1) return;
@@ -75,8 +75,8 @@ class PictureStack final : public VolumeReader {
     const PictureHeader header = opened_->header(page.number);
     if (header.width != info_.dims[0] || header.height != info_.dims[1] ||
         header.type != info_.type || header.channels != stack_.header.channels)
-      fail(stack_.files[page.file], "the file has changed while it was read",
-           "leave it as it is, and read again");
+      fail(stack_.files[page.file], "the file changed during reading",
+           "read it again when it no longer changes");
     opened_->read(page.number, stack_.channel, static_cast<unsigned char*>(samples));
     ++next_;
   }
@@ -114,9 +114,9 @@ std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
   info.frames = frames;
   set_place_of(info, stack, options);
   set_scale(info, source, stack.described.slope, stack.described.intercept);
-  if (stack.header.is_inverted) note(info, "the low values are the bright ones, taken as stored");
+  if (stack.header.is_inverted) note(info, "low values are bright; the values are used as stored");
   if (!stack.header.palette.empty())
-    note(info, "the samples are numbers of colours in a palette, taken as stored");
+    note(info, "the samples are numbers of colours in a palette, and are used as stored");
   info.format = name(kind_of(stack.files[0]));
   return std::make_unique<PictureStack>(source, std::move(info), std::move(stack));
 }

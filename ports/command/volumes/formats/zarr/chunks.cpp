@@ -19,7 +19,7 @@ std::uint64_t bytes_of(const std::filesystem::path& file) {
   return bytes;
 }
 
-// Limit: the file has so many bytes there.
+// Limit: the file has this many bytes there.
 ChunkBytes read_part(const std::filesystem::path& file, std::istream& in, std::uint64_t offset,
                      std::uint64_t bytes) {
   ChunkBytes part(bytes);
@@ -56,7 +56,7 @@ ChunkBytes widened(const ChunkBytes& halves) {
 
 }  // namespace
 
-// Of a chunk in a shard, that of the shard.
+// The file of a chunk, or of the shard that contains it.
 std::filesystem::path ZarrChunks::file_of(PerAxis chunk) const {
   std::string name;
   for (std::size_t axis = 0; axis < chunk.size(); ++axis) {
@@ -92,7 +92,7 @@ void ZarrChunks::open_shard(const std::filesystem::path& file) {
     const Place place{number_at(index, 16 * i), number_at(index, 16 * i + 8)};
     const bool is_there = place.offset != UINT64_MAX || place.bytes != UINT64_MAX;
     if (is_there && (place.offset < begin || place.bytes > end || place.offset > end - place.bytes))
-      fail(file, "a chunk lies outside of the shard", "copy it again");
+      fail(file, "a chunk lies outside the shard", "copy it again");
     places_.push_back(place);
   }
 }

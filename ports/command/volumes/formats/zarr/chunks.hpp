@@ -19,8 +19,8 @@ class ZarrChunks {
 
   const ZarrDescription& array() const { return array_; }
 
-  /// Returns the samples of a chunk, in native byte order and in the order of axes that array()
-  /// tells; nothing where it is not there. Throws VolumeError where it is damaged.
+  /// Returns the samples of a chunk, in native byte order and in the order of axes of
+  /// array(); nothing if it is missing. Throws VolumeError where it is damaged.
   std::optional<ChunkBytes> read(const PerAxis& chunk);
 
  private:

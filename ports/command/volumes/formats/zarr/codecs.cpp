@@ -33,12 +33,12 @@ std::uint32_t crc32c(const ChunkBytes& bytes, std::size_t count) {
 }
 
 void take_checksum(const std::filesystem::path& chunk, ChunkBytes& bytes) {
-  if (bytes.size() < checksum_bytes) fail_damaged(chunk, "it is not whole");
+  if (bytes.size() < checksum_bytes) fail_damaged(chunk, "it is incomplete");
   const std::size_t count = bytes.size() - checksum_bytes;
   std::uint32_t expected = 0;
   for (std::size_t i = 0; i < checksum_bytes; ++i)
     expected |= std::uint32_t{bytes[count + i]} << 8 * i;
-  if (expected != crc32c(bytes, count)) fail_damaged(chunk, "its checksum is another");
+  if (expected != crc32c(bytes, count)) fail_damaged(chunk, "its checksum is wrong");
   bytes.resize(count);
 }
 
@@ -75,16 +75,16 @@ ChunkBytes unblosced(const std::filesystem::path& chunk, const ChunkBytes& packe
   std::size_t unpacked_bytes = 0;
   if (blosc_cbuffer_validate(packed.data(), packed.size(), &unpacked_bytes) < 0 ||
       unpacked_bytes != bytes)
-    fail_damaged(chunk, "it is not what Blosc packs");
+    fail_damaged(chunk, "it is not packed by Blosc");
   ChunkBytes result(bytes);
   constexpr int threads = 1;
   if (blosc_decompress_ctx(packed.data(), result.data(), bytes, threads) != static_cast<int>(bytes))
-    fail_damaged(chunk, "Blosc does not unpack it");
+    fail_damaged(chunk, "Blosc cannot unpack it");
   return result;
 }
 #else
 ChunkBytes unblosced(const std::filesystem::path& chunk, const ChunkBytes&, std::size_t) {
-  fail(chunk, "this is packed by Blosc, and discmc was built without its library",
+  fail(chunk, "this is packed by Blosc, and discmc was built without libblosc",
        "install libblosc-dev and build again");
 }
 #endif
@@ -135,7 +135,7 @@ ChunkBytes decoded(const std::filesystem::path& chunk, ChunkBytes packed,
         break;
     }
   }
-  if (packed.size() != bytes) fail_damaged(chunk, "it is not as large as others");
+  if (packed.size() != bytes) fail_damaged(chunk, "its size differs from other chunks");
   return packed;
 }
 

@@ -19,7 +19,7 @@ std::optional<ZarrCodec> zarr_codec(std::string_view name);
 using ChunkBytes = std::vector<unsigned char>;
 
 /// Undoes codecs, of which the first was applied first. chunk: for errors. bytes: of the chunk
-/// before. Throws VolumeError where it has not so many, or is damaged.
+/// before. Throws VolumeError if it has fewer, or is damaged.
 ChunkBytes decoded(const std::filesystem::path& chunk, ChunkBytes packed,
                    const std::vector<ZarrCodec>& codecs, std::size_t bytes);
 

@@ -27,7 +27,7 @@ PerAxis sizes_of_chunk(const Path& file, const Json& sizes, std::size_t axes) {
                          std::all_of(numbers.begin(), numbers.end(),
                                      [](std::int64_t size) { return size >= 1 && size <= most; });
   if (!is_usable)
-    fail(file, "the sizes of chunks are not those of the array's axes", "write it again");
+    fail(file, "the sizes of chunks do not fit the axes of the array", "write it again");
   return {numbers.begin(), numbers.end()};
 }
 
@@ -83,7 +83,7 @@ void set_fill(ZarrDescription& array, const Path& file, const Json& value) {
   with_sample_type(array.type, [&](auto typed) {
     const auto sample = sample_of<decltype(typed)>(value);
     if (!sample)
-      fail(file, "the fill value " + shown(value.dump()) + " is no sample of the array",
+      fail(file, "the fill value " + shown(value.dump()) + " is not a sample of the array",
            "write it as a number");
     std::memcpy(array.fill.data(), &*sample, sizeof *sample);
   });
@@ -126,7 +126,7 @@ std::vector<std::size_t> order_of(const Path& file, const Json& configuration, s
   std::vector<std::size_t> order(axes);
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (!std::is_permutation(order.begin(), order.end(), numbers.begin(), numbers.end()))
-    fail(file, "the order of axes names other ones than the array has", "write it again");
+    fail(file, "the order of axes does not fit the axes of the array", "write it again");
   return {numbers.begin(), numbers.end()};
 }
 
@@ -239,10 +239,10 @@ ZarrDescription described(const ZarrNode& node) {
     most /= size;
   }
   if (has_chunk(array)) return array;
-  // Some writers do not say that their chunks are nested.
+  // Some writers do not declare that their chunks are nested.
   if (!is_version_3) array.separator = array.separator == '.' ? '/' : '.';
   if (is_version_3 || !has_chunk(array))
-    fail(node.folder, "no chunk of the array is there", "copy the folder whole");
+    fail(node.folder, "the array has no chunk", "copy the whole folder");
   return array;
 }
 

@@ -1,4 +1,4 @@
-// What the metadata of an array of Zarr says: its samples, and how its chunks are stored.
+// The metadata of an array of Zarr: its samples, and how its chunks are stored.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_DESCRIPTION_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_DESCRIPTION_HPP
 

@@ -7,7 +7,7 @@
 
 namespace discmc::command {
 
-/// Whether a folder is a group or an array of Zarr, of version 2 or 3; or a file what says so in
+/// Whether a folder is a group or an array of Zarr, of version 2 or 3; or a file that identifies
 /// one.
 bool is_zarr(const std::filesystem::path& path);
 

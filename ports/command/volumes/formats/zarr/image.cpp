@@ -42,7 +42,7 @@ bool transform(std::vector<ZarrAxis>& axes, const std::filesystem::path& file, c
     if (type == "identity") continue;
     if (type != "scale" && type != "translation")
       fail(file, "the coordinates are transformed by " + shown(type),
-           "give an image in scale alone");
+           "give an image with scales and translations only");
     const auto numbers = reals_of(file, type.c_str(), member(step, type.c_str()));
     if (numbers.size() != axes.size())
       fail(file, "a " + type + " has other axes than the image", "correct it");
@@ -174,7 +174,7 @@ ZarrImage read_zarr_image(const std::filesystem::path& folder, const VolumeOptio
       return image_at(node, multiscales[0], options.level);
     at = only_child(node);
   }
-  fail(folder, "its groups are in each other", "give the folder of an image");
+  fail(folder, "its groups contain each other", "give the folder of an image");
 }
 
 }  // namespace discmc::command

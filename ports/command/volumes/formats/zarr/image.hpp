@@ -1,4 +1,4 @@
-// Which array of a folder of Zarr is the volume, and what OME-Zarr says of it.
+// Which array of a folder of Zarr is the volume, and its description in OME-Zarr.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_IMAGE_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_IMAGE_HPP
 
@@ -21,7 +21,7 @@ struct ZarrAxis {
 
 struct ZarrImage {
   ZarrDescription array;
-  std::vector<ZarrAxis> axes{};  ///< of the array; none where nothing is said of them
+  std::vector<ZarrAxis> axes{};  ///< of the array; none if there is no description
   bool is_ome = false;
   bool has_scale = false;
   std::vector<std::string> channels{};  ///< their names, where there are any

@@ -18,7 +18,7 @@ Json read_json(const std::filesystem::path& file) {
   ByteStream stream(file);
   const std::string_view text = stream.peek(max_bytes);
   Json json = Json::parse(text.begin(), text.end(), nullptr, false);
-  if (!json.is_object()) fail(file, "this is no object of JSON", "copy or write the file again");
+  if (!json.is_object()) fail(file, "this is not a JSON object", "copy or write the file again");
   return json;
 }
 
@@ -42,7 +42,7 @@ std::vector<std::int64_t> integers_of(const std::filesystem::path& file, const c
     numbers.push_back(number.get<std::int64_t>());
   }
   if (!value.is_array() || numbers.empty() || numbers.size() != value.size())
-    fail(file, std::string(name) + " is no list of whole numbers", "write the file again");
+    fail(file, std::string(name) + " is not a list of whole numbers", "write the file again");
   return numbers;
 }
 
@@ -54,7 +54,7 @@ std::vector<double> reals_of(const std::filesystem::path& file, const char* name
     numbers.push_back(number.get<double>());
   }
   if (!value.is_array() || numbers.size() != value.size())
-    fail(file, std::string(name) + " is no list of numbers", "write the file again");
+    fail(file, std::string(name) + " is not a list of numbers", "write the file again");
   return numbers;
 }
 
@@ -64,7 +64,7 @@ ZarrNode read_zarr_node(const std::filesystem::path& folder) {
     node.array = read_json(node.file);
     node.is_array = text_of(member(node.array, "node_type")) == "array";
     node.attributes = member(node.array, "attributes");
-    // What OME-Zarr 0.5 says stands in a room of its own.
+    // OME-Zarr 0.5 has an object of its own.
     const Json ome = member(node.attributes, "ome");
     if (ome.is_object()) node.attributes.update(ome);
     return node;
@@ -77,7 +77,7 @@ ZarrNode read_zarr_node(const std::filesystem::path& folder) {
   else
     node.file = folder / ".zattrs";
   if (!node.is_array && !is_file(folder / ".zgroup") && !is_file(folder / ".zattrs"))
-    fail(folder, "this is no group or array of Zarr", "give the folder of one");
+    fail(folder, "this is not a group or array of Zarr", "give the folder of a group or array");
   return node;
 }
 

@@ -1,4 +1,4 @@
-// What a folder of Zarr says of itself, https://zarr-specs.readthedocs.io: version 2 in .zgroup,
+// The metadata of a folder of Zarr, https://zarr-specs.readthedocs.io: version 2 in .zgroup,
 // .zarray and .zattrs, version 3 in zarr.json.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_METADATA_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_METADATA_HPP
@@ -31,10 +31,10 @@ struct ZarrNode {
   std::filesystem::path file;  ///< for errors
   bool is_array = false;
   Json array{};       ///< of an array: .zarray, or zarr.json
-  Json attributes{};  ///< what programs say, such as OME
+  Json attributes{};  ///< of programs, such as OME
 };
 
-/// Throws VolumeError where the folder is none, or says nothing that can be read.
+/// Throws VolumeError where the folder is none, or has no readable metadata.
 ZarrNode read_zarr_node(const std::filesystem::path& folder);
 
 }  // namespace discmc::command

@@ -131,7 +131,7 @@ void require_few_chunks(const std::filesystem::path& folder, const VolumeInfo& i
     chunks *= (info.dims[i] + size - 1) / size;
   }
   if (chunks > max_chunks)
-    fail(folder, "a slice goes through " + std::to_string(chunks) + " chunks",
+    fail(folder, "a slice needs " + std::to_string(chunks) + " chunks",
          "write it again with larger ones");
 }
 
@@ -149,7 +149,7 @@ void require_possible(const std::filesystem::path& folder, const VolumeInfo& inf
   fail(folder,
        "a slice of " + std::to_string(info.slice_bytes()) + " bytes cannot be in files of " +
            std::to_string(bytes),
-       "copy the folder whole");
+       "copy the whole folder");
 }
 
 DeclaredPlace place_of(const ZarrImage& image, const ArrayLayout& layout) {

@@ -1,4 +1,4 @@
-// TIFF, by libtiff: of any compression that it knows.
+// TIFF, by libtiff: of any compression that it supports.
 #include <tiffio.h>
 
 #include <algorithm>
@@ -27,11 +27,11 @@ struct Close {
 using OpenTiff = std::unique_ptr<TIFF, Close>;
 
 OpenTiff opened(const std::filesystem::path& file) {
-  // Its messages go nowhere; what it refuses is told below.
+  // Its messages are not printed; refusals are reported below.
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(nullptr);
   OpenTiff tiff(TIFFOpen(file.c_str(), "r"));
-  if (!tiff) fail(file, "this is no TIFF file, or a damaged one", remedy);
+  if (!tiff) fail(file, "this is not a TIFF file, or it is damaged", remedy);
   return tiff;
 }
 
@@ -48,7 +48,7 @@ class TiffFile final : public PictureFile {
     constexpr std::uint64_t max_of_a_byte = 16384;
     const std::uint64_t bytes = page_of(tiff_.get()).plane_bytes();
     if (depth_ > 1 && depth_ / max_of_a_byte > file_bytes_ / std::max<std::uint64_t>(1, bytes))
-      fail(file, "pages of " + std::to_string(depth_) + " slices cannot be in it", remedy);
+      fail(file, "pages of " + std::to_string(depth_) + " slices do not fit in the file", remedy);
     constexpr std::uint64_t max_pages = std::uint64_t{1} << 31;
     if (pages() > max_pages) fail(file, "it has too many slices", remedy);
   }
@@ -158,8 +158,8 @@ class TiffFile final : public PictureFile {
 
   char axis_of_pages(const std::string& axes) const {
     if (axes.size() != 3 || axes.substr(1) != "yx")
-      fail(file_, "its pages are rows and columns along one axis, and not " + shown(axes),
-           "give --axes zyx, cyx or tyx, or leave it out");
+      fail(file_, "its pages are rows and columns along one axis, not " + shown(axes),
+           "give --axes zyx, cyx or tyx, or leave out --axes");
     return axes[0];
   }
 
@@ -187,12 +187,11 @@ class TiffFile final : public PictureFile {
       if (is_described[i]) continue;
       const TiffPage page = go_to(i);
       if (!page.is_mask && page.width == first.width && page.height == first.height)
-        fail(file_, "its description leaves out page " + std::to_string(i), remedy);
+        fail(file_, "its description lacks page " + std::to_string(i), remedy);
       ++left_out;
     }
     if (left_out > 0)
-      stacks[0].notes.push_back("pages that its description leaves out: " +
-                                std::to_string(left_out));
+      stacks[0].notes.push_back("pages that its description lacks: " + std::to_string(left_out));
   }
 
   Hyperstack of_imagej(const std::string& description) {
@@ -203,8 +202,8 @@ class TiffFile final : public PictureFile {
     return stack;
   }
 
-  // Where a description promises another number of planes than there are directories, they follow
-  // the page of the only one.
+  // If a description promises more planes than there are directories, they follow the page of the
+  // only directory.
   void require_behind(const TiffPage& page, std::uint64_t planes) {
     const std::uint64_t there =
         directories_ == 1 ? pages_behind(tiff_.get(), page, file_bytes_).count : 0;
@@ -257,7 +256,7 @@ class TiffFile final : public PictureFile {
       if (!full || !is_left_out(*full, go_to(i * depth_))) add_slices(stack, i);
     const std::uint64_t left_out = directories_ - stack.slices.size / depth_;
     if (left_out > 0)
-      stack.notes.push_back("pages that are smaller copies or masks left out: " +
+      stack.notes.push_back("pages that are smaller copies or masks are left out: " +
                             std::to_string(left_out));
     return stack;
   }
@@ -280,18 +279,18 @@ class TiffFile final : public PictureFile {
     std::uint16_t count = 0;
     const void* offsets = nullptr;
     if (TIFFGetField(tiff_.get(), TIFFTAG_SUBIFD, &count, &offsets) == 1 && count > 0)
-      stack.notes.push_back("further pictures of a page, mostly smaller copies, left out: " +
+      stack.notes.push_back("further pictures of a page, usually smaller copies, are left out: " +
                             std::to_string(count));
     if (directories_ == 1 && planes(stack) == 1) note_behind(stack, page);
   }
 
-  // Whole pages behind the only one, of which nothing tells.
+  // Whole pages after the only one, which nothing describes.
   void note_behind(Hyperstack& stack, const TiffPage& page) {
     constexpr std::uint64_t max_metadata = 65536;
     const PagesBehind behind = pages_behind(tiff_.get(), page, file_bytes_);
     const std::uint64_t bytes = page.plane_bytes();
     if (behind.count > 1 && (behind.count - 1) * bytes > bytes + max_metadata)
-      stack.notes.push_back("bytes behind its only page left out, as many as those of " +
+      stack.notes.push_back("bytes after its only page are left out, as many as those of " +
                             std::to_string(behind.count - 1) + " pages");
   }
 

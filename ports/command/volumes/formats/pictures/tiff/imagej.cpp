@@ -68,7 +68,8 @@ void set_spacing(Hyperstack& stack, const Description& description, const TiffFa
   const std::string unit(description.text("unit"));
   const auto mm = millimetres_in(unit);
   if (!mm) {
-    if (!unit.empty()) stack.notes.push_back("its unit is " + shown(unit) + ", which is no length");
+    if (!unit.empty())
+      stack.notes.push_back("its unit is " + shown(unit) + ", which is not a length");
     return;
   }
   for (std::size_t axis = 0; axis < 2; ++axis)
@@ -79,7 +80,7 @@ void set_spacing(Hyperstack& stack, const Description& description, const TiffFa
   if (mm_of_z && (has_distance || stack.slices.size > 1))
     stack.spacing_mm[2] = *mm_of_z * std::fabs(description.number("spacing", 1));
   if (!has_distance && stack.slices.size > 1)
-    stack.notes.emplace_back("no distance of slices given, 1 unit taken, as ImageJ does");
+    stack.notes.emplace_back("no distance of slices given, 1 unit assumed, as by ImageJ");
 }
 
 // Values of grey, as of CT, which ImageJ stores from 0 on.
@@ -92,7 +93,7 @@ void set_calibration(Hyperstack& stack, const Description& description) {
     stack.intercept = description.number("c0", 0);
   } else {
     stack.notes.push_back("its calibration function " + shown(function) +
-                          " is not read, the samples are taken as stored");
+                          " is not read, and the samples are used as stored");
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace discmc::command {
 
-/// What else the file of a description says.
+/// Other properties of the file of a description.
 struct TiffFacts {
   std::filesystem::path file;
   std::uint64_t pages = 1;

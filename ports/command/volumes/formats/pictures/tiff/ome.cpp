@@ -76,8 +76,7 @@ class OmeXml {
     const bool is_own = !uuid_.empty() && uuid_ == uuid.text().get();
     if (!uuid || is_own) return file_;
     if (name.empty())
-      fail(file_, "its OME-XML names a file by an identifier alone",
-           "export it again, as one file");
+      fail(file_, "its OME-XML names a file only by an identifier", "export it again, as one file");
     auto file = beside(file_, name);
     std::error_code unknown;
     if (std::filesystem::exists(file, unknown)) return file;
@@ -136,12 +135,12 @@ std::array<std::optional<double>, 3> spacing_mm(const pugi::xml_node& pixels,
     if (const auto mm = millimetres_in(unit))
       spacing[axis] = *value * *mm;
     else
-      notes.push_back(size + " is in " + shown(unit) + ", which is no length");
+      notes.push_back(size + " is in " + shown(unit) + ", which is not a length");
   }
   return spacing;
 }
 
-// z may stand for two axes: modulo annotations.
+// z may combine two axes: modulo annotations.
 void require_plain_slices(const OmeXml& xml) {
   struct Finder final : pugi::xml_tree_walker {
     bool is_found = false;
@@ -204,7 +203,7 @@ class Images {
     return samples > 1 && channels % samples == 0 ? channels / samples : channels;
   }
 
-  // A missing element, or one without attributes, stands for all pages.
+  // A missing element, or one without attributes, means all pages.
   void add_run(Hyperstack& stack, const pugi::xml_node& data) {
     PageRun run;
     const std::filesystem::path file = xml_.file_of(data);
@@ -217,7 +216,7 @@ class Images {
       if (first >= axis.size)
         fail(xml_.file(),
              std::string("in its OME-XML ") + name + " is " + std::to_string(first) +
-                 ", behind the last",
+                 ", after the last",
              "export the file again");
       run.first_plane += first * axis.step;
     }

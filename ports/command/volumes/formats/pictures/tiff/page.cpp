@@ -16,7 +16,7 @@ std::string text(TIFF* tiff, std::uint32_t tag) {
   return TIFFGetField(tiff, tag, &text) == 1 && text != nullptr ? text : "";
 }
 
-// Of samples of whole bytes.
+// Types of samples of whole bytes.
 std::optional<SampleType> type_of_bytes(std::uint16_t bits, std::uint16_t format) {
   struct Kind {
     std::uint16_t bits, format;

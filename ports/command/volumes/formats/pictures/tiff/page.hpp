@@ -1,4 +1,4 @@
-// What a directory of a TIFF file says of its page.
+// The properties of a page by its directory in a TIFF file.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_PAGE_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_PAGE_HPP
 
@@ -25,16 +25,16 @@ struct TiffPage {
   std::uint16_t compression = COMPRESSION_NONE;
   std::uint16_t orientation = ORIENTATION_TOPLEFT;
   std::array<std::uint32_t, 3> tile{};  ///< width, height and depth; nothing of strips
-  bool is_smaller_copy = false;         ///< of another page, as it says
+  bool is_smaller_copy = false;         ///< of another page, by its own description
   bool is_mask = false;                 ///< likewise
-  /// Pixels of a unit, and what one is; 0 where it is not told.
+  /// Pixels of a unit, and what one is; 0 if there is none.
   std::array<double, 2> resolution{};
   std::uint16_t resolution_unit = RESUNIT_INCH;
 
   bool is_tiled() const { return tile[0] > 0; }
   /// Samples that lie side by side.
   std::uint32_t samples_of_pixel() const { return is_planar ? 1 : samples; }
-  /// Units: bytes of a row of so many pixels, as it is stored.
+  /// Units: bytes of a row of this many pixels, as it is stored.
   std::uint64_t row_bytes(std::uint64_t pixels) const {
     return (pixels * samples_of_pixel() * bits + 7) / 8;
   }
@@ -42,7 +42,7 @@ struct TiffPage {
   std::uint64_t plane_bytes() const { return row_bytes(width) * height; }
 };
 
-/// Of the directory that the file is at.
+/// The page of the current directory.
 TiffPage page_of(TIFF* tiff);
 
 /// Empty where there is none.
@@ -50,7 +50,7 @@ std::string description_of(TIFF* tiff);
 std::string software_of(TIFF* tiff);
 Palette palette_of(TIFF* tiff, const TiffPage& page);
 
-/// Returns how many values a tag has that the library does not know.
+/// Returns how many values a tag has that the library does not support.
 std::uint32_t count_of(TIFF* tiff, std::uint32_t tag);
 
 /// Returns the type of the samples as they are read; nothing where they cannot be.

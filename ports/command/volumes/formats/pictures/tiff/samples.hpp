@@ -14,7 +14,7 @@
 
 namespace discmc::command {
 
-/// Where pages are that follow the one of the only directory, without directories of their own.
+/// The place of pages that follow the page of the only directory, without directories of their own.
 struct PagesBehind {
   std::uint64_t at = 0;     ///< the first page, that of the directory. Units: bytes
   std::uint64_t count = 0;  ///< that the file can hold from there on; 0 where there are none

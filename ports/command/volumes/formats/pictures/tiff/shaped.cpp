@@ -30,8 +30,7 @@ std::optional<ShapedArray> without_json(std::string_view description) {
   return array;
 }
 
-// The axes before those of a page. Of unnamed ones, and of those called I or Q, the last are
-// slices.
+// The axes before those of a page. The last of unnamed axes, and of axes called I or Q, are slices.
 class LeadingAxes {
  public:
   LeadingAxes(const ShapedArray& array, std::size_t count) {
@@ -93,7 +92,7 @@ std::optional<ShapedArray> shaped_array(const std::filesystem::path&,
 std::optional<ShapedArray> shaped_array(const std::filesystem::path& file,
                                         const std::string& description) {
   if (description.rfind("{\"shape\"", 0) == 0)
-    fail(file, "tifffile has described it, and discmc was built without nlohmann-json",
+    fail(file, "tifffile wrote its description, and discmc was built without nlohmann-json",
          "install nlohmann-json3-dev and build again");
   return without_json(description);
 }
@@ -102,7 +101,7 @@ std::optional<ShapedArray> shaped_array(const std::filesystem::path& file,
 std::optional<Hyperstack> planes_of(const ShapedArray& array,
                                     const std::vector<std::uint64_t>& page) {
   std::vector<std::uint64_t> sizes = array.sizes;
-  // Of grey pages the array may have an axis of one sample.
+  // The array of grey pages may have an axis of one sample.
   if (page.size() == 2 && sizes.size() > 2 && sizes.back() == 1) sizes.pop_back();
   if (sizes.size() < page.size() || !std::equal(page.rbegin(), page.rend(), sizes.rbegin()))
     return std::nullopt;

@@ -57,9 +57,9 @@ void require_slices_of_scan_image(const std::filesystem::path& file, TIFF* tiff,
     if (number_of(text, key) == pages) return;
   fail(file,
        "its " + std::to_string(pages) +
-           " pages are not a slice each: ScanImage stores channels and times as pages, too",
-       "save one channel from ImageJ, by its command Stack to Hyperstack, or give --axes zyx if "
-       "all are slices");
+           " pages are not one slice each: ScanImage also stores channels and times as pages",
+       "save one channel from ImageJ with Stack to Hyperstack, or give --axes zyx if all pages are "
+       "slices");
 }
 
 void require_read_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages) {
