@@ -559,3 +559,44 @@ TEST_CASE("a pipe that is named as the output stays one") {
       "wait");
   CHECK(result.out == workshop.read("v.dmc"));
 }
+
+TEST_CASE("a mesh goes to standard output by --format, as it would to a file") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ball({12, 12, 12}, {11, 11, 11}, 60));
+  for (const std::string format :
+       {"stl", "ply", "obj", "glb", "3mf", "vtp", "jsonl", "csv", "json", "dmc", ".STL"}) {
+    const std::string dot = format[0] == '.' ? "" : ".";
+    workshop.done("extract v.nrrd --iso 100 -q -o v" + dot + format);
+    const Result result = workshop.run("extract v.nrrd --iso 100 -o - --format " + format);
+    CHECK(result.code == 0);
+    CHECK(result.out == workshop.read("v" + dot + format));
+    CHECK_FALSE(result.error.empty());
+  }
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  CHECK(workshop.done("decode v.dmc -o - --format ply") ==
+        workshop.done("extract v.nrrd --iso 100 -q --format ply"));
+  const Result several = workshop.run("extract v.nrrd --labels all -o - --format glb");
+  CHECK(several.out.substr(0, 4) == "glTF");
+  CHECK(contains(several.error, "label"));
+  check_failure(workshop.run("extract v.nrrd --iso 100 -o v.stl --format ply"), 2,
+                {"leave out --format"});
+  check_failure(workshop.run("extract v.nrrd --iso 100 -o - --format off"), 2, {".stl"});
+}
+
+TEST_CASE("--unit and --scale change the coordinates of a mesh") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ball({12, 12, 12}, {11, 11, 11}, 60));
+  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  const auto volume = [&](const std::string& arguments) {
+    return volume_of(mesh_of_obj(workshop.done(arguments + " -o - --format obj")));
+  };
+  const double mm3 = volume("extract v.nrrd --iso 100");
+  CHECK(volume("extract v.nrrd --iso 100 --unit m --scale 10") == doctest::Approx(1e-6 * mm3));
+  CHECK(volume("decode v.dmc --unit inch") == doctest::Approx(mm3 / (25.4 * 25.4 * 25.4)));
+  workshop.done("extract v.nrrd --iso 100 --scale 2 -o v.glb");
+  CHECK(volume_of(command_tests::mesh_of_glb(workshop.read("v.glb"))) ==
+        doctest::Approx(8 * mm3).epsilon(1e-5));
+  for (const std::string refused :
+       {"--unit m -o v.glb", "--unit um -o w.dmc", "--scale 2 -o v.csv", "--scale 0 -o v.stl"})
+    CHECK(workshop.run("extract v.nrrd --iso 100 " + refused).code == 2);
+}

@@ -1,6 +1,7 @@
 // discmc extract --labels all, and tables of labels.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -73,6 +74,24 @@ TEST_CASE("a table names the meshes of labels") {
   CHECK_FALSE(workshop.read("one-7.ply").empty());
   CHECK(mesh_of_ply(workshop.read("bone.ply")).colour == discmc::command::Srgb{1, 2, 3});
   CHECK(mesh_of_ply(workshop.read("skin.ply")).colour == discmc::command::Srgb{4, 5, 6});
+}
+
+TEST_CASE("the colour of a label is in OBJ, by a file beside it, and in VTP") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  workshop.write("table.txt", "1 bone 51 102 255\n");
+  const std::string label = extract + "--labels 1 --label-table table.txt ";
+  workshop.done(label + "-o 'my {name}.obj'");
+  CHECK(contains(workshop.read("my bone.obj"), "\nmtllib my bone.mtl\nusemtl surface\nv "));
+  CHECK(workshop.read("my bone.mtl") == "newmtl surface\nKd 0.2 0.4 1\n");
+  CHECK(contains(workshop.run(label + "-o '{name}.obj' && cat bone.mtl").out, "bone.obj"));
+  workshop.done(label + "--normals surface -o '{name}.vtp'");
+  CHECK(command_tests::mesh_of_vtp(workshop.read("bone.vtp")).colour ==
+        discmc::command::Srgb{51, 102, 255});
+  workshop.done(extract + "--iso 1 -o plain.obj");
+  CHECK_FALSE(contains(workshop.read("plain.obj"), "mtllib"));
+  const std::vector<std::string> names = workshop.names();
+  CHECK(std::count(names.begin(), names.end(), "plain.mtl") == 0);
 }
 
 TEST_CASE("segments of 3D Slicer name the meshes of labels where no table is given") {

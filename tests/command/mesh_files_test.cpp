@@ -259,7 +259,7 @@ TEST_CASE("a vertex without a normal has one in GLB, which knows no other") {
 
 TEST_CASE("the colour of a mesh is kept by the formats that have one") {
   Mesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
-  for (const std::string name : {"v.glb", "v.3mf", "v.ply"}) {
+  for (const std::string name : {"v.glb", "v.3mf", "v.ply", "v.vtp"}) {
     INFO(name);
     for (const Srgb& colour : {Srgb{0, 9, 10}, Srgb{255, 128, 160}}) {
       mesh.colour = colour;
@@ -270,6 +270,32 @@ TEST_CASE("the colour of a mesh is kept by the formats that have one") {
       CHECK(read.face_count() == mesh.face_count());
     }
   }
+}
+
+TEST_CASE("a mesh has the size and the unit that it was given, and says which") {
+  const Mesh mesh = build_mesh(octahedron({1, 2, 3}), {true, Faces::triangles});
+  struct Expected {
+    MeshSize size;
+    double factor;
+    std::string name;
+  };
+  for (const auto& [size, factor, name] :
+       {Expected{{}, 1, "millimetres"}, Expected{{MeshUnit::micrometre, 1}, 1000, "micrometres"},
+        Expected{{MeshUnit::metre, 2}, 0.002, "metres"},
+        Expected{{MeshUnit::inch, 0.5}, 0.5 / 25.4, "inches"}})
+    for (const std::string file : {"v.stl", "v.ply", "v.obj", "v.3mf", "v.vtp"}) {
+      Mesh resized = mesh;
+      resize(resized, size);
+      std::ostringstream out;
+      write_mesh(resized, format_of(file), out);
+      const Mesh read = command_tests::mesh_of(file, out.str());
+      CHECK(command_tests::volume_of(read) ==
+            doctest::Approx(factor * factor * factor * command_tests::volume_of(mesh)));
+      if (file == "v.3mf")
+        CHECK(read.unit == size.unit);
+      else
+        CHECK(out.str().find("discmc, " + name) != std::string::npos);
+    }
 }
 
 TEST_CASE("base64 is that of RFC 4648, however the bytes come") {

@@ -178,6 +178,26 @@ std::vector<std::uint32_t> integers_of(const pugi::xml_node& parent, const char*
   return integers;
 }
 
+// The same at every point.
+discmc::command::Srgb colour_of(const pugi::xml_node& parent, const char* name) {
+  CHECK(type_of(parent, name) == "UInt8");
+  const std::string bytes = array_of(parent, name);
+  REQUIRE(bytes.size() >= 3);
+  for (std::size_t at = 3; at < bytes.size(); ++at) CHECK(bytes[at] == bytes[at - 3]);
+  return {static_cast<std::uint8_t>(bytes[0]), static_cast<std::uint8_t>(bytes[1]),
+          static_cast<std::uint8_t>(bytes[2])};
+}
+
+discmc::command::MeshUnit unit_of(const std::string& name) {
+  using discmc::command::MeshUnit;
+  const std::map<std::string, MeshUnit> units = {{"micron", MeshUnit::micrometre},
+                                                 {"millimeter", MeshUnit::millimetre},
+                                                 {"meter", MeshUnit::metre},
+                                                 {"inch", MeshUnit::inch}};
+  REQUIRE(units.count(name) == 1);
+  return units.at(name);
+}
+
 // From linear light, as the format has it.
 discmc::command::Srgb srgb_of(const Json& factor) {
   discmc::command::Srgb colour{};
@@ -276,7 +296,6 @@ std::vector<Mesh> meshes_of_3mf(const std::string& bytes) {
 
   const auto document = document_of(files.at(target.substr(1)));
   const pugi::xml_node model = document.child("model");
-  CHECK(model.attribute("unit").value() == std::string("millimeter"));
   const pugi::xml_node resources = model.child("resources");
   std::vector<Mesh> meshes;
   for (const auto& item : model.child("build")) {
@@ -284,6 +303,7 @@ std::vector<Mesh> meshes_of_3mf(const std::string& bytes) {
         resources.find_child_by_attribute("object", "id", item.attribute("objectid").value());
     REQUIRE(object);
     meshes.push_back(mesh_of_object(resources, object));
+    meshes.back().unit = unit_of(model.attribute("unit").value());
   }
   return meshes;
 }
@@ -303,7 +323,8 @@ Mesh mesh_of_vtp(const std::string& bytes) {
   mesh.vertices_mm = points_of(piece.child("Points"), "Points");
   CHECK(piece.attribute("NumberOfPoints").as_uint() == mesh.vertices_mm.size());
   const pugi::xml_node data = piece.child("PointData");
-  if (data) mesh.normals = points_of(data, data.attribute("Normals").value());
+  if (data.attribute("Normals")) mesh.normals = points_of(data, data.attribute("Normals").value());
+  if (data.attribute("Scalars")) mesh.colour = colour_of(data, data.attribute("Scalars").value());
   const auto connectivity = integers_of(piece.child("Polys"), "connectivity");
   std::uint32_t begin = 0;
   for (const std::uint32_t end : integers_of(piece.child("Polys"), "offsets")) {

@@ -18,6 +18,7 @@ discmc::command::Mesh mesh_of_glb(const std::string& bytes);
 std::vector<discmc::command::Mesh> meshes_of_3mf(const std::string& bytes);
 discmc::command::Mesh mesh_of_3mf(const std::string& bytes);
 
+/// With the colour of its points, where they have one.
 discmc::command::Mesh mesh_of_vtp(const std::string& bytes);
 
 }  // namespace command_tests

@@ -135,3 +135,30 @@ TEST_CASE("wrong usage of render is told, and nothing is written") {
                     {"--output: ", braces + " is no placeholder here"});
   CHECK(workshop.names() == names);
 }
+
+TEST_CASE("a mesh that the command wrote is drawn as its surface is") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  if (contains(workshop.run("compare v.dmc none.stl").error, "without Assimp")) return;
+  const std::string expected = picture(workshop, "v.dmc");
+  for (const std::string name : {"v.stl", "v.ply", "v.obj"}) {
+    INFO(name);
+    workshop.done("extract v.nrrd --iso 100 --space voxel -o " + name);
+    CHECK(picture(workshop, name) == expected);
+    CHECK(picture(workshop, name + " --edges") != expected);
+    CHECK(picture(workshop, name + " --shade smooth") != expected);
+  }
+  for (const std::string option : {"--iso 100", "--largest 1", "--scan 1", "--crop 1..2,..,.."})
+    check_failure(workshop.run("render v.stl " + option + " -o v.png"), 2, {"v.stl is a mesh"});
+}
+
+TEST_CASE("labels are drawn each in its colour") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  const std::string both = picture(workshop, "v.nrrd --labels all");
+  CHECK(picture(workshop, "v.nrrd --labels 10,200") == both);
+  CHECK(picture(workshop, "v.nrrd --labels 200") != picture(workshop, "v.nrrd --label 200"));
+  CHECK(picture(workshop, "v.nrrd --labels 200 --shade smooth --edges") != both);
+  check_failure(workshop.run("render v.nrrd --labels 7 -o v.png"), 1, {"no voxel has label 7"});
+  check_failure(workshop.run("render v.dmc --labels all -o v.png"), 2, {"is a stream"});
+}

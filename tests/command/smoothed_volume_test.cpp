@@ -317,6 +317,31 @@ TEST_CASE("labels are smoothed one by one, and keep their volumes") {
                    .epsilon(0.01));
 }
 
+TEST_CASE("samples are no labels to smooth, and progress is told as they are read") {
+  std::vector<int> samples(max_scattered_labels + 2);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<int>(i);
+  SampleReader scattered({max_scattered_labels + 2, 1, 1}, samples, {1, 1, 1}, SampleType::u16);
+  CHECK_THROWS_WITH_AS(smoothed_labels(scattered, {}, 1, {}),
+                       doctest::Contains("more than 1024 values up to slice 0"),
+                       std::invalid_argument);
+  SampleReader few({1, 1, 4}, {0, 1, 1, 0});
+  LabelOptions options;
+  std::vector<std::uint32_t> told;
+  options.progress = [&told](std::uint32_t slices) { told.push_back(slices); };
+  smoothed_labels(few, options, 1, {});
+  CHECK(told == std::vector<std::uint32_t>{1, 2, 3, 4});
+}
+
+TEST_CASE("values that lie far apart are labels, as many as there are") {
+  // More than a slice may hold where they are scattered, but few near each other.
+  std::vector<int> samples;
+  for (int i = 0; i < 2 * static_cast<int>(max_scattered_labels); ++i)
+    samples.insert(samples.end(), {i + 1, 0, 0, 0});
+  SampleReader reader({1, 1, static_cast<std::uint32_t>(samples.size())}, samples, {1, 1, 1},
+                      SampleType::u16);
+  CHECK(smoothed_labels(reader, {}, 0.3, {}).size() == 2 * max_scattered_labels);
+}
+
 TEST_CASE("a label in its box is smoothed as in the whole volume") {
   const BitVolume block = with_box({40, 30, 20}, {20, 3, 2}, {33, 9, 12});
   std::vector<int> samples;

@@ -3,6 +3,7 @@
 
 #include "command/volume_files.hpp"
 #include "mesh_files/mesh_reader.hpp"
+#include "meshes/mesh_simplifier.hpp"
 #include "pages/page_server.hpp"
 
 namespace {
@@ -26,6 +27,8 @@ TEST_CASE("a file that needs a library is refused by the name of the library") {
   check_refusal(refusal(folder.write("series.zip", "PK\3\4")), "built without libarchive");
   CHECK_THROWS_WITH(discmc::command::read_mesh("a.stl"),
                     doctest::Contains("built without Assimp; install"));
+  CHECK_THROWS_WITH(discmc::command::require_simplifier(),
+                    doctest::Contains("built without meshoptimizer; install"));
   CHECK_THROWS_WITH(discmc::command::serve_page({}, 0, {}),
                     doctest::Contains("cpp-httplib, and discmc was built without it; install"));
 }

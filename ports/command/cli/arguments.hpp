@@ -11,7 +11,9 @@
 #include <discmc/limits.hpp>
 
 #include "extraction/selection.hpp"
+#include "meshes/decimation.hpp"
 #include "meshes/mesh.hpp"
+#include "meshes/placing.hpp"
 #include "pictures/srgb.hpp"
 #include "statistics/threshold_rule.hpp"
 #include "streams/stream_file.hpp"
@@ -39,6 +41,7 @@ struct VolumeArguments {
   Border border = Border::closed;
   std::uint32_t median = 0;  ///< voxels across the filter of bits; 0: none
   std::string mask;          ///< the file of a volume, or none
+  double close_mm = 0;       ///< radius by which the selected voxels are closed; 0: they are not
   /// Deviation by which the selected voxels are smoothed; 0: by the spacing. Units: millimetres
   std::optional<double> smooth_mm;
   bool allows_empty = false;  ///< surfaces
@@ -71,6 +74,7 @@ struct ExtractArguments {
   VolumeArguments reading;
   std::string labels;  ///< "all" or a list, a surface each, in place of selections; or none
   std::string output = "-";
+  std::string format;  ///< of standard output; then in the name of the output
   Normals normals = Normals::none;
   Wire wire = Wire::regions;
   std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
@@ -79,8 +83,10 @@ struct ExtractArguments {
   std::optional<unsigned> jobs;  ///< parts at once; else all cores for a mesh, one for a stream
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
+  Decimation decimation;           ///< of each mesh
   std::optional<MeshSpace> space;  ///< else LPS if the frame is known, or that of the file
-  bool interpolates = false;       ///< the vertices of a mesh
+  MeshSize size;
+  bool interpolates = false;  ///< the vertices of a mesh
   bool quiet = false;
 };
 
@@ -103,12 +109,14 @@ struct StreamArguments {
   std::string stream;
   StreamChoice choice;
   std::string output;
+  std::string format;  ///< as of ExtractArguments
   Normals normals = Normals::none;
   std::string volume;  ///< whose gradient it is
   VolumeOptions options;
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   std::optional<MeshSpace> space;  ///< else LPS if the frame is known, or that of the file
+  MeshSize size;
 };
 
 /// The arguments of `join`.
@@ -119,12 +127,16 @@ struct JoinArguments {
   bool quiet = false;
 };
 
+/// What an input with a surface is.
+enum class InputKind { mesh, stream, volume };
+
 /// The arguments of `render`.
 struct RenderArguments {
   std::string input;
-  bool is_volume = false;  ///< or a stream
+  InputKind kind = InputKind::stream;
   StreamChoice choice;
   VolumeArguments reading;
+  std::string labels;  ///< as of ExtractArguments
   ComponentChoice components;
   bool classic = false;
   std::string output;
@@ -159,9 +171,8 @@ struct TuneArguments {
 
 /// A surface of `compare`.
 struct ComparedInput {
-  enum class Kind { mesh, stream, volume };
   std::string name;
-  Kind kind = Kind::mesh;
+  InputKind kind = InputKind::mesh;
 };
 
 /// The arguments of `compare`.

@@ -71,9 +71,8 @@ Compared surface_of_stream(const std::string& name, const StreamChoice& choice) 
 }
 
 Compared surface_of(const ComparedInput& input, const CompareArguments& arguments) {
-  if (input.kind == ComparedInput::Kind::mesh) return surface_of_mesh(input.name);
-  if (input.kind == ComparedInput::Kind::stream)
-    return surface_of_stream(input.name, arguments.choice);
+  if (input.kind == InputKind::mesh) return surface_of_mesh(input.name);
+  if (input.kind == InputKind::stream) return surface_of_stream(input.name, arguments.choice);
   return surface_of_volume(input.name, arguments.reading);
 }
 

@@ -14,14 +14,14 @@ namespace {
 
 ComparedInput input_called(const std::string& name) {
   const bool is_stream = std::filesystem::path(name).extension() == ".dmc";
-  return {name, is_stream              ? ComparedInput::Kind::stream
-                : is_volume_name(name) ? ComparedInput::Kind::volume
-                                       : ComparedInput::Kind::mesh};
+  return {name, is_stream              ? InputKind::stream
+                : is_volume_name(name) ? InputKind::volume
+                                       : InputKind::mesh};
 }
 
 void check(const CompareArguments& arguments) {
   for (const ComparedInput& input : arguments.inputs)
-    if (input.kind == ComparedInput::Kind::volume && arguments.reading.selections.empty())
+    if (input.kind == InputKind::volume && arguments.reading.selections.empty())
       throw CLI::ValidationError(input.name,
                                  "a volume needs a threshold; give --iso auto, or a number");
 }

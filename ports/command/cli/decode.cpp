@@ -132,7 +132,7 @@ int run_decode(const StreamArguments& arguments) {
             note_left_out(arguments.stream, decoded.surface, unplaced);
             add_normals(arguments, decoded, unplaced);
           },
-          placement);
+          placement, arguments.size);
       note_rounding(arguments.output, mesh);
       write_to(file,
                [&](std::ostream& out) { write_mesh(mesh, format, out, arguments.mesh.jobs); });

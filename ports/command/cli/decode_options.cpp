@@ -15,6 +15,7 @@ void check(const StreamArguments& arguments) {
   check_faces(arguments.mesh.faces, arguments.output);
   check_components(arguments.components, arguments.output);
   check_space(arguments.space, arguments.output);
+  check_size(arguments.size, arguments.output);
   check_normals(arguments.normals, arguments.output, false);
   if (!arguments.volume.empty() && arguments.normals != Normals::gradient)
     throw CLI::ValidationError(
@@ -31,12 +32,14 @@ Command add_decode(CLI::App& app) {
   add_output_option(*decode, arguments->output, "a stream on standard output")
       ->check(without_braces())
       ->required();
+  add_format_option(*decode, arguments->format);
   add_choice_options(*decode, arguments->choice);
   add_normals_option(*decode, arguments->normals,
                      "from the stream, or from the samples of --volume");
   add_mesh_options(*decode, arguments->mesh);
   add_component_options(*decode, arguments->components);
   add_space_option(*decode, arguments->space);
+  add_size_options(*decode, arguments->size);
   add_volume_options(*decode, arguments->options);
   CLI::Option* volume = decode->add_option("--volume", arguments->volume,
                                            "the volume that the stream was made of, for --normals "
@@ -50,7 +53,10 @@ Command add_decode(CLI::App& app) {
       "Examples:\n"
       "  discmc decode head.dmc -o head.ply\n"
       "  discmc decode head.dmc --normals gradient --volume head.nii.gz -o head.obj");
-  decode->callback([arguments] { check(*arguments); });
+  decode->callback([arguments] {
+    take_format(arguments->format, arguments->output);
+    check(*arguments);
+  });
   return {decode, [arguments] { return run_decode(*arguments); }};
 }
 

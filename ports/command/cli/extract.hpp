@@ -11,6 +11,7 @@
 
 #include "arguments.hpp"
 #include "extraction/extraction.hpp"
+#include "meshes/mesh.hpp"
 #include "statistics/measured_volume.hpp"
 #include "summary.hpp"
 #include "surface_receiver.hpp"
@@ -21,6 +22,9 @@ namespace discmc::command {
 int extract_stream(ExtractArguments arguments);
 int extract_meshes(ExtractArguments arguments);
 int extract_label_meshes(const ExtractArguments& arguments);
+
+/// The meshes of the labels that are asked for, at index times spacing, each with its colour.
+std::vector<Mesh> label_meshes(const ExtractArguments& arguments);
 
 /// One a surface, in the order of the selections.
 using SurfaceReceivers = std::vector<std::unique_ptr<SurfaceReceiver>>;

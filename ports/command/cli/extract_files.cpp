@@ -1,5 +1,6 @@
 #include "extract_files.hpp"
 
+#include <filesystem>
 #include <iostream>
 #include <set>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "mesh_files/file_format.hpp"
 #include "mesh_files/mesh_files.hpp"
 #include "mesh_output.hpp"
+#include "meshes/mesh_simplifier.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "volume_input.hpp"
@@ -19,13 +21,24 @@ namespace {
 void add_normals(const ExtractArguments& arguments, const Selection& selection,
                  const Surface& surface, Mesh& mesh) {
   if (arguments.normals == Normals::none) return;
-  if (arguments.interpolates)
+  if (mesh.polygons.empty() || arguments.interpolates)
     mesh.normals = surface_normals(mesh);
   else
     set_polygon_normals(surface, mesh);
   if (arguments.normals == Normals::surface) return;
   const auto again = open_for_gradient(arguments.volume, arguments.reading.options, selection.low);
   add_gradient_normals(*again.reader, mesh);
+}
+
+// The colour of an OBJ mesh goes into a file beside it.
+void write_obj_and_mtl(const Mesh& mesh, const std::string& name, unsigned jobs, OutputFile& file) {
+  const auto materials = std::filesystem::path(name).replace_extension(".mtl");
+  write_to(file,
+           [&](std::ostream& out) { write_obj(mesh, out, jobs, materials.filename().string()); });
+  file.commit();
+  OutputFile beside(materials);
+  write_to(beside, [&mesh](std::ostream& out) { write_mtl(*mesh.colour, out); });
+  beside.commit();
 }
 
 MeshOptions options_of(const ExtractArguments& arguments, const SurfaceOutput& output) {
@@ -38,6 +51,8 @@ MeshOptions options_of(const ExtractArguments& arguments, const SurfaceOutput& o
 }  // namespace
 
 MeshFiles::MeshFiles(const ExtractArguments& arguments) : arguments_(arguments) {
+  if (!arguments.decimation.is_any()) require_simplifier();
+  require_no_terminal(arguments.output);
   const FilePattern pattern(arguments.output);
   if (pattern.has_name())
     pattern.require_folder();
@@ -78,9 +93,14 @@ MeshSummary MeshFiles::write(const SurfaceOutput& output, OutputFile& file) cons
   if (format == Format::jsonl) {
     write_to(file, [&](std::ostream& out) { write_jsonl(output.surface, out); });
   } else {
-    Mesh mesh = mesh_of(output);
+    summary = {};
+    Mesh mesh = mesh_of(output, summary);
     if (traits_of(format).holds_measures) mesh.name = output.selection.name;
-    summary = summary_of(mesh);
+    summarize(mesh, summary);
+    if (format == Format::obj && mesh.colour && !is_standard_output(output.file)) {
+      write_obj_and_mtl(mesh, output.file, jobs_of(arguments_), file);
+      return summary;
+    }
     write_to(file, [&](std::ostream& out) { write_mesh(mesh, format, out, jobs_of(arguments_)); });
   }
   file.commit();
@@ -88,9 +108,11 @@ MeshSummary MeshFiles::write(const SurfaceOutput& output, OutputFile& file) cons
 }
 
 MeshSummary MeshFiles::keep(const SurfaceOutput& output) {
-  meshes_.push_back(mesh_of(output));
+  MeshSummary summary;
+  meshes_.push_back(mesh_of(output, summary));
   meshes_.back().name = output.selection.name;
-  return summary_of(meshes_.back());
+  summarize(meshes_.back(), summary);
+  return summary;
 }
 
 void MeshFiles::finish() {
@@ -100,27 +122,29 @@ void MeshFiles::finish() {
   write_to(*file_,
            [&](std::ostream& out) { write_meshes(meshes, format_of(arguments_.output), out); });
   file_->commit();
-  if (!arguments_.quiet) print_file(arguments_.output, std::cout);
+  if (!arguments_.quiet) print_file(arguments_.output, table_stream(arguments_.output));
 }
 
-Mesh MeshFiles::mesh_of(const SurfaceOutput& output) const {
+Mesh MeshFiles::mesh_of(const SurfaceOutput& output, MeshSummary& summary) const {
   Mesh mesh = placed_mesh(
       output.surface, options_of(arguments_, output),
       [&](Mesh& unplaced) {
         note_left_out(arguments_.volume, output.surface, unplaced);
+        summary.unchanged_bodies =
+            decimate_noted(arguments_.volume, arguments_.decimation, unplaced);
         add_normals(arguments_, output.selection.selection, output.surface, unplaced);
       },
-      placement_);
+      placement_, arguments_.size);
   mesh.colour = output.selection.colour;
   note_rounding(output.file, mesh);
   return mesh;
 }
 
-MeshSummary MeshFiles::summary_of(const Mesh& mesh) const {
-  MeshSummary summary{arguments_.mesh.faces == Faces::triangles ? "triangles" : "polygons",
-                      mesh.face_count(), mesh.vertices_mm.size()};
+void MeshFiles::summarize(const Mesh& mesh, MeshSummary& summary) const {
+  summary.faces = arguments_.mesh.faces == Faces::triangles ? "triangles" : "polygons";
+  summary.face_count = mesh.face_count();
+  summary.vertex_count = mesh.vertices_mm.size();
   if (!arguments_.quiet) summary.is_closed = is_closed_in(arguments_.output, mesh);
-  return summary;
 }
 
 }  // namespace discmc::command

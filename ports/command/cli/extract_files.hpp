@@ -49,8 +49,9 @@ class MeshFiles {
   MeshSummary write(const SurfaceOutput& output, OutputFile& file) const;
   MeshSummary write_alone(const SurfaceOutput& output);
   MeshSummary keep(const SurfaceOutput& output);
-  Mesh mesh_of(const SurfaceOutput& output) const;
-  MeshSummary summary_of(const Mesh& mesh) const;
+  // Adds to the summary what only the making of the mesh shows.
+  Mesh mesh_of(const SurfaceOutput& output, MeshSummary& summary) const;
+  void summarize(const Mesh& mesh, MeshSummary& summary) const;
 
   const ExtractArguments& arguments_;
   std::optional<VolumePlacement> placement_;

@@ -88,12 +88,12 @@ std::vector<FoundLabel> smoothed_labels_of(VolumeReader& volume, const LabelOpti
 // Without their names.
 std::vector<FoundLabel> surfaces_of(VolumeReader& volume, const ExtractArguments& arguments,
                                     std::optional<std::set<LabelValue>> chosen) {
-  Progress progress("extracting", volume.info().dims[2]);
+  const auto deviation = smoothing_mm(arguments.reading, volume.info());
+  Progress progress(deviation ? "reading" : "extracting", volume.info().dims[2]);
   const LabelOptions options{arguments.reading.border, arguments.reading.median > 0,
                              std::move(chosen),
                              [&progress](std::uint32_t slices) { progress.show(slices); }};
   try {
-    const auto deviation = smoothing_mm(arguments.reading, volume.info());
     return deviation ? smoothed_labels_of(volume, options, *deviation)
                      : extracted_labels(volume, options);
   } catch (const std::invalid_argument& error) {
@@ -154,6 +154,16 @@ std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentat
   return found;
 }
 
+std::vector<FoundLabel> labels_with_voxels(const ExtractArguments& arguments,
+                                           Segmentation& segmentation) {
+  std::vector<FoundLabel> labels = find_labels(arguments, segmentation);
+  if (labels.empty() && !arguments.reading.allows_empty)
+    throw std::runtime_error(name_for_people(arguments.volume) + ": it holds no label" +
+                             (arguments.reading.mask.empty() ? "" : " that --mask leaves") +
+                             "; --allow-empty takes that");
+  return labels;
+}
+
 // target: the file, or the name in it.
 void print_line(const LabelledSurface& label, std::uint64_t faces, const std::string& target,
                 std::ostream& out) {
@@ -163,25 +173,34 @@ void print_line(const LabelledSurface& label, std::uint64_t faces, const std::st
 
 }  // namespace
 
+std::vector<Mesh> label_meshes(const ExtractArguments& arguments) {
+  Segmentation segmentation(arguments.volume, arguments.reading);
+  std::vector<Mesh> meshes;
+  for (FoundLabel& each : labels_with_voxels(arguments, segmentation)) {
+    Surface& surface = each.surface.surface;
+    keep_chosen(name_for_people(arguments.volume) + ": " + title(each.name), arguments.components,
+                surface);
+    meshes.push_back(build_mesh(surface, arguments.mesh));
+    meshes.back().colour = each.name.colour;
+  }
+  return meshes;
+}
+
 int extract_label_meshes(const ExtractArguments& arguments) {
   MeshFiles files(arguments);
   Segmentation segmentation(arguments.volume, arguments.reading);
   files.set_placement(
       mesh_placement(arguments.volume, segmentation.info().placement, arguments.space));
-  std::vector<FoundLabel> labels = find_labels(arguments, segmentation);
+  std::vector<FoundLabel> labels = labels_with_voxels(arguments, segmentation);
   const std::string volume = name_for_people(arguments.volume);
-  if (labels.empty() && !arguments.reading.allows_empty)
-    throw std::runtime_error(volume + ": the volume holds no label" +
-                             (arguments.reading.mask.empty() ? "" : " within --mask") +
-                             "; check --frame and --channel, or give --allow-empty");
 
   std::vector<NamedSelection> selections;
   selections.reserve(labels.size());
   for (const FoundLabel& each : labels) selections.push_back(each.name);
   const std::vector<std::string> names = files.names_for(selections);
+  std::ostream& table = table_stream(arguments.output);
   if (!arguments.quiet)
-    std::cout << "   label        voxels       faces  " << (files.are_one() ? "name" : "file")
-              << '\n';
+    table << "   label        voxels       faces  " << (files.are_one() ? "name" : "file") << '\n';
   bool has_mesh = false;
   for (std::size_t i = 0; i < names.size(); ++i) {
     LabelledSurface& label = labels[i].surface;
@@ -197,15 +216,14 @@ int extract_label_meshes(const ExtractArguments& arguments) {
                                         moves ? &labels[i].crossings->crossings() : nullptr});
     has_mesh = true;
     if (!arguments.quiet)
-      print_line(label, mesh.face_count, files.are_one() ? selections[i].name : names[i],
-                 std::cout);
+      print_line(label, mesh.face_count, files.are_one() ? selections[i].name : names[i], table);
   }
   if (files.are_one() && !has_mesh && !arguments.reading.allows_empty)
     throw std::runtime_error(
         volume + ": no label has a surface left, so " + arguments.output +
         " is not written; check --median, --mask and --min-volume, or give --allow-empty");
   files.finish();
-  if (!arguments.quiet) require_written(std::cout);
+  if (!arguments.quiet) require_written(table);
   return exit_ok;
 }
 

@@ -26,26 +26,28 @@ int extract_meshes(ExtractArguments arguments) {
   const std::vector<std::string> names = files.names_for(selections);
   Progress progress("extracting", info.dims[2]);
   ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
-  const auto smooth = smoothed(arguments.reading, *volume, options);
-  VolumeReader& samples = smooth ? static_cast<VolumeReader&>(*smooth) : *volume;
+  const MendedVolume mended(arguments.reading, *volume, options);
   std::vector<NamedSelection> taken = selections;
-  if (smooth) taken[0].selection = options.selection;
+  if (mended.is_changed()) taken[0].selection = options.selection;
   if (is_divisible(arguments)) options.jobs = jobs_of(arguments);
 
   const SurfaceReceivers receivers = receivers_for(selections, Kept::polygons);
   std::vector<SurfaceRequest> requests = requests_of(taken, receivers);
   std::vector<CrossingFinder> finders;
   if (arguments.interpolates)
-    for (const NamedSelection& each : taken) finders.emplace_back(samples.info(), each.selection);
+    for (const NamedSelection& each : taken)
+      finders.emplace_back(mended.samples().info(), each.selection);
   for (std::size_t i = 0; i < finders.size(); ++i) requests[i].crossings = &finders[i];
-  const std::vector<Extraction> extractions = extract(samples, options, requests);
-  note_not_numbers(arguments, smooth ? smooth->not_numbers() : extractions[0].not_numbers);
-  if (arguments.interpolates && !smooth && volume->has_two_values())
+  const std::vector<Extraction> extractions = extract(mended.samples(), options, requests);
+  note_not_numbers(arguments,
+                   mended.is_changed() ? mended.not_numbers() : extractions[0].not_numbers);
+  if (arguments.interpolates && !mended.is_changed() && volume->has_two_values())
     print_message(arguments.volume,
                   "the volume has only two values, as a mask, so the interpolated surface keeps "
                   "the steps of the voxels; add --smooth auto");
   check_surfaces(arguments, extractions, *volume);
 
+  std::ostream& table = table_stream(arguments.output);
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     Surface& surface = receivers[i]->surface();
     surface.spacing_mm = info.spacing_mm;
@@ -60,13 +62,13 @@ int extract_meshes(ExtractArguments arguments) {
                    arguments.interpolates ? &finders[i].crossings() : nullptr});
     if (arguments.quiet) continue;
     if (files.are_one())
-      std::cout << selections[i].name << '\n';
+      table << selections[i].name << '\n';
     else
-      print_file(names[i], std::cout);
-    print_mesh_table(mesh, extractions[i], std::cout);
+      print_file(names[i], table);
+    print_mesh_table(mesh, extractions[i], table);
   }
   files.finish();
-  if (!arguments.quiet) require_written(std::cout);
+  if (!arguments.quiet) require_written(table);
   return exit_ok;
 }
 

@@ -3,6 +3,7 @@
 
 #include "cli/options/mesh_options.hpp"
 #include "cli/options/named_values.hpp"
+#include "cli/options/option_checks.hpp"
 #include "cli/options/stream_options.hpp"
 #include "cli/options/surface_options.hpp"
 #include "cli/options/volume_options.hpp"
@@ -104,6 +105,24 @@ void check_smoothing(const ExtractArguments& arguments) {
     throw CLI::ValidationError("--smooth", "cannot be combined with --median; leave one out");
 }
 
+void check_closing(const ExtractArguments& arguments) {
+  if (arguments.reading.close_mm == 0) return;
+  if (arguments.reading.selections.size() > 1 || !arguments.labels.empty())
+    throw CLI::ValidationError("--close",
+                               "accepts one surface, as closed labels would overlap; run discmc "
+                               "once per surface");
+  if (arguments.normals == Normals::gradient)
+    throw CLI::ValidationError("--close",
+                               "cannot be combined with --normals gradient, as a closed gap has "
+                               "no samples; give --normals surface");
+  if (arguments.reading.median > 0)
+    throw CLI::ValidationError("--close", "cannot be combined with --median; leave one out");
+  if (arguments.interpolates && !arguments.reading.smooth_mm)
+    throw CLI::ValidationError("--close",
+                               "a closed gap has no samples to interpolate; leave out --surface "
+                               "interpolated, or add --smooth auto");
+}
+
 void check_surface(const ExtractArguments& arguments) {
   if (!arguments.interpolates) return;
   check_interpolation(arguments.mesh, arguments.output);
@@ -174,13 +193,19 @@ void check_jobs(const ExtractArguments& arguments) {
         "cannot be combined with --wire slices or --normals gradient in a stream; leave one out");
 }
 
-// The vertices of a smoothed surface follow it, where the mesh can hold that.
-void interpolate_smoothed(ExtractArguments& arguments, const CLI::App& app) {
+// The vertices of a smoothed or decimated surface follow it, where there is something to follow and
+// the mesh can hold that. A decimated one chooses among all crossings.
+void choose_surface(ExtractArguments& arguments, const CLI::App& app) {
   const Format format = format_of(arguments.output);
   const bool is_triangles = arguments.mesh.faces == Faces::triangles && arguments.mesh.conforming &&
                             format != Format::stream && format != Format::jsonl;
-  if (arguments.reading.smooth_mm && is_triangles && app.get_option("--surface")->count() == 0)
+  const bool is_decimated = !arguments.decimation.is_any();
+  const bool has_samples = arguments.reading.median == 0 && arguments.reading.close_mm == 0 &&
+                           arguments.labels.empty() && !arguments.reading.selects_labels();
+  const bool is_followed = arguments.reading.smooth_mm || (is_decimated && has_samples);
+  if (is_followed && is_triangles && app.get_option("--surface")->count() == 0)
     arguments.interpolates = true;
+  if (is_decimated && app.get_option("--tolerance")->count() == 0) arguments.mesh.tolerance = 0;
 }
 
 void check(const ExtractArguments& arguments, const CLI::App& app) {
@@ -190,10 +215,13 @@ void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_cleaning(arguments);
   check_mask(arguments);
   check_space(arguments.space, arguments.output);
+  check_size(arguments.size, arguments.output);
   check_normals(arguments.normals, arguments.output, true);
   check_selections(arguments);
+  check_closing(arguments);
   check_smoothing(arguments);
   check_surface(arguments);
+  check_decimation(arguments.decimation, arguments.mesh, arguments.output);
   check_tolerance(arguments, *app.get_option("--tolerance"));
   check_wire(arguments);
   check_slab(arguments);
@@ -237,27 +265,22 @@ void add_smoothing_option(CLI::App& app, ExtractArguments& arguments) {
       ->option_text("auto|MM");
 }
 
+void add_closing_option(CLI::App& app, ExtractArguments& arguments) {
+  app.option_defaults()->group(surface_group);
+  app.add_option("--close", arguments.reading.close_mm,
+                 "close gaps between voxels that are on: dilate the voxels by MM millimetres, then "
+                 "erode them")
+      ->check(accepted([](double length) { return length > 0 && length <= 1000; },
+                       "millimetres above 0 and up to 1000"))
+      ->option_text("MM");
+}
+
 void add_label_options(CLI::App& app, ExtractArguments& arguments) {
   app.option_defaults()->group(surface_group);
-  CLI::Option* labels =
-      app.add_option("--labels", arguments.labels,
-                     "extract a mesh of every value except 0, or of each label in a list of "
-                     "numbers or names; into a file each, or into one " +
-                         extensions(&FormatTraits::holds_several) + " file")
-          ->check(CLI::Validator(
-              [](std::string& text) {
-                return text.empty() ? std::string("no label is given; give all, or a list")
-                                    : std::string();
-              },
-              ""))
-          ->option_text("all|N|NAME,...");
-  for (const char* other : {"--iso", "--range", "--label", "--memory", "--capacities"})
-    labels->excludes(app.get_option(other));
-  app.add_option("--label-table", arguments.reading.label_table,
-                 "read the names of labels for {name}, and their colours (.glb, .3mf, .ply). A "
-                 "table of 3D Slicer, FreeSurfer, ITK-SNAP or BIDS, or dataset.json of nnU-Net "
-                 "(default: those in the file, as in .seg.nrrd; otherwise 21 colours by number)")
-      ->option_text("FILE");
+  add_labels_option(
+      app, arguments.labels,
+      "into a file each, or into one " + extensions(&FormatTraits::holds_several) + " file");
+  add_label_table_option(app, arguments.reading.label_table);
 }
 
 // What a stream holds, where that is what is written.
@@ -295,6 +318,7 @@ Command add_extract(CLI::App& app) {
                    "--dims and --type. - reads standard input")
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");
+  add_format_option(*extract, arguments->format);
   extract->add_flag("-q,--quiet", arguments->quiet, "do not print the table of results");
   add_volume_options(*extract, arguments->reading.options);
   add_surface_options(*extract, arguments->reading);
@@ -304,6 +328,7 @@ Command add_extract(CLI::App& app) {
   iso->description(
       iso->get_description() +
       ". --iso, --range and --label may be repeated: a surface each, up to 4 in a stream");
+  add_closing_option(*extract, *arguments);
   add_smoothing_option(*extract, *arguments);
   add_label_options(*extract, *arguments);
   add_normals_option(*extract, arguments->normals,
@@ -317,7 +342,9 @@ Command add_extract(CLI::App& app) {
   add_mesh_options(*extract, arguments->mesh);
   add_component_options(*extract, arguments->components);
   add_space_option(*extract, arguments->space);
+  add_size_options(*extract, arguments->size);
   add_interpolation_options(*extract, arguments->interpolates, arguments->mesh.tolerance);
+  add_decimation_options(*extract, arguments->decimation);
   add_wire_options(*extract, *arguments);
   extract->footer(
       "Examples:\n"
@@ -327,7 +354,8 @@ Command add_extract(CLI::App& app) {
       "  discmc extract series/ --iso 300 -o head.stl\n"
       "  discmc extract ct.raw --dims 512,512,275 --type i16 --iso 200 -o ct.dmc");
   extract->callback([arguments, extract] {
-    interpolate_smoothed(*arguments, *extract);
+    take_format(arguments->format, arguments->output);
+    choose_surface(*arguments, *extract);
     check(*arguments, *extract);
   });
   return {extract, [arguments] { return run_extract(*arguments); }};

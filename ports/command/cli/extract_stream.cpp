@@ -1,6 +1,4 @@
 // discmc extract -o FILE.dmc: a volume to a stream of its surfaces, or of its slices.
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <discmc/byte_output.hpp>
@@ -84,10 +82,10 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   Progress progress("extracting", info.dims[2]);
   ExtractionOptions options = extraction_options(arguments.reading, progress, mask.get());
   StreamHeader header = stream_header(info, options);
-  const auto smooth = smoothed(arguments.reading, *volume, options);
+  const MendedVolume mended(arguments.reading, *volume, options);
   header.scan = arguments.scan;
   std::vector<NamedSelection> selections = arguments.reading.selections;
-  if (smooth) selections[0].selection = options.selection;
+  if (mended.is_changed()) selections[0].selection = options.selection;
   options.slab = slab_of(arguments, info.dims[2]);
   options.normals = arguments.normals == Normals::gradient;
   options.jobs = arguments.jobs;
@@ -121,24 +119,24 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
     }
   }
 
-  VolumeReader& samples = smooth ? static_cast<VolumeReader&>(*smooth) : narrow ? *narrow : *volume;
+  VolumeReader& samples = narrow ? *narrow : mended.samples();
   stream.extractions = extract(samples, options, requests_of(selections, stream.receivers));
   stream.slice_bytes = output.bytes();
   stream.slice_memory = slices.memory();
-  note_not_numbers(arguments, smooth ? smooth->not_numbers() : stream.extractions[0].not_numbers);
+  note_not_numbers(arguments,
+                   mended.is_changed() ? mended.not_numbers() : stream.extractions[0].not_numbers);
   if (!options.slab) check_surfaces(arguments, stream.extractions, *volume);
   return stream;
 }
 
 int extract_stream(ExtractArguments arguments) {
-  if (arguments.output == "-" && isatty(STDOUT_FILENO) == 1)
-    throw std::invalid_argument("a stream is not written to a terminal; give -o FILE, or a pipe");
+  require_no_terminal(arguments.output);
   OutputFile file(arguments.output);
   const ExtractedStream stream = write_stream(arguments, file.stream());
   file.commit();
   if (arguments.quiet) return exit_ok;
-  std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
-  if (arguments.output != "-") print_file(arguments.output, out);
+  std::ostream& out = table_stream(arguments.output);
+  print_file(arguments.output, out);
   for (std::size_t i = 0; i < stream.receivers.size(); ++i) {
     SurfaceReceiver& receiver = *stream.receivers[i];
     if (stream.receivers.size() > 1)

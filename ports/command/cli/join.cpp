@@ -171,8 +171,8 @@ int run_join(const JoinArguments& arguments) {
     code = exit_incomplete;
   }
   if (arguments.quiet) return code;
-  std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
-  if (arguments.output != "-") print_file(arguments.output, out);
+  std::ostream& out = table_stream(arguments.output);
+  print_file(arguments.output, out);
   out << join.regions() << " polygons\n";
   require_written(out);
   return code;

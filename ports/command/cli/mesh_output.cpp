@@ -43,10 +43,11 @@ std::optional<VolumePlacement> mesh_placement(const std::string& input,
 
 Mesh placed_mesh(const Surface& surface, const MeshOptions& options,
                  const std::function<void(Mesh&)>& add_normals,
-                 const std::optional<VolumePlacement>& placement) {
+                 const std::optional<VolumePlacement>& placement, const MeshSize& size) {
   Mesh mesh = triangulated(surface, options);
   add_normals(mesh);
   if (placement) place(mesh, *placement);
+  if (size.is_given()) resize(mesh, size);
   return mesh;
 }
 
@@ -72,7 +73,8 @@ void note_rounding(const std::string& file, const Mesh& mesh) {
   if (!origin || suits_floats(mesh, *origin)) return;
   const std::size_t places = count_float_places(mesh, *origin);
   std::string text = "coordinates are rounded to " + short_number(float_step_mm(mesh, *origin)) +
-                     " mm, as " + std::string(traits_of(format_of(file)).extension) +
+                     " " + symbol(mesh.unit) + ", as " +
+                     std::string(traits_of(format_of(file)).extension) +
                      " files hold 32-bit floats";
   if (places < mesh.vertices_mm.size())
     text += ", and " + std::to_string(mesh.vertices_mm.size()) + " vertices share " +
@@ -98,6 +100,17 @@ void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface
   if (counts.kept == counts.found) return;
   print_message(name, std::to_string(counts.kept) + " of " + std::to_string(counts.found) +
                           " bodies and cavities are kept");
+}
+
+std::uint64_t decimate_noted(const std::string& name, const Decimation& decimation, Mesh& mesh) {
+  if (decimation.is_any()) return 0;
+  const Progress progress("decimating");
+  const DecimatedBodies bodies = decimate(mesh, decimation);
+  if (bodies.unchanged > 0)
+    print_message(name, std::to_string(bodies.unchanged) + " of " + std::to_string(bodies.all) +
+                            " bodies keep all their triangles, as their decimated meshes would not "
+                            "be closed");
+  return bodies.unchanged;
 }
 
 void add_gradient_normals(VolumeReader& volume, Mesh& mesh) {

@@ -9,6 +9,7 @@
 
 #include "arguments.hpp"
 #include "files/output_file.hpp"
+#include "meshes/decimation.hpp"
 #include "meshes/mesh.hpp"
 #include "surface/components.hpp"
 #include "surface/surface.hpp"
@@ -26,7 +27,7 @@ std::optional<VolumePlacement> mesh_placement(const std::string& input,
 /// The mesh of a surface. add_normals: called with it before it is placed.
 Mesh placed_mesh(const Surface& surface, const MeshOptions& options,
                  const std::function<void(Mesh&)>& add_normals,
-                 const std::optional<VolumePlacement>& placement);
+                 const std::optional<VolumePlacement>& placement, const MeshSize& size);
 
 /// Calls write with the stream of the file; errors get the name of the file.
 void write_to(OutputFile& file, const std::function<void(std::ostream&)>& write);
@@ -43,6 +44,10 @@ void note_left_out(const std::string& input, const Surface& surface, const Mesh&
 /// Removes the components that are not chosen, and prints how many are kept, if not all. name: of
 /// the volume or stream, and of the surface if there are several.
 void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface);
+
+/// Decimates a mesh, and reports which bodies keep all their triangles. name: as keep_chosen().
+/// Returns how many do.
+std::uint64_t decimate_noted(const std::string& name, const Decimation& decimation, Mesh& mesh);
 
 /// A second pass over the volume of a mesh.
 void add_gradient_normals(VolumeReader& volume, Mesh& mesh);

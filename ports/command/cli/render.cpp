@@ -1,12 +1,16 @@
 // discmc render: a picture of a stream or a volume.
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "commands.hpp"
 #include "empty_surface.hpp"
 #include "exit_codes.hpp"
+#include "extract.hpp"
 #include "extraction/classic.hpp"
 #include "extraction/extraction.hpp"
 #include "files/output_file.hpp"
+#include "mesh_files/mesh_reader.hpp"
 #include "mesh_output.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/surface_normals.hpp"
@@ -73,6 +77,44 @@ Mesh volume_to_draw(RenderArguments arguments) {
   return mesh;
 }
 
+// Each triangle is a polygon of its own.
+Mesh mesh_of_file(const std::string& file) {
+  const Progress progress("reading");
+  Mesh mesh = read_mesh(file);
+  mesh.polygons.resize(mesh.face_count());
+  std::iota(mesh.polygons.begin(), mesh.polygons.end(), 0U);
+  return mesh;
+}
+
+void append(const Mesh& part, Mesh& mesh) {
+  const auto vertices = static_cast<std::uint32_t>(mesh.vertices_mm.size());
+  const std::uint32_t polygons = mesh.polygons.empty() ? 0 : mesh.polygons.back() + 1;
+  for (const std::uint32_t corner : part.corners) mesh.corners.push_back(vertices + corner);
+  const std::size_t corners = mesh.face_begin.back();
+  for (std::size_t face = 0; face < part.face_count(); ++face) {
+    mesh.face_begin.push_back(corners + part.face_begin[face + 1]);
+    mesh.polygons.push_back(polygons + part.polygons[face]);
+  }
+  mesh.vertices_mm.insert(mesh.vertices_mm.end(), part.vertices_mm.begin(), part.vertices_mm.end());
+  mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
+}
+
+// All labels in one mesh. colours: get that of each face.
+Mesh labels_to_draw(const RenderArguments& arguments, std::vector<Srgb>& colours) {
+  ExtractArguments extraction;
+  extraction.volume = arguments.input;
+  extraction.reading = arguments.reading;
+  extraction.labels = arguments.labels;
+  extraction.components = arguments.components;
+  Mesh all;
+  for (Mesh& part : label_meshes(extraction)) {
+    if (arguments.smooth) part.normals = surface_normals(part);
+    append(part, all);
+    colours.resize(all.face_count(), part.colour.value_or(PictureOptions().colour));
+  }
+  return all;
+}
+
 PictureOptions picture_options(const RenderArguments& arguments) {
   PictureOptions options;
   options.width = arguments.size[0];
@@ -89,9 +131,14 @@ PictureOptions picture_options(const RenderArguments& arguments) {
 
 int run_render(const RenderArguments& arguments) {
   OutputFile file(arguments.output);
+  PictureOptions options = picture_options(arguments);
   Mesh mesh;
   int code = exit_ok;
-  if (arguments.is_volume) {
+  if (arguments.kind == InputKind::mesh) {
+    mesh = mesh_of_file(arguments.input);
+  } else if (!arguments.labels.empty()) {
+    mesh = labels_to_draw(arguments, options.face_colours);
+  } else if (arguments.kind == InputKind::volume) {
     RenderArguments found = arguments;
     found.reading.selections = with_thresholds(arguments.input, arguments.reading);
     mesh = volume_to_draw(found);
@@ -102,7 +149,7 @@ int run_render(const RenderArguments& arguments) {
   }
   if (arguments.smooth && mesh.normals.empty()) mesh.normals = surface_normals(mesh);
   const Progress drawing("drawing");
-  write_picture(mesh, picture_options(arguments), file.stream());
+  write_picture(mesh, options, file.stream());
   file.commit();
   return code;
 }

@@ -15,8 +15,12 @@ namespace discmc::command {
 namespace {
 
 void check(const CLI::App& render, const RenderArguments& arguments) {
-  check_kind(render, arguments.input, arguments.is_volume);
-  if (arguments.is_volume && arguments.reading.selections.empty())
+  const bool is_volume = arguments.kind == InputKind::volume;
+  if (arguments.kind == InputKind::mesh)
+    check_mesh_input(render, arguments.input);
+  else
+    check_kind(render, arguments.input, is_volume);
+  if (is_volume && arguments.reading.selections.empty() && arguments.labels.empty())
     throw CLI::ValidationError(arguments.input,
                                "a volume needs a threshold; give --iso auto, or a number");
   if (arguments.view == std::vector<double>{0, 0, 0})
@@ -65,18 +69,22 @@ void add_classic_option(CLI::App& app, bool& classic) {
       ->excludes("--mask")
       ->excludes("--largest")
       ->excludes("--min-volume")
+      ->excludes("--fill")
       ->excludes("--range")
-      ->excludes("--label");
+      ->excludes("--label")
+      ->excludes("--labels");
 }
 
 }  // namespace
 
 Command add_render(CLI::App& app) {
   const auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* render = app.add_subcommand("render", "Draw a stream or a volume as a PNG picture");
+  CLI::App* render =
+      app.add_subcommand("render", "Draw a stream, a volume or a mesh as a PNG picture");
   render
       ->add_option("INPUT", arguments->input,
-                   "a .dmc stream, or a volume as for extract; - reads standard input")
+                   "a .dmc stream, a volume as for extract, or a mesh (.stl, .ply, .obj, .glb, "
+                   ".3mf); - reads standard input")
       ->required();
   render
       ->add_option("-o,--output", arguments->output, "the PNG file to write; - is standard output")
@@ -87,14 +95,19 @@ Command add_render(CLI::App& app) {
   add_choice_options(*render, arguments->choice);
   add_volume_options(*render, arguments->reading.options);
   add_surface_options(*render, arguments->reading);
+  add_labels_option(*render, arguments->labels, "each has its colour");
   add_component_options(*render, arguments->components);
   add_classic_option(*render, arguments->classic);
   render->footer(
       "Examples:\n"
       "  discmc render head.dmc --edges -o head.png\n"
-      "  discmc render head.nii.gz --iso 300 --shade smooth -o head.png");
+      "  discmc render head.nii.gz --iso 300 --shade smooth -o head.png\n"
+      "  discmc render labels.nii.gz --labels all -o labels.png");
   render->callback([arguments, render] {
-    arguments->is_volume = is_volume_input(*render, arguments->input).value_or(false);
+    arguments->kind = is_mesh_name(arguments->input) ? InputKind::mesh
+                      : is_volume_input(*render, arguments->input).value_or(false)
+                          ? InputKind::volume
+                          : InputKind::stream;
     check(*render, *arguments);
   });
   return {render, [arguments] { return run_render(*arguments); }};

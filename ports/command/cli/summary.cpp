@@ -1,10 +1,16 @@
 #include "summary.hpp"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <iomanip>
+#include <iostream>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 
+#include "files/output_file.hpp"
+#include "mesh_files/file_format.hpp"
 #include "streams/spacing.hpp"
 #include "text/grouped_number.hpp"
 
@@ -78,7 +84,18 @@ void print_place(const std::array<double, 3>& spacing_mm,
   out.precision(digits);
 }
 
+std::ostream& table_stream(const std::string& output) {
+  return is_standard_output(output) ? std::cerr : std::cout;
+}
+
+void require_no_terminal(const std::string& output) {
+  if (is_standard_output(output) && !traits_of(format_of(output)).is_text &&
+      isatty(STDOUT_FILENO) == 1)
+    throw std::invalid_argument("bytes are not written to a terminal; give -o FILE, or a pipe");
+}
+
 void print_file(const std::string& file, std::ostream& out) {
+  if (is_standard_output(file)) return;
   std::error_code error;
   const std::uint64_t bytes = std::filesystem::file_size(file, error);
   out << file;
@@ -91,6 +108,7 @@ void print_mesh_table(const MeshSummary& mesh, const Extraction& extraction, std
       "classic Marching Cubes: " + grouped(extraction.statistics.classic_triangles) + " triangles");
   if (mesh.vertex_count > 0) row(out, "vertices", grouped(mesh.vertex_count));
   if (mesh.is_closed) row(out, "closed", *mesh.is_closed ? "yes" : "no");
+  if (mesh.unchanged_bodies > 0) row(out, "bodies not decimated", grouped(mesh.unchanged_bodies));
   print_memory(extraction, out);
 }
 

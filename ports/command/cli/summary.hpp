@@ -17,15 +17,22 @@
 
 namespace discmc::command {
 
-/// As in "v.stl: 684 bytes"; pipes and devices have none.
+/// Where tables about an output go: standard error if the output itself is standard output.
+std::ostream& table_stream(const std::string& output);
+
+/// Throws std::invalid_argument if the output would be bytes on a terminal.
+void require_no_terminal(const std::string& output);
+
+/// As in "v.stl: 684 bytes"; pipes and devices have no bytes, and standard output has no line.
 void print_file(const std::string& file, std::ostream& out);
 
 /// A mesh that was written.
 struct MeshSummary {
   std::string faces;  ///< what they are: triangles, or polygons
   std::uint64_t face_count = 0;
-  std::uint64_t vertex_count = 0;   ///< 0 where the format does not number them
-  std::optional<bool> is_closed{};  ///< if it was checked
+  std::uint64_t vertex_count = 0;      ///< 0 where the format does not number them
+  std::optional<bool> is_closed{};     ///< if it was checked
+  std::uint64_t unchanged_bodies = 0;  ///< when the others were decimated
 };
 
 /// The same in lines, for people.

@@ -118,13 +118,30 @@ std::optional<double> smoothing_mm(const VolumeArguments& arguments, const Volum
   return steps_mm(volume);
 }
 
-std::unique_ptr<SmoothedVolume> smoothed(const VolumeArguments& arguments, VolumeReader& volume,
-                                         ExtractionOptions& options) {
-  const auto deviation = smoothing_mm(arguments, volume.info());
-  if (!deviation) return nullptr;
-  const Selection selection = std::exchange(options.selection, Selection{0});
-  VolumeReader* const mask = std::exchange(options.mask, nullptr);
-  return std::make_unique<SmoothedVolume>(volume, selection, mask, *deviation);
+MendedVolume::MendedVolume(const VolumeArguments& arguments, VolumeReader& volume,
+                           ExtractionOptions& options)
+    : volume_(volume) {
+  const auto selected = [&options](double low) {
+    return std::pair(std::exchange(options.selection, Selection{low}),
+                     std::exchange(options.mask, nullptr));
+  };
+  if (arguments.close_mm > 0) {
+    const auto [selection, mask] = selected(1);
+    closed_ = std::make_unique<ClosedVolume>(volume, selection, mask, arguments.close_mm);
+  }
+  if (const auto deviation = smoothing_mm(arguments, volume.info())) {
+    const auto [selection, mask] = selected(0);
+    smooth_ = std::make_unique<SmoothedVolume>(samples(), selection, mask, *deviation);
+  }
+}
+
+VolumeReader& MendedVolume::samples() const {
+  if (smooth_) return *smooth_;
+  return closed_ ? static_cast<VolumeReader&>(*closed_) : volume_;
+}
+
+std::uint64_t MendedVolume::not_numbers() const {
+  return closed_ ? closed_->not_numbers() : smooth_->not_numbers();
 }
 
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,

@@ -10,6 +10,7 @@
 #include "extraction/extraction.hpp"
 #include "extraction/selection.hpp"
 #include "progress.hpp"
+#include "smoothing/closed_volume.hpp"
 #include "smoothing/smoothed_volume.hpp"
 #include "statistics/measured_volume.hpp"
 #include "volumes/volume.hpp"
@@ -55,11 +56,24 @@ GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& o
 /// The deviation of --smooth, if it is given. Units: millimetres.
 std::optional<double> smoothing_mm(const VolumeArguments& arguments, const VolumeInfo& volume);
 
-/// The selected voxels smoothed, if that is asked for, else nothing. options: of the volume; become
-/// those of the smoothed one, whose surface is at 0 and which the mask has cut. volume: as
-/// SmoothedVolume.
-std::unique_ptr<SmoothedVolume> smoothed(const VolumeArguments& arguments, VolumeReader& volume,
-                                         ExtractionOptions& options);
+/// The selected voxels closed and smoothed, as far as that is asked for.
+class MendedVolume {
+ public:
+  /// volume: as SmoothedVolume. options: of the volume; become those of what is extracted: its
+  /// threshold, without the mask, which has cut it.
+  MendedVolume(const VolumeArguments& arguments, VolumeReader& volume, ExtractionOptions& options);
+
+  /// What is extracted: the volume itself where nothing is asked for.
+  VolumeReader& samples() const;
+  bool is_changed() const { return closed_ || smooth_; }
+  /// Limit: is_changed().
+  std::uint64_t not_numbers() const;
+
+ private:
+  VolumeReader& volume_;
+  std::unique_ptr<ClosedVolume> closed_;
+  std::unique_ptr<SmoothedVolume> smooth_;
+};
 
 /// At the first threshold. progress, mask: have to live as long as the options are in use.
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,

@@ -65,13 +65,11 @@ class LabelScan {
     }
     label.run->set(y, begin, end);
     label.voxels += end - begin;
-    voxels_ += end - begin;
-    ++stretches_;
+    scatter_.add(end - begin);
   }
 
   void require_room(std::uint32_t running) const {
-    if (running > max_scattered_labels && voxels_ < 2 * stretches_)
-      refuse_values(slice_, max_scattered_labels);
+    scatter_.require_labels(slice_, running);
     if (running > max_run_bytes / LabelRun::bytes_for(limits_))
       throw std::invalid_argument(std::to_string(running) + " labels at once, up to slice " +
                                   std::to_string(slice_) +
@@ -108,8 +106,7 @@ class LabelScan {
   Limits limits_;
   std::uint32_t slice_ = 0;  // under way
   std::uint32_t running_ = 0;
-  std::uint64_t voxels_ = 0;     // of labels
-  std::uint64_t stretches_ = 0;  // of voxels of one label side by side
+  ValueScatter scatter_;
   std::vector<std::unique_ptr<Label>> labels_;
   std::unordered_map<Sample, Label*> by_sample_;
   // Neighbours are mostly alike.

@@ -46,6 +46,25 @@ constexpr std::uint32_t max_scattered_labels = 1024;
 /// Throws the std::invalid_argument of a volume that has more values than that up to a slice.
 [[noreturn]] void refuse_values(std::uint32_t slice, std::uint32_t most);
 
+/// Tells labels from samples by how their values lie in the slices.
+class ValueScatter {
+ public:
+  /// Counts voxels of one value side by side.
+  void add(std::uint32_t voxels) {
+    voxels_ += voxels;
+    ++stretches_;
+  }
+  /// Throws as refuse_values(). values: of the slice and the two before it.
+  void require_labels(std::uint32_t slice, std::size_t values) const {
+    if (values > max_scattered_labels && voxels_ < 2 * stretches_)
+      refuse_values(slice, max_scattered_labels);
+  }
+
+ private:
+  std::uint64_t voxels_ = 0;
+  std::uint64_t stretches_ = 0;
+};
+
 /// Reads the volume to its end and extracts the surface of every value except 0, the background;
 /// the least label comes first. volume: of whole_labels(). Throws VolumeError as the reader does,
 /// std::invalid_argument where there are too many values; the text names the slice. Cost: memory of

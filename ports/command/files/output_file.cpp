@@ -38,6 +38,10 @@ std::filesystem::path target_of(std::filesystem::path path) {
 
 }  // namespace
 
+bool is_standard_output(const std::filesystem::path& path) {
+  return path == "-" || (!path.has_parent_path() && path.stem() == "-" && path.has_extension());
+}
+
 void require_folder(const std::filesystem::path& folder) {
   const std::filesystem::path named = folder.empty() ? "." : folder;
   std::error_code ignored;

@@ -11,9 +11,12 @@ namespace discmc::command {
 /// Throws std::runtime_error with the reason if no file can be made in the folder.
 void require_folder(const std::filesystem::path& folder);
 
+/// Whether an output of this name is standard output: "-", or "-." with the extension of a format.
+bool is_standard_output(const std::filesystem::path& path);
+
 /// A file that appears under its name only when commit() is reached: whatever fails before, and a
 /// signal that ends the program, leaves no half-written file behind. A link stays, and its target
-/// is written; a file that is replaced keeps its permissions. "-" is standard output; pipes and
+/// is written; a file that is replaced keeps its permissions. Standard output, pipes and
 /// devices are written in place. Limit: one at a time.
 class OutputFile {
  public:
@@ -27,7 +30,7 @@ class OutputFile {
   void commit();
 
  private:
-  bool is_standard_output() const { return path_ == "-"; }
+  bool is_standard_output() const { return command::is_standard_output(path_); }
   bool is_in_place() const { return temporary_.empty(); }
   std::filesystem::path path_;       // as given
   std::filesystem::path target_;     // of links

@@ -9,17 +9,17 @@ namespace discmc::command {
 namespace {
 
 constexpr FormatTraits all_formats[] = {
-    // extension, polygons, normals, several meshes, doubles, measures
-    {Format::stream, ".dmc", false, false, false, false, false},
-    {Format::stl, ".stl", false, false, false, false, false},
-    {Format::ply, ".ply", true, true, false, true, false},
-    {Format::obj, ".obj", true, true, false, true, false},
-    {Format::glb, ".glb", false, true, true, false, false},
-    {Format::three_mf, ".3mf", false, false, true, true, false},
-    {Format::vtp, ".vtp", true, true, false, true, false},
-    {Format::jsonl, ".jsonl", true, false, false, false, false},
-    {Format::csv, ".csv", false, false, true, true, true},
-    {Format::json, ".json", false, false, true, true, true},
+    // extension, polygons, normals, several meshes, doubles, measures, text
+    {Format::stream, ".dmc", false, false, false, false, false, false},
+    {Format::stl, ".stl", false, false, false, false, false, false},
+    {Format::ply, ".ply", true, true, false, true, false, false},
+    {Format::obj, ".obj", true, true, false, true, false, true},
+    {Format::glb, ".glb", false, true, true, false, false, false},
+    {Format::three_mf, ".3mf", false, false, true, true, false, false},
+    {Format::vtp, ".vtp", true, true, false, true, false, false},
+    {Format::jsonl, ".jsonl", true, false, false, false, false, true},
+    {Format::csv, ".csv", false, false, true, true, true, true},
+    {Format::json, ".json", false, false, true, true, true, true},
 };
 
 }  // namespace

@@ -18,9 +18,10 @@ struct FormatTraits {
   bool holds_several;   ///< meshes, each with its name and colour, or their measures
   bool holds_doubles;   ///< coordinates of 64 bits, or all their digits
   bool holds_measures;  ///< of meshes, in place of meshes
+  bool is_text;         ///< that a terminal can show
 };
 
-/// By the extension; "-" is the stream on standard output. Throws std::invalid_argument with the
+/// By the extension; "-" is the stream. Throws std::invalid_argument with the
 /// extensions that are known.
 Format format_of(const std::filesystem::path& path);
 

@@ -7,6 +7,7 @@
 #define DISCMC_COMMAND_MESH_FILES_MESH_FILES_HPP
 
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include "file_format.hpp"
@@ -37,8 +38,12 @@ void write_stl(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
 void write_ply(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
 
 /// Wavefront OBJ, exact decimal coordinates. Units: millimetres. Every vertex has its normal, where
-/// the mesh has normals.
-void write_obj(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
+/// the mesh has normals. material_file: the name of a file of write_mtl() beside it, or none.
+void write_obj(const Mesh& mesh, std::ostream& out, unsigned jobs = 1,
+               const std::string& material_file = {});
+
+/// The colour of a mesh, as OBJ has it in a file of its own.
+void write_mtl(const Srgb& colour, std::ostream& out);
 
 /// Binary glTF 2.0: coordinates as 32-bit floats in millimetres, seen from glb_origin(), under a
 /// node that moves them back, scales them to the metres of the format and turns z upwards, which
@@ -55,7 +60,7 @@ Point glb_origin(const Meshes& meshes);
 /// std::invalid_argument.
 void write_3mf(const Meshes& meshes, std::ostream& out);
 
-/// VTK's XML PolyData, coordinates and normals as those of PLY. Units: millimetres.
+/// VTK's XML PolyData; coordinates, normals and colour as those of PLY. Units: millimetres.
 void write_vtp(const Mesh& mesh, std::ostream& out);
 
 /// The measures of meshes (measures_of()), a line per mesh in CSV or an object per mesh in

@@ -1,4 +1,6 @@
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 #include "mesh_files.hpp"
 #include "writer.hpp"
@@ -29,13 +31,21 @@ void write_face(const Mesh& mesh, std::size_t face, Writer& writer) {
   writer.text("\n");
 }
 
+constexpr std::string_view material_name = "surface";
+
 }  // namespace
 
-void write_obj(const Mesh& mesh, std::ostream& out, unsigned jobs) {
+void write_obj(const Mesh& mesh, std::ostream& out, unsigned jobs,
+               const std::string& material_file) {
   Writer writer(out);
   writer.text("# ");
   writer.text(header_text(mesh));
   writer.text("\n");
+  if (!material_file.empty()) {
+    writer.text("mtllib " + material_file + "\nusemtl ");
+    writer.text(material_name);
+    writer.text("\n");
+  }
   const auto write_points = [&](const char* key, const std::vector<Point>& points) {
     writer.items(jobs, points.size(), [key, &points](Writer& part, std::size_t point) {
       write_point(key, points[point], part);
@@ -45,6 +55,19 @@ void write_obj(const Mesh& mesh, std::ostream& out, unsigned jobs) {
   write_points("vn", mesh.normals);
   writer.items(jobs, mesh.face_count(),
                [&mesh](Writer& part, std::size_t face) { write_face(mesh, face, part); });
+  writer.finish();
+}
+
+void write_mtl(const Srgb& colour, std::ostream& out) {
+  Writer writer(out);
+  writer.text("newmtl ");
+  writer.text(material_name);
+  writer.text("\nKd");
+  for (const std::uint8_t part : colour) {
+    writer.text(" ");
+    writer.decimal(part / 255.0);
+  }
+  writer.text("\n");
   writer.finish();
 }
 

@@ -26,6 +26,21 @@ constexpr const char* relationships =
 </Relationships>
 )";
 
+// In the words of the format.
+const char* unit_name(MeshUnit unit) {
+  switch (unit) {
+    case MeshUnit::millimetre:
+      break;
+    case MeshUnit::micrometre:
+      return "micron";
+    case MeshUnit::metre:
+      return "meter";
+    case MeshUnit::inch:
+      return "inch";
+  }
+  return "millimeter";
+}
+
 // #RRGGBB
 std::string hexadecimal(const Srgb& colour) {
   constexpr std::string_view digits = "0123456789ABCDEF";
@@ -74,7 +89,10 @@ void write_model(const Meshes& meshes, std::ostream& out) {
   Writer writer(out);
   writer.text(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<model unit=\"millimeter\" xml:lang=\"en-US\" "
+      "<model unit=\"");
+  writer.text(unit_name(meshes.empty() ? MeshUnit::millimetre : meshes[0]->unit));
+  writer.text(
+      "\" xml:lang=\"en-US\" "
       "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
       "<metadata name=\"Application\">discmc</metadata>\n<metadata name=\"Description\">");
   writer.text(meshes.empty() ? header_text({}) : header_text(*meshes[0]));

@@ -36,6 +36,24 @@ void write_points(const std::string& name, int bits, const std::vector<Point>& p
               });
 }
 
+// Of every point the same, as VTK draws it without a table of colours.
+void write_colour(const Srgb& colour, std::size_t points, std::ostream& out) {
+  write_array("type=\"UInt8\" NumberOfComponents=\"3\" Name=\"Colors\"", 3 * points, out,
+              [&](Writer& writer) {
+                for (std::size_t i = 0; i < points; ++i)
+                  for (const std::uint8_t part : colour) writer.bytes(part, 1);
+              });
+}
+
+void write_point_data(const Mesh& mesh, std::ostream& out) {
+  if (mesh.normals.empty() && !mesh.colour) return;
+  out << "<PointData" << (mesh.normals.empty() ? "" : " Normals=\"Normals\"")
+      << (mesh.colour ? " Scalars=\"Colors\"" : "") << ">\n";
+  if (!mesh.normals.empty()) write_points("Normals", 32, mesh.normals, out);
+  if (mesh.colour) write_colour(*mesh.colour, mesh.vertices_mm.size(), out);
+  out << "</PointData>\n";
+}
+
 // The frame as 3D Slicer reads it: a string, as its characters and a zero.
 const char* field_data(Frame frame) {
   switch (frame) {
@@ -60,11 +78,7 @@ void write_vtp(const Mesh& mesh, std::ostream& out) {
          "header_type=\"UInt64\">\n<PolyData>\n"
       << field_data(mesh.frame) << "<Piece NumberOfPoints=\"" << mesh.vertices_mm.size()
       << "\" NumberOfPolys=\"" << mesh.face_count() << "\">\n";
-  if (!mesh.normals.empty()) {
-    out << "<PointData Normals=\"Normals\">\n";
-    write_points("Normals", 32, mesh.normals, out);
-    out << "</PointData>\n";
-  }
+  write_point_data(mesh, out);
   out << "<Points>\n";
   write_points("Points", suits_floats(mesh) ? 32 : 64, mesh.vertices_mm, out);
   out << "</Points>\n<Polys>\n";

@@ -5,6 +5,31 @@
 
 namespace discmc::command {
 
+namespace {
+
+const char* plural(MeshUnit unit) {
+  switch (unit) {
+    case MeshUnit::millimetre:
+      break;
+    case MeshUnit::micrometre:
+      return "micrometres";
+    case MeshUnit::metre:
+      return "metres";
+    case MeshUnit::inch:
+      return "inches";
+  }
+  return "millimetres";
+}
+
+}  // namespace
+
+std::string header_text(const Mesh& mesh) {
+  std::string text = std::string("discmc, ") + plural(mesh.unit);
+  if (mesh.frame == Frame::lps) text += ", SPACE=LPS";
+  if (mesh.frame == Frame::ras) text += ", SPACE=RAS";
+  return text;
+}
+
 void require_triangles(const Mesh& mesh, const std::string& format) {
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
     if (mesh.face_size(face) != 3) throw std::invalid_argument(format + " holds triangles only");

@@ -22,17 +22,7 @@ namespace discmc::command {
 
 /// The description in every file, in a comment or where its format has a place for text; the
 /// frame as 3D Slicer reads and writes it.
-constexpr std::string_view header_text(const Mesh& mesh) {
-  switch (mesh.frame) {
-    case Frame::none:
-      break;
-    case Frame::lps:
-      return "discmc, millimetres, SPACE=LPS";
-    case Frame::ras:
-      return "discmc, millimetres, SPACE=RAS";
-  }
-  return "discmc, millimetres";
-}
+std::string header_text(const Mesh& mesh);
 
 /// Throws std::invalid_argument where a face is no triangle. format: its name.
 void require_triangles(const Mesh& mesh, const std::string& format);

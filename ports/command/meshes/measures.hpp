@@ -24,7 +24,7 @@ struct Measures {
 };
 
 /// Measures a mesh where it lies. Exact for a merged surface, but for rounding. Limit: triangles.
-/// Cost: edges are sorted; memory of 48 bytes per triangle.
+/// Cost: edges are sorted; memory of 72 bytes per triangle.
 Measures measures_of(const Mesh& mesh);
 
 }  // namespace discmc::command

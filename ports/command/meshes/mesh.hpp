@@ -43,6 +43,9 @@ struct MeshOptions {
   unsigned jobs = 1;
 };
 
+/// What a length of 1 in the coordinates of a mesh is.
+enum class MeshUnit { millimetre, micrometre, metre, inch };
+
 /// Faces over shared vertices. Faces are counter-clockwise seen from outside.
 struct Mesh {
   Point spacing_mm{};                      ///< as in Surface
@@ -60,6 +63,7 @@ struct Mesh {
   std::optional<Srgb> colour;  ///< of all of it, where one was given
   std::string name;            ///< in a file that holds several
   Frame frame = Frame::none;   ///< of a mesh that has been placed: what its coordinates are
+  MeshUnit unit = MeshUnit::millimetre;  ///< of all lengths, once resize() has changed it
   /// Places in Surface::polygons of those that have no face here: they are not valid (Ring,
   /// Polygon) and cannot be triangulated.
   std::vector<std::uint32_t> left_out{};

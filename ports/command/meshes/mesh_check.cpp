@@ -2,31 +2,10 @@
 #include <cmath>
 
 #include "mesh.hpp"
+#include "mesh_edges.hpp"
 
 namespace discmc::command {
 namespace {
-
-struct DirectedEdge {
-  std::uint64_t undirected;  // the smaller vertex number in the upper half
-  bool falling;              // from the larger number to the smaller one
-};
-
-std::vector<DirectedEdge> directed_edges(const Mesh& mesh) {
-  std::vector<DirectedEdge> edges;
-  edges.reserve(mesh.corners.size());
-  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    const std::size_t count = mesh.face_size(face);
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::uint32_t a = mesh.face(face)[i];
-      const std::uint32_t b = mesh.face(face)[(i + 1) % count];
-      edges.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), a > b});
-    }
-  }
-  std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
-    return a.undirected < b.undirected;
-  });
-  return edges;
-}
 
 // Bits of a number, mixed (splitmix64, S. Vigna, 2015).
 std::uint64_t mixed(std::uint64_t number) {
@@ -83,15 +62,12 @@ bool is_closed(const Mesh& mesh) {
 
 MeshReport check_mesh(const Mesh& mesh) {
   MeshReport report;
-  const std::vector<DirectedEdge> edges = directed_edges(mesh);
-  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end].undirected == edges[begin].undirected) ++end;
+  for_each_edge(sorted_edges(mesh), [&report](const FaceEdge* uses, std::size_t count) {
     ++report.edges;
-    if (end - begin == 1) ++report.open_edges;
-    if (end - begin > 2) ++report.non_manifold_edges;
-    if (end - begin == 2 && edges[begin].falling == edges[begin + 1].falling)
-      ++report.wrongly_oriented;
-  }
+    if (count == 1) ++report.open_edges;
+    if (count > 2) ++report.non_manifold_edges;
+    if (count == 2 && uses[0].falls == uses[1].falls) ++report.wrongly_oriented;
+  });
   std::vector<std::uint32_t> scratch;
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     const std::size_t count = mesh.face_size(face);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "volumes/length_unit.hpp"
+
 namespace discmc::command {
 namespace {
 
@@ -39,6 +41,28 @@ void place(Mesh& mesh, const VolumePlacement& placement) {
                    mesh.corners.begin() + static_cast<std::ptrdiff_t>(mesh.face_begin[face + 1]));
   mesh.incidences.clear();
   mesh.frame = placement.frame;
+}
+
+void resize(Mesh& mesh, const MeshSize& size) {
+  const double factor = size.scale / millimetres_in(symbol(size.unit)).value();
+  for (Point& vertex : mesh.vertices_mm)
+    for (double& coordinate : vertex) coordinate *= factor;
+  for (double& spacing : mesh.spacing_mm) spacing *= factor;
+  mesh.unit = size.unit;
+}
+
+const char* symbol(MeshUnit unit) {
+  switch (unit) {
+    case MeshUnit::millimetre:
+      break;
+    case MeshUnit::micrometre:
+      return "um";
+    case MeshUnit::metre:
+      return "m";
+    case MeshUnit::inch:
+      return "inch";
+  }
+  return "mm";
 }
 
 }  // namespace discmc::command

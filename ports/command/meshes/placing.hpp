@@ -13,6 +13,20 @@ namespace discmc::command {
 /// Limit: is_usable(placement).
 void place(Mesh& mesh, const VolumePlacement& placement);
 
+/// The coordinates of a mesh in a file.
+struct MeshSize {
+  MeshUnit unit = MeshUnit::millimetre;
+  double scale = 1;  ///< times larger than the object; Limit: positive
+
+  bool is_given() const { return unit != MeshUnit::millimetre || scale != 1; }
+};
+
+/// Turns millimetres into these. Call it last: what has a length in its name is then in this unit.
+void resize(Mesh& mesh, const MeshSize& size);
+
+/// "mm", "um", "m" or "inch".
+const char* symbol(MeshUnit unit);
+
 }  // namespace discmc::command
 
 #endif

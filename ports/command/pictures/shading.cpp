@@ -20,6 +20,10 @@ double doubled_area(double ax, double ay, const Projected& b, const Projected& c
   return (b.x - ax) * (c.y - ay) - (b.y - ay) * (c.x - ax);
 }
 
+Colour linear(const Srgb& colour) {
+  return {linear(colour[0]), linear(colour[1]), linear(colour[2])};
+}
+
 }  // namespace
 
 Shader::Shader(const Mesh& mesh, const std::vector<Projected>& vertices, const Axes& axes,
@@ -28,7 +32,8 @@ Shader::Shader(const Mesh& mesh, const std::vector<Projected>& vertices, const A
       vertices_(vertices),
       axes_(axes),
       shading_(options.shading),
-      surface_{linear(options.colour[0]), linear(options.colour[1]), linear(options.colour[2])},
+      face_colours_(options.face_colours),
+      surface_(linear(options.colour)),
       face_(mesh.face_count()) {}
 
 Colour Shader::colour(std::size_t face, bool inside, double x, double y) {
@@ -39,6 +44,7 @@ Colour Shader::colour(std::size_t face, bool inside, double x, double y) {
 void Shader::take(std::size_t face) {
   face_ = face;
   face_normal_ = face_normal(mesh_, face);
+  if (!face_colours_.empty()) surface_ = linear(face_colours_[face]);
   if (shading_ == Shading::flat) return;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point& normal = mesh_.normals[mesh_.face(face)[i]];

@@ -28,7 +28,7 @@ struct Projected {
 /// Lights the samples of a picture, face after face.
 class Shader {
  public:
-  /// Owner: the mesh and the vertices outlive the shader.
+  /// Owner: the mesh, the vertices and the options outlive the shader.
   Shader(const Mesh& mesh, const std::vector<Projected>& vertices, const Axes& axes,
          const PictureOptions& options);
 
@@ -45,7 +45,8 @@ class Shader {
   const std::vector<Projected>& vertices_;
   Axes axes_;
   Shading shading_;
-  Colour surface_;
+  const std::vector<Srgb>& face_colours_;
+  Colour surface_;  // of the face that was taken
   // Right, upward, towards: over the left shoulder.
   Point key_light_ = unit_or_zero({-0.6, 0.7, 0.5});
   std::size_t face_;

@@ -34,7 +34,7 @@ GaussianBlur::GaussianBlur(const Grid& grid, double deviation_mm, SliceSource so
       height_(grid.dims[1]),
       depth_(grid.dims[2]),
       source_(std::move(source)),
-      window_(grid, reach(grid, deviations * deviation_mm)[2]),
+      window_(grid.dims[2], grid.slice_samples(), reach(grid, deviations * deviation_mm)[2]),
       copy_(grid.slice_samples()) {
   const auto radius = reach(grid, deviations * deviation_mm);
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -32,7 +32,7 @@ class GaussianBlur {
   std::uint32_t width_, height_, depth_;
   SliceSource source_;
   std::array<Kernel, 3> kernel_;
-  SliceWindow window_;
+  SliceWindow<float> window_;
   std::vector<float> copy_;
   std::uint32_t next_ = 0;
 };

@@ -31,9 +31,9 @@ SignedDistance::SignedDistance(const Grid& grid, double limit_mm, SliceSource ma
       limit_squared_(square(static_cast<float>(limit_mm))),
       reach_(reach(grid, limit_mm)),
       mask_(std::move(mask)),
-      masks_(grid, reach_[2]),
-      in_slices_(grid, reach_[2]),
-      between_(grid, reach_[2]),
+      masks_(grid.dims[2], grid.slice_samples(), reach_[2]),
+      in_slices_(grid.dims[2], grid.slice_samples(), reach_[2]),
+      between_(grid.dims[2], grid.slice_samples(), reach_[2]),
       found_(grid.slice_samples()) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     spacing_[axis] = static_cast<float>(grid.spacing_mm[axis]);

@@ -37,7 +37,7 @@ class SignedDistance {
   float limit_squared_;
   std::array<std::uint32_t, 3> reach_;  // of the limit; Units: voxels
   SliceSource mask_;
-  SliceWindow masks_, in_slices_, between_;
+  SliceWindow<float> masks_, in_slices_, between_;
   std::vector<float> found_;  // of a plane: squared distances along one axis
   std::uint32_t next_ = 0;
 };

@@ -35,13 +35,14 @@ inline std::array<std::uint32_t, 3> reach(const Grid& grid, double length_mm) {
 using SliceSource = std::function<void(float*)>;
 
 /// The slices around one that a filter across slices takes.
+template <class Element>
 class SliceWindow {
  public:
-  /// radius: slices on either side. Limit: at least 1
-  SliceWindow(const Grid& grid, std::uint32_t radius)
-      : depth_(grid.dims[2]),
+  /// elements: of a slice. radius: slices on either side.
+  SliceWindow(std::uint32_t depth, std::size_t elements, std::uint32_t radius)
+      : depth_(depth),
         radius_(std::min(radius, depth_)),
-        slice_(grid.slice_samples()),
+        slice_(elements),
         ring_(slice_ * (2 * std::size_t{radius_} + 1)) {}
 
   std::uint32_t first(std::uint32_t z) const { return z > radius_ ? z - radius_ : 0; }
@@ -51,17 +52,17 @@ class SliceWindow {
   bool lacks(std::uint32_t z) const { return count_ <= last(z); }
   std::uint32_t count() const { return count_; }
   /// Returns where the next slice goes.
-  float* add() { return slot(count_++); }
+  Element* add() { return slot(count_++); }
   /// Limit: a slice that was added and is at most 2 x radius before the last.
-  const float* at(std::uint32_t z) const { return ring_.data() + place(z); }
+  const Element* at(std::uint32_t z) const { return ring_.data() + place(z); }
 
  private:
   std::size_t place(std::uint32_t z) const { return slice_ * (z % (2 * radius_ + 1)); }
-  float* slot(std::uint32_t z) { return ring_.data() + place(z); }
+  Element* slot(std::uint32_t z) { return ring_.data() + place(z); }
 
   std::uint32_t depth_, radius_;
   std::size_t slice_;
-  std::vector<float> ring_;
+  std::vector<Element> ring_;
   std::uint32_t count_ = 0;
 };
 

@@ -97,6 +97,7 @@ class LabelSmoother {
     for (std::uint32_t z = 0; z < info_.dims[2]; ++z) {
       volume.read_slice(samples_.data() + z * slice);
       find_boxes(z);
+      if (options.progress) options.progress(z + 1);
     }
   }
 
@@ -116,10 +117,20 @@ class LabelSmoother {
       const Sample* row = samples_.data() + (std::size_t{z} * info_.dims[1] + y) * info_.dims[0];
       for (std::uint32_t x = 0, end = 0; x < info_.dims[0]; x = end) {
         for (end = x + 1; end < info_.dims[0] && row[end] == row[x];) ++end;
-        if (options_.takes(row[x])) boxes_[row[x]].add({x, y, z}, end);
+        if (!options_.takes(row[x])) continue;
+        boxes_[row[x]].add({x, y, z}, end);
+        scatter_.add(end - x);
       }
     }
     if (boxes_.size() > max_labels) refuse_values(z, max_labels);
+    if (boxes_.size() > max_scattered_labels) scatter_.require_labels(z, labels_near(z));
+  }
+
+  // In a slice and the two before it.
+  std::size_t labels_near(std::uint32_t z) const {
+    return static_cast<std::size_t>(
+        std::count_if(boxes_.begin(), boxes_.end(),
+                      [z](const auto& each) { return each.second.end[2] + 2 > z; }));
   }
 
   SmoothedLabel smoothed(Sample label, const Box& box) const {
@@ -148,6 +159,7 @@ class LabelSmoother {
   double deviation_mm_;
   std::vector<Sample> samples_;
   std::map<Sample, Box> boxes_;
+  ValueScatter scatter_;
 };
 
 }  // namespace

@@ -19,7 +19,8 @@ struct SmoothedLabel {
 
 /// As extract_labels(), each label smoothed as SmoothedVolume does it. If two labels meet, and
 /// no third is near, their surfaces are the same. Along the lines where three meet, narrow gaps and
-/// overlaps are left. progress: called with how many labels are done, and with their number.
+/// overlaps are left. progress: called with how many labels are done, and with their number; that
+/// of the options is called before, after every slice that is read.
 /// Limit: takes no majority.
 /// Cost: memory of the volume, and of the box of a label; time of the boxes.
 std::vector<SmoothedLabel> smoothed_labels(

@@ -17,25 +17,13 @@ Grid grid_of(const VolumeInfo& info) {
   return grid;
 }
 
-VolumeInfo info_of_distances(VolumeInfo info) {
-  info.type = SampleType::f32;
-  info.slope = 1;
-  info.intercept = 0;
-  info.padding.reset();
-  info.is_in_hounsfield = false;
-  return info;
-}
-
 }  // namespace
 
 SmoothedVolume::SmoothedVolume(VolumeReader& volume, const Selection& selection, VolumeReader* mask,
                                double deviation_mm)
     : volume_(volume),
-      selector_(volume.info(), selection),
-      mask_(mask == nullptr ? nullptr : std::make_unique<MaskBits>(*mask)),
-      info_(info_of_distances(volume.info())),
-      slice_(volume.info().slice_bytes()),
-      bits_(bit_row_bytes(info_.dims[0]) * info_.dims[1]),
+      selected_(volume, selection, mask),
+      info_(info_of_mask(volume.info(), SampleType::f32)),
       distance_(grid_of(info_), limit_mm(info_, deviation_mm),
                 [this](float* mask_slice) { read_mask(mask_slice); }),
       once_(grid_of(info_), deviation_mm, [this](float* slice) { distance_.next(slice); }),
@@ -57,13 +45,10 @@ void SmoothedVolume::read_slice(void* samples) {
 }
 
 void SmoothedVolume::read_mask(float* mask) {
-  volume_.read_slice(slice_.data());
-  const std::size_t row_bytes = bit_row_bytes(info_.dims[0]);
-  not_numbers_ += selector_.select(slice_.data(), bits_.data(), row_bytes);
-  if (mask_) keep_masked(bits_.data(), mask_->next_slice(), bits_.size());
-  for (std::size_t row = 0; row < bits_.size(); row += row_bytes)
+  const std::uint8_t* row = selected_.next_slice();
+  for (std::uint32_t y = 0; y < info_.dims[1]; ++y, row += bit_row_bytes(info_.dims[0]))
     for (std::uint32_t x = 0; x < info_.dims[0]; ++x)
-      *mask++ = static_cast<float>(bits_[row + x / 8] >> x % 8 & 1);
+      *mask++ = static_cast<float>(row[x / 8] >> x % 8 & 1);
 }
 
 double steps_mm(const VolumeInfo& info) {

@@ -7,8 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "extraction/mask_bits.hpp"
-#include "extraction/selection.hpp"
+#include "extraction/selected_bits.hpp"
 #include "gaussian_blur.hpp"
 #include "signed_distance.hpp"
 #include "volumes/volume_reader.hpp"
@@ -34,18 +33,14 @@ class SmoothedVolume final : public VolumeReader {
   /// How far from the voxels that are selected others have a part in the surface. Units: voxels.
   static std::array<std::uint32_t, 3> reach(const VolumeInfo& info, double deviation_mm);
 
-  /// Samples that were not a number, and taken as off.
-  std::uint64_t not_numbers() const { return not_numbers_; }
+  std::uint64_t not_numbers() const { return selected_.not_numbers(); }
 
  private:
   void read_mask(float* mask);
 
   VolumeReader& volume_;
-  SliceSelector selector_;
-  std::unique_ptr<MaskBits> mask_;
+  SelectedBits selected_;
   VolumeInfo info_;
-  std::vector<std::uint8_t> slice_, bits_;
-  std::uint64_t not_numbers_ = 0;
   SignedDistance distance_;
   GaussianBlur once_, twice_;
 };

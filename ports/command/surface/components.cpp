@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cavities.hpp"
 #include "sets.hpp"
 
 namespace discmc::command {
@@ -124,6 +125,7 @@ std::vector<Component> components(const Surface& surface) {
 ComponentCounts keep_components(Surface& surface, const ComponentChoice& choice) {
   std::vector<Component> kept = components(surface);
   const std::uint64_t found = kept.size();
+  if (choice.fills) fill_cavities(surface, kept);
   const auto size = [](const Component& component) { return std::fabs(component.volume_mm3); };
   kept.erase(std::remove_if(kept.begin(), kept.end(),
                             [&](const Component& component) {

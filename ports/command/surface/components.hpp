@@ -23,8 +23,9 @@ std::vector<Component> components(const Surface& surface);
 struct ComponentChoice {
   std::uint64_t largest = 0;  ///< the number kept, by enclosed volume; 0: all
   double min_volume_mm3 = 0;  ///< those that enclose less go
+  bool fills = false;         ///< cavities go first, with the bodies inside them
 
-  bool is_any() const { return largest == 0 && min_volume_mm3 <= 0; }
+  bool is_any() const { return largest == 0 && min_volume_mm3 <= 0 && !fills; }
 };
 
 struct ComponentCounts {

@@ -1,9 +1,13 @@
 #include "input_kind.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 
+#include "mesh_options.hpp"
 #include "stream_options.hpp"
 #include "surface_options.hpp"
+#include "text/words.hpp"
 #include "volume_options.hpp"
 #include "volumes/volume.hpp"
 
@@ -31,6 +35,21 @@ std::optional<bool> is_volume_input(const CLI::App& app, const std::string& inpu
   if (is_volume_name(input) || given_option(app, is_for_volumes) != nullptr) return true;
   if (given_option(app, is_for_streams) != nullptr) return false;
   return std::nullopt;
+}
+
+bool is_mesh_name(const std::string& input) {
+  const std::string extension = lower(std::filesystem::path(input).extension().string());
+  constexpr const char* read[] = {".stl", ".ply", ".obj", ".glb", ".3mf"};
+  return std::find(std::begin(read), std::end(read), extension) != std::end(read);
+}
+
+void check_mesh_input(const CLI::App& app, const std::string& input) {
+  const CLI::Option* option = given_option(app, [](const CLI::Option& each) {
+    return is_for_volumes(each) || is_for_streams(each) || each.get_group() == mesh_group;
+  });
+  if (option != nullptr)
+    throw CLI::ValidationError(option->get_name(), "is for volumes and streams, and " + input +
+                                                       " is a mesh; leave it out");
 }
 
 void check_kind(const CLI::App& app, const std::string& input, bool is_volume) {

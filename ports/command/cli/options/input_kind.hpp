@@ -12,6 +12,13 @@ namespace discmc::command {
 /// if neither decides.
 std::optional<bool> is_volume_input(const CLI::App& app, const std::string& input);
 
+/// Whether the name is that of a mesh which discmc writes and reads.
+bool is_mesh_name(const std::string& input);
+
+/// Throws CLI::ValidationError when an option is given that is for a volume, a stream or the making
+/// of a mesh, as the input is a mesh.
+void check_mesh_input(const CLI::App& app, const std::string& input);
+
 /// Throws CLI::ValidationError when an option is given that is for the other kind of input.
 void check_kind(const CLI::App& app, const std::string& input, bool is_volume);
 

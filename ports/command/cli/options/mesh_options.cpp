@@ -34,6 +34,26 @@ CLI::Option* add_output_option(CLI::App& app, std::string& output,
       ->check(mesh_format());
 }
 
+void add_format_option(CLI::App& app, std::string& format) {
+  app.add_option("--format", format, "with -o -: what goes to standard output, as an extension")
+      ->check(CLI::Validator(
+          [](std::string& text) {
+            const auto dot = text.rfind('.', 0) == 0 ? "" : ".";
+            return mesh_format()("-" + (dot + text));
+          },
+          ""))
+      ->option_text("stl|ply|...");
+}
+
+void take_format(const std::string& format, std::string& output) {
+  if (format.empty()) return;
+  if (output != "-")
+    throw CLI::ValidationError(
+        "--format",
+        "the format of " + output + " is that of its extension; leave out --format, or give -o -");
+  output += (format[0] == '.' ? "" : ".") + format;
+}
+
 void add_normals_option(CLI::App& app, Normals& normals, const std::string& gradient) {
   app.option_defaults()->group(mesh_group);
   add_named_option(
@@ -67,12 +87,16 @@ void add_component_options(CLI::App& app, ComponentChoice& components) {
                  "drop bodies and cavities that enclose less than MM3 cubic millimetres")
       ->check(accepted([](double volume) { return volume >= 0; }, "cubic millimetres, 0 or more"))
       ->option_text("MM3");
+  app.add_flag("--fill", components.fills,
+               "fill the cavities: enclosed hollows, with the bodies inside them");
 }
 
 void check_components(const ComponentChoice& components, const std::string& output) {
   if (components.is_any() || format_of(output) != Format::stream) return;
   throw CLI::ValidationError(
-      components.largest > 0 ? "--largest" : "--min-volume",
+      components.largest > 0 ? "--largest"
+      : components.fills     ? "--fill"
+                             : "--min-volume",
       "a stream is written before its surface is complete; write a mesh, or leave it out");
 }
 
@@ -80,7 +104,8 @@ void check_closed(const ComponentChoice& components, Border border) {
   if (components.is_any() || border == Border::closed) return;
   throw CLI::ValidationError(
       "--border",
-      "an open surface encloses no volume; leave out --largest and --min-volume, or --border open");
+      "an open surface encloses no volume; leave out --largest, --min-volume and "
+      "--fill, or --border open");
 }
 
 void add_space_option(CLI::App& app, std::optional<MeshSpace>& space) {
@@ -105,6 +130,34 @@ void check_space(const std::optional<MeshSpace>& space, const std::string& outpu
           "; leave it out, or write a mesh");
 }
 
+void add_size_options(CLI::App& app, MeshSize& size) {
+  app.option_defaults()->group(mesh_group);
+  add_named_option(app, "--unit", size.unit,
+                   NamedValues<MeshUnit>{{"mm", MeshUnit::millimetre},
+                                         {"um", MeshUnit::micrometre},
+                                         {"m", MeshUnit::metre},
+                                         {"inch", MeshUnit::inch}},
+                   "unit of the coordinates in the file; .3mf also states it");
+  app.add_option("--scale", size.scale, "make the mesh FACTOR times as large")
+      ->check(accepted([](double factor) { return factor > 0; }, "number above 0"))
+      ->option_text("FACTOR")
+      ->capture_default_str();
+}
+
+void check_size(const MeshSize& size, const std::string& output) {
+  if (!size.is_given()) return;
+  const FormatTraits& traits = traits_of(format_of(output));
+  const std::string option = size.scale != 1 ? "--scale" : "--unit";
+  if (traits.format == Format::stream || traits.format == Format::jsonl || traits.holds_measures)
+    throw CLI::ValidationError(option, output +
+                                           " has a unit that is fixed; give the name of a "
+                                           "mesh");
+  if (traits.format == Format::glb && size.unit != MeshUnit::millimetre)
+    throw CLI::ValidationError("--unit", output +
+                                             " is in metres, as its format requires; leave "
+                                             "out --unit");
+}
+
 void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolerance) {
   app.option_defaults()->group(mesh_group);
   add_named_option(app, "--surface", interpolates,
@@ -119,6 +172,35 @@ void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolera
       ->check(not_negative())
       ->option_text("VOXELS")
       ->capture_default_str();
+}
+
+void add_decimation_options(CLI::App& app, Decimation& decimation) {
+  app.option_defaults()->group(mesh_group);
+  app.add_option("--triangles", decimation.triangles,
+                 "decimate each mesh to about N triangles; closed meshes stay closed (default: all "
+                 "triangles)")
+      ->check(accepted([](double count) { return count >= 4 && count == std::floor(count); },
+                       "whole number from 4 on"))
+      ->option_text("N");
+  app.add_option("--max-error", decimation.max_error_mm,
+                 "decimate each mesh until it would move by about this many millimetres")
+      ->check(accepted([](double length) { return length > 0; }, "length above 0"))
+      ->option_text("MM");
+}
+
+void check_decimation(const Decimation& decimation, const MeshOptions& mesh,
+                      const std::string& output) {
+  if (decimation.is_any()) return;
+  const std::string option = decimation.triangles > 0 ? "--triangles" : "--max-error";
+  const Format format = format_of(output);
+  if (format == Format::stream || format == Format::jsonl)
+    throw CLI::ValidationError(option, output +
+                                           " holds merged polygons, which are not decimated; give "
+                                           "the name of a mesh");
+  if (mesh.faces == Faces::polygons || !mesh.conforming)
+    throw CLI::ValidationError(option,
+                               "only triangles without T-junctions are decimated; leave out "
+                               "--faces polygons and --no-conforming");
 }
 
 void check_interpolation(const MeshOptions& mesh, const std::string& output) {

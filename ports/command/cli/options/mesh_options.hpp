@@ -16,13 +16,20 @@ constexpr const char* mesh_group = "Mesh";
 CLI::Option* add_output_option(CLI::App& app, std::string& output,
                                const std::string& standard_output);
 
+/// --format, of what goes to standard output.
+void add_format_option(CLI::App& app, std::string& format);
+
+/// Puts the format into the name of the output. Throws: CLI::ValidationError where the output is a
+/// file, which has it in its own name.
+void take_format(const std::string& format, std::string& output);
+
 /// --normals. gradient: where those of the gradient come from.
 void add_normals_option(CLI::App& app, Normals& normals, const std::string& gradient);
 
 /// --faces and --conforming.
 void add_mesh_options(CLI::App& app, MeshOptions& mesh);
 
-/// --largest and --min-volume: what of the surface is kept.
+/// --largest, --min-volume and --fill: what of the surface is kept.
 void add_component_options(CLI::App& app, ComponentChoice& components);
 
 /// Only what is written whole can be chosen from. Throws: CLI::ValidationError.
@@ -37,8 +44,21 @@ void add_space_option(CLI::App& app, std::optional<MeshSpace>& space);
 /// Only meshes have coordinates to choose. Throws: CLI::ValidationError.
 void check_space(const std::optional<MeshSpace>& space, const std::string& output);
 
+/// --unit and --scale.
+void add_size_options(CLI::App& app, MeshSize& size);
+
+/// Only formats without a unit of their own can have another one. Throws: CLI::ValidationError.
+void check_size(const MeshSize& size, const std::string& output);
+
 /// --surface and --tolerance.
 void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolerance);
+
+/// --triangles and --max-error: how far a mesh is decimated.
+void add_decimation_options(CLI::App& app, Decimation& decimation);
+
+/// Only conforming triangles of a mesh are decimated. Throws: CLI::ValidationError.
+void check_decimation(const Decimation& decimation, const MeshOptions& mesh,
+                      const std::string& output);
 
 /// Interpolated vertices are those of conforming triangles, in a mesh. Throws:
 /// CLI::ValidationError.

@@ -6,6 +6,34 @@
 
 namespace discmc::command {
 
+void add_labels_option(CLI::App& app, std::string& labels, const std::string& result) {
+  app.option_defaults()->group(surface_group);
+  CLI::Option* option =
+      app.add_option("--labels", labels,
+                     "extract a mesh of every value except 0, or of each label in a list of "
+                     "numbers or names; " +
+                         result)
+          ->check(CLI::Validator(
+              [](std::string& text) {
+                return text.empty() ? std::string("no label is given; give all, or a list")
+                                    : std::string();
+              },
+              ""))
+          ->option_text("all|N|NAME,...");
+  for (const char* other : {"--iso", "--range", "--label", "--memory", "--capacities"})
+    option->excludes(app.get_option(other));
+}
+
+void add_label_table_option(CLI::App& app, std::string& file) {
+  app.option_defaults()->group(surface_group);
+  app.add_option(
+         "--label-table", file,
+         "read the names of labels for {name}, and their colours (not in .stl). A table of 3D "
+         "Slicer, FreeSurfer, ITK-SNAP or BIDS, or dataset.json of nnU-Net (default: those "
+         "in the file, as in .seg.nrrd; otherwise 21 colours by number)")
+      ->option_text("FILE");
+}
+
 void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
   add_selection_options(app, arguments.selections);
   add_named_option(

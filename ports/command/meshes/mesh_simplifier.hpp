@@ -1,0 +1,26 @@
+// The library that decimates meshes: meshoptimizer.
+#ifndef DISCMC_COMMAND_MESHES_MESH_SIMPLIFIER_HPP
+#define DISCMC_COMMAND_MESHES_MESH_SIMPLIFIER_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "point.hpp"
+
+namespace discmc::command {
+
+/// Throws std::runtime_error with the remedy if the program was built without meshoptimizer.
+void require_simplifier();
+
+/// Returns the triangles of a mesh of fewer triangles, whose vertices are among those given. Edges
+/// with one triangle stay. corners: three vertex numbers per triangle. wanted: triangles, to stop
+/// at. max_error: to stop at before that, as quadrics estimate it; Units: those of the vertices.
+/// Throws as require_simplifier().
+std::vector<std::uint32_t> simplified(const std::vector<Point>& vertices,
+                                      const std::vector<std::uint32_t>& corners, std::size_t wanted,
+                                      double max_error);
+
+}  // namespace discmc::command
+
+#endif

@@ -1,0 +1,20 @@
+// Where meshoptimizer is not.
+#include <stdexcept>
+
+#include "mesh_simplifier.hpp"
+
+namespace discmc::command {
+
+void require_simplifier() {
+  throw std::runtime_error(
+      "this discmc was built without meshoptimizer, which --triangles and --max-error need: "
+      "install it (Debian: libmeshoptimizer-dev) and build anew");
+}
+
+std::vector<std::uint32_t> simplified(const std::vector<Point>&, const std::vector<std::uint32_t>&,
+                                      std::size_t, double) {
+  require_simplifier();
+  return {};
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,97 @@
+// Cavities that are filled: --fill.
+#include <doctest/doctest.h>
+
+#include "command.hpp"
+#include "sample_reader.hpp"
+#include "surface/components.hpp"
+
+namespace {
+
+using discmc::Vertex;
+using discmc::command::Component;
+using discmc::command::Surface;
+using discmc::reference::BitVolume;
+
+Surface surface_of(const BitVolume& volume) {
+  sample_reader::SampleReader reader(volume);
+  discmc::command::SurfaceBuilder builder;
+  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed, 0, {}},
+          discmc::make_sink(builder));
+  builder.surface().spacing_mm = {1, 1, 1};
+  return std::move(builder.surface());
+}
+
+void put_box(BitVolume& volume, const Vertex& first, const Vertex& last, std::uint8_t on) {
+  for (std::int32_t z = first.z; z <= last.z; ++z)
+    for (std::int32_t y = first.y; y <= last.y; ++y)
+      for (std::int32_t x = first.x; x <= last.x; ++x)
+        volume.on[volume.index(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                               static_cast<std::uint32_t>(z))] = on;
+}
+
+std::vector<double> volumes_after_filling(const BitVolume& volume) {
+  Surface surface = surface_of(volume);
+  keep_components(surface, {0, 0, true});
+  std::vector<double> volumes;
+  for (const Component& component : components(surface)) volumes.push_back(component.volume_mm3);
+  return volumes;
+}
+
+BitVolume block() {
+  BitVolume volume({20, 20, 20});
+  put_box(volume, {2, 2, 2}, {17, 17, 17}, 1);
+  return volume;
+}
+
+}  // namespace
+
+TEST_CASE("a cavity is filled with all that is in it") {
+  const double whole = components(surface_of(block())).at(0).volume_mm3;
+  BitVolume volume = block();
+  put_box(volume, {4, 4, 4}, {15, 15, 15}, 0);
+  put_box(volume, {6, 6, 6}, {13, 13, 13}, 1);
+  put_box(volume, {8, 8, 8}, {10, 10, 10}, 0);
+  put_box(volume, {9, 9, 9}, {9, 9, 9}, 1);
+  REQUIRE(components(surface_of(volume)).size() == 5);
+  const std::vector<double> left = volumes_after_filling(volume);
+  REQUIRE(left.size() == 1);
+  CHECK(left[0] == doctest::Approx(whole));
+}
+
+TEST_CASE("a body beside a cavity stays, also in the box around it") {
+  BitVolume volume({20, 20, 20});
+  // A cavity with three arms, and a body between them, outside.
+  put_box(volume, {0, 0, 0}, {19, 6, 6}, 1);
+  put_box(volume, {0, 0, 0}, {6, 19, 6}, 1);
+  put_box(volume, {0, 0, 0}, {6, 6, 19}, 1);
+  put_box(volume, {2, 2, 2}, {17, 4, 4}, 0);
+  put_box(volume, {2, 2, 2}, {4, 17, 4}, 0);
+  put_box(volume, {2, 2, 2}, {4, 4, 17}, 0);
+  put_box(volume, {10, 10, 10}, {12, 12, 12}, 1);
+  CHECK(components(surface_of(volume)).size() == 3);
+  CHECK(volumes_after_filling(volume).size() == 2);
+}
+
+TEST_CASE("a hollow that is open to the border is not filled") {
+  BitVolume volume = block();
+  put_box(volume, {8, 8, 8}, {10, 10, 19}, 0);
+  const double before = components(surface_of(volume)).at(0).volume_mm3;
+  CHECK(volumes_after_filling(volume) == std::vector<double>{before});
+}
+
+TEST_CASE("--fill takes cavities from a mesh") {
+  const command_tests::Workshop workshop;
+  BitVolume volume = block();
+  workshop.write("whole.nrrd", volume);
+  put_box(volume, {5, 5, 5}, {9, 9, 9}, 0);
+  workshop.write("v.nrrd", volume);
+  workshop.done("extract whole.nrrd --iso 100 -o whole.stl");
+  const auto result = workshop.run("extract v.nrrd --iso 100 --fill -o v.stl");
+  CHECK(workshop.read("v.stl") == workshop.read("whole.stl"));
+  CHECK(command_tests::contains(result.error, "1 of 2 bodies and cavities kept"));
+  CHECK(command_tests::contains(workshop.run("extract v.nrrd --iso 100 --fill -o v.dmc").error,
+                                "--fill"));
+  CHECK(command_tests::contains(
+      workshop.run("extract v.nrrd --iso 100 --fill --border open -o v.stl").error,
+      "encloses nothing"));
+}

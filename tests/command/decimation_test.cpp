@@ -1,0 +1,213 @@
+// Meshes with fewer triangles: extract --triangles and --max-error.
+#include "meshes/decimation.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+
+#include "command.hpp"
+#include "meshes/edge_flips.hpp"
+#include "meshes/mesh_simplifier.hpp"
+#include "meshes/surface_distance.hpp"
+#include "sampled_field.hpp"
+#include "surface/components.hpp"
+
+namespace {
+
+using namespace sampled_field;
+using command_tests::contains;
+using command_tests::volume_of;
+
+bool lacks_simplifier() {
+  try {
+    require_simplifier();
+    return false;
+  } catch (const std::runtime_error&) {
+    MESSAGE("no meshoptimizer: meshes are not decimated");
+    return true;
+  }
+}
+
+Mesh all_triangles(const Field& field, Border border = Border::closed) {
+  return interpolated(extracted(field, SampleType::u8, {1, 1, 1}, border), 0);
+}
+
+// Smooth, and of many bodies, cavities and handles.
+Field cloud(Size size, std::uint32_t seed) {
+  const Field rough = noise(size, seed);
+  const auto end = [](double at, std::uint32_t extent, int step) {
+    return std::clamp(static_cast<int>(at) + step, 0, static_cast<int>(extent) - 1);
+  };
+  return field_of(size, [&](double x, double y, double z) {
+    double sum = 0;
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j)
+        for (int k = -1; k <= 1; ++k)
+          sum += rough.at(end(x, size.width, i), end(y, size.height, j), end(z, size.depth, k));
+    return 50 + 3 * (sum / 27 - 50);
+  });
+}
+
+// Of their coordinates.
+std::set<Point> places(const Mesh& mesh) {
+  return {mesh.vertices_mm.begin(), mesh.vertices_mm.end()};
+}
+
+double least_degrees(const Mesh& mesh) {
+  double least = 180;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto at = [&](std::size_t k) { return mesh.vertices_mm[mesh.face(face)[k % 3]]; };
+      const Point a = difference(at(i + 1), at(i)), b = difference(at(i + 2), at(i));
+      const double cosine = dot(a, b) / std::sqrt(dot(a, a) * dot(b, b));
+      least = std::min(least, std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::acos(-1.0));
+    }
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("a decimated ball has the triangles that were asked for, and stays a ball") {
+  if (lacks_simplifier()) return;
+  const Mesh before = all_triangles(ball(40, 16, 4));
+  Mesh mesh = before;
+  const DecimatedBodies bodies = decimate(mesh, {1000});
+  CHECK(bodies.all == 1);
+  CHECK(bodies.unchanged == 0);
+  CHECK(mesh.face_count() <= 1000);
+  CHECK(mesh.face_count() > 950);
+  CHECK(check_mesh(mesh).closed());
+  CHECK(mesh.lattice.size() == mesh.vertices_mm.size());
+  CHECK(volume_of(mesh) == doctest::Approx(volume_of(before)).epsilon(0.01));
+  CHECK(distances(before, mesh).mean < 0.06);
+  const std::set<Point> all = places(before);
+  for (const Point& vertex : mesh.vertices_mm) CHECK(all.count(vertex) == 1);
+}
+
+TEST_CASE("a larger error leaves fewer triangles, and the smallest that is given ends it") {
+  if (lacks_simplifier()) return;
+  const Mesh before = all_triangles(ball(40, 16, 4));
+  std::size_t faces = before.face_count();
+  for (const double error : {0.01, 0.03, 0.1}) {
+    Mesh mesh = before;
+    decimate(mesh, {0, error});
+    CHECK(mesh.face_count() < faces);
+    CHECK(distances(before, mesh).mean < error);
+    faces = mesh.face_count();
+  }
+  Mesh mesh = before;
+  decimate(mesh, {10, 0.1});
+  CHECK(mesh.face_count() == faces);
+}
+
+TEST_CASE("whatever is decimated stays closed, and no body or cavity goes") {
+  if (lacks_simplifier()) return;
+  for (std::uint32_t seed = 1; seed <= 3; ++seed) {
+    const Field field = cloud({24, 24, 24}, seed);
+    const Extracted of = extracted(field);
+    const std::size_t parts = components(of.surface).size();
+    for (const std::uint64_t triangles : {4U, 1000U, 3000U}) {
+      Mesh mesh = interpolated(of, 0);
+      const std::size_t before = mesh.face_count();
+      const DecimatedBodies bodies = decimate(mesh, {triangles});
+      CHECK(bodies.all == parts);
+      CHECK(check_mesh(mesh).closed());
+      CHECK(mesh.face_count() < before);
+    }
+  }
+}
+
+TEST_CASE("a body that would go stays as it was") {
+  if (lacks_simplifier()) return;
+  Field field = ball(30, 9, 4);
+  field.samples[(3 * 30 + 3) * 30 + 3] = 100;
+  const Mesh before = all_triangles(field);
+  Mesh mesh = before;
+  const DecimatedBodies bodies = decimate(mesh, {100});
+  CHECK(bodies.all == 2);
+  CHECK(bodies.unchanged == 1);
+  CHECK(check_mesh(mesh).closed());
+  const std::set<Point> left = places(mesh);
+  for (const Point& vertex : before.vertices_mm)
+    if (vertex[0] < 5) CHECK(left.count(vertex) == 1);
+}
+
+TEST_CASE("the border of an open mesh keeps its edges") {
+  if (lacks_simplifier()) return;
+  const Field field = field_of({20, 20, 20}, [](double x, double y, double z) {
+    return level + 4 * (8 - std::hypot(x - 9.5, y - 9.5, z - 1));
+  });
+  const Mesh before = all_triangles(field, Border::open);
+  Mesh mesh = before;
+  decimate(mesh, {150});
+  CHECK(mesh.face_count() < before.face_count() / 3);
+  CHECK(check_mesh(before).open_edges > 0);
+  CHECK(check_mesh(mesh).open_edges == check_mesh(before).open_edges);
+  CHECK(check_mesh(mesh).non_manifold_edges == 0);
+}
+
+TEST_CASE("an edge is flipped if the triangles become less thin") {
+  const std::vector<Point> vertices = {{0, 0, 0}, {10, 0, 0}, {5, 1, 0}, {5, -1, 0}};
+  std::vector<std::uint32_t> corners = {0, 1, 2, 1, 0, 3};
+  const std::vector<std::uint32_t> thin = corners;
+  flip_edges(vertices, corners, 1);
+  CHECK(corners == thin);
+  flip_edges(vertices, corners, 0);
+  Mesh mesh;
+  mesh.vertices_mm = vertices;
+  mesh.corners = corners;
+  mesh.face_begin = {0, 3, 6};
+  CHECK(least_degrees(mesh) > 20);
+  CHECK(area_vector(mesh, 0)[2] > 0);
+  CHECK(area_vector(mesh, 1)[2] > 0);
+  const std::vector<std::uint32_t> better = corners;
+  flip_edges(vertices, corners, 0);
+  CHECK(corners == better);
+}
+
+TEST_CASE("no edge is flipped over a ridge, or onto another edge") {
+  const std::vector<Point> ridge = {{0, 0, 0}, {10, 0, 0}, {5, 1, 3}, {5, -1, 3}};
+  std::vector<std::uint32_t> corners = {0, 1, 2, 1, 0, 3};
+  std::vector<std::uint32_t> before = corners;
+  flip_edges(ridge, corners, 0);
+  CHECK(corners == before);
+  const std::vector<Point> flat = {{0, 0, 0}, {10, 0, 0}, {5, 1, 0}, {5, -1, 0}};
+  corners = {0, 1, 2, 1, 0, 3, 0, 2, 3, 1, 3, 2};
+  before = corners;
+  flip_edges(flat, corners, 0);
+  CHECK(corners == before);
+}
+
+TEST_CASE("--triangles and --max-error write decimated meshes, interpolated before") {
+  if (lacks_simplifier()) return;
+  const command_tests::Workshop workshop;
+  std::string bytes;
+  for (const int sample : ball(40, 16, 4).samples) bytes += static_cast<char>(sample);
+  workshop.write("v.raw", bytes);
+  const std::string extract = "extract v.raw --dims 40,40,40 --spacing 1,1,1 --type u8 --iso 50 ";
+  const std::string told = workshop.done(extract + "--triangles 1000 --normals gradient -o v.ply");
+  CHECK(contains(told, "closed                               yes"));
+  const Mesh mesh = command_tests::mesh_of_ply(workshop.read("v.ply"));
+  CHECK(mesh.face_count() <= 1000);
+  CHECK(check_mesh(mesh).closed());
+  CHECK(mesh.normals.size() == mesh.vertices_mm.size());
+  for (const std::string same : {"--triangles 1000 --surface interpolated --tolerance 0"}) {
+    workshop.done(extract + same + " --normals gradient -o same.ply");
+    CHECK(workshop.read("same.ply") == workshop.read("v.ply"));
+  }
+  workshop.done(extract + "--triangles 1000 --surface merged --normals surface -o merged.ply");
+  CHECK(check_mesh(command_tests::mesh_of_ply(workshop.read("merged.ply"))).closed());
+  workshop.done(extract + "--max-error 0.1 -o v.csv");
+  workshop.done(
+      "extract v.raw --dims 40,40,40 --type u8 --label 50 --allow-empty --triangles 99 "
+      "--median 3 -o v.glb");
+  CHECK(contains(workshop.run(extract + "--triangles 99 -o v.dmc").error, "not decimated"));
+  CHECK(contains(workshop.run(extract + "--triangles 99 --faces polygons -o v.ply").error,
+                 "leave out --faces polygons"));
+  CHECK(contains(workshop.run(extract + "--triangles 3 -o v.ply").error, "from 4 on"));
+  CHECK(contains(workshop.run(extract + "--max-error 0 -o v.ply").error, "above 0"));
+}
