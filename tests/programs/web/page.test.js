@@ -192,7 +192,7 @@ test('a stream that is wider than can be drawn is refused with what to do', asyn
   writeFileSync(raw, Buffer.alloc(20000 * 2 * 2, 1));
   command('extract', raw, '--dims', '20000,2,2', '--type', 'u8', '--iso', '1', '-o', path, '--quiet');
   await openFiles(page, path);
-  assert.match(await page.textContent('#error'), /20000 x 2 x 2 voxels; the page takes at most 16383 .*--crop/);
+  assert.match(await page.textContent('#error'), /20000 x 2 x 2 voxels; the page accepts at most 16383 .*--crop/);
   await page.context().close();
 });
 
