@@ -88,10 +88,10 @@ TEST_CASE("--fill takes cavities from a mesh") {
   workshop.done("extract whole.nrrd --iso 100 -o whole.stl");
   const auto result = workshop.run("extract v.nrrd --iso 100 --fill -o v.stl");
   CHECK(workshop.read("v.stl") == workshop.read("whole.stl"));
-  CHECK(command_tests::contains(result.error, "1 of 2 bodies and cavities kept"));
+  CHECK(command_tests::contains(result.error, "1 of 2 bodies and cavities are kept"));
   CHECK(command_tests::contains(workshop.run("extract v.nrrd --iso 100 --fill -o v.dmc").error,
                                 "--fill"));
   CHECK(command_tests::contains(
       workshop.run("extract v.nrrd --iso 100 --fill --border open -o v.stl").error,
-      "encloses nothing"));
+      "encloses no volume"));
 }

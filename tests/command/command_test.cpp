@@ -579,7 +579,7 @@ TEST_CASE("a mesh goes to standard output by --format, as it would to a file") {
   CHECK(several.out.substr(0, 4) == "glTF");
   CHECK(contains(several.error, "label"));
   check_failure(workshop.run("extract v.nrrd --iso 100 -o v.stl --format ply"), 2,
-                {"leave out --format"});
+                {"leave it out, as v.stl"});
   check_failure(workshop.run("extract v.nrrd --iso 100 -o - --format off"), 2, {".stl"});
 }
 

@@ -158,9 +158,9 @@ std::vector<FoundLabel> labels_with_voxels(const ExtractArguments& arguments,
                                            Segmentation& segmentation) {
   std::vector<FoundLabel> labels = find_labels(arguments, segmentation);
   if (labels.empty() && !arguments.reading.allows_empty)
-    throw std::runtime_error(name_for_people(arguments.volume) + ": it holds no label" +
-                             (arguments.reading.mask.empty() ? "" : " that --mask leaves") +
-                             "; --allow-empty takes that");
+    throw std::runtime_error(name_for_people(arguments.volume) + ": the volume holds no label" +
+                             (arguments.reading.mask.empty() ? "" : " within --mask") +
+                             "; check --frame and --channel, or give --allow-empty");
   return labels;
 }
 

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 #include <vector>
 
-#include "edge_flips.hpp"
 #include "mesh_edges.hpp"
 #include "mesh_simplifier.hpp"
 
@@ -38,11 +36,6 @@ class Decimator {
           lost_.push_back(body_of_vertex_[vertex]);
       if (!keep_bodies() && !keep_around_wrong(1 + round)) return corners;
     }
-  }
-
-  // Faces that are as they were come first in what decimated() returns.
-  std::size_t kept_faces() const {
-    return static_cast<std::size_t>(std::count(is_kept_.begin(), is_kept_.end(), true));
   }
 
   DecimatedBodies bodies() const {
@@ -100,7 +93,7 @@ class Decimator {
   }
 
   // Finds vertices of edges that are not used once in each direction, unless that was so before;
-  // of pieces that enclose nothing; and bodies without any other piece.
+  // of faces without area; of pieces that enclose nothing; and bodies without any other piece.
   void find_wrong(const Corners& corners) {
     wrong_.clear();
     const Mesh triangles = mesh_of(corners);
@@ -117,6 +110,7 @@ class Decimator {
     std::vector<bool> is_found(bodies_);
     for (std::uint32_t face = 0; face < sizes.size(); ++face) {
       const std::uint32_t* const vertices = triangles.face(face);
+      if (is_degenerate(triangles, face)) wrong_.insert(wrong_.end(), vertices, vertices + 3);
       if (sizes[pieces.name(face)] < of_tetrahedron && !is_open_[vertices[0]])
         wrong_.insert(wrong_.end(), vertices, vertices + 3);
       else
@@ -157,8 +151,9 @@ class Decimator {
     return is_new;
   }
 
-  static Mesh mesh_of(const Corners& corners) {
+  Mesh mesh_of(const Corners& corners) const {
     Mesh mesh;
+    mesh.vertices_mm = mesh_.vertices_mm;
     mesh.corners = corners;
     for (std::size_t end = 3; end <= corners.size(); end += 3) mesh.face_begin.push_back(end);
     return mesh;
@@ -192,16 +187,14 @@ void drop_other_vertices(Mesh& mesh) {
 }  // namespace
 
 DecimatedBodies decimate(Mesh& mesh, const Decimation& decimation) {
+  if (mesh.face_count() == 0) return {};
   Decimator decimator(mesh);
-  Corners corners = decimator.decimated(decimation);
-  flip_edges(mesh.vertices_mm, corners, decimator.kept_faces());
-  const DecimatedBodies bodies = decimator.bodies();
-  mesh.corners = std::move(corners);
+  mesh.corners = decimator.decimated(decimation);
   mesh.face_begin.resize(mesh.corners.size() / 3 + 1);
   mesh.incidences.clear();
   mesh.polygons.clear();
   drop_other_vertices(mesh);
-  return bodies;
+  return decimator.bodies();
 }
 
 }  // namespace discmc::command

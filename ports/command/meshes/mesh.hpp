@@ -103,6 +103,9 @@ struct MeshReport {
 
 MeshReport check_mesh(const Mesh& mesh);
 
+/// Whether a face has no area, or a vertex twice.
+bool is_degenerate(const Mesh& mesh, std::size_t face);
+
 /// Whether every edge is used in one direction as often as in the other, as in MeshReport, in time
 /// n for n faces. Compares sums of hashes, so an open mesh passes once in 2^64.
 bool is_closed(const Mesh& mesh);

@@ -15,11 +15,10 @@ std::uint64_t mixed(std::uint64_t number) {
   return number ^ number >> 31;
 }
 
-bool repeats_a_vertex(const std::uint32_t* face, std::size_t count,
-                      std::vector<std::uint32_t>& sorted) {
-  sorted.assign(face, face + count);
-  std::sort(sorted.begin(), sorted.end());
-  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+bool repeats_a_vertex(const std::uint32_t* face, std::size_t count) {
+  for (std::size_t i = 1; i < count; ++i)
+    if (std::find(face, face + i, face[i]) != face + i) return true;
+  return false;
 }
 
 // Twice the area against the square of the extent: rounding in millimetres stays far below.
@@ -60,6 +59,12 @@ bool is_closed(const Mesh& mesh) {
   return sum == 0;
 }
 
+bool is_degenerate(const Mesh& mesh, std::size_t face) {
+  const std::size_t count = mesh.face_size(face);
+  return count < 3 || repeats_a_vertex(mesh.face(face), count) ||
+         !has_area(mesh, mesh.face(face), count);
+}
+
 MeshReport check_mesh(const Mesh& mesh) {
   MeshReport report;
   for_each_edge(sorted_edges(mesh), [&report](const FaceEdge* uses, std::size_t count) {
@@ -68,13 +73,8 @@ MeshReport check_mesh(const Mesh& mesh) {
     if (count > 2) ++report.non_manifold_edges;
     if (count == 2 && uses[0].falls == uses[1].falls) ++report.wrongly_oriented;
   });
-  std::vector<std::uint32_t> scratch;
-  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    const std::size_t count = mesh.face_size(face);
-    if (count < 3 || repeats_a_vertex(mesh.face(face), count, scratch) ||
-        !has_area(mesh, mesh.face(face), count))
-      ++report.degenerate_faces;
-  }
+  for (std::size_t face = 0; face < mesh.face_count(); ++face)
+    if (is_degenerate(mesh, face)) ++report.degenerate_faces;
   return report;
 }
 

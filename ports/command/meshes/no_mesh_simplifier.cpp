@@ -7,8 +7,8 @@ namespace discmc::command {
 
 void require_simplifier() {
   throw std::runtime_error(
-      "this discmc was built without meshoptimizer, which --triangles and --max-error need: "
-      "install it (Debian: libmeshoptimizer-dev) and build anew");
+      "--triangles and --max-error need meshoptimizer, and discmc was built without meshoptimizer; "
+      "install libmeshoptimizer-dev and build again");
 }
 
 std::vector<std::uint32_t> simplified(const std::vector<Point>&, const std::vector<std::uint32_t>&,

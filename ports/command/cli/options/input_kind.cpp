@@ -48,7 +48,7 @@ void check_mesh_input(const CLI::App& app, const std::string& input) {
     return is_for_volumes(each) || is_for_streams(each) || each.get_group() == mesh_group;
   });
   if (option != nullptr)
-    throw CLI::ValidationError(option->get_name(), "is for volumes and streams, and " + input +
+    throw CLI::ValidationError(option->get_name(), "applies to volumes and streams, and " + input +
                                                        " is a mesh; leave it out");
 }
 

@@ -35,7 +35,7 @@ CLI::Option* add_output_option(CLI::App& app, std::string& output,
 }
 
 void add_format_option(CLI::App& app, std::string& format) {
-  app.add_option("--format", format, "with -o -: what goes to standard output, as an extension")
+  app.add_option("--format", format, "with -o -: the format of standard output, as an extension")
       ->check(CLI::Validator(
           [](std::string& text) {
             const auto dot = text.rfind('.', 0) == 0 ? "" : ".";
@@ -48,9 +48,8 @@ void add_format_option(CLI::App& app, std::string& format) {
 void take_format(const std::string& format, std::string& output) {
   if (format.empty()) return;
   if (output != "-")
-    throw CLI::ValidationError(
-        "--format",
-        "the format of " + output + " is that of its extension; leave out --format, or give -o -");
+    throw CLI::ValidationError("--format", "is for standard output; leave it out, as " + output +
+                                               " has an extension, or give -o -");
   output += (format[0] == '.' ? "" : ".") + format;
 }
 
@@ -139,7 +138,7 @@ void add_size_options(CLI::App& app, MeshSize& size) {
                                          {"inch", MeshUnit::inch}},
                    "unit of the coordinates in the file; .3mf also states it");
   app.add_option("--scale", size.scale, "make the mesh FACTOR times as large")
-      ->check(accepted([](double factor) { return factor > 0; }, "number above 0"))
+      ->check(accepted([](double factor) { return factor > 0; }, "a number above 0"))
       ->option_text("FACTOR")
       ->capture_default_str();
 }
@@ -149,9 +148,7 @@ void check_size(const MeshSize& size, const std::string& output) {
   const FormatTraits& traits = traits_of(format_of(output));
   const std::string option = size.scale != 1 ? "--scale" : "--unit";
   if (traits.format == Format::stream || traits.format == Format::jsonl || traits.holds_measures)
-    throw CLI::ValidationError(option, output +
-                                           " has a unit that is fixed; give the name of a "
-                                           "mesh");
+    throw CLI::ValidationError(option, output + " has a fixed unit; write a mesh");
   if (traits.format == Format::glb && size.unit != MeshUnit::millimetre)
     throw CLI::ValidationError("--unit", output +
                                              " is in metres, as its format requires; leave "
@@ -180,11 +177,12 @@ void add_decimation_options(CLI::App& app, Decimation& decimation) {
                  "decimate each mesh to about N triangles; closed meshes stay closed (default: all "
                  "triangles)")
       ->check(accepted([](double count) { return count >= 4 && count == std::floor(count); },
-                       "whole number from 4 on"))
+                       "a whole number from 4"))
       ->option_text("N");
   app.add_option("--max-error", decimation.max_error_mm,
-                 "decimate each mesh until it would move by about this many millimetres")
-      ->check(accepted([](double length) { return length > 0; }, "length above 0"))
+                 "decimate each mesh until its mean distance from the surface is about MM "
+                 "millimetres")
+      ->check(accepted([](double length) { return length > 0; }, "millimetres above 0"))
       ->option_text("MM");
 }
 
@@ -195,8 +193,8 @@ void check_decimation(const Decimation& decimation, const MeshOptions& mesh,
   const Format format = format_of(output);
   if (format == Format::stream || format == Format::jsonl)
     throw CLI::ValidationError(option, output +
-                                           " holds merged polygons, which are not decimated; give "
-                                           "the name of a mesh");
+                                           " holds merged polygons, which are not decimated; write "
+                                           "a mesh");
   if (mesh.faces == Faces::polygons || !mesh.conforming)
     throw CLI::ValidationError(option,
                                "only triangles without T-junctions are decimated; leave out "
