@@ -394,7 +394,7 @@ typedef struct discmc_receiver_config {
 /* For a stream of slices; for polygons pass null limits. */
 uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count);
 /* Waits for a stream. Counts and ignores packets of other scans and channels, so all receivers of a
- * link, one per surface, may get all bytes. To receive scan after scan, push the bytes up to each
+ * link, one per surface, may get all bytes. For scan after scan, push the bytes up to each
  * zero byte separately, and call start() again when the info has_trailer. */
 DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
                                                  const discmc_receiver_config* config);
