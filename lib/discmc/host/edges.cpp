@@ -103,8 +103,8 @@ inline void Edges::collect_word(const SweptRow& row, uint32_t word, uint64_t x, 
                                 uint64_t z) {
   constexpr uint32_t axis_bits = RayTable::axis_bits;
   const BlockWord block(row.around, word);
-  const uint64_t origin =
-      CornerCode::position({-4, 2 * row.y, 2 * row.z}) + next_voxel * (columns_per_word * word);
+  const uint64_t origin = CornerCode::position({-4, 2 * row.y, 2 * row.z}) +
+                          next_voxel * (uint64_t{columns_per_word} * word);
   if (row.has_open_ends) x &= trace::inner_columns(word, row.width);
   Edge* const first = edge_ + count_;
   Edge* edge = first;

@@ -98,8 +98,9 @@ struct Half {
     uint32_t part[2] = {};
     for (uint32_t i = 0; i < 2; ++i) {
       const CellAtVertex cell = sectors.cell_at(static_cast<int>(lower), lines >> 4 * i & 63);
-      heading[2 * i] = turned(cell.headings & 15, 2 * i);
-      heading[2 * i + 1] = turned(cell.headings >> 4, 2 * i);
+      uint32_t* const headings = heading + size_t{2} * i;
+      headings[0] = turned(cell.headings & 15, 2 * i);
+      headings[1] = turned(cell.headings >> 4, 2 * i);
       edges[i] = cell.edges;
       face[i] = sectors.face_way_at(static_cast<int>(lower), lines >> 4 * i & 3);
       part[i] = cell.part;

@@ -98,7 +98,7 @@ std::unique_ptr<VolumeReader> label_bits(
     const std::vector<LabelSet>& sets) {
   std::vector<LayerBits> all;
   all.reserve(layers.size());
-  for (auto& [number, volume] : layers) all.emplace_back(number, std::move(volume), sets);
+  for (auto& layer : layers) all.emplace_back(layer.first, std::move(layer.second), sets);
   return std::make_unique<LabelBits>(std::move(all), sets.size());
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "attributes.hpp"
 #include "csa_header.hpp"
@@ -19,7 +21,8 @@ DcmTagKey private_key(DcmItem& dataset, Uint16 group, const std::string& creator
     const Uint16 block = each->getETag();
     OFString name;
     if (each->getGTag() == group && block >= 0x10 && block <= 0xff &&
-        static_cast<DcmElement*>(each)->getOFString(name, 0).good() && name == creator.c_str())
+        static_cast<DcmElement*>(each)->getOFString(name, 0).good() &&
+        std::string_view(name.c_str(), name.length()) == creator)
       return DcmTagKey(group, static_cast<Uint16>(block << 8 | element));
   }
   return DCM_UndefinedTagKey;
