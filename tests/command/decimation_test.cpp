@@ -91,6 +91,18 @@ TEST_CASE("a larger error leaves fewer triangles, and the smallest that is given
   CHECK(mesh.face_count() == faces);
 }
 
+TEST_CASE(
+    "more triangles than there are change nothing, and an error beyond the body leaves little") {
+  if (lacks_simplifier()) return;
+  const Mesh before = all_triangles(ball(40, 16, 4));
+  Mesh mesh = before;
+  decimate(mesh, {before.face_count() + 1});
+  CHECK(mesh.corners.size() == before.corners.size());
+  decimate(mesh, {0, 1000});
+  CHECK(mesh.face_count() < 100);
+  CHECK(check_mesh(mesh).closed());
+}
+
 TEST_CASE("whatever is decimated stays closed, and no body or cavity goes") {
   if (lacks_simplifier()) return;
   for (std::uint32_t seed = 1; seed <= 3; ++seed) {

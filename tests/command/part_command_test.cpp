@@ -199,8 +199,9 @@ TEST_CASE("labels are shrunk to labels") {
   CHECK(volume_of(mean) > volume_of(label) + 40);
   workshop.done(
       "extract l.raw --dims 9,8,8 --type u8 --shrink 2 -q --labels all -o 'all {name}.obj'");
-  CHECK(workshop.read("all 6.obj") == workshop.read("l.obj"));
-  CHECK(workshop.names() == std::vector<std::string>{"all 2.obj", "all 6.obj", "l.obj", "l.raw"});
+  CHECK(obj_in(workshop, "all 6.obj").vertices_mm == label.vertices_mm);
+  CHECK(workshop.names() == std::vector<std::string>{"all 2.mtl", "all 2.obj", "all 6.mtl",
+                                                     "all 6.obj", "l.obj", "l.raw"});
 }
 
 TEST_CASE("parts that make no sense are refused before any work") {

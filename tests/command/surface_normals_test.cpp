@@ -65,7 +65,7 @@ TEST_CASE("the normals of a ball are near its radii, however it is stretched and
       worst = std::max(worst, angle);
     }
     CHECK(sum / static_cast<double>(normals.size()) < 10);
-    CHECK(worst < 30);
+    CHECK(worst < 25);
   }
 }
 

@@ -39,6 +39,7 @@ int extract_meshes(ExtractArguments arguments) {
       finders.emplace_back(mended.samples().info(), each.selection);
   for (std::size_t i = 0; i < finders.size(); ++i) requests[i].crossings = &finders[i];
   const std::vector<Extraction> extractions = extract(mended.samples(), options, requests);
+  mended.note_lost_parts(arguments.volume);
   note_not_numbers(arguments,
                    mended.is_changed() ? mended.not_numbers() : extractions[0].not_numbers);
   if (arguments.interpolates && !mended.is_changed() && volume->has_two_values())

@@ -110,6 +110,12 @@ std::uint64_t decimate_noted(const std::string& name, const Decimation& decimati
     print_message(name, std::to_string(bodies.unchanged) + " of " + std::to_string(bodies.all) +
                             " bodies keep all their triangles, as their decimated meshes would not "
                             "be closed");
+  if (decimation.triangles > 0 &&
+      mesh.face_count() > decimation.triangles + decimation.triangles / 10)
+    print_message(name, "--triangles " + std::to_string(decimation.triangles) + ": " +
+                            std::to_string(mesh.face_count()) +
+                            " are left, as the mesh would not be closed with fewer, or not within "
+                            "--max-error");
   return bodies.unchanged;
 }
 

@@ -1,5 +1,7 @@
 #include "volume_input.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <stdexcept>
@@ -10,6 +12,7 @@
 #include "segmentation.hpp"
 #include "text/message.hpp"
 #include "text/number_text.hpp"
+#include "text/value_text.hpp"
 #include "volumes/byte_source.hpp"
 #include "volumes/filters/mask_volume.hpp"
 #include "volumes/volume_filter.hpp"
@@ -17,6 +20,17 @@
 
 namespace discmc::command {
 namespace {
+
+void require_reach(double close_mm, const VolumeInfo& info) {
+  double finest = std::fabs(info.spacing_mm[0]);
+  for (const double spacing : info.spacing_mm) finest = std::min(finest, std::fabs(spacing));
+  const double most = VoxelBall::max_reach * finest;
+  if (close_mm > most)
+    throw std::invalid_argument("--close " + value_text(close_mm) + ": that is more than " +
+                                value_text(VoxelBall::max_reach) + " voxels of " +
+                                value_text(finest) + " mm; give at most " + value_text(most) +
+                                ", or use --shrink");
+}
 
 // A volume may be opened for several passes; each note is printed once.
 void print_once(const std::string& path, const std::string& text) {
@@ -126,11 +140,13 @@ MendedVolume::MendedVolume(const VolumeArguments& arguments, VolumeReader& volum
                      std::exchange(options.mask, nullptr));
   };
   if (arguments.close_mm > 0) {
+    require_reach(arguments.close_mm, volume.info());
     const auto [selection, mask] = selected(1);
     closed_ = std::make_unique<ClosedVolume>(volume, selection, mask, arguments.close_mm);
   }
   if (const auto deviation = smoothing_mm(arguments, volume.info())) {
     const auto [selection, mask] = selected(0);
+    deviation_mm_ = *deviation;
     smooth_ = std::make_unique<SmoothedVolume>(samples(), selection, mask, *deviation);
   }
 }
@@ -142,6 +158,19 @@ VolumeReader& MendedVolume::samples() const {
 
 std::uint64_t MendedVolume::not_numbers() const {
   return closed_ ? closed_->not_numbers() : smooth_->not_numbers();
+}
+
+void MendedVolume::note_lost_parts(const std::string& path) const {
+  if (!smooth_ || smooth_->selected_voxels() == 0) return;
+  const auto before = static_cast<double>(smooth_->selected_voxels());
+  const auto after = static_cast<double>(smooth_->smooth_voxels());
+  constexpr double usual = 0.03;
+  if (std::fabs(after / before - 1) <= usual) return;
+  print_message(path, "--smooth " + value_text(deviation_mm_) +
+                          " mm: " + std::to_string(smooth_->smooth_voxels()) +
+                          " voxels are inside, and " + std::to_string(smooth_->selected_voxels()) +
+                          " before: it is too much for the thinnest parts; give a smaller "
+                          "--smooth");
 }
 
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "mesh_edges.hpp"
@@ -26,15 +28,13 @@ class Decimator {
     number_bodies(connected_faces(edges, mesh.face_count()));
   }
 
-  Corners decimated(const Decimation& decimation) {
-    for (unsigned round = 1;; ++round) {
-      Corners corners = decimated_once(decimation);
-      find_wrong(corners);
-      if (wrong_.empty() && lost_.empty()) return corners;
-      for (const std::uint32_t vertex : wrong_)
-        if (round > max_rounds && body_of_vertex_[vertex] < bodies_)
-          lost_.push_back(body_of_vertex_[vertex]);
-      if (!keep_bodies() && !keep_around_wrong(1 + round)) return corners;
+  // If too much would have to be kept, fewer triangles are removed everywhere.
+  Corners decimated(Decimation decimation) {
+    for (;;) {
+      if (std::optional<Corners> corners = attempt(decimation)) return *std::move(corners);
+      decimation.triangles += decimation.triangles / 2;
+      decimation.max_error_mm /= 2;
+      is_kept_.assign(is_kept_.size(), false);
     }
   }
 
@@ -47,6 +47,8 @@ class Decimator {
 
  private:
   static constexpr unsigned max_rounds = 12;
+  // The most faces that are kept: whole bodies, and around wrong vertices. One in
+  static constexpr std::size_t in_bodies = 2, around_wrong = 8;
   static constexpr std::uint32_t several = ~0U;  // bodies
 
   static bool is_closed_edge(const FaceEdge* uses, std::size_t count) {
@@ -73,6 +75,27 @@ class Decimator {
     }
   }
 
+  // Nothing if too much has to be kept.
+  std::optional<Corners> attempt(const Decimation& decimation) {
+    std::size_t in_bodies_kept = 0, around_wrong_kept = 0;
+    for (unsigned round = 1;; ++round) {
+      Corners corners = decimated_once(decimation);
+      find_wrong(corners);
+      if (wrong_.empty() && lost_.empty()) return corners;
+      for (const std::uint32_t vertex : wrong_)
+        if (round > max_rounds && body_of_vertex_[vertex] < bodies_)
+          lost_.push_back(body_of_vertex_[vertex]);
+      const std::size_t in_bodies_new = keep_bodies();
+      const std::size_t around_wrong_new = in_bodies_new > 0 ? 0 : keep_around_wrong(1 + round);
+      if (in_bodies_new + around_wrong_new == 0) return corners;
+      in_bodies_kept += in_bodies_new;
+      around_wrong_kept += around_wrong_new;
+      const std::size_t faces = is_kept_.size();
+      if (in_bodies_kept > faces / in_bodies || around_wrong_kept > faces / around_wrong)
+        return std::nullopt;
+    }
+  }
+
   // The faces that are kept, then what the library makes of the others.
   Corners decimated_once(const Decimation& decimation) const {
     Corners result, others;
@@ -83,7 +106,8 @@ class Decimator {
     // The others make up for those, but not so that hardly any of them are left.
     const std::uint64_t kept = result.size() / 3;
     const std::uint64_t share = decimation.triangles * (others.size() / 3) / is_kept_.size();
-    const std::uint64_t wanted = std::max(decimation.triangles, kept + share - share / 10) - kept;
+    const std::uint64_t wanted = std::min<std::uint64_t>(
+        std::max(decimation.triangles, kept + share - share / 10) - kept, others.size() / 3);
     const double error = decimation.max_error_mm > 0 ? decimation.max_error_mm
                                                      : std::numeric_limits<double>::infinity();
     const Corners fewer =
@@ -122,33 +146,34 @@ class Decimator {
       if (!is_found[body]) lost_.push_back(body);
   }
 
-  // Both return whether there was anything that had not been kept before.
-  bool keep_bodies() {
+  // Both return how many faces there were that had not been kept before.
+  std::size_t keep_bodies() {
     std::vector<bool> is_lost(bodies_);
     for (const std::uint32_t body : lost_) is_lost[body] = true;
-    bool is_new = false;
+    std::size_t count = 0;
     for (std::size_t face = 0; face < is_kept_.size(); ++face) {
       if (is_kept_[face] || !is_lost[body_of_face_[face]]) continue;
-      is_kept_[face] = is_new = true;
+      is_kept_[face] = true;
+      ++count;
     }
-    return is_new;
+    return count;
   }
 
-  bool keep_around_wrong(unsigned rings) {
+  std::size_t keep_around_wrong(unsigned rings) {
     std::vector<bool> is_near(mesh_.vertices_mm.size());
     for (const std::uint32_t vertex : wrong_) is_near[vertex] = true;
-    bool is_new = false;
+    std::size_t count = 0;
     for (; rings > 0; --rings) {
       const std::vector<bool> was_near = is_near;
       for (std::size_t face = 0; face < is_kept_.size(); ++face) {
         const std::uint32_t* const vertices = mesh_.face(face);
         if (!was_near[vertices[0]] && !was_near[vertices[1]] && !was_near[vertices[2]]) continue;
         for (std::size_t i = 0; i < 3; ++i) is_near[vertices[i]] = true;
-        is_new = is_new || !is_kept_[face];
+        count += is_kept_[face] ? 0U : 1U;
         is_kept_[face] = true;
       }
     }
-    return is_new;
+    return count;
   }
 
   Mesh mesh_of(const Corners& corners) const {

@@ -16,9 +16,10 @@ void spread_row(const std::uint64_t* from, std::uint64_t* to, std::size_t words)
   }
 }
 
-// With what lies exactly as far away.
+// What lies exactly as far away counts, whichever way it is rounded.
+constexpr double rounding = 1e-9;
+
 std::uint32_t voxels_in(double length_mm, double spacing_mm) {
-  constexpr double rounding = 1e-9;
   return static_cast<std::uint32_t>(length_mm / spacing_mm + rounding);
 }
 
@@ -30,7 +31,8 @@ VoxelBall::VoxelBall(double radius_mm, const std::array<double, 3>& spacing_mm) 
     width.emplace_back();
     for (std::uint32_t y = 0; y <= reach[1]; ++y) {
       const double dy = y * spacing_mm[1], dz = z * spacing_mm[2];
-      const double left = radius_mm * radius_mm - dy * dy - dz * dz;
+      const double square = radius_mm * radius_mm * (1 + rounding);
+      const double left = square - dy * dy - dz * dz;
       width.back().push_back(
           left < 0 ? -1 : static_cast<std::int32_t>(voxels_in(std::sqrt(left), spacing_mm[0])));
     }

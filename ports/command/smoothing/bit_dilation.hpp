@@ -21,6 +21,9 @@ struct BitGrid {
 
 /// The voxels around one that are within a radius of it.
 struct VoxelBall {
+  /// Beyond it memory and time are out of proportion.
+  static constexpr double max_reach = 64;
+
   /// How far it reaches along each axis. Units: voxels
   std::array<std::uint32_t, 3> reach;
   /// How far along x, by distance along y and z: width[z][y]; negative where it does not reach.

@@ -40,15 +40,20 @@ void SmoothedVolume::read_slice(void* samples) {
   auto* result = static_cast<float*>(samples);
   twice_.next(result);
   const float* once = twice_.sharp();
-  for (std::size_t i = 0; i < std::size_t{info_.dims[0]} * info_.dims[1]; ++i)
+  for (std::size_t i = 0; i < std::size_t{info_.dims[0]} * info_.dims[1]; ++i) {
     result[i] = 2 * once[i] - result[i];
+    smooth_voxels_ += result[i] >= 0 ? 1 : 0;
+  }
 }
 
 void SmoothedVolume::read_mask(float* mask) {
   const std::uint8_t* row = selected_.next_slice();
   for (std::uint32_t y = 0; y < info_.dims[1]; ++y, row += bit_row_bytes(info_.dims[0]))
-    for (std::uint32_t x = 0; x < info_.dims[0]; ++x)
-      *mask++ = static_cast<float>(row[x / 8] >> x % 8 & 1);
+    for (std::uint32_t x = 0; x < info_.dims[0]; ++x) {
+      const unsigned is_on = row[x / 8] >> x % 8 & 1U;
+      *mask++ = static_cast<float>(is_on);
+      selected_voxels_ += is_on;
+    }
 }
 
 double steps_mm(const VolumeInfo& info) {

@@ -34,6 +34,9 @@ class SmoothedVolume final : public VolumeReader {
   static std::array<std::uint32_t, 3> reach(const VolumeInfo& info, double deviation_mm);
 
   std::uint64_t not_numbers() const { return selected_.not_numbers(); }
+  /// The voxels inside, of the slices that were read: before, and after.
+  std::uint64_t selected_voxels() const { return selected_voxels_; }
+  std::uint64_t smooth_voxels() const { return smooth_voxels_; }
 
  private:
   void read_mask(float* mask);
@@ -43,6 +46,8 @@ class SmoothedVolume final : public VolumeReader {
   VolumeInfo info_;
   SignedDistance distance_;
   GaussianBlur once_, twice_;
+  std::uint64_t selected_voxels_ = 0;
+  std::uint64_t smooth_voxels_ = 0;
 };
 
 /// The deviation that removes the steps of voxels with this spacing: the largest distance.

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <regex>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -87,10 +89,11 @@ const Synonym synonyms[] = {
 std::string meant(const std::string& name, const std::vector<std::string>& options) {
   for (const Synonym& synonym : synonyms) {
     if (synonym.name != name) continue;
-    for (const std::string option : synonym.options)
-      if (std::find(options.begin(), options.end(), option.substr(0, option.find(' '))) !=
-          options.end())
-        return option;
+    for (const std::string_view option : synonym.options) {
+      const std::string_view first_word = option.substr(0, option.find(' '));
+      if (std::find(options.begin(), options.end(), first_word) != options.end())
+        return std::string(option);
+    }
   }
   return nearest(name, options);
 }

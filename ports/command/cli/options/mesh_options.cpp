@@ -138,7 +138,8 @@ void add_size_options(CLI::App& app, MeshSize& size) {
                                          {"inch", MeshUnit::inch}},
                    "unit of the coordinates in the file; .3mf also states it");
   app.add_option("--scale", size.scale, "make the mesh FACTOR times as large")
-      ->check(accepted([](double factor) { return factor > 0; }, "a number above 0"))
+      ->check(
+          accepted([](double factor) { return factor >= 1e-6 && factor <= 1e6; }, "1e-6 to 1e6"))
       ->option_text("FACTOR")
       ->capture_default_str();
 }
