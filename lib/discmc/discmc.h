@@ -10,8 +10,7 @@
  * the whole memory. start() copies the config; whatever the memory contained is lost. On success
  * start() sets the pointer to the object; after an error the memory holds no object. Do not move
  * memory or contexts while the object is in use. Nothing has to be released. Leave unused config
- * members zero. bytes() returns the least memory for start(); sizes.h has upper bounds as
- * constants.
+ * members zero. bytes() returns the least memory for start(); sizes.h has upper bounds.
  *
  * Checkpoints. save() seals an object, and sets `part` to the first bytes of its memory, which are
  * its complete state. Copy these bytes before the next call of the object, which itself continues.
@@ -21,15 +20,13 @@
  *
  * Errors. start() and restore() return DISCMC_TOO_LITTLE_MEMORY, DISCMC_BAD_SINK, and the errors
  * that a comment adds; restore() also returns DISCMC_BAD_CHECKPOINT. After an error of another
- * function the object continues as if the call had not been made, but waiting events have been
- * delivered.
+ * function the object continues as if the call had not been made; waiting events are delivered.
  *
  * Calls. Call an object from one thread or interrupt at a time. Objects share nothing. Your
  * functions run within calls of the object that has them. They must not jump out of the call, nor
  * call an object that is calling them. Pointers must not be null unless a comment allows it. Flags
  * are 0 or 1. A Limit in a comment is not checked: keep it. Owner: who owns the memory behind a
- * pointer. The C++ headers also have filters, polygon arithmetic, and several surfaces as polygons.
- */
+ * pointer. The C++ headers also have filters, polygon arithmetic and groups of surfaces. */
 #ifndef DISCMC_H
 #define DISCMC_H
 
@@ -258,8 +255,7 @@ DISCMC_CHECK discmc_status discmc_extractor_start(discmc_extractor** extractor,
                                                   const discmc_extractor_config* config);
 
 /* Accepts samples in x, y, z order; a push may end anywhere. Push bits one row at a time, with the
- * width as the count. samples: an array of the type; Owner: the caller; free again when the call
- * returns.
+ * width as the count. samples: an array of the type; Owner: the caller, during the call.
  * stride: from one sample to the next, in samples; not for bits. If suspended, all samples up to
  * the end of a row are accepted: call resume() until it is not suspended, then push the remaining
  * samples. Errors: DISCMC_BAD_SAMPLES, DISCMC_FINISHED, DISCMC_TOO_DEEP, for bits
@@ -400,9 +396,8 @@ DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
                                                  const discmc_receiver_config* config);
 
 /* Accepts any bytes, any number at a time. If suspended, call push() again with the remaining
- * bytes, even if there are none. Errors: DISCMC_TOO_LITTLE_MEMORY (for these slices: give memory,
- * then push the remaining bytes), DISCMC_WRONG_VERSION (ignores the rest of this stream),
- * DISCMC_BAD_SINK. */
+ * bytes, even if there are none. Errors: DISCMC_TOO_LITTLE_MEMORY (give memory for these slices,
+ * then push the rest), DISCMC_WRONG_VERSION (ignores the rest of this stream), DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_push_result discmc_receiver_push(discmc_receiver* receiver,
                                                      const uint8_t* bytes, size_t count);
 
