@@ -6,27 +6,30 @@
  *
  * Programs: examples/firmware.c sends polygons, slices.c sends slices, receive.c receives both.
  *
- * Objects. An object lies at the beginning of the memory in its config, at any alignment, and uses
- * the rest. start() copies the config, ignores the previous content of the memory, and sets the
- * pointer on success; after an error the memory holds no object. Keep memory and contexts in place
- * while the object is in use. Nothing has to be released. Leave unused config members zero. bytes()
- * returns the least memory for start(); sizes.h has upper bounds as constants.
+ * Objects. An object lies at the beginning of the memory in its config, at any alignment. It uses
+ * the whole memory. start() copies the config; whatever the memory contained is lost. On success
+ * start() sets the pointer to the object; after an error the memory holds no object. Do not move
+ * memory or contexts while the object is in use. Nothing has to be released. Leave unused config
+ * members zero. bytes() returns the least memory for start(); sizes.h has upper bounds as
+ * constants.
  *
  * Checkpoints. save() seals an object, and sets `part` to the first bytes of its memory, which are
- * its complete state. Copy them before the next call of the object; the object itself continues.
- * restore() continues from such bytes at the beginning of the config's memory, in the same build,
- * at the same address modulo 8. It reads kind, memory, and sink or output from the config. Both
- * compute a checksum, about 50 instructions per byte.
+ * its complete state. Copy these bytes before the next call of the object, which itself continues.
+ * restore() continues from a copy at the beginning of the config's memory. The build must be the
+ * same, and the address the same modulo 8. restore() reads kind, memory, and sink or output from
+ * the config. Both functions compute a checksum, about 50 instructions per byte.
  *
- * Errors of start() and restore() are DISCMC_TOO_LITTLE_MEMORY, DISCMC_BAD_SINK, and those that a
- * comment adds; of restore() also DISCMC_BAD_CHECKPOINT. After an error of another function the
- * object continues as if the call had not been made, but waiting events have been delivered.
+ * Errors. start() and restore() return DISCMC_TOO_LITTLE_MEMORY, DISCMC_BAD_SINK, and the errors
+ * that a comment adds; restore() also returns DISCMC_BAD_CHECKPOINT. After an error of another
+ * function the object continues as if the call had not been made, but waiting events have been
+ * delivered.
  *
  * Calls. Call an object from one thread or interrupt at a time. Objects share nothing. Your
- * functions run within calls of the object that has them; they must not jump out of it, nor call an
- * object that is calling them. Pointers must not be null unless a comment allows it. Flags are 0 or
- * 1. You must keep a Limit in a comment: it is not checked. Owner: who owns the memory behind a
- * pointer. The C++ headers have more: filters, polygon arithmetic, several surfaces as polygons. */
+ * functions run within calls of the object that has them. They must not jump out of the call, nor
+ * call an object that is calling them. Pointers must not be null unless a comment allows it. Flags
+ * are 0 or 1. A Limit in a comment is not checked: keep it. Owner: who owns the memory behind a
+ * pointer. The C++ headers also have filters, polygon arithmetic, and several surfaces as polygons.
+ */
 #ifndef DISCMC_H
 #define DISCMC_H
 
@@ -103,7 +106,7 @@ enum { DISCMC_BITS, DISCMC_U8, DISCMC_U16, DISCMC_I16 };
 /* The replacement of a missing row: voxels that are off, or the previous row. */
 enum { DISCMC_OFF, DISCMC_PREVIOUS_ROW };
 
-/* The result of a push. Push the rest again. */
+/* The result of a push. Push the samples or bytes that were not accepted again. */
 typedef struct discmc_push_result {
   discmc_status status;
   size_t accepted; /* samples; for a receiver bytes */
@@ -254,12 +257,13 @@ uint64_t discmc_extractor_bytes(const discmc_extractor_config* config);
 DISCMC_CHECK discmc_status discmc_extractor_start(discmc_extractor** extractor,
                                                   const discmc_extractor_config* config);
 
-/* Accepts samples in x, y, z order, and may end anywhere; for bits push one row, with its width as
- * the count. samples: an array of the type; Owner: the caller; free again when the call returns.
+/* Accepts samples in x, y, z order; a push may end anywhere. Push bits one row at a time, with the
+ * width as the count. samples: an array of the type; Owner: the caller; free again when the call
+ * returns.
  * stride: from one sample to the next, in samples; not for bits. If suspended, all samples up to
- * the end of a row are accepted: resume, then push the others. Errors: DISCMC_BAD_SAMPLES,
- * DISCMC_FINISHED, DISCMC_TOO_DEEP, for bits DISCMC_ROW_IN_PROGRESS. Cost: a comparison per sample,
- * and the surface that the row completes. */
+ * the end of a row are accepted: call resume() until it is not suspended, then push the remaining
+ * samples. Errors: DISCMC_BAD_SAMPLES, DISCMC_FINISHED, DISCMC_TOO_DEEP, for bits
+ * DISCMC_ROW_IN_PROGRESS. Cost: a comparison per sample, and the surface that the row completes. */
 DISCMC_CHECK discmc_push_result discmc_extractor_push(discmc_extractor* extractor,
                                                       discmc_sample_type type, const void* samples,
                                                       uint32_t count, uint32_t stride);
@@ -284,7 +288,7 @@ typedef struct discmc_extractor_info {
   discmc_statistics statistics;    /* so far */
   uint32_t slices, rows;           /* complete slices, and complete rows of the next */
   uint32_t slots, holes;           /* capacities; holes lie in the slots */
-  uint32_t peak_slots, peak_holes; /* most in use; 1,200 more slots avoid all fragments */
+  uint32_t peak_slots, peak_holes; /* most in use; 1,168 more slots avoid all fragments */
   size_t bytes_used;               /* of the memory, from its beginning */
 } discmc_extractor_info;
 discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extractor);
@@ -387,17 +391,18 @@ typedef struct discmc_receiver_config {
   discmc_memory memory; /* for slices, more than the least makes whole regions of fragments */
   discmc_sink sink;
 } discmc_receiver_config;
-/* For a stream of slices; for polygons limits is null. */
+/* For a stream of slices; for polygons pass null limits. */
 uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count);
 /* Waits for a stream. Counts and ignores packets of other scans and channels, so all receivers of a
- * link, one per surface, may get all bytes. For scan after scan push up to the next zero byte at a
- * time, and start again when the info has_trailer. */
+ * link, one per surface, may get all bytes. For scan after scan, push the bytes up to each
+ * zero byte separately, and call start() again when the info has_trailer. */
 DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
                                                  const discmc_receiver_config* config);
 
-/* Accepts any bytes, any number at a time. If suspended, push the others, even if there are none.
- * Errors: DISCMC_TOO_LITTLE_MEMORY (for these slices: give memory, then push the others),
- * DISCMC_WRONG_VERSION (ignores the rest of this stream), DISCMC_BAD_SINK. */
+/* Accepts any bytes, any number at a time. If suspended, call push() again with the remaining
+ * bytes, even if there are none. Errors: DISCMC_TOO_LITTLE_MEMORY (for these slices: give memory,
+ * then push the remaining bytes), DISCMC_WRONG_VERSION (ignores the rest of this stream),
+ * DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_push_result discmc_receiver_push(discmc_receiver* receiver,
                                                      const uint8_t* bytes, size_t count);
 

@@ -11,17 +11,18 @@
 // `application`. A decoder may send `lost` instead of the rest of a region or fragment. A truncated
 // stream has no `finish`; a stream whose header is lost has its `start` late, or none.
 //
-// A fragment is loose: a piece of a boundary ring that left early for lack of memory. Fragment E
-// follows fragment F if both have the same incidence, E starts at the end of F, and E's incoming
-// direction is that of F's last run. A directed link belongs to one chain, so at most one fragment
-// matches. Two joined fragments may meet in runs of one direction: that is no corner. A ring that
-// is sent loose as a whole is a fragment that follows itself. All loose fragments of a region's
-// holes come before its outer ring, or before the last fragment of that ring.
+// All fragments in this grammar are loose: pieces of a boundary ring that left early for lack of
+// memory. The next fragment of a ring has the same incidence. It starts where the previous fragment
+// ends, and its incoming direction is the direction of the previous fragment's last run. A directed
+// link belongs to one chain, so at most one fragment matches. If the joined runs have the same
+// direction, there is no corner between them. If the whole ring is one fragment, the fragment
+// follows itself. All loose fragments of a region's holes come before its outer ring, or before the
+// last fragment of that ring.
 //
-// A sink that ignores fragments (all events from `fragment` to `fragment_end`) gets an incomplete
-// surface: regions with a loose outer ring are missing, and others lack their loose holes.
-// Statistics::fragments counts the fragments. make_region_sink() in joiner.hpp sends whole regions
-// to a sink.
+// A sink that ignores fragments (all events from `fragment` to `fragment_end`) receives an
+// incomplete surface: regions with a loose outer ring are missing, and other regions lack their
+// loose holes. Statistics::fragments counts the fragments. make_region_sink() in joiner.hpp joins
+// fragments, and sends whole regions to a sink.
 #ifndef DISCMC_SINK_HPP
 #define DISCMC_SINK_HPP
 
@@ -38,8 +39,8 @@ namespace discmc {
 // ---- Application records: your own data in a stream, such as a time stamp, a pose or a battery's
 // state.
 
-/// A record is sent at once, in a packet of its own: it costs 22 bytes beyond its data, and ends
-/// the packet before it early. So write few records with much data each.
+/// A record is sent at once, in its own packet. It costs 22 bytes beyond its data, and ends the
+/// previous packet early, so write few records with much data each.
 struct ApplicationRecord {
   static constexpr size_t max_bytes = 200;
   /// The first standard kind; see placement.hpp.
@@ -65,9 +66,10 @@ struct StreamLabel {
   uint32_t depth = 0;                 ///< planned slices; 0 if unknown
   int32_t spacing_nm[3] = {0, 0, 0};  ///< between voxels; negative for a mirrored axis; 0 unknown;
                                       ///< ignored if the extractor supplies it
-  uint16_t scan = 0;  ///< a number that no other scan on the link has, such as the device's number
-                      ///< and a count of its scans
-  uint8_t channel = 0;  ///< of the surface, if several share a link; Limit: at most max_channel
+  uint16_t scan = 0;    ///< a number that no other scan on the link has: the device's number and a
+                        ///< count of its scans, for example
+  uint8_t channel = 0;  ///< of the surface, if several surfaces share a link; Limit: at most
+                        ///< max_channel
 };
 
 /// The header of a stream.
@@ -102,9 +104,9 @@ struct StreamHeader {
 enum class SinkResult : uint8_t {
   accepted,
   busy,
-  not_started,  ///< the sink has not started, and a retry is of no use. An extractor does not start
-                ///< then; decoders and joiners return bad_sink. During a scan, an extractor treats
-                ///< it as `busy`.
+  not_started,  ///< the sink has not started: a retry fails again. An extractor then does not
+                ///< start; decoders and joiners return bad_sink. During a scan, an extractor treats
+                ///< not_started as `busy`.
 };
 
 /// The status of a decoder or joiner whose sink has not accepted an event.
@@ -112,18 +114,18 @@ constexpr Status status_of(SinkResult answer) {
   return answer == SinkResult::not_started ? Status::bad_sink : Status::suspended;
 }
 
-/// The totals of a scan so far. All are exact, except for slabs: each of two slabs counts a part of
-/// the cells at their seam, and drops the fraction at the end. So the first three counts of all
-/// slabs add up to those of the volume, less at most one per seam.
+/// The totals of a scan so far, exact for a whole volume. The two slabs at a seam share its cells,
+/// and each slab rounds its counts down. So the sums of `cells`, `facets` and `classic_triangles`
+/// over all slabs are at most one too low per seam.
 struct Statistics {
   uint64_t cells;              ///< cells that contain surface
   uint64_t facets;             ///< in these cells, before the merge to regions
   uint64_t classic_triangles;  ///< that classic Marching Cubes would make in these cells
   uint64_t regions;            ///< delivered whole
-  uint64_t rings;              ///< of these regions, with holes
+  uint64_t rings;              ///< of these regions, holes included
   uint64_t links;              ///< the sum of the lengths of all delivered runs
   uint64_t fragments;          ///< loose fragments delivered
-  uint64_t skipped_rows;       ///< missing rows, by skip_row(), without those after abandon()
+  uint64_t skipped_rows;       ///< calls of skip_row(); rows after abandon() are not counted
 };
 
 /// One event. Only the members that its kind names are valid.
@@ -139,8 +141,9 @@ struct Event {
     skipped,       ///< a row is missing: slice, row; `repeated` if the previous row replaces it
     layer,         ///< every region that does not reach `slice` has been delivered
     application,   ///< an application record: application
-    finish,  ///< the last event: slice (their number; of a slab, its own), abandoned, statistics
-    lost,    ///< decoders only: part of the current region or fragment is lost; discard it
+    finish,        ///< the last event: slice (number of slices; of a slab, its own), abandoned,
+                   ///< statistics
+    lost,          ///< decoders only: part of the current region or fragment is lost; discard it
   };
   Kind kind;
   Incidence incidence;
@@ -164,11 +167,11 @@ struct Event {
 
 /// The receiver of events. Owner: the context belongs to the caller and must outlive the scan.
 ///
-/// The object that has the sink calls take() during its own calls, in the caller's thread. take()
-/// may block, and may call functions of other objects. It may call the queries of that object, such
-/// as slices(), but no function that changes or saves it. It must not throw: the library is
-/// compiled without exceptions. Nothing is locked: call an object from one context at a time, and
-/// from an interrupt only if nothing else calls it.
+/// The sender, which is the object that has the sink, calls take() during its own calls, in the
+/// caller's thread. take() may block, and may call functions of other objects. It may call queries
+/// of the sender, such as slices(), but no function that changes or saves the sender. It must not
+/// throw: the library is compiled without exceptions. Nothing is locked: call an object from one
+/// context at a time, and from an interrupt only if nothing else calls it.
 struct Sink {
   void* context = nullptr;
   SinkResult (*take)(void* context, const Event& event) = nullptr;
@@ -193,8 +196,8 @@ struct WholeRegion {
   uint32_t count;
 };
 
-/// A receiver beside a sink that may accept a region in one call: see
-/// HostExtractor::give_regions_to(). If it does not, the sink receives the region's events.
+/// An additional receiver that may accept a region in one call: see
+/// HostExtractor::give_regions_to(). If it refuses the region, the sink receives the events.
 struct RegionReceiver {
   void* context = nullptr;
   SinkResult (*take)(void* context, const WholeRegion& region) = nullptr;

@@ -40,7 +40,7 @@ class ReadInTurn final : public VolumeFilter {
 
 void serve(const ViewArguments& arguments, const ServedFile& file) {
   serve_page(file, arguments.port, [&](const std::string& address) {
-    std::cout << file.name << ": " << address << " (stop it with Ctrl-C)" << std::endl;
+    std::cout << "Open " << address << " (stop with Ctrl-C)" << std::endl;
     require_written(std::cout);
     if (arguments.opens && !open_in_browser(address))
       std::cerr << "discmc: no browser was found; open " << address << " in a browser\n";

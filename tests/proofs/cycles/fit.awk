@@ -8,7 +8,7 @@
 
 BEGIN {
   OFS = "\t"
-  terms = split("a voxel of 8 bits|a voxel of 16 bits|a voxel that is on, more|a row|an active cell|a step|a byte", term, "|")
+  terms = split("a voxel of 8 bits|a voxel of 16 bits|a voxel that is on, more|a row|an active cell|a link (slices: a step)|a byte", term, "|")
   floor_terms = 4
   on = 3
 }

@@ -63,7 +63,7 @@ function print_summary(    target, head, slices) {
   bytes_row("RAM, least", figure("RAM", "Extractor16", "bytes") + figure("RAM", "Encoder", "bytes") \
     + figure("Arena", "256x256", "extractor, least"), \
     figure("Payloads", "RAM for slices of 256x256", slices))
-  bytes_row("RAM as measured here", figure("Payloads", "RAM for slices of 256x256", "regions"), \
+  bytes_row("RAM for the shortest stream", figure("Payloads", "RAM for slices of 256x256", "regions"), \
     figure("Payloads", "RAM for slices of 256x256", slices))
   bytes_row("stream", figure("Payloads", "bytes: " head, "regions"), \
     figure("Payloads", "bytes: " head, slices))
