@@ -258,6 +258,8 @@ TEST_CASE("what is advised of options works") {
        {dmc + "--slab 1/9", "the volume has 4 slices; give that many slabs at most",
         dmc + "--slab 1/4"},
        {dmc + "--jobs 2 --memory 1M", "leave one out", dmc + "--jobs 2"},
+       {stl + "--jobs 2 --smooth auto", "leave out --jobs, or add --surface merged",
+        stl + "--jobs 2 --smooth auto --surface merged"},
        {dmc + "--jobs 2 --wire slices", "leave one out", dmc + "--wire slices"},
        {iso + "-o 'out-{nam}.stl'", "only {name} is supported", iso + "-o 'out-{name}.stl'"},
        {iso + "-o '{name}/out.stl'", "put it after the last /", iso + "-o './{name}.stl'"},

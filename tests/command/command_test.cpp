@@ -339,6 +339,8 @@ TEST_CASE("a table that cannot be written is a failure, and the stream is there"
   if (workshop.shell("test -c /dev/full").code != 0) return;
   const Result result = workshop.shell("\"$discmc\" extract v.nrrd --iso 100 -o v.dmc >/dev/full");
   check_failure(result, 1, {"the output cannot be written"});
+  check_failure(workshop.shell("\"$discmc\" extract v.nrrd --iso 100 -o - --format stl >/dev/full"),
+                1, {"discmc: standard output: writing failed"});
   CHECK(workshop.run("info v.dmc").code == 0);
 }
 
@@ -580,7 +582,9 @@ TEST_CASE("a mesh goes to standard output by --format, as it would to a file") {
   CHECK(contains(several.error, "label"));
   check_failure(workshop.run("extract v.nrrd --iso 100 -o v.stl --format ply"), 2,
                 {"leave it out, as v.stl"});
-  check_failure(workshop.run("extract v.nrrd --iso 100 -o - --format off"), 2, {".stl"});
+  for (const std::string none : {"off", "a.stl", "''", ".", "..stl"})
+    check_failure(workshop.run("extract v.nrrd --iso 100 -o - --format " + none), 2,
+                  {"'" + (none == "''" ? "" : none) + "' is not a format; expected .dmc, .stl, "});
 }
 
 TEST_CASE("--unit and --scale change the coordinates of a mesh") {

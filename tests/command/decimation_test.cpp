@@ -172,9 +172,33 @@ TEST_CASE("--triangles and --max-error write decimated meshes, interpolated befo
   workshop.done(
       "extract v.raw --dims 40,40,40 --type u8 --label 50 --allow-empty --triangles 99 "
       "--median 3 -o v.glb");
+  std::replace_if(
+      bytes.begin(), bytes.end(), [](char c) { return c != 0; }, '\1');
+  workshop.write("mask.raw", bytes);
+  CHECK(contains(workshop
+                     .run("extract mask.raw --dims 40,40,40 --type u8 --iso 1 --triangles 999 "
+                          "-o v.ply")
+                     .error,
+                 "as a mask, so the surface keeps the steps of the voxels; add --smooth auto"));
   CHECK(contains(workshop.run(extract + "--triangles 99 -o v.dmc").error, "not decimated"));
   CHECK(contains(workshop.run(extract + "--triangles 99 --faces polygons -o v.ply").error,
                  "leave out --faces polygons"));
-  CHECK(contains(workshop.run(extract + "--triangles 3 -o v.ply").error, "from 4"));
+  for (const std::string none : {"3", "4.5", "1e30", "-9"})
+    CHECK(contains(workshop.run(extract + "--triangles=" + none + " -o v.ply").error,
+                   "invalid value '" + none + "'; expected a whole number from 4"));
   CHECK(contains(workshop.run(extract + "--max-error 0 -o v.ply").error, "above 0"));
+}
+
+TEST_CASE("a note about a label that cannot be decimated further has the name of the label") {
+  if (lacks_simplifier()) return;
+  const command_tests::Workshop workshop;
+  std::string bytes(12 * 12 * 12, '\0');
+  for (const int at : {2, 5, 8})
+    for (const int below : {2, 5, 8}) bytes[static_cast<std::size_t>(at + 12 * below + 720)] = '\3';
+  workshop.write("v.raw", bytes);
+  workshop.write("table.txt", "3 seeds\n");
+  const auto result = workshop.run(
+      "extract v.raw --dims 12,12,12 --type u8 --labels all --label-table table.txt --triangles 9 "
+      "-o v.glb");
+  CHECK(contains(result.error, "v.raw: label 3 (seeds): --triangles 9: "));
 }

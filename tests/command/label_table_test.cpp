@@ -52,6 +52,15 @@ TEST_CASE("a table of ITK-SNAP has the name last, in quotes") {
   CHECK(table.at(2).colour == Srgb{0, 255, 0});
 }
 
+TEST_CASE("a colour may stand on either side of a name in quotes") {
+  const Labels table = table_of("12 \"Uber a\" 10 20 30 255\n3 \"liver\" 255 0 0\n4 \"bone\"\n");
+  CHECK(table.at(12).name == "Uber a");
+  CHECK(table.at(12).colour == Srgb{10, 20, 30});
+  CHECK(table.at(3).colour == Srgb{255, 0, 0});
+  CHECK_FALSE(table.at(4).colour);
+  CHECK(table_of("3 \"liver\" 255 0 0 255").at(3).colour == Srgb{255, 0, 0});
+}
+
 TEST_CASE("a table of BIDS has columns in any order") {
   const Labels table = table_of(
       "name\tindex\tmapping\tcolor\nGray Matter\t1\t\t#ff53bB\nWhite "
@@ -125,6 +134,8 @@ TEST_CASE("a line that is no label is refused with its number") {
   check_refused("3 vena cava 1 2 3\n", "line 1");
   check_refused("3 vein 1 2 300\n", "line 1");
   check_refused("3 vein 0.1 0.2 0.3\n", "line 1");
+  check_refused("3 \"vein\" 1 2 300\n", "line 1");
+  check_refused("3 1 2 300 1 1 1 \"vein\"\n", "line 1");
   check_refused("index\tname\tcolor\n1\tvein\t#zz0000\n", "line 2");
   check_refused("LabelValue,Name\n1,\n", "line 2");
   check_refused("LabelValue,Name,Color_R,Color_G,Color_B\n1,vein,1,2\n", "line 2");

@@ -82,8 +82,8 @@ TEST_CASE("the colour of a label is in OBJ, by a file beside it, and in VTP") {
   workshop.write("table.txt", "1 bone 51 102 255\n");
   const std::string label = extract + "--labels 1 --label-table table.txt ";
   workshop.done(label + "-o 'my {name}.obj'");
-  CHECK(contains(workshop.read("my bone.obj"), "\nmtllib my bone.mtl\nusemtl surface\nv "));
-  CHECK(workshop.read("my bone.mtl") == "newmtl surface\nKd 0.2 0.4 1\n");
+  CHECK(contains(workshop.read("my bone.obj"), "\nmtllib my_bone.mtl\nusemtl surface\nv "));
+  CHECK(workshop.read("my_bone.mtl") == "newmtl surface\nKd 0.2 0.4 1\n");
   CHECK(contains(workshop.run(label + "-o '{name}.obj' && cat bone.mtl").out, "bone.obj"));
   workshop.done(label + "--normals surface -o '{name}.vtp'");
   CHECK(command_tests::mesh_of_vtp(workshop.read("bone.vtp")).colour ==

@@ -264,6 +264,11 @@ TEST_CASE("jobs that cannot be are refused, with the remedy") {
   refused("-o v.stl --jobs 0", "--jobs");
   refused("-o v.stl --jobs 2 --memory 4096", "leave one out");
   refused("-o v.stl --jobs 2 --surface interpolated", "leave one out");
+  for (const std::string option : {"--smooth auto", "--triangles 99", "--max-error 1"}) {
+    const std::string name = option.substr(0, option.find(' '));
+    refused("-o v.stl --jobs 2 " + option, "cannot be combined with " + name + ", which");
+    refused("-o v.stl --jobs 2 " + option, "leave out --jobs, or add --surface merged");
+  }
   refused("-o v.dmc --jobs 2 --wire slices", "leave one out");
   refused("-o v.dmc --jobs 2 --normals gradient", "leave one out");
 }

@@ -265,8 +265,10 @@ TEST_CASE("--smooth takes a mask, a label and a threshold, and gives triangles")
   workshop.done("decode v.dmc -o decoded.obj");
   workshop.done(volume + "--iso 1 --smooth auto --faces polygons -o polygons.ply");
 
-  CHECK(contains(workshop.run(volume + "--iso 1 --smooth 0 -o v.stl").error,
-                 "invalid deviation '0'; expected auto, or millimetres"));
+  workshop.done(volume + "--iso 1 --smooth 1e-6 -o least.obj");
+  for (const std::string none : {"0", "1e-300", "9e-7", "1001"})
+    CHECK(contains(workshop.run(volume + "--iso 1 --smooth " + none + " -o v.stl").error,
+                   "invalid deviation '" + none + "'; expected auto, or 1e-6 to 1000 millimetres"));
   CHECK(contains(workshop.run(volume + "--iso 1 --iso 2 --smooth auto -o '{name}.stl'").error,
                  "accepts one surface"));
   CHECK(contains(workshop.run(volume + "--iso 1 --smooth auto --normals gradient -o v.ply").error,

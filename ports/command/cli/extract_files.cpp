@@ -1,5 +1,6 @@
 #include "extract_files.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <set>
@@ -30,9 +31,17 @@ void add_normals(const ExtractArguments& arguments, const Selection& selection,
   add_gradient_normals(*again.reader, mesh);
 }
 
+// Many programs end the name of a material file at its first space. Limit: names that differ in
+// spaces and underscores alone share a file.
+std::filesystem::path material_file(const std::filesystem::path& mesh) {
+  std::string name = mesh.filename().replace_extension(".mtl").string();
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return mesh.parent_path() / name;
+}
+
 // The colour of an OBJ mesh goes into a file beside it.
 void write_obj_and_mtl(const Mesh& mesh, const std::string& name, unsigned jobs, OutputFile& file) {
-  const auto materials = std::filesystem::path(name).replace_extension(".mtl");
+  const auto materials = material_file(name);
   write_to(file,
            [&](std::ostream& out) { write_obj(mesh, out, jobs, materials.filename().string()); });
   file.commit();
@@ -129,9 +138,8 @@ Mesh MeshFiles::mesh_of(const SurfaceOutput& output, MeshSummary& summary) const
   Mesh mesh = placed_mesh(
       output.surface, options_of(arguments_, output),
       [&](Mesh& unplaced) {
-        note_left_out(arguments_.volume, output.surface, unplaced);
-        summary.unchanged_bodies =
-            decimate_noted(arguments_.volume, arguments_.decimation, unplaced);
+        note_left_out(output.title, output.surface, unplaced);
+        summary.unchanged_bodies = decimate_noted(output.title, arguments_.decimation, unplaced);
         add_normals(arguments_, output.selection.selection, output.surface, unplaced);
       },
       placement_, arguments_.size);

@@ -19,6 +19,7 @@ struct SurfaceOutput {
   Surface& surface;
   const NamedSelection& selection;
   std::string file;
+  std::string title;                     ///< of the input and the surface, for messages
   const Crossings* crossings = nullptr;  ///< as MeshOptions
 };
 

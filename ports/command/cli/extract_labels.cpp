@@ -204,7 +204,8 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   bool has_mesh = false;
   for (std::size_t i = 0; i < names.size(); ++i) {
     LabelledSurface& label = labels[i].surface;
-    keep_chosen(volume + ": " + title(selections[i]), arguments.components, label.surface);
+    const std::string titled = volume + ": " + title(selections[i]);
+    keep_chosen(titled, arguments.components, label.surface);
     if (label.surface.polygons.empty() && !arguments.reading.allows_empty) {
       print_message(arguments.volume,
                     title(selections[i]) + " has no surface left, so " + names[i] +
@@ -212,7 +213,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
       continue;
     }
     const bool moves = arguments.interpolates && labels[i].crossings;
-    const MeshSummary mesh = files.add({label.surface, selections[i], names[i],
+    const MeshSummary mesh = files.add({label.surface, selections[i], names[i], titled,
                                         moves ? &labels[i].crossings->crossings() : nullptr});
     has_mesh = true;
     if (!arguments.quiet)

@@ -44,22 +44,23 @@ int extract_meshes(ExtractArguments arguments) {
                    mended.is_changed() ? mended.not_numbers() : extractions[0].not_numbers);
   if (arguments.interpolates && !mended.is_changed() && volume->has_two_values())
     print_message(arguments.volume,
-                  "the volume has only two values, as a mask, so the interpolated surface keeps "
-                  "the steps of the voxels; add --smooth auto");
+                  "the volume has only two values, as a mask, so the surface keeps the steps of "
+                  "the voxels; add --smooth auto");
   check_surfaces(arguments, extractions, *volume);
 
   std::ostream& table = table_stream(arguments.output);
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     Surface& surface = receivers[i]->surface();
     surface.spacing_mm = info.spacing_mm;
-    keep_chosen(arguments.volume + (names.size() > 1 ? ": " + selections[i].name : ""),
-                arguments.components, surface);
+    const std::string title =
+        name_for_people(arguments.volume) + (names.size() > 1 ? ": " + selections[i].name : "");
+    keep_chosen(title, arguments.components, surface);
     if (surface.polygons.empty() && !arguments.reading.allows_empty)
       throw std::runtime_error(arguments.volume +
                                ": no body is as large as --min-volume; give a smaller volume, or "
                                "accept an empty surface with --allow-empty");
     const MeshSummary mesh =
-        files.add({surface, selections[i], names[i],
+        files.add({surface, selections[i], names[i], title,
                    arguments.interpolates ? &finders[i].crossings() : nullptr});
     if (arguments.quiet) continue;
     if (files.are_one())

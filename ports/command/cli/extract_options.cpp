@@ -180,9 +180,17 @@ void check_slab(const ExtractArguments& arguments) {
         "out --normals, and give discmc decode --normals gradient --volume FILE");
 }
 
-void check_jobs(const ExtractArguments& arguments) {
+void check_jobs(const ExtractArguments& arguments, const CLI::Option& surface) {
   if (!arguments.jobs) return;
   const bool is_stream = format_of(arguments.output) == Format::stream;
+  if (arguments.interpolates && surface.count() == 0 && arguments.labels.empty()) {
+    const std::string option = arguments.reading.smooth_mm          ? "--smooth"
+                               : arguments.decimation.triangles > 0 ? "--triangles"
+                                                                    : "--max-error";
+    throw CLI::ValidationError("--jobs", "cannot be combined with " + option +
+                                             ", which interpolates the surface; leave out --jobs, "
+                                             "or add --surface merged");
+  }
   if (!is_divisible(arguments))
     throw CLI::ValidationError("--jobs",
                                "cannot be combined with --memory, --capacities, --labels or "
@@ -225,7 +233,7 @@ void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_tolerance(arguments, *app.get_option("--tolerance"));
   check_wire(arguments);
   check_slab(arguments);
-  check_jobs(arguments);
+  check_jobs(arguments, *app.get_option("--surface"));
 }
 
 // "2/7". Throws where it is none.
@@ -245,7 +253,7 @@ SlabChoice slab_choice(const std::string& text) {
 std::optional<double> deviation(const std::string& text) {
   if (text == "auto") return 0;
   const auto length = finite_number(text);
-  return length && *length > 0 && *length <= 1000 ? length : std::nullopt;
+  return length && *length >= 1e-6 && *length <= 1000 ? length : std::nullopt;
 }
 
 void add_smoothing_option(CLI::App& app, ExtractArguments& arguments) {
@@ -259,7 +267,7 @@ void add_smoothing_option(CLI::App& app, ExtractArguments& arguments) {
           [](std::string& text) {
             return deviation(text) ? std::string()
                                    : "invalid deviation '" + text +
-                                         "'; expected auto, or millimetres above 0 and up to 1000";
+                                         "'; expected auto, or 1e-6 to 1000 millimetres";
           },
           ""))
       ->option_text("auto|MM");

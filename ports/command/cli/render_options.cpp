@@ -83,8 +83,8 @@ Command add_render(CLI::App& app) {
       app.add_subcommand("render", "Draw a stream, a volume or a mesh as a PNG picture");
   render
       ->add_option("INPUT", arguments->input,
-                   "a .dmc stream, a volume as for extract, or a mesh (.stl, .ply, .obj, .glb, "
-                   ".3mf); - reads standard input")
+                   "a .dmc stream or a volume as for extract, where - reads standard input; or a "
+                   "mesh (.stl, .ply, .obj, .glb, .3mf), which is read from a file only")
       ->required();
   render
       ->add_option("-o,--output", arguments->output, "the PNG file to write; - is standard output")

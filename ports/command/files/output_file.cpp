@@ -42,6 +42,10 @@ bool is_standard_output(const std::filesystem::path& path) {
   return path == "-" || (!path.has_parent_path() && path.stem() == "-" && path.has_extension());
 }
 
+std::string output_for_people(const std::filesystem::path& path) {
+  return is_standard_output(path) ? "standard output" : path.string();
+}
+
 void require_folder(const std::filesystem::path& folder) {
   const std::filesystem::path named = folder.empty() ? "." : folder;
   std::error_code ignored;
@@ -93,7 +97,8 @@ std::ostream& OutputFile::stream() {
 
 void OutputFile::commit() {
   stream().flush();
-  if (!stream()) throw std::runtime_error(path_.string() + ": writing failed; is the disk full?");
+  if (!stream())
+    throw std::runtime_error(output_for_people(path_) + ": writing failed; is the disk full?");
   if (is_standard_output()) return;
   file_.close();
   if (!file_) throw std::runtime_error(path_.string() + ": writing failed; is the disk full?");

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <ostream>
+#include <string>
 
 namespace discmc::command {
 
@@ -13,6 +14,9 @@ void require_folder(const std::filesystem::path& folder);
 
 /// Whether an output of this name is standard output: "-", or "-." with the extension of a format.
 bool is_standard_output(const std::filesystem::path& path);
+
+/// What an output of this name is called in messages.
+std::string output_for_people(const std::filesystem::path& path);
 
 /// A file that appears under its name only when commit() is reached: whatever fails before, and a
 /// signal that ends the program, leaves no half-written file behind. A link stays, and its target

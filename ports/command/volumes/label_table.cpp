@@ -133,11 +133,15 @@ class Reader {
     return colour && words.size() <= 6 ? entry(words[0], words[1], colour) : std::nullopt;
   }
 
+  // ITK-SNAP writes the colour before the name, other programs after it.
   static std::optional<LabelDescription> read_quoted(std::string_view line, std::size_t quote) {
     const std::size_t end = line.find('"', quote + 1);
     const Words before = words(line.substr(0, quote));
     if (end == std::string_view::npos || before.empty()) return std::nullopt;
-    return entry(before[0], line.substr(quote + 1, end - quote - 1), colour_of(before, 1));
+    const Words after = words(line.substr(end + 1));
+    const auto colour = after.empty() ? colour_of(before, 1) : colour_of(after, 0);
+    if (!colour && before.size() + after.size() > 1) return std::nullopt;
+    return entry(before[0], line.substr(quote + 1, end - quote - 1), colour);
   }
 
   bool has_columns_ = false;
@@ -172,7 +176,8 @@ LabelTable read_label_table(const std::filesystem::path& file) {
     auto read = reader.read(line);
     if (!read)
       fail(file, "line " + std::to_string(number) + " is " + shown(line),
-           "give a whole number, a name of one word, and red, green and blue from 0 to 255");
+           "give a whole number, a name of one word or in quotes, and red, green and blue from 0 "
+           "to 255");
     if (!taken.insert(read->values[0]).second)
       fail(file, "label " + read->values[0].text() + " is given twice",
            "delete line " + std::to_string(number));

@@ -1,6 +1,5 @@
 #include "mesh_options.hpp"
 
-#include <cmath>
 #include <stdexcept>
 
 #include "mesh_files/file_format.hpp"
@@ -38,8 +37,11 @@ void add_format_option(CLI::App& app, std::string& format) {
   app.add_option("--format", format, "with -o -: the format of standard output, as an extension")
       ->check(CLI::Validator(
           [](std::string& text) {
-            const auto dot = text.rfind('.', 0) == 0 ? "" : ".";
-            return mesh_format()("-" + (dot + text));
+            const std::string name = text.rfind('.', 0) == 0 ? text.substr(1) : text;
+            const bool is_format =
+                name.find('.') == std::string::npos && mesh_format()("-." + name).empty();
+            return is_format ? std::string()
+                             : "'" + text + "' is not a format; expected " + extensions();
           },
           ""))
       ->option_text("stl|ply|...");
@@ -79,8 +81,7 @@ void add_component_options(CLI::App& app, ComponentChoice& components) {
   app.option_defaults()->group(mesh_group);
   app.add_option("--largest", components.largest,
                  "keep the N bodies and cavities that enclose the most volume (default: all)")
-      ->check(accepted([](double count) { return count >= 1 && count == std::floor(count); },
-                       "a whole number from 1"))
+      ->check(whole_from(1))
       ->option_text("N");
   app.add_option("--min-volume", components.min_volume_mm3,
                  "drop bodies and cavities that enclose less than MM3 cubic millimetres")
@@ -161,11 +162,11 @@ void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolera
   add_named_option(app, "--surface", interpolates,
                    NamedValues<bool>{{"merged", false}, {"interpolated", true}},
                    "the place of the vertices; merged: halfway between voxels, in flat polygons; "
-                   "interpolated: where the samples cross the threshold, as in Marching Cubes, and "
-                   "the default with --smooth");
+                   "interpolated: where the samples cross the threshold, as in Marching Cubes; the "
+                   "default with --smooth, and of samples with --triangles or --max-error");
   app.add_option("--tolerance", tolerance,
                  "the largest distance of an interpolated surface from these crossings, in voxels; "
-                 "less needs more triangles")
+                 "less needs more triangles; with --triangles or --max-error the default is 0")
       ->check(finite())
       ->check(not_negative())
       ->option_text("VOXELS")
@@ -177,12 +178,11 @@ void add_decimation_options(CLI::App& app, Decimation& decimation) {
   app.add_option("--triangles", decimation.triangles,
                  "decimate each mesh to about N triangles; closed meshes stay closed (default: all "
                  "triangles)")
-      ->check(accepted([](double count) { return count >= 4 && count == std::floor(count); },
-                       "a whole number from 4"))
+      ->check(whole_from(4))
       ->option_text("N");
   app.add_option("--max-error", decimation.max_error_mm,
                  "decimate each mesh until its mean distance from the surface is about MM "
-                 "millimetres")
+                 "millimetres; single places are up to about 3 times as far")
       ->check(accepted([](double length) { return length > 0; }, "millimetres above 0"))
       ->option_text("MM");
 }

@@ -14,6 +14,7 @@
 
 #include "files/file_pattern.hpp"
 #include "text/number_text.hpp"
+#include "text/whole_number.hpp"
 
 namespace discmc::command {
 
@@ -26,6 +27,18 @@ CLI::Validator accepted(Condition holds, const std::string& wanted) {
         const auto value = finite_number(text);
         return value && holds(*value) ? std::string()
                                       : "invalid value '" + text + "'; expected " + wanted;
+      },
+      "");
+}
+
+inline CLI::Validator whole_from(std::uint64_t least) {
+  return CLI::Validator(
+      [least](std::string& text) {
+        const auto value = whole_number<std::uint64_t>(text);
+        return value && *value >= least
+                   ? std::string()
+                   : "invalid value '" + text + "'; expected a whole number from " +
+                         std::to_string(least);
       },
       "");
 }
