@@ -200,8 +200,8 @@ TEST_CASE("labels are shrunk to labels") {
   workshop.done(
       "extract l.raw --dims 9,8,8 --type u8 --shrink 2 -q --labels all -o 'all {name}.obj'");
   CHECK(obj_in(workshop, "all 6.obj").vertices_mm == label.vertices_mm);
-  CHECK(workshop.names() == std::vector<std::string>{"all 2.mtl", "all 2.obj", "all 6.mtl",
-                                                     "all 6.obj", "l.obj", "l.raw"});
+  CHECK(workshop.names() == std::vector<std::string>{"all 2.obj", "all 6.obj", "all_2.mtl",
+                                                     "all_6.mtl", "l.obj", "l.raw"});
 }
 
 TEST_CASE("parts that make no sense are refused before any work") {
