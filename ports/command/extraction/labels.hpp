@@ -46,7 +46,7 @@ constexpr std::uint32_t max_scattered_labels = 1024;
 /// Throws the std::invalid_argument of a volume that has more values than that up to a slice.
 [[noreturn]] void refuse_values(std::uint32_t slice, std::uint32_t most);
 
-/// Tells labels from samples by how their values lie in the slices.
+/// Distinguishes labels from samples by the positions of their values in the slices.
 class ValueScatter {
  public:
   /// Counts voxels of one value side by side.

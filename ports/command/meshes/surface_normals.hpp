@@ -11,7 +11,7 @@ namespace discmc::command {
 /// Unit normals, one a vertex. Vertices at equal positions are one. Zero where no face is, or where
 /// those that are cancel each other out.
 ///
-/// Of a merged mesh, which has incidences: the mean of the polygons that meet there, each by the
+/// For a merged mesh, which has incidences: the mean of the polygons that meet there, each by the
 /// root of its area. So large walls stay plain and the narrow facets between them are rounded, and
 /// still no large polygon of a curved surface outweighs all around it: on a ball of radius 40 they
 /// are 7.7 degrees away from the true ones in the mean, and would be 13.6 by the area itself.
