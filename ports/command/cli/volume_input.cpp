@@ -22,8 +22,8 @@ namespace discmc::command {
 namespace {
 
 void require_reach(double close_mm, const VolumeInfo& info) {
-  double finest = std::fabs(info.spacing_mm[0]);
-  for (const double spacing : info.spacing_mm) finest = std::min(finest, std::fabs(spacing));
+  const auto distances = info.distances_mm();
+  const double finest = *std::min_element(distances.begin(), distances.end());
   const double most = VoxelBall::max_reach * finest;
   if (close_mm > most)
     throw std::invalid_argument("--close " + value_text(close_mm) + ": that is more than " +

@@ -162,7 +162,7 @@ void print_volume_info(const VolumeInfo& info, std::ostream& out) {
       << "dimensions " << info.dims[0] << ' ' << info.dims[1] << ' ' << info.dims[2] << '\n'
       << "extent";
   for (std::size_t axis = 0; axis < 3; ++axis)
-    out << ' ' << value_text(info.dims[axis] * std::fabs(info.spacing_mm[axis]));
+    out << ' ' << value_text(info.dims[axis] * info.distances_mm()[axis]);
   out << '\n';
   print_place(info.spacing_mm, info.placement, out);
   for (const LabelDescription& label : info.labels) print_label(label, info.frames > 1, out);

@@ -2,15 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace discmc::command {
 namespace {
-
-std::array<double, 3> lengths(std::array<double, 3> spacing_mm) {
-  for (double& spacing : spacing_mm) spacing = std::fabs(spacing);
-  return spacing_mm;
-}
 
 BitGrid padded_by(const std::array<std::uint32_t, 3>& voxels, BitGrid grid) {
   for (std::size_t axis = 0; axis < 3; ++axis) grid.dims[axis] += 2 * voxels[axis];
@@ -24,7 +18,7 @@ ClosedVolume::ClosedVolume(VolumeReader& volume, const Selection& selection, Vol
     : volume_(volume),
       selected_(volume, selection, mask),
       info_(info_of_mask(volume.info(), SampleType::u8)),
-      ball_(radius_mm, lengths(info_.spacing_mm)),
+      ball_(radius_mm, info_.distances_mm()),
       padded_(padded_by(ball_.reach, {info_.dims})),
       dilation_(padded_, ball_, [this](std::uint64_t* bits) { read_padded(bits); }),
       erosion_(padded_, ball_, [this](std::uint64_t* bits) { read_complement(bits); }),

@@ -1,7 +1,6 @@
 #include "smoothed_volume.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace discmc::command {
 namespace {
@@ -12,9 +11,7 @@ double limit_mm(const VolumeInfo& info, double deviation_mm) {
 }
 
 Grid grid_of(const VolumeInfo& info) {
-  Grid grid{info.dims, info.spacing_mm};
-  for (double& spacing : grid.spacing_mm) spacing = std::fabs(spacing);
-  return grid;
+  return {info.dims, info.distances_mm()};
 }
 
 }  // namespace
@@ -57,9 +54,8 @@ void SmoothedVolume::read_mask(float* mask) {
 }
 
 double steps_mm(const VolumeInfo& info) {
-  double largest = 0;
-  for (const double spacing : info.spacing_mm) largest = std::max(largest, std::fabs(spacing));
-  return largest;
+  const auto distances = info.distances_mm();
+  return *std::max_element(distances.begin(), distances.end());
 }
 
 }  // namespace discmc::command

@@ -31,6 +31,8 @@ struct VolumeInfo {
   /// placement only turns and moves it.
   /// Units: millimetres. Limit: min_spacing_mm to max_spacing_mm either way.
   std::array<double, 3> spacing_mm{1, 1, 1};
+  /// The same without the signs.
+  std::array<double, 3> distances_mm() const;
   /// Where the volume lies; nothing if the file has only a spacing.
   /// Limit: is_usable().
   std::optional<VolumePlacement> placement;
