@@ -359,6 +359,31 @@ TEST_CASE("an encoder takes a region at once only between others, with room for 
   CHECK(encoder.take_region(square) == SinkResult::busy);
 }
 
+TEST_CASE("an encoder takes regions of any length at once, or leaves them to its events") {
+  test::Line line;
+  Encoder encoder;
+  require_ok(test::begin_stream(encoder, test::any_header(), line.output()));
+  uint32_t accepted = 0, refused = 0;
+  for (uint32_t steps = 1; steps < 300; ++steps) {
+    std::vector<Run> runs;  // a staircase, and the way back
+    uint32_t width = 0, height = 0;
+    for (uint32_t i = 0; i < steps; ++i) {
+      width += 100 + i % 7;
+      height += 90 + i % 5;
+      runs.push_back(Run::straight(0, 100 + i % 7));
+      runs.push_back(Run::straight(2, 90 + i % 5));
+    }
+    runs.push_back(Run::straight(4, width));
+    runs.push_back(Run::straight(6, height));
+    const WholeRegion region{
+        incidence_of({0, 0, 1}), {2, 2, 1}, runs.data(), static_cast<uint32_t>(runs.size())};
+    ++(encoder.take_region(region) == SinkResult::accepted ? accepted : refused);
+    CHECK(encoder.flush());
+  }
+  CHECK(accepted > 40);
+  CHECK(refused > 40);
+}
+
 TEST_CASE("it does wherever the fragments are handed over") {
   const BitVolume noise = random({150, 110, 4}, 60, 8);
   HandingOver closed(noise, Border::closed), open(noise, Border::open);
