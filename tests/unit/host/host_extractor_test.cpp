@@ -271,6 +271,22 @@ TEST_CASE("an extractor for hosts gives the events of any other, from scan to sc
   check_like_others();
 }
 
+TEST_CASE("a deep scan keeps its nodes in the memory of a shallow one") {
+  const Size size{100, 60, 4};
+  const BitVolume slices = random(size, 70, 3);
+  HostExtractor extractor;
+  const auto slots_of = [&](uint32_t depth, uint32_t slots) {
+    BitVolume volume({size.width, size.height, depth});
+    for (size_t i = 0; i < volume.on.size(); ++i) volume.on[i] = slices.on[i % slices.on.size()];
+    CHECK(scanned(extractor, volume, {}, {slots, 100}).events == expected_of(volume).events);
+    return extractor.high_water().slots;
+  };
+  const uint32_t enough = slots_of(8, 400000);
+  CHECK(enough > min_for_nodes);  // more than at first
+  CHECK(slots_of(20, 400000) == enough);
+  for (const uint32_t slots : {enough, 3 * enough / 2}) CHECK(slots_of(4, slots) <= slots);
+}
+
 TEST_CASE("it does with too few slots to keep nodes, down to those for little") {
   constexpr uint32_t slots[] = {60, 200, 1100, 3000, min_for_nodes - 1};
   for (size_t i = 0; i < std::size(slots); i += step(2)) check_like_others({slots[i], 10});
