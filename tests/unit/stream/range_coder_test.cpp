@@ -155,6 +155,21 @@ TEST_CASE("what is coded comes back where the range is the least that suffices")
   check_round_trip(decisions);
 }
 
+TEST_CASE("so do symbols whose share leaves the least range that suffices") {
+  // Found by a search: the fourth share leaves a range of exactly 2^24.
+  const uint8_t share[] = {13, 109, 185, 64, 77, 200};
+  Bytes bytes(100);
+  RangeEncoder encoder(bytes.data(), bytes.size());
+  for (const uint8_t each : share) encoder.encode_share(0, each);
+  bytes.resize(encoder.finish());
+  RangeDecoder decoder(bytes.data(), bytes.size());
+  for (const uint8_t each : share) {
+    const uint8_t row[] = {0, each, 0};
+    CHECK(decoder.decode_share(row) == 0);
+  }
+  CHECK_FALSE(decoder.is_exhausted());
+}
+
 TEST_CASE("a first byte of 255 waits, and goes out whole") {
   // Zeros of probability 1 / 256 climb to the very top of the range at once.
   Decisions decisions(40, {false, 255});
