@@ -504,9 +504,15 @@ TEST_CASE(
   NormalEncoder after;
   REQUIRE(after.restore(*of_plain, restored.output()) == Status::ok);
   restored.bytes = line.bytes;
-  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
-  take_all(with_normals, square);
-  take_all(after, square);
+  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().events;
+  for (Encoder* const encoder : {&with_normals, static_cast<Encoder*>(&after)})
+    for (const RecordedEvent& recorded : square) {
+      Event event = recorded.event();
+      event.normal = {3, 4};
+      REQUIRE(encoder->take(event) == SinkResult::accepted);
+    }
+  REQUIRE(with_normals.flush());
+  REQUIRE(after.flush());
   CHECK(restored.bytes == line.bytes);
 }
 

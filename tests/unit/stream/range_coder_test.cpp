@@ -158,14 +158,16 @@ TEST_CASE("what is coded comes back where the range is the least that suffices")
 TEST_CASE("so do symbols whose share leaves the least range that suffices") {
   // Found by a search: the fourth share leaves a range of exactly 2^24.
   const uint8_t share[] = {13, 109, 185, 64, 77, 200};
+  const uint32_t symbol[] = {0, 0, 0, 0, 1, 1};
   Bytes bytes(100);
   RangeEncoder encoder(bytes.data(), bytes.size());
-  for (const uint8_t each : share) encoder.encode_share(0, each);
+  for (size_t i = 0; i < 6; ++i)
+    encoder.encode_share(symbol[i] * share[i], symbol[i] == 0 ? share[i] : 256U - share[i]);
   bytes.resize(encoder.finish());
   RangeDecoder decoder(bytes.data(), bytes.size());
-  for (const uint8_t each : share) {
-    const uint8_t row[] = {0, each, 0};
-    CHECK(decoder.decode_share(row) == 0);
+  for (size_t i = 0; i < 6; ++i) {
+    const uint8_t row[] = {0, share[i], 0};
+    CHECK(decoder.decode_share(row) == symbol[i]);
   }
   CHECK_FALSE(decoder.is_exhausted());
 }
