@@ -139,11 +139,13 @@ BitVolume zigzag_columns(Size size) {
   return volume;
 }
 
-// Teeth that only the last rows join, wide enough for sides that are level.
-BitVolume wide_comb(uint32_t teeth) {
-  BitVolume volume({4 * teeth, 6, 1});
-  for (size_t i = 0; i < volume.on.size(); ++i)
-    volume.on[i] = i % volume.width % 4 < 2 || i / volume.width >= 4 ? 1 : 0;
+// Teeth with jagged sides that only the last rows join, wide enough for sides that are level.
+BitVolume jagged_comb(uint32_t teeth, uint32_t height) {
+  BitVolume volume({5 * teeth, height, 1});
+  for (size_t i = 0; i < volume.on.size(); ++i) {
+    const size_t x = i % volume.width, y = i / volume.width;
+    volume.on[i] = (x + y % 2) % 5 < 3 || y + 2 >= height ? 1 : 0;
+  }
   return volume;
 }
 
@@ -377,6 +379,11 @@ TEST_CASE("more memory is taken in steps, each by whoever has just enough for it
   check(columns({60, 60, 3}),
         {{0, 47353}, {144, 47745}, {340, 48353}, {4344, 49185}, {8504, 50025}});
   check(random({40, 40, 6}, 128, 3), {{0, 45001}, {36198, 69577}, {136778, 85961}});
+  check(random({60, 60, 6}, 128, 3), {{23992, 48676}});
+  BitVolume both({60, 60, 16});
+  put(both, columns({60, 60, 8}), 0);
+  put(both, zigzag_columns({40, 40, 6}), 9);
+  check(both, {{50847, 72713}});
 }
 
 TEST_CASE("whoever goes on with what was handed over has all the memory") {
@@ -396,14 +403,17 @@ TEST_CASE("whoever goes on with what was handed over has all the memory") {
 TEST_CASE("rings of any length are found, however often they are walked along in vain") {
   HostExtractor extractor;
   Extractor32 other;
-  for (const uint32_t teeth : {8U, 17U, 40U, 62U, 63U, 64U, 65U, 126U, 127U, 128U, 129U, 320U})
-    for (const bool is_upright : {false, true}) {
-      CAPTURE(teeth);
-      const BitVolume lying = wide_comb(teeth);
-      const BitVolume volume = is_upright ? upright(lying) : lying;
-      CHECK(scanned(extractor, volume, {}, {min_for_nodes, 10}).events ==
-            scanned(other, volume, {}, {20000, 10}).events);
-    }
+  const auto check = [&](const BitVolume& volume) {
+    CHECK(scanned(extractor, volume, {}, {min_for_nodes, 10}).events ==
+          scanned(other, volume, {}, {20000, 10}).events);
+  };
+  for (const uint32_t teeth : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 12U, 40U}) {
+    CAPTURE(teeth);
+    check(jagged_comb(teeth, 40));
+    check(upright(jagged_comb(teeth, 40)));
+  }
+  // A ring of 128 corners: a quarter of those that are listed.
+  check(jagged_comb(3, 26));
 }
 
 TEST_CASE("it does with too few slots to keep nodes, down to those for little") {
