@@ -545,20 +545,20 @@ TEST_CASE("long sides are handed over, too") {
 }
 
 TEST_CASE("so are sides across all slices, and across all rows above a row of noise") {
-  BitVolume slope({1400, 1400, 1});
-  for (int64_t y = 0; y < 1400; ++y)
-    for (int64_t x = std::max<int64_t>(0, 1390 - y); x < 1400 - y; ++x)
-      slope.on[slope.index(x, y, 0)] = 1;
+  constexpr uint32_t size = 1000;
+  BitVolume slope({size, size, 1});
+  for (int64_t y = 0; y < size; ++y)
+    for (int64_t x = y; x < size && x < y + 10; ++x) slope.on[slope.index(x, y, 0)] = 1;
   HostExtractor extractor;
   Extractor32 other;
   const BitVolume rising = upright(slope);
-  const uint32_t most = host::CornerCode::max_slices;
-  for (const uint32_t before : {most - 1399, most - 1300, most - 5}) {
-    const SlabScan scan{rising, Border::closed, 1, 1400, before};
+  for (const uint32_t slices : {size - 5, size / 2, 5U}) {
+    CAPTURE(slices);
+    const SlabScan scan{rising, Border::closed, 1, size, host::CornerCode::max_slices - slices};
     CHECK(parts_of(scan.by(extractor, much), scan) == parts_of(scan.by(other, much), scan));
   }
-  const BitVolume noise = random({1400, 1, 1}, 128, 6);
-  std::copy(noise.on.begin(), noise.on.end(), &slope.on[slope.index(0, 1300, 0)]);
+  const BitVolume noise = random({size, 1, 1}, 128, 6);
+  std::copy(noise.on.begin(), noise.on.end(), &slope.on[slope.index(0, size - 50, 0)]);
   CHECK(scanned(extractor, slope, {}, {min_for_nodes, 10}).events ==
         scanned(other, slope, {}, {min_for_nodes, 10}).events);
   CHECK(has_kept_nodes(extractor));
@@ -627,8 +627,6 @@ TEST_CASE("a slab has them, too, where its seam has as many passes as there are"
 }
 
 TEST_CASE("from the last slab fragments go out in the order in which they were completed") {
-  const BitVolume volume = random({33, 12, 8}, 60, 2);
-  const SlabScan scan{volume, Border::closed, 1, 8};
   const auto fragments_of = [](const EventLog& log) {
     Events events;
     bool is_fragment = false;
@@ -639,9 +637,18 @@ TEST_CASE("from the last slab fragments go out in the order in which they were c
     }
     return events;
   };
+  // Slits across the slab, every second one with sides that are long to walk along.
+  BitVolume slits({120, 2, 60});
+  for (size_t i = 0; i < slits.on.size(); ++i) {
+    const size_t x = i % 120, z = i / 240;
+    slits.on[i] = (x + (x % 20 < 10 ? z % 2 : 0)) % 5 < 3 || z >= 57 ? 1 : 0;
+  }
   HostExtractor extractor;
   Extractor32 other;
-  CHECK(fragments_of(scan.by(extractor, much)) == fragments_of(scan.by(other, much)));
+  for (const BitVolume& volume : {random({60, 40, 8}, 60, 2), slits}) {
+    const SlabScan scan{volume, Border::closed, 1, volume.depth};
+    CHECK(fragments_of(scan.by(extractor, much)) == fragments_of(scan.by(other, much)));
+  }
 }
 
 TEST_CASE("in every slab holes go out before the last fragment of the ring around them") {
