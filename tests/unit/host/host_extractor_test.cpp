@@ -545,20 +545,21 @@ TEST_CASE("long sides are handed over, too") {
 }
 
 TEST_CASE("so are sides across all slices, and across all rows above a row of noise") {
-  constexpr uint32_t size = 1000;
+  constexpr uint32_t size = 1400;
   BitVolume slope({size, size, 1});
   for (int64_t y = 0; y < size; ++y)
-    for (int64_t x = y; x < size && x < y + 10; ++x) slope.on[slope.index(x, y, 0)] = 1;
+    for (int64_t x = std::max<int64_t>(0, size - 10 - y); x < size - y; ++x)
+      slope.on[slope.index(x, y, 0)] = 1;
   HostExtractor extractor;
   Extractor32 other;
   const BitVolume rising = upright(slope);
-  for (const uint32_t slices : {size - 5, size / 2, 5U}) {
+  for (const uint32_t slices : {size - 1, size - 100, 5U}) {
     CAPTURE(slices);
     const SlabScan scan{rising, Border::closed, 1, size, host::CornerCode::max_slices - slices};
     CHECK(parts_of(scan.by(extractor, much), scan) == parts_of(scan.by(other, much), scan));
   }
   const BitVolume noise = random({size, 1, 1}, 128, 6);
-  std::copy(noise.on.begin(), noise.on.end(), &slope.on[slope.index(0, size - 50, 0)]);
+  std::copy(noise.on.begin(), noise.on.end(), &slope.on[slope.index(0, size - 100, 0)]);
   CHECK(scanned(extractor, slope, {}, {min_for_nodes, 10}).events ==
         scanned(other, slope, {}, {min_for_nodes, 10}).events);
   CHECK(has_kept_nodes(extractor));
