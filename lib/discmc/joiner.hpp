@@ -56,20 +56,21 @@ struct JoinCapacities {
 
 /// The counts of a joiner since its start.
 struct JoinReport {
-  uint64_t fragments = 0;  ///< received
+  uint64_t received = 0;   ///< fragments
   uint64_t invalid = 0;    ///< dropped: the incidence, a direction or a run is invalid
   uint64_t regions = 0;    ///< delivered, with outer rings joined from fragments
   uint64_t rings = 0;      ///< joined from fragments, and delivered in any region
   uint64_t unmatched = 0;  ///< at the end: chains without a partner, holes without a region, and
                            ///< fragments that collided with another; the measure of what was lost
-  uint64_t passed = 0;  ///< chains passed on for lack of memory, single fragments or partly joined
+  uint64_t passed_on = 0;  ///< fragments, some of them partly joined, that were passed on for lack
+                           ///< of memory
 };
 
 /// Receives the events of extractors and decoders, and sends them on with regions completed and
 /// joined. Any events are safe.
 ///
 /// The sink receives everything except loose fragments in the original order. It receives what the
-/// report counts as unmatched or passed as loose fragments, unless these are left out. Runs keep
+/// report counts as unmatched or passed on as loose fragments, unless these are left out. Runs keep
 /// their normals. A region is right if all its fragments arrived, whatever else is lost.
 ///
 /// The sink receives one `finish` event. With several streams in any order it is the sum, sent by
@@ -121,7 +122,7 @@ class Joiner {
 
   const JoinReport& report() const { return report_; }
   JoinCapacities capacities() const { return capacities_; }
-  /// The most that was held at once.
+  /// The peak: the most that was held at once.
   JoinCapacities high_water() const { return {chains().high_water(), chains().run_high_water()}; }
 
  private:

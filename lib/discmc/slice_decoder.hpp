@@ -26,7 +26,7 @@ struct RowEvent {
     finish,       ///< the last event: slice (their number), abandoned
   };
   Kind kind;
-  bool repeated;  ///< the previous row replaces it, not a row that is off
+  bool repeated;  ///< the row was replaced by the previous row
   bool abandoned;
   uint8_t channel;
   uint32_t slice;
@@ -40,7 +40,7 @@ struct RowEvent {
   };
 };
 
-/// The receiver of rows. Owner: the context belongs to the caller and must outlive the decoder.
+/// A sink of rows. Owner: the context belongs to the caller and must outlive the decoder.
 struct RowSink {
   void* context = nullptr;
   SinkResult (*take)(void* context, const RowEvent& event) = nullptr;
