@@ -197,24 +197,24 @@ class Joiner {
   Statistics totals_{};
 };
 
-/// Returns a sink for a receiver that needs whole regions, of a scan that may have little memory:
+/// Returns a sink for an object that needs whole regions, of a scan that may have little memory:
 ///
 ///   static Joiner joiner;
-///   extractor.start(limits, threshold, memory, make_region_sink(receiver, joiner, join_memory));
+///   extractor.start(limits, threshold, memory, make_region_sink(object, joiner, join_memory));
 ///
-/// It starts the joiner, which calls `receiver.take(event)` and drops what it cannot join;
+/// It starts the joiner, which calls `object.take(event)` and drops what it cannot join;
 /// joiner.report() counts the drops. Call it anew for each scan or stream: start the extractor
-/// again instead of reset(). Owner: receiver, joiner and memory must outlive the sink. If the
+/// again instead of reset(). Owner: object, joiner and memory must outlive the sink. If the
 /// memory is less than Joiner::minimum_bytes(), the sink has no function, and start() returns
 /// bad_sink.
 ///
 /// Memory: 96 bytes per waiting chain and 12 per run of it; Joiner::high_water() counts both. On
 /// the device that extracts, give the extractor more memory instead: there a chain needs 16 bytes,
 /// and 8 per three runs, and is not sent loose at all. Cost: as the Joiner.
-template <class Receiver>
-Sink make_region_sink(Receiver& receiver, Joiner& joiner, Memory memory) {
+template <class Object>
+Sink make_region_sink(Object& object, Joiner& joiner, Memory memory) {
   const Status status =
-      joiner.start(memory, make_sink(receiver), InputOrder::sweep, Unjoined::left_out);
+      joiner.start(memory, make_sink(object), InputOrder::sweep, Unjoined::left_out);
   return status == Status::ok ? make_sink(joiner) : Sink{};
 }
 

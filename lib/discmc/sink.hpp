@@ -177,12 +177,12 @@ struct Sink {
   SinkResult (*take)(void* context, const Event& event) = nullptr;
 };
 
-/// Returns a sink that calls `receiver.take(event)` with every event. Owner: the receiver must
-/// outlive the sink.
-template <class Receiver>
-Sink make_sink(Receiver& receiver) {
-  return {&receiver, [](void* context, const Event& event) {
-            return static_cast<Receiver*>(context)->take(event);
+/// Returns a sink that calls `object.take(event)` with every event. Owner: the object must outlive
+/// the sink.
+template <class Object>
+Sink make_sink(Object& object) {
+  return {&object, [](void* context, const Event& event) {
+            return static_cast<Object*>(context)->take(event);
           }};
 }
 

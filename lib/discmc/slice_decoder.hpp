@@ -46,11 +46,11 @@ struct RowSink {
   SinkResult (*take)(void* context, const RowEvent& event) = nullptr;
 };
 
-/// Returns a row sink that calls `receiver.take(event)`. Owner: the receiver must outlive the sink.
-template <class Receiver>
-RowSink row_sink_to(Receiver& receiver) {
-  return {&receiver, [](void* context, const RowEvent& event) {
-            return static_cast<Receiver*>(context)->take(event);
+/// Returns a row sink that calls `object.take(event)`. Owner: the object must outlive the sink.
+template <class Object>
+RowSink row_sink_to(Object& object) {
+  return {&object, [](void* context, const RowEvent& event) {
+            return static_cast<Object*>(context)->take(event);
           }};
 }
 
