@@ -79,8 +79,8 @@ TEST_CASE("NRRD tells its directions and origin in the space that it names") {
                                                   {"space: scanner-xyz\n", Space::scanner},
                                                   {"space: 3D-right-handed\n", Space::scanner},
                                                   {"space dimension: 3\n", Space::scanner}}) {
-    INFO(space);
-    const VolumeInfo info = nrrd_info(folder, space + units_in_mm + turned);
+    INFO(field);
+    const VolumeInfo info = nrrd_info(folder, field + units_in_mm + turned);
     check_placement(info, space, {10, -20, 30.5}, axes);
     CHECK(info.notes.empty());
   }
