@@ -82,7 +82,7 @@ struct ExtractArguments {
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   Decimation decimation;           ///< of each mesh
-  std::optional<MeshSpace> space;  ///< else LPS if the file's is known, or that of the file
+  std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
   MeshSize size;
   bool interpolates = false;  ///< the vertices of a mesh
   bool quiet = false;
@@ -113,7 +113,7 @@ struct StreamArguments {
   VolumeOptions options;
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
-  std::optional<MeshSpace> space;  ///< else LPS if the file's is known, or that of the file
+  std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
   MeshSize size;
 };
 

@@ -116,7 +116,7 @@ void print_table(const Extraction& extraction, const Counts& counts, std::uint64
                  std::uint64_t slice_encoder_bytes, std::ostream& out) {
   const Statistics& statistics = extraction.statistics;
   row(out, "voxels", grouped(extraction.voxels));
-  row(out, "classic Marching Cubes", grouped(statistics.classic_triangles));
+  row(out, "classic Marching Cubes", grouped(statistics.classic_triangles), "triangles");
   row(out, "facets", grouped(statistics.facets));
   row(out, "regions", grouped(counts.regions));
   row(out, "  with 3 corners", grouped(counts.three));
