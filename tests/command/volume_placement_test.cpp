@@ -229,7 +229,7 @@ TEST_CASE("NIfTI's qform is taken where the sform spans no space, and nothing wh
     const VolumeInfo neither = nifti_info(folder, with_sform(nifti_of_spacing(), rows));
     CHECK_FALSE(neither.placement);
     CHECK(neither.spacing_mm == Vector{0.5, 2, 3});
-    CHECK(noted(neither, "has no directions"));
+    CHECK(noted(neither, "no orientation"));
   }
 }
 
