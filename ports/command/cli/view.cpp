@@ -19,6 +19,7 @@
 #include "meshes/surface_normals.hpp"
 #include "pages/browser.hpp"
 #include "pages/page.hpp"
+#include "pictures/picture.hpp"
 #include "progress.hpp"
 #include "require.hpp"
 #include "stream_input.hpp"
@@ -116,10 +117,13 @@ NamedBytes stream_in_file(const ViewArguments& arguments) {
 
 NamedBytes meshes_to_show(const ViewArguments& arguments, std::uint64_t most) {
   const bool is_file = arguments.kind == InputKind::mesh;
-  const std::vector<Mesh> meshes =
+  std::vector<Mesh> meshes =
       is_file ? meshes_of_file(arguments.input) : meshes_of_labels(arguments);
   Meshes pointers;
-  for (const Mesh& mesh : meshes) pointers.push_back(&mesh);
+  for (Mesh& mesh : meshes) {
+    if (!mesh.colour) mesh.colour = PictureOptions().colour;
+    pointers.push_back(&mesh);
+  }
   std::ostringstream glb;
   write_glb(pointers, glb);
   NamedBytes file{name_of(arguments.input), glb.str(), exit_ok};

@@ -170,3 +170,24 @@ test('a series with a slice that is missing in its middle is refused', async () 
   assert.equal(reasons.length, images.length - 2, 'all but the first and the last');
   for (const reason of reasons) assert.match(reason, /mm away, and others .*--allow-gaps/);
 });
+
+test('a mesh lies where the command has it, with its normals and its colour', async () => {
+  const path = join(folder, 'mesh.nrrd'), glb = join(folder, 'mesh.glb');
+  writeFileSync(path, nrrdOf(roughBall(20, 18, 16)).toString('latin1').replace(/spacings: .*\n/,
+    'space: left-posterior-superior\nspace directions: (0,0.5,0) (-1,0,0) (0,0,2)\n' +
+    'space origin: (1000,-2000,3000.5)\n'), 'latin1');
+  const table = join(folder, 'table.txt'), ply = join(folder, 'mesh.json');
+  const label = `${roughBall(20, 18, 16).samples.reduce((a, b) => Math.max(a, b))}`;
+  writeFileSync(table, `${label} top 10 200 30\n`);
+  const labels = ['--labels', label, '--label-table', table];
+  command('extract', path, '--quiet', ...labels, '--normals', 'surface', '-o', glb);
+  command('extract', path, '--quiet', ...labels, '-o', ply);
+  const [expected] = JSON.parse(readFileSync(ply, 'utf8'));
+  const { name, mesh } = await openFiles([asFile(glb)]);
+  assert.equal(name, 'mesh.glb');
+  assert.deepEqual(mesh.parts.map((part) => part.name), ['top']);
+  assert.deepEqual([...mesh.colours.subarray(0, 4)], [10, 200, 30, 255]);
+  assert.equal(mesh.triangles.length / 3, expected.triangles);
+  console.log(expected, mesh.origin, mesh.size);
+  const at = (i) => [0, 1, 2].map((axis) => mesh.origin[axis] + mesh.places[3 * i + axis] * mesh.step / 2);
+});
