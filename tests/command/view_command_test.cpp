@@ -92,7 +92,7 @@ TEST_CASE("the page of labels has their meshes, with names and colours, in space
                  "space: left-posterior-superior\nspace directions: (0,0.5,0) (-1,0,0) (0,0,2)\n"
                  "space origin: (1,2,3)\n");
   if (!has_page(workshop)) return;
-  workshop.write("t.txt", "10 air 0 0 255\n200 my bone 255 0 0\n");
+  workshop.write("t.txt", "10 air 0 0 255\n200 \"my bone\" 255 0 0\n");
   const std::string labels = " --labels 'my bone',10 --label-table t.txt -o ";
   workshop.done("view v.nrrd --no-open" + labels + "page.html");
   CHECK(unpack(workshop, "page.html", "inside.glb") == "v.nrrd");

@@ -23,6 +23,12 @@ std::string extension_of(const std::string& file) {
   return lower(std::filesystem::path(file).extension().string());
 }
 
+// Of other files Assimp makes up materials.
+bool has_materials(const std::string& file) {
+  const std::string extension = extension_of(file);
+  return extension == ".glb" || extension == ".gltf" || extension == ".obj" || extension == ".3mf";
+}
+
 // glTF is in metres with y upwards.
 bool is_gltf_name(const std::string& file) {
   const std::string extension = extension_of(file);
@@ -54,7 +60,7 @@ std::optional<Srgb> colour_of_vertices(const aiMesh& part) {
   return Srgb{byte_of(colours->r), byte_of(colours->g), byte_of(colours->b)};
 }
 
-// Assimp adds a material of its own where a file has none.
+// Nothing if it is Assimp's own.
 std::optional<Srgb> colour_of(const aiMaterial& material, bool is_gltf) {
   aiColor3D colour;
   if (std::string(material.GetName().C_Str()) == AI_DEFAULT_MATERIAL_NAME ||
@@ -110,7 +116,7 @@ std::vector<Mesh> read_meshes(const std::string& file) {
     Mesh mesh = mesh_of(part, file, is_gltf);
     if (mesh.face_count() == 0) continue;
     mesh.colour = colour_of_vertices(part);
-    if (!mesh.colour) mesh.colour = colour_of(material, is_gltf);
+    if (has_materials(file)) mesh.colour = colour_of(material, is_gltf);
     if (scene->mNumMeshes > 1) mesh.name = material.GetName().C_Str();
     meshes.push_back(std::move(mesh));
   }

@@ -383,7 +383,7 @@ export class SurfaceView {
     }));
     // Where voxels are small in the picture their many edges are fainter, so that they leave light.
     const pixels = Math.min(part, height) / scale / this.camera.millimetres();
-    this.edgeLine.value[3] = Math.min(0.9, 0.12 * pixels * Math.min(...this.spacing.map(Math.abs)));
+    this.edgeLine.value[3] = Math.min(0.9, 0.12 * pixels * this.detail());
     if (this.hasEdges && this.isMesh && this.surface)
       this.edges ??= this.sides(this.surface, this.triangles, this.spacing.map((step) => step / 2));
     if (this.hasEdges) show(this.edges, this.isMesh ? programs.meshEdges : programs.edges);
@@ -397,6 +397,12 @@ export class SurfaceView {
     if (!this.hasEdges) return;
     this.classicEdges ??= this.sides(this.classic, this.classicTriangles, [1, 1, 1]);
     show(this.classicEdges, programs.classicEdges);
+  }
+
+  /** How far edges are apart, about. Units: millimetres */
+  detail() {
+    return this.isMesh ? this.camera.depth / Math.sqrt(this.triangles.length)
+      : Math.min(...this.spacing.map(Math.abs));
   }
 
   /** The sides of triangles. @param {Mesh} mesh @param {Uint32Array} triangles @param {number[]} scale */

@@ -68,10 +68,10 @@ async function coloursOf(page) {
   const count = { red: 0, green: 0 };
   const all = new Set();
   for (let i = 0; i < data.length; i += 4) {
-    if (data[i + 3] < 255) continue;
+    if (data[i + 3] === 0) continue;
     if (data[i] > 3 * data[i + 1]) ++count.red;
     if (data[i + 1] > 3 * data[i]) ++count.green;
-    all.add(data.readUIntBE(i, 3));
+    all.add(data.readUInt32BE(i));
   }
   return { ...count, different: all.size };
 }
