@@ -228,7 +228,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   }
   if (files.are_one() && !has_mesh && !arguments.reading.allows_empty)
     throw std::runtime_error(
-        volume + ": no label has a surface left, so " + arguments.output +
+        volume + ": no label has a surface left, so " + output_for_people(arguments.output) +
         " is not written; check --median, --mask and --min-volume, or give --allow-empty");
   files.finish();
   if (!arguments.quiet) require_written(table);
