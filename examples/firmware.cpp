@@ -12,7 +12,7 @@ static uint8_t memory[minimum_bytes<uint16_t>(limits) + 5 * 1024];
 static Extractor16 extractor;
 static Encoder encoder;
 
-// The UART accepts what its FIFO has room for. Every other time it is busy.
+// Replace by your driver: it takes up to 16 bytes, and is busy at every other call.
 static size_t uart_write(void*, const uint8_t* bytes, size_t count) {
   static unsigned calls = 0;
   return ++calls % 2 == 0 ? fwrite(bytes, 1, count < 16 ? count : 16, stdout) : 0;
@@ -29,7 +29,7 @@ static bool succeeds(Status status) {
 }
 
 int main() {
-  bool good = succeeds(encoder.start({size}, {nullptr, uart_write})) &&
+  bool good = succeeds(encoder.start({size /* slices */}, {nullptr, uart_write})) &&
               succeeds(extractor.start(limits, threshold, memory_of(memory), make_sink(encoder)));
   for (int32_t i = 0; good && i < size * size; ++i) {
     uint8_t row[size];

@@ -315,8 +315,8 @@ TEST_CASE("slices with a UID each are one volume when that is asked for") {
   const Slices slices(
       [](Dataset& data, int z) { data.text(0x0020000e, "UI", "1.2.3.77." + std::to_string(z)); });
   const std::string text = refusal(slices.path());
-  check_refusal(text, "several volumes:");
-  check_refusal(text, "--merge-series reads them as slices of one volume");
+  check_refusal(text, "several volumes; choose ");
+  check_refusal(text, "or read them as slices of one volume with --merge-series:");
   VolumeOptions options;
   options.merges_series = true;
   CHECK(read_all(*open_volume(slices.path(), options)) == as_read(volume_values()));

@@ -262,7 +262,7 @@ TEST_CASE("of several series one is chosen by its number or UID") {
     for (std::size_t i = bytes.size() - 2 * width * height; i < bytes.size(); ++i) bytes[i] = 1;
     series.write("other" + std::to_string(z), bytes);
   }
-  const std::string text = refusal(series.path());
+  const std::string text = refusal(series.path()) + "\n";
   check_refusal(text, "\n  1: 5 slices of 8 x 6, 'CT', 'Head 2.5', UID " + uid + "\n");
   check_refusal(text, "\n  2: 5 slices of 8 x 6, 'CT', 'Thin 1.5', UID " + other + "\n");
   check_refusal(text, "--series N");
@@ -274,7 +274,8 @@ TEST_CASE("of several series one is chosen by its number or UID") {
   CHECK(chosen(uid) == values());
   CHECK(chosen("2") == ones);
   CHECK(chosen(other) == ones);
-  check_refusal(refusal(series.path(), {{}, {}, "3"}), "no series '3' among\n");
+  check_refusal(refusal(series.path(), {{}, {}, "3"}),
+                "no series '3'; give one of these with --series:\n");
   const auto nrrd_file = series.write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
   check_refusal(refusal(nrrd_file, {{}, {}, "1"}), "leave out --series");
 }
@@ -287,7 +288,7 @@ TEST_CASE("of several volumes in one series one is chosen by its number, not by 
   by_uid.series = uid;
   for (const VolumeOptions& options : {VolumeOptions{}, by_uid}) {
     const std::string text = refusal(series.path(), options);
-    check_refusal(text, "several volumes in one series, of different directions:");
+    check_refusal(text, "several volumes in one series, of different directions; choose ");
     check_refusal(text, "--series N");
     CHECK(!contains(text, "--series UID"));
   }
@@ -324,7 +325,7 @@ TEST_CASE("the longest UID of a series is listed whole") {
   bytes.replace(at + header, old_length, uid);
   bytes[at + header - 2] = static_cast<char>(uid.size());
   series.write("other", bytes);
-  check_refusal(refusal(series.path()), "UID " + uid + "\n");
+  check_refusal(refusal(series.path()) + "\n", "UID " + uid + "\n");
   CHECK(open_volume(series.path(), {{}, {}, uid})->info().dims[2] == 1);
 }
 

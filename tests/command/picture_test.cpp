@@ -362,7 +362,7 @@ TEST_CASE("a picture file holds the picture") {
   options.height = 24;
   const Mesh mesh = build_mesh(octahedron());
   std::ostringstream out;
-  write_picture(mesh, options, out);
+  write_picture(draw(mesh, options), out);
   const std::string file = out.str();
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;

@@ -55,6 +55,14 @@ TEST_CASE("a volume of any name is one when it has a threshold, and a stream oth
   CHECK(picture(workshop, "stream") == expected);
 }
 
+TEST_CASE("a picture without any of the surface is noted") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  const std::string note = "p.png: no part of the surface is in the picture; change --at or --zoom";
+  CHECK(contains(workshop.run("render v.dmc --at 900,0,0 --zoom 9 -o p.png").error, note));
+  CHECK(!contains(workshop.run("render v.dmc -o p.png").error, note));
+}
+
 TEST_CASE("classic Marching Cubes has a picture of its own") {
   const Workshop workshop;
   write_volumes(workshop);

@@ -169,7 +169,7 @@ TEST_CASE("of a stream of slices that has lost a packet the other slices are use
   workshop.write("lost.dmc", whole.substr(0, second) + whole.substr(third));
   const Result result = workshop.run("info lost.dmc");
   CHECK(result.code == 3);
-  CHECK(result.error.find("1 packets and 100 rows are missing") != std::string::npos);
+  CHECK(result.error.find("1 packet is missing, 100 rows are missing") != std::string::npos);
   CHECK(result.out.find("lost_rows 100\n") != std::string::npos);
   CHECK(result.out.find("skipped_rows 0\n") != std::string::npos);
   CHECK(result.out.find("slices") != std::string::npos);

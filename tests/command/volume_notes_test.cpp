@@ -57,7 +57,7 @@ TEST_CASE("a file of each format that tells no place has exactly these notes") {
       {folder.write("v.mha", metaimage(metaimage_u8 + "ElementDataFile = LOCAL\n") + u8),
        {no_spacing}},
       {folder.write("v.nii", nifti.file(u8)),
-       {"NIfTI-1 has no directions here; which side is left is unknown", no_unit}},
+       {"no orientation (sform, qform); left and right are unknown", no_unit}},
       {folder.write("v.vtk", vtk + scalars + u8), {no_spacing}},
       {folder.write(
            "v.vti",

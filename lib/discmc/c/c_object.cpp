@@ -30,7 +30,8 @@ void Sealed::close(size_t bytes_from_here) {
 }
 
 discmc_memory Sealed::part(size_t bytes_from_here) const {
-  const auto before = reinterpret_cast<const uint8_t*>(this) - static_cast<uint8_t*>(memory.data);
+  const auto before =
+      reinterpret_cast<const uint8_t*>(this) - static_cast<const uint8_t*>(memory.data);
   return {memory.data, static_cast<size_t>(before) + bytes_from_here};
 }
 

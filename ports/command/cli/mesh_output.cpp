@@ -114,8 +114,8 @@ std::uint64_t decimate_noted(const std::string& name, const Decimation& decimati
       mesh.face_count() > decimation.triangles + decimation.triangles / 10)
     print_message(name, "--triangles " + std::to_string(decimation.triangles) + ": " +
                             std::to_string(mesh.face_count()) +
-                            " are left, as the mesh would not be closed with fewer, or not within "
-                            "--max-error");
+                            " are left, as fewer would open the mesh" +
+                            (decimation.max_error_mm > 0 ? ", or exceed --max-error" : ""));
   return bodies.unchanged;
 }
 

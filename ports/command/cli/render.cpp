@@ -135,7 +135,11 @@ int run_render(const RenderArguments& arguments) {
   }
   if (arguments.smooth && mesh.normals.empty()) mesh.normals = surface_normals(mesh);
   const Progress drawing("drawing");
-  write_picture(mesh, options, file.stream());
+  const Picture picture = draw(mesh, options);
+  if (!picture.shows_mesh && mesh.face_count() > 0)
+    print_message(arguments.output,
+                  "no part of the surface is in the picture; change --at or --zoom");
+  write_picture(picture, file.stream());
   file.commit();
   return code;
 }

@@ -140,12 +140,16 @@ std::string losses(const StreamReport& report) {
   const std::uint64_t lost = report.holds_slices ? report.lost_rows : report.lost_pieces;
   const std::uint64_t received = report.holds_slices ? report.rows : report.regions;
   std::string text;
-  if (report.lost_packets > 0 || lost > 0)
-    text = std::to_string(report.lost_packets) + " packets and " + std::to_string(lost) +
-           (report.holds_slices ? " rows" : " regions or fragments") + " are missing";
+  const auto add = [&](const std::string& loss) { text += (text.empty() ? "" : ", ") + loss; };
+  if (report.lost_packets > 0)
+    add(std::to_string(report.lost_packets) +
+        (report.lost_packets == 1 ? " packet is missing" : " packets are missing"));
+  if (lost > 0)
+    add(std::to_string(lost) +
+        (report.holds_slices ? " rows are missing" : " regions or fragments are missing"));
   if (!report.has_trailer)
-    text += (text.empty() ? "" : ", ") + std::string("its end is missing after ") +
-            std::to_string(received) + (report.holds_slices ? " rows" : " regions");
+    add("its end is missing after " + std::to_string(received) +
+        (report.holds_slices ? " rows" : " regions"));
   return text.empty() ? "its contents contradict its trailer" : text;
 }
 
@@ -197,8 +201,7 @@ int completeness(const std::string& path, const StreamReport& report) {
     print_message(path,
                   "two scans with the same number are mixed in the stream; give every scan a "
                   "number of its own");
-  print_message(path,
-                "the stream is incomplete: " + losses(report) + "; see the counts of discmc info");
+  print_message(path, "the stream is incomplete: " + losses(report));
   return exit_incomplete;
 }
 

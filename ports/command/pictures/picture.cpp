@@ -230,7 +230,9 @@ Picture develop(const Canvas& canvas, const Mesh& mesh, Shader& shader,
   const std::vector<std::uint8_t> to_srgb = srgb_of_4096();
   const Outlines outlines(canvas, mesh);
   constexpr int samples = samples_per_side * samples_per_side;
-  Picture picture{options.width, options.height, {}};
+  Picture picture;
+  picture.width = options.width;
+  picture.height = options.height;
   for (int row = 0; row < options.height; ++row) {
     const float background =
         0.90f - 0.50f * static_cast<float>(row) / static_cast<float>(canvas.height());
@@ -241,8 +243,10 @@ Picture develop(const Canvas& canvas, const Mesh& mesh, Shader& shader,
         const int y = row * samples_per_side + i / samples_per_side;
         const Sample& sample = canvas.at(x, y);
         Colour colour = {background, background, background};
-        if (sample.face != no_face)
+        if (sample.face != no_face) {
+          picture.shows_mesh = true;
           colour = shader.colour(sample.face, sample.inside, x + 0.5, y + 0.5);
+        }
         const bool dark = options.outlines && outlines.pass(x, y);
         for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c] * (dark ? outline_light : 1);
       }
@@ -288,8 +292,7 @@ Picture draw(const Mesh& mesh, const PictureOptions& options) {
   return develop(canvas, mesh, shader, options);
 }
 
-void write_picture(const Mesh& mesh, const PictureOptions& options, std::ostream& out) {
-  const Picture picture = draw(mesh, options);
+void write_picture(const Picture& picture, std::ostream& out) {
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(picture.width);

@@ -42,6 +42,7 @@ struct Picture {
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> pixels;
+  bool shows_mesh = false;  ///< whether any part of the mesh lies in the picture
 };
 
 /// Draws the mesh so that it fills the picture but for a small margin. n-gons need not be convex.
@@ -49,8 +50,8 @@ struct Picture {
 /// Throws std::invalid_argument when the options are out of range or the mesh lacks what they ask.
 Picture draw(const Mesh& mesh, const PictureOptions& options = {});
 
-/// Writes a PNG file of what draw() draws. Throws as draw() does.
-void write_picture(const Mesh& mesh, const PictureOptions& options, std::ostream& out);
+/// Writes a PNG file.
+void write_picture(const Picture& picture, std::ostream& out);
 
 }  // namespace discmc::command
 

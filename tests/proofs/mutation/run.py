@@ -34,7 +34,7 @@ MEMORY = 2 << 30  # bytes that a mutant may take
 def write_copy(refused):
     """The library with its mutants, in the build folder; a file that is as it was is left alone."""
     numbers = itertools.count(1)
-    mutants = []
+    mutants, targets = [], set()
     for path in sorted((ROOT / 'lib' / 'discmc').rglob('*.*')):
         text = path.read_text()
         if path.suffix in ('.cpp', '.hpp'):
@@ -43,9 +43,13 @@ def write_copy(refused):
             mutants += file.mutants
             text = file.rewritten()
         target = BUILD / path.relative_to(ROOT)
+        targets.add(target)
         target.parent.mkdir(parents=True, exist_ok=True)
         if not target.exists() or target.read_text() != text:
             target.write_text(text)
+    for path in (BUILD / 'lib').rglob('*.*'):
+        if path not in targets:
+            path.unlink()
     return mutants
 
 

@@ -63,8 +63,8 @@ CLI::Validator usable_axes() {
 void add_part_options(CLI::App& app, VolumeOptions& options) {
   app.add_option_function<std::string>(
          "--crop", [&options](const std::string& text) { options.crop = crop_of(text); },
-         "read voxels A to B along x, C to D along y, E to F along z; the first is 0. An end left "
-         "out is the volume's, as in ..,..,100... The part keeps its place in space")
+         "read voxels A to B along x, C to D along y, E to F along z; the first is 0. Omit A or B "
+         "for the first or last voxel, as in ..,..,100... Coordinates do not change")
       ->check(CLI::Validator(
           [](std::string& text) {
             return crop_of(text)

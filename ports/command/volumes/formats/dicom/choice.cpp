@@ -38,15 +38,15 @@ std::string description(const DicomStack& stack) {
 using Stacks = std::vector<DicomStack>;
 using Places = std::vector<std::size_t>;
 
-// places: of those to show among the stacks, the first is 0.
+// The end of a message. places: of those to show among the stacks, the first is 0.
 std::string list(const Stacks& stacks, const Places& places) {
   constexpr std::size_t max_shown = 50;
-  std::string text;
+  std::string text = ":";
   for (std::size_t i = 0; i < std::min(places.size(), max_shown); ++i)
     text += "\n  " + std::to_string(places[i] + 1) + ": " + description(stacks[places[i]]);
   if (places.size() > max_shown)
     text += "\n  and " + std::to_string(places.size() - max_shown) + " more";
-  return text + "\n";
+  return text;
 }
 
 bool have_one_series(const Stacks& stacks, const Places& places) {
@@ -97,14 +97,12 @@ bool are_slices_of_series(const Stacks& stacks, const Places& places) {
                                const Places& places) {
   const std::string choose = "choose one with --series N, its number in this list";
   if (have_one_series(stacks, places))
-    fail(source,
-         "several volumes in one series" + differences(stacks, places) + ":" + list(stacks, places),
-         choose);
-  fail(source, "several volumes:" + list(stacks, places),
-       choose + ", or --series UID" +
-           (are_slices_of_series(stacks, places)
-                ? "; --merge-series reads them as slices of one volume"
-                : ""));
+    fail(source, "several volumes in one series" + differences(stacks, places),
+         choose + list(stacks, places));
+  const std::string merge = are_slices_of_series(stacks, places)
+                                ? ", or read them as slices of one volume with --merge-series"
+                                : "";
+  fail(source, "several volumes", choose + ", or --series UID" + merge + list(stacks, places));
 }
 
 Places chosen_places(const Stacks& stacks, const std::string& series) {
@@ -126,16 +124,15 @@ ChosenStack chosen_stack(const std::filesystem::path& source, const Stacks& stac
   if (chosen.empty()) {
     Places all;
     for (std::size_t i = 0; i < stacks.size(); ++i) all.push_back(i);
-    fail(source, "no series " + shown(options.series) + " among" + list(stacks, all),
-         "give one of these with --series");
+    fail(source, "no series " + shown(options.series),
+         "give one of these with --series" + list(stacks, all));
   }
   if (chosen.size() == 1) return {&stacks[chosen[0]]};
   if (!options.frame || !have_one_series(stacks, chosen)) fail_several(source, stacks, chosen);
   if (*options.frame >= chosen.size())
-    fail(source,
-         "there is no volume " + std::to_string(*options.frame) + " among" + list(stacks, chosen),
+    fail(source, "there is no volume " + std::to_string(*options.frame),
          "choose one with --frame 0 to " + std::to_string(chosen.size() - 1) +
-             ", in the order of this list");
+             ", in the order of this list" + list(stacks, chosen));
   return {&stacks[chosen[*options.frame]], chosen.size()};
 }
 

@@ -258,8 +258,7 @@ void set_geometry(VolumeInfo& info, const Header& whole, const VolumeOptions& op
     is_placed = take(qform_of(header), place);
     if (!is_placed) note(info, "the qform spans no space, and is ignored");
   }
-  if (!is_placed)
-    note(info, whole.format + " has no directions here; which side is left is unknown");
+  if (!is_placed) note(info, "no orientation (sform, qform); left and right are unknown");
   set_place(info, place, options);
 }
 
