@@ -361,6 +361,7 @@ TEST_CASE("bytes_used() is what was ever used, and what lies beyond has not been
   std::vector<uint8_t> memory(bytes, 0x5A);
   EventLog log;
   Extractor16 extractor;
+  CHECK(extractor.bytes_used() == 0);
   require_ok(extractor.start(limits, ample, 1, {memory.data(), bytes}, make_sink(log)));
   size_t used = extractor.bytes_used();
   CHECK(used <= minimum_bytes<uint16_t>(limits));

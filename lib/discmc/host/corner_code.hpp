@@ -37,9 +37,6 @@ class CornerCode {
   constexpr Link onwards() const { return bits_ & 31; }
   constexpr Link incoming() const { return bits_ >> 5 & 31; }
   constexpr Incidence incidence() const { return bits_ >> incidence_shift & 31; }
-  /// Whether it is where a loose fragment begins, or ends.
-  constexpr bool begins_at_seam() const { return incoming() == beyond_seam; }
-  constexpr bool ends_at_seam() const { return onwards() == beyond_seam; }
   constexpr Vertex vertex() const {
     const auto coordinate = [this](int at) {
       return static_cast<int32_t>(bits_ >> at & 0xFFFF) - 1;

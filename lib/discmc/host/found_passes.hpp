@@ -26,7 +26,6 @@ class FoundPasses {
       place += next >> 31;
     }
   }
-  uint32_t count() const { return rays_; }
 
  private:
   // Set in the word behind the last ray of a vertex: the first once more.

@@ -34,9 +34,6 @@ constexpr uint32_t in_of(PassWord pass) {
 constexpr uint32_t out_of(PassWord pass) {
   return pass >> 8 & 0xFF;
 }
-constexpr Incidence incidence_of(PassWord pass) {
-  return static_cast<Incidence>(pass >> incidence_shift & 31);
-}
 constexpr PassWord pass_word(uint32_t in, uint32_t out, Incidence incidence) {
   return in | out << 8 | static_cast<uint32_t>(incidence) << incidence_shift;
 }

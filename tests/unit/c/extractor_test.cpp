@@ -346,6 +346,18 @@ TEST_CASE("a checkpoint is restored whole, by its kind, or not at all") {
             bytes[bit / 8] = static_cast<uint8_t>(bytes[bit / 8] ^ 1 << bit % 8);
           }) == DISCMC_BAD_CHECKPOINT);
   }
+  for (size_t word = 0; word + 4 <= part.bytes; word += 4) {
+    const size_t object = static_cast<size_t>(reinterpret_cast<uint8_t*>(scan.extractor) - saved);
+    bool was_zero = true;
+    const discmc_status status = status_of(0, [&](Config&, uint8_t* bytes) {
+      for (size_t i = word; i < word + 4; ++i) {
+        was_zero = was_zero && bytes[i] == 0;
+        bytes[i] = 0;
+      }
+    });
+    if (!was_zero && word >= object) CHECK(status == DISCMC_BAD_CHECKPOINT);
+  }
+  restored = nullptr;
   CHECK(status_of(1, [](Config&, uint8_t*) {}) == DISCMC_BAD_CHECKPOINT);
   CHECK(status_of(0, [](Config& c, uint8_t*) { c.kind = &discmc_normals_u8; }) ==
         DISCMC_BAD_CHECKPOINT);

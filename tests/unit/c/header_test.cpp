@@ -120,6 +120,8 @@ TEST_CASE("a config without slots needs the least memory, and bad ones need none
   const uint64_t many = discmc_slice_encoder_bytes(&slices);
   slices.key_slice_interval = 1;
   CHECK(discmc_slice_encoder_bytes(&slices) < many);
+  slices.limits.width = 0;
+  CHECK(discmc_slice_encoder_bytes(&slices) == 0);
 }
 
 TEST_CASE("a sink in C finds the corners and normals of polygons") {

@@ -58,8 +58,13 @@ TEST_CASE("errors of rings in C") {
   config.rows = 3;
   --config.memory.bytes;
   CHECK(discmc_row_ring_start(&ring, &config) == DISCMC_TOO_LITTLE_MEMORY);
+  const size_t enough = ++config.memory.bytes;
+  config.memory.bytes = 20;
+  CHECK(discmc_row_ring_start(&ring, &config) == DISCMC_TOO_LITTLE_MEMORY);
+  config.memory = {nullptr, enough};
+  CHECK(discmc_row_ring_start(&ring, &config) == DISCMC_TOO_LITTLE_MEMORY);
   CHECK(ring == nullptr);
-  ++config.memory.bytes;
+  config.memory.data = block.memory().data;
   CHECK(discmc_row_ring_start(&ring, &config) == DISCMC_OK);
 }
 

@@ -163,6 +163,9 @@ TEST_CASE("errors of stores in C") {
   --config.memory.bytes;
   CHECK(discmc_store_start(&device.store, &config) == DISCMC_TOO_LITTLE_MEMORY);
   ++config.memory.bytes;
+  discmc_store_config without_memory = config;
+  without_memory.memory.data = nullptr;
+  CHECK(discmc_store_start(&device.store, &without_memory) == DISCMC_TOO_LITTLE_MEMORY);
   config.blocks = 1;
   CHECK(discmc_store_start(&device.store, &config) == DISCMC_BAD_DEVICE);
   CHECK(device.store == nullptr);

@@ -271,6 +271,22 @@ TEST_CASE("an extractor for hosts gives the events of any other, from scan to sc
   check_like_others();
 }
 
+TEST_CASE("a deep scan keeps its nodes in the memory of a shallow one") {
+  const Size size{100, 60, 4};
+  const BitVolume slices = random(size, 70, 3);
+  HostExtractor extractor;
+  const auto slots_of = [&](uint32_t depth, uint32_t slots) {
+    BitVolume volume({size.width, size.height, depth});
+    for (size_t i = 0; i < volume.on.size(); ++i) volume.on[i] = slices.on[i % slices.on.size()];
+    CHECK(scanned(extractor, volume, {}, {slots, 100}).events == expected_of(volume).events);
+    return extractor.high_water().slots;
+  };
+  const uint32_t enough = slots_of(8, 400000);
+  CHECK(enough > min_for_nodes);  // more than at first
+  CHECK(slots_of(20, 400000) == enough);
+  for (const uint32_t slots : {enough, 3 * enough / 2}) CHECK(slots_of(4, slots) <= slots);
+}
+
 TEST_CASE("it does with too few slots to keep nodes, down to those for little") {
   constexpr uint32_t slots[] = {60, 200, 1100, 3000, min_for_nodes - 1};
   for (size_t i = 0; i < std::size(slots); i += step(2)) check_like_others({slots[i], 10});
@@ -357,6 +373,31 @@ TEST_CASE("an encoder takes a region at once only between others, with room for 
   event.incidence = incidence;
   CHECK(encoder.take(event) == SinkResult::accepted);
   CHECK(encoder.take_region(square) == SinkResult::busy);
+}
+
+TEST_CASE("an encoder takes regions of any length at once, or leaves them to its events") {
+  test::Line line;
+  Encoder encoder;
+  require_ok(test::begin_stream(encoder, test::any_header(), line.output()));
+  uint32_t accepted = 0, refused = 0;
+  for (uint32_t steps = 1; steps < 300; ++steps) {
+    std::vector<Run> runs;  // a staircase, and the way back
+    uint32_t width = 0, height = 0;
+    for (uint32_t i = 0; i < steps; ++i) {
+      width += 100 + i % 7;
+      height += 90 + i % 5;
+      runs.push_back(Run::straight(0, 100 + i % 7));
+      runs.push_back(Run::straight(2, 90 + i % 5));
+    }
+    runs.push_back(Run::straight(4, width));
+    runs.push_back(Run::straight(6, height));
+    const WholeRegion region{
+        incidence_of({0, 0, 1}), {2, 2, 1}, runs.data(), static_cast<uint32_t>(runs.size())};
+    ++(encoder.take_region(region) == SinkResult::accepted ? accepted : refused);
+    CHECK(encoder.flush());
+  }
+  CHECK(accepted > 40);
+  CHECK(refused > 40);
 }
 
 TEST_CASE("it does wherever the fragments are handed over") {

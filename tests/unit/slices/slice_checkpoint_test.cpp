@@ -214,6 +214,7 @@ TEST_CASE("what cannot be saved or restored of slices is refused") {
   Checkpoint<SliceEncoder> checkpoint{};
   SliceEncoder encoder{};
   CHECK(encoder.save(checkpoint) == Status::not_started);
+  CHECK(encoder.bytes_used() == 0);
 
   StreamHeader header;
   header.width = 999;
@@ -244,6 +245,8 @@ TEST_CASE("what cannot be saved or restored of slices is refused") {
   CHECK(encoder.restore(checkpoint, {memory, whole.bytes - 1}, store.output()) ==
         Status::bad_checkpoint);
   CHECK(encoder.restore(checkpoint, whole, {}) == Status::bad_sink);
+  CHECK(encoder.continue_in({memory, whole.bytes - 1}, store.output()) ==
+        Status::too_little_memory);
   CHECK(encoder.restore(checkpoint, whole, store.output()) == Status::ok);
   std::memmove(memory + 1, memory, whole.bytes);
   CHECK(encoder.restore(checkpoint, {memory + 1, whole.bytes}, store.output()) ==

@@ -782,6 +782,7 @@ TEST_CASE("a scan that has ended takes no record, though the line still waits fo
   const StreamHeader header = header_of_surfaces({9, 1, 1}, {1});
   reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
   REQUIRE(encoder.finish() == Status::suspended);
+  CHECK(encoder.is_suspended());
   line.room = 1000;
   CHECK(encoder.write_record({}) == Status::finished);
   reference::require_ok(encoder.resume());

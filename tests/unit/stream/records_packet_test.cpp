@@ -1,5 +1,6 @@
 // Packets of records on their way from an encoder or a decoder to another encoder.
 #include <discmc/records_packet.hpp>
+#include <discmc/surface_decoder.hpp>
 
 #include <doctest/doctest.h>
 
@@ -91,10 +92,18 @@ struct Taker {
   }
 };
 
+Status start(Decoder& decoder, const Sink& sink) {
+  return decoder.start(sink);
+}
+Status start(SurfaceDecoder& decoder, const Sink& sink) {
+  return decoder.start({}, sink);
+}
+
+template <class AnyDecoder = Decoder>
 Passed passed(const Bytes& stream) {
   Taker taker;
-  Decoder decoder;
-  reference::require_ok(decoder.start(make_sink(taker.log)));
+  AnyDecoder decoder;
+  reference::require_ok(start(decoder, make_sink(taker.log)));
   decoder.set_packet_passthrough({&taker, [](void* context, const RecordsPacket& packet) {
                                     static_cast<Taker*>(context)->take(packet);
                                   }});
@@ -149,6 +158,10 @@ TEST_CASE("a decoder passes packets of whole regions on, and decodes all others"
   CHECK(one.events.back().is(Kind::finish));
   CHECK(one.report.regions == 1000);
   CHECK(one.report.lost_pieces == 0);
+  const Passed of_surface =
+      passed<SurfaceDecoder>(appended(packets, regions.back().event(), fragments));
+  CHECK(are_same(of_surface.packets, packets));
+  CHECK(of_surface.events == one.events);
   const Passed none = passed(appended(packets_of(regions, false), regions.back().event()));
   CHECK(none.packets.empty());
   CHECK(regions_among(none.events) == regions_among(regions));

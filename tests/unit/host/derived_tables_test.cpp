@@ -1,0 +1,58 @@
+// The tables of the host's sweep, which the compiler derives, derived once more at run time.
+//
+// The sources are compiled in here; the library's objects of them are then not linked.
+#include <discmc/host/ray_table.cpp>
+#include <discmc/host/sweep.cpp>
+
+#include <doctest/doctest.h>
+
+#include <string.h>
+#include <memory>
+
+namespace discmc::host {
+namespace {
+
+template <class Table>
+bool are_same(const Table& a, const Table& b) {
+  return memcmp(&a, &b, sizeof a) == 0;
+}
+
+TEST_CASE("the table of rays is the same when it is derived at run time") {
+  const auto table = std::make_unique<RayTable>();
+  *table = derive_rays();
+  CHECK(are_same(*table, ray_table));  // there are no gaps
+}
+
+TEST_CASE("what follows from the queue of a ray is the same when it is derived at run time") {
+  RayEnds ends{};
+  ends = derive_ends();
+  CHECK(are_same(ends.vertex, ray_ends.vertex));
+  CHECK(are_same(ends.incoming, ray_ends.incoming));
+  CHECK(are_same(ends.comes_from_ahead, ray_ends.comes_from_ahead));
+  CHECK(are_same(ends.centroid, ray_ends.centroid));
+  CHECK(are_same(ends.first, ray_ends.first));
+  CHECK(are_same(ends.turns, ray_ends.turns));
+  CHECK(are_same(ends.goes_ahead, ray_ends.goes_ahead));
+  CHECK(are_same(ends.straight_in, ray_ends.straight_in));
+  CHECK(are_same(ends.straight_out, ray_ends.straight_out));
+  CHECK(are_same(ends.number, ray_ends.number));
+  CHECK(are_same(ends.code, ray_ends.code));
+}
+
+TEST_CASE("directions and turns are the same when they are derived at run time") {
+  PlaneTable table{};
+  table = derive_planes();
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
+    CHECK(are_same(table.of[incidence].direction, plane_table.of[incidence].direction));
+    CHECK(table.of[incidence].right_turns == plane_table.of[incidence].right_turns);
+  }
+}
+
+TEST_CASE("how links are measured is the same when it is derived at run time") {
+  LinkMeasures measures{};
+  measures = derive::link_measures();
+  CHECK(are_same(measures, link_measures));
+}
+
+}  // namespace
+}  // namespace discmc::host

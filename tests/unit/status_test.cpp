@@ -1,0 +1,17 @@
+// The texts of statuses.
+#include <doctest/doctest.h>
+#include <discmc/status.hpp>
+
+#include <set>
+#include <string>
+
+using namespace discmc;
+
+TEST_CASE("every status has a text of its own, and another number none") {
+  std::set<std::string> texts;
+  const auto last = static_cast<int>(Status::device_error);
+  for (int i = 0; i <= last; ++i) texts.insert(to_string(static_cast<Status>(i)));
+  CHECK(texts.size() == static_cast<size_t>(last) + 1);
+  CHECK(texts.count("unknown status") == 0);
+  CHECK(to_string(static_cast<Status>(last + 1)) == std::string("unknown status"));
+}
