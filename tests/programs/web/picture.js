@@ -17,16 +17,19 @@ const turned = await now(page);
 await page.focus('#view');
 for (const [key, times] of Object.entries(keys))
   for (let i = 0; i < times; ++i) await page.keyboard.press(key);
+await page.locator('#view').blur(); // without the frame of what has the focus
 
 async function shot(begin) {
   await rested(page, begin);
   return `data:image/png;base64,${(await page.screenshot()).toString('base64')}`;
 }
 const smooth = await shot(turned);
-const changed = await now(page);
+const smoothed = await now(page);
 await page.uncheck('#smooth');
+await rested(page, smoothed);
+const flat = await now(page);
 await page.check('#edges');
-const edges = await shot(changed);
+const edges = await shot(flat);
 
 const { x, y, width, height } = await page.locator('#view').boundingBox();
 
