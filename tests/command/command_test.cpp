@@ -289,6 +289,25 @@ TEST_CASE("faces are triangles, and polygons where they are asked for and the fo
                     {"--faces", name, ".ply, .obj, .vtp or .jsonl"});
 }
 
+TEST_CASE("what a format cannot hold is refused by its name, also on standard output") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", small_ball());
+  const std::pair<std::string, std::string> wrong[] = {
+      {"stl --faces polygons",
+       "--faces: .stl on standard output cannot hold polygons; leave it "
+       "out, or give --format .ply, .obj, .vtp or .jsonl"},
+      {"stl --normals surface",
+       "--normals: .stl on standard output cannot hold normals; give "
+       "--format .ply, .obj, .glb or .vtp"},
+      {"jsonl --space voxel", "--space: .jsonl on standard output has coordinates"},
+      {"csv --unit inch", "--unit: .csv on standard output has a fixed unit"},
+      {"glb --unit inch", "--unit: .glb on standard output is in metres"},
+      {"jsonl --triangles 9", "--triangles: .jsonl on standard output holds merged polygons"},
+      {"jsonl --surface interpolated", "--surface: .jsonl on standard output has vertices"}};
+  for (const auto& [words, message] : wrong)
+    check_failure(workshop.run("extract v.nrrd --iso 100 -o - --format " + words), 2, {message});
+}
+
 TEST_CASE("iso is in the units that the file declares") {
   const Workshop workshop;
   const std::string samples = volume_files::stored(volume_files::SampleType::u8);

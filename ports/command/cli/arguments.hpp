@@ -149,8 +149,9 @@ struct RenderArguments {
 /// The arguments of `view`.
 struct ViewArguments {
   std::string input;
-  std::optional<bool> is_volume;  ///< or a stream; else by its first bytes
-  VolumeArguments reading;        ///< without a selection the samples are shown
+  std::optional<InputKind> kind;  ///< else a volume or a stream, by its first bytes
+  VolumeArguments reading;        ///< without a selection or labels the samples are shown
+  std::string labels;             ///< as of ExtractArguments
   std::string output;             ///< none where it is served
   bool opens = true;
   bool serves = false;

@@ -297,6 +297,25 @@ async function colourOf(page) {
   return { red: sums[0] / sums[3], blue: sums[2] / sums[3], pixels: sums[3] };
 }
 
+test('a volume is shaded smoothly at first, and its polygons are flat by a click', async () => {
+  const { page, complaints } = await openPage(browser, { viewport: small });
+  await openFiles(page, volume);
+  await setThreshold(page, 400);
+  await shown(page, 400);
+  const colours = async () => {
+    const data = await pixelsOf(page);
+    return new Set(Array.from({ length: data.length / 4 }, (_, i) => data.readUInt32BE(4 * i))).size;
+  };
+  const smooth = await colours();
+  await page.evaluate(() => (globalThis.measured.length = 0));
+  await page.uncheck('#smooth');
+  await shown(page, 400);
+  const flat = await colours();
+  assert.ok(flat <= 28 && smooth > 10 * flat, `${flat} colours of planes, and ${smooth}`);
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
 test('the outside is seen, flat and smooth, also of a volume whose x runs backwards; a cut shows the inside', async () => {
   const { page } = await openPage(browser, { viewport: small });
   for (const side of [1, -1]) {
