@@ -90,7 +90,7 @@ TEST_CASE("what is advised of inputs works") {
        {"extract v.dmc --iso 100" + out, "give it to discmc decode, info or render",
         "decode v.dmc -o out.stl"},
        {"decode v.nrrd -o out.stl", "give it to discmc extract, info or render", "info v.nrrd"},
-       {"extract v.stl --iso 1 -q -o out.ply", "only discmc compare and render read meshes",
+       {"extract v.stl --iso 1 -q -o out.ply", "only discmc compare, render and view read meshes",
         "compare v.stl v.nrrd --iso 100"},
        {"extract v.nrrd --iso 100 --crop 9..,..,.." + out, "give a part of 0..5",
         "extract v.nrrd --iso 100 --crop 0..5,..,.." + out},
