@@ -7,9 +7,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "command.hpp"
+#include "meshes/decimation.hpp"
+#include "meshes/mesh_simplifier.hpp"
 #include "sampled_field.hpp"
 
 namespace {
@@ -74,6 +77,15 @@ TEST_CASE("an edge stays if the surface would move or turn too much, or if it is
   CHECK(stays(cap({11, -0.5, 0}, {9.9, 0.1, 0}), 0, 100));
 }
 
+TEST_CASE("an edge stays if its flip would be one that there is already") {
+  const Mesh tetrahedron = mesh_of({{0, 0, 0}, {10, 0, 0}, {5, 0.3, 0}, {5, -8, 1}},
+                                   {0, 1, 2, 1, 0, 3, 0, 2, 3, 2, 1, 3});
+  Mesh mesh = tetrahedron;
+  remove_slivers(mesh, 0, 10);
+  CHECK(check_mesh(tetrahedron).closed());
+  CHECK(mesh.corners == tetrahedron.corners);
+}
+
 TEST_CASE("short edges are collapsed, and the mesh stays closed") {
   Mesh mesh = rough_ball();
   const std::size_t thin = thin_faces(mesh), faces = mesh.face_count();
@@ -84,6 +96,23 @@ TEST_CASE("short edges are collapsed, and the mesh stays closed") {
   CHECK(thin_faces(mesh) < thin / 4);
   CHECK(check_mesh(mesh).closed());
   CHECK(volume_of(mesh) == doctest::Approx(volume).epsilon(0.001));
+}
+
+TEST_CASE("a decimated mesh has hardly any thin triangles") {
+  try {
+    require_simplifier();
+  } catch (const std::runtime_error&) {
+    return;
+  }
+  Mesh mesh = interpolated(extracted(field_of({60, 60, 12},
+                                              [](double x, double y, double z) {
+                                                return level + 30 * (2.1 + std::sin(x / 9) +
+                                                                     std::cos(y / 11) / 2 -
+                                                                     std::abs(z - 5.37));
+                                              })),
+                           0);
+  decimate(mesh, {mesh.face_count() / 3});
+  CHECK(thin_faces(mesh) < mesh.face_count() / 40);
 }
 
 TEST_CASE("rough meshes of many handles stay closed, however far the surface may move") {

@@ -49,7 +49,6 @@ class SliverRemoval {
       else
         is_fixed_[uses->low] = is_fixed_[uses->high] = true;
     });
-    fix_shared_vertices();
   }
 
   void flip() {
@@ -111,19 +110,7 @@ class SliverRemoval {
     if (b != no_side) twins_[b] = a;
   }
 
-  // Vertices where parts of the mesh touch.
-  void fix_shared_vertices() {
-    std::vector<std::uint32_t> uses(vertices_.size());
-    for (const std::uint32_t corner : corners_) ++uses[corner];
-    for (Side side = 0; side < corners_.size(); ++side) {
-      const std::uint32_t vertex = corners_[side];
-      if (is_fixed_[vertex] || uses[vertex] == 0) continue;
-      if (ring(side).size() != uses[vertex]) is_fixed_[vertex] = true;
-      uses[vertex] = 0;
-    }
-  }
-
-  // The sides that leave its vertex, which no fixed edge has.
+  // The sides that leave its vertex, which has no fixed edge, within one part of the mesh.
   const std::vector<Side>& ring(Side side) {
     ring_.clear();
     for (Side leaving = side; ring_.empty() || leaving != side; leaving = twins_[previous(leaving)])
