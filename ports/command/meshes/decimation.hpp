@@ -23,9 +23,10 @@ struct DecimatedBodies {
   std::size_t unchanged = 0;  ///< as their decimated meshes would not be closed
 };
 
-/// Removes triangles and vertices, and then slivers. What is left is closed and manifold where the mesh was: places
-/// that would not be keep their triangles, and a body for which that does not suffice keeps all of
-/// them. Edges of one face stay. Limit: triangles. Throws as require_simplifier().
+/// Removes triangles and vertices, and then slivers. What is left is closed and manifold where the
+/// mesh was: places that would not be keep their triangles, and a body for which that does not
+/// suffice keeps all of them. Edges of one face stay. Limit: triangles. Throws as
+/// require_simplifier().
 DecimatedBodies decimate(Mesh& mesh, const Decimation& decimation);
 
 }  // namespace discmc::command
