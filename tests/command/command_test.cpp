@@ -155,12 +155,12 @@ TEST_CASE("outputs that cannot be written are refused before the volume is read"
 TEST_CASE("a stream goes to standard output when no file is named, and the table elsewhere") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());
-  CHECK(contains(workshop.done("extract v.nrrd --iso 100 -o v.dmc"), "classic MC triangles"));
+  CHECK(contains(workshop.done("extract v.nrrd --iso 100 -o v.dmc"), "classic Marching Cubes"));
   for (const char* output : {"", " -o -"}) {
     const Result result = workshop.run(std::string("extract v.nrrd --iso 100") + output);
     CHECK(result.code == 0);
     CHECK(result.out == workshop.read("v.dmc"));
-    CHECK(contains(result.error, "classic MC triangles"));
+    CHECK(contains(result.error, "classic Marching Cubes"));
   }
   CHECK(workshop.done("decode v.dmc -o -") == workshop.read("v.dmc"));
   const Result quiet = workshop.run("extract v.nrrd --iso 100 -q -o v.dmc");

@@ -45,6 +45,7 @@ TEST_CASE("the page of a volume has its samples, and lies beside the user") {
   workshop.done("extract inside.nii --iso 100 -o inside.stl");
   CHECK(workshop.read("inside.stl") == workshop.read("v.stl"));
   CHECK(contains(workshop.read("v.html"), "</html>"));
+  workshop.done("view v.nrrd --no-open");  // replaces the page
 }
 
 TEST_CASE("the page of a threshold has the slices of its surface alone") {
@@ -150,7 +151,7 @@ TEST_CASE("view refuses what it would lose or leave out, and says what to give")
     CHECK(result.code == 2);
     CHECK(contains(result.error, part));
   };
-  refused("v.nrrd", "give -o v.html to replace it");
+  refused("v.nrrd", "overwrite it with -o v.html");
   refused("- --no-open", "give -o PAGE.html");
   refused("'*.png'", "give -o PAGE.html");
   refused("v.nrrd -o v.png", "give a name that ends in .html");

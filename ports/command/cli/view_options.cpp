@@ -10,6 +10,7 @@
 #include "command_line.hpp"
 #include "commands.hpp"
 #include "files/input_name.hpp"
+#include "pages/page.hpp"
 
 namespace discmc::command {
 namespace {
@@ -29,9 +30,10 @@ void choose_output(ViewArguments& arguments) {
   arguments.output = page_for(arguments.input);
   if (arguments.output.empty())
     throw CLI::ValidationError(arguments.input, "gives the page no name; give -o PAGE.html");
-  if (std::filesystem::exists(arguments.output))
+  if (std::filesystem::exists(arguments.output) && !is_page(arguments.output))
     throw CLI::ValidationError(arguments.output,
-                               "exists; give -o " + arguments.output + " to replace it");
+                               "exists, and is no page of discmc view; overwrite it with -o " +
+                                   arguments.output + ", or choose another name");
 }
 
 // By the name and the options, if they decide.
@@ -66,7 +68,7 @@ Command add_view(CLI::App& app) {
       ->required();
   view->add_option("-o,--output", arguments->output,
                    "the page to write (default: the name of the input with .html, in the current "
-                   "folder); - is standard output")
+                   "folder, where it replaces an older page); - is standard output")
       ->check(named_with({".html", ".htm"}, "invalid name of a page"))
       ->check(without_braces());
   view->add_flag("!--no-open", arguments->opens, "do not open the browser");

@@ -61,7 +61,7 @@ class Page {
     on('classic', 'change', () => {
       by('caption-classic').hidden = true;
       if (!by('classic').checked) return this.view.setClassic(null);
-      showBusy('Marching Cubes…');
+      showBusy('Classic Marching Cubes…');
       this.classics.ask({});
     });
     navigate(by('view'), this.view.camera, {
@@ -170,7 +170,7 @@ class Page {
     const missing = [
       counted(stream.lostPackets, 'packet'),
       stream.holdsSlices ? counted(stream.lostPieces, 'row')
-        : `${counted(stream.lostPieces, 'piece')} of the surface`,
+        : `${whole(stream.lostPieces)} regions or fragments`,
       ...(stream.hasTrailer ? [] : ['the end']),
     ];
     by('stream-text').textContent = stream.isComplete
@@ -244,7 +244,7 @@ class Page {
     if (!by('classic').checked) return;
     this.view.setClassic(classic);
     const triangles = whole(classic.triangles.byteLength / 12);
-    by('caption-classic').textContent = `${triangles} triangles of Marching Cubes`;
+    by('caption-classic').textContent = `${triangles} triangles of classic Marching Cubes`;
     by('caption-classic').hidden = false;
   }
 

@@ -113,7 +113,7 @@ test('wrong, damaged and huge files are refused, and the page goes on', async ()
   assert.equal(await shownPolygons(page), byCommand(425), 'what was open before still is');
 
   await openFiles(page, damaged);
-  assert.match(await page.textContent('#stream-text'), /^Incomplete. Missing: [1-9]\d* packets?, [1-9]\d* pieces? of/);
+  assert.match(await page.textContent('#stream-text'), /^Incomplete. Missing: [1-9]\d* packets?, [1-9]\d* regions or fragments/);
   await openFiles(page, stream);
   await streamTells(page, 'Complete');
   assert.deepEqual(complaints, []);
@@ -280,7 +280,7 @@ test('every switch of the view works without complaint', async () => {
   await page.waitForFunction(() => /bytes/.test(document.querySelector('#device-regions').textContent));
   await page.focus('#memory');
   await page.keyboard.press('Home');
-  await page.waitForFunction(() => /joined/.test(document.querySelector('#device-pieces').textContent));
+  await page.waitForFunction(() => /joined/.test(document.querySelector('#device-fragments').textContent));
   const stream = await saved(page, 'dmc');
   assert.match(command('info', stream.path).toString(), /^threshold -?\d+$/m);
   for (const kind of ['stl', 'glb']) assert.ok(readFileSync((await saved(page, kind)).path).length > 10000);

@@ -175,8 +175,9 @@ void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolera
   add_named_option(app, "--surface", interpolates,
                    NamedValues<bool>{{"merged", false}, {"interpolated", true}},
                    "the place of the vertices; merged: halfway between voxels, in flat polygons; "
-                   "interpolated: where the samples cross the threshold, as in Marching Cubes; the "
-                   "default with --smooth, and of samples with --triangles or --max-error");
+                   "interpolated: where the samples cross the threshold, as in classic Marching "
+                   "Cubes; the default with --smooth, and of samples with --triangles or "
+                   "--max-error");
   app.add_option("--tolerance", tolerance,
                  "the largest distance of an interpolated surface from these crossings, in voxels; "
                  "less needs more triangles; with --triangles or --max-error the default is 0")

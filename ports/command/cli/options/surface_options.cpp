@@ -47,8 +47,7 @@ void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
       app, "--border", arguments.border,
       NamedValues<Border>{{"closed", Border::closed}, {"open", Border::open}},
       "closed: voxels outside the volume are off; open: the surface ends at the outermost voxels");
-  app.add_option("--median", arguments.median,
-                 "remove noise: a voxel is on if most of the 3 x 3 x 3 voxels around it are")
+  app.add_option("--median", arguments.median, "remove noise (majority of 3x3x3 voxels)")
       ->check(CLI::IsMember({3}))
       ->option_text("3");
   app.add_option("--mask", arguments.mask,
