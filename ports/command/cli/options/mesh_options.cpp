@@ -195,8 +195,8 @@ void add_decimation_options(CLI::App& app, Decimation& decimation) {
       ->check(whole_from(4))
       ->option_text("N");
   app.add_option("--max-error", decimation.max_error_mm,
-                 "decimate each mesh until its mean distance from the surface is about MM "
-                 "millimetres; single places are up to about 3 times as far")
+                 "decimate each mesh until its estimated error is MM millimetres; the mean "
+                 "distance is up to about MM / 4, single places are up to about 3 MM away")
       ->check(accepted([](double length) { return length > 0; }, "millimetres above 0"))
       ->option_text("MM");
 }
