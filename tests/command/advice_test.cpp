@@ -299,7 +299,7 @@ TEST_CASE("what is advised of pages works") {
                {{"view v.nrrd --no-open --median 3 -o out.html", "add --iso auto",
                  "view v.nrrd --no-open --median 3 --iso auto -o out.html"},
                 {"view - --no-open", "give -o PAGE.html", "view v.dmc --no-open -o page.html"}});
-  workshop.done("view v.dmc --no-open");
-  check_advice(workshop, {{"view v.dmc --no-open", "give -o v.html to replace it",
+  workshop.write("v.html", "no page of discmc");
+  check_advice(workshop, {{"view v.dmc --no-open", "overwrite it with -o v.html",
                            "view v.dmc --no-open -o v.html"}});
 }

@@ -20,6 +20,7 @@
 #include "stream_input.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
+#include "text/message.hpp"
 #include "thresholds.hpp"
 #include "volume_input.hpp"
 
