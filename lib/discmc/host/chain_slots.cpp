@@ -11,7 +11,7 @@ using Lists = Fragments::Lists;
 using Slots = Chains::Slots;
 
 bool is_centroid(const Vertex& v) {
-  return (v.x & v.y & v.z & 1) != 0;
+  return (v.x & v.y & 1) != 0;
 }
 
 // The voxels before this one have been visited.
@@ -19,8 +19,7 @@ struct Front {
   int32_t x, y, z;
 
   bool has_passed(const Vertex& v) const {
-    const int32_t by[] = {(v.z >> 1) - z, (v.y >> 1) - y, (v.x >> 1) - x};
-    return (by[0] != 0 ? by[0] : by[1] != 0 ? by[1] : by[2]) < 0;
+    return precedes({v.x >> 1, v.y >> 1, v.z >> 1}, {x, y, z});
   }
   // How many links an end has surely passed beyond a corner. From a centroid there may be one alone
   // that leads back a little, to a vertex ahead.

@@ -65,7 +65,7 @@ bool Edges::collect(const SweptRow& row) {
   const uint32_t words = row.words;
   const uint32_t last = max_edges_of(row) - max_in_word;
   const uint64_t mask_y = row.has_y ? own_columns : 0, mask_z = row.has_z ? own_columns : 0;
-  for (uint32_t word = word_; word < words; ++word) {
+  for (uint32_t word = word_;; ++word) {
     uint64_t x, y, z;
     // Mostly no edge crosses: words are passed by, two at a time.
     for (; word + 2 <= words; word += 2) {
@@ -81,13 +81,11 @@ bool Edges::collect(const SweptRow& row) {
       x = (on ^ on >> 1) & trace::own_columns;
       y = (on ^ behind[word]) & mask_y;
       z = (on ^ above[word]) & mask_z;
-    }
-    const auto crossing = [&] { return static_cast<uint32_t>(x | y | z); };
-    if (crossing() == 0) {
+      if ((x | y | z) == 0) break;
+    } else if (static_cast<uint32_t>(x | y | z) == 0) {
       x >>= 32, y >>= 32, z >>= 32;
       ++word;
     }
-    if (crossing() == 0) break;
     if (count_ > last) {
       word_ = word;
       return true;
@@ -121,7 +119,7 @@ inline void Edges::collect_word(const SweptRow& row, uint32_t word, uint64_t x, 
   }
   count_ = static_cast<uint32_t>(edge - edge_);
   const bool is_end = row.has_open_ends && (word == 0 || word + 1 == row.words);
-  if (is_end || row.absent_rows != 0 || !row.is_own()) mark_special(row, first);
+  if (is_end || row.absent_rows != 0) mark_special(row, first);
 }
 
 // Marks the edges from one on around which cells are absent, and all of context slices.

@@ -251,10 +251,9 @@ uint32_t RecordModel<Coder>::number(uint32_t row, uint32_t value) {
   while (value >> bits > 3) ++bits;
   uint32_t size = bits == 0 ? value - 1 : bits + 2;
   size = symbol(row, size < last ? size : last);
-  if (size < 3) return Coder::writes ? value : size + 1;
+  if (size < 3) return size + 1;
   bits = size == last ? even(5, bits) : size - 2;
-  const uint32_t rest = even(bits + 1, value);
-  return Coder::writes ? value : uint32_t{2} << bits | rest;
+  return uint32_t{2} << bits | even(bits + 1, value);
 }
 
 // With ample memory all records are regions; when memory is short, many are fragments.
@@ -336,8 +335,7 @@ Incidence RecordModel<Coder>::incidence(Incidence incidence) {
     const uint32_t by = seen(heading_of(incidence_, axis_).across);
     code = symbol(rows::headings + rows::of_headings * by,
                   to.along == sign ? seen(to.across) : other_heading);
-    if constexpr (!Coder::writes)
-      if (code < other_heading) incidence = incidence_of({sign, seen(code)}, axis_);
+    if constexpr (!Coder::writes) incidence = incidence_of({sign, seen(code)}, axis_);
   }
   if (code == other_heading) incidence = static_cast<Incidence>(even(5, incidence));
   set_incidence(incidence);
@@ -346,7 +344,8 @@ Incidence RecordModel<Coder>::incidence(Incidence incidence) {
 
 template <class Coder>
 void RecordModel<Coder>::set_incidence(Incidence incidence) {
-  if (!Coder::writes && !is_incidence(incidence)) return;
+  if constexpr (!Coder::writes)
+    if (!is_incidence(incidence)) return;
   incidence_ = incidence;
   link_class_ = static_cast<uint8_t>(class_of(incidence));
   class_rows_ = static_cast<uint16_t>(link_class_ == 0   ? rows::of_class(0)

@@ -106,8 +106,8 @@ Closure close_ring(PlaneStep a, PlaneStep b, PlaneWay way) {
   const int32_t area = a.u * b.v - a.v * b.u;
   const int32_t first = way.u * b.v - way.v * b.u;
   const int32_t second = a.u * way.v - a.v * way.u;
-  if (first % area != 0 || second % area != 0) return {false, 0, 0};
-  if (!is_length(first / area) || !is_length(second / area)) return {false, 0, 0};
+  if (first % area != 0 || second % area != 0) return {};
+  if (!is_length(first / area) || !is_length(second / area)) return {};
   return {true, static_cast<uint32_t>(first / area), static_cast<uint32_t>(second / area)};
 }
 

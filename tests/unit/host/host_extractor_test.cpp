@@ -7,6 +7,7 @@
 #include <cstring>
 #include <iterator>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "oracle/event_log.hpp"
@@ -126,6 +127,60 @@ BitVolume walls(Size size) {
   return volume;
 }
 
+// Columns that step to and fro from slice to slice: their sides are open to the last slice, and
+// have corners in every one.
+BitVolume zigzag_columns(Size size) {
+  BitVolume volume(size);
+  for (size_t i = 0; i < volume.on.size(); ++i) {
+    const size_t x = i % size.width, y = i / size.width % size.height;
+    const size_t z = i / (size_t{size.width} * size.height);
+    volume.on[i] = (x + z % 2) % 4 < 2 && y % 4 < 2 ? 1 : 0;
+  }
+  return volume;
+}
+
+// Teeth that only the last rows join, wide enough for sides that are level.
+BitVolume wide_comb(uint32_t teeth) {
+  BitVolume volume({4 * teeth, 6, 1});
+  for (size_t i = 0; i < volume.on.size(); ++i)
+    volume.on[i] = i % volume.width % 4 < 2 || i / volume.width >= 4 ? 1 : 0;
+  return volume;
+}
+
+// A volume with y and z exchanged.
+BitVolume upright(const BitVolume& volume) {
+  BitVolume turned({volume.width, volume.depth, volume.height});
+  for (int64_t z = 0; z < volume.height; ++z)
+    for (int64_t y = 0; y < volume.depth; ++y)
+      for (int64_t x = 0; x < volume.width; ++x)
+        turned.on[turned.index(x, y, z)] = volume.at(x, z, y) ? 1 : 0;
+  return turned;
+}
+
+// Copies a volume into another one, from slice z on.
+void put(BitVolume& volume, const BitVolume& part, uint32_t z) {
+  for (int64_t i = 0; i < part.depth; ++i)
+    for (int64_t y = 0; y < part.height; ++y)
+      for (int64_t x = 0; x < part.width; ++x)
+        volume.on[volume.index(x, y, z + i)] = part.at(x, y, i) ? 1 : 0;
+}
+
+// Scans with so many slots, and returns the totals. None of the events is looked at.
+template <class Extractor>
+Statistics totals_of(Extractor& extractor, const BitVolume& volume, uint32_t slots) {
+  struct Taker {
+    SinkResult take(const Event&) { return SinkResult::accepted; }
+  } taker;
+  const Limits limits = limits_of(volume, Border::closed);
+  const Capacities capacities{slots, 1000};
+  Block block(bytes_for<uint32_t>(limits, capacities));
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(taker)));
+  push_all(extractor, volume.on);
+  finish_all(extractor);
+  CHECK(block.is_intact());
+  return extractor.statistics();
+}
+
 // Writes the events down of the regions that it takes whole: of every second one.
 struct EverySecond {
   EventLog& log;
@@ -171,7 +226,13 @@ struct SlabScan {
   Border border;
   uint32_t first, end;
 
-  Limits limits() const { return limits_of_slab(volume, border, first, end); }
+  uint32_t slices_before = 0;  // of the volume itself: its first one lies so high
+
+  Limits limits() const {
+    Limits limits = limits_of_slab(volume, border, first, end);
+    limits.slab.first += slices_before;
+    return limits;
+  }
 
   template <class Extractor>
   EventLog by(Extractor& extractor, const Capacities& capacities,
@@ -285,6 +346,64 @@ TEST_CASE("a deep scan keeps its nodes in the memory of a shallow one") {
   CHECK(enough > min_for_nodes);  // more than at first
   CHECK(slots_of(20, 400000) == enough);
   for (const uint32_t slots : {enough, 3 * enough / 2}) CHECK(slots_of(4, slots) <= slots);
+}
+
+// What queues and nodes take shows in high_water() alone.
+TEST_CASE("more memory is taken in steps, each by whoever has just enough for it") {
+  struct Step {
+    uint32_t beyond;  // so many slots beyond the least: with one less there are those before in use
+    uint32_t in_use;
+  };
+  HostExtractor extractor;
+  Extractor32 other;
+  const auto check = [&](const BitVolume& volume, const std::vector<Step>& steps) {
+    const Statistics expected = totals_of(other, volume, 1000000);
+    const auto check_one = [&](uint32_t beyond, uint32_t in_use) {
+      CAPTURE(beyond);
+      const Statistics totals = totals_of(extractor, volume, min_for_nodes + beyond);
+      CHECK(extractor.high_water().slots == in_use);
+      CHECK(totals.links == expected.links);
+      CHECK(totals.regions == expected.regions);
+      CHECK(totals.fragments == 0);
+    };
+    for (size_t i = 0; i < steps.size(); ++i) {
+      if (i > 0) check_one(steps[i].beyond - 1, steps[i - 1].in_use);
+      check_one(steps[i].beyond, steps[i].in_use);
+    }
+  };
+  check(box({5, 5, 5}, {1, 1, 1}, {3, 3, 3}), {{0, 32713}});
+  check(zigzag_columns({40, 40, 20}),
+        {{0, 45001}, {10028, 45393}, {10224, 45785}, {36120, 70361}, {137590, 119513}});
+  check(columns({60, 60, 3}),
+        {{0, 47353}, {144, 47745}, {340, 48353}, {4344, 49185}, {8504, 50025}});
+  check(random({40, 40, 6}, 128, 3), {{0, 45001}, {36198, 69577}, {136778, 85961}});
+}
+
+TEST_CASE("whoever goes on with what was handed over has all the memory") {
+  // Noise and columns for which places are made; and far above a slice that needs nearly all.
+  BitVolume volume({241, 241, 8});
+  put(volume, columns({60, 60, 2}), 0);
+  put(volume, random({40, 40, 2}, 128, 5), 2);
+  put(volume, random({241, 241, 1}, 128, 3), 6);
+  HostExtractor extractor;
+  Extractor32 other;
+  constexpr uint32_t enough = 103685;
+  static_assert(enough >= min_for_nodes, "nodes are kept");
+  CHECK(totals_of(other, volume, enough - 1).fragments > 0);
+  CHECK(totals_of(extractor, volume, enough).fragments == 0);
+}
+
+TEST_CASE("rings of any length are found, however often they are walked along in vain") {
+  HostExtractor extractor;
+  Extractor32 other;
+  for (const uint32_t teeth : {8U, 17U, 40U, 62U, 63U, 64U, 65U, 126U, 127U, 128U, 129U, 320U})
+    for (const bool is_upright : {false, true}) {
+      CAPTURE(teeth);
+      const BitVolume lying = wide_comb(teeth);
+      const BitVolume volume = is_upright ? upright(lying) : lying;
+      CHECK(scanned(extractor, volume, {}, {min_for_nodes, 10}).events ==
+            scanned(other, volume, {}, {20000, 10}).events);
+    }
 }
 
 TEST_CASE("it does with too few slots to keep nodes, down to those for little") {
@@ -415,6 +534,26 @@ TEST_CASE("long sides are handed over, too") {
   for (const uint32_t beyond : {0U, 2000U, 5000U, 10000U}) scan.check(beyond);
 }
 
+TEST_CASE("so are sides across all slices, and across all rows above a row of noise") {
+  BitVolume slope({1400, 1400, 1});
+  for (int64_t y = 0; y < 1400; ++y)
+    for (int64_t x = std::max<int64_t>(0, 1390 - y); x < 1400 - y; ++x)
+      slope.on[slope.index(x, y, 0)] = 1;
+  HostExtractor extractor;
+  Extractor32 other;
+  const BitVolume rising = upright(slope);
+  const uint32_t most = host::CornerCode::max_slices;
+  for (const uint32_t before : {most - 1399, most - 1300, most - 5}) {
+    const SlabScan scan{rising, Border::closed, 1, 1400, before};
+    CHECK(parts_of(scan.by(extractor, much), scan) == parts_of(scan.by(other, much), scan));
+  }
+  const BitVolume noise = random({1400, 1, 1}, 128, 6);
+  std::copy(noise.on.begin(), noise.on.end(), &slope.on[slope.index(0, 1300, 0)]);
+  CHECK(scanned(extractor, slope, {}, {min_for_nodes, 10}).events ==
+        scanned(other, slope, {}, {min_for_nodes, 10}).events);
+  CHECK(has_kept_nodes(extractor));
+}
+
 TEST_CASE("the fragments are handed over where slices are too many for a corner's place") {
   const BitVolume column = box({2, 1, 33000}, {0, 0, 0}, {0, 0, 32999});
   for (const Border border : {Border::closed, Border::open}) HandingOver(column, border).check(0);
@@ -437,6 +576,62 @@ TEST_CASE("a slab has the regions, the loose fragments and the counts of any oth
           CHECK(scan.by(extractor, much, refuses_some).events == log.events);
         });
       }
+}
+
+TEST_CASE("a slab has them wherever its fragments are handed over") {
+  const BitVolume volume = random({70, 14, 6}, 128, 4);
+  HostExtractor extractor;
+  Extractor32 other;
+  for (const auto& [first, end] : {std::pair{1U, 6U}, {1U, 4U}, {2U, 4U}}) {
+    CAPTURE(first);
+    CAPTURE(end);
+    const SlabScan scan{volume, Border::closed, first, end};
+    const auto expected = parts_of(scan.by(other, much), scan);
+    for (uint32_t beyond = 0; beyond < 12000; beyond += 1500) {
+      CAPTURE(beyond);
+      CHECK(parts_of(scan.by(extractor, {min_for_nodes + beyond, 1000}), scan) == expected);
+    }
+  }
+}
+
+TEST_CASE("and where slices are too many for a corner's place") {
+  HostExtractor extractor;
+  Extractor32 other;
+  for (const BitVolume& volume : {random({20, 7, 12}, 128, 1), rough_columns({20, 7, 12})})
+    for (const Border border : {Border::closed, Border::open})
+      for (const uint32_t end : {11U, 12U})
+        for (const uint32_t beyond : {0U, 4U, 10U}) {
+          CAPTURE(end);
+          CAPTURE(beyond);
+          const SlabScan scan{volume, border, 1, end, host::CornerCode::max_slices - beyond};
+          CHECK(parts_of(scan.by(extractor, much), scan) == parts_of(scan.by(other, much), scan));
+        }
+}
+
+TEST_CASE("a slab has them, too, where its seam has as many passes as there are") {
+  const BitVolume volume = checkerboard({130, 5, 4});
+  HostExtractor extractor;
+  Extractor32 other;
+  const SlabScan scan{volume, Border::closed, 1, 3};
+  CHECK(parts_of(scan.by(extractor, much), scan) == parts_of(scan.by(other, much), scan));
+}
+
+TEST_CASE("from the last slab fragments go out in the order in which they were completed") {
+  const BitVolume volume = random({33, 12, 8}, 60, 2);
+  const SlabScan scan{volume, Border::closed, 1, 8};
+  const auto fragments_of = [](const EventLog& log) {
+    Events events;
+    bool is_fragment = false;
+    for (const RecordedEvent& event : log.events) {
+      is_fragment = is_fragment || event.is(Event::Kind::fragment);
+      if (is_fragment) events.push_back(event);
+      if (event.is(Event::Kind::fragment_end)) is_fragment = false;
+    }
+    return events;
+  };
+  HostExtractor extractor;
+  Extractor32 other;
+  CHECK(fragments_of(scan.by(extractor, much)) == fragments_of(scan.by(other, much)));
 }
 
 TEST_CASE("in every slab holes go out before the last fragment of the ring around them") {
@@ -681,6 +876,24 @@ TEST_CASE("a checkpoint has the nodes") {
     finish_all(after);
     CHECK(log.events == expected.events);
   }
+}
+
+TEST_CASE("a checkpoint does not tell what its memory was before") {
+  const BitVolume volume = random({30, 30, 8}, 100, 4);
+  const Limits limits = limits_of(volume, Border::closed);
+  std::vector<uint8_t> memory(bytes_for<uint32_t>(limits, much));
+  const auto saved = [&](uint8_t before) {
+    std::fill(memory.begin(), memory.end(), before);
+    EventLog log;
+    const auto extractor = std::make_unique<HostExtractor>();
+    require_ok(extractor->start(limits, much, 1, {memory.data(), memory.size()}, make_sink(log)));
+    require_ok(extractor->push(volume.on.data(), 5000).status);
+    const size_t spare = Arena::alignment;  // of which a part lies behind what is used
+    return std::vector<uint8_t>(memory.data(), memory.data() + extractor->bytes_used() - spare);
+  };
+  const std::vector<uint8_t> zeros = saved(0);
+  CHECK(zeros.size() > min_for_nodes / 4 * 16);
+  CHECK(zeros == saved(0xA5));
 }
 
 TEST_CASE("a checkpoint does not tell where its memory, its sink and the program lie") {

@@ -117,6 +117,21 @@ void tell_long_run(Model& model, Direction direction, uint32_t length) {
   model.length(rows::longer, direction, length - 1);
 }
 
+// A region of squares, which lie upon one another.
+template <class Model>
+void tell_squares(Model& model, uint32_t rings) {
+  model.record_kind(RecordKind::holed);
+  for (uint32_t ring = 0; ring < rings; ++ring) {
+    model.start({1, 0, 0});
+    if (ring == 0) model.incidence(up);
+    if (ring == 0) model.plain_number(rings - 2);
+    model.corners(corners_of_square);
+    model.ring_direction(2);
+    model.begin_chain(0);
+    model.two_lengths(0);
+  }
+}
+
 // A whole fragment: the direction by which it comes, and its runs; from its end against the order.
 template <class Model>
 void tell_fragment(Model& model, Direction came, const ToldRuns& runs) {
@@ -505,6 +520,13 @@ TEST_CASE("a region may fill a record with parallelograms to the last word") {
     script.square({1, 4 * static_cast<int32_t>(ring), 0}, 2, ring > 0);
   const Received arrival = decode(encode(script.region_end().finish().events));
   CHECK(arrival.events == script.events);
+  CHECK(arrival.report.damaged_packets == 0);
+}
+
+TEST_CASE("and with rings that are told by their corners") {
+  const Received arrival = decode(stream_of({payload_of(
+      [](auto& model) { tell_squares(model, Record::max_words / (Record::ring_words + 4)); })}));
+  CHECK(pieces_of(arrival.events).size() == 1);
   CHECK(arrival.report.damaged_packets == 0);
 }
 
@@ -912,20 +934,23 @@ TEST_CASE("records that break the grammar are refused") {
         model.even(5, incidence);
       });
   }
-  check_unreadable([](auto& model) {  // a first run that is too long
-    tell_part(model, {false, true, true}, {{0, Run::max_length + 1}});
-  });
-  check_unreadable([](auto& model) {  // and a further one
-    model.record_kind(RecordKind::forwards);
-    model.start({1, 0, 0});
-    model.incidence(up);
-    model.chain_direction(2);
-    model.chain_direction(0);
-    model.length(rows::lengths, 0, 1);
-    model.is_last_run(false);
-    tell_long_run(model, 2, Run::max_length + 1);
-    model.is_last_run(true);
-  });
+  // The second would be a short run, were its upper bits lost.
+  for (const uint32_t too_long : {Run::max_length + 1, 2 * (Run::max_length + 1) + 5}) {
+    check_unreadable([&](auto& model) {  // a first run that is too long
+      tell_part(model, {false, true, true}, {{0, too_long}});
+    });
+    check_unreadable([&](auto& model) {  // and a further one
+      model.record_kind(RecordKind::forwards);
+      model.start({1, 0, 0});
+      model.incidence(up);
+      model.chain_direction(2);
+      model.chain_direction(0);
+      model.length(rows::lengths, 0, 1);
+      model.is_last_run(false);
+      tell_long_run(model, 2, too_long);
+      model.is_last_run(true);
+    });
+  }
   check_unreadable([](auto& model) {  // a first run of no links, by a length that wraps
     tell_part(model, {false, true, true}, {});
     model.chain_direction(0);
@@ -938,30 +963,27 @@ TEST_CASE("records that break the grammar are refused") {
     tell_fragment(model, 4, {{0, Run::max_length + 1}});
   });
   check_unreadable([](auto& model) {  // more rings than a record has room for
-    model.record_kind(RecordKind::holed);
-    for (uint32_t ring = 0; ring <= Record::max_words / (Record::ring_words + 4); ++ring) {
-      model.start({1, 0, 0});
-      if (ring == 0) model.incidence(up);
-      if (ring == 0) model.plain_number(100);
-      model.corners(corners_of_square);
-      model.ring_direction(2);
-      model.begin_chain(0);
-      model.two_lengths(0);
-    }
+    tell_squares(model, Record::max_words / (Record::ring_words + 4) + 1);
   });
-  check_unreadable([](auto& model) {  // a first direction that the plane does not have
-    model.record_kind(RecordKind::region);
-    model.start({0, 1, 0});
-    model.incidence(incidence_of({1, 1, 0}));
-    model.corners(1);
-    model.ring_direction(7);
-  });
+  for (const uint32_t from : {4U, 7U})
+    check_unreadable([&](auto& model) {  // a first direction that the plane does not have
+      model.record_kind(RecordKind::region);
+      model.start({0, 1, 0});
+      model.incidence(incidence_of({1, 1, 0}));
+      model.corners(1);
+      model.ring_direction(from);
+    });
   for (const uint32_t first : {0U, 1U})
     check_unreadable([&](auto& model) {  // a length of a square that is too long
       begin_ring(model, corners_of_square);
       model.two_lengths(first == 0 ? 12 : 3);
       model.length(rows::longer, 0, stream::max_compact_length - 2);
     });
+  check_unreadable([](auto& model) {  // of a trapezoid, whose last two would not be
+    begin_ring(model, corners_symbol(3, 1, 1));
+    model.two_lengths(12);
+    model.length(rows::longer, 0, stream::max_compact_length - 2);
+  });
   check_unreadable([](auto& model) {  // the length of a triangle too long
     begin_ring(model, corners_of_triangle);
     model.length(rows::lengths, 0, stream::max_compact_length + 1);
@@ -982,6 +1004,10 @@ TEST_CASE("records that break the grammar are refused") {
     model.is_last_run(false);
     tell_long_run(model, 2, stream::max_compact_length + 1);
     model.is_last_run(true);
+  });
+  check_unreadable([](auto& model) {  // whose last one would not be
+    begin_ring(model);
+    tell_runs(model, {{0, 1}, {4, stream::max_compact_length + 1}});
   });
   check_unreadable([](auto& model) {  // runs from whose end no run leads back
     begin_ring(model);
@@ -1063,7 +1089,7 @@ TEST_CASE("two runs there and back are told in full up to the longest compact ru
 
 TEST_CASE("a ring as long as a record is delivered, and a longer one refused") {
   constexpr uint32_t longest = Record::max_words - Record::ring_words;
-  for (const uint32_t count : {longest, longest + 2, longest + 4}) {
+  for (const uint32_t count : {longest, longest + 1, longest + 2, longest + 4}) {
     ToldRuns runs;
     for (uint32_t i = 0; i + 1 < count; ++i)
       runs.push_back({static_cast<Direction>(i % 2 == 0 ? 0 : 4), 1});

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstring>
+#include <memory>
 
 #include "oracle/stream_samples.hpp"
 
@@ -53,11 +55,17 @@ TEST_CASE("a stream that cannot be told is refused") {
 
 TEST_CASE("what nobody has said of a scan is zero, and its label is what its header says") {
   const StreamHeader unsaid;
+  CHECK(unsaid.width == 0);
   CHECK(unsaid.height == 0);
   CHECK(unsaid.depth == 0);
   CHECK(unsaid.thresholds[0] == 0);
   for (uint32_t surface = 1; surface < StreamHeader::max_surfaces; ++surface)
     CHECK(unsaid.thresholds[surface] == 0);
+  const StreamLabel unnamed;
+  CHECK(unnamed.depth == 0);
+  CHECK(unnamed.scan == 0);
+  CHECK(unnamed.channel == 0);
+  for (const int32_t spacing : unnamed.spacing_nm) CHECK(spacing == 0);
   StreamHeader header;
   header.depth = 9;
   header.scan = 8;
@@ -465,6 +473,98 @@ TEST_CASE("an event of a kind that there is not leaves nothing in the stream") {
   Events with_unknown = script.events;
   with_unknown.insert(with_unknown.begin() + 2, RecordedEvent(unknown));
   CHECK(encode(with_unknown) == encode(script.events));
+}
+
+TEST_CASE("nor does it end the region in which it comes") {
+  Event region{}, unknown{};
+  region.kind = Event::Kind::region;
+  unknown.kind = static_cast<Event::Kind>(200);
+  Line line;
+  Encoder encoder;
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
+  REQUIRE(encoder.take(region) == SinkResult::accepted);
+  REQUIRE(encoder.take(unknown) == SinkResult::accepted);
+  CHECK(encoder.write_record({}) == Status::suspended);
+}
+
+TEST_CASE(
+    "a checkpoint does not say where the code for normals lies, and whoever restores it has it") {
+  Line line, restored;
+  Encoder plain{}, with_normals{};
+  with_normals.encode_normals();
+  const auto of_plain = std::make_unique<Checkpoint<Encoder>>();
+  const auto of_normals = std::make_unique<Checkpoint<Encoder>>();
+  REQUIRE(begin_stream(plain, any_header(), line.output()) == Status::ok);
+  REQUIRE(plain.save(*of_plain) == Status::ok);
+  line.bytes.clear();
+  REQUIRE(begin_stream(with_normals, any_header(), line.output()) == Status::ok);
+  REQUIRE(with_normals.save(*of_normals) == Status::ok);
+  CHECK(std::memcmp(of_plain.get(), of_normals.get(), sizeof *of_plain) == 0);
+
+  NormalEncoder after;
+  REQUIRE(after.restore(*of_plain, restored.output()) == Status::ok);
+  restored.bytes = line.bytes;
+  const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().events;
+  for (Encoder* const encoder : {&with_normals, static_cast<Encoder*>(&after)})
+    for (const RecordedEvent& recorded : square) {
+      Event event = recorded.event();
+      event.normal = {3, 4};
+      REQUIRE(encoder->take(event) == SinkResult::accepted);
+    }
+  REQUIRE(with_normals.flush());
+  REQUIRE(after.flush());
+  CHECK(restored.bytes == line.bytes);
+}
+
+TEST_CASE("an encoder that cannot be restored for want of an output is as it was") {
+  Line line;
+  Encoder encoder, after;
+  const auto checkpoint = std::make_unique<Checkpoint<Encoder>>();
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
+  REQUIRE(encoder.save(*checkpoint) == Status::ok);
+  CHECK(after.restore(*checkpoint, {}) == Status::bad_sink);
+  CHECK(after.write_record({}) == Status::not_started);
+}
+
+TEST_CASE("a region that is given at once may fill a record, and is told as its events are") {
+  // A staircase up and another one down again.
+  const auto stairs = [](uint32_t count, uint32_t length) {
+    std::vector<Run> runs;
+    for (uint32_t i = 0; i < count; ++i)
+      runs.push_back(
+          Run::straight(static_cast<Direction>(2 * (i % 2) + (i < count / 2 ? 0 : 4)), length));
+    return runs;
+  };
+  constexpr uint32_t most = stream::Record::max_words - stream::Record::ring_words;
+  const auto stream_of = [](const std::vector<Run>& runs, bool at_once) {
+    Line line;
+    Encoder encoder;
+    REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
+    const WholeRegion region{up, {1, 0, 0}, runs.data(), static_cast<uint32_t>(runs.size())};
+    Script script;
+    script.region(up).ring({1, 0, 0});
+    for (const Run run : runs) script.run(run);
+    if (at_once)
+      CHECK(encoder.take_region(region) == SinkResult::accepted);
+    else
+      take_all(encoder, script.region_end().events);
+    REQUIRE(encoder.flush());
+    return line.bytes;
+  };
+  CHECK(stream_of(stairs(most, 1), true) == stream_of(stairs(most, 1), false));
+
+  Line line;
+  Encoder encoder;
+  NormalEncoder with_normals;
+  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
+  REQUIRE(begin_stream(with_normals, any_header(), line.output()) == Status::ok);
+  const auto answer = [](Encoder& any, const std::vector<Run>& runs) {
+    return any.take_region({up, {1, 0, 0}, runs.data(), static_cast<uint32_t>(runs.size())});
+  };
+  CHECK(answer(encoder, stairs(most + 4, 1)) == SinkResult::busy);
+  CHECK(answer(encoder, stairs(4, stream::max_compact_length + 1)) == SinkResult::busy);
+  CHECK(answer(encoder, stairs(4, 1)) == SinkResult::accepted);
+  CHECK(answer(with_normals, stairs(4, 1)) == SinkResult::busy);
 }
 
 TEST_CASE("a region whose first run is in no ring does harm to nothing but its packet") {

@@ -155,6 +155,23 @@ TEST_CASE("what is coded comes back where the range is the least that suffices")
   check_round_trip(decisions);
 }
 
+TEST_CASE("so do symbols whose share leaves the least range that suffices") {
+  // Found by a search: the fourth share leaves a range of exactly 2^24.
+  const uint8_t share[] = {13, 109, 185, 64, 77, 200};
+  const uint32_t symbol[] = {0, 0, 0, 0, 1, 1};
+  Bytes bytes(100);
+  RangeEncoder encoder(bytes.data(), bytes.size());
+  for (size_t i = 0; i < 6; ++i)
+    encoder.encode_share(symbol[i] * share[i], symbol[i] == 0 ? share[i] : 256U - share[i]);
+  bytes.resize(encoder.finish());
+  RangeDecoder decoder(bytes.data(), bytes.size());
+  for (size_t i = 0; i < 6; ++i) {
+    const uint8_t row[] = {0, share[i], 0};
+    CHECK(decoder.decode_share(row) == symbol[i]);
+  }
+  CHECK_FALSE(decoder.is_exhausted());
+}
+
 TEST_CASE("a first byte of 255 waits, and goes out whole") {
   // Zeros of probability 1 / 256 climb to the very top of the range at once.
   Decisions decisions(40, {false, 255});

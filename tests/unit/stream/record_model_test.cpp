@@ -417,7 +417,9 @@ TEST_CASE(
       }
   }
   CHECK(closed == 2 * (4 * 2 + 6 * 4 + 8 * 6));
-  // Half a link.
+  // Half a link; where only the one length has no half, too.
+  CHECK_FALSE(close_ring(plane_steps_of(2)[0], plane_steps_of(2)[2], {3, 2}).is_valid);
+  CHECK_FALSE(close_ring(plane_steps_of(2)[0], plane_steps_of(2)[2], {2, 3}).is_valid);
   CHECK_FALSE(close_ring(plane_steps_of(2)[0], plane_steps_of(2)[2], {2, 1}).is_valid);
   CHECK_FALSE(close_ring(plane_steps_of(2)[0], plane_steps_of(2)[2], {1, 2}).is_valid);
 }
@@ -470,4 +472,60 @@ TEST_CASE("a ring's first direction leads back, and is the first that does") {
     CHECK(leads_back(first));
     CHECK_FALSE(leads_back(first + direction_count(incidence) - 1U));
   });
+}
+
+TEST_CASE("a ring that turns by a half is not told by its corners") {
+  const auto corners = [](const std::vector<Direction>& directions) {
+    std::vector<uint32_t> runs;
+    for (const Direction direction : directions) runs.push_back(Run::straight(direction, 1).code());
+    return corners_of(runs.data(), static_cast<uint32_t>(runs.size()), 8);
+  };
+  CHECK(corners({0, 2, 4, 6}) != 0);
+  for (const std::vector<Direction>& half :
+       {std::vector<Direction>{0, 4, 5, 6}, {0, 1, 5, 6}, {0, 1, 2, 6}, {0, 4, 6}})
+    CHECK(corners(half) == 0);
+}
+
+TEST_CASE("a fragment is told from its end where that costs less: a slice 64, a row 8, a voxel 1") {
+  // A fragment that begins and ends so many voxels from the vertex before.
+  const auto is_nearer = [](Vertex start, Vertex end) {
+    const Vertex before{1, 100, 100};
+    Record record;
+    record.begin(start.x == end.x ? incidence_of({1, 0, 0}) : incidence_of({0, 0, 1}));
+    record.begin_fragment(0, before + start + start);
+    const auto go = [&](Vertex step, int32_t voxels) {
+      for (Direction d = 0; voxels != 0 && d < direction_count(record.incidence); ++d)
+        if (direction_vector(record.incidence, d) == (voxels < 0 ? Vertex{} - step : step))
+          record.add_run(Run::straight(d, static_cast<uint32_t>(voxels < 0 ? -voxels : voxels)));
+    };
+    go({0, 0, 2}, end.z - start.z);
+    if (start.x == end.x) go({0, 2, 0}, end.y - start.y + 1);
+    if (start.x != end.x) go({0, 2, 0}, end.y - start.y);
+    if (start.x != end.x) go({2, 0, 0}, end.x - start.x + 1);
+    Vertex vertex;
+    const bool is_end = is_nearer_at_end(record, before, vertex);
+    const Vertex told = is_end ? end : start;
+    CHECK(vertex == before + told + told);
+    return is_end;
+  };
+  CHECK_FALSE(is_nearer({0, 0, 1}, {0, 8, 0}));
+  CHECK(is_nearer({0, 0, 1}, {0, 7, 0}));
+  CHECK(is_nearer({0, 0, -1}, {0, 7, 0}));
+  CHECK_FALSE(is_nearer({0, 1, 0}, {8, 0, 0}));
+  CHECK(is_nearer({0, 1, 0}, {7, 0, 0}));
+}
+
+TEST_CASE("a part without a run is one that no reader takes") {
+  Record record;
+  record.begin(no_incidence);
+  record.add_ring({1, 0, 0});
+  Bytes bytes(100);
+  WritingModel writer({RangeEncoder(bytes.data(), bytes.size())});
+  encode_part(writer, record, Record::ring_words);
+  writer.even(8, 0xA5);
+  bytes.resize(writer.coder().range.finish());
+  ReadingModel reader({RangeDecoder(bytes.data(), bytes.size())});
+  CHECK(reader.record_kind(RecordKind::end) == RecordKind::part);
+  CHECK(reader.even(4, 0) == 15);
+  CHECK(reader.even(8, 0) == 0xA5);
 }

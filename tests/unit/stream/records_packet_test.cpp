@@ -231,7 +231,9 @@ TEST_CASE("a packet of another encoder that cannot be sent is refused") {
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   CHECK(append(encoder, too_long) == Status::bad_record);
   CHECK(append(encoder, too_long_part) == Status::bad_record);
+  const size_t bytes_before = line.bytes.size();
   CHECK(append(encoder, longest_part) == Status::ok);
+  CHECK(line.bytes.size() > bytes_before + wire::max_payload);  // at once
   CHECK(append(encoder, too_many) == Status::bad_record);
   const Events events = small_regions(1);
   REQUIRE(encoder.take(events.front().event()) == SinkResult::accepted);
