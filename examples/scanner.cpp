@@ -87,13 +87,13 @@ bool skip_row() {
 
 bool take_all_rows() {
   for (;;) switch (ring.peek()) {
-      case RowRing::Next::row:
+      case RowRing::Next::ready:
         if (!take_row()) return false;
         break;
       case RowRing::Next::lost:
         if (!skip_row()) return false;
         break;
-      case RowRing::Next::nothing:
+      case RowRing::Next::none:
         board::wait();
         break;
       case RowRing::Next::end:

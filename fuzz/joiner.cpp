@@ -78,14 +78,15 @@ Pieces without_losses(const Pieces& pieces, Scenario& scenario, std::vector<size
 void check_regions(const Joined& joined, const Scenario& scenario,
                    const std::vector<Region>& regions) {
   require(joined.report.unmatched == 0, "a fragment without a partner");
-  require((joined.status == Status::ok) == (joined.report.passed == 0), "short without saying so");
+  require((joined.status == Status::ok) == (joined.report.passed_on == 0),
+          "short without saying so");
   if (!scenario.has_little_memory) require(joined.status == Status::ok, "short of what is enough");
   const Delivered delivered(joined.events);
   if (scenario.plan.unjoined == Unjoined::left_out) {
     require(delivered.fragments.empty(), "a loose fragment");
-    if (joined.report.passed > 0) return;
+    if (joined.report.passed_on > 0) return;
   }
-  require(joined.report.passed == delivered.fragments.size(), "fragments not counted");
+  require(joined.report.passed_on == delivered.fragments.size(), "fragments not counted");
   JoinPlan other = scenario.plan;
   other.capacities = enough_for(joined.events);
   const Joined second = join_all(joined.events, other);

@@ -242,19 +242,19 @@ void check_ring(Incidence incidence, const Vertex& start, const std::vector<Run>
     Incidence incidence;
     int64_t area;
   } sum{incidence, 0};
-  const RingReceiver receiver{&sum, [](void* context, const Vertex* ring, uint32_t length) {
-                                auto& to = *static_cast<Sum*>(context);
-                                require(length >= 3, "a simple ring of fewer than three vertices");
-                                const int64_t part = twice_area(to.incidence, ring, length);
-                                require(part != 0, "a simple ring without an area");
-                                to.area += part;
-                                std::vector<Vertex> corners(ring, ring + length);
-                                const uint32_t left = keep_corners(corners.data(), length);
-                                require(twice_area(to.incidence, corners.data(), left) == part,
-                                        "corners alone have another area");
-                              }};
+  const RingSink sink{&sum, [](void* context, const Vertex* ring, uint32_t length) {
+                        auto& to = *static_cast<Sum*>(context);
+                        require(length >= 3, "a simple ring of fewer than three vertices");
+                        const int64_t part = twice_area(to.incidence, ring, length);
+                        require(part != 0, "a simple ring without an area");
+                        to.area += part;
+                        std::vector<Vertex> corners(ring, ring + length);
+                        const uint32_t left = keep_corners(corners.data(), length);
+                        require(twice_area(to.incidence, corners.data(), left) == part,
+                                "corners alone have another area");
+                      }};
   std::vector<uint32_t> scratch(size_t{2} * links);
-  split_ring(vertices.data(), links, scratch.data(), receiver);
+  split_ring(vertices.data(), links, scratch.data(), sink);
   require(sum.area == area, "simple rings have another area than their ring");
 }
 

@@ -22,8 +22,7 @@ constexpr Memory memory_of(uint8_t (&array)[N]) {
 
 /// Allocates consecutive arrays of trivial types from one piece of memory and frees none of them.
 /// Every array is aligned to four bytes, which suffices for all objects of the library. The arena
-/// always reserves the most that this alignment can cost at the beginning. So what fits does not
-/// depend on the address of the memory.
+/// always subtracts three bytes for alignment. So the capacity is the same at every address.
 class Arena {
  public:
   static constexpr size_t alignment = 4;

@@ -20,7 +20,7 @@ inline constexpr bool is_index<uint32_t> = true;
 /// incomplete: boundaries without a slot are sent as loose fragments.
 struct Capacities {
   uint32_t slots;  ///< of 8 bytes each (16-bit indices, no normals): an end that waits, up to three
-                   ///< corners of a fragment, or half a waiting hole
+                   ///< runs of a fragment, or half a waiting hole
   uint32_t holes;  ///< waiting for the ring around them; a bound on work, within the slots above
 };
 
@@ -44,7 +44,7 @@ template <class Index>
 constexpr uint32_t max_slots = static_cast<Index>(~Index{0}) / 2 - 8;
 
 /// The most slots that a cell can need: an end and a run for each link of the rings of its facets.
-constexpr uint32_t slots_a_cell = 2 * 17;
+constexpr uint32_t slots_per_cell = 2 * 17;
 
 }  // namespace sizing
 
@@ -58,14 +58,14 @@ constexpr Capacities minimum_capacities() {
 constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices) {
   // In 32 bits: no 64-bit division on small machines.
   const uint32_t cells = (limits.width + 1) * (limits.height + 1);
-  const uint32_t most = UINT32_MAX / sizing::slots_a_cell;
+  const uint32_t most = UINT32_MAX / sizing::slots_per_cell;
   const uint32_t all = slices < most / cells ? cells * (slices + 1) : most;
-  const uint32_t slots = all * sizing::slots_a_cell;
+  const uint32_t slots = all * sizing::slots_per_cell;
   return {slots, slots};
 }
 
 /// The bytes of the caller's memory that a scan with these limits and capacities occupies. Index,
-/// Normals: here and below, those of the Extractor.
+/// Intake: the parameters of the extractor; with normals, Intake is GradientNormals<Sample>.
 template <class Index, class Intake = BitIntake>
 constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");

@@ -2,14 +2,14 @@
 //
 // The checkpoint of an extractor needs the memory of the extractor as well; the checkpoint of an
 // encoder needs nothing else. Save both between two rows: after restore() the stream continues byte
-// for byte as if nothing had happened. A SliceEncoder with its memory is a scan of its own.
+// for byte as if nothing had happened. A SliceEncoder needs only its own checkpoint and memory.
 //
 //   static Checkpoint<Extractor16> scan;
 //   static Checkpoint<Encoder> stream;
 //   if (extractor.save(scan) == Status::ok && encoder.save(stream) == Status::ok)
 //     ...             // write scan, stream and the first extractor.bytes_used() bytes of memory
 //
-//   ...               // after the failure: read all three back, the memory into the memory
+//   ...               // after the failure: read scan, stream and memory back
 //   if (encoder.restore(stream, output) == Status::ok &&
 //       extractor.restore(scan, memory, make_sink(encoder)) == Status::ok)
 //     ...             // continue with row extractor.rows() of slice extractor.slices()

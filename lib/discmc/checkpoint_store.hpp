@@ -10,8 +10,8 @@
 // memory. The parts must not change during a save, so the scan pauses. The firmware keeps running:
 // each call erases one block or programs one unit.
 //
-// The store divides the flash into as many slots as fit, at least two, and writes them in turn. So
-// all blocks wear alike, and an erase never hits the newest checkpoint.
+// The store divides the flash into as many flash slots as fit, at least two, and writes them in
+// turn. So all blocks wear alike, and an erase never hits the newest checkpoint.
 #ifndef DISCMC_CHECKPOINT_STORE_HPP
 #define DISCMC_CHECKPOINT_STORE_HPP
 
@@ -80,7 +80,7 @@ struct StoredHead {
 struct StorePlan {
   FlashGeometry geometry;
   uint32_t max_bytes = 0;        ///< of all parts of a checkpoint
-  uint32_t slot_units = 0;       ///< program units of a slot
+  uint32_t slot_units = 0;       ///< program units of a flash slot
   uint32_t slots_per_block = 0;  ///< 1 if a slot has one or more blocks of its own
   uint32_t blocks_per_slot = 0;  ///< 1 if several slots share a block
   uint32_t slots = 0;            ///< checkpoints that fit

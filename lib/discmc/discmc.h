@@ -101,12 +101,12 @@ typedef uint8_t discmc_sample_type;
 enum { DISCMC_BITS, DISCMC_U8, DISCMC_U16, DISCMC_I16 };
 
 /* The replacement of a missing row: voxels that are off, or the previous row. */
-enum { DISCMC_OFF, DISCMC_PREVIOUS_ROW };
+enum { DISCMC_SUBSTITUTE_OFF, DISCMC_SUBSTITUTE_PREVIOUS_ROW };
 
 /* The result of a push. Push the samples or bytes that were not accepted again. */
 typedef struct discmc_push_result {
   discmc_status status;
-  size_t accepted; /* samples; for a receiver bytes */
+  size_t accepted; /* samples (PushResult::samples); for a receiver bytes (Decoded::bytes) */
 } discmc_push_result;
 
 /* The output of an encoder. write() accepts up to `count` bytes, which are valid during the call,
@@ -166,7 +166,7 @@ typedef struct discmc_vertex {
 
 /* Totals of a scan. */
 typedef struct discmc_statistics {
-  uint64_t cells, facets;     /* cells with surface, and facets in them, before the merge */
+  uint64_t cells, facets;     /* active cells, and facets in them, before the merge */
   uint64_t classic_triangles; /* that classic Marching Cubes would have made */
   uint64_t regions, rings;    /* delivered, and the rings of these regions */
   uint64_t links;             /* the length of all runs delivered */
@@ -191,7 +191,7 @@ typedef struct discmc_event {
   uint8_t incidence;          /* the normal of the polygon: discmc_incidence_normal() */
   uint8_t incoming_direction; /* of the link that leads to the start of a fragment */
   uint8_t hole;               /* the ring is a hole */
-  uint8_t repeated;           /* the previous row replaces it, not voxels that are off */
+  uint8_t repeated;           /* the row was replaced by the previous row */
   uint8_t abandoned;          /* the scan ended early */
   uint8_t normal[2];          /* where the run starts: discmc_unit_normal() */
   uint32_t run;               /* a straight piece of a ring: discmc_run_vector() */
@@ -204,11 +204,11 @@ typedef struct discmc_event {
   } of; /* Owner: the sender; valid during the call */
 } discmc_event;
 
-/* The receiver of events. If take() is busy, the next resume() offers the event again; START must
- * be accepted at once. NOT_STARTED: a retry is of no use. */
+/* A sink's answer. After BUSY, the next resume() offers the event again; accept START at once.
+ * After NOT_STARTED a retry fails. */
 typedef uint8_t discmc_sink_result;
 enum { DISCMC_SINK_ACCEPTED, DISCMC_SINK_BUSY, DISCMC_SINK_NOT_STARTED };
-/* A receiver of events: a function, and the object that it is called with. */
+/* A sink of events: a function, and the object that it is called with. */
 typedef struct discmc_sink {
   void* context;
   discmc_sink_result (*take)(void* context, const discmc_event* event);
@@ -241,7 +241,7 @@ typedef struct discmc_extractor_config {
   } slab;
   int32_t threshold;     /* a voxel is on if its sample is >= threshold */
   int32_t spacing_nm[3]; /* for normals: between voxels; all zero: they are cubes */
-  /* Each slot holds up to three corners of unfinished polygons, in 8 bytes (normals 14, hosts 16).
+  /* Each slot holds up to three runs of unfinished polygons, in 8 bytes (normals 14, hosts 16).
    * Few slots make the stream longer; the surface is unchanged. 0: as many as fit. */
   uint32_t slots;
   discmc_memory memory;
@@ -264,7 +264,7 @@ DISCMC_CHECK discmc_push_result discmc_extractor_push(discmc_extractor* extracto
                                                       discmc_sample_type type, const void* samples,
                                                       uint32_t count, uint32_t stride);
 
-/* Replaces a missing row: DISCMC_OFF or DISCMC_PREVIOUS_ROW. Result and errors as for bits. */
+/* Replaces a missing row: DISCMC_SUBSTITUTE_OFF or _PREVIOUS_ROW. Result and errors as for bits. */
 DISCMC_CHECK discmc_push_result discmc_extractor_skip_row(discmc_extractor* extractor,
                                                           uint8_t substitute);
 /* Continues if suspended; harmless at any other time. */
@@ -337,7 +337,7 @@ typedef struct discmc_slice_encoder_config {
   const discmc_slice_kind* kind;
   discmc_limits limits;
   uint8_t surface_count; /* 1 to DISCMC_MAX_SURFACES, on consecutive channels */
-  int32_t thresholds[4]; /* of each surface; the first should resemble the others */
+  int32_t thresholds[4]; /* put first the surface most like the others: it predicts them */
   /* From one key slice, which decodes alone, to the next; 0: only the first. A lost packet costs up
    * to this many slices; 16 is a good value. 1 needs the least memory, but most bytes of stream. */
   uint32_t key_slice_interval;
@@ -384,7 +384,7 @@ discmc_slice_encoder_info discmc_slice_encoder_get_info(const discmc_slice_encod
 /* The configuration of a receiver. */
 typedef struct discmc_receiver_config {
   uint8_t channel;      /* of the surface; DISCMC_ANY_CHANNEL: of the first stream that comes */
-  discmc_memory memory; /* for slices, more than the least makes whole regions of fragments */
+  discmc_memory memory; /* for slices: beyond the minimum, fewer regions arrive as fragments */
   discmc_sink sink;
 } discmc_receiver_config;
 /* For a stream of slices; for polygons pass null limits. */
@@ -448,8 +448,8 @@ DISCMC_CHECK discmc_status discmc_joiner_finish(discmc_joiner* joiner);
 typedef struct discmc_joiner_info {
   uint64_t received, invalid;         /* fragments, and invalid ones, which are dropped */
   uint64_t regions, rings;            /* delivered, joined from fragments */
-  uint64_t unmatched;                 /* chains left over at the end: a measure of losses */
-  uint64_t passed;                    /* chains passed on as fragments for lack of memory */
+  uint64_t unmatched;                 /* without a partner at the end: a measure of losses */
+  uint64_t passed_on;                 /* fragments passed on for lack of memory */
   uint32_t fragments, runs;           /* capacities */
   uint32_t peak_fragments, peak_runs; /* most in use */
 } discmc_joiner_info;
@@ -480,7 +480,7 @@ DISCMC_CHECK discmc_status discmc_store_start(discmc_store** store,
 typedef struct discmc_store_info {
   uint8_t has_checkpoint;
   uint32_t bytes, sequence; /* its length; its number, one more than that of the previous one */
-  uint32_t slots; /* one checkpoint each: E erasures per block make E * slots checkpoints */
+  uint32_t slots;           /* in flash: E erasures per block make E * slots checkpoints */
   uint32_t slots_per_block; /* of a large block; otherwise 1 */
   uint32_t blocks, units;   /* that a checkpoint of max_bytes erases and programs */
 } discmc_store_info;
@@ -497,7 +497,7 @@ DISCMC_CHECK discmc_status discmc_store_erase_ahead(discmc_store* store, uint32_
 
 /* Stores up to DISCMC_MAX_PARTS parts, which must not change while suspended. A call erases a
  * block, or programs a unit and reads it back. Errors: DISCMC_TOO_LITTLE_MEMORY (for the parts),
- * DISCMC_DEVICE_ERROR (save again: it uses other blocks if there are more than two slots). */
+ * DISCMC_DEVICE_ERROR (save again: it uses other blocks if there are more than two flash slots). */
 DISCMC_CHECK discmc_status discmc_store_save(discmc_store* store, const discmc_memory* parts,
                                              uint32_t count);
 DISCMC_CHECK discmc_status discmc_store_resume(discmc_store* store);

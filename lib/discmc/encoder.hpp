@@ -69,9 +69,8 @@ class Encoder {
   /// bad_sink (no write). Cost: as save().
   [[nodiscard]] Status restore(const Checkpoint<Encoder>& checkpoint, const ByteOutput& output);
 
-  /// Continues like restore() after the bytes of this object itself were read back, for objects
-  /// that are saved in place, as those of C. Limit: the bytes are unchanged. Errors: bad_sink (no
-  /// write).
+  /// Resumes a stream whose object was restored byte for byte in place, as in C. Call it instead of
+  /// restore(). Limit: the bytes are unchanged. Errors: bad_sink (no write).
   [[nodiscard]] Status continue_to(const ByteOutput& output);
 
   /// The bytes of stream so far, including those dropped without an output. The difference between

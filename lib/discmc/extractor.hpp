@@ -22,7 +22,7 @@
 
 namespace discmc {
 
-/// High-water marks. Units: as Capacities.
+/// Peaks: the most in use at once. Units: as Capacities.
 struct HighWater {
   uint32_t slots;
   uint32_t holes;
@@ -108,9 +108,8 @@ class BasicExtractor {
   template <class Any>
   [[nodiscard]] Status restore(const Checkpoint<Any>& checkpoint, Memory memory, const Sink& sink);
 
-  /// Continues like restore() after the bytes of this object itself and of the memory were read
-  /// back, for objects that are saved in place, as those of C. Limit: the bytes are unchanged.
-  /// Errors: bad_sink, too_little_memory.
+  /// Resumes a scan whose object and memory were restored byte for byte in place, as in C. Call it
+  /// instead of restore(). Limit: the bytes are unchanged. Errors: bad_sink, too_little_memory.
   [[nodiscard]] Status continue_in(Memory memory, const Sink& sink);
 
   /// Whether the sink has refused an event that is due. If so, call resume() before save().
@@ -122,14 +121,16 @@ class BasicExtractor {
     return {width_, height_, border_, {first_slice_, continues_below_, continues_above_}};
   }
   const Capacities& capacities() const { return capacities_; }
+  /// The peaks so far.
   HighWater high_water() const {
     return {sweep_.fragments().slots().high_water(), sweep_.delivery().holes().high_water()};
   }
   /// The number of bytes at the beginning of the caller's memory that the scan has used so far. No
   /// later byte was written.
   size_t bytes_used() const;
-  /// The number of complete slices so far, and of complete rows of the current slice.
+  /// The complete slices so far.
   uint32_t slices() const { return intake_.slices(bits_); }
+  /// The complete rows of the current slice.
   uint32_t rows() const { return intake_.rows(bits_); }
 
   /// For CheckpointHead::layout.

@@ -56,20 +56,21 @@ struct JoinCapacities {
 
 /// The counts of a joiner since its start.
 struct JoinReport {
-  uint64_t fragments = 0;  ///< received
+  uint64_t received = 0;   ///< fragments
   uint64_t invalid = 0;    ///< dropped: the incidence, a direction or a run is invalid
   uint64_t regions = 0;    ///< delivered, with outer rings joined from fragments
   uint64_t rings = 0;      ///< joined from fragments, and delivered in any region
   uint64_t unmatched = 0;  ///< at the end: chains without a partner, holes without a region, and
                            ///< fragments that collided with another; the measure of what was lost
-  uint64_t passed = 0;  ///< chains passed on for lack of memory, single fragments or partly joined
+  uint64_t passed_on = 0;  ///< fragments, some of them partly joined, that were passed on for lack
+                           ///< of memory
 };
 
 /// Receives the events of extractors and decoders, and sends them on with regions completed and
 /// joined. Any events are safe.
 ///
 /// The sink receives everything except loose fragments in the original order. It receives what the
-/// report counts as unmatched or passed as loose fragments, unless these are left out. Runs keep
+/// report counts as unmatched or passed on as loose fragments, unless these are left out. Runs keep
 /// their normals. A region is right if all its fragments arrived, whatever else is lost.
 ///
 /// The sink receives one `finish` event. With several streams in any order it is the sum, sent by
@@ -121,7 +122,7 @@ class Joiner {
 
   const JoinReport& report() const { return report_; }
   JoinCapacities capacities() const { return capacities_; }
-  /// The most that was held at once.
+  /// The peak: the most that was held at once.
   JoinCapacities high_water() const { return {chains().high_water(), chains().run_high_water()}; }
 
  private:
@@ -196,24 +197,24 @@ class Joiner {
   Statistics totals_{};
 };
 
-/// Returns a sink for a receiver that needs whole regions, of a scan that may have little memory:
+/// Returns a sink for an object that needs whole regions, of a scan that may have little memory:
 ///
 ///   static Joiner joiner;
-///   extractor.start(limits, threshold, memory, make_region_sink(receiver, joiner, join_memory));
+///   extractor.start(limits, threshold, memory, make_region_sink(object, joiner, join_memory));
 ///
-/// It starts the joiner, which calls `receiver.take(event)` and drops what it cannot join;
+/// It starts the joiner, which calls `object.take(event)` and drops what it cannot join;
 /// joiner.report() counts the drops. Call it anew for each scan or stream: start the extractor
-/// again instead of reset(). Owner: receiver, joiner and memory must outlive the sink. If the
+/// again instead of reset(). Owner: object, joiner and memory must outlive the sink. If the
 /// memory is less than Joiner::minimum_bytes(), the sink has no function, and start() returns
 /// bad_sink.
 ///
 /// Memory: 96 bytes per waiting chain and 12 per run of it; Joiner::high_water() counts both. On
 /// the device that extracts, give the extractor more memory instead: there a chain needs 16 bytes,
 /// and 8 per three runs, and is not sent loose at all. Cost: as the Joiner.
-template <class Receiver>
-Sink make_region_sink(Receiver& receiver, Joiner& joiner, Memory memory) {
+template <class Object>
+Sink make_region_sink(Object& object, Joiner& joiner, Memory memory) {
   const Status status =
-      joiner.start(memory, make_sink(receiver), InputOrder::sweep, Unjoined::left_out);
+      joiner.start(memory, make_sink(object), InputOrder::sweep, Unjoined::left_out);
   return status == Status::ok ? make_sink(joiner) : Sink{};
 }
 

@@ -8,10 +8,10 @@
 namespace discmc {
 
 /// The axes of space; for a patient, as in medical formats.
-enum class Frame : uint8_t {
-  none,  ///< the scanner's own
-  lps,   ///< towards the left, the back (posterior) and the head (superior), as in DICOM
-  ras,   ///< towards the right, the front (anterior) and the head, as in NIfTI
+enum class Space : uint8_t {
+  scanner,  ///< the scanner's own
+  lps,      ///< towards the left, the back (posterior) and the head (superior), as in DICOM
+  ras,      ///< towards the right, the front (anterior) and the head, as in NIfTI
 };
 
 /// The transform from voxels to space: the centre of voxel (i, j, k) is origin + i axes[0] + j
@@ -21,7 +21,7 @@ enum class Frame : uint8_t {
 struct Placement {
   int32_t axes_nm[3][3] = {};  ///< from one voxel to the next along x, y, z: three vectors in space
   int64_t origin_nm[3] = {};   ///< the centre of voxel (0, 0, 0)
-  Frame frame = Frame::none;
+  Space space = Space::scanner;
 
   static constexpr uint8_t record_kind = ApplicationRecord::first_standard_kind;
   static constexpr size_t record_bytes = 3 * 3 * 4 + 3 * 8 + 1;
@@ -33,7 +33,7 @@ struct Placement {
 ApplicationRecord record_of(const Placement& placement, uint8_t* bytes);
 
 /// Reads the placement in a record. Returns false, and writes nothing, if the kind, the number of
-/// bytes or the frame does not match.
+/// bytes or the space does not match.
 [[nodiscard]] bool read_placement(const ApplicationRecord& record, Placement& placement);
 
 // ---- The slices of a volume in a stream: a standard application record, for receivers that join

@@ -28,16 +28,16 @@ void ring_vertices(Incidence incidence, const Vertex& start, const Run* runs, ui
 /// positive for an outer ring, negative for a hole. Units: square half-steps.
 int64_t twice_area(Incidence incidence, const Vertex* vertices, uint32_t count);
 
-/// The receiver of simple rings. Owner: the context belongs to the caller.
-struct RingReceiver {
+/// A sink of simple rings. Owner: the context belongs to the caller.
+struct RingSink {
   void* context = nullptr;
   /// Receives a ring of three or more vertices, one per link; valid during the call.
   void (*take)(void* context, const Vertex* vertices, uint32_t count) = nullptr;
 };
 
-/// Splits a closed ring of vertices into simple rings, and sends them to the receiver. vertices:
+/// Splits a closed ring of vertices into simple rings, and sends them to the sink. vertices:
 /// overwritten. scratch: 2 * count words. Owner: the caller. Cost: count * log(count) comparisons.
-void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingReceiver& receiver);
+void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingSink& sink);
 
 /// Whether vertex i of a ring is a corner: the links before and after it differ.
 bool is_corner(const Vertex* vertices, uint32_t count, uint32_t i);

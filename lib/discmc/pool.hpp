@@ -37,7 +37,7 @@ class SlotAccount {
   /// Slots that take() may still return; slots in use, with reserved ones.
   uint32_t available() const { return available_; }
   uint32_t in_use() const { return capacity_ - available_; }
-  /// The most slots in use at once, without reserved ones.
+  /// The peak: the most slots in use at once, without reserved ones.
   uint32_t high_water() const { return fresh_; }
 
   /// Reserves slots until release(), without choosing them. Limit: at least this many are

@@ -22,7 +22,7 @@ struct RecordsPacket {
   bool is_whole;
 };
 
-/// The receiver of such packets.
+/// A sink of such packets.
 struct RecordsPacketSink {
   void* context = nullptr;  ///< Owner: the caller
   void (*take)(void* context, const RecordsPacket& packet) = nullptr;

@@ -118,7 +118,7 @@ constexpr Status status_of(SinkResult answer) {
 /// and each slab rounds its counts down. So the sums of `cells`, `facets` and `classic_triangles`
 /// over all slabs are at most one too low per seam.
 struct Statistics {
-  uint64_t cells;              ///< cells that contain surface
+  uint64_t cells;              ///< active cells
   uint64_t facets;             ///< in these cells, before the merge to regions
   uint64_t classic_triangles;  ///< that classic Marching Cubes would make in these cells
   uint64_t regions;            ///< delivered whole
@@ -149,7 +149,7 @@ struct Event {
   Incidence incidence;
   Direction incoming_direction;  ///< of the link that leads to the start of a fragment
   bool hole;
-  bool repeated;
+  bool repeated;  ///< the row was replaced by the previous row
   bool abandoned;
   OctahedralNormal normal;  ///< at the start of the run, in space: see unit_normal(); none without
                             ///< a gradient, without GradientNormals, or in a stream without normals
@@ -165,7 +165,7 @@ struct Event {
   };
 };
 
-/// The receiver of events. Owner: the context belongs to the caller and must outlive the scan.
+/// A sink of events. Owner: the context belongs to the caller and must outlive the scan.
 ///
 /// The sender, which is the object that has the sink, calls take() during its own calls, in the
 /// caller's thread. take() may block, and may call functions of other objects. It may call queries
@@ -177,12 +177,12 @@ struct Sink {
   SinkResult (*take)(void* context, const Event& event) = nullptr;
 };
 
-/// Returns a sink that calls `receiver.take(event)` with every event. Owner: the receiver must
-/// outlive the sink.
-template <class Receiver>
-Sink make_sink(Receiver& receiver) {
-  return {&receiver, [](void* context, const Event& event) {
-            return static_cast<Receiver*>(context)->take(event);
+/// Returns a sink that calls `object.take(event)` with every event. Owner: the object must outlive
+/// the sink.
+template <class Object>
+Sink make_sink(Object& object) {
+  return {&object, [](void* context, const Event& event) {
+            return static_cast<Object*>(context)->take(event);
           }};
 }
 

@@ -34,7 +34,7 @@
    DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + \
    UINT64_C(1060) * (surfaces))
 
-/* For streams of slices: the least; more memory makes fewer fragments. */
+/* The minimum for streams of slices; with more, fewer regions arrive as fragments. */
 #define DISCMC_RECEIVER_BYTES(width, height, surfaces)                        \
   (72 * sizeof(void*) + 3041 +                                                \
    DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + \

@@ -26,7 +26,7 @@ struct RowEvent {
     finish,       ///< the last event: slice (their number), abandoned
   };
   Kind kind;
-  bool repeated;  ///< the previous row replaces it, not a row that is off
+  bool repeated;  ///< the row was replaced by the previous row
   bool abandoned;
   uint8_t channel;
   uint32_t slice;
@@ -40,17 +40,17 @@ struct RowEvent {
   };
 };
 
-/// The receiver of rows. Owner: the context belongs to the caller and must outlive the decoder.
+/// A sink of rows. Owner: the context belongs to the caller and must outlive the decoder.
 struct RowSink {
   void* context = nullptr;
   SinkResult (*take)(void* context, const RowEvent& event) = nullptr;
 };
 
-/// Returns a row sink that calls `receiver.take(event)`. Owner: the receiver must outlive the sink.
-template <class Receiver>
-RowSink row_sink_to(Receiver& receiver) {
-  return {&receiver, [](void* context, const RowEvent& event) {
-            return static_cast<Receiver*>(context)->take(event);
+/// Returns a row sink that calls `object.take(event)`. Owner: the object must outlive the sink.
+template <class Object>
+RowSink row_sink_to(Object& object) {
+  return {&object, [](void* context, const RowEvent& event) {
+            return static_cast<Object*>(context)->take(event);
           }};
 }
 

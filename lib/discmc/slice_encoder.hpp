@@ -149,9 +149,9 @@ class SliceEncoder {
   [[nodiscard]] Status restore(const Checkpoint<SliceEncoder>& checkpoint, Memory memory,
                                const ByteOutput& output);
 
-  /// Continues like restore() after the bytes of this object itself and of the memory were read
-  /// back, for objects that are saved in place, as those of C. Limit: the bytes are unchanged.
-  /// Errors: bad_sink (no write), too_little_memory.
+  /// Resumes a scan whose object and memory were restored byte for byte in place, as in C. Call it
+  /// instead of restore(). Limit: the bytes are unchanged. Errors: bad_sink (no write),
+  /// too_little_memory.
   [[nodiscard]] Status continue_in(Memory memory, const ByteOutput& output);
 
   /// The bytes of stream so far, including those dropped without an output. The difference between
@@ -160,8 +160,9 @@ class SliceEncoder {
   /// The number of bytes at the beginning of the caller's memory that the scan uses:
   /// slice_encoder_bytes().
   size_t bytes_used() const;
-  /// The number of complete slices so far, and of complete rows of the current slice.
+  /// The complete slices so far.
   uint32_t slices() const { return surfaces_.rows().slices(); }
+  /// The complete rows of the current slice.
   uint32_t rows() const { return surfaces_.rows().rows(); }
 
   /// For CheckpointHead::layout.

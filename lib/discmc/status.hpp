@@ -54,8 +54,7 @@ constexpr const char* to_string(Status status) {
     case Status::bad_capacities:
       return "a capacity is below its minimum or beyond the index type: use the default capacities";
     case Status::too_little_memory:
-      return "the memory is null or too small: size it with minimum_bytes() or "
-             "slice_encoder_bytes()";
+      return "the memory is null or too small: see the size functions of the object";
     case Status::bad_sink:
       return "the sink or output has no function, or was not started: start the encoder first";
     case Status::not_started:
@@ -63,7 +62,7 @@ constexpr const char* to_string(Status status) {
     case Status::slice_in_progress:
       return "the current slice is incomplete: push or skip its rows, or call abandon()";
     case Status::finished:
-      return "the scan has ended: start() another, or reset()";
+      return "the scan has ended: start another";
     case Status::row_in_progress:
       return "the current row is incomplete: push the rest of it first";
     case Status::too_deep:
@@ -77,8 +76,7 @@ constexpr const char* to_string(Status status) {
     case Status::bad_record:
       return "the record is too long: use at most 200 bytes, or 243 in a packet of records";
     case Status::bad_device:
-      return "the flash has no read() or program(), or no room for two checkpoints: check "
-             "store_plan()";
+      return "the flash has no read() or program(), or no room for two checkpoints";
     case Status::device_error:
       return "a function of the flash failed: check its driver";
   }

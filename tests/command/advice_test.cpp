@@ -90,7 +90,7 @@ TEST_CASE("what is advised of inputs works") {
        {"extract v.dmc --iso 100" + out, "give it to discmc decode, info or render",
         "decode v.dmc -o out.stl"},
        {"decode v.nrrd -o out.stl", "give it to discmc extract, info or render", "info v.nrrd"},
-       {"extract v.stl --iso 1 -q -o out.ply", "only discmc compare and render read meshes",
+       {"extract v.stl --iso 1 -q -o out.ply", "only discmc compare, render and view read meshes",
         "compare v.stl v.nrrd --iso 100"},
        {"extract v.nrrd --iso 100 --crop 9..,..,.." + out, "give a part of 0..5",
         "extract v.nrrd --iso 100 --crop 0..5,..,.." + out},
@@ -299,7 +299,7 @@ TEST_CASE("what is advised of pages works") {
                {{"view v.nrrd --no-open --median 3 -o out.html", "add --iso auto",
                  "view v.nrrd --no-open --median 3 --iso auto -o out.html"},
                 {"view - --no-open", "give -o PAGE.html", "view v.dmc --no-open -o page.html"}});
-  workshop.done("view v.dmc --no-open");
-  check_advice(workshop, {{"view v.dmc --no-open", "give -o v.html to replace it",
+  workshop.write("v.html", "no page of discmc");
+  check_advice(workshop, {{"view v.dmc --no-open", "overwrite it with -o v.html",
                            "view v.dmc --no-open -o v.html"}});
 }

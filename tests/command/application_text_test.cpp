@@ -32,12 +32,12 @@ TEST_CASE("a placement is told in millimetres, to the nanometre") {
   placement.origin_nm[0] = INT64_MIN;
   placement.origin_nm[1] = 100000000;
   placement.origin_nm[2] = -10;
-  placement.frame = Frame::ras;
+  placement.space = Space::ras;
   CHECK(text_of(placement) ==
         "kind 240, slice 0, row 0: placement in RAS, mm: origin (-9223372036854.775808, 100, "
         "-0.00001), axes (-1.5, 0, 0) (0, 0.000001, 0) (0, 0, 20)");
-  CHECK(text_of({}).find("placement in no frame") != std::string::npos);
-  placement.frame = Frame::lps;
+  CHECK(text_of({}).find("placement in scanner space") != std::string::npos);
+  placement.space = Space::lps;
   CHECK(text_of(placement).find("placement in LPS") != std::string::npos);
 }
 

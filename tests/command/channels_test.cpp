@@ -32,7 +32,7 @@ TEST_CASE("several thresholds make several surfaces, each on a channel, in eithe
     for (int channel = 0; channel < 3; ++channel) {
       const std::string chosen = "all.dmc --stream-channel " + std::to_string(channel);
       auto info = workshop.info(chosen);
-      CHECK(info["channel"] == std::to_string(channel));
+      CHECK(info["stream_channel"] == std::to_string(channel));
       CHECK(info["threshold"] == isos[channel]);
       CHECK(info["scan"] == "77");
       CHECK(info["complete"] == "yes");
@@ -41,7 +41,7 @@ TEST_CASE("several thresholds make several surfaces, each on a channel, in eithe
       CHECK(workshop.read("of_all.stl") == workshop.read("alone.stl"));
       workshop.done("decode " + chosen + " -o again.dmc");
       CHECK(workshop.info("again.dmc")["threshold"] == isos[channel]);
-      CHECK(workshop.info("again.dmc")["channel"] == std::to_string(channel));
+      CHECK(workshop.info("again.dmc")["stream_channel"] == std::to_string(channel));
     }
     workshop.done("render all.dmc --stream-channel 1 -o p.png");
   }

@@ -155,12 +155,12 @@ TEST_CASE("outputs that cannot be written are refused before the volume is read"
 TEST_CASE("a stream goes to standard output when no file is named, and the table elsewhere") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());
-  CHECK(contains(workshop.done("extract v.nrrd --iso 100 -o v.dmc"), "classic MC triangles"));
+  CHECK(contains(workshop.done("extract v.nrrd --iso 100 -o v.dmc"), "classic Marching Cubes"));
   for (const char* output : {"", " -o -"}) {
     const Result result = workshop.run(std::string("extract v.nrrd --iso 100") + output);
     CHECK(result.code == 0);
     CHECK(result.out == workshop.read("v.dmc"));
-    CHECK(contains(result.error, "classic MC triangles"));
+    CHECK(contains(result.error, "classic Marching Cubes"));
   }
   CHECK(workshop.done("decode v.dmc -o -") == workshop.read("v.dmc"));
   const Result quiet = workshop.run("extract v.nrrd --iso 100 -q -o v.dmc");
@@ -287,6 +287,25 @@ TEST_CASE("faces are triangles, and polygons where they are asked for and the fo
     for (const std::string name : {"no.stl", "no.glb", "no.3mf", "no.dmc"})
       check_failure(workshop.run(command + " --faces polygons -o " + name), 2,
                     {"--faces", name, ".ply, .obj, .vtp or .jsonl"});
+}
+
+TEST_CASE("what a format cannot hold is refused by its name, also on standard output") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", small_ball());
+  const std::pair<std::string, std::string> wrong[] = {
+      {"stl --faces polygons",
+       "--faces: .stl on standard output cannot hold polygons; leave it "
+       "out, or give --format .ply, .obj, .vtp or .jsonl"},
+      {"stl --normals surface",
+       "--normals: .stl on standard output cannot hold normals; give "
+       "--format .ply, .obj, .glb or .vtp"},
+      {"jsonl --space voxel", "--space: .jsonl on standard output has coordinates"},
+      {"csv --unit inch", "--unit: .csv on standard output has a fixed unit"},
+      {"glb --unit inch", "--unit: .glb on standard output is in metres"},
+      {"jsonl --triangles 9", "--triangles: .jsonl on standard output holds merged polygons"},
+      {"jsonl --surface interpolated", "--surface: .jsonl on standard output has vertices"}};
+  for (const auto& [words, message] : wrong)
+    check_failure(workshop.run("extract v.nrrd --iso 100 -o - --format " + words), 2, {message});
 }
 
 TEST_CASE("iso is in the units that the file declares") {

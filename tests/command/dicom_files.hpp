@@ -231,7 +231,7 @@ inline Dataset frames(const std::string& modality = "CT") {
 inline void check_places(const volume_files::VolumeInfo& info, const std::array<double, 3>& origin,
                          const discmc::command::Axes& axes) {
   REQUIRE(info.placement);
-  CHECK(info.placement->frame == discmc::Frame::lps);
+  CHECK(info.placement->space == discmc::Space::lps);
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(info.placement->origin_mm[i] == doctest::Approx(origin[i]).epsilon(1e-9));
     for (std::size_t axis = 0; axis < 3; ++axis)

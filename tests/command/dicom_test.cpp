@@ -84,7 +84,7 @@ TEST_CASE("slices of a folder are in the order of their positions, with spacing 
   CHECK(info.intercept == -1024);
   CHECK(info.format == "DICOM");
   const discmc::command::VolumePlacement placement = {
-      discmc::Frame::lps, {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}}};
+      discmc::Space::lps, {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}}};
   CHECK(info.placement == placement);
   CHECK(read_all(*reader) == values());
 }

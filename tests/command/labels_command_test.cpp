@@ -94,6 +94,19 @@ TEST_CASE("the colour of a label is in OBJ, by a file beside it, and in VTP") {
   CHECK(std::count(names.begin(), names.end(), "plain.mtl") == 0);
 }
 
+TEST_CASE("OBJ meshes whose names differ in spaces alone have materials of their own") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  workshop.write("table.txt", "1 my_bone 51 102 255\n2 \"my bone\" 255 0 0\n");
+  workshop.done(extract + "--labels 1,2 --label-table table.txt -o '{name}.obj'");
+  CHECK(contains(workshop.read("my_bone.obj"), "\nmtllib my_bone.mtl\n"));
+  CHECK(workshop.read("my_bone.mtl") == "newmtl surface\nKd 0.2 0.4 1\n");
+  CHECK(contains(workshop.read("my bone-2.obj"), "\nmtllib my_bone-2.mtl\n"));
+  CHECK(workshop.read("my_bone-2.mtl") == "newmtl surface\nKd 1 0 0\n");
+  workshop.done(extract + "--labels 1,2 --label-table table.txt -o '{name}.ply'");
+  CHECK_FALSE(workshop.read("my bone.ply").empty());
+}
+
 TEST_CASE("segments of 3D Slicer name the meshes of labels where no table is given") {
   const Workshop workshop;
   workshop.write("v.seg.nrrd",

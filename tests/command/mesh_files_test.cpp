@@ -183,7 +183,7 @@ TEST_CASE("an STL file reads back, with unit normals that look outside") {
 
 TEST_CASE("far from the origin every format but STL keeps the vertices apart, and where they are") {
   Mesh mesh = build_mesh(pitted_block({{0, 0}, {2, 2}}), {true, Faces::triangles});
-  place(mesh, {discmc::Frame::lps, {5e6, -7e6, 6e6}, {{{0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}}}});
+  place(mesh, {discmc::Space::lps, {5e6, -7e6, 6e6}, {{{0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}}}});
   mesh.spacing_mm = {0.1, 0.1, 0.1};
   for (const std::string name : {"v.obj", "v.3mf", "v.ply", "v.vtp", "v.glb"}) {
     INFO(name);

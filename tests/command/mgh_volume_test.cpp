@@ -12,7 +12,7 @@
 namespace {
 
 using namespace volume_files;
-using discmc::Frame;
+using discmc::Space;
 using discmc::command::Axes;
 
 template <class Number>
@@ -43,7 +43,7 @@ TEST_CASE("the place is that of the header: the centre lies between the middle v
   check_volume(file, SampleType::u8, "MGH");
   const auto reader = open_volume(file);
   REQUIRE(reader->info().placement);
-  CHECK(reader->info().placement->frame == Frame::ras);
+  CHECK(reader->info().placement->space == Space::ras);
   CHECK(reader->info().placement->axes_mm == Axes{{{-0.5, 0, 0}, {0, 0, -0.7}, {0, 2, 0}}});
   CHECK(reader->info().placement->origin_mm ==
         std::array<double, 3>{10 + 2.5 * 0.5, 20 - 2 * 2.0, 30 + 1.5 * 0.7});

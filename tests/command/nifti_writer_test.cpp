@@ -13,7 +13,7 @@
 namespace {
 
 using namespace discmc::command;
-using discmc::Frame;
+using discmc::Space;
 
 // A volume in memory; its samples are the bytes 0, 1, 2, ...
 class Counted final : public VolumeReader {
@@ -87,10 +87,10 @@ TEST_CASE("the file tells the scale of its values and the spacing") {
 TEST_CASE("the volume lies in the file where it lay") {
   const volume_files::Folder folder;
   VolumeInfo info = small_volume();
-  for (const Frame frame : {Frame::ras, Frame::lps}) {
-    info.placement = VolumePlacement{frame, {10, -20, 30}, {{{0, 0.1, 0}, {-2, 0, 0}, {0, 0, 3}}}};
+  for (const Space space : {Space::ras, Space::lps}) {
+    info.placement = VolumePlacement{space, {10, -20, 30}, {{{0, 0.1, 0}, {-2, 0, 0}, {0, 0, 3}}}};
     const auto volume = written_and_opened(folder, info);
     REQUIRE(volume->info().placement);
-    CHECK(in_frame(*volume->info().placement, frame) == *info.placement);
+    CHECK(in_space(*volume->info().placement, space) == *info.placement);
   }
 }

@@ -29,7 +29,7 @@ TEST_CASE("every command that reads a volume prints its notes, each once") {
       "decode v.dmc --normals gradient --volume v.nrrd -o v.ply",
       "render v.nrrd --iso auto --shade smooth -o v.png",
       "compare v.dmc v.nrrd --iso 100",
-      "tune v.nrrd --iso 100 --payload slices",
+      "tune v.nrrd --iso 100 --wire slices",
   };
   if (!discmc::command::page_template().empty())
     commands.emplace_back("view v.nrrd --no-open -o v.html");

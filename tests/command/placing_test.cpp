@@ -20,7 +20,7 @@
 namespace {
 
 using namespace command_tests;
-using discmc::Frame;
+using discmc::Space;
 using discmc::command::Axes;
 using discmc::command::determinant;
 using discmc::command::dot;
@@ -170,7 +170,7 @@ TEST_CASE("in the space of voxels a mesh is at index times spacing") {
   check_vertices(mesh_in(workshop, "v.ply"), at_voxels);
 }
 
-TEST_CASE("a volume without a frame is placed as it says, and in no patient's space") {
+TEST_CASE("a volume in scanner space is placed as it says, and in no patient's space") {
   const Workshop workshop;
   workshop.write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
                  "space dimension: 3\nspace origin: (10,20,30)\n"
@@ -213,7 +213,7 @@ TEST_CASE("info tells the placement") {
 
 TEST_CASE("a stream whose placement mirrors what its spacing does not looks outside") {
   discmc::Placement placement;
-  placement.frame = Frame::lps;
+  placement.space = Space::lps;
   placement.axes_nm[0][1] = placement.axes_nm[1][0] = placement.axes_nm[2][2] = 1000000;
   placement.origin_nm[2] = 5000000;
   const Workshop workshop;
@@ -242,7 +242,7 @@ TEST_CASE("placed meshes are closed and look outside, and normals stay across th
   std::swap(mirrored[0], mirrored[1]);
   for (const Axes& axes : {oblique, mirrored})
     for (const Point& spacing : {Point{1, 2, 3}, {-1, 2, 3}, {-1, -2, -3}}) {
-      const VolumePlacement placement{Frame::lps, {100, -200, 300}, axes};
+      const VolumePlacement placement{Space::lps, {100, -200, 300}, axes};
       for (const auto faces :
            {discmc::command::Faces::polygons, discmc::command::Faces::triangles}) {
         Mesh mesh = build_mesh(hand_made::box_with_hole(spacing), {true, faces});
@@ -250,7 +250,7 @@ TEST_CASE("placed meshes are closed and look outside, and normals stay across th
         CHECK(check_mesh(mesh).closed());
         // 8 x 8 x 8 half-steps less 4 x 4 x 8.
         CHECK(volume_of(mesh) == doctest::Approx(48 * std::fabs(determinant(axes))));
-        CHECK(mesh.frame == Frame::lps);
+        CHECK(mesh.space == Space::lps);
       }
       // Every vertex of an octahedron lies on an axis: its plane there is that of the other two.
       Mesh mesh = build_mesh(hand_made::octahedron(spacing));

@@ -170,3 +170,48 @@ TEST_CASE("labels are drawn each in its colour") {
   check_failure(workshop.run("render v.nrrd --labels 7 -o v.png"), 1, {"no voxel has label 7"});
   check_failure(workshop.run("render v.dmc --labels all -o v.png"), 2, {"is a stream"});
 }
+
+TEST_CASE("a table names and colours the labels that are drawn") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  workshop.write("t.txt", "10 air 0 0 255\n200 bone 255 0 0\n");
+  const std::string table = " --label-table t.txt";
+  const std::string named = picture(workshop, "v.nrrd --labels bone" + table);
+  CHECK(picture(workshop, "v.nrrd --labels 200" + table) == named);
+  CHECK(picture(workshop, "v.nrrd --labels 200") != named);
+  CHECK(picture(workshop, "v.nrrd --label bone" + table) ==
+        picture(workshop, "v.nrrd --label 200"));
+  check_failure(workshop.run("render v.nrrd --iso 100 -o v.png" + table), 2,
+                {"--label-table", "add --label N or --labels all"});
+}
+
+TEST_CASE("a mesh file is drawn in the colours that it has") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  if (contains(workshop.run("compare v.dmc none.stl").error, "without Assimp")) return;
+  const std::string both = picture(workshop, "v.nrrd --labels all");
+  for (const std::string format : {"glb", "3mf"}) {
+    INFO(format);
+    workshop.done("extract v.nrrd --labels all --space voxel -q -o v." + format);
+    CHECK(picture(workshop, "v." + format) == both);
+  }
+  const std::string one = picture(workshop, "v.nrrd --labels 200");
+  for (const std::string format : {"glb", "3mf", "obj", "ply"}) {
+    INFO(format);
+    workshop.done("extract v.nrrd --labels 200 --space voxel -q -o '{name}." + format + "'");
+    CHECK(picture(workshop, "200." + format) == one);
+  }
+}
+
+TEST_CASE("a mesh on standard input is refused, with what to do") {
+  const Workshop workshop;
+  write_volumes(workshop);
+  workshop.done("extract v.nrrd --iso 100 -o v.stl");
+  for (const std::string command : {"render - -o v.png", "view - -o v.html"}) {
+    const Result result = workshop.shell("\"$discmc\" " + command + " < v.stl");
+    INFO(result.error);
+    CHECK(result.code == 1);
+    CHECK(contains(result.error, "discmc: standard input: there is no header"));
+    CHECK(contains(result.error, "a mesh is read from a file only: save it"));
+  }
+}

@@ -348,7 +348,7 @@ TEST_CASE("info lists application records and a placement, in words") {
   const std::uint8_t bytes[] = {0xCA, 0xFE};
   discmc::reference::require_ok(encoder.write_record({9, 3, 5, bytes, 2}));
   discmc::Placement placement{};
-  placement.frame = discmc::Frame::ras;
+  placement.space = discmc::Space::ras;
   std::uint8_t buffer[discmc::Placement::record_bytes];
   discmc::reference::require_ok(encoder.write_record(discmc::record_of(placement, buffer)));
   discmc::test::take_all(encoder, discmc::test::events_of(volume));

@@ -79,13 +79,13 @@ TEST_CASE("with the least that tune says nothing is loose, and with 256 bytes le
   CHECK(fragments(least - 256) != "0");
 }
 
-TEST_CASE("tune shows the payloads that are asked for") {
+TEST_CASE("tune shows the kinds of stream that are asked for") {
   const Workshop workshop;
   write_ball(workshop);
-  const std::string regions = workshop.done("tune v.nrrd --iso 100 --payload regions");
+  const std::string regions = workshop.done("tune v.nrrd --iso 100 --wire regions");
   CHECK(contains(regions, "Regions:"));
   CHECK(!contains(regions, "Slices:"));
-  const std::string slices = workshop.done("tune v.nrrd --iso 100 --payload slices");
+  const std::string slices = workshop.done("tune v.nrrd --iso 100 --wire slices");
   CHECK(!contains(slices, "Regions:"));
   CHECK(contains(slices, with_commas(discmc::slice_encoder_bytes(limits, {16}))));
 }
@@ -96,10 +96,10 @@ TEST_CASE("the code that tune prints compiles, in C++ and in C") {
   for (const char* options :
        {"", "--memory 3K --border open", "--capacities 300,20", "--median 3"}) {
     const std::string report = workshop.done(std::string("tune v.nrrd --iso 100 ") + options);
-    for (const char* payload : {"regions", "slices"}) {
+    for (const char* wire : {"regions", "slices"}) {
       INFO(report);
-      workshop.write("block.cpp", code_of(report, std::string(payload) + ", C++"));
-      workshop.write("block.c", code_of(report, std::string(payload) + ", C"));
+      workshop.write("block.cpp", code_of(report, std::string(wire) + ", C++"));
+      workshop.write("block.c", code_of(report, std::string(wire) + ", C"));
       const std::string include = " -fsyntax-only -Wall -Wextra -Werror -Wno-unused -I '" +
                                   std::string(DISCMC_SOURCE_DIR) + "/lib' ";
       CHECK(workshop.shell("c++ -std=c++17" + include + "block.cpp").error == "");
@@ -172,5 +172,5 @@ TEST_CASE("tune refuses with the value and the remedy") {
   refused("--iso 100 --capacities 40000,1", 1, "expected 4 to 32759");
   refused("--iso 300", 1, "no voxel reaches 300");
   refused("--iso 300 --allow-empty", 2, "'--allow-empty' is not an option of tune");
-  refused("--iso 100 --payload slices --memory 2K", 2, "leave out --memory and --capacities");
+  refused("--iso 100 --wire slices --memory 2K", 2, "leave out --memory and --capacities");
 }

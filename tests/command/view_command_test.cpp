@@ -45,6 +45,7 @@ TEST_CASE("the page of a volume has its samples, and lies beside the user") {
   workshop.done("extract inside.nii --iso 100 -o inside.stl");
   CHECK(workshop.read("inside.stl") == workshop.read("v.stl"));
   CHECK(contains(workshop.read("v.html"), "</html>"));
+  workshop.done("view v.nrrd --no-open");  // replaces the page
 }
 
 TEST_CASE("the page of a threshold has the slices of its surface alone") {
@@ -86,6 +87,44 @@ TEST_CASE("the page of a stream has its bytes, also those of a damaged one") {
   CHECK(workshop.read("inside.dmc") == workshop.read("cut.dmc"));
 }
 
+TEST_CASE("the page of labels has their meshes, with names and colours, in space") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100),
+                 "space: left-posterior-superior\nspace directions: (0,0.5,0) (-1,0,0) (0,0,2)\n"
+                 "space origin: (1,2,3)\n");
+  if (!has_page(workshop)) return;
+  workshop.write("t.txt", "10 air 0 0 255\n200 \"my bone\" 255 0 0\n");
+  const std::string labels = " --labels 'my bone',10 --label-table t.txt -o ";
+  workshop.done("view v.nrrd --no-open" + labels + "page.html");
+  CHECK(unpack(workshop, "page.html", "inside.glb") == "v.nrrd");
+  workshop.done("extract v.nrrd -q --normals surface" + labels + "v.glb");
+  const std::string inside = workshop.read("inside.glb"), expected = workshop.read("v.glb");
+  // Normals differ: they are those that render draws with.
+  CHECK(inside.size() == expected.size());
+  const std::size_t json = expected.find("accessors");
+  CHECK(inside.substr(0, json) == expected.substr(0, json));
+  CHECK(contains(inside, "\"name\":\"my bone\""));
+}
+
+TEST_CASE("the page of a mesh file has its faces, its names and its colours") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
+  if (!has_page(workshop)) return;
+  if (contains(workshop.run("compare v.nrrd none.stl --iso 1").error, "without Assimp")) return;
+  workshop.write("t.txt", "10 air 0 0 255\n200 bone 255 0 0\n");
+  workshop.done("extract v.nrrd --labels all --label-table t.txt -q -o v.glb");
+  workshop.done("extract v.nrrd --iso 100 -q -o v.stl");
+  for (const std::string name : {"v.glb", "v.stl"}) {
+    INFO(name);
+    workshop.done("view " + name + " --no-open -o page.html");
+    CHECK(unpack(workshop, "page.html", "inside.glb") == name);
+    CHECK(contains(workshop.done("compare inside.glb " + name),
+                   "A to B, mm                0.0000      0.0000      0.0000"));
+    CHECK(contains(workshop.read("inside.glb"), "\"NORMAL\""));
+    CHECK(contains(workshop.read("inside.glb"), "\"name\":\"bone\"") == (name == "v.glb"));
+  }
+}
+
 TEST_CASE("the browser that is set opens the page; without any, the user is told to") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
@@ -112,11 +151,16 @@ TEST_CASE("view refuses what it would lose or leave out, and says what to give")
     CHECK(result.code == 2);
     CHECK(contains(result.error, part));
   };
-  refused("v.nrrd", "give -o v.html to replace it");
+  refused("v.nrrd", "overwrite it with -o v.html");
   refused("- --no-open", "give -o PAGE.html");
   refused("'*.png'", "give -o PAGE.html");
   refused("v.nrrd -o v.png", "give a name that ends in .html");
   refused("v.nrrd -o w.html --median 3", "add --iso auto");
+  refused("v.nrrd -o w.html --labels all --iso 3", "--iso");
+  refused("v.nrrd -o w.html --iso 3 --label-table t.txt", "add --label N or --labels all");
+  refused("v.nrrd -o w.html --labels all --mask v.nrrd --median 3", "leave out --median");
+  refused("v.stl -o w.html --iso 3", "v.stl is a mesh; leave it out");
+  refused("v.dmc -o w.html --labels all", "v.dmc is a stream; leave it out");
   refused("v.nrrd --serve -o w.html", "--output");
   refused("v.nrrd --serve --port 0", "--port");
   refused("v.nrrd -o w.html --port 8000", "--serve");

@@ -165,8 +165,8 @@ TEST_CASE("the voxels of a part lie where they lie in the volume") {
     const VolumeInfo both = open_volume(file, with_shrink(with_crop({}, middle), 3))->info();
     check_places(both, whole, {2, 2, 1}, 3);
     CHECK(both.whole_dims == dims);
-    CHECK((both.placement ? both.placement->frame : discmc::Frame::none) ==
-          (whole.placement ? whole.placement->frame : discmc::Frame::none));
+    CHECK((both.placement ? both.placement->space : discmc::Space::scanner) ==
+          (whole.placement ? whole.placement->space : discmc::Space::scanner));
   }
 }
 

@@ -16,7 +16,7 @@
 namespace {
 
 using namespace volume_files;
-using discmc::Frame;
+using discmc::Space;
 using discmc::command::Axes;
 using discmc::command::determinant;
 using discmc::command::VolumePlacement;
@@ -50,9 +50,9 @@ Nifti with_sform(Nifti nifti, const std::vector<float>& rows) {
   return nifti;
 }
 
-void check_placement(const VolumeInfo& info, Frame frame, const Vector& origin, const Axes& axes) {
+void check_placement(const VolumeInfo& info, Space space, const Vector& origin, const Axes& axes) {
   REQUIRE(info.placement);
-  CHECK(info.placement->frame == frame);
+  CHECK(info.placement->space == space);
   constexpr double rounding = 1e-6;  // of numbers in 32 bits
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(std::fabs(info.placement->origin_mm[i] - origin[i]) < rounding);
@@ -71,17 +71,17 @@ TEST_CASE("NRRD tells its directions and origin in the space that it names") {
   const std::string turned =
       "space directions: (0,2,0) (-3,0,0) (0,0.6,0.8)\nspace origin: (10,-20,30.5)\n";
   const Axes axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0.6, 0.8}}};
-  for (const auto& [space, frame] :
-       std::vector<std::pair<std::string, Frame>>{{"space: left-posterior-superior\n", Frame::lps},
-                                                  {"space: LPS\n", Frame::lps},
-                                                  {"space: right-anterior-superior\n", Frame::ras},
-                                                  {"space: RAS\n", Frame::ras},
-                                                  {"space: scanner-xyz\n", Frame::none},
-                                                  {"space: 3D-right-handed\n", Frame::none},
-                                                  {"space dimension: 3\n", Frame::none}}) {
-    INFO(space);
-    const VolumeInfo info = nrrd_info(folder, space + units_in_mm + turned);
-    check_placement(info, frame, {10, -20, 30.5}, axes);
+  for (const auto& [field, space] :
+       std::vector<std::pair<std::string, Space>>{{"space: left-posterior-superior\n", Space::lps},
+                                                  {"space: LPS\n", Space::lps},
+                                                  {"space: right-anterior-superior\n", Space::ras},
+                                                  {"space: RAS\n", Space::ras},
+                                                  {"space: scanner-xyz\n", Space::scanner},
+                                                  {"space: 3D-right-handed\n", Space::scanner},
+                                                  {"space dimension: 3\n", Space::scanner}}) {
+    INFO(field);
+    const VolumeInfo info = nrrd_info(folder, field + units_in_mm + turned);
+    check_placement(info, space, {10, -20, 30.5}, axes);
     CHECK(info.notes.empty());
   }
 }
@@ -93,11 +93,11 @@ TEST_CASE("NRRD's left-handed spaces are told in right-handed ones") {
   const Axes axes{{{0, 2, 0}, {3, 0, 0}, {0, 0, 4}}};
   for (const std::string name : {"left-anterior-superior", "LAS"}) {
     const VolumeInfo info = nrrd_info(folder, "space: " + name + "\n" + turned);
-    check_placement(info, Frame::ras, {-10, -20, 30}, axes);
+    check_placement(info, Space::ras, {-10, -20, 30}, axes);
     CHECK(info.notes.empty());
   }
   const VolumeInfo info = nrrd_info(folder, "space: 3D-left-handed\n" + turned);
-  check_placement(info, Frame::none, {-10, -20, 30}, axes);
+  check_placement(info, Space::scanner, {-10, -20, 30}, axes);
   CHECK(noted(info, "x of the left-handed space '3D-left-handed' negated"));
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("NRRD's units are those of the coordinates of space") {
                             "space: LPS\nspace units: \"cm\" \"mm\" \"um\"\n"
                             "space directions: (0,2,0) (0.3,0,0) (0,0,4000)\n"
                             "space origin: (1,2,5000)\n"),
-                  Frame::lps, {10, 2, 5}, {{{0, 2, 0}, {3, 0, 0}, {0, 0, 4}}});
+                  Space::lps, {10, 2, 5}, {{{0, 2, 0}, {3, 0, 0}, {0, 0, 4}}});
 }
 
 TEST_CASE("NRRD with spacings alone lies along the coordinates of its space") {
@@ -119,23 +119,23 @@ TEST_CASE("NRRD with spacings alone lies along the coordinates of its space") {
                   .placement);
   check_placement(
       nrrd_info(folder, "space dimension: 3\nspacings: 0.5 2 3\nspace origin: (1,2,3)\n"),
-      Frame::none, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
+      Space::scanner, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
 }
 
 TEST_CASE("NRRD's axis mins and maxs are the bounds of whole voxels, or their outer centres") {
   const Folder folder;
   const std::string bounds = "axis mins: -20 3 40\naxis maxs: -17.5 -3 64\n";
   const VolumeInfo cells = nrrd_info(folder, bounds + units_in_mm + "centerings: cell cell cell\n");
-  check_placement(cells, Frame::none, {-19.75, 2, 43}, {{{0.5, 0, 0}, {0, -2, 0}, {0, 0, 6}}});
+  check_placement(cells, Space::scanner, {-19.75, 2, 43}, {{{0.5, 0, 0}, {0, -2, 0}, {0, 0, 6}}});
   CHECK(cells.notes.empty());
   const VolumeInfo unknown = nrrd_info(folder, bounds + units_in_mm);
   CHECK(unknown.placement == cells.placement);
   CHECK(noted(unknown, "no centerings given"));
   check_placement(
       nrrd_info(folder, "axismins: -20 3 40\naxismaxs: -18 -3 64\ncenters: node node node\n"),
-      Frame::none, {-20, 3, 40}, {{{0.5, 0, 0}, {0, -3, 0}, {0, 0, 8}}});
+      Space::scanner, {-20, 3, 40}, {{{0.5, 0, 0}, {0, -3, 0}, {0, 0, 8}}});
   check_placement(nrrd_info(folder, bounds + "units: cm mm um\ncenterings: cell node cell\n"),
-                  Frame::none, {-197.5, 3, 0.043}, {{{5, 0, 0}, {0, -3, 0}, {0, 0, 0.006}}});
+                  Space::scanner, {-197.5, 3, 0.043}, {{{5, 0, 0}, {0, -3, 0}, {0, 0, 0.006}}});
 }
 
 TEST_CASE("NRRD's spacings and origin count more than axis mins and maxs, and a note tells") {
@@ -149,7 +149,7 @@ TEST_CASE("NRRD's spacings and origin count more than axis mins and maxs, and a 
   CHECK(noted(other, "axis mins and maxs contradict the spacings"));
   const VolumeInfo placed = nrrd_info(
       folder, bounds + "space: LPS\nspacings: 1 2 3\nspace origin: (7,8,9)\n" + units_in_mm);
-  check_placement(placed, Frame::lps, {7, 8, 9}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
+  check_placement(placed, Space::lps, {7, 8, 9}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
   CHECK(noted(placed, "axis mins and axis maxs are ignored"));
 }
 
@@ -190,16 +190,16 @@ TEST_CASE("NIfTI's sform is taken as it is, in RAS") {
   const std::vector<float> rows = {0.4F, -1, 0.5F, -90, 0.3F, 1.5F, 0, 126.5F, 0, 0.25F, 3, -72};
   const Axes axes{{{0.4, 0.3, 0}, {-1, 1.5, 0.25}, {0.5, 0, 3}}};
   const VolumeInfo info = nifti_info(folder, with_sform(nifti_of_spacing(), rows));
-  check_placement(info, Frame::ras, {-90, 126.5, -72}, axes);
+  check_placement(info, Space::ras, {-90, 126.5, -72}, axes);
   CHECK(noted(info, "spacing (0.5, 2, 3) contradicts the axes, whose (0.5, 1.82"));
   CHECK(info.spacing_mm[2] == doctest::Approx(std::hypot(0.5, 0, 3)));
   const VolumeInfo straight =
       nifti_info(folder, with_sform(nifti_of_spacing(), {0.5F, 0, 0, 1, 0, 2, 0, 2, 0, 0, 3, 3}));
-  check_placement(straight, Frame::ras, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
+  check_placement(straight, Space::ras, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
   CHECK(straight.notes.empty());
   // It comes before the qform; and units are those of the header.
   Nifti both = with_sform(nifti_of_spacing(), rows).integer(252, 2, 1);
-  check_placement(nifti_info(folder, both.integer(123, 1, 3)), Frame::ras, {-0.09, 0.1265, -0.072},
+  check_placement(nifti_info(folder, both.integer(123, 1, 3)), Space::ras, {-0.09, 0.1265, -0.072},
                   {{{0.0004, 0.0003, 0}, {-0.001, 0.0015, 0.00025}, {0.0005, 0, 0.003}}});
 }
 
@@ -208,9 +208,9 @@ TEST_CASE("NIfTI's qform turns by its quaternion and flips z by qfac") {
   Nifti nifti = nifti_of_spacing();
   // Half of a right angle about z: b and c are 0.
   nifti.integer(252, 2, 1).real(264, 0.70710678F).real(268, 7).real(272, -8).real(276, 9);
-  check_placement(nifti_info(folder, nifti), Frame::ras, {7, -8, 9},
+  check_placement(nifti_info(folder, nifti), Space::ras, {7, -8, 9},
                   {{{0, 0.5, 0}, {-2, 0, 0}, {0, 0, 3}}});
-  check_placement(nifti_info(folder, nifti.real(76, -1)), Frame::ras, {7, -8, 9},
+  check_placement(nifti_info(folder, nifti.real(76, -1)), Space::ras, {7, -8, 9},
                   {{{0, 0.5, 0}, {-2, 0, 0}, {0, 0, -3}}});
   CHECK_FALSE(nifti_info(folder, nifti_of_spacing()).placement);
 }
@@ -224,12 +224,12 @@ TEST_CASE("NIfTI's qform is taken where the sform spans no space, and nothing wh
                                                      {1, 0, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7}};
   for (const auto& rows : of_no_use) {
     const VolumeInfo info = nifti_info(folder, with_sform(nifti, rows));
-    check_placement(info, Frame::ras, {7, -8, 9}, {{{0, 0.5, 0}, {-2, 0, 0}, {0, 0, 3}}});
+    check_placement(info, Space::ras, {7, -8, 9}, {{{0, 0.5, 0}, {-2, 0, 0}, {0, 0, 3}}});
     CHECK(info.notes == std::vector<std::string>{"the sform spans no space, and is ignored"});
     const VolumeInfo neither = nifti_info(folder, with_sform(nifti_of_spacing(), rows));
     CHECK_FALSE(neither.placement);
     CHECK(neither.spacing_mm == Vector{0.5, 2, 3});
-    CHECK(noted(neither, "has no directions"));
+    CHECK(noted(neither, "no orientation"));
   }
 }
 
@@ -240,7 +240,7 @@ TEST_CASE("a qform of NIfTI that is mirrored against the sform is noted") {
   CHECK(nifti_info(folder, both).notes.empty());
   const VolumeInfo mirrored = nifti_info(folder, Nifti(both).real(76, -1));
   CHECK(noted(mirrored, "the qform is mirrored against the sform, and ignored"));
-  check_placement(mirrored, Frame::ras, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
+  check_placement(mirrored, Space::ras, {1, 2, 3}, {{{0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
 }
 
 TEST_CASE("a negative distance in NIfTI is taken as positive, with a note") {
@@ -254,7 +254,7 @@ TEST_CASE("MetaImage tells its unit, and the size of voxels where it tells no sp
   const Folder folder;
   const std::string place = "ElementSpacing = 0.5 2 3\nOffset = 10 20 30\n";
   const VolumeInfo microns = metaimage_info(folder, "DistanceUnits = um\n" + place);
-  check_placement(microns, Frame::lps, {0.01, 0.02, 0.03},
+  check_placement(microns, Space::lps, {0.01, 0.02, 0.03},
                   {{{0.0005, 0, 0}, {0, 0.002, 0}, {0, 0, 0.003}}});
   CHECK(microns.notes.empty());
   CHECK(metaimage_info(folder, "DistanceUnits = cm\n" + place).spacing_mm == Vector{5, 20, 30});
@@ -271,7 +271,7 @@ TEST_CASE("MetaImage's axes of negative spacing run backwards along their direct
   const Folder folder;
   check_placement(
       metaimage_info(folder, "ElementSpacing = 1 -2 3\nTransformMatrix = 0 1 0 1 0 0 0 0 1\n"),
-      Frame::lps, {0, 0, 0}, {{{0, 1, 0}, {-2, 0, 0}, {0, 0, 3}}});
+      Space::lps, {0, 0, 0}, {{{0, 1, 0}, {-2, 0, 0}, {0, 0, 3}}});
 }
 
 TEST_CASE("MetaImage tells a row an axis and the origin, in LPS") {
@@ -281,19 +281,19 @@ TEST_CASE("MetaImage tells a row an axis and the origin, in LPS") {
     const VolumeInfo info =
         metaimage_info(folder, spacing + "TransformMatrix = 0 1 0 -0.6 0 0.8 0.8 0 0.6\n" + name +
                                    " = 10 -20 30\n");
-    check_placement(info, Frame::lps, {10, -20, 30},
+    check_placement(info, Space::lps, {10, -20, 30},
                     {{{0, 0.5, 0}, {-1.2, 0, 1.6}, {2.4, 0, 1.8}}});
     CHECK(info.notes.empty());
   }
   CHECK_FALSE(metaimage_info(folder, spacing).placement);
   // Of two dimensions and of four the matrix has other sizes.
   check_placement(metaimage_info(folder, "TransformMatrix = 0 1 -1 0\nOffset = 1 2\n", "5 12"),
-                  Frame::lps, {1, 2, 0}, {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});
+                  Space::lps, {1, 2, 0}, {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});
   check_placement(metaimage_info(folder,
                                  "TransformMatrix = 0 1 0 0 -1 0 0 0 0 0 1 0 0 0 0 1\n"
                                  "Offset = 1 2 3 4\n",
                                  "5 3 4 1"),
-                  Frame::lps, {1, 2, 3}, {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});
+                  Space::lps, {1, 2, 3}, {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});
   CHECK(noted(metaimage_info(folder, "TransformMatrix = 1 0 0 1\n"),
               "TransformMatrix of 4 numbers is ignored"));
 }
@@ -312,12 +312,12 @@ TEST_CASE("a placement of no use becomes the coordinates, with a note") {
   const VolumeInfo flat = nrrd_info(folder,
                                     "space: LPS\nspace directions: (1,0,0) (0,2,0) (1,1,0)\n"
                                     "space origin: (1,2,3)\n");
-  check_placement(flat, Frame::lps, {1, 2, 3}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, std::sqrt(2.0)}}});
+  check_placement(flat, Space::lps, {1, 2, 3}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, std::sqrt(2.0)}}});
   CHECK(noted(flat, "the axis directions are unusable"));
   const VolumeInfo far = nrrd_info(folder,
                                    "space: LPS\nspace directions: (1,0,0) (0,2,0) (0,0,3)\n"
                                    "space origin: (nan,0,1e10)\n");
-  check_placement(far, Frame::lps, {0, 0, 0}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
+  check_placement(far, Space::lps, {0, 0, 0}, {{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}});
   CHECK(noted(far, "origin (nan, 0, 1e+10) is unusable, 0 is used"));
   const float infinite = std::numeric_limits<float>::infinity();
   const VolumeInfo nifti = nifti_info(

@@ -120,9 +120,9 @@ void* on_row() {
 // The task. Returns false if no row has arrived: sleep until the next interrupt.
 bool take_row(Extractor16& extractor, Status& status) {
   switch (ring.peek()) {
-    case RowRing::Next::nothing:
+    case RowRing::Next::none:
       return false;
-    case RowRing::Next::row: {
+    case RowRing::Next::ready: {
       auto* const samples = static_cast<uint16_t*>(ring.row());
       unpack(Packing::raw10, static_cast<const uint8_t*>(ring.row()), pixels, samples);
       status = extractor.push(samples, pixels).status;
@@ -277,7 +277,7 @@ TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a 
   REQUIRE(start_receiver());
   for (const uint8_t byte : bytes) REQUIRE(receive(&byte, 1) == Status::ok);
   CHECK(is_whole());
-  CHECK(joiner.report().fragments == extractor.statistics().fragments);
+  CHECK(joiner.report().received == extractor.statistics().fragments);
   CHECK(outlines.lines > 0);
 
   const auto middle =

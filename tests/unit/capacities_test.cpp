@@ -162,7 +162,7 @@ TEST_CASE("the minimum lies below the worst case, and more slices need no less")
 
 TEST_CASE("the worst case is the greatest number from where it cannot be counted any more") {
   constexpr Limits limits{1, 1};
-  constexpr uint32_t slices = UINT32_MAX / sizing::slots_a_cell / 4;  // of four cells each
+  constexpr uint32_t slices = UINT32_MAX / sizing::slots_per_cell / 4;  // of four cells each
   Capacities before = worst_case_capacities(limits, slices - 3);
   for (uint32_t more = slices - 2; more < slices + 3; ++more) {
     const Capacities now = worst_case_capacities(limits, more);

@@ -38,8 +38,9 @@ static_assert(DISCMC_DEVICE_ERROR == static_cast<int>(Status::device_error) &&
                   DISCMC_LOST == static_cast<int>(Event::Kind::lost) &&
                   DISCMC_SINK_NOT_STARTED == static_cast<int>(SinkResult::not_started) &&
                   DISCMC_OPEN == static_cast<int>(Border::open) &&
-                  DISCMC_PREVIOUS_ROW == static_cast<int>(Substitute::previous_row) &&
+                  DISCMC_SUBSTITUTE_PREVIOUS_ROW == static_cast<int>(Substitute::previous_row) &&
                   DISCMC_ANY_ORDER == static_cast<int>(InputOrder::any) &&
+                  DISCMC_ROW_READY == static_cast<int>(RowRing::Next::ready) &&
                   DISCMC_ROW_LOST == static_cast<int>(RowRing::Next::lost) &&
                   DISCMC_ROW_END == static_cast<int>(RowRing::Next::end) &&
                   DISCMC_MONO10PMSB == static_cast<int>(Packing::mono10pmsb) &&

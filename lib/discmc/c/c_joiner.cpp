@@ -33,12 +33,12 @@ discmc_status discmc_joiner_finish(discmc_joiner* joiner) {
 discmc_joiner_info discmc_joiner_get_info(const discmc_joiner* joiner) {
   const Joiner& object = joiner->with_sink.object;
   const JoinReport& report = object.report();
-  return {report.fragments,
+  return {report.received,
           report.invalid,
           report.regions,
           report.rings,
           report.unmatched,
-          report.passed,
+          report.passed_on,
           object.capacities().fragments,
           object.capacities().runs,
           object.high_water().fragments,

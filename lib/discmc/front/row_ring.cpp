@@ -22,11 +22,11 @@ RowRing::Next RowRing::peek() const {
   const bool was_last = load_acquire(ended_) != 0;
   const uint32_t incoming = load_acquire(produced_);
   const bool is_there = load_acquire(filled_) != emptied_;
-  if (is_there && numbers_[empty_place_] == consumed_) return Next::row;
+  if (is_there && numbers_[empty_place_] == consumed_) return Next::ready;
   // A popped row may not be counted yet: then consumed_ is ahead.
   const bool is_behind = static_cast<int32_t>(incoming - consumed_) > 0;
   if (is_there || is_behind) return Next::lost;
-  return was_last ? Next::end : Next::nothing;
+  return was_last ? Next::end : Next::none;
 }
 
 void RowRing::pop() {

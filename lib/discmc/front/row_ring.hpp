@@ -29,10 +29,10 @@ class RowRing {
  public:
   /// What the consumer finds next.
   enum class Next : uint8_t {
-    nothing,  ///< nothing has arrived yet
-    row,      ///< row() holds it
-    lost,     ///< a lost row
-    end,      ///< no row follows
+    none,   ///< nothing has arrived yet
+    ready,  ///< row() holds the next row
+    lost,   ///< a lost row
+    end,    ///< no row follows
   };
 
   RowRing() = default;
@@ -91,10 +91,10 @@ class RowRing {
   Next peek() const;
 
   /// The bytes of the row, which may be changed in place: see packed_samples.hpp. Limit: peek() is
-  /// `row`.
+  /// `ready`.
   void* row() const { return rows_ + size_t{empty_place_} * row_bytes_; }
 
-  /// Removes what peek() returned, and frees its row. Limit: peek() is `row` or `lost`.
+  /// Removes what peek() returned, and frees its row. Limit: peek() is `ready` or `lost`.
   void pop();
 
   /// The number of the next row, as produced(), and the number of lost rows before it.

@@ -77,13 +77,13 @@ int64_t twice_area(Incidence incidence, const Vertex* vertices, uint32_t count) 
   return sum;
 }
 
-void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingReceiver& receiver) {
+void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingSink& sink) {
   uint32_t* const depth = scratch;  // by name: the vertex's position in the path, from 1; 0 for
                                     // none
   uint32_t* const name = scratch + count;
   if (count < 3) return;
   if (!name_vertices(vertices, scratch, name, count))
-    return receiver.take(receiver.context, vertices, count);
+    return sink.take(sink.context, vertices, count);
   for (uint32_t i = 0; i < count; ++i) depth[i] = 0;
   // The path so far has no vertex twice. It overwrites vertices that have been read.
   uint32_t length = 0;
@@ -91,7 +91,7 @@ void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingR
     const uint32_t recurrence = depth[name[i]];
     if (recurrence != 0) {
       const uint32_t loop = length - (recurrence - 1);
-      if (loop >= 3) receiver.take(receiver.context, vertices + recurrence - 1, loop);
+      if (loop >= 3) sink.take(sink.context, vertices + recurrence - 1, loop);
       for (; length > recurrence; --length) depth[name[length - 1]] = 0;
     } else {
       vertices[length] = vertices[i];
@@ -99,7 +99,7 @@ void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingR
       depth[name[i]] = ++length;
     }
   }
-  if (length >= 3) receiver.take(receiver.context, vertices, length);
+  if (length >= 3) sink.take(sink.context, vertices, length);
 }
 
 bool is_corner(const Vertex* vertices, uint32_t count, uint32_t i) {

@@ -103,7 +103,7 @@ bool Joiner::end_fragment(const Event& event) {
   switch (fate_) {
     case Fate::passed:
       if (!pass_loose(event)) return false;
-      ++report_.passed;
+      ++report_.passed_on;
       break;
     case Fate::ignored:
       ++report_.invalid;
@@ -111,7 +111,7 @@ bool Joiner::end_fragment(const Event& event) {
     default:  // the fragment has its place, and was counted
       return true;
   }
-  ++report_.fragments;
+  ++report_.received;
   fate_ = Fate::none;
   return true;
 }
@@ -174,7 +174,7 @@ void Joiner::place_fragment() {
   }
   const join::WaitingChains::Result result = waiting_.join(arrived);
   if (result.joined == join::WaitingChains::Joined::no_room) return run_short();
-  ++report_.fragments;
+  ++report_.received;
   fate_ = Fate::none;
   arriving_ = join::no_chain;
   if (result.joined == join::WaitingChains::Joined::refused) return begin_loose(arrived);
@@ -291,7 +291,7 @@ void Joiner::begin_next_hole() {
 }
 
 void Joiner::begin_loose(uint32_t chain) {
-  ++(is_short_ ? report_.passed : report_.unmatched);
+  ++(is_short_ ? report_.passed_on : report_.unmatched);
   if (passes_loose())
     begin_delivery(Outlet::loose, Event::Kind::fragment, chain);
   else
@@ -348,7 +348,7 @@ bool Joiner::send_finish() {
   Statistics totals = totals_;
   totals.regions += report_.regions;
   totals.rings += report_.rings;
-  totals.fragments = passes_loose() ? report_.unmatched + report_.passed : 0;
+  totals.fragments = passes_loose() ? report_.unmatched + report_.passed_on : 0;
   Event event{};
   event.kind = Event::Kind::finish;
   event.slice = slices_;

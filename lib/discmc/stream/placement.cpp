@@ -11,7 +11,7 @@ ApplicationRecord record_of(const Placement& placement, uint8_t* bytes) {
     for (const int32_t along : axis) place = wire::put(place, static_cast<uint32_t>(along), 4);
   for (const int64_t along : placement.origin_nm)
     place = wire::put_long(place, static_cast<uint64_t>(along));
-  wire::put(place, static_cast<uint8_t>(placement.frame), 1);
+  wire::put(place, static_cast<uint8_t>(placement.space), 1);
   return {Placement::record_kind, 0, 0, bytes, Placement::record_bytes};
 }
 
@@ -23,9 +23,9 @@ bool read_placement(const ApplicationRecord& record, Placement& placement) {
   for (auto& axis : read.axes_nm)
     for (int32_t& along : axis) along = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
   for (int64_t& along : read.origin_nm) along = static_cast<int64_t>(reader.get(8));
-  const uint64_t frame = reader.get(1);
-  if (frame > static_cast<uint64_t>(Frame::ras)) return false;
-  read.frame = static_cast<Frame>(frame);
+  const uint64_t space = reader.get(1);
+  if (space > static_cast<uint64_t>(Space::ras)) return false;
+  read.space = static_cast<Space>(space);
   placement = read;
   return true;
 }

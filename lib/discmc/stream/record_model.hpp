@@ -91,7 +91,7 @@ inline constexpr PlaneStep plane_steps[] = {
     {1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1},                      // corner
     {2, 0}, {1, 1}, {0, 2},  {-1, 1}, {-2, 0}, {-1, -1}, {0, -2}, {1, -1}};  // axis
 constexpr const PlaneStep* plane_steps_of(uint32_t link_class) {
-  return plane_steps + size_t{link_class} * (link_class + 3);
+  return &plane_steps[size_t{link_class} * (link_class + 3)];
 }
 
 /// The turn to the left from one direction to another.

@@ -17,6 +17,7 @@
 #include "pictures/srgb.hpp"
 #include "statistics/threshold_rule.hpp"
 #include "streams/stream_file.hpp"
+#include "streams/wire_kind.hpp"
 #include "surface/components.hpp"
 #include "tuning/cycle_costs.hpp"
 #include "volumes/volume.hpp"
@@ -60,9 +61,6 @@ enum class Normals { none, surface, gradient };
 /// The coordinates of a mesh: of the patient, or index times spacing.
 enum class MeshSpace { lps, ras, voxel };
 
-/// What a stream holds.
-enum class Wire { regions, slices };
-
 /// One of `count` slabs of a volume, counted from 1 at its first slice.
 struct SlabChoice {
   std::uint32_t number, count;
@@ -84,7 +82,7 @@ struct ExtractArguments {
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   Decimation decimation;           ///< of each mesh
-  std::optional<MeshSpace> space;  ///< else LPS if the frame is known, or that of the file
+  std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
   MeshSize size;
   bool interpolates = false;  ///< the vertices of a mesh
   bool quiet = false;
@@ -115,7 +113,7 @@ struct StreamArguments {
   VolumeOptions options;
   MeshOptions mesh{true, Faces::triangles};
   ComponentChoice components;
-  std::optional<MeshSpace> space;  ///< else LPS if the frame is known, or that of the file
+  std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
   MeshSize size;
 };
 
@@ -151,8 +149,9 @@ struct RenderArguments {
 /// The arguments of `view`.
 struct ViewArguments {
   std::string input;
-  std::optional<bool> is_volume;  ///< or a stream; else by its first bytes
-  VolumeArguments reading;        ///< without a selection the samples are shown
+  std::optional<InputKind> kind;  ///< else a volume or a stream, by its first bytes
+  VolumeArguments reading;        ///< without a selection or labels the samples are shown
+  std::string labels;             ///< as of ExtractArguments
   std::string output;             ///< none where it is served
   bool opens = true;
   bool serves = false;
@@ -166,7 +165,7 @@ struct TuneArguments {
   double baud = 921600;
   double clock_hz = 48e6;
   Core core = Core::cortex_m4;
-  std::vector<Payload> payloads;  ///< empty: all
+  std::vector<Wire> wires;  ///< empty: all
 };
 
 /// A surface of `compare`.

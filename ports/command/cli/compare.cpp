@@ -13,6 +13,7 @@
 #include "extraction/classic.hpp"
 #include "mesh_files/mesh_reader.hpp"
 #include "mesh_output.hpp"
+#include "meshes/joined_mesh.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/placing.hpp"
 #include "meshes/surface_distance.hpp"
@@ -59,7 +60,7 @@ Compared surface_of_volume(const std::string& name, VolumeArguments reading) {
 
 Compared surface_of_mesh(const std::string& name) {
   const Progress progress("reading");
-  return {read_mesh(name), false, exit_ok};
+  return {joined(read_meshes(name)), false, exit_ok};
 }
 
 Compared surface_of_stream(const std::string& name, const StreamChoice& choice) {

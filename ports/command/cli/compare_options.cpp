@@ -37,7 +37,8 @@ Command add_compare(CLI::App& app) {
         ->add_option_function<std::string>(
             names[i],
             [arguments, i](const std::string& name) { arguments->inputs[i] = input_called(name); },
-            "a mesh, a .dmc stream, or a volume, whose surface Marching Cubes makes at --iso")
+            "a mesh, a .dmc stream, or a volume, whose surface classic Marching Cubes makes at "
+            "--iso")
         ->required();
   add_choice_options(*compare, arguments->choice);
   add_volume_options(*compare, arguments->reading.options);

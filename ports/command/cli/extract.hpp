@@ -23,7 +23,8 @@ int extract_stream(ExtractArguments arguments);
 int extract_meshes(ExtractArguments arguments);
 int extract_label_meshes(const ExtractArguments& arguments);
 
-/// The meshes of the labels that are asked for, at index times spacing, each with its colour.
+/// The meshes of the labels that are asked for, each with its name and colour; with normals of the
+/// surface, if those are asked for.
 std::vector<Mesh> label_meshes(const ExtractArguments& arguments);
 
 /// One a surface, in the order of the selections.

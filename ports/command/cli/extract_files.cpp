@@ -31,8 +31,7 @@ void add_normals(const ExtractArguments& arguments, const Selection& selection,
   add_gradient_normals(*again.reader, mesh);
 }
 
-// Many programs end the name of a material file at its first space. Limit: names that differ in
-// spaces and underscores alone share a file.
+// Many programs end the name of a material file at its first space.
 std::filesystem::path material_file(const std::filesystem::path& mesh) {
   std::string name = mesh.filename().replace_extension(".mtl").string();
   std::replace(name.begin(), name.end(), ' ', '_');
@@ -74,11 +73,15 @@ std::vector<std::string> MeshFiles::names_for(const std::vector<NamedSelection>&
   are_one_ = !pattern.has_name() && (!arguments_.labels.empty() || selections.size() > 1);
   if (!pattern.has_name()) return std::vector<std::string>(selections.size(), arguments_.output);
   std::vector<std::string> names;
-  std::set<std::string> taken;
+  const bool is_obj = format_of(arguments_.output) == Format::obj;
+  std::set<std::string> taken;  // material files are distinct, too
   for (const NamedSelection& each : selections) {
     std::string addition;
-    while (!taken.insert(pattern.file_for(each.name, addition)).second)
-      addition += "-" + each.given;
+    const auto key = [&] {
+      const std::string name = pattern.file_for(each.name, addition);
+      return is_obj ? material_file(name).string() : name;
+    };
+    while (!taken.insert(key()).second) addition += "-" + each.given;
     names.push_back(pattern.file_for(each.name, addition));
   }
   return names;

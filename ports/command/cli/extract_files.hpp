@@ -36,8 +36,8 @@ class MeshFiles {
   /// Whether all meshes go into one file.
   bool are_one() const { return are_one_; }
 
-  /// The files of surfaces. No two are the same where each has its own: of equal names all but the
-  /// first get what was given as well.
+  /// The files of surfaces. No two are the same where each has its own, nor are their material
+  /// files: of equal names all but the first get what was given as well.
   std::vector<std::string> names_for(const std::vector<NamedSelection>& selections);
 
   /// Writes the mesh of a surface, or keeps it for the file of all; the surface is then empty.

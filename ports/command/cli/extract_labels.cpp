@@ -16,6 +16,7 @@
 #include "extract_files.hpp"
 #include "extraction/labels.hpp"
 #include "mesh_output.hpp"
+#include "meshes/surface_normals.hpp"
 #include "pictures/label_colour.hpp"
 #include "progress.hpp"
 #include "require.hpp"
@@ -175,13 +176,19 @@ void print_line(const LabelledSurface& label, std::uint64_t faces, const std::st
 
 std::vector<Mesh> label_meshes(const ExtractArguments& arguments) {
   Segmentation segmentation(arguments.volume, arguments.reading);
+  const auto placement =
+      mesh_placement(arguments.volume, segmentation.info().placement, arguments.space);
+  const auto add_normals = [&arguments](Mesh& mesh) {
+    if (arguments.normals == Normals::surface) mesh.normals = surface_normals(mesh);
+  };
   std::vector<Mesh> meshes;
   for (FoundLabel& each : labels_with_voxels(arguments, segmentation)) {
     Surface& surface = each.surface.surface;
     keep_chosen(name_for_people(arguments.volume) + ": " + title(each.name), arguments.components,
                 surface);
-    meshes.push_back(build_mesh(surface, arguments.mesh));
+    meshes.push_back(placed_mesh(surface, arguments.mesh, add_normals, placement, arguments.size));
     meshes.back().colour = each.name.colour;
+    meshes.back().name = each.name.name;
   }
   return meshes;
 }
@@ -221,7 +228,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
   }
   if (files.are_one() && !has_mesh && !arguments.reading.allows_empty)
     throw std::runtime_error(
-        volume + ": no label has a surface left, so " + arguments.output +
+        volume + ": no label has a surface left, so " + output_for_people(arguments.output) +
         " is not written; check --median, --mask and --min-volume, or give --allow-empty");
   files.finish();
   if (!arguments.quiet) require_written(table);

@@ -43,9 +43,6 @@ void check_labels(const ExtractArguments& arguments) {
 
 void check_selections(const ExtractArguments& arguments) {
   if (!arguments.labels.empty()) return check_labels(arguments);
-  if (!arguments.reading.label_table.empty() && !arguments.reading.selects_labels())
-    throw CLI::ValidationError("--label-table",
-                               "names labels, and none is selected; add --label N or --labels all");
   const std::vector<NamedSelection>& selections = arguments.reading.selections;
   const std::size_t surfaces = selections.size();
   if (surfaces == 0)
@@ -85,11 +82,6 @@ void check_mask(const ExtractArguments& arguments) {
         "--mask",
         "cannot be combined with --normals gradient, as the samples have no gradient at the edge "
         "of the mask; give --normals surface, or leave one out");
-  if (!arguments.reading.mask.empty() && !arguments.labels.empty() && arguments.reading.median > 0)
-    throw CLI::ValidationError(
-        "--mask",
-        "cannot be combined with --median and --labels, as the filter would grow labels over the "
-        "mask; leave out --median, or give each label by --label");
 }
 
 void check_smoothing(const ExtractArguments& arguments) {
@@ -222,6 +214,7 @@ void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_components(arguments.components, arguments.output);
   check_cleaning(arguments);
   check_mask(arguments);
+  check_label_options(arguments.labels, arguments.reading);
   check_space(arguments.space, arguments.output);
   check_size(arguments.size, arguments.output);
   check_normals(arguments.normals, arguments.output, true);
@@ -283,14 +276,6 @@ void add_closing_option(CLI::App& app, ExtractArguments& arguments) {
       ->option_text("MM");
 }
 
-void add_label_options(CLI::App& app, ExtractArguments& arguments) {
-  app.option_defaults()->group(surface_group);
-  add_labels_option(
-      app, arguments.labels,
-      "into a file each, or into one " + extensions(&FormatTraits::holds_several) + " file");
-  add_label_table_option(app, arguments.reading.label_table);
-}
-
 // What a stream holds, where that is what is written.
 void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
   app.option_defaults()->group(stream_group);
@@ -338,7 +323,9 @@ Command add_extract(CLI::App& app) {
       ". --iso, --range and --label may be repeated: a surface each, up to 4 in a stream");
   add_closing_option(*extract, *arguments);
   add_smoothing_option(*extract, *arguments);
-  add_label_options(*extract, *arguments);
+  add_label_options(
+      *extract, arguments->labels, arguments->reading,
+      "into a file each, or into one " + extensions(&FormatTraits::holds_several) + " file");
   add_normals_option(*extract, arguments->normals,
                      "from the samples of the volume; also in a .dmc stream");
   extract

@@ -167,7 +167,7 @@ int run_join(const JoinArguments& arguments) {
   if (!missing.empty()) {
     print_message(arguments.output == "-" ? "standard output" : arguments.output,
                   "the " + text(missing) + " are missing, and " + std::to_string(join.fragments()) +
-                      " fragments are loose; join it with the slabs of these slices");
+                      " fragments are unmatched; join it with the slabs of these slices");
     code = exit_incomplete;
   }
   if (arguments.quiet) return code;

@@ -32,13 +32,13 @@ std::optional<VolumePlacement> mesh_placement(const std::string& input,
                                               const std::optional<VolumePlacement>& placement,
                                               const std::optional<MeshSpace>& asked) {
   if (asked == MeshSpace::voxel) return std::nullopt;
-  if (!placement || placement->frame == Frame::none) {
+  if (!placement || placement->space == Space::scanner) {
     if (!asked) return placement;
     throw std::invalid_argument(
         input +
         ": the volume has no patient orientation; leave out --space, or give --space voxel");
   }
-  return in_frame(*placement, asked == MeshSpace::ras ? Frame::ras : Frame::lps);
+  return in_space(*placement, asked == MeshSpace::ras ? Space::ras : Space::lps);
 }
 
 Mesh placed_mesh(const Surface& surface, const MeshOptions& options,

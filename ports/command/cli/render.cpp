@@ -1,5 +1,4 @@
 // discmc render: a picture of a stream or a volume.
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "files/output_file.hpp"
 #include "mesh_files/mesh_reader.hpp"
 #include "mesh_output.hpp"
+#include "meshes/joined_mesh.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
@@ -20,6 +20,7 @@
 #include "stream_input.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
+#include "text/message.hpp"
 #include "thresholds.hpp"
 #include "volume_input.hpp"
 
@@ -77,42 +78,28 @@ Mesh volume_to_draw(RenderArguments arguments) {
   return mesh;
 }
 
-// Each triangle is a polygon of its own.
-Mesh mesh_of_file(const std::string& file) {
+std::vector<Mesh> meshes_of_file(const std::string& file) {
   const Progress progress("reading");
-  Mesh mesh = read_mesh(file);
-  mesh.polygons.resize(mesh.face_count());
-  std::iota(mesh.polygons.begin(), mesh.polygons.end(), 0U);
-  return mesh;
+  return read_meshes(file);
 }
 
-void append(const Mesh& part, Mesh& mesh) {
-  const auto vertices = static_cast<std::uint32_t>(mesh.vertices_mm.size());
-  const std::uint32_t polygons = mesh.polygons.empty() ? 0 : mesh.polygons.back() + 1;
-  for (const std::uint32_t corner : part.corners) mesh.corners.push_back(vertices + corner);
-  const std::size_t corners = mesh.face_begin.back();
-  for (std::size_t face = 0; face < part.face_count(); ++face) {
-    mesh.face_begin.push_back(corners + part.face_begin[face + 1]);
-    mesh.polygons.push_back(polygons + part.polygons[face]);
-  }
-  mesh.vertices_mm.insert(mesh.vertices_mm.end(), part.vertices_mm.begin(), part.vertices_mm.end());
-  mesh.normals.insert(mesh.normals.end(), part.normals.begin(), part.normals.end());
-}
-
-// All labels in one mesh. colours: get that of each face.
-Mesh labels_to_draw(const RenderArguments& arguments, std::vector<Srgb>& colours) {
+std::vector<Mesh> meshes_of_labels(const RenderArguments& arguments) {
   ExtractArguments extraction;
   extraction.volume = arguments.input;
   extraction.reading = arguments.reading;
   extraction.labels = arguments.labels;
   extraction.components = arguments.components;
-  Mesh all;
-  for (Mesh& part : label_meshes(extraction)) {
-    if (arguments.smooth) part.normals = surface_normals(part);
-    append(part, all);
-    colours.resize(all.face_count(), part.colour.value_or(PictureOptions().colour));
-  }
-  return all;
+  extraction.normals = arguments.smooth ? Normals::surface : Normals::none;
+  extraction.space = MeshSpace::voxel;
+  return label_meshes(extraction);
+}
+
+// colours: get that of each face.
+Mesh parts_to_draw(std::vector<Mesh> parts, std::vector<Srgb>& colours) {
+  for (const Mesh& part : parts)
+    colours.resize(colours.size() + part.face_count(),
+                   part.colour.value_or(PictureOptions().colour));
+  return joined(std::move(parts));
 }
 
 PictureOptions picture_options(const RenderArguments& arguments) {
@@ -135,9 +122,9 @@ int run_render(const RenderArguments& arguments) {
   Mesh mesh;
   int code = exit_ok;
   if (arguments.kind == InputKind::mesh) {
-    mesh = mesh_of_file(arguments.input);
+    mesh = parts_to_draw(meshes_of_file(arguments.input), options.face_colours);
   } else if (!arguments.labels.empty()) {
-    mesh = labels_to_draw(arguments, options.face_colours);
+    mesh = parts_to_draw(meshes_of_labels(arguments), options.face_colours);
   } else if (arguments.kind == InputKind::volume) {
     RenderArguments found = arguments;
     found.reading.selections = with_thresholds(arguments.input, arguments.reading);

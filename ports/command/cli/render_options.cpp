@@ -23,6 +23,7 @@ void check(const CLI::App& render, const RenderArguments& arguments) {
   if (is_volume && arguments.reading.selections.empty() && arguments.labels.empty())
     throw CLI::ValidationError(arguments.input,
                                "a volume needs a threshold; give --iso auto, or a number");
+  check_label_options(arguments.labels, arguments.reading);
   if (arguments.view == std::vector<double>{0, 0, 0})
     throw CLI::ValidationError("--view", "0,0,0 is not a direction; give another vector");
   check_closed(arguments.components, arguments.reading.border);
@@ -95,7 +96,7 @@ Command add_render(CLI::App& app) {
   add_choice_options(*render, arguments->choice);
   add_volume_options(*render, arguments->reading.options);
   add_surface_options(*render, arguments->reading);
-  add_labels_option(*render, arguments->labels, "each has its colour");
+  add_label_options(*render, arguments->labels, arguments->reading, "each has its colour");
   add_component_options(*render, arguments->components);
   add_classic_option(*render, arguments->classic);
   render->footer(

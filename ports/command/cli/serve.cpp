@@ -38,6 +38,8 @@ class ReadInTurn final : public VolumeFilter {
   std::mutex& turn_;
 };
 
+constexpr std::uint64_t served_bytes = std::uint64_t{1} << 30;  // that the page takes
+
 void serve(const ViewArguments& arguments, const ServedFile& file) {
   serve_page(file, arguments.port, [&](const std::string& address) {
     std::cout << "Open " << address << " (stop with Ctrl-C)" << std::endl;
@@ -49,7 +51,6 @@ void serve(const ViewArguments& arguments, const ServedFile& file) {
 
 // Samples are read again for every page: none waits in memory.
 void serve_samples(const ViewArguments& arguments) {
-  constexpr std::uint64_t most = std::uint64_t{1} << 30;
   require_second_pass(arguments.input, "each page that is served needs a pass");
   std::mutex turn;
   const auto open = [&] {
@@ -57,7 +58,7 @@ void serve_samples(const ViewArguments& arguments) {
     return open_noted(arguments.input, arguments.reading.options);
   };
   const VolumeInfo info = open()->info();
-  require_size(arguments.input, info, most);
+  require_size(arguments.input, info, served_bytes);
   const auto write = [&](std::ostream& out) {
     ReadInTurn volume(open(), turn);
     write_nifti(
@@ -66,9 +67,9 @@ void serve_samples(const ViewArguments& arguments) {
   serve(arguments, {name_of(arguments.input), false, nifti_bytes(info), write});
 }
 
-void serve_stream(const ViewArguments& arguments, const NamedStream& stream) {
-  serve(arguments, {stream.name, false, stream.bytes.size(),
-                    [&stream](std::ostream& out) { out << stream.bytes; }});
+void serve_bytes(const ViewArguments& arguments, const NamedBytes& file) {
+  serve(arguments,
+        {file.name, false, file.bytes.size(), [&file](std::ostream& out) { out << file.bytes; }});
 }
 
 void serve_live(const ViewArguments& arguments) {
@@ -80,7 +81,7 @@ void serve_live(const ViewArguments& arguments) {
 // What comes from a pipe is a stream, unless an option is for volumes alone: its first bytes may
 // be long in coming.
 bool is_volume(const ViewArguments& arguments) {
-  if (arguments.is_volume) return *arguments.is_volume;
+  if (arguments.kind) return arguments.kind == InputKind::volume;
   std::optional<ReplayedInput> replayed;
   return !is_read_once(arguments.input) && begins_like_volume(arguments.input, replayed);
 }
@@ -88,14 +89,16 @@ bool is_volume(const ViewArguments& arguments) {
 }  // namespace
 
 int serve_view(const ViewArguments& arguments) {
-  if (!is_volume(arguments) && is_read_once(arguments.input))
+  if (shows_meshes(arguments))
+    serve_bytes(arguments, meshes_to_show(arguments, served_bytes));
+  else if (!is_volume(arguments) && is_read_once(arguments.input))
     serve_live(arguments);
   else if (!is_volume(arguments))
-    serve_stream(arguments, stream_in_file(arguments));
+    serve_bytes(arguments, stream_in_file(arguments));
   else if (arguments.reading.selections.empty())
     serve_samples(arguments);
   else
-    serve_stream(arguments, stream_of_threshold(arguments));
+    serve_bytes(arguments, stream_of_threshold(arguments));
   return exit_ok;
 }
 

@@ -39,13 +39,13 @@ std::string shortage(const Extraction& extraction, const MemoryUse& memory) {
 }
 
 // In the words of --space where they fit.
-const char* space_name(Frame frame) {
-  switch (frame) {
-    case Frame::none:
+const char* space_name(Space space) {
+  switch (space) {
+    case Space::scanner:
       break;
-    case Frame::lps:
+    case Space::lps:
       return "lps";
-    case Frame::ras:
+    case Space::ras:
       return "ras";
   }
   return "scanner";
@@ -56,9 +56,9 @@ void print_memory(const Extraction& extraction, std::ostream& out) {
   const MemoryUse& memory = *extraction.memory;
   row(out, "bytes of arena used", grouped(memory.arena_bytes_used),
       "of " + grouped(memory.arena_bytes));
-  row(out, "  slots at most in use", grouped(memory.high_water.slots),
+  row(out, "  slots, peak", grouped(memory.high_water.slots),
       "of " + grouped(memory.capacities.slots));
-  row(out, "  holes at most in use", grouped(memory.high_water.holes),
+  row(out, "  holes, peak", grouped(memory.high_water.holes),
       "of " + grouped(memory.capacities.holes));
   row(out, "loose fragments", grouped(extraction.statistics.fragments),
       shortage(extraction, memory));
@@ -76,7 +76,7 @@ void print_place(const std::array<double, 3>& spacing_mm,
   print_vector("spacing", spacing_mm, out);
   out.precision(15);  // a nanometre of an origin as far away as can be
   const VolumePlacement place = placement ? *placement : along_coordinates(spacing_mm);
-  out << "space " << (placement ? space_name(place.frame) : "voxel") << '\n';
+  out << "space " << (placement ? space_name(place.space) : "voxel") << '\n';
   print_vector("origin", place.origin_mm, out);
   print_vector("axis_x", place.axes_mm[0], out);
   print_vector("axis_y", place.axes_mm[1], out);
@@ -116,15 +116,14 @@ void print_table(const Extraction& extraction, const Counts& counts, std::uint64
                  std::uint64_t slice_encoder_bytes, std::ostream& out) {
   const Statistics& statistics = extraction.statistics;
   row(out, "voxels", grouped(extraction.voxels));
-  row(out, "classic MC triangles", grouped(statistics.classic_triangles));
+  row(out, "classic Marching Cubes", grouped(statistics.classic_triangles), "triangles");
   row(out, "facets", grouped(statistics.facets));
   row(out, "regions", grouped(counts.regions));
   row(out, "  with 3 corners", grouped(counts.three));
   row(out, "  with 4 corners", grouped(counts.four));
   row(out, "  with more", grouped(counts.more));
   row(out, "holes", grouped(counts.holes));
-  row(out, "reduction", ratio(statistics.classic_triangles, counts.regions),
-      "triangles per region");
+  row(out, "triangles per polygon", ratio(statistics.classic_triangles, counts.regions));
   row(out, "bytes of stream", grouped(stream_bytes),
       ratio(stream_bytes, counts.regions) + " per region");
   if (slice_encoder_bytes > 0) {
@@ -143,7 +142,7 @@ void print_info(const StreamHeader& header, std::uint8_t channel,
   print_place(spacing_mm(header), placement, out);
   out << "wire " << (report.holds_slices ? "slices" : "regions") << '\n'
       << "scan " << header.scan << '\n'
-      << "channel " << int{channel} << '\n'
+      << "stream_channel " << int{channel} << '\n'
       << "threshold " << header.thresholds[channel - header.channel] << '\n'
       << "border " << (header.border == Border::closed ? "closed" : "open") << '\n'
       << "regions " << counts.regions << '\n'

@@ -35,9 +35,9 @@ struct Trials {
   std::vector<Trial> slices;      // by key_slice_intervals
 };
 
-bool shows(const TuneArguments& arguments, Payload payload) {
-  const auto& asked = arguments.payloads;
-  return asked.empty() || std::find(asked.begin(), asked.end(), payload) != asked.end();
+bool shows(const TuneArguments& arguments, Wire wire) {
+  const auto& asked = arguments.wires;
+  return asked.empty() || std::find(asked.begin(), asked.end(), wire) != asked.end();
 }
 
 std::string bytes_text(std::uint64_t bytes) {
@@ -59,7 +59,7 @@ std::optional<std::uint64_t> given_arena(const VolumeArguments& arguments, const
   const std::uint64_t least = minimum_bytes<std::uint16_t>(limits);
   if (arguments.memory < least)
     throw std::invalid_argument(too_little_memory(arguments.memory, limits, least) +
-                                ", or send slices with --payload slices, which need " +
+                                ", or send slices with --wire slices, which need " +
                                 std::to_string(slice_encoder_bytes(limits, {1})) +
                                 " bytes if every slice is a key slice");
   const std::uint64_t most = max_arena_bytes(limits);
@@ -109,9 +109,8 @@ Trials try_all(const VolumeBits& volume, const TuneArguments& arguments,
   trials.plenty = try_regions<std::uint32_t>(
       volume, default_capacities<std::uint32_t>(volume.limits(), plenty));
   if (trials.plenty.work.cells == 0) return trials;
-  if (shows(arguments, Payload::regions))
-    try_all_regions(volume, arguments, given, progress, trials);
-  if (shows(arguments, Payload::slices))
+  if (shows(arguments, Wire::regions)) try_all_regions(volume, arguments, given, progress, trials);
+  if (shows(arguments, Wire::slices))
     for (const std::uint32_t interval : key_slice_intervals)
       trials.slices.push_back(try_slices(volume, {interval}));
   return trials;
@@ -119,7 +118,7 @@ Trials try_all(const VolumeBits& volume, const TuneArguments& arguments,
 
 void print_needs(const VolumeBits& volume, const Trials& trials, std::ostream& out) {
   const HighWater& most = trials.plenty.high_water;
-  out << "  at most in use      " << grouped(most.slots) << " slots of 8 bytes, "
+  out << "  peak                " << grouped(most.slots) << " slots of 8 bytes, "
       << grouped(most.holes) << " holes\n"
       << "  least arena         " << bytes_text(minimum_bytes<std::uint16_t>(volume.limits()))
       << '\n'
@@ -136,28 +135,27 @@ void print_regions(const Trials& trials, const Device& device, std::ostream& out
   std::vector<TriedRow> rows;
   for (std::size_t i = 0; i < trials.regions.size(); ++i)
     rows.push_back({grouped(trials.regions[i].memory), &trials.regions[i], i == trials.chosen});
-  print_trials(rows, Payload::regions, device, out);
+  print_trials(rows, Wire::regions, device, out);
 }
 
 void print_slices(const Trials& trials, const Device& device, std::ostream& out) {
   out << "\nSlices: the memory of the slice encoder\n";
   std::vector<TriedRow> rows;
   for (std::size_t i = 0; i < trials.slices.size(); ++i)
-    rows.push_back(
-        {(key_slice_intervals[i] == 1 ? std::string("all key slices")
-                                      : "1 in " + std::to_string(key_slice_intervals[i])) +
-             "  " + grouped(trials.slices[i].memory),
-         &trials.slices[i], i == 0});
-  print_trials(rows, Payload::slices, device, out);
+    rows.push_back({(key_slice_intervals[i] == 1
+                         ? std::string("every slice is key")
+                         : "every " + std::to_string(key_slice_intervals[i]) + "th is key") +
+                        "  " + grouped(trials.slices[i].memory),
+                    &trials.slices[i], i == 0});
+  print_trials(rows, Wire::slices, device, out);
 }
 
-std::string comment_of(const Trial& trial, Payload payload, const Device& device) {
-  std::string text =
-      payload == Payload::slices
-          ? bytes_text(trial.memory)
-          : grouped(trial.loose_pieces) + " loose fragments in " + bytes_text(trial.memory);
+std::string comment_of(const Trial& trial, Wire wire, const Device& device) {
+  std::string text = wire == Wire::slices ? bytes_text(trial.memory)
+                                          : grouped(trial.loose_pieces) + " loose fragments in " +
+                                                bytes_text(trial.memory);
   return text + ": a stream of " + bytes_text(trial.stream_bytes()) + ", " +
-         seconds_text(seconds_on_line(trial, device)) + " s on the line.";
+         seconds_text(seconds_on_link(trial, device)) + " s on the link.";
 }
 
 // The options that the printed code lacks, or empty.
@@ -200,9 +198,9 @@ std::string surface_text(const NamedSelection& surface) {
   return value_text(surface.selection.low) + " (" + surface.name + ")";
 }
 
-void print_code(const FirmwareChoice& choice, const char* payload, std::ostream& out) {
-  out << "\n---- " << payload << ", C++ ----\n" << cpp_code(choice);
-  out << "\n---- " << payload << ", C ----\n" << c_code(choice);
+void print_code(const FirmwareChoice& choice, const char* wire, std::ostream& out) {
+  out << "\n---- " << wire << ", C++ ----\n" << cpp_code(choice);
+  out << "\n---- " << wire << ", C ----\n" << c_code(choice);
 }
 
 void print_all_code(const VolumeBits& volume, const TuneArguments& arguments, const Trials& trials,
@@ -213,7 +211,7 @@ void print_all_code(const VolumeBits& volume, const TuneArguments& arguments, co
   if (!trials.regions.empty()) {
     const Trial& chosen = trials.regions[trials.chosen];
     choice.comments =
-        comments(volume, arguments.reading, comment_of(chosen, Payload::regions, device));
+        comments(volume, arguments.reading, comment_of(chosen, Wire::regions, device));
     choice.arena_bytes = chosen.memory;
     if (const auto& capacities = arguments.reading.capacities; !capacities.empty())
       choice.capacities = Capacities{capacities[0], capacities[1]};
@@ -221,7 +219,7 @@ void print_all_code(const VolumeBits& volume, const TuneArguments& arguments, co
   }
   if (!trials.slices.empty()) {
     choice.comments =
-        comments(volume, arguments.reading, comment_of(trials.slices[0], Payload::slices, device));
+        comments(volume, arguments.reading, comment_of(trials.slices[0], Wire::slices, device));
     choice.arena_bytes = 0;
     choice.capacities.reset();
     choice.key_slices = key_slice_intervals[0];
@@ -242,7 +240,7 @@ void print_report(const VolumeBits& volume, const TuneArguments& arguments, cons
     print_regions(trials, device, out);
   }
   if (!trials.slices.empty()) print_slices(trials, device, out);
-  out << "\nline: time on the UART, 10 bits per byte. work: time of the library, estimated within "
+  out << "\nlink: time on the UART, 10 bits per byte. CPU: time of the library, estimated within "
          "a\nfifth and without wait states of the flash (docs/measure.md). rows/s: average "
          "sustainable\nrate; at worst: CPU-limited rate in the slowest slice.\n";
   print_all_code(volume, arguments, trials, device, out);

@@ -29,10 +29,10 @@ void check(const TuneArguments& arguments) {
   if (selections.empty())
     throw CLI::ValidationError(
         "--iso", "no threshold is given; add --iso auto, or the threshold of the device");
-  const bool sends_slices_alone = arguments.payloads == std::vector<Payload>{Payload::slices};
+  const bool sends_slices_alone = arguments.wires == std::vector<Wire>{Wire::slices};
   if (sends_slices_alone && (arguments.reading.memory > 0 || !arguments.reading.capacities.empty()))
     throw CLI::ValidationError(
-        "--payload", "the memory of a slice encoder is fixed; leave out --memory and --capacities");
+        "--wire", "the memory of a slice encoder is fixed; leave out --memory and --capacities");
 }
 
 void add_device_options(CLI::App& app, TuneArguments& arguments) {
@@ -60,13 +60,13 @@ void add_device_options(CLI::App& app, TuneArguments& arguments) {
                                      {"cortex-m4", Core::cortex_m4},
                                      {"cortex-m7", Core::cortex_m7}},
                    "the processor; give cortex-m0plus for an M0, and cortex-m4 for an M3 or M33");
-  const NamedValues<Payload> payloads{{"regions", Payload::regions}, {"slices", Payload::slices}};
+  const NamedValues<Wire> wires{{"regions", Wire::regions}, {"slices", Wire::slices}};
   app.add_option_function<std::vector<std::string>>(
-         "--payload",
-         [&arguments, payloads](const std::vector<std::string>& names) {
-           for (const auto& [name, payload] : payloads)
+         "--wire",
+         [&arguments, wires](const std::vector<std::string>& names) {
+           for (const auto& [name, wire] : wires)
              if (std::find(names.begin(), names.end(), name) != names.end())
-               arguments.payloads.push_back(payload);
+               arguments.wires.push_back(wire);
          },
          "the content of the stream; may be given twice (default: both)")
       ->check(CLI::IsMember({"regions", "slices"}))

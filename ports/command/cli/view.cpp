@@ -1,10 +1,11 @@
-// discmc view: a page that shows a volume or a stream.
+// discmc view: a page that shows a volume, a stream or a mesh.
 #include <cstdint>
 #include <iostream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "exit_codes.hpp"
@@ -12,9 +13,13 @@
 #include "files/input_name.hpp"
 #include "files/output_file.hpp"
 #include "input_content.hpp"
+#include "mesh_files/mesh_files.hpp"
+#include "mesh_files/mesh_reader.hpp"
 #include "mesh_output.hpp"
+#include "meshes/surface_normals.hpp"
 #include "pages/browser.hpp"
 #include "pages/page.hpp"
+#include "pictures/picture.hpp"
 #include "progress.hpp"
 #include "require.hpp"
 #include "stream_input.hpp"
@@ -28,11 +33,12 @@
 namespace discmc::command {
 namespace {
 
+// Browsers hold no text of 2^29 characters, and three bytes that do not shrink are four of them.
+constexpr std::uint64_t page_bytes = std::uint64_t{1} << 28;
+
 void write_page_of_samples(const ViewArguments& arguments, std::ostream& out) {
-  // Browsers hold no text of 2^29 characters, and three bytes that do not shrink are four of them.
-  constexpr std::uint64_t most = std::uint64_t{1} << 28;
   const auto volume = open_noted(arguments.input, arguments.reading.options);
-  require_size(arguments.input, volume->info(), most);
+  require_size(arguments.input, volume->info(), page_bytes);
   Progress progress("writing", volume->info().dims[2]);
   write_page(
       name_of(arguments.input),
@@ -43,31 +49,53 @@ void write_page_of_samples(const ViewArguments& arguments, std::ostream& out) {
       out);
 }
 
-int write_page_of_stream(const NamedStream& stream, std::ostream& out) {
+int write_page_of_bytes(const NamedBytes& file, std::ostream& out) {
   const Progress progress("writing");
   write_page(
-      stream.name, [&stream](std::ostream& data) { data << stream.bytes; }, out);
-  return stream.code;
+      file.name, [&file](std::ostream& data) { data << file.bytes; }, out);
+  return file.code;
 }
 
 int write_page_of(const ViewArguments& arguments, std::ostream& out) {
+  if (shows_meshes(arguments))
+    return write_page_of_bytes(meshes_to_show(arguments, page_bytes), out);
   std::optional<ReplayedInput> replayed;
-  const bool is_volume =
-      arguments.is_volume ? *arguments.is_volume : begins_like_volume(arguments.input, replayed);
-  if (!is_volume) return write_page_of_stream(stream_in_file(arguments), out);
+  const bool is_volume = arguments.kind ? arguments.kind == InputKind::volume
+                                        : begins_like_volume(arguments.input, replayed);
+  if (!is_volume) return write_page_of_bytes(stream_in_file(arguments), out);
   if (!arguments.reading.selections.empty())
-    return write_page_of_stream(stream_of_threshold(arguments), out);
+    return write_page_of_bytes(stream_of_threshold(arguments), out);
   write_page_of_samples(arguments, out);
   return exit_ok;
 }
 
+std::vector<Mesh> meshes_of_labels(const ViewArguments& arguments) {
+  ExtractArguments extraction;
+  extraction.volume = arguments.input;
+  extraction.reading = arguments.reading;
+  extraction.labels = arguments.labels;
+  extraction.normals = Normals::surface;
+  return label_meshes(extraction);
+}
+
+std::vector<Mesh> meshes_of_file(const std::string& file) {
+  const Progress progress("reading");
+  std::vector<Mesh> meshes = read_meshes(file);
+  for (Mesh& mesh : meshes) mesh.normals = surface_normals(mesh);
+  return meshes;
+}
+
 }  // namespace
+
+bool shows_meshes(const ViewArguments& arguments) {
+  return arguments.kind == InputKind::mesh || !arguments.labels.empty();
+}
 
 std::string name_of(const std::string& input) {
   return input == "-" ? name_for_people(input) : input_name(input);
 }
 
-NamedStream stream_of_threshold(const ViewArguments& arguments) {
+NamedBytes stream_of_threshold(const ViewArguments& arguments) {
   ExtractArguments extraction;
   extraction.volume = arguments.input;
   extraction.reading = arguments.reading;
@@ -80,11 +108,32 @@ NamedStream stream_of_threshold(const ViewArguments& arguments) {
   return {name_of(arguments.input) + " at " + threshold + ".dmc", bytes.str(), exit_ok};
 }
 
-NamedStream stream_in_file(const ViewArguments& arguments) {
-  NamedStream stream{name_of(arguments.input), stream_bytes(arguments.input), exit_ok};
+NamedBytes stream_in_file(const ViewArguments& arguments) {
+  NamedBytes stream{name_of(arguments.input), stream_bytes(arguments.input), exit_ok};
   std::istringstream in(stream.bytes);
   stream.code = completeness(arguments.input, decode_surface(arguments.input, in, {}).report);
   return stream;
+}
+
+NamedBytes meshes_to_show(const ViewArguments& arguments, std::uint64_t most) {
+  const bool is_file = arguments.kind == InputKind::mesh;
+  std::vector<Mesh> meshes =
+      is_file ? meshes_of_file(arguments.input) : meshes_of_labels(arguments);
+  Meshes pointers;
+  for (Mesh& mesh : meshes) {
+    if (!mesh.colour) mesh.colour = PictureOptions().colour;
+    pointers.push_back(&mesh);
+  }
+  std::ostringstream glb;
+  write_glb(pointers, glb);
+  NamedBytes file{name_of(arguments.input), glb.str(), exit_ok};
+  if (file.bytes.size() > most)
+    throw std::runtime_error(file.name + ": its meshes are " +
+                             std::to_string(file.bytes.size() >> 20) +
+                             " MiB, and a page holds at most " + std::to_string(most >> 20) +
+                             (is_file ? "; decimate it, as by discmc extract --triangles 1000000"
+                                      : "; give fewer labels, --shrink 2 or a part by --crop"));
+  return file;
 }
 
 void require_size(const std::string& input, const VolumeInfo& info, std::uint64_t most) {

@@ -1,6 +1,7 @@
 // The arguments of discmc view.
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "cli/options/input_kind.hpp"
 #include "cli/options/option_checks.hpp"
@@ -9,6 +10,7 @@
 #include "command_line.hpp"
 #include "commands.hpp"
 #include "files/input_name.hpp"
+#include "pages/page.hpp"
 
 namespace discmc::command {
 namespace {
@@ -28,18 +30,30 @@ void choose_output(ViewArguments& arguments) {
   arguments.output = page_for(arguments.input);
   if (arguments.output.empty())
     throw CLI::ValidationError(arguments.input, "gives the page no name; give -o PAGE.html");
-  if (std::filesystem::exists(arguments.output))
+  if (std::filesystem::exists(arguments.output) && !is_page(arguments.output))
     throw CLI::ValidationError(arguments.output,
-                               "exists; give -o " + arguments.output + " to replace it");
+                               "exists, and is no page of discmc view; overwrite it with -o " +
+                                   arguments.output + ", or choose another name");
+}
+
+// By the name and the options, if they decide.
+void choose_kind(const CLI::App& view, ViewArguments& arguments) {
+  if (is_mesh_name(arguments.input)) {
+    check_mesh_input(view, arguments.input);
+    arguments.kind = InputKind::mesh;
+  } else if (const std::optional<bool> is_volume = is_volume_input(view, arguments.input)) {
+    check_kind(view, arguments.input, *is_volume);
+    arguments.kind = *is_volume ? InputKind::volume : InputKind::stream;
+  }
 }
 
 // Samples as they are have no surface.
 void check_surface_options(const CLI::App& view, const ViewArguments& arguments) {
-  if (!arguments.reading.selections.empty()) return;
+  if (!arguments.reading.selections.empty() || !arguments.labels.empty()) return;
   for (const CLI::Option* option : view.get_options())
     if (option->count() > 0 && option->get_group() == surface_group)
       throw CLI::ValidationError(option->get_name(),
-                                 "applies to the surface at one threshold; add --iso auto");
+                                 "applies to surfaces; add --iso auto or --labels all");
 }
 
 }  // namespace
@@ -47,13 +61,14 @@ void check_surface_options(const CLI::App& view, const ViewArguments& arguments)
 Command add_view(CLI::App& app) {
   const auto arguments = std::make_shared<ViewArguments>();
   CLI::App* view = app.add_subcommand(
-      "view", "Write a page that shows a volume or a stream, and open it in the browser");
+      "view", "Write a page that shows a volume, a stream or a mesh, and open it in the browser");
   view->add_option("INPUT", arguments->input,
-                   "a volume as for extract, or a .dmc stream; - reads standard input")
+                   "a volume as for extract, or a .dmc stream, where - reads standard input; or a "
+                   "mesh (.stl, .ply, .obj, .glb, .3mf), which is read from a file only")
       ->required();
   view->add_option("-o,--output", arguments->output,
                    "the page to write (default: the name of the input with .html, in the current "
-                   "folder); - is standard output")
+                   "folder, where it replaces an older page); - is standard output")
       ->check(named_with({".html", ".htm"}, "invalid name of a page"))
       ->check(without_braces());
   view->add_flag("!--no-open", arguments->opens, "do not open the browser");
@@ -68,19 +83,23 @@ Command add_view(CLI::App& app) {
       ->option_text("N");
   add_volume_options(*view, arguments->reading.options);
   add_surface_options(*view, arguments->reading);
+  add_label_options(*view, arguments->labels, arguments->reading,
+                    "the page shows each in its colour, with its name");
   view->footer(
       "The page contains its data, and needs neither network nor server. Without a threshold it "
       "holds\nthe samples, and its slider chooses any threshold. With --iso, --range or --label it "
-      "holds only\nthat surface, in far fewer bytes.\n\nWith --serve the data stays beside the "
+      "holds only\nthat surface, in far fewer bytes; with --labels it holds their meshes.\n\nWith "
+      "--serve the data stays beside the "
       "page, so the page opens at once. The limit is 1 GiB of\nsamples. A stream from standard "
       "input or a named pipe is shown as it arrives. All programs on\nthis computer can read the "
       "page; other computers cannot.\n\nExamples:\n  discmc view head.nii.gz\n  discmc view "
-      "head.nii.gz --iso 300 -o skull.html\n  discmc view scan.dmc\n  discmc view series/ "
+      "head.nii.gz --iso 300 -o skull.html\n  discmc view scan.dmc\n  discmc view labels.nii.gz "
+      "--labels all\n  discmc view series/ "
       "--serve\n  discmc view - --serve < /dev/ttyACM0");
   view->callback([arguments, view] {
-    arguments->is_volume = is_volume_input(*view, arguments->input);
-    if (arguments->is_volume) check_kind(*view, arguments->input, *arguments->is_volume);
-    check_surface_options(*view, *arguments);
+    choose_kind(*view, *arguments);
+    if (arguments->kind != InputKind::mesh) check_surface_options(*view, *arguments);
+    check_label_options(arguments->labels, arguments->reading);
     choose_output(*arguments);
   });
   return {view, [arguments] { return run_view(*arguments); }};

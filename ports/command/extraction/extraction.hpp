@@ -57,7 +57,7 @@ struct MemoryUse {
   std::uint64_t arena_bytes = 0;       ///< given
   std::uint64_t arena_bytes_used = 0;  ///< by bit rows and by slots that were ever in use
   Capacities capacities{};             ///< that the arena had
-  HighWater high_water{};              ///< of them, the most in use at once
+  HighWater high_water{};              ///< of them, the peak
 };
 
 struct Extraction {
@@ -69,8 +69,8 @@ struct Extraction {
   std::optional<MemoryUse> memory;  ///< if it was measured
 };
 
-/// A surface of a volume: the voxels inside, and the receiver of its events. The sink must not
-/// return "busy".
+/// A surface of a volume: the voxels inside, and the sink of its events, which must not return
+/// "busy".
 struct SurfaceRequest {
   Selection selection;
   Sink sink;

@@ -1,13 +1,18 @@
 #include "mesh_reader.hpp"
 
+#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <numeric>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "text/words.hpp"
 
@@ -16,6 +21,12 @@ namespace {
 
 std::string extension_of(const std::string& file) {
   return lower(std::filesystem::path(file).extension().string());
+}
+
+// Of other files Assimp makes up materials.
+bool has_materials(const std::string& file) {
+  const std::string extension = extension_of(file);
+  return extension == ".glb" || extension == ".gltf" || extension == ".obj" || extension == ".3mf";
 }
 
 // glTF is in metres with y upwards.
@@ -30,27 +41,62 @@ Point in_mm(const aiVector3D& at, bool is_gltf) {
   return is_gltf ? Point{1000 * point[0], -1000 * point[2], 1000 * point[1]} : point;
 }
 
-void add(const aiMesh& part, const std::string& file, bool is_gltf, Mesh& mesh) {
-  const auto first = static_cast<std::uint32_t>(mesh.vertices_mm.size());
+std::uint8_t byte_of(double part) {
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
+}
+
+// The light of glTF is linear.
+double srgb_of(double light) {
+  return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+}
+
+// Of all vertices, if it is the same.
+std::optional<Srgb> colour_of_vertices(const aiMesh& part) {
+  const aiColor4D* colours = part.mColors[0];
+  if (colours == nullptr ||
+      std::any_of(colours, colours + part.mNumVertices,
+                  [colours](const aiColor4D& each) { return each != colours[0]; }))
+    return std::nullopt;
+  return Srgb{byte_of(colours->r), byte_of(colours->g), byte_of(colours->b)};
+}
+
+// Nothing if it is Assimp's own.
+std::optional<Srgb> colour_of(const aiMaterial& material, bool is_gltf) {
+  aiColor3D colour;
+  if (std::string(material.GetName().C_Str()) == AI_DEFAULT_MATERIAL_NAME ||
+      material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != AI_SUCCESS)
+    return std::nullopt;
+  Srgb parts;
+  for (unsigned i = 0; i < 3; ++i) {
+    const auto part = static_cast<double>(colour[i]);
+    parts[i] = byte_of(is_gltf ? srgb_of(part) : part);
+  }
+  return parts;
+}
+
+Mesh mesh_of(const aiMesh& part, const std::string& file, bool is_gltf) {
+  Mesh mesh;
   for (unsigned i = 0; i < part.mNumVertices; ++i) {
     const aiVector3D& at = part.mVertices[i];
     if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
-      throw std::runtime_error(file + ": vertex " + std::to_string(first + i) +
+      throw std::runtime_error(file + ": vertex " + std::to_string(i) +
                                " is not finite; export the mesh again");
     mesh.vertices_mm.push_back(in_mm(at, is_gltf));
   }
   for (unsigned i = 0; i < part.mNumFaces; ++i) {
     const aiFace& face = part.mFaces[i];
     if (face.mNumIndices != 3) continue;  // points and lines have no area
-    for (unsigned corner = 0; corner < 3; ++corner)
-      mesh.corners.push_back(first + face.mIndices[corner]);
+    mesh.corners.insert(mesh.corners.end(), face.mIndices, face.mIndices + 3);
     mesh.face_begin.push_back(mesh.corners.size());
   }
+  mesh.polygons.resize(mesh.face_count());
+  std::iota(mesh.polygons.begin(), mesh.polygons.end(), 0U);
+  return mesh;
 }
 
 }  // namespace
 
-Mesh read_mesh(const std::string& file) {
+std::vector<Mesh> read_meshes(const std::string& file) {
   if (!std::filesystem::exists(file))
     throw std::runtime_error(file + ": there is no such file; check the name");
   Assimp::Importer importer;
@@ -62,12 +108,21 @@ Mesh read_mesh(const std::string& file) {
   if (scene == nullptr)
     throw std::runtime_error(file + ": the file cannot be read as a mesh (" +
                              importer.GetErrorString() + "); export it again as .ply or .stl");
-  Mesh mesh;
+  std::vector<Mesh> meshes;
   const bool is_gltf = is_gltf_name(file);
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) add(*scene->mMeshes[i], file, is_gltf, mesh);
-  if (mesh.face_count() == 0)
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
+    const aiMesh& part = *scene->mMeshes[i];
+    const aiMaterial& material = *scene->mMaterials[part.mMaterialIndex];
+    Mesh mesh = mesh_of(part, file, is_gltf);
+    if (mesh.face_count() == 0) continue;
+    mesh.colour = colour_of_vertices(part);
+    if (has_materials(file)) mesh.colour = colour_of(material, is_gltf);
+    if (scene->mNumMeshes > 1) mesh.name = material.GetName().C_Str();
+    meshes.push_back(std::move(mesh));
+  }
+  if (meshes.empty())
     throw std::runtime_error(file + ": the mesh has no triangle; give a mesh with faces");
-  return mesh;
+  return meshes;
 }
 
 }  // namespace discmc::command

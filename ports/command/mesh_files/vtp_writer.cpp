@@ -54,15 +54,15 @@ void write_point_data(const Mesh& mesh, std::ostream& out) {
   out << "</PointData>\n";
 }
 
-// The frame as 3D Slicer reads it: a string, as its characters and a zero.
-const char* field_data(Frame frame) {
-  switch (frame) {
-    case Frame::none:
+// The space as 3D Slicer reads it: a string, as its characters and a zero.
+const char* field_data(Space space) {
+  switch (space) {
+    case Space::scanner:
       break;
-    case Frame::lps:
+    case Space::lps:
       return "<FieldData>\n<Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" "
              "format=\"ascii\">76 80 83 0</Array>\n</FieldData>\n";
-    case Frame::ras:
+    case Space::ras:
       return "<FieldData>\n<Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" "
              "format=\"ascii\">82 65 83 0</Array>\n</FieldData>\n";
   }
@@ -76,7 +76,7 @@ void write_vtp(const Mesh& mesh, std::ostream& out) {
   out << "<?xml version=\"1.0\"?>\n<!-- " << header_text(mesh)
       << " -->\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n<PolyData>\n"
-      << field_data(mesh.frame) << "<Piece NumberOfPoints=\"" << mesh.vertices_mm.size()
+      << field_data(mesh.space) << "<Piece NumberOfPoints=\"" << mesh.vertices_mm.size()
       << "\" NumberOfPolys=\"" << mesh.face_count() << "\">\n";
   write_point_data(mesh, out);
   out << "<Points>\n";

@@ -25,8 +25,8 @@ const char* plural(MeshUnit unit) {
 
 std::string header_text(const Mesh& mesh) {
   std::string text = std::string("discmc, ") + plural(mesh.unit);
-  if (mesh.frame == Frame::lps) text += ", SPACE=LPS";
-  if (mesh.frame == Frame::ras) text += ", SPACE=RAS";
+  if (mesh.space == Space::lps) text += ", SPACE=LPS";
+  if (mesh.space == Space::ras) text += ", SPACE=RAS";
   return text;
 }
 

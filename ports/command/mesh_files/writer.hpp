@@ -21,7 +21,7 @@
 namespace discmc::command {
 
 /// The description in every file, in a comment or where its format has a place for text; the
-/// frame as 3D Slicer reads and writes it.
+/// space as 3D Slicer reads and writes it.
 std::string header_text(const Mesh& mesh);
 
 /// Throws std::invalid_argument where a face is no triangle. format: its name.

@@ -8,6 +8,7 @@
 
 #include "mesh_edges.hpp"
 #include "mesh_simplifier.hpp"
+#include "slivers.hpp"
 
 namespace discmc::command {
 namespace {
@@ -39,8 +40,16 @@ class Decimator {
       is_kept_.assign(is_kept_.size(), false);
     }
     is_kept_.assign(is_kept_.size(), true);
+    error_ = 0;
     return mesh_.corners;
   }
+
+  // Of the mesh that decimated() returned: how many faces were kept, which are the first, and the
+  // error of the others.
+  std::size_t kept() const {
+    return static_cast<std::size_t>(std::count(is_kept_.begin(), is_kept_.end(), true));
+  }
+  double error() const { return error_; }
 
   DecimatedBodies bodies() const {
     std::vector<bool> changes(bodies_);
@@ -101,7 +110,7 @@ class Decimator {
   }
 
   // The faces that are kept, then what the library makes of the others.
-  Corners decimated_once(const Decimation& decimation) const {
+  Corners decimated_once(const Decimation& decimation) {
     Corners result, others;
     for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
       Corners& corners = is_kept_[face] ? result : others;
@@ -114,9 +123,10 @@ class Decimator {
         std::max(decimation.triangles, kept + share - share / 10) - kept, others.size() / 3);
     const double error = decimation.max_error_mm > 0 ? decimation.max_error_mm
                                                      : std::numeric_limits<double>::infinity();
-    const Corners fewer =
+    const Simplified fewer =
         simplified(mesh_.vertices_mm, others, static_cast<std::size_t>(wanted), error);
-    result.insert(result.end(), fewer.begin(), fewer.end());
+    error_ = fewer.error;
+    result.insert(result.end(), fewer.corners.begin(), fewer.corners.end());
     return result;
   }
 
@@ -195,6 +205,7 @@ class Decimator {
   std::vector<std::uint32_t> body_of_face_, body_of_vertex_;
   std::vector<std::uint32_t> wrong_;  // vertices, of what was decimated last
   std::vector<std::uint32_t> lost_;   // bodies
+  double error_ = 0;                  // of what was decimated last, as quadrics estimate it
 };
 
 // Those that a face has, in their order.
@@ -222,6 +233,8 @@ DecimatedBodies decimate(Mesh& mesh, const Decimation& decimation) {
   mesh.face_begin.resize(mesh.corners.size() / 3 + 1);
   mesh.incidences.clear();
   mesh.polygons.clear();
+  // Single places of a decimated mesh are that far away already.
+  if (decimator.error() > 0) remove_slivers(mesh, decimator.kept(), 2 * decimator.error());
   drop_other_vertices(mesh);
   return decimator.bodies();
 }

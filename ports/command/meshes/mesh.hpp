@@ -60,9 +60,9 @@ struct Mesh {
   std::vector<std::uint32_t> polygons;  ///< one a face: its place in Surface::polygons
   /// One a vertex, or none at all: unit vectors that point outside, zero where there is none.
   std::vector<Point> normals;
-  std::optional<Srgb> colour;  ///< of all of it, where one was given
-  std::string name;            ///< in a file that holds several
-  Frame frame = Frame::none;   ///< of a mesh that has been placed: what its coordinates are
+  std::optional<Srgb> colour;    ///< of all of it, where one was given
+  std::string name;              ///< in a file that holds several
+  Space space = Space::scanner;  ///< of a mesh that has been placed: what its coordinates are
   MeshUnit unit = MeshUnit::millimetre;  ///< of all lengths, once resize() has changed it
   /// Places in Surface::polygons of those that have no face here: they are not valid (Ring,
   /// Polygon) and cannot be triangulated.

@@ -26,19 +26,21 @@ std::vector<float> as_floats(const std::vector<Point>& vertices) {
 void require_simplifier() {}
 
 // Called as version 0.18 of the library has it, which later ones still do.
-std::vector<std::uint32_t> simplified(const std::vector<Point>& vertices,
-                                      const std::vector<std::uint32_t>& corners, std::size_t wanted,
-                                      double max_error) {
+Simplified simplified(const std::vector<Point>& vertices, const std::vector<std::uint32_t>& corners,
+                      std::size_t wanted, double max_error) {
   if (corners.empty()) return {};
   const std::vector<float> positions = as_floats(vertices);
   constexpr std::size_t stride = 3 * sizeof(float);
   const float scale = meshopt_simplifyScale(positions.data(), vertices.size(), stride);
   constexpr double most = 1e15;  // the square of which is a float, too
   const auto error = static_cast<float>(std::min(most, max_error / static_cast<double>(scale)));
-  std::vector<std::uint32_t> result(corners.size());
-  result.resize(meshopt_simplify(result.data(), corners.data(), corners.size(), positions.data(),
-                                 vertices.size(), stride, 3 * wanted, error,
-                                 meshopt_SimplifyLockBorder, nullptr));
+  Simplified result;
+  result.corners.resize(corners.size());
+  float reached = 0;
+  result.corners.resize(meshopt_simplify(result.corners.data(), corners.data(), corners.size(),
+                                         positions.data(), vertices.size(), stride, 3 * wanted,
+                                         error, meshopt_SimplifyLockBorder, &reached));
+  result.error = static_cast<double>(reached) * static_cast<double>(scale);
   return result;
 }
 

@@ -13,13 +13,16 @@ namespace discmc::command {
 /// Throws std::runtime_error with the remedy if the program was built without meshoptimizer.
 void require_simplifier();
 
-/// Returns the triangles of a mesh of fewer triangles, whose vertices are among those given. Edges
-/// with one triangle stay. corners: three vertex numbers per triangle. wanted: triangles, to stop
-/// at. max_error: to stop at before that, as quadrics estimate it; Units: those of the vertices.
-/// Throws as require_simplifier().
-std::vector<std::uint32_t> simplified(const std::vector<Point>& vertices,
-                                      const std::vector<std::uint32_t>& corners, std::size_t wanted,
-                                      double max_error);
+struct Simplified {
+  std::vector<std::uint32_t> corners;  ///< three vertex numbers per triangle
+  double error = 0;                    ///< as quadrics estimate it; Units: those of the vertices
+};
+
+/// Returns a mesh of fewer triangles, whose vertices are among those given. Edges with one triangle
+/// stay. corners: as the result. wanted: triangles, to stop at. max_error: to stop at before that;
+/// as the result. Throws as require_simplifier().
+Simplified simplified(const std::vector<Point>& vertices, const std::vector<std::uint32_t>& corners,
+                      std::size_t wanted, double max_error);
 
 }  // namespace discmc::command
 

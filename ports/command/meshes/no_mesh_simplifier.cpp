@@ -11,8 +11,8 @@ void require_simplifier() {
       "install libmeshoptimizer-dev and build again");
 }
 
-std::vector<std::uint32_t> simplified(const std::vector<Point>&, const std::vector<std::uint32_t>&,
-                                      std::size_t, double) {
+Simplified simplified(const std::vector<Point>&, const std::vector<std::uint32_t>&, std::size_t,
+                      double) {
   require_simplifier();
   return {};
 }

@@ -40,7 +40,7 @@ void place(Mesh& mesh, const VolumePlacement& placement) {
       std::reverse(mesh.corners.begin() + static_cast<std::ptrdiff_t>(mesh.face_begin[face]),
                    mesh.corners.begin() + static_cast<std::ptrdiff_t>(mesh.face_begin[face + 1]));
   mesh.incidences.clear();
-  mesh.frame = placement.frame;
+  mesh.space = placement.space;
 }
 
 void resize(Mesh& mesh, const MeshSize& size) {

@@ -1,5 +1,6 @@
 #include "page.hpp"
 
+#include <fstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -50,6 +51,14 @@ void write_page(const std::string& name, const std::function<void(std::ostream&)
   gzip.finish();
   base64.finish();
   out << end_data << page.scripts;
+}
+
+bool is_page(const std::filesystem::path& file) {
+  const std::string_view head = page_template().substr(0, 4096);
+  std::ifstream in(file, std::ios::binary);
+  std::string begin(head.size(), '\0');
+  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return !head.empty() && begin == head;
 }
 
 std::string served_page(const std::string& name, const std::string& source, bool is_live) {

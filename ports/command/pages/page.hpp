@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_PAGES_PAGE_HPP
 #define DISCMC_COMMAND_PAGES_PAGE_HPP
 
+#include <filesystem>
 #include <functional>
 #include <ostream>
 #include <string>
@@ -13,6 +14,9 @@ namespace discmc::command {
 /// Throws std::runtime_error where the command was built without the page.
 void write_page(const std::string& name, const std::function<void(std::ostream&)>& write,
                 std::ostream& out);
+
+/// Whether a file begins as every page of this build does.
+bool is_page(const std::filesystem::path& file);
 
 /// Returns the page that fetches the file of this name from `source`, an address beside its own,
 /// and may fetch nothing else. is_live: the file is a stream that is still coming.

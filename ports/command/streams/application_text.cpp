@@ -24,20 +24,20 @@ std::string vector_text(const Nanometres (&along)[3]) {
          ")";
 }
 
-const char* text(Frame frame) {
-  switch (frame) {
-    case Frame::none:
+const char* text(Space space) {
+  switch (space) {
+    case Space::scanner:
       break;
-    case Frame::lps:
+    case Space::lps:
       return "LPS";
-    case Frame::ras:
+    case Space::ras:
       return "RAS";
   }
-  return "no frame";
+  return "scanner space";
 }
 
 std::string text(const Placement& placement) {
-  return std::string("placement in ") + text(placement.frame) + ", mm: origin " +
+  return std::string("placement in ") + text(placement.space) + ", mm: origin " +
          vector_text(placement.origin_nm) + ", axes " + vector_text(placement.axes_nm[0]) + " " +
          vector_text(placement.axes_nm[1]) + " " + vector_text(placement.axes_nm[2]);
 }

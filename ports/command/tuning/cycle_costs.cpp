@@ -19,8 +19,8 @@ constexpr CycleCosts all_costs[][2] = {
 
 }  // namespace
 
-const CycleCosts& cycle_costs(Core core, Payload payload) {
-  return all_costs[static_cast<int>(core)][static_cast<int>(payload)];
+const CycleCosts& cycle_costs(Core core, Wire wire) {
+  return all_costs[static_cast<int>(core)][static_cast<int>(wire)];
 }
 
 double cycles_of(const DeviceWork& work, std::uint32_t sample_bytes, const CycleCosts& costs) {

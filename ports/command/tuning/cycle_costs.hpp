@@ -5,14 +5,13 @@
 #include <cstdint>
 
 #include "device_work.hpp"
+#include "streams/wire_kind.hpp"
 
 namespace discmc::command {
 
 /// The costs of the library compiled with -Os. scripts/check/cycles measures and writes them, and
 /// prints their errors (docs/measure.md).
 enum class Core { cortex_m0plus, cortex_m4, cortex_m7 };
-
-enum class Payload { regions, slices };
 
 /// Units: processor cycles, for each unit of DeviceWork.
 struct CycleCosts {
@@ -21,7 +20,7 @@ struct CycleCosts {
   double row, cell, step, byte;
 };
 
-const CycleCosts& cycle_costs(Core core, Payload payload);
+const CycleCosts& cycle_costs(Core core, Wire wire);
 
 /// Units: processor cycles. sample_bytes: 1 or 2.
 double cycles_of(const DeviceWork& work, std::uint32_t sample_bytes, const CycleCosts& costs);

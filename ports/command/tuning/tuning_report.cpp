@@ -12,16 +12,16 @@ namespace {
 
 constexpr double bits_a_byte = 10;  // 8N1
 
-double seconds(const DeviceWork& work, Payload payload, const Device& device) {
-  return cycles_of(work, device.sample_bytes, cycle_costs(device.core, payload)) / device.clock_hz;
+double seconds(const DeviceWork& work, Wire wire, const Device& device) {
+  return cycles_of(work, device.sample_bytes, cycle_costs(device.core, wire)) / device.clock_hz;
 }
 
 // In the slice that takes longest.
-double rows_a_second_at_worst(const Trial& trial, Payload payload, const Device& device) {
+double rows_a_second_at_worst(const Trial& trial, Wire wire, const Device& device) {
   double longest = 0;
   DeviceWork before;
   for (const DeviceWork& done : trial.slices) {
-    longest = std::max(longest, seconds(done - before, payload, device));
+    longest = std::max(longest, seconds(done - before, wire, device));
     before = done;
   }
   return static_cast<double>(trial.slices.front().rows) / longest;
@@ -35,7 +35,7 @@ std::string rows_text(double rows_a_second) {
 
 }  // namespace
 
-double seconds_on_line(const Trial& trial, const Device& device) {
+double seconds_on_link(const Trial& trial, const Device& device) {
   return static_cast<double>(trial.stream_bytes()) * bits_a_byte / device.baud;
 }
 
@@ -46,28 +46,28 @@ std::string seconds_text(double seconds) {
   return text.str();
 }
 
-void print_trials(const std::vector<TriedRow>& rows, Payload payload, const Device& device,
+void print_trials(const std::vector<TriedRow>& rows, Wire wire, const Device& device,
                   std::ostream& out) {
-  const bool is_of_regions = payload == Payload::regions;
-  const int memory_width = is_of_regions ? 11 : 24;
+  const bool is_of_regions = wire == Wire::regions;
+  const int memory_width = is_of_regions ? 11 : 28;
   const auto loose = [&](const std::string& text) {
     if (is_of_regions) out << std::setw(13) << text;
   };
   out << "  " << std::right << std::setw(memory_width) << (is_of_regions ? "arena" : "memory");
   loose("fragments");
-  out << std::setw(13) << "stream" << std::setw(10) << "line" << std::setw(10) << "work"
+  out << std::setw(13) << "stream" << std::setw(10) << "link" << std::setw(10) << "CPU"
       << std::setw(9) << "rows/s" << std::setw(10) << "at worst" << '\n';
   for (const TriedRow& row : rows) {
     const Trial& trial = *row.trial;
-    const double work = seconds(trial.work, payload, device);
-    const double scan = std::max(work, seconds_on_line(trial, device));
+    const double work = seconds(trial.work, wire, device);
+    const double scan = std::max(work, seconds_on_link(trial, device));
     out << (row.is_chosen ? "> " : "  ") << std::setw(memory_width) << row.memory;
     loose(grouped(trial.loose_pieces));
     out << std::setw(13) << grouped(trial.stream_bytes()) << std::setw(8)
-        << seconds_text(seconds_on_line(trial, device)) << " s" << std::setw(8)
+        << seconds_text(seconds_on_link(trial, device)) << " s" << std::setw(8)
         << seconds_text(work) << " s" << std::setw(9)
         << rows_text(static_cast<double>(trial.work.rows) / scan) << std::setw(10)
-        << rows_text(rows_a_second_at_worst(trial, payload, device)) << '\n';
+        << rows_text(rows_a_second_at_worst(trial, wire, device)) << '\n';
   }
 }
 

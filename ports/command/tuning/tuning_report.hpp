@@ -12,7 +12,7 @@
 
 namespace discmc::command {
 
-/// The device and its line.
+/// The device and its link.
 struct Device {
   double baud;
   double clock_hz;
@@ -21,7 +21,7 @@ struct Device {
 };
 
 /// With a start and a stop bit to a byte.
-double seconds_on_line(const Trial& trial, const Device& device);
+double seconds_on_link(const Trial& trial, const Device& device);
 
 /// Seconds for people: three digits.
 std::string seconds_text(double seconds);
@@ -33,7 +33,7 @@ struct TriedRow {
   bool is_chosen;
 };
 
-void print_trials(const std::vector<TriedRow>& rows, Payload payload, const Device& device,
+void print_trials(const std::vector<TriedRow>& rows, Wire wire, const Device& device,
                   std::ostream& out);
 
 const char* name(Core core);

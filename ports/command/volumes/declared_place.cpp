@@ -144,7 +144,7 @@ Vector signs_of(const Axes& axes) {
 }  // namespace
 
 void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options) {
-  VolumePlacement placement{place.frame, place.origin, take_axes(info, place, options)};
+  VolumePlacement placement{place.space, place.origin, take_axes(info, place, options)};
   if (place.origin != Vector{}) note_units(info, place.space_units);
   multiply(placement.origin_mm, millimetres_of(place.space_units));
   if (place.is_left_handed) {

@@ -25,7 +25,7 @@ struct DeclaredPlace {
   /// origin, along the coordinates of space.
   std::array<std::string, 3> axis_units{}, space_units{};
   /// What the coordinates of space are; nothing if the file has only a spacing.
-  Frame frame = Frame::none;
+  Space space = Space::scanner;
   /// Whether those coordinates are left-handed: right-handed ones have the opposite x.
   bool is_left_handed = false;
 

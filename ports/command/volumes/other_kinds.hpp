@@ -11,7 +11,7 @@ bool is_mesh_name(const std::filesystem::path& file);
 
 /// The end of an error where a mesh is given to another command.
 constexpr const char* who_takes_meshes =
-    "only discmc compare and render read meshes: .stl, .ply, .obj, .glb or .3mf";
+    "only discmc compare, render and view read meshes: .stl, .ply, .obj, .glb or .3mf";
 
 }  // namespace discmc::command
 

@@ -18,9 +18,9 @@ VolumePlacement by_spacing(const VolumeInfo& info) {
 std::array<VolumePlacement, 2> comparable(const VolumeInfo& a, const VolumeInfo& b) {
   const VolumePlacement at_a = a.placement.value_or(along_coordinates(a.spacing_mm));
   const VolumePlacement at_b = b.placement.value_or(along_coordinates(b.spacing_mm));
-  if ((at_a.frame == Frame::none) != (at_b.frame == Frame::none))
+  if ((at_a.space == Space::scanner) != (at_b.space == Space::scanner))
     return {by_spacing(a), by_spacing(b)};
-  return {at_a, in_frame(at_b, at_a.frame)};
+  return {at_a, in_space(at_b, at_a.space)};
 }
 
 // How far apart voxels of the same number are at most: at a corner. Units: millimetres.

@@ -32,22 +32,22 @@ bool is_usable(const VolumePlacement& placement) {
                      [](double at) { return std::fabs(at) <= farthest_mm; });
 }
 
-VolumePlacement in_frame(VolumePlacement placement, Frame frame) {
-  if (placement.frame == frame) return placement;
+VolumePlacement in_space(VolumePlacement placement, Space space) {
+  if (placement.space == space) return placement;
   // Between LPS and RAS: sums with zero have no negative zeros.
   const auto turn = [](std::array<double, 3>& vector) {
     vector = {0.0 - vector[0], 0.0 - vector[1], vector[2]};
   };
   turn(placement.origin_mm);
   for (auto& axis : placement.axes_mm) turn(axis);
-  placement.frame = frame;
+  placement.space = space;
   return placement;
 }
 
 Placement in_nanometres(const VolumePlacement& placement) {
   constexpr double longest_mm = 2147;
   Placement rounded;
-  rounded.frame = placement.frame;
+  rounded.space = placement.space;
   for (std::size_t i = 0; i < 3; ++i) {
     rounded.origin_nm[i] = std::llround(placement.origin_mm[i] * 1e6);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -63,7 +63,7 @@ Placement in_nanometres(const VolumePlacement& placement) {
 
 VolumePlacement in_millimetres(const Placement& placement) {
   VolumePlacement result;
-  result.frame = placement.frame;
+  result.space = placement.space;
   for (std::size_t i = 0; i < 3; ++i) {
     result.origin_mm[i] = static_cast<double>(placement.origin_nm[i]) * 1e-6;
     for (std::size_t axis = 0; axis < 3; ++axis)

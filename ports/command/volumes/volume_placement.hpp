@@ -20,18 +20,19 @@ constexpr Axes coordinates = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 /// An affine map: voxel (i, j, k) has its centre at origin + i axes[0] + j axes[1] + k axes[2].
 /// Units: millimetres.
 struct VolumePlacement {
-  Frame frame = Frame::none;
+  Space space = Space::scanner;
   std::array<double, 3> origin_mm{};  ///< the centre of voxel (0, 0, 0)
   Axes axes_mm{};
 
   bool operator==(const VolumePlacement& other) const {
-    return frame == other.frame && origin_mm == other.origin_mm && axes_mm == other.axes_mm;
+    return space == other.space && origin_mm == other.origin_mm && axes_mm == other.axes_mm;
   }
 };
 
 /// Volumes along the coordinates, with voxel (0, 0, 0) at their origin.
 constexpr VolumePlacement along_coordinates(const std::array<double, 3>& spacing_mm) {
-  return {Frame::none, {}, {{{spacing_mm[0], 0, 0}, {0, spacing_mm[1], 0}, {0, 0, spacing_mm[2]}}}};
+  return {
+      Space::scanner, {}, {{{spacing_mm[0], 0, 0}, {0, spacing_mm[1], 0}, {0, 0, spacing_mm[2]}}}};
 }
 
 /// The volume of the parallelepiped that the axes span: negative where they are left-handed.
@@ -42,8 +43,8 @@ double determinant(const Axes& axes);
 bool is_usable(const Axes& axes_mm);
 bool is_usable(const VolumePlacement& placement);
 
-/// The same place in another frame. Limit: neither is Frame::none.
-VolumePlacement in_frame(VolumePlacement placement, Frame frame);
+/// The same place in another space. Limit: neither is Space::scanner.
+VolumePlacement in_space(VolumePlacement placement, Space space);
 
 /// As the record of a stream holds it, rounded to nanometres. Limit: is_usable(). Throws
 /// std::invalid_argument where an axis is longer than it holds.

@@ -281,7 +281,7 @@ EXPORT(stream_axes) const double* stream_axes() {
   const auto& placement = state().stream->placement();
   const auto& axes = placement.value_or(Placement{}).axes_nm;
   return numbers(axes[0][0], axes[0][1], axes[0][2], axes[1][0], axes[1][1], axes[1][2], axes[2][0],
-                 axes[2][1], axes[2][2], placement && placement->frame == Frame::ras);
+                 axes[2][1], axes[2][2], placement && placement->space == Space::ras);
 }
 /// The surfaces of the link: scan, channel and threshold of each.
 EXPORT(stream_surfaces) const Bytes* stream_surfaces() {

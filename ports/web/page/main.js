@@ -10,6 +10,7 @@ import { DevicePanel } from './panels/device_panel.js';
 import { LivePanel } from './panels/live_panel.js';
 import { MeasurePanel } from './panels/measure_panel.js';
 import { MissingPanel } from './panels/missing_panel.js';
+import { showLabels } from './panels/labels.js';
 import { askLayout } from './panels/raw_dialog.js';
 import { SavePanel } from './panels/save_panel.js';
 import { SlicePanel } from './panels/slice_panel.js';
@@ -60,7 +61,7 @@ class Page {
     on('classic', 'change', () => {
       by('caption-classic').hidden = true;
       if (!by('classic').checked) return this.view.setClassic(null);
-      showBusy('Marching Cubes…');
+      showBusy('Classic Marching Cubes…');
       this.classics.ask({});
     });
     navigate(by('view'), this.view.camera, {
@@ -75,7 +76,7 @@ class Page {
   }
 
   /**
-   * Opens a volume or a stream; if that fails, what is open stays.
+   * Opens a volume, a mesh or a stream; if that fails, what is open stays.
    * @param {File[]} files
    * @param {{layout?: import('./formats/raw.js').RawLayout, iso?: number,
    *   choice?: import('./panels/surface_choice.js').Choice}} [wishes]
@@ -87,8 +88,9 @@ class Page {
     this.live.leave();
     try {
       const opened = await this.engine.call('open', { files, layout, choice });
-      this.live.open(opened.name, opened.info ? null : files[0]);
+      this.live.open(opened.name, opened.info || opened.mesh ? null : files[0]);
       if (opened.info) this.showVolume(opened, iso);
+      else if (opened.mesh) this.showMesh(opened);
       else await this.showStream(opened, choice);
     } catch (error) {
       const unknown = error instanceof EngineError && error.unknownLayout;
@@ -118,6 +120,19 @@ class Page {
     this.threshold.open(values, info);
     const first = iso ?? values.automatic;
     this.threshold.set(Number.isNaN(first) ? values.greatest : first);
+  }
+
+  /** @param {{name: string, mesh: import('./formats/glb.js').DrawnMesh}} opened */
+  showMesh({ name, mesh }) {
+    const { size, step, origin } = mesh;
+    this.opened = { name, mesh, dims: size.map((length) => Math.floor(length / step) + 1),
+      spacing: [step, step, step], origin };
+    this.showOpened(false);
+    by('file-name').textContent = `${name} · ${size.map(number).join(' × ')} mm`;
+    by('caption-merged').textContent = counted(mesh.triangles.length / 3, 'triangle');
+    this.view.setMesh(mesh);
+    this.askSurface();
+    showBusy('');
   }
 
   /** @param {any} result @param {import('./panels/surface_choice.js').Choice} [choice] */
@@ -155,7 +170,7 @@ class Page {
     const missing = [
       counted(stream.lostPackets, 'packet'),
       stream.holdsSlices ? counted(stream.lostPieces, 'row')
-        : `${counted(stream.lostPieces, 'piece')} of the surface`,
+        : `${whole(stream.lostPieces)} regions or fragments`,
       ...(stream.hasTrailer ? [] : ['the end']),
     ];
     by('stream-text').textContent = stream.isComplete
@@ -171,11 +186,15 @@ class Page {
    */
   showOpened(isClosed, isGrowing) {
     clearTimeout(this.settling);
-    const { name, dims, spacing, values } = this.opened;
-    for (const id of ['threshold-section', 'slice-section', 'device-section', 'smooth-row',
-      'classic-row', 'time', 'time-name'])
+    const { name, dims, spacing, values, mesh } = this.opened;
+    for (const id of ['threshold-section', 'slice-section', 'device-section', 'classic-row', 'time',
+      'time-name'])
       by(id).hidden = !values;
-    by('stream-section').hidden = Boolean(values);
+    by('smooth-row').hidden = !values && !mesh?.normals;
+    by('stream-section').hidden = Boolean(values || mesh);
+    by('figures').hidden = by('colouring-row').hidden = Boolean(mesh);
+    showLabels(mesh?.parts ?? []);
+    this.save.open(Boolean(mesh));
     document.body.classList.add('opened');
     document.title = `${name} – discmc`;
     const size = spacing.map((/** @type {number} */ step) => number(Math.abs(step))).join(' × ');
@@ -193,6 +212,7 @@ class Page {
   askSurface() {
     this.view.hasEdges = by('edges').checked;
     if (!this.opened) return;
+    if (this.opened.mesh) return this.view.setFlat(!by('smooth').checked);
     if (!this.opened.values) return void this.redrawStream();
     clearTimeout(this.settling); // of a large volume a surface takes longer than that
     this.surfaces.ask({ iso: this.threshold.iso, isFiltered: by('filter').checked,
@@ -224,7 +244,7 @@ class Page {
     if (!by('classic').checked) return;
     this.view.setClassic(classic);
     const triangles = whole(classic.triangles.byteLength / 12);
-    by('caption-classic').textContent = `${triangles} triangles of Marching Cubes`;
+    by('caption-classic').textContent = `${triangles} triangles of classic Marching Cubes`;
     by('caption-classic').hidden = false;
   }
 

@@ -116,6 +116,36 @@ void main() {
   pixel = vec4(lit(colour, normal, ${isOpen ? 'gl_FrontFacing == isMirrored' : 'false'}), 1.0);
 }`;
 
+/** Of a mesh, in half-steps; with its normals, or each triangle flat. */
+export const meshVertex = `#version 300 es
+precision highp float;
+in vec3 position, normal;
+in vec4 colour;
+uniform mat4 toClip, modelViewMatrix;
+uniform mat3 toView;       // directions
+out vec3 place, seen, smoothly, base;
+void main() {
+  seen = (modelViewMatrix * vec4(position, 1.0)).xyz;
+  smoothly = toView * normal;
+  place = position;
+  base = colour.rgb;
+  gl_Position = toClip * vec4(position, 1.0);
+}`;
+
+export const meshFragment = (/** @type {boolean} */ isOpen) => `#version 300 es
+precision highp float;
+${cutting(isOpen)}
+${light}
+uniform bool isFlat;
+in vec3 seen, smoothly, base;
+void main() {
+  leaveOut();
+  bool isInside = !gl_FrontFacing;
+  vec3 towards = normalize(cross(dFdx(seen), dFdy(seen)));
+  bool hasNormal = !isFlat && dot(smoothly, smoothly) > 0.0;
+  pixel = vec4(lit(base, hasNormal ? smoothly : isInside ? -towards : towards, isInside), 1.0);
+}`;
+
 /** Of triangles that are each flat, in millimetres. */
 export const classicVertex = `#version 300 es
 precision highp float;
@@ -153,8 +183,9 @@ void main() {
   place = position${toHalfSteps};
   gl_Position = toClip * vec4(position, 1.0);
 }`;
-/** Of polygons; and of what is in millimetres. */
+/** Of polygons; of a mesh; and of what is in millimetres. */
 export const edgeVertex = lines(` * ${vertexUnit}.0`);
+export const meshEdgeVertex = lines('');
 export const lineVertex = lines(' * toPlace');
 
 /**

@@ -1,4 +1,4 @@
-// The surface on a canvas: merged polygons, and classic Marching Cubes beside them if wanted.
+// The surface on a canvas: merged polygons, and classic Marching Cubes beside them if wanted; or a mesh.
 import { Geometry, Mat4, Mesh, Program, Renderer } from 'ogl';
 import { asTheyAre, Camera } from './camera.js';
 import { facing } from './facing.js';
@@ -77,6 +77,7 @@ export class SurfaceView {
       inner: { value: planesOf([1, 1, 1]) },
       tints: { value: noTints },
       plain: { value: palette.rgb(palette.bone) },
+      isFlat: { value: false },
     };
     this.edgeLine = { value: [0.05, 0.05, 0.08, 1] };
     const program = (/** @type {string} */ vertex, /** @type {string} */ fragment,
@@ -96,8 +97,11 @@ export class SurfaceView {
     const programsFor = (/** @type {boolean} */ isOpen) => ({
       flat: program(shaders.flatVertex(isOpen), shaders.flatFragment(isOpen)),
       smooth: program(shaders.smoothVertex, shaders.smoothFragment(isOpen)),
+      mesh: program(shaders.meshVertex, shaders.meshFragment(isOpen)),
       classic: program(shaders.classicVertex, shaders.classicFragment(isOpen)),
       edges: program(shaders.edgeVertex, shaders.lineFragment(isOpen), dark, { transparent: true }),
+      meshEdges: program(shaders.meshEdgeVertex, shaders.lineFragment(isOpen), dark,
+        { transparent: true }),
       classicEdges: program(shaders.lineVertex, shaders.lineFragment(isOpen), dark,
         { transparent: true }),
       missing: program(shaders.wideLineVertex, shaders.lineFragment(isOpen),
@@ -111,11 +115,13 @@ export class SurfaceView {
 
   /**
    * The space that surfaces are in.
-   * @param {{dims: number[], spacing: number[], upright?: number[][]}} volume
+   * @param {{dims: number[], spacing: number[], upright?: number[][], origin?: number[]}} volume
+   *   origin: where a mesh has its lowest corner
    * @param {boolean} isClosed whether no inside is seen
    * @param {boolean} [isGrowing] whether there will be more of the surface than there is at first
    */
-  setSpace({ dims, spacing, upright = asTheyAre }, isClosed, isGrowing = false) {
+  setSpace({ dims, spacing, upright = asTheyAre, origin = [0, 0, 0] }, isClosed, isGrowing = false) {
+    this.origin = origin;
     this.dims = dims;
     this.spacing = spacing;
     this.isClosed = isClosed;
@@ -133,7 +139,7 @@ export class SurfaceView {
 
   /** Shows the whole surface, or all of its space where there is none. */
   home() {
-    const { low, high } = this.vertices?.length && !this.isGrowing ? boxOf(this.vertices)
+    const { low, high } = this.vertices?.length && !this.isGrowing ? boxOf(this.vertices, this.stride)
       : { low: [-1, -1, -1], high: this.dims.map((extent) => 2 * extent - 1) };
     const size = low.map((from, i) => ((high[i] - from) / 2) * this.spacing[i]);
     const middle = low.map((from, i) => ((high[i] + from) / 4) * this.spacing[i] - this.centre[i]);
@@ -152,10 +158,40 @@ export class SurfaceView {
     this.draw();
   }
 
+  /** A mesh, as setSurface(). @param {import('./formats/glb.js').DrawnMesh} mesh */
+  setMesh(mesh) {
+    this.next = mesh;
+    this.draw();
+  }
+
+  /** @param {boolean} isFlat whether a mesh is drawn without its normals */
+  setFlat(isFlat) {
+    this.uniforms.isFlat.value = isFlat;
+    this.draw();
+  }
+
+  /** @param {import('./formats/glb.js').DrawnMesh} mesh */
+  uploadMesh({ places, normals, colours, triangles }) {
+    const gl = this.gl;
+    this.vertices = places;
+    this.triangles = triangles;
+    this.surface = this.mesh(new Geometry(gl, {
+      position: { data: places, size: 3 },
+      normal: { data: normals ?? new Float32Array(places.length), size: 3 },
+      colour: { data: colours, size: 4, type: gl.UNSIGNED_BYTE, normalized: true },
+      index: { data: triangles },
+    }), gl.TRIANGLES, this.spacing.map((step) => step / 2));
+  }
+
   /** @param {any} surface */
   upload(surface) {
-    const { vertices, triangles, triangleEnds, edges, normals } = (this.shown = surface);
+    this.shown = surface;
     this.removed(this.surface, this.edges);
+    this.edges = null;
+    this.isMesh = surface.places !== undefined;
+    this.stride = this.isMesh ? 3 : 4;
+    if (this.isMesh) return this.uploadMesh(surface);
+    const { vertices, triangles, triangleEnds, edges, normals } = surface;
     this.vertices = new Int16Array(vertices.buffer);
     this.triangles = new Uint32Array(triangles.buffer);
     this.triangleEnds = new Uint32Array(triangleEnds.buffer);
@@ -168,7 +204,6 @@ export class SurfaceView {
     this.isSmooth = normals !== null;
     geometry.setIndex({ data: this.triangles });
     this.surface = this.mesh(geometry, gl.TRIANGLES, this.perUnit());
-    this.edges = null;
     if (edges) {
       const index = { data: new Uint32Array(edges.buffer) };
       this.edges = this.mesh(new Geometry(gl, { position: { ...position }, index }), gl.LINES,
@@ -330,7 +365,7 @@ export class SurfaceView {
     uniforms.inner.value = litPlanes(uniforms.planes.value, uniforms.bases.value, axes, true);
     const isOpen = this.cut !== null || !this.isClosed;
     const programs = isOpen ? this.programs.open : this.programs.closed;
-    const surface = this.isSmooth ? programs.smooth : programs.flat;
+    const surface = this.isMesh ? programs.mesh : this.isSmooth ? programs.smooth : programs.flat;
     surface.cullFace = programs.classic.cullFace = isOpen ? false : gl.BACK;
     const show = (/** @type {Mesh | null} */ mesh, /** @type {Program} */ program) => {
       if (!mesh) return;
@@ -348,8 +383,10 @@ export class SurfaceView {
     }));
     // Where voxels are small in the picture their many edges are fainter, so that they leave light.
     const pixels = Math.min(part, height) / scale / this.camera.millimetres();
-    this.edgeLine.value[3] = Math.min(0.9, 0.12 * pixels * Math.min(...this.spacing.map(Math.abs)));
-    if (this.hasEdges) show(this.edges, programs.edges);
+    this.edgeLine.value[3] = Math.min(0.9, 0.12 * pixels * this.detail());
+    if (this.hasEdges && this.isMesh && this.surface)
+      this.edges ??= this.sides(this.surface, this.triangles, this.spacing.map((step) => step / 2));
+    if (this.hasEdges) show(this.edges, this.isMesh ? programs.meshEdges : programs.edges);
     this.halfWidth.value = [missingWidth / part, missingWidth / height].map((width) => width * scale);
     show(this.missing, programs.hiddenMissing);
     show(this.missing, programs.missing);
@@ -358,15 +395,22 @@ export class SurfaceView {
     gl.viewport(part, 0, part, height);
     this.behindLines(() => show(this.classic, programs.classic));
     if (!this.hasEdges) return;
-    this.classicEdges ??= this.edgesOfClassic();
+    this.classicEdges ??= this.sides(this.classic, this.classicTriangles, [1, 1, 1]);
     show(this.classicEdges, programs.classicEdges);
   }
 
-  edgesOfClassic() {
-    const { position } = this.classic.geometry.attributes;
-    const index = { data: sidesOf(this.classicTriangles) };
-    const geometry = new Geometry(this.gl, { position: { ...position }, index });
-    return this.mesh(geometry, this.gl.LINES, [1, 1, 1]);
+  /** How far edges are apart, about. Units: millimetres */
+  detail() {
+    return this.isMesh ? this.camera.depth / Math.sqrt(this.triangles.length)
+      : Math.min(...this.spacing.map(Math.abs));
+  }
+
+  /** The sides of triangles. @param {Mesh} mesh @param {Uint32Array} triangles @param {number[]} scale */
+  sides(mesh, triangles, scale) {
+    const { position } = mesh.geometry.attributes;
+    const geometry = new Geometry(this.gl,
+      { position: { ...position }, index: { data: sidesOf(triangles) } });
+    return this.mesh(geometry, this.gl.LINES, scale);
   }
 
   /** @param {() => void} show */
@@ -400,7 +444,7 @@ export class SurfaceView {
     const inSteps = (/** @type {number[]} */ v, /** @type {number[]} */ offset) =>
       v.map((at, i) => (2 * (at + offset[i])) / this.spacing[i]);
     const from = inSteps(origin, this.centre), way = inSteps(direction, [0, 0, 0]);
-    const far = nearestHit(this.vertices, this.triangles, from, way, this.cut);
+    const far = nearestHit(this.vertices, this.stride, this.triangles, from, way, this.cut);
     return far === null ? null : from.map((at, i) => ((at + far * way[i]) * this.spacing[i]) / 2);
   }
 
@@ -424,10 +468,10 @@ export class SurfaceView {
   }
 }
 
-/** @param {Int16Array} vertices four numbers each */
-function boxOf(vertices) {
+/** @param {Int16Array | Float32Array} vertices @param {number} stride numbers each */
+function boxOf(vertices, stride) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < vertices.length; i += 4)
+  for (let i = 0; i < vertices.length; i += stride)
     for (let axis = 0; axis < 3; ++axis) {
       const at = vertices[i + axis];
       if (at < low[axis]) low[axis] = at;
@@ -450,14 +494,15 @@ function sidesOf(triangles) {
 /**
  * How far along a line its first triangle is: T. Moeller and B. Trumbore, Fast, Minimum Storage
  * Ray/Triangle Intersection, 1997.
- * @param {Int16Array} vertices four numbers a vertex @param {Uint32Array} triangles
+ * @param {Int16Array | Float32Array} vertices @param {number} stride numbers a vertex
+ * @param {Uint32Array} triangles
  * @param {number[]} from @param {number[]} way @param {{axis: number, at: number} | null | undefined} cut
  */
-function nearestHit(vertices, triangles, from, way, cut) {
+function nearestHit(vertices, stride, triangles, from, way, cut) {
   let nearest = Infinity;
   const [dx, dy, dz] = way;
   for (let i = 0; i < triangles.length; i += 3) {
-    const a = 4 * triangles[i], b = 4 * triangles[i + 1], c = 4 * triangles[i + 2];
+    const a = stride * triangles[i], b = stride * triangles[i + 1], c = stride * triangles[i + 2];
     const ax = vertices[a], ay = vertices[a + 1], az = vertices[a + 2];
     const e1x = vertices[b] - ax, e1y = vertices[b + 1] - ay, e1z = vertices[b + 2] - az;
     const e2x = vertices[c] - ax, e2y = vertices[c + 1] - ay, e2z = vertices[c + 2] - az;

@@ -21,14 +21,14 @@ const requests = {
   },
 
   /**
-   * Opens a volume or a stream in place of what is open; if that fails, this stays.
+   * Opens a volume, a mesh or a stream in place of what is open; if that fails, this stays.
    * @param {{files: File[], layout?: import('./formats/raw.js').RawLayout,
    *   choice?: {scan: number, channel: number}}} request choice: which surface of a stream
    */
   async open({ files, layout, choice }) {
-    const { name, info, data } = await openFiles(files, layout);
+    const { name, info, mesh, data } = await openFiles(files, layout);
     const opened = await Module.start(moduleBytes);
-    const result = await (info
+    const result = mesh ? { name, mesh } : await (info
       ? openVolume(opened, name, info, data) : openStream(opened, name, data, choice));
     module = opened;
     ++count;

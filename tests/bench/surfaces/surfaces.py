@@ -1,50 +1,62 @@
-"""Measures surfaces of the command discmc beside scikit-image and VTK, where these are installed.
+"""Measures surfaces of the command discmc beside scikit-image, VTK and nii2mesh, where these are installed.
 
 usage: surfaces.py DISCMC FOLDER; FOLDER gets volumes and meshes. Prints tables in Markdown.
 `scripts/bench --surfaces` builds the command and runs this. Distances are measured by discmc compare.
 """
 
 import os
-import resource
-import subprocess
 import sys
 
 import numpy as np
 from scipy import ndimage
 
-try:
-    from skimage.measure import marching_cubes
-except ImportError:
-    marching_cubes = None
-try:
-    import vtk
-    from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-except ImportError:
-    vtk = None
+from contenders import others, usage_of
 
 DISCMC, FOLDER = os.path.abspath(sys.argv[1]), sys.argv[2]
 
 
-def run(*arguments):
-    """Returns the output, and seconds of processor time."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run([DISCMC, *arguments], cwd=FOLDER, check=True, capture_output=True, text=True)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return done.stdout, after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
-
-
-def extracted(volume, spacing, *options):
-    """Returns vertices, normals (or none), triangles and seconds."""
-    _, seconds = run('extract', volume, '--spacing', ','.join(map(str, spacing)), *options, '-o', 'mesh.ply')
-    with open(os.path.join(FOLDER, 'mesh.ply'), 'rb') as file:
+def read_ply(name):
+    """Returns vertices and normals in columns, and triangles."""
+    with open(os.path.join(FOLDER, name), 'rb') as file:
         header = b''
         while not header.endswith(b'end_header\n'):
             header += file.readline()
         counts = [int(line.split()[2]) for line in header.splitlines() if line.startswith(b'element')]
-        columns = header.count(b'property float')
-        rows = np.fromfile(file, '<f4', counts[0] * columns).reshape(-1, columns).astype(float)
+        number = '<f8' if b'property double' in header else '<f4'
+        columns = header.count(b'property float') + header.count(b'property double')
+        rows = np.fromfile(file, number, counts[0] * columns).reshape(-1, columns).astype(float)
         faces = np.fromfile(file, np.dtype([('count', 'u1'), ('corners', '<i4', 3)]), counts[1])
-    return rows[:, :3], rows[:, 3:6] if columns > 3 else None, faces['corners'], seconds
+    return rows, faces['corners']
+
+
+def write_ply(name, vertices, triangles):
+    faces = np.zeros(len(triangles), np.dtype([('count', 'u1'), ('corners', '<i4', 3)]))
+    faces['count'], faces['corners'] = 3, triangles
+    header = (f'ply\nformat binary_little_endian 1.0\nelement vertex {len(vertices)}\nproperty float x\n'
+              f'property float y\nproperty float z\nelement face {len(faces)}\n'
+              'property list uchar int vertex_indices\nend_header\n')
+    with open(os.path.join(FOLDER, name), 'wb') as file:
+        file.write(header.encode() + vertices.astype('<f4').tobytes() + faces.tobytes())
+
+
+def extracted(volume, placement, *options):
+    """Returns vertices, normals (or none), triangles, seconds and MB."""
+    _, seconds, megabytes = usage_of([DISCMC, 'extract', volume, *placement, *options, '-o', 'mesh.ply'], FOLDER)
+    rows, triangles = read_ply('mesh.ply')
+    return rows[:, :3], rows[:, 3:6] if rows.shape[1] > 3 else None, triangles, seconds, megabytes
+
+
+def spaced(spacing):
+    return '--spacing', ','.join(map(str, spacing))
+
+
+def wrong_edges(triangles):
+    """Edges that are not used by two triangles, once in each direction."""
+    starts, ends = triangles.ravel().astype(np.int64), np.roll(triangles, -1, 1).ravel().astype(np.int64)
+    edges, place = np.unique(np.minimum(starts, ends) << 32 | np.maximum(starts, ends), return_inverse=True)
+    uses = np.bincount(place, minlength=len(edges))
+    rising = np.bincount(place, weights=starts < ends, minlength=len(edges))
+    return int(np.sum((uses != 2) | (rising != 1)))
 
 
 def crosses(vertices, triangles):
@@ -65,30 +77,6 @@ def thin(vertices, triangles):
 def degrees(vectors, radii):
     cosines = np.einsum('ij,ij->i', vectors, radii) / np.linalg.norm(vectors, axis=1) / np.linalg.norm(radii, axis=1)
     return np.degrees(np.arccos(np.clip(cosines, -1, 1)))
-
-
-def of_vtk(samples, spacing, level):
-    image = vtk.vtkImageData()
-    image.SetDimensions(samples.shape[::-1])
-    image.SetSpacing(spacing)
-    image.GetPointData().SetScalars(numpy_to_vtk(samples.astype(np.float32).ravel()))
-    surface = vtk.vtkFlyingEdges3D()
-    surface.SetInputData(image)
-    surface.SetValue(0, level)
-    surface.ComputeNormalsOff()
-    surface.Update()
-    mesh = surface.GetOutput()
-    return vtk_to_numpy(mesh.GetPoints().GetData()).astype(float), vtk_to_numpy(
-        mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-
-
-def of_skimage(samples, spacing, level):
-    vertices, triangles, _, _ = marching_cubes(samples, level, spacing=spacing[::-1], allow_degenerate=False)
-    return vertices[:, ::-1].astype(float), triangles
-
-
-OTHERS = [(name, make) for name, make, module in (('VTK FlyingEdges3D', of_vtk, vtk),
-                                                  ('scikit-image', of_skimage, marching_cubes)) if module]
 
 
 def ball(extent, spacing, radius):
@@ -115,10 +103,10 @@ def bench_mask():
 
     for name, options in (('discmc', ()), ('discmc --smooth auto', ('--smooth', 'auto')),
                           ('discmc --smooth 1.5', ('--smooth', '1.5'))):
-        vertices, _, triangles, _ = extracted('mask.npy', spacing, '--iso', '1', *options)
+        vertices, _, triangles, _, _ = extracted('mask.npy', spaced(spacing), '--iso', '1', *options)
         row(name, vertices, triangles)
-    for name, make in OTHERS:
-        row(name, *make((inside >= 0).astype(np.float32), spacing, 0.5))
+    for name, vertices, triangles, _, _ in others((inside >= 0).astype(np.float32), spacing, 0.5, FOLDER, read_ply):
+        row(name, vertices, triangles)
     print()
 
 
@@ -128,28 +116,55 @@ def bench_normals():
         inside, middle = ball(60, spacing, 20)
         np.save(f'{FOLDER}/ball.npy', inside.astype(np.float32))
         for name, surface in (('merged', 'merged'), ('interpolated', 'interpolated')):
-            vertices, normals, _, _ = extracted('ball.npy', spacing, '--iso', '0', '--surface', surface,
+            vertices, normals, _, _, _ = extracted('ball.npy', spaced(spacing), '--iso', '0', '--surface', surface,
                                                 '--normals', 'surface')
             error = degrees(normals, vertices - middle)
             print(f'| {name}, voxels of {" x ".join(map(str, spacing))} mm | {error.mean():.1f} | {error.max():.0f} |')
     print()
 
 
-def bench_noise(extent):
-    samples = ndimage.gaussian_filter(np.random.default_rng(1).standard_normal((extent,) * 3, np.float32), 6, mode='wrap')
-    np.save(f'{FOLDER}/noise.npy', samples)
-    print(f'| noise, blurred over 6 voxels, {extent}^3, at 0 | triangles | mean distance, voxels | an angle below 5 degrees | s |\n|---|--:|--:|--:|--:|')
-    for options in (('--surface', 'merged'), ('--surface', 'interpolated'),
-                    ('--surface', 'interpolated', '--tolerance', '0.01'), ('--triangles', str(extent ** 3 // 50)),
-                    ('--triangles', str(extent ** 3 // 100)), ('--max-error', '0.02')):
-        vertices, _, triangles, seconds = extracted('noise.npy', (1, 1, 1), '--iso', '0', *options)
-        told, _ = run('compare', 'mesh.ply', 'noise.npy', '--iso', '0', '--spacing', '1,1,1')
-        mean = next(line.split()[4] for line in told.splitlines() if 'A to B' in line)
-        print(f'| discmc {" ".join(options)} | {len(triangles):,} | {mean} | {thin(vertices, triangles):.1f} % | {seconds:.1f} |')
-    for name, make in OTHERS:
-        vertices, triangles = make(samples, (1, 1, 1), 0)
-        print(f'| {name} | {len(triangles):,} | 0 | {thin(vertices, triangles):.1f} % | |')
+def bench_samples(title, volume, placement, level, samples, spacing):
+    """Rows of one volume. samples: for the programs that read none of its formats, or None."""
+    print(f'| {title} | triangles | mean distance, mm | largest | an angle below 5 degrees | wrong edges | s | MB |\n'
+          '|---|--:|--:|--:|--:|--:|--:|--:|')
+
+    def row(name, vertices, triangles, seconds, megabytes):
+        told, _, _ = usage_of([DISCMC, 'compare', 'mesh.ply', volume, *placement, '--iso', str(level)], FOLDER)
+        told = next(line.split() for line in told.splitlines() if 'A to B, mm' in line)
+        print(f'| {name} | {len(triangles):,} | {told[4]} | {told[6]} | {thin(vertices, triangles):.1f} % '
+              f'| {wrong_edges(triangles):,} | {seconds:.1f} | {f"{megabytes:.0f}" if megabytes else ""} |', flush=True)
+
+    fewer = None
+    for options in ((), ('--surface', 'interpolated'), ('--triangles',)):
+        if options == ('--triangles',):
+            options = ('--triangles', str(int(fewer * 0.6)))
+        vertices, _, triangles, seconds, megabytes = extracted(volume, placement, '--iso', str(level), *options)
+        fewer = len(triangles)
+        row(' '.join(('discmc', *options)), vertices, triangles, seconds, megabytes)
+    if samples is not None:
+        for name, vertices, triangles, seconds, megabytes in others(samples, spacing, level, FOLDER, read_ply):
+            write_ply('mesh.ply', vertices, triangles)
+            row(name, vertices, triangles, seconds, megabytes)
     print()
+
+
+def bench_noise(extent, blur):
+    """Surrounded by the least sample, so that every program closes the surface."""
+    samples = ndimage.gaussian_filter(np.random.default_rng(1).standard_normal((extent,) * 3, np.float32), blur,
+                                      mode='wrap')
+    inner = (slice(1, -1),) * 3
+    closed = np.full_like(samples, samples.min())
+    closed[inner] = samples[inner]
+    np.save(f'{FOLDER}/noise.npy', closed)
+    bench_samples(f'noise, blurred over {blur:g} voxels, {extent}^3, at 0', 'noise.npy', spaced((1, 1, 1)), 0, closed,
+                  (1, 1, 1))
+
+
+def bench_scans(data):
+    for file, level in (('engine.nii.gz', 80), ('cthead.nrrd', 500)):
+        path = os.path.join(data, file)
+        if os.path.exists(path):
+            bench_samples(f'{file}, at {level}', path, (), level, None, None)
 
 
 def bench_labels(extent):
@@ -161,14 +176,17 @@ def bench_labels(extent):
         grid[at], centres[at] = number, False
     nearest = ndimage.distance_transform_edt(centres, return_distances=False, return_indices=True)
     np.save(f'{FOLDER}/labels.npy', grid[tuple(nearest)])
-    print(f'| {len(seeds)} labels of {extent}^3 to one .glb | s |\n|---|--:|')
+    print(f'| {len(seeds)} labels of {extent}^3 to one .glb | s | MB |\n|---|--:|--:|')
     for options in ((), ('--smooth', 'auto'), ('--smooth', 'auto', '--max-error', '0.05')):
-        _, seconds = run('extract', 'labels.npy', '--spacing', '1,1,1', '--labels', 'all', *options, '-o', 'labels.glb')
-        print(f'| discmc {" ".join(options)} | {seconds:.1f} |')
+        _, seconds, megabytes = usage_of([DISCMC, 'extract', 'labels.npy', '--spacing', '1,1,1', '--labels', 'all',
+                                          *options, '-o', 'labels.glb'], FOLDER)
+        print(f'| discmc {" ".join(options)} | {seconds:.1f} | {megabytes:.0f} |')
 
 
 EXTENT = int(sys.argv[3]) if len(sys.argv) > 3 else 256
 bench_mask()
 bench_normals()
-bench_noise(EXTENT)
+for width in (18, 6):
+    bench_noise(EXTENT, width * EXTENT / 256)
+bench_scans(os.environ.get('DISCMC_DATA', ''))
 bench_labels(EXTENT)

@@ -170,3 +170,44 @@ test('a series with a slice that is missing in its middle is refused', async () 
   assert.equal(reasons.length, images.length - 2, 'all but the first and the last');
   for (const reason of reasons) assert.match(reason, /mm away, and others .*--allow-gaps/);
 });
+
+test('a mesh is read as the command writes it: places, normals, triangles, name and colour', async () => {
+  const path = join(folder, 'mesh.nrrd'), glb = join(folder, 'mesh.glb'), obj = join(folder, 'mesh-{name}.obj');
+  writeFileSync(path, nrrdOf(roughBall(20, 18, 16)).toString('latin1').replace(/spacings: .*\n/,
+    'space: left-posterior-superior\nspace directions: (0,0.5,0) (-1,0,0) (0,0,2)\n' +
+    'space origin: (1000,-2000,3000.5)\n'), 'latin1');
+  const table = join(folder, 'table.txt');
+  writeFileSync(table, '700 top 10 200 30\n');
+  const words = ['--quiet', '--labels', '700', '--label-table', table, '--normals', 'surface'];
+  command('extract', path, ...words, '-o', glb);
+  command('extract', path, ...words, '-o', obj);
+  const lines = readFileSync(obj.replace('{name}', 'top'), 'utf8').split('\n').map((line) => line.split(' '));
+  const numbers = (key) => lines.filter(([first]) => first === key)
+    .flatMap((line) => line.slice(1).map(parseFloat));
+  const { name, mesh } = await openFiles([asFile(glb)]);
+  assert.equal(name, 'mesh.glb');
+  assert.deepEqual(mesh.parts.map((part) => part.name), ['top']);
+  assert.deepEqual([...mesh.colours.subarray(-4)], [10, 200, 30, 255]);
+  assert.deepEqual([...mesh.triangles].map((corner) => corner + 1), numbers('f'));
+  const isNear = (values, expected, tolerance) => {
+    assert.equal(values.length, expected.length);
+    values.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) < tolerance, `${value}, ${expected[i]}`));
+  };
+  isNear([...mesh.places].map((at, i) => mesh.origin[i % 3] + (at * mesh.step) / 2), numbers('v'), 1e-3);
+  isNear([...mesh.normals], numbers('vn'), 1e-5);
+});
+
+test('glTF that is not as the command writes it is refused, with what to do', async () => {
+  const glbOf = (json) => {
+    const text = JSON.stringify(json).padEnd(400);
+    const head = new Uint32Array([0x46546c67, 2, 28 + text.length, text.length, 0x4e4f534a]);
+    const end = new Uint32Array([0, 0x004e4942]);
+    return Object.assign(new Blob([head, text, end]), { name: 'other.glb' });
+  };
+  const scene = { scenes: [{ nodes: [0] }], meshes: [{ primitives: [] }] };
+  await assert.rejects(openFiles([glbOf({ ...scene, nodes: [{ mesh: 0, scale: [1, 1, 1] }] })]),
+    /^FileError: other.glb: its nodes .*; convert it with discmc view FILE.glb/);
+  await assert.rejects(openFiles([glbOf({})]), /^FileError: other.glb: the file holds no mesh; /);
+  await assert.rejects(openFiles([Object.assign(new Blob([await glbOf({}).arrayBuffer().then((all) =>
+    all.slice(0, 100))]), { name: 'cut.glb' })]), /^FileError: cut.glb: the file is cut off/);
+});

@@ -28,7 +28,7 @@ async function vermilion(page) {
 }
 const count = async (page) => Number((await page.textContent('#polygons')).replace(',', ''));
 
-test('a stream is replayed at the pace of its line, and is the same in the end', async () => {
+test('a stream is replayed at the pace of its link, and is the same in the end', async () => {
   const { page, complaints } = await openPage(browser);
   await openFiles(page, stream);
   const all = await count(page);
@@ -40,7 +40,7 @@ test('a stream is replayed at the pace of its line, and is the same in the end',
   const seconds = (readFileSync(stream).length * 10) / 115200;
   const begin = Date.now();
   await streamTells(page, 'Complete');
-  assert.ok(Date.now() - begin > (seconds / 2) * 1000, 'as slow as the line');
+  assert.ok(Date.now() - begin > (seconds / 2) * 1000, 'as slow as the link');
   assert.equal(await shownPolygons(page), expected);
   await page.check('#measure');
   await page.press('#view', 'Enter');
@@ -60,7 +60,7 @@ test('what is lost is told, and what is whole is shown', async () => {
   await page.selectOption('#replay-lost', '0.2');
   await page.click('#replay');
   await streamTells(page, 'Incomplete');
-  assert.match(await page.textContent('#stream-text'), /Missing: \d+ packets?, \d+ pieces? of the surface/);
+  assert.match(await page.textContent('#stream-text'), /Missing: \d+ packets?, \d+ regions or fragments/);
   const whole = new Set(expected.split('\n'));
   const shown = (await shownPolygons(page)).split('\n');
   assert.ok(shown.length > 0 && shown.length < whole.size);
@@ -125,7 +125,7 @@ test('a device on a serial port: shown as it sends, kept, and saved', async () =
   await page.context().close();
 });
 
-test('a line that carries something else: what to check, and the page goes on', async () => {
+test('a link that carries something else: what to check, and the page goes on', async () => {
   const { page } = await openPage(browser, { script: [fakeSerial, [...Buffer.from('no stream')]] });
   await page.click('#connect');
   await page.keyboard.press('Enter');

@@ -113,7 +113,7 @@ test('wrong, damaged and huge files are refused, and the page goes on', async ()
   assert.equal(await shownPolygons(page), byCommand(425), 'what was open before still is');
 
   await openFiles(page, damaged);
-  assert.match(await page.textContent('#stream-text'), /^Incomplete. Missing: [1-9]\d* packets?, [1-9]\d* pieces? of/);
+  assert.match(await page.textContent('#stream-text'), /^Incomplete. Missing: [1-9]\d* packets?, [1-9]\d* regions or fragments/);
   await openFiles(page, stream);
   await streamTells(page, 'Complete');
   assert.deepEqual(complaints, []);
@@ -280,7 +280,7 @@ test('every switch of the view works without complaint', async () => {
   await page.waitForFunction(() => /bytes/.test(document.querySelector('#device-regions').textContent));
   await page.focus('#memory');
   await page.keyboard.press('Home');
-  await page.waitForFunction(() => /joined/.test(document.querySelector('#device-pieces').textContent));
+  await page.waitForFunction(() => /joined/.test(document.querySelector('#device-fragments').textContent));
   const stream = await saved(page, 'dmc');
   assert.match(command('info', stream.path).toString(), /^threshold -?\d+$/m);
   for (const kind of ['stl', 'glb']) assert.ok(readFileSync((await saved(page, kind)).path).length > 10000);
@@ -296,6 +296,25 @@ async function colourOf(page) {
     if (data[i + 3] > 0) sums.forEach((_, j) => (sums[j] += j < 3 ? data[i + j] : 1));
   return { red: sums[0] / sums[3], blue: sums[2] / sums[3], pixels: sums[3] };
 }
+
+test('a volume is shaded smoothly at first, and its polygons are flat by a click', async () => {
+  const { page, complaints } = await openPage(browser, { viewport: small });
+  await openFiles(page, volume);
+  await setThreshold(page, 400);
+  await shown(page, 400);
+  const colours = async () => {
+    const data = await pixelsOf(page);
+    return new Set(Array.from({ length: data.length / 4 }, (_, i) => data.readUInt32BE(4 * i))).size;
+  };
+  const smooth = await colours();
+  await page.evaluate(() => (globalThis.measured.length = 0));
+  await page.uncheck('#smooth');
+  await shown(page, 400);
+  const flat = await colours();
+  assert.ok(flat <= 28 && smooth > 10 * flat, `${flat} colours of planes, and ${smooth}`);
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
 
 test('the outside is seen, flat and smooth, also of a volume whose x runs backwards; a cut shows the inside', async () => {
   const { page } = await openPage(browser, { viewport: small });

@@ -13,21 +13,24 @@ await page.getByRole('button', { name: 'Bone' }).click();
 await shown(page, 300);
 
 const keys = { '+': 3, ArrowLeft: 4, ArrowUp: 3, 'Shift+ArrowUp': 1 };
+const turned = await now(page);
 await page.focus('#view');
 for (const [key, times] of Object.entries(keys))
   for (let i = 0; i < times; ++i) await page.keyboard.press(key);
+await page.locator('#view').blur(); // without the frame of what has the focus
 
-/** The page with a box of the panel ticked, for as long as it takes. */
-async function shot(box) {
-  const begin = await now(page);
-  await page.check(box);
+async function shot(begin) {
   await rested(page, begin);
-  const bytes = await page.screenshot();
-  await page.uncheck(box);
-  return `data:image/png;base64,${bytes.toString('base64')}`;
+  return `data:image/png;base64,${(await page.screenshot()).toString('base64')}`;
 }
-const smooth = await shot('#smooth');
-const edges = await shot('#edges');
+const smooth = await shot(turned);
+const smoothed = await now(page);
+await page.uncheck('#smooth');
+await rested(page, smoothed);
+const flat = await now(page);
+await page.check('#edges');
+const edges = await shot(flat);
+
 const { x, y, width, height } = await page.locator('#view').boundingBox();
 
 const both = await browser.newPage({ viewport });

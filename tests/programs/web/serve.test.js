@@ -47,6 +47,16 @@ test('a threshold of it, and a stream that is a file', async (t) => {
   }
 });
 
+test('labels are served as meshes', async (t) => {
+  const { address, end } = await served(t, volume, '--labels', '400');
+  const { page, complaints } = await openPage(browser, { address });
+  await page.waitForFunction(() => /triangles/.test(document.querySelector('#caption-merged').textContent));
+  assert.equal(await page.textContent('#labels'), '400');
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+  assert.equal(await end(), 0);
+});
+
 test('a stream on standard input is shown while it comes; who comes later gets all of it', async (t) => {
   const { address, input, end } = await served(t, '-');
   input.write(bytes.subarray(0, half));

@@ -190,6 +190,6 @@ int main() {
                     scan_of<uint8_t>("test_body", low, 6144, body) &&
                     scan_of<uint16_t>("test_hills", hilly, all, hills) &&
                     scan_file<uint16_t>("real_CT_head", "head.raw", {{256, 256}, 113, 500}) &&
-                    scan_file<uint8_t>("real_engine", "engine.raw", {{256, 256}, 128, 80});
+                    scan_file<uint8_t>("real_CT_engine", "engine.raw", {{256, 256}, 128, 80});
   board::stop(good);
 }

@@ -82,7 +82,7 @@ bool count_ring() {
     if (ring.free_row() != nullptr) ring.commit();
   });
   count("row_ring_a_row_taken", 1, rows, [] {
-    if (ring.peek() == RowRing::Next::row) ring.pop();
+    if (ring.peek() == RowRing::Next::ready) ring.pop();
   });
   return ring.consumed() == rows;
 }

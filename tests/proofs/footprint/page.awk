@@ -56,20 +56,20 @@ function print_summary(    target, head, slices) {
   slices = "slices, first is key"
   print "| | polygons | thresholded slices |"
   print "|---|--:|--:|"
-  bytes_row("flash", figure("Payloads", target ": flash", "regions"), \
-    figure("Payloads", target ": flash", slices))
+  bytes_row("flash", figure("Kinds of stream", target ": flash", "regions"), \
+    figure("Kinds of stream", target ": flash", slices))
   bytes_row("stack, at most", figure("Stack", "Extractor16 into an Encoder", target), \
     figure("Stack", "SliceEncoder::push()", target))
   bytes_row("RAM, least", figure("RAM", "Extractor16", "bytes") + figure("RAM", "Encoder", "bytes") \
     + figure("Arena", "256x256", "extractor, least"), \
-    figure("Payloads", "RAM for slices of 256x256", slices))
-  bytes_row("RAM for the shortest stream", figure("Payloads", "RAM for slices of 256x256", "regions"), \
-    figure("Payloads", "RAM for slices of 256x256", slices))
-  bytes_row("stream", figure("Payloads", "bytes: " head, "regions"), \
-    figure("Payloads", "bytes: " head, slices))
+    figure("Kinds of stream", "RAM for slices of 256x256", slices))
+  bytes_row("RAM for the shortest stream", figure("Kinds of stream", "RAM for slices of 256x256", "regions"), \
+    figure("Kinds of stream", "RAM for slices of 256x256", slices))
+  bytes_row("stream", figure("Kinds of stream", "bytes: " head, "regions"), \
+    figure("Kinds of stream", "bytes: " head, slices))
   print "| instructions per voxel | " \
-    grouped(figure("Payloads", target ": instructions per voxel, CT head", "regions")) " | " \
-    grouped(figure("Payloads", target ": instructions per voxel, CT head", slices)) " |"
+    grouped(figure("Kinds of stream", target ": instructions per voxel, CT head", "regions")) " | " \
+    grouped(figure("Kinds of stream", target ": instructions per voxel, CT head", slices)) " |"
 }
 
 # What a device needs to send either kind of stream.

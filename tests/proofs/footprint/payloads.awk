@@ -3,25 +3,25 @@
 
 BEGIN {
   OFS = "\t"
-  columns = split("regions|slices, first is key|every 16th is key|every one is key", head, "|")
+  columns = split("regions|slices, first is key|every 16th is key|every slice is key", head, "|")
 }
 
 function figure(group, name, column, value) { print group, name, column, value }
 
 function beside(name, of_regions, of_slices, of_key_slices,    i) {
-  figure("Payloads", name, head[1], of_regions)
-  for (i = 2; i < columns; i++) figure("Payloads", name, head[i], of_slices)
-  figure("Payloads", name, head[columns], of_key_slices)
+  figure("Kinds of stream", name, head[1], of_regions)
+  for (i = 2; i < columns; i++) figure("Kinds of stream", name, head[i], of_slices)
+  figure("Kinds of stream", name, head[columns], of_key_slices)
 }
 
 function bytes_of(name, volume,    i) {
-  for (i = 1; i <= columns; i++) figure("Payloads", "bytes: " name, head[i], bytes[volume, i])
+  for (i = 1; i <= columns; i++) figure("Kinds of stream", "bytes: " name, head[i], bytes[volume, i])
 }
 
 # first: the count of its regions.
 function instructions_of(name, volume, first,    i) {
   for (i = 1; i <= columns; i++)
-    figure("Payloads", target ": instructions per voxel, " name, head[i],
+    figure("Kinds of stream", target ": instructions per voxel, " name, head[i],
            sprintf("%.1f", count[first + i - 1] / of["voxels_of_" volume]))
 }
 

@@ -42,10 +42,10 @@ Bytes encode_slices(const BitVolume& volume) {
 constexpr Payload payloads[] = {{"regions", encode_regions},
                                 {"slices, first is key", encode_slices<0>},
                                 {"every 16th is key", encode_slices<16>},
-                                {"every one is key", encode_slices<1>}};
+                                {"every slice is key", encode_slices<1>}};
 
 void print(const std::string& name, const char* column, const std::string& value) {
-  std::printf("Payloads\t%s\t%s\t%s\n", name.c_str(), column, value.c_str());
+  std::printf("Kinds of stream\t%s\t%s\t%s\n", name.c_str(), column, value.c_str());
 }
 
 void print_bytes(const std::string& name, const BitVolume& volume) {
@@ -139,7 +139,7 @@ int main(int count, char** arguments) {
     const std::string folder = arguments[1];
     head = read_head(folder, arguments[2]);
     print_bytes("CT head, 256x256x113, at 500", *head);
-    print_bytes("engine, 256x256x128, at 80", read<uint8_t>(folder + "/engine.nii.gz", 80));
+    print_bytes("CT engine, 256x256x128, at 80", read<uint8_t>(folder + "/engine.nii.gz", 80));
   }
   print_bytes("noise, 64x64x64, half on", reference::random({64, 64, 64}, 128, 1));
   if (head) print_losses("lost with a packet: % of the CT head", *head);

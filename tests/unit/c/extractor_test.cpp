@@ -58,7 +58,7 @@ struct Scan {
     for (uint32_t row = first; row < end; ++row) {
       const discmc_push_result result =
           row == lost_row
-              ? discmc_extractor_skip_row(extractor, DISCMC_PREVIOUS_ROW)
+              ? discmc_extractor_skip_row(extractor, DISCMC_SUBSTITUTE_PREVIOUS_ROW)
               : discmc_extractor_push(extractor, type, &rows[row * row_samples], width, 1);
       REQUIRE(result.accepted == width);
       REQUIRE(done(result.status) == DISCMC_OK);
@@ -304,7 +304,8 @@ TEST_CASE("errors of extractors in C") {
     CHECK(discmc_extractor_push(scan.extractor, other, samples, width, 1).status ==
           DISCMC_BAD_SAMPLES);
   CHECK(discmc_extractor_push(scan.extractor, DISCMC_U8, samples, 5, 1).status == DISCMC_OK);
-  CHECK(discmc_extractor_skip_row(scan.extractor, DISCMC_OFF).status == DISCMC_ROW_IN_PROGRESS);
+  CHECK(discmc_extractor_skip_row(scan.extractor, DISCMC_SUBSTITUTE_OFF).status ==
+        DISCMC_ROW_IN_PROGRESS);
   CHECK(discmc_extractor_abandon(scan.extractor) == DISCMC_OK);
   CHECK(discmc_extractor_push(scan.extractor, DISCMC_U8, samples, 5, 1).status == DISCMC_FINISHED);
 

@@ -58,7 +58,7 @@ struct Scan {
     for (uint32_t row = first; row < end; ++row) {
       const discmc_push_result result =
           row == lost_row
-              ? discmc_slice_encoder_skip_row(encoder, DISCMC_OFF)
+              ? discmc_slice_encoder_skip_row(encoder, DISCMC_SUBSTITUTE_OFF)
               : discmc_slice_encoder_push(encoder, type, &rows[row * row_samples], width, 1);
       REQUIRE(result.accepted == width);
       REQUIRE(done(result.status) == DISCMC_OK);
@@ -226,7 +226,8 @@ TEST_CASE("errors of slice encoders in C") {
   CHECK(discmc_slice_encoder_push(scan.encoder, DISCMC_I16, samples, 1, 1).status ==
         DISCMC_BAD_SAMPLES);
   CHECK(discmc_slice_encoder_push(scan.encoder, DISCMC_U8, samples, 1, 1).status == DISCMC_OK);
-  CHECK(discmc_slice_encoder_skip_row(scan.encoder, DISCMC_OFF).status == DISCMC_ROW_IN_PROGRESS);
+  CHECK(discmc_slice_encoder_skip_row(scan.encoder, DISCMC_SUBSTITUTE_OFF).status ==
+        DISCMC_ROW_IN_PROGRESS);
   const discmc_application_record too_long = {4, 0, 0, samples, DISCMC_MAX_RECORD_BYTES + 1};
   CHECK(discmc_slice_encoder_write_record(scan.encoder, &too_long) == DISCMC_BAD_RECORD);
   CHECK(discmc_slice_encoder_abandon(scan.encoder) == DISCMC_OK);

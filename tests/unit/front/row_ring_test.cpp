@@ -60,13 +60,13 @@ struct Task {
   uint32_t take(RowRing& ring, uint32_t most) {
     for (uint32_t taken = 0; taken < most; ++taken) {
       const Next next = ring.peek();
-      if (next == Next::nothing || next == Next::end) {
+      if (next == Next::none || next == Next::end) {
         has_ended = next == Next::end;
         return taken;
       }
       is_right = is_right && !has_ended && ring.consumed() == seen.size() &&
                  (next == Next::lost || is_row(ring, ring.consumed()));
-      seen += next == Next::row ? 'r' : 'l';
+      seen += next == Next::ready ? 'r' : 'l';
       ring.pop();
     }
     return most;
@@ -78,7 +78,7 @@ struct Task {
 TEST_CASE("rows come out in their order, and lost ones in their place") {
   Ring ring(2);
   Task task;
-  CHECK(ring.peek() == Next::nothing);
+  CHECK(ring.peek() == Next::none);
   CHECK(bring(ring));
   CHECK(bring(ring));
   CHECK_FALSE(bring(ring));  // there is no room
@@ -87,7 +87,7 @@ TEST_CASE("rows come out in their order, and lost ones in their place") {
   ring.drop(2);
   task.take(ring, 100);
   CHECK(task.seen == "rrlrll");
-  CHECK(ring.peek() == Next::nothing);
+  CHECK(ring.peek() == Next::none);
   CHECK(ring.lost() == 3);
   CHECK(ring.produced() == 6);
   CHECK(ring.consumed() == 6);
@@ -147,7 +147,7 @@ TEST_CASE("a ring refuses no rows, empty ones, and too little memory; then nothi
   CHECK(ring.start(row_bytes, 0, block.memory()) == Status::bad_capacities);
   CHECK(ring.start(UINT32_MAX, UINT32_MAX, {block.memory().data, SIZE_MAX}) ==
         Status::bad_capacities);
-  CHECK(ring.peek() == Next::row);
+  CHECK(ring.peek() == Next::ready);
   CHECK(is_row(ring, 0));
   CHECK(ring.free_row(1) != nullptr);
   CHECK(ring.free_row(2) == nullptr);
@@ -156,7 +156,7 @@ TEST_CASE("a ring refuses no rows, empty ones, and too little memory; then nothi
 TEST_CASE("a ring that is not started has no room, and nothing comes") {
   RowRing ring;
   CHECK(ring.free_row() == nullptr);
-  CHECK(ring.peek() == Next::nothing);
+  CHECK(ring.peek() == Next::none);
 }
 
 TEST_CASE("a ring that is started again begins anew") {
@@ -167,7 +167,7 @@ TEST_CASE("a ring that is started again begins anew") {
   Task before;
   before.take(ring, 1);
   REQUIRE(ring.start(row_bytes, 3, ring.block.memory()) == Status::ok);
-  CHECK(ring.peek() == Next::nothing);
+  CHECK(ring.peek() == Next::none);
   Task task;
   for (int row = 0; row < 3; ++row) CHECK(bring(ring));
   task.take(ring, 100);

@@ -169,9 +169,9 @@ TEST_CASE("the loose fragments of a sweep are joined to its regions") {
       const Joined joined = join_all(events_of(pieces), {});
       REQUIRE(unlike(joined.events, surface.regions) == "");
       CHECK(joined.status == Status::ok);
-      CHECK(joined.report.fragments == fragments_in(pieces));
+      CHECK(joined.report.received == fragments_in(pieces));
       CHECK(joined.report.unmatched == 0);
-      CHECK(joined.report.passed == 0);
+      CHECK(joined.report.passed_on == 0);
     }
 }
 
@@ -337,8 +337,9 @@ TEST_CASE("what a joiner with too little memory passes on, another joins") {
         const Joined second = join_all(first.events, plan);
         REQUIRE(unlike(second.events, surface.regions) == "");
         REQUIRE(second.status == Status::ok);
-        REQUIRE(first.status == (first.report.passed > 0 ? Status::too_little_memory : Status::ok));
-        REQUIRE(first.report.passed == Delivered(first.events).fragments.size());
+        REQUIRE(first.status ==
+                (first.report.passed_on > 0 ? Status::too_little_memory : Status::ok));
+        REQUIRE(first.report.passed_on == Delivered(first.events).fragments.size());
         REQUIRE(first.report.unmatched == 0);
       }
   }
@@ -357,8 +358,8 @@ TEST_CASE("with any number of bytes from the least on") {
     REQUIRE(Joiner::bytes_for(plan.capacities) <= bytes);
     const Joined joined = join_all(events, plan);
     REQUIRE(unlike(join_all(joined.events, {}).events, surface.regions) == "");
-    REQUIRE(joined.report.passed <= passed_before);
-    passed_before = joined.report.passed;
+    REQUIRE(joined.report.passed_on <= passed_before);
+    passed_before = joined.report.passed_on;
   }
   CHECK(passed_before == 0);
 }
@@ -393,7 +394,7 @@ void check_crowd(const Events& events, const JoinPlan& plan, uint64_t regions) {
   const Joined first = join_all(events, plan);
   CHECK(first.status == Status::too_little_memory);
   CHECK(first.events == events);
-  CHECK(first.report.passed == count(events, Kind::fragment));
+  CHECK(first.report.passed_on == count(events, Kind::fragment));
   JoinPlan slow = plan;
   slow.refuses = refuses_first;
   CHECK(join_all(events, slow).events == events);
@@ -478,7 +479,7 @@ TEST_CASE("what cannot be joined may be left out") {
     plan.capacities = {5, 30};
     const Joined joined = join_all(events, plan);
     CHECK(joined.status == Status::too_little_memory);
-    CHECK(joined.report.passed > 0);
+    CHECK(joined.report.passed_on > 0);
     CHECK(Delivered(joined.events).fragments.empty());
   }
 }
@@ -517,7 +518,7 @@ TEST_CASE("a sink for whole regions gets those of the volume from an extractor s
       const std::vector<Region> regions = simple_rings(collected(got.log.events).regions());
       CHECK(describe_difference(canonical(regions), canonical(merge(volume, true))) == "");
       CHECK(got.log.starts.size() == 1);
-      CHECK(got.joiner.report().unmatched + got.joiner.report().passed == 0);
+      CHECK(got.joiner.report().unmatched + got.joiner.report().passed_on == 0);
     }
 }
 
@@ -525,7 +526,7 @@ TEST_CASE("what does not fit its joiner such a sink lacks, and the report counts
   const BitVolume volume = random({9, 8, 7}, 128, 1);
   const WholeRegions got(volume, Joiner::minimum_bytes());
   CHECK(count(got.log.events, Kind::region) < merge(volume, true).size());
-  CHECK(got.joiner.report().passed > 0);
+  CHECK(got.joiner.report().passed_on > 0);
 }
 
 TEST_CASE("such a sink has no function when its joiner has too little memory") {
@@ -561,9 +562,9 @@ TEST_CASE("a sink may refuse any event, and it does not show") {
         plan.refuses = refuses_first;
         const Joined slow = join_all(events, plan);
         CHECK(slow.events == plain.events);
-        CHECK(slow.report.fragments == plain.report.fragments);
+        CHECK(slow.report.received == plain.report.received);
         CHECK(slow.report.unmatched == plain.report.unmatched);
-        CHECK(slow.report.passed == plain.report.passed);
+        CHECK(slow.report.passed_on == plain.report.passed_on);
       }
 }
 
@@ -881,7 +882,7 @@ TEST_CASE("what is no fragment is left out and counted") {
     CHECK(joined.events.empty());
     CHECK(joined.report.unmatched == 0);
     CHECK(joined.report.invalid == 1);
-    CHECK(joined.report.fragments == 1);
+    CHECK(joined.report.received == 1);
   }
 }
 
@@ -906,13 +907,13 @@ TEST_CASE("an end without a beginning ends nothing") {
   events.insert(events.end() - 1, lost);
   Joined joined = join_all(events, {});
   CHECK(joined.events.empty());
-  CHECK(joined.report.fragments == 0);
+  CHECK(joined.report.received == 0);
 
   events = fragment_of(no_incidence, {1, 0, 0}, 0, {Run::straight(0, 1)});
   events.push_back(events.back());
   joined = join_all(events, {});
   CHECK(joined.events.empty());
-  CHECK(joined.report.fragments == 1);
+  CHECK(joined.report.received == 1);
 }
 
 TEST_CASE("a region in the middle of which a fragment comes leaves the holes for the next") {
@@ -1011,7 +1012,7 @@ TEST_CASE("coordinates wrap, wherever fragments start and however long they are"
     plan.order = round % 2 == 0 ? InputOrder::sweep : InputOrder::any;
     if (round % 3 == 0) plan.capacities = {1 + chance.below(20), 1 + chance.below(100)};
     const Joined joined = join_all(events, plan);
-    CHECK(joined.report.fragments == 20);
+    CHECK(joined.report.received == 20);
   }
 }
 
@@ -1081,7 +1082,7 @@ TEST_CASE("a joiner that is started again has forgotten everything") {
     CHECK(joiner.high_water().fragments == 0);
     for (const RecordedEvent& event : half)
       REQUIRE(joiner.take(event.event()) == SinkResult::accepted);
-    CHECK(joiner.report().fragments == 1);
+    CHECK(joiner.report().received == 1);
     CHECK(joiner.high_water().fragments == 1);
     CHECK(joiner.high_water().runs == 1);
   }

@@ -15,7 +15,7 @@ namespace {
 using Bytes = std::vector<uint8_t>;
 
 // Every number of it another one, the outermost among them.
-Placement any_placement(Frame frame) {
+Placement any_placement(Space space) {
   Placement placement;
   int32_t next = 0x01020304;
   for (auto& axis : placement.axes_nm)
@@ -25,13 +25,13 @@ Placement any_placement(Frame frame) {
   placement.origin_nm[0] = -2;
   placement.origin_nm[1] = INT64_MIN;
   placement.origin_nm[2] = 0x0102030405060708;
-  placement.frame = frame;
+  placement.space = space;
   return placement;
 }
 
 bool equal(const Placement& a, const Placement& b) {
   return std::equal(&a.axes_nm[0][0], &a.axes_nm[0][0] + 9, &b.axes_nm[0][0]) &&
-         std::equal(a.origin_nm, a.origin_nm + 3, b.origin_nm) && a.frame == b.frame;
+         std::equal(a.origin_nm, a.origin_nm + 3, b.origin_nm) && a.space == b.space;
 }
 
 struct Told {
@@ -54,11 +54,11 @@ struct PlacementReceiver {
 }  // namespace
 
 TEST_CASE("a placement comes back from its record") {
-  for (const Frame frame : {Frame::none, Frame::lps, Frame::ras}) {
-    const Told told(any_placement(frame));
+  for (const Space space : {Space::scanner, Space::lps, Space::ras}) {
+    const Told told(any_placement(space));
     Placement read;
     CHECK(read_placement(told.record, read));
-    CHECK(equal(read, any_placement(frame)));
+    CHECK(equal(read, any_placement(space)));
   }
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("the bytes of a placement are those of the page of the stream") {
   placement.axes_nm[0][1] = 0x01020304;
   placement.axes_nm[1][0] = 5;
   placement.origin_nm[2] = -256;
-  placement.frame = Frame::ras;
+  placement.space = Space::ras;
   Bytes bytes(62, 0xA5);
   const ApplicationRecord record = record_of(placement, bytes.data());
   Bytes expected(62);
@@ -89,9 +89,9 @@ TEST_CASE("the bytes of a placement are those of the page of the stream") {
   CHECK(bytes == expected);
 }
 
-TEST_CASE("a record of another kind, size or frame is no placement, and nothing is written") {
-  const Told told(any_placement(Frame::lps));
-  const Placement before = any_placement(Frame::ras);
+TEST_CASE("a record of another kind, size or space is no placement, and nothing is written") {
+  const Told told(any_placement(Space::lps));
+  const Placement before = any_placement(Space::ras);
   Placement read = before;
   const auto refuses = [&](const ApplicationRecord& record) {
     return !read_placement(record, read) && equal(read, before);
@@ -103,8 +103,8 @@ TEST_CASE("a record of another kind, size or frame is no placement, and nothing 
   longer.push_back(0);
   for (const size_t count : {size_t{0}, Placement::record_bytes - 1, Placement::record_bytes + 1})
     CHECK(refuses({Placement::record_kind, 0, 0, longer.data(), count}));
-  for (const uint8_t frame : {uint8_t{3}, uint8_t{255}}) {
-    longer[60] = frame;
+  for (const uint8_t space : {uint8_t{3}, uint8_t{255}}) {
+    longer[60] = space;
     CHECK(refuses({Placement::record_kind, 0, 0, longer.data(), Placement::record_bytes}));
   }
 }
@@ -113,12 +113,12 @@ TEST_CASE("a placement comes through a stream") {
   test::Line line;
   Encoder encoder;
   reference::require_ok(test::begin_stream(encoder, test::any_header(), line.output()));
-  const Told told(any_placement(Frame::lps));
+  const Told told(any_placement(Space::lps));
   reference::require_ok(encoder.write_record(told.record));
   PlacementReceiver receiver;
   Decoder decoder;
   reference::require_ok(decoder.start(make_sink(receiver)));
   reference::require_ok(decoder.push(line.bytes.data(), line.bytes.size()).status);
   CHECK(receiver.records == 1);
-  CHECK(equal(receiver.placement, any_placement(Frame::lps)));
+  CHECK(equal(receiver.placement, any_placement(Space::lps)));
 }

@@ -2,12 +2,25 @@
 
 #include <stdexcept>
 
+#include "files/output_file.hpp"
 #include "mesh_files/file_format.hpp"
 #include "named_values.hpp"
 #include "option_checks.hpp"
 
 namespace discmc::command {
 namespace {
+
+// As in "out.stl", or ".stl on standard output".
+std::string named(const std::string& output) {
+  if (!is_standard_output(output)) return output;
+  return std::string(traits_of(format_of(output)).extension) + " on standard output";
+}
+
+// What to give in its place.
+std::string other_format(const std::string& output, bool FormatTraits::*holds) {
+  return is_standard_output(output) ? "--format " + extensions(holds)
+                                    : "a " + extensions(holds) + " name";
+}
 
 CLI::Validator mesh_format() {
   return CLI::Validator(
@@ -124,7 +137,7 @@ void check_space(const std::optional<MeshSpace>& space, const std::string& outpu
   if (!space || (format != Format::stream && format != Format::jsonl)) return;
   throw CLI::ValidationError(
       "--space",
-      output +
+      named(output) +
           (format == Format::stream ? " is a stream, which stores the placement as a record"
                                     : " has coordinates in half-steps of voxels") +
           "; leave it out, or write a mesh");
@@ -150,9 +163,9 @@ void check_size(const MeshSize& size, const std::string& output) {
   const FormatTraits& traits = traits_of(format_of(output));
   const std::string option = size.scale != 1 ? "--scale" : "--unit";
   if (traits.format == Format::stream || traits.format == Format::jsonl || traits.holds_measures)
-    throw CLI::ValidationError(option, output + " has a fixed unit; write a mesh");
+    throw CLI::ValidationError(option, named(output) + " has a fixed unit; write a mesh");
   if (traits.format == Format::glb && size.unit != MeshUnit::millimetre)
-    throw CLI::ValidationError("--unit", output +
+    throw CLI::ValidationError("--unit", named(output) +
                                              " is in metres, as its format requires; leave "
                                              "out --unit");
 }
@@ -162,8 +175,9 @@ void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolera
   add_named_option(app, "--surface", interpolates,
                    NamedValues<bool>{{"merged", false}, {"interpolated", true}},
                    "the place of the vertices; merged: halfway between voxels, in flat polygons; "
-                   "interpolated: where the samples cross the threshold, as in Marching Cubes; the "
-                   "default with --smooth, and of samples with --triangles or --max-error");
+                   "interpolated: where the samples cross the threshold, as in classic Marching "
+                   "Cubes; the default with --smooth, and of samples with --triangles or "
+                   "--max-error");
   app.add_option("--tolerance", tolerance,
                  "the largest distance of an interpolated surface from these crossings, in voxels; "
                  "less needs more triangles; with --triangles or --max-error the default is 0")
@@ -181,8 +195,8 @@ void add_decimation_options(CLI::App& app, Decimation& decimation) {
       ->check(whole_from(4))
       ->option_text("N");
   app.add_option("--max-error", decimation.max_error_mm,
-                 "decimate each mesh until its mean distance from the surface is about MM "
-                 "millimetres; single places are up to about 3 times as far")
+                 "decimate each mesh until its estimated error is MM millimetres; the mean "
+                 "distance is up to about MM / 4, single places are up to about 3 MM away")
       ->check(accepted([](double length) { return length > 0; }, "millimetres above 0"))
       ->option_text("MM");
 }
@@ -193,7 +207,7 @@ void check_decimation(const Decimation& decimation, const MeshOptions& mesh,
   const std::string option = decimation.triangles > 0 ? "--triangles" : "--max-error";
   const Format format = format_of(output);
   if (format == Format::stream || format == Format::jsonl)
-    throw CLI::ValidationError(option, output +
+    throw CLI::ValidationError(option, named(output) +
                                            " holds merged polygons, which are not decimated; write "
                                            "a mesh");
   if (mesh.faces == Faces::polygons || !mesh.conforming)
@@ -205,7 +219,7 @@ void check_decimation(const Decimation& decimation, const MeshOptions& mesh,
 void check_interpolation(const MeshOptions& mesh, const std::string& output) {
   const Format format = format_of(output);
   if (format == Format::stream || format == Format::jsonl)
-    throw CLI::ValidationError("--surface", output +
+    throw CLI::ValidationError("--surface", named(output) +
                                                 " has vertices halfway between voxels; leave out "
                                                 "--surface interpolated, or write a mesh");
   if (mesh.faces == Faces::polygons)
@@ -218,8 +232,9 @@ void check_interpolation(const MeshOptions& mesh, const std::string& output) {
 
 void check_faces(Faces faces, const std::string& output) {
   if (faces == Faces::triangles || traits_of(format_of(output)).holds_polygons) return;
-  throw CLI::ValidationError("--faces", output + " cannot hold polygons; leave it out, or give a " +
-                                            extensions(&FormatTraits::holds_polygons) + " name");
+  throw CLI::ValidationError("--faces", named(output) +
+                                            " cannot hold polygons; leave it out, or give " +
+                                            other_format(output, &FormatTraits::holds_polygons));
 }
 
 void check_normals(Normals normals, const std::string& output, bool has_samples) {
@@ -227,13 +242,13 @@ void check_normals(Normals normals, const std::string& output, bool has_samples)
   const Format format = format_of(output);
   if (traits_of(format).holds_normals) return;
   if (format == Format::stream && normals == Normals::gradient && has_samples) return;
-  const std::string name = "a " + extensions(&FormatTraits::holds_normals) + " name";
+  const std::string other = other_format(output, &FormatTraits::holds_normals);
   throw CLI::ValidationError(
       "--normals",
-      (format != Format::stream ? output + " cannot hold normals; give "
+      (format != Format::stream ? named(output) + " cannot hold normals; give "
        : has_samples ? "a stream holds only normals of the gradient; give --normals gradient, or "
                      : "a stream keeps its normals; leave it out, or give ") +
-          name);
+          other);
 }
 
 }  // namespace discmc::command

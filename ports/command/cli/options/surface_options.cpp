@@ -6,7 +6,8 @@
 
 namespace discmc::command {
 
-void add_labels_option(CLI::App& app, std::string& labels, const std::string& result) {
+void add_label_options(CLI::App& app, std::string& labels, VolumeArguments& arguments,
+                       const std::string& result) {
   app.option_defaults()->group(surface_group);
   CLI::Option* option =
       app.add_option("--labels", labels,
@@ -22,16 +23,22 @@ void add_labels_option(CLI::App& app, std::string& labels, const std::string& re
           ->option_text("all|N|NAME,...");
   for (const char* other : {"--iso", "--range", "--label", "--memory", "--capacities"})
     option->excludes(app.get_option(other));
+  app.add_option("--label-table", arguments.label_table,
+                 "read the names and colours of labels (no colours in .stl). A table of 3D Slicer, "
+                 "FreeSurfer, ITK-SNAP or BIDS, or dataset.json of nnU-Net (default: those in the "
+                 "file, as in .seg.nrrd; otherwise 21 colours by number)")
+      ->option_text("FILE");
 }
 
-void add_label_table_option(CLI::App& app, std::string& file) {
-  app.option_defaults()->group(surface_group);
-  app.add_option(
-         "--label-table", file,
-         "read the names of labels for {name}, and their colours (not in .stl). A table of 3D "
-         "Slicer, FreeSurfer, ITK-SNAP or BIDS, or dataset.json of nnU-Net (default: those "
-         "in the file, as in .seg.nrrd; otherwise 21 colours by number)")
-      ->option_text("FILE");
+void check_label_options(const std::string& labels, const VolumeArguments& arguments) {
+  if (!arguments.label_table.empty() && labels.empty() && !arguments.selects_labels())
+    throw CLI::ValidationError("--label-table",
+                               "names labels, and none is selected; add --label N or --labels all");
+  if (!arguments.mask.empty() && !labels.empty() && arguments.median > 0)
+    throw CLI::ValidationError(
+        "--mask",
+        "cannot be combined with --median and --labels, as the filter would grow labels over the "
+        "mask; leave out --median, or give each label by --label");
 }
 
 void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
@@ -40,8 +47,7 @@ void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
       app, "--border", arguments.border,
       NamedValues<Border>{{"closed", Border::closed}, {"open", Border::open}},
       "closed: voxels outside the volume are off; open: the surface ends at the outermost voxels");
-  app.add_option("--median", arguments.median,
-                 "remove noise: a voxel is on if most of the 3 x 3 x 3 voxels around it are")
+  app.add_option("--median", arguments.median, "remove noise (majority of 3x3x3 voxels)")
       ->check(CLI::IsMember({3}))
       ->option_text("3");
   app.add_option("--mask", arguments.mask,

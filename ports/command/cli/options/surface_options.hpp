@@ -11,11 +11,14 @@ namespace discmc::command {
 
 constexpr const char* surface_group = "Surface";
 
-/// --labels. The options of add_surface_options() come before. result: what each label becomes.
-void add_labels_option(CLI::App& app, std::string& labels, const std::string& result);
+/// --labels and --label-table. The options of add_surface_options() come before. labels: those that
+/// are asked for. result: what each label becomes.
+void add_label_options(CLI::App& app, std::string& labels, VolumeArguments& arguments,
+                       const std::string& result);
 
-/// --label-table.
-void add_label_table_option(CLI::App& app, std::string& file);
+/// Refuses a table without labels, and labels with what would change their voxels. Throws:
+/// CLI::ValidationError.
+void check_label_options(const std::string& labels, const VolumeArguments& arguments);
 
 /// Those of selections, --border, --median, --mask, --allow-empty, --memory and --capacities.
 void add_surface_options(CLI::App& app, VolumeArguments& arguments);

@@ -69,7 +69,7 @@ void add_part_options(CLI::App& app, VolumeOptions& options) {
           [](std::string& text) {
             return crop_of(text)
                        ? std::string()
-                       : "invalid part '" + text +
+                       : "invalid range '" + text +
                              "'; expected A..B,C..D,E..F with A <= B; any number may be left out";
           },
           ""))

@@ -158,7 +158,7 @@ void set_geometry(VolumeInfo& info, const HeaderFields& header, const VolumeOpti
   set_spacing(info, header, axes, place);
   const auto matrix = header.reals({"TransformMatrix", "Rotation", "Orientation"});
   const auto origin = header.reals({"Offset", "Position", "Origin"});
-  if (!matrix.empty() || !origin.empty()) place.frame = Frame::lps;
+  if (!matrix.empty() || !origin.empty()) place.space = Space::lps;
   place.directions = directions_of(info, matrix, axes);
   std::copy_n(origin.begin(), std::min<std::size_t>(origin.size(), 3), place.origin.begin());
   set_place(info, place, options);

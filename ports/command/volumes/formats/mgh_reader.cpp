@@ -45,7 +45,7 @@ DeclaredPlace place_of(VolumeInfo& info, const HeaderBytes& header) {
   }
   DeclaredPlace place;
   place.set_unit("mm");
-  place.frame = Frame::ras;
+  place.space = Space::ras;
   place.spacing = {spacing[0], spacing[1], spacing[2]};
   place.directions = directions;
   place.origin = centre;

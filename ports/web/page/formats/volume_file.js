@@ -1,6 +1,7 @@
-// A dropped file, or several that belong together, as a volume or a stream.
+// A dropped file, or several that belong together, as a volume, a mesh or a stream.
 import { openBytes } from './bytes.js';
 import { isDicom, readDicom } from './dicom.js';
+import { isGlb, readGlb } from './glb.js';
 import { isMetaImage, readMetaImage } from './metaimage.js';
 import { isNifti, readNifti } from './nifti.js';
 import { isNpy, readNpy } from './npy.js';
@@ -39,7 +40,8 @@ export class UnknownLayout extends Error {
  * @param {File[]} files
  * @param {import('./raw.js').RawLayout} [layout] of headerless samples
  * @returns {Promise<{name: string, info?: import('./volume_info.js').VolumeInfo,
- *   data: import('./bytes.js').ByteSource}>} without info, a stream
+ *   mesh?: import('./glb.js').DrawnMesh, data?: import('./bytes.js').ByteSource}>} with neither,
+ *   a stream
  */
 export async function openFiles(files, layout) {
   const others = async (/** @type {string} */ path) => {
@@ -59,6 +61,7 @@ export async function openFiles(files, layout) {
     }
     const head = await data.peek(headBytes);
     if (/\.dmc$/i.test(name)) return { name, data };
+    if (isGlb(head)) return { name, mesh: await readGlb(name, data) };
     if (isDicom(head)) {
       data.cancel();
       const series = await readDicom(files);
@@ -76,7 +79,8 @@ export async function openFiles(files, layout) {
   const named = files.find((file) => /\.(raw|bin|img)(\.gz)?$/i.test(file.name));
   if (named) throw new UnknownLayout(named);
   throw new FileError(files[0].name, 'the format is unknown',
-    'open NRRD, NIfTI, MetaImage, NumPy, DICOM, raw samples (.raw) or a stream (.dmc)');
+    'open NRRD, NIfTI, MetaImage, NumPy, DICOM, raw samples (.raw), a stream (.dmc) or a mesh ' +
+      '(.glb); discmc view makes a page of other formats');
 }
 
 /** @param {File} file @param {import('./volume_info.js').VolumeInfo} info */

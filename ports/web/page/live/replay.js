@@ -1,4 +1,4 @@
-// A recorded stream as a device would send it: at the pace of its line, and with losses.
+// A recorded stream as a device would send it: at the pace of its link, and with losses.
 
 const leastWait = 50; // milliseconds
 
@@ -33,7 +33,7 @@ function framesOf(bytes) {
  */
 export async function* replayed(bytes, baud, lostShare, stop, chance = Math.random) {
   const begin = performance.now();
-  let due = 0; // bytes that the line has carried
+  let due = 0; // bytes that the link has carried
   for (const [i, frame] of framesOf(bytes).entries()) {
     due += frame.length;
     const wait = begin + (due * 10000) / baud - performance.now();

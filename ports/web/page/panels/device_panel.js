@@ -4,7 +4,7 @@ import { Newest } from '../engine.js';
 import { fail } from '../messages.js';
 
 const mostBytes = 1 << 20;
-const bitsAByte = 10; // with the start and the stop bit
+const bitsPerByte = 10; // with the start and the stop bit
 
 export class DevicePanel {
   /** @param {import('../engine.js').Engine} engine */
@@ -31,14 +31,14 @@ export class DevicePanel {
     this.scan = scan;
     this.least = scan.least;
     const seconds = (/** @type {number} */ bytes) => {
-      const time = (bytes * bitsAByte) / Number(by('baud').value);
+      const time = (bytes * bitsPerByte) / Number(by('baud').value);
       return `${time < 10 ? time.toFixed(1) : whole(time)} s`;
     };
     const length = (/** @type {number} */ bytes) => `${whole(bytes)} bytes, ${seconds(bytes)}`;
     by('memory-text').textContent = `${number(Math.round(this.memory() / 102.4) / 10)} KiB`;
     by('device-regions').textContent = length(scan.regions.bytes);
     by('device-slices').textContent = length(scan.slices.bytes);
-    by('device-pieces').textContent = scan.regions.fragments === 0 ? 'none'
+    by('device-fragments').textContent = scan.regions.fragments === 0 ? 'none'
       : `${whole(scan.regions.fragments)}, joined by the receiver`;
   }
 }

@@ -36,6 +36,6 @@ export class MeasurePanel {
     this.view.setMarks(this.points);
     const [from, to] = this.points;
     this.show(to ? `${Math.hypot(...to.map((at, i) => at - from[i])).toFixed(2)} mm`
-      : `From ${from.map((at) => at.toFixed(1)).join(', ')} mm to …`);
+      : `From ${from.map((at, i) => (at + this.view.origin[i]).toFixed(1)).join(', ')} mm to …`);
   }
 }

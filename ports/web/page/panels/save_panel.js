@@ -31,6 +31,13 @@ export class SavePanel {
         this.save(/** @type {HTMLElement} */ (button).dataset.save ?? ''));
   }
 
+  /** What a mesh is saved as. @param {boolean} isMesh or else a surface of polygons */
+  open(isMesh) {
+    for (const button of document.querySelectorAll('[data-save]'))
+      /** @type {HTMLElement} */ (button).hidden =
+        isMesh && /** @type {HTMLElement} */ (button).dataset.save !== 'png';
+  }
+
   /** @param {string} kind */
   async save(kind) {
     try {

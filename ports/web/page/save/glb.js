@@ -11,7 +11,7 @@ export function glb({ places, corners }) {
     scene: 0,
     scenes: [{ nodes: [0] }],
     // From millimetres with z upwards.
-    nodes: [{ mesh: 0, scale: [1e-3, 1e-3, 1e-3], rotation: [-Math.SQRT1_2, 0, 0, Math.SQRT1_2] }],
+    nodes: [{ mesh: 0, matrix: [1e-3, 0, 0, 0, 0, 0, -1e-3, 0, 0, 1e-3, 0, 0, 0, 0, 0, 1] }],
     meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1, material: 0 }] }],
     materials: [{
       doubleSided: true,

@@ -130,7 +130,7 @@ void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::option
   place.set_unit("mm");
   place.spacing = {or_one(first.spacing_mm[0]), or_one(first.spacing_mm[1]), or_one(distance)};
   if (line) {
-    place.frame = Frame::lps;
+    place.space = Space::lps;
     place.origin = line->origin;
     const Vector across =
         distance == 0 ? normal_of(*first.place) : sum({}, 1 / distance, line->step);

@@ -228,7 +228,7 @@ bool take(const Rows& rows, DeclaredPlace& place) {
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t axis = 0; axis < 3; ++axis) steps[axis][row] = rows[row][axis];
   if (!is_usable(steps)) return false;
-  place.frame = Frame::ras;
+  place.space = Space::ras;
   place.steps = steps;
   for (std::size_t row = 0; row < 3; ++row) place.origin[row] = rows[row][3];
   return true;

@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::uint64_t header_bytes = sizeof(nifti_2_header) + 4;  // and that nothing follows it
 
-bool has_frame(const VolumeInfo& info) {
-  return info.placement && info.placement->frame != Frame::none;
+bool has_space(const VolumeInfo& info) {
+  return info.placement && info.placement->space != Space::scanner;
 }
 
 VolumePlacement placement_of(const VolumeInfo& info) {
-  if (has_frame(info)) return in_frame(*info.placement, Frame::ras);
+  if (has_space(info)) return in_space(*info.placement, Space::ras);
   return info.placement.value_or(along_coordinates(info.spacing_mm));
 }
 
@@ -46,7 +46,7 @@ nifti_2_header header_of(const VolumeInfo& info) {
   header.scl_slope = info.slope;
   header.scl_inter = info.intercept;
   // The code that claims least about the directions.
-  header.sform_code = has_frame(info) ? NIFTI_XFORM_SCANNER_ANAT : NIFTI_XFORM_TEMPLATE_OTHER;
+  header.sform_code = has_space(info) ? NIFTI_XFORM_SCANNER_ANAT : NIFTI_XFORM_TEMPLATE_OTHER;
   header.xyzt_units = NIFTI_UNITS_MM;
   return header;
 }

@@ -128,13 +128,13 @@ void set_space(VolumeInfo& info, std::string_view text, DeclaredPlace& place) {
   constexpr std::string_view time = "-time";
   if (name.size() > time.size() && name.substr(name.size() - time.size()) == time)
     name.resize(name.size() - time.size());
-  if (one_of(name, {"left-posterior-superior", "lps", "lpst"})) place.frame = Frame::lps;
-  if (one_of(name, {"right-anterior-superior", "ras", "rast"})) place.frame = Frame::ras;
-  if (one_of(name, {"left-anterior-superior", "las", "last"})) place.frame = Frame::ras;
+  if (one_of(name, {"left-posterior-superior", "lps", "lpst"})) place.space = Space::lps;
+  if (one_of(name, {"right-anterior-superior", "ras", "rast"})) place.space = Space::ras;
+  if (one_of(name, {"left-anterior-superior", "las", "last"})) place.space = Space::ras;
   place.is_left_handed = one_of(name, {"left-anterior-superior", "las", "last", "3d-left-handed"});
   if (name == "3d-left-handed")
     note(info, "x of the left-handed space " + shown(text) + " negated");
-  const bool is_defined = place.frame != Frame::none || place.is_left_handed || name.empty() ||
+  const bool is_defined = place.space != Space::scanner || place.is_left_handed || name.empty() ||
                           one_of(name, {"scanner-xyz", "3d-right-handed"});
   if (!is_defined) note(info, "the space " + shown(text) + " is unknown, right-handed assumed");
 }
@@ -145,7 +145,7 @@ DeclaredPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields) {
   DeclaredPlace place;
   set_space(info, fields.text("space"), place);
   // The space of patients is in millimetres, as programs assume that write no unit.
-  if (place.frame != Frame::none) place.set_unit("mm");
+  if (place.space != Space::scanner) place.set_unit("mm");
   if (fields.has("units")) place.axis_units = units_of(fields.text("units"));
   if (fields.has("space units")) place.space_units = units_of(fields.text("space units"));
   if (fields.text("space directions").empty())
