@@ -85,8 +85,9 @@ uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link 
                  const Front& front) {
   Vertex vertex = corner.vertex();
   const Vertex step = link_vector(ahead);
-  // A chain that comes may turn at the centroid on the way.
-  const bool may_turn = side != ahead && is_centroid(vertex + step);
+  // A chain that comes may turn at the centroid on the way, to the slice above the front: else it
+  // would have come to the next vertex.
+  const bool may_turn = side != ahead && step.z == 0 && is_centroid(vertex + step);
   const uint32_t passed = may_turn ? 0 : front.links_passed(vertex, step);
   sides.add_side(sides.direction(side), passed);
   move(vertex, ahead, passed);

@@ -544,25 +544,19 @@ TEST_CASE("long sides are handed over, too") {
   for (const uint32_t beyond : {0U, 2000U, 5000U, 10000U}) scan.check(beyond);
 }
 
-TEST_CASE("so are sides across all slices, and across all rows above a row of noise") {
-  constexpr uint32_t size = 1400;
-  BitVolume slope({size, size, 1});
-  for (int64_t y = 0; y < size; ++y)
-    for (int64_t x = std::max<int64_t>(0, size - 10 - y); x < size - y; ++x)
-      slope.on[slope.index(x, y, 0)] = 1;
+TEST_CASE("so are sides across all slices of a slab") {
+  // Of so many links that places are the same again, 8192 further on.
+  constexpr uint32_t size = 2100;
+  BitVolume slope({size, 1, size});
+  for (int64_t z = 0; z < size; ++z)
+    for (int64_t x = z; x < size && x < z + 10; ++x) slope.on[slope.index(x, 0, z)] = 1;
   HostExtractor extractor;
   Extractor32 other;
-  const BitVolume rising = upright(slope);
-  for (const uint32_t slices : {size - 1, size - 100, 5U}) {
+  for (const uint32_t slices : {size - 1, size / 2, 5U}) {
     CAPTURE(slices);
-    const SlabScan scan{rising, Border::closed, 1, size, host::CornerCode::max_slices - slices};
+    const SlabScan scan{slope, Border::closed, 1, size, host::CornerCode::max_slices - slices};
     CHECK(parts_of(scan.by(extractor, much), scan) == parts_of(scan.by(other, much), scan));
   }
-  const BitVolume noise = random({size, 1, 1}, 128, 6);
-  std::copy(noise.on.begin(), noise.on.end(), &slope.on[slope.index(0, size - 100, 0)]);
-  CHECK(scanned(extractor, slope, {}, {min_for_nodes, 10}).events ==
-        scanned(other, slope, {}, {min_for_nodes, 10}).events);
-  CHECK(has_kept_nodes(extractor));
 }
 
 TEST_CASE("the fragments are handed over where slices are too many for a corner's place") {
