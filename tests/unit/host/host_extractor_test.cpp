@@ -183,6 +183,29 @@ Statistics totals_of(Extractor& extractor, const BitVolume& volume, uint32_t slo
   return extractor.statistics();
 }
 
+// Checks how many slots are in use: of so many beyond the least, and of one less.
+struct Step {
+  uint32_t beyond;  // with one less there are those in use that the step before has
+  uint32_t in_use;
+};
+void check_steps(const BitVolume& volume, const std::vector<Step>& steps) {
+  HostExtractor extractor;
+  Extractor32 other;
+  const Statistics expected = totals_of(other, volume, 100000);
+  const auto check = [&](uint32_t beyond, uint32_t in_use) {
+    CAPTURE(beyond);
+    const Statistics totals = totals_of(extractor, volume, min_for_nodes + beyond);
+    CHECK(extractor.high_water().slots == in_use);
+    CHECK(totals.links == expected.links);
+    CHECK(totals.regions == expected.regions);
+    CHECK(totals.fragments == 0);
+  };
+  for (size_t i = 0; i < steps.size(); ++i) {
+    if (i > 0) check(steps[i].beyond - 1, steps[i - 1].in_use);
+    check(steps[i].beyond, steps[i].in_use);
+  }
+}
+
 // Writes the events down of the regions that it takes whole: of every second one.
 struct EverySecond {
   EventLog& log;
@@ -351,47 +374,36 @@ TEST_CASE("a deep scan keeps its nodes in the memory of a shallow one") {
 }
 
 // What queues and nodes take shows in high_water() alone.
-TEST_CASE("more memory is taken in steps, each by whoever has just enough for it") {
-  struct Step {
-    uint32_t beyond;  // so many slots beyond the least: with one less there are those before in use
-    uint32_t in_use;
-  };
-  HostExtractor extractor;
-  Extractor32 other;
-  const auto check = [&](const BitVolume& volume, const std::vector<Step>& steps) {
-    const Statistics expected = totals_of(other, volume, 1000000);
-    const auto check_one = [&](uint32_t beyond, uint32_t in_use) {
-      CAPTURE(beyond);
-      const Statistics totals = totals_of(extractor, volume, min_for_nodes + beyond);
-      CHECK(extractor.high_water().slots == in_use);
-      CHECK(totals.links == expected.links);
-      CHECK(totals.regions == expected.regions);
-      CHECK(totals.fragments == 0);
-    };
-    for (size_t i = 0; i < steps.size(); ++i) {
-      if (i > 0) check_one(steps[i].beyond - 1, steps[i - 1].in_use);
-      check_one(steps[i].beyond, steps[i].in_use);
-    }
-  };
-  check(box({5, 5, 5}, {1, 1, 1}, {3, 3, 3}), {{0, 32713}});
-  check(zigzag_columns({40, 40, 20}),
-        {{0, 45001}, {10028, 45393}, {10224, 45785}, {36120, 70361}, {137590, 119513}});
-  check(columns({60, 60, 3}),
-        {{0, 47353}, {144, 47745}, {340, 48353}, {4344, 49185}, {8504, 50025}});
-  check(random({40, 40, 6}, 128, 3), {{0, 45001}, {36198, 69577}, {136778, 85961}});
-  check(random({60, 60, 6}, 128, 3), {{23992, 48676}});
+TEST_CASE("more memory for nodes is taken in steps, each by whoever has just enough for it") {
+  check_steps(box({5, 5, 5}, {1, 1, 1}, {3, 3, 3}), {{0, 32713}});
+  check_steps(zigzag_columns({40, 40, 12}),
+              {{0, 45001}, {10028, 45393}, {10224, 45785}, {36120, 70361}});
+  check_steps(random({40, 40, 6}, 128, 3), {{0, 45001}, {36198, 69577}});
+}
+
+TEST_CASE("so it is the more open fragments there are") {
+  check_steps(zigzag_columns({40, 40, 20}), {{36120, 70361}, {137590, 119513}});
+}
+
+TEST_CASE("more memory for queues is taken in steps, too") {
+  check_steps(columns({60, 60, 3}), {{0, 47353}, {144, 47745}, {340, 48353}, {4344, 49185}});
+}
+
+TEST_CASE("and it is taken for both, by noise or in turn") {
+  check_steps(random({60, 60, 6}, 128, 3), {{23992, 48676}});
   BitVolume both({60, 60, 16});
   put(both, columns({60, 60, 8}), 0);
   put(both, zigzag_columns({40, 40, 6}), 9);
-  check(both, {{50847, 72713}});
+  check_steps(both, {{50847, 72713}});
 }
 
 TEST_CASE("whoever goes on with what was handed over has all the memory") {
   // Noise and columns for which places are made; and far above a slice that needs nearly all.
-  BitVolume volume({241, 241, 8});
+  BitVolume volume({241, 241, 7});
   put(volume, columns({60, 60, 2}), 0);
   put(volume, random({40, 40, 2}, 128, 5), 2);
-  put(volume, random({241, 241, 1}, 128, 3), 6);
+  const BitVolume noise = random({241, 241, 1}, 128, 3);
+  std::copy(noise.on.begin(), noise.on.end(), &volume.on[volume.index(0, 0, 6)]);
   HostExtractor extractor;
   Extractor32 other;
   constexpr uint32_t enough = 103685;
