@@ -80,15 +80,13 @@ class Sides {
 };
 
 // An end that waits, on a side by a link. What has been passed of the side already, ahead of the
-// corner, is a side of its own: the rest is short.
+// corner, is a side of its own: the rest is short. may_turn: the chain turns at a centroid, perhaps
+// the next one, to a vertex that waits. If that lies in a slice above, rows do not tell which.
 uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link ahead,
-                 const Front& front) {
+                 bool may_turn, const Front& front) {
   Vertex vertex = corner.vertex();
   const Vertex step = link_vector(ahead);
-  // A chain that comes may turn at the centroid on the way, to the slice above the front: else it
-  // would have come to the next vertex.
-  const bool may_turn = side != ahead && step.z == 0 && is_centroid(vertex + step);
-  const uint32_t passed = may_turn ? 0 : front.links_passed(vertex, step);
+  const uint32_t passed = may_turn && step.z == 0 ? 0 : front.links_passed(vertex, step);
   sides.add_side(sides.direction(side), passed);
   move(vertex, ahead, passed);
   const uint32_t end = slots.take();
@@ -190,7 +188,8 @@ void Chains::hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_
       uint32_t begin = trace::loose_end<uint32_t>(sides.direction(first.onwards()));
       if (!begins_at_seam) {
         const Link came = first.incoming();
-        begin = new_end(slots, sides, first, came, opposite_link(came), visited);
+        const bool may_turn = ray_ends.turns[queue] != 0;
+        begin = new_end(slots, sides, first, came, opposite_link(came), may_turn, visited);
         fragments.push(ray_ends.number[queue], begin);
         if (first_node.turns_behind()) sides.add(CornerCode(first_node.corner_behind()));
       } else if (at >= Node::waiting_tail && !visited.has_passed(first.vertex())) {
@@ -201,7 +200,7 @@ void Chains::hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_
       uint32_t tail = trace::loose_end<uint32_t>();
       if (at != Node::no_node) {
         const CornerCode last = sides.last();
-        tail = new_end(slots, sides, last, last.onwards(), last.onwards(), visited);
+        tail = new_end(slots, sides, last, last.onwards(), last.onwards(), false, visited);
         seat[at - Node::waiting_tail] = tail;
       }
       fragments.connect(begin, tail, sides.list());

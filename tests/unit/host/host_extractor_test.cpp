@@ -556,6 +556,24 @@ TEST_CASE("long sides are handed over, too") {
   for (const uint32_t beyond : {0U, 2000U, 5000U, 10000U}) scan.check(beyond);
 }
 
+TEST_CASE("so are sides across all rows of a slice, above a row of noise") {
+  // Of so many links that places are the same again, 8192 further on.
+  constexpr uint32_t size = 2000;
+  BitVolume slope({size, size, 1});
+  for (int64_t y = 0; y < size; ++y)
+    for (int64_t x = y; x < size && x < y + 10; ++x) slope.on[slope.index(x, y, 0)] = 1;
+  const BitVolume noise = random({size, 1, 1}, 128, 6);
+  std::copy(noise.on.begin(), noise.on.end(), &slope.on[slope.index(0, size - 50, 0)]);
+  HostExtractor extractor;
+  Extractor32 other;
+  const EventLog expected = scanned(other, slope, {}, much);
+  for (const uint32_t beyond : {0U, 20000U}) {
+    const EventLog log = scanned(extractor, slope, {}, {min_for_nodes + beyond, 100});
+    CHECK(log.events == expected.events);
+    CHECK(has_kept_nodes(extractor));
+  }
+}
+
 TEST_CASE("so are sides across all slices of a slab") {
   // Of so many links that places are the same again, 8192 further on.
   constexpr uint32_t size = 2100;
