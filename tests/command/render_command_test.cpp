@@ -61,6 +61,8 @@ TEST_CASE("a picture without any of the surface is noted") {
   const std::string note = "p.png: no part of the surface is in the picture; change --at or --zoom";
   CHECK(contains(workshop.run("render v.dmc --at 900,0,0 --zoom 9 -o p.png").error, note));
   CHECK(!contains(workshop.run("render v.dmc -o p.png").error, note));
+  CHECK(contains(workshop.run("render v.dmc --at 900,0,0 --zoom 9 -o -").error,
+                 "standard output: no part of the surface"));
 }
 
 TEST_CASE("classic Marching Cubes has a picture of its own") {

@@ -31,13 +31,18 @@ bool has_page(const Workshop& workshop) {
   return false;
 }
 
+// v.nrrd, of which the place in the patient is known.
+void write_in_space(const Workshop& workshop) {
+  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100),
+                 "space: left-posterior-superior\nspace directions: (0,0.5,0) (-1,0,0) (0,0,2)\n"
+                 "space origin: (1,2,3)\n");
+}
+
 }  // namespace
 
 TEST_CASE("the page of a volume has its samples, and lies beside the user") {
   const Workshop workshop;
-  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100),
-                 "space: left-posterior-superior\nspace directions: (0,0.5,0) (-1,0,0) (0,0,2)\n"
-                 "space origin: (1,2,3)\n");
+  write_in_space(workshop);
   if (!has_page(workshop)) return;
   CHECK(contains(workshop.done("view v.nrrd --no-open"), "v.html: "));
   CHECK(unpack(workshop, "v.html", "inside.nii") == "v.nrrd");
@@ -89,9 +94,7 @@ TEST_CASE("the page of a stream has its bytes, also those of a damaged one") {
 
 TEST_CASE("the page of labels has their meshes, with names and colours, in space") {
   const Workshop workshop;
-  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100),
-                 "space: left-posterior-superior\nspace directions: (0,0.5,0) (-1,0,0) (0,0,2)\n"
-                 "space origin: (1,2,3)\n");
+  write_in_space(workshop);
   if (!has_page(workshop)) return;
   workshop.write("t.txt", "10 air 0 0 255\n200 \"my bone\" 255 0 0\n");
   const std::string labels = " --labels 'my bone',10 --label-table t.txt -o ";

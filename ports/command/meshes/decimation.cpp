@@ -60,7 +60,7 @@ class Decimator {
 
  private:
   static constexpr unsigned max_attempts = 20, max_rounds = 12;
-  // The most faces that are kept: whole bodies, and around wrong vertices. One in
+  // At most one face in so many is kept: of whole bodies, and around wrong vertices.
   static constexpr std::size_t in_bodies = 2, around_wrong = 8;
   static constexpr std::uint32_t several = ~0U;  // bodies
 
