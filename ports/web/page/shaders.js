@@ -116,6 +116,13 @@ void main() {
   pixel = vec4(lit(colour, normal, ${isOpen ? 'gl_FrontFacing == isMirrored' : 'false'}), 1.0);
 }`;
 
+// Outwards; seen: the place, as the viewer sees it.
+const normalOfTriangle = `
+vec3 normalOfTriangle(vec3 seen) {
+  vec3 towards = normalize(cross(dFdx(seen), dFdy(seen)));
+  return gl_FrontFacing ? towards : -towards;
+}`;
+
 /** Of a mesh, in half-steps; with its normals, or each triangle flat. */
 export const meshVertex = `#version 300 es
 precision highp float;
@@ -136,14 +143,14 @@ export const meshFragment = (/** @type {boolean} */ isOpen) => `#version 300 es
 precision highp float;
 ${cutting(isOpen)}
 ${light}
+${normalOfTriangle}
 uniform bool isFlat;
 in vec3 seen, smoothly, base;
 void main() {
   leaveOut();
-  bool isInside = !gl_FrontFacing;
-  vec3 towards = normalize(cross(dFdx(seen), dFdy(seen)));
+  vec3 flatly = normalOfTriangle(seen);
   bool hasNormal = !isFlat && dot(smoothly, smoothly) > 0.0;
-  pixel = vec4(lit(base, hasNormal ? smoothly : isInside ? -towards : towards, isInside), 1.0);
+  pixel = vec4(lit(base, hasNormal ? smoothly : flatly, !gl_FrontFacing), 1.0);
 }`;
 
 /** Of triangles that are each flat, in millimetres. */
@@ -164,13 +171,12 @@ export const classicFragment = (/** @type {boolean} */ isOpen) => `#version 300 
 precision highp float;
 ${cutting(isOpen)}
 ${light}
+${normalOfTriangle}
 uniform vec3 plain;
 in vec3 seen;
 void main() {
   leaveOut();
-  vec3 towards = normalize(cross(dFdx(seen), dFdy(seen)));
-  bool isInside = !gl_FrontFacing;
-  pixel = vec4(lit(plain, isInside ? -towards : towards, isInside), 1.0);
+  pixel = vec4(lit(plain, normalOfTriangle(seen), !gl_FrontFacing), 1.0);
 }`;
 
 const lines = (/** @type {string} */ toHalfSteps) => `#version 300 es
