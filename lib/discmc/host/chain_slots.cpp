@@ -80,13 +80,12 @@ class Sides {
 };
 
 // An end that waits, on a side by a link. What has been passed of the side already, ahead of the
-// corner, is a side of its own: the rest is short. may_turn: the chain turns at a centroid, perhaps
-// the next one, to a vertex that waits. If that lies in a slice above, rows do not tell which.
+// corner, is a side of its own: the rest is short. may_turn: the chain turns at the next centroid.
 uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link ahead,
                  bool may_turn, const Front& front) {
   Vertex vertex = corner.vertex();
   const Vertex step = link_vector(ahead);
-  const uint32_t passed = may_turn && step.z == 0 ? 0 : front.links_passed(vertex, step);
+  const uint32_t passed = may_turn ? 0 : front.links_passed(vertex, step);
   sides.add_side(sides.direction(side), passed);
   move(vertex, ahead, passed);
   const uint32_t end = slots.take();

@@ -95,10 +95,9 @@ void Chains::copy_open(Slots& slots) {
       do {
         node[top] = node[at];
         node[top].next = top + 1;
-        if (node[top].has_corner()) ++top;
+        if (top == first || node[top].has_corner()) ++top;
         at = node[at].next;
       } while (at < Node::waiting_tail);
-      if (top == first) ++top;
       node[top - 1].next = Node::no_node;
       if (at != Node::no_node) seat[at - Node::waiting_tail] = top - 1;
     }

@@ -65,10 +65,11 @@ constexpr RayEnds derive_ends() {
   for (uint32_t code = 0; code < queue_codes; ++code) {
     const bool has_begins = code >= first_begins;
     (has_begins ? ends.comes_from_ahead : ends.goes_ahead)[code] = UINT32_MAX;
-    constexpr uint32_t never = 31, of_begins = 32;
-    ends.straight_in[code] = ends.incoming[code] | (has_begins ? of_begins : 0);
-    ends.straight_out[code] =
-        (ends.turns[code] != 0 ? never : ends.first[code]) | (has_begins ? of_begins : 0);
+    constexpr uint32_t never_in = 30, never_out = 31, of_begins = 32;
+    const uint32_t ends_of = has_begins ? of_begins : 0;
+    const bool turns = ends.turns[code] != 0;
+    ends.straight_in[code] = (turns && has_begins ? never_in : ends.incoming[code]) | ends_of;
+    ends.straight_out[code] = (turns ? never_out : ends.first[code]) | ends_of;
   }
   return ends;
 }

@@ -96,7 +96,9 @@ struct RayEnds {
   uint8_t turns[queue_codes];        ///< 1 if there is a corner at that centroid, else 0
   uint32_t goes_ahead[queue_codes];  ///< all bits if the vertex after is visited later
 
-  /// Equal where the chain has no corner and one of its ends goes from queue to queue.
+  /// Equal where the chain has no corner and one of its ends goes from queue to queue. A begin does
+  /// not, if there is a corner at the centroid before the vertex: it may wait for the next slice,
+  /// and the side up to there be of any length.
   uint32_t straight_in[queue_codes], straight_out[queue_codes];
 
   uint8_t number[queue_codes];         ///< what the queue is in sector_table.hpp
