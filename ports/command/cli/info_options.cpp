@@ -12,7 +12,7 @@ namespace discmc::command {
 Command add_info(CLI::App& app) {
   const auto arguments = std::make_shared<InfoArguments>();
   CLI::App* info = app.add_subcommand(
-      "info", "Print the content of a stream or a volume, a key and its values per line");
+      "info", "Print the properties of a volume or a stream, a key and its values per line");
   info->add_option("INPUT", arguments->input,
                    "a .dmc stream, or a volume as for extract; of a volume: the range and "
                    "histogram of its values, and thresholds to try; - reads standard input")
