@@ -7,11 +7,12 @@ usage: surfaces.py DISCMC FOLDER; FOLDER gets volumes and meshes. Prints tables 
 import json
 import os
 import sys
+import zlib
 
 import numpy as np
 from scipy import ndimage
 
-from contenders import others, read_scan, usage_of
+from contenders import others, usage_of
 
 DISCMC, FOLDER = os.path.abspath(sys.argv[1]), sys.argv[2]
 
@@ -145,7 +146,9 @@ def bench_samples(title, samples, spacing, level):
         vertices, _, triangles, seconds, megabytes = extracted(*volume, *options)
         fewer = len(triangles)
         row(' '.join(('discmc', *options)), vertices, triangles, seconds, megabytes)
-    for name, vertices, triangles, seconds, megabytes in others(closed, spacing, level, FOLDER, read_ply):
+    # discmc crosses between whole numbers.
+    crossing = level - 0.5 if closed.dtype.kind in 'iu' else level
+    for name, vertices, triangles, seconds, megabytes in others(closed, spacing, crossing, FOLDER, read_ply):
         write_ply('mesh.ply', vertices, triangles)
         row(name, vertices, triangles, seconds, megabytes)
     print()
@@ -157,14 +160,24 @@ def bench_noise(extent, blur):
     bench_samples(f'noise, blurred over {blur:g} voxels, {extent}^3, at 0', samples, (1, 1, 1), 0)
 
 
+def read_scan(path, scan):
+    """Returns the samples of a compressed NIfTI or NRRD file, whose dimensions and type scan has."""
+    with open(path, 'rb') as file:
+        content = file.read()
+    packed = content if '.nii' in path else content.partition(b'\n\n')[2]
+    type_of_sample = np.dtype(scan['type'][0] + str(int(scan['type'][1:]) // 8))
+    count = np.prod(scan['dims'])
+    samples = zlib.decompress(packed, 47)[-count * type_of_sample.itemsize:]
+    return np.frombuffer(samples, type_of_sample).reshape(scan['dims'][::-1])
+
+
 def bench_scans(folder):
     for name in ('engine', 'cthead', 'mri_head_seg3d'):
         if os.path.exists(f'{folder}/{name}.json'):
             with open(f'{folder}/{name}.json', encoding='utf-8') as file:
                 scan = json.load(file)
-            samples = read_scan(f'{folder}/{scan["file"]}')
-            if samples is not None:
-                bench_samples(f'{scan["file"]}, at {scan["iso"][0]}', samples, scan['spacing'], scan['iso'][0])
+            bench_samples(f'{scan["file"]}, at {scan["iso"][0]}', read_scan(f'{folder}/{scan["file"]}', scan),
+                          scan['spacing'], scan['iso'][0])
 
 
 def bench_labels(extent):
