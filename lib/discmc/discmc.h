@@ -59,7 +59,7 @@ enum {
   DISCMC_FINISHED,          /* the scan has ended: start another */
   DISCMC_ROW_IN_PROGRESS,   /* a whole row was pushed or skipped in the middle of a row */
   DISCMC_SLICE_IN_PROGRESS, /* finish() in the middle of a slice: complete it, or abandon() */
-  DISCMC_TOO_DEEP,          /* the scan has DISCMC_MAX_SLICES; finish() still works */
+  DISCMC_TOO_MANY_SLICES,          /* the scan has DISCMC_MAX_SLICES; finish() still works */
   DISCMC_WRONG_VERSION,     /* this receiver does not support the version of the stream */
   DISCMC_BAD_CHECKPOINT,    /* damaged, or saved by another build or kind */
   DISCMC_BAD_LABEL,         /* the channel is too high, or there are too many surfaces */
@@ -258,7 +258,7 @@ DISCMC_CHECK discmc_status discmc_extractor_start(discmc_extractor** extractor,
  * width as the count. samples: an array of the type; Owner: the caller, during the call.
  * stride: from one sample to the next, in samples; not for bits. If suspended, all samples up to
  * the end of a row are accepted: call resume() until it is not suspended, then push the remaining
- * samples. Errors: DISCMC_BAD_SAMPLES, DISCMC_FINISHED, DISCMC_TOO_DEEP, for bits
+ * samples. Errors: DISCMC_BAD_SAMPLES, DISCMC_FINISHED, DISCMC_TOO_MANY_SLICES, for bits
  * DISCMC_ROW_IN_PROGRESS. Cost: a comparison per sample, and the surface that the row completes. */
 DISCMC_CHECK discmc_push_result discmc_extractor_push(discmc_extractor* extractor,
                                                       discmc_sample_type type, const void* samples,
@@ -449,7 +449,7 @@ typedef struct discmc_joiner_info {
   uint64_t received, invalid;         /* fragments, and invalid ones, which are dropped */
   uint64_t regions, rings;            /* delivered, joined from fragments */
   uint64_t unmatched;                 /* without a partner at the end: a measure of losses */
-  uint64_t passed_on;                 /* fragments passed on for lack of memory */
+  uint64_t short_of_memory;           /* fragments passed on for lack of memory */
   uint32_t fragments, runs;           /* capacities */
   uint32_t peak_fragments, peak_runs; /* most in use */
 } discmc_joiner_info;

@@ -36,7 +36,7 @@ class Encoder {
   SinkResult take(const Event& event);
 
   /// Encodes a region in one call, to the same bytes as its events. For hosts: see
-  /// HostExtractor::give_regions_to(). Returns SinkResult::busy if the encoder needs the events
+  /// HostExtractor::set_region_receiver(). Returns SinkResult::busy if the encoder needs the events
   /// instead: the output is busy, the region does not fit, or the stream has normals.
   SinkResult take_region(const WholeRegion& region);
 
@@ -71,7 +71,7 @@ class Encoder {
 
   /// Resumes a stream whose object was restored byte for byte in place, as in C. Call it instead of
   /// restore(). Limit: the bytes are unchanged. Errors: bad_sink (no write).
-  [[nodiscard]] Status continue_to(const ByteOutput& output);
+  [[nodiscard]] Status resume_in_place(const ByteOutput& output);
 
   /// The bytes of stream so far, including those dropped without an output. The difference between
   /// two calls of set_output() is the number of dropped bytes.

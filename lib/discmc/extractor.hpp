@@ -23,7 +23,7 @@
 namespace discmc {
 
 /// Peaks: the most in use at once. Units: as Capacities.
-struct HighWater {
+struct Peaks {
   uint32_t slots;
   uint32_t holes;
 };
@@ -63,7 +63,7 @@ class BasicExtractor {
 
   /// Accepts samples of consecutive voxels, rows and slices in x, y, z order. A call may end
   /// anywhere. samples: Owner: the caller; free again when the call returns. stride: from one
-  /// sample to the next, in samples. Errors: not_started, finished, too_deep. Status::suspended:
+  /// sample to the next, in samples. Errors: not_started, finished, too_many_slices. Status::suspended:
   /// all samples up to the end of the row that caused it are accepted. Sample is uint8_t, uint16_t
   /// or int16_t. Cost: one comparison per sample; a completed row also sweeps a row of the slice
   /// below (DESIGN.md, "Work").
@@ -110,7 +110,7 @@ class BasicExtractor {
 
   /// Resumes a scan whose object and memory were restored byte for byte in place, as in C. Call it
   /// instead of restore(). Limit: the bytes are unchanged. Errors: bad_sink, too_little_memory.
-  [[nodiscard]] Status continue_in(Memory memory, const Sink& sink);
+  [[nodiscard]] Status resume_in_place(Memory memory, const Sink& sink);
 
   /// Whether the sink has refused an event that is due. If so, call resume() before save().
   bool is_suspended() const;
@@ -122,8 +122,8 @@ class BasicExtractor {
   }
   const Capacities& capacities() const { return capacities_; }
   /// The peaks so far.
-  HighWater high_water() const {
-    return {sweep_.fragments().slots().high_water(), sweep_.delivery().holes().high_water()};
+  Peaks peaks() const {
+    return {sweep_.fragments().slots().peak(), sweep_.delivery().holes().peak()};
   }
   /// The number of bytes at the beginning of the caller's memory that the scan has used so far. No
   /// later byte was written.

@@ -197,7 +197,7 @@ struct WholeRegion {
 };
 
 /// An additional receiver that may accept a region in one call: see
-/// HostExtractor::give_regions_to(). If it refuses the region, the sink receives the events.
+/// HostExtractor::set_region_receiver(). If it refuses the region, the sink receives the events.
 struct RegionReceiver {
   void* context = nullptr;
   SinkResult (*take)(void* context, const WholeRegion& region) = nullptr;

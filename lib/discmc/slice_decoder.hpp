@@ -48,7 +48,7 @@ struct RowSink {
 
 /// Returns a row sink that calls `object.take(event)`. Owner: the object must outlive the sink.
 template <class Object>
-RowSink row_sink_to(Object& object) {
+RowSink make_row_sink(Object& object) {
   return {&object, [](void* context, const RowEvent& event) {
             return static_cast<Object*>(context)->take(event);
           }};

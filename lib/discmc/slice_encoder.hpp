@@ -38,7 +38,7 @@ struct KeySlices {
   /// repeat each other, 253 %.
   uint32_t interval = 0;
 
-  constexpr bool is_every() const { return interval == 1; }
+  constexpr bool is_every_slice() const { return interval == 1; }
   constexpr bool is_key(uint32_t slice) const {
     return slice == 0 || (interval > 0 && slice % interval == 0);
   }
@@ -61,7 +61,7 @@ constexpr uint64_t surface_bytes(const Limits& limits, uint32_t rows, uint32_t s
 /// every slice is a key slice, otherwise the rows of a slice and three more. Limit: valid limits.
 constexpr uint64_t slice_encoder_bytes(const Limits& limits, KeySlices key_slices,
                                        uint32_t surfaces = 1) {
-  const uint32_t rows = slices::rows_kept(limits.height, key_slices.is_every());
+  const uint32_t rows = slices::rows_kept(limits.height, key_slices.is_every_slice());
   return slices::surface_bytes(limits, rows, surfaces) + Arena::alignment - 1;
 }
 
@@ -90,7 +90,7 @@ class SliceEncoder {
 
   /// Accepts samples of consecutive voxels, rows and slices in x, y, z order. A call may end
   /// anywhere. samples: Owner: the caller; free again when the call returns. stride: from one
-  /// sample to the next, in samples. Errors: not_started, finished, too_deep. Status::suspended:
+  /// sample to the next, in samples. Errors: not_started, finished, too_many_slices. Status::suspended:
   /// all samples up to the end of the row that caused it are accepted. Sample is uint8_t, uint16_t
   /// or int16_t. Cost: one comparison per sample, and per row one coding decision if its neighbours
   /// predict it, otherwise about two, plus one per voxel of outline.
@@ -152,7 +152,7 @@ class SliceEncoder {
   /// Resumes a scan whose object and memory were restored byte for byte in place, as in C. Call it
   /// instead of restore(). Limit: the bytes are unchanged. Errors: bad_sink (no write),
   /// too_little_memory.
-  [[nodiscard]] Status continue_in(Memory memory, const ByteOutput& output);
+  [[nodiscard]] Status resume_in_place(Memory memory, const ByteOutput& output);
 
   /// The bytes of stream so far, including those dropped without an output. The difference between
   /// two calls of set_output() is the number of dropped bytes.

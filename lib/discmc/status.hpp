@@ -32,7 +32,7 @@ enum class Status : uint8_t {
   finished,           ///< the scan has ended: start() another, or reset()
   row_in_progress,    ///< a whole row was pushed or skipped in the middle of a row
   slice_in_progress,  ///< finish() in the middle of a slice: push or skip its rows, or abandon()
-  too_deep,           ///< the scan has Limits::max_slices slices; finish() still works
+  too_many_slices,           ///< the scan has Limits::max_slices slices; finish() still works
   wrong_version,      ///< this decoder does not support the stream's version
   bad_checkpoint,     ///< the checkpoint or its memory differs from what was saved
   bad_label,          ///< see StreamLabel; for a StreamHeader also its surfaces
@@ -65,7 +65,7 @@ constexpr const char* to_string(Status status) {
       return "the scan has ended: start another";
     case Status::row_in_progress:
       return "the current row is incomplete: push the rest of it first";
-    case Status::too_deep:
+    case Status::too_many_slices:
       return "the scan has the maximum of 1073741823 slices: finish() it, and start another";
     case Status::wrong_version:
       return "the stream has another format version: use a receiver of that version";

@@ -117,7 +117,7 @@ Trials try_all(const VolumeBits& volume, const TuneArguments& arguments,
 }
 
 void print_needs(const VolumeBits& volume, const Trials& trials, std::ostream& out) {
-  const HighWater& most = trials.plenty.high_water;
+  const Peaks& most = trials.plenty.peaks;
   out << "  peak                " << grouped(most.slots) << " slots of 8 bytes, "
       << grouped(most.holes) << " holes\n"
       << "  least arena         " << bytes_text(minimum_bytes<std::uint16_t>(volume.limits()))
