@@ -1,16 +1,17 @@
-// Gradient normals in the first pass: an extractor that adds to every run the normal at its start.
+// Normals during the scan: an extractor that adds to every run the normal of the surface at its
+// start.
 //
-//   using Normals = GradientNormals<uint8_t>;           // of the samples' type
+//   using Normals = GradientNormals<uint8_t>;           // the type of the samples
 //   static uint8_t memory[minimum_bytes<uint16_t, Normals>(limits) + 24 * 1024];
-//   static NormalExtractor16<uint8_t> extractor;        // used like any other
+//   static NormalExtractor16<uint8_t> extractor;        // used like any other extractor
 //   encoder.encode_normals();                           // otherwise the stream omits them
 //   extractor.set_spacing(spacing_nm);                  // before start(), unless voxels are cubes
 //
-// The extractor keeps the samples of four slices and six rows. It delays every row by a slice and a
-// row, so that it has the samples on all sides of the sweep. It computes a normal for each corner
-// and stores it with the run that starts there; points in the middle of a side have no normal. A
-// slab has one slice of context: near a seam the gradient uses the available slices, as at the end
-// of a volume.
+// A normal is the gradient of the samples at a corner. The gradient needs the samples on all sides.
+// So the extractor keeps four slices and six rows of samples, and its events come one slice and one
+// row later. At the ends of a volume, and at the seams of a slab, the gradient uses the slices that
+// exist. Vertices between two corners have no normal. For normals in a second pass see
+// sample_window.hpp.
 #ifndef DISCMC_GRADIENT_NORMALS_HPP
 #define DISCMC_GRADIENT_NORMALS_HPP
 
@@ -19,10 +20,9 @@
 
 namespace discmc {
 
-/// An extractor with normals. It accepts samples of one type, keeps four slices of them in the
-/// memory, and sweeps one slice and one row later. Except for the normals, the events are those of
-/// an extractor without normals. memory: at least minimum_bytes<Index,
-/// GradientNormals<Sample>>(limits); likewise for explicit capacities.
+/// An extractor with normals. It accepts samples of one type, which is uint8_t, uint16_t or
+/// int16_t, and no bits. memory of start(): at least minimum_bytes<Index,
+/// GradientNormals<Sample>>(limits), or with explicit capacities bytes_for() with the same types.
 template <class Index, class Sample>
 class NormalExtractor
     : public BasicExtractor<Index, GradientNormals<Sample>, trace::Sweep<Index, OctahedralNormal>> {
@@ -30,8 +30,8 @@ class NormalExtractor
   NormalExtractor() = default;
 
   /// Sets the distances between voxels for the normals of the next scans; without this call voxels
-  /// are cubes. The `start` event passes the spacing to the stream. spacing_nm: negative for a
-  /// mirrored axis; Units: nanometres. Limit: not during a scan, whose later normals would differ.
+  /// are cubes. The `start` event passes the spacing to the stream. spacing_nm: along x, y, z;
+  /// negative for a mirrored axis; Units: nanometres. Limit: not during a scan.
   void set_spacing(const int32_t (&spacing_nm)[3]) { this->intake().set_spacing(spacing_nm); }
 
   /// Bits have no gradient.
