@@ -10,9 +10,9 @@
 // kind.
 //
 // This file includes everything that firmware and receivers need. Hosts also include
-// host/host_extractor.hpp. Each header is the reference of its part; docs/map.md shows the way
-// through them. docs/concepts.md defines the terms. docs/statuses.md lists the cause and remedy of
-// each Status. docs/threads.md states what may be called from where.
+// host/host_extractor.hpp. Each header is the reference of its part. docs/map.md shows the way
+// through the headers, and docs/concepts.md defines the terms. docs/statuses.md lists the cause and
+// remedy of each Status. docs/threads.md states what may be called from where.
 //
 // Comments use five words:
 //

@@ -20,8 +20,8 @@
 
 namespace discmc {
 
-/// An extractor with normals. It accepts samples of one type, which is uint8_t, uint16_t or
-/// int16_t, and no bits. memory of start(): at least minimum_bytes<Index,
+/// An extractor with normals. It accepts samples of one type and no bits. Sample is uint8_t,
+/// uint16_t or int16_t. memory of start(): at least minimum_bytes<Index,
 /// GradientNormals<Sample>>(limits), or with explicit capacities bytes_for() with the same types.
 template <class Index, class Sample>
 class NormalExtractor

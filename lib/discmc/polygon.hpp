@@ -25,9 +25,9 @@ constexpr uint64_t link_count(const Run* runs, uint32_t count) {
 void ring_vertices(Incidence incidence, const Vertex& start, const Run* runs, uint32_t count,
                    Vertex* vertices);
 
-/// Twice the area of a ring, times the length of its incidence's normal (1, the square root of 2 or
-/// of 3): an exact integer, equal to twice_area() of the ring's chain. Positive for an outer ring,
-/// negative for a hole. Units: square half-steps.
+/// Twice the area of a ring, times the length of its incidence's normal: an exact integer, equal to
+/// twice_area() of the ring's chain. Positive for an outer ring, negative for a hole. Units: square
+/// half-steps.
 int64_t twice_area(Incidence incidence, const Vertex* vertices, uint32_t count);
 
 /// A sink of simple rings. Owner: the context belongs to the caller.

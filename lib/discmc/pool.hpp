@@ -98,6 +98,7 @@ class Pool : public SlotAccount<Index> {
 
   /// Returns a slot with undefined members, or no_slot if all are in use.
   Index take() { return SlotAccount<Index>::take(sizeof(Slot)); }
+  /// Releases a slot. Limit: it is in use.
   void give(Index index) { SlotAccount<Index>::give(index, sizeof(Slot)); }
 
   Slot& operator[](Index index) { return reinterpret_cast<Slot*>(this->slots_)[index]; }
