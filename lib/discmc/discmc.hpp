@@ -10,9 +10,12 @@
 // kind.
 //
 // This file includes everything that firmware and receivers need. Hosts also include
-// host/host_extractor.hpp. Each header is the reference of its part. docs/map.md shows the way
-// through the headers, and docs/concepts.md defines the terms. docs/statuses.md lists the cause and
-// remedy of each Status. docs/threads.md states what may be called from where.
+// host/host_extractor.hpp. Each header is the reference of its part. Four documents belong to all:
+//
+//   docs/map.md       the way through the headers
+//   docs/concepts.md  the terms
+//   docs/statuses.md  the cause and the remedy of each Status
+//   docs/threads.md   what may be called from where
 //
 // Comments use five words:
 //
