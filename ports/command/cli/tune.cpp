@@ -143,8 +143,8 @@ void print_slices(const Trials& trials, const Device& device, std::ostream& out)
   std::vector<TriedRow> rows;
   for (std::size_t i = 0; i < trials.slices.size(); ++i)
     rows.push_back({(key_slice_intervals[i] == 1
-                         ? std::string("every slice is key")
-                         : "every " + std::to_string(key_slice_intervals[i]) + "th is key") +
+                         ? std::string("every slice is a key slice")
+                         : "key slice every " + std::to_string(key_slice_intervals[i])) +
                         "  " + grouped(trials.slices[i].memory),
                     &trials.slices[i], i == 0});
   print_trials(rows, Wire::slices, device, out);
@@ -241,8 +241,8 @@ void print_report(const VolumeBits& volume, const TuneArguments& arguments, cons
   }
   if (!trials.slices.empty()) print_slices(trials, device, out);
   out << "\nlink: time on the UART, 10 bits per byte. CPU: time of the library, estimated within "
-         "a\nfifth and without wait states of the flash (docs/measure.md). rows/s: average "
-         "sustainable\nrate; at worst: CPU-limited rate in the slowest slice.\n";
+         "20 %,\nwithout wait states of the flash (docs/measure.md). rows/s: average sustainable "
+         "rate;\nat worst: CPU-limited rate in the slowest slice.\n";
   print_all_code(volume, arguments, trials, device, out);
 }
 
