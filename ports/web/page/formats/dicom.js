@@ -144,7 +144,7 @@ function inOrder(stack) {
   const { alongRow: u, alongColumn: v } = first;
   const hasPlaces = stack.every(({ position }) => position.length === 3) && u.length + v.length === 6;
   if (!hasPlaces && stack.some(({ file }) => file !== first.file))
-    throw new FileError(first.file.name, 'the slices have no position, and so no order',
+    throw new FileError(first.file.name, 'the slices have no position, so their order is unknown',
       'export the series with positions');
   if (!hasPlaces) return { ordered: stack, distance: first.spacing[2], axes: undefined };
   const normal = cross(u, v);

@@ -105,7 +105,7 @@ async function skipLines(name, data, lines) {
   for (let skipped = 0; skipped < lines; ++skipped) {
     const end = (await data.peek(longestHeader)).indexOf(10);
     if (end < 0)
-      throw new FileError(name, `of ${lines} lines to skip only ${skipped} exist`,
+      throw new FileError(name, `line skip is ${lines}, but the file has ${skipped} lines`,
         'correct the line skip in the header');
     await data.skip(end + 1);
   }
