@@ -19,8 +19,10 @@ namespace {
 // `discmc help extract` is `discmc extract --help`. CLI11 expects the words in reverse.
 std::vector<std::string> reversed_words(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
-  if (!words.empty() && words[0] == "help")
-    std::rotate(words.begin(), words.begin() + 1, words.end()), words.back() = "--help";
+  if (!words.empty() && words[0] == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
   std::reverse(words.begin(), words.end());
   return words;
 }

@@ -34,7 +34,7 @@ Command add_compare(CLI::App& app) {
   const char* const names[] = {"A", "B"};
   const char* const inputs[] = {
       "a mesh, a .dmc stream, or a volume, whose surface classic Marching Cubes makes at --iso",
-      "the surface to compare with: likewise"};
+      "the surface to compare with, in one of these forms"};
   for (std::size_t i = 0; i < arguments->inputs.size(); ++i)
     compare
         ->add_option_function<std::string>(

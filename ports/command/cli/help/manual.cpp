@@ -93,7 +93,8 @@ std::string manual(const CommandOutline& program, const std::string& version) {
   // The footer: examples, and a last paragraph with the exit codes.
   const std::size_t gap = program.footer.rfind("\n\n");
   if (gap == std::string::npos) return page;
-  page += ".SH EXAMPLES\n" + as_they_are(program.footer.substr(0, gap));
+  const std::size_t begin = program.footer.find('\n') + 1;  // behind the heading
+  page += ".SH EXAMPLES\n" + as_they_are(program.footer.substr(begin, gap - begin));
   return page + ".SH EXIT STATUS\n" + escaped(program.footer.substr(gap + 2)) + '\n';
 }
 
