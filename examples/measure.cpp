@@ -110,13 +110,13 @@ int main() {
     constexpr uint32_t rows = limits.height * depth;
     const auto cells = static_cast<uint32_t>(extractor.statistics().cells);
     send("counter_bits", measure_clock::bits);
-    send("cycles_an_empty_row", empty.all / rows);
-    send("hundredths_a_voxel_empty", empty.all / (rows * limits.width / 100));
-    send("cycles_an_active_cell", (regions.all - empty.all) / cells);
-    send("cycles_a_row_regions", regions.all / rows);
-    send("cycles_the_longest_row_regions", regions.most);
-    send("cycles_a_row_slices", sliced.all / rows);
-    send("cycles_the_longest_row_slices", sliced.most);
+    send("cycles_per_empty_row", empty.all / rows);
+    send("hundredths_per_empty_voxel", empty.all / (rows * limits.width / 100));
+    send("cycles_per_active_cell", (regions.all - empty.all) / cells);
+    send("cycles_per_row_regions", regions.all / rows);
+    send("cycles_longest_row_regions", regions.most);
+    send("cycles_per_row_slices", sliced.all / rows);
+    send("cycles_longest_row_slices", sliced.most);
     send("end", 0);
   }
   board::stop(succeeded);

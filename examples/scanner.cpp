@@ -101,7 +101,7 @@ bool take_all_rows() {
     }
 }
 
-// A scan that ends within a slice, or was cancelled, still leaves a closed surface.
+// A scan that ends within a slice, or was abandoned, still leaves a closed surface.
 bool end() {
   const bool is_whole = !broken_off && extractor.rows() == 0;
   return succeeds(is_whole ? extractor.finish() : extractor.abandon()) && is_whole;

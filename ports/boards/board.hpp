@@ -43,7 +43,7 @@ void* free_row();
 /// slices from 0. Numbers rise; omitted numbers are lost rows.
 void row_is_full(uint32_t number);
 
-/// Reports that no row follows: the scan had `count` rows, or was cancelled after that many.
+/// Reports that no row follows: the scan had `count` rows, or was abandoned after that many.
 void end_of_scan(uint32_t count, bool broken_off);
 
 }  // namespace rows

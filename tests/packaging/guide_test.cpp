@@ -194,7 +194,7 @@ Status receive(const uint8_t* bytes, size_t count) {
   return decoded.status;
 }
 
-bool is_whole() {
+bool finish_and_check() {
   while (decoder.finish() == Status::suspended) continue;
   while (joiner.finish() == Status::suspended) continue;
   return decoder.report().is_complete() && joiner.report().unmatched == 0;
@@ -276,7 +276,7 @@ TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a 
 
   REQUIRE(start_receiver());
   for (const uint8_t byte : bytes) REQUIRE(receive(&byte, 1) == Status::ok);
-  CHECK(is_whole());
+  CHECK(finish_and_check());
   CHECK(joiner.report().received == extractor.statistics().fragments);
   CHECK(outlines.lines > 0);
 
@@ -286,7 +286,7 @@ TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a 
   bytes.erase(middle + 1, next + 1);
   REQUIRE(start_receiver());
   REQUIRE(receive(bytes.data(), bytes.size()) == Status::ok);
-  CHECK_FALSE(is_whole());
+  CHECK_FALSE(finish_and_check());
 }
 
 TEST_CASE("the guide's filter takes away most of what noise adds to the stream") {

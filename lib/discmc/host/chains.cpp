@@ -108,21 +108,19 @@ void Chains::copy_open(Slots& slots) {
   end_ = area.first + area.slots;
 }
 
-// Makes room in the queues.
+// Makes room in the queues. False when one of them has too little.
 bool Chains::find_places(Slots& slots) {
   find_least_places();
   if (free_places_ >= Edges::max_edges) return true;
   back(seam_tails) = front(seam_tails);
-  bool has_places = true;
   for_each_queue([&](uint32_t queue) {
     const uint32_t seats = end_seat_[queue] - first_seat_[queue];
     const uint32_t free = end_seat_[queue] - back(queue);
     const bool is_short_move = free < seats / 4 * 3 && back(queue) - front(queue) <= seats / 16;
-    if (free < Edges::max_edges || is_short_move)
-      has_places = has_places && make_places(slots, queue);
+    if (free < Edges::max_edges || is_short_move) make_places(slots, queue);
   });
   find_least_places();
-  return has_places;
+  return free_places_ >= Edges::max_edges;
 }
 
 void Chains::find_least_places() {
@@ -138,8 +136,8 @@ void Chains::find_least_places() {
   free_places_ = least;
 }
 
-// Moves what waits in a queue to its first seats, or to twice as many elsewhere.
-bool Chains::make_places(Slots& slots, uint32_t queue) {
+// Moves what waits in a queue to its first seats, or to twice as many elsewhere if there are slots.
+void Chains::make_places(Slots& slots, uint32_t queue) {
   uint32_t* const seat = seats(slots);
   const uint32_t waiting = back(queue) - front(queue);
   const uint32_t old_first = first_seat_[queue];
@@ -148,7 +146,7 @@ bool Chains::make_places(Slots& slots, uint32_t queue) {
   if (waiting > old_slots * seats_per_slot / 2) {
     const bool may_take = slots.available() >= reserve() + 2 * old_slots;
     const Area area = may_take ? new_area(slots, 2 * old_slots) : Area{};
-    if (area.slots == 0) return false;
+    if (area.slots == 0) return;
     first_seat_[queue] = first = area.first * seats_per_slot;
     end_seat_[queue] = first + area.slots * seats_per_slot;
   }
@@ -156,7 +154,6 @@ bool Chains::make_places(Slots& slots, uint32_t queue) {
   front(queue) = first;
   back(queue) = first + waiting;
   if (first != old_first) give(slots, {old_first / seats_per_slot, old_slots});
-  return true;
 }
 
 void Chains::give_all(Slots& slots) {

@@ -107,7 +107,7 @@ class Chains {
   bool has_places(Slots& slots) { return free_places_ >= Edges::max_edges || find_places(slots); }
   bool find_places(Slots& slots);
   void find_least_places();
-  bool make_places(Slots& slots, uint32_t queue);
+  void make_places(Slots& slots, uint32_t queue);
   void mark_tails(Slots& slots);
   void copy_open(Slots& slots);
   bool comes_back(Slots& slots, uint32_t at);

@@ -279,10 +279,11 @@ void add_closing_option(CLI::App& app, ExtractArguments& arguments) {
 // What a stream holds, where that is what is written.
 void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
   app.option_defaults()->group(stream_group);
-  add_named_option(app, "--wire", arguments.wire,
-                   NamedValues<Wire>{{"regions", Wire::regions}, {"slices", Wire::slices}},
-                   "the content of a .dmc stream; regions: polygons, final as they arrive; slices: "
-                   "the thresholded voxels, in a tenth of the bytes");
+  add_named_option(
+      app, "--wire", arguments.wire,
+      NamedValues<Wire>{{"regions", Wire::regions}, {"slices", Wire::slices}},
+      "the kind of .dmc stream; regions: merged polygons, final as they arrive; slices: "
+      "the thresholded voxels, in a tenth of the bytes");
   app.add_option("--key-slices", arguments.key_slices,
                  "with --wire slices: make every Nth slice a key slice that decodes alone, for "
                  "links that lose packets (default: the first slice only)")
@@ -294,7 +295,7 @@ void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
       ->capture_default_str();
   app.add_option_function<std::string>(
          "--slab", [&arguments](const std::string& text) { arguments.slab = slab_choice(text); },
-         "extract the K-th of N parts of the slices, as a .dmc stream; discmc join joins all parts")
+         "extract slab K of N along z, as a .dmc stream; discmc join joins all slabs")
       ->option_text("K/N");
 }
 
@@ -331,7 +332,7 @@ Command add_extract(CLI::App& app) {
   extract
       ->add_option("-j,--jobs", arguments->jobs,
                    "work on N parts of the volume at once (default: for a mesh, the number of "
-                   "cores; for a stream, 1). The mesh is the same for every N")
+                   "cores; for a stream, one core). The mesh is the same for every N")
       ->check(CLI::Range(1U, max_jobs))
       ->option_text("N");
   add_mesh_options(*extract, arguments->mesh);

@@ -1,4 +1,4 @@
-// discmc info: the content of a stream or a volume.
+// discmc info: the properties of a volume or a stream.
 #include <cstddef>
 #include <iostream>
 #include <optional>

@@ -68,7 +68,7 @@ void add_device_options(CLI::App& app, TuneArguments& arguments) {
              if (std::find(names.begin(), names.end(), name) != names.end())
                arguments.wires.push_back(wire);
          },
-         "the content of the stream; may be given twice (default: both)")
+         "the kind of stream; may be given twice (default: both)")
       ->check(CLI::IsMember({"regions", "slices"}))
       ->expected(1, -1)
       ->allow_extra_args(false)

@@ -90,7 +90,7 @@ Command add_view(CLI::App& app) {
       "holds only\nthat surface, in far fewer bytes; with --labels it holds their meshes.\n\nWith "
       "--serve, discmc serves page and data, "
       "so the page opens at once. The limit is 1 GiB of\nsamples. A stream from standard "
-      "input or a named pipe is shown as it arrives. All programs on\nthis computer can read the "
+      "input or a named pipe is shown as it arrives. All users of\nthis computer can read the "
       "page; other computers cannot.\n\nExamples:\n  discmc view head.nii.gz\n  discmc view "
       "head.nii.gz --iso 300 -o skull.html\n  discmc view scan.dmc\n  discmc view labels.nii.gz "
       "--labels all\n  discmc view series/ "

@@ -47,7 +47,7 @@ void SmoothedVolume::read_mask(float* mask) {
   const std::uint8_t* row = selected_.next_slice();
   for (std::uint32_t y = 0; y < info_.dims[1]; ++y, row += bit_row_bytes(info_.dims[0]))
     for (std::uint32_t x = 0; x < info_.dims[0]; ++x) {
-      const unsigned is_on = row[x / 8] >> x % 8 & 1U;
+      const unsigned is_on = unsigned{row[x / 8]} >> x % 8 & 1U;
       *mask++ = static_cast<float>(is_on);
       selected_voxels_ += is_on;
     }

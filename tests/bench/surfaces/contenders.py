@@ -38,6 +38,17 @@ def usage_of(command, folder):
     return output, *map(float, usage.split())
 
 
+def read_scan(path):
+    """Returns the samples of a NIfTI or NRRD file, or None without VTK."""
+    if not vtk:
+        return None
+    reader = vtk.vtkNIFTIImageReader() if '.nii' in path else vtk.vtkNrrdReader()
+    reader.SetFileName(path)
+    reader.Update()
+    image = reader.GetOutput()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(image.GetDimensions()[::-1])
+
+
 def vtk_mesh(samples, spacing, level, windowed_sinc=0, reduction=0.0):
     image = vtk.vtkImageData()
     image.SetDimensions(samples.shape[::-1])

@@ -4,13 +4,14 @@ usage: surfaces.py DISCMC FOLDER; FOLDER gets volumes and meshes. Prints tables 
 `scripts/bench --surfaces` builds the command and runs this. Distances are measured by discmc compare.
 """
 
+import json
 import os
 import sys
 
 import numpy as np
 from scipy import ndimage
 
-from contenders import others, usage_of
+from contenders import others, read_scan, usage_of
 
 DISCMC, FOLDER = os.path.abspath(sys.argv[1]), sys.argv[2]
 
@@ -39,9 +40,9 @@ def write_ply(name, vertices, triangles):
         file.write(header.encode() + vertices.astype('<f4').tobytes() + faces.tobytes())
 
 
-def extracted(volume, placement, *options):
+def extracted(*volume_and_options):
     """Returns vertices, normals (or none), triangles, seconds and MB."""
-    _, seconds, megabytes = usage_of([DISCMC, 'extract', volume, *placement, *options, '-o', 'mesh.ply'], FOLDER)
+    _, seconds, megabytes = usage_of([DISCMC, 'extract', *volume_and_options, '-o', 'mesh.ply'], FOLDER)
     rows, triangles = read_ply('mesh.ply')
     return rows[:, :3], rows[:, 3:6] if rows.shape[1] > 3 else None, triangles, seconds, megabytes
 
@@ -103,7 +104,7 @@ def bench_mask():
 
     for name, options in (('discmc', ()), ('discmc --smooth auto', ('--smooth', 'auto')),
                           ('discmc --smooth 1.5', ('--smooth', '1.5'))):
-        vertices, _, triangles, _, _ = extracted('mask.npy', spaced(spacing), '--iso', '1', *options)
+        vertices, _, triangles, _, _ = extracted('mask.npy', *spaced(spacing), '--iso', '1', *options)
         row(name, vertices, triangles)
     for name, vertices, triangles, _, _ in others((inside >= 0).astype(np.float32), spacing, 0.5, FOLDER, read_ply):
         row(name, vertices, triangles)
@@ -116,20 +117,23 @@ def bench_normals():
         inside, middle = ball(60, spacing, 20)
         np.save(f'{FOLDER}/ball.npy', inside.astype(np.float32))
         for name, surface in (('merged', 'merged'), ('interpolated', 'interpolated')):
-            vertices, normals, _, _, _ = extracted('ball.npy', spaced(spacing), '--iso', '0', '--surface', surface,
+            vertices, normals, _, _, _ = extracted('ball.npy', *spaced(spacing), '--iso', '0', '--surface', surface,
                                                 '--normals', 'surface')
             error = degrees(normals, vertices - middle)
             print(f'| {name}, voxels of {" x ".join(map(str, spacing))} mm | {error.mean():.1f} | {error.max():.0f} |')
     print()
 
 
-def bench_samples(title, volume, placement, level, samples, spacing):
-    """Rows of one volume. samples: for the programs that read none of its formats, or None."""
+def bench_samples(title, samples, spacing, level):
+    """Surrounds the samples by the least of them, so that every program closes the surface."""
+    closed = np.pad(samples, 1, constant_values=samples.min())
+    np.save(f'{FOLDER}/closed.npy', closed)
+    volume = ('closed.npy', *spaced(spacing), '--iso', str(level))
     print(f'| {title} | triangles | mean distance, mm | largest | an angle below 5 degrees | wrong edges | s | MB |\n'
           '|---|--:|--:|--:|--:|--:|--:|--:|')
 
     def row(name, vertices, triangles, seconds, megabytes):
-        told, _, _ = usage_of([DISCMC, 'compare', 'mesh.ply', volume, *placement, '--iso', str(level)], FOLDER)
+        told, _, _ = usage_of([DISCMC, 'compare', 'mesh.ply', *volume], FOLDER)
         told = next(line.split() for line in told.splitlines() if 'A to B, mm' in line)
         print(f'| {name} | {len(triangles):,} | {told[4]} | {told[6]} | {thin(vertices, triangles):.1f} % '
               f'| {wrong_edges(triangles):,} | {seconds:.1f} | {f"{megabytes:.0f}" if megabytes else ""} |', flush=True)
@@ -138,33 +142,29 @@ def bench_samples(title, volume, placement, level, samples, spacing):
     for options in ((), ('--surface', 'interpolated'), ('--triangles',)):
         if options == ('--triangles',):
             options = ('--triangles', str(int(fewer * 0.6)))
-        vertices, _, triangles, seconds, megabytes = extracted(volume, placement, '--iso', str(level), *options)
+        vertices, _, triangles, seconds, megabytes = extracted(*volume, *options)
         fewer = len(triangles)
         row(' '.join(('discmc', *options)), vertices, triangles, seconds, megabytes)
-    if samples is not None:
-        for name, vertices, triangles, seconds, megabytes in others(samples, spacing, level, FOLDER, read_ply):
-            write_ply('mesh.ply', vertices, triangles)
-            row(name, vertices, triangles, seconds, megabytes)
+    for name, vertices, triangles, seconds, megabytes in others(closed, spacing, level, FOLDER, read_ply):
+        write_ply('mesh.ply', vertices, triangles)
+        row(name, vertices, triangles, seconds, megabytes)
     print()
 
 
 def bench_noise(extent, blur):
-    """Surrounded by the least sample, so that every program closes the surface."""
     samples = ndimage.gaussian_filter(np.random.default_rng(1).standard_normal((extent,) * 3, np.float32), blur,
                                       mode='wrap')
-    inner = (slice(1, -1),) * 3
-    closed = np.full_like(samples, samples.min())
-    closed[inner] = samples[inner]
-    np.save(f'{FOLDER}/noise.npy', closed)
-    bench_samples(f'noise, blurred over {blur:g} voxels, {extent}^3, at 0', 'noise.npy', spaced((1, 1, 1)), 0, closed,
-                  (1, 1, 1))
+    bench_samples(f'noise, blurred over {blur:g} voxels, {extent}^3, at 0', samples, (1, 1, 1), 0)
 
 
-def bench_scans(data):
-    for file, level in (('engine.nii.gz', 80), ('cthead.nrrd', 500)):
-        path = os.path.join(data, file)
-        if os.path.exists(path):
-            bench_samples(f'{file}, at {level}', path, (), level, None, None)
+def bench_scans(folder):
+    for name in ('engine', 'cthead', 'mri_head_seg3d'):
+        if os.path.exists(f'{folder}/{name}.json'):
+            with open(f'{folder}/{name}.json', encoding='utf-8') as file:
+                scan = json.load(file)
+            samples = read_scan(f'{folder}/{scan["file"]}')
+            if samples is not None:
+                bench_samples(f'{scan["file"]}, at {scan["iso"][0]}', samples, scan['spacing'], scan['iso'][0])
 
 
 def bench_labels(extent):

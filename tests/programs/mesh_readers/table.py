@@ -1,7 +1,7 @@
 """Opens the meshes of a surface in every program and prints a table; exit code 1 where one errs.
 
-usage: table.py FOLDER NAME X,Y,Z
-FOLDER has NAME.jsonl, the merged polygons, and NAME.stl, .ply, .obj ...; X,Y,Z is the spacing.
+usage: table.py FOLDER NAME FORMAT...
+FOLDER has NAME.json, what discmc measures, and NAME.stl, .ply, .obj ...
 """
 import json
 import os
@@ -11,19 +11,6 @@ import sys
 from programs import PROGRAMS
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-FORMATS = ["stl", "ply", "obj", "glb", "3mf", "vtp"]
-
-
-def true_volume(lines, spacing):
-    """Of merged polygons in half-steps, by their rings, in integers. Units: cubic millimetres."""
-    sixfold = 0
-    for line in lines:
-        for ring in json.loads(line)["rings"]:
-            x0, y0, z0 = ring[0]
-            for (x1, y1, z1), (x2, y2, z2) in zip(ring[1:], ring[2:]):
-                sixfold += (x0 * (y1 * z2 - z1 * y2) + y0 * (z1 * x2 - x1 * z2)
-                            + z0 * (x1 * y2 - y1 * x2))
-    return abs(sixfold / 48 * spacing[0] * spacing[1] * spacing[2])
 
 
 def told_by(program, file):
@@ -52,20 +39,22 @@ def judged(figures, file, triangles, volume):
     return ", ".join(faults) or "ok"
 
 
-def main(folder, name, spacing):
-    with open(f"{folder}/{name}.jsonl") as lines:
-        volume = true_volume(lines, spacing)
-    triangles = (os.path.getsize(f"{folder}/{name}.stl") - 84) // 50
+def main(folder, name, formats):
+    with open(f"{folder}/{name}.json") as file:
+        volume = sum(surface["volume_mm3"] for surface in json.load(file))
+    triangles = told_by("VTK", f"{folder}/{name}.{formats[0]}").get("triangles", 0)
     print(f"{name}: {triangles:,} triangles that enclose {volume:,.0f} mm3\n")
-    print("| program |", " | ".join("." + format for format in FORMATS), "|")
-    print("|---|" + "---|" * len(FORMATS))
+    print("| program |", " | ".join("." + format for format in formats), "|")
+    print("|---|" + "---|" * len(formats))
     is_good = True
-    for program, (_, formats) in PROGRAMS.items():
+    for program, (_, readable) in PROGRAMS.items():
+        if not set(formats) & set(readable):
+            continue
         cells = []
-        for format in FORMATS:
+        for format in formats:
             file = f"{folder}/{name}.{format}"
             cell = "-"
-            if format in formats:
+            if format in readable:
                 cell = judged(told_by(program, file), file, triangles, volume)
                 is_good = is_good and cell == "ok"
             cells.append(cell)
@@ -75,4 +64,4 @@ def main(folder, name, spacing):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1], sys.argv[2], [float(size) for size in sys.argv[3].split(",")]))
+    sys.exit(main(sys.argv[1], sys.argv[2], sys.argv[3:]))

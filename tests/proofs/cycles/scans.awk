@@ -4,7 +4,7 @@
 # is taken adds.
 
 FILENAME == ARGV[1] {
-  if ($1 ~ /^(fit|test|real)_/) name = $1
+  if ($1 ~ /^(fit|test|real)_/) name = $1 ($1 == "real_CT_head" ? "_(Stanford)" : "")
   else if ($1 == "voxels_8") {
     scan[++scans] = name (name == last ? " slices" : " regions")
     last = name

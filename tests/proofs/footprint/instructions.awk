@@ -13,7 +13,7 @@ END {
   print "a voxel, empty rows of 256, 8 bits", sprintf("%.2f", count[1] / of["wide_voxels"])
   print "a voxel, empty rows of 256, 16 bits", sprintf("%.2f", count[2] / of["wide_voxels"])
   print "an active cell: extraction", sprintf("%.0f", (count[4] - count[3]) / of["cells"])
-  print "a link of the result: encoding", sprintf("%.1f", (count[5] - count[4]) / of["links"])
+  print "a link of a ring: encoding", sprintf("%.1f", (count[5] - count[4]) / of["links"])
   print "a voxel, empty rows of 256, 8 bits, as slices", sprintf("%.2f", count[6] / of["wide_voxels"])
   print "the ball as regions, thousands", sprintf("%.0f", count[5] / 1000)
   print "the ball as slices, thousands", sprintf("%.0f", count[7] / 1000)

@@ -52,7 +52,7 @@ function bytes_row(name, of_polygons, of_slices) {
 
 function print_summary(    target, head, slices) {
   target = "Cortex-M4 -Os"
-  head = "CT head, 256x256x113, at 500"
+  head = "CT head (Stanford), 256x256x113, at 500"
   slices = "slices, first is key"
   print "| | polygons | thresholded slices |"
   print "|---|--:|--:|"
@@ -63,13 +63,13 @@ function print_summary(    target, head, slices) {
   bytes_row("RAM, least", figure("RAM", "Extractor16", "bytes") + figure("RAM", "Encoder", "bytes") \
     + figure("Arena", "256x256", "extractor, least"), \
     figure("Kinds of stream", "RAM for slices of 256x256", slices))
-  bytes_row("RAM for the shortest stream", figure("Kinds of stream", "RAM for slices of 256x256", "regions"), \
+  bytes_row("RAM for the lines below", figure("Kinds of stream", "RAM for slices of 256x256", "regions"), \
     figure("Kinds of stream", "RAM for slices of 256x256", slices))
   bytes_row("stream", figure("Kinds of stream", "bytes: " head, "regions"), \
     figure("Kinds of stream", "bytes: " head, slices))
   print "| instructions per voxel | " \
-    grouped(figure("Kinds of stream", target ": instructions per voxel, CT head", "regions")) " | " \
-    grouped(figure("Kinds of stream", target ": instructions per voxel, CT head", slices)) " |"
+    grouped(figure("Kinds of stream", target ": instructions per voxel, CT head (Stanford)", "regions")) " | " \
+    grouped(figure("Kinds of stream", target ": instructions per voxel, CT head (Stanford)", slices)) " |"
 }
 
 # What a device needs to send either kind of stream.
@@ -77,7 +77,7 @@ function print_requirements(    i, t, cores, targets, part, text) {
   cores = split("Cortex-M0+|Cortex-M4|RV32IMAC", targets, "|")
   print "| | Cortex-M0+ | Cortex-M4 | RV32IMAC |"
   print "|---|--:|--:|--:|"
-  split("sends polygons: flash|Flash|scanner: the three above|" \
+  split("sends polygons: flash|Flash|sends polygons: the three above|" \
     "sends polygons, fewest features: flash|Features|leanest: without the four|" \
     "sends polygons: stack|Stack|Extractor16 into an Encoder|" \
     "sends thresholded slices: flash|Flash|slice encoder of 8-bit samples|" \

@@ -53,21 +53,21 @@ END {
     print "the counted work of payloads is not complete" > "/dev/stderr"
     exit 1
   }
-  if (has_head) bytes_of("CT head, 256x256x113, at 500", "head")
+  if (has_head) bytes_of("CT head (Stanford), 256x256x113, at 500", "head")
   beside("RAM for slices of 256x256",
          taken["RAM", "Extractor16"] + taken["RAM", "Encoder"] + of["arena"],
          taken["RAM", "SliceEncoder"] + arena["256x256", "slice encoder"],
          taken["RAM", "SliceEncoder"] + arena["256x256", "key slices only"])
-  if (has_head) instructions_of("CT head", "head", 8)
+  if (has_head) instructions_of("CT head (Stanford)", "head", 8)
   instructions_of("noise", "noise", 4)
   flash = taken["Flash", "slice encoder of 8-bit samples"]
-  beside(target ": flash", taken["Flash", "scanner: the three above"], flash, flash)
+  beside(target ": flash", taken["Flash", "sends polygons: the three above"], flash, flash)
   step("ball", 1, 2)
   step("noise", 3, 5)
   millions("noise as regions", 4)
   millions("noise as slices", 5)
   if (has_head) {
-    millions("CT head as regions", 8)
-    millions("CT head as slices", 9)
+    millions("CT head (Stanford) as regions", 8)
+    millions("CT head (Stanford) as slices", 9)
   }
 }

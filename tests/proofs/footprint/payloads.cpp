@@ -138,9 +138,9 @@ int main(int count, char** arguments) {
   if (count == 3) {
     const std::string folder = arguments[1];
     head = read_head(folder, arguments[2]);
-    print_bytes("CT head, 256x256x113, at 500", *head);
+    print_bytes("CT head (Stanford), 256x256x113, at 500", *head);
     print_bytes("CT engine, 256x256x128, at 80", read<uint8_t>(folder + "/engine.nii.gz", 80));
   }
   print_bytes("noise, 64x64x64, half on", reference::random({64, 64, 64}, 128, 1));
-  if (head) print_losses("lost with a packet: % of the CT head", *head);
+  if (head) print_losses("% of CT head (Stanford) lost per lost packet", *head);
 }

@@ -75,7 +75,7 @@ void add_normals_option(CLI::App& app, Normals& normals, const std::string& grad
       NamedValues<Normals>{
           {"none", Normals::none}, {"surface", Normals::surface}, {"gradient", Normals::gradient}},
       "write normals of vertices (" + extensions(&FormatTraits::holds_normals) +
-          "); surface: the mean of the polygons around a vertex, by area; gradient: " + gradient);
+          "); surface: from the faces around a vertex; gradient: " + gradient);
 }
 
 void add_mesh_options(CLI::App& app, MeshOptions& mesh) {
