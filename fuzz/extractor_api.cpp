@@ -450,7 +450,7 @@ class Caller {
 
   // What an extractor tells of itself.
   void look() const {
-    const HighWater most = extractor_.high_water();
+    const Peaks most = extractor_.peaks();
     const Capacities& room = extractor_.capacities();
     if (state_ == State::idle) return;
     require(most.slots <= room.slots, "more in use than there is room for");

@@ -38,7 +38,7 @@ void read_scenario(Input& input, Scenario& scenario) {
   const uint32_t flags = input.byte();
   scenario.is_open = (flags & 1) != 0;
   scenario.plan.order = (flags & 2) != 0 ? InputOrder::any : InputOrder::sweep;
-  scenario.plan.unjoined = (flags & 4) == 0 ? Unjoined::passed_on : Unjoined::left_out;
+  scenario.plan.unjoined = (flags & 4) == 0 ? Unjoined::passed_on : Unjoined::dropped;
   scenario.has_little_memory = (flags & 8) != 0;
   scenario.has_losses = (flags & 16) != 0;
   if (scenario.has_little_memory) scenario.plan.capacities = read_little_memory(input);
@@ -78,15 +78,15 @@ Pieces without_losses(const Pieces& pieces, Scenario& scenario, std::vector<size
 void check_regions(const Joined& joined, const Scenario& scenario,
                    const std::vector<Region>& regions) {
   require(joined.report.unmatched == 0, "a fragment without a partner");
-  require((joined.status == Status::ok) == (joined.report.passed_on == 0),
+  require((joined.status == Status::ok) == (joined.report.short_of_memory == 0),
           "short without saying so");
   if (!scenario.has_little_memory) require(joined.status == Status::ok, "short of what is enough");
   const Delivered delivered(joined.events);
-  if (scenario.plan.unjoined == Unjoined::left_out) {
+  if (scenario.plan.unjoined == Unjoined::dropped) {
     require(delivered.fragments.empty(), "a loose fragment");
-    if (joined.report.passed_on > 0) return;
+    if (joined.report.short_of_memory > 0) return;
   }
-  require(joined.report.passed_on == delivered.fragments.size(), "fragments not counted");
+  require(joined.report.short_of_memory == delivered.fragments.size(), "fragments not counted");
   JoinPlan other = scenario.plan;
   other.capacities = enough_for(joined.events);
   const Joined second = join_all(joined.events, other);

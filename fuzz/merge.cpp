@@ -221,7 +221,7 @@ EventLog run(const Scenario& scenario, EventLog::Refuses refuses) {
   feeder.feed_all();
   feeder.end();
   require(collected(log.events).is_finished(), "the scan has no finish event");
-  const HighWater most = extractor.high_water();
+  const Peaks most = extractor.peaks();
   const Capacities& room = scenario.capacities;
   require(most.slots <= room.slots && most.holes <= room.holes,
           "more in use than there is room for");

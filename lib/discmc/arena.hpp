@@ -41,8 +41,8 @@ class Arena {
     left_ -= alignment - 1;
   }
 
-  /// Returns the next array, or null if the array does not fit. After a null, every call returns
-  /// null.
+  /// Returns the next array, uninitialized, or null if the array does not fit. After a null, every
+  /// call returns null.
   template <class T>
   T* take(uint32_t count) {
     constexpr size_t most = (SIZE_MAX - alignment) / sizeof(T);

@@ -12,14 +12,14 @@ namespace discmc {
 /// The destination of a stream: a UART, a ring buffer, a file. Owner: the context belongs to the
 /// caller, and must exist until the encoder has another output or is no longer used.
 ///
-/// The encoder or SharedOutput that has this output calls write(), during calls of its own
-/// functions or of the extractor before it, in the caller's thread. write() may block. It must not
-/// throw: the library is compiled without exceptions. It must not call a function of these objects
-/// that changes or saves them.
+/// write() is called during calls of the encoder, or of the extractor in front of it, in the
+/// caller's thread. It may block. It must not throw: the library is compiled without exceptions. It
+/// must not call a function that changes or saves one of these objects.
 struct ByteOutput {
   void* context = nullptr;
-  /// Accepts up to `count` bytes and returns how many it accepted. 0 means busy; return 0 on an
-  /// error, too. bytes: valid during the call.
+  /// Accepts up to `count` bytes, and returns how many it accepted. 0 means busy; return 0 on an
+  /// error, too. If the link is dead, call set_output() of the encoder, because resume() keeps
+  /// returning Status::suspended. bytes: valid during the call.
   size_t (*write)(void* context, const uint8_t* bytes, size_t count) = nullptr;
 };
 
@@ -31,9 +31,9 @@ struct ByteOutput {
 //   ...
 //   while (!link.flush() && link_is_up) sleep();  // after all have finished
 //
-// The output itself stays the same. If the link is dead, call set_output({}) of every encoder: it
-// drops its stream. Later set_output(link.output()) resumes the stream. A held frame waits for the
-// link meanwhile.
+// If the link is dead, call set_output({}) of every encoder: the encoders drop their streams, and
+// the scans continue. Later set_output(link.output()) resumes each stream. The frame that the
+// SharedOutput holds waits for the link meanwhile.
 
 /// Buffers one frame, so that an encoder with an unfinished frame cannot block the others for ever.
 /// Its outputs point to this object, so it is neither copied nor moved. It locks nothing: call all

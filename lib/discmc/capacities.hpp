@@ -1,4 +1,10 @@
-// The memory of a scan and the slots in it, as constant expressions.
+// The memory of a scan, as constant expressions.
+//
+//   static uint8_t memory[minimum_bytes<uint16_t>(limits) + 5 * 1024];  // the rest becomes slots
+//
+// The memory contains rows of bits, whose size follows from the limits, and slots for the
+// boundaries that are not complete yet. Fewer slots make the stream longer; the surface is
+// unchanged. docs/memory.md has figures.
 #ifndef DISCMC_CAPACITIES_HPP
 #define DISCMC_CAPACITIES_HPP
 
@@ -16,13 +22,17 @@ inline constexpr bool is_index<uint16_t> = true;
 template <>
 inline constexpr bool is_index<uint32_t> = true;
 
-/// The capacities of an extractor. Fewer slots make the stream longer, never the surface
-/// incomplete: boundaries without a slot are sent as loose fragments.
+/// The capacities of an extractor. A boundary that gets no slot is sent as loose fragments.
 struct Capacities {
-  uint32_t slots;  ///< of 8 bytes each (16-bit indices, no normals): an end that waits, up to three
-                   ///< runs of a fragment, or half a waiting hole
-  uint32_t holes;  ///< waiting for the ring around them; a bound on work, within the slots above
+  /// Each slot holds the open end of a boundary, or up to three of its runs; a waiting hole needs
+  /// two. A slot has 8 bytes with 16-bit indices, 14 with normals, and 16 with 32-bit indices.
+  uint32_t slots;
+  /// The most holes that wait for their outer ring at once, in the slots. They limit the work per
+  /// region.
+  uint32_t holes;
 };
+
+// ---- Internal constants.
 
 namespace sizing {
 
@@ -48,13 +58,15 @@ constexpr uint32_t slots_per_cell = 2 * 17;
 
 }  // namespace sizing
 
+// ---- Capacities and memory.
+
+/// The least capacities, which suffice for every volume.
 constexpr Capacities minimum_capacities() {
   return {4, 0};
 }
 
-/// The capacities with which no volume of this many slices sends a loose fragment. Real volumes
-/// need far fewer. A result that exceeds its type is clamped to the largest value. Limit: valid
-/// limits.
+/// Capacities that suffice for every volume of this many slices: no loose fragment is sent. Real
+/// volumes need far fewer. Results beyond uint32_t are clamped. Limit: valid limits.
 constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices) {
   // In 32 bits: no 64-bit division on small machines.
   const uint32_t cells = (limits.width + 1) * (limits.height + 1);
@@ -64,8 +76,9 @@ constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices
   return {slots, slots};
 }
 
-/// The bytes of the caller's memory that a scan with these limits and capacities occupies. Index,
-/// Intake: the parameters of the extractor; with normals, Intake is GradientNormals<Sample>.
+/// The bytes of memory for a scan with these limits and capacities. Index: the index type of the
+/// extractor. Intake: BitIntake, or GradientNormals<Sample> for an extractor with normals. Limit:
+/// valid limits.
 template <class Index, class Intake = BitIntake>
 constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
@@ -96,8 +109,9 @@ constexpr uint64_t worst_case_bytes(const Limits& limits, uint32_t slices) {
   return bytes_for<Index, Intake>(limits, worst_case_capacities(limits, slices));
 }
 
-/// The capacities for a number of bytes: as many slots as fit, of which holes may use an eighth.
-/// More bytes never reduce a capacity. Bytes below minimum_bytes() give the minimum.
+/// The capacities that start() chooses for this many bytes: as many slots as fit, of which waiting
+/// holes may use an eighth. Below minimum_bytes() they are the minimum. More bytes never reduce a
+/// capacity.
 template <class Index, class Intake = BitIntake>
 constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
   const Capacities least = minimum_capacities();

@@ -21,6 +21,7 @@ class Run {
   static constexpr Run straight(Direction direction, uint32_t length) {
     return Run(length << 3 | direction);
   }
+  /// A run from its code(), as in discmc_event. Check a code of unknown origin with is_run_of().
   static constexpr Run from_code(uint32_t code) { return Run(code); }
 
   constexpr uint32_t code() const { return code_; }
@@ -28,7 +29,8 @@ class Run {
   constexpr Direction direction() const { return code_ & 7; }
   constexpr uint32_t length() const { return code_ >> 3; }
 
-  /// Appends the other run if both have one direction and the sum of the lengths fits.
+  /// Appends the other run, and returns true, if both have the same direction and the sum of the
+  /// lengths is at most max_length.
   constexpr bool absorb(Run other) {
     if (direction() != other.direction()) return false;
     if (length() + other.length() > max_length) return false;
@@ -101,13 +103,15 @@ constexpr int64_t twice_area(Incidence incidence, const Run* runs, uint32_t coun
 //
 // Coordinates wrap: any start and any runs are safe, and those of a scan give exact results.
 
-/// Whether a number is an incidence, a direction in the planes of the incidence, or a valid run.
+/// Whether the number is an incidence.
 constexpr bool is_incidence(Incidence incidence) {
   return incidence < incidence_codes && incidence != no_incidence;
 }
+/// Whether the direction exists in the planes of the incidence.
 constexpr bool is_direction_of(Incidence incidence, Direction direction) {
   return direction < direction_count(incidence);
 }
+/// Whether the run has such a direction and a valid length.
 constexpr bool is_run_of(Incidence incidence, Run run) {
   return is_direction_of(incidence, run.direction()) && run.length() >= 1 &&
          run.length() <= Run::max_length;
@@ -120,7 +124,7 @@ constexpr Vertex after_run(Incidence incidence, const Vertex& from, Run run) {
   return to;
 }
 
-/// The offset n.p of the plane that a vertex lies in.
+/// The dot product of the incidence's normal and a vertex: one number for all vertices of a plane.
 constexpr int32_t plane_offset(Incidence incidence, const Vertex& p) {
   const Vertex n = normal(incidence);
   const auto term = [](int32_t factor, int32_t coordinate) {

@@ -14,10 +14,11 @@
 //       extractor.restore(scan, memory, make_sink(encoder)) == Status::ok)
 //     ...             // continue with row extractor.rows() of slice extractor.slices()
 //
-// A failure during the write leaves a torn checkpoint, which restore() rejects. So alternate
-// between two places, and fall back to the other one. The encoder sends everything after the
-// checkpoint again. Truncate a stored stream to its first encoder.bytes() bytes. On a link, send
-// one zero byte first: a decoder then counts the repeated packets and decodes each packet once.
+// A failure during the write leaves a torn checkpoint, which restore() rejects. So write to two
+// places in turn, and restore the newer checkpoint that is whole; checkpoint_store.hpp does so in
+// flash. The encoder sends everything after the checkpoint again. Truncate a stored stream to its
+// first encoder.bytes() bytes. On a link, send one zero byte first: a decoder then counts the
+// repeated packets and decodes each packet once.
 #ifndef DISCMC_CHECKPOINT_HPP
 #define DISCMC_CHECKPOINT_HPP
 

@@ -89,7 +89,7 @@ struct StorePlan {
   static constexpr uint32_t tail_bytes = sizeof(uint32_t);
   static constexpr uint32_t max_checkpoint_bytes = uint32_t{1} << 30;
 
-  /// Whether one checkpoint stays complete while the store writes another.
+  /// Whether the plan is usable: one checkpoint stays complete while the store writes another.
   constexpr bool is_valid() const { return slots >= 2 * slots_per_block && slots > 0; }
 
   /// The units that a checkpoint of this many bytes programs. blocks(): the blocks that it erases,
@@ -140,26 +140,29 @@ class CheckpointStore {
   CheckpointStore(const CheckpointStore&) = delete;
   CheckpointStore& operator=(const CheckpointStore&) = delete;
 
-  /// Finds the newest complete checkpoint in flash, whatever else the flash contains. max_bytes: of
-  /// all parts of a checkpoint; with another value than at save(), the store may not find the
-  /// checkpoint. buffer: at least geometry.program_bytes; Owner: the caller keeps buffer and device
-  /// while the store is in use. Errors: bad_device (no read() or program(), or no valid
+  /// Finds the newest complete checkpoint in flash, whatever else the flash contains.
+  ///
+  /// max_bytes: of all parts of a checkpoint; with another value than at save(), the store may not
+  /// find the checkpoint. buffer: at least geometry.program_bytes; Owner: the caller keeps buffer
+  /// and device while the store is in use. Errors: bad_device (no read() or program(), or no valid
   /// store_plan()), too_little_memory (the buffer). device_error: a read failed, and no checkpoint
   /// was found; the store has started, and may overwrite what it could not read. Cost: reads one
   /// unit per slot and all units of the newest checkpoint, and computes its checksum.
   [[nodiscard]] Status start(const FlashDevice& device, uint32_t max_bytes, Memory buffer);
 
-  /// Whether there is a complete checkpoint; its bytes; its number, one more than that of the
-  /// previous checkpoint. Without a checkpoint, 0.
+  /// Whether the flash contains a complete checkpoint.
   bool has_checkpoint() const { return has_newest_; }
+  /// The bytes of all parts of the newest checkpoint; 0 without a checkpoint.
   uint32_t bytes() const { return has_newest_ ? newest_bytes_ : 0; }
+  /// The number of the newest checkpoint, one more than that of the previous one, modulo 2^32; 0
+  /// without a checkpoint.
   uint32_t sequence() const { return has_newest_ ? newest_sequence_ : 0; }
 
-  /// Reads the newest checkpoint. parts: as at save(), except that the last part may be larger; its
-  /// remaining bytes stay unchanged. Cancels a save in progress. Errors: not_started,
-  /// bad_checkpoint (there is none; or it was damaged after start(); or its size differs from that
-  /// of the parts, then nothing is written), device_error. Cost: reads the checkpoint and computes
-  /// its checksum.
+  /// Reads the newest checkpoint. parts: in number, order and sizes as at save(), except that the
+  /// last part may be larger; its remaining bytes stay unchanged. Cancels a save in progress.
+  /// Errors: not_started; bad_checkpoint (there is none; or the sizes differ, and nothing is
+  /// written; or it was damaged after start()); device_error. After damage or device_error the
+  /// contents of the parts are undefined. Cost: reads the checkpoint and computes its checksum.
   [[nodiscard]] Status restore(const Memory* parts, uint32_t count);
 
   /// Erases one block for the next checkpoint of this many bytes, if one needs it. The scan may
@@ -170,14 +173,14 @@ class CheckpointStore {
   /// Starts to save a checkpoint, and performs the first step of resume(). parts: copied, at most
   /// max_parts; Owner: the caller keeps the memory behind them unchanged until the status is not
   /// `suspended`. Until then the previous checkpoint is the newest. Cancels a save in progress.
-  /// Errors: not_started, too_little_memory (too many parts or bytes), device_error.
+  /// Errors: not_started, too_little_memory (no part, or too many parts or bytes), device_error.
   [[nodiscard]] Status save(const Memory* parts, uint32_t count);
 
-  /// Continues a save in progress: erases a block, or programs a unit and reads it back. Errors:
-  /// not_started. device_error: a call of the device failed, or a unit reads back with other bytes.
-  /// Then the save is cancelled, and the next save uses other blocks if there are more than two
-  /// slots. Cost: an erasure or a unit, and three checksums of the unit: about 150 instructions per
-  /// byte.
+  /// Continues a save in progress: erases a block, or programs a unit and reads it back. Returns ok
+  /// if no save is in progress. Errors: not_started. device_error: a call of the device failed, or
+  /// a unit reads back with other bytes. Then the save is cancelled, and the next save uses other
+  /// blocks if there are more than two slots. Cost: an erasure or a unit, and three checksums of
+  /// the unit: about 150 instructions per byte.
   [[nodiscard]] Status resume();
 
   const StorePlan& plan() const { return plan_; }

@@ -3,15 +3,14 @@
 // Any bytes are safe. The decoder never reads beyond its input, never writes beyond its object, and
 // allocates nothing. It delivers every intact record, whatever is lost before or after.
 //
-// A decoder decodes one stream, up to the trailer. If a link carries scan after scan, push at most
-// one frame at a time: the bytes up to the next zero byte. When push() returns `ok` and
-// report().has_trailer is set, all events of the scan are out: call start() for the next scan.
-// Bytes that the same push() receives behind a trailer belong to no stream, and the next stream
-// would lack them.
+// A decoder decodes one stream, up to its trailer, and only counts later packets. So if a link
+// carries one scan after another, push one frame at a time: the bytes up to and including the next
+// zero byte. When push() has returned `ok` and report().has_trailer is set, all events of the scan
+// are delivered: call start() for the next scan.
 //
-// If the trailer is lost, the decoder counts the packets of the next scan as foreign, because their
-// scan number differs. If the link has one channel, start anew then, too: finish(), start(), and
-// push the foreign frame again. SliceDecoder and SurfaceDecoder behave alike; examples/link.cpp
+// If the trailer is lost, the packets of the next scan have another scan number, and
+// report().foreign_packets counts them. On a link with one channel, then call finish() and start(),
+// and push that frame again. SliceDecoder and SurfaceDecoder behave alike; examples/link.cpp
 // contains the loop.
 #ifndef DISCMC_DECODER_HPP
 #define DISCMC_DECODER_HPP
@@ -24,10 +23,10 @@
 
 namespace discmc {
 
-/// The result of push(), and how many bytes it accepted. Push the rest again.
+/// The result of push().
 struct [[nodiscard]] Decoded {
   Status status;
-  size_t bytes;
+  size_t bytes;  ///< bytes accepted; push the remaining bytes again
 };
 
 /// Decodes one stream of regions. Runs have the normal at their start if the stream contains
@@ -38,29 +37,31 @@ class Decoder {
   Decoder(const Decoder&) = delete;
   Decoder& operator=(const Decoder&) = delete;
 
-  /// Waits for a stream: that of the first intact packet on this channel. The decoder counts and
-  /// ignores packets of other scans and channels, so every decoder of a link may receive all bytes.
-  /// Errors: bad_sink.
+  /// Waits for a stream. channel: 0 to 63, or any_channel. The first intact packet on the channel
+  /// determines the scan. Packets of other scans and channels are counted and ignored, so every
+  /// decoder of a link may receive all bytes. Errors: bad_sink (no function).
   [[nodiscard]] Status start(const Sink& sink, uint8_t channel = any_channel);
 
-  /// Redirects packets of whole regions (see RecordsPacket) to this sink, instead of the events of
-  /// their regions, until the next start(). They arrive after the start of the scan, and between
-  /// two pieces.
+  /// Sends packets of whole regions (see RecordsPacket) to this sink, instead of the events of
+  /// their regions. They come after the `start` event, between two regions or fragments. Call it
+  /// after start(), which removes the sink.
   void set_packet_passthrough(const RecordsPacketSink& sink) { packet_sink_ = sink; }
 
-  /// Decodes bytes, any number at a time. Status::suspended: the sink is busy; call push() again
-  /// with the remaining bytes, even if there are none. Status::wrong_version: this decoder does not
-  /// support the stream's version and ignores the rest of the stream. Errors: also not_started, and
-  /// bad_sink (the sink answered not_started, as an encoder does before its start() or before the
-  /// header of its stream). The decoder also delivers events of packets that arrive before any
-  /// header.
+  /// Decodes bytes, any number at a time, and sends the events that they complete. A packet before
+  /// the first header is decoded, too; then `start` comes late. Status::suspended: the sink is
+  /// busy; call push() again with the remaining bytes, even if there are none. Errors: not_started;
+  /// wrong_version (another format version: the rest of the stream is ignored); bad_sink (the sink
+  /// answered not_started). An encoder answers so before its start(), and before the header of its
+  /// stream.
   Decoded push(const uint8_t* bytes, size_t count);
 
   /// Ends the input: an unfinished region or fragment is reported as lost. Status::suspended as
   /// push(). Errors: not_started, bad_sink.
   [[nodiscard]] Status finish();
 
+  /// The header of the stream; all zero until report().has_header.
   const StreamHeader& header() const { return packets_.header(); }
+  /// What has arrived and what is missing, since start().
   const StreamReport& report() const { return packets_.report(); }
 
  private:

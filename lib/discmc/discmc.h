@@ -6,21 +6,21 @@
  *
  * Programs: examples/firmware.c sends polygons, slices.c sends slices, receive.c receives both.
  *
- * Objects. An object lies at the beginning of the memory in its config, at any alignment. It uses
- * the whole memory. start() copies the config; whatever the memory contained is lost. On success
- * start() sets the pointer to the object; after an error the memory holds no object. Do not move
- * memory or contexts while the object is in use. Nothing has to be released. Leave unused config
- * members zero. bytes() returns the least memory for start(); sizes.h has upper bounds.
+ * Objects. An object lies in the memory of its config, which may have any alignment, and uses all
+ * of it. start() copies the config and overwrites the memory. On success it sets the pointer to the
+ * object; after an error the memory holds no object. Do not move memory or contexts while the
+ * object is in use. Nothing has to be released. Leave unused config members zero. bytes() returns
+ * the least memory for start(); sizes.h has upper bounds for static arrays.
  *
- * Checkpoints. save() seals an object, and sets `part` to the first bytes of its memory, which are
- * its complete state. Copy these bytes before the next call of the object, which itself continues.
- * restore() continues from a copy at the beginning of the config's memory. The build must be the
- * same, and the address the same modulo 8. restore() reads kind, memory, and sink or output from
- * the config. Both functions compute a checksum, about 50 instructions per byte.
+ * Checkpoints. save() sets `part` to the first bytes of the object's memory, which are its complete
+ * state. Copy them before the next call of the object, which itself continues. restore() continues
+ * from a copy at the beginning of the config's memory. The build must be the same, and the address
+ * the same modulo 8. restore() reads only kind, memory, and sink or output from the config. Both
+ * functions compute a checksum, about 50 instructions per byte.
  *
- * Errors. start() and restore() return DISCMC_TOO_LITTLE_MEMORY, DISCMC_BAD_SINK, and the errors
- * that a comment adds; restore() also returns DISCMC_BAD_CHECKPOINT. After an error of another
- * function the object continues as if the call had not been made; waiting events are delivered.
+ * Errors. Any start() or restore() can return DISCMC_TOO_LITTLE_MEMORY and DISCMC_BAD_SINK, any
+ * restore() DISCMC_BAD_CHECKPOINT; comments list other errors (docs/statuses.md). After an error of
+ * another function the object continues as if not called; waiting events are delivered.
  *
  * Calls. Call an object from one thread or interrupt at a time. Objects share nothing. Your
  * functions run within calls of the object that has them. They must not jump out of the call, nor
@@ -50,7 +50,7 @@ extern "C" {
 typedef uint8_t discmc_status;
 enum {
   DISCMC_OK,
-  DISCMC_SUSPENDED,         /* the sink or output is busy; nothing is lost: resume() */
+  DISCMC_SUSPENDED,         /* the sink or output is busy: resume(), or call again */
   DISCMC_BAD_LIMITS,        /* see discmc_limits and slab */
   DISCMC_BAD_CAPACITIES,    /* too few slots, or more than the kind counts; no rows */
   DISCMC_TOO_LITTLE_MEMORY, /* less than bytes(), or null */
@@ -59,7 +59,7 @@ enum {
   DISCMC_FINISHED,          /* the scan has ended: start another */
   DISCMC_ROW_IN_PROGRESS,   /* a whole row was pushed or skipped in the middle of a row */
   DISCMC_SLICE_IN_PROGRESS, /* finish() in the middle of a slice: complete it, or abandon() */
-  DISCMC_TOO_DEEP,          /* the scan has DISCMC_MAX_SLICES; finish() still works */
+  DISCMC_TOO_MANY_SLICES,   /* the scan has DISCMC_MAX_SLICES; finish() still works */
   DISCMC_WRONG_VERSION,     /* this receiver does not support the version of the stream */
   DISCMC_BAD_CHECKPOINT,    /* damaged, or saved by another build or kind */
   DISCMC_BAD_LABEL,         /* the channel is too high, or there are too many surfaces */
@@ -100,17 +100,17 @@ enum { DISCMC_MAX_EXTENT = 32766, DISCMC_MAX_SLICES = 1073741823 };
 typedef uint8_t discmc_sample_type;
 enum { DISCMC_BITS, DISCMC_U8, DISCMC_U16, DISCMC_I16 };
 
-/* The replacement of a missing row: voxels that are off, or the previous row. */
+/* The replacement of a missing row: off voxels, or the previous row (off if there is none). */
 enum { DISCMC_SUBSTITUTE_OFF, DISCMC_SUBSTITUTE_PREVIOUS_ROW };
 
 /* The result of a push. Push the samples or bytes that were not accepted again. */
 typedef struct discmc_push_result {
   discmc_status status;
-  size_t accepted; /* samples (PushResult::samples); for a receiver bytes (Decoded::bytes) */
+  size_t accepted; /* samples; of a whole row the width or 0; for a receiver bytes */
 } discmc_push_result;
 
-/* The output of an encoder. write() accepts up to `count` bytes, which are valid during the call,
- * and returns how many; 0 means busy; return 0 on an error, too. */
+/* The output of an encoder. write() accepts up to `count` bytes, valid during the call, and
+ * returns how many: 0 if busy, or on an error. A dead link suspends until set_output(). */
 typedef struct discmc_byte_output {
   void* context;
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
@@ -153,9 +153,9 @@ enum {
   DISCMC_FRAGMENT, /* incidence, start, incoming_direction */
   DISCMC_FRAGMENT_END,
   DISCMC_SKIPPED,     /* slice, row, repeated: a row is missing */
-  DISCMC_LAYER,       /* slice: every region that does not reach it has been delivered */
+  DISCMC_LAYER,       /* slice: complete; regions that do not reach it have been delivered */
   DISCMC_APPLICATION, /* of.application; from receivers only */
-  DISCMC_FINISH,      /* slice: their number; abandoned, of.statistics */
+  DISCMC_FINISH,      /* slice: the number of slices; abandoned, of.statistics */
   DISCMC_LOST         /* discard the region or fragment that has begun; from receivers only */
 };
 
@@ -204,8 +204,8 @@ typedef struct discmc_event {
   } of; /* Owner: the sender; valid during the call */
 } discmc_event;
 
-/* A sink's answer. After BUSY, the next resume() offers the event again; accept START at once.
- * After NOT_STARTED a retry fails. */
+/* A sink's answer. BUSY: the next resume(), or push() of a receiver, offers the event again, but
+ * START must be accepted at once. NOT_STARTED: a retry fails, too. */
 typedef uint8_t discmc_sink_result;
 enum { DISCMC_SINK_ACCEPTED, DISCMC_SINK_BUSY, DISCMC_SINK_NOT_STARTED };
 /* A sink of events: a function, and the object that it is called with. */
@@ -222,9 +222,9 @@ discmc_vertex discmc_run_vector(uint8_t incidence, uint32_t run);
 discmc_vertex discmc_unit_normal(const uint8_t normal[2]);
 
 /* ---- extractor: samples in, polygons out ---- */
-/* A program links only the kinds that it names. Plain kinds accept samples of one type. Kinds with
- * normals add a normal to each corner, and keep four slices of samples. The kind for hosts accepts
- * all types, and takes half of the instructions if it has a few megabytes. */
+/* A program links only the kinds that it names. Plain kinds accept samples of one type, or rows of
+ * bits. Kinds with normals add a normal to each corner, and keep four slices of samples. The kind
+ * for hosts accepts all types, and needs half of the instructions if it has a few megabytes. */
 typedef struct discmc_extractor_kind discmc_extractor_kind;
 extern const discmc_extractor_kind discmc_plain_bits, discmc_plain_u8, discmc_plain_u16,
     discmc_plain_i16, discmc_normals_u8, discmc_normals_u16, discmc_normals_i16, discmc_host;
@@ -233,8 +233,8 @@ extern const discmc_extractor_kind discmc_plain_bits, discmc_plain_u8, discmc_pl
 typedef struct discmc_extractor_config {
   const discmc_extractor_kind* kind;
   discmc_limits limits;
-  /* The slices that one of several extractors scans; all zero: all of them. Push one more slice of
-   * context where the volume continues. A joiner in DISCMC_ANY_ORDER joins their events. */
+  /* The slices of one of several extractors; all zero: all. If the volume continues below, first
+   * push the slice below; if above, last the slice above. DISCMC_ANY_ORDER joins all events. */
   struct {
     uint32_t first; /* the number of its first own slice; 0 unless the volume continues below */
     uint8_t continues_below, continues_above;
@@ -248,18 +248,18 @@ typedef struct discmc_extractor_config {
   discmc_sink sink;
 } discmc_extractor_config;
 enum { DISCMC_MIN_SLOTS = 4, DISCMC_MAX_SLOTS = 32759 };
-/* From kind, limits and slots; 0 if the limits are bad. */
+/* The least memory for this kind, limits and slots, with the object; 0 if the limits are bad. */
 uint64_t discmc_extractor_bytes(const discmc_extractor_config* config);
 /* Begins a scan. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_CAPACITIES. */
 DISCMC_CHECK discmc_status discmc_extractor_start(discmc_extractor** extractor,
                                                   const discmc_extractor_config* config);
 
-/* Accepts samples in x, y, z order; a push may end anywhere. Push bits one row at a time, with the
- * width as the count. samples: an array of the type; Owner: the caller, during the call.
- * stride: from one sample to the next, in samples; not for bits. If suspended, all samples up to
- * the end of a row are accepted: call resume() until it is not suspended, then push the remaining
- * samples. Errors: DISCMC_BAD_SAMPLES, DISCMC_FINISHED, DISCMC_TOO_DEEP, for bits
- * DISCMC_ROW_IN_PROGRESS. Cost: a comparison per sample, and the surface that the row completes. */
+/* Accepts samples of consecutive voxels: x first, then y, then z. A call may begin and end anywhere
+ * in a row. samples: `count` values of the type, `stride` values apart; Owner: the caller, during
+ * the call. Bits: one row per call, (width + 7) / 8 bytes, with the width as the count. If
+ * suspended, all samples up to the end of a row are accepted: call resume() until it is not
+ * suspended, then push the rest. Errors: DISCMC_BAD_SAMPLES, DISCMC_FINISHED,
+ * DISCMC_TOO_MANY_SLICES, for bits DISCMC_ROW_IN_PROGRESS. Cost: a comparison per sample. */
 DISCMC_CHECK discmc_push_result discmc_extractor_push(discmc_extractor* extractor,
                                                       discmc_sample_type type, const void* samples,
                                                       uint32_t count, uint32_t stride);
@@ -267,11 +267,11 @@ DISCMC_CHECK discmc_push_result discmc_extractor_push(discmc_extractor* extracto
 /* Replaces a missing row: DISCMC_SUBSTITUTE_OFF or _PREVIOUS_ROW. Result and errors as for bits. */
 DISCMC_CHECK discmc_push_result discmc_extractor_skip_row(discmc_extractor* extractor,
                                                           uint8_t substitute);
-/* Continues if suspended; harmless at any other time. */
+/* Continues if suspended, and returns that again while the sink is busy. */
 DISCMC_CHECK discmc_status discmc_extractor_resume(discmc_extractor* extractor);
 /* Ends the scan, and delivers the remaining events. Errors: DISCMC_SLICE_IN_PROGRESS. */
 DISCMC_CHECK discmc_status discmc_extractor_finish(discmc_extractor* extractor);
-/* Ends the scan anywhere: the rest of the slice is off, so the surface is closed. */
+/* Ends the scan anywhere: the rest of the slice is off, which closes a closed surface. */
 DISCMC_CHECK discmc_status discmc_extractor_abandon(discmc_extractor* extractor);
 
 /* A checkpoint; if suspended, resume first. restore() continues at `slices`, `rows` of the info. */
@@ -284,13 +284,13 @@ typedef struct discmc_extractor_info {
   discmc_statistics statistics;    /* so far */
   uint32_t slices, rows;           /* complete slices, and complete rows of the next */
   uint32_t slots, holes;           /* capacities; holes lie in the slots */
-  uint32_t peak_slots, peak_holes; /* most in use; 1,168 more slots avoid all fragments */
+  uint32_t peak_slots, peak_holes; /* most in use; peak_slots + 1168 avoid all fragments */
   size_t bytes_used;               /* of the memory, from its beginning */
 } discmc_extractor_info;
 discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extractor);
 
 /* ---- encoder: polygons in, bytes out ---- */
-/* The second kind also encodes normals, in five times the bytes. A program links what it names. */
+/* The second kind also encodes the normals of runs; the stream is about five times as long. */
 typedef struct discmc_encoder_kind discmc_encoder_kind;
 extern const discmc_encoder_kind discmc_regions, discmc_regions_with_normals;
 
@@ -345,13 +345,13 @@ typedef struct discmc_slice_encoder_config {
   discmc_memory memory;
   discmc_byte_output output;
 } discmc_slice_encoder_config;
-/* From limits, surface_count and key_slice_interval; 0 if they are bad. */
+/* The least memory for limits, surface_count and key_slice_interval; 0 if they are bad. */
 uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config);
 /* Begins a scan. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_LABEL. */
 DISCMC_CHECK discmc_status discmc_slice_encoder_start(discmc_slice_encoder** encoder,
                                                       const discmc_slice_encoder_config* config);
 
-/* As for the extractor. Bits are one row per surface, each from a new byte on. */
+/* As for the extractor, down to restore(). Bits: one row per surface, each from a new byte on. */
 DISCMC_CHECK discmc_push_result discmc_slice_encoder_push(discmc_slice_encoder* encoder,
                                                           discmc_sample_type type,
                                                           const void* samples, uint32_t count,
@@ -387,11 +387,11 @@ typedef struct discmc_receiver_config {
   discmc_memory memory; /* for slices: beyond the minimum, fewer regions arrive as fragments */
   discmc_sink sink;
 } discmc_receiver_config;
-/* For a stream of slices; for polygons pass null limits. */
+/* The least memory for a stream of slices; for polygons pass null limits. Limit: they are valid. */
 uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count);
 /* Waits for a stream. Counts and ignores packets of other scans and channels, so all receivers of a
- * link, one per surface, may get all bytes. For scan after scan, push the bytes up to each
- * zero byte separately, and call start() again when the info has_trailer. */
+ * link, one per surface, may get all bytes. If a link carries one scan after another, push the
+ * bytes up to each zero byte separately, and call start() again when the info has_trailer. */
 DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
                                                  const discmc_receiver_config* config);
 
@@ -401,8 +401,8 @@ DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
 DISCMC_CHECK discmc_push_result discmc_receiver_push(discmc_receiver* receiver,
                                                      const uint8_t* bytes, size_t count);
 
-/* Continues with other memory for slices, discmc_receiver_bytes() of the header; the object stays
- * in place. Errors: DISCMC_TOO_LITTLE_MEMORY, DISCMC_WRONG_VERSION. */
+/* After DISCMC_TOO_LITTLE_MEMORY: sets other memory, discmc_receiver_bytes() for the header of the
+ * info. The object stays in place. Errors: DISCMC_TOO_LITTLE_MEMORY, DISCMC_WRONG_VERSION. */
 DISCMC_CHECK discmc_status discmc_receiver_give_memory(discmc_receiver* receiver,
                                                        discmc_memory memory);
 /* Ends the input. If suspended, call again. Errors: DISCMC_BAD_SINK. */
@@ -429,7 +429,7 @@ discmc_receiver_info discmc_receiver_get_info(const discmc_receiver* receiver);
 /* ---- joiner: fragments in, regions out ---- */
 /* The configuration of a joiner. */
 typedef struct discmc_joiner_config {
-  uint8_t order;        /* DISCMC_SWEEP_ORDER: the events of one extractor or receiver */
+  uint8_t order;        /* DISCMC_SWEEP_ORDER: one extractor or receiver; DISCMC_ANY_ORDER: many */
   discmc_memory memory; /* DISCMC_JOINER_BYTES(fragments that wait at once) */
   discmc_sink sink;
 } discmc_joiner_config;
@@ -449,7 +449,7 @@ typedef struct discmc_joiner_info {
   uint64_t received, invalid;         /* fragments, and invalid ones, which are dropped */
   uint64_t regions, rings;            /* delivered, joined from fragments */
   uint64_t unmatched;                 /* without a partner at the end: a measure of losses */
-  uint64_t passed_on;                 /* fragments passed on for lack of memory */
+  uint64_t short_of_memory;           /* chains passed on, for lack of memory */
   uint32_t fragments, runs;           /* capacities */
   uint32_t peak_fragments, peak_runs; /* most in use */
 } discmc_joiner_info;
@@ -486,17 +486,17 @@ typedef struct discmc_store_info {
 } discmc_store_info;
 discmc_store_info discmc_store_get_info(const discmc_store* store);
 
-/* Reads the checkpoint into parts as they were saved; the last may be longer: put the extractor
- * last. Errors: DISCMC_BAD_CHECKPOINT, DISCMC_DEVICE_ERROR. */
+/* Reads the newest checkpoint. parts: in number, order and sizes as of save(), except that the last
+ * may be longer, so put the extractor last. Errors: DISCMC_BAD_CHECKPOINT, DISCMC_DEVICE_ERROR. */
 DISCMC_CHECK discmc_status discmc_store_restore(discmc_store* store, const discmc_memory* parts,
                                                 uint32_t count);
 
-/* Erases a block for the next checkpoint of this many bytes during a scan. If suspended, another
- * block is left to erase. Errors: DISCMC_DEVICE_ERROR. */
+/* Erases a block for the next checkpoint of this many bytes; call it between rows. If suspended,
+ * another block remains: call again. Errors: DISCMC_DEVICE_ERROR. */
 DISCMC_CHECK discmc_status discmc_store_erase_ahead(discmc_store* store, uint32_t bytes);
 
-/* Stores up to DISCMC_MAX_PARTS parts, which must not change while suspended. A call erases a
- * block, or programs a unit and reads it back. Errors: DISCMC_TOO_LITTLE_MEMORY (for the parts),
+/* Saves 1 to DISCMC_MAX_PARTS parts, which must not change while resume() is suspended. A call
+ * erases a block, or programs a unit and reads it back. Errors: DISCMC_TOO_LITTLE_MEMORY (parts),
  * DISCMC_DEVICE_ERROR (save again: it uses other blocks if there are more than two flash slots). */
 DISCMC_CHECK discmc_status discmc_store_save(discmc_store* store, const discmc_memory* parts,
                                              uint32_t count);

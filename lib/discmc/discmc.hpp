@@ -1,7 +1,29 @@
-// discmc: slices of a 3D scanner in, merged surfaces out, on the scanner.
+// discmc: extracts the surface of a 3D scan on the scanner's own microcontroller, while the scan
+// runs.
 //
-// Everything that firmware needs. Hosts also include host/host_extractor.hpp. docs/map.md shows
-// the path of the data through the headers; each header is the reference of its part.
+//   samples -> Extractor -> Encoder -> your link        regions: the receiver only draws
+//   samples -> SliceEncoder -> your link                thresholded slices: a tenth of the bytes
+//   your link -> SurfaceDecoder -> Joiner -> your sink  regions, from a stream of either kind
+//
+// You supply all memory. The library uses no heap, no floating point, no exceptions and no global
+// state. examples/firmware.cpp sends regions, and examples/link.cpp receives streams of either
+// kind.
+//
+// This file includes everything that firmware and receivers need. Hosts also include
+// host/host_extractor.hpp. Each header is the reference of its part. Four documents belong to all:
+//
+//   docs/map.md       the way through the headers
+//   docs/concepts.md  the terms
+//   docs/statuses.md  the cause and the remedy of each Status
+//   docs/threads.md   what may be called from where
+//
+// Comments use five words:
+//
+//   Owner    who owns the memory behind a pointer, and for how long
+//   Units    the unit of a number
+//   Limit    a condition for you to keep: nothing checks it, unless Errors or is_valid() is named
+//   Errors   the statuses that a call can return, besides ok and suspended
+//   Cost     work, memory or bytes of stream
 #ifndef DISCMC_DISCMC_HPP
 #define DISCMC_DISCMC_HPP
 

@@ -10,23 +10,23 @@
 
 namespace discmc {
 
-/// Writes the stream of one scan. It buffers one packet and one record. The output may stop
-/// accepting at any byte: take() then returns busy, and the next take() of the same event
-/// continues. An encoder contains pointers to itself, so only save() and restore() copy it.
+/// Writes the streams of one scan after another. It buffers one packet and one record. The output
+/// may stop accepting at any byte: take() then returns busy, and the next take() of the same event
+/// continues there. An encoder contains pointers to itself, so only save() and restore() copy it.
 class Encoder {
  public:
   Encoder() = default;
 
-  /// Also encodes the normals of runs, for the streams to come. Call it before start() and
-  /// restore(). Programs without this call do not link the code for normals. Cost: 2 to 3 bytes per
-  /// normal; the stream is about five times as long.
+  /// Also encodes the normals of runs, in all later streams. Call it before start() or restore().
+  /// Programs without this call do not link the code for normals. Cost: 2 to 3 bytes per normal;
+  /// the stream is about five times as long.
   void encode_normals();
 
-  /// Prepares a stream. The `start` event of the extractor supplies the rest of the header, and the
-  /// header is the first packet. Each further scan is a further stream with the next scan number.
-  /// If a reset may have cut off a frame, send a zero byte first: it ends that frame. start()
-  /// during a scan ends the stream abruptly; start the extractor again, too. Errors: bad_label,
-  /// bad_sink (no write).
+  /// Prepares a stream. The `start` event of the extractor supplies the rest of its header, which
+  /// is the first packet. Each further scan of the extractor becomes a further stream with the next
+  /// scan number. start() during a scan ends the stream without a trailer; start the extractor
+  /// again, too. If a reset of the device may have cut off a frame, send a zero byte to the link
+  /// first: it ends that frame. Errors: bad_label (the channel), bad_sink (no write function).
   [[nodiscard]] Status start(const StreamLabel& label, const ByteOutput& output);
 
   /// Encodes an event of an extractor or decoder. Returns SinkResult::not_started before start(),
@@ -35,30 +35,32 @@ class Encoder {
   /// bytes.
   SinkResult take(const Event& event);
 
-  /// Encodes a region in one call, to the same bytes as its events. For hosts: see
-  /// HostExtractor::give_regions_to(). Returns SinkResult::busy if the encoder needs the events
-  /// instead: the output is busy, the region does not fit, or the stream has normals.
+  /// For hosts, see HostExtractor::set_region_receiver(): encodes a region in one call, to the same
+  /// bytes as its events. Returns SinkResult::busy if the encoder needs the events instead: the
+  /// output is busy, the region does not fit, or the stream has normals.
   SinkResult take_region(const WholeRegion& region);
 
-  /// Sends an application record now, in the order of the stream. Set its slice and row to
-  /// extractor.slices() and rows(). Status::suspended: the output is busy, or a region is in
-  /// progress; call resume() of the extractor, then call this again. Errors: not_started, finished,
-  /// bad_record.
+  /// Sends an application record now, in the order of the stream. Set its slice and row to slices()
+  /// and rows() of the extractor. Status::suspended: nothing is sent, because the output is busy or
+  /// a region is in progress; call resume() of the extractor, then write_record() again. Errors:
+  /// not_started, finished, bad_record (too long).
   [[nodiscard]] Status write_record(const ApplicationRecord& record);
 
-  /// Sends a packet of records that another encoder of the same surface has made, unchanged.
-  /// Packets that share a piece must follow each other. Limit: wire::max_payload bytes, or
-  /// wire::max_whole_regions if the packet is whole. Status::suspended: as write_record(). Errors:
-  /// not_started, finished, bad_record. Cost: the bytes.
+  /// Sends a packet that another encoder of the same surface made, unchanged (records_packet.hpp).
+  /// Packets that share a region or fragment must follow each other. Status::suspended: as
+  /// write_record(). Errors: not_started, finished, bad_record (more than 243 bytes, or 241 if the
+  /// packet is whole, or more than 65,535 pieces). Cost: a copy.
   [[nodiscard]] Status append(const RecordsPacket& packet);
 
-  /// Continues with another output, and repeats the header for a late receiver. Without a write
-  /// function the encoder drops the stream but counts its bytes, so that a scan continues while its
-  /// link is dead. Limit: after start().
+  /// Continues with another output, and repeats the header, so that a new receiver can join. The
+  /// rest of a frame in progress goes to the new output. Without a write function the encoder drops
+  /// the stream but counts its bytes, so that a scan can continue while its link is dead. Limit:
+  /// after start().
   void set_output(const ByteOutput& output);
 
-  /// Sends an incomplete packet instead of waiting for a full one; costs some bytes of stream.
-  /// Returns false if the output did not accept all of it: call again. Does nothing before start().
+  /// Sends the packet in progress although it is not full, for a receiver that must not wait.
+  /// Returns false if the output did not accept all of it: call again. Without a stream it returns
+  /// true. Cost: some bytes of stream.
   [[nodiscard]] bool flush();
 
   /// Saves the encoder's state, at the beginning of a frame; restore() may send that frame again.
@@ -69,9 +71,10 @@ class Encoder {
   /// bad_sink (no write). Cost: as save().
   [[nodiscard]] Status restore(const Checkpoint<Encoder>& checkpoint, const ByteOutput& output);
 
-  /// Resumes a stream whose object was restored byte for byte in place, as in C. Call it instead of
-  /// restore(). Limit: the bytes are unchanged. Errors: bad_sink (no write).
-  [[nodiscard]] Status continue_to(const ByteOutput& output);
+  /// Continues a stream whose object was saved and restored as plain bytes, without save() and
+  /// restore(); discmc.h works so. Limit: the bytes are unchanged. Errors: bad_sink (no write
+  /// function).
+  [[nodiscard]] Status resume_in_place(const ByteOutput& output);
 
   /// The bytes of stream so far, including those dropped without an output. The difference between
   /// two calls of set_output() is the number of dropped bytes.

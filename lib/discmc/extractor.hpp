@@ -22,17 +22,20 @@
 
 namespace discmc {
 
-/// Peaks: the most in use at once. Units: as Capacities.
-struct HighWater {
+/// The peak use of a scan: the most slots and holes in use at once. With 1,168 slots more than
+/// that, the same scan sends no loose fragments (docs/memory.md).
+struct Peaks {
   uint32_t slots;
   uint32_t holes;
 };
 
-/// The base of all extractors: accepts the samples of a scan, and sends its regions to a Sink. Use
-/// Extractor, NormalExtractor (gradient_normals.hpp) or HostExtractor (host/host_extractor.hpp).
-/// Index is uint16_t (up to 32,759 slots; firmware) or uint32_t (hosts); it does not change the
-/// events if the capacities are equal. Only save() and restore() copy an extractor: two copies
-/// would write to the same memory.
+/// The functions that all extractors have: an extractor accepts the samples of a scan, and sends
+/// its regions to a Sink. Declare an Extractor, a NormalExtractor (gradient_normals.hpp) or a
+/// HostExtractor (host/host_extractor.hpp).
+///
+/// Index numbers the slots: uint16_t (up to 32,759 slots) for firmware, uint32_t for hosts. It does
+/// not change the events if the capacities are equal. Intake and Sweep are internal. Only save()
+/// and restore() copy an extractor: two copies would write to the same memory.
 template <class Index, class Intake, class Sweep>
 class BasicExtractor {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
@@ -40,33 +43,38 @@ class BasicExtractor {
  public:
   BasicExtractor() = default;
 
-  /// Begins a scan with as many slots as fit in the memory (default_capacities()). threshold: a
-  /// voxel is on if its sample is >= threshold. memory: at least minimum_bytes<Index>(limits);
-  /// Owner: the caller, for as long as the scan lasts. Errors: bad_limits (also limits that need a
-  /// feature that was left out), too_little_memory, bad_sink (no function, or a sink that rejects
-  /// the start, as an unstarted encoder does). After an error memory is untouched. Cost: one write
-  /// per queue and per word of a row.
+  /// Begins a scan. All memory beyond the least becomes slots: see default_capacities().
+  ///
+  /// threshold: a voxel is on if its sample is >= threshold. memory: at least
+  /// minimum_bytes<Index>(limits), at any alignment; Owner: the caller, for as long as the scan
+  /// lasts. sink: must accept `start` at once. Errors: bad_limits (also for limits that need an
+  /// ability that Features lacks), too_little_memory, bad_sink (no function, or the sink rejects
+  /// `start`, as an encoder does before its start()). After an error the memory is untouched. Cost:
+  /// clears about 150 words and one row of bits.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
                              const Sink& sink) {
     return start(limits, default_capacities<Index, Intake>(limits, memory.bytes), threshold, memory,
                  sink);
   }
 
-  /// As above, with explicit capacities; memory: at least bytes_for<Index>(limits, capacities).
-  /// Errors: also bad_capacities.
+  /// With explicit capacities. memory: at least bytes_for<Index>(limits, capacities). Errors: also
+  /// bad_capacities.
   [[nodiscard]] Status start(const Limits& limits, const Capacities& capacities, int32_t threshold,
                              Memory memory, const Sink& sink);
 
-  /// Begins the next scan with the limits, threshold, memory and sink of the last start(). Errors:
-  /// not_started, bad_sink (the sink rejects the start of the scan).
+  /// Begins the next scan with the limits, threshold, memory and sink of the last start(). An
+  /// unfinished scan is dropped without a `finish` event. Errors: not_started; bad_sink (the sink
+  /// rejects `start`, for example while its output is busy), after which nothing has changed.
   [[nodiscard]] Status reset();
 
-  /// Accepts samples of consecutive voxels, rows and slices in x, y, z order. A call may end
-  /// anywhere. samples: Owner: the caller; free again when the call returns. stride: from one
-  /// sample to the next, in samples. Errors: not_started, finished, too_deep. Status::suspended:
-  /// all samples up to the end of the row that caused it are accepted. Sample is uint8_t, uint16_t
-  /// or int16_t. Cost: one comparison per sample; a completed row also sweeps a row of the slice
-  /// below (DESIGN.md, "Work").
+  /// Accepts samples of consecutive voxels: x first, then y, then z. A call may begin and end
+  /// anywhere in a row. samples: `count` samples that are `stride` samples apart; Owner: the
+  /// caller; free again when the call returns. Sample is uint8_t, uint16_t or int16_t.
+  ///
+  /// Status::suspended: the sink is busy, and all samples up to the end of a row are accepted. Call
+  /// resume() until it returns another status, then push the remaining samples. Errors:
+  /// not_started, finished, too_many_slices. Cost: one comparison per sample. A completed row also
+  /// extracts the surface of a row of the slice below (DESIGN.md, "Work").
   template <class Sample>
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
@@ -75,30 +83,32 @@ class BasicExtractor {
     return push_samples(samples, count, stride);
   }
 
-  /// Accepts a whole row of bits that you thresholded: eight voxels per byte, the first in bit 0.
-  /// Errors: as push(), row_in_progress. PushResult::samples is the width if the row was accepted,
-  /// otherwise 0.
+  /// Accepts a whole row that you thresholded. bits: (width + 7) / 8 bytes, eight voxels per byte,
+  /// the first in bit 0; bits beyond the width are ignored; Owner: as of push(). The row is
+  /// accepted if PushResult::samples is the width, even with Status::suspended; otherwise samples
+  /// is 0. Errors: as push(), row_in_progress.
   PushResult push_bits(const uint8_t* bits);
 
   /// Replaces a missing row; the sink receives a `skipped` event. Result and errors: as
   /// push_bits().
   PushResult skip_row(Substitute substitute);
 
-  /// Continues after Status::suspended; returns it again if the sink is still busy. Harmless at any
-  /// other time. Errors: not_started.
+  /// Continues after Status::suspended, and returns it again if the sink is still busy. Does
+  /// nothing at any other time. Errors: not_started.
   [[nodiscard]] Status resume();
 
   /// Ends the scan: delivers every region and the totals. Errors: not_started, slice_in_progress.
   /// After Status::suspended call resume(). A second call is harmless.
   [[nodiscard]] Status finish();
 
-  /// Ends the scan anywhere: the rest of the slice counts as off, so the surface is closed; the
-  /// `finish` event has `abandoned` set. Errors: not_started. Status::suspended as finish().
+  /// Ends the scan anywhere: the rest of the slice counts as off, so with Border::closed the
+  /// surface is closed. The `finish` event has `abandoned` set. Errors: not_started.
+  /// Status::suspended: as finish().
   [[nodiscard]] Status abandon();
 
   /// Saves the extractor's state. Also save the first bytes_used() bytes of the memory; restore()
-  /// needs both. Any: the type of this extractor. Errors: not_started. Status::suspended: call
-  /// resume() first. Cost: a checksum of those bytes.
+  /// needs both. Any is deduced: the type of this extractor. Errors: not_started.
+  /// Status::suspended: call resume() first. Cost: a checksum of those bytes.
   template <class Any>
   [[nodiscard]] Status save(Checkpoint<Any>& checkpoint) const;
 
@@ -108,29 +118,30 @@ class BasicExtractor {
   template <class Any>
   [[nodiscard]] Status restore(const Checkpoint<Any>& checkpoint, Memory memory, const Sink& sink);
 
-  /// Resumes a scan whose object and memory were restored byte for byte in place, as in C. Call it
-  /// instead of restore(). Limit: the bytes are unchanged. Errors: bad_sink, too_little_memory.
-  [[nodiscard]] Status continue_in(Memory memory, const Sink& sink);
+  /// Continues a scan whose object and memory were saved and restored as plain bytes, without
+  /// save() and restore(); discmc.h works so. memory, sink: as of restore(). Limit: the bytes were
+  /// saved while is_suspended() was false, and are unchanged. Errors: bad_sink, too_little_memory.
+  [[nodiscard]] Status resume_in_place(Memory memory, const Sink& sink);
 
   /// Whether the sink has refused an event that is due. If so, call resume() before save().
   bool is_suspended() const;
 
-  /// The totals so far; final once the scan is finished.
+  /// The totals so far; final when the scan is finished.
   const Statistics& statistics() const { return statistics_; }
   Limits limits() const {
     return {width_, height_, border_, {first_slice_, continues_below_, continues_above_}};
   }
   const Capacities& capacities() const { return capacities_; }
-  /// The peaks so far.
-  HighWater high_water() const {
-    return {sweep_.fragments().slots().high_water(), sweep_.delivery().holes().high_water()};
+  /// The peak use so far.
+  Peaks peaks() const {
+    return {sweep_.fragments().slots().peak(), sweep_.delivery().holes().peak()};
   }
   /// The number of bytes at the beginning of the caller's memory that the scan has used so far. No
   /// later byte was written.
   size_t bytes_used() const;
-  /// The complete slices so far.
+  /// The number of complete slices that were pushed, with the context slice of a slab.
   uint32_t slices() const { return intake_.slices(bits_); }
-  /// The complete rows of the current slice.
+  /// The number of complete rows of the current slice, 0 to height - 1.
   uint32_t rows() const { return intake_.rows(bits_); }
 
   /// For CheckpointHead::layout.
@@ -196,9 +207,9 @@ class BasicExtractor {
   Memory memory_;
 };
 
-/// The extractor for firmware, and for hosts without special needs. The library contains it with
-/// all features. A program that selects features includes discmc/trace/extractor_definitions.hpp.
-/// Then the compiler inlines more, because it sees which functions are called.
+/// The extractor for firmware, and for hosts without special needs. The library contains its code
+/// with AllFeatures. Include discmc/trace/extractor_definitions.hpp where you use other Features,
+/// or to let the compiler inline more.
 template <class Index, class Features = AllFeatures>
 class Extractor : public BasicExtractor<Index, BitIntake, trace::Sweep<Index, NoNormal, Features>> {
  public:

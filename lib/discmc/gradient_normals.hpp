@@ -1,159 +1,28 @@
-// Gradient normals in the first pass: an extractor that adds to every run the normal at its start.
+// Normals during the scan: an extractor that adds to every run the normal of the surface at its
+// start.
 //
-//   using Normals = GradientNormals<uint8_t>;           // of the samples' type
+//   using Normals = GradientNormals<uint8_t>;           // the type of the samples
 //   static uint8_t memory[minimum_bytes<uint16_t, Normals>(limits) + 24 * 1024];
-//   static NormalExtractor16<uint8_t> extractor;        // used like any other
+//   static NormalExtractor16<uint8_t> extractor;        // used like any other extractor
 //   encoder.encode_normals();                           // otherwise the stream omits them
 //   extractor.set_spacing(spacing_nm);                  // before start(), unless voxels are cubes
 //
-// The extractor keeps the samples of four slices and six rows. It delays every row by a slice and a
-// row, so that it has the samples on all sides of the sweep. It computes a normal for each corner
-// and stores it with the run that starts there; points in the middle of a side have no normal. A
-// slab has one slice of context: near a seam the gradient uses the available slices, as at the end
-// of a volume.
+// A normal is the gradient of the samples at a corner. The gradient needs the samples on all sides.
+// So the extractor keeps four slices and six rows of samples, and its events come one slice and one
+// row later. At the ends of a volume, and at the seams of a slab, the gradient uses the slices that
+// exist. Vertices between two corners have no normal. For normals in a second pass see
+// sample_window.hpp.
 #ifndef DISCMC_GRADIENT_NORMALS_HPP
 #define DISCMC_GRADIENT_NORMALS_HPP
 
 #include <discmc/extractor.hpp>
-#include <discmc/trace/sample_rows.hpp>
+#include <discmc/trace/gradient_intake.hpp>
 
 namespace discmc {
 
-/// The intake of an extractor with normals. Sample is uint8_t, uint16_t or int16_t.
-template <class Sample>
-class GradientNormals {
-  static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
-
- public:
-  static constexpr bool holds_samples = true;
-  static constexpr uint32_t type = sample_type<Sample>;
-  using Normal = OctahedralNormal;
-
-  // The sweep may meet a corner at the centroid of a cell one slice later than the cell, and its
-  // normal needs one more slice and row on all sides.
-  static constexpr uint32_t ring_rows(const Limits& limits) { return 4 * limits.height + 6; }
-  static constexpr uint64_t bytes_for(const Limits& limits) {
-    return SampleRows<Sample>::bytes_for(limits, ring_rows(limits)) +
-           Arena::bytes_of(ring_rows(limits), sizeof(uint16_t));
-  }
-  /// Takes bytes_for(limits) from the arena, and writes nothing.
-  void start(Arena& arena, const Limits& limits) {
-    samples_.start(arena, limits, ring_rows(limits));
-    given_ = arena.take<uint16_t>(ring_rows(limits));
-    width_ = limits.width;
-    height_ = limits.height;
-    first_z_ =
-        2 * (static_cast<int32_t>(limits.slab.first) - (limits.slab.continues_below ? 1 : 0));
-  }
-  void clear() {
-    samples_.clear();
-    waiting_ = 0;
-  }
-  void forget_addresses() {
-    samples_.forget_addresses();
-    given_ = nullptr;
-  }
-
-  /// Sets the spacing for voxels that are not cubes. Units: nanometres.
-  void set_spacing(const int32_t (&spacing_nm)[3]) {
-    for (int axis = 0; axis < 3; ++axis) spacing_nm_[axis] = spacing_nm[axis];
-    weights_ = axis_weights(spacing_nm);
-  }
-  void write_spacing(int32_t (&spacing_nm)[3]) const {
-    for (int axis = 0; axis < 3; ++axis) spacing_nm[axis] = spacing_nm_[axis];
-  }
-
-  /// The position of the next sample: as BitIntake.
-  uint32_t column(const trace::BitRows&) const { return samples_.column(); }
-  uint32_t rows(const trace::BitRows&) const { return samples_.rows(); }
-  uint32_t slices(const trace::BitRows&) const { return samples_.slices(); }
-
-  /// As BitIntake, with samples of this type only.
-  RowOrigin append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
-                   int32_t threshold) {
-    samples_.append(samples, count, stride);
-    if (!samples_.row_is_complete()) return RowOrigin::samples;
-    end_row(width_);
-    return pass_on_due(rows, threshold);
-  }
-  RowOrigin skip(trace::BitRows& rows, bool is_repeated, int32_t threshold) {
-    if (is_repeated)
-      samples_.repeat(off_below(threshold));
-    else
-      samples_.fill(off_below(threshold));
-    end_row(is_repeated ? skipped_repeated : skipped_off);
-    return pass_on_due(rows, threshold);
-  }
-  RowOrigin drain(trace::BitRows& rows, int32_t threshold) {
-    if (samples_.rows() == 0 && samples_.column() == 0) return pass_on(rows, threshold);
-    const uint32_t given = samples_.column();
-    samples_.fill(off_below(threshold));
-    end_row(given);
-    return pass_on_due(rows, threshold);
-  }
-  bool holds_rows(const trace::BitRows& rows) const {
-    return waiting_ > 0 || samples_.column() > 0 || rows.rows() > 0;
-  }
-
-  OctahedralNormal normal_at(const Vertex& vertex) const {
-    const Vertex here{vertex.x, vertex.y, vertex.z - first_z_};
-    return octahedral_normal(weighted(samples_.negative_gradient(here), weights_));
-  }
-
- private:
-  // Stored in place of the number of samples of a row.
-  static constexpr uint16_t skipped_off = 0xFFFE;
-  static constexpr uint16_t skipped_repeated = 0xFFFF;
-  static_assert(Limits::max_extent < skipped_off, "widths are none of these");
-
-  void end_row(uint32_t given) {
-    given_[samples_.place_before(0)] = static_cast<uint16_t>(given);
-    samples_.next_row();
-    ++waiting_;
-  }
-  // A row is due after a slice and a row.
-  RowOrigin pass_on_due(trace::BitRows& rows, int32_t threshold) {
-    if (waiting_ <= height_ + 1) return RowOrigin::samples;
-    return pass_on(rows, threshold);
-  }
-  // Thresholds the oldest row.
-  RowOrigin pass_on(trace::BitRows& rows, int32_t threshold) {
-    const uint16_t given = given_[samples_.place_before(waiting_)];
-    const RowOrigin row = given == skipped_repeated ? RowOrigin::repeated
-                          : given == skipped_off    ? RowOrigin::skipped
-                                                    : RowOrigin::samples;
-    if (row == RowOrigin::samples) rows.append(samples_.row_before(waiting_), given, 1, threshold);
-    if (row == RowOrigin::repeated)
-      rows.repeat();
-    else
-      rows.fill_off();
-    rows.next_row();
-    --waiting_;
-    return row;
-  }
-
-  // The value of missing samples for the gradient: just below the threshold, if the type has such a
-  // value. If the threshold exceeds all values of the type, nothing is on and there are no normals.
-  static Sample off_below(int32_t threshold) {
-    constexpr bool is_signed = static_cast<Sample>(-1) < 0;
-    constexpr int32_t least = is_signed ? -(1 << (8 * sizeof(Sample) - 1)) : 0;
-    return static_cast<Sample>(threshold > least ? threshold - 1 : least);
-  }
-
-  int32_t spacing_nm_[3] = {0, 0, 0};  // unknown
-  AxisWeights weights_;
-  SampleRows<Sample> samples_;
-  uint16_t* given_ = nullptr;
-  uint32_t width_ = 0;
-  uint32_t height_ = 0;
-  int32_t first_z_ = 0;  // of the samples in the volume
-  uint32_t waiting_ = 0;
-};
-
-/// An extractor with normals. It accepts samples of one type, keeps four slices of them in the
-/// memory, and sweeps one slice and one row later. Except for the normals, the events are those of
-/// an extractor without normals. memory: at least minimum_bytes<Index,
-/// GradientNormals<Sample>>(limits); likewise for explicit capacities.
+/// An extractor with normals. It accepts samples of one type and no bits. Sample is uint8_t,
+/// uint16_t or int16_t. memory of start(): at least minimum_bytes<Index,
+/// GradientNormals<Sample>>(limits), or with explicit capacities bytes_for() with the same types.
 template <class Index, class Sample>
 class NormalExtractor
     : public BasicExtractor<Index, GradientNormals<Sample>, trace::Sweep<Index, OctahedralNormal>> {
@@ -161,8 +30,8 @@ class NormalExtractor
   NormalExtractor() = default;
 
   /// Sets the distances between voxels for the normals of the next scans; without this call voxels
-  /// are cubes. The `start` event passes the spacing to the stream. spacing_nm: negative for a
-  /// mirrored axis; Units: nanometres. Limit: not during a scan, whose later normals would differ.
+  /// are cubes. The `start` event passes the spacing to the stream. spacing_nm: along x, y, z;
+  /// negative for a mirrored axis; Units: nanometres. Limit: not during a scan.
   void set_spacing(const int32_t (&spacing_nm)[3]) { this->intake().set_spacing(spacing_nm); }
 
   /// Bits have no gradient.

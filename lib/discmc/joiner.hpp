@@ -1,4 +1,4 @@
-// The joiner: loose fragments in, regions out.
+// The joiner: loose fragments in, whole regions out.
 //
 // An extractor with little memory sends pieces of boundary rings early, as loose fragments. An
 // extractor of a slab sends them at its seams. The joiner is a sink in front of another sink:
@@ -10,13 +10,14 @@
 //   while (joiner.finish() == Status::suspended)
 //     ...  // until the sink is ready again
 //
-// A fragment continues at the end of its last link, and no directed link belongs to two chains. So
-// ends match by vertex, incidence and direction, in any order of arrival. A chain that ends at its
-// start is a ring. A hole waits for the outer ring around it, on the same plane.
+// A fragment continues where another one ends, and no directed link belongs to two chains. So the
+// ends of fragments match by vertex, incidence and direction, in any order of arrival. A chain that
+// ends at its start is a ring. A hole waits until the outer ring around it, on the same plane, is
+// closed.
 //
-// Too little memory loses nothing: from then on the joiner passes on what it holds and what
-// arrives, and a larger joiner can join that. For a sink that needs whole regions, use
-// make_region_sink().
+// If the memory runs out, the joiner stops joining. It passes on everything that it holds and that
+// arrives, as loose fragments, which a larger joiner can join. With Unjoined::dropped they are lost
+// instead. A sink that needs whole regions uses make_region_sink().
 #ifndef DISCMC_JOINER_HPP
 #define DISCMC_JOINER_HPP
 
@@ -25,73 +26,77 @@
 
 namespace discmc {
 
-/// Adds the totals of a scan to a sum, as for the slabs of one volume.
+/// Adds the totals of one scan to `sum`, for example those of each slab of a volume.
 void add(Statistics& sum, const Statistics& other);
 
 /// The order of the incoming events.
 enum class InputOrder : uint8_t {
-  /// The order of one sweep. The joiner delivers a region as soon as its outer ring closes.
+  /// The order of one extractor or decoder. A region is delivered as soon as its outer ring closes.
   sweep,
-  /// Loose fragments in any order, from one stream or several. Regions joined from them wait for
-  /// finish(). Limit: between `region` and `region_end`, or `fragment` and `fragment_end`, of one
-  /// stream comes no event of another. A region that arrives whole comes after the loose fragments
-  /// that its own stream has before it.
+  /// Any order, from one stream or several, such as those of slabs. Regions joined from fragments
+  /// wait for finish(). Limit: the events from `region` to `region_end`, or from `fragment` to
+  /// `fragment_end`, of one stream are not interrupted by events of another stream. A whole region
+  /// arrives after the loose fragments that precede it in its own stream.
   any,
 };
 
-/// The fate of fragments that the joiner cannot join, for lack of a partner or of memory.
+/// What happens to fragments that cannot be joined, because a partner or memory is missing.
 enum class Unjoined : uint8_t {
-  passed_on,  ///< to the sink, as loose fragments
-  left_out,   ///< dropped, with the regions or holes that they belong to
+  passed_on,  ///< the sink receives them as loose fragments
+  dropped,    ///< a region whose outer ring is not joined is missing, another lacks such holes
 };
 
-/// The capacities of a joiner. Limit: at least 1 of each.
+/// The capacities of a joiner. Limit: at least 1 of each, and at most the constants; start() checks
+/// it.
 struct JoinCapacities {
   static constexpr uint32_t max_fragments = uint32_t{1} << 28;
   static constexpr uint32_t max_runs = UINT32_MAX - 1;
 
-  uint32_t fragments;  ///< chains not closed yet, and rings that wait
-  uint32_t runs;       ///< of all of them
+  uint32_t fragments;  ///< fragments and rings that wait at once
+  uint32_t runs;       ///< the runs of all of them
 };
 
 /// The counts of a joiner since its start.
 struct JoinReport {
-  uint64_t received = 0;   ///< fragments
-  uint64_t invalid = 0;    ///< dropped: the incidence, a direction or a run is invalid
-  uint64_t regions = 0;    ///< delivered, with outer rings joined from fragments
-  uint64_t rings = 0;      ///< joined from fragments, and delivered in any region
-  uint64_t unmatched = 0;  ///< at the end: chains without a partner, holes without a region, and
-                           ///< fragments that collided with another; the measure of what was lost
-  uint64_t passed_on = 0;  ///< fragments, some of them partly joined, that were passed on for lack
-                           ///< of memory
+  uint64_t received = 0;  ///< loose fragments that arrived
+  uint64_t invalid = 0;   ///< fragments dropped for an invalid incidence, direction or run
+  uint64_t regions = 0;   ///< regions delivered whose outer ring was joined
+  uint64_t rings = 0;     ///< joined rings delivered, as outer rings or as holes of any region
+  /// Left at the end: chains without a partner, holes without a region, and fragments that collided
+  /// with another one. A measure of what was lost before the joiner.
+  uint64_t unmatched = 0;
+  /// Chains that left for lack of memory, not joined or only partly joined.
+  uint64_t short_of_memory = 0;
 };
 
-/// Receives the events of extractors and decoders, and sends them on with regions completed and
-/// joined. Any events are safe.
+/// A sink in front of another sink. It completes regions from loose fragments, and passes on all
+/// other events in their order. Any events are safe. Runs keep their normals.
 ///
-/// The sink receives everything except loose fragments in the original order. It receives what the
-/// report counts as unmatched or passed on as loose fragments, unless these are left out. Runs keep
-/// their normals. A region is right if all its fragments arrived, whatever else is lost.
+/// A delivered region is right if all its fragments arrived, whatever else is lost. Fragments that
+/// report() counts as unmatched or short_of_memory reach the sink as loose fragments;
+/// Unjoined::dropped drops them.
 ///
-/// The sink receives one `finish` event. With several streams in any order it is the sum, sent by
-/// finish(). Its counts of regions, rings and loose fragments are those that the joiner delivered.
-/// Layer marks are valid only in the order of a sweep.
+/// The sink receives one `finish` event, whose regions, rings and fragments are those that it
+/// received. With InputOrder::any the event is the sum of all streams and comes from finish(), and
+/// layer marks have no meaning.
 ///
-/// A joiner is neither copied nor moved: two copies would write to the same memory.
-///
-/// Cost: per fragment, its runs; per region, its runs times the holes that wait on its plane.
+/// A joiner is neither copied nor moved: two copies would write to the same memory. Cost: each run
+/// of a fragment is copied once; each run of a region is compared with the holes that wait on its
+/// plane.
 class Joiner {
  public:
   Joiner() = default;
 
-  /// The bytes of the caller's memory for these capacities, and the minimum.
+  /// The bytes of memory that start() needs for these capacities: 96 per fragment, and 12 per run.
   static constexpr uint64_t bytes_for(const JoinCapacities& capacities) {
     return join::WaitingChains::bytes_for(capacities.fragments, capacities.runs) +
            Arena::alignment - 1;
   }
+  /// The least memory with which start() succeeds.
   static constexpr uint64_t minimum_bytes() { return bytes_for({1, 1}); }
 
-  /// The default split of a number of bytes: eight runs per fragment, in 192 bytes.
+  /// The capacities that start() chooses for this many bytes: one fragment with eight runs per 192
+  /// bytes.
   static constexpr JoinCapacities default_capacities(uint64_t bytes) {
     // In 32 bits: no 64-bit division on small machines.
     const uint64_t units = bytes < Arena::alignment ? 0 : (bytes - (Arena::alignment - 1)) >> 6;
@@ -102,28 +107,32 @@ class Joiner {
     return {fragments, 8 * fragments};
   }
 
-  /// Starts anew, with the default split of the memory. memory: Owner: the caller, for as long as
-  /// events arrive. Errors: bad_sink, too_little_memory; then nothing has changed.
+  /// Starts with default_capacities(), and drops what an earlier start() left. memory: at least
+  /// minimum_bytes(), at any alignment; Owner: the caller, for as long as events arrive. sink:
+  /// receives the joined events. Errors: bad_sink (no function), too_little_memory; then nothing
+  /// has changed.
   [[nodiscard]] Status start(Memory memory, const Sink& sink, InputOrder order,
                              Unjoined unjoined = Unjoined::passed_on);
   /// As above, with explicit capacities. Errors: also bad_capacities.
   [[nodiscard]] Status start(const JoinCapacities& capacities, Memory memory, const Sink& sink,
                              InputOrder order, Unjoined unjoined = Unjoined::passed_on);
 
-  /// Accepts an event, and delivers what the event completes. Returns SinkResult::not_started
-  /// before start(), and if the sink returns it.
+  /// Accepts an event, and delivers what the event completes. Returns SinkResult::busy if the sink
+  /// is busy: the sender offers the event again. Returns SinkResult::not_started before start(),
+  /// and if the sink returns it.
   SinkResult take(const Event& event);
 
-  /// Ends the input, and delivers what waits; a `finish` event in the order of a sweep does so,
-  /// too. Status::suspended: the sink is busy, call again. Errors: not_started; bad_sink (the sink
-  /// answered not_started); too_little_memory if memory was short at any time, although everything
-  /// possible was delivered.
+  /// Ends the input, and delivers what waits. With InputOrder::sweep the `finish` event does so by
+  /// itself; call finish() anyway, for the status, and for streams without a trailer.
+  /// Status::suspended: the sink is busy, call finish() again. Errors: not_started; bad_sink (the
+  /// sink answered not_started); too_little_memory (memory was short at some time; everything that
+  /// could be joined was delivered).
   [[nodiscard]] Status finish();
 
   const JoinReport& report() const { return report_; }
   JoinCapacities capacities() const { return capacities_; }
   /// The peak: the most that was held at once.
-  JoinCapacities high_water() const { return {chains().high_water(), chains().run_high_water()}; }
+  JoinCapacities peaks() const { return {chains().peak(), chains().run_peak()}; }
 
  private:
   Joiner(const Joiner&) = default;
@@ -197,24 +206,24 @@ class Joiner {
   Statistics totals_{};
 };
 
-/// Returns a sink for an object that needs whole regions, of a scan that may have little memory:
+/// Returns a sink for an object that needs whole regions, although the scan may have little memory:
 ///
 ///   static Joiner joiner;
 ///   extractor.start(limits, threshold, memory, make_region_sink(object, joiner, join_memory));
 ///
-/// It starts the joiner, which calls `object.take(event)` and drops what it cannot join;
-/// joiner.report() counts the drops. Call it anew for each scan or stream: start the extractor
-/// again instead of reset(). Owner: object, joiner and memory must outlive the sink. If the
-/// memory is less than Joiner::minimum_bytes(), the sink has no function, and start() returns
-/// bad_sink.
+/// It starts the joiner, with `object.take(event)` as the joiner's sink. Fragments that cannot be
+/// joined are dropped; joiner.report() counts them. Call make_region_sink() again for each scan,
+/// and start the extractor with the result instead of calling reset(). Owner: object, joiner and
+/// memory must outlive the sink. If the memory is less than Joiner::minimum_bytes(), the returned
+/// sink has no function, and start() of the extractor returns bad_sink.
 ///
-/// Memory: 96 bytes per waiting chain and 12 per run of it; Joiner::high_water() counts both. On
-/// the device that extracts, give the extractor more memory instead: there a chain needs 16 bytes,
-/// and 8 per three runs, and is not sent loose at all. Cost: as the Joiner.
+/// Cost: 96 bytes per waiting fragment and 12 per run of it; Joiner::peaks() counts both. On the
+/// device that extracts, give the extractor more memory instead. It needs 16 bytes per waiting
+/// chain and 8 per three runs, and then sends fewer loose fragments.
 template <class Object>
 Sink make_region_sink(Object& object, Joiner& joiner, Memory memory) {
   const Status status =
-      joiner.start(memory, make_sink(object), InputOrder::sweep, Unjoined::left_out);
+      joiner.start(memory, make_sink(object), InputOrder::sweep, Unjoined::dropped);
   return status == Status::ok ? make_sink(joiner) : Sink{};
 }
 

@@ -95,11 +95,12 @@ using Direction = uint8_t;
 constexpr int max_directions = 8;
 constexpr Direction no_direction = 0xFF;
 
-/// The 18 links, and which of them lie in the planes of each incidence. The table is small because
-/// firmware contains it; read it through the functions below.
+/// The 18 links, and which of them lie in the planes of each incidence. Read the table through the
+/// functions below.
 struct LinkTable {
   int8_t vector[link_codes][3];
-  uint8_t direction_count[incidence_codes];        ///< 8 axis, 4 diagonal, 6 corner
+  uint8_t direction_count[incidence_codes];        ///< 8 in axis planes, 4 in diagonal
+                                                   ///< planes, 6 in corner planes
   Link link[incidence_codes][max_directions / 2];  ///< of the first half of the directions
 };
 
@@ -162,7 +163,8 @@ constexpr LinkTable link_table() {
 
 inline constexpr LinkTable links = derive::link_table();
 
-/// The number of directions in the planes of an incidence: 8 axis, 4 diagonal, 6 corner.
+/// The number of directions in the planes of an incidence: 8 in axis planes, 4 in diagonal
+/// planes, 6 in corner planes.
 constexpr uint8_t direction_count(Incidence incidence) {
   return links.direction_count[incidence];
 }
@@ -189,7 +191,7 @@ constexpr Direction direction_of(Incidence incidence, Link link) {
   return no_direction;
 }
 
-/// As above, for a link vector. Cost: a search; for tables and references.
+/// As above, for a link vector. Cost: a search, so not per run.
 constexpr Direction direction_of(Incidence incidence, const Vertex& vector) {
   return direction_of(incidence, derive::link_of(links, vector));
 }

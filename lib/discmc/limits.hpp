@@ -1,4 +1,4 @@
-// The size limits of a scan, and the features of an extractor.
+// The size of a scan, and the abilities of an extractor.
 #ifndef DISCMC_LIMITS_HPP
 #define DISCMC_LIMITS_HPP
 
@@ -7,31 +7,36 @@
 
 namespace discmc {
 
-/// The surroundings of the volume.
+/// What surrounds the volume. In the coordinates below, which count half-steps, `extent` is the
+/// number of voxels along an axis.
 enum class Border : uint8_t {
-  closed,  ///< a halo of off voxels: the surface is closed; coordinates -1 to 2 * extent - 1
-  open,    ///< nothing: the surface ends at the outermost voxels; coordinates 0 to 2 * extent - 2
+  closed,  ///< voxels outside are off, so the surface is closed; coordinates -1 to 2 * extent - 1
+  open,    ///< the surface ends at the outermost voxels; coordinates 0 to 2 * extent - 2
 };
 
-/// The slices of a volume that one extractor scans. If the volume continues, also push one slice of
-/// the neighbour, before the first or after the last own slice. Boundaries that cross the seam
-/// leave as loose fragments; a Joiner joins them with those of the other slabs.
+/// The slices of a volume that one of several extractors scans: its own slices. If the volume
+/// continues below them, push one context slice first: the last slice of the slab below. If the
+/// volume continues above, push one context slice last: the first slice of the slab above.
+///
+/// Events have the coordinates of the whole volume. Boundaries that cross a seam leave as loose
+/// fragments; a Joiner with InputOrder::any joins those of all slabs.
 struct Slab {
-  uint32_t first = 0;  ///< number of its first own slice in the volume
-  bool continues_below = false;
-  bool continues_above = false;
+  uint32_t first = 0;            ///< the number of the first own slice in the volume
+  bool continues_below = false;  ///< a context slice precedes; Limit: exactly if first > 0
+  bool continues_above = false;  ///< a context slice follows
 };
 
-/// The size of a slice. Memory does not limit the number of slices.
+/// The size of a scan. Memory depends on the size of a slice, not on the number of slices.
 struct Limits {
   static constexpr uint32_t max_extent = 32766;
-  static constexpr uint32_t max_slices = (uint32_t{1} << 30) - 1;
+  static constexpr uint32_t max_slices = (uint32_t{1} << 30) - 1;  ///< of a volume
 
   uint32_t width;   ///< voxels per row; Limit: 1 to max_extent
   uint32_t height;  ///< rows per slice; Limit: 1 to max_extent
   Border border = Border::closed;
-  Slab slab = {};  ///< default: the whole volume; Limit: first > 0 exactly if it continues below
+  Slab slab = {};  ///< default: the whole volume
 
+  /// Whether all members keep their limits; start() returns bad_limits otherwise.
   constexpr bool is_valid() const {
     return width >= 1 && width <= max_extent && height >= 1 && height <= max_extent &&
            border <= Border::open && slab.first < max_slices &&
@@ -39,17 +44,23 @@ struct Limits {
   }
 };
 
-/// What an extractor supports beside whole volumes with a closed border. Firmware that needs less
-/// passes a struct derived from this one to Extractor and saves flash (FOOTPRINT.md):
+/// The optional abilities of an Extractor. Firmware that leaves some out saves flash
+/// (FOOTPRINT.md):
 ///
-///   struct Features : AllFeatures {
+///   #include <discmc/trace/extractor_definitions.hpp>  // without it, the program does not link
+///   struct Features : discmc::AllFeatures {
 ///     static constexpr bool slabs = false;
 ///   };
+///   static discmc::Extractor<uint16_t, Features> extractor;
+///
+/// start() returns bad_limits for limits that need a missing ability.
 struct AllFeatures {
   static constexpr bool open_border = true;  ///< Border::open
   static constexpr bool slabs = true;        ///< Limits::slab
-  static constexpr bool cell_counts = true;  ///< cells, facets and classic_triangles in Statistics
-  static constexpr bool holes_wait = true;   ///< else holes are loose fragments, in any memory
+  static constexpr bool cell_counts = true;  ///< cells, facets and classic_triangles in Statistics,
+                                             ///< which are 0 otherwise
+  static constexpr bool holes_wait = true;   ///< holes wait for their outer ring; otherwise every
+                                             ///< hole is a loose fragment, so use a Joiner
 };
 
 }  // namespace discmc

@@ -1,7 +1,7 @@
 // Normals in integers: fixed-point unit vectors from vectors of any length.
 //
-// A normal points outside, from on to off. A gradient may point elsewhere if a wall is thinner than
-// two voxels. A normal has one of three sources:
+// A normal points outside, from on to off. The gradient at a wall thinner than two
+// voxels may point inside. A normal has one of three sources:
 //
 //   the facet      normal(incidence) of lattice.hpp, weighted(): exact, and free
 //   the samples    SampleWindow::negative_gradient(), weighted(): Montani et al. 1994, 2.4
@@ -28,9 +28,9 @@ struct UnitNormal {
   int16_t x, y, z;
 };
 
-/// A unit vector in two bytes: its place on the octahedron |x| + |y| + |z| = 127, plus 128. The
-/// lower half (z < 0) is folded outwards. Meyer et al., "On Floating-Point Normal Vectors", 2010. u
-/// is zero if there is no normal. Error: at most 0.96 degrees.
+/// A unit vector in two bytes: its point on the octahedron |x| + |y| + |z| = 127, with 128 added to
+/// x and y. The lower half (z < 0) is folded outwards. If there is no normal, u is 0. Error: at
+/// most 0.96 degrees. See Meyer et al., "On Floating-Point Normal Vectors", 2010.
 struct OctahedralNormal {
   uint8_t u, v;
 
@@ -61,7 +61,8 @@ struct AxisWeights {
 /// voxels count as cubes. Error: at most 2^-30 of the largest.
 AxisWeights axis_weights(const int32_t (&spacing)[3]);
 
-/// Converts a vector from units of voxels, such as a normal or a gradient, to space. Error: none
+/// Corrects a normal or gradient for voxels that are not cubes. Only the direction of the result
+/// matters: pass it to unit_normal(). Error: none
 /// below 2^31, otherwise at most 2^-31 of the largest component.
 LongVector weighted(const LongVector& vector, const AxisWeights& weights);
 

@@ -10,8 +10,8 @@ namespace discmc {
 /// The axes of space; for a patient, as in medical formats.
 enum class Space : uint8_t {
   scanner,  ///< the scanner's own
-  lps,      ///< towards the left, the back (posterior) and the head (superior), as in DICOM
-  ras,      ///< towards the right, the front (anterior) and the head, as in NIfTI
+  lps,      ///< x to the left, y to the back, z to the head of the patient, as in DICOM
+  ras,      ///< x to the right, y to the front, z to the head, as in NIfTI
 };
 
 /// The transform from voxels to space: the centre of voxel (i, j, k) is origin + i axes[0] + j

@@ -1,9 +1,10 @@
 // From chains to polygons: vertices, simple rings, corners.
 //
-// A ring of a region may touch itself in a vertex. split_ring() splits a ring at every repeated
-// vertex into simple rings, as polygon libraries expect. The set of simple rings is unique. Rings
-// of two links, which are slits without area, are dropped. All functions work in the caller's
-// memory.
+// A ring of a region may touch itself in a vertex. Most polygon libraries need simple rings, so
+// split_ring() splits a ring at every vertex that it visits more than once. All functions work in
+// memory that you supply.
+//
+//   ring_vertices()  ->  split_ring()  ->  keep_corners()  ->  your polygons or triangles
 #ifndef DISCMC_POLYGON_HPP
 #define DISCMC_POLYGON_HPP
 
@@ -11,21 +12,22 @@
 
 namespace discmc {
 
-/// The number of links of a chain, which is the number of vertices of a closed one. Limit: straight
-/// runs only.
+/// The number of links of a chain; a closed chain has as many vertices. Limit: valid runs, see
+/// is_run_of().
 constexpr uint64_t link_count(const Run* runs, uint32_t count) {
   uint64_t sum = 0;
   for (uint32_t i = 0; i < count; ++i) sum += runs[i].length();
   return sum;
 }
 
-/// Writes the vertices of a closed chain, one per link, beginning with the start. vertices:
-/// link_count() of them; Owner: the caller. Limit: straight runs only.
+/// Writes the vertices of a closed chain, one per link, beginning with `start`. vertices: room for
+/// link_count(runs, count) vertices; Owner: the caller. Limit: valid runs, whose chain is closed.
 void ring_vertices(Incidence incidence, const Vertex& start, const Run* runs, uint32_t count,
                    Vertex* vertices);
 
-/// Twice a ring's area times the length of its incidence's normal, as twice_area() of a chain:
-/// positive for an outer ring, negative for a hole. Units: square half-steps.
+/// Twice the area of a ring, times the length of its incidence's normal: an exact integer, equal to
+/// twice_area() of the ring's chain. Positive for an outer ring, negative for a hole. Units: square
+/// half-steps.
 int64_t twice_area(Incidence incidence, const Vertex* vertices, uint32_t count);
 
 /// A sink of simple rings. Owner: the context belongs to the caller.
@@ -35,16 +37,19 @@ struct RingSink {
   void (*take)(void* context, const Vertex* vertices, uint32_t count) = nullptr;
 };
 
-/// Splits a closed ring of vertices into simple rings, and sends them to the sink. vertices:
-/// overwritten. scratch: 2 * count words. Owner: the caller. Cost: count * log(count) comparisons.
+/// Splits a ring of vertices, as ring_vertices() writes it, into simple rings, and sends each to
+/// the sink. Each simple ring keeps the direction of the ring, so twice_area() distinguishes outer
+/// rings from holes. Rings of two links enclose no area and are dropped. vertices: overwritten.
+/// scratch: room for 2 * count words. Owner: the caller. Cost: count * log(count) comparisons.
 void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingSink& sink);
 
-/// Whether vertex i of a ring is a corner: the links before and after it differ.
+/// Whether vertex i of a ring is a corner: the links before and after it differ. Limit: i < count.
 bool is_corner(const Vertex* vertices, uint32_t count, uint32_t i);
 
-/// Keeps, in order and in place, the corners of a ring and every vertex for which keep(vertex) is
-/// true; returns their number. For a mesh without T-junctions keep the vertices at which three or
-/// more boundary links of the surface end, and triangulate without dropping collinear points.
+/// Keeps the corners of a ring, and every vertex for which keep(vertex) is true. Moves them to the
+/// front of `vertices`, in their order, and returns their number. A mesh has no T-junctions if
+/// keep() is true wherever three or more boundary links of the surface end, and if the
+/// triangulation drops no collinear points.
 template <class Keep>
 uint32_t keep_corners(Vertex* vertices, uint32_t count, Keep keep);
 

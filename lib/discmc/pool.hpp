@@ -23,7 +23,7 @@ T* counted_from_one(T* first) {
 template <class Index>
 class SlotAccount {
  public:
-  /// Releases all slots, and resets the high-water mark.
+  /// Releases all slots, and resets the peak.
   void clear() {
     free_ = no_slot;
     fresh_ = 0;
@@ -38,7 +38,7 @@ class SlotAccount {
   uint32_t available() const { return available_; }
   uint32_t in_use() const { return capacity_ - available_; }
   /// The peak: the most slots in use at once, without reserved ones.
-  uint32_t high_water() const { return fresh_; }
+  uint32_t peak() const { return fresh_; }
 
   /// Reserves slots until release(), without choosing them. Limit: at least this many are
   /// available().
@@ -98,6 +98,7 @@ class Pool : public SlotAccount<Index> {
 
   /// Returns a slot with undefined members, or no_slot if all are in use.
   Index take() { return SlotAccount<Index>::take(sizeof(Slot)); }
+  /// Releases a slot. Limit: it is in use.
   void give(Index index) { SlotAccount<Index>::give(index, sizeof(Slot)); }
 
   Slot& operator[](Index index) { return reinterpret_cast<Slot*>(this->slots_)[index]; }

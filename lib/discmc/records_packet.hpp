@@ -1,8 +1,9 @@
-// Packets of records that pass unchanged from an encoder or a decoder to another encoder.
+// Packets that pass unchanged from one stream to another. Hosts use them to join the streams of
+// slabs; firmware does not need them.
 //
-// The encoder of a part creates them, a Decoder passes them on, and append() of the encoder of the
-// whole scan sends them. So parts are encoded in parallel, and the cost of joining slabs is that of
-// the boundaries at their seams.
+// Decoder::set_packet_passthrough() passes packets on, and Encoder::append() adds them to the
+// joined stream. Their regions are not decoded, so joining slabs costs little more than the regions
+// at the seams.
 #ifndef DISCMC_RECORDS_PACKET_HPP
 #define DISCMC_RECORDS_PACKET_HPP
 
@@ -12,19 +13,20 @@
 
 namespace discmc {
 
-/// A packet of records on its way from an encoder or a decoder to another encoder.
+/// A packet that contains regions, loose fragments and marks.
 struct RecordsPacket {
-  const uint8_t* payload;  ///< Owner: the sender
-  size_t bytes;
-  uint32_t pieces;  ///< regions and loose fragments that end in it
-  /// Whether the packet contains only whole regions, to none of which a loose fragment of any
-  /// stream belongs.
+  const uint8_t* payload;  ///< Owner: the sender; valid during the call
+  size_t bytes;            ///< of the payload
+  uint32_t pieces;         ///< regions and loose fragments that end in this packet
+  /// Whether the packet contains only whole regions, and no loose fragment of any stream belongs to
+  /// any of these regions.
   bool is_whole;
 };
 
-/// A sink of such packets.
+/// A sink of packets: a function, and the object that it is called with. Owner: the context belongs
+/// to the caller and must outlive the sender's use. take() cannot refuse a packet.
 struct RecordsPacketSink {
-  void* context = nullptr;  ///< Owner: the caller
+  void* context = nullptr;
   void (*take)(void* context, const RecordsPacket& packet) = nullptr;
 };
 

@@ -6,7 +6,7 @@
 
 namespace discmc {
 
-/// Whether a type can be that of samples.
+/// Whether the library accepts samples of this type.
 template <class Sample>
 constexpr bool is_sample = false;
 template <>
@@ -26,13 +26,14 @@ constexpr uint32_t samples_of_row(uint32_t given, uint32_t column, uint32_t widt
   return given < room ? given : room;
 }
 
-/// The replacement of a missing row.
+/// The replacement of a missing row: voxels that are off, or the previous row, which is off if
+/// there is none.
 enum class Substitute : uint8_t { off, previous_row };
 
-/// The result of push(), and how many samples it accepted. Push the rest again.
+/// The result of push().
 struct [[nodiscard]] PushResult {
   Status status;
-  uint32_t samples;
+  uint32_t samples;  ///< samples accepted; push the remaining samples again
 };
 
 }  // namespace discmc

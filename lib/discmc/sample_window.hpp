@@ -1,5 +1,5 @@
-// Gradient normals in a second pass: the caller pushes the slices again, in order, and the window
-// holds four of them.
+// Gradient normals in a second pass: you push the slices again, in order, and the window holds the
+// last four of them.
 //
 //   window.start(limits, memory);
 //   for each slice:
@@ -9,7 +9,7 @@
 //   window.end();
 //   and the remaining vertices, lowest z first
 //
-// So four slices and the vertices of one layer bound the memory.
+// So the memory holds four slices, and the vertices of one layer.
 #ifndef DISCMC_SAMPLE_WINDOW_HPP
 #define DISCMC_SAMPLE_WINDOW_HPP
 
@@ -19,8 +19,8 @@
 
 namespace discmc {
 
-/// The last four slices. Sample is uint8_t, uint16_t or int16_t. A window is neither copied nor
-/// moved: two copies would write to the same memory.
+/// The last four slices of a volume. Sample is uint8_t, uint16_t or int16_t. A window is neither
+/// copied nor moved: two copies would write to the same memory.
 template <class Sample>
 class SampleWindow {
   static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
@@ -32,13 +32,15 @@ class SampleWindow {
 
   static constexpr uint32_t slices_held = 4;
 
+  /// The bytes of memory for start(). Limit: valid limits.
   static constexpr uint64_t bytes_for(const Limits& limits) {
     return SampleRows<Sample>::bytes_for(limits, slices_held * limits.height) + Arena::alignment -
            1;
   }
 
-  /// Begins a pass. memory: at least bytes_for(limits); Owner: the caller, while the window is in
-  /// use. Errors: bad_limits, too_little_memory.
+  /// Begins a pass. limits: only width and height matter, but all must be valid. memory: at least
+  /// bytes_for(limits), at any alignment; Owner: the caller, while the window is in use. Errors:
+  /// bad_limits, too_little_memory.
   [[nodiscard]] Status start(const Limits& limits, Memory memory) {
     if (!limits.is_valid()) return Status::bad_limits;
     Arena arena(memory);
@@ -51,9 +53,9 @@ class SampleWindow {
     return Status::ok;
   }
 
-  /// Accepts samples of consecutive voxels, rows and slices in x, y, z order. A call may end
-  /// anywhere. samples: Owner: the caller; free again when the call returns. stride: from one
-  /// sample to the next, in samples. Errors: not_started; finished, after end(). Cost: a copy.
+  /// Accepts samples of consecutive voxels: x first, then y, then z. A call may begin and end
+  /// anywhere. samples: `count` samples that are `stride` samples apart; Owner: the caller; free
+  /// again when the call returns. Errors: not_started; finished, after end(). Cost: a copy.
   [[nodiscard]] Status push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     if (width_ == 0) return Status::not_started;
     if (is_ended_) return Status::finished;
@@ -66,12 +68,12 @@ class SampleWindow {
     return Status::ok;
   }
 
-  /// Ends the input.
+  /// Ends the input: no slice follows.
   void end() { is_ended_ = true; }
 
-  /// Whether the window holds the samples for negative_gradient(): all existing slices around the
-  /// vertex, and one more on either side. True for vertices below the volume, and after end() for
-  /// those above it. It stays false once the slices of a vertex have passed.
+  /// Whether the window holds the samples for negative_gradient(vertex): the slices around the
+  /// vertex, and one more on either side, as far as the volume has them. False until they have
+  /// arrived, and again when they have left the window.
   bool covers(const Vertex& vertex) const {
     const int64_t below = vertex.z < 4 ? 0 : vertex.z / 2 - 1;
     const int64_t above = (int64_t{vertex.z} + 1) / 2 + 1;
@@ -81,7 +83,13 @@ class SampleWindow {
     return (vertex.z < 0 || below >= first_held) && (is_ended_ || above < slices);
   }
 
-  /// As SampleRows::negative_gradient(). Limit: covers(vertex).
+  /// The direction in which the samples fall at a vertex: from on to off. It sums central
+  /// differences at the voxels around the vertex: two for the midpoint of a cell edge, eight for
+  /// the centre of a cell. At the outermost voxels of the volume they are one-sided. Zero if the
+  /// samples are level, and for vertices outside the volume. weighted() and unit_normal() of
+  /// normal.hpp make it a normal. vertex.z counts from the first slice that was pushed. Units:
+  /// samples per voxel, times 4 at a midpoint and 16 at a centre; below 2^21. Limit:
+  /// covers(vertex). Cost: 12 or 48 samples.
   LongVector negative_gradient(const Vertex& vertex) const {
     return rows_.negative_gradient(vertex);
   }

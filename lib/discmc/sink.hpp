@@ -11,18 +11,18 @@
 // `application`. A decoder may send `lost` instead of the rest of a region or fragment. A truncated
 // stream has no `finish`; a stream whose header is lost has its `start` late, or none.
 //
-// All fragments in this grammar are loose: pieces of a boundary ring that left early for lack of
-// memory. The next fragment of a ring has the same incidence. It starts where the previous fragment
-// ends, and its incoming direction is the direction of the previous fragment's last run. A directed
-// link belongs to one chain, so at most one fragment matches. If the joined runs have the same
-// direction, there is no corner between them. If the whole ring is one fragment, the fragment
-// follows itself. All loose fragments of a region's holes come before its outer ring, or before the
-// last fragment of that ring.
+// All fragments are loose: pieces of a ring that were sent before the ring was closed. Each
+// fragment of a ring continues the fragment before it. Both have the same incidence, the second
+// starts where the first ends, and its incoming direction is the direction of the first one's last
+// run. No other fragment matches, because each directed link belongs to one ring. If the runs on
+// both sides of a joint have the same direction, the joint is no corner. A fragment that is a whole
+// ring continues itself. All loose fragments of a region's holes come before its outer ring, or
+// before the last fragment of that ring.
 //
-// A sink that ignores fragments (all events from `fragment` to `fragment_end`) receives an
-// incomplete surface: regions with a loose outer ring are missing, and other regions lack their
-// loose holes. Statistics::fragments counts the fragments. make_region_sink() in joiner.hpp joins
-// fragments, and sends whole regions to a sink.
+// A sink that ignores the events from `fragment` to `fragment_end` receives an incomplete surface:
+// regions with a loose outer ring are missing, and other regions lack their loose holes.
+// Statistics::fragments counts the fragments. make_region_sink() in joiner.hpp joins them, and
+// sends whole regions to a sink.
 #ifndef DISCMC_SINK_HPP
 #define DISCMC_SINK_HPP
 
@@ -40,7 +40,7 @@ namespace discmc {
 // state.
 
 /// A record is sent at once, in its own packet. It costs 22 bytes beyond its data, and ends the
-/// previous packet early, so write few records with much data each.
+/// previous packet early, so prefer few large records.
 struct ApplicationRecord {
   static constexpr size_t max_bytes = 200;
   /// The first standard kind; see placement.hpp.
@@ -49,7 +49,7 @@ struct ApplicationRecord {
   uint8_t kind = 0;    ///< yours; Limit: below first_standard_kind, which is not checked because
                        ///< standard records use the same call
   uint32_t slice = 0;  ///< complete slices at this point of the scan
-  uint32_t row = 0;
+  uint32_t row = 0;    ///< complete rows of the next slice
   const uint8_t* bytes = nullptr;  ///< Owner: the caller; free again when the call returns
   size_t count = 0;                ///< Limit: at most max_bytes
 };
@@ -102,8 +102,8 @@ struct StreamHeader {
 
 /// The answer of a sink to an event.
 enum class SinkResult : uint8_t {
-  accepted,
-  busy,
+  accepted,     ///< the sink has processed the event
+  busy,         ///< not now: the next resume(), or push() of a decoder, offers the event again
   not_started,  ///< the sink has not started: a retry fails again. An extractor then does not
                 ///< start; decoders and joiners return bad_sink. During a scan, an extractor treats
                 ///< not_started as `busy`.
@@ -114,11 +114,11 @@ constexpr Status status_of(SinkResult answer) {
   return answer == SinkResult::not_started ? Status::bad_sink : Status::suspended;
 }
 
-/// The totals of a scan so far, exact for a whole volume. The two slabs at a seam share its cells,
-/// and each slab rounds its counts down. So the sums of `cells`, `facets` and `classic_triangles`
-/// over all slabs are at most one too low per seam.
+/// The totals of a scan so far. For slabs: the two slabs at a seam share its cells, and each rounds
+/// its counts down. So over all slabs, the sums of `cells`, `facets` and `classic_triangles` are at
+/// most one too low per seam.
 struct Statistics {
-  uint64_t cells;              ///< active cells
+  uint64_t cells;              ///< cells that contain surface
   uint64_t facets;             ///< in these cells, before the merge to regions
   uint64_t classic_triangles;  ///< that classic Marching Cubes would make in these cells
   uint64_t regions;            ///< delivered whole
@@ -138,8 +138,9 @@ struct Event {
     region_end,    ///< the region is complete
     fragment,      ///< a loose fragment begins: incidence, start, incoming_direction
     fragment_end,  ///< the fragment is complete
-    skipped,       ///< a row is missing: slice, row; `repeated` if the previous row replaces it
-    layer,         ///< every region that does not reach `slice` has been delivered
+    skipped,       ///< a row is missing: slice, row, repeated
+    layer,         ///< a slice is complete: slice; every region that does not reach it has been
+                   ///< delivered
     application,   ///< an application record: application
     finish,        ///< the last event: slice (number of slices; of a slab, its own), abandoned,
                    ///< statistics
@@ -151,8 +152,8 @@ struct Event {
   bool hole;
   bool repeated;  ///< the row was replaced by the previous row
   bool abandoned;
-  OctahedralNormal normal;  ///< at the start of the run, in space: see unit_normal(); none without
-                            ///< a gradient, without GradientNormals, or in a stream without normals
+  OctahedralNormal normal;  ///< at the start of the run, in space: see unit_normal(); none if the
+                            ///< samples are level there, or if extractor or stream lack normals
   Run run;
   uint32_t slice;
   uint32_t row;
@@ -165,13 +166,13 @@ struct Event {
   };
 };
 
-/// A sink of events. Owner: the context belongs to the caller and must outlive the scan.
+/// A sink of events: a function, and the object that it is called with. Owner: the context belongs
+/// to the caller and must outlive the scan.
 ///
-/// The sender, which is the object that has the sink, calls take() during its own calls, in the
-/// caller's thread. take() may block, and may call functions of other objects. It may call queries
-/// of the sender, such as slices(), but no function that changes or saves the sender. It must not
-/// throw: the library is compiled without exceptions. Nothing is locked: call an object from one
-/// context at a time, and from an interrupt only if nothing else calls it.
+/// An extractor, decoder or joiner calls its sink's take() during its own calls, in the caller's
+/// thread. take() may block. It may call any other object, and queries of the sender such as
+/// slices(), but no function that changes or saves the sender. It must not throw: the library is
+/// compiled without exceptions. Nothing is locked (docs/threads.md).
 struct Sink {
   void* context = nullptr;
   SinkResult (*take)(void* context, const Event& event) = nullptr;
@@ -186,7 +187,7 @@ Sink make_sink(Object& object) {
           }};
 }
 
-// ---- Regions in one call.
+// ---- Regions in one call, for hosts.
 
 /// A region of one ring, with all runs of the ring. Most regions have one ring.
 struct WholeRegion {
@@ -196,8 +197,8 @@ struct WholeRegion {
   uint32_t count;
 };
 
-/// An additional receiver that may accept a region in one call: see
-/// HostExtractor::give_regions_to(). If it refuses the region, the sink receives the events.
+/// For HostExtractor::set_region_receiver(): accepts a region in one call, or answers `busy`; then
+/// the sink receives the events of the region.
 struct RegionReceiver {
   void* context = nullptr;
   SinkResult (*take)(void* context, const WholeRegion& region) = nullptr;

@@ -1,9 +1,10 @@
-/* The memory of the objects in discmc.h as constant expressions, for static arrays:
+/* The bytes of memory for the objects in discmc.h, as constant expressions for static arrays:
  *
  *   static uint8_t memory[DISCMC_EXTRACTOR_BYTES(256, 256, 4000)];
  *
- * They are upper bounds of discmc_X_bytes() on every target; the library and the tests check that.
- * Arguments may be evaluated more than once. width, height: voxels per row and rows per slice. */
+ * Each includes the object, and is at least what discmc_X_bytes() returns on any target. width,
+ * height, slots and surfaces: as in the configs of discmc.h. Arguments may be evaluated more than
+ * once. */
 #ifndef DISCMC_SIZES_H
 #define DISCMC_SIZES_H
 
@@ -14,40 +15,44 @@
 #error "discmc needs an int of at least 32 bits: its integers are promoted to int"
 #endif
 
-/* With this many slots, from DISCMC_MIN_SLOTS on; see discmc_extractor_config. */
+/* An extractor of a plain kind. slots: at least DISCMC_MIN_SLOTS; see discmc_extractor_config. For
+ * discmc_host call discmc_extractor_bytes() instead. */
 #define DISCMC_EXTRACTOR_BYTES(width, height, slots)                           \
   (26 * sizeof(void*) + 962 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
    UINT64_C(8) * (slots))
 
-/* With normals; sample_bytes is 1 or 2. */
+/* An extractor of a kind with normals. sample_bytes: 1 for u8, 2 for u16 and i16. */
 #define DISCMC_NORMAL_EXTRACTOR_BYTES(width, height, sample_bytes, slots)       \
   (28 * sizeof(void*) + 1032 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
    (UINT64_C(4) * (height) + 6) * ((width) * (sample_bytes) + 2) + UINT64_C(14) * (slots))
 
-/* Without normals, and with them. */
+/* An encoder of either kind. */
 #define DISCMC_ENCODER_BYTES (10 * sizeof(void*) + 991)
 
-/* For any interval of key slices. For an interval of 1, discmc_slice_encoder_bytes() is much less.
- */
+/* A slice encoder with any key_slice_interval. With the interval 1, discmc_slice_encoder_bytes() is
+ * much less. */
 #define DISCMC_SLICE_ENCODER_BYTES(width, height, surfaces)                   \
   (28 * sizeof(void*) + 58 +                                                  \
    DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + \
    UINT64_C(1060) * (surfaces))
 
-/* The minimum for streams of slices; with more, fewer regions arrive as fragments. */
+/* The least for a receiver of slices; with more memory, fewer regions arrive as fragments. For a
+ * receiver of polygons use DISCMC_RECEIVER_BYTES(1, 1, 1). */
 #define DISCMC_RECEIVER_BYTES(width, height, surfaces)                        \
   (72 * sizeof(void*) + 3041 +                                                \
    DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + \
    UINT64_C(1060) * (surfaces) + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + (width) / 8)
 
-/* For this many fragments that wait at once, of eight runs each. */
+/* A joiner for this many fragments that wait at once, with eight runs each. */
 #define DISCMC_JOINER_BYTES(fragments) (10 * sizeof(void*) + 242 + UINT64_C(192) * (fragments))
 
+/* A checkpoint store for a flash with this program_bytes. */
 #define DISCMC_STORE_BYTES(program_bytes) (22 * sizeof(void*) + 103 + (program_bytes))
+/* A row ring with its rows. row_bytes: of the samples of one row. */
 #define DISCMC_ROW_RING_BYTES(row_bytes, rows) \
   (3 * sizeof(void*) + 42 + UINT64_C(4) * (rows) * (((row_bytes) + UINT64_C(3)) / 4 + 1))
 
-/* Private. */
+/* Private: rows of bits, 30 voxels per word. */
 #define DISCMC_BIT_ROW_BYTES_(width, rows) (UINT64_C(4) * ((width) / 30 + 1) * (rows))
 
 #endif

@@ -13,17 +13,19 @@
 
 namespace discmc {
 
-/// One event of a SliceDecoder. It delivers every row of a scan in order, of each surface in turn,
-/// and the end. Only the members that the kind names are valid.
+/// One event of a SliceDecoder: the start, every row of the scan in order, and the end. With
+/// several surfaces, a row of each surface follows in turn. Only the members that the kind names
+/// are valid.
 struct RowEvent {
   enum class Kind : uint8_t {
-    start,    ///< the first event: header
-    row,      ///< slice, row, channel, bits
-    skipped,  ///< the encoder never received the row: as `row`, with the bits that replace it;
-              ///< repeated
-    lost,  ///< `count` rows of all surfaces were lost in transit: slice and row of the first, count
+    start,        ///< the first event: header
+    row,          ///< slice, row, channel, bits
+    skipped,      ///< the encoder never received the row: as `row`, with bits that replace it;
+                  ///< repeated
+    lost,         ///< rows were lost in transit, the same of every surface: slice and row of the
+                  ///< first, count
     application,  ///< an application record: application
-    finish,       ///< the last event: slice (their number), abandoned
+    finish,       ///< the last event: slice (the number of slices), abandoned
   };
   Kind kind;
   bool repeated;  ///< the row was replaced by the previous row
@@ -31,10 +33,10 @@ struct RowEvent {
   uint8_t channel;
   uint32_t slice;
   uint32_t row;
-  uint64_t count;
+  uint64_t count;  ///< of lost rows per surface
   /// Owner: the decoder; valid during the call.
   union {
-    const uint8_t* bits;  ///< eight voxels per byte, the first in bit 0
+    const uint8_t* bits;  ///< (width + 7) / 8 bytes, eight voxels per byte, the first in bit 0
     const StreamHeader* header;
     const ApplicationRecord* application;
   };
@@ -48,7 +50,7 @@ struct RowSink {
 
 /// Returns a row sink that calls `object.take(event)`. Owner: the object must outlive the sink.
 template <class Object>
-RowSink row_sink_to(Object& object) {
+RowSink make_row_sink(Object& object) {
   return {&object, [](void* context, const RowEvent& event) {
             return static_cast<Object*>(context)->take(event);
           }};
@@ -62,25 +64,27 @@ class SliceDecoder {
   SliceDecoder(const SliceDecoder&) = delete;
   SliceDecoder& operator=(const SliceDecoder&) = delete;
 
-  /// Waits for a stream. memory: at least slice_decoder_bytes() for the size and the surfaces in
-  /// the stream's header, or none while they are unknown; Owner: the caller, while the decoder is
-  /// in use. channel: as of the Decoder; the decoder delivers the rows of all surfaces of the
-  /// stream. Errors: bad_sink.
+  /// Waits for a stream, and delivers the rows of all its surfaces. memory: at least
+  /// slice_decoder_bytes() for the size and the number of surfaces in the header; none while they
+  /// are unknown, see give_memory(). Owner: the caller, while the decoder is in use. channel: of
+  /// any surface of the stream; any_channel: the first stream that arrives. Errors: bad_sink (no
+  /// function).
   [[nodiscard]] Status start(Memory memory, const RowSink& sink, uint8_t channel = any_channel);
 
-  /// Decodes bytes, any number at a time. Status::suspended: the sink is busy; push the remaining
-  /// bytes again. Status::wrong_version: as of the Decoder. Status::too_little_memory: the slices
-  /// in the header need more memory; call give_memory(), and push the remaining bytes. Errors: also
-  /// not_started, and bad_sink (the sink answered not_started). Packets that arrive before any
-  /// header are lost. A stream of regions delivers nothing: see report().holds_slices. Cost: as the
-  /// encoder's.
+  /// Decodes bytes, any number at a time. Status::suspended: the sink is busy; call push() again
+  /// with the remaining bytes, even if there are none. Errors: not_started; bad_sink (the sink
+  /// answered not_started); wrong_version (the rest of the stream is ignored); too_little_memory
+  /// (call give_memory(), then push the remaining bytes). Packets before the first header are lost.
+  /// A stream of regions delivers nothing: report().holds_slices is false. Cost: as
+  /// SliceEncoder::push().
   Decoded push(const uint8_t* bytes, size_t count);
 
-  /// Continues with other memory, of slice_decoder_bytes(), after Status::too_little_memory; does
-  /// nothing at any other time. Errors: not_started, too_little_memory, wrong_version.
+  /// After too_little_memory: continues with this memory, at least slice_decoder_bytes(). Does
+  /// nothing at any other time. Owner: as of start(). Errors: not_started, too_little_memory,
+  /// wrong_version.
   [[nodiscard]] Status give_memory(Memory memory);
 
-  /// Ends the input. Status::suspended and errors as push().
+  /// Ends the input. Status::suspended: call finish() again. Errors: as push().
   [[nodiscard]] Status finish();
 
   const StreamHeader& header() const { return packets_.header(); }

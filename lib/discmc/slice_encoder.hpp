@@ -7,9 +7,9 @@
 //   finish()                  after the last slice
 //
 // Each voxel is coded from its neighbours, with probabilities that adapt to the scan (WIRE.md,
-// "Slices"). The stream of a CT head has a tenth of the bytes of its regions, and costs a quarter
-// of the instructions. But the receiver must extract the surface, in as much memory as the device
-// would have needed, and a lost packet costs all slices up to the next key slice.
+// "Slices"). The stream of CT head (Stanford) has a tenth of the bytes of its regions, and costs a
+// quarter of the instructions. But the receiver must extract the surface, in as much memory as the
+// device would have needed, and a lost packet costs all slices up to the next key slice.
 #ifndef DISCMC_SLICE_ENCODER_HPP
 #define DISCMC_SLICE_ENCODER_HPP
 
@@ -31,14 +31,13 @@ struct KeySlices {
   /// The number of slices from one key slice to the next; 0: only the first slice is one. A lost
   /// packet costs the slices up to the next key slice, so about half of the interval.
   ///
-  /// Choose the largest loss that you accept, and no less than the slices in a packet. A slice of a
-  /// CT head has about 200 bytes, so 16 slices are 13 packets. Compared with one key slice, 16 make
-  /// the stream 4 % longer, 8 make it 8 % longer, and 4 make it 16 % longer. 1 needs the least
-  /// memory but makes longer streams: the CT head 62 %, an engine 83 %, a ball, whose slices nearly
-  /// repeat each other, 253 %.
+  /// Choose the largest loss that you accept, and no less than the slices in a packet. For CT head
+  /// (Stanford) a slice has about 200 bytes, so 16 slices are 13 packets. The interval 16 makes
+  /// this stream 4 % longer, 8 makes it 8 % longer, and 4 makes it 16 % longer. 1 needs the least
+  /// memory, but makes it 62 % longer.
   uint32_t interval = 0;
 
-  constexpr bool is_every() const { return interval == 1; }
+  constexpr bool is_every_slice() const { return interval == 1; }
   constexpr bool is_key(uint32_t slice) const {
     return slice == 0 || (interval > 0 && slice % interval == 0);
   }
@@ -61,7 +60,7 @@ constexpr uint64_t surface_bytes(const Limits& limits, uint32_t rows, uint32_t s
 /// every slice is a key slice, otherwise the rows of a slice and three more. Limit: valid limits.
 constexpr uint64_t slice_encoder_bytes(const Limits& limits, KeySlices key_slices,
                                        uint32_t surfaces = 1) {
-  const uint32_t rows = slices::rows_kept(limits.height, key_slices.is_every());
+  const uint32_t rows = slices::rows_kept(limits.height, key_slices.is_every_slice());
   return slices::surface_bytes(limits, rows, surfaces) + Arena::alignment - 1;
 }
 
@@ -79,39 +78,41 @@ class SliceEncoder {
  public:
   SliceEncoder() = default;
 
-  /// Begins a scan and its stream. The header is the first packet; its thresholds apply to the
-  /// samples. With several surfaces, each uses all samples. The bits of the first surface predict
+  /// Begins a scan and its stream. header: the first packet; width, height and thresholds are
+  /// required. With several surfaces, each uses all samples. The bits of the first surface predict
   /// those of the others, so choose as the first the one that the others resemble. memory: at least
-  /// slice_encoder_bytes(); Owner: the caller, for as long as the scan lasts. After a reset send a
-  /// zero byte first, as with Encoder::start(). Errors: bad_limits, bad_label, bad_sink (no write),
-  /// too_little_memory.
+  /// slice_encoder_bytes(); Owner: the caller, for as long as the scan lasts. If a reset of the
+  /// device may have cut off a frame, send a zero byte to the link first. Errors: bad_limits,
+  /// bad_label, bad_sink (no write function), too_little_memory.
   [[nodiscard]] Status start(const StreamHeader& header, KeySlices key_slices, Memory memory,
                              const ByteOutput& output);
 
-  /// Accepts samples of consecutive voxels, rows and slices in x, y, z order. A call may end
-  /// anywhere. samples: Owner: the caller; free again when the call returns. stride: from one
-  /// sample to the next, in samples. Errors: not_started, finished, too_deep. Status::suspended:
-  /// all samples up to the end of the row that caused it are accepted. Sample is uint8_t, uint16_t
-  /// or int16_t. Cost: one comparison per sample, and per row one coding decision if its neighbours
-  /// predict it, otherwise about two, plus one per voxel of outline.
+  /// Accepts samples of consecutive voxels: x first, then y, then z. A call may begin and end
+  /// anywhere in a row. samples: `count` samples that are `stride` samples apart; Owner: the
+  /// caller; free again when the call returns. Sample is uint8_t, uint16_t or int16_t.
+  ///
+  /// Status::suspended: the output is busy, and all samples up to the end of a row are accepted.
+  /// Call resume() until it returns another status, then push the remaining samples. Errors:
+  /// not_started, finished, too_many_slices. Cost: one comparison per sample, one or two coding
+  /// decisions per row, and one per voxel of outline.
   template <class Sample>
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
     return push_samples(samples, count, stride);
   }
 
-  /// Accepts a whole row of bits that you thresholded: eight voxels per byte, the first in bit 0.
-  /// With several surfaces their rows follow each other, each from a new byte on. Errors: as
-  /// push(), row_in_progress. PushResult::samples is the width if the row was accepted, otherwise
-  /// 0.
+  /// Accepts a whole row that you thresholded. bits: (width + 7) / 8 bytes, eight voxels per byte,
+  /// the first in bit 0; with several surfaces their rows follow each other. Owner: as of push().
+  /// The row is accepted if PushResult::samples is the width, even with Status::suspended;
+  /// otherwise samples is 0. Errors: as push(), row_in_progress.
   PushResult push_bits(const uint8_t* bits);
 
   /// Replaces a missing row; the stream records it. The first row of a key slice has no previous
   /// row, and counts as off. Result and errors: as push_bits().
   PushResult skip_row(Substitute substitute);
 
-  /// Continues after Status::suspended; returns it again if the output is still busy. Harmless at
-  /// any other time. Errors: not_started.
+  /// Continues after Status::suspended, and returns it again if the output is still busy. Does
+  /// nothing at any other time. Errors: not_started.
   [[nodiscard]] Status resume();
 
   /// Sends an incomplete packet instead of waiting for a full one; costs about 15 bytes of stream
@@ -149,10 +150,10 @@ class SliceEncoder {
   [[nodiscard]] Status restore(const Checkpoint<SliceEncoder>& checkpoint, Memory memory,
                                const ByteOutput& output);
 
-  /// Resumes a scan whose object and memory were restored byte for byte in place, as in C. Call it
-  /// instead of restore(). Limit: the bytes are unchanged. Errors: bad_sink (no write),
-  /// too_little_memory.
-  [[nodiscard]] Status continue_in(Memory memory, const ByteOutput& output);
+  /// Continues a scan whose object and memory were saved and restored as plain bytes, without
+  /// save() and restore(); discmc.h works so. Limit: the bytes were saved while is_suspended() was
+  /// false, and are unchanged. Errors: bad_sink (no write function), too_little_memory.
+  [[nodiscard]] Status resume_in_place(Memory memory, const ByteOutput& output);
 
   /// The bytes of stream so far, including those dropped without an output. The difference between
   /// two calls of set_output() is the number of dropped bytes.

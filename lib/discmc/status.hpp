@@ -8,12 +8,12 @@
 namespace discmc {
 
 /// The result of a call; docs/statuses.md has the cause and the remedy of each. `ok` and
-/// `suspended` are not errors. `suspended` means that the sink or output is busy: call resume(), or
-/// push() of a decoder with the remaining bytes.
+/// `suspended` are not errors. After `suspended` call resume() until it returns another status.
+/// Objects without resume(): call the function again, and push() of a decoder with the remaining
+/// bytes.
 ///
-/// After an error the object continues as if the call had not been made. But work before the error
-/// is done: waiting events were delivered, and push() returns how much it accepted. These errors
-/// change more:
+/// After an error the object continues as if the call had not been made. But waiting events were
+/// delivered, and push() returns how much it accepted. These errors change more:
 ///
 ///   Extractor::start()       too_little_memory, or bad_sink of a sink that rejects the start:
 ///                            the previous scan has ended, too
@@ -23,16 +23,16 @@ namespace discmc {
 ///   CheckpointStore          device_error: see each of its functions
 enum class Status : uint8_t {
   ok,
-  suspended,   ///< busy, nothing is lost: resume(), or push() of a decoder with the remaining bytes
-  bad_limits,  ///< see Limits
+  suspended,          ///< the sink or output is busy; nothing is lost
+  bad_limits,         ///< see Limits
   bad_capacities,     ///< a capacity is below the minimum or beyond the index type
   too_little_memory,  ///< the memory is null or smaller than the limits or capacities need
-  bad_sink,           ///< a sink or output without a function, or a sink that rejects the start
+  bad_sink,           ///< a sink or output without a function, or a sink that is not started
   not_started,        ///< start() has not succeeded yet
   finished,           ///< the scan has ended: start() another, or reset()
   row_in_progress,    ///< a whole row was pushed or skipped in the middle of a row
   slice_in_progress,  ///< finish() in the middle of a slice: push or skip its rows, or abandon()
-  too_deep,           ///< the scan has Limits::max_slices slices; finish() still works
+  too_many_slices,    ///< the scan has Limits::max_slices slices; finish() still works
   wrong_version,      ///< this decoder does not support the stream's version
   bad_checkpoint,     ///< the checkpoint or its memory differs from what was saved
   bad_label,          ///< see StreamLabel; for a StreamHeader also its surfaces
@@ -65,7 +65,7 @@ constexpr const char* to_string(Status status) {
       return "the scan has ended: start another";
     case Status::row_in_progress:
       return "the current row is incomplete: push the rest of it first";
-    case Status::too_deep:
+    case Status::too_many_slices:
       return "the scan has the maximum of 1073741823 slices: finish() it, and start another";
     case Status::wrong_version:
       return "the stream has another format version: use a receiver of that version";
@@ -74,7 +74,7 @@ constexpr const char* to_string(Status status) {
     case Status::bad_label:
       return "invalid label: channels are 0 to 63, and a stream has at most 4 surfaces";
     case Status::bad_record:
-      return "the record is too long: use at most 200 bytes, or 243 in a packet of records";
+      return "the record is too long: use at most 200 bytes";
     case Status::bad_device:
       return "the flash has no read() or program(), or no room for two checkpoints";
     case Status::device_error:

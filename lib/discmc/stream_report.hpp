@@ -6,12 +6,12 @@
 
 namespace discmc {
 
-/// The report of a stream. The counts of losses grow when the next intact packet reveals a gap.
+/// The report of a stream. A loss is counted when the next intact packet reveals it.
 ///
-/// For a stream of slices it counts only rows, and lost rows among them: no regions, no fragments,
-/// and no totals except skipped_rows, which the encoder never received. Count regions in the sink
-/// of a SurfaceDecoder; its `finish` event has the totals of the decoder's own sweep, in which lost
-/// rows are skipped rows. A lost application record counts only as a lost packet.
+/// A stream of regions counts regions, fragments and lost_pieces. A stream of slices counts rows
+/// and lost_rows, and of the totals only skipped_rows. For its regions, count those in the sink of
+/// a SurfaceDecoder, whose `finish` event has the totals of the extracted surface. A lost
+/// application record counts only as a lost packet.
 struct StreamReport {
   bool has_header = false;
   bool holds_slices = false;  ///< according to its header: use a SliceDecoder or a SurfaceDecoder
@@ -28,7 +28,8 @@ struct StreamReport {
   uint64_t lost_packets = 0;     ///< missing packet numbers
   uint64_t regions = 0;          ///< delivered complete
   uint64_t fragments = 0;        ///< loose fragments delivered complete
-  uint64_t lost_pieces = 0;      ///< regions and fragments missing from the running count of both
+  uint64_t lost_pieces = 0;      ///< regions and fragments that the sender counted and that did not
+                                 ///< arrive complete
   uint64_t rows = 0;             ///< rows of bits delivered
   uint64_t lost_rows = 0;        ///< rows of bits missing before a later row
   uint64_t total_rows = 0;       ///< rows of bits according to the trailer

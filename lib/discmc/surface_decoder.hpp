@@ -1,13 +1,14 @@
 // The surface decoder: bytes of a stream of either kind in, events of the scan out.
 //
-// It decodes a stream of regions. It sweeps a stream of slices as the device would have done: the
-// events are those of an extractor that receives the same rows, including skipped ones. It treats
-// rows lost in transit as skipped rows, so the surface is closed and `skipped` events locate the
-// loss.
+// From a stream of regions it decodes the events of the scan. From a stream of slices it extracts
+// the surface, as the device would have done: the events are those of an extractor that receives
+// the same rows, including skipped ones. Rows lost in transit count as skipped rows. So the surface
+// is closed, and `skipped` events locate the loss.
 //
-// It delivers one of several surfaces in a stream. For all of them use one decoder per channel, and
-// push all bytes to each. Give each the memory for all surfaces: decoding a further surface needs
-// the rows of the first. For scan after scan see decoder.hpp; examples/link.cpp shows both.
+// It delivers one surface. If a stream has several surfaces, use one decoder per channel, and push
+// all bytes to each. Give each the memory for all surfaces, because a further surface is decoded
+// from the rows of the first. decoder.hpp explains links that carry scan after scan;
+// examples/link.cpp shows both.
 #ifndef DISCMC_SURFACE_DECODER_HPP
 #define DISCMC_SURFACE_DECODER_HPP
 
@@ -16,10 +17,10 @@
 
 namespace discmc {
 
-/// The least memory for streams of slices of this size with this many surfaces. More memory makes
-/// whole regions of loose fragments, at 16 bytes per slot, as in an Extractor32. For slices of
-/// 256x256 the least is 29,838 bytes. With 64 KiB two thirds of the regions of a CT head arrive
-/// whole, with 128 KiB 99 %, with 176 KiB all. A Joiner joins the others. Limit: valid limits.
+/// The least memory for streams of slices of this size with this many surfaces: 29,766 bytes for
+/// one surface of 256x256. More memory becomes slots of 16 bytes each, as in an Extractor32, so
+/// that fewer regions arrive as loose fragments. For CT head (Stanford), 128 KiB suffice for 99 %
+/// of the regions, and 176 KiB for all. A Joiner joins the rest. Limit: valid limits.
 constexpr uint64_t minimum_surface_bytes(const Limits& limits, uint32_t surfaces = 1) {
   return slice_decoder_bytes(limits, surfaces) + minimum_bytes<uint32_t>(limits);
 }
@@ -28,33 +29,39 @@ constexpr uint64_t minimum_surface_bytes(const Limits& limits, uint32_t surfaces
 /// decoder contains pointers to itself, so it is neither copied nor moved.
 class SurfaceDecoder {
  public:
-  /// The most lost rows that a call skips, because a hostile stream can claim any number of them.
+  /// The most lost rows that one call skips, because a hostile stream can claim any number of them.
   static constexpr uint32_t max_skipped_rows = uint32_t{1} << 16;
 
   SurfaceDecoder() = default;
   SurfaceDecoder(const SurfaceDecoder&) = delete;
   SurfaceDecoder& operator=(const SurfaceDecoder&) = delete;
 
-  /// Waits for a stream. memory: none for streams of regions, or while the header is unknown. For
-  /// streams of slices at least minimum_surface_bytes() of the size in the header, and more for
-  /// fewer loose fragments; Owner: the caller, while the decoder is in use. channel: as of the
-  /// Decoder; of several surfaces the one on this channel, or the first. Errors: bad_sink.
+  /// Waits for a stream. memory: for streams of slices at least minimum_surface_bytes() for the
+  /// size in the header, and more for fewer loose fragments. None for streams of regions, or while
+  /// the size is unknown: see give_memory(). Owner: the caller, while the decoder is in use.
+  /// channel: of the surface; any_channel: the first surface of the first stream that arrives.
+  /// Errors: bad_sink (no function).
   [[nodiscard]] Status start(Memory memory, const Sink& sink, uint8_t channel = any_channel);
 
-  /// As of the Decoder.
+  /// As Decoder::set_packet_passthrough(), for streams of regions.
   void set_packet_passthrough(const RecordsPacketSink& sink) {
     regions_.set_packet_passthrough(sink);
   }
 
-  /// As Decoder::push(). Status::suspended: the sink is busy, or more lost rows are to be skipped.
-  /// Errors: also too_little_memory, as of SliceDecoder::push().
+  /// Decodes bytes, any number at a time. Status::suspended: the sink is busy, or more lost rows
+  /// are to be skipped; call push() again with the remaining bytes, even if there are none. Errors:
+  /// not_started; bad_sink (the sink answered not_started); wrong_version (the rest of the stream
+  /// is ignored); too_little_memory (call give_memory(), then push the remaining bytes).
   Decoded push(const uint8_t* bytes, size_t count);
 
-  /// As SliceDecoder::give_memory(), with minimum_surface_bytes() or more.
+  /// After too_little_memory: continues with this memory, at least minimum_surface_bytes() for the
+  /// size in the header. Does nothing at any other time. Owner: as of start(). Errors: not_started,
+  /// too_little_memory, wrong_version.
   [[nodiscard]] Status give_memory(Memory memory);
 
-  /// As Decoder::finish(); errors as push(). Without a trailer, a stream of slices produces no
-  /// `finish` event.
+  /// Ends the input: an unfinished region or fragment is reported as lost. Without a trailer, a
+  /// stream of slices produces no `finish` event. Status::suspended: call finish() again. Errors:
+  /// as push().
   [[nodiscard]] Status finish();
 
   const StreamHeader& header() const { return regions_.header(); }

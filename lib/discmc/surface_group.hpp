@@ -14,9 +14,9 @@
 
 namespace discmc {
 
-/// Scanner is an Extractor of any kind. Each extractor has a sink of its own, and the group waits
-/// for all sinks. A group is neither copied nor moved: each of two copies would miss the pushes to
-/// the other.
+/// Pushes the samples of a scan to several extractors. Scanner: the type of the extractors. Each
+/// has a threshold, memory and sink of its own; if one sink is busy, all extractors wait. A group
+/// is neither copied nor moved: each of two copies would miss the samples of the other.
 template <class Scanner>
 class SurfaceGroup {
  public:
@@ -60,7 +60,8 @@ class SurfaceGroup {
     return take_row([&](Scanner& scanner) { return scanner.skip_row(substitute).status; });
   }
 
-  /// As the functions of the Extractor, for all.
+  /// Calls the function of every extractor. Returns the first error, or Status::suspended if a sink
+  /// is busy.
   [[nodiscard]] Status resume() {
     return for_each([](Scanner& scanner) { return scanner.resume(); });
   }

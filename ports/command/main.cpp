@@ -5,6 +5,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
 #include <vector>
 
 #include "cli/command_line.hpp"
@@ -14,6 +15,17 @@
 
 namespace discmc::command {
 namespace {
+
+// `discmc help extract` is `discmc extract --help`. CLI11 expects the words in reverse.
+std::vector<std::string> reversed_words(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (!words.empty() && words[0] == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  }
+  std::reverse(words.begin(), words.end());
+  return words;
+}
 
 int run(int argc, char** argv) {
   CLI::App app{"Extract surfaces of scanned volumes by Discretized Marching Cubes", "discmc"};
@@ -25,9 +37,13 @@ int run(int argc, char** argv) {
   });
   app.failure_message(usage_error);
   const std::vector<Command> commands = add_commands(app);
-  app.footer("Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done but the stream was incomplete.");
+  app.footer(
+      "Examples:\n"
+      "  discmc view head.nii.gz\n"
+      "  discmc extract head.nii.gz --iso auto -o head.stl\n\n"
+      "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 done but the stream was incomplete.");
   try {
-    app.parse(argc, argv);
+    app.parse(reversed_words(argc, argv));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? exit_ok : exit_usage;
   }

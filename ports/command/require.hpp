@@ -6,6 +6,8 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "files/write_failure.hpp"
+
 namespace discmc::command {
 
 inline void require(Status status) {
@@ -13,7 +15,7 @@ inline void require(Status status) {
 }
 
 inline void require_written(std::ostream& out) {
-  if (!out.flush()) throw std::runtime_error("the output cannot be written; is the disk full?");
+  if (!out.flush()) throw std::runtime_error("standard output: " + write_failure());
 }
 
 }  // namespace discmc::command

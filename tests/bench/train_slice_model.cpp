@@ -78,7 +78,7 @@ bool read_stream(const char* path, RowCollector& collector, discmc::Limits& limi
   std::ifstream file(path, std::ios::binary);
   const std::vector<uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
   discmc::SliceDecoder decoder;
-  if (decoder.start({}, discmc::row_sink_to(collector)) != discmc::Status::ok) return false;
+  if (decoder.start({}, discmc::make_row_sink(collector)) != discmc::Status::ok) return false;
   const size_t taken = decoder.push(bytes.data(), bytes.size()).bytes;
   limits = {decoder.header().width, decoder.header().height};
   if (!limits.is_valid()) return false;

@@ -285,7 +285,7 @@ TEST_CASE("what is advised of options works") {
                           {"join 1.dmc 2.dmc -o out.dmc --memory x",
                            "expected a whole number with K, M or G, as in 24K",
                            "join 1.dmc 2.dmc -o out.dmc --memory 24K"}});
-  check_advice(workshop, {{iso + "-o 'none/{name}.stl'", "there is no such folder; make it first",
+  check_advice(workshop, {{iso + "-o 'none/{name}.stl'", "the folder does not exist; create it",
                            iso + "-o 'out-{name}.stl'"}});
   REQUIRE(workshop.shell("mkdir none").code == 0);
   workshop.done(iso + "-o 'none/{name}.stl'");

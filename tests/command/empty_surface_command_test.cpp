@@ -39,14 +39,14 @@ TEST_CASE("an empty surface is a failure that tells the values, and leaves no fi
       {"--range 101..199.5", "no voxel is in 101..199.5"},
       {"--range=..-1001", "no voxel is in ..-1001"},
       {"--iso=-1000 --border open",
-       "every voxel reaches -1000, so a surface with an open border is empty"},
+       "every voxel reaches -1000, so a surface with --border open is empty"},
       {"--iso 4901 --median 3", "no voxel reaches 4901"},
       {"--label 100 --mask none.nrrd",
        "no voxel that has label 100 is left by --mask, or no voxel has that label"},
       {"--label 100 --median 3",
        "no voxel that has label 100 is left by --median, or no voxel has that label"},
       {"--iso=-1000 --border open --median 3",
-       "after --median every voxel reaches -1000, so a surface with an open border is empty"},
+       "after --median every voxel reaches -1000, so a surface with --border open is empty"},
   };
   for (const auto& [selection, reason] : examples)
     for (const std::string file : {"v.stl", "v.jsonl", "v.dmc", "other.stl"}) {
@@ -101,7 +101,7 @@ TEST_CASE("an empty surface of a pipe is a failure, too") {
                   {"standard input: no voxel reaches 7000" + values});
     check_failure(
         workshop.shell(extract + " --iso=-2000 --border open"), 1,
-        {"standard input: every voxel reaches -2000, so a surface with an open border is empty"});
+        {"standard input: every voxel reaches -2000, so a surface with --border open is empty"});
   }
   CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
 }
@@ -148,7 +148,7 @@ TEST_CASE("what fills the volume after the median, or by infinite values, is tol
       "one.nrrd",
       nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "5 3 4") +
           "\n" + mostly_off);
-  const std::string open = ", so a surface with an open border is empty, and ";
+  const std::string open = ", so a surface with --border open is empty, and ";
   const std::pair<std::string, std::string> examples[] = {
       {"hole.nrrd --median 3 --border open", "after --median every voxel reaches 5" + open},
       {"inf.nrrd --border open", "every voxel reaches 5" + open},

@@ -167,9 +167,9 @@ TEST_CASE("capacities that are asked for are those of the scan, whatever they ar
     const Extracted scan = extracted(volume, with_capacities);
     CHECK(scan.extraction.memory->capacities.slots == capacities.slots);
     CHECK(scan.extraction.memory->capacities.holes == capacities.holes);
-    CHECK(scan.extraction.memory->high_water.slots > 0);
-    CHECK(scan.extraction.memory->high_water.slots <= capacities.slots);
-    CHECK(scan.extraction.memory->high_water.holes <= capacities.holes);
+    CHECK(scan.extraction.memory->peaks.slots > 0);
+    CHECK(scan.extraction.memory->peaks.slots <= capacities.slots);
+    CHECK(scan.extraction.memory->peaks.holes <= capacities.holes);
     CHECK(scan.extraction.memory->arena_bytes_used <= scan.extraction.memory->arena_bytes);
     CHECK(regions_of(scan.surface) == whole);
   }

@@ -18,7 +18,8 @@ TEST_CASE("a format that is not read is named with its converter, by name or by 
     const char* refusal;
   };
   const Case cases[] = {
-      {"a.czi", "", "this is Zeiss CZI, which is not read; convert it, e.g. with: bioformats2raw"},
+      {"a.czi", "",
+       "this is Zeiss CZI, which is not supported; convert it, e.g. with: bioformats2raw"},
       {"no-name", "ZISRAWFILE", "this is Zeiss CZI"},
       {"a.lif", "", "bioformats2raw"},
       {"a.nd2", "", "bioformats2raw"},
@@ -40,7 +41,7 @@ TEST_CASE("a format that is not read is named with its converter, by name or by 
     INFO(each.file);
     const std::string text = refusal(folder.write(each.file, std::string(each.head) + "..."));
     check_refusal(text, each.refusal);
-    check_refusal(text, "which is not read");
+    check_refusal(text, "which is not supported");
   }
 }
 

@@ -36,6 +36,11 @@ TEST_CASE("help lists the commands, and of a command the options under headings"
   }
 }
 
+TEST_CASE("help is also a command") {
+  CHECK(Workshop().done("help") == Workshop().done("--help"));
+  CHECK(Workshop().done("help extract") == help_of("extract"));
+}
+
 TEST_CASE("help tells what an option is when it is not given, and which are required") {
   const std::string extract = help_of("extract");
   CHECK(contains(extract, "(default: closed)"));

@@ -184,14 +184,14 @@ TEST_CASE("layers are told, and refused where one is not enough") {
   check_failure(workshop.run("extract layers.seg.nrrd --label 1 -o v.stl"), 1,
                 {"label 1 is 'Bone' and, in another layer, 'Skin'"});
   check_failure(workshop.shell("\"$discmc\" extract - --labels all -q -o v.glb < layers.seg.nrrd"),
-                1, {"standard input: reading each layer of a segmentation needs a pass"});
+                1, {"standard input: each layer of a segmentation is read separately"});
   workshop.write("wrong.seg.nrrd", with_line(layered(), "Segment1_Layer:=1", "Segment1_Layer:=2"));
   const auto wrong = workshop.run("extract wrong.seg.nrrd --labels all -q -o w.glb");
   CHECK(wrong.code == 0);
   CHECK(contains(
       wrong.error,
       "segments of layers that are not in the file are left out: 1, such as 'Skin' of layer 2"));
-  CHECK(contains(wrong.error, "layers without a described label are left out: 1"));
+  CHECK(contains(wrong.error, "1 of 2 layers have no label in the header"));
   workshop.write("share.seg.nrrd", with_line(layered(), "type: uchar",
                                              "type: uchar\nSegmentation_SourceRepresentation:="
                                              "Fractional labelmap"));
@@ -449,8 +449,7 @@ TEST_CASE("a file of a format that holds several has all meshes, with their name
     CHECK(two[1].corners == all[2].corners);
 
     const auto result = workshop.run(extract + "--labels all --median 3 -q -o " + file);
-    CHECK(
-        contains(result.error, "label 9 has no surface left, so " + file + " does not contain it"));
+    CHECK(contains(result.error, "label 9 has no surface; " + file + " does not contain it"));
     CHECK(meshes_in(file).size() == 1);
     check_failure(workshop.run(extract + "--labels all -q --min-volume 99 -o no" + file), 1,
                   {"no label has a surface left, so no" + file + " is not written"});
@@ -468,7 +467,7 @@ TEST_CASE("a label without a surface is told, and has no file unless that is all
     INFO(cleaning);
     const auto result = workshop.run(extract + "--labels all " + cleaning + " -q -o '{name}.stl'");
     CHECK(result.code == 0);
-    CHECK(contains(result.error, "label 9 has no surface left, so 9.stl is not written"));
+    CHECK(contains(result.error, "label 9 has no surface; 9.stl is not written"));
     CHECK(workshop.read("9.stl").empty());
   }
   workshop.done(extract + "--labels all --median 3 --allow-empty -q -o '{name}.stl'");

@@ -71,7 +71,8 @@ TEST_CASE("the manual tells values, defaults, examples and exit codes") {
   const std::string page = Workshop().done("manual");
   for (const char* part :
        {"\\fIISO\\fR", "\\fBclosed\\fR|\\fBopen\\fR", "(default: closed)", "\n.SH EXIT STATUS\n",
-        "3 done but the stream was incomplete", "\n  discmc extract head.nii.gz \\-\\-iso 300"}) {
+        "\n.SH EXAMPLES\n", "3 done but the stream was incomplete",
+        "\n  discmc extract head.nii.gz \\-\\-iso 300"}) {
     INFO(part);
     CHECK(contains(page, part));
   }

@@ -69,7 +69,7 @@ TEST_CASE("every type of sample is read, or refused with the program that conver
   for (const auto& [number, type] : types)
     check_volume(folder.write("a.mgh", mgh(number, stored(type, true), conformed)), type, "MGH");
   check_refusal(refusal(folder.write("a.mgh", mgh(2, stored(SampleType::i64, true), conformed))),
-                "type 2 are not read; convert it, e.g. with: mri_convert -odt float");
+                "type 2 are not supported; convert it, e.g. with: mri_convert -odt float");
 }
 
 TEST_CASE("a frame is chosen, and what follows the samples is no surprise") {

@@ -71,7 +71,7 @@ TEST_CASE("every mode of real numbers is read in both byte orders, others are re
   const auto reader = open_volume(folder.write("a.mrc", Map().mode(12).file(halves)));
   CHECK(reader->info().type == SampleType::f32);
   CHECK(read_all(*reader)[0] == 1);
-  check_refusal(refusal(folder.write("a.mrc", Map().mode(4).file(i8))), "mode 4 are not read");
+  check_refusal(refusal(folder.write("a.mrc", Map().mode(4).file(i8))), "mode 4 are not supported");
   check_refusal(refusal(folder.write("a.mrc", Map().mode(101).file(i8))), "newstack -mode 2");
 }
 

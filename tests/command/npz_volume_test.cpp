@@ -22,7 +22,7 @@ TEST_CASE("the only array of three axes is the volume, and of several one is cho
   check_refusal(
       refusal(several + ":/none"),
       "no array '/none' of numbers with two or more dimensions in the file; choose one of /scan");
-  check_refusal(refusal(several + ":/words"), "samples of type '<U5' are not read");
+  check_refusal(refusal(several + ":/words"), "samples of type '<U5' are not supported");
 }
 
 TEST_CASE("an archive that is damaged, cut off, or holds no array is refused") {

@@ -121,7 +121,7 @@ TEST_CASE("a folder that is not there, or is a file, is refused by name") {
   const Folder folder;
   const auto missing = folder.path() / "none", file = folder.write("a.obj", "");
   CHECK(complaint([&] { OutputFile output(missing / "b.obj"); }) ==
-        missing.string() + ": there is no such folder; make it first");
+        missing.string() + ": the folder does not exist; create it");
   CHECK(complaint([&] { OutputFile output(file / "b.obj"); }) ==
         file.string() + ": this is not a folder; give another name");
 }

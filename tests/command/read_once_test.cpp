@@ -88,7 +88,7 @@ TEST_CASE("what takes a second pass is refused before the first, and surplus sam
     INFO(result.error);
     CHECK(contains(result.error, part));
   };
-  const std::string second = "standard input: normals of the gradient need a second pass";
+  const std::string second = "standard input: normals of the gradient read the volume twice";
   check("cat v.nrrd", "extract - --iso 100 --normals gradient -o v.ply", second);
   check("cat v.nrrd", "render - --iso 100 --shade smooth -o v.png", second);
   check("cat v.raw", "extract - --dims 5,3,4 --type u8 --iso 100 -o v.dmc",

@@ -169,7 +169,8 @@ TEST_CASE("of a stream of slices that has lost a packet the other slices are use
   workshop.write("lost.dmc", whole.substr(0, second) + whole.substr(third));
   const Result result = workshop.run("info lost.dmc");
   CHECK(result.code == 3);
-  CHECK(result.error.find("1 packet is missing, 100 rows are missing") != std::string::npos);
+  CHECK(result.error.find("1 packet is missing, 100 rows are missing; send or copy") !=
+        std::string::npos);
   CHECK(result.out.find("lost_rows 100\n") != std::string::npos);
   CHECK(result.out.find("skipped_rows 0\n") != std::string::npos);
   CHECK(result.out.find("slices") != std::string::npos);
@@ -389,7 +390,7 @@ TEST_CASE("a polygon that is none costs that polygon, and is told") {
   for (const char* arguments : {"decode c.dmc -o c.stl", "render c.dmc -o c.png --size 16,16"}) {
     const Result result = workshop.run(arguments);
     CHECK(result.code == 3);  // the trailer counts eight regions
-    CHECK(contains(result.error, "discmc: c.dmc: 1 of 9 polygons are left out"));
+    CHECK(contains(result.error, "discmc: c.dmc: 1 of 9 polygons are invalid"));
     CHECK(contains(result.error, "in line 1\n"));
   }
   CHECK(workshop.read("c.stl").size() == 84 + 8 * 50);

@@ -95,7 +95,7 @@ TEST_CASE("a named threshold is refused where it cannot be found") {
                 {"invalid value 'bones'; expected a finite number, auto, otsu, bone or skin"});
   for (const std::string name : {"auto", "otsu", "bone", "skin"})
     check_failure(workshop.shell("cat ct.nrrd | \"$discmc\" extract - --iso " + name + mesh), 1,
-                  {"standard input: --iso " + name + " needs a pass of its own",
+                  {"standard input: --iso " + name + " reads the volume twice",
                    "can be read only once; store it in a file first"});
   CHECK(workshop.names() == names);
 }

@@ -182,7 +182,7 @@ TEST_CASE("TiffData elements order the pages") {
 
 TEST_CASE("OME-XML that does not fit its pages is refused") {
   check_refusal(refusal_of(ome(image(four_slices)), 3), "slice 3 of channel 0 has no page");
-  check_refusal(refusal_of(ome(image(four_slices)), 5), "its description lacks page 4");
+  check_refusal(refusal_of(ome(image(four_slices)), 5), "the description lacks page 4");
   const auto with_data = [](const std::string& data) { return ome(image(four_slices, data)); };
   check_refusal(refusal_of(with_data("<TiffData IFD=\"2\" PlaneCount=\"4\"/>")),
                 "describes 4 planes from page 2 on, and 'v.ome.tif' has 4 pages");
@@ -193,7 +193,7 @@ TEST_CASE("OME-XML that does not fit its pages is refused") {
   check_refusal(refusal_of(ome(image("SizeZ=\"4\" SizeC=\"1\" SizeT=\"0\""))),
                 "an image of 0 planes");
   check_refusal(refusal_of(ome("")), "describes no image");
-  check_refusal(refusal_of("<OME><Image></OME>"), "its OME-XML is damaged");
+  check_refusal(refusal_of("<OME><Image></OME>"), "the OME-XML is damaged");
   check_refusal(refusal_of(ome(image(four_slices) + "<StructuredAnnotations><ModuloAlongZ/>"
                                                     "</StructuredAnnotations>")),
                 "a further axis (ModuloAlongZ)");
@@ -203,7 +203,7 @@ TEST_CASE("OME-XML that does not fit its pages is refused") {
   std::string other_size = ome(image(four_slices));
   other_size.replace(other_size.find("SizeX=\"2\""), 9, "SizeX=\"3\"");
   check_refusal(refusal_of(other_size),
-                "its description has planes of 3 x 1, and its pages have 2 x 1");
+                "the description has planes of 3 x 1, and the pages have 2 x 1");
 }
 
 TEST_CASE("positions of OME-XML are volumes for --frame") {
@@ -263,7 +263,7 @@ TEST_CASE("a file that is missing in a set of OME-TIFF is named, but not one tha
   const OmeSet companions(true);
   fs::remove(companions.path() / "set.companion.ome");
   check_refusal(refusal(companions.path() / OmeSet::name(0)),
-                "its OME-XML is in 'set.companion.ome', which is missing");
+                "the OME-XML is in 'set.companion.ome', which is missing");
   const Folder renamed;
   const std::string old_name = "<TiffData><UUID FileName=\"old.ome.tif\">urn:1</UUID></TiffData>";
   CHECK(pages_read(
@@ -322,7 +322,7 @@ TEST_CASE("pages that ImageJ promises follow the one of the only directory, or a
   CHECK(pages_read(file("images=3\nframes=3\nhyperstack=true\n", two_pages), chosen(2, {})) ==
         Pages{2});
   check_refusal(refusal(file("images=2000\nslices=2000\n", two_pages)),
-                "its description promises 2000 planes, and the file holds ");
+                "the description promises 2000 planes, and the file holds ");
   check_refusal(refusal(folder.write("w.tif", numbered(2, "ImageJ=1\nimages=3\n").bytes())),
                 "promises 3 planes, and the file holds 2");
   check_refusal(refusal(folder.write("w.tif", numbered(4, "ImageJ=1\nimages=3\n").bytes())),
@@ -373,7 +373,7 @@ TEST_CASE("ImageJ's straight line makes values of samples, and its origin places
   REQUIRE(info.placement);
   CHECK(info.placement->origin_mm == Spacing{-32, 0, -2});
   CHECK(noted(info_of(numbered(3, "ImageJ=1\nimages=3\ncf=3\n")),
-              "its calibration function '3' is not read"));
+              "its calibration function '3' is not supported"));
 }
 
 // ---- tifffile ----
@@ -554,7 +554,7 @@ TEST_CASE("what is laid out or stored in other ways is refused by its name") {
   check_refusal(refusal_with({{tag::compression, whole({34712})}}),
                 "its compression, number 34712");
   check_refusal(refusal_with({{tag::bits, whole({24})}}), "samples of 24 bits and format 1");
-  check_refusal(refusal_with({{tag::photometric, whole({32803})}}), "its colours, of kind 32803");
+  check_refusal(refusal_with({{tag::photometric, whole({32803})}}), "the colours, of kind 32803");
 }
 
 }  // namespace

@@ -51,8 +51,6 @@ TEST_CASE("a file in place of a command is answered with what to write, which wo
   workshop.done(advice("scan.dmc", "write ") + " --faces triangles");
   workshop.done(advice("scan.dmc", "or "));
   workshop.done(advice("surface.stl", "write ") + " scan.nrrd --iso auto");
-  workshop.done(advice("help", "write "));
-  CHECK(contains(workshop.done(advice("help extract", "write ")), "discmc extract"));
   check_said("'a scan.nrrd'",
              "discmc: 'a scan.nrrd' is not a command; write discmc extract FILE --iso auto -o "
              "surface.stl, or discmc info FILE\nSee discmc --help.\n");

@@ -465,7 +465,7 @@ TEST_CASE("compressed data that ends early or is damaged is refused") {
 TEST_CASE("a file of no known format, a folder and a missing file are refused") {
   const Folder folder;
   check_refusal(refusal(folder.write("v.dat", "DICM")), "format is unknown");
-  check_refusal(refusal(folder.write("v.dat", "%PDF-1.4")), "this is PDF, which is not read");
+  check_refusal(refusal(folder.write("v.dat", "%PDF-1.4")), "this is PDF, which is not supported");
   check_refusal(refusal(folder.write("v.DMC", "")),
                 "a stream, not a volume; give it to discmc decode");
   for (const std::string mesh : {"v.stl", "v.PLY", "v.3mf", "v.vtp"})

@@ -276,7 +276,7 @@ TEST_CASE("what is packed or filtered in another way is refused by its name") {
     return refusal(array);
   };
   check_refusal(refusal_of(R"("dtype": "|u1", "compressor": {"id": "lzma"})"),
-                "packed by 'lzma', which is not read");
+                "packed by 'lzma', which is not supported");
   check_refusal(refusal_of(R"("dtype": "|u1", "compressor": null, "filters": [{"id": "delta"}])"),
                 "went through the filter");
   check_refusal(refusal_of(R"("dtype": "<c8", "compressor": null)"), "samples of type '<c8'");

@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
   Log shallow(few);
   Log deep(slices);
   const bool good = scan(0, few, Status::ok, shallow) &&
-                    scan(first, slices, Status::too_deep, deep) &&
+                    scan(first, slices, Status::too_many_slices, deep) &&
                     deep.layers == Limits::max_slices - first && deep.words == shallow.words &&
                     !deep.words.empty();
   if (!good) std::fputs("deepest_scan: the last slices are not as the first\n", stderr);

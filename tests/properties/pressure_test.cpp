@@ -35,15 +35,15 @@ class Pressed {
     }
   }
 
-  /// The high-water marks of a scan that lacks nothing.
-  HighWater needed() const {
+  /// The peaks of a scan that lacks nothing.
+  Peaks needed() const {
     Collector collector;
     Block block(bytes_for<uint16_t>(limits(), ample));
     Extractor16 extractor;
     require_ok(extractor.start(limits(), ample, 1, block.memory(), collector.sink()));
     push_all(extractor, volume_.on);
     finish_all(extractor);
-    return extractor.high_water();
+    return extractor.peaks();
   }
 
   /// What is wrong with a scan in the memory of one that was broken off by reset(), or nothing.
@@ -171,7 +171,7 @@ TEST_CASE("every single byte more than the minimum keeps the rings") {
 TEST_CASE("as many slots as a scan has used are all that it needs") {
   for (const BitVolume& volume : small_volumes())
     for (const Border border : {Border::closed, Border::open}) {
-      const HighWater needed = Pressed(volume, border).needed();
+      const Peaks needed = Pressed(volume, border).needed();
       // Nothing is sent while a few are left.
       const Capacities capacities{2 * needed.slots + 64, needed.holes};
       Collector collector;
@@ -237,8 +237,8 @@ TEST_CASE("a thousand layers need no more memory than the first ones: nothing le
     for (size_t i = 0; i < longer.voxels(); ++i) longer.on[i] = period.on[i % period.voxels()];
     BitVolume shorter({7, 8, 40});
     std::copy_n(longer.on.begin(), shorter.voxels(), shorter.on.begin());
-    const HighWater of_shorter = Pressed(shorter, Border::closed).needed();
-    const HighWater of_longer = Pressed(longer, Border::closed).needed();
+    const Peaks of_shorter = Pressed(shorter, Border::closed).needed();
+    const Peaks of_longer = Pressed(longer, Border::closed).needed();
     CHECK(of_longer.slots == of_shorter.slots);
     CHECK(of_longer.holes == of_shorter.holes);
   }

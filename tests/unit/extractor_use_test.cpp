@@ -372,14 +372,14 @@ TEST_CASE("bytes_used() is what was ever used, and what lies beyond has not been
   }
   finish_all(extractor);
   used = extractor.bytes_used();
-  CHECK(used == bytes_for<uint16_t>(limits, {extractor.high_water().slots, 0}));
+  CHECK(used == bytes_for<uint16_t>(limits, {extractor.peaks().slots, 0}));
   CHECK(std::count(memory.begin() + static_cast<ptrdiff_t>(used), memory.end(), uint8_t{0x5A}) ==
         static_cast<ptrdiff_t>(bytes - used));
   require_ok(extractor.reset());
   CHECK(extractor.bytes_used() < used);
 }
 
-TEST_CASE("the high-water marks lie within the capacities, and are all that a scan needs") {
+TEST_CASE("the peaks lie within the capacities, and are all that a scan needs") {
   for (uint64_t seed = 0; seed < 20; ++seed) {
     const BitVolume volume = random({12, 9, 7}, 60 + 10 * static_cast<uint32_t>(seed), seed);
     const Limits limits = limits_of(volume, Border::closed);
@@ -390,12 +390,12 @@ TEST_CASE("the high-water marks lie within the capacities, and are all that a sc
       push_all(extractor, volume.on);
       finish_all(extractor);
       CHECK(extractor.capacities().slots == capacities.slots);
-      CHECK(extractor.high_water().slots <= capacities.slots);
-      CHECK(extractor.high_water().holes <= capacities.holes);
-      return extractor.high_water();
+      CHECK(extractor.peaks().slots <= capacities.slots);
+      CHECK(extractor.peaks().holes <= capacities.holes);
+      return extractor.peaks();
     };
     EventLog in_ample, in_few;
-    const HighWater needed = scan_in(ample, in_ample);
+    const Peaks needed = scan_in(ample, in_ample);
     CHECK(needed.slots > 50);
     (void)scan_in({needed.slots / 2, needed.holes / 2}, in_few);
     CHECK(collected(in_few.events).loose().size() > 0);

@@ -23,7 +23,7 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
   pool.start(slots.data(), capacity);
   pool.clear();
   std::vector<Index> taken;
-  uint32_t high_water = 0;
+  uint32_t peak = 0;
   for (uint32_t i = 0; i < 20000; ++i) {
     seed = seed * 1664525 + 1013904223;
     // Periods of growth and of shrinking.
@@ -42,10 +42,10 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
       pool.give(taken[place]);
       taken.erase(taken.begin() + static_cast<std::ptrdiff_t>(place));
     }
-    high_water = taken.size() > high_water ? static_cast<uint32_t>(taken.size()) : high_water;
+    peak = taken.size() > peak ? static_cast<uint32_t>(taken.size()) : peak;
     REQUIRE(pool.in_use() == taken.size());
     REQUIRE(pool.available() == capacity - taken.size());
-    REQUIRE(pool.high_water() == high_water);
+    REQUIRE(pool.peak() == peak);
   }
   CHECK(std::set<Index>(taken.begin(), taken.end()).size() == taken.size());
 }
@@ -82,17 +82,17 @@ TEST_CASE("the slot given back last is taken first") {
   CHECK(pool.take() == 7);
 }
 
-TEST_CASE("clearing gives all slots back and forgets the high-water mark") {
+TEST_CASE("clearing gives all slots back and forgets the peak") {
   std::vector<PooledSlot<uint16_t>> slots(4);
   Pool<PooledSlot<uint16_t>, uint16_t> pool;
   pool.start(slots.data(), 4);
   pool.clear();
   for (int i = 0; i < 4; ++i) pool.take();
   pool.give(2);
-  CHECK(pool.high_water() == 4);
+  CHECK(pool.peak() == 4);
   pool.clear();
   CHECK(pool.in_use() == 0);
-  CHECK(pool.high_water() == 0);
+  CHECK(pool.peak() == 0);
   for (uint16_t i = 1; i <= 4; ++i) CHECK(pool.take() == i);
   CHECK(pool.take() == no_slot);
 }
@@ -104,7 +104,7 @@ TEST_CASE("a pool without slots has none") {
   pool.clear();
   CHECK(pool.take() == no_slot);
   CHECK(pool.capacity() == 0);
-  CHECK(pool.high_water() == 0);
+  CHECK(pool.peak() == 0);
 }
 
 TEST_CASE("index 0, which means none, is never given, and every other one is") {
@@ -133,7 +133,7 @@ TEST_CASE("a pool gives fresh slots side by side as long as there are so many") 
   CHECK(pool.take_fresh(10) == no_slot);
   CHECK(pool.take_fresh(4) == 2);
   CHECK(pool.in_use() == 4);
-  CHECK(pool.high_water() == 5);
+  CHECK(pool.peak() == 5);
   pool.reserve(2);
   CHECK(pool.take_fresh(5) == no_slot);
   CHECK(pool.take_fresh(4) == 6);

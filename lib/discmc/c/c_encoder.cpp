@@ -15,7 +15,7 @@ discmc_status discmc_encoder_restore(discmc_encoder** encoder,
                                      const discmc_encoder_config* config) {
   return restore<discmc_encoder>(encoder, *config, [&](discmc_encoder& object, Memory) {
     config->kind->prepare(object.encoder);
-    return object.encoder.continue_to(cpp(config->output));
+    return object.encoder.resume_in_place(cpp(config->output));
   });
 }
 discmc_status discmc_encoder_save(discmc_encoder* encoder, discmc_memory* part) {

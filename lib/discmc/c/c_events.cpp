@@ -33,7 +33,7 @@ static_assert(sizeof(Statistics) == sizeof(discmc_statistics) &&
                   offsetof(Statistics, regions) == offsetof(discmc_statistics, regions),
               "totals have one layout");
 static_assert(DISCMC_DEVICE_ERROR == static_cast<int>(Status::device_error) &&
-                  DISCMC_TOO_DEEP == static_cast<int>(Status::too_deep) &&
+                  DISCMC_TOO_MANY_SLICES == static_cast<int>(Status::too_many_slices) &&
                   DISCMC_FINISHED == static_cast<int>(Status::finished) &&
                   DISCMC_LOST == static_cast<int>(Event::Kind::lost) &&
                   DISCMC_SINK_NOT_STARTED == static_cast<int>(SinkResult::not_started) &&

@@ -4,7 +4,7 @@ namespace discmc {
 
 // The used bytes, from the object on.
 static size_t used_bytes(const discmc_extractor_kind& kind, const ExtractorView& view) {
-  const uint64_t bytes = bytes_of_scan(kind.sizes, view.limits, view.high_water.slots);
+  const uint64_t bytes = bytes_of_scan(kind.sizes, view.limits, view.peaks.slots);
   return kind.object_bytes + static_cast<size_t>(bytes);
 }
 
@@ -72,8 +72,8 @@ discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extracto
           view.rows,
           view.capacities->slots,
           view.capacities->holes,
-          view.high_water.slots,
-          view.high_water.holes,
+          view.peaks.slots,
+          view.peaks.holes,
           extractor->part(used_bytes(kind_of(*extractor), view)).bytes};
 }
 

@@ -38,11 +38,11 @@ discmc_joiner_info discmc_joiner_get_info(const discmc_joiner* joiner) {
           report.regions,
           report.rings,
           report.unmatched,
-          report.passed_on,
+          report.short_of_memory,
           object.capacities().fragments,
           object.capacities().runs,
-          object.high_water().fragments,
-          object.high_water().runs};
+          object.peaks().fragments,
+          object.peaks().runs};
 }
 
 }  // extern "C"

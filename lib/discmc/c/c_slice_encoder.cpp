@@ -70,7 +70,7 @@ discmc_status discmc_slice_encoder_restore(discmc_slice_encoder** encoder,
                                            const discmc_slice_encoder_config* config) {
   return restore<discmc_slice_encoder>(
       encoder, *config, [&](discmc_slice_encoder& object, Memory rest) {
-        return object.encoder.continue_in(rest, cpp(config->output));
+        return object.encoder.resume_in_place(rest, cpp(config->output));
       });
 }
 

@@ -14,7 +14,7 @@ struct ExtractorView {
   const Statistics* statistics;
   Limits limits;
   const Capacities* capacities;
-  HighWater high_water;
+  Peaks peaks;
   uint32_t slices, rows;
   bool is_suspended;
 };
@@ -89,7 +89,7 @@ struct ExtractorKind {
                       Memory memory, bool restores) {
     Scanner& scanner = in(extractor);
     const Sink sink = static_cast<Stored&>(extractor).with_sink.set_sink(config.sink);
-    if (restores) return scanner.continue_in(memory, sink);
+    if (restores) return scanner.resume_in_place(memory, sink);
     if constexpr (Type::has_normals) scanner.set_spacing(config.spacing_nm);
     Limits limits = cpp(config.limits);
     limits.slab = {config.slab.first, config.slab.continues_below != 0,
@@ -122,7 +122,7 @@ struct ExtractorKind {
     view.statistics = &scanner.statistics();
     view.limits = scanner.limits();
     view.capacities = &scanner.capacities();
-    view.high_water = scanner.high_water();
+    view.peaks = scanner.peaks();
     view.slices = scanner.slices();
     view.rows = scanner.rows();
     view.is_suspended = scanner.is_suspended();

@@ -8,7 +8,7 @@
 // any other extractor.
 //
 // The events are those of any extractor, as long as nothing goes out loose. Loose fragments may be
-// other pieces of the same regions. high_water() counts the slots that nodes take; firmware needs
+// other pieces of the same regions. peaks() counts the slots that nodes take; firmware needs
 // fewer. The object is 30 KiB larger.
 #ifndef DISCMC_HOST_EXTRACTOR_HPP
 #define DISCMC_HOST_EXTRACTOR_HPP
@@ -24,7 +24,7 @@ class HostExtractor : public BasicExtractor<uint32_t, BitIntake, host::Sweep> {
 
   /// Offers every region of one ring to the receiver first, in the order of the events. Call it
   /// after start() or restore(), which forget it. Owner: the receiver must outlive the scan.
-  void give_regions_to(const RegionReceiver& receiver) { sweep().set_receiver(receiver); }
+  void set_region_receiver(const RegionReceiver& receiver) { sweep().set_receiver(receiver); }
 
  private:
   friend struct Checkpoint<HostExtractor>;

@@ -91,9 +91,9 @@ class HeldChains {
   bool contains(uint32_t index, const PlanePoint& point) const;
 
   /// No chain in use has a larger index.
-  uint32_t last_used() const { return chains_.high_water(); }
-  uint32_t high_water() const { return chains_.high_water(); }
-  uint32_t run_high_water() const { return runs_.high_water(); }
+  uint32_t last_used() const { return chains_.peak(); }
+  uint32_t peak() const { return chains_.peak(); }
+  uint32_t run_peak() const { return runs_.peak(); }
 
  private:
   Pool<HeldChain, uint32_t> chains_;

@@ -103,7 +103,7 @@ bool Joiner::end_fragment(const Event& event) {
   switch (fate_) {
     case Fate::passed:
       if (!pass_loose(event)) return false;
-      ++report_.passed_on;
+      ++report_.short_of_memory;
       break;
     case Fate::ignored:
       ++report_.invalid;
@@ -291,7 +291,7 @@ void Joiner::begin_next_hole() {
 }
 
 void Joiner::begin_loose(uint32_t chain) {
-  ++(is_short_ ? report_.passed_on : report_.unmatched);
+  ++(is_short_ ? report_.short_of_memory : report_.unmatched);
   if (passes_loose())
     begin_delivery(Outlet::loose, Event::Kind::fragment, chain);
   else
@@ -348,7 +348,7 @@ bool Joiner::send_finish() {
   Statistics totals = totals_;
   totals.regions += report_.regions;
   totals.rings += report_.rings;
-  totals.fragments = passes_loose() ? report_.unmatched + report_.passed_on : 0;
+  totals.fragments = passes_loose() ? report_.unmatched + report_.short_of_memory : 0;
   Event event{};
   event.kind = Event::Kind::finish;
   event.slice = slices_;

@@ -33,7 +33,7 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
 void SliceEncoder::lay_out(Memory memory) {
   const StreamHeader& header = packets_.header();
   Arena arena(memory);
-  surfaces_.start(arena, header, slices::rows_kept(header.height, key_slices_.is_every()));
+  surfaces_.start(arena, header, slices::rows_kept(header.height, key_slices_.is_every_slice()));
   memory_ = memory.data;
 }
 
@@ -44,7 +44,7 @@ Status SliceEncoder::ready_for_row() {
   if (state_ != State::scanning) return Status::finished;
   (void)work();
   if (row_is_due_) return Status::suspended;  // the waiting row has the place of the next one
-  if (slices() >= Limits::max_slices) return Status::too_deep;
+  if (slices() >= Limits::max_slices) return Status::too_many_slices;
   return Status::ok;
 }
 
@@ -182,10 +182,10 @@ Status SliceEncoder::restore(const Checkpoint<SliceEncoder>& checkpoint, Memory 
   if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
   if (output.write == nullptr) return Status::bad_sink;
   *this = checkpoint.object;
-  return continue_in(memory, output);
+  return resume_in_place(memory, output);
 }
 
-Status SliceEncoder::continue_in(Memory memory, const ByteOutput& output) {
+Status SliceEncoder::resume_in_place(Memory memory, const ByteOutput& output) {
   if (output.write == nullptr) return Status::bad_sink;
   if (memory.bytes < bytes_used()) return Status::too_little_memory;
   lay_out(memory);

@@ -170,10 +170,10 @@ Status Encoder::restore(const Checkpoint<Encoder>& checkpoint, const ByteOutput&
   const auto write_normals = write_normals_;
   *this = checkpoint.object;
   write_normals_ = write_normals;
-  return continue_to(output);
+  return resume_in_place(output);
 }
 
-Status Encoder::continue_to(const ByteOutput& output) {
+Status Encoder::resume_in_place(const ByteOutput& output) {
   if (output.write == nullptr) return Status::bad_sink;
   packets_.rewind();
   packets_.set_output(output);

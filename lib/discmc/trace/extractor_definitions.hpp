@@ -83,7 +83,7 @@ void BasicExtractor<Index, Intake, Sweep>::clear() {
 template <class Index, class Intake, class Sweep>
 size_t BasicExtractor<Index, Intake, Sweep>::bytes_used() const {
   if (state_ == State::idle) return 0;
-  return static_cast<size_t>(bytes_for<Index, Intake>(limits(), {high_water().slots, 0}));
+  return static_cast<size_t>(bytes_for<Index, Intake>(limits(), {peaks().slots, 0}));
 }
 
 // ---- what the caller gives ----
@@ -93,7 +93,7 @@ Status BasicExtractor<Index, Intake, Sweep>::ready_for_samples() {
   if (state_ == State::idle) return Status::not_started;
   if (state_ != State::scanning) return Status::finished;
   if (!work()) return Status::suspended;
-  if (slices() >= Limits::max_slices - first_slice()) return Status::too_deep;
+  if (slices() >= Limits::max_slices - first_slice()) return Status::too_many_slices;
   return Status::ok;
 }
 
@@ -198,11 +198,11 @@ Status BasicExtractor<Index, Intake, Sweep>::restore(const Checkpoint<Any>& chec
   if (memory.bytes < bytes_for<Index, Intake>(image.limits(), image.capacities_))
     return Status::too_little_memory;
   *this = image;
-  return continue_in(memory, sink);
+  return resume_in_place(memory, sink);
 }
 
 template <class Index, class Intake, class Sweep>
-Status BasicExtractor<Index, Intake, Sweep>::continue_in(Memory memory, const Sink& sink) {
+Status BasicExtractor<Index, Intake, Sweep>::resume_in_place(Memory memory, const Sink& sink) {
   if (sink.take == nullptr) return Status::bad_sink;
   sink_ = sink;
   return lay_out(limits(), memory) ? Status::ok : Status::too_little_memory;

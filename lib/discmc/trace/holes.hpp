@@ -26,11 +26,11 @@ class Holes {
   void clear() {
     for (uint32_t i = 0; i < sizing::hole_lists; ++i) heads_[i] = no_slot;
     count_ = 0;
-    high_water_ = 0;
+    peak_ = 0;
   }
 
   uint32_t count() const { return count_; }
-  uint32_t high_water() const { return high_water_; }
+  uint32_t peak() const { return peak_; }
 
   /// Keeps a ring. Limit: there are slots_each slots.
   void keep(Slots& slots, const Outgoing<Index>& ring);
@@ -68,7 +68,7 @@ class Holes {
   Index* heads_ = nullptr;
   uint32_t marked_list_ = 0;
   uint32_t count_ = 0;
-  uint32_t high_water_ = 0;
+  uint32_t peak_ = 0;
 };
 
 // ---- implementation ----
@@ -86,7 +86,7 @@ void Holes<Index, Normal>::keep(Slots& slots, const Outgoing<Index>& ring) {
   hole.incidence = ring.incidence;
   hole.is_marked = 0;
   head = index;
-  if (++count_ > high_water_) high_water_ = count_;
+  if (++count_ > peak_) peak_ = count_;
 }
 
 template <class Index, class Normal>

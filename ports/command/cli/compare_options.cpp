@@ -32,13 +32,15 @@ Command add_compare(CLI::App& app) {
   const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* compare = app.add_subcommand("compare", "Measure the distance between two surfaces");
   const char* const names[] = {"A", "B"};
+  const char* const inputs[] = {
+      "a mesh, a .dmc stream, or a volume, whose surface classic Marching Cubes makes at --iso",
+      "the surface to compare with, in one of these forms"};
   for (std::size_t i = 0; i < arguments->inputs.size(); ++i)
     compare
         ->add_option_function<std::string>(
             names[i],
             [arguments, i](const std::string& name) { arguments->inputs[i] = input_called(name); },
-            "a mesh, a .dmc stream, or a volume, whose surface classic Marching Cubes makes at "
-            "--iso")
+            inputs[i])
         ->required();
   add_choice_options(*compare, arguments->choice);
   add_volume_options(*compare, arguments->reading.options);
@@ -47,6 +49,9 @@ Command add_compare(CLI::App& app) {
   for (const char* option : {"--range", "--label"})
     compare->remove_option(compare->get_option(option));
   compare->footer(
+      "Prints a table from A to B and from B to A: the mean distance, the distance\n"
+      "within which 99 % of the surface lie, and the largest distance. Units:\n"
+      "millimetres, and voxels of B, or of A if B is a mesh.\n\n"
       "Examples:\n"
       "  discmc compare head.stl head.nii.gz --iso 300\n"
       "  discmc compare before.ply after.ply");

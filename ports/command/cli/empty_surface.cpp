@@ -35,7 +35,7 @@ std::string reason(const VolumeArguments& arguments, const NamedSelection& surfa
   const bool has_all =
       !surface.is_label && selection.low <= range.least && range.greatest <= selection.high;
   if (is_full || (arguments.border == Border::open && has_all && arguments.mask.empty()))
-    return every_voxel(arguments, surface) + ", so a surface with an open border is empty";
+    return every_voxel(arguments, surface) + ", so a surface with --border open is empty";
   // The samples of labels are bits of several, so their range does not answer it.
   const bool is_reached =
       surface.is_label || (selection.low <= range.greatest && selection.high >= range.least);

@@ -215,7 +215,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
     keep_chosen(titled, arguments.components, label.surface);
     if (label.surface.polygons.empty() && !arguments.reading.allows_empty) {
       print_message(arguments.volume,
-                    title(selections[i]) + " has no surface left, so " + names[i] +
+                    title(selections[i]) + " has no surface; " + names[i] +
                         (files.are_one() ? " does not contain it" : " is not written"));
       continue;
     }

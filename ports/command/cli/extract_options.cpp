@@ -254,7 +254,7 @@ void add_smoothing_option(CLI::App& app, ExtractArguments& arguments) {
   app.add_option_function<std::string>(
          "--smooth",
          [&arguments](const std::string& text) { arguments.reading.smooth_mm = deviation(text); },
-         "smooth the steps of voxels, as of a mask or label, by a Gaussian with this deviation in "
+         "smooth the voxel steps of a mask or label by a Gaussian with a standard deviation of MM "
          "millimetres; auto: the largest distance between voxels")
       ->check(CLI::Validator(
           [](std::string& text) {
@@ -303,13 +303,14 @@ void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
 
 Command add_extract(CLI::App& app) {
   const auto arguments = std::make_shared<ExtractArguments>();
-  CLI::App* extract = app.add_subcommand("extract", "Extract the surface of a volume");
+  CLI::App* extract =
+      app.add_subcommand("extract", "Extract the surface of a volume as a mesh or a stream");
   extract
       ->add_option("VOLUME", arguments->volume,
-                   "a volume. A file: NRRD, NIfTI, Analyze, MetaImage, MGH, MRC, VTK, NumPy, HDF5, "
-                   "InVesalius. A file or folder: DICOM, Zarr. A file, folder or 'pattern': slices "
-                   "as PNG, TIFF, JPEG or BMP; masks, one per label. Headerless samples: with "
-                   "--dims and --type. - reads standard input")
+                   "the volume. A file of NRRD, NIfTI, Analyze, MetaImage, MGH, MRC, VTK, NumPy, "
+                   "HDF5 or InVesalius. A file or folder of DICOM or Zarr. A file, folder or "
+                   "'pattern' of PNG, TIFF, JPEG or BMP slices, or of masks, one per label. A "
+                   "headerless file with --dims and --type. - reads standard input")
       ->required();
   add_output_option(*extract, arguments->output, "the stream on standard output (default)");
   add_format_option(*extract, arguments->format);
@@ -319,14 +320,13 @@ Command add_extract(CLI::App& app) {
   for (const char* option : {"--iso", "--range", "--label"})
     extract->get_option(option)->expected(1, -1)->allow_extra_args(false);
   CLI::Option* iso = extract->get_option("--iso");
-  iso->description(
-      iso->get_description() +
-      ". --iso, --range and --label may be repeated: a surface each, up to 4 in a stream");
+  iso->description(iso->get_description() +
+                   ". Repeat --iso, --range or --label for more surfaces; a stream holds up to 4");
   add_closing_option(*extract, *arguments);
   add_smoothing_option(*extract, *arguments);
-  add_label_options(
-      *extract, arguments->labels, arguments->reading,
-      "into a file each, or into one " + extensions(&FormatTraits::holds_several) + " file");
+  add_label_options(*extract, arguments->labels, arguments->reading,
+                    "-o with {name} writes a file per label; one " +
+                        extensions(&FormatTraits::holds_several) + " file holds all");
   add_normals_option(*extract, arguments->normals,
                      "from the samples of the volume; also in a .dmc stream");
   extract

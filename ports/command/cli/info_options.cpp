@@ -11,11 +11,11 @@ namespace discmc::command {
 
 Command add_info(CLI::App& app) {
   const auto arguments = std::make_shared<InfoArguments>();
-  CLI::App* info = app.add_subcommand(
-      "info", "Print the properties of a volume or a stream, a key and its values per line");
+  CLI::App* info = app.add_subcommand("info", "Print the properties of a volume or a stream");
   info->add_option("INPUT", arguments->input,
-                   "a .dmc stream, or a volume as for extract; of a volume: the range and "
-                   "histogram of its values, and thresholds to try; - reads standard input")
+                   "a volume as for extract, or a .dmc stream; - reads standard input. Each line "
+                   "has a key and its values, which docs/command.md lists. A volume has the range "
+                   "and histogram of its values, and thresholds to try")
       ->required();
   add_choice_options(*info, arguments->choice);
   add_volume_options(*info, arguments->options);

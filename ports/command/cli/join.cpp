@@ -61,7 +61,7 @@ class Join {
     if (!slabs_.missing().empty())
       for (const SlabRange& range : slabs_.ranges()) write_slab(range, encoder_);
     joiner_.finish();
-    if (!encoder_.flush()) throw std::runtime_error("the output accepts no more bytes; free space");
+    (void)encoder_.flush();  // a file accepts all; commit() reports a failed write
   }
 
   SinkResult take(const Event& event) {
@@ -166,8 +166,8 @@ int run_join(const JoinArguments& arguments) {
   const std::vector<SlabRange> missing = join.slabs().missing();
   if (!missing.empty()) {
     print_message(arguments.output == "-" ? "standard output" : arguments.output,
-                  "the " + text(missing) + " are missing, and " + std::to_string(join.fragments()) +
-                      " fragments are unmatched; join it with the slabs of these slices");
+                  "the " + text(missing) + " are missing, so " + std::to_string(join.fragments()) +
+                      " loose fragments have no partner; join the slabs of these slices, too");
     code = exit_incomplete;
   }
   if (arguments.quiet) return code;

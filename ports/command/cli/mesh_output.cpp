@@ -88,8 +88,8 @@ void note_left_out(const std::string& input, const Surface& surface, const Mesh&
   if (mesh.left_out.empty()) return;
   print_message(input, std::to_string(mesh.left_out.size()) + " of " +
                            std::to_string(surface.polygons.size()) +
-                           " polygons are left out, as their rings cross or bound no area; -o "
-                           "FILE.jsonl has the first in line " +
+                           " polygons are invalid (their rings cross or enclose no area) and left "
+                           "out; the first is in -o FILE.jsonl, line " +
                            std::to_string(mesh.left_out[0] + 1));
 }
 
@@ -113,8 +113,8 @@ std::uint64_t decimate_noted(const std::string& name, const Decimation& decimati
   if (decimation.triangles > 0 &&
       mesh.face_count() > decimation.triangles + decimation.triangles / 10)
     print_message(name, "--triangles " + std::to_string(decimation.triangles) + ": " +
-                            std::to_string(mesh.face_count()) +
-                            " are left, as fewer would open the mesh" +
+                            "the mesh has " + std::to_string(mesh.face_count()) +
+                            " triangles, because fewer would open it" +
                             (decimation.max_error_mm > 0 ? ", or exceed --max-error" : ""));
   return bodies.unchanged;
 }

@@ -81,7 +81,7 @@ void add_classic_option(CLI::App& app, bool& classic) {
 Command add_render(CLI::App& app) {
   const auto arguments = std::make_shared<RenderArguments>();
   CLI::App* render =
-      app.add_subcommand("render", "Draw a stream, a volume or a mesh as a PNG picture");
+      app.add_subcommand("render", "Draw a volume, a stream or a mesh as a PNG picture");
   render
       ->add_option("INPUT", arguments->input,
                    "a .dmc stream or a volume as for extract, where - reads standard input; or a "

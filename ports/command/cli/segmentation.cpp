@@ -45,13 +45,14 @@ Segmentation::Segmentation(const std::string& path, const VolumeArguments& argum
       info_(first_->info()),
       names_(table_of(info_, arguments), layers_of(info_, arguments)) {
   if (info_.frames > names_.layers().size() && !arguments.options.frame)
-    print_message(path, "layers without a described label are left out: " +
-                            std::to_string(info_.frames - names_.layers().size()));
+    print_message(path, std::to_string(info_.frames - names_.layers().size()) + " of " +
+                            std::to_string(info_.frames) +
+                            " layers have no label in the header and are left out");
 }
 
 std::unique_ptr<VolumeReader> Segmentation::open(std::uint32_t layer) {
   if (first_ && layer == options_.frame.value_or(0)) return std::move(first_);
-  require_second_pass(path_, "reading each layer of a segmentation needs a pass");
+  require_second_pass(path_, "each layer of a segmentation is read separately");
   VolumeOptions options = options_;
   options.frame = layer;
   return open_noted(path_, options);

@@ -51,7 +51,7 @@ void serve(const ViewArguments& arguments, const ServedFile& file) {
 
 // Samples are read again for every page: none waits in memory.
 void serve_samples(const ViewArguments& arguments) {
-  require_second_pass(arguments.input, "each page that is served needs a pass");
+  require_second_pass(arguments.input, "each served page reads the volume again");
   std::mutex turn;
   const auto open = [&] {
     const std::lock_guard<std::mutex> lock(turn);

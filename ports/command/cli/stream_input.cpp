@@ -120,7 +120,9 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
   joiner.finish();
   builder.surface().spacing_mm = spacing_mm(reader.header());
   if (notes.placement && !is_usable(*notes.placement)) {
-    print_message(path, "the placement in the stream is unusable and ignored");
+    print_message(path,
+                  "the placement in the stream is ignored, because its axes span no space; "
+                  "coordinates are those of voxels");
     notes.placement.reset();
   }
   StreamReport report = reader.report();
@@ -135,22 +137,32 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
           notes.placement};
 }
 
-// As in "3 packets and 100 rows are missing".
+// As in "3 packets are missing, 100 rows are missing; send or copy the stream again".
 std::string losses(const StreamReport& report) {
+  const char* const pieces = report.holds_slices ? " rows" : " regions or fragments";
   const std::uint64_t lost = report.holds_slices ? report.lost_rows : report.lost_pieces;
-  const std::uint64_t received = report.holds_slices ? report.rows : report.regions;
+  const std::uint64_t received =
+      report.holds_slices ? report.rows : report.regions + report.fragments;
+  const std::uint64_t sent =
+      report.holds_slices ? report.total_rows : report.totals.regions + report.totals.fragments;
   std::string text;
   const auto add = [&](const std::string& loss) { text += (text.empty() ? "" : ", ") + loss; };
   if (report.lost_packets > 0)
     add(std::to_string(report.lost_packets) +
         (report.lost_packets == 1 ? " packet is missing" : " packets are missing"));
-  if (lost > 0)
-    add(std::to_string(lost) +
-        (report.holds_slices ? " rows are missing" : " regions or fragments are missing"));
-  if (!report.has_trailer)
-    add("its end is missing after " + std::to_string(received) +
-        (report.holds_slices ? " rows" : " regions"));
-  return text.empty() ? "its contents contradict its trailer" : text;
+  if (lost > 0) add(std::to_string(lost) + pieces + " are missing");
+  if (!report.has_trailer) add("the end is missing after " + std::to_string(received) + pieces);
+  if (report.is_unreadable) add("a packet holds records of an unknown kind");
+  if (text.empty() && !report.is_mixed)
+    add(std::to_string(received) + pieces + " arrived, and the trailer counts " +
+        std::to_string(sent));
+  if (report.is_mixed) {
+    add("packets of two scans with the same number are mixed");
+    return text + "; give every scan another number";
+  }
+  // What only lacks pieces may be one slab of several.
+  const bool is_loss = report.lost_packets > 0 || !report.has_trailer || lost == 0;
+  return text + (is_loss ? "; send or copy the stream again" : "");
 }
 
 }  // namespace
@@ -197,10 +209,6 @@ DecodedStream decode_surface(const std::string& path, std::istream& in,
 
 int completeness(const std::string& path, const StreamReport& report) {
   if (report.is_complete()) return exit_ok;
-  if (report.is_mixed)
-    print_message(path,
-                  "two scans with the same number are mixed in the stream; give every scan a "
-                  "number of its own");
   print_message(path, "the stream is incomplete: " + losses(report));
   return exit_incomplete;
 }

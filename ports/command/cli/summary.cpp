@@ -34,7 +34,7 @@ std::string ratio(std::uint64_t a, std::uint64_t b) {
 std::string shortage(const Extraction& extraction, const MemoryUse& memory) {
   if (extraction.statistics.fragments == 0) return {};
   if (extraction.is_of_slab) return "at the seams, or for lack of memory";
-  const bool lacked_holes = memory.high_water.holes == memory.capacities.holes;
+  const bool lacked_holes = memory.peaks.holes == memory.capacities.holes;
   return std::string("the arena lacked slots") + (lacked_holes ? " or holes" : "");
 }
 
@@ -56,9 +56,9 @@ void print_memory(const Extraction& extraction, std::ostream& out) {
   const MemoryUse& memory = *extraction.memory;
   row(out, "bytes of arena used", grouped(memory.arena_bytes_used),
       "of " + grouped(memory.arena_bytes));
-  row(out, "  slots, peak", grouped(memory.high_water.slots),
+  row(out, "  slots, peak", grouped(memory.peaks.slots),
       "of " + grouped(memory.capacities.slots));
-  row(out, "  holes, peak", grouped(memory.high_water.holes),
+  row(out, "  holes, peak", grouped(memory.peaks.holes),
       "of " + grouped(memory.capacities.holes));
   row(out, "loose fragments", grouped(extraction.statistics.fragments),
       shortage(extraction, memory));

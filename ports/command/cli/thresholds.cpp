@@ -36,7 +36,7 @@ std::vector<NamedSelection> with_thresholds(const std::string& path,
   std::vector<NamedSelection> surfaces = arguments.selections;
   const auto first = std::find_if(surfaces.begin(), surfaces.end(), has_rule);
   if (first == surfaces.end()) return surfaces;
-  require_second_pass(path, "--iso " + first->name + " needs a pass of its own");
+  require_second_pass(path, "--iso " + first->name + " reads the volume twice");
 
   const auto volume = open_noted(path, arguments.options);
   const VolumeInfo& info = volume->info();

@@ -117,7 +117,7 @@ Trials try_all(const VolumeBits& volume, const TuneArguments& arguments,
 }
 
 void print_needs(const VolumeBits& volume, const Trials& trials, std::ostream& out) {
-  const HighWater& most = trials.plenty.high_water;
+  const Peaks& most = trials.plenty.peaks;
   out << "  peak                " << grouped(most.slots) << " slots of 8 bytes, "
       << grouped(most.holes) << " holes\n"
       << "  least arena         " << bytes_text(minimum_bytes<std::uint16_t>(volume.limits()))
@@ -143,8 +143,8 @@ void print_slices(const Trials& trials, const Device& device, std::ostream& out)
   std::vector<TriedRow> rows;
   for (std::size_t i = 0; i < trials.slices.size(); ++i)
     rows.push_back({(key_slice_intervals[i] == 1
-                         ? std::string("every slice is key")
-                         : "every " + std::to_string(key_slice_intervals[i]) + "th is key") +
+                         ? std::string("every slice is a key slice")
+                         : "key slice every " + std::to_string(key_slice_intervals[i])) +
                         "  " + grouped(trials.slices[i].memory),
                     &trials.slices[i], i == 0});
   print_trials(rows, Wire::slices, device, out);

@@ -82,8 +82,8 @@ Command add_tune(CLI::App& app) {
   CLI::App* tune =
       app.add_subcommand("tune", "Estimate RAM, stream size and CPU time for a device");
   tune->add_option("VOLUME", arguments->volume,
-                   "a volume as for extract, as large and as intricate as the scans to come; - "
-                   "reads standard input")
+                   "a volume as for extract, of the size and detail of the scans to come; - reads "
+                   "standard input")
       ->required();
   add_device_options(*tune, *arguments);
   add_volume_options(*tune, arguments->reading.options);
@@ -91,7 +91,7 @@ Command add_tune(CLI::App& app) {
   tune->remove_option(tune->get_option("--allow-empty"));
   tune->get_option("--memory")
       ->description(
-          "bytes of the arena, with K or M for 1024 and 1024^2 (default: the least without loose "
+          "bytes of the memory, with K or M for 1024 and 1024^2 (default: the least without loose "
           "fragments)");
   tune->footer(
       "Examples:\n"

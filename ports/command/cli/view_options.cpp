@@ -60,8 +60,7 @@ void check_surface_options(const CLI::App& view, const ViewArguments& arguments)
 
 Command add_view(CLI::App& app) {
   const auto arguments = std::make_shared<ViewArguments>();
-  CLI::App* view = app.add_subcommand(
-      "view", "Write a page that shows a volume, a stream or a mesh, and open it in the browser");
+  CLI::App* view = app.add_subcommand("view", "Show a volume, a stream or a mesh in the browser");
   view->add_option("INPUT", arguments->input,
                    "a volume as for extract, or a .dmc stream, where - reads standard input; or a "
                    "mesh (.stl, .ply, .obj, .glb, .3mf), which is read from a file only")
@@ -89,8 +88,8 @@ Command add_view(CLI::App& app) {
       "The page contains its data, and needs neither network nor server. Without a threshold it "
       "holds\nthe samples, and its slider chooses any threshold. With --iso, --range or --label it "
       "holds only\nthat surface, in far fewer bytes; with --labels it holds their meshes.\n\nWith "
-      "--serve the data stays beside the "
-      "page, so the page opens at once. The limit is 1 GiB of\nsamples. A stream from standard "
+      "--serve, discmc serves page and data, "
+      "so the page opens at once. The limit is 1 GiB of\nsamples. A stream from standard "
       "input or a named pipe is shown as it arrives. All users of\nthis computer can read the "
       "page; other computers cannot.\n\nExamples:\n  discmc view head.nii.gz\n  discmc view "
       "head.nii.gz --iso 300 -o skull.html\n  discmc view scan.dmc\n  discmc view labels.nii.gz "

@@ -70,7 +70,7 @@ class NotedVolume final : public VolumeFilter {
 void require_second_pass(const std::string& path, const std::string& purpose) {
   if (is_read_once(path))
     throw std::runtime_error(name_for_people(path) + ": " + purpose +
-                             ", and this input can be read only once; store it in a file first");
+                             ", but this input can be read only once; store it in a file");
 }
 
 std::unique_ptr<VolumeReader> noted(const std::string& path, std::unique_ptr<VolumeReader> volume) {
@@ -106,9 +106,8 @@ std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
   auto mask = noted(arguments.mask, open_mask(arguments.mask, arguments.options, volume));
   const double apart = offset_mm(mask->info(), volume);
   if (apart > 0)
-    print_message(arguments.mask,
-                  "its voxels lie up to " + short_number(apart) +
-                      " mm from those of the volume, and are used for them one by one");
+    print_message(arguments.mask, "the mask lies up to " + short_number(apart) +
+                                      " mm away from the volume; its voxels apply by index");
   return mask;
 }
 
@@ -167,10 +166,10 @@ void MendedVolume::note_lost_parts(const std::string& path) const {
   constexpr double usual = 0.03;
   if (std::fabs(after / before - 1) <= usual) return;
   print_message(path, "--smooth " + value_text(deviation_mm_) +
-                          " mm: " + std::to_string(smooth_->smooth_voxels()) +
-                          " voxels are inside, and " + std::to_string(smooth_->selected_voxels()) +
-                          " before: it is too much for the thinnest parts; give a smaller "
-                          "--smooth");
+                          " mm changes the number of voxels inside from " +
+                          std::to_string(smooth_->selected_voxels()) + " to " +
+                          std::to_string(smooth_->smooth_voxels()) +
+                          ", so thin parts or gaps are lost; give a smaller --smooth");
 }
 
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,

@@ -20,7 +20,7 @@ namespace discmc::command {
 /// Throws when the file can be read once only. purpose: what takes the pass.
 void require_second_pass(const std::string& path, const std::string& purpose);
 
-constexpr const char* gradient_pass = "normals of the gradient need a second pass";
+constexpr const char* gradient_pass = "normals of the gradient read the volume twice";
 
 /// The volume, whose notes are printed: each once, however often it is opened. All commands open
 /// volumes by this or the next ones, but info, which has notes in its table.

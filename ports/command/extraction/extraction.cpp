@@ -26,8 +26,8 @@ Arena arena_with(const Limits& limits, const Capacities& capacities) {
     return {false, bytes_for<std::uint32_t, Normals>(limits, capacities), capacities};
   throw std::invalid_argument(
       "--capacities " + std::to_string(capacities.slots) + "," + std::to_string(capacities.holes) +
-      ": invalid number of slots; give at least " + std::to_string(minimum_capacities().slots) +
-      ", and fewer than 2^31 - 8");
+      ": invalid number of slots; expected " + std::to_string(minimum_capacities().slots) + " to " +
+      std::to_string(sizing::max_slots<std::uint32_t>));
 }
 
 template <class Normals>

@@ -113,7 +113,7 @@ class Extractors {
         arena_.capacities.slots < host::Chains::min_slots)
       return false;
     return std::all_of(extractors_.begin(), extractors_.end(), [this](const AnyExtractor& each) {
-      const HighWater most = each.high_water();
+      const Peaks most = each.peaks();
       return most.slots + reserve <= arena_.capacities.slots &&
              most.holes < arena_.capacities.holes;
     });
@@ -132,7 +132,7 @@ class Extractors {
           limits, arena_.capacities, threshold, {memory_[i].get(), arena_.bytes}, surfaces[i].sink);
       if (started != Status::ok) throw std::invalid_argument(to_string(started));
       if constexpr (std::is_same_v<AnyExtractor, HostExtractor>)
-        extractors_[i].give_regions_to(surfaces[i].regions);
+        extractors_[i].set_region_receiver(surfaces[i].regions);
     }
   }
 
@@ -150,7 +150,7 @@ class Extractors {
   std::optional<MemoryUse> use_of(const AnyExtractor& extractor) const {
     if (std::is_same_v<AnyExtractor, HostExtractor>) return std::nullopt;
     return MemoryUse{arena_.bytes, extractor.bytes_used(), arena_.capacities,
-                     extractor.high_water()};
+                     extractor.peaks()};
   }
 
   Arena arena_;

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "write_failure.hpp"
+
 namespace discmc::command {
 namespace {
 
@@ -51,7 +53,7 @@ void require_folder(const std::filesystem::path& folder) {
   std::error_code ignored;
   const auto status = std::filesystem::status(named, ignored);
   if (!std::filesystem::exists(status))
-    throw std::runtime_error(named.string() + ": there is no such folder; make it first");
+    throw std::runtime_error(named.string() + ": the folder does not exist; create it");
   if (!std::filesystem::is_directory(status))
     throw std::runtime_error(named.string() + ": this is not a folder; give another name");
   if (access(named.c_str(), W_OK | X_OK) != 0)
@@ -97,15 +99,15 @@ std::ostream& OutputFile::stream() {
 
 void OutputFile::commit() {
   stream().flush();
-  if (!stream())
-    throw std::runtime_error(output_for_people(path_) + ": writing failed; is the disk full?");
+  if (!stream()) throw std::runtime_error(output_for_people(path_) + ": " + write_failure());
   if (is_standard_output()) return;
   file_.close();
-  if (!file_) throw std::runtime_error(path_.string() + ": writing failed; is the disk full?");
+  if (!file_) throw std::runtime_error(path_.string() + ": " + write_failure());
   std::error_code error;
   if (!is_in_place()) std::filesystem::rename(temporary_, target_, error);
   if (error)
-    throw std::runtime_error(path_.string() + ": the file cannot be replaced; " + error.message());
+    throw std::runtime_error(path_.string() + ": the file cannot be replaced (" + error.message() +
+                             "); give another name");
   is_committed_ = true;
   set_unfinished({});
 }

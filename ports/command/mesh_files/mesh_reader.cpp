@@ -103,8 +103,8 @@ std::vector<Mesh> read_meshes(const std::string& file) {
   const aiScene* scene =
       importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices);
   if (scene == nullptr && !importer.IsExtensionSupported(extension_of(file)))
-    throw std::runtime_error(file +
-                             ": meshes of this format are not read; export it as .ply or .stl");
+    throw std::runtime_error(
+        file + ": meshes of this format are not supported; export it as .ply or .stl");
   if (scene == nullptr)
     throw std::runtime_error(file + ": the file cannot be read as a mesh (" +
                              importer.GetErrorString() + "); export it again as .ply or .stl");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "files/write_failure.hpp"
+
 namespace discmc::command {
 
 namespace {
@@ -60,18 +62,18 @@ void Writer::make_room(std::size_t count) {
 void Writer::write_through(std::string_view bytes) {
   flush();
   out_->write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!*out_) throw std::runtime_error("writing failed");
+  if (!*out_) throw std::runtime_error(write_failure());
 }
 
 void Writer::finish() {
   flush();
   out_->flush();
-  if (!*out_) throw std::runtime_error("writing failed");
+  if (!*out_) throw std::runtime_error(write_failure());
 }
 
 void Writer::flush() {
   out_->write(buffer_.data(), static_cast<std::streamsize>(used_));
-  if (!*out_) throw std::runtime_error("writing failed");
+  if (!*out_) throw std::runtime_error(write_failure());
   used_ = 0;
 }
 

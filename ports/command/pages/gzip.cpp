@@ -8,6 +8,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "files/write_failure.hpp"
+
 namespace discmc::command {
 
 Gzip::Gzip(std::streambuf& out) : out_(out), stream_(std::make_unique<z_stream>()) {
@@ -47,7 +49,7 @@ bool Gzip::deflate(int flush) {
 }
 
 void Gzip::finish() {
-  if (!deflate(Z_FINISH)) throw std::runtime_error("the output accepts no more bytes; free space");
+  if (!deflate(Z_FINISH)) throw std::runtime_error(write_failure());
 }
 
 }  // namespace discmc::command

@@ -44,7 +44,8 @@ void StreamReader::require_ok() const {
                              " is unknown; this discmc reads version " +
                              std::to_string(wire::version) +
                              ", so use the release of discmc that wrote the stream");
-  if (status_ != Status::ok) throw std::runtime_error(to_string(status_));
+  if (status_ != Status::ok)
+    throw std::logic_error(std::string("internal error: ") + to_string(status_) + "; report it");
 }
 
 void StreamReader::decode(const std::uint8_t* bytes, std::size_t count) {

@@ -32,7 +32,7 @@ std::optional<Trial> min_without_loose_pieces(const VolumeBits& volume, const Tr
     done();
     return trial.loose_pieces == 0;
   };
-  const std::uint32_t used = plenty.high_water.slots;
+  const std::uint32_t used = plenty.peaks.slots;
   const Limits& limits = volume.limits();
   std::uint64_t end = rounded_up(bytes_of_slots(limits, used + spare_slots), step) / step;
   std::uint64_t begin = bytes_of_slots(limits, std::max(used, 1U) - 1) / step;

@@ -14,7 +14,7 @@ class SliceSteps {
   void start(const Limits& limits, KeySlices key_slices, Memory memory) {
     discmc::Arena arena(memory);
     model_.start(arena, false);
-    rows_.start(arena, limits, slices::rows_kept(limits.height, key_slices.is_every()));
+    rows_.start(arena, limits, slices::rows_kept(limits.height, key_slices.is_every_slice()));
     rows_.clear();
     limits_ = limits;
     key_slices_ = key_slices;

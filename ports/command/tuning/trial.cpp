@@ -72,7 +72,7 @@ Trial try_regions(const VolumeBits& volume, const Capacities& capacities) {
     return done;
   };
   push_all(extractor, volume, [&](std::uint32_t) { trial.slices.push_back(work()); });
-  trial.high_water = extractor.high_water();
+  trial.peaks = extractor.peaks();
   trial.loose_pieces = extractor.statistics().fragments;
   trial.work = work();
   return trial;

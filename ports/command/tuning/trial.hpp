@@ -15,7 +15,7 @@ namespace discmc::command {
 
 struct Trial {
   std::uint64_t memory = 0;  ///< that the arena or the slice encoder had; Units: bytes
-  HighWater high_water{};
+  Peaks peaks{};
   std::uint64_t loose_pieces = 0;
   std::vector<DeviceWork> slices;  ///< with what was done by the end of each, in all
   DeviceWork work;                 ///< of the whole scan

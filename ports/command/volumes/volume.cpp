@@ -91,7 +91,7 @@ void require_headerless_name(const std::filesystem::path& file) {
 
 [[noreturn]] void fail_unread(const std::filesystem::path& file, const VolumeFormat* format) {
   if (format != nullptr)
-    fail(file, "this is " + std::string(format->name) + ", which is not read",
+    fail(file, "this is " + std::string(format->name) + ", which is not supported",
          std::string(format->remedy));
   if (is_stream_name(file))
     fail(file, "this is a stream, not a volume", "give it to discmc decode, info or render");
@@ -117,7 +117,7 @@ std::unique_ptr<VolumeReader> open_stream(ByteStream stream, const VolumeFormat&
   if (format.open_stream != nullptr) return format.open_stream(std::move(stream), options);
   if (!is_read(format)) fail_unread(stream.file(), &format);
   if (stream.is_read_once())
-    fail(stream.file(), std::string(format.name) + " is not read from a pipe",
+    fail(stream.file(), std::string(format.name) + " cannot be read from a pipe",
          "store it in a file");
   if (stream.packing()) return open_unpacked(std::move(stream), options);
   return format.open_file(stream.file(), options);

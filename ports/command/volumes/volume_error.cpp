@@ -16,7 +16,7 @@ void fail(const std::string& file, const std::string& fault, const std::string& 
 }
 
 void fail_type(const std::string& file, std::string_view type) {
-  fail(file, "samples of type " + shown(type) + " are not read",
+  fail(file, "samples of type " + shown(type) + " are not supported",
        "give a volume with one number per voxel: whole, or floating point of 32 or 64 bits");
 }
 

@@ -81,7 +81,10 @@ void set_scale(VolumeInfo& info, const std::string& file, double slope, double i
   const std::string formula =
       "value = " + std::to_string(slope) + " * stored + " + std::to_string(intercept);
   if (!std::isfinite(slope) || !std::isfinite(intercept))
-    fail(file, formula + " is not finite", "correct the slope and intercept in the header");
+    fail(file,
+         "the scale " + std::to_string(slope) + " and offset " + std::to_string(intercept) +
+             " are not finite",
+         "correct the slope and intercept in the header");
   if (slope < 0)
     fail(file, formula + " has a negative slope, which would turn the surface inside out",
          "negate the samples and the slope");

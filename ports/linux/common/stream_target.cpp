@@ -2,8 +2,10 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <iostream>
 #include <stdexcept>
+#include <system_error>
 
 namespace discmc::device {
 
@@ -21,7 +23,9 @@ StreamTarget::StreamTarget(const std::string& path)
 }
 
 void StreamTarget::flush() {
-  if (!out_->flush()) throw std::runtime_error(path_ + ": writing failed; is the disk full?");
+  if (!out_->flush())
+    throw std::runtime_error(path_ + ": writing failed (" + std::generic_category().message(errno) +
+                             "); free space, or give another folder");
 }
 
 }  // namespace discmc::device

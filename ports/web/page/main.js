@@ -167,16 +167,13 @@ class Page {
 
   /** @param {any} stream at its end */
   reportStream(stream) {
-    const missing = [
-      counted(stream.lostPackets, 'packet'),
-      stream.holdsSlices ? counted(stream.lostPieces, 'row')
-        : `${whole(stream.lostPieces)} regions or fragments`,
-      ...(stream.hasTrailer ? [] : ['the end']),
-    ];
+    const pieces = stream.holdsSlices ? counted(stream.lostPieces, 'row')
+      : `${whole(stream.lostPieces)} regions or fragments`;
     by('stream-text').textContent = stream.isComplete
       ? `Complete: ${whole(stream.bytes)} bytes, threshold ${number(stream.threshold)}.`
-      : `Incomplete. Missing: ${missing.join(', ')}. Damaged: ${counted(stream.damagedPackets, 'packet')}. ` +
-        'The page shows the complete parts.';
+      : `Incomplete: ${counted(stream.lostPackets, 'packet')} and ${pieces} lost` +
+        `${stream.hasTrailer ? '' : ', the end missing'}; ` +
+        `${counted(stream.damagedPackets, 'packet')} damaged. The page shows what arrived.`;
     this.showCounts(stream.polygons, stream.classicTriangles);
   }
 
@@ -264,7 +261,7 @@ class Page {
       showBusy('');
       if (surface.leftOut > 0)
         showError(`${this.opened.name}: ${whole(surface.leftOut)} polygons are invalid and ` +
-          'left out; check where the stream is from');
+          'left out; the stream may be damaged, or from another program');
     } catch (error) {
       fail(/** @type {Error} */ (error));
     }

@@ -160,8 +160,8 @@ function asAnswer(error, file) {
     return { unknownLayout: { name: error.file.name, size: error.file.size } };
   if (error instanceof FileError) return { message: error.message };
   if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)
-    return { message: `${file}: the memory of the page is not enough for it; ` +
-      'close other pages, or make the volume smaller' };
+    return { message: `${file}: the file needs more memory than the page has; close other pages, ` +
+      'or shrink the volume with discmc extract --shrink 2 -o FILE.dmc' };
   return { message: `${file}: ${error instanceof Error ? error.message : error}; ` +
     'check whether the file is damaged' };
 }

@@ -42,7 +42,7 @@ class Scan {
   void extract(Receiver& receiver) {
     require_ok(extractor_.start(limits(), volume_.threshold, {memory_.get(), arena_bytes},
                                 make_sink(receiver)));
-    extractor_.give_regions_to(make_region_receiver(receiver));
+    extractor_.set_region_receiver(make_region_receiver(receiver));
     const uint32_t slice = volume_.width * volume_.height;
     std::visit(
         [&](const auto& samples) {

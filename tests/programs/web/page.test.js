@@ -113,7 +113,7 @@ test('wrong, damaged and huge files are refused, and the page goes on', async ()
   assert.equal(await shownPolygons(page), byCommand(425), 'what was open before still is');
 
   await openFiles(page, damaged);
-  assert.match(await page.textContent('#stream-text'), /^Incomplete. Missing: [1-9]\d* packets?, [1-9]\d* regions or fragments/);
+  assert.match(await page.textContent('#stream-text'), /^Incomplete: [1-9]\d* packets? and [1-9]\d* regions or fragments lost/);
   await openFiles(page, stream);
   await streamTells(page, 'Complete');
   assert.deepEqual(complaints, []);

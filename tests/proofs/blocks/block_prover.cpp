@@ -141,7 +141,7 @@ const char* BlockProver::flaw() const {
   if (sum.unpaired != 0) return "an inner link that is used in one direction only";
   if (sum.fingerprint != forest_.fingerprint()) return "other regions than the facets make";
   if (sum.links != forest_.links()) return "a boundary with a slit";
-  if (extractor_.high_water().slots > max_slots) return "a slot that is not given back";
+  if (extractor_.peaks().slots > max_slots) return "a slot that is not given back";
   return nullptr;
 }
 

@@ -120,7 +120,7 @@ class CountedScan {
     const uint64_t taken = blocks - before;
     require_ok(status);
     asked.delivered = counter_.events - events;
-    asked.is_short = room_.capacities.slots < extractor_.high_water().slots + plenty;
+    asked.is_short = room_.capacities.slots < extractor_.peaks().slots + plenty;
     calls_.push_back({asked, taken});
   }
 

@@ -13,7 +13,7 @@ namespace discmc::reference {
 struct Joined {
   Events events;
   JoinReport report;
-  JoinCapacities high_water;
+  JoinCapacities peaks;
   Status status;
 };
 
@@ -52,7 +52,7 @@ inline Joined join_all(const Events& events, const JoinPlan& plan) {
     status = joiner.finish();
   }
   if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
-  const JoinCapacities most = joiner.high_water();
+  const JoinCapacities most = joiner.peaks();
   if (most.fragments > plan.capacities.fragments || most.runs > plan.capacities.runs)
     throw std::runtime_error("in use beyond the capacity");
   return {std::move(log.events), joiner.report(), most, status};

@@ -166,7 +166,7 @@ inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& siz
   RowLog log(refuses);
   log.set_width(size.width);
   SliceDecoder decoder;
-  reference::require_ok(decoder.start(block.memory(), row_sink_to(log)));
+  reference::require_ok(decoder.start(block.memory(), make_row_sink(log)));
   const Status status = push_stream(decoder, bytes, chunk);
   if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
   return {log.rows, decoder.report(), status};

@@ -136,8 +136,8 @@ void compare(const discmc_extractor_kind& kind, discmc_sample_type type,
   CHECK(info.statistics.skipped_rows == 1);
   CHECK(info.slices == depth);
   // What keeps nodes may take a few more after it was restored.
-  if (&kind != &discmc_host) CHECK(info.peak_slots == scanner->high_water().slots);
-  CHECK(info.peak_holes == scanner->high_water().holes);
+  if (&kind != &discmc_host) CHECK(info.peak_slots == scanner->peaks().slots);
+  CHECK(info.peak_holes == scanner->peaks().holes);
 }
 
 template <class Sample>

@@ -88,7 +88,7 @@ bool refuses_some(uint64_t offer) {
 // With so many slots in use they have been taken for queues and nodes.
 template <class Extractor>
 bool has_kept_nodes(const Extractor& extractor) {
-  return extractor.high_water().slots >= min_for_nodes / 4;
+  return extractor.peaks().slots >= min_for_nodes / 4;
 }
 
 // A scan of a volume with few slots beyond the least, so that its fragments are handed over on
@@ -195,7 +195,7 @@ void check_steps(const BitVolume& volume, const std::vector<Step>& steps) {
   const auto check = [&](uint32_t beyond, uint32_t in_use) {
     CAPTURE(beyond);
     const Statistics totals = totals_of(extractor, volume, min_for_nodes + beyond);
-    CHECK(extractor.high_water().slots == in_use);
+    CHECK(extractor.peaks().slots == in_use);
     CHECK(totals.links == expected.links);
     CHECK(totals.regions == expected.regions);
     CHECK(totals.fragments == 0);
@@ -365,7 +365,7 @@ TEST_CASE("a deep scan keeps its nodes in the memory of a shallow one") {
     BitVolume volume({size.width, size.height, depth});
     for (size_t i = 0; i < volume.on.size(); ++i) volume.on[i] = slices.on[i % slices.on.size()];
     CHECK(scanned(extractor, volume, {}, {slots, 100}).events == expected_of(volume).events);
-    return extractor.high_water().slots;
+    return extractor.peaks().slots;
   };
   const uint32_t enough = slots_of(8, 400000);
   CHECK(enough > min_for_nodes);  // more than at first
@@ -373,7 +373,7 @@ TEST_CASE("a deep scan keeps its nodes in the memory of a shallow one") {
   for (const uint32_t slots : {enough, 3 * enough / 2}) CHECK(slots_of(4, slots) <= slots);
 }
 
-// What queues and nodes take shows in high_water() alone.
+// What queues and nodes take shows in peaks() alone.
 TEST_CASE("more memory for nodes is taken in steps, each by whoever has just enough for it") {
   check_steps(box({5, 5, 5}, {1, 1, 1}, {3, 3, 3}), {{0, 32713}});
   check_steps(zigzag_columns({40, 40, 12}),
@@ -468,7 +468,7 @@ TEST_CASE("a region that is given whole is one that is left to the sink") {
     Block block(bytes_for<uint32_t>(limits_of(volume, Border::closed), much));
     require_ok(extractor.start(limits_of(volume, Border::closed), much, 1, block.memory(),
                                make_sink(log)));
-    extractor.give_regions_to(make_region_receiver(receiver));
+    extractor.set_region_receiver(make_region_receiver(receiver));
     push_all(extractor, volume.on);
     finish_all(extractor);
     CHECK(receiver.offered > 0);
@@ -486,7 +486,7 @@ TEST_CASE("a stream has the same bytes if its encoder is offered regions at once
     Block block(bytes_for<uint32_t>(limits_of(volume, Border::closed), much));
     require_ok(extractor.start(limits_of(volume, Border::closed), much, 1, block.memory(),
                                make_sink(encoder)));
-    if (at_once) extractor.give_regions_to(make_region_receiver(encoder));
+    if (at_once) extractor.set_region_receiver(make_region_receiver(encoder));
     push_all(extractor, volume.on);
     finish_all(extractor);
     return line.bytes;
@@ -790,7 +790,7 @@ TEST_CASE("the corners of loose fragments that have gone out are used again") {
     if (has_fragments) put_noise(0);
     put_noise(5);
     (void)SlabScan{volume, Border::closed, 1, 9}.by(extractor, much);
-    return extractor.high_water().slots;
+    return extractor.peaks().slots;
   };
   // But for the runs of one fragment, as it goes out.
   CHECK(slots_used(true) < slots_used(false) + 1000);

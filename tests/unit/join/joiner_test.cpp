@@ -171,7 +171,7 @@ TEST_CASE("the loose fragments of a sweep are joined to its regions") {
       CHECK(joined.status == Status::ok);
       CHECK(joined.report.received == fragments_in(pieces));
       CHECK(joined.report.unmatched == 0);
-      CHECK(joined.report.passed_on == 0);
+      CHECK(joined.report.short_of_memory == 0);
     }
 }
 
@@ -338,8 +338,8 @@ TEST_CASE("what a joiner with too little memory passes on, another joins") {
         REQUIRE(unlike(second.events, surface.regions) == "");
         REQUIRE(second.status == Status::ok);
         REQUIRE(first.status ==
-                (first.report.passed_on > 0 ? Status::too_little_memory : Status::ok));
-        REQUIRE(first.report.passed_on == Delivered(first.events).fragments.size());
+                (first.report.short_of_memory > 0 ? Status::too_little_memory : Status::ok));
+        REQUIRE(first.report.short_of_memory == Delivered(first.events).fragments.size());
         REQUIRE(first.report.unmatched == 0);
       }
   }
@@ -358,8 +358,8 @@ TEST_CASE("with any number of bytes from the least on") {
     REQUIRE(Joiner::bytes_for(plan.capacities) <= bytes);
     const Joined joined = join_all(events, plan);
     REQUIRE(unlike(join_all(joined.events, {}).events, surface.regions) == "");
-    REQUIRE(joined.report.passed_on <= passed_before);
-    passed_before = joined.report.passed_on;
+    REQUIRE(joined.report.short_of_memory <= passed_before);
+    passed_before = joined.report.short_of_memory;
   }
   CHECK(passed_before == 0);
 }
@@ -369,7 +369,7 @@ TEST_CASE("the marks tell what would have been enough") {
   for (const Surface& surface : surfaces()) {
     const Events events = events_of(cut(surface.regions, cuts_of(chance)));
     CAPTURE(surface.name);
-    const JoinCapacities most = join_all(events, {}).high_water;
+    const JoinCapacities most = join_all(events, {}).peaks;
     CAPTURE(most.fragments);
     CAPTURE(most.runs);
     JoinPlan plan;
@@ -394,7 +394,7 @@ void check_crowd(const Events& events, const JoinPlan& plan, uint64_t regions) {
   const Joined first = join_all(events, plan);
   CHECK(first.status == Status::too_little_memory);
   CHECK(first.events == events);
-  CHECK(first.report.passed_on == count(events, Kind::fragment));
+  CHECK(first.report.short_of_memory == count(events, Kind::fragment));
   JoinPlan slow = plan;
   slow.refuses = refuses_first;
   CHECK(join_all(events, slow).events == events);
@@ -474,12 +474,12 @@ TEST_CASE("what cannot be joined may be left out") {
   for (const Surface& surface : surfaces()) {
     const Events events = events_of(cut(surface.regions, cuts_of(chance)));
     JoinPlan plan;
-    plan.unjoined = Unjoined::left_out;
+    plan.unjoined = Unjoined::dropped;
     CHECK(unlike(join_all(events, plan).events, surface.regions) == "");
     plan.capacities = {5, 30};
     const Joined joined = join_all(events, plan);
     CHECK(joined.status == Status::too_little_memory);
-    CHECK(joined.report.passed_on > 0);
+    CHECK(joined.report.short_of_memory > 0);
     CHECK(Delivered(joined.events).fragments.empty());
   }
 }
@@ -518,7 +518,7 @@ TEST_CASE("a sink for whole regions gets those of the volume from an extractor s
       const std::vector<Region> regions = simple_rings(collected(got.log.events).regions());
       CHECK(describe_difference(canonical(regions), canonical(merge(volume, true))) == "");
       CHECK(got.log.starts.size() == 1);
-      CHECK(got.joiner.report().unmatched + got.joiner.report().passed_on == 0);
+      CHECK(got.joiner.report().unmatched + got.joiner.report().short_of_memory == 0);
     }
 }
 
@@ -526,7 +526,7 @@ TEST_CASE("what does not fit its joiner such a sink lacks, and the report counts
   const BitVolume volume = random({9, 8, 7}, 128, 1);
   const WholeRegions got(volume, Joiner::minimum_bytes());
   CHECK(count(got.log.events, Kind::region) < merge(volume, true).size());
-  CHECK(got.joiner.report().passed_on > 0);
+  CHECK(got.joiner.report().short_of_memory > 0);
 }
 
 TEST_CASE("such a sink has no function when its joiner has too little memory") {
@@ -543,7 +543,7 @@ TEST_CASE("a sink may refuse any event, and it does not show") {
   Chance chance(10);
   const Surface& surface = surfaces()[0];
   for (const InputOrder order : {InputOrder::sweep, InputOrder::any})
-    for (const Unjoined unjoined : {Unjoined::passed_on, Unjoined::left_out})
+    for (const Unjoined unjoined : {Unjoined::passed_on, Unjoined::dropped})
       for (const JoinCapacities& capacities :
            {JoinCapacities{500, 5000}, {12, 100}, {3, 1000}, {1, 1}}) {
         JoinPlan plan;
@@ -564,7 +564,7 @@ TEST_CASE("a sink may refuse any event, and it does not show") {
         CHECK(slow.events == plain.events);
         CHECK(slow.report.received == plain.report.received);
         CHECK(slow.report.unmatched == plain.report.unmatched);
-        CHECK(slow.report.passed_on == plain.report.passed_on);
+        CHECK(slow.report.short_of_memory == plain.report.short_of_memory);
       }
 }
 
@@ -673,7 +673,7 @@ TEST_CASE("what is lost of a fragment that is passed on, the sink is told") {
   CHECK(join_all(events, plan).events == events);
   plan.refuses = [](uint64_t offer) { return offer % 2 == 0; };
   CHECK(join_all(events, plan).events == events);
-  plan.unjoined = Unjoined::left_out;
+  plan.unjoined = Unjoined::dropped;
   CHECK(join_all(events, plan).events.empty());
 }
 
@@ -720,7 +720,7 @@ TEST_CASE("the finish event counts what was delivered") {
   for (const JoinPlan& plan : {JoinPlan{InputOrder::sweep, {500, 5000}},
                                {InputOrder::sweep, {20, 100}},
                                {InputOrder::sweep, {1, 1}},
-                               {InputOrder::sweep, {5, 30}, Unjoined::left_out}}) {
+                               {InputOrder::sweep, {5, 30}, Unjoined::dropped}}) {
     const Pieces pieces = cut(surface.regions, cuts_of(chance));
     Events events = events_of(pieces);
     Statistics sent{};
@@ -1031,7 +1031,7 @@ TEST_CASE("events in no order that the grammar has do no harm") {
     JoinPlan plan;
     plan.order = round % 2 == 0 ? InputOrder::sweep : InputOrder::any;
     if (round % 3 == 0) plan.capacities = {1 + chance.below(50), 1 + chance.below(200)};
-    plan.unjoined = round % 5 != 0 ? Unjoined::passed_on : Unjoined::left_out;
+    plan.unjoined = round % 5 != 0 ? Unjoined::passed_on : Unjoined::dropped;
     (void)join_all(events, plan);
   }
 }
@@ -1079,12 +1079,12 @@ TEST_CASE("a joiner that is started again has forgotten everything") {
   for (int i = 0; i < 2; ++i) {
     REQUIRE(joiner.start({memory.data(), memory.size()}, make_sink(log), InputOrder::sweep) ==
             Status::ok);
-    CHECK(joiner.high_water().fragments == 0);
+    CHECK(joiner.peaks().fragments == 0);
     for (const RecordedEvent& event : half)
       REQUIRE(joiner.take(event.event()) == SinkResult::accepted);
     CHECK(joiner.report().received == 1);
-    CHECK(joiner.high_water().fragments == 1);
-    CHECK(joiner.high_water().runs == 1);
+    CHECK(joiner.peaks().fragments == 1);
+    CHECK(joiner.peaks().runs == 1);
   }
   CHECK(log.events.empty());
 }

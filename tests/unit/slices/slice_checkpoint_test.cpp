@@ -245,7 +245,7 @@ TEST_CASE("what cannot be saved or restored of slices is refused") {
   CHECK(encoder.restore(checkpoint, {memory, whole.bytes - 1}, store.output()) ==
         Status::bad_checkpoint);
   CHECK(encoder.restore(checkpoint, whole, {}) == Status::bad_sink);
-  CHECK(encoder.continue_in({memory, whole.bytes - 1}, store.output()) ==
+  CHECK(encoder.resume_in_place({memory, whole.bytes - 1}, store.output()) ==
         Status::too_little_memory);
   CHECK(encoder.restore(checkpoint, whole, store.output()) == Status::ok);
   std::memmove(memory + 1, memory, whole.bytes);

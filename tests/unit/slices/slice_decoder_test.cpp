@@ -385,11 +385,11 @@ TEST_CASE("a slice decoder that is started again forgets everything") {
   for (size_t count = 0; count < stream.size(); count += 23)
     for (const int most : {1000, 0, 1, 24}) {
       Taker taker{most};
-      reference::require_ok(decoder.start(all, row_sink_to(taker)));
+      reference::require_ok(decoder.start(all, make_row_sink(taker)));
       (void)decoder.push(stream.data(), count);
       RowLog log(false);
       log.set_width(40);
-      reference::require_ok(decoder.start(all, row_sink_to(log)));
+      reference::require_ok(decoder.start(all, make_row_sink(log)));
       reference::require_ok(push_stream(decoder, stream, 0));
       CHECK(log.starts.size() == 1);
       REQUIRE(log.rows.size() == expected.rows.size());
@@ -405,11 +405,11 @@ TEST_CASE("a slice decoder that is started again has neither a refusal nor a sli
   const Memory all{memory.data(), memory.size()};
   SliceDecoder decoder;
   RowLog log(false);
-  reference::require_ok(decoder.start({}, row_sink_to(log)));
+  reference::require_ok(decoder.start({}, make_row_sink(log)));
   CHECK(decoder.push(stream.data(), stream.size()).status == Status::too_little_memory);
   for (const uint64_t rows : {3U, 0U}) {
     const Bytes& bytes = rows > 0 ? stream : unheard;
-    reference::require_ok(decoder.start(all, row_sink_to(log)));
+    reference::require_ok(decoder.start(all, make_row_sink(log)));
     reference::require_ok(decoder.push(bytes.data(), bytes.size()).status);
     CHECK(decoder.report().rows == rows);
     CHECK(decoder.report().damaged_packets == 0);
@@ -480,14 +480,14 @@ TEST_CASE("a sink may refuse a start, rows, losses and the end, and gets them ag
   Bytes memory(slice_decoder_bytes(limits, 2));
   for (Sullen* sink : {&willing, &sullen}) {
     SliceDecoder decoder;
-    reference::require_ok(decoder.start({memory.data(), memory.size()}, row_sink_to(*sink)));
+    reference::require_ok(decoder.start({memory.data(), memory.size()}, make_row_sink(*sink)));
     reference::require_ok(push_stream(decoder, stream, 0));
     CHECK(decoder.report().rows == 6);
     CHECK(decoder.report().lost_rows == 9);
   }
   Sullen wall{true};
   SliceDecoder waiting;
-  reference::require_ok(waiting.start({memory.data(), memory.size()}, row_sink_to(wall)));
+  reference::require_ok(waiting.start({memory.data(), memory.size()}, make_row_sink(wall)));
   const Decoded refused = waiting.push(stream.data(), stream.size());
   CHECK(refused.status == Status::suspended);
   CHECK(refused.bytes == frames_of(stream).front().size());
@@ -510,7 +510,7 @@ TEST_CASE("a slice decoder needs as much memory as is said, whatever the width")
     SliceDecoder decoder;
     RowLog log(false);
     CHECK(decoder.push(stream.data(), 1).bytes == 0);
-    reference::require_ok(decoder.start({memory.data(), memory.size()}, row_sink_to(log)));
+    reference::require_ok(decoder.start({memory.data(), memory.size()}, make_row_sink(log)));
     CHECK(decoder.push(stream.data(), stream.size()).status == Status::too_little_memory);
   }
 }
@@ -522,7 +522,7 @@ TEST_CASE("memory is given to a slice decoder that has too little, and to no oth
   SliceDecoder decoder;
   RowLog log(false);
   CHECK(decoder.give_memory(all) == Status::not_started);
-  reference::require_ok(decoder.start({}, row_sink_to(log)));
+  reference::require_ok(decoder.start({}, make_row_sink(log)));
   CHECK(decoder.give_memory(all) == Status::ok);
   CHECK(decoder.push(stream.data(), stream.size()).status == Status::too_little_memory);
   CHECK(decoder.finish() == Status::too_little_memory);
@@ -539,7 +539,7 @@ TEST_CASE("of a stream of regions a slice decoder hands out nothing, and needs n
   const BitVolume volume = reference::random(size, 60, 3);
   SliceDecoder decoder;
   RowLog log(false);
-  reference::require_ok(decoder.start({}, row_sink_to(log)));
+  reference::require_ok(decoder.start({}, make_row_sink(log)));
   CHECK(push_stream(decoder, encode(events_of(volume), header_of(volume)), 0) == Status::ok);
   CHECK(log.starts.empty());
   CHECK(log.rows.empty());
@@ -591,7 +591,7 @@ TEST_CASE("the end of a stream that the sink refuses is told when the decoder is
   RowLog log(true);
   log.set_width(limits.width);
   SliceDecoder decoder;
-  reference::require_ok(decoder.start({memory.data(), memory.size()}, row_sink_to(log)));
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, make_row_sink(log)));
   CHECK(push_until_done(decoder, stream) == stream.size());
   CHECK(log.rows.back().is(RowEvent::Kind::finish));
 }

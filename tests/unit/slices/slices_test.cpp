@@ -162,7 +162,7 @@ TEST_CASE("what was flushed has arrived, row for row") {
   RowLog log(false);
   SliceDecoder decoder;
   Bytes memory(slice_decoder_bytes({20, 20}));
-  reference::require_ok(decoder.start({memory.data(), memory.size()}, row_sink_to(log)));
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, make_row_sink(log)));
   size_t sent = 0;
   for (uint32_t row = 0; row < 60; ++row) {
     push_rows(device.encoder, &volume.on[row * 20], 20, 20);

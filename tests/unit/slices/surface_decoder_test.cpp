@@ -226,7 +226,7 @@ Events swept(const Bytes& stream, const Scan& scan, uint8_t channel) {
   reference::require_ok(
       sweep.extractor.start(size, 1, {memory.data(), memory.size()}, make_sink(log)));
   SliceDecoder decoder;
-  reference::require_ok(decoder.start({rows.data(), rows.size()}, row_sink_to(sweep)));
+  reference::require_ok(decoder.start({rows.data(), rows.size()}, make_row_sink(sweep)));
   reference::require_ok(push_stream(decoder, stream, 0));
   return log.events;
 }

@@ -115,7 +115,7 @@ TEST_CASE("a hole is found by its plane, and when no ring comes, at last") {
   }
 }
 
-TEST_CASE("the high-water mark counts the holes that waited at once, and begins anew with a scan") {
+TEST_CASE("the peak counts the holes that waited at once, and begins anew with a scan") {
   // Three holes in each of two faces of a plate.
   BitVolume plate = box({13, 7, 3}, {0, 0, 1}, {12, 6, 1});
   for (const int64_t x : {2, 6, 10}) plate.on[plate.index(x, 2, 1)] = 0;
@@ -125,21 +125,21 @@ TEST_CASE("the high-water mark counts the holes that waited at once, and begins 
   Extractor16 extractor;
   require_ok(extractor.start(limits, ample, 1, block.memory(), make_sink(log)));
   push_all(extractor, plate.on);
-  const uint32_t slots = extractor.high_water().slots;
-  CHECK(extractor.high_water().holes == 3);
+  const uint32_t slots = extractor.peaks().slots;
+  CHECK(extractor.peaks().holes == 3);
   // The next scan breaks off while the first three wait.
   require_ok(extractor.reset());
   const auto begun = static_cast<std::ptrdiff_t>(plate.index(0, 5, 1));
   push_all(extractor, std::vector<uint8_t>(plate.on.begin(), plate.on.begin() + begun));
-  CHECK(extractor.high_water().holes == 3);
+  CHECK(extractor.peaks().holes == 3);
   require_ok(extractor.reset());
-  CHECK(extractor.high_water().holes == 0);
+  CHECK(extractor.peaks().holes == 0);
   for (int plates = 0; plates < 50; ++plates) push_all(extractor, plate.on);
   BitVolume one_hole = plate;
   for (const int64_t x : {2, 6}) one_hole.on[plate.index(x, 2, 1)] = 1;
   push_all(extractor, one_hole.on);
-  CHECK(extractor.high_water().holes == 3);
-  CHECK(extractor.high_water().slots == slots);
+  CHECK(extractor.peaks().holes == 3);
+  CHECK(extractor.peaks().slots == slots);
 }
 
 TEST_CASE("however few slots or holes there may be, the rings of a sieve are the same") {

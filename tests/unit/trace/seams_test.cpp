@@ -79,13 +79,13 @@ TEST_CASE("a slab ends where there are no more numbers for slices") {
   Extractor16 extractor;
   require_ok(extractor.start(limits, 1, block.memory(), make_sink(log)));
   const PushResult at_once = extractor.push(slices.data(), 5 * 6);
-  CHECK(at_once.status == Status::too_deep);
+  CHECK(at_once.status == Status::too_many_slices);
   CHECK(at_once.samples == 3 * 6);
   require_ok(extractor.finish());
 
   require_ok(extractor.reset());
   for (int slice = 0; slice < 3; ++slice)
     CHECK(extractor.push(slices.data(), 6).status == Status::ok);
-  CHECK(extractor.skip_row(Substitute::off).status == Status::too_deep);
+  CHECK(extractor.skip_row(Substitute::off).status == Status::too_many_slices);
   require_ok(extractor.finish());
 }

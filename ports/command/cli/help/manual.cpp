@@ -90,7 +90,12 @@ std::string manual(const CommandOutline& program, const std::string& version) {
   for (const GroupOutline& group : program.groups) page += entries(group.options);
   page += ".SH COMMANDS\n";
   for (const CommandOutline& command : program.commands) page += section_of(command);
-  return page + ".SH EXIT STATUS\n" + escaped(program.footer) + '\n';
+  // The footer: examples, and a last paragraph with the exit codes.
+  const std::size_t gap = program.footer.rfind("\n\n");
+  if (gap == std::string::npos) return page;
+  const std::size_t begin = program.footer.find('\n') + 1;  // behind the heading
+  page += ".SH EXAMPLES\n" + as_they_are(program.footer.substr(begin, gap - begin));
+  return page + ".SH EXIT STATUS\n" + escaped(program.footer.substr(gap + 2)) + '\n';
 }
 
 }  // namespace discmc::command

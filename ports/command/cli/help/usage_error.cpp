@@ -128,10 +128,6 @@ bool is_file(const std::string& argument) {
 }
 
 std::string unknown_command(const std::string& argument, const CLI::App& app) {
-  const std::vector<CLI::App*> given = app.get_subcommands();
-  if (argument == "help")
-    return "'help' is not a command; write discmc " +
-           (given.empty() ? "--help, or discmc COMMAND" : given.front()->get_name()) + " --help";
   const std::vector<std::string> commands = names_of_commands(app);
   const std::string near = nearest(argument, commands);
   if (near.empty() && is_file(argument))

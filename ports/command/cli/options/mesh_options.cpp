@@ -47,7 +47,7 @@ CLI::Option* add_output_option(CLI::App& app, std::string& output,
 }
 
 void add_format_option(CLI::App& app, std::string& format) {
-  app.add_option("--format", format, "with -o -: the format of standard output, as an extension")
+  app.add_option("--format", format, "the format of standard output (with -o -), such as stl")
       ->check(CLI::Validator(
           [](std::string& text) {
             const std::string name = text.rfind('.', 0) == 0 ? text.substr(1) : text;
@@ -87,7 +87,7 @@ void add_mesh_options(CLI::App& app, MeshOptions& mesh) {
           std::to_string(max_face_corners) + " corners, for programs that accept concave n-gons");
   app.add_flag(
       "--conforming,!--no-conforming", mesh.conforming,
-      "write a mesh without T-junctions (default), or one with fewer vertices that has them");
+      "write a mesh without T-junctions (default), or with fewer vertices and with T-junctions");
 }
 
 void add_component_options(CLI::App& app, ComponentChoice& components) {
@@ -127,8 +127,10 @@ void add_space_option(CLI::App& app, std::optional<MeshSpace>& space) {
       app, "--space", space,
       NamedValues<MeshSpace>{
           {"lps", MeshSpace::lps}, {"ras", MeshSpace::ras}, {"voxel", MeshSpace::voxel}},
-      "the coordinates of a mesh; lps, ras: of the patient, by the origin and axes of the volume; "
-      "voxel: index times spacing (default: lps if the file has an orientation, otherwise the "
+      "the coordinates of a mesh; lps, ras: of the patient, from the origin and axes of the "
+      "volume, "
+      "as in DICOM and in NIfTI; voxel: voxel index times spacing (default: lps if the file has an "
+      "orientation, otherwise the "
       "coordinates of the file)");
 }
 
@@ -174,13 +176,13 @@ void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolera
   app.option_defaults()->group(mesh_group);
   add_named_option(app, "--surface", interpolates,
                    NamedValues<bool>{{"merged", false}, {"interpolated", true}},
-                   "the place of the vertices; merged: halfway between voxels, in flat polygons; "
+                   "where the vertices lie; merged: halfway between voxels, in flat polygons; "
                    "interpolated: where the samples cross the threshold, as in classic Marching "
                    "Cubes; the default with --smooth, and of samples with --triangles or "
                    "--max-error");
   app.add_option("--tolerance", tolerance,
                  "the largest distance of an interpolated surface from these crossings, in voxels; "
-                 "less needs more triangles; with --triangles or --max-error the default is 0")
+                 "less needs more triangles; 0 is the default with --triangles or --max-error")
       ->check(finite())
       ->check(not_negative())
       ->option_text("VOXELS")
@@ -196,7 +198,7 @@ void add_decimation_options(CLI::App& app, Decimation& decimation) {
       ->option_text("N");
   app.add_option("--max-error", decimation.max_error_mm,
                  "decimate each mesh until its estimated error is MM millimetres; the mean "
-                 "distance is up to about MM / 4, single places are up to about 3 MM away")
+                 "distance is up to about MM / 4, the largest distance up to about 3 MM")
       ->check(accepted([](double length) { return length > 0; }, "millimetres above 0"))
       ->option_text("MM");
 }

@@ -55,17 +55,20 @@ void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
                  "--crop and --shrink apply to the mask, too")
       ->check(CLI::Validator(
           [](std::string& text) {
-            return text == "-" ? std::string("a mask is not read from standard input; name a file")
-                               : std::string();
+            return text == "-"
+                       ? std::string("a mask cannot be read from standard input; name a file")
+                       : std::string();
           },
           ""))
       ->option_text("FILE");
   app.add_flag("--allow-empty", arguments.allows_empty, "succeed even if the surface is empty");
   CLI::Option* memory = add_memory_option(
       app, arguments.memory,
-      "bytes of the extractor's arena, with K or M for 1024 and 1024^2 (default: enough for all)");
+      "bytes of the extractor's memory, with K or M for 1024 and 1024^2 (default: as many as the "
+      "surface needs)");
   app.add_option("--capacities", arguments.capacities,
-                 "slots and holes of the extractor's arena, instead of --memory")
+                 "slots, and holes that wait in them, of the extractor, instead of --memory "
+                 "(docs/memory.md)")
       ->delimiter(',')
       ->expected(2)
       ->option_text("SLOTS,HOLES")

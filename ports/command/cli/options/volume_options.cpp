@@ -64,7 +64,8 @@ void add_part_options(CLI::App& app, VolumeOptions& options) {
   app.add_option_function<std::string>(
          "--crop", [&options](const std::string& text) { options.crop = crop_of(text); },
          "read voxels A to B along x, C to D along y, E to F along z; the first is 0. Omit A or B "
-         "for the first or last voxel, as in ..,..,100... Coordinates do not change")
+         "for the first or last voxel: '..,..,100..' keeps the slices from 100 on. The mesh keeps "
+         "its coordinates")
       ->check(CLI::Validator(
           [](std::string& text) {
             return crop_of(text)
@@ -75,8 +76,8 @@ void add_part_options(CLI::App& app, VolumeOptions& options) {
           ""))
       ->option_text("A..B,C..D,E..F");
   app.add_option("--shrink", options.shrink,
-                 "replace N x N x N voxels by their mean, after --crop; labels by the most "
-                 "frequent. The last blocks along an axis may be smaller")
+                 "replace each block of N x N x N voxels by its mean, or by its most frequent "
+                 "label, after --crop. The last block along an axis may be smaller")
       ->check(CLI::Range(2, 16))
       ->option_text("N");
 }
@@ -126,21 +127,20 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
       ->option_text("N");
   app.add_option("--axes", options.axes,
                  "the axes of an array (NumPy, HDF5, Zarr), the slowest first: letters of tczyx. "
-                 "--frame chooses t, --channel chooses c. For pages of a TIFF: zyx, cyx or tyx "
-                 "(default: the axes in the file, or zyx)")
+                 "--frame chooses t, --channel chooses c. The pages of a TIFF are along z, c or t: "
+                 "zyx, cyx or tyx (default: the axes in the file, or zyx)")
       ->check(usable_axes())
       ->option_text("LETTERS");
   app.add_option("--level", options.level,
-                 "read this resolution of OME-Zarr; the finest is 0 (default: the finest whose "
-                 "slices are not too large)")
+                 "read this resolution of OME-Zarr; the finest is 0 (default: the finest with at most "
+                 "32766 voxels along x and y)")
       ->option_text("N");
   app.add_option_function<std::vector<double>>(
          "--spacing",
          [&options](const std::vector<double>& spacing) {
            std::copy_n(spacing.begin(), 3, options.spacing_mm.emplace().begin());
          },
-         "distances between voxels in millimetres, instead of those in the file (default: those in "
-         "the file, otherwise 1)")
+         "distances between voxels in millimetres (default: those in the file, otherwise 1)")
       ->delimiter(',')
       ->expected(3)
       ->option_text("X,Y,Z")

@@ -107,7 +107,7 @@ ByteStream member(ByteStream archive, std::string_view name) {
 std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
   if (stream.is_read_once())
-    fail(file, "projects of InVesalius are not read from a pipe",
+    fail(file, "projects of InVesalius cannot be read from a pipe",
          "store the project in a file first");
   ByteStream list = member(std::move(stream), "main.plist");
   constexpr std::size_t max_list_bytes = 1U << 20;

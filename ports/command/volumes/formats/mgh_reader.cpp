@@ -25,7 +25,7 @@ SampleType sample_type(const std::filesystem::path& file, std::int32_t type) {
     case 10:
       return SampleType::u16;
     default:
-      fail(file, "samples of FreeSurfer's type " + std::to_string(type) + " are not read",
+      fail(file, "samples of FreeSurfer's type " + std::to_string(type) + " are not supported",
            "convert it, e.g. with: mri_convert -odt float " + file.string() + " OUT.nii.gz");
   }
 }

@@ -76,7 +76,7 @@ Storage storage_of(VolumeInfo& info, const std::filesystem::path& file, const He
     case 12:
       return {SampleType::f32, true};
     default:
-      fail(file, "samples of MRC's mode " + std::to_string(mode) + " are not read",
+      fail(file, "samples of MRC's mode " + std::to_string(mode) + " are not supported",
            mode == 3 || mode == 4 ? "give a map of real numbers, not of a transform"
                                   : "convert it, e.g. with IMOD: newstack -mode 2 IN OUT");
   }

@@ -242,7 +242,7 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
     fail(file, "a voxel has " + shown(components) + " numbers", "give a volume of one");
   const std::string_view compressor = head.root().attribute("compressor").value();
   if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-    fail(file, "samples of " + shown(compressor) + " are not read",
+    fail(file, "samples of " + shown(compressor) + " are not supported",
          "write the file with zlib, or not compressed");
 
   VolumeInfo info;

@@ -74,14 +74,14 @@ async function imagesOf(file) {
   const unpack = unpackFor(syntax);
   if (!unpack)
     throw new FileError(file.name,
-      `its compression is not read by the page (transfer syntax ${syntax})`, remedy);
+      `its compression is not supported by the page (transfer syntax ${syntax})`, remedy);
   const data = parsed(file, bytes);
   const pixels = data.elements.x7fe00010;
   if (!pixels) return [];
   const columns = data.uint16('x00280011'), rows = data.uint16('x00280010');
   const allocated = data.uint16('x00280100');
   if ((data.uint16('x00280002') ?? 1) !== 1 || ![8, 16, 32].includes(allocated))
-    throw new FileError(file.name, 'the image is in colour, or its samples are not read by the page', remedy);
+    throw new FileError(file.name, 'the image is in colour, or its samples are not supported by the page', remedy);
   const frameBytes = columns * rows * (allocated / 8);
   const frames = numbersIn(data, 'x00280008')[0] ?? 1;
   const parts = partsOf(pixels, frames, frameBytes);
@@ -144,7 +144,7 @@ function inOrder(stack) {
   const { alongRow: u, alongColumn: v } = first;
   const hasPlaces = stack.every(({ position }) => position.length === 3) && u.length + v.length === 6;
   if (!hasPlaces && stack.some(({ file }) => file !== first.file))
-    throw new FileError(first.file.name, 'the slices have no position, and so no order',
+    throw new FileError(first.file.name, 'the slices have no position, so their order is unknown',
       'export the series with positions');
   if (!hasPlaces) return { ordered: stack, distance: first.spacing[2], axes: undefined };
   const normal = cross(u, v);

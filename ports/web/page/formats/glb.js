@@ -41,7 +41,7 @@ export async function readGlb(name, source) {
     const view = gltf.bufferViews[bufferView];
     const Type = /** @type {any} */ (arrays)[componentType];
     if (!Type || type !== shape || sparse || view.byteStride)
-      throw foreign('its arrays are not as discmc writes them');
+      throw foreign('the layout of its arrays is not that of discmc');
     const begin = chunks.binary + (view.byteOffset ?? 0) + byteOffset;
     const length = count * (shape === 'VEC3' ? 3 : 1);
     if (begin % 4 !== 0 || begin + 4 * length > bytes.length)
@@ -52,7 +52,7 @@ export async function readGlb(name, source) {
   const parts = nodes.flatMap((/** @type {number} */ number) => {
     const { mesh, matrix, ...others } = gltf.nodes[number];
     if (mesh === undefined || !matrix || others.children)
-      throw foreign('its nodes are not as discmc writes them');
+      throw foreign('the layout of its nodes is not that of discmc');
     return gltf.meshes[mesh].primitives.map((/** @type {any} */ { attributes, indices, material, mode = 4 }) => {
       if (mode !== 4 || indices === undefined) throw foreign('its meshes are not indexed triangles');
       const places = array(attributes.POSITION, 'VEC3'), triangles = array(indices, 'SCALAR');

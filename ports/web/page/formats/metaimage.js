@@ -31,7 +31,7 @@ export async function readMetaImage(name, source, others) {
   };
   const type = types[fields.get('ElementType') ?? ''];
   if (!type)
-    throw new FileError(name, `samples of ElementType ${fields.get('ElementType') ?? 'unknown'} are not read`,
+    throw new FileError(name, `samples of ElementType ${fields.get('ElementType') ?? 'unknown'} are not supported`,
       'convert them to MET_SHORT');
   if ((fields.get('ElementNumberOfChannels') ?? '1') !== '1')
     throw new FileError(name, `the file holds ${fields.get('ElementNumberOfChannels')} channels`,

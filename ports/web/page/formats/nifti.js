@@ -37,7 +37,7 @@ export async function readNifti(name, source, others) {
   const header = fieldsOf(new DataView(head.buffer, head.byteOffset, head.length), kind);
   const type = types.get(header.datatype);
   if (!type)
-    throw new FileError(name, `samples of datatype ${header.datatype} are not read`,
+    throw new FileError(name, `samples of datatype ${header.datatype} are not supported`,
       'convert them to int16');
   const further = header.dim.slice(4, 1 + header.dim[0]);
   if (further.some((size) => size > 1))

@@ -36,7 +36,7 @@ export async function readNrrd(name, source, others) {
   };
   const type = types.get(needed('type').toLowerCase());
   if (!type)
-    throw new FileError(name, `samples of type ${needed('type')} are not read`,
+    throw new FileError(name, `samples of type ${needed('type')} are not supported`,
       'convert them to short');
   const sizes = numbersOf(needed('sizes'));
   if (sizes.slice(3).some((size) => size !== 1))
@@ -66,7 +66,7 @@ export async function readNrrd(name, source, others) {
   const encoding = needed('encoding').toLowerCase();
   if (encoding === 'gzip' || encoding === 'gz') data = await unpacked(data);
   else if (encoding !== 'raw')
-    throw new FileError(name, `encoding ${encoding} is not read`, 'save it with raw or gzip');
+    throw new FileError(name, `encoding ${encoding} is not supported`, 'save it with raw or gzip');
   const skipped = Number(fields.get('byte skip') ?? 0);
   if (skipped < 0)
     throw new FileError(name, `byte skip is ${skipped}`, 'give the number of bytes before the samples');
@@ -105,7 +105,7 @@ async function skipLines(name, data, lines) {
   for (let skipped = 0; skipped < lines; ++skipped) {
     const end = (await data.peek(longestHeader)).indexOf(10);
     if (end < 0)
-      throw new FileError(name, `of ${lines} lines to skip only ${skipped} exist`,
+      throw new FileError(name, `line skip is ${lines}, but the file has ${skipped} lines`,
         'correct the line skip in the header');
     await data.skip(end + 1);
   }

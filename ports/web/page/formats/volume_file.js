@@ -79,7 +79,7 @@ export async function openFiles(files, layout) {
   const named = files.find((file) => /\.(raw|bin|img)(\.gz)?$/i.test(file.name));
   if (named) throw new UnknownLayout(named);
   throw new FileError(files[0].name, 'the format is unknown',
-    'open NRRD, NIfTI, MetaImage, NumPy, DICOM, raw samples (.raw), a stream (.dmc) or a mesh ' +
+    'open NRRD, NIfTI, MetaImage, NumPy, DICOM, headerless samples (.raw), a stream (.dmc) or a mesh ' +
       '(.glb); discmc view makes a page of other formats');
 }
 

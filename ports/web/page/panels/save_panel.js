@@ -42,7 +42,7 @@ export class SavePanel {
   async save(kind) {
     try {
       const blob = await this.writers[kind]();
-      if (!blob) throw new Error('The browser returned no picture; try again.');
+      if (!blob) throw new Error('The browser could not make the picture; make the window smaller, and try again.');
       const link = document.createElement('a');
       link.href = URL.createObjectURL(blob);
       link.download = `${this.stem()}.${kind}`;

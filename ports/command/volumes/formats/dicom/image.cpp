@@ -220,7 +220,7 @@ NoSlices unread_packing(DcmFileFormat& file) {
   for (const auto& [syntaxes, newer] : {std::pair("1.2.840.10008.1.2.4.20", "HTJ2K"),
                                         std::pair("1.2.840.10008.1.2.4.11", "JPEG XL")})
     if (uid.rfind(syntaxes, 0) == 0) name = newer;
-  return {"an image packed as " + name + " (" + shown(uid) + "), which is not read",
+  return {"an image packed as " + name + " (" + shown(uid) + "), which is not supported",
           "export it without compression, or unpack it, e.g. with pydicom: dataset.decompress()"};
 }
 

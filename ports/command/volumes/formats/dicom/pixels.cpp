@@ -164,7 +164,7 @@ void DicomPixels::read_bytes(DcmElement& element, const StoredPicture& picture, 
 void DicomPixels::read_bits(DcmDataset& dataset, DcmElement& element,
                             const StoredPicture& picture) {
   if (is_encapsulated(dataset.getOriginalXfer()))
-    fail_picture(picture, "compressed samples of one bit are not read");
+    fail_picture(picture, "compressed samples of one bit are not supported");
   // Pictures follow each other without a gap, the lowest bit of a byte first.
   const std::uint64_t count = std::uint64_t{picture.image.columns} * picture.image.rows;
   const std::uint64_t first = picture.number * count;

@@ -74,10 +74,10 @@ void require_plain(const std::filesystem::path& name,
     });
   };
   if (holds("/minc-2.0/"))
-    fail(name, "this is MINC, which scales every slice differently, and is not read",
+    fail(name, "this is MINC, which scales every slice differently, and is not supported",
          "convert it with mnc2nii");
   if (holds("/DataSet/ResolutionLevel"))
-    fail(name, "this is Imaris, which pads its arrays, and is not read",
+    fail(name, "this is Imaris, which pads its arrays, and is not supported",
          "convert it, e.g. with: bioformats2raw FILE OUT.zarr");
 }
 
@@ -184,7 +184,7 @@ std::unique_ptr<VolumeReader> volume_of(const std::filesystem::path& name, Volum
 std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
                                         const VolumeOptions& options) {
   const std::filesystem::path path = array_name(name).file;
-  if (is_read_once(path)) fail(name, "HDF5 is not read from a pipe", "store it in a file");
+  if (is_read_once(path)) fail(name, "HDF5 cannot be read from a pipe", "store it in a file");
   const Hdf5Handle file = open_hdf5_file(path);
   const Hdf5Contents contents = hdf5_contents(file);
   require_plain(name, contents.datasets);

@@ -105,7 +105,7 @@ std::string encoding_of(const HeaderFields& fields) {
   if (one_of(encoding, {"gzip", "gz"})) return "gzip";
   if (one_of(encoding, {"bzip2", "bz2"})) return "bzip2";
   if (one_of(encoding, {"text", "txt", "ascii"})) return "text";
-  fail(fields.file(), "encoding " + shown(encoding) + " is not read",
+  fail(fields.file(), "encoding " + shown(encoding) + " is not supported",
        "use raw, gzip, bzip2 or text, e.g. with: unu save -f nrrd -e gzip -i in.nrrd -o out.nrrd");
 }
 
@@ -127,7 +127,7 @@ ByteStream at_data(ByteStream data, const HeaderFields& fields, SampleType type,
   if (lines < 0 || bytes < (encoding == "raw" ? -1 : 0))
     fail(fields.file(),
          "line skip " + std::to_string(lines) + ", byte skip " + std::to_string(bytes) +
-             " is not read with encoding " + encoding,
+             " is not supported with encoding " + encoding,
          "give the bytes to skip as a number from 0");
   data.skip_lines(static_cast<std::uint64_t>(lines));
   if (encoding == "gzip") data.decode(inflated);

@@ -68,7 +68,7 @@ std::unique_ptr<VolumeReader> open_npz(const std::filesystem::path& name,
   const ArrayName parts = array_name(name);
   // For its refusal of what is no file.
   if (ByteStream(parts.file).is_read_once())
-    fail(name, "archives of NumPy are not read from a pipe", "store it in a file");
+    fail(name, "archives of NumPy cannot be read from a pipe", "store it in a file");
   const std::string asked =
       parts.array.empty() ? only_array(name, arrays_of(parts.file)) : parts.array;
   auto archive = opened(parts.file);

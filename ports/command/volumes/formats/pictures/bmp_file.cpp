@@ -119,7 +119,7 @@ class BmpFile final : public SinglePicture {
     if (!is_read || bmp.compression() != 0)
       fail(file(),
            "BMP of " + std::to_string(bits) + " bits and compression " +
-               std::to_string(bmp.compression()) + " is not read",
+               std::to_string(bmp.compression()) + " is not supported",
            "convert it to PNG");
   }
 

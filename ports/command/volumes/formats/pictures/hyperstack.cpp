@@ -91,7 +91,7 @@ ChosenFrame chosen_frame(const std::filesystem::path& file, const std::vector<Hy
 
 std::vector<Page> pages_of(const std::filesystem::path& file, const Hyperstack& stack,
                            std::uint64_t channel, std::uint64_t frame) {
-  if (stack.slices.size == 0) fail(file, "its description has no slices", "export the file again");
+  if (stack.slices.size == 0) fail(file, "the description has no slices", "export the file again");
   std::vector<PageRun> runs = stack.runs;
   std::sort(runs.begin(), runs.end(),
             [](const PageRun& a, const PageRun& b) { return a.first_plane < b.first_plane; });

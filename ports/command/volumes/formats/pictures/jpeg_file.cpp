@@ -48,7 +48,7 @@ class JpegFile final : public SinglePicture {
       header.channels = 3;
       header.channel_names = rgb_names;
     } else if (jpeg_.num_components != 1) {
-      fail(file(), std::to_string(jpeg_.num_components) + " components per pixel are not read",
+      fail(file(), std::to_string(jpeg_.num_components) + " components per pixel are not supported",
            "convert it to PNG");
     }
     const double unit_mm = jpeg_.density_unit == 1 ? mm_of_inch : mm_of_centimetre;

@@ -197,8 +197,8 @@ class StackBuilder {
     if (stack.plane_size &&
         *stack.plane_size != std::array<std::uint64_t, 2>{header.width, header.height})
       fail(file,
-           "its description has planes of " + std::to_string((*stack.plane_size)[0]) + " x " +
-               std::to_string((*stack.plane_size)[1]) + ", and its pages have " + text_of(header),
+           "the description has planes of " + std::to_string((*stack.plane_size)[0]) + " x " +
+               std::to_string((*stack.plane_size)[1]) + ", and the pages have " + text_of(header),
            "export the file again");
   }
 

@@ -25,7 +25,7 @@ std::string note_of_resolution(const Resolution& resolution) {
   text.imbue(std::locale::classic());
   const double x = resolution.unit_mm / resolution.pixels[0];
   const double y = resolution.unit_mm / resolution.pixels[1];
-  text << "its resolution, usually for a print, is not used; to use it, give --spacing " << x << ','
+  text << "the resolution, usually for a print, is not used; to use it, give --spacing " << x << ','
        << y << ",Z";
   return text.str();
 }
@@ -72,8 +72,8 @@ void set_place_of(VolumeInfo& info, const Stack& stack, const VolumeOptions& opt
     if (axis < 2 && stack.header.runs_backwards[axis]) {
       (*place.directions)[axis][axis] = -1;
       step = -step;
-      note(info, axis == 0 ? "its first column is the right one (Orientation)"
-                           : "its first row is the lowest (Orientation)");
+      note(info, axis == 0 ? "the first column is the right one (Orientation)"
+                           : "the first row is the lowest (Orientation)");
     }
     place.origin[axis] = -stack.described.origin_voxel[axis] * step;
   }

@@ -92,10 +92,10 @@ void set_fill(ZarrDescription& array, const Path& file, const Json& value) {
 void add_codec(std::vector<ZarrCodec>& codecs, const Path& file, const std::string& name) {
   const auto codec = zarr_codec(name);
   if (!codec)
-    fail(file, "its chunks are packed by " + shown(name) + ", which is not read", rewrite);
+    fail(file, "the chunks are packed by " + shown(name) + ", which is not supported", rewrite);
   const bool is_packed = std::any_of(codecs.begin(), codecs.end(),
                                      [](ZarrCodec each) { return each != ZarrCodec::crc32c; });
-  if (is_packed && *codec != ZarrCodec::crc32c) fail(file, "its chunks are packed twice", rewrite);
+  if (is_packed && *codec != ZarrCodec::crc32c) fail(file, "the chunks are packed twice", rewrite);
   codecs.push_back(*codec);
 }
 
@@ -148,7 +148,7 @@ void take_shard(ZarrDescription& array, const Path& file, const Json& configurat
     if (name == "crc32c")
       shard.has_index_checksum = true;
     else if (name != "bytes" || text_of(member(member(codec, "configuration"), "endian")) == "big")
-      fail(file, "the index of its shards is stored by " + shown(name) + ", which is not read",
+      fail(file, "the index of its shards is stored by " + shown(name) + ", which is not supported",
            "write it again as zarr in Python does");
   }
   take_codecs(array, file, member(configuration, "codecs"));
@@ -177,7 +177,7 @@ ZarrDescription described_version_3(const ZarrNode& node) {
   const std::size_t axes = array.sizes.size();
   const Json& grid = member(json, "chunk_grid");
   if (text_of(member(grid, "name")) != "regular")
-    fail(node.file, "its chunks are not all of one size", "write it again as a regular grid");
+    fail(node.file, "the chunks are not all of one size", "write it again as a regular grid");
   array.chunk =
       sizes_of_chunk(node.file, member(member(grid, "configuration"), "chunk_shape"), axes);
   const Json& type = member(json, "data_type");

@@ -78,7 +78,7 @@ class TiffFile final : public PictureFile {
     if (header_ && directory_of_header_ == TIFFCurrentDirectory(tiff_.get())) return *header_;
     require_read(file_, page);
     if (page.depth != depth_)
-      fail(file_, "its pages have different depths", "export it as one stack");
+      fail(file_, "the pages have different depths", "export it as one stack");
     PictureHeader header;
     header.width = page.width;
     header.height = page.height;
@@ -158,7 +158,7 @@ class TiffFile final : public PictureFile {
 
   char axis_of_pages(const std::string& axes) const {
     if (axes.size() != 3 || axes.substr(1) != "yx")
-      fail(file_, "its pages are rows and columns along one axis, not " + shown(axes),
+      fail(file_, "the pages are rows and columns along one axis, not " + shown(axes),
            "give --axes zyx, cyx or tyx, or leave out --axes");
     return axes[0];
   }
@@ -187,11 +187,11 @@ class TiffFile final : public PictureFile {
       if (is_described[i]) continue;
       const TiffPage page = go_to(i);
       if (!page.is_mask && page.width == first.width && page.height == first.height)
-        fail(file_, "its description lacks page " + std::to_string(i), remedy);
+        fail(file_, "the description lacks page " + std::to_string(i), remedy);
       ++left_out;
     }
     if (left_out > 0)
-      stacks[0].notes.push_back("pages that its description lacks: " + std::to_string(left_out));
+      stacks[0].notes.push_back("pages that the description lacks: " + std::to_string(left_out));
   }
 
   Hyperstack of_imagej(const std::string& description) {
@@ -209,7 +209,7 @@ class TiffFile final : public PictureFile {
         directories_ == 1 ? pages_behind(tiff_.get(), page, file_bytes_).count : 0;
     if (planes > there)
       fail(file_,
-           "its description promises " + std::to_string(planes) + " planes, and the file holds " +
+           "the description promises " + std::to_string(planes) + " planes, and the file holds " +
                std::to_string(std::max<std::uint64_t>(directories_, there)),
            remedy);
   }

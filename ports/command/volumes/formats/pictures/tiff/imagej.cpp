@@ -34,7 +34,7 @@ class Description {
     if (text(key).empty()) return 0;
     const auto value = whole_number<std::uint64_t>(text(key));
     if (!value || *value == 0)
-      fail(file_, "in its description " + std::string(key) + " is " + shown(text(key)),
+      fail(file_, "in the description " + std::string(key) + " is " + shown(text(key)),
            "export the file again");
     return *value;
   }
@@ -93,7 +93,7 @@ void set_calibration(Hyperstack& stack, const Description& description) {
     stack.intercept = description.number("c0", 0);
   } else {
     stack.notes.push_back("its calibration function " + shown(function) +
-                          " is not read, and the samples are used as stored");
+                          " is not supported, and the samples are used as stored");
   }
 }
 

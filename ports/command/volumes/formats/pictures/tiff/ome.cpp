@@ -61,7 +61,7 @@ class OmeXml {
     const auto metadata = beside(file, elsewhere.attribute("MetadataFile").value());
     std::ifstream in(metadata, std::ios::binary);
     if (!in || std::filesystem::is_directory(metadata))
-      fail(file, "its OME-XML is in " + shown(metadata.filename().string()) + ", which is missing",
+      fail(file, "the OME-XML is in " + shown(metadata.filename().string()) + ", which is missing",
            "put that file beside it");
     parse(std::string(std::istreambuf_iterator<char>(in), {}));
   }
@@ -76,7 +76,7 @@ class OmeXml {
     const bool is_own = !uuid_.empty() && uuid_ == uuid.text().get();
     if (!uuid || is_own) return file_;
     if (name.empty())
-      fail(file_, "its OME-XML names a file only by an identifier", "export it again, as one file");
+      fail(file_, "the OME-XML names a file only by an identifier", "export it again, as one file");
     auto file = beside(file_, name);
     std::error_code unknown;
     if (std::filesystem::exists(file, unknown)) return file;
@@ -90,7 +90,7 @@ class OmeXml {
     if (!text) return otherwise;
     const auto value = whole_number<std::uint64_t>(text.value());
     if (!value)
-      fail(file_, "in its OME-XML " + attribute + " is " + shown(text.value()),
+      fail(file_, "in the OME-XML " + attribute + " is " + shown(text.value()),
            "export the file again");
     return *value;
   }
@@ -98,7 +98,7 @@ class OmeXml {
  private:
   void parse(const std::string& text) {
     if (!document_.load_buffer(text.data(), text.size()) || local_name(root()) != "OME")
-      fail(file_, "its OME-XML is damaged", "export the file again");
+      fail(file_, "the OME-XML is damaged", "export the file again");
   }
 
   std::set<std::string> names_of_files() const {
@@ -120,7 +120,7 @@ std::string order_of(const OmeXml& xml, const pugi::xml_node& pixels) {
   std::string sorted = planes;
   std::sort(sorted.begin(), sorted.end());
   if (order.rfind("xy", 0) != 0 || sorted != "ctz")
-    fail(xml.file(), "in its OME-XML DimensionOrder is " + shown(order), "export the file again");
+    fail(xml.file(), "in the OME-XML DimensionOrder is " + shown(order), "export the file again");
   return planes;
 }
 
@@ -151,7 +151,7 @@ void require_plain_slices(const OmeXml& xml) {
   } finder;
   xml.root().traverse(finder);
   if (finder.is_found)
-    fail(xml.file(), "its slices hold a further axis (ModuloAlongZ)",
+    fail(xml.file(), "the slices hold a further axis (ModuloAlongZ)",
          "export one volume, e.g. with Fiji");
 }
 
@@ -165,7 +165,7 @@ class Images {
     std::vector<Hyperstack> images;
     for (const auto& image : children(xml_.root(), "Image")) images.push_back(hyperstack(image));
     if (images.empty())
-      fail(xml_.file(), "its OME-XML describes no image", "export the file again");
+      fail(xml_.file(), "the OME-XML describes no image", "export the file again");
     return images;
   }
 
@@ -182,7 +182,7 @@ class Images {
     constexpr std::uint64_t most = std::uint64_t{1} << 32;
     if (planes(stack) == 0 || planes(stack) > most)
       fail(xml_.file(),
-           "its OME-XML describes an image of " + std::to_string(planes(stack)) + " planes",
+           "the OME-XML describes an image of " + std::to_string(planes(stack)) + " planes",
            "export the file again");
     stack.spacing_mm = spacing_mm(pixels, stack.notes);
     for (const auto& data : children(pixels, "TiffData")) add_run(stack, data);
@@ -215,7 +215,7 @@ class Images {
       const std::uint64_t first = xml_.count(data, name, 0);
       if (first >= axis.size)
         fail(xml_.file(),
-             std::string("in its OME-XML ") + name + " is " + std::to_string(first) +
+             std::string("in the OME-XML ") + name + " is " + std::to_string(first) +
                  ", after the last",
              "export the file again");
       run.first_plane += first * axis.step;
@@ -227,7 +227,7 @@ class Images {
                            xml_.count(data, "NumPlanes", is_one ? 1 : std::min(pages, left)));
     if (run.count > left || run.first_page > pages || run.count > pages - run.first_page)
       fail(xml_.file(),
-           "its OME-XML describes " + std::to_string(run.count) + " planes from page " +
+           "the OME-XML describes " + std::to_string(run.count) + " planes from page " +
                std::to_string(run.first_page) + " on, and " + shown(file.filename().string()) +
                " has " + std::to_string(pages) + " pages",
            "copy or export the file again");

@@ -92,7 +92,7 @@ std::optional<ShapedArray> shaped_array(const std::filesystem::path&,
 std::optional<ShapedArray> shaped_array(const std::filesystem::path& file,
                                         const std::string& description) {
   if (description.rfind("{\"shape\"", 0) == 0)
-    fail(file, "tifffile wrote its description, and discmc was built without nlohmann-json",
+    fail(file, "tifffile wrote the description, and discmc was built without nlohmann-json",
          "install nlohmann-json3-dev and build again");
   return without_json(description);
 }

@@ -30,7 +30,7 @@ void require_read_colours(const std::filesystem::path& file, const TiffPage& pag
     default:
       break;
   }
-  fail(file, "its colours, of kind " + std::to_string(page.photometric) + ", are not read",
+  fail(file, "the colours, of kind " + std::to_string(page.photometric) + ", are not supported",
        "convert it to RGB or grey");
 }
 
@@ -76,7 +76,7 @@ void require_read_layout(const std::filesystem::path& file, TIFF* tiff, std::uin
   for (const Kind& kind : kinds)
     if ((kind.is_of_one_page_too || pages > 1) && count_of(tiff, kind.tag) > 0) name = kind.name;
   if (name != nullptr)
-    fail(file, std::string("this is ") + name + ", whose axes are not read",
+    fail(file, std::string("this is ") + name + ", whose axes are not supported",
          "convert it to OME-TIFF with Bio-Formats: bfconvert IN OUT.ome.tif");
 }
 
@@ -85,18 +85,18 @@ void require_read(const std::filesystem::path& file, const TiffPage& page) {
   if (!sample_type(page))
     fail(file,
          "samples of " + std::to_string(page.bits) + " bits and format " +
-             std::to_string(page.format) + " are not read",
+             std::to_string(page.format) + " are not supported",
          "convert it to 8 or 16 bits, or 32 bits of floating point");
   if (TIFFIsCODECConfigured(page.compression) == 0)
     fail(file,
          "its compression, number " + std::to_string(page.compression) +
-             ", is not read by the LibTIFF of this discmc",
+             ", is not supported by the LibTIFF of this discmc",
          "store it again, in Deflate or LZW");
   if (page.orientation > ORIENTATION_BOTLEFT)
     fail(file, "its rows are columns (Orientation " + std::to_string(page.orientation) + ')',
          "turn it upright");
   if (page.depth > 1 && !page.is_tiled())
-    fail(file, "its pages have several slices (ImageDepth) in strips",
+    fail(file, "the pages have several slices (ImageDepth) in strips",
          "store it in tiles, or a page for each slice");
 }
 

@@ -1,0 +1,22 @@
+// The message of a write that failed.
+#ifndef DISCMC_COMMAND_FILES_WRITE_FAILURE_HPP
+#define DISCMC_COMMAND_FILES_WRITE_FAILURE_HPP
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+namespace discmc::command {
+
+/// As in "writing failed (No space left on device); free space, or give another folder". Call it
+/// soon after the write: the reason is in errno, and is left out if errno has another origin.
+inline std::string write_failure() {
+  std::string reason;
+  for (const int of_writes : {ENOSPC, EDQUOT, EFBIG, EIO, EPIPE})
+    if (errno == of_writes) reason = " (" + std::generic_category().message(of_writes) + ")";
+  return "writing failed" + reason + "; free space, or give another folder";
+}
+
+}  // namespace discmc::command
+
+#endif
