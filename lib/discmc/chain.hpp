@@ -101,7 +101,8 @@ constexpr int64_t twice_area(Incidence incidence, const Run* runs, uint32_t coun
 
 // ---- Chains in their plane: end points, and whether a point lies inside a closed chain.
 //
-// Coordinates wrap: any start and any runs are safe, and those of a scan give exact results.
+// Coordinates wrap: any start and any runs of the incidence are safe, and those of a scan give
+// exact results.
 
 /// Whether the number is an incidence.
 constexpr bool is_incidence(Incidence incidence) {
@@ -117,7 +118,7 @@ constexpr bool is_run_of(Incidence incidence, Run run) {
          run.length() <= Run::max_length;
 }
 
-/// The end of a run that starts at `from`.
+/// The end of a run that starts at `from`. Limit: is_run_of(incidence, run).
 constexpr Vertex after_run(Incidence incidence, const Vertex& from, Run run) {
   Vertex to = from;
   move(to, incidence, run.direction(), run.length());

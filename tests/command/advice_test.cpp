@@ -126,7 +126,7 @@ TEST_CASE("what is advised of inputs works") {
                      advised.substr(6) + " --iso auto" + out)
               .code == 1);
   CHECK(contains(workshop.shell("cat v.nrrd | \"$discmc\" extract - --iso auto" + out).error,
-                 "can be read only once; store it in a file first"));
+                 "can be read only once; store it in a file"));
 }
 
 TEST_CASE("what is advised of volumes in files works") {
@@ -265,7 +265,7 @@ TEST_CASE("what is advised of options works") {
        {iso + "-o '{name}/out.stl'", "put it after the last /", iso + "-o './{name}.stl'"},
        {iso + "-o out.xyz", "use ", ply},
        {dmc + "--memory 10", "give at least ", dmc + "--memory 64K"},
-       {dmc + "--capacities 1,1", "invalid number of slots; give at least 4,",
+       {dmc + "--capacities 1,1", "invalid number of slots; expected 4 to",
         dmc + "--capacities 4,1"},
        {"decode v.dmc --volume v.nrrd -o out.ply", "used with --normals gradient alone",
         "decode v.dmc --volume v.nrrd --normals gradient -o out.ply"},

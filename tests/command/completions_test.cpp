@@ -39,7 +39,7 @@ bool has(const std::string& program) {
 TEST_CASE("bash completes commands, options, and the words that a value can be") {
   if (!has("bash")) return;
   CHECK(bash_offers("ex") == "extract\n");
-  CHECK(contains(bash_offers("''"), "extract decode join info render"));
+  CHECK(contains(bash_offers("''"), "extract view info render compare"));
   CHECK(bash_offers("--ve") == "--version\n");
   CHECK(bash_offers("extract v.nrrd --bor") == "--border\n");
   CHECK(bash_offers("extract v.nrrd --border ''") == "closed open\n");
@@ -78,7 +78,7 @@ TEST_CASE("the completions of each shell are a script that it takes") {
 TEST_CASE("zsh is told the values, files and texts of options") {
   const std::string script = Workshop().done("completions zsh");
   CHECK(script.rfind("#compdef discmc\n", 0) == 0);
-  CHECK(contains(script, "'extract:Extract the surface of a volume'"));
+  CHECK(contains(script, "'extract:Extract the surface of a volume as a mesh or a stream'"));
   CHECK(contains(script, "'(--border)--border["));
   CHECK(contains(script, "]:closed|open:(closed open)'"));
   CHECK(contains(script, "]:FILE:_files'"));

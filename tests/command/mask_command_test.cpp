@@ -186,7 +186,7 @@ TEST_CASE("a mask that does not fit is refused, and one that lies elsewhere told
   CHECK(workshop.names() == names);
   const Result far = workshop.run(extract + "--mask far.nrrd -o far.jsonl");
   CHECK(far.code == 0);
-  CHECK(contains(far.error, "far.nrrd: its voxels lie up to 6 mm from those of the volume"));
+  CHECK(contains(far.error, "far.nrrd: the mask lies up to 6 mm away"));
   workshop.done(extract + "--mask m.nrrd -o v.jsonl");
   CHECK(workshop.read("far.jsonl") == workshop.read("v.jsonl"));
 }

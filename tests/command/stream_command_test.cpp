@@ -391,7 +391,7 @@ TEST_CASE("a polygon that is none costs that polygon, and is told") {
     const Result result = workshop.run(arguments);
     CHECK(result.code == 3);  // the trailer counts eight regions
     CHECK(contains(result.error, "discmc: c.dmc: 1 of 9 polygons are invalid"));
-    CHECK(contains(result.error, "in line 1\n"));
+    CHECK(contains(result.error, "the first is in -o FILE.jsonl, line 1\n"));
   }
   CHECK(workshop.read("c.stl").size() == 84 + 8 * 50);
 }
@@ -409,5 +409,5 @@ TEST_CASE("two scans of one number that are mixed are told, with a remedy") {
   workshop.write("m.dmc", text_of(discmc::test::joined(a)));
   const Result result = workshop.run("info m.dmc");
   CHECK(result.code == 3);
-  CHECK(contains(result.error, "give every scan a number of its own"));
+  CHECK(contains(result.error, "give every scan another number"));
 }

@@ -96,7 +96,7 @@ TEST_CASE("a named threshold is refused where it cannot be found") {
   for (const std::string name : {"auto", "otsu", "bone", "skin"})
     check_failure(workshop.shell("cat ct.nrrd | \"$discmc\" extract - --iso " + name + mesh), 1,
                   {"standard input: --iso " + name + " reads the volume twice",
-                   "can be read only once; store it in a file first"});
+                   "can be read only once; store it in a file"});
   CHECK(workshop.names() == names);
 }
 

@@ -25,7 +25,7 @@ TEST_CASE("a command that is misspelt is answered with the nearest one") {
 }
 
 TEST_CASE("a command that is like none is answered with what there is") {
-  const std::string all = "give one of extract, decode, join, info";
+  const std::string all = "give one of extract, view, info, render";
   CHECK(contains(Workshop().run("frobnicate v.nrrd").error,
                  "discmc: 'frobnicate' is not a command; " + all));
   CHECK(contains(Workshop().run("").error, "discmc: no command is given; " + all));

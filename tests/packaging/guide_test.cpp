@@ -160,13 +160,14 @@ Status push_levelled(Extractor16& extractor, const uint8_t* row, int32_t thresho
 
 // Of docs/receiving.md.
 struct Outlines {
-  Incidence incidence = no_incidence;  // of the region: normal(incidence)
+  Incidence incidence = no_incidence;  // of the region or fragment: normal(incidence)
   Vertex corner{};
   uint64_t lines = 0;
 
   SinkResult take(const Event& event) {
-    if (event.kind == Event::Kind::region) incidence = event.incidence;
-    if (event.kind == Event::Kind::ring) corner = event.start;
+    const bool is_fragment = event.kind == Event::Kind::fragment;
+    if (event.kind == Event::Kind::region || is_fragment) incidence = event.incidence;
+    if (event.kind == Event::Kind::ring || is_fragment) corner = event.start;
     if (event.kind == Event::Kind::run) {
       corner = after_run(incidence, corner, event.run);  // draw a line to here
       ++lines;

@@ -88,12 +88,13 @@ class PartSurface {
     if (event.kind == Event::Kind::fragment) {
       fragment_ = event;
       end_ = event.start;
-    } else if (event.kind == Event::Kind::run) {
+    } else if (fragment_ && event.kind == Event::Kind::run) {
       last_ = event.run.direction();
-      move(end_, fragment_.incidence, last_, event.run.length());
-    } else if (event.kind == Event::Kind::fragment_end && end_ == fragment_.start &&
-               last_ == fragment_.incoming_direction) {
-      ring_planes_.insert(plane_of(fragment_.incidence, end_));
+      move(end_, fragment_->incidence, last_, event.run.length());
+    } else if (fragment_ && event.kind == Event::Kind::fragment_end) {
+      if (end_ == fragment_->start && last_ == fragment_->incoming_direction)
+        ring_planes_.insert(plane_of(fragment_->incidence, end_));
+      fragment_.reset();
     }
   }
 
@@ -105,10 +106,10 @@ class PartSurface {
   }
 
   std::optional<Event> region_;
-  Place place_ = Place::joined;  // of what is under way
-  Event fragment_{};             // the last one
-  Vertex end_{};                 // of it, so far
-  Direction last_ = 0;           // by which it came there
+  Place place_ = Place::joined;    // of what is under way
+  std::optional<Event> fragment_;  // under way
+  Vertex end_{};                   // of it, so far
+  Direction last_ = 0;             // by which it came there
   std::unordered_set<std::uint64_t> ring_planes_;
   // The regions that are whole, as they are asked for.
   std::optional<SurfaceBuilder> polygons_;
