@@ -147,8 +147,10 @@ TEST_CASE("outputs that cannot be written are refused before the volume is read"
   for (const std::string output : {"-o file/v.stl", "--iso 2 -o 'file/v{name}.stl'"})
     check_failure(workshop.run(cut + output), 1, {"file: this is not a folder"});
   check_failure(workshop.run(cut + "-o folder.stl"), 1, {"folder.stl: this is a folder"});
-  check_failure(workshop.run("extract cut.nrrd --labels all -o none/v.glb"), 1, {"the folder does not exist"});
-  check_failure(workshop.run("render cut.nrrd --iso 1 -o none/v.png"), 1, {"the folder does not exist"});
+  check_failure(workshop.run("extract cut.nrrd --labels all -o none/v.glb"), 1,
+                {"the folder does not exist"});
+  check_failure(workshop.run("render cut.nrrd --iso 1 -o none/v.png"), 1,
+                {"the folder does not exist"});
   CHECK(workshop.names() == std::vector<std::string>{"cut.nrrd", "file", "folder.stl"});
 }
 

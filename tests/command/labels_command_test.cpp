@@ -557,7 +557,8 @@ TEST_CASE("labels that cannot be written are refused before any work") {
                 {"--label-table", "--label N"});
   check_failure(workshop.run(all + "-o '{name}/v.stl'"), 1,
                 {"{name}", "not allowed in the name of a folder"});
-  check_failure(workshop.run(all + "-o 'none/{name}.stl'"), 1, {"none", "the folder does not exist"});
+  check_failure(workshop.run(all + "-o 'none/{name}.stl'"), 1,
+                {"none", "the folder does not exist"});
   check_failure(
       workshop.run("extract nothing.raw --dims 4,2,3 --type u8 --labels all -o '{name}.stl'"), 1,
       {"nothing.raw", "no label", "--allow-empty"});

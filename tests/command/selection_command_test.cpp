@@ -86,7 +86,8 @@ TEST_CASE("selections that make no sense are refused before any work") {
                   {"--output: " + unknown + " is an unknown placeholder", "{name}"});
   check_failure(workshop.run(ramp + "--range 1..2 --normals gradient -o v.ply"), 2,
                 {"--normals surface"});
-  check_failure(workshop.run(ramp + "--iso 1 -o none/v.stl"), 1, {"none", "the folder does not exist"});
+  check_failure(workshop.run(ramp + "--iso 1 -o none/v.stl"), 1,
+                {"none", "the folder does not exist"});
   check_failure(workshop.run(ramp + "--iso 1 --iso 2 --iso 3 --iso 4 --iso 5 -o v.dmc"), 2,
                 {"5 surfaces", "4 at most"});
   CHECK(workshop.names() == names);

@@ -56,10 +56,8 @@ void print_memory(const Extraction& extraction, std::ostream& out) {
   const MemoryUse& memory = *extraction.memory;
   row(out, "bytes of arena used", grouped(memory.arena_bytes_used),
       "of " + grouped(memory.arena_bytes));
-  row(out, "  slots, peak", grouped(memory.peaks.slots),
-      "of " + grouped(memory.capacities.slots));
-  row(out, "  holes, peak", grouped(memory.peaks.holes),
-      "of " + grouped(memory.capacities.holes));
+  row(out, "  slots, peak", grouped(memory.peaks.slots), "of " + grouped(memory.capacities.slots));
+  row(out, "  holes, peak", grouped(memory.peaks.holes), "of " + grouped(memory.capacities.holes));
   row(out, "loose fragments", grouped(extraction.statistics.fragments),
       shortage(extraction, memory));
 }

@@ -57,7 +57,7 @@ struct MemoryUse {
   std::uint64_t arena_bytes = 0;       ///< given
   std::uint64_t arena_bytes_used = 0;  ///< by bit rows and by slots that were ever in use
   Capacities capacities{};             ///< that the arena had
-  Peaks peaks{};              ///< of them, the peak
+  Peaks peaks{};                       ///< of them, the peak
 };
 
 struct Extraction {

@@ -149,8 +149,7 @@ class Extractors {
 
   std::optional<MemoryUse> use_of(const AnyExtractor& extractor) const {
     if (std::is_same_v<AnyExtractor, HostExtractor>) return std::nullopt;
-    return MemoryUse{arena_.bytes, extractor.bytes_used(), arena_.capacities,
-                     extractor.peaks()};
+    return MemoryUse{arena_.bytes, extractor.bytes_used(), arena_.capacities, extractor.peaks()};
   }
 
   Arena arena_;

@@ -131,9 +131,10 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
                  "zyx, cyx or tyx (default: the axes in the file, or zyx)")
       ->check(usable_axes())
       ->option_text("LETTERS");
-  app.add_option("--level", options.level,
-                 "read this resolution of OME-Zarr; the finest is 0 (default: the finest with at most "
-                 "32766 voxels along x and y)")
+  app.add_option(
+         "--level", options.level,
+         "read this resolution of OME-Zarr; the finest is 0 (default: the finest with at most "
+         "32766 voxels along x and y)")
       ->option_text("N");
   app.add_option_function<std::vector<double>>(
          "--spacing",
