@@ -21,7 +21,7 @@ namespace discmc::simulator {
 namespace {
 
 // What the board netduinoplus2 has for the arena and two rows of samples. Units: bytes.
-constexpr std::uint64_t memory = std::uint64_t{186} << 10;
+constexpr std::uint64_t memory = std::uint64_t{122} << 10;
 
 const char* sample_of(command::SampleType type) {
   switch (type) {
