@@ -69,7 +69,7 @@ const changed = (change) => {
   return bytes;
 };
 const wrongHeaders = {
-  'lines.nrrd': [nrrdOf(roughBall(8, 8, 8), 'line skip: 1e999\n'), /of Infinity lines .* exist; correct/],
+  'lines.nrrd': [nrrdOf(roughBall(8, 8, 8), 'line skip: 1e999\n'), /line skip is Infinity, but the file has .* lines; correct/],
   'short.npy': [Buffer.from('\x93NUMPY', 'latin1'), /cut off; save/],
   'half.npy': [Buffer.from("\x93NUMPY\x01\0\x40\0{'descr': '<f2', 'shape': (1, 1, 1), }", 'latin1'), /not of numbers; save/],
   'none.nii': [changed((bytes) => bytes.writeInt16LE(0, 40)), /declares 0 dimensions; correct/],
@@ -206,7 +206,7 @@ test('glTF that is not as the command writes it is refused, with what to do', as
   };
   const scene = { scenes: [{ nodes: [0] }], meshes: [{ primitives: [] }] };
   await assert.rejects(openFiles([glbOf({ ...scene, nodes: [{ mesh: 0, scale: [1, 1, 1] }] })]),
-    /^FileError: other.glb: its nodes .*; convert it with discmc view FILE.glb/);
+    /^FileError: other.glb: the layout of its nodes .*; convert it with discmc view FILE.glb/);
   await assert.rejects(openFiles([glbOf({})]), /^FileError: other.glb: the file holds no mesh; /);
   await assert.rejects(openFiles([Object.assign(new Blob([await glbOf({}).arrayBuffer().then((all) =>
     all.slice(0, 100))]), { name: 'cut.glb' })]), /^FileError: cut.glb: the file is cut off/);
