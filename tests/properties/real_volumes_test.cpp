@@ -154,7 +154,7 @@ TEST_CASE("the CT head's skin takes few more bytes in little memory") {
   };
   CHECK(in(64) <= 1.1);
   CHECK(in(48) <= 1.25);
-  CHECK(in(32) <= 1.95);
+  CHECK(in(32) <= 2);
   CHECK(in(24) <= 2.6);
 }
 
@@ -191,7 +191,7 @@ TEST_CASE("slabs of real volumes join to the whole") {
   }
 }
 
-TEST_CASE("more memory never makes more loose fragments or bytes of a real volume") {
+TEST_CASE("more memory makes no more loose fragments of a real volume, and hardly more bytes") {
   for (const command::DescribedVolume& scan : scans()) {
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);
@@ -202,7 +202,8 @@ TEST_CASE("more memory never makes more loose fragments or bytes of a real volum
       CAPTURE(scan.file.string());
       CAPTURE(bytes);
       const StreamSize size = stream_size(volume, bytes);
-      CHECK(size.bytes <= before.bytes + before.bytes / 10000);
+      // The coder learns from what comes before, which is another order.
+      CHECK(size.bytes <= before.bytes + before.bytes / 2500);
       CHECK(size.fragments <= before.fragments + before.fragments / 10000);
       before = size;
     }

@@ -94,9 +94,11 @@ def openscad(file):
 
 
 def prusa_slicer(file):
-    told = run("prusa-slicer", "--info", file)
-    return {"triangles": int(number_after(told, "number_of_facets")),
-            "closed": "manifold = yes" in told, "volume": number_after(told, "volume")}
+    # A paragraph for each object.
+    told = [part for part in run("prusa-slicer", "--info", file).split("[") if "volume" in part]
+    return {"triangles": int(sum(number_after(part, "number_of_facets") for part in told)),
+            "closed": all("manifold = yes" in part for part in told),
+            "volume": sum(number_after(part, "volume") for part in told)}
 
 
 def admesh(file):

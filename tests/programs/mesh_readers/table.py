@@ -41,14 +41,16 @@ def judged(figures, file, triangles, volume):
 
 def main(folder, name, formats):
     with open(f"{folder}/{name}.json") as file:
-        volume = sum(surface["volume_mm3"] for surface in json.load(file))
+        volumes = [surface["volume_mm3"] for surface in json.load(file)]
+    volume = sum(volumes)
     triangles = told_by("VTK", f"{folder}/{name}.{formats[0]}").get("triangles", 0)
     print(f"{name}: {triangles:,} triangles that enclose {volume:,.0f} mm3\n")
     print("| program |", " | ".join("." + format for format in formats), "|")
     print("|---|" + "---|" * len(formats))
     is_good = True
     for program, (_, readable) in PROGRAMS.items():
-        if not set(formats) & set(readable):
+        # OpenSCAD unites objects that touch.
+        if not set(formats) & set(readable) or (program == "OpenSCAD" and len(volumes) > 1):
             continue
         cells = []
         for format in formats:
