@@ -4,11 +4,12 @@
 
 namespace discmc::host {
 
+using Slots = Chains::Slots;
+
 namespace {
 
 using Fragments = Chains::Fragments;
 using Lists = Fragments::Lists;
-using Slots = Chains::Slots;
 
 bool is_centroid(const Vertex& v) {
   return (v.x & v.y & 1) != 0;

@@ -29,7 +29,7 @@ constexpr uint32_t in_bits = 0xFF, out_bits = 0xFF00, incidence_bits = 0x1F0000;
 constexpr uint32_t incidence_shift = 16;
 
 constexpr uint32_t in_of(PassWord pass) {
-  return pass & 0xFF;
+  return pass & in_bits;
 }
 constexpr uint32_t out_of(PassWord pass) {
   return pass >> 8 & 0xFF;
