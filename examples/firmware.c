@@ -19,7 +19,7 @@ static size_t uart_write(void* context, const uint8_t* bytes, size_t count) {
 
 static uint8_t sample_at(int32_t x, int32_t y, int32_t z) { /* of a ball, densest in its middle */
   const int32_t a = 2 * x - SIZE + 1, b = 2 * y - SIZE + 1, c = 2 * z - SIZE + 1;
-  return (uint8_t)(255 - (a * a + b * b + c * c) / 26);
+  return (uint8_t)(255 - 85 * (a * a + b * b + c * c) / ((SIZE - 1) * (SIZE - 1)));
 }
 
 static discmc_status start(void) {
@@ -43,11 +43,12 @@ static discmc_status start(void) {
 static int succeeds(discmc_status status) {
   while (status == DISCMC_SUSPENDED) /* the UART is busy: sleep here */
     status = discmc_extractor_resume(extractor);
+  if (status != DISCMC_OK) fputs(discmc_status_string(status), stderr);
   return status == DISCMC_OK;
 }
 
 int main(void) {
-  int good = start() == DISCMC_OK;
+  int good = succeeds(start());
   int32_t i, x;
   for (i = 0; good && i < SIZE * SIZE; ++i) {
     uint8_t row[SIZE];

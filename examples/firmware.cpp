@@ -6,7 +6,6 @@ using namespace discmc;
 constexpr int32_t size = 48;  // voxels per row, rows per slice, slices
 constexpr int32_t threshold = 192;
 constexpr Limits limits{size, size};
-
 // RAM without the stack: 7.8 KiB. A smaller arena, from 1.5 KiB on, makes the stream longer.
 static uint8_t memory[minimum_bytes<uint16_t>(limits) + 5 * 1024];
 static Extractor16 extractor;
@@ -20,11 +19,12 @@ static size_t uart_write(void*, const uint8_t* bytes, size_t count) {
 
 static uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // of a ball, densest in its middle
   const Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
-  return static_cast<uint8_t>(255 - dot(v, v) / 26);
+  return static_cast<uint8_t>(255 - 85 * dot(v, v) / ((size - 1) * (size - 1)));
 }
 
 static bool succeeds(Status status) {
   while (status == Status::suspended) status = extractor.resume();  // the UART is busy: sleep here
+  if (status != Status::ok) fputs(to_string(status), stderr);
   return status == Status::ok;
 }
 

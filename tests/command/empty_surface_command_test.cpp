@@ -189,6 +189,18 @@ TEST_CASE("pictures and distances of empty surfaces are refused with the values"
   CHECK(workshop.names() == std::vector<std::string>{"v.dmc", "v.nrrd"});
 }
 
+TEST_CASE("a stream without polygons is decoded and drawn with a note") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ramp);
+  workshop.done("extract v.nrrd --iso 7000 --allow-empty -q -o v.dmc");
+  for (const std::string command : {"decode v.dmc -o v.stl", "render v.dmc -o v.png"}) {
+    const auto empty = workshop.run(command);
+    CHECK(empty.code == 0);
+    CHECK(empty.error ==
+          "discmc: v.dmc: the stream holds no polygon; extract it with another threshold\n");
+  }
+}
+
 TEST_CASE("values of a volume that is narrowed for its normals are those of the file") {
   const Workshop workshop;
   workshop.write(

@@ -101,7 +101,7 @@ TEST_CASE("programs that show manuals take the page without a warning") {
   if (has(workshop, "man")) {
     const Result shown = workshop.shell("\"$discmc\" manual | man -l --warnings -");
     CHECK(shown.code == 0);
-    CHECK(contains(shown.out, "discmc render [OPTIONS] INPUT"));
+    CHECK(contains(shown.out, "discmc render [OPTIONS] -o FILE INPUT"));
     CHECK(shown.error.empty());
   }
   if (has(workshop, "mandoc")) {

@@ -233,7 +233,7 @@ TEST_CASE("a slab that there is not is refused, with what to give") {
 
 TEST_CASE("join takes any number of streams, and says so") {
   const Workshop workshop;
-  CHECK(contains(workshop.done("join --help"), "discmc join [OPTIONS] STREAM..."));
+  CHECK(contains(workshop.done("join --help"), "discmc join [OPTIONS] -o FILE STREAM..."));
   CHECK(contains(workshop.done("completions zsh"), "'*:FILE:_files'"));
 }
 

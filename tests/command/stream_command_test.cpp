@@ -261,7 +261,7 @@ TEST_CASE("what is no stream is refused by its name, and nothing is written") {
       CHECK(result.out.empty());
     }
   CHECK(workshop.names() == names);
-  CHECK(contains(workshop.run("info none.dmc").error, "check its name"));
+  CHECK(contains(workshop.run("info none.dmc").error, "check the name"));
 }
 
 TEST_CASE("damaged bytes and packets end in an exit code and never in a crash") {

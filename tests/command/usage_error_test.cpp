@@ -110,6 +110,8 @@ TEST_CASE("a value that is missing or no value of its option is answered with th
                  "--dims: invalid value '1,2'; expected X,Y,Z\n"));
   CHECK(contains(Workshop().run("extract v.raw --dims a,b,c").error,
                  "--dims: invalid value 'a,b,c'; expected X,Y,Z\n"));
+  CHECK(contains(Workshop().run("render v.dmc -o v.png --size 480x400").error,
+                 "--size: invalid value '480x400'; expected W,H, each 1 to 8192\n"));
   CHECK(contains(Workshop().run("extract v.raw --scan").error,
                  "--scan: the value is missing; expected N\n"));
   CHECK(contains(Workshop().run("extract v.raw --iso much").error,
@@ -132,6 +134,13 @@ TEST_CASE("arguments too many and too few are told by name") {
   check_said(
       "extract --border -o v.dmc v.nrrd --iso 5",
       "discmc: --border: invalid value '-o'; expected closed|open\nSee discmc extract --help.\n");
-  check_said("info --",
-             "discmc: INPUT is missing; give INPUT after the command\nSee discmc info --help.\n");
+  check_said(
+      "info --",
+      "discmc: INPUT is missing; write discmc info [OPTIONS] INPUT\nSee discmc info --help.\n");
+  check_said(
+      "compare a.stl",
+      "discmc: B is missing; write discmc compare [OPTIONS] A B\nSee discmc compare --help.\n");
+  check_said("render v.dmc",
+             "discmc: --output is missing; write discmc render [OPTIONS] -o FILE INPUT\n"
+             "See discmc render --help.\n");
 }

@@ -120,6 +120,7 @@ int run_decode(const StreamArguments& arguments) {
     report = reader.report();
   } else {
     DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
+    note_empty(arguments.stream, decoded);
     keep_chosen(arguments.stream, arguments.components, decoded.surface);
     const auto placement = mesh_placement(arguments.stream, decoded.placement, arguments.space);
     if (format == Format::jsonl) {

@@ -131,6 +131,7 @@ int run_render(const RenderArguments& arguments) {
     mesh = volume_to_draw(found);
   } else {
     DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
+    note_empty(arguments.input, decoded);
     mesh = mesh_to_draw(arguments, decoded.surface);
     code = completeness(arguments.input, decoded.report);
   }

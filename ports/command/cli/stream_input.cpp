@@ -69,13 +69,15 @@ void refuse_other_kinds(const std::string& path) {
 
 // Not of standard input.
 std::ifstream opened(const std::string& path) {
+  if (!std::filesystem::exists(path))
+    throw std::runtime_error(path + ": there is no such file; check the name");
   std::ifstream file;
   if (!std::filesystem::is_directory(path))
     file.open(path, std::ios::binary);
   else
     refuse_other_kinds(path);
   if (!file.is_open())
-    throw std::runtime_error(path + ": the file cannot be read; check its name and permissions");
+    throw std::runtime_error(path + ": the file cannot be read; check its permissions");
   return file;
 }
 
@@ -205,6 +207,11 @@ DecodedStream decode_surface(const std::string& path, std::istream& in,
                              const StreamChoice& choice) {
   return decoded_by([&](StreamReader& reader) { read_stream(path, in, 0, reader); }, path, choice,
                     Kept::polygons);
+}
+
+void note_empty(const std::string& path, const DecodedStream& decoded) {
+  if (decoded.report.is_complete() && decoded.surface.polygons.empty())
+    print_message(path, "the stream holds no polygon; extract it with another threshold");
 }
 
 int completeness(const std::string& path, const StreamReport& report) {

@@ -45,6 +45,9 @@ DecodedStream decode_surface(const std::string& path, std::istream& in, const St
 /// All bytes of the named stream, or of standard input by the name "-"; what is no stream, too.
 std::string stream_bytes(const std::string& path);
 
+/// Prints that the surface is empty though nothing is missing, if so.
+void note_empty(const std::string& path, const DecodedStream& decoded);
+
 /// Prints what is missing, and returns the exit code. The received parts are used.
 int completeness(const std::string& path, const StreamReport& report);
 

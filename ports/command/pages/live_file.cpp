@@ -25,7 +25,9 @@ int opened(const std::string& path) {
   const int descriptor = path == "-" ? fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
                                      : open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0)
-    throw std::runtime_error(path + ": the file cannot be read; check its name and permissions");
+    throw std::runtime_error(path + (errno == ENOENT
+                                         ? ": there is no such file; check the name"
+                                         : ": the file cannot be read; check its permissions"));
   return descriptor;
 }
 

@@ -32,7 +32,7 @@ struct CommandOutline {
   std::vector<CommandOutline> commands;
   std::string footer;  ///< lines as they are to be shown
 
-  /// "discmc extract [OPTIONS] VOLUME"
+  /// "discmc decode [OPTIONS] -o FILE STREAM"
   std::string usage;
 };
 

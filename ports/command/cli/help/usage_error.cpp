@@ -9,6 +9,8 @@
 #include <system_error>
 #include <vector>
 
+#include "outline.hpp"
+
 namespace discmc::command {
 namespace {
 
@@ -176,9 +178,7 @@ std::string plain(const std::string& what) {
       {std::regex(R"((\S+): Value (.*) not in range \[?(\S+) (?:to|-) ([^\]]+)\]?)"),
        "$1: invalid value '$2'; expected $3 to $4"},
       {std::regex(R"((\S+) excludes (\S+))"), "$1 cannot be combined with $2; leave one out"},
-      {std::regex(R"((\S+) requires (\S+))"), "$1 needs $2; add $2"},
-      {std::regex(R"((--\S+) is required)"), "$1 is missing; add $1"},
-      {std::regex(R"((\S+) is required)"), "$1 is missing; give $1 after the command"}};
+      {std::regex(R"((\S+) requires (\S+))"), "$1 needs $2; add $2"}};
   std::smatch found;
   if (std::regex_match(what, found, member))
     return found.str(1) + ": invalid value '" + found.str(2) + "'; expected " +
@@ -188,9 +188,26 @@ std::string plain(const std::string& what) {
   return what;
 }
 
+// As in "B is missing; write discmc compare [OPTIONS] A B".
+std::string missing_argument(const CLI::App& command, const CLI::Error& error) {
+  const std::string what = error.what();
+  return what.substr(0, what.find(' ')) + " is missing; write " + outline_of(command).usage;
+}
+
+// For several numbers the message has the range of each.
+std::string wrong_item(const CLI::App& command, const CLI::Error& error) {
+  const std::string what = error.what();
+  const CLI::Option* option = command.get_option_no_throw(what.substr(0, what.find(':')));
+  const bool has_several = option != nullptr && option->get_items_expected_min() > 1;
+  const std::string text = plain(what);
+  return has_several ? std::regex_replace(text, std::regex("; expected "),
+                                          "; expected " + option->get_option_text() + ", each ")
+                     : text;
+}
+
 std::string wrong_value(const CLI::App& command, const CLI::Error& error) {
   const CLI::Option* option = mistaken_option(command, error);
-  if (option == nullptr || option->get_option_text().empty()) return plain(error.what());
+  if (option == nullptr || option->get_option_text().empty()) return wrong_item(command, error);
   if (option->get_items_expected_max() == 1 && option->results().size() > 1)
     return option->get_name() + " is given more than once; give it once";
   const std::string values = CLI::detail::join(option->results(), ",");
@@ -211,6 +228,8 @@ std::string usage_error(const CLI::App* app, const CLI::Error& error) {
   } else {
     const CLI::App& command = *commands.front();
     if (what.empty()) what = unknown_argument(command, error);
+    if (what.empty() && error.get_name() == "RequiredError")
+      what = missing_argument(command, error);
     if (what.empty()) what = wrong_value(command, error);
     help += " " + command.get_name();
   }
