@@ -50,7 +50,7 @@ class Decoder {
   /// Decodes bytes, any number at a time, and sends the events that they complete. A packet before
   /// the first header is decoded, too; then `start` comes late. Status::suspended: the sink is
   /// busy; call push() again with the remaining bytes, even if there are none. Errors: not_started;
-  /// wrong_version (another format version: the rest of the stream is ignored); bad_sink (the sink
+  /// wrong_version (another format version: no byte is accepted until start()); bad_sink (the sink
   /// answered not_started). An encoder answers so before its start(), and before the header of its
   /// stream.
   Decoded push(const uint8_t* bytes, size_t count);

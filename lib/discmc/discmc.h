@@ -396,8 +396,8 @@ DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
                                                  const discmc_receiver_config* config);
 
 /* Accepts any bytes, any number at a time. If suspended, call push() again with the remaining
- * bytes, even if there are none. Errors: DISCMC_TOO_LITTLE_MEMORY (give memory for these slices,
- * then push the rest), DISCMC_WRONG_VERSION (ignores the rest of this stream), DISCMC_BAD_SINK. */
+ * bytes, even if there are none. Errors: DISCMC_TOO_LITTLE_MEMORY (call give_memory(), then push
+ * the rest), DISCMC_WRONG_VERSION (no byte is accepted until start()), DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_push_result discmc_receiver_push(discmc_receiver* receiver,
                                                      const uint8_t* bytes, size_t count);
 

@@ -73,10 +73,10 @@ class SliceDecoder {
 
   /// Decodes bytes, any number at a time. Status::suspended: the sink is busy; call push() again
   /// with the remaining bytes, even if there are none. Errors: not_started; bad_sink (the sink
-  /// answered not_started); wrong_version (the rest of the stream is ignored); too_little_memory
+  /// answered not_started); wrong_version (no byte is accepted until start()); too_little_memory
   /// (call give_memory(), then push the remaining bytes). Packets before the first header are lost.
-  /// A stream of regions delivers nothing: report().holds_slices is false. Cost: as
-  /// SliceEncoder::push().
+  /// A stream of regions delivers nothing: report().holds_slices is false. Cost: the coding
+  /// decisions of SliceEncoder::push().
   Decoded push(const uint8_t* bytes, size_t count);
 
   /// After too_little_memory: continues with this memory, at least slice_decoder_bytes(). Does

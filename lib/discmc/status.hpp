@@ -18,7 +18,7 @@ namespace discmc {
 ///   Extractor::start()       too_little_memory, or bad_sink of a sink that rejects the start:
 ///                            the previous scan has ended, too
 ///   MajorityFilter::start(), Downsampler::start()  any error: it is not started
-///   push() of decoders       wrong_version: the rest of this stream is ignored
+///   push() of decoders       wrong_version: no byte is accepted until start()
 ///   Joiner::finish()         too_little_memory: everything possible was delivered
 ///   CheckpointStore          device_error: see each of its functions
 enum class Status : uint8_t {

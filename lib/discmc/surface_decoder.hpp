@@ -48,10 +48,11 @@ class SurfaceDecoder {
     regions_.set_packet_passthrough(sink);
   }
 
-  /// Decodes bytes, any number at a time. Status::suspended: the sink is busy, or more lost rows
-  /// are to be skipped; call push() again with the remaining bytes, even if there are none. Errors:
-  /// not_started; bad_sink (the sink answered not_started); wrong_version (the rest of the stream
-  /// is ignored); too_little_memory (call give_memory(), then push the remaining bytes).
+  /// Decodes bytes, any number at a time. Status::suspended: the sink is busy, or more than
+  /// max_skipped_rows lost rows are to be skipped; call push() again with the remaining bytes, even
+  /// if there are none. Errors: not_started; bad_sink (the sink answered not_started);
+  /// wrong_version (no byte is accepted until start()); too_little_memory (call give_memory(), then
+  /// push the remaining bytes).
   Decoded push(const uint8_t* bytes, size_t count);
 
   /// After too_little_memory: continues with this memory, at least minimum_surface_bytes() for the
