@@ -9,8 +9,8 @@ namespace discmc {
 
 /// The result of a call; docs/statuses.md has the cause and the remedy of each. `ok` and
 /// `suspended` are not errors. After `suspended` call resume() until it returns another status.
-/// Objects without resume(): call the function again, and push() of a decoder with the remaining
-/// bytes.
+/// After flush() and write_record(), and for objects without resume(), call the function again. For
+/// push() of a decoder, pass the remaining bytes.
 ///
 /// After an error the object continues as if the call had not been made. But waiting events were
 /// delivered, and push() returns how much it accepted. These errors change more:
@@ -54,7 +54,8 @@ constexpr const char* to_string(Status status) {
     case Status::bad_capacities:
       return "a capacity is below its minimum or beyond the index type: use the default capacities";
     case Status::too_little_memory:
-      return "the memory is null or too small: see the size functions of the object";
+      return "the memory is null or too small: size it with minimum_bytes(), bytes_for() or "
+             "sizes.h";
     case Status::bad_sink:
       return "the sink or output has no function, or was not started: start the encoder first";
     case Status::not_started:
