@@ -13,14 +13,13 @@
  * the least memory for start(); sizes.h has upper bounds for static arrays.
  *
  * Checkpoints. save() sets `part` to the first bytes of the object's memory, which are its complete
- * state. Copy them before the next call of the object, which itself continues. restore() continues
- * from a copy at the beginning of the config's memory. The build must be the same, and the address
- * the same modulo 8. restore() reads only kind, memory, and sink or output from the config. Both
- * functions compute a checksum, about 50 instructions per byte.
+ * state. Copy them before the next call of the object. restore() continues from a copy at the
+ * beginning of the config's memory, and reads only kind, memory, and sink or output of the config.
+ * The build must be the same, and the address modulo 8. Cost: about 50 instructions per byte.
  *
- * Errors. Any start() or restore() can return DISCMC_TOO_LITTLE_MEMORY and DISCMC_BAD_SINK, any
- * restore() DISCMC_BAD_CHECKPOINT; comments list other errors (docs/statuses.md). After an error of
- * another function the object continues as if not called; waiting events are delivered.
+ * Errors. start() and restore() can return DISCMC_TOO_LITTLE_MEMORY and DISCMC_BAD_SINK, restore()
+ * also DISCMC_BAD_CHECKPOINT. Comments list all others; docs/statuses.md has remedies. After an
+ * error of another function the object continues as if not called, but waiting events were sent.
  *
  * Calls. Call an object from one thread or interrupt at a time. Objects share nothing. Your
  * functions run within calls of the object that has them. They must not jump out of the call, nor
@@ -103,14 +102,14 @@ enum { DISCMC_BITS, DISCMC_U8, DISCMC_U16, DISCMC_I16 };
 /* The replacement of a missing row: off voxels, or the previous row (off if there is none). */
 enum { DISCMC_SUBSTITUTE_OFF, DISCMC_SUBSTITUTE_PREVIOUS_ROW };
 
-/* The result of a push. Push the samples or bytes that were not accepted again. */
+/* The result of a push. Push again only the samples or bytes that were not accepted. */
 typedef struct discmc_push_result {
   discmc_status status;
   size_t accepted; /* samples; of a whole row the width or 0; for a receiver bytes */
 } discmc_push_result;
 
-/* The output of an encoder. write() accepts up to `count` bytes, valid during the call, and
- * returns how many: 0 if busy, or on an error. A dead link suspends until set_output(). */
+/* The output of an encoder. write() accepts up to `count` bytes, valid during the call, and returns
+ * how many: 0 if busy, or on an error. If the link is dead, call set_output(). */
 typedef struct discmc_byte_output {
   void* context;
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
@@ -223,8 +222,8 @@ discmc_vertex discmc_unit_normal(const uint8_t normal[2]);
 
 /* ---- extractor: samples in, polygons out ---- */
 /* A program links only the kinds that it names. Plain kinds accept samples of one type, or rows of
- * bits. Kinds with normals add a normal to each corner, and keep four slices of samples. The kind
- * for hosts accepts all types, and needs half of the instructions if it has a few megabytes. */
+ * bits. Kinds with normals add a normal to each corner, and keep four slices and six rows of
+ * samples. discmc_host accepts all types, and with a few megabytes halves the instructions. */
 typedef struct discmc_extractor_kind discmc_extractor_kind;
 extern const discmc_extractor_kind discmc_plain_bits, discmc_plain_u8, discmc_plain_u16,
     discmc_plain_i16, discmc_normals_u8, discmc_normals_u16, discmc_normals_i16, discmc_host;
@@ -233,14 +232,14 @@ extern const discmc_extractor_kind discmc_plain_bits, discmc_plain_u8, discmc_pl
 typedef struct discmc_extractor_config {
   const discmc_extractor_kind* kind;
   discmc_limits limits;
-  /* The slices of one of several extractors; all zero: all. If the volume continues below, first
-   * push the slice below; if above, last the slice above. DISCMC_ANY_ORDER joins all events. */
+  /* The slices of one of several extractors; all zero: the volume. If it continues below, push the
+   * slice below first; if above, the slice above last. DISCMC_ANY_ORDER joins all events. */
   struct {
     uint32_t first; /* the number of its first own slice; 0 unless the volume continues below */
     uint8_t continues_below, continues_above;
   } slab;
   int32_t threshold;     /* a voxel is on if its sample is >= threshold */
-  int32_t spacing_nm[3]; /* for normals: between voxels; all zero: they are cubes */
+  int32_t spacing_nm[3]; /* for normals: between voxels; 0: voxels are cubes */
   /* Each slot holds up to three runs of unfinished polygons, in 8 bytes (normals 14, hosts 16).
    * Few slots make the stream longer; the surface is unchanged. 0: as many as fit. */
   uint32_t slots;
@@ -257,9 +256,9 @@ DISCMC_CHECK discmc_status discmc_extractor_start(discmc_extractor** extractor,
 /* Accepts samples of consecutive voxels: x first, then y, then z. A call may begin and end anywhere
  * in a row. samples: `count` values of the type, `stride` values apart; Owner: the caller, during
  * the call. Bits: one row per call, (width + 7) / 8 bytes, with the width as the count. If
- * suspended, all samples up to the end of a row are accepted: call resume() until it is not
- * suspended, then push the rest. Errors: DISCMC_BAD_SAMPLES, DISCMC_FINISHED,
- * DISCMC_TOO_MANY_SLICES, for bits DISCMC_ROW_IN_PROGRESS. Cost: a comparison per sample. */
+ * suspended, call resume() until it is not suspended, then push the samples that were not accepted.
+ * Errors: DISCMC_BAD_SAMPLES, DISCMC_FINISHED, DISCMC_TOO_MANY_SLICES, for bits
+ * DISCMC_ROW_IN_PROGRESS. Cost: a comparison per sample. */
 DISCMC_CHECK discmc_push_result discmc_extractor_push(discmc_extractor* extractor,
                                                       discmc_sample_type type, const void* samples,
                                                       uint32_t count, uint32_t stride);
@@ -267,11 +266,11 @@ DISCMC_CHECK discmc_push_result discmc_extractor_push(discmc_extractor* extracto
 /* Replaces a missing row: DISCMC_SUBSTITUTE_OFF or _PREVIOUS_ROW. Result and errors as for bits. */
 DISCMC_CHECK discmc_push_result discmc_extractor_skip_row(discmc_extractor* extractor,
                                                           uint8_t substitute);
-/* Continues if suspended, and returns that again while the sink is busy. */
+/* Continues after any suspended call, and is suspended again while the sink is busy. */
 DISCMC_CHECK discmc_status discmc_extractor_resume(discmc_extractor* extractor);
 /* Ends the scan, and delivers the remaining events. Errors: DISCMC_SLICE_IN_PROGRESS. */
 DISCMC_CHECK discmc_status discmc_extractor_finish(discmc_extractor* extractor);
-/* Ends the scan anywhere: the rest of the slice is off, which closes a closed surface. */
+/* Ends the scan anywhere; the rest of the slice is off. DISCMC_CLOSED still closes the surface. */
 DISCMC_CHECK discmc_status discmc_extractor_abandon(discmc_extractor* extractor);
 
 /* A checkpoint; if suspended, resume first. restore() continues at `slices`, `rows` of the info. */
@@ -283,14 +282,14 @@ DISCMC_CHECK discmc_status discmc_extractor_restore(discmc_extractor** extractor
 typedef struct discmc_extractor_info {
   discmc_statistics statistics;    /* so far */
   uint32_t slices, rows;           /* complete slices, and complete rows of the next */
-  uint32_t slots, holes;           /* capacities; holes lie in the slots */
-  uint32_t peak_slots, peak_holes; /* most in use; peak_slots + 1168 avoid all fragments */
+  uint32_t slots, holes;           /* capacities; waiting holes use some of the slots */
+  uint32_t peak_slots, peak_holes; /* most in use; peak_slots + 1168 slots avoid all fragments */
   size_t bytes_used;               /* of the memory, from its beginning */
 } discmc_extractor_info;
 discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extractor);
 
 /* ---- encoder: polygons in, bytes out ---- */
-/* The second kind also encodes the normals of runs; the stream is about five times as long. */
+/* discmc_regions_with_normals also encodes normals: the stream is about five times as long. */
 typedef struct discmc_encoder_kind discmc_encoder_kind;
 extern const discmc_encoder_kind discmc_regions, discmc_regions_with_normals;
 
@@ -301,8 +300,8 @@ typedef struct discmc_encoder_config {
   discmc_memory memory;      /* DISCMC_ENCODER_BYTES */
   discmc_byte_output output;
 } discmc_encoder_config;
-/* Prepares a stream. Each further scan is a further stream with the next scan number. If a reset
- * may have cut off a frame, send a zero byte first. Errors: DISCMC_BAD_LABEL. */
+/* Prepares a stream, before discmc_extractor_start(). Each further scan is a stream with the next
+ * number. If a reset may have cut off a frame, send a zero byte first. Errors: DISCMC_BAD_LABEL. */
 DISCMC_CHECK discmc_status discmc_encoder_start(discmc_encoder** encoder,
                                                 const discmc_encoder_config* config);
 /* Encodes an event: the sink of an extractor is {encoder, discmc_encoder_take}. */
@@ -315,8 +314,8 @@ DISCMC_CHECK discmc_status discmc_encoder_write_record(discmc_encoder* encoder,
 /* Sends an incomplete packet instead of waiting for a full one. If suspended, call again. */
 DISCMC_CHECK discmc_status discmc_encoder_flush(discmc_encoder* encoder);
 
-/* Continues with another output, and repeats the header for a late receiver. Without a write
- * function, as for a dead link, drops the stream but counts its bytes. */
+/* Continues with another output, and repeats the header for a late receiver. An output without a
+ * write function is for a dead link: the encoder drops the stream but counts its bytes. */
 void discmc_encoder_set_output(discmc_encoder* encoder, discmc_byte_output output);
 
 /* A checkpoint. restore() sends the interrupted frame again. */
@@ -338,8 +337,8 @@ typedef struct discmc_slice_encoder_config {
   discmc_limits limits;
   uint8_t surface_count; /* 1 to DISCMC_MAX_SURFACES, on consecutive channels */
   int32_t thresholds[4]; /* put first the surface most like the others: it predicts them */
-  /* From one key slice, which decodes alone, to the next; 0: only the first. A lost packet costs up
-   * to this many slices; 16 is a good value. 1 needs the least memory, but most bytes of stream. */
+  /* The slices from a key slice, which decodes alone, to the next; 0: no further key slice. A lost
+   * packet costs up to this many slices; 16 is good. 1: least memory, but the longest stream. */
   uint32_t key_slice_interval;
   discmc_stream_label label;
   discmc_memory memory;
@@ -351,7 +350,8 @@ uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config);
 DISCMC_CHECK discmc_status discmc_slice_encoder_start(discmc_slice_encoder** encoder,
                                                       const discmc_slice_encoder_config* config);
 
-/* As for the extractor, down to restore(). Bits: one row per surface, each from a new byte on. */
+/* push() to restore() work as those of the extractor. Bits: one row per surface, each starting at a
+ * new byte. The count of bits is the width, also with several surfaces. */
 DISCMC_CHECK discmc_push_result discmc_slice_encoder_push(discmc_slice_encoder* encoder,
                                                           discmc_sample_type type,
                                                           const void* samples, uint32_t count,
@@ -366,8 +366,8 @@ DISCMC_CHECK discmc_status discmc_slice_encoder_save(discmc_slice_encoder* encod
 DISCMC_CHECK discmc_status discmc_slice_encoder_restore(discmc_slice_encoder** encoder,
                                                         const discmc_slice_encoder_config* config);
 
-/* As for the encoder, except that it fills in slice and row of a record. The next slice after
- * set_output() is a key slice. */
+/* As for the encoder, except that write_record() fills in slice and row of the record. If it is
+ * suspended, call write_record() again. The next slice after set_output() is a key slice. */
 DISCMC_CHECK discmc_status discmc_slice_encoder_write_record(
     discmc_slice_encoder* encoder, const discmc_application_record* record);
 DISCMC_CHECK discmc_status discmc_slice_encoder_flush(discmc_slice_encoder* encoder);
@@ -387,11 +387,11 @@ typedef struct discmc_receiver_config {
   discmc_memory memory; /* for slices: beyond the minimum, fewer regions arrive as fragments */
   discmc_sink sink;
 } discmc_receiver_config;
-/* The least memory for a stream of slices; for polygons pass null limits. Limit: they are valid. */
+/* The least memory for a stream of slices; for polygons pass null. Limit: valid limits, or null. */
 uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count);
-/* Waits for a stream. Counts and ignores packets of other scans and channels, so all receivers of a
- * link, one per surface, may get all bytes. If a link carries one scan after another, push the
- * bytes up to each zero byte separately, and call start() again when the info has_trailer. */
+/* Prepares to receive a stream. Ignores packets of other scans and channels, so push all bytes of a
+ * link to each receiver, one per surface. If scan follows scan, push one frame per call: up to and
+ * including a zero byte. If push() is DISCMC_OK and the info has_trailer, call start() again. */
 DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
                                                  const discmc_receiver_config* config);
 
@@ -401,8 +401,8 @@ DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
 DISCMC_CHECK discmc_push_result discmc_receiver_push(discmc_receiver* receiver,
                                                      const uint8_t* bytes, size_t count);
 
-/* After DISCMC_TOO_LITTLE_MEMORY: sets other memory, discmc_receiver_bytes() for the header of the
- * info. The object stays in place. Errors: DISCMC_TOO_LITTLE_MEMORY, DISCMC_WRONG_VERSION. */
+/* After DISCMC_TOO_LITTLE_MEMORY: sets memory, discmc_receiver_bytes() for the header of the info.
+ * The memory of the config stays in use. Errors: DISCMC_TOO_LITTLE_MEMORY, DISCMC_WRONG_VERSION. */
 DISCMC_CHECK discmc_status discmc_receiver_give_memory(discmc_receiver* receiver,
                                                        discmc_memory memory);
 /* Ends the input. If suspended, call again. Errors: DISCMC_BAD_SINK. */
@@ -417,7 +417,7 @@ typedef struct discmc_receiver_info {
   uint8_t is_mixed;      /* packets of another scan of the same number were accepted */
   uint64_t bytes, packets, repeated_packets, damaged_packets;
   uint64_t foreign_packets;           /* of other scans and channels; in no other count */
-  uint64_t lost_packets, lost_pieces; /* grow with the next packet; pieces: of polygons */
+  uint64_t lost_packets, lost_pieces; /* seen at the next packet; pieces: regions and fragments */
   uint64_t regions, fragments;        /* of a stream of polygons */
   uint64_t rows, lost_rows;           /* of a stream of slices */
   uint64_t total_rows;                /* from here on: according to the trailer */
@@ -434,7 +434,7 @@ typedef struct discmc_joiner_config {
   discmc_sink sink;
 } discmc_joiner_config;
 enum { DISCMC_SWEEP_ORDER, DISCMC_ANY_ORDER };
-/* Waits for events. */
+/* Starts an empty joiner. */
 DISCMC_CHECK discmc_status discmc_joiner_start(discmc_joiner** joiner,
                                                const discmc_joiner_config* config);
 /* Accepts any event: the sink of an extractor or receiver is {joiner, discmc_joiner_take}. */
@@ -446,10 +446,10 @@ DISCMC_CHECK discmc_status discmc_joiner_finish(discmc_joiner* joiner);
 
 /* The report of a joiner so far. */
 typedef struct discmc_joiner_info {
-  uint64_t received, invalid;         /* fragments, and invalid ones, which are dropped */
+  uint64_t received, invalid;         /* fragments that arrived, and those dropped as invalid */
   uint64_t regions, rings;            /* delivered, joined from fragments */
-  uint64_t unmatched;                 /* without a partner at the end: a measure of losses */
-  uint64_t short_of_memory;           /* chains passed on, for lack of memory */
+  uint64_t unmatched;                 /* fragments without a partner at the end: data is missing */
+  uint64_t short_of_memory;           /* fragments that left unjoined or partly joined */
   uint32_t fragments, runs;           /* capacities */
   uint32_t peak_fragments, peak_runs; /* most in use */
 } discmc_joiner_info;
@@ -472,17 +472,17 @@ typedef struct discmc_store_config {
   uint32_t max_bytes;     /* of all parts of a checkpoint */
   discmc_memory memory;   /* DISCMC_STORE_BYTES(program_bytes) */
 } discmc_store_config;
-/* Finds the newest checkpoint. Errors: DISCMC_BAD_DEVICE; DISCMC_DEVICE_ERROR still starts it. */
+/* Finds the newest checkpoint. Errors: DISCMC_BAD_DEVICE; DISCMC_DEVICE_ERROR (but it starts). */
 DISCMC_CHECK discmc_status discmc_store_start(discmc_store** store,
                                               const discmc_store_config* config);
 
 /* The newest checkpoint of a store, and the costs of a checkpoint. */
 typedef struct discmc_store_info {
   uint8_t has_checkpoint;
-  uint32_t bytes, sequence; /* its length; its number, one more than that of the previous one */
-  uint32_t slots;           /* in flash: E erasures per block make E * slots checkpoints */
-  uint32_t slots_per_block; /* of a large block; otherwise 1 */
-  uint32_t blocks, units;   /* that a checkpoint of max_bytes erases and programs */
+  uint32_t bytes, sequence; /* of the newest checkpoint: its length and its number, modulo 2^32 */
+  uint32_t slots;           /* checkpoints that fit; E erasures per block suffice for E * slots */
+  uint32_t slots_per_block; /* 1 if a slot has one or more blocks of its own */
+  uint32_t blocks, units;   /* erased and programmed by a checkpoint of max_bytes */
 } discmc_store_info;
 discmc_store_info discmc_store_get_info(const discmc_store* store);
 
@@ -495,7 +495,7 @@ DISCMC_CHECK discmc_status discmc_store_restore(discmc_store* store, const discm
  * another block remains: call again. Errors: DISCMC_DEVICE_ERROR. */
 DISCMC_CHECK discmc_status discmc_store_erase_ahead(discmc_store* store, uint32_t bytes);
 
-/* Saves 1 to DISCMC_MAX_PARTS parts, which must not change while resume() is suspended. A call
+/* Saves 1 to DISCMC_MAX_PARTS parts; keep them unchanged while the save is suspended. Each call
  * erases a block, or programs a unit and reads it back. Errors: DISCMC_TOO_LITTLE_MEMORY (parts),
  * DISCMC_DEVICE_ERROR (save again: it uses other blocks if there are more than two flash slots). */
 DISCMC_CHECK discmc_status discmc_store_save(discmc_store* store, const discmc_memory* parts,
@@ -509,15 +509,15 @@ typedef struct discmc_row_ring_config {
   uint32_t row_bytes, rows;
   discmc_memory memory; /* DISCMC_ROW_RING_BYTES(row_bytes, rows) */
 } discmc_row_ring_config;
-/* Errors: DISCMC_BAD_CAPACITIES. */
+/* Starts an empty ring. Limit: neither side is active. Errors: DISCMC_BAD_CAPACITIES. */
 DISCMC_CHECK discmc_status discmc_row_ring_start(discmc_row_ring** ring,
                                                  const discmc_row_ring_config* config);
 
 /* Interrupt: the row to fill next, or the one `ahead` rows later; null if there is no room. */
 void* discmc_row_ring_free_row(const discmc_row_ring* ring, uint32_t ahead);
-/* Interrupt: the free row is filled. */
+/* Interrupt: marks the free row as filled. Limit: there is a free row. */
 void discmc_row_ring_commit(discmc_row_ring* ring);
-/* Interrupt: `rows` rows before the free one were lost. Returns the count of all rows, mod 2^32. */
+/* Interrupt: records rows lost before the free row. Returns all rows so far, modulo 2^32. */
 uint32_t discmc_row_ring_drop(discmc_row_ring* ring, uint32_t rows);
 /* Interrupt: no row follows. */
 void discmc_row_ring_end(discmc_row_ring* ring);
@@ -527,7 +527,7 @@ enum { DISCMC_ROW_NONE /* yet */, DISCMC_ROW_READY, DISCMC_ROW_LOST, DISCMC_ROW_
 /* The result of peek(): a row, or the reason why there is none. */
 typedef struct discmc_row {
   uint8_t kind;
-  void* samples;   /* may be changed in place; Owner: the ring, until pop */
+  void* samples;   /* if ready; may be changed in place; Owner: the ring, until pop() */
   uint32_t number; /* filled and lost rows before it, modulo 2^32 */
 } discmc_row;
 discmc_row discmc_row_ring_peek(const discmc_row_ring* ring);
@@ -540,7 +540,7 @@ enum { DISCMC_MONO10PMSB = 4, DISCMC_MONO12PMSB, DISCMC_MONO12_PACKED /* GenICam
 
 /* The bytes of this many samples, in whole groups. Limit: count <= 2^31. */
 uint32_t discmc_packed_bytes(uint8_t packing, uint32_t count);
-/* Unpacks a row; samples may begin at `packed`. Cost: 7 to 14 instructions per sample. */
+/* Unpacks a row; samples: at `packed` or without overlap. Cost: 7 to 14 instructions per sample. */
 void discmc_unpack(uint8_t packing, const uint8_t* packed, uint32_t count, uint16_t* samples);
 
 #ifdef __cplusplus
