@@ -33,16 +33,16 @@ struct CheckpointHead {
   static constexpr uint32_t current_format = 0x324B4344;  // "DCK2"
 
   uint32_t format;
-  uint32_t layout;         ///< of the object; another build has another number
+  uint32_t layout;         ///< from sizeof(Object) and Object::layout; builds may agree in it
   uint64_t memory_bytes;   ///< the first bytes of the memory, which belong to the checkpoint
   uint32_t memory_offset;  ///< address of the memory modulo Arena::alignment
   uint32_t checksum;       ///< of the header with 0 in this member, of the object and of the memory
 };
 
 /// The state of an Object at one moment, with the checksum of its memory. A checkpoint holds no
-/// addresses and is copied as plain bytes, unlike the object itself. The same build restores it, at
-/// any address of the memory. The checksum detects accidents, not attacks: store checkpoints where
-/// no one else writes.
+/// addresses and is copied as plain bytes, unlike the object itself. The same build restores the
+/// checkpoint, with the memory at any address that is the same modulo Arena::alignment. The
+/// checksum detects accidents, not attacks: store checkpoints where no one else writes.
 template <class Object>
 struct Checkpoint {
   CheckpointHead head;

@@ -143,11 +143,12 @@ class CheckpointStore {
   /// Finds the newest complete checkpoint in flash, whatever else the flash contains.
   ///
   /// max_bytes: of all parts of a checkpoint; with another value than at save(), the store may not
-  /// find the checkpoint. buffer: at least geometry.program_bytes; Owner: the caller keeps buffer
-  /// and device while the store is in use. Errors: bad_device (no read() or program(), or no valid
-  /// store_plan()), too_little_memory (the buffer). device_error: a read failed, and no checkpoint
-  /// was found; the store has started, and may overwrite what it could not read. Cost: reads one
-  /// unit per slot and all units of the newest checkpoint, and computes its checksum.
+  /// find the checkpoint. device: copied. buffer: at least geometry.program_bytes. Owner: the
+  /// caller keeps the buffer and device.context while the store is in use. Errors: bad_device (no
+  /// read() or program(), or no valid store_plan()), too_little_memory (the buffer). device_error:
+  /// a read failed, and no checkpoint was found; the store has started, and may overwrite what it
+  /// could not read. Cost: reads one unit per slot and all units of the newest checkpoint, and
+  /// computes its checksum.
   [[nodiscard]] Status start(const FlashDevice& device, uint32_t max_bytes, Memory buffer);
 
   /// Whether the flash contains a complete checkpoint.

@@ -10,8 +10,9 @@
 //                         ^  | push(), skip_row(), resume()                               |
 //                         |__|___________________________ reset() ________________________|
 //
-// Each call does only the work that its rows require. The extractor allocates nothing, and stores
-// its state only in the object and in the caller's memory.
+// start() works in every state, reset() in every state except idle. Each call does only the work
+// that its rows require. The extractor allocates nothing, and stores its state only in the object
+// and in the caller's memory.
 #ifndef DISCMC_EXTRACTOR_HPP
 #define DISCMC_EXTRACTOR_HPP
 
@@ -71,10 +72,10 @@ class BasicExtractor {
   /// anywhere in a row. samples: `count` samples that are `stride` samples apart; Owner: the
   /// caller; free again when the call returns. Sample is uint8_t, uint16_t or int16_t.
   ///
-  /// Status::suspended: the sink is busy, and all samples up to the end of a row are accepted. Call
-  /// resume() until it returns another status, then push the remaining samples. Errors:
-  /// not_started, finished, too_many_slices. Cost: one comparison per sample. A completed row also
-  /// extracts the surface of a row of the slice below (DESIGN.md, "Work").
+  /// Status::suspended: the sink is busy, and PushResult::samples samples are accepted, up to the
+  /// end of a row. Call resume() until it returns another status, then push the remaining samples.
+  /// Errors: not_started, finished, too_many_slices. Cost: one comparison per sample. A completed
+  /// row also extracts the surface of a row of the slice below (DESIGN.md, "Work").
   template <class Sample>
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
@@ -120,7 +121,8 @@ class BasicExtractor {
 
   /// Continues a scan whose object and memory were saved and restored as plain bytes, without
   /// save() and restore(); discmc.h works so. memory, sink: as of restore(). Limit: the bytes were
-  /// saved while is_suspended() was false, and are unchanged. Errors: bad_sink, too_little_memory.
+  /// saved while is_suspended() was false, and are unchanged. Errors: bad_sink; too_little_memory
+  /// (then call start(), or this function again with enough memory).
   [[nodiscard]] Status resume_in_place(Memory memory, const Sink& sink);
 
   /// Whether the sink has refused an event that is due. If so, call resume() before save().

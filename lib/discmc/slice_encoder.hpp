@@ -78,9 +78,9 @@ class SliceEncoder {
  public:
   SliceEncoder() = default;
 
-  /// Begins a scan and its stream. header: the first packet; width, height and thresholds are
-  /// required. With several surfaces, each uses all samples. The bits of the first surface predict
-  /// those of the others, so choose as the first the one that the others resemble. memory: at least
+  /// Begins a scan and its stream. header: width, height and thresholds are required; the stream
+  /// begins with the header. With several surfaces, each uses all samples. Put first the surface
+  /// that most resembles the others: its bits predict the bits of the others. memory: at least
   /// slice_encoder_bytes(); Owner: the caller, for as long as the scan lasts. If a reset of the
   /// device may have cut off a frame, send a zero byte to the link first. Errors: bad_limits,
   /// bad_label, bad_sink (no write function), too_little_memory.
@@ -91,18 +91,20 @@ class SliceEncoder {
   /// anywhere in a row. samples: `count` samples that are `stride` samples apart; Owner: the
   /// caller; free again when the call returns. Sample is uint8_t, uint16_t or int16_t.
   ///
-  /// Status::suspended: the output is busy, and all samples up to the end of a row are accepted.
-  /// Call resume() until it returns another status, then push the remaining samples. Errors:
-  /// not_started, finished, too_many_slices. Cost: one comparison per sample, one or two coding
-  /// decisions per row, and one per voxel of outline.
+  /// Status::suspended: the output is busy, and PushResult::samples samples are accepted, up to the
+  /// end of a row. Call resume() until it returns another status, then push the remaining samples.
+  /// Errors: not_started, finished, too_many_slices. Cost: one comparison per sample and surface;
+  /// per row of a surface one or two coding decisions, and about one per voxel whose neighbours
+  /// differ.
   template <class Sample>
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
     static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
     return push_samples(samples, count, stride);
   }
 
-  /// Accepts a whole row that you thresholded. bits: (width + 7) / 8 bytes, eight voxels per byte,
-  /// the first in bit 0; with several surfaces their rows follow each other. Owner: as of push().
+  /// Accepts a whole row that you thresholded. bits: (width + 7) / 8 bytes per surface, one surface
+  /// after another; eight voxels per byte, the first in bit 0; bits beyond the width are ignored.
+  /// Owner: as of push().
   /// The row is accepted if PushResult::samples is the width, even with Status::suspended;
   /// otherwise samples is 0. Errors: as push(), row_in_progress.
   PushResult push_bits(const uint8_t* bits);

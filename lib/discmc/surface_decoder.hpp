@@ -2,8 +2,8 @@
 //
 // From a stream of regions it decodes the events of the scan. From a stream of slices it extracts
 // the surface, as the device would have done: the events are those of an extractor that receives
-// the same rows, including skipped ones. Rows lost in transit count as skipped rows. So the surface
-// is closed, and `skipped` events locate the loss.
+// the same rows, including skipped ones. Rows lost in transit count as skipped rows that are off.
+// So a closed border still has a closed surface, and `skipped` events locate the loss.
 //
 // It delivers one surface. If a stream has several surfaces, use one decoder per channel, and push
 // all bytes to each. Give each the memory for all surfaces, because a further surface is decoded
