@@ -67,7 +67,8 @@ constexpr bool is_closed(Incidence incidence, const Run* runs, uint32_t count) {
   return displacement(incidence, runs, count) == Vertex{0, 0, 0};
 }
 
-/// Reverses the chain in place: the same vertices from the end to the start. Cost: one pass.
+/// Reverses the chain in place: the same vertices from the end to the start. The new start is the
+/// old end. Cost: one pass.
 constexpr void reverse(Incidence incidence, Run* runs, uint32_t count) {
   for (uint32_t i = 0; i < (count + 1) / 2; ++i) {
     const Run first = runs[i];
@@ -134,7 +135,8 @@ constexpr int32_t plane_offset(Incidence incidence, const Vertex& p) {
   return static_cast<int32_t>(term(n.x, p.x) + term(n.y, p.y) + term(n.z, p.z));
 }
 
-/// A point or a vector of a plane, projected along an axis that the plane does not contain.
+/// A point or a vector of a plane, projected along an axis that the plane does not contain. Units:
+/// half-steps from projected(), eighths of a half-step from point_beside().
 struct PlanePoint {
   int64_t u, v;
 };

@@ -95,8 +95,9 @@ inline uint32_t aligned_word(const void* memory) {
 
 // ---- memory that is shared ----
 
-/// Reads and writes a word that an interrupt or another thread shares. A reader of a released word
-/// also sees every earlier write. Without GCC or Clang: on one processor only.
+/// load_acquire() reads, and store_release() writes, a word that an interrupt or another thread
+/// shares. A reader of a released value also sees every earlier write. Without GCC or Clang: on one
+/// processor only.
 #if defined(DISCMC_HAS_GNU) && !(defined(__clang__) && defined(__ARM_ARCH_6M__))
 inline uint32_t load_acquire(const uint32_t& word) {
   return __atomic_load_n(&word, __ATOMIC_ACQUIRE);
@@ -175,7 +176,7 @@ inline uint32_t bit_width(uint64_t bits) {
 // ---- division ----
 
 /// Whether the processor has a division instruction. Without one, the compiler's library divides in
-/// 270 bytes of code, so the tracer does not divide.
+/// 270 bytes of code, so an extractor without normals does not divide.
 #if defined(__ARM_ARCH_6M__) || (defined(__riscv) && !defined(__riscv_div))
 constexpr bool has_division = false;
 #else
@@ -191,8 +192,9 @@ constexpr bool has_lane_selection = true;
 constexpr bool has_lane_selection = false;
 #endif
 
-/// Selects the lane of `yes` if the lane of `a` is at least that of `b`, otherwise the lane of
-/// `no`.
+/// A lane is an unsigned number of lane_bits bits. Selects for each lane of the word: the lane of
+/// `yes` if the lane of `a` is at least that of `b`, otherwise the lane of `no`. Limit: lane_bits
+/// is 8 or 16.
 template <uint32_t lane_bits>
 uint32_t select_lanes(uint32_t a, uint32_t b, uint32_t yes, uint32_t no) {
 #if defined(DISCMC_HAS_LANE_SELECTION)

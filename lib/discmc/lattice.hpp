@@ -67,14 +67,17 @@ using Incidence = uint8_t;
 constexpr Incidence no_incidence = 13;
 constexpr int incidence_codes = 27;
 
+/// The normal of an incidence.
 constexpr Vertex normal(Incidence incidence) {
   // Without divisions: the smallest processors have no instruction for them.
   const int by_3 = incidence * 171 >> 9, by_9 = incidence * 57 >> 9;
   return {incidence - 3 * by_3 - 1, by_3 - 3 * by_9 - 1, by_9 - 1};
 }
+/// The incidence of a normal. Limit: its components are -1, 0 or 1.
 constexpr Incidence incidence_of(const Vertex& normal) {
   return static_cast<Incidence>(13 + normal.x + 3 * normal.y + 9 * normal.z);
 }
+/// The incidence of the opposite normal.
 constexpr Incidence opposite(Incidence incidence) {
   return static_cast<Incidence>(26 - incidence);
 }

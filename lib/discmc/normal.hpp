@@ -1,7 +1,7 @@
 // Normals in integers: fixed-point unit vectors from vectors of any length.
 //
-// A normal points outside, from on to off. The gradient at a wall thinner than two
-// voxels may point inside. A normal has one of three sources:
+// A normal points outside, from on to off. The gradient at a wall thinner than two voxels may point
+// inside. A normal has one of three sources:
 //
 //   the facet      normal(incidence) of lattice.hpp, weighted(): exact, and free
 //   the samples    SampleWindow::negative_gradient(), weighted(): Montani et al. 1994, 2.4
@@ -57,18 +57,19 @@ struct AxisWeights {
   int32_t x = 1, y = 1, z = 1;
 };
 
-/// The weights of a spacing. Units: any; negative for a mirrored axis. If one is zero (unknown),
-/// voxels count as cubes. Error: at most 2^-30 of the largest.
+/// The weights of a spacing. Units: any; negative for a mirrored axis. If a component is zero
+/// (unknown), voxels count as cubes. Error: at most 2^-30 of the largest weight.
 AxisWeights axis_weights(const int32_t (&spacing)[3]);
 
 /// Corrects a normal or gradient for voxels that are not cubes. Only the direction of the result
-/// matters: pass it to unit_normal(). Error: none
-/// below 2^31, otherwise at most 2^-31 of the largest component.
+/// matters: pass it to unit_normal(). Error: none if all components are below 2^31, otherwise at
+/// most 2^-31 of the largest component.
 LongVector weighted(const LongVector& vector, const AxisWeights& weights);
 
 /// The unit vector of a direction of any length; none for the zero vector. Error: at most 0.006
 /// degrees. Cost: three 32-bit divisions and a square root.
 UnitNormal unit_normal(const LongVector& direction);
+/// As above, in two bytes. Error: at most 0.96 degrees. Cost: two 32-bit divisions.
 OctahedralNormal octahedral_normal(const LongVector& direction);
 
 /// Decodes an octahedral normal. Any bytes are safe.

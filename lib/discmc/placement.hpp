@@ -14,10 +14,12 @@ enum class Space : uint8_t {
   ras,      ///< x to the right, y to the front, z to the head, as in NIfTI
 };
 
-/// The transform from voxels to space: the centre of voxel (i, j, k) is origin + i axes[0] + j
-/// axes[1] + k axes[2]. So a vertex (x, y, z), in half-steps, lies at origin + (x axes[0] + y
-/// axes[1] + z axes[2]) / 2. The spacing in the stream's header, which the normals use, stays
-/// unchanged. Units: nanometres.
+/// The transform from voxels to space:
+///
+///   voxel (i, j, k)                  origin_nm + i axes_nm[0] + j axes_nm[1] + k axes_nm[2]
+///   vertex (x, y, z) in half-steps   origin_nm + (x axes_nm[0] + y axes_nm[1] + z axes_nm[2]) / 2
+///
+/// Normals use the spacing of the stream's header instead. Units: nanometres.
 struct Placement {
   int32_t axes_nm[3][3] = {};  ///< from one voxel to the next along x, y, z: three vectors in space
   int64_t origin_nm[3] = {};   ///< the centre of voxel (0, 0, 0)

@@ -33,22 +33,24 @@ int64_t twice_area(Incidence incidence, const Vertex* vertices, uint32_t count);
 /// A sink of simple rings. Owner: the context belongs to the caller.
 struct RingSink {
   void* context = nullptr;
-  /// Receives a ring of three or more vertices, one per link; valid during the call.
+  /// Called by split_ring() for each simple ring: three or more vertices, one per link; valid
+  /// during the call.
   void (*take)(void* context, const Vertex* vertices, uint32_t count) = nullptr;
 };
 
 /// Splits a ring of vertices, as ring_vertices() writes it, into simple rings, and sends each to
 /// the sink. Each simple ring keeps the direction of the ring, so twice_area() distinguishes outer
 /// rings from holes. Rings of two links enclose no area and are dropped. vertices: overwritten.
-/// scratch: room for 2 * count words. Owner: the caller. Cost: count * log(count) comparisons.
+/// scratch: 2 * count elements of uint32_t. Owner of both: the caller. Cost: count * log(count)
+/// comparisons.
 void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingSink& sink);
 
 /// Whether vertex i of a ring is a corner: the links before and after it differ. Limit: i < count.
 bool is_corner(const Vertex* vertices, uint32_t count, uint32_t i);
 
 /// Keeps the corners of a ring, and every vertex for which keep(vertex) is true. Moves them to the
-/// front of `vertices`, in their order, and returns their number. A mesh has no T-junctions if
-/// keep() is true wherever three or more boundary links of the surface end, and if the
+/// front of `vertices`, in their order, and returns their number. A mesh has no T-junctions on two
+/// conditions: keep() is true wherever three or more boundary links of the surface end, and the
 /// triangulation drops no collinear points.
 template <class Keep>
 uint32_t keep_corners(Vertex* vertices, uint32_t count, Keep keep);

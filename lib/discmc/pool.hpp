@@ -8,8 +8,8 @@
 
 namespace discmc {
 
-/// The index of no slot. Slots count from 1, so that all-zero memory refers to no slot, and the
-/// test costs one instruction.
+/// The index of no slot. Slots count from 1, so all-zero memory refers to no slot, and a comparison
+/// with no_slot costs one instruction.
 constexpr uint8_t no_slot = 0;
 
 /// Returns the pointer that makes `first` element 1 of the array. Element 0 does not exist.
@@ -34,7 +34,8 @@ class SlotAccount {
   void forget_addresses() { slots_ = nullptr; }
 
   uint32_t capacity() const { return capacity_; }
-  /// Slots that take() may still return; slots in use, with reserved ones.
+  /// available(): the slots that take() may still return. in_use(): all others, including reserved
+  /// slots.
   uint32_t available() const { return available_; }
   uint32_t in_use() const { return capacity_ - available_; }
   /// The peak: the most slots in use at once, without reserved ones.

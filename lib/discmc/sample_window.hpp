@@ -9,7 +9,7 @@
 //   window.end();
 //   and the remaining vertices, lowest z first
 //
-// So the memory holds four slices, and the vertices of one layer.
+// Memory: four slices of samples in the window, and your list of the vertices of one layer.
 #ifndef DISCMC_SAMPLE_WINDOW_HPP
 #define DISCMC_SAMPLE_WINDOW_HPP
 
@@ -83,13 +83,15 @@ class SampleWindow {
     return (vertex.z < 0 || below >= first_held) && (is_ended_ || above < slices);
   }
 
-  /// The direction in which the samples fall at a vertex: from on to off. It sums central
-  /// differences at the voxels around the vertex: two for the midpoint of a cell edge, eight for
-  /// the centre of a cell. At the outermost voxels of the volume they are one-sided. Zero if the
+  /// Returns the direction in which the samples fall at a vertex: from on to off. Zero if the
   /// samples are level, and for vertices outside the volume. weighted() and unit_normal() of
-  /// normal.hpp make it a normal. vertex.z counts from the first slice that was pushed. Units:
-  /// samples per voxel, times 4 at a midpoint and 16 at a centre; below 2^21. Limit:
-  /// covers(vertex). Cost: 12 or 48 samples.
+  /// normal.hpp turn the result into a normal. vertex.z counts from the first slice that was
+  /// pushed.
+  ///
+  /// The result is the sum of central differences at the voxels around the vertex: two voxels for
+  /// the midpoint of a cell edge, eight for the centre of a cell. At the outermost voxels of the
+  /// volume the differences are one-sided. Units: sample values per voxel, times 4 at a midpoint
+  /// and 16 at a centre; below 2^21. Limit: covers(vertex). Cost: 12 or 48 samples.
   LongVector negative_gradient(const Vertex& vertex) const {
     return rows_.negative_gradient(vertex);
   }
