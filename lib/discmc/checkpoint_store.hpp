@@ -69,7 +69,7 @@ struct StoredHead {
   static constexpr uint32_t current_format = 0x31534344;  // "DCS1"
 
   uint32_t format;
-  uint32_t sequence;  ///< one more than that of the previous checkpoint, modulo 2^32
+  uint32_t sequence;  ///< the number of the previous checkpoint plus 1, modulo 2^32
   uint32_t bytes;     ///< of all parts
   uint32_t checksum;  ///< of the three members above
 };
@@ -92,8 +92,8 @@ struct StorePlan {
   /// Whether the plan is usable: one checkpoint stays complete while the store writes another.
   constexpr bool is_valid() const { return slots >= 2 * slots_per_block && slots > 0; }
 
-  /// The units that a checkpoint of this many bytes programs. blocks(): the blocks that it erases,
-  /// if nothing was erased ahead and its slot is the first of its block. Limit: is_valid().
+  /// units(): the units that a checkpoint of this many bytes programs. blocks(): the blocks that it
+  /// erases if its slot is the first of its block and nothing was erased ahead. Limit: is_valid().
   constexpr uint32_t units(uint32_t bytes) const {
     return (head_bytes + bytes + tail_bytes + geometry.program_bytes - 1) / geometry.program_bytes;
   }
@@ -166,9 +166,9 @@ class CheckpointStore {
   /// contents of the parts are undefined. Cost: reads the checkpoint and computes its checksum.
   [[nodiscard]] Status restore(const Memory* parts, uint32_t count);
 
-  /// Erases one block for the next checkpoint of this many bytes, if one needs it. The scan may
-  /// continue between calls. Status::suspended: another block is left, call again. Errors:
-  /// not_started, device_error.
+  /// Erases one block for the next checkpoint of this many bytes, unless its blocks are all erased.
+  /// The scan may continue between calls. Status::suspended: another block is left, call again.
+  /// Errors: not_started, device_error. Cost: at most one erasure.
   [[nodiscard]] Status erase_ahead(uint32_t bytes);
 
   /// Starts to save a checkpoint, and performs the first step of resume(). parts: copied, at most

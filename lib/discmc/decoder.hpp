@@ -26,7 +26,7 @@ namespace discmc {
 /// The result of push().
 struct [[nodiscard]] Decoded {
   Status status;
-  size_t bytes;  ///< bytes accepted; push the remaining bytes again
+  size_t bytes;  ///< the bytes accepted, counted from the first; push only the others again
 };
 
 /// Decodes one stream of regions. Runs have the normal at their start if the stream contains
@@ -37,14 +37,14 @@ class Decoder {
   Decoder(const Decoder&) = delete;
   Decoder& operator=(const Decoder&) = delete;
 
-  /// Waits for a stream. channel: 0 to 63, or any_channel. The first intact packet on the channel
-  /// determines the scan. Packets of other scans and channels are counted and ignored, so every
-  /// decoder of a link may receive all bytes. Errors: bad_sink (no function).
+  /// Prepares to receive a stream. channel: 0 to 63, or any_channel. The first intact packet on the
+  /// channel determines the scan. The decoder counts and ignores packets of other scans and
+  /// channels, so every decoder of a link may receive all bytes. Errors: bad_sink (no function).
   [[nodiscard]] Status start(const Sink& sink, uint8_t channel = any_channel);
 
   /// Sends packets of whole regions (see RecordsPacket) to this sink, instead of the events of
-  /// their regions. They come after the `start` event, between two regions or fragments. Call it
-  /// after start(), which removes the sink.
+  /// their regions. The packets come after the `start` event, between two regions or fragments.
+  /// start() removes the sink, so call this function after start().
   void set_packet_passthrough(const RecordsPacketSink& sink) { packet_sink_ = sink; }
 
   /// Decodes bytes, any number at a time, and sends the events that they complete. A packet before
@@ -55,8 +55,8 @@ class Decoder {
   /// stream.
   Decoded push(const uint8_t* bytes, size_t count);
 
-  /// Ends the input: an unfinished region or fragment is reported as lost. Status::suspended as
-  /// push(). Errors: not_started, bad_sink.
+  /// Ends the input: an unfinished region or fragment is reported as lost. Without a trailer there
+  /// is no `finish` event. Status::suspended: call finish() again. Errors: not_started, bad_sink.
   [[nodiscard]] Status finish();
 
   /// The header of the stream; all zero until report().has_header.

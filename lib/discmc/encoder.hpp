@@ -10,9 +10,9 @@
 
 namespace discmc {
 
-/// Writes the streams of one scan after another. It buffers one packet and one record. The output
-/// may stop accepting at any byte: take() then returns busy, and the next take() of the same event
-/// continues there. An encoder contains pointers to itself, so only save() and restore() copy it.
+/// Writes one stream per scan. The encoder buffers one packet and one record. The output may stop
+/// accepting at any byte: take() then returns busy, and the next take() of the same event continues
+/// there. An encoder contains pointers to itself, so only save() and restore() copy it.
 class Encoder {
  public:
   Encoder() = default;
@@ -31,8 +31,7 @@ class Encoder {
 
   /// Encodes an event of an extractor or decoder. Returns SinkResult::not_started before start(),
   /// and before the `start` event: a stream begins with its header. Returns SinkResult::busy while
-  /// the output has not accepted the sealed packet. Cost: a few coding decisions per run, and the
-  /// bytes.
+  /// a finished packet waits for the output. Cost: a few coding decisions per run, and the bytes.
   SinkResult take(const Event& event);
 
   /// For hosts, see HostExtractor::set_region_receiver(): encodes a region in one call, to the same
@@ -60,7 +59,7 @@ class Encoder {
 
   /// Sends the packet in progress although it is not full, for a receiver that must not wait.
   /// Returns false if the output did not accept all of it: call again. Without a stream it returns
-  /// true. Cost: some bytes of stream.
+  /// true. Cost: at least 15 bytes of stream per packet sent.
   [[nodiscard]] bool flush();
 
   /// Saves the encoder's state, at the beginning of a frame; restore() may send that frame again.

@@ -43,7 +43,7 @@ enum class InputOrder : uint8_t {
 /// What happens to fragments that cannot be joined, because a partner or memory is missing.
 enum class Unjoined : uint8_t {
   passed_on,  ///< the sink receives them as loose fragments
-  dropped,    ///< a region whose outer ring is not joined is missing, another lacks such holes
+  dropped,    ///< they are lost: an outer ring with its whole region, a hole alone
 };
 
 /// The capacities of a joiner. Limit: at least 1 of each, and at most the constants; start() checks
@@ -62,8 +62,8 @@ struct JoinReport {
   uint64_t invalid = 0;   ///< fragments dropped for an invalid incidence, direction or run
   uint64_t regions = 0;   ///< regions delivered whose outer ring was joined
   uint64_t rings = 0;     ///< joined rings delivered, as outer rings or as holes of any region
-  /// Left at the end: chains without a partner, holes without a region, and fragments that collided
-  /// with another one. A measure of what was lost before the joiner.
+  /// Left at the end: chains without a partner, and holes without a region. Also fragments that
+  /// start, or end, where another one does. A measure of what was lost before the joiner.
   uint64_t unmatched = 0;
   /// Chains that left for lack of memory, not joined or only partly joined.
   uint64_t short_of_memory = 0;
@@ -72,9 +72,9 @@ struct JoinReport {
 /// A sink in front of another sink. It completes regions from loose fragments, and passes on all
 /// other events in their order. Any events are safe. Runs keep their normals.
 ///
-/// A delivered region is right if all its fragments arrived, whatever else is lost. Fragments that
-/// report() counts as unmatched or short_of_memory reach the sink as loose fragments;
-/// Unjoined::dropped drops them.
+/// A delivered region is complete if all its fragments arrived, whatever else is lost. Fragments
+/// that report() counts as unmatched or short_of_memory reach the sink as loose fragments, or not
+/// at all with Unjoined::dropped.
 ///
 /// The sink receives one `finish` event, whose regions, rings and fragments are those that it
 /// received. With InputOrder::any the event is the sum of all streams and comes from finish(), and
@@ -218,8 +218,8 @@ class Joiner {
 /// sink has no function, and start() of the extractor returns bad_sink.
 ///
 /// Cost: 96 bytes per waiting fragment and 12 per run of it; Joiner::peaks() counts both. On the
-/// device that extracts, give the extractor more memory instead. It needs 16 bytes per waiting
-/// chain and 8 per three runs, and then sends fewer loose fragments.
+/// device that extracts, give the extractor more memory instead. The extractor needs only 16 bytes
+/// per waiting chain and 8 per three runs, and then sends fewer loose fragments.
 template <class Object>
 Sink make_region_sink(Object& object, Joiner& joiner, Memory memory) {
   const Status status =

@@ -26,14 +26,14 @@ constexpr uint32_t samples_of_row(uint32_t given, uint32_t column, uint32_t widt
   return given < room ? given : room;
 }
 
-/// The replacement of a missing row: voxels that are off, or the previous row, which is off if
-/// there is none.
+/// The replacement of a missing row: voxels that are off, or the previous row. If there is no
+/// previous row, the voxels are off.
 enum class Substitute : uint8_t { off, previous_row };
 
 /// The result of push().
 struct [[nodiscard]] PushResult {
   Status status;
-  uint32_t samples;  ///< samples accepted; push the remaining samples again
+  uint32_t samples;  ///< the samples accepted, counted from the first; push only the others again
 };
 
 }  // namespace discmc

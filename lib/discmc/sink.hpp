@@ -11,13 +11,17 @@
 // `application`. A decoder may send `lost` instead of the rest of a region or fragment. A truncated
 // stream has no `finish`; a stream whose header is lost has its `start` late, or none.
 //
-// All fragments are loose: pieces of a ring that were sent before the ring was closed. Each
-// fragment of a ring continues the fragment before it. Both have the same incidence, the second
-// starts where the first ends, and its incoming direction is the direction of the first one's last
-// run. No other fragment matches, because each directed link belongs to one ring. If the runs on
-// both sides of a joint have the same direction, the joint is no corner. A fragment that is a whole
-// ring continues itself. All loose fragments of a region's holes come before its outer ring, or
-// before the last fragment of that ring.
+// All fragments are loose: pieces of a ring that were sent before the ring was closed. Fragment B
+// continues fragment A if three things match:
+//
+//   - their incidences
+//   - the start of B and the end of A
+//   - the incoming direction of B and the direction of A's last run
+//
+// No other fragment matches, because each directed link belongs to one ring. A fragment that is a
+// whole ring continues itself. If the runs on both sides of a joint have the same direction, the
+// joint is no corner. All loose fragments of a region's holes come before the outer ring of the
+// region, or before the last fragment of that ring.
 //
 // A sink that ignores the events from `fragment` to `fragment_end` receives an incomplete surface:
 // regions with a loose outer ring are missing, and other regions lack their loose holes.
@@ -50,7 +54,8 @@ struct ApplicationRecord {
                        ///< standard records use the same call
   uint32_t slice = 0;  ///< complete slices at this point of the scan
   uint32_t row = 0;    ///< complete rows of the next slice
-  const uint8_t* bytes = nullptr;  ///< Owner: the caller; free again when the call returns
+  const uint8_t* bytes = nullptr;  ///< Owner: the caller, or the sender of the event; valid during
+                                   ///< the call
   size_t count = 0;                ///< Limit: at most max_bytes
 };
 

@@ -2,9 +2,8 @@
  *
  *   static uint8_t memory[DISCMC_EXTRACTOR_BYTES(256, 256, 4000)];
  *
- * Each includes the object, and is at least what discmc_X_bytes() returns on any target. width,
- * height, slots and surfaces: as in the configs of discmc.h. Arguments may be evaluated more than
- * once. */
+ * Each size includes the object, and suffices on every target. width, height, slots and surfaces:
+ * as in the configs of discmc.h. Units: bytes. Arguments may be evaluated more than once. */
 #ifndef DISCMC_SIZES_H
 #define DISCMC_SIZES_H
 

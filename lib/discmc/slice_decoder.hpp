@@ -22,8 +22,8 @@ struct RowEvent {
     row,          ///< slice, row, channel, bits
     skipped,      ///< the encoder never received the row: as `row`, with bits that replace it;
                   ///< repeated
-    lost,         ///< rows were lost in transit, the same of every surface: slice and row of the
-                  ///< first, count
+    lost,         ///< rows were lost in transit, of every surface: slice and row of the first lost
+                  ///< row, count
     application,  ///< an application record: application
     finish,       ///< the last event: slice (the number of slices), abandoned
   };
@@ -64,11 +64,11 @@ class SliceDecoder {
   SliceDecoder(const SliceDecoder&) = delete;
   SliceDecoder& operator=(const SliceDecoder&) = delete;
 
-  /// Waits for a stream, and delivers the rows of all its surfaces. memory: at least
-  /// slice_decoder_bytes() for the size and the number of surfaces in the header; none while they
-  /// are unknown, see give_memory(). Owner: the caller, while the decoder is in use. channel: of
-  /// any surface of the stream; any_channel: the first stream that arrives. Errors: bad_sink (no
-  /// function).
+  /// Prepares to receive a stream, and to deliver the rows of all its surfaces. memory: at least
+  /// slice_decoder_bytes() for the size and the number of surfaces in the header; {} while they are
+  /// unknown, see give_memory(). Owner: the caller, while the decoder is in use. channel: the
+  /// channel of any surface of the stream; any_channel: the first stream that arrives. Errors:
+  /// bad_sink (no function).
   [[nodiscard]] Status start(Memory memory, const RowSink& sink, uint8_t channel = any_channel);
 
   /// Decodes bytes, any number at a time. Status::suspended: the sink is busy; call push() again
@@ -84,7 +84,8 @@ class SliceDecoder {
   /// wrong_version.
   [[nodiscard]] Status give_memory(Memory memory);
 
-  /// Ends the input. Status::suspended: call finish() again. Errors: as push().
+  /// Ends the input; without a trailer there is no `finish` event. Status::suspended: call finish()
+  /// again. Errors: as push().
   [[nodiscard]] Status finish();
 
   const StreamHeader& header() const { return packets_.header(); }

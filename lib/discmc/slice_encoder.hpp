@@ -25,11 +25,11 @@ namespace discmc {
 
 // ---- The interval of key slices, and the memory of both ends.
 
-/// The interval of key slices, which decode without the slices before them. A receiver starts at
-/// one, or resumes there after a loss.
+/// The interval of key slices. A key slice decodes without the slices before it, so a receiver
+/// starts at a key slice, and resumes at a key slice after a loss.
 struct KeySlices {
-  /// The number of slices from one key slice to the next; 0: only the first slice is one. A lost
-  /// packet costs the slices up to the next key slice, so about half of the interval.
+  /// The number of slices from one key slice to the next; 0: only the first slice is a key slice. A
+  /// lost packet costs the slices up to the next key slice: on average half of the interval.
   ///
   /// Choose the largest loss that you accept, and no less than the slices in a packet. For CT head
   /// (Stanford) a slice has about 200 bytes, so 16 slices are 13 packets. The interval 16 makes

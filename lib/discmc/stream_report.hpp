@@ -8,10 +8,10 @@ namespace discmc {
 
 /// The report of a stream. A loss is counted when the next intact packet reveals it.
 ///
-/// A stream of regions counts regions, fragments and lost_pieces. A stream of slices counts rows
-/// and lost_rows, and of the totals only skipped_rows. For its regions, count those in the sink of
-/// a SurfaceDecoder, whose `finish` event has the totals of the extracted surface. A lost
-/// application record counts only as a lost packet.
+/// Only streams of regions fill regions, fragments and lost_pieces. Only streams of slices fill
+/// rows, lost_rows and total_rows; their totals contain only skipped_rows. The totals of the
+/// extracted surface are in the `finish` event of a SurfaceDecoder. A lost application record
+/// counts only as a lost packet.
 struct StreamReport {
   bool has_header = false;
   bool holds_slices = false;  ///< according to its header: use a SliceDecoder or a SurfaceDecoder

@@ -36,11 +36,11 @@ class SurfaceDecoder {
   SurfaceDecoder(const SurfaceDecoder&) = delete;
   SurfaceDecoder& operator=(const SurfaceDecoder&) = delete;
 
-  /// Waits for a stream. memory: for streams of slices at least minimum_surface_bytes() for the
-  /// size in the header, and more for fewer loose fragments. None for streams of regions, or while
-  /// the size is unknown: see give_memory(). Owner: the caller, while the decoder is in use.
-  /// channel: of the surface; any_channel: the first surface of the first stream that arrives.
-  /// Errors: bad_sink (no function).
+  /// Prepares to receive a stream. memory: for a stream of slices at least minimum_surface_bytes()
+  /// for the size in the header; more memory means fewer loose fragments. Pass {} for a
+  /// stream of regions, or while the size is unknown: see give_memory(). Owner: the caller, while
+  /// the decoder is in use. channel: the channel of the surface; any_channel: the first surface of
+  /// the first stream that arrives. Errors: bad_sink (no function).
   [[nodiscard]] Status start(Memory memory, const Sink& sink, uint8_t channel = any_channel);
 
   /// As Decoder::set_packet_passthrough(), for streams of regions.

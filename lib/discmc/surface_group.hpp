@@ -20,8 +20,8 @@ namespace discmc {
 template <class Scanner>
 class SurfaceGroup {
  public:
-  /// scanners: started for slices of one size, with nothing pushed yet; Owner: the caller, for as
-  /// long as the scan lasts. Units: width in voxels.
+  /// scanners: `count` extractors, started for slices of one size, with nothing pushed yet; Owner:
+  /// the caller, for as long as the scan lasts. width: of a row. Units: voxels.
   SurfaceGroup(Scanner* scanners, uint32_t count, uint32_t width)
       : first_(scanners), end_(scanners + count), width_(width) {}
   SurfaceGroup(const SurfaceGroup&) = delete;
@@ -45,7 +45,8 @@ class SurfaceGroup {
     return result;
   }
 
-  /// As Extractor::push_bits(), with one row of bits per extractor, each from a new byte on.
+  /// As Extractor::push_bits(). bits: one row per extractor, one after another, each of
+  /// (width + 7) / 8 bytes.
   PushResult push_bits(const uint8_t* bits) {
     const uint8_t* row = bits;
     return take_row([&](Scanner& scanner) {
@@ -60,8 +61,8 @@ class SurfaceGroup {
     return take_row([&](Scanner& scanner) { return scanner.skip_row(substitute).status; });
   }
 
-  /// Calls the function of every extractor. Returns the first error, or Status::suspended if a sink
-  /// is busy.
+  /// resume(), finish() and abandon() call the same function of every extractor. They return the
+  /// first error, or Status::suspended if a sink is busy: then call resume().
   [[nodiscard]] Status resume() {
     return for_each([](Scanner& scanner) { return scanner.resume(); });
   }
