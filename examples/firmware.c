@@ -10,7 +10,7 @@ static uint8_t extractor_memory[DISCMC_EXTRACTOR_BYTES(SIZE, SIZE, 640)];
 static discmc_encoder* encoder;
 static discmc_extractor* extractor;
 
-/* Replace by your driver: it takes up to 16 bytes, and is busy at every other call. */
+/* Replace by your driver: this one accepts up to 16 bytes, and is busy at every other call. */
 static size_t uart_write(void* context, const uint8_t* bytes, size_t count) {
   static unsigned calls = 0;
   (void)context;

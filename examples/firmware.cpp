@@ -11,7 +11,7 @@ static uint8_t memory[minimum_bytes<uint16_t>(limits) + 5 * 1024];
 static Extractor16 extractor;
 static Encoder encoder;
 
-// Replace by your driver: it takes up to 16 bytes, and is busy at every other call.
+// Replace by your driver: this one accepts up to 16 bytes, and is busy at every other call.
 static size_t uart_write(void*, const uint8_t* bytes, size_t count) {
   static unsigned calls = 0;
   return ++calls % 2 == 0 ? fwrite(bytes, 1, count < 16 ? count : 16, stdout) : 0;

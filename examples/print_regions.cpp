@@ -6,8 +6,8 @@
 //   ( 0 -1 -1)  from (42 36 9): 3x1 0x2 1x1 2x2
 //   fragment of ( 1  0  0)  from (41 36 12) by 7: 0x4 1x2
 //
-// A fragment is a piece of a ring, sent early for lack of memory: it continues the one that ends at
-// its start with a run of direction 7.
+// A loose fragment is a part of a ring that was sent early for lack of memory. This one continues
+// the fragment that ends at its start with a run of direction 7.
 #include <cinttypes>
 #include <cstdio>
 #include <discmc/surface_decoder.hpp>

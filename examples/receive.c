@@ -1,5 +1,5 @@
-/* A receiver in C: streams of polygons or slices from standard input, scan after scan. Loose pieces
- * of polygons are joined. With a number as its argument it receives the surface on that channel. */
+/* A receiver in C: streams of polygons or slices from standard input, scan after scan. It joins
+ * loose fragments. With a number as its argument it receives the surface on that channel. */
 #include <discmc/discmc.h>
 #include <stdio.h>
 #include <stdlib.h>

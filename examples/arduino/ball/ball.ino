@@ -1,9 +1,10 @@
 // Sends the surface of a ball over the serial port. On the PC, with the command of discmc:
+//   stty -F /dev/ttyACM0 raw -echo 115200
 //   discmc decode /dev/ttyACM0 -o ball.stl
 #include <discmc.hpp>
 
 using namespace discmc;
-constexpr int32_t size = 48;  // voxels a row, rows a slice, slices
+constexpr int32_t size = 48;  // voxels per row, rows per slice, slices
 constexpr int32_t threshold = 192;
 constexpr Limits limits{size, size};
 
@@ -16,9 +17,9 @@ size_t write_to_serial(void*, const uint8_t* bytes, size_t count) {
   return Serial.write(bytes, count);  // waits for room
 }
 
-uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // yours is measured
+uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // replace by your sensor
   const Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
-  return static_cast<uint8_t>(255 - dot(v, v) / 26);
+  return static_cast<uint8_t>(255 - 85 * dot(v, v) / ((size - 1) * (size - 1)));
 }
 
 bool scan() {

@@ -1,10 +1,11 @@
 // Sends the surface of a ball over UART 0. On the PC, with the command of discmc:
+//   stty -F /dev/ttyUSB0 raw -echo 115200
 //   discmc decode /dev/ttyUSB0 -o ball.stl
 #include <driver/uart.h>
 #include <discmc/discmc.hpp>
 
 using namespace discmc;
-constexpr int32_t size = 48;  // voxels a row, rows a slice, slices
+constexpr int32_t size = 48;  // voxels per row, rows per slice, slices
 constexpr int32_t threshold = 192;
 constexpr Limits limits{size, size};
 
@@ -18,9 +19,9 @@ static size_t write_to_uart(void*, const uint8_t* bytes, size_t count) {
   return written < 0 ? 0 : static_cast<size_t>(written);
 }
 
-static uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // yours is measured
+static uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // replace by your sensor
   const Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
-  return static_cast<uint8_t>(255 - dot(v, v) / 26);
+  return static_cast<uint8_t>(255 - 85 * dot(v, v) / ((size - 1) * (size - 1)));
 }
 
 // It is silent but for the stream: sdkconfig.defaults turns log and boot messages off.
