@@ -428,6 +428,16 @@ TEST_CASE("rings of any length are found, however often they are walked along in
   check(jagged_comb(3, 26));
 }
 
+TEST_CASE("so are those that nodes are copied of after long walks in vain") {
+  BitVolume plate({200, 200, 3});
+  const BitVolume noise = random({200, 200, 2}, 190, 7);
+  std::copy(noise.on.begin(), noise.on.end(), plate.on.begin());
+  HostExtractor extractor;
+  Extractor32 other;
+  CHECK(scanned(extractor, plate, {}, {min_for_nodes + 100000, 10000}).events ==
+        scanned(other, plate, {}, {1000000, 10000}).events);
+}
+
 TEST_CASE("it does with too few slots to keep nodes, down to those for little") {
   constexpr uint32_t slots[] = {60, 200, 1100, 3000, min_for_nodes - 1};
   for (size_t i = 0; i < std::size(slots); i += step(2)) check_like_others({slots[i], 10});
