@@ -16,6 +16,13 @@ struct Asked {
   bool is_short = false;   ///< of slots
 };
 
+/// Portable code has more blocks.
+#if defined(DISCMC_FORCE_PORTABLE)
+constexpr bool is_portable = true;
+#else
+constexpr bool is_portable = false;
+#endif
+
 /// Units: basic blocks of the code that GCC or Clang make with -O1.
 struct Cost {
   static constexpr uint64_t call = 160;
@@ -36,11 +43,7 @@ inline uint64_t bound(uint32_t width, const Asked& asked, uint64_t holes, uint64
       Cost::call + asked.voxels * Cost::voxel +
       asked.rows * (Cost::row + trace::row_words(width) * Cost::word) + asked.vertices * vertex +
       asked.delivered * (Cost::delivered + holes * Cost::hole_look) + hole_runs * Cost::hole_run;
-#if defined(DISCMC_FORCE_PORTABLE)
-  return blocks + blocks / 20;
-#else
-  return blocks;
-#endif
+  return is_portable ? blocks + blocks / 20 : blocks;
 }
 
 /// The same of a row whose voxels are told. Of a packet: its checksum, and moving into the next.
@@ -51,7 +54,7 @@ struct SliceCost {
 };
 
 inline uint64_t slice_row_bound(uint32_t width, uint32_t surfaces) {
-  return surfaces * (SliceCost::row + width * SliceCost::voxel);
+  return surfaces * (SliceCost::row + width * SliceCost::voxel) * (is_portable ? 2 : 1);
 }
 
 }  // namespace discmc::work
