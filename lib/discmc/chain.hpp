@@ -10,7 +10,7 @@
 
 namespace discmc {
 
-/// One step of a chain in 32 bits: a straight run of equal links. A default Run is empty.
+/// Equal links in sequence, in 32 bits: a straight part of a chain. A default Run is empty.
 class Run {
  public:
   static constexpr uint32_t max_length = (uint32_t{1} << 28) - 1;

@@ -1,7 +1,7 @@
 // The decoder: bytes of a stream in, events of the scan out.
 //
 // Any bytes are safe. The decoder never reads beyond its input, never writes beyond its object, and
-// allocates nothing. It delivers every intact record, whatever is lost before or after.
+// allocates nothing. It delivers every region and fragment whose packets all arrive intact.
 //
 // A decoder decodes one stream, up to its trailer, and only counts later packets. So if a link
 // carries one scan after another, push one frame at a time: the bytes up to and including the next

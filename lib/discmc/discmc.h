@@ -413,7 +413,7 @@ typedef struct discmc_receiver_info {
   discmc_stream_header header;
   uint8_t has_header, has_trailer, holds_slices, abandoned;
   uint8_t is_complete;   /* nothing is missing from header to trailer */
-  uint8_t is_unreadable; /* intact packets contain records of an unknown kind */
+  uint8_t is_unreadable; /* an intact packet has contents that this receiver cannot read */
   uint8_t is_mixed;      /* packets of another scan of the same number were accepted */
   uint64_t bytes, packets, repeated_packets, damaged_packets;
   uint64_t foreign_packets;           /* of other scans and channels; in no other count */

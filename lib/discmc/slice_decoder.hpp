@@ -1,8 +1,8 @@
 // The slice decoder: bytes of a stream of slices in, rows of bits out.
 //
 // Any bytes are safe. The decoder never reads beyond its input, never writes beyond its object and
-// its memory, and allocates nothing. It delivers every intact row, whatever is lost before or
-// after.
+// its memory, and allocates nothing. After a loss it continues at the next key slice, and reports
+// the missing rows as lost. For polygons instead of rows use a SurfaceDecoder.
 #ifndef DISCMC_SLICE_DECODER_HPP
 #define DISCMC_SLICE_DECODER_HPP
 
@@ -20,10 +20,10 @@ struct RowEvent {
   enum class Kind : uint8_t {
     start,        ///< the first event: header
     row,          ///< slice, row, channel, bits
-    skipped,      ///< the encoder never received the row: as `row`, with bits that replace it;
-                  ///< repeated
-    lost,         ///< rows were lost in transit, of every surface: slice and row of the first lost
-                  ///< row, count
+    skipped,      ///< a row that the encoder never received: slice, row, channel, repeated, and the
+                  ///< bits that replace the row
+    lost,         ///< rows of all surfaces that were lost in transit: count, and slice and row of
+                  ///< the first
     application,  ///< an application record: application
     finish,       ///< the last event: slice (the number of slices), abandoned
   };
@@ -88,7 +88,9 @@ class SliceDecoder {
   /// again. Errors: as push().
   [[nodiscard]] Status finish();
 
+  /// The header of the stream; all zero until report().has_header.
   const StreamHeader& header() const { return packets_.header(); }
+  /// What has arrived and what is missing, since start().
   const StreamReport& report() const { return packets_.report(); }
 
  private:

@@ -7,9 +7,10 @@
 //   finish()                  after the last slice
 //
 // Each voxel is coded from its neighbours, with probabilities that adapt to the scan (WIRE.md,
-// "Slices"). The stream of CT head (Stanford) has a tenth of the bytes of its regions, and costs a
-// quarter of the instructions. But the receiver must extract the surface, in as much memory as the
-// device would have needed, and a lost packet costs all slices up to the next key slice.
+// "Slices"). The stream of CT head (Stanford) has a tenth of the bytes of its regions, and costs
+// less than a third of the instructions. But the receiver must extract the surface, in up to twice
+// the memory that the device would have needed. A lost packet costs all slices up to the next key
+// slice.
 #ifndef DISCMC_SLICE_ENCODER_HPP
 #define DISCMC_SLICE_ENCODER_HPP
 
@@ -31,10 +32,12 @@ struct KeySlices {
   /// The number of slices from one key slice to the next; 0: only the first slice is a key slice. A
   /// lost packet costs the slices up to the next key slice: on average half of the interval.
   ///
-  /// Choose the largest loss that you accept, and no less than the slices in a packet. For CT head
-  /// (Stanford) a slice has about 200 bytes, so 16 slices are 13 packets. The interval 16 makes
-  /// this stream 4 % longer, 8 makes it 8 % longer, and 4 makes it 16 % longer. 1 needs the least
-  /// memory, but makes it 62 % longer.
+  /// Choose the largest loss that you accept, and no less than the slices in a packet. A slice of
+  /// CT head (Stanford) has about 200 bytes, so 16 slices are 13 packets. Key slices make its
+  /// stream longer:
+  ///
+  ///   interval   16   8    4    1, which needs the least memory
+  ///   longer by  4 %  8 %  16 % 62 %
   uint32_t interval = 0;
 
   constexpr bool is_every_slice() const { return interval == 1; }

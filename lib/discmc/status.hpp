@@ -9,8 +9,9 @@ namespace discmc {
 
 /// The result of a call; docs/statuses.md has the cause and the remedy of each. `ok` and
 /// `suspended` are not errors. After `suspended` call resume() until it returns another status.
-/// After flush() and write_record(), and for objects without resume(), call the function again. For
-/// push() of a decoder, pass the remaining bytes.
+/// After flush() and write_record(), and for objects without resume(), call the function again;
+/// before write_record() of an Encoder, call resume() of the extractor. For push() of a decoder,
+/// pass the remaining bytes.
 ///
 /// After an error the object continues as if the call had not been made. But waiting events were
 /// delivered, and push() returns how much it accepted. These errors change more:

@@ -17,24 +17,25 @@ struct StreamReport {
   bool holds_slices = false;  ///< according to its header: use a SliceDecoder or a SurfaceDecoder
   bool has_trailer = false;
   bool abandoned = false;      ///< the scan ended early; a closed border still closes the surface
-  bool is_unreadable = false;  ///< an intact packet contains records of an unknown kind
+  bool is_unreadable = false;  ///< an intact packet has contents that the decoder cannot read
   bool is_mixed = false;       ///< according to the trailer: packets of another scan with the same
                                ///< number were accepted
   uint64_t bytes = 0;
-  uint64_t packets = 0;  ///< intact packets, without repeated ones
-  uint64_t repeated_packets = 0;
-  uint64_t damaged_packets = 0;  ///< frames that are no packet or fail their checksum
-  uint64_t foreign_packets = 0;  ///< of another scan or channel; ignored, and in no other count
-  uint64_t lost_packets = 0;     ///< missing packet numbers
-  uint64_t regions = 0;          ///< delivered complete
-  uint64_t fragments = 0;        ///< loose fragments delivered complete
-  uint64_t lost_pieces = 0;      ///< regions and fragments that the sender counted and that did not
-                                 ///< arrive complete
-  uint64_t rows = 0;             ///< rows of bits delivered
-  uint64_t lost_rows = 0;        ///< rows of bits missing before a later row
-  uint64_t total_rows = 0;       ///< rows of bits according to the trailer
-  uint32_t slices = 0;           ///< according to the trailer
-  Statistics totals{};           ///< according to the trailer
+  uint64_t packets = 0;           ///< intact packets, without repeated ones
+  uint64_t repeated_packets = 0;  ///< received before, or after the trailer
+  uint64_t damaged_packets = 0;   ///< frames that are no packet, fail their checksum, or contain
+                                  ///< what the decoder cannot read
+  uint64_t foreign_packets = 0;   ///< of another scan or channel; ignored, and in no other count
+  uint64_t lost_packets = 0;      ///< missing packet numbers
+  uint64_t regions = 0;           ///< delivered complete
+  uint64_t fragments = 0;         ///< loose fragments delivered complete
+  uint64_t lost_pieces = 0;  ///< regions and fragments that the sender counted and that did not
+                             ///< arrive complete
+  uint64_t rows = 0;         ///< rows of bits delivered
+  uint64_t lost_rows = 0;    ///< rows of bits missing before a later row
+  uint64_t total_rows = 0;   ///< rows of bits according to the trailer
+  uint32_t slices = 0;       ///< according to the trailer
+  Statistics totals{};       ///< according to the trailer
 
   /// Whether nothing is missing from header to trailer, and nothing arrived that the trailer does
   /// not count.
