@@ -198,7 +198,8 @@ Status receive(const uint8_t* bytes, size_t count) {
 bool finish_and_check() {
   while (decoder.finish() == Status::suspended) continue;
   while (joiner.finish() == Status::suspended) continue;
-  return decoder.report().is_complete() && joiner.report().unmatched == 0;
+  return decoder.report().is_complete() && joiner.report().unmatched == 0 &&
+         joiner.report().short_of_memory == 0;
 }
 
 // Of docs/power-failure.md.
