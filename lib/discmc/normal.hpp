@@ -1,11 +1,12 @@
 // Normals in integers: fixed-point unit vectors from vectors of any length.
 //
 // A normal points outside, from on to off. The gradient at a wall thinner than two voxels may point
-// inside. A normal has one of three sources:
+// inside. A normal has one of three sources. weighted() corrects it if voxels are not cubes, and
+// unit_normal() makes it a unit vector:
 //
-//   the facet      normal(incidence) of lattice.hpp, weighted(): exact, and free
-//   the samples    SampleWindow::negative_gradient(), weighted(): Montani et al. 1994, 2.4
-//   the polygons   the sum of area_vector() over those that meet in a vertex, weighted()
+//   the facet      normal(incidence) of lattice.hpp: exact, at almost no cost
+//   the samples    SampleWindow::negative_gradient(): Montani et al. 1994, section 2.4
+//   the polygons   the sum of area_vector() over the polygons that meet in a vertex
 #ifndef DISCMC_NORMAL_HPP
 #define DISCMC_NORMAL_HPP
 
@@ -50,9 +51,9 @@ constexpr bool operator!=(const OctahedralNormal& a, const OctahedralNormal& b) 
   return !(a == b);
 }
 
-/// The factors for the components of a normal if voxels are not cubes. Normals transform with the
-/// inverse of the spacing, so these are 1 / spacing times a common factor. Limit: -2^31 < weight <
-/// 2^31.
+/// The factors for the components of a normal if voxels are not cubes: 1 / spacing times a common
+/// factor, because normals transform with the inverse of the spacing. axis_weights() computes them.
+/// Limit: none is -2^31.
 struct AxisWeights {
   int32_t x = 1, y = 1, z = 1;
 };
@@ -80,7 +81,7 @@ UnitNormal unit_normal(OctahedralNormal normal);
 /// half-steps.
 constexpr LongVector area_vector(Incidence incidence, int64_t twice_area) {
   const Vertex n = normal(incidence);
-  // twice_area() contains the length of n, and n itself does so again.
+  // twice_area contains the length of n as a factor, and n does too: 6 / |n|^2 removes both.
   const int64_t length = twice_area * (6 / dot(n, n));
   return {n.x * length, n.y * length, n.z * length};
 }

@@ -1,5 +1,11 @@
-// The position of a volume in space: a standard application record, for receivers that align the
-// surface with other data.
+// Standard application records. A Placement is the position of a volume in space, for receivers
+// that align the surface with other data. A SlabRange has the own slices of a slab, for receivers
+// that join the streams of slabs.
+//
+//   uint8_t bytes[Placement::record_bytes];
+//   status = encoder.write_record(record_of(placement, bytes));  // before the first row
+//
+//   if (read_placement(*event.application, placement)) ...       // in the sink of a receiver
 #ifndef DISCMC_PLACEMENT_HPP
 #define DISCMC_PLACEMENT_HPP
 
@@ -7,7 +13,7 @@
 
 namespace discmc {
 
-/// The axes of space; for a patient, as in medical formats.
+/// The directions in which the axes of space point.
 enum class Space : uint8_t {
   scanner,  ///< the scanner's own
   lps,      ///< x to the left, y to the back, z to the head of the patient, as in DICOM
@@ -29,17 +35,16 @@ struct Placement {
   static constexpr size_t record_bytes = 3 * 3 * 4 + 3 * 8 + 1;
 };
 
-/// Encodes a placement for write_record(), best before the first row. bytes: room for
-/// Placement::record_bytes, which it writes; Owner: the caller, until write_record() has returned
-/// ok.
+/// Encodes a placement for write_record(), best before the first row: slice and row of the record
+/// are 0. bytes: room for Placement::record_bytes, which it writes; Owner: the caller, until
+/// write_record() has returned ok.
 ApplicationRecord record_of(const Placement& placement, uint8_t* bytes);
 
 /// Reads the placement in a record. Returns false, and writes nothing, if the kind, the number of
 /// bytes or the space does not match.
 [[nodiscard]] bool read_placement(const ApplicationRecord& record, Placement& placement);
 
-// ---- The slices of a volume in a stream: a standard application record, for receivers that join
-// the streams of slabs.
+// ---- The slices of a slab.
 
 /// The own slices of a slab, without the context slices of its neighbours. A stream joined from
 /// several slabs has a record for each of their ranges; the stream of a whole volume has none.
@@ -56,7 +61,8 @@ struct SlabRange {
   static constexpr size_t record_bytes = 12;
 };
 
-/// Encodes a slab range for write_record(), at any time in its scan. bytes: room for
+/// Encodes a slab range for write_record(), at any time in its scan. Slice and row of the record
+/// are 0; for an Encoder, set both if the first row has been pushed. bytes: room for
 /// SlabRange::record_bytes, which it writes; Owner: the caller, until write_record() has returned
 /// ok.
 ApplicationRecord record_of(const SlabRange& range, uint8_t* bytes);

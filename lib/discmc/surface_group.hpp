@@ -1,8 +1,10 @@
 // Several surfaces of one scan: every push goes to all extractors of the group.
 //
-//   static Extractor16 extractors[2];                  // each with its threshold, memory and sink
+//   static Extractor16 extractors[2];  // start() each with its own threshold, memory and sink
 //   SurfaceGroup<Extractor16> surfaces(extractors, 2, limits.width);
-//   surfaces.push(row, limits.width);                  // as often as samples arrive
+//   result = surfaces.push(row, limits.width);  // as often as samples arrive
+//   status = surfaces.resume();                 // after Status::suspended
+//   status = surfaces.finish();                 // after the last slice
 //
 // Streams of slices need no group: a SliceEncoder encodes several surfaces itself.
 #ifndef DISCMC_SURFACE_GROUP_HPP
@@ -14,9 +16,9 @@
 
 namespace discmc {
 
-/// Pushes the samples of a scan to several extractors. Scanner: the type of the extractors. Each
-/// has a threshold, memory and sink of its own; if one sink is busy, all extractors wait. A group
-/// is neither copied nor moved: each of two copies would miss the samples of the other.
+/// Pushes the samples of a scan to several extractors, for example with several thresholds. If one
+/// sink is busy, all extractors wait. Scanner: the type of the extractors. A group is neither
+/// copied nor moved: each of two copies would miss the samples of the other.
 template <class Scanner>
 class SurfaceGroup {
  public:
@@ -62,7 +64,8 @@ class SurfaceGroup {
   }
 
   /// resume(), finish() and abandon() call the same function of every extractor. They return the
-  /// first error, or Status::suspended if a sink is busy: then call resume().
+  /// first error, or Status::suspended if a sink is busy. After `suspended`, call resume() until it
+  /// returns another status.
   [[nodiscard]] Status resume() {
     return for_each([](Scanner& scanner) { return scanner.resume(); });
   }
