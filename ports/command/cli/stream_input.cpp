@@ -154,7 +154,7 @@ std::string losses(const StreamReport& report) {
         (report.lost_packets == 1 ? " packet is missing" : " packets are missing"));
   if (lost > 0) add(std::to_string(lost) + pieces + " are missing");
   if (!report.has_trailer) add("the end is missing after " + std::to_string(received) + pieces);
-  if (report.is_unreadable) add("a packet holds records of an unknown kind");
+  if (report.is_unreadable) add("a packet has contents that this version cannot read");
   if (text.empty() && !report.is_mixed)
     add(std::to_string(received) + pieces + " arrived, and the trailer counts " +
         std::to_string(sent));
