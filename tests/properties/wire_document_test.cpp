@@ -212,7 +212,7 @@ TEST_CASE("the rows in WIRE.md are those of the code") {
     const auto line = std::find_if(lines.begin(), lines.end(), [&](const std::string& text) {
       return text.find(cell) != std::string::npos;
     });
-    REQUIRE_MESSAGE(line != lines.end(), name);
+    REQUIRE_MESSAGE(line != lines.end(), cell);
     std::string first = "| ";
     for (const reference::SymbolRows& row : of_classes) first += std::to_string(row.first) + " | ";
     CHECK_MESSAGE(line->rfind(first, 0) == 0, *line);

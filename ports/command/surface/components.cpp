@@ -47,10 +47,10 @@ LineSide line_side(const Vertex& from, Side side, std::uint32_t polygon) {
     for (std::int32_t& each : step) each = -each;
   const std::int32_t rest = (at[along] % step[along] + step[along]) % step[along];
   const std::int32_t place = (at[along] - rest) / step[along];
-  const std::int64_t links = place;
+  const std::int64_t steps = place;
   LineSide result{{{}, step}, place, place, polygon};
   for (std::size_t axis = 0; axis < 3; ++axis)
-    result.line.point[axis] = at[axis] - links * step[axis];
+    result.line.point[axis] = at[axis] - steps * step[axis];
   (is_backwards ? result.begin : result.end) += is_backwards ? -side.links : side.links;
   return result;
 }

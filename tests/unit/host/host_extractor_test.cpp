@@ -654,10 +654,10 @@ TEST_CASE("a slab has them wherever its fragments are handed over") {
   const BitVolume volume = random({70, 14, 6}, 128, 4);
   HostExtractor extractor;
   Extractor32 other;
-  for (const auto& [first, end] : {std::pair{1U, 6U}, {1U, 4U}, {2U, 4U}}) {
-    CAPTURE(first);
-    CAPTURE(end);
-    const SlabScan scan{volume, Border::closed, first, end};
+  for (const auto& slab : {std::pair{1U, 6U}, {1U, 4U}, {2U, 4U}}) {
+    CAPTURE(slab.first);
+    CAPTURE(slab.second);
+    const SlabScan scan{volume, Border::closed, slab.first, slab.second};
     const auto expected = parts_of(scan.by(other, much), scan);
     for (uint32_t beyond = 0; beyond < 12000; beyond += 1500) {
       CAPTURE(beyond);

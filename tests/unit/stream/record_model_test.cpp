@@ -430,8 +430,8 @@ TEST_CASE("a way along a direction is one run, and any other way is none") {
     const PlaneStep* const steps = plane_steps_of(link_class);
     for (uint8_t d = 0; d < count; ++d) {
       const auto way = [&](uint32_t length) {
-        const auto links = static_cast<int32_t>(length);
-        return PlaneWay{links * steps[d].u, links * steps[d].v};
+        const auto times = static_cast<int32_t>(length);
+        return PlaneWay{times * steps[d].u, times * steps[d].v};
       };
       for (const uint32_t length : {1U, 2U, 7U, max_compact_length})
         CHECK(run_along(steps, count, way(length)).code() == Run::straight(d, length).code());
