@@ -9,6 +9,7 @@ extern "C" {
 int __real_main();
 int __wrap_main();
 size_t fwrite(const void* bytes, size_t size, size_t count, void* file);
+int fputs(const char* text, void* file);
 }
 
 void sdk_write(const uint8_t* bytes, size_t count) {
@@ -22,6 +23,8 @@ void sdk_write(const uint8_t* bytes, size_t count) {
 size_t fwrite(const void* bytes, size_t size, size_t count, void*) {
   return board::uart_write(nullptr, static_cast<const uint8_t*>(bytes), size * count) / size;
 }
+
+int fputs(const char*, void*) { return 0; }
 
 void source::start() {}
 void source::on_request() {}

@@ -1,4 +1,5 @@
-/* As much of stdio.h as examples/firmware.c and .cpp use, on a board: stdout is the UART. */
+/* As much of stdio.h as examples/firmware.c and .cpp use, on a board: stdout is the UART, stderr
+ * is nowhere. */
 #ifndef DISCMC_TESTS_BARE_STDIO_H
 #define DISCMC_TESTS_BARE_STDIO_H
 
@@ -6,10 +7,15 @@
 
 typedef struct file FILE;
 #define stdout ((FILE *)0)
+#define stderr ((FILE *)1)
 
 #ifdef __cplusplus
-extern "C"
+extern "C" {
 #endif
 size_t fwrite(const void *bytes, size_t size, size_t count, FILE *file);
+int fputs(const char *text, FILE *file);
+#ifdef __cplusplus
+}
+#endif
 
 #endif
