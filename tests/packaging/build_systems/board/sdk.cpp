@@ -24,7 +24,9 @@ size_t fwrite(const void* bytes, size_t size, size_t count, void*) {
   return board::uart_write(nullptr, static_cast<const uint8_t*>(bytes), size * count) / size;
 }
 
-int fputs(const char*, void*) { return 0; }
+int fputs(const char*, void*) {
+  return 0;
+}
 
 void source::start() {}
 void source::on_request() {}
