@@ -428,7 +428,7 @@ TEST_CASE("rings of any length are found, however often they are walked along in
   check(jagged_comb(3, 26));
 }
 
-TEST_CASE("so are those that nodes are copied of after long walks in vain") {
+TEST_CASE("rings are found, too, when nodes are copied after long walks in vain") {
   BitVolume plate({200, 200, 3});
   const BitVolume noise = random({200, 200, 2}, 190, 7);
   std::copy(noise.on.begin(), noise.on.end(), plate.on.begin());

@@ -70,9 +70,11 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app) {
 std::string usage_of(const CommandOutline& outline, const CLI::App& app) {
   std::string usage = app.get_parent() != nullptr ? app.get_parent()->get_name() + " " : "";
   usage += app.get_name() + (commands_of(app).empty() ? "" : " COMMAND") + " [OPTIONS]";
-  for (const CLI::Option* option : app.get_options())
-    if (option->nonpositional() && option->get_required())
-      usage += " " + outline_of(*option).names.front() + " " + value_of(*option);
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->nonpositional() || !option->get_required()) continue;
+    const OptionOutline required = outline_of(*option);
+    usage += " " + required.names.front() + " " + required.value;
+  }
   for (const OptionOutline& argument : outline.arguments)
     usage += " " + argument.names.front() + (argument.is_repeated ? "..." : "");
   return usage;
