@@ -487,6 +487,16 @@ TEST_CASE("nor does it end the region in which it comes") {
   CHECK(encoder.write_record({}) == Status::suspended);
 }
 
+/// Whether an aligned word of a checkpoint is an address near the code of this program.
+bool holds_address_of_code(const Checkpoint<Encoder>& checkpoint) {
+  constexpr uintptr_t near = 1 << 26;
+  const uintptr_t code = reinterpret_cast<uintptr_t>(&holds_address_of_code);
+  uintptr_t words[sizeof checkpoint / sizeof(uintptr_t)];
+  std::memcpy(words, static_cast<const void*>(&checkpoint), sizeof words);
+  return std::any_of(std::begin(words), std::end(words),
+                     [&](uintptr_t word) { return word - (code - near) < 2 * near; });
+}
+
 TEST_CASE(
     "a checkpoint does not say where the code for normals lies, and whoever restores it has it") {
   Line line, restored;
@@ -499,7 +509,7 @@ TEST_CASE(
   line.bytes.clear();
   REQUIRE(begin_stream(with_normals, any_header(), line.output()) == Status::ok);
   REQUIRE(with_normals.save(*of_normals) == Status::ok);
-  CHECK(std::memcmp(of_plain.get(), of_normals.get(), sizeof *of_plain) == 0);
+  CHECK_FALSE(holds_address_of_code(*of_normals));
 
   NormalEncoder after;
   REQUIRE(after.restore(*of_plain, restored.output()) == Status::ok);
