@@ -71,7 +71,7 @@ class Encoder {
   [[nodiscard]] Status restore(const Checkpoint<Encoder>& checkpoint, const ByteOutput& output);
 
   /// Continues a stream whose object was saved and restored as plain bytes, without save() and
-  /// restore(); discmc.h works so. Limit: the bytes are unchanged. Errors: bad_sink (no write
+  /// restore(), as discmc.h does. Limit: the bytes are unchanged. Errors: bad_sink (no write
   /// function).
   [[nodiscard]] Status resume_in_place(const ByteOutput& output);
 

@@ -120,7 +120,7 @@ class BasicExtractor {
   [[nodiscard]] Status restore(const Checkpoint<Any>& checkpoint, Memory memory, const Sink& sink);
 
   /// Continues a scan whose object and memory were saved and restored as plain bytes, without
-  /// save() and restore(); discmc.h works so. memory, sink: as of restore(). Limit: the bytes were
+  /// save() and restore(), as discmc.h does. memory, sink: as of restore(). Limit: the bytes were
   /// saved while is_suspended() was false, and are unchanged. Errors: bad_sink; too_little_memory
   /// (then call start(), or this function again with enough memory).
   [[nodiscard]] Status resume_in_place(Memory memory, const Sink& sink);

@@ -1,11 +1,11 @@
 // Normals in integers: fixed-point unit vectors from vectors of any length.
 //
-// A normal points outside, from on to off. The gradient at a wall thinner than two voxels may point
-// inside. A normal has one of three sources. weighted() corrects it if voxels are not cubes, and
-// unit_normal() makes it a unit vector:
+// A normal points outwards, from on to off. If voxels are not cubes, correct the vector with
+// weighted(); unit_normal() then makes a unit vector. The vector comes from one of three sources:
 //
 //   the facet      normal(incidence) of lattice.hpp: exact, at almost no cost
-//   the samples    SampleWindow::negative_gradient(): Montani et al. 1994, section 2.4
+//   the samples    SampleWindow::negative_gradient(): Montani et al. 1994, section 2.4; may point
+//                  inwards at walls thinner than two voxels
 //   the polygons   the sum of area_vector() over the polygons that meet in a vertex
 #ifndef DISCMC_NORMAL_HPP
 #define DISCMC_NORMAL_HPP
@@ -76,9 +76,9 @@ OctahedralNormal octahedral_normal(const LongVector& direction);
 /// Decodes an octahedral normal. Any bytes are safe.
 UnitNormal unit_normal(OctahedralNormal normal);
 
-/// The contribution of a polygon to the normals of its vertices: its normal, with twelve times its
-/// area as the length. twice_area: the sum over its rings (chain.hpp, polygon.hpp). Units:
-/// half-steps.
+/// The contribution of a polygon to the normals of its vertices: a vector along the normal of the
+/// polygon, as long as twelve times the area. twice_area: the sum of twice_area() over all rings of
+/// the polygon (chain.hpp, polygon.hpp). Units: half-steps.
 constexpr LongVector area_vector(Incidence incidence, int64_t twice_area) {
   const Vertex n = normal(incidence);
   // twice_area contains the length of n as a factor, and n does too: 6 / |n|^2 removes both.

@@ -1,6 +1,6 @@
-// Standard application records. A Placement is the position of a volume in space, for receivers
-// that align the surface with other data. A SlabRange has the own slices of a slab, for receivers
-// that join the streams of slabs.
+// Standard application records. A Placement gives the position of a volume in space, so that a
+// receiver can align the surface with other data. A SlabRange gives the slices of one slab, so that
+// a receiver that joins slabs detects missing ones.
 //
 //   uint8_t bytes[Placement::record_bytes];
 //   status = encoder.write_record(record_of(placement, bytes));  // before the first row
@@ -25,7 +25,10 @@ enum class Space : uint8_t {
 ///   voxel (i, j, k)                  origin_nm + i axes_nm[0] + j axes_nm[1] + k axes_nm[2]
 ///   vertex (x, y, z) in half-steps   origin_nm + (x axes_nm[0] + y axes_nm[1] + z axes_nm[2]) / 2
 ///
-/// Normals use the spacing of the stream's header instead. Units: nanometres.
+/// The normals of a stream contain the spacing of its header already, but lie along the axes of the
+/// voxels. Turn them by the directions of axes_nm: normal (x, y, z) becomes
+/// x d[0] + y d[1] + z d[2], where d[n] is axes_nm[n] with the length 1. Limit of this formula: the
+/// axes are perpendicular. Units: nanometres.
 struct Placement {
   int32_t axes_nm[3][3] = {};  ///< from one voxel to the next along x, y, z: three vectors in space
   int64_t origin_nm[3] = {};   ///< the centre of voxel (0, 0, 0)
@@ -35,9 +38,9 @@ struct Placement {
   static constexpr size_t record_bytes = 3 * 3 * 4 + 3 * 8 + 1;
 };
 
-/// Encodes a placement for write_record(), best before the first row: slice and row of the record
-/// are 0. bytes: room for Placement::record_bytes, which it writes; Owner: the caller, until
-/// write_record() has returned ok.
+/// Encodes a placement for write_record(). The record has slice 0 and row 0, so write it before the
+/// first row. bytes: a buffer of Placement::record_bytes bytes, overwritten; Owner: the caller,
+/// until write_record() has returned ok.
 ApplicationRecord record_of(const Placement& placement, uint8_t* bytes);
 
 /// Reads the placement in a record. Returns false, and writes nothing, if the kind, the number of
@@ -46,9 +49,8 @@ ApplicationRecord record_of(const Placement& placement, uint8_t* bytes);
 
 // ---- The slices of a slab.
 
-/// The own slices of a slab, without the context slices of its neighbours. A stream joined from
-/// several slabs has a record for each of their ranges; the stream of a whole volume has none.
-/// Units: slices.
+/// The slices of a slab (Slab in limits.hpp) without its context slices. A stream joined from
+/// several slabs has one record per slab; the stream of a whole volume needs none. Units: slices.
 struct SlabRange {
   uint32_t first = 0;
   uint32_t slices = 0;
@@ -61,14 +63,14 @@ struct SlabRange {
   static constexpr size_t record_bytes = 12;
 };
 
-/// Encodes a slab range for write_record(), at any time in its scan. Slice and row of the record
-/// are 0; for an Encoder, set both if the first row has been pushed. bytes: room for
-/// SlabRange::record_bytes, which it writes; Owner: the caller, until write_record() has returned
-/// ok.
+/// Encodes a slab range for write_record(), at any time in the scan. The record has slice 0 and row
+/// 0. A SliceEncoder replaces both; for an Encoder, set both if rows have been pushed. bytes: a
+/// buffer of SlabRange::record_bytes bytes, overwritten; Owner: the caller, until write_record()
+/// has returned ok.
 ApplicationRecord record_of(const SlabRange& range, uint8_t* bytes);
 
 /// Reads the range in a record. Returns false, and writes nothing, if the kind or the number of
-/// bytes does not match, or if the slices are none or beyond the depth.
+/// bytes does not match, if `slices` is 0, or if first + slices exceeds `depth`.
 [[nodiscard]] bool read_slab_range(const ApplicationRecord& record, SlabRange& range);
 
 }  // namespace discmc

@@ -14,8 +14,8 @@
 namespace discmc {
 
 /// One event of a SliceDecoder: the start, every row of the scan in order, and the end. With
-/// several surfaces, a row of each surface follows in turn. Only the members that the kind names
-/// are valid.
+/// several surfaces, each row comes once per surface, in the order of their channels. Only the
+/// members that the kind names are valid.
 struct RowEvent {
   enum class Kind : uint8_t {
     start,        ///< the first event: header
@@ -42,7 +42,8 @@ struct RowEvent {
   };
 };
 
-/// A sink of rows. Owner: the context belongs to the caller and must outlive the decoder.
+/// A sink of rows; the rules of Sink (sink.hpp) hold. Owner: the context belongs to the caller and
+/// must outlive the decoder.
 struct RowSink {
   void* context = nullptr;
   SinkResult (*take)(void* context, const RowEvent& event) = nullptr;
@@ -74,9 +75,9 @@ class SliceDecoder {
   /// Decodes bytes, any number at a time. Status::suspended: the sink is busy; call push() again
   /// with the remaining bytes, even if there are none. Errors: not_started; bad_sink (the sink
   /// answered not_started); wrong_version (no byte is accepted until start()); too_little_memory
-  /// (call give_memory(), then push the remaining bytes). Packets before the first header are lost.
-  /// A stream of regions delivers nothing: report().holds_slices is false. Cost: the coding
-  /// decisions of SliceEncoder::push().
+  /// (call give_memory(), then push the remaining bytes). Packets before the first header are
+  /// dropped; their rows count as lost. A stream of regions delivers nothing: report().holds_slices
+  /// is false. Cost: the coding decisions of SliceEncoder::push().
   Decoded push(const uint8_t* bytes, size_t count);
 
   /// After too_little_memory: continues with this memory, at least slice_decoder_bytes(). Does

@@ -7,10 +7,10 @@
 //   finish()                  after the last slice
 //
 // Each voxel is coded from its neighbours, with probabilities that adapt to the scan (WIRE.md,
-// "Slices"). The stream of CT head (Stanford) has a tenth of the bytes of its regions, and costs
-// less than a third of the instructions. But the receiver must extract the surface, in up to twice
-// the memory that the device would have needed. A lost packet costs all slices up to the next key
-// slice.
+// "Slices"). For CT head (Stanford), a stream of slices has a tenth of the bytes of a stream of
+// regions, for less than a third of the instructions. But the receiver must extract the surface.
+// That takes up to twice the memory that an extractor on the device takes. A lost packet costs all
+// slices up to the next key slice.
 #ifndef DISCMC_SLICE_ENCODER_HPP
 #define DISCMC_SLICE_ENCODER_HPP
 
@@ -32,12 +32,14 @@ struct KeySlices {
   /// The number of slices from one key slice to the next; 0: only the first slice is a key slice. A
   /// lost packet costs the slices up to the next key slice: on average half of the interval.
   ///
-  /// Choose the largest loss that you accept, and no less than the slices in a packet. A slice of
-  /// CT head (Stanford) has about 200 bytes, so 16 slices are 13 packets. Key slices make its
-  /// stream longer:
+  /// Choose the longest loss that you accept, but at least the slices that fit in one packet. A
+  /// slice of CT head (Stanford) has about 200 bytes, so 16 slices are 13 packets. Key slices make
+  /// that stream longer:
   ///
-  ///   interval   16   8    4    1, which needs the least memory
-  ///   longer by  4 %  8 %  16 % 62 %
+  ///   interval   16    8    4     1
+  ///   growth     4 %   8 %  16 %  62 %
+  ///
+  /// The interval 1 needs the least memory.
   uint32_t interval = 0;
 
   constexpr bool is_every_slice() const { return interval == 1; }
@@ -96,8 +98,8 @@ class SliceEncoder {
   ///
   /// Status::suspended: the output is busy, and PushResult::samples samples are accepted, up to the
   /// end of a row. Call resume() until it returns another status, then push the remaining samples.
-  /// Errors: not_started, finished, too_many_slices. Cost: one comparison per sample and surface;
-  /// per row of a surface one or two coding decisions, and about one per voxel whose neighbours
+  /// Errors: not_started, finished, too_many_slices. Cost, per surface: one comparison per sample,
+  /// one or two coding decisions per row, and about one coding decision per voxel whose neighbours
   /// differ.
   template <class Sample>
   PushResult push(const Sample* samples, uint32_t count, uint32_t stride = 1) {
@@ -112,8 +114,9 @@ class SliceEncoder {
   /// otherwise samples is 0. Errors: as push(), row_in_progress.
   PushResult push_bits(const uint8_t* bits);
 
-  /// Replaces a missing row; the stream records it. The first row of a key slice has no previous
-  /// row, and counts as off. Result and errors: as push_bits().
+  /// Replaces a missing row; the stream records that the row was skipped. If the first row of a key
+  /// slice is skipped, the row is off, because a key slice has no previous row. Result and errors:
+  /// as push_bits().
   PushResult skip_row(Substitute substitute);
 
   /// Continues after Status::suspended, and returns it again if the output is still busy. Does
@@ -143,20 +146,21 @@ class SliceEncoder {
   /// Whether a row, or the end, waits for the output. If so, call resume() before save().
   bool is_suspended() const { return row_is_due_ || state_ == State::finishing; }
 
-  /// Saves the encoder's state, at the beginning of a frame. Also save the first bytes_used() bytes
-  /// of the memory; restore() needs both. Errors: not_started. Status::suspended: call resume()
-  /// first. Cost: a checksum of those bytes.
+  /// Saves the encoder's state. A frame that is being sent is sent again after restore(). Also save
+  /// the first bytes_used() bytes of the memory; restore() needs both. Errors: not_started.
+  /// Status::suspended: call resume() first. Cost: a checksum of those bytes.
   [[nodiscard]] Status save(Checkpoint<SliceEncoder>& checkpoint) const;
 
   /// Restores a saved state: the scan continues with row rows() of slice slices(), after bytes()
-  /// bytes of stream. memory: of the size given to start(), with the saved bytes at its beginning;
-  /// it may lie at another address with the same alignment modulo 4; Owner: as of start(). Errors:
-  /// too_little_memory, bad_checkpoint, bad_sink (no write). Cost: as save().
+  /// bytes of stream. memory: at least the bytes_used() of the saved encoder, with the saved bytes
+  /// at the beginning, at an address that is the same modulo 4; Owner: as of start(). Errors:
+  /// too_little_memory (null), bad_checkpoint (also if the memory is smaller), bad_sink (no write).
+  /// Cost: as save().
   [[nodiscard]] Status restore(const Checkpoint<SliceEncoder>& checkpoint, Memory memory,
                                const ByteOutput& output);
 
   /// Continues a scan whose object and memory were saved and restored as plain bytes, without
-  /// save() and restore(); discmc.h works so. Limit: the bytes were saved while is_suspended() was
+  /// save() and restore(), as discmc.h does. Limit: the bytes were saved while is_suspended() was
   /// false, and are unchanged. Errors: bad_sink (no write function), too_little_memory.
   [[nodiscard]] Status resume_in_place(Memory memory, const ByteOutput& output);
 

@@ -8,16 +8,23 @@
 namespace discmc {
 
 /// The result of a call; docs/statuses.md has the cause and the remedy of each. `ok` and
-/// `suspended` are not errors. After `suspended` call resume() until it returns another status.
-/// After flush() and write_record(), and for objects without resume(), call the function again;
-/// before write_record() of an Encoder, call resume() of the extractor. For push() of a decoder,
-/// pass the remaining bytes.
+/// `suspended` are not errors. After `suspended`:
 ///
-/// After an error the object continues as if the call had not been made. But waiting events were
-/// delivered, and push() returns how much it accepted. These errors change more:
+///   objects with resume()       call resume() until it returns another status
+///   flush(), write_record()     call the function again; before write_record() of an Encoder, call
+///                               resume() of the extractor
+///   push() of a decoder         call push() with the remaining bytes, even if there are none
+///   finish() of a decoder or    call finish() again
+///   joiner
+///
+/// After an error the object continues as if the call had not been made, with two exceptions:
+/// waiting events may have been delivered, and push() may have accepted some input. These errors
+/// change more:
 ///
 ///   Extractor::start()       too_little_memory, or bad_sink of a sink that rejects the start:
 ///                            the previous scan has ended, too
+///   Extractor::resume_in_place()  too_little_memory: only start(), or resume_in_place() with
+///                            enough memory, continues
 ///   MajorityFilter::start(), Downsampler::start()  any error: it is not started
 ///   push() of decoders       wrong_version: no byte is accepted until start()
 ///   Joiner::finish()         too_little_memory: everything possible was delivered
@@ -55,8 +62,8 @@ constexpr const char* to_string(Status status) {
     case Status::bad_capacities:
       return "a capacity is below its minimum or beyond the index type: use the default capacities";
     case Status::too_little_memory:
-      return "the memory is null or too small: size it with minimum_bytes(), bytes_for() or "
-             "sizes.h";
+      return "the memory is null or too small: size it with the ..._bytes() function of the "
+             "object, or with sizes.h; for a decoder of slices call give_memory()";
     case Status::bad_sink:
       return "the sink or output has no function, or was not started: start the encoder first";
     case Status::not_started:
@@ -80,7 +87,8 @@ constexpr const char* to_string(Status status) {
     case Status::bad_device:
       return "the flash has no read() or program(), or no room for two checkpoints";
     case Status::device_error:
-      return "a function of the flash failed: check its driver";
+      return "a flash function failed, or the flash reads back other bytes: save again, and check "
+             "the driver";
   }
   return "unknown status";
 }

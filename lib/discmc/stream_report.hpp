@@ -8,10 +8,10 @@ namespace discmc {
 
 /// The report of a stream. A loss is counted when the next intact packet reveals it.
 ///
-/// Only streams of regions fill regions, fragments and lost_pieces. Only streams of slices fill
-/// rows, lost_rows and total_rows; their totals contain only skipped_rows. The totals of the
-/// extracted surface are in the `finish` event of a SurfaceDecoder. A lost application record
-/// counts only as a lost packet.
+/// Streams of regions set regions, fragments, lost_pieces and totals. Streams of slices set rows,
+/// lost_rows and total_rows, which count a row of several surfaces once, and only skipped_rows in
+/// totals. The other totals of their surface are in the `finish` event of a SurfaceDecoder. A lost
+/// application record counts only as a lost packet.
 struct StreamReport {
   bool has_header = false;
   bool holds_slices = false;  ///< according to its header: use a SliceDecoder or a SurfaceDecoder
@@ -22,7 +22,7 @@ struct StreamReport {
                                ///< number were accepted
   uint64_t bytes = 0;
   uint64_t packets = 0;           ///< intact packets, without repeated ones
-  uint64_t repeated_packets = 0;  ///< received before, or after the trailer
+  uint64_t repeated_packets = 0;  ///< had already arrived, or arrived after the trailer
   uint64_t damaged_packets = 0;   ///< frames that are no packet, fail their checksum, or contain
                                   ///< what the decoder cannot read
   uint64_t foreign_packets = 0;   ///< of another scan or channel; ignored, and in no other count
@@ -31,9 +31,9 @@ struct StreamReport {
   uint64_t fragments = 0;         ///< loose fragments delivered complete
   uint64_t lost_pieces = 0;  ///< regions and fragments that the sender counted and that did not
                              ///< arrive complete
-  uint64_t rows = 0;         ///< rows of bits delivered
-  uint64_t lost_rows = 0;    ///< rows of bits missing before a later row
-  uint64_t total_rows = 0;   ///< rows of bits according to the trailer
+  uint64_t rows = 0;         ///< delivered, including skipped rows
+  uint64_t lost_rows = 0;    ///< missing before a later row or the trailer
+  uint64_t total_rows = 0;   ///< according to the trailer
   uint32_t slices = 0;       ///< according to the trailer
   Statistics totals{};       ///< according to the trailer
 

@@ -16,14 +16,15 @@
 
 namespace discmc {
 
-/// Pushes the samples of a scan to several extractors, for example with several thresholds. If one
-/// sink is busy, all extractors wait. Scanner: the type of the extractors. A group is neither
-/// copied nor moved: each of two copies would miss the samples of the other.
+/// Pushes the samples of one scan to several extractors, for example with several thresholds. If
+/// one sink is busy, all extractors wait. Construct another group for the next scan, as a group
+/// counts the samples of the current row. For the same reason it is neither copied nor moved.
+/// Scanner: an extractor type, such as Extractor16.
 template <class Scanner>
 class SurfaceGroup {
  public:
   /// scanners: `count` extractors, started for slices of one size, with nothing pushed yet; Owner:
-  /// the caller, for as long as the scan lasts. width: of a row. Units: voxels.
+  /// the caller, for as long as the scan lasts. width: voxels per row.
   SurfaceGroup(Scanner* scanners, uint32_t count, uint32_t width)
       : first_(scanners), end_(scanners + count), width_(width) {}
   SurfaceGroup(const SurfaceGroup&) = delete;
