@@ -75,8 +75,8 @@ class Encoder {
   /// function).
   [[nodiscard]] Status resume_in_place(const ByteOutput& output);
 
-  /// The bytes of stream so far, including those dropped without an output. The difference between
-  /// two calls of set_output() is the number of dropped bytes.
+  /// The bytes of stream so far, including bytes that were dropped because there was no output. The
+  /// growth from set_output({}) to the next set_output() is the number of dropped bytes.
   uint64_t bytes() const { return packets_.bytes(); }
 
   /// For CheckpointHead::layout.

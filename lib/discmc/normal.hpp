@@ -1,7 +1,8 @@
 // Normals in integers: fixed-point unit vectors from vectors of any length.
 //
-// A normal points outwards, from on to off. If voxels are not cubes, correct the vector with
-// weighted(); unit_normal() then makes a unit vector. The vector comes from one of three sources:
+// A normal points outwards, from on to off. unit_normal(weighted(vector, axis_weights(spacing)))
+// makes a unit vector of any vector below. A normal that arrives in a stream already includes the
+// spacing, and needs only unit_normal(). The sources of a vector:
 //
 //   the facet      normal(incidence) of lattice.hpp: exact, at almost no cost
 //   the samples    SampleWindow::negative_gradient(): Montani et al. 1994, section 2.4; may point
@@ -53,7 +54,7 @@ constexpr bool operator!=(const OctahedralNormal& a, const OctahedralNormal& b) 
 
 /// The factors for the components of a normal if voxels are not cubes: 1 / spacing times a common
 /// factor, because normals transform with the inverse of the spacing. axis_weights() computes them.
-/// Limit: none is -2^31.
+/// Limit: no factor is -2^31.
 struct AxisWeights {
   int32_t x = 1, y = 1, z = 1;
 };

@@ -3,7 +3,8 @@
 // a receiver that joins slabs detects missing ones.
 //
 //   uint8_t bytes[Placement::record_bytes];
-//   status = encoder.write_record(record_of(placement, bytes));  // before the first row
+//   // after start() of encoder and extractor, before the first row:
+//   status = encoder.write_record(record_of(placement, bytes));
 //
 //   if (read_placement(*event.application, placement)) ...       // in the sink of a receiver
 #ifndef DISCMC_PLACEMENT_HPP
@@ -25,10 +26,10 @@ enum class Space : uint8_t {
 ///   voxel (i, j, k)                  origin_nm + i axes_nm[0] + j axes_nm[1] + k axes_nm[2]
 ///   vertex (x, y, z) in half-steps   origin_nm + (x axes_nm[0] + y axes_nm[1] + z axes_nm[2]) / 2
 ///
-/// The normals of a stream contain the spacing of its header already, but lie along the axes of the
-/// voxels. Turn them by the directions of axes_nm: normal (x, y, z) becomes
-/// x d[0] + y d[1] + z d[2], where d[n] is axes_nm[n] with the length 1. Limit of this formula: the
-/// axes are perpendicular. Units: nanometres.
+/// The normals of a stream already include the spacing of its header, but lie along the axes of the
+/// voxels. In space, the normal (x, y, z) is x d[0] + y d[1] + z d[2]. Here d[n] is axes_nm[n]
+/// scaled to length 1, and negated if spacing_nm[n] of the header is negative. Limit of this
+/// formula: the axes are perpendicular. Units: nanometres.
 struct Placement {
   int32_t axes_nm[3][3] = {};  ///< from one voxel to the next along x, y, z: three vectors in space
   int64_t origin_nm[3] = {};   ///< the centre of voxel (0, 0, 0)
@@ -39,8 +40,8 @@ struct Placement {
 };
 
 /// Encodes a placement for write_record(). The record has slice 0 and row 0, so write it before the
-/// first row. bytes: a buffer of Placement::record_bytes bytes, overwritten; Owner: the caller,
-/// until write_record() has returned ok.
+/// first row, but after the start of the scan. bytes: a buffer of Placement::record_bytes bytes,
+/// overwritten; Owner: the caller, until write_record() has returned ok.
 ApplicationRecord record_of(const Placement& placement, uint8_t* bytes);
 
 /// Reads the placement in a record. Returns false, and writes nothing, if the kind, the number of

@@ -2,7 +2,8 @@
 //
 // Any bytes are safe. The decoder never reads beyond its input, never writes beyond its object and
 // its memory, and allocates nothing. After a loss it continues at the next key slice, and reports
-// the missing rows as lost. For polygons instead of rows use a SurfaceDecoder.
+// the missing rows as lost. It decodes one stream; decoder.hpp explains links that carry scan after
+// scan. For polygons instead of rows use a SurfaceDecoder.
 #ifndef DISCMC_SLICE_DECODER_HPP
 #define DISCMC_SLICE_DECODER_HPP
 

@@ -86,9 +86,10 @@ class SliceEncoder {
   /// Begins a scan and its stream. header: width, height and thresholds are required; the stream
   /// begins with the header. With several surfaces, each uses all samples. Put first the surface
   /// that most resembles the others: its bits predict the bits of the others. memory: at least
-  /// slice_encoder_bytes(); Owner: the caller, for as long as the scan lasts. If a reset of the
-  /// device may have cut off a frame, send a zero byte to the link first. Errors: bad_limits,
-  /// bad_label, bad_sink (no write function), too_little_memory.
+  /// slice_encoder_bytes(limits, key_slices, header.surface_count); Owner: the caller, for as long
+  /// as the scan lasts. If a reset of the device may have cut off a frame, send a zero byte to the
+  /// link first: it ends that frame. Errors: bad_limits, bad_label, bad_sink (no write function),
+  /// too_little_memory.
   [[nodiscard]] Status start(const StreamHeader& header, KeySlices key_slices, Memory memory,
                              const ByteOutput& output);
 
@@ -143,7 +144,8 @@ class SliceEncoder {
   /// finish().
   [[nodiscard]] Status abandon();
 
-  /// Whether a row, or the end, waits for the output. If so, call resume() before save().
+  /// Whether a row or the trailer is not encoded yet because the output is busy. If so, call
+  /// resume() before save(). Encoded bytes may wait in any case: the status of resume() reports it.
   bool is_suspended() const { return row_is_due_ || state_ == State::finishing; }
 
   /// Saves the encoder's state. A frame that is being sent is sent again after restore(). Also save
@@ -164,8 +166,8 @@ class SliceEncoder {
   /// false, and are unchanged. Errors: bad_sink (no write function), too_little_memory.
   [[nodiscard]] Status resume_in_place(Memory memory, const ByteOutput& output);
 
-  /// The bytes of stream so far, including those dropped without an output. The difference between
-  /// two calls of set_output() is the number of dropped bytes.
+  /// The bytes of stream so far, including bytes that were dropped because there was no output. The
+  /// growth from set_output({}) to the next set_output() is the number of dropped bytes.
   uint64_t bytes() const { return packets_.bytes(); }
   /// The number of bytes at the beginning of the caller's memory that the scan uses:
   /// slice_encoder_bytes().

@@ -10,25 +10,27 @@ namespace discmc {
 /// The result of a call; docs/statuses.md has the cause and the remedy of each. `ok` and
 /// `suspended` are not errors. After `suspended`:
 ///
-///   objects with resume()       call resume() until it returns another status
-///   flush(), write_record()     call the function again; before write_record() of an Encoder, call
-///                               resume() of the extractor
-///   push() of a decoder         call push() with the remaining bytes, even if there are none
-///   finish() of a decoder or    call finish() again
+///   objects with resume()      call resume() until it returns another status; after save() of an
+///                              extractor or SliceEncoder, then call save() again
+///   flush(), write_record(),   call the function again; before write_record() of an Encoder, call
+///   erase_ahead()              resume() of the extractor
+///   push() of a decoder        call push() with the remaining bytes, even if there are none
+///   finish() of a decoder or   call finish() again
 ///   joiner
 ///
 /// After an error the object continues as if the call had not been made, with two exceptions:
 /// waiting events may have been delivered, and push() may have accepted some input. These errors
 /// change more:
 ///
-///   Extractor::start()       too_little_memory, or bad_sink of a sink that rejects the start:
-///                            the previous scan has ended, too
-///   Extractor::resume_in_place()  too_little_memory: only start(), or resume_in_place() with
-///                            enough memory, continues
-///   MajorityFilter::start(), Downsampler::start()  any error: it is not started
-///   push() of decoders       wrong_version: no byte is accepted until start()
-///   Joiner::finish()         too_little_memory: everything possible was delivered
-///   CheckpointStore          device_error: see each of its functions
+///   Extractor::start()           too_little_memory, or bad_sink of a sink that rejects the start:
+///                                the previous scan has ended, too
+///   resume_in_place() of an      too_little_memory: only start(), or resume_in_place() with enough
+///   extractor                    memory, continues
+///   start() of a MajorityFilter  any error: it is not started
+///   or Downsampler
+///   push() of a decoder          wrong_version: no byte is accepted until start()
+///   Joiner::finish()             too_little_memory: everything possible was delivered
+///   CheckpointStore              device_error: see each of its functions
 enum class Status : uint8_t {
   ok,
   suspended,          ///< the sink or output is busy; nothing is lost
@@ -36,7 +38,7 @@ enum class Status : uint8_t {
   bad_capacities,     ///< a capacity is below the minimum or beyond the index type
   too_little_memory,  ///< the memory is null or smaller than the limits or capacities need
   bad_sink,           ///< a sink or output without a function, or a sink that is not started
-  not_started,        ///< start() has not succeeded yet
+  not_started,        ///< start() has not succeeded yet; for a record, that of the extractor
   finished,           ///< the scan has ended: start() another, or reset()
   row_in_progress,    ///< a whole row was pushed or skipped in the middle of a row
   slice_in_progress,  ///< finish() in the middle of a slice: push or skip its rows, or abandon()
@@ -58,7 +60,8 @@ constexpr const char* to_string(Status status) {
       return "the sink or output is busy: call resume(), or push() the remaining bytes to a "
              "decoder";
     case Status::bad_limits:
-      return "invalid limits: width and height must be 1 to 32766, and border and slab valid";
+      return "invalid limits: width and height must be 1 to 32766; check border, slab, crop and "
+             "the features of the extractor";
     case Status::bad_capacities:
       return "a capacity is below its minimum or beyond the index type: use the default capacities";
     case Status::too_little_memory:
@@ -67,7 +70,8 @@ constexpr const char* to_string(Status status) {
     case Status::bad_sink:
       return "the sink or output has no function, or was not started: start the encoder first";
     case Status::not_started:
-      return "start() was not called or failed: check its status";
+      return "start() was not called or failed: check its status; an encoder accepts records after "
+             "start() of the extractor";
     case Status::slice_in_progress:
       return "the current slice is incomplete: push or skip its rows, or call abandon()";
     case Status::finished:
