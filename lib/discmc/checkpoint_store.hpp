@@ -179,9 +179,9 @@ class CheckpointStore {
 
   /// Continues a save in progress: erases a block, or programs a unit and reads it back. Returns ok
   /// if no save is in progress. Errors: not_started. device_error: a call of the device failed, or
-  /// a unit reads back with other bytes. Then the save is cancelled, and the next save uses other
-  /// blocks if there are more than two slots. Cost: an erasure or a unit, and three checksums of
-  /// the unit: about 150 instructions per byte.
+  /// a unit reads back with other bytes. Then the save is cancelled, and the next save uses blocks
+  /// other than these and those of the previous checkpoint, if there are any. Cost: an erasure or a
+  /// unit, and three checksums of the unit: about 150 instructions per byte.
   [[nodiscard]] Status resume();
 
   const StorePlan& plan() const { return plan_; }

@@ -26,10 +26,10 @@ enum class Space : uint8_t {
 ///   voxel (i, j, k)                  origin_nm + i axes_nm[0] + j axes_nm[1] + k axes_nm[2]
 ///   vertex (x, y, z) in half-steps   origin_nm + (x axes_nm[0] + y axes_nm[1] + z axes_nm[2]) / 2
 ///
-/// The normals of a stream already include the spacing of its header, but lie along the axes of the
-/// voxels. In space, the normal (x, y, z) is x d[0] + y d[1] + z d[2]. Here d[n] is axes_nm[n]
-/// scaled to length 1, and negated if spacing_nm[n] of the header is negative. Limit of this
-/// formula: the axes are perpendicular. Units: nanometres.
+/// The normals of a stream already include the spacing in its header, but their components are
+/// along the axes of the voxels. In space, the normal (x, y, z) is x d[0] + y d[1] + z d[2]. Here
+/// d[n] is axes_nm[n] scaled to length 1, and negated if spacing_nm[n] of the header is negative.
+/// Limit of this formula: the axes are perpendicular. Units: nanometres.
 struct Placement {
   int32_t axes_nm[3][3] = {};  ///< from one voxel to the next along x, y, z: three vectors in space
   int64_t origin_nm[3] = {};   ///< the centre of voxel (0, 0, 0)
@@ -44,8 +44,8 @@ struct Placement {
 /// overwritten; Owner: the caller, until write_record() has returned ok.
 ApplicationRecord record_of(const Placement& placement, uint8_t* bytes);
 
-/// Reads the placement in a record. Returns false, and writes nothing, if the kind, the number of
-/// bytes or the space does not match.
+/// Reads the placement in a record. Returns false, and writes nothing, if the kind or the number of
+/// bytes does not match, or if the space is unknown.
 [[nodiscard]] bool read_placement(const ApplicationRecord& record, Placement& placement);
 
 // ---- The slices of a slab.

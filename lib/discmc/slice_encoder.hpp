@@ -32,9 +32,9 @@ struct KeySlices {
   /// The number of slices from one key slice to the next; 0: only the first slice is a key slice. A
   /// lost packet costs the slices up to the next key slice: on average half of the interval.
   ///
-  /// Choose the longest loss that you accept, but at least the slices that fit in one packet. A
-  /// slice of CT head (Stanford) has about 200 bytes, so 16 slices are 13 packets. Key slices make
-  /// that stream longer:
+  /// Choose the most slices that you can afford to lose, but at least as many as fit in one packet.
+  /// A slice of CT head (Stanford) has about 200 bytes, so 16 slices are 13 packets. Key slices
+  /// make that stream longer:
   ///
   ///   interval   16    8    4     1
   ///   growth     4 %   8 %  16 %  62 %
@@ -145,7 +145,8 @@ class SliceEncoder {
   [[nodiscard]] Status abandon();
 
   /// Whether a row or the trailer is not encoded yet because the output is busy. If so, call
-  /// resume() before save(). Encoded bytes may wait in any case: the status of resume() reports it.
+  /// resume() before save(). If not, encoded bytes may still wait for the output; resume() then
+  /// returns Status::suspended.
   bool is_suspended() const { return row_is_due_ || state_ == State::finishing; }
 
   /// Saves the encoder's state. A frame that is being sent is sent again after restore(). Also save

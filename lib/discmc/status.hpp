@@ -10,13 +10,16 @@ namespace discmc {
 /// The result of a call; docs/statuses.md has the cause and the remedy of each. `ok` and
 /// `suspended` are not errors. After `suspended`:
 ///
-///   objects with resume()      call resume() until it returns another status; after save() of an
-///                              extractor or SliceEncoder, then call save() again
-///   flush(), write_record(),   call the function again; before write_record() of an Encoder, call
-///   erase_ahead()              resume() of the extractor
+///   flush(), erase_ahead()     call the function again
+///   write_record(), append()   call the function again; for an Encoder, call resume() of the
+///                              extractor before
+///   save() of an extractor     call resume() until it returns another status, then save() again
+///   or SliceEncoder
 ///   push() of a decoder        call push() with the remaining bytes, even if there are none
 ///   finish() of a decoder or   call finish() again
 ///   joiner
+///   other functions of an      call resume() until it returns another status
+///   object with resume()
 ///
 /// After an error the object continues as if the call had not been made, with two exceptions:
 /// waiting events may have been delivered, and push() may have accepted some input. These errors
@@ -26,11 +29,11 @@ namespace discmc {
 ///                                the previous scan has ended, too
 ///   resume_in_place() of an      too_little_memory: only start(), or resume_in_place() with enough
 ///   extractor                    memory, continues
-///   start() of a MajorityFilter  any error: it is not started
+///   start() of a MajorityFilter  any error: the object is no longer started
 ///   or Downsampler
 ///   push() of a decoder          wrong_version: no byte is accepted until start()
 ///   Joiner::finish()             too_little_memory: everything possible was delivered
-///   CheckpointStore              device_error: see each of its functions
+///   CheckpointStore              see each of its functions
 enum class Status : uint8_t {
   ok,
   suspended,          ///< the sink or output is busy; nothing is lost
@@ -38,7 +41,7 @@ enum class Status : uint8_t {
   bad_capacities,     ///< a capacity is below the minimum or beyond the index type
   too_little_memory,  ///< the memory is null or smaller than the limits or capacities need
   bad_sink,           ///< a sink or output without a function, or a sink that is not started
-  not_started,        ///< start() has not succeeded yet; for a record, that of the extractor
+  not_started,        ///< start() has not succeeded; for records, also start() of the extractor
   finished,           ///< the scan has ended: start() another, or reset()
   row_in_progress,    ///< a whole row was pushed or skipped in the middle of a row
   slice_in_progress,  ///< finish() in the middle of a slice: push or skip its rows, or abandon()

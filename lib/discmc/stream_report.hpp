@@ -22,8 +22,8 @@ struct StreamReport {
                                ///< number were accepted
   uint64_t bytes = 0;
   uint64_t packets = 0;           ///< intact packets, without repeated ones
-  uint64_t repeated_packets = 0;  ///< had already arrived, or came late: after the trailer, or out
-                                  ///< of order, and then counted as lost before
+  uint64_t repeated_packets = 0;  ///< ignored: arrived before, after the trailer, or out of order;
+                                  ///< the last kind also counts as lost
   uint64_t damaged_packets = 0;   ///< frames that are no packet, fail their checksum, or contain
                                   ///< what the decoder cannot read
   uint64_t foreign_packets = 0;   ///< of another scan or channel; ignored, and in no other count

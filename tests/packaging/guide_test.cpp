@@ -230,6 +230,13 @@ bool save(Device& device, Saved& saved, CheckpointStore& store) {
   return status == Status::ok;
 }
 
+// Of docs/normals.md.
+UnitNormal normal_of(const Event& run, Incidence incidence, const StreamHeader& header) {
+  if (!run.normal.is_none()) return unit_normal(run.normal);
+  const Vertex n = normal(incidence);
+  return unit_normal(weighted({n.x, n.y, n.z}, axis_weights(header.spacing_nm)));
+}
+
 }  // namespace
 
 TEST_CASE("the guide's stream of slices makes the regions of the device's own") {
@@ -310,6 +317,17 @@ TEST_CASE("the guide's filter takes away most of what noise adds to the stream")
   const size_t clean = stream_of({}).size();
   noisy.random.seed(1);
   CHECK(bytes.size() - clean < (stream_of(noisy).size() - clean) / 2);
+}
+
+TEST_CASE("the guide's normal is that of the run, or of its polygon in voxels that are not cubes") {
+  StreamHeader header;
+  header.spacing_nm[0] = header.spacing_nm[1] = 500000;
+  header.spacing_nm[2] = 1000000;
+  Event run{};
+  const Incidence incidence = incidence_of({0, 1, 1});
+  CHECK(normal_of(run, incidence, header) == unit_normal(LongVector{0, 2, 1}));
+  run.normal = octahedral_normal({1, 0, 0});
+  CHECK(normal_of(run, incidence, header) == unit_normal(run.normal));
 }
 
 TEST_CASE(
