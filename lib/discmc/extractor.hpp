@@ -50,8 +50,9 @@ class BasicExtractor {
   /// minimum_bytes<Index>(limits), at any alignment; Owner: the caller, for as long as the scan
   /// lasts. sink: must accept `start` at once. Errors: bad_limits (also for limits that need an
   /// ability that Features lacks), too_little_memory, bad_sink (no function, or the sink rejects
-  /// `start`, as an encoder does before its start()). After an error the memory is untouched. Cost:
-  /// clears about 150 words and one row of bits.
+  /// `start`, as an encoder does before its start()). After an error the memory is untouched; after
+  /// too_little_memory, or if the sink rejects `start`, the previous scan has ended. Cost: clears
+  /// about 150 words and one row of bits.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
                              const Sink& sink) {
     return start(limits, default_capacities<Index, Intake>(limits, memory.bytes), threshold, memory,

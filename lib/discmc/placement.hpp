@@ -14,7 +14,7 @@
 
 namespace discmc {
 
-/// The directions in which the axes of space point.
+/// The coordinate system of a Placement: where its x, y and z axes point.
 enum class Space : uint8_t {
   scanner,  ///< the scanner's own
   lps,      ///< x to the left, y to the back, z to the head of the patient, as in DICOM
@@ -26,10 +26,11 @@ enum class Space : uint8_t {
 ///   voxel (i, j, k)                  origin_nm + i axes_nm[0] + j axes_nm[1] + k axes_nm[2]
 ///   vertex (x, y, z) in half-steps   origin_nm + (x axes_nm[0] + y axes_nm[1] + z axes_nm[2]) / 2
 ///
-/// The normals of a stream already include the spacing in its header, but their components are
-/// along the axes of the voxels. In space, the normal (x, y, z) is x d[0] + y d[1] + z d[2]. Here
-/// d[n] is axes_nm[n] scaled to length 1, and negated if spacing_nm[n] of the header is negative.
-/// Limit of this formula: the axes are perpendicular. Units: nanometres.
+/// The normals of a stream are corrected for the spacing in its header. Their component n points
+/// along voxel axis n, or against it if spacing_nm[n] of the header is negative. In space, the
+/// normal (x, y, z) is x d[0] + y d[1] + z d[2], where d[n] is axes_nm[n] scaled to length 1, and
+/// negated if spacing_nm[n] is negative. Limit of this formula: the axes are perpendicular. Units:
+/// nanometres.
 struct Placement {
   int32_t axes_nm[3][3] = {};  ///< from one voxel to the next along x, y, z: three vectors in space
   int64_t origin_nm[3] = {};   ///< the centre of voxel (0, 0, 0)

@@ -7,40 +7,19 @@
 
 namespace discmc {
 
-/// The result of a call; docs/statuses.md has the cause and the remedy of each. `ok` and
-/// `suspended` are not errors. After `suspended`:
+/// The result of a call. docs/statuses.md has the cause and the remedy of each status.
 ///
-///   flush(), erase_ahead()     call the function again
-///   write_record(), append()   call the function again; for an Encoder, call resume() of the
-///                              extractor before
-///   save() of an extractor     call resume() until it returns another status, then save() again
-///   or SliceEncoder
-///   push() of a decoder        call push() with the remaining bytes, even if there are none
-///   finish() of a decoder or   call finish() again
-///   joiner
-///   other functions of an      call resume() until it returns another status
-///   object with resume()
-///
-/// After an error the object continues as if the call had not been made, with two exceptions:
-/// waiting events may have been delivered, and push() may have accepted some input. These errors
-/// change more:
-///
-///   Extractor::start()           too_little_memory, or bad_sink of a sink that rejects the start:
-///                                the previous scan has ended, too
-///   resume_in_place() of an      too_little_memory: only start(), or resume_in_place() with enough
-///   extractor                    memory, continues
-///   start() of a MajorityFilter  any error: the object is no longer started
-///   or Downsampler
-///   push() of a decoder          wrong_version: no byte is accepted until start()
-///   Joiner::finish()             too_little_memory: everything possible was delivered
-///   CheckpointStore              see each of its functions
+/// `ok` and `suspended` are not errors. The comment of each function states how to continue after
+/// `suspended`: in most cases with resume(). After an error, the object continues as if the call
+/// had not been made, except that waiting events may have been delivered, and push() may have
+/// accepted some input. If an error changes more, the comment of the function states it.
 enum class Status : uint8_t {
   ok,
   suspended,          ///< the sink or output is busy; nothing is lost
   bad_limits,         ///< see Limits
   bad_capacities,     ///< a capacity is below the minimum or beyond the index type
   too_little_memory,  ///< the memory is null or smaller than the limits or capacities need
-  bad_sink,           ///< a sink or output without a function, or a sink that is not started
+  bad_sink,           ///< no function; or a sink that did not accept the start of the scan
   not_started,        ///< start() has not succeeded; for records, also start() of the extractor
   finished,           ///< the scan has ended: start() another, or reset()
   row_in_progress,    ///< a whole row was pushed or skipped in the middle of a row
@@ -71,7 +50,8 @@ constexpr const char* to_string(Status status) {
       return "the memory is null or too small: size it with the ..._bytes() function of the "
              "object, or with sizes.h; for a decoder of slices call give_memory()";
     case Status::bad_sink:
-      return "the sink or output has no function, or was not started: start the encoder first";
+      return "the sink or output has no function, or the sink did not accept the start of the "
+             "scan: start the encoder first, or retry when its output is ready";
     case Status::not_started:
       return "start() was not called or failed: check its status; an encoder accepts records after "
              "start() of the extractor";
