@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
@@ -63,6 +64,10 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::cerr << "discmc: the memory of this computer is not enough; extract a part with --crop, "
                  "or --shrink\n";
+    return discmc::command::exit_failure;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << "discmc: " << error.path1().string() << ": " << error.code().message()
+              << "; check the name and the permissions\n";
     return discmc::command::exit_failure;
   } catch (const std::exception& error) {
     std::cerr << "discmc: " << error.what() << '\n';

@@ -186,6 +186,8 @@ TEST_CASE("info refuses options of the other kind, and what is neither") {
   check_failure(workshop.run("info nothing"), 1,
                 {"nothing", "no header of a discmc stream", "--dims and --type"});
   check_failure(workshop.run("info none.nrrd"), 1, {"none.nrrd", "there is no such file"});
+  check_failure(workshop.run("info " + std::string(300, 'v') + ".dmc"), 1,
+                {"v.dmc: ", "; check the name and the permissions"});
   workshop.write("short.nrrd", u8_file.substr(0, u8_file.size() - 1));
   CHECK(workshop.run("info short.nrrd").code == 1);
 }

@@ -112,7 +112,7 @@ TEST_CASE("a stream that failed is not committed") {
     file.stream().setstate(std::ios::badbit);
     const std::string text = complaint([&file] { file.commit(); });
     CHECK(contains(text, path.string()));
-    CHECK(contains(text, "free space, or give another folder"));
+    CHECK(contains(text, "free space, or write to another disk"));
   }
   CHECK(std::filesystem::is_empty(folder.path()));
 }

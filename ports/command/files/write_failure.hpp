@@ -8,13 +8,13 @@
 
 namespace discmc::command {
 
-/// As in "writing failed (No space left on device); free space, or give another folder". Call it
+/// As in "writing failed (No space left on device); free space, or write to another disk". Call it
 /// soon after the write: the reason is in errno, and is left out if errno has another origin.
 inline std::string write_failure() {
   std::string reason;
   for (const int of_writes : {ENOSPC, EDQUOT, EFBIG, EIO, EPIPE})
     if (errno == of_writes) reason = " (" + std::generic_category().message(of_writes) + ")";
-  return "writing failed" + reason + "; free space, or give another folder";
+  return "writing failed" + reason + "; free space, or write to another disk";
 }
 
 }  // namespace discmc::command

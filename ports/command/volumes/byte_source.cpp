@@ -82,13 +82,17 @@ std::unique_ptr<ByteSource> bytes_of_file(const std::filesystem::path& file) {
   const auto status = std::filesystem::status(file, error);
   if (error == std::errc::filename_too_long)
     fail(file, "the name is longer than the system allows", "give a shorter one");
+  const auto fail_to_open = [&] {
+    fail(file, "the file cannot be opened", "check its permissions");
+  };
+  if (status.type() == std::filesystem::file_type::none) fail_to_open();
   if (!std::filesystem::exists(status)) fail(file, "there is no such file", "check the name");
   const bool is_regular = std::filesystem::is_regular_file(status);
   if (!is_regular && !is_read_once(file))
     fail(file, "this is neither a file nor a pipe", "store the volume in a file first");
   const std::uint64_t bytes = is_regular ? std::filesystem::file_size(file, error) : 0;
   std::ifstream in(file, std::ios::binary);
-  if (error || !in) fail(file, "the file cannot be opened", "check its permissions");
+  if (error || !in) fail_to_open();
   if (is_regular) return std::make_unique<RegularFile>(std::move(in), bytes);
   return std::make_unique<Pipe>(std::move(in));
 }

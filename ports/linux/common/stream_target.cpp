@@ -25,7 +25,7 @@ StreamTarget::StreamTarget(const std::string& path)
 void StreamTarget::flush() {
   if (!out_->flush())
     throw std::runtime_error(path_ + ": writing failed (" + std::generic_category().message(errno) +
-                             "); free space, or give another folder");
+                             "); free space, or write to another disk");
 }
 
 }  // namespace discmc::device
