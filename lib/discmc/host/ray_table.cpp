@@ -38,9 +38,6 @@ constexpr RayEnds derive_ends() {
   for_each_way(true, [&](int, int, Way way, bool) {
     if (way.is_ahead()) begins[way.queue_in()] = true;
   });
-  for_each_way(false, [&](int, int, Way way, bool) {
-    if (!way.is_ahead()) begins[way.queue_out()] = true;
-  });
   uint32_t next[] = {0, first_begins};
   for (uint8_t queue = 0; queue < trace::queue_count; ++queue) {
     const uint32_t code = next[begins[queue] ? 1 : 0]++;
