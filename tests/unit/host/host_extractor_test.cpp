@@ -705,9 +705,20 @@ TEST_CASE("from the last slab fragments go out in the order in which they were c
     const size_t x = i % 120, z = i / 240;
     slits.on[i] = (x + (x % 20 < 10 ? z % 2 : 0)) % 5 < 3 || z >= 57 ? 1 : 0;
   }
+  // Tents in one another, with ragged rims: the inner ones are complete first.
+  BitVolume tents({120, 4, 60});
+  for (size_t i = 0; i < tents.on.size(); ++i) {
+    const size_t x = i % 120, y = i / 120 % 4, z = i / 480;
+    const size_t t = (x < 60 ? 60 - x : x - 60) + z;
+    const bool is_ragged = t % 8 >= 4 && (x + z) / 2 % 2 == 1;
+    tents.on[i] = t < 58 && t % 4 < 2 && y < (is_ragged ? 4 : 3) ? 1 : 0;
+  }
+  std::vector<BitVolume> volumes{random({60, 40, 8}, 60, 2), slits, tents};
+  for (uint32_t seed = 0; seed < 50; ++seed)
+    volumes.push_back(random({3 + seed % 3, 2 + seed % 2, 6}, 90, seed));
   HostExtractor extractor;
   Extractor32 other;
-  for (const BitVolume& volume : {random({60, 40, 8}, 60, 2), slits}) {
+  for (const BitVolume& volume : volumes) {
     const SlabScan scan{volume, Border::closed, 1, volume.depth};
     CHECK(fragments_of(scan.by(extractor, much)) == fragments_of(scan.by(other, much)));
   }
