@@ -15,7 +15,7 @@ namespace discmc {
 /// accepted some input. If an error changes more, the comment of the function states it.
 enum class Status : uint8_t {
   ok,
-  suspended,          ///< the sink or output is busy; nothing is lost
+  suspended,          ///< work remains: the sink or output is busy, or it was one step of several
   bad_limits,         ///< see Limits
   bad_capacities,     ///< a capacity is below the minimum or beyond the index type
   too_little_memory,  ///< the memory is null or smaller than the limits or capacities need
@@ -39,8 +39,8 @@ constexpr const char* to_string(Status status) {
     case Status::ok:
       return "ok";
     case Status::suspended:
-      return "the sink or output is busy: call resume(), or push() the remaining bytes to a "
-             "decoder";
+      return "work remains, for example because the sink or output is busy: call resume(), or "
+             "push() the remaining bytes to a decoder";
     case Status::bad_limits:
       return "invalid limits: width and height must be 1 to 32766; check border, slab, crop and "
              "the features of the extractor";
@@ -70,7 +70,8 @@ constexpr const char* to_string(Status status) {
     case Status::bad_label:
       return "invalid label: channels are 0 to 63, and a stream has at most 4 surfaces";
     case Status::bad_record:
-      return "the record is too long: use at most 200 bytes";
+      return "an application record has more than 200 bytes, or a packet of records is too long: "
+             "split the data";
     case Status::bad_device:
       return "the flash has no read() or program(), or no room for two checkpoints";
     case Status::device_error:
