@@ -28,7 +28,7 @@ bool Chains::start(Slots& slots) {
   uint32_t seat = new_area(slots, seat_slots).first * seats_per_slot;
   for_each_queue([&](uint32_t queue) {
     of_in_[queue] = of_out_[queue] = first_seat_[queue] = seat;
-    end_seat_[queue] = seat += min_seats;
+    end_seat_[queue] = seat += is_at_seam(queue) ? min_seats_at_seam : min_seats;
   });
   area_[0] = new_area(slots, min_nodes);
   area_[1] = {};
@@ -52,7 +52,7 @@ void Chains::give(Slots& slots, const Area& area) {
 }
 
 bool Chains::make_room(Slots& slots) {
-  if (!has_places(slots) || !find_area(slots, area_[0].slots)) return false;
+  if (!find_places(slots) || !find_area(slots, area_[0].slots)) return false;
   copy_open(slots);
   // So that copying now and then is little work for each pass.
   const uint32_t open = top_ - area_[0].first;
@@ -111,22 +111,23 @@ void Chains::copy_open(Slots& slots) {
 // Makes room in the queues. False when one of them has too little.
 bool Chains::find_places(Slots& slots) {
   find_least_places();
-  if (free_places_ >= Edges::max_edges) return true;
+  if (has_places()) return true;
   back(seam_tails) = front(seam_tails);
   for_each_queue([&](uint32_t queue) {
     const uint32_t seats = end_seat_[queue] - first_seat_[queue];
-    const uint32_t free = end_seat_[queue] - back(queue);
+    const uint32_t free = places(queue);
+    const uint32_t needed = is_at_seam(queue) ? max_across : Edges::max_edges;
     const bool is_short_move = free < seats / 4 * 3 && back(queue) - front(queue) <= seats / 16;
-    if (free < Edges::max_edges || is_short_move) make_places(slots, queue);
+    if (free < needed || is_short_move) make_places(slots, queue);
   });
   find_least_places();
-  return free_places_ >= Edges::max_edges;
+  return has_places();
 }
 
 void Chains::find_least_places() {
   uint32_t least = UINT32_MAX;
   const auto find = [&least](const uint32_t* end, const uint32_t* back) {
-    for (uint32_t i = 0; i < queues_each; ++i) {
+    for (uint32_t i = 0; i < queues_each - 1; ++i) {
       const uint32_t places = end[i] - back[i];
       least = places < least ? places : least;
     }

@@ -40,7 +40,9 @@ class Chains {
 
   /// Whether there is room for what max_edges bring, in the nodes under way. Limit, here and below:
   /// no ring and no complete fragment is due.
-  bool has_room(Slots& slots) { return has_places(slots) && has_room_for(slots, 0); }
+  bool has_room(Slots& slots) {
+    return (has_places() || find_places(slots)) && has_room_for(slots, 0);
+  }
   /// Makes room. False when too many slots would be in use: then hand_over(). Limit: no fragment is
   /// complete. Cost: copies all open fragments.
   bool make_room(Slots& slots);
@@ -79,7 +81,11 @@ class Chains {
   static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
   // No power of two, so that the first seats of queues do not share sets of a cache.
   static constexpr uint32_t min_seats = 4 * Edges::max_edges + 16;
-  static constexpr uint32_t seat_slots = 2 * queues_each * min_seats / seats_per_slot;
+  // In the queues of a seam, as one edge may have all its passes across it.
+  static constexpr uint32_t max_across = Edges::max_at_seam * trace::PassList::most;
+  static constexpr uint32_t min_seats_at_seam = 2 * max_across + 16;
+  static constexpr uint32_t seat_slots =
+      2 * ((queues_each - 1) * min_seats + min_seats_at_seam) / seats_per_slot;
   static constexpr uint32_t short_walk = 64;
 
  public:
@@ -97,6 +103,9 @@ class Chains {
   uint32_t& front(uint32_t queue) { return queue < first_begins ? of_in_[queue] : of_out_[queue]; }
   uint32_t& back(uint32_t queue) { return queue < first_begins ? of_out_[queue] : of_in_[queue]; }
 
+  static bool is_at_seam(uint32_t queue) { return queue == seam_tails || queue == seam_begins; }
+  uint32_t places(uint32_t queue) { return end_seat_[queue] - back(queue); }
+
   uint32_t reserve() const { return slots_a_node * (top_ - area_[0].first + max_new); }
   bool has_room_for(const Slots& slots, uint32_t nodes) const {
     return top_ + nodes + max_new <= end_ && slots.available() >= reserve() + slots_a_node * nodes;
@@ -104,7 +113,10 @@ class Chains {
   Area new_area(Slots& slots, uint32_t count);
   void give(Slots& slots, const Area& area);
   bool find_area(Slots& slots, uint32_t count);
-  bool has_places(Slots& slots) { return free_places_ >= Edges::max_edges || find_places(slots); }
+  bool has_places() {
+    return free_places_ >= Edges::max_edges && places(seam_tails) >= max_across &&
+           places(seam_begins) >= max_across;
+  }
   bool find_places(Slots& slots);
   void find_least_places();
   void make_places(Slots& slots, uint32_t queue);
@@ -115,7 +127,7 @@ class Chains {
   Area area_[2] = {};         // of nodes: they are in the first, and the other is free
   uint32_t top_ = 0;          // behind the last node
   uint32_t end_ = 0;          // before which it is to stay
-  uint32_t free_places_ = 0;  // no queue has fewer
+  uint32_t free_places_ = 0;  // no queue has fewer, but for those of a seam
   uint32_t complete_ = 0;     // fragments between seams, the first ones of seam_begins
   uint32_t joins_ = 0;
   uint32_t next_join_ = 0;

@@ -59,11 +59,12 @@ void Edges::clear() {
 }
 
 bool Edges::collect(const SweptRow& row) {
+  if (count_ > 0 && row.is_own() == ((edge_[0].axis & Edge::at_seam) != 0)) return true;
   const uint32_t* const here = row.around.row[1][1];
   const uint32_t* const behind = row.around.row[1][2];
   const uint32_t* const above = row.around.row[2][1];
   const uint32_t words = row.words;
-  const uint32_t last = max_edges_of(row) - max_in_word;
+  const uint32_t last = (row.is_own() ? max_edges : max_at_seam) - max_in_word;
   const uint64_t mask_y = row.has_y ? own_columns : 0, mask_z = row.has_z ? own_columns : 0;
   for (uint32_t word = word_;; ++word) {
     uint64_t x, y, z;

@@ -23,10 +23,13 @@ struct Edge {
 class Edges {
  public:
   static constexpr uint32_t max_edges = 192;
+  /// Of those at a seam, which have twice as many passes.
+  static constexpr uint32_t max_at_seam = max_edges / 2;
 
   void clear();
   /// Collects those of a row, from where it was last left. False when the row has come to an end;
-  /// else there is no room for those of one more word.
+  /// else those collected have to be taken first: there is no room for those of one more word, or
+  /// some are at a seam and some are not.
   bool collect(const trace::SweptRow& row);
   /// Forgets those collected.
   void take_all() { count_ = 0; }
@@ -40,12 +43,7 @@ class Edges {
 
  private:
   static constexpr uint32_t max_in_word = 3 * trace::columns_per_word;
-  static_assert(max_edges / 2 > max_in_word, "a word has room, at a seam, too");
-
-  // At a seam an edge has twice as many passes.
-  static uint32_t max_edges_of(const trace::SweptRow& row) {
-    return row.is_own() ? max_edges : max_edges / 2;
-  }
+  static_assert(max_at_seam > max_in_word, "a word has room, at a seam, too");
 
   void collect_word(const trace::SweptRow& row, uint32_t word, uint64_t x, uint64_t y, uint64_t z);
   void mark_special(const trace::SweptRow& row, Edge* first);
