@@ -1,7 +1,8 @@
 // Fuzz target. The promise: any small volume, fed in any portions, in any memory, to a sink that
 // refuses as it likes, gives the regions of the paper's Merge, once loose fragments are joined;
-// nothing is loose in the memory of the worst case; neither index width, portions, refusals nor
-// what a host learns show; and the rings come apart into simple ones of the same area.
+// nothing is loose in the memory of the worst case; neither index width, portions, refusals nor a
+// host show, nor does a host in slabs of a large volume; and the rings come apart into simple ones
+// of the same area.
 //
 //   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
 //   fuzz_merge corpus/merge                   with replay_main.cpp
@@ -299,6 +300,38 @@ void check_nodes(const Scenario& scenario, const EventLog::Refuses& refuses) {
   require(nodes.events == slots.events, "a host that keeps nodes gives other events");
 }
 
+template <class Scanner>
+std::vector<std::vector<uint64_t>> parts_of_slab(const BitVolume& volume, Border border,
+                                                 uint32_t first, uint32_t end) {
+  const Limits limits = limits_of_slab(volume, border, first, end);
+  constexpr Capacities capacities{1 << 20, 1 << 12};
+  EventLog log;
+  Block block(bytes_for<uint32_t>(limits, capacities));
+  Scanner extractor;
+  require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
+  push_all(extractor, voxels_of_slab(volume, first, end));
+  finish_all(extractor);
+  require(block.is_intact(), "a write outside the arena");
+  return sorted_parts(log.events);
+}
+
+// Side by side so often that many chains cross the seams of a slab. Takes long: of few inputs.
+void check_slab(const Scenario& scenario) {
+  const BitVolume& tile = scenario.volume;
+  if (scenario.refusal_seed % 16 != 0 || tile.depth == 0) return;
+  BitVolume volume({60, 60, tile.depth});
+  for (uint32_t z = 0; z < volume.depth; ++z)
+    for (uint32_t y = 0; y < volume.height; ++y)
+      for (uint32_t x = 0; x < volume.width; ++x)
+        volume.on[volume.index(x, y, z)] = tile.on[tile.index(x % tile.width, y % tile.height, z)];
+  const uint32_t first = scenario.refusal_seed / 16 % tile.depth;
+  const uint32_t end = std::min(first + 1 + scenario.refusal_seed / 128, tile.depth);
+  const Border border = scenario.limits.border;
+  require(parts_of_slab<HostExtractor>(volume, border, first, end) ==
+              parts_of_slab<Extractor32>(volume, border, first, end),
+          "a host gives other parts of a slab");
+}
+
 void check(const Scenario& scenario) {
   const auto refuses = [&scenario](uint64_t offer) {
     const auto mixed =
@@ -312,6 +345,7 @@ void check(const Scenario& scenario) {
   const EventLog host = run<uint32_t, HostExtractor>(scenario, refuses);
   require(host.events == log.events, "a host gives other events");
   check_nodes(scenario, refuses);
+  check_slab(scenario);
   if (!is_valid<uint16_t>(scenario.capacities)) return;
   Scenario plain = scenario;
   plain.chunk = 1 << 20;

@@ -2,6 +2,7 @@
 #ifndef DISCMC_TESTS_ORACLE_EVENT_LOG_HPP
 #define DISCMC_TESTS_ORACLE_EVENT_LOG_HPP
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <discmc/sink.hpp>
@@ -162,6 +163,19 @@ inline Collector collected(const Events& events, const Slab& slab = {}) {
   Collector collector(slab);
   for (const RecordedEvent& event : events) (void)collector.take(event.event());
   return collector;
+}
+
+/// What a slab sends, whatever its order: regions, loose fragments and counts, as numbers.
+inline std::vector<std::vector<uint64_t>> sorted_parts(const Events& events) {
+  std::vector<std::vector<uint64_t>> parts(1);
+  for (const RecordedEvent& event : events) {
+    for_each_number(event.event(), [&](uint64_t number) { parts.back().push_back(number); });
+    if (event.is(Event::Kind::region_end) || event.is(Event::Kind::fragment_end) ||
+        event.is(Event::Kind::start) || event.is(Event::Kind::layer))
+      parts.emplace_back();
+  }
+  std::sort(parts.begin(), parts.end());
+  return parts;
 }
 
 }  // namespace discmc::reference

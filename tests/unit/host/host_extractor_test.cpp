@@ -272,18 +272,9 @@ struct SlabScan {
   }
 };
 
-// What a slab sends, in an order of its own: regions, loose fragments and counts, as numbers.
 std::vector<std::vector<uint64_t>> parts_of(const EventLog& log, const SlabScan& scan) {
   (void)collected(log.events, scan.limits().slab);  // checks the grammar
-  std::vector<std::vector<uint64_t>> parts(1);
-  for (const RecordedEvent& event : log.events) {
-    for_each_number(event.event(), [&](uint64_t number) { parts.back().push_back(number); });
-    if (event.is(Event::Kind::region_end) || event.is(Event::Kind::fragment_end) ||
-        event.is(Event::Kind::start) || event.is(Event::Kind::layer))
-      parts.emplace_back();
-  }
-  std::sort(parts.begin(), parts.end());
-  return parts;
+  return sorted_parts(log.events);
 }
 
 // Of a region or a loose fragment.
