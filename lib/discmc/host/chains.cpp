@@ -145,7 +145,9 @@ void Chains::make_places(Slots& slots, uint32_t queue) {
   const uint32_t old_slots = (end_seat_[queue] - old_first) / seats_per_slot;
   uint32_t first = old_first;
   if (waiting > old_slots * seats_per_slot / 2) {
-    const bool may_take = slots.available() >= reserve() + 2 * old_slots;
+    // Beyond the first eight gigabytes the number of a seat would have the bit that marks tails.
+    const bool may_take = slots.available() >= reserve() + 2 * old_slots &&
+                          slots.peak() + 2 * old_slots < Node::waiting_tail / seats_per_slot;
     const Area area = may_take ? new_area(slots, 2 * old_slots) : Area{};
     if (area.slots == 0) return;
     first_seat_[queue] = first = area.first * seats_per_slot;
