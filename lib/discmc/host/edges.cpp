@@ -59,7 +59,6 @@ void Edges::clear() {
 }
 
 bool Edges::collect(const SweptRow& row) {
-  if (count_ > 0 && row.is_own() == ((edge_[0].axis & Edge::at_seam) != 0)) return true;
   const uint32_t* const here = row.around.row[1][1];
   const uint32_t* const behind = row.around.row[1][2];
   const uint32_t* const above = row.around.row[2][1];

@@ -28,8 +28,7 @@ class Edges {
 
   void clear();
   /// Collects those of a row, from where it was last left. False when the row has come to an end;
-  /// else those collected have to be taken first: there is no room for those of one more word, or
-  /// some are at a seam and some are not.
+  /// else there is no room for those of one more word. Limit: those of another slice were taken.
   bool collect(const trace::SweptRow& row);
   /// Forgets those collected.
   void take_all() { count_ = 0; }

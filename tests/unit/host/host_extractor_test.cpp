@@ -388,6 +388,19 @@ TEST_CASE("and it is taken for both, by noise or in turn") {
   check_steps(both, {{50847, 73097}});
 }
 
+// At an open border a chain goes along a link alone, where elsewhere another comes along it.
+TEST_CASE("queues have room where more chains go along a link than come along it") {
+  constexpr uint32_t teeth = 3000;
+  BitVolume saw({4, 8 * teeth, 4});
+  for (uint32_t z = 0; z < 4; ++z)
+    for (uint32_t y = 0; y < saw.height; ++y)
+      for (uint32_t x = 0; x < 3; ++x) saw.on[saw.index(x, y, z)] = y % 8 >= z && y % 8 < 5;
+  const Plan plan{Border::open, 0};
+  HostExtractor extractor;
+  CHECK(scanned(extractor, saw, plan, {500000, 1000}).events == expected_of(saw, plan).events);
+  CHECK(has_kept_nodes(extractor));
+}
+
 TEST_CASE("whoever goes on with what was handed over has all the memory") {
   // Noise and columns for which places are made; and far above a slice that needs nearly all.
   BitVolume volume({241, 241, 7});
