@@ -36,8 +36,9 @@ struct Capacities {
 
 namespace sizing {
 
-/// The number of lists that hold holes: a power of two.
-constexpr uint32_t hole_lists = 16;
+/// The number of lists that hold holes: a power of two, or none if holes are in a tree.
+template <class Index>
+constexpr uint32_t hole_lists = sizeof(Index) == 4 ? 0 : 16;
 
 constexpr uint32_t lesser(uint32_t a, uint32_t b) {
   return a < b ? a : b;
@@ -85,7 +86,7 @@ constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities)
   return Intake::bytes_for(limits) +
          trace::bit_row_bytes(limits.width, trace::swept_rows(limits.height)) +
          Arena::bytes_of(trace::queue_count, 2 * sizeof(Index)) +
-         Arena::bytes_of(sizing::hole_lists, sizeof(Index)) +
+         Arena::bytes_of(sizing::hole_lists<Index>, sizeof(Index)) +
          Arena::bytes_of(capacities.slots, sizing::slot_bytes<Index, Intake>) + Arena::alignment -
          1;
 }

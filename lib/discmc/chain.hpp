@@ -100,7 +100,7 @@ constexpr int64_t twice_area(Incidence incidence, const Run* runs, uint32_t coun
   return sum;
 }
 
-// ---- Chains in their plane: end points, and whether a point lies inside a closed chain.
+// ---- Chains in their plane.
 //
 // Coordinates wrap: any start and any runs of the incidence are safe, and those of a scan give
 // exact results.
@@ -134,53 +134,6 @@ constexpr int32_t plane_offset(Incidence incidence, const Vertex& p) {
   };
   return static_cast<int32_t>(term(n.x, p.x) + term(n.y, p.y) + term(n.z, p.z));
 }
-
-/// A point or a vector of a plane, projected along an axis that the plane does not contain. Units:
-/// half-steps from projected(), eighths of a half-step from point_beside().
-struct PlanePoint {
-  int64_t u, v;
-};
-
-constexpr PlanePoint projected(Incidence incidence, const Vertex& p) {
-  const Vertex n = normal(incidence);
-  if (n.z != 0) return {p.x, p.y};
-  if (n.y != 0) return {p.x, p.z};
-  return {p.y, p.z};
-}
-
-/// A point of the region that a ring bounds. It lies close to the middle of the ring's first link
-/// and to the left of the link, for outer rings and holes alike. No ring of a surface passes
-/// through this point. Units: eighths of a half-step.
-constexpr PlanePoint point_beside(Incidence incidence, const Vertex& start, Direction first) {
-  const Vertex link = direction_vector(incidence, first);
-  const PlanePoint begin = projected(incidence, start);
-  const PlanePoint forward = projected(incidence, link);
-  const PlanePoint left = projected(incidence, cross(normal(incidence), link));
-  return {8 * begin.u + 4 * forward.u + left.u, 8 * begin.v + 4 * forward.v + left.v};
-}
-
-/// A projected run at its position. A point lies inside a ring if the ray from the point along u
-/// meets an odd number of the ring's sides.
-class PlaneSide {
- public:
-  constexpr PlaneSide(Incidence incidence, const Vertex& from, Run run)
-      : begin_(projected(incidence, from)),
-        end_v_(projected(incidence, after_run(incidence, from, run)).v),
-        step_(projected(incidence, direction_vector(incidence, run.direction()))) {}
-
-  /// A side includes its lower end and excludes its upper end. So of two sides that meet on the
-  /// ray, one counts. Units of the point: eighths of a half-step.
-  constexpr bool meets_ray(const PlanePoint& point) const {
-    if ((8 * begin_.v > point.v) == (8 * end_v_ > point.v)) return false;
-    const int64_t side = step_.u * (point.v - 8 * begin_.v) - step_.v * (point.u - 8 * begin_.u);
-    return (side > 0) == (step_.v > 0);
-  }
-
- private:
-  PlanePoint begin_;
-  int64_t end_v_;
-  PlanePoint step_;
-};
 
 }  // namespace discmc
 

@@ -1,5 +1,7 @@
 #include <discmc/join/held_chains.hpp>
 
+#include <discmc/geometry/ring_tree.hpp>
+
 namespace discmc::join {
 
 namespace {
@@ -8,13 +10,9 @@ uint8_t turned(const HeldChain& chain, Direction from, Direction to) {
   return static_cast<uint8_t>(chain.turn + turn(chain.incidence, from, to));
 }
 
-int32_t height_of(Incidence incidence, const Vertex& vertex) {
-  return static_cast<int32_t>(projected(incidence, vertex).v);
-}
-
-void widen(HeldChain& chain, int32_t low, int32_t high) {
-  if (low < chain.low) chain.low = low;
-  if (high > chain.high) chain.high = high;
+void widen(HeldChain& chain, const Vertex& to) {
+  const auto height = static_cast<int32_t>(projected(chain.incidence, to).v);
+  if (height > chain.high) chain.high = height;
 }
 
 }  // namespace
@@ -22,18 +20,16 @@ void widen(HeldChain& chain, int32_t low, int32_t high) {
 uint32_t HeldChains::take(Incidence incidence, const Vertex& start, Direction incoming) {
   const uint32_t chain = chains_.take();
   if (chain == no_chain) return no_chain;
-  const int32_t height = height_of(incidence, start);
-  chains_[chain] = {no_chain,
-                    no_run,
-                    no_run,
-                    start,
-                    start,
-                    height,
-                    height,
-                    incidence,
-                    incoming,
-                    0,
-                    HeldChain::State::open};
+  HeldChain& taken = chains_[chain];
+  taken.next = taken.next_noted = no_chain;
+  taken.first_run = taken.last_run = no_run;
+  taken.start = taken.end = start;
+  taken.high = INT32_MIN;
+  taken.incidence = incidence;
+  taken.incoming = incoming;
+  taken.turn = 0;
+  taken.state = HeldChain::State::open;
+  widen(taken, start);
   return chain;
 }
 
@@ -56,8 +52,7 @@ bool HeldChains::append(uint32_t index, Run run, OctahedralNormal normal) {
     chain.last_run = added;
   }
   chain.end = after_run(chain.incidence, chain.end, run);
-  const int32_t height = height_of(chain.incidence, chain.end);
-  widen(chain, height, height);
+  widen(chain, chain.end);
   return true;
 }
 
@@ -66,7 +61,7 @@ void HeldChains::join(uint32_t index, uint32_t other_index) {
   HeldChain& other = chains_[other_index];
   chain.turn = static_cast<uint8_t>(chain.turn + other.turn);
   chain.end = other.end;
-  widen(chain, other.low, other.high);
+  if (other.high > chain.high) chain.high = other.high;
   // The two chains may have been cut within a side.
   const bool is_straight = runs_[chain.last_run].run.absorb(runs_[other.first_run].run);
   if (is_straight) drop_first_run(other_index);
@@ -83,6 +78,7 @@ void HeldChains::close(uint32_t index) {
   constexpr uint8_t negative = 0x80;
   const bool turns_left = ring.turn != 0 && (ring.turn & negative) == 0;
   ring.state = turns_left ? HeldChain::State::outer : HeldChain::State::hole;
+  ring.marks = 0;
   const Run first = runs_[ring.first_run].run;
   if (!runs_[ring.last_run].run.absorb(first)) return;
   // The chain started in the middle of a side.
@@ -105,24 +101,6 @@ WaitingKey HeldChains::start_key(uint32_t index) const {
 WaitingKey HeldChains::end_key(uint32_t index) const {
   const HeldChain& chain = chains_[index];
   return {chain.end, chain.incidence, runs_[chain.last_run].run.direction()};
-}
-
-PlanePoint HeldChains::point_beside(uint32_t index) const {
-  const HeldChain& ring = chains_[index];
-  return discmc::point_beside(ring.incidence, ring.start, runs_[ring.first_run].run.direction());
-}
-
-bool HeldChains::contains(uint32_t index, const PlanePoint& point) const {
-  const HeldChain& ring = chains_[index];
-  if (point.v < 8 * int64_t{ring.low} || point.v > 8 * int64_t{ring.high}) return false;
-  bool is_inside = false;
-  Vertex at = ring.start;
-  for (uint32_t i = ring.first_run; i != no_run; i = runs_[i].next) {
-    const PlaneSide side(ring.incidence, at, runs_[i].run);
-    if (side.meets_ray(point)) is_inside = !is_inside;
-    at = after_run(ring.incidence, at, runs_[i].run);
-  }
-  return is_inside;
 }
 
 }  // namespace discmc::join

@@ -18,34 +18,50 @@ struct HeldRun {
   OctahedralNormal normal;
 };
 
+/// What the tree of waiting rings stores in a ring: links, and a note of the nearest side before
+/// it.
+struct RingNode {
+  uint32_t left, right;
+  int32_t crossing;
+};
+
 struct HeldChain {
-  enum class State : uint8_t {
-    unused,
-    open,
-    outer,
-    hole,
-    hole_inside,   ///< inside the current region, by the runs so far
-    hole_claimed,  ///< belongs to the current region
-  };
+  enum class State : uint8_t { unused, open, outer, hole };
+
+  // Marks of a ring.
+  static constexpr uint8_t noted = 1;       ///< a side before it is noted
+  static constexpr uint8_t leads_left = 2;  ///< the side leads to the left of its ring
+  static constexpr uint8_t sorted = 4;      ///< it is delivered soon
+  static constexpr uint8_t within = 8;      ///< another ring inside the same region surrounds it
 
   uint32_t next;  ///< the next ring in a list
   uint32_t first_run;
   uint32_t last_run;
   Vertex start;
-  Vertex end;         ///< of an open chain
-  int32_t low, high;  ///< its extent along v (chain.hpp)
+  union {
+    Vertex end;     ///< of an open chain
+    RingNode node;  ///< of a ring
+  };
+  int32_t high;         ///< its largest v (ring_tree.hpp)
+  uint32_t next_noted;  ///< the next ring in the list of those with a note
   Incidence incidence;
   Direction incoming;  ///< the direction of the link that leads to its start
-  uint8_t turn;        ///< the sum of its turns, with the one at its start, modulo 256
+  union {
+    uint8_t turn;   ///< of an open chain: the sum of its turns, with the one at its start, mod 256
+    uint8_t marks;  ///< of a ring
+  };
   State state;
 
-  constexpr bool is_hole() const { return state >= State::hole; }
+  constexpr bool is_hole() const { return state == State::hole; }
+  constexpr bool has(uint8_t mark) const { return (marks & mark) != 0; }
+  constexpr void set(uint8_t mark) { marks = static_cast<uint8_t>(marks | mark); }
+  constexpr void clear(uint8_t mark) { marks = static_cast<uint8_t>(marks & ~mark); }
 };
 
 static_assert(sizeof(HeldChain) == 48 && sizeof(HeldRun) == 12, "what joiner.hpp reckons with");
 
 /// Chains and their runs in two pools, named by index from 1 on. Owner: the slots lie in the
-/// arena. Cost of every function but contains() and give(): a few instructions.
+/// arena. Cost of every function but give(): a few instructions.
 class HeldChains {
  public:
   /// Call clear() before using it.
@@ -83,12 +99,6 @@ class HeldChains {
   /// The directed link before a chain, and the one that ends it, as keys for matching.
   WaitingKey start_key(uint32_t index) const;
   WaitingKey end_key(uint32_t index) const;
-
-  /// A point of the region beside a ring.
-  PlanePoint point_beside(uint32_t index) const;
-  /// Whether a ring surrounds a point of its plane. Cost: its runs, if the point is within its
-  /// extent.
-  bool contains(uint32_t index, const PlanePoint& point) const;
 
   /// No chain in use has a larger index.
   uint32_t last_used() const { return chains_.peak(); }

@@ -63,7 +63,7 @@ bool Joiner::accept(const Event& event) {
 }
 
 bool Joiner::begin_fragment(const Event& event) {
-  region_.forget();
+  region_.forget(waiting_);
   if (!is_short_) {
     if (!is_incidence(event.incidence) ||
         !is_direction_of(event.incidence, event.incoming_direction)) {
@@ -183,8 +183,8 @@ void Joiner::place_fragment() {
   const bool is_outer = !chains()[result.chain].is_hole();
   if (is_outer && order_ == InputOrder::sweep)
     begin_delivery(Outlet::region, Event::Kind::region, result.chain);
-  else if (!waiting_.keep(result.chain))
-    run_short();
+  else
+    waiting_.keep(result.chain);
 }
 
 void Joiner::forget_fragment() {
@@ -300,7 +300,7 @@ void Joiner::begin_loose(uint32_t chain) {
 
 void Joiner::let_all_go() {
   is_letting_go_ = true;
-  region_.forget();
+  region_.forget(waiting_);
 }
 
 // Begins the delivery of the next chain that is passed on. False if none is left.
@@ -331,16 +331,12 @@ bool Joiner::end() {
   return settle() && send_finish();
 }
 
-// Begins the delivery of a waiting outer ring: the first one on the plane of the one found.
+// Begins the delivery of a waiting outer ring. False if none is left.
 bool Joiner::begin_next_outer() {
-  for (; looked_at_ < chains().last_used(); ++looked_at_) {
-    const uint32_t chain = looked_at_ + 1;
-    if (chains()[chain].state != join::HeldChain::State::outer) continue;
-    begin_delivery(Outlet::region, Event::Kind::region, waiting_.take_outer(chain));
-    return true;
-  }
-  looked_at_ = 0;
-  return false;
+  const uint32_t outer = waiting_.rings().take_outer(chains());
+  if (outer == join::no_chain) return false;
+  begin_delivery(Outlet::region, Event::Kind::region, outer);
+  return true;
 }
 
 bool Joiner::send_finish() {

@@ -2,67 +2,74 @@
 
 namespace discmc::join {
 
-using State = HeldChain::State;
+namespace {
+
+void mark_rings_inside(uint32_t outer, WaitingChains& waiting) {
+  HeldChains& chains = waiting.chains();
+  const HeldChain& ring = chains[outer];
+  Vertex at = ring.start;
+  for (uint32_t i = ring.first_run; i != no_run; i = chains.run(i).next) {
+    const Run run = chains.run(i).run;
+    waiting.rings().note(chains, ring.incidence, at, run);
+    at = after_run(ring.incidence, at, run);
+  }
+  waiting.rings().settle(chains, !ring.is_hole(),
+                         [&](uint32_t inside) { chains[inside].set(HeldChain::within); });
+}
+
+}  // namespace
 
 void RegionHoles::follow(const Event& event, WaitingChains& waiting) {
+  HeldChains& chains = waiting.chains();
   switch (event.kind) {
     case Event::Kind::region:
+      forget(waiting);
       incidence_ = event.incidence;
-      first_ = no_chain;
       return;
     case Event::Kind::ring:
-      return begin_ring(event, waiting);
+      at_ = event.start;
+      if (!event.hole) is_followed_ = waiting.rings().has_any(chains, incidence_, at_);
+      return;
     case Event::Kind::run:
-      if (first_ != no_chain) add_run(event.run, waiting.chains());
+      if (!is_followed_) return;
+      if (!is_run_of(incidence_, event.run)) return forget(waiting);
+      waiting.rings().note(chains, incidence_, at_, event.run);
+      at_ = after_run(incidence_, at_, event.run);
       return;
     default:
       return;
   }
 }
 
-void RegionHoles::begin_ring(const Event& event, WaitingChains& waiting) {
-  at_ = event.start;
-  if (event.hole || waiting.hole_count() == 0) return;
-  first_ = waiting.first_hole(incidence_, event.start);
-  HeldChains& chains = waiting.chains();
-  for (uint32_t hole = first_; hole != no_chain; hole = chains[hole].next)
-    chains[hole].state = State::hole;
-}
-
-void RegionHoles::add_run(Run run, HeldChains& chains) {
-  if (!is_run_of(incidence_, run)) return forget();
-  point_ = point_beside(incidence_, at_, run.direction());
-  const PlaneSide side(incidence_, at_, run);
-  for (uint32_t hole = first_; hole != no_chain; hole = chains[hole].next) {
-    State& state = chains[hole].state;
-    if (side.meets_ray(chains.point_beside(hole)))
-      state = state == State::hole ? State::hole_inside : State::hole;
-  }
-  at_ = after_run(incidence_, at_, run);
+void RegionHoles::forget(WaitingChains& waiting) {
+  is_followed_ = false;
+  waiting.rings().forget_notes(waiting.chains());
 }
 
 uint32_t RegionHoles::claim(WaitingChains& waiting) {
-  const uint32_t first = first_;
-  if (first == no_chain) return no_chain;
+  if (!is_followed_) return no_chain;
+  is_followed_ = false;
   HeldChains& chains = waiting.chains();
-  for (uint32_t hole = first; hole != no_chain; hole = chains[hole].next)
-    if (chains[hole].state == State::hole_inside && !is_within_another(hole, waiting))
-      chains[hole].state = State::hole_claimed;
-  forget();
-  return waiting.take_claimed(first);
-}
-
-bool RegionHoles::is_within_another(uint32_t hole, const WaitingChains& waiting) const {
-  const HeldChains& chains = waiting.chains();
-  const PlanePoint point = chains.point_beside(hole);
-  // The hole itself does not contain the point beside it.
-  for (uint32_t other = first_; other != no_chain; other = chains[other].next)
-    if (chains[other].state != State::hole && chains.contains(other, point)) return true;
-  // An outer ring may also lie around the region.
-  uint32_t outer = waiting.first_outer(incidence_, chains[hole].start);
-  for (; outer != no_chain; outer = chains[outer].next)
-    if (chains.contains(outer, point) && !chains.contains(outer, point_)) return true;
-  return false;
+  uint32_t inside = no_chain;
+  waiting.rings().settle(chains, true, [&](uint32_t ring) {
+    chains[ring].next = inside;
+    inside = ring;
+  });
+  for (uint32_t ring = inside; ring != no_chain; ring = chains[ring].next)
+    mark_rings_inside(ring, waiting);
+  uint32_t claimed = no_chain;
+  while (inside != no_chain) {
+    const uint32_t ring = inside;
+    HeldChain& chain = chains[ring];
+    inside = chain.next;
+    const bool is_own = chain.is_hole() && !chain.has(HeldChain::within);
+    chain.clear(HeldChain::within);
+    if (!is_own) continue;
+    waiting.rings().remove(chains, ring);
+    chain.next = claimed;
+    claimed = ring;
+  }
+  return claimed;
 }
 
 }  // namespace discmc::join

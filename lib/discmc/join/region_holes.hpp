@@ -11,27 +11,22 @@ namespace discmc::join {
 /// that ring would be of a region in one of the holes.
 class RegionHoles {
  public:
-  /// Follows an event of the region, in order. Limit: from its outer ring on, no chain may begin or
-  /// cease to wait. Cost: per run, the holes that wait on its plane.
+  /// Follows an event of the region, in order. Limit: from its outer ring on, no ring may begin or
+  /// cease to wait. Cost: WaitingRings::note() per run.
   void follow(const Event& event, WaitingChains& waiting);
 
   /// Forgets the region.
-  void forget() { first_ = no_chain; }
+  void forget(WaitingChains& waiting);
 
   /// Takes the region's holes out of the waiting ones, after all runs of the region. Returns the
   /// first; the others follow by HeldChain::next. Returns no_chain if there is none, and in later
-  /// calls. Cost: for every hole inside, the rings of its plane, and the runs of the near ones.
+  /// calls. Cost: the rings inside, and WaitingRings::note() for each of their runs.
   uint32_t claim(WaitingChains& waiting);
 
  private:
-  void begin_ring(const Event& event, WaitingChains& waiting);
-  void add_run(Run run, HeldChains& chains);
-  bool is_within_another(uint32_t hole, const WaitingChains& waiting) const;
-
   Incidence incidence_ = 0;
-  uint32_t first_ = no_chain;  // of the holes on the plane
-  Vertex at_{};                // the end of the current ring so far
-  PlanePoint point_{};         // in the region, beside the last run
+  bool is_followed_ = false;  // as rings wait on its plane
+  Vertex at_{};               // the end of the current ring so far
 };
 
 }  // namespace discmc::join

@@ -7,7 +7,7 @@
 
 #include <discmc/compiler.hpp>
 #include <discmc/sink.hpp>
-#include <discmc/trace/holes.hpp>
+#include <discmc/trace/hole_tree.hpp>
 
 namespace discmc::trace {
 

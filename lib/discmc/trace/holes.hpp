@@ -3,7 +3,8 @@
 // An outer ring closes after the holes of its region (DESIGN.md has the proof). So an outer ring
 // that closes takes the holes of its plane that lie in it; the rings between have taken those
 // further in. Holes are rare: lists by plane, whose slots come from the pool, so that they have no
-// capacity of their own to be set wrong.
+// capacity of their own to be set wrong. With 32-bit indices there may be many holes: a tree
+// (hole_tree.hpp).
 #ifndef DISCMC_TRACE_HOLES_HPP
 #define DISCMC_TRACE_HOLES_HPP
 
@@ -21,10 +22,10 @@ class Holes {
 
   static constexpr uint32_t slots_each = 2;
 
-  /// heads: of sizing::hole_lists lists.
+  /// heads: of sizing::hole_lists<Index> lists.
   void start(Index* heads) { heads_ = heads; }
   void clear() {
-    for (uint32_t i = 0; i < sizing::hole_lists; ++i) heads_[i] = no_slot;
+    for (uint32_t i = 0; i < sizing::hole_lists<Index>; ++i) heads_[i] = no_slot;
     count_ = 0;
     peak_ = 0;
   }
@@ -39,7 +40,8 @@ class Holes {
   bool has_any(const Slots& slots, Incidence incidence, const Vertex& at) const;
 
   /// Marks the holes in a ring, or for anything else all on its plane, and counts them. Limit: none
-  /// is marked. Cost: the holes of the plane, times the ring's runs.
+  /// is marked. Cost: the holes of the list, and the ring's runs; for each hole in the ring's
+  /// extent, the runs again.
   uint32_t mark(Slots& slots, const Outgoing<Index>& by);
 
   /// Takes one of the holes out that were marked last: its runs, and where they start. Limit: there
@@ -55,13 +57,22 @@ class Holes {
     // (D. Knuth, The Art of Computer Programming, vol. 3, section 6.4).
     const uint32_t spread =
         (static_cast<uint32_t>(plane) * incidence_codes + incidence) * 0x9E3779B1U;
-    return spread >> 16 & (sizing::hole_lists - 1);
+    return spread >> 16 & (sizing::hole_lists<Index> - 1);
   }
   static bool lies_on(const Slots& slots, Index index, Incidence incidence, int32_t plane) {
     const Hole<Index>& hole = slots[index].hole;
     return hole.incidence == incidence &&
            plane_offset(incidence, slots[hole.start].hole_start.get()) == plane;
   }
+  // The corners of a box around a ring.
+  struct Extent {
+    Vertex low, high;
+    bool contains(const Vertex& v) const {
+      return v.x >= low.x && v.y >= low.y && v.z >= low.z && v.x <= high.x && v.y <= high.y &&
+             v.z <= high.z;
+    }
+  };
+  static Extent extent_of(const Slots& slots, const Outgoing<Index>& ring);
   static bool surrounds(const Slots& slots, const Outgoing<Index>& ring, const Vertex& start,
                         Direction first);
 
@@ -101,15 +112,17 @@ bool Holes<Index, Normal>::has_any(const Slots& slots, Incidence incidence,
 template <class Index, class Normal>
 uint32_t Holes<Index, Normal>::mark(Slots& slots, const Outgoing<Index>& by) {
   uint32_t marked = 0;
-  if (count_ == 0) return marked;
+  if (count_ == 0 || !has_any(slots, by.incidence, by.start)) return marked;
   const int32_t plane = plane_offset(by.incidence, by.start);
+  const bool is_ring = by.kind == Outgoing<Index>::Kind::ring;
+  const Extent extent = is_ring ? extent_of(slots, by) : Extent{};
   marked_list_ = list_of(by.incidence, plane);
   for (Index i = heads_[marked_list_]; i != no_slot; i = slots[i].linked.next) {
     if (!lies_on(slots, i, by.incidence, plane)) continue;
     Hole<Index>& hole = slots[i].hole;
     const Vertex start = slots[hole.start].hole_start.get();
     const Direction first = direction_of(Cursor(slots, hole.last).run(slots));
-    if (by.kind == Outgoing<Index>::Kind::ring && !surrounds(slots, by, start, first)) continue;
+    if (is_ring && !(extent.contains(start) && surrounds(slots, by, start, first))) continue;
     hole.is_marked = 1;
     ++marked;
   }
@@ -139,11 +152,32 @@ void Holes<Index, Normal>::any_plane(const Slots& slots, Incidence& incidence, V
   at = slots[hole.start].hole_start.get();
 }
 
+template <class Index, class Normal>
+typename Holes<Index, Normal>::Extent Holes<Index, Normal>::extent_of(const Slots& slots,
+                                                                      const Outgoing<Index>& ring) {
+  Extent extent{ring.start, ring.start};
+  const auto widen = [](int32_t& low, int32_t& high, int32_t to) {
+    if (to < low) low = to;
+    if (to > high) high = to;
+  };
+  Vertex at = ring.start;
+  const Cursor begin(slots, ring.last);
+  Cursor cursor = begin;
+  do {
+    const ShortRun run = cursor.run(slots);
+    move(at, ring.incidence, direction_of(run), length_of(run));
+    widen(extent.low.x, extent.high.x, at.x);
+    widen(extent.low.y, extent.high.y, at.y);
+    widen(extent.low.z, extent.high.z, at.z);
+    cursor.advance(slots);
+  } while (cursor != begin);
+  return extent;
+}
+
 // Whether an outer ring surrounds a hole of its plane that starts at a vertex in a direction. The
 // middle of the hole's first link lies on no other ring: so it lies inside if a ray from it crosses
 // the ring an odd number of times. Seen along an axis that does not lie in the plane; only v may be
-// z, in which a ring may be long. Coordinates of a scan, relative to the hole, fit into 32 bits,
-// where PlaneSide (chain.hpp), safe with any coordinates, multiplies in 64.
+// z, in which a ring may be long. Coordinates of a scan, relative to the hole, fit into 32 bits.
 template <class Index, class Normal>
 bool Holes<Index, Normal>::surrounds(const Slots& slots, const Outgoing<Index>& ring,
                                      const Vertex& start, Direction first) {

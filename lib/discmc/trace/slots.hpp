@@ -128,6 +128,40 @@ struct HoleStart {
   Vertex get() const { return {x - 1, y - 1, static_cast<int32_t>(z[0] | uint32_t{z[1]} << 16)}; }
 };
 
+/// With 32-bit indices: a node of a tree, with a note of a side before it (RingTree).
+template <>
+struct Hole<uint32_t> {
+  uint32_t number;  // in the order in which holes closed, modulo 2^32
+  uint32_t last;    // of its runs
+  uint32_t start;   // the other slot
+  uint32_t bits;    // 0-4 incidence, 5-7 first direction, 8 noted, 9 leads inside, 10-31 crossing
+
+  void set(Incidence incidence, Direction first) { bits = uint32_t{first} << 5 | incidence; }
+  Incidence incidence() const { return bits & 31; }
+  Direction first() const { return bits >> 5 & 7; }
+
+  bool is_noted() const { return (bits >> 8 & 1) != 0; }
+  bool leads_inside() const { return (bits >> 9 & 1) != 0; }
+  int32_t crossing() const { return static_cast<int32_t>(bits) >> 10; }
+  void set_note(int64_t crossing, bool leads_inside) {
+    bits = static_cast<uint32_t>(crossing) << 10 | (leads_inside ? 3U : 1U) << 8 | (bits & 255);
+  }
+  void clear_note() { bits &= 255; }
+};
+template <>
+struct HoleStart<uint32_t> {
+  uint16_t x, y;  // and one
+  int32_t z;
+  uint32_t left, right;  // in the tree
+
+  void set(const Vertex& v) {
+    x = static_cast<uint16_t>(v.x + 1);
+    y = static_cast<uint16_t>(v.y + 1);
+    z = v.z;
+  }
+  Vertex get() const { return {x - 1, y - 1, z}; }
+};
+
 template <class Index, class Normal>
 union Slot {
   Linked<Index> linked;

@@ -17,7 +17,7 @@ class Sweep {
   /// that those never used are behind all that is in use.
   void start(Arena& arena, const Capacities& capacities) {
     auto* const queues = arena.take<Queue<Index>>(queue_count);
-    auto* const holes = arena.take<Index>(sizing::hole_lists);
+    auto* const holes = arena.take<Index>(sizing::hole_lists<Index>);
     auto* const slots = arena.take<Slot<Index, Normal>>(capacities.slots);
     fragments_.start(slots, capacities.slots, queues);
     delivery_.start(holes, capacities.holes);

@@ -423,17 +423,6 @@ TEST_CASE("ends of fragments that crowd the table are a shortage as any other") 
   }
 }
 
-TEST_CASE("so are holes that do") {
-  constexpr uint8_t kind_of_holes = max_directions + 2;
-  Events events;
-  for (int32_t z = 0; count(events, Kind::fragment) < 90; z += 2)
-    if (is_crowded({{z, 0, 0}, test::up, kind_of_holes}))
-      append(events, square_fragment({1, 0, z}, 2, true));
-  JoinPlan plan;
-  plan.capacities = {100, 500};
-  check_crowd(events, plan, 0);
-}
-
 namespace {
 
 // With room for one fragment of four runs.

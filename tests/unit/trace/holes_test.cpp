@@ -4,6 +4,7 @@
 #include <discmc/trace/holes.hpp>
 
 #include <algorithm>
+#include <string>
 
 #include "oracle/agreement.hpp"
 #include "oracle/naive_join.hpp"
@@ -29,6 +30,13 @@ BitVolume half_space(Size size, const Vertex& n, uint32_t noise, uint64_t seed) 
   return volume;
 }
 
+// With lists of holes, and with a tree: the regions, and the events.
+std::string unlike_with_either(const BitVolume& volume) {
+  const Collector lists = scan<uint16_t>(volume), tree = scan<uint32_t>(volume);
+  if (lists.regions() != tree.regions()) return "the tree's regions differ from those of the lists";
+  return unlike_merge(lists.regions(), volume, true);
+}
+
 }  // namespace
 
 TEST_CASE("in planes of every direction a hole goes to the ring around it") {
@@ -39,7 +47,7 @@ TEST_CASE("in planes of every direction a hole goes to the ring around it") {
       const BitVolume volume = half_space({11, 11, 11}, normal(incidence), noise, incidence);
       const Collector swept = scan<uint16_t>(volume);
       CAPTURE(incidence);
-      CHECK(unlike_merge(swept.regions(), volume, true) == "");
+      CHECK(unlike_with_either(volume) == "");
       holes += swept.statistics().rings - swept.statistics().regions;
     }
   }
@@ -59,7 +67,7 @@ TEST_CASE("a hole goes to the ring around it, not to one whose oblique side pass
     const BitVolume volume =
         half_space(known.size, normal(known.incidence), known.noise, known.seed);
     CAPTURE(known.seed);
-    CHECK(unlike_merge(scan<uint16_t>(volume).regions(), volume, true) == "");
+    CHECK(unlike_with_either(volume) == "");
   }
 }
 
@@ -75,31 +83,32 @@ TEST_CASE("a hole goes to its own ring, whatever its slot has been used for") {
           (row == 2 && (column == 2 || column == 4)) || (row == 3 && column >= 2 && column <= 4);
       volume.on[volume.index(x, y, 3)] = column < 7 && row < (x / 8 % 2 == 0 ? 6 : 8) && !is_hole;
     }
-  CHECK(unlike_merge(scan<uint16_t>(volume).regions(), volume, true) == "");
+  CHECK(unlike_with_either(volume) == "");
 }
 
-TEST_CASE("a hole is found by its plane, and when no ring comes, at last") {
-  using Holes = trace::Holes<uint16_t, NoNormal>;
-  Holes::Slots slots;
-  trace::Slot<uint16_t, NoNormal> memory[300];
-  uint16_t heads[sizing::hole_lists];
+TEST_CASE_TEMPLATE("a hole is found by its plane, and when no ring comes, at last", Index, uint16_t,
+                   uint32_t) {
+  using Holes = trace::Holes<Index, NoNormal>;
+  typename Holes::Slots slots;
+  trace::Slot<Index, NoNormal> memory[300];
+  Index heads[16];
   slots.start(memory, 300);
   slots.clear();
   Holes holes;
   holes.start(heads);
   holes.clear();
   const Incidence incidence = 22;
-  trace::Outgoing<uint16_t> ring;
-  ring.kind = trace::Outgoing<uint16_t>::Kind::fragment;
+  trace::Outgoing<Index> ring;
+  ring.kind = trace::Outgoing<Index>::Kind::fragment;
   ring.incidence = incidence;
   const auto is_on = [&](int32_t z) { return holes.has_any(slots, incidence, {4, 1, z}); };
   for (int32_t z = 0; z < 40; ++z) {
     CHECK(!is_on(z));
     ring.start = {2, 1, z};
-    trace::RunLists<uint16_t, NoNormal>::Entry run;
+    typename trace::RunLists<Index, NoNormal>::Entry run;
     run.run = trace::short_run(0, 1);
     ring.last = no_slot;
-    trace::RunLists<uint16_t, NoNormal>::append(slots, ring.last, run);
+    trace::RunLists<Index, NoNormal>::append(slots, ring.last, run);
     holes.keep(slots, ring);
     CHECK(is_on(z));
   }
@@ -113,6 +122,30 @@ TEST_CASE("a hole is found by its plane, and when no ring comes, at last") {
     CHECK(start == ring.start);
     CHECK(!is_on(start.z));
   }
+}
+
+TEST_CASE("of many holes on a plane each ring takes its own") {
+  // A plate with holes, islands in the holes, holes in the islands; slots at an angle across it,
+  // with thin islands in them; and teeth along two of its sides.
+  BitVolume plate({61, 47, 3});
+  for (int64_t y = 1; y < 46; ++y)
+    for (int64_t x = 1; x < 60; ++x) {
+      const int64_t to_edge = std::min({x % 10, 9 - x % 10, y % 10, 9 - y % 10});
+      const bool is_on = to_edge == 0 || to_edge == 2 || (to_edge == 3 && x % 20 < 10);
+      const bool is_tooth = y > 40 || x > 54;
+      const bool is_slot = y > 24 && (x + y) % 23 < 4;
+      plate.on[plate.index(x, y, 1)] = is_tooth  ? (x + y) % 4 < 2
+                                       : is_slot ? (x + y) % 23 == 2 && y % 11 > 1
+                                                 : is_on;
+    }
+  CHECK(unlike_with_either(plate) == "");
+  const Statistics counts = scan<uint32_t>(plate).statistics();
+  CHECK(counts.rings - counts.regions > 30);
+  BitVolume upright({3, 47, 61});  // the same on a plane along z
+  for (int64_t z = 0; z < 61; ++z)
+    for (int64_t y = 0; y < 47; ++y)
+      upright.on[upright.index(1, y, z)] = plate.on[plate.index(z, y, 1)];
+  CHECK(unlike_with_either(upright) == "");
 }
 
 TEST_CASE("the peak counts the holes that waited at once, and begins anew with a scan") {

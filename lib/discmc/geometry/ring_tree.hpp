@@ -1,0 +1,190 @@
+// Rings that wait on their planes, sorted by place.
+//
+// Which rings lie inside another ring? Each ring is represented by a point beside it, so it lies on
+// one line of its plane. On that line the other ring's nearest side before the point decides: it
+// leads inside, or outside. So each side of the other ring is noted at the next ring behind it, on
+// every line that the side crosses. Rings behind that one, up to the next one with a note, are on
+// the same side. Nothing else is looked at.
+#ifndef DISCMC_GEOMETRY_RING_TREE_HPP
+#define DISCMC_GEOMETRY_RING_TREE_HPP
+
+#include <discmc/chain.hpp>
+#include <discmc/geometry/treap.hpp>
+
+namespace discmc {
+
+/// A point or a vector of a plane, projected along an axis that the plane does not contain: u is
+/// along x or y.
+struct ProjectedPoint {
+  int64_t u, v;
+};
+
+constexpr ProjectedPoint projected(Incidence incidence, const Vertex& p) {
+  const Vertex n = normal(incidence);
+  if (n.z != 0) return {p.x, p.y};
+  if (n.y != 0) return {p.x, p.z};
+  return {p.y, p.z};
+}
+
+/// A point of the region that a ring bounds. It lies close to the middle of the ring's first link
+/// and to the left of the link, for outer rings and holes alike. No ring of a surface passes
+/// through this point. Units: eighths of a half-step.
+constexpr ProjectedPoint point_beside(Incidence incidence, const Vertex& start, Direction first) {
+  const Vertex link = direction_vector(incidence, first);
+  const ProjectedPoint begin = projected(incidence, start);
+  const ProjectedPoint forward = projected(incidence, link);
+  const ProjectedPoint left = projected(incidence, cross(normal(incidence), link));
+  return {8 * begin.u + 4 * forward.u + left.u, 8 * begin.v + 4 * forward.v + left.v};
+}
+
+/// A side of a ring, in its plane. Units: eighths of a half-step. A side crosses the line at its
+/// lower end, and not the line at its upper end: where two sides meet on a line, one crosses.
+class RingSide {
+ public:
+  constexpr RingSide(Incidence incidence, const Vertex& from, Run run) {
+    const Vertex link = direction_vector(incidence, run.direction());
+    const ProjectedPoint step = projected(incidence, link);
+    const ProjectedPoint begin = projected(incidence, from);
+    const ProjectedPoint end = projected(incidence, after_run(incidence, from, run));
+    const ProjectedPoint& low = begin.v < end.v ? begin : end;
+    low_ = {8 * low.u, 8 * low.v};
+    end_line_ = 8 * (begin.v < end.v ? end.v : begin.v);
+    slope_ = step.u == 0 || step.v == 0 ? 0 : (step.u > 0) == (step.v > 0) ? 1 : -1;
+    leads_left_ = projected(incidence, cross(normal(incidence), link)).u > 0;
+  }
+
+  /// The lines that it crosses: from the first one on, those before the end.
+  constexpr int64_t first_line() const { return low_.v; }
+  constexpr int64_t end_line() const { return end_line_; }
+  /// Where it crosses one of them.
+  constexpr int64_t crossing(int64_t line) const { return low_.u + slope_ * (line - low_.v); }
+  /// Whether it is crossed towards larger u from its right to its left: into an outer ring, and out
+  /// of a hole.
+  constexpr bool leads_left() const { return leads_left_; }
+
+ private:
+  ProjectedPoint low_{0, 0};
+  int64_t end_line_ = 0;
+  int8_t slope_ = 0;
+  bool leads_left_ = false;
+};
+
+/// Rings: a type with left(ring) and right(ring), which return links by reference, and with
+/// incidence(ring), start(ring) and first(ring), the direction of the first link. Rings are numbers
+/// from 1 on. Cost of every function: the depth of a treap; of has_any() and cross(), per line.
+template <class Rings>
+class RingTree {
+ public:
+  void clear() { tree_.clear(); }
+  bool is_empty() const { return tree_.is_empty(); }
+  /// One of the rings, or no_slot.
+  uint32_t any() const { return tree_.root(); }
+
+  void insert(const Rings& rings, uint32_t ring) { tree_.insert(Nodes{rings}, ring); }
+  void remove(const Rings& rings, uint32_t ring) { tree_.remove(Nodes{rings}, ring); }
+
+  /// A ring on the plane of a vertex, or no_slot.
+  uint32_t any_on_plane(const Rings& rings, Incidence incidence, const Vertex& at) const {
+    const Plane plane{incidence, plane_offset(incidence, at)};
+    return tree_.find(Nodes{rings}, [&](uint32_t ring) {
+      const Plane own = plane_of(rings, ring);
+      if (own.incidence != plane.incidence) return own.incidence - plane.incidence;
+      return (own.offset > plane.offset) - (own.offset < plane.offset);
+    });
+  }
+
+  /// The next ring on the line of a ring, or no_slot.
+  uint32_t next_on_line(const Rings& rings, uint32_t ring) const {
+    const ProjectedPoint at = point(rings, ring);
+    return first_on_line(rings, plane_of(rings, ring), {at.u + 1, at.v});
+  }
+
+  /// Whether a ring waits on the plane of a vertex, between two corners of a box: eighths of a
+  /// half-step.
+  bool has_any(const Rings& rings, Incidence incidence, const Vertex& at, const ProjectedPoint& low,
+               const ProjectedPoint& high) const {
+    const Plane plane{incidence, plane_offset(incidence, at)};
+    int64_t line = low.v;
+    for (;;) {
+      const uint32_t ring = first_from(rings, plane, {low.u, line});
+      if (ring == no_slot || !is_on(rings, ring, plane)) return false;
+      const ProjectedPoint found = point(rings, ring);
+      if (found.v > high.v) return false;
+      if (found.u >= low.u && found.u <= high.u) return true;
+      line = found.u < low.u ? found.v : found.v + 1;
+    }
+  }
+
+  /// Calls visit(ring, crossing) for the ring behind a side of another ring, on each line that the
+  /// side crosses. at: a vertex of the plane.
+  template <class Visit>
+  void cross(const Rings& rings, Incidence incidence, const Vertex& at, const RingSide& side,
+             Visit visit) const {
+    const Plane plane{incidence, plane_offset(incidence, at)};
+    for (int64_t line = side.first_line(); line < side.end_line(); ++line) {
+      uint32_t ring = first_from(rings, plane, {INT64_MIN, line});
+      if (ring == no_slot || !is_on(rings, ring, plane)) return;
+      line = point(rings, ring).v;
+      if (line >= side.end_line()) return;
+      const int64_t crossing = side.crossing(line);
+      ring = first_on_line(rings, plane, {crossing, line});
+      if (ring != no_slot) visit(ring, crossing);
+    }
+  }
+
+ private:
+  struct Plane {
+    Incidence incidence;
+    int32_t offset;
+  };
+
+  struct Nodes {
+    const Rings& rings;
+    uint32_t& left(uint32_t ring) const { return rings.left(ring); }
+    uint32_t& right(uint32_t ring) const { return rings.right(ring); }
+    bool precedes(uint32_t ring, uint32_t other) const {
+      const Plane plane = plane_of(rings, other);
+      const ProjectedPoint at = point(rings, other);
+      if (is_behind(rings, ring, plane, {at.u + 1, at.v})) return false;
+      return !is_behind(rings, ring, plane, at) || ring < other;  // rings of chance may be equal
+    }
+  };
+
+  static Plane plane_of(const Rings& rings, uint32_t ring) {
+    const Incidence incidence = rings.incidence(ring);
+    return {incidence, plane_offset(incidence, rings.start(ring))};
+  }
+  static bool is_on(const Rings& rings, uint32_t ring, const Plane& plane) {
+    return rings.incidence(ring) == plane.incidence &&
+           plane_offset(plane.incidence, rings.start(ring)) == plane.offset;
+  }
+  static ProjectedPoint point(const Rings& rings, uint32_t ring) {
+    return point_beside(rings.incidence(ring), rings.start(ring), rings.first(ring));
+  }
+  // Whether a ring lies at a place or behind it, by plane, line and position on the line.
+  static bool is_behind(const Rings& rings, uint32_t ring, const Plane& plane,
+                        const ProjectedPoint& at) {
+    const Incidence incidence = rings.incidence(ring);
+    if (incidence != plane.incidence) return incidence > plane.incidence;
+    const int32_t offset = plane_offset(incidence, rings.start(ring));
+    if (offset != plane.offset) return offset > plane.offset;
+    const ProjectedPoint own = point(rings, ring);
+    return own.v != at.v ? own.v > at.v : own.u >= at.u;
+  }
+  uint32_t first_from(const Rings& rings, const Plane& plane, const ProjectedPoint& at) const {
+    return tree_.first(Nodes{rings},
+                       [&](uint32_t ring) { return is_behind(rings, ring, plane, at); });
+  }
+  uint32_t first_on_line(const Rings& rings, const Plane& plane, const ProjectedPoint& at) const {
+    const uint32_t ring = first_from(rings, plane, at);
+    const bool is_there =
+        ring != no_slot && is_on(rings, ring, plane) && point(rings, ring).v == at.v;
+    return is_there ? ring : no_slot;
+  }
+
+  Treap<Nodes> tree_;
+};
+
+}  // namespace discmc
+
+#endif

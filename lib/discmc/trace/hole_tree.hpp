@@ -1,0 +1,186 @@
+// Holes wait for the ring around them, sorted by place: for the many holes that 32-bit indices can
+// count. As Holes with lists (holes.hpp), with the same holes in the same order.
+#ifndef DISCMC_TRACE_HOLE_TREE_HPP
+#define DISCMC_TRACE_HOLE_TREE_HPP
+
+#include <discmc/geometry/ring_tree.hpp>
+#include <discmc/trace/holes.hpp>
+
+namespace discmc::trace {
+
+template <class Normal>
+class Holes<uint32_t, Normal> {
+ public:
+  using Slots = Pool<Slot<uint32_t, Normal>, uint32_t>;
+  using Ring = Outgoing<uint32_t>;
+
+  static constexpr uint32_t slots_each = 2;
+
+  void start(uint32_t* /*heads*/) {}
+  void clear() {
+    waiting_.clear();
+    marked_.clear();
+    count_ = peak_ = number_ = 0;
+  }
+
+  uint32_t count() const { return count_; }
+  uint32_t peak() const { return peak_; }
+
+  /// Keeps a ring. Limit: there are slots_each slots.
+  void keep(Slots& slots, const Ring& ring) {
+    const uint32_t index = slots.take();
+    const uint32_t start = slots.take();
+    Hole<uint32_t>& hole = slots[index].hole;
+    hole.number = number_++;
+    hole.last = ring.last;
+    hole.start = start;
+    hole.set(ring.incidence, direction_of(Cursor(slots, ring.last).run(slots)));
+    slots[start].hole_start.set(ring.start);
+    waiting_.insert(Nodes{slots}, index);
+    if (++count_ > peak_) peak_ = count_;
+  }
+
+  /// Whether there are holes on the plane of a vertex. Cost: a look-up in a tree.
+  bool has_any(Slots& slots, Incidence incidence, const Vertex& at) const {
+    return waiting_.any_on_plane(Nodes{slots}, incidence, at) != no_slot;
+  }
+
+  /// Marks the holes in a ring, or for anything else all on its plane, and counts them. Limit: none
+  /// is marked. Cost: a look-up per line of the plane that a side crosses and that has holes, and
+  /// per marked hole.
+  uint32_t mark(Slots& slots, const Ring& by) {
+    if (by.kind == Ring::Kind::ring) return mark_inside(slots, by);
+    uint32_t marked = 0;
+    for (;; ++marked) {
+      const uint32_t hole = waiting_.any_on_plane(Nodes{slots}, by.incidence, by.start);
+      if (hole == no_slot) return marked;
+      mark_one(slots, hole);
+    }
+  }
+
+  /// Takes one of the holes out that were marked last, the newest first: its runs, and where they
+  /// start. Limit: there is one.
+  void take(Slots& slots, uint32_t& last, Vertex& start) {
+    const uint32_t index = marked_.first(Newest{{slots}}, [](uint32_t) { return true; });
+    marked_.remove(Newest{{slots}}, index);
+    const Hole<uint32_t>& hole = slots[index].hole;
+    last = hole.last;
+    start = slots[hole.start].hole_start.get();
+    slots.give(hole.start);
+    slots.give(index);
+    --count_;
+  }
+
+  /// A plane that has holes. Limit: count() > 0, and none is marked.
+  void any_plane(const Slots& slots, Incidence& incidence, Vertex& at) const {
+    const Hole<uint32_t>& hole = slots[waiting_.any()].hole;
+    incidence = hole.incidence();
+    at = slots[hole.start].hole_start.get();
+  }
+
+ private:
+  using Cursor = RunCursor<uint32_t, Normal>;
+
+  // The slots as nodes of trees.
+  struct Nodes {
+    Slots& slots;
+    Incidence incidence(uint32_t hole) const { return slots[hole].hole.incidence(); }
+    Direction first(uint32_t hole) const { return slots[hole].hole.first(); }
+    Vertex start(uint32_t hole) const { return node(hole).get(); }
+    uint32_t& left(uint32_t hole) const { return node(hole).left; }
+    uint32_t& right(uint32_t hole) const { return node(hole).right; }
+    HoleStart<uint32_t>& node(uint32_t hole) const {
+      return slots[slots[hole].hole.start].hole_start;
+    }
+  };
+  struct Newest : Nodes {
+    bool precedes(uint32_t hole, uint32_t other) const {
+      const uint32_t difference = this->slots[hole].hole.number - this->slots[other].hole.number;
+      return static_cast<int32_t>(difference) > 0;
+    }
+  };
+
+  uint32_t mark_inside(Slots& slots, const Ring& ring);
+  void mark_one(Slots& slots, uint32_t hole) {
+    waiting_.remove(Nodes{slots}, hole);
+    marked_.insert(Newest{{slots}}, hole);
+  }
+
+  // Calls visit(vertex, run) for the sides of a ring.
+  template <class Visit>
+  static void for_each_side(const Slots& slots, const Ring& ring, Visit visit) {
+    Vertex at = ring.start;
+    const Cursor begin(slots, ring.last);
+    Cursor cursor = begin;
+    do {
+      const Run run = long_run(cursor.run(slots));
+      visit(at, run);
+      at = after_run(ring.incidence, at, run);
+      cursor.advance(slots);
+    } while (cursor != begin);
+  }
+  // Calls visit(hole, crossing, leads_inside) for what the sides of a ring cross:
+  // RingTree::cross().
+  template <class Visit>
+  void for_each_crossing(Slots& slots, const Ring& ring, Visit visit) {
+    for_each_side(slots, ring, [&](const Vertex& at, Run run) {
+      const RingSide side(ring.incidence, at, run);
+      waiting_.cross(Nodes{slots}, ring.incidence, ring.start, side,
+                     [&](uint32_t hole, int64_t crossing) {
+                       visit(slots[hole].hole, hole, crossing, side.leads_left());
+                     });
+    });
+  }
+  bool may_surround_any(Slots& slots, const Ring& ring) const;
+
+  RingTree<Nodes> waiting_;
+  Treap<Newest> marked_;
+  uint32_t number_ = 0;  // of the next hole
+  uint32_t count_ = 0;
+  uint32_t peak_ = 0;
+};
+
+// ---- implementation ----
+
+template <class Normal>
+uint32_t Holes<uint32_t, Normal>::mark_inside(Slots& slots, const Ring& ring) {
+  uint32_t marked = 0;
+  if (!may_surround_any(slots, ring)) return marked;
+  using H = Hole<uint32_t>;
+  for_each_crossing(slots, ring, [](H& hole, uint32_t, int64_t crossing, bool leads_inside) {
+    if (!hole.is_noted() || crossing > hole.crossing()) hole.set_note(crossing, leads_inside);
+  });
+  for_each_crossing(slots, ring, [&](const H& hole, uint32_t index, int64_t, bool) {
+    if (!hole.leads_inside()) return;
+    uint32_t inside = index;
+    do {
+      const uint32_t next = waiting_.next_on_line(Nodes{slots}, inside);
+      slots[inside].hole.clear_note();
+      mark_one(slots, inside);
+      ++marked;
+      inside = next;
+    } while (inside != no_slot && !slots[inside].hole.is_noted());
+  });
+  for_each_crossing(slots, ring, [](H& hole, uint32_t, int64_t, bool) { hole.clear_note(); });
+  return marked;
+}
+
+// Whether there are holes in the box around a ring. Most rings have none there.
+template <class Normal>
+bool Holes<uint32_t, Normal>::may_surround_any(Slots& slots, const Ring& ring) const {
+  if (!has_any(slots, ring.incidence, ring.start)) return false;
+  ProjectedPoint low = projected(ring.incidence, ring.start), high = low;
+  for_each_side(slots, ring, [&](const Vertex& at, Run) {
+    const ProjectedPoint point = projected(ring.incidence, at);
+    if (point.u < low.u) low.u = point.u;
+    if (point.v < low.v) low.v = point.v;
+    if (point.u > high.u) high.u = point.u;
+    if (point.v > high.v) high.v = point.v;
+  });
+  return waiting_.has_any(Nodes{slots}, ring.incidence, ring.start, {8 * low.u, 8 * low.v},
+                          {8 * high.u, 8 * high.v});
+}
+
+}  // namespace discmc::trace
+
+#endif
