@@ -94,6 +94,17 @@ class Dataset {
       packed[i / 8] = static_cast<char>(packed[i / 8] | values[i] << i % 8);
     return bytes(0x7fe00010, "OB", packed);
   }
+  /// Compressed samples. offsets: where each frame begins; may be empty.
+  Dataset& fragments(const std::vector<std::string>& all,
+                     const std::vector<std::uint64_t>& offsets = {}) {
+    std::string table;
+    for (const std::uint64_t offset : offsets)
+      table += number_bytes(offset, 4, Order::little_endian);
+    std::string value = item(0xfffee000, table);
+    for (const std::string& fragment : all) value += item(0xfffee000, fragment);
+    elements_[0x7fe00010] = {"OB", {}, 1, value + item(0xfffee0dd, {}), {}, true};
+    return *this;
+  }
   Dataset& drop(std::uint32_t tag) {
     elements_.erase(tag);
     return *this;
@@ -111,8 +122,11 @@ class Dataset {
       }
       if (value.size() % 2 == 1) value += '\0';
       const bool is_long = element.vr[0] == 'O' || element.vr == "SQ" || element.vr == "UN";
-      result += tag_bytes(tag, order) + element.vr + std::string(is_long ? 2 : 0, '\0') +
-                number_bytes(value.size(), is_long ? 4 : 2, order) + value;
+      constexpr std::uint32_t undefined = 0xffffffff;
+      result +=
+          tag_bytes(tag, order) + element.vr + std::string(is_long ? 2 : 0, '\0') +
+          number_bytes(element.is_of_fragments ? undefined : value.size(), is_long ? 4 : 2, order) +
+          value;
     }
     return result;
   }
@@ -139,10 +153,16 @@ class Dataset {
     std::size_t size;  ///< bytes of a number
     std::string value;
     std::vector<Dataset> items;
+    bool is_of_fragments = false;
   };
 
   static std::string tag_bytes(std::uint32_t tag, Order order) {
     return number_bytes(tag >> 16, 2, order) + number_bytes(tag & 0xffff, 2, order);
+  }
+
+  static std::string item(std::uint32_t tag, const std::string& value) {
+    return tag_bytes(tag, Order::little_endian) +
+           number_bytes(value.size(), 4, Order::little_endian) + value;
   }
 
   void describe_samples(std::size_t bits, bool is_signed) {

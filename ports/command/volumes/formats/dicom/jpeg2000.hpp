@@ -6,12 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace discmc::command {
+#include "picture_size.hpp"
 
-/// The size of a picture of one component. Units: samples, and bytes of a sample: 1, 2 or 4.
-struct PictureSize {
-  std::uint32_t columns, rows, sample_bytes;
-};
+namespace discmc::command {
 
 /// Decodes a code stream into samples in native byte order, cut to their bytes.
 /// Size: of samples, that of the picture. Returns what is wrong, empty if nothing.

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "jpeg2000.hpp"
+#include "rle.hpp"
 #include "toolkit.hpp"
 
 #include <dcmtk/dcmdata/dccodec.h>
@@ -81,10 +82,13 @@ class Fragments {
     const auto beyond = picture_.number + 1 < frames_ ? start(picture_.number + 1) : end();
     if (!first || !beyond)
       fail_picture(picture_, "its part of the compressed pixel data is unknown");
+    if (*first >= *beyond) fail_picture(picture_, "the offsets of frames are not in order");
     std::vector<std::uint8_t> all;
     for (Uint32 i = *first; i < *beyond; ++i) {
       DcmPixelItem& item = at(i);
       Uint8* bytes = nullptr;
+      if (item.getLength() == 0)
+        fail_picture(picture_, "fragment " + std::to_string(i) + " of the pixel data is empty");
       if (item.getUint8Array(bytes).bad() || bytes == nullptr)
         fail_picture(picture_, "the compressed pixel data ends early");
       all.insert(all.end(), bytes, bytes + item.getLength());
@@ -175,15 +179,15 @@ void DicomPixels::read_bits(DcmDataset& dataset, DcmElement& element,
   }
 }
 
-void DicomPixels::read_jpeg2000(DcmDataset& dataset, DcmElement& element,
-                                const StoredPicture& picture) {
+void DicomPixels::read_compressed(DcmDataset& dataset, DcmElement& element,
+                                  const StoredPicture& picture) {
   const DicomImage& image = picture.image;
-  const auto stream = Fragments(dataset, element, picture).bytes();
+  const auto bytes = Fragments(dataset, element, picture).bytes();
   const std::uint32_t across = image.mosaic ? image.mosaic->across : 1;
-  const std::string damage = decode_jpeg2000(stream,
-                                             {across * image.columns, across * image.rows,
-                                              static_cast<std::uint32_t>(sample_bytes(image.type))},
-                                             decoded_.data());
+  const PictureSize size = {across * image.columns, across * image.rows,
+                            static_cast<std::uint32_t>(sample_bytes(image.type))};
+  const auto decoder = dataset.getOriginalXfer() == EXS_RLELossless ? decode_rle : decode_jpeg2000;
+  const std::string damage = decoder(bytes, size, decoded_.data());
   if (!damage.empty()) fail_picture(picture, damage);
 }
 
@@ -231,8 +235,8 @@ void DicomPixels::decode(const StoredPicture& picture) {
     read_bytes(element, picture, picture.number * bytes, bytes);
   else if (image.is_of_bits)
     read_bits(dataset, element, picture);
-  else if (is_jpeg2000(dataset.getOriginalXfer()))
-    read_jpeg2000(dataset, element, picture);
+  else if (is_decoded_here(dataset.getOriginalXfer()))
+    read_compressed(dataset, element, picture);
   else
     read_picture(dataset, element, picture);
   if (!image.is_of_bits) cut_to_bits(image, decoded_.data(), bytes);

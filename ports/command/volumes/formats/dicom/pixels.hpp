@@ -31,12 +31,12 @@ class DicomPixels {
   std::uint64_t left_out() const { return left_out_; }
 
  private:
-  // Into decoded_, as the samples are stored. DCMTK decodes all but bits and JPEG 2000.
+  // Into decoded_, as the samples are stored. DCMTK decodes the kinds of JPEG before JPEG 2000.
   void decode(const StoredPicture& picture);
   void read_bytes(DcmElement& element, const StoredPicture& picture, std::uint64_t begin,
                   std::uint64_t bytes);
   void read_bits(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture);
-  void read_jpeg2000(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture);
+  void read_compressed(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture);
   void read_picture(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture);
 
   std::unique_ptr<DcmFileFormat> opened_;

@@ -3,7 +3,6 @@
 #include "nesting.hpp"
 
 #include <dcmtk/dcmdata/dccodec.h>
-#include <dcmtk/dcmdata/dcrledrg.h>
 #include <dcmtk/dcmjpeg/djdecode.h>
 #include <dcmtk/dcmjpls/djdecode.h>
 #include <dcmtk/oflog/oflog.h>
@@ -13,7 +12,6 @@ namespace {
 
 void set_up() {
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
-  DcmRLEDecoderRegistration::registerCodecs();
   DJDecoderRegistration::registerCodecs();
   DJLSDecoderRegistration::registerCodecs();
 }
@@ -62,13 +60,13 @@ std::optional<Uint32> frame_bytes_by_header(DcmElement& pixels, DcmDataset& data
   return bytes;
 }
 
-bool is_jpeg2000(E_TransferSyntax syntax) {
-  return syntax == EXS_JPEG2000LosslessOnly || syntax == EXS_JPEG2000;
+bool is_decoded_here(E_TransferSyntax syntax) {
+  return syntax == EXS_RLELossless || syntax == EXS_JPEG2000LosslessOnly || syntax == EXS_JPEG2000;
 }
 
 bool can_decode(const std::string& transfer_syntax) {
   const E_TransferSyntax syntax = DcmXfer(transfer_syntax.c_str()).getXfer();
-  return syntax != EXS_Unknown && (!is_encapsulated(syntax) || is_jpeg2000(syntax) ||
+  return syntax != EXS_Unknown && (!is_encapsulated(syntax) || is_decoded_here(syntax) ||
                                    DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit));
 }
 

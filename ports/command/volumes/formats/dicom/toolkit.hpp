@@ -26,8 +26,8 @@ std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file
 /// Whether pixel data of a transfer syntax, by its UID, is read. Limit: after open_dicom_file().
 bool can_decode(const std::string& transfer_syntax);
 
-/// Whether OpenJPEG decodes it, and not DCMTK.
-bool is_jpeg2000(E_TransferSyntax syntax);
+/// Whether it is RLE or JPEG 2000, which DCMTK does not decode here.
+bool is_decoded_here(E_TransferSyntax syntax);
 
 // What the versions of DCMTK, 3.6.7 of Debian 12 and 3.6.9 of Debian 13 among them, have under
 // different names or with different parameters.
