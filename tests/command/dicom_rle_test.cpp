@@ -165,20 +165,20 @@ TEST_CASE("an RLE header that contradicts the data or the samples is refused wit
   const Strings good = segments(slice_values(0), 2);
   const std::uint64_t second = header_bytes + good[0].size();
   const std::uint64_t end = second + good[1].size();
-  const std::string of_end = " of " + std::to_string(end);
+  const std::string of_end = ", is not within the data of " + std::to_string(end) + " bytes";
   check_refusal(refused(std::string(62, '\0')), "RLE data of 62 bytes has no header of 64");
   for (const std::uint64_t count : {1ULL, 3ULL, 4ULL, 15ULL, 16ULL, 0xffffffffULL})
     check_refusal(refused(rle(good, {}, count)),
-                  std::to_string(count) + " segments, but samples have 2 bytes");
+                  "the RLE header counts " + std::to_string(count) + " segments; expected 2");
   const auto with_offsets = [&](std::uint64_t one, std::uint64_t two) {
     return refused(rle(good, {one, two}));
   };
-  check_refusal(with_offsets(end + 256, end + 512), "RLE segment 1 is from byte " +
+  check_refusal(with_offsets(end + 256, end + 512), "RLE segment 1, from byte " +
                                                         std::to_string(end + 256) + " to " +
                                                         std::to_string(end + 512) + of_end);
   check_refusal(with_offsets(second, header_bytes), "to 64" + of_end);
-  check_refusal(with_offsets(63, second), "RLE segment 1 is from byte 63");
-  check_refusal(with_offsets(0, second), "RLE segment 1 is from byte 0");
+  check_refusal(with_offsets(63, second), "RLE segment 1, from byte 63");
+  check_refusal(with_offsets(0, second), "RLE segment 1, from byte 0");
   check_refusal(with_offsets(header_bytes, 0xfffffffe), "to 4294967294" + of_end);
   check_refusal(with_offsets(0xfffffffe, 0xfffffffe), "from byte 4294967294");
 }

@@ -66,8 +66,10 @@ bool is_decoded_here(E_TransferSyntax syntax) {
 
 bool can_decode(const std::string& transfer_syntax) {
   const E_TransferSyntax syntax = DcmXfer(transfer_syntax.c_str()).getXfer();
-  return syntax != EXS_Unknown && (!is_encapsulated(syntax) || is_decoded_here(syntax) ||
-                                   DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit));
+  // Of JPIP, the pixels are on a server.
+  return syntax != EXS_Unknown && syntax != EXS_JPIPReferenced &&
+         (!is_encapsulated(syntax) || is_decoded_here(syntax) ||
+          DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit));
 }
 
 std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels) {
