@@ -149,6 +149,32 @@ TEST_CASE("JPEG with losses is near what it was, of 8 bits and of 12") {
   }
 }
 
+TEST_CASE("JPEG of another size, or of other samples, than the file declares is refused") {
+  const Folder folder;
+  const auto tag = [](char element, char value) {
+    return std::string("\x28\0", 2) + element + std::string("\0US\2\0", 5) + value + '\0';
+  };
+  for (const std::string name : {"u8-lossy.dcm", "u12-lossy.dcm", "u8-jpeg.dcm", "u16-jpeg.dcm"}) {
+    const std::string bytes = contents(files / name);
+    const auto refused = [&](const std::string& changed) {
+      return refusal(folder.write("v.dcm", changed));
+    };
+    const std::string rows = tag('\x10', height);
+    INFO(name);
+    check_refusal(refused(replaced(bytes, rows, tag('\x10', 2 * height))),
+                  "the JPEG picture has 8 x 6 samples of");
+    const std::string columns = tag('\x11', width);
+    check_refusal(refused(replaced(bytes, columns, tag('\x11', 2 * width))),
+                  "expected 16 x 6 samples of");
+  }
+  // Samples of 8 bits in JPEG, and of 16 in the file.
+  const std::string allocated("\x28\0\0\1US\2\0", 8);
+  const std::string wide =
+      replaced(contents(files / "u8-jpeg.dcm"), allocated + '\x8', allocated + '\x10');
+  check_refusal(refusal(folder.write("v.dcm", wide)),
+                "of 8 bits; expected 8 x 6 samples of 16 bits");
+}
+
 TEST_CASE("what is deflated as a whole is refused with the remedy") {
   check_refusal(refusal(files / "deflated.dcm"),
                 "deflated as a whole (inflate it with dcmconv +te)");

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "jpeg2000.hpp"
+#include "jpeg_header.hpp"
 #include "rle.hpp"
 #include "toolkit.hpp"
 
@@ -51,6 +52,13 @@ std::uint32_t frames(DcmDataset& dataset) {
   return static_cast<std::uint32_t>(std::max(count, 1));
 }
 
+// Of a mosaic, that of all of it.
+PictureSize stored_size(const DicomImage& image) {
+  const std::uint32_t across = image.mosaic ? image.mosaic->across : 1;
+  return {across * image.columns, across * image.rows,
+          static_cast<std::uint32_t>(sample_bytes(image.type))};
+}
+
 // The fragments of compressed pixel data: after a table of offsets the frames, of one or more each.
 class Fragments {
  public:
@@ -85,16 +93,22 @@ class Fragments {
     if (*first >= *beyond) fail_picture(picture_, "the offsets of frames are not in order");
     std::vector<std::uint8_t> all;
     for (Uint32 i = *first; i < *beyond; ++i) {
-      DcmPixelItem& item = at(i);
-      Uint8* bytes = nullptr;
-      if (item.getLength() == 0)
-        fail_picture(picture_, "fragment " + std::to_string(i) + " of the pixel data is empty");
-      if (item.getUint8Array(bytes).bad() || bytes == nullptr)
-        fail_picture(picture_, "the compressed pixel data ends early");
-      all.insert(all.end(), bytes, bytes + item.getLength());
+      const Uint8* const bytes = content(i);
+      all.insert(all.end(), bytes, bytes + at(i).getLength());
     }
     drop(*first, *beyond);
     return all;
+  }
+
+  /// The first fragment of the frame, in JPEG of the right size. next: the one that follows the
+  /// previous frame, 0 if that is unknown.
+  Uint32 jpeg_start(Uint32 next) {
+    const Uint32 first = next > 0 ? next : start(picture_.number).value_or(0);
+    if (first == 0) fail_picture(picture_, "its part of the compressed pixel data is unknown");
+    const std::string mismatch =
+        jpeg_mismatch(content(first), at(first).getLength(), stored_size(picture_.image));
+    if (!mismatch.empty()) fail_picture(picture_, mismatch);
+    return first;
   }
 
   /// Leaves fragments in the file, which reading has brought into memory.
@@ -108,6 +122,16 @@ class Fragments {
     if (sequence_->getItem(item, index).bad() || item == nullptr)
       fail_picture(picture_, "the compressed pixel data ends early");
     return *item;
+  }
+
+  const Uint8* content(Uint32 index) {
+    DcmPixelItem& item = at(index);
+    Uint8* bytes = nullptr;
+    if (item.getLength() == 0)
+      fail_picture(picture_, "fragment " + std::to_string(index) + " of the pixel data is empty");
+    if (item.getUint8Array(bytes).bad() || bytes == nullptr)
+      fail_picture(picture_, "the compressed pixel data ends early");
+    return bytes;
   }
 
   StoredPicture picture_;
@@ -181,13 +205,9 @@ void DicomPixels::read_bits(DcmDataset& dataset, DcmElement& element,
 
 void DicomPixels::read_compressed(DcmDataset& dataset, DcmElement& element,
                                   const StoredPicture& picture) {
-  const DicomImage& image = picture.image;
   const auto bytes = Fragments(dataset, element, picture).bytes();
-  const std::uint32_t across = image.mosaic ? image.mosaic->across : 1;
-  const PictureSize size = {across * image.columns, across * image.rows,
-                            static_cast<std::uint32_t>(sample_bytes(image.type))};
   const auto decoder = dataset.getOriginalXfer() == EXS_RLELossless ? decode_rle : decode_jpeg2000;
-  const std::string damage = decoder(bytes, size, decoded_.data());
+  const std::string damage = decoder(bytes, stored_size(picture.image), decoded_.data());
   if (!damage.empty()) fail_picture(picture, damage);
 }
 
@@ -203,12 +223,9 @@ void DicomPixels::read_picture(DcmDataset& dataset, DcmElement& element,
       fragments ? counted : element.getLength() / picture_bytes(picture.image);
   left_out_ = there - std::min(there, counted);
   // If the file does not store where frames begin, each begins after the previous one.
-  Uint32 fragment = 0;
-  if (picture.number == next_picture_)
-    fragment = next_fragment_;
-  else if (fragments)
-    fragment = fragments->start(picture.number).value_or(0);
-  const Uint32 first = fragment;
+  const Uint32 next = picture.number == next_picture_ ? next_fragment_ : 0;
+  const Uint32 first = fragments ? fragments->jpeg_start(next) : 0;
+  Uint32 fragment = first;
   OFString color_model;
   const OFCondition result =
       element.getUncompressedFrame(&dataset, picture.number, fragment, decoded_.data(),
