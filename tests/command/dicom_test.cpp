@@ -173,6 +173,10 @@ TEST_CASE("JPEG of another size, or of other samples, than the file declares is 
       replaced(contents(files / "u8-jpeg.dcm"), allocated + '\x8', allocated + '\x10');
   check_refusal(refusal(folder.write("v.dcm", wide)),
                 "of 8 bits; expected 8 x 6 samples of 16 bits");
+  const std::string colours =
+      replaced(contents(files / "u8-jpeg.dcm"), std::string("\0\6\0\x8\1", 5),
+               std::string("\0\6\0\x8\3", 5));
+  check_refusal(refusal(folder.write("v.dcm", colours)), "has 3 components; expected 1");
 }
 
 TEST_CASE("what is deflated as a whole is refused with the remedy") {
