@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cstring>
-#include <optional>
 #include <type_traits>
 
+#include "fragments.hpp"
+#include "jpeg.hpp"
 #include "jpeg2000.hpp"
-#include "jpeg_header.hpp"
 #include "rle.hpp"
 #include "toolkit.hpp"
 
-#include <dcmtk/dcmdata/dccodec.h>
 #include <dcmtk/dcmdata/dcpixseq.h>
-#include <dcmtk/dcmdata/dcpxitem.h>
 
 #include "volumes/volume_error.hpp"
 
@@ -46,12 +44,6 @@ DcmElement& pixel_element(DcmDataset& dataset, const StoredPicture& picture) {
   return *element;
 }
 
-std::uint32_t frames(DcmDataset& dataset) {
-  Sint32 count = 0;
-  if (dataset.findAndGetSint32(DCM_NumberOfFrames, count).bad()) return 1;
-  return static_cast<std::uint32_t>(std::max(count, 1));
-}
-
 // Of a mosaic, that of all of it.
 PictureSize stored_size(const DicomImage& image) {
   const std::uint32_t across = image.mosaic ? image.mosaic->across : 1;
@@ -59,85 +51,18 @@ PictureSize stored_size(const DicomImage& image) {
           static_cast<std::uint32_t>(sample_bytes(image.type))};
 }
 
-// The fragments of compressed pixel data: after a table of offsets the frames, of one or more each.
-class Fragments {
- public:
-  Fragments(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture)
-      : picture_(picture), frames_(frames(dataset)) {
-    auto* pixels = dynamic_cast<DcmPixelData*>(&element);
-    E_TransferSyntax syntax = EXS_Unknown;
-    const DcmRepresentationParameter* parameter = nullptr;
-    if (pixels != nullptr) pixels->getOriginalRepresentationKey(syntax, parameter);
-    if (pixels == nullptr ||
-        pixels->getEncapsulatedRepresentation(syntax, parameter, sequence_).bad())
-      fail_picture(picture, "the compressed pixel data is missing");
-  }
-
-  Uint32 end() const { return static_cast<Uint32>(sequence_->card()); }
-
-  /// The first fragment of a frame, if the file stores that.
-  std::optional<Uint32> start(std::uint32_t number) const {
-    Uint32 fragment = 0;
-    if (DcmCodec::determineStartFragment(number, static_cast<Sint32>(frames_), sequence_, fragment)
-            .bad())
-      return std::nullopt;
-    return fragment;
-  }
-
-  /// All bytes of the frame.
-  std::vector<std::uint8_t> bytes() {
-    const auto first = start(picture_.number);
-    const auto beyond = picture_.number + 1 < frames_ ? start(picture_.number + 1) : end();
-    if (!first || !beyond)
-      fail_picture(picture_, "its part of the compressed pixel data is unknown");
-    if (*first >= *beyond) fail_picture(picture_, "the offsets of frames are not in order");
-    std::vector<std::uint8_t> all;
-    for (Uint32 i = *first; i < *beyond; ++i) {
-      const Uint8* const bytes = content(i);
-      all.insert(all.end(), bytes, bytes + at(i).getLength());
-    }
-    drop(*first, *beyond);
-    return all;
-  }
-
-  /// The first fragment of the frame, in JPEG of the right size. next: the one that follows the
-  /// previous frame, 0 if that is unknown.
-  Uint32 jpeg_start(Uint32 next) {
-    const Uint32 first = next > 0 ? next : start(picture_.number).value_or(0);
-    if (first == 0) fail_picture(picture_, "its part of the compressed pixel data is unknown");
-    const std::string mismatch =
-        jpeg_mismatch(content(first), at(first).getLength(), stored_size(picture_.image));
-    if (!mismatch.empty()) fail_picture(picture_, mismatch);
-    return first;
-  }
-
-  /// Leaves fragments in the file, which reading has brought into memory.
-  void drop(Uint32 first, Uint32 beyond) {
-    for (Uint32 i = first; i < std::min(beyond, end()); ++i) at(i).compact();
-  }
-
- private:
-  DcmPixelItem& at(unsigned long index) {
-    DcmPixelItem* item = nullptr;
-    if (sequence_->getItem(item, index).bad() || item == nullptr)
-      fail_picture(picture_, "the compressed pixel data ends early");
-    return *item;
-  }
-
-  const Uint8* content(Uint32 index) {
-    DcmPixelItem& item = at(index);
-    Uint8* bytes = nullptr;
-    if (item.getLength() == 0)
-      fail_picture(picture_, "fragment " + std::to_string(index) + " of the pixel data is empty");
-    if (item.getUint8Array(bytes).bad() || bytes == nullptr)
-      fail_picture(picture_, "the compressed pixel data ends early");
-    return bytes;
-  }
-
-  StoredPicture picture_;
-  std::uint32_t frames_;
-  DcmPixelSequence* sequence_ = nullptr;
-};
+DicomFragments fragments(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture) {
+  auto* const pixels = dynamic_cast<DcmPixelData*>(&element);
+  E_TransferSyntax syntax = EXS_Unknown;
+  const DcmRepresentationParameter* parameter = nullptr;
+  DcmPixelSequence* sequence = nullptr;
+  if (pixels != nullptr) pixels->getOriginalRepresentationKey(syntax, parameter);
+  if (pixels == nullptr ||
+      pixels->getEncapsulatedRepresentation(syntax, parameter, sequence).bad() ||
+      sequence == nullptr)
+    fail_picture(picture, "the compressed pixel data is missing");
+  return {*sequence, frame_count(dataset)};
+}
 
 // DCMTK puts the bytes of 16 bits in native order. The words of longer samples in big-endian files
 // are then in the wrong order, and all bytes in files that declare them as bytes.
@@ -205,39 +130,38 @@ void DicomPixels::read_bits(DcmDataset& dataset, DcmElement& element,
 
 void DicomPixels::read_compressed(DcmDataset& dataset, DcmElement& element,
                                   const StoredPicture& picture) {
-  const auto bytes = Fragments(dataset, element, picture).bytes();
-  const auto decoder = dataset.getOriginalXfer() == EXS_RLELossless ? decode_rle : decode_jpeg2000;
-  const std::string damage = decoder(bytes, stored_size(picture.image), decoded_.data());
+  left_out_ = 0;
+  if (!fragments_)
+    fragments_ = std::make_unique<DicomFragments>(fragments(dataset, element, picture));
+  std::string damage = fragments_->read(picture.number, compressed_);
+  const E_TransferSyntax syntax = dataset.getOriginalXfer();
+  const PictureSize size = stored_size(picture.image);
+  if (!damage.empty()) fail_picture(picture, damage);
+  if (syntax == EXS_RLELossless)
+    damage = decode_rle(compressed_, size, decoded_.data());
+  else if (is_decoded_here(syntax))
+    damage = decode_jpeg2000(compressed_, size, decoded_.data());
+  else
+    damage = decode_jpeg(compressed_, size, dataset, decoded_.data());
   if (!damage.empty()) fail_picture(picture, damage);
 }
 
 void DicomPixels::read_picture(DcmDataset& dataset, DcmElement& element,
                                const StoredPicture& picture) {
-  if (frame_bytes_by_header(element, dataset) != picture_bytes(picture.image))
+  const std::uint64_t bytes = picture_bytes(picture.image);
+  if (frame_bytes_by_header(element, dataset) != bytes)
     fail_picture(picture, "the pixel data has another size than the header");
-  const E_TransferSyntax syntax = dataset.getOriginalXfer();
-  std::optional<Fragments> fragments;
-  if (is_encapsulated(syntax)) fragments.emplace(dataset, element, picture);
-  const std::uint64_t counted = frames(dataset);
-  const std::uint64_t there =
-      fragments ? counted : element.getLength() / picture_bytes(picture.image);
-  left_out_ = there - std::min(there, counted);
-  // If the file does not store where frames begin, each begins after the previous one.
-  const Uint32 next = picture.number == next_picture_ ? next_fragment_ : 0;
-  const Uint32 first = fragments ? fragments->jpeg_start(next) : 0;
-  Uint32 fragment = first;
+  const std::uint64_t there = element.getLength() / bytes;
+  left_out_ = there - std::min<std::uint64_t>(there, frame_count(dataset));
+  Uint32 fragment = 0;
   OFString color_model;
   const OFCondition result =
       element.getUncompressedFrame(&dataset, picture.number, fragment, decoded_.data(),
                                    static_cast<Uint32>(decoded_.size()), color_model);
   if (result.bad())
     fail_picture(picture, std::string("the pixel data cannot be decoded (") + result.text() + ")");
-  if (fragments) fragments->drop(first, fragment);
-  next_picture_ = picture.number + 1;
-  next_fragment_ = fragment;
-  if (!fragments)
-    put_in_order(syntax, element, sample_bytes(picture.image.type), decoded_.data(),
-                 decoded_.size());
+  put_in_order(dataset.getOriginalXfer(), element, sample_bytes(picture.image.type),
+               decoded_.data(), decoded_.size());
 }
 
 void DicomPixels::decode(const StoredPicture& picture) {
@@ -252,7 +176,7 @@ void DicomPixels::decode(const StoredPicture& picture) {
     read_bytes(element, picture, picture.number * bytes, bytes);
   else if (image.is_of_bits)
     read_bits(dataset, element, picture);
-  else if (is_decoded_here(dataset.getOriginalXfer()))
+  else if (is_encapsulated(dataset.getOriginalXfer()))
     read_compressed(dataset, element, picture);
   else
     read_picture(dataset, element, picture);
@@ -263,10 +187,9 @@ void DicomPixels::read(const DicomFrame& frame, void* samples) {
   const StoredPicture picture = picture_of(frame);
   const DicomImage& image = *frame.image;
   if (image_ != frame.image) {
+    fragments_.reset();
     opened_ = open_dicom_file(image.file, Pixels::included);
     image_ = frame.image;
-    next_picture_ = 0;
-    next_fragment_ = 0;
     is_decoded_ = false;
   }
   if (!image.mosaic || !is_decoded_) decode(picture);

@@ -14,6 +14,7 @@ class DcmFileFormat;
 
 namespace discmc::command {
 
+class DicomFragments;
 struct StoredPicture;
 
 /// Reads frames, one at a time. The file of the last one stays open for the next.
@@ -31,7 +32,7 @@ class DicomPixels {
   std::uint64_t left_out() const { return left_out_; }
 
  private:
-  // Into decoded_, as the samples are stored. DCMTK decodes the kinds of JPEG before JPEG 2000.
+  // Into decoded_, as the samples are stored.
   void decode(const StoredPicture& picture);
   void read_bytes(DcmElement& element, const StoredPicture& picture, std::uint64_t begin,
                   std::uint64_t bytes);
@@ -40,9 +41,9 @@ class DicomPixels {
   void read_picture(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture);
 
   std::unique_ptr<DcmFileFormat> opened_;
-  std::shared_ptr<const DicomImage> image_;  ///< of the open file
-  std::uint32_t next_picture_ = 0;
-  std::uint32_t next_fragment_ = 0;
+  std::shared_ptr<const DicomImage> image_;    ///< of the open file
+  std::unique_ptr<DicomFragments> fragments_;  ///< of the open file, if it is compressed
+  std::vector<std::uint8_t> compressed_;
   std::uint64_t left_out_ = 0;
   bool is_decoded_ = false;  ///< the picture of the open file, if it is the only one
   std::vector<unsigned char> decoded_;

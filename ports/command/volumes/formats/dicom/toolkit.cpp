@@ -1,5 +1,7 @@
 #include "toolkit.hpp"
 
+#include <algorithm>
+
 #include "nesting.hpp"
 
 #include <dcmtk/dcmdata/dccodec.h>
@@ -58,6 +60,12 @@ std::optional<Uint32> frame_bytes_by_header(DcmElement& pixels, DcmDataset& data
   Uint32 bytes = 0;
   if (find_frame_bytes(pixels, dataset, bytes, 0).bad()) return std::nullopt;
   return bytes;
+}
+
+std::uint32_t frame_count(DcmDataset& dataset) {
+  Sint32 count = 0;
+  if (dataset.findAndGetSint32(DCM_NumberOfFrames, count).bad()) return 1;
+  return static_cast<std::uint32_t>(std::max(count, 1));
 }
 
 bool is_decoded_here(E_TransferSyntax syntax) {

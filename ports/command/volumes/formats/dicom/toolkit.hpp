@@ -29,6 +29,9 @@ bool can_decode(const std::string& transfer_syntax);
 /// Whether it is RLE or JPEG 2000, which DCMTK does not decode here.
 bool is_decoded_here(E_TransferSyntax syntax);
 
+/// The frames that the header counts, at least 1.
+std::uint32_t frame_count(DcmDataset& dataset);
+
 // What the versions of DCMTK, 3.6.7 of Debian 12 and 3.6.9 of Debian 13 among them, have under
 // different names or with different parameters.
 
