@@ -149,6 +149,39 @@ TEST_CASE("JPEG with losses is near what it was, of 8 bits and of 12") {
   }
 }
 
+// The bytes of a file whose fragments are in two parts each, without a table of offsets.
+std::string with_split_fragments(const std::string& bytes) {
+  const std::string start = std::string("\xe0\x7f\x10\0OB\0\0\xff\xff\xff\xff", 12);
+  const std::string item_tag("\xfe\xff\x00\xe0", 4);
+  const auto item = [&](const std::string& value) {
+    return item_tag + static_cast<char>(value.size() & 0xff) +
+           static_cast<char>(value.size() >> 8) + std::string(2, '\0') + value;
+  };
+  std::size_t at = bytes.find(start) + start.size();
+  std::string result = bytes.substr(0, at) + item("");
+  for (bool is_table = true; bytes.compare(at, 4, item_tag) == 0; is_table = false) {
+    const std::size_t size = static_cast<unsigned char>(bytes[at + 4]) +
+                             256U * static_cast<unsigned char>(bytes[at + 5]);
+    const std::string value = bytes.substr(at + 8, size);
+    const std::size_t half = size / 4 * 2;
+    if (!is_table) result += item(value.substr(0, half)) + item(value.substr(half));
+    at += 8 + size;
+  }
+  return result + bytes.substr(at);
+}
+
+TEST_CASE("JPEG frames in several fragments each are read without offsets") {
+  const Folder folder;
+  for (const std::string name : {"u8-jpeg.dcm", "u16-jpeg.dcm", "u8-lossy.dcm", "u16-jpegls.dcm"}) {
+    INFO(name);
+    const auto split = folder.write("v.dcm", with_split_fragments(contents(files / name)));
+    CHECK(read_all(*open_volume(split)) == read_all(*open_volume(files / name)));
+  }
+  check_refusal(
+      refusal(folder.write("v.dcm", with_split_fragments(contents(files / "u16-j2k.dcm")))),
+      "its part of the compressed pixel data is unknown");
+}
+
 TEST_CASE("JPEG of another size, or of other samples, than the file declares is refused") {
   const Folder folder;
   const auto tag = [](char element, char value) {
