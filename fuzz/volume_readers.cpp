@@ -5,7 +5,8 @@
 //   fuzz_volume_readers -max_len=1500 -dict=volume_readers.dict corpus/volume_readers
 //   fuzz_volume_readers corpus/volume_readers                      with replay_main.cpp
 //
-// write_codec_seeds.py wrote the inputs dicom_*, tiff_* and most of hostile_rle_*: one for each codec.
+// write_codec_seeds.py wrote the inputs dicom_* and tiff_*, one for each codec, and most of
+// hostile_rle_*.
 //
 // DISCMC_FUZZ_FILES="v.nrrd v.nhdr" leaves out inputs with files of other names: the time is that
 // of one reader.

@@ -182,6 +182,15 @@ TEST_CASE("JPEG frames in several fragments each are read without offsets") {
       "its part of the compressed pixel data is unknown");
 }
 
+TEST_CASE("JPEG frames that are not counted are left out with a note") {
+  const Folder folder;
+  const std::string count("\x28\0\x08\0IS\2\0", 8);
+  const std::string split = with_split_fragments(contents(files / "u8-jpeg.dcm"));
+  const auto reader = open_volume(folder.write("v.dcm", replaced(split, count + '5', count + '2')));
+  CHECK(read_all(*reader).size() == 2 * width * height);
+  CHECK(noted(reader->info(), "left out, as many as those of 3 further frames"));
+}
+
 TEST_CASE("JPEG of another size, or of other samples, than the file declares is refused") {
   const Folder folder;
   const auto tag = [](char element, char value) {

@@ -51,8 +51,10 @@ void DicomFragments::set_starts_by_jpeg(std::uint32_t frames) {
       starts.push_back(i);
     items_[i]->compact();
   }
-  if (starts.size() != frames) return;
+  if (starts.size() < frames) return;
+  left_out_ = starts.size() - frames;
   starts.push_back(items_.size());
+  starts.resize(frames + std::size_t{1});
   starts_ = std::move(starts);
 }
 

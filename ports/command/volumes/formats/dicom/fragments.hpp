@@ -21,6 +21,9 @@ class DicomFragments {
   /// Reads all fragments of a frame into bytes. Returns what is wrong, empty if nothing.
   std::string read(std::uint32_t frame, std::vector<std::uint8_t>& bytes);
 
+  /// Frames beyond those that the header counts, if offsets are missing.
+  std::size_t left_out() const { return left_out_; }
+
  private:
   void set_starts_by_table(std::uint32_t frames);
   void set_starts_by_jpeg(std::uint32_t frames);
@@ -28,6 +31,7 @@ class DicomFragments {
 
   std::vector<DcmPixelItem*> items_;  ///< the first is the table of offsets
   std::vector<std::size_t> starts_;   ///< of frames, in items_, and the end; empty if unknown
+  std::size_t left_out_ = 0;
 };
 
 }  // namespace discmc::command

@@ -130,9 +130,9 @@ void DicomPixels::read_bits(DcmDataset& dataset, DcmElement& element,
 
 void DicomPixels::read_compressed(DcmDataset& dataset, DcmElement& element,
                                   const StoredPicture& picture) {
-  left_out_ = 0;
   if (!fragments_)
     fragments_ = std::make_unique<DicomFragments>(fragments(dataset, element, picture));
+  left_out_ = fragments_->left_out();
   std::string damage = fragments_->read(picture.number, compressed_);
   const E_TransferSyntax syntax = dataset.getOriginalXfer();
   const PictureSize size = stored_size(picture.image);
