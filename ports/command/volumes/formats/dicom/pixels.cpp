@@ -146,8 +146,8 @@ void DicomPixels::read_compressed(DcmDataset& dataset, DcmElement& element,
   if (!damage.empty()) fail_picture(picture, damage);
 }
 
-void DicomPixels::read_picture(DcmDataset& dataset, DcmElement& element,
-                               const StoredPicture& picture) {
+void DicomPixels::read_uncompressed(DcmDataset& dataset, DcmElement& element,
+                                    const StoredPicture& picture) {
   const std::uint64_t bytes = picture_bytes(picture.image);
   if (frame_bytes_by_header(element, dataset) != bytes)
     fail_picture(picture, "the pixel data has another size than the header");
@@ -179,7 +179,7 @@ void DicomPixels::decode(const StoredPicture& picture) {
   else if (is_encapsulated(dataset.getOriginalXfer()))
     read_compressed(dataset, element, picture);
   else
-    read_picture(dataset, element, picture);
+    read_uncompressed(dataset, element, picture);
   if (!image.is_of_bits) cut_to_bits(image, decoded_.data(), bytes);
 }
 

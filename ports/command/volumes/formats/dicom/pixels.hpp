@@ -38,7 +38,7 @@ class DicomPixels {
                   std::uint64_t bytes);
   void read_bits(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture);
   void read_compressed(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture);
-  void read_picture(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture);
+  void read_uncompressed(DcmDataset& dataset, DcmElement& element, const StoredPicture& picture);
 
   std::unique_ptr<DcmFileFormat> opened_;
   std::shared_ptr<const DicomImage> image_;    ///< of the open file
