@@ -145,6 +145,10 @@ TEST_CASE("an RLE frame in several fragments is read if offsets separate the fra
         as_read(volume_values()));
   check_refusal(refusal(folder.write("v.dcm", file(fragments))),
                 "frame 0 (the first is 0): its part of the compressed pixel data is unknown");
+  ++offsets[3];
+  check_refusal(refusal(folder.write("v.dcm", file(fragments, offsets))),
+                "its part of the compressed pixel data is unknown");
+  --offsets[3];
   offsets[2] = offsets[1];
   check_refusal(refusal(folder.write("v.dcm", file(fragments, offsets))),
                 "the offsets of frames are not in order");
