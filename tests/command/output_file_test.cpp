@@ -2,9 +2,15 @@
 #include "files/output_file.hpp"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "command.hpp"
 
@@ -14,6 +20,33 @@ using command_tests::contains;
 using command_tests::contents;
 using discmc::command::OutputFile;
 using volume_files::Folder;
+
+// What was synced: whether it was a folder, and whether the target had its name by then.
+struct Syncs {
+  std::filesystem::path target;
+  int error_of_files = 0;
+  int error_of_folders = 0;
+  std::vector<std::pair<bool, bool>> done;
+};
+
+Syncs* syncs = nullptr;
+
+class SyncsWatched : public Syncs {
+ public:
+  explicit SyncsWatched(const std::filesystem::path& path) {
+    target = path;
+    syncs = this;
+  }
+  SyncsWatched(const SyncsWatched&) = delete;
+  SyncsWatched& operator=(const SyncsWatched&) = delete;
+  ~SyncsWatched() { syncs = nullptr; }
+};
+
+// The one file that is in a folder.
+std::filesystem::path only_file(const std::filesystem::path& folder) {
+  REQUIRE(std::distance(std::filesystem::directory_iterator(folder), {}) == 1);
+  return std::filesystem::directory_iterator(folder)->path();
+}
 
 // What is said of a file that cannot be written.
 template <class Write>
@@ -28,6 +61,17 @@ std::string complaint(Write write) {
 }
 
 }  // namespace
+
+// Takes the place of the system's in this program.
+extern "C" int fsync(int descriptor) {
+  if (syncs == nullptr) return static_cast<int>(syscall(SYS_fsync, descriptor));
+  struct stat status {};
+  REQUIRE(fstat(descriptor, &status) == 0);
+  const bool is_folder = S_ISDIR(status.st_mode);
+  syncs->done.emplace_back(is_folder, std::filesystem::exists(syncs->target));
+  errno = is_folder ? syncs->error_of_folders : syncs->error_of_files;
+  return errno == 0 ? 0 : -1;
+}
 
 TEST_CASE("a file appears when it is complete and not before") {
   const Folder folder;
@@ -57,6 +101,67 @@ TEST_CASE("what is not committed leaves no trace, and the file of before as it w
   file.stream() << "after";
   file.commit();
   CHECK(contents(path) == "after");
+}
+
+TEST_CASE("two outputs of one name each write their own file, whose name none foresees") {
+  const Folder folder;
+  const auto path = folder.path() / "a.obj";
+  OutputFile first(path);
+  const auto temporary = only_file(folder.path());
+  OutputFile second(path);
+  first.stream() << "first";
+  second.stream() << "second";
+  first.commit();
+  CHECK(contents(path) == "first");
+  second.commit();
+  CHECK(contents(path) == "second");
+  const OutputFile third(path);
+  CHECK(!std::filesystem::exists(temporary));
+}
+
+TEST_CASE("a link that waits under the name of a process is not followed") {
+  const Folder folder;
+  const auto victim = folder.write("victim", "before");
+  const auto link = folder.path() / ("a.obj.part" + std::to_string(getpid()));
+  std::filesystem::create_symlink("victim", link);
+  {
+    OutputFile file(folder.path() / "a.obj");
+    file.stream() << "text";
+    file.commit();
+  }
+  CHECK(contents(victim) == "before");
+  CHECK(std::filesystem::is_symlink(link));
+}
+
+TEST_CASE("the file is on the disk before it has its name, and its name before it is done") {
+  const Folder folder;
+  const auto path = folder.path() / "a.obj";
+  const SyncsWatched watched(path);
+  OutputFile file(path);
+  file.commit();
+  CHECK(watched.done == std::vector<std::pair<bool, bool>>{{false, false}, {true, true}});
+}
+
+TEST_CASE("a disk that fails is reported, and a file system that syncs nothing is not") {
+  const Folder folder;
+  const auto path = folder.path() / "a.obj";
+  SyncsWatched watched(path);
+  const auto write = [&path] {
+    OutputFile file(path);
+    file.stream() << "text";
+    file.commit();
+  };
+  const std::string failure =
+      path.string() + ": writing failed (Input/output error); free space, or write to another disk";
+  watched.error_of_files = EIO;
+  CHECK(complaint(write) == failure);
+  CHECK(std::filesystem::is_empty(folder.path()));
+  watched.error_of_files = EINVAL;
+  watched.error_of_folders = EIO;
+  CHECK(complaint(write) == failure);
+  watched.error_of_folders = EINVAL;
+  write();
+  CHECK(only_file(folder.path()) == path);
 }
 
 TEST_CASE("a link stays one, and what it leads to is written") {
@@ -100,6 +205,18 @@ TEST_CASE("a file that is replaced keeps its permissions") {
       CHECK(entry.status().permissions() == mode);  // never more, while it is written
     file.commit();
     CHECK(std::filesystem::status(path).permissions() == mode);
+  }
+}
+
+TEST_CASE("a new file has the permissions that the user gives new files") {
+  const Folder folder;
+  for (const auto& [mask, mode] : {std::pair<mode_t, int>{0027, 0640}, {0, 0666}}) {
+    const mode_t before = umask(mask);
+    const auto path = folder.path() / std::to_string(mask);
+    OutputFile file(path);
+    file.commit();
+    umask(before);
+    CHECK(static_cast<int>(std::filesystem::status(path).permissions()) == mode);
   }
 }
 

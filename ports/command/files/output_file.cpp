@@ -1,11 +1,17 @@
 #include "output_file.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <iostream>
+#include <random>
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <utility>
 
 #include "write_failure.hpp"
 
@@ -36,6 +42,46 @@ std::filesystem::path target_of(std::filesystem::path path) {
   while (std::filesystem::is_symlink(path))
     path = path.parent_path() / std::filesystem::read_symlink(path);
   return path;
+}
+
+std::string random_letters() {
+  constexpr int count = 12;
+  std::random_device source;
+  std::uniform_int_distribution<int> letter('a', 'z');
+  std::string letters;
+  while (letters.size() < count) letters += static_cast<char>(letter(source));
+  return letters;
+}
+
+// Creates a file beside the target, of a name that nobody foresees and nothing has, not even a
+// link: another process may write the same target, and others may write into the folder.
+int create_beside(const std::filesystem::path& target, mode_t mode,
+                  std::filesystem::path& temporary) {
+  constexpr int most_tries = 100;
+  int descriptor = -1;
+  for (int i = 0; i < most_tries && descriptor < 0 && (i == 0 || errno == EEXIST); ++i) {
+    temporary = target;
+    temporary += ".part" + random_letters();
+    descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+  }
+  return descriptor;
+}
+
+// To the disk, so that it outlasts a power failure, where the file system can.
+bool is_synced(int descriptor) {
+  return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP;
+}
+
+// The names in a folder. One that must not be read cannot be synced.
+bool is_folder_synced(const std::filesystem::path& folder) {
+  const int descriptor =
+      open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return errno == EACCES;
+  const bool is_done = is_synced(descriptor);
+  const int reason = errno;
+  close(descriptor);
+  errno = reason;
+  return is_done;
 }
 
 }  // namespace
@@ -73,43 +119,63 @@ OutputFile::OutputFile(const std::filesystem::path& path) : path_(path) {
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
     target_ = target_of(path);
     require_folder(target_.parent_path());
-    temporary_ = target_;
-    temporary_ += ".part" + std::to_string(getpid());
-    set_unfinished(temporary_.string());
+    open_beside(status);
+  } else {
+    descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
   }
-  file_.open(is_in_place() ? path_ : temporary_, std::ios::binary);
-  if (!file_)
+  if (descriptor_ < 0)
     throw std::runtime_error(path.string() +
                              ": the file cannot be written; check the folder and its permissions");
-  if (!is_in_place() && std::filesystem::exists(status))
-    std::filesystem::permissions(temporary_, status.permissions());
+  buffer_.emplace(descriptor_);
+  stream_.rdbuf(&*buffer_);
+}
+
+void OutputFile::open_beside(const std::filesystem::file_status& replaced) {
+  const bool replaces = std::filesystem::exists(replaced);
+  constexpr mode_t own = S_IRUSR | S_IWUSR;
+  constexpr mode_t usual = own | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;  // what umask is taken from
+  descriptor_ = create_beside(target_, replaces ? own : usual, temporary_);
+  if (descriptor_ < 0) return;
+  set_unfinished(temporary_.string());
+  if (!replaces || fchmod(descriptor_, static_cast<mode_t>(replaced.permissions())) == 0) return;
+  const std::string reason = std::generic_category().message(errno);
+  discard();
+  throw std::runtime_error(path_.string() + ": a new file cannot have its permissions (" + reason +
+                           "); give another name");
 }
 
 OutputFile::~OutputFile() {
-  if (is_standard_output() || is_committed_ || is_in_place()) return;
-  file_.close();
-  std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
+  discard();
+}
+
+void OutputFile::discard() {
+  if (descriptor_ >= 0) close(std::exchange(descriptor_, -1));
+  if (temporary_.empty()) return;
+  unlink(temporary_.c_str());
   set_unfinished({});
 }
 
 std::ostream& OutputFile::stream() {
-  return is_standard_output() ? std::cout : static_cast<std::ostream&>(file_);
+  return is_standard_output() ? std::cout : stream_;
 }
 
 void OutputFile::commit() {
-  stream().flush();
-  if (!stream()) throw std::runtime_error(output_for_people(path_) + ": " + write_failure());
+  const auto require = [this](bool is_done) {
+    if (!is_done) throw std::runtime_error(output_for_people(path_) + ": " + write_failure());
+  };
+  require(static_cast<bool>(stream().flush()));
   if (is_standard_output()) return;
-  file_.close();
-  if (!file_) throw std::runtime_error(path_.string() + ": " + write_failure());
+  require(is_in_place() || is_synced(descriptor_));
+  require(close(std::exchange(descriptor_, -1)) == 0);
+  if (is_in_place()) return;
   std::error_code error;
-  if (!is_in_place()) std::filesystem::rename(temporary_, target_, error);
+  std::filesystem::rename(temporary_, target_, error);
   if (error)
     throw std::runtime_error(path_.string() + ": the file cannot be replaced (" + error.message() +
                              "); give another name");
-  is_committed_ = true;
+  temporary_.clear();
   set_unfinished({});
+  require(is_folder_synced(target_.parent_path()));
 }
 
 }  // namespace discmc::command

@@ -3,9 +3,11 @@
 #define DISCMC_COMMAND_FILES_OUTPUT_FILE_HPP
 
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <ostream>
 #include <string>
+
+#include "descriptor_buffer.hpp"
 
 namespace discmc::command {
 
@@ -19,9 +21,10 @@ bool is_standard_output(const std::filesystem::path& path);
 std::string output_for_people(const std::filesystem::path& path);
 
 /// A file that appears under its name only when commit() is reached: whatever fails before, and a
-/// signal that ends the program, leaves no half-written file behind. A link stays, and its target
-/// is written; a file that is replaced keeps its permissions. Standard output, pipes and
-/// devices are written in place. Limit: one at a time.
+/// signal that ends the program, leaves no half-written file behind, and a power failure after
+/// commit() takes nothing away. Until then it lies beside its target under a random name. A link
+/// stays, and its target is written; a file that is replaced keeps its permissions. Standard
+/// output, pipes and devices are written in place. Limit: of several, a signal removes the last.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);
@@ -35,12 +38,16 @@ class OutputFile {
 
  private:
   bool is_standard_output() const { return command::is_standard_output(path_); }
-  bool is_in_place() const { return temporary_.empty(); }
+  bool is_in_place() const { return target_.empty(); }
+  void open_beside(const std::filesystem::file_status& replaced);
+  void discard();
+
   std::filesystem::path path_;       // as given
-  std::filesystem::path target_;     // of links
-  std::filesystem::path temporary_;  // beside it
-  std::ofstream file_;
-  bool is_committed_ = false;
+  std::filesystem::path target_;     // of links; empty in place
+  std::filesystem::path temporary_;  // beside it, as long as it is there
+  int descriptor_ = -1;
+  std::optional<DescriptorBuffer> buffer_;
+  std::ostream stream_{nullptr};
 };
 
 }  // namespace discmc::command

@@ -1,0 +1,31 @@
+// A stream's way to an open file.
+#ifndef DISCMC_COMMAND_FILES_DESCRIPTOR_BUFFER_HPP
+#define DISCMC_COMMAND_FILES_DESCRIPTOR_BUFFER_HPP
+
+#include <array>
+#include <cstddef>
+#include <streambuf>
+
+namespace discmc::command {
+
+/// Writes to a descriptor of the system, which std::ofstream cannot be given. What is left in the
+/// buffer is written by a flush of the stream only. Errors: the stream turns bad, errno tells why.
+class DescriptorBuffer final : public std::streambuf {
+ public:
+  explicit DescriptorBuffer(int descriptor);
+
+ protected:
+  int_type overflow(int_type byte) override;
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override;
+  int sync() override;
+
+ private:
+  bool write_all(const char* bytes, std::size_t count) const;
+
+  int descriptor_;
+  std::array<char, 8192> waiting_;
+};
+
+}  // namespace discmc::command
+
+#endif
