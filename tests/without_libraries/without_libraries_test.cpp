@@ -4,7 +4,6 @@
 #include "command/volume_files.hpp"
 #include "mesh_files/mesh_reader.hpp"
 #include "meshes/mesh_simplifier.hpp"
-#include "pages/page_server.hpp"
 
 namespace {
 
@@ -29,8 +28,6 @@ TEST_CASE("a file that needs a library is refused by the name of the library") {
                     doctest::Contains("built without Assimp; install"));
   CHECK_THROWS_WITH(discmc::command::require_simplifier(),
                     doctest::Contains("built without meshoptimizer; install"));
-  CHECK_THROWS_WITH(discmc::command::serve_page({}, 0, {}),
-                    doctest::Contains("cpp-httplib, and discmc was built without it; install"));
 }
 
 TEST_CASE("what needs no library is read") {

@@ -1,6 +1,9 @@
 #include "page_server.hpp"
 
-#include <httplib.h>
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
@@ -8,77 +11,120 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <streambuf>
+#include <string_view>
 #include <thread>
+#include <vector>
 
+#include "http_connection.hpp"
 #include "page.hpp"
 
 namespace discmc::command {
 namespace {
 
 constexpr const char* own_address = "127.0.0.1";
+constexpr const char* html = "text/html; charset=utf-8";
+constexpr const char* binary = "application/octet-stream";
+
+enum Status {
+  ok = 200,
+  forbidden = 403,
+  not_found = 404,
+  method_not_allowed = 405,
+  range_refused = 416
+};
+
+// A site whose name leads here sends that name (DNS rebinding). No part of a file is sent, so that
+// no decoder starts in its middle.
+int status_of(const HttpRequest& request) {
+  if (request.status != ok) return request.status;
+  const std::string name = request.host.substr(0, request.host.rfind(':'));
+  if (name != own_address && name != "localhost") return forbidden;
+  if (request.method != "GET") return method_not_allowed;
+  if (request.has_range) return range_refused;
+  return request.path == "/" || request.path == "/data" ? ok : not_found;
+}
+
+// The lines before a body. Of a number of bytes that is not known beforehand, each piece tells its
+// own.
+std::string head_of(int status, const char* type, std::optional<std::uint64_t> bytes) {
+  return "HTTP/1.1 " + std::to_string(status) + (status == ok ? " OK" : " Refused") +
+         "\r\nContent-Type: " + type +
+         (bytes ? "\r\nContent-Length: " + std::to_string(*bytes)
+                : "\r\nTransfer-Encoding: chunked") +
+         "\r\nConnection: close"
+         "\r\nX-Content-Type-Options: nosniff"
+         "\r\nCross-Origin-Resource-Policy: same-origin"
+         "\r\nContent-Security-Policy: frame-ancestors 'none'"
+         "\r\nCache-Control: no-store\r\n\r\n";
+}
+
+std::string size_of_chunk(std::size_t bytes) {
+  std::ostringstream text;
+  text << std::hex << bytes << "\r\n";
+  return text.str();
+}
 
 // What is written to it is sent; it fails when the client is gone, and when the server stops.
 class Sending : public std::streambuf {
  public:
-  Sending(httplib::DataSink& sink, const std::atomic<bool>& is_stopping)
-      : sink_(sink), is_stopping_(is_stopping) {}
+  Sending(HttpConnection& connection, bool is_chunked, const std::atomic<bool>& is_stopping)
+      : connection_(connection), is_chunked_(is_chunked), is_stopping_(is_stopping) {}
 
  protected:
   std::streamsize xsputn(const char* bytes, std::streamsize count) override {
-    const bool is_sent = !is_stopping_ && sink_.write(bytes, static_cast<std::size_t>(count));
+    const std::string_view piece(bytes, static_cast<std::size_t>(count));
+    if (piece.empty()) return 0;  // a chunk of no bytes would be the last
+    const bool is_sent = !is_stopping_ &&
+                         (!is_chunked_ || connection_.send(size_of_chunk(piece.size()))) &&
+                         connection_.send(piece) && (!is_chunked_ || connection_.send("\r\n"));
     return is_sent ? count : 0;
   }
-  int sync() override { return !is_stopping_ && sink_.is_writable() ? 0 : -1; }
+  int sync() override { return !is_stopping_ && connection_.is_open() ? 0 : -1; }
 
  private:
-  httplib::DataSink& sink_;
+  HttpConnection& connection_;
+  const bool is_chunked_;
   const std::atomic<bool>& is_stopping_;
 };
 
 class Server {
  public:
   explicit Server(const ServedFile& file)
-      : file_(file), page_(served_page(file.name, "data", file.is_live)) {
-    constexpr int pages = 64;  // each of them may wait for more of its file
-    constexpr int longest_wait_s = 60;
-    server_.new_task_queue = [] { return new httplib::ThreadPool(pages); };
-    server_.set_keep_alive_max_count(1);
-    server_.set_write_timeout(longest_wait_s);
-    // The library's own options let another program of the user take the same port.
-    server_.set_socket_options([](socket_t socket) {
-      const int yes = 1;
-      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    });
-    server_.set_default_headers({{"X-Content-Type-Options", "nosniff"},
-                                 {"Cross-Origin-Resource-Policy", "same-origin"},
-                                 {"Content-Security-Policy", "frame-ancestors 'none'"},
-                                 {"Cache-Control", "no-store"}});
-    server_.set_pre_routing_handler(refuse);
-    server_.Get("/", [this](const httplib::Request&, httplib::Response& response) {
-      send(response, "text/html; charset=utf-8", page_.size(),
-           [this](std::ostream& out) { out << page_; });
-    });
-    server_.Get("/data", [this](const httplib::Request&, httplib::Response& response) {
-      send(response, "application/octet-stream", file_.bytes, file_.write);
-    });
-  }
+      : file_(file),
+        page_(served_page(file.name, "data", file.is_live)),
+        listener_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {}
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+  ~Server() { close(listener_); }
 
-  int bind(std::uint16_t port) {
-    if (port == 0) return server_.bind_to_any_port(own_address);
-    return server_.bind_to_port(own_address, port) ? port : -1;
+  // Returns the port, or nothing where it is taken.
+  std::optional<std::uint16_t> bind(std::uint16_t port) {
+    const int yes = 1;  // also where a server ended a moment ago
+    setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    sockaddr_in address{};
+    socklen_t bytes = sizeof address;
+    address.sin_family = AF_INET;
+    address.sin_port = htons(port);
+    inet_pton(AF_INET, own_address, &address.sin_addr);
+    auto* const any = reinterpret_cast<sockaddr*>(&address);
+    const bool is_bound = ::bind(listener_, any, bytes) == 0 && listen(listener_, SOMAXCONN) == 0 &&
+                          getsockname(listener_, any, &bytes) == 0;
+    return is_bound ? std::optional(ntohs(address.sin_port)) : std::nullopt;
   }
 
   void serve_until_signal(const sigset_t& signals) {
-    std::thread thread([this] { server_.listen_after_bind(); });
+    constexpr std::size_t pages = 64;  // each of them may wait for more of its file
+    std::vector<std::thread> threads;
+    while (threads.size() < pages) threads.emplace_back([this] { answer_all(); });
     int signal = 0;
     sigwait(&signals, &signal);
     is_stopping_ = true;
-    while (!server_.is_running()) std::this_thread::yield();
     end_soon();
-    server_.stop();
-    thread.join();
+    shutdown(listener_, SHUT_RDWR);
+    for (std::thread& thread : threads) thread.join();
   }
 
  private:
@@ -91,56 +137,50 @@ class Server {
     }).detach();
   }
 
-  // A site whose name leads here sends that name (DNS rebinding). No part of a file is sent, so
-  // that no decoder starts in its middle.
-  static httplib::Server::HandlerResponse refuse(const httplib::Request& request,
-                                                 httplib::Response& response) {
-    const std::string host = request.get_header_value("Host");
-    const std::string name = host.substr(0, host.rfind(':'));
-    if (name != own_address && name != "localhost")
-      response.status = 403;
-    else if (request.method != "GET")
-      response.status = 405;
-    else if (!request.ranges.empty())
-      response.status = 416;
-    else
-      return httplib::Server::HandlerResponse::Unhandled;
-    return httplib::Server::HandlerResponse::Handled;
+  // One connection after the other; further ones wait in the system.
+  void answer_all() {
+    constexpr std::chrono::milliseconds until_others_close(100);
+    while (!is_stopping_) {
+      const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
+      if (socket >= 0)
+        answer(socket);
+      else if (!is_stopping_)
+        std::this_thread::sleep_for(until_others_close);
+    }
   }
 
-  // By a provider in any case: what is not one the library would compress.
-  void send(httplib::Response& response, const char* type, std::optional<std::uint64_t> bytes,
-            const std::function<void(std::ostream&)>& write) {
-    const auto provide = [this, write](httplib::DataSink& sink) {
-      Sending sending(sink, is_stopping_);
-      std::ostream out(&sending);
-      out.exceptions(std::ios::badbit | std::ios::failbit);
-      try {
-        write(out);
-        return true;
-      } catch (const std::ios_base::failure&) {
-        // The page is gone.
-      } catch (const std::exception& error) {
-        std::cerr << "discmc: " << error.what() << '\n';
-      }
-      return false;
-    };
-    if (bytes)
-      response.set_content_provider(
-          *bytes, type,
-          [provide](std::size_t, std::size_t, httplib::DataSink& sink) { return provide(sink); });
+  void answer(int socket) {
+    HttpConnection connection(socket);
+    const HttpRequest request = connection.read_request();
+    const int status = status_of(request);
+    if (status != ok)
+      connection.send(head_of(status, "text/plain", 0));
+    else if (request.path == "/")
+      send(connection, html, page_.size(), [this](std::ostream& out) { out << page_; });
     else
-      response.set_chunked_content_provider(type, [provide](std::size_t, httplib::DataSink& sink) {
-        const bool is_whole = provide(sink);
-        if (is_whole) sink.done();
-        return is_whole;
-      });
+      send(connection, binary, file_.bytes, file_.write);
+  }
+
+  void send(HttpConnection& connection, const char* type, std::optional<std::uint64_t> bytes,
+            const std::function<void(std::ostream&)>& write) {
+    if (!connection.send(head_of(ok, type, bytes))) return;
+    Sending sending(connection, !bytes, is_stopping_);
+    std::ostream out(&sending);
+    out.exceptions(std::ios::badbit | std::ios::failbit);
+    try {
+      write(out);
+      if (!bytes) connection.send("0\r\n\r\n");
+    } catch (const std::ios_base::failure&) {
+      // The page is gone.
+    } catch (const std::exception& error) {
+      std::cerr << "discmc: " << error.what() << '\n';
+    }
   }
 
   const ServedFile& file_;
   std::string page_;
+  int listener_;
   std::atomic<bool> is_stopping_{false};
-  httplib::Server server_;
 };
 
 }  // namespace
@@ -148,8 +188,8 @@ class Server {
 void serve_page(const ServedFile& file, std::uint16_t port,
                 const std::function<void(const std::string& address)>& started) {
   Server server(file);
-  const int bound = server.bind(port);
-  if (bound < 0)
+  const auto bound = server.bind(port);
+  if (!bound)
     throw std::runtime_error("port " + std::to_string(port) +
                              " is in use; give another --port, or leave it out for any free port");
   // Blocked before there are threads, which then have them blocked, too.
@@ -157,7 +197,7 @@ void serve_page(const ServedFile& file, std::uint16_t port,
   sigemptyset(&signals);
   for (const int signal : {SIGINT, SIGTERM}) sigaddset(&signals, signal);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  started(std::string("http://") + own_address + ':' + std::to_string(bound) + '/');
+  started(std::string("http://") + own_address + ':' + std::to_string(*bound) + '/');
   server.serve_until_signal(signals);
 }
 

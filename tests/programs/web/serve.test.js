@@ -122,6 +122,30 @@ test('other names, methods, parts and paths are refused', async (t) => {
   assert.equal(await end(), 0);
 });
 
+/** Sends pieces one after the other until the server closes or there are no more; returns how many were sent. */
+const sendAll = (address, first, pieces) => new Promise((resolve) => {
+  const { hostname, port } = new URL(address);
+  const client = connect(Number(port), hostname).on('error', () => {}).on('close', () => resolve(sent));
+  let sent = 0;
+  client.resume();
+  client.write(first, function next(error) {
+    if (error) return; // 'close' follows
+    if (sent === pieces.length) client.destroy();
+    else client.write(pieces[sent++], next);
+  });
+});
+
+test('headers without end are not kept, and others are served meanwhile', async (t) => {
+  const { address, end } = await served(t, stream);
+  const { host } = new URL(address);
+  const mebibyte = `X: ${'a'.repeat(4091)}\r\n`.repeat(256), endless = Array(64).fill(mebibyte);
+  for (const first of [`GET / HTTP/1.1\r\nHost: ${host}\r\n`, 'GET /'])
+    for (const sent of await Promise.all(Array.from({ length: 4 }, () => sendAll(address, first, endless))))
+      assert.ok(sent < 32, `closed after ${sent} MiB`);
+  assert.equal((await answer(address, '/data', { Host: host })).statusCode, 200);
+  assert.equal(await end(), 0);
+});
+
 test('who is slow to take a volume does not hold up others', async (t) => {
   const large = join(folder, 'large.raw'); // more than a socket holds
   writeFileSync(large, Buffer.alloc(256 * 256 * 256));
