@@ -77,6 +77,33 @@ TEST_CASE(
   check("c\\d.raw", "c\\d.raw");
 }
 
+TEST_CASE("names that lead out of the folder of the header are refused, and links are followed") {
+  const Folder folder;
+  fs::create_directory(folder.path() / "sub");
+  const std::string outside = folder.write("outside1.raw", i16).string();
+  const auto write = [&](const std::string& name, const std::string& text) {
+    return folder.write("sub/" + name, text);
+  };
+  for (const std::string& name :
+       {outside, std::string("../outside1.raw"), std::string("..\\outside1.raw"),
+        std::string("./../sub/../outside1.raw")}) {
+    CAPTURE(name);
+    const std::string pattern = name.substr(0, name.size() - 5) + "%d.raw 1 1 1";
+    for (const std::string& told : {name, pattern, "LIST\n" + name}) {
+      for (const fs::path& file :
+           {write("v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + told + "\n")),
+            write("v.mhd", metaimage(metaimage_i16 + "ElementDataFile = " + told + "\n"))})
+        check_refusal(refusal(file),
+                      name + "', which lies outside of its folder; put that or a link");
+    }
+  }
+  fs::create_symlink("../outside1.raw", folder.path() / "sub/link.raw");
+  write("..b.raw", i16);
+  for (const std::string name : {"link.raw", "..b.raw"})
+    check_volume(write("v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + name + "\n")),
+                 SampleType::i16, "NRRD, raw, detached");
+}
+
 TEST_CASE("several files that do not hold the volume are refused") {
   const Folder folder;
   write_slices(folder);

@@ -63,6 +63,15 @@ TEST_CASE("all labels are as many meshes, as if each were asked for alone") {
   CHECK(workshop.done(extract + "--labels all -q -o '{name}.stl'").empty());
 }
 
+TEST_CASE("names of labels that are paths lead out of no folder") {
+  const Workshop workshop;
+  workshop.write("v.raw", volume);
+  workshop.write("table.txt", "1 ../../bone 1 2 3\n2 .. 4 5 6\n9 /tmp/bone 7 8 9\n");
+  REQUIRE(workshop.shell("mkdir out").code == 0);
+  workshop.done(extract + "--labels all --label-table table.txt -o 'out/{name}.stl'");
+  CHECK(workshop.shell("LC_ALL=C ls out").out == "_...stl\n_.._.._bone.stl\n_tmp_bone.stl\n");
+}
+
 TEST_CASE("a table names the meshes of labels") {
   const Workshop workshop;
   workshop.write("v.raw", volume);

@@ -265,10 +265,26 @@ TEST_CASE("a file that is missing in a set of OME-TIFF is named, but not one tha
   check_refusal(refusal(companions.path() / OmeSet::name(0)),
                 "the OME-XML is in 'set.companion.ome', which is missing");
   const Folder renamed;
-  const std::string old_name = "<TiffData><UUID FileName=\"old.ome.tif\">urn:1</UUID></TiffData>";
-  CHECK(pages_read(
-            renamed.write("v.ome.tif", numbered(4, ome(image(four_slices, old_name))).bytes())) ==
-        Pages{0, 1, 2, 3});
+  for (const std::string old_name : {"old.ome.tif", "/old.ome.tif"}) {
+    const std::string data =
+        "<TiffData><UUID FileName=\"" + old_name + "\">urn:1</UUID></TiffData>";
+    CHECK(pages_read(
+              renamed.write("v.ome.tif", numbered(4, ome(image(four_slices, data))).bytes())) ==
+          Pages{0, 1, 2, 3});
+  }
+}
+
+TEST_CASE("OME-TIFF that names files out of its folder is refused") {
+  const Folder folder;
+  const std::string set =
+      "<TiffData FirstZ=\"0\"><UUID FileName=\"../a.tif\">urn:0</UUID></TiffData>"
+      "<TiffData FirstZ=\"1\"><UUID FileName=\"../b.tif\">urn:1</UUID></TiffData>";
+  check_refusal(
+      refusal(folder.write("v.ome.tif", numbered(4, ome(image(four_slices, set))).bytes())),
+      "'../a.tif', which lies outside of its folder");
+  const std::string elsewhere = ome("<BinaryOnly MetadataFile=\"../set.companion.ome\"/>");
+  check_refusal(refusal(folder.write("v.ome.tif", numbered(4, elsewhere).bytes())),
+                "'../set.companion.ome', which lies outside of its folder");
 }
 
 // ---- ImageJ ----

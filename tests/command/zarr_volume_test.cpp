@@ -90,6 +90,20 @@ TEST_CASE(
   CHECK(open_volume(image / "half")->info().spacing_mm == std::array<double, 3>{1, 1.5, 4});
 }
 
+TEST_CASE("a level whose path leads out of the image is refused, and one in its folders is read") {
+  const Folder folder;
+  const fs::path image = folder.path() / "image.zarr";
+  write_array(folder.path() / "outside", {4, 3, 5}, u8);
+  for (const std::string path : {"../outside", "a/../../outside", "/outside", R"(..\\outside)"}) {
+    CAPTURE(path);
+    write_image(image, zyx_axes, dataset(path, "[1, 1, 1]"));
+    check_refusal(refusal(image), "outside', which lies outside of its folder");
+  }
+  write_image(image, zyx_axes, dataset("a/full", "[1, 1, 1]"));
+  write_array(image / "a" / "full", {4, 3, 5}, u8);
+  check_volume(image, SampleType::u8, "OME-Zarr");
+}
+
 TEST_CASE("a level whose slices are too large is passed over") {
   const Folder folder;
   const fs::path image = folder.path() / "image.zarr";

@@ -8,6 +8,16 @@
 #include "volume_error.hpp"
 
 namespace discmc::command {
+namespace {
+
+// Windows separates folders by another character.
+std::filesystem::path of_windows(std::string_view name) {
+  std::string turned(name);
+  std::replace(turned.begin(), turned.end(), '\\', '/');
+  return turned;
+}
+
+}  // namespace
 
 std::int64_t integer(const std::filesystem::path& file, std::string_view field,
                      std::string_view text) {
@@ -26,18 +36,22 @@ double real(const std::filesystem::path& file, std::string_view field, std::stri
   return *value;
 }
 
+bool leads_out(std::string_view name) {
+  const std::filesystem::path path = of_windows(name);
+  return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
+}
+
 std::filesystem::path beside(const std::filesystem::path& header, std::string_view name) {
   // A zero byte would end the name early, and every message that shows it.
   if (std::any_of(name.begin(), name.end(), is_control))
     fail(header, "the data file " + shown(name) + " has control characters in its name",
          "correct the header");
-  std::filesystem::path file = header.parent_path() / std::string(name);
-  // Windows separates folders by another character.
+  if (leads_out(name))
+    fail(header, "it names " + shown(name) + ", which lies outside of its folder",
+         "put that or a link to it beside this file, and correct the name");
+  const std::filesystem::path file = header.parent_path() / std::string(name);
   std::error_code ignored;
-  if (std::filesystem::exists(file, ignored)) return file;
-  std::string turned(name);
-  std::replace(turned.begin(), turned.end(), '\\', '/');
-  return header.parent_path() / turned;
+  return std::filesystem::exists(file, ignored) ? file : header.parent_path() / of_windows(name);
 }
 
 }  // namespace discmc::command

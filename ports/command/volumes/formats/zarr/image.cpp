@@ -9,6 +9,7 @@
 #include "folder.hpp"
 #include "text/control_character.hpp"
 #include "volumes/array_name.hpp"
+#include "volumes/header_text.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_info.hpp"
 
@@ -68,9 +69,8 @@ bool fits(const ZarrDescription& array, const std::vector<ZarrAxis>& axes) {
 
 std::filesystem::path level_folder(const ZarrNode& image, const Json& dataset) {
   const std::string path = text_of(member(dataset, "path"));
-  if (path.empty() || std::any_of(path.begin(), path.end(), is_control))
-    fail(image.file, "a level has no path", "write the image again");
-  return image.folder / path;
+  if (path.empty()) fail(image.file, "a level has no path", "write the image again");
+  return beside(image.file, path);
 }
 
 // level: the number of one that is asked for.

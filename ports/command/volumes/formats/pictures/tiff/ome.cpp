@@ -77,6 +77,7 @@ class OmeXml {
     if (!uuid || is_own) return file_;
     if (name.empty())
       fail(file_, "the OME-XML names a file only by an identifier", "export it again, as one file");
+    if (leads_out(name) && names_of_files().size() == 1) return file_;  // it has been moved
     auto file = beside(file_, name);
     std::error_code unknown;
     if (std::filesystem::exists(file, unknown)) return file;
