@@ -56,14 +56,13 @@ int main(int argc, char** argv) {
   constexpr uint32_t few = 5, share = (1U << 24) + 8;
   const bool takes_all = argc == 2 && std::strcmp(argv[1], "--all") == 0;
   const uint32_t first = takes_all ? 0 : Limits::max_slices - share;
-  // One more of the slab below is pushed and counts.
-  const uint32_t slices = takes_all ? Limits::max_slices : Limits::max_slices - 1;
+  // The context below ends with a mark as well.
+  const uint32_t layers = Limits::max_slices - first + (first > 0 ? 1 : 0);
   Log shallow(few);
-  Log deep(slices);
+  Log deep(Limits::max_slices);
   const bool good = scan(0, few, Status::ok, shallow) &&
-                    scan(first, slices, Status::too_many_slices, deep) &&
-                    deep.layers == Limits::max_slices - first && deep.words == shallow.words &&
-                    !deep.words.empty();
+                    scan(first, Limits::max_slices, Status::too_many_slices, deep) &&
+                    deep.layers == layers && deep.words == shallow.words && !deep.words.empty();
   if (!good) std::fputs("deepest_scan: the last slices are not as the first\n", stderr);
   return good ? 0 : 1;
 }

@@ -93,7 +93,8 @@ Status BasicExtractor<Index, Intake, Sweep>::ready_for_samples() {
   if (state_ == State::idle) return Status::not_started;
   if (state_ != State::scanning) return Status::finished;
   if (!work()) return Status::suspended;
-  if (slices() >= Limits::max_slices - first_slice()) return Status::too_many_slices;
+  const uint32_t context = continues_below() ? 1 : 0;
+  if (slices() >= Limits::max_slices - first_slice() + context) return Status::too_many_slices;
   return Status::ok;
 }
 

@@ -212,6 +212,23 @@ TEST_CASE("a slab in C is one in C++") {
   CHECK(scan.info().slices == depth);
 }
 
+TEST_CASE("a slab in C accepts all slices up to the last number, and no more") {
+  for (const discmc_extractor_kind* const kind : {&discmc_plain_u8, &discmc_host}) {
+    EventLog log;
+    Scan scan(*kind, 200000, log);
+    scan.config.limits = {1, 1, DISCMC_CLOSED};
+    scan.config.slab.first = DISCMC_MAX_SLICES - 3;
+    scan.config.slab.continues_below = 1;
+    scan.start();
+    const uint8_t samples[5] = {};
+    const discmc_push_result result =
+        discmc_extractor_push(scan.extractor, DISCMC_U8, samples, 5, 1);
+    CHECK(result.status == DISCMC_TOO_MANY_SLICES);
+    CHECK(result.accepted == 4);
+    CHECK(discmc_extractor_finish(scan.extractor) == DISCMC_OK);
+  }
+}
+
 TEST_CASE("samples may be strided, and end anywhere") {
   const auto samples = make_samples<uint16_t>();
   std::vector<uint16_t> every_third(3 * samples.size());

@@ -684,6 +684,16 @@ TEST_CASE("and where slices are too many for a corner's place") {
         }
 }
 
+TEST_CASE("and in the last slices that have numbers") {
+  HostExtractor extractor;
+  Extractor32 other;
+  const BitVolume volume = random({20, 7, 12}, 128, 1);
+  for (const Border border : {Border::closed, Border::open}) {
+    const SlabScan scan{volume, border, 1, 12, Limits::max_slices - 12};
+    CHECK(parts_of(scan.by(extractor, much), scan) == parts_of(scan.by(other, much), scan));
+  }
+}
+
 TEST_CASE("a slab has them, too, where its seam has as many passes as there are") {
   const BitVolume volume = checkerboard({130, 5, 4});
   HostExtractor extractor;

@@ -1,6 +1,8 @@
 // Slabs of a volume: joined, and added up, they are the whole.
 #include <doctest/doctest.h>
 
+#include <discmc/gradient_normals.hpp>
+#include <discmc/host/host_extractor.hpp>
 #include <vector>
 
 #include "oracle/agreement.hpp"
@@ -70,22 +72,25 @@ TEST_CASE("a slab without a slice of its own has no surface, however full its co
     }
 }
 
-TEST_CASE("a slab ends where there are no more numbers for slices") {
-  const std::vector<uint8_t> slices(5 * 6, 1);
+TEST_CASE_TEMPLATE("a slab accepts all slices up to the last number, and no more", Scanner,
+                   Extractor16, Extractor32, NormalExtractor16<uint8_t>, HostExtractor) {
+  constexpr uint32_t slice = 3 * 2, own = 3;
+  const std::vector<uint8_t> slices((own + 2) * slice, 1);
   Limits limits{3, 2};
-  limits.slab = {Limits::max_slices - 3, true, false};
-  Block block(minimum_bytes<uint16_t>(limits));
+  limits.slab = {Limits::max_slices - own, true, false};
+  Block block(200000);
   EventLog log;
-  Extractor16 extractor;
-  require_ok(extractor.start(limits, 1, block.memory(), make_sink(log)));
-  const PushResult at_once = extractor.push(slices.data(), 5 * 6);
+  Scanner scanner;
+  require_ok(scanner.start(limits, 1, block.memory(), make_sink(log)));
+  const PushResult at_once = scanner.push(slices.data(), (own + 2) * slice);
   CHECK(at_once.status == Status::too_many_slices);
-  CHECK(at_once.samples == 3 * 6);
-  require_ok(extractor.finish());
+  CHECK(at_once.samples == (own + 1) * slice);
+  require_ok(scanner.finish());
+  CHECK(log.events.back().event().slice == own);
 
-  require_ok(extractor.reset());
-  for (int slice = 0; slice < 3; ++slice)
-    CHECK(extractor.push(slices.data(), 6).status == Status::ok);
-  CHECK(extractor.skip_row(Substitute::off).status == Status::too_many_slices);
-  require_ok(extractor.finish());
+  require_ok(scanner.reset());
+  for (uint32_t pushed = 0; pushed < own + 1; ++pushed)
+    CHECK(scanner.push(slices.data(), slice).status == Status::ok);
+  CHECK(scanner.skip_row(Substitute::off).status == Status::too_many_slices);
+  require_ok(scanner.finish());
 }
