@@ -55,6 +55,9 @@ struct JoinCapacities {
   uint32_t fragments;  ///< fragments and rings that wait at once
   uint32_t runs;       ///< the runs of all of them
 };
+static_assert(uint64_t{join::WaitingTable::buckets_for(2)} * JoinCapacities::max_fragments <=
+                  UINT32_MAX,
+              "32 bits count the buckets, and an entry: an index and two bits");
 
 /// The counts of a joiner since its start.
 struct JoinReport {

@@ -43,6 +43,10 @@ struct Limits {
            slab.continues_below == (slab.first > 0);
   }
 };
+static_assert(2 * int64_t{Limits::max_slices} - 1 <= INT32_MAX,
+              "z of the last vertices has 32 bits");
+static_assert(uint64_t{Limits::max_extent + 1} * (Limits::max_extent + 1) <= UINT32_MAX,
+              "32 bits count the cells of a slice");
 
 /// The optional abilities of an Extractor. Firmware that leaves some out saves flash
 /// (FOOTPRINT.md):

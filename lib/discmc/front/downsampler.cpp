@@ -2,6 +2,15 @@
 
 namespace discmc {
 
+namespace {
+
+constexpr uint64_t max_voxels = uint64_t{Downsampler<uint16_t>::max_extent} *
+                                Downsampler<uint16_t>::max_extent *
+                                Downsampler<uint16_t>::max_extent;
+static_assert(max_voxels * UINT16_MAX + max_voxels / 2 <= UINT32_MAX, "the sum of a block fits");
+
+}  // namespace
+
 template <class Sample>
 Status Downsampler<Sample>::start(const Limits& incoming, uint32_t extent, Memory memory) {
   sums_ = nullptr;

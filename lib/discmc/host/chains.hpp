@@ -72,11 +72,16 @@ class Chains {
   void give_all(Slots& slots);
 
  private:
-  // A pass is a node, and may leave a shortcut.
-  static constexpr uint32_t max_new = 2 * FoundPasses::max_passes;
+  // A pass is a node. It may be a join, which may leave a shortcut.
+  static constexpr uint32_t max_joins = FoundPasses::max_passes;
+  static constexpr uint32_t max_new = FoundPasses::max_passes + max_joins;
   // For handing over, slots are set aside: a node that waits at both its ends becomes two ends and,
   // as both its sides may be long, up to eight slots of runs.
   static constexpr uint32_t slots_a_node = 10;
+  static constexpr uint32_t runs_of_side =
+      (2 * (Limits::max_extent + 1) + trace::longest_short_run - 1) / trace::longest_short_run;
+  static_assert(2 + (2 * runs_of_side + 2 + 2) / 3 <= slots_a_node,
+                "two ends, two long sides, and two short ones at centroids");
   static constexpr uint32_t min_nodes = 4096;
   static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
   // No power of two, so that the first seats of queues do not share sets of a cache.
@@ -87,9 +92,13 @@ class Chains {
   static constexpr uint32_t seat_slots =
       2 * ((queues_each - 1) * min_seats + min_seats_at_seam) / seats_per_slot;
   static constexpr uint32_t short_walk = 64;
+  static_assert(2 * short_walk <= max_corners, "a node has two corners at most");
 
  public:
   static constexpr uint32_t min_slots = 1 + seat_slots + 2 * min_nodes + 2 * slots_a_node * max_new;
+  static_assert(min_seats >= 2 * Edges::max_edges && min_seats_at_seam >= 2 * max_across,
+                "half of the seats have room for a batch");
+  static_assert(min_nodes >= max_new, "so have the nodes");
 
  private:
   struct Area {
@@ -139,7 +148,7 @@ class Chains {
   uint32_t of_out_[queue_codes] = {};
   uint32_t first_seat_[queue_codes] = {};
   uint32_t end_seat_[queue_codes] = {};
-  uint32_t join_[FoundPasses::max_passes + 1] = {};
+  uint32_t join_[max_joins + 1] = {};
   uint64_t corner_[max_corners + 2] = {};
 };
 

@@ -3,6 +3,7 @@
 #define DISCMC_HOST_CORNER_CODE_HPP
 
 #include <discmc/lattice.hpp>
+#include <discmc/limits.hpp>
 
 namespace discmc::host {
 
@@ -14,8 +15,11 @@ class CornerCode {
   /// Slices that fit, the row before the first one and what lies behind the last included: its
   /// centroids, and the slice above a slab.
   static constexpr int32_t max_slices = 32760;
+  static_assert(2 * (max_slices + 2) < 1 << 16 && 2 * Limits::max_extent + 1 < 1 << 16,
+                "each coordinate and one has 16 bits");
   /// In place of a link that lies beyond the seam of a slab.
   static constexpr Link beyond_seam = link_codes;
+  static_assert(beyond_seam < 1 << 5 && incidence_codes <= 1 << 5, "each has five bits");
 
   constexpr explicit CornerCode(uint64_t bits) : bits_(bits) {}
 

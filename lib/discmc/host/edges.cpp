@@ -64,6 +64,8 @@ bool Edges::collect(const SweptRow& row) {
   const uint32_t* const above = row.around.row[2][1];
   const uint32_t words = row.words;
   const uint32_t last = (row.is_own() ? max_edges : max_at_seam) - max_in_word;
+  if (count_ > 0 && row.z != z_) return true;
+  z_ = row.z;
   const uint64_t mask_y = row.has_y ? own_columns : 0, mask_z = row.has_z ? own_columns : 0;
   for (uint32_t word = word_;; ++word) {
     uint64_t x, y, z;

@@ -18,6 +18,7 @@ struct Edge {
 
   static constexpr uint32_t special_shift = 2;
   static constexpr uint32_t special = 1U << 6, at_seam = 1U << 7;
+  static_assert(special == 1U << (special_shift + trace::quadrants), "quadrants have four bits");
 };
 
 class Edges {
@@ -28,7 +29,8 @@ class Edges {
 
   void clear();
   /// Collects those of a row, from where it was last left. False when the row has come to an end;
-  /// else there is no room for those of one more word. Limit: those of another slice were taken.
+  /// else there is no room for those of one more word, or those of another slice have to be taken
+  /// first.
   bool collect(const trace::SweptRow& row);
   /// Forgets those collected.
   void take_all() { count_ = 0; }
@@ -49,7 +51,8 @@ class Edges {
 
   uint32_t word_ = 0;
   uint32_t count_ = 0;
-  Edge edge_[max_edges + 3] = {};
+  int32_t z_ = 0;                  // of those collected
+  Edge edge_[max_edges + 3] = {};  // those of the last voxel are written, be there any or none
 };
 
 }  // namespace discmc::host

@@ -47,7 +47,13 @@ class FoundPasses {
 
   uint32_t rays_ = 0;  // those repeated included
   Place place_[Edges::max_edges + 1] = {};
+  // Four words are copied behind a first ray, however many count.
   RayWord ray_[max_passes + Edges::max_edges + 5] = {};
+  static_assert(2 * sizeof(HalfRays) == trace::PassList::most * sizeof(RayWord),
+                "a vertex has as many rays as two halves");
+  static_assert(Edges::max_at_seam * (2 * trace::PassList::most + 1) <=
+                    max_passes + Edges::max_edges,
+                "both ends of each pass at a seam have room");
 };
 
 }  // namespace discmc::host

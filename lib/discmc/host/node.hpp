@@ -2,6 +2,7 @@
 #ifndef DISCMC_HOST_NODE_HPP
 #define DISCMC_HOST_NODE_HPP
 
+#include <discmc/capacities.hpp>
 #include <discmc/compiler.hpp>
 #include <discmc/host/corner_code.hpp>
 #include <discmc/host/ray_table.hpp>
@@ -20,6 +21,8 @@ struct Node {
   /// In place of a pass: the node names another in voxel_bits, up to which chains need not be
   /// followed again. It has no corner.
   static constexpr PassWord shortcut = 1U << 31 | pass_word(seam_tails, seam_begins, 0);
+  static_assert(sizing::max_slots<uint32_t> < waiting_tail,
+                "numbers of nodes are not those of tails");
 
   uint64_t voxel() const {
     uint64_t bits;

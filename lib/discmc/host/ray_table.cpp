@@ -1,4 +1,5 @@
 #include <discmc/host/corner_code.hpp>
+#include <discmc/host/edges.hpp>
 #include <discmc/host/ray_table.hpp>
 #include <discmc/trace/sector_derivation.hpp>
 
@@ -202,6 +203,15 @@ constexpr RayTable derive_rays() {
 
 constexpr RayTable derived_rays = derive_rays();
 static_assert(derived_rays.rays[0][0][HalfRays::kinds - 1].first != 0, "there are so many kinds");
+
+constexpr bool sums_have_room() {
+  constexpr uint64_t field = (uint64_t{1} << PartSum::bits) - 1;
+  for (uint64_t parts : derived_rays.parts)
+    for (; parts != 0; parts >>= PartSum::bits)
+      if ((parts & field) * 2 * Edges::max_edges > field) return false;
+  return true;
+}
+static_assert(sums_have_room(), "the parts of two halves each, for all edges of a batch, fit");
 
 }  // namespace
 

@@ -28,6 +28,10 @@ using PassWord = uint32_t;
 constexpr uint32_t in_bits = 0xFF, out_bits = 0xFF00, incidence_bits = 0x1F0000;
 constexpr uint32_t incidence_shift = 16;
 
+static_assert(queue_codes <= in_bits + 1 &&
+                  incidence_codes - 1 <= incidence_bits >> incidence_shift,
+              "a word has two queues and an incidence");
+
 constexpr uint32_t in_of(PassWord pass) {
   return pass & in_bits;
 }
@@ -63,6 +67,8 @@ struct HalfRays {
   /// the incidence of the last sector of the half, from count_shift on how many rays follow.
   RayWord first;
   static constexpr uint32_t last_shift = 21, count_shift = 26;
+  static_assert(incidence_codes <= 1 << (count_shift - last_shift),
+                "the second incidence has a field");
 };
 
 struct RayTable {
@@ -71,6 +77,7 @@ struct RayTable {
   /// for each axis: lines 0 to 4 (10 bits), whether the voxel is on (1), lines 4 to 7 and 0 (10).
   uint64_t lines[3][512];
   static constexpr uint32_t axis_bits = 2 * HalfRays::lines_bits + 1;
+  static_assert(3 * axis_bits <= 64, "three axes fit");
 
   /// A half, whatever the axis: its rays, and what its cells add to counts.
   struct Kind {

@@ -266,6 +266,9 @@ void SliceEncoder::encode_note(RowNote note) {
 // A step or a note takes up to 4 bytes and the end of the code 1. A note before it takes 2, or a
 // cut after it 6.
 constexpr size_t code_reserve = 4 + 1 + wire::cut_tail;
+static_assert(Limits::max_extent < 1 << 15, "a step has a decision and 15 bits at most");
+static_assert(wire::key_slice_head + 2 * code_reserve < wire::max_payload,
+              "a code that is not final has room to end");
 
 // Makes room in the packet for a step or a note. False if the output is busy.
 bool SliceEncoder::make_room() {

@@ -125,6 +125,9 @@ constexpr size_t application_head = 1 + 4 + 4;
 static_assert(application_head + ApplicationRecord::max_bytes <= max_payload, "it fits");
 
 constexpr size_t header_payload = 3 + 1 + 2 + 2 + 4 + 3 * 4 + 4 + 1 + 4 + 8;
+static_assert(header_payload + 4 * (StreamHeader::max_surfaces - 1) < max_payload,
+              "a header has room for the zero byte before it");
+static_assert(max_frame <= UINT16_MAX, "16 bits count the bytes of a frame");
 
 /// The totals of the trailer, in their order. A reader must read all of them.
 constexpr uint64_t Statistics::*trailer_totals[] = {
@@ -134,6 +137,7 @@ constexpr uint64_t Statistics::*trailer_totals[] = {
 constexpr size_t trailer_payload = 4 + 1 + sizeof(Statistics) + 4;
 static_assert(sizeof(Statistics) == 8 * sizeof(uint64_t), "every total is told");
 constexpr size_t slices_trailer_payload = 4 + 1 + 8 + 8 + 4;
+static_assert(trailer_payload <= max_payload && slices_trailer_payload <= max_payload, "they fit");
 
 /// The digest of a stream with one more packet, which has this checksum. A trailer contains the
 /// digest of all packets before it, so a packet of another stream with the same name is detected.

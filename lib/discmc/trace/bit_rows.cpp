@@ -10,6 +10,9 @@ static_assert(word_of(29) == 0 && word_of(30) == 1 && word_of(Limits::max_extent
                   word_of(30 * 1092) == 1092 && word_of(30 * 1092 - 1) == 1091,
               "a multiplication stands for the division");
 
+static_assert(bit_row_bytes(Limits::max_extent, swept_rows(Limits::max_extent)) <= UINT32_MAX,
+              "32 bits count the words of a ring");
+
 // Bits that can be placed at once, in two words at most.
 constexpr uint32_t max_placed = 28;
 

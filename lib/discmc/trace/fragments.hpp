@@ -31,12 +31,22 @@ constexpr LinkSteps link_steps() {
 }  // namespace derive
 inline constexpr LinkSteps link_steps = derive::link_steps();
 
+/// Sides are kept whole up to this distance of places.
+constexpr uint32_t longest_side = 4080;
+
 /// Whether a side between two places is as long as may be kept whole: two such sides may join, and
 /// places still give the length. The order of the places does not matter.
 inline bool is_longest_side(Place from, Place to) {
-  constexpr uint32_t longest = 4080;
-  return (to - from + longest - 1) % (1U << place_bits) >= 2 * longest - 1;
+  return (to - from + longest_side - 1) % (1U << place_bits) >= 2 * longest_side - 1;
 }
+static_assert(2 * (longest_side + LinkSteps::longest) < 1U << place_bits,
+              "two sides, each with a link more, are less than all places");
+static_assert(2 * (longest_side + LinkSteps::longest) <= longest_short_run,
+              "a run has room for two sides of links that count one each");
+static_assert(short_run(7, longest_short_run) == UINT16_MAX && 3 + place_bits <= 16,
+              "a run, and a side, have a direction and 13 bits");
+static_assert(1U << place_bits < 1U << LinkSteps::fraction_bits,
+              "what rounding adds to an inverse is less than a link");
 
 /// How many links lead from one place to another. Limit: the places are less than 8,192 apart.
 inline uint32_t links_between(Place from, Place to, Link link) {

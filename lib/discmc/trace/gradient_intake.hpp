@@ -95,6 +95,10 @@ class GradientNormals {
   static constexpr uint16_t skipped_off = 0xFFFE;
   static constexpr uint16_t skipped_repeated = 0xFFFF;
   static_assert(Limits::max_extent < skipped_off, "widths are none of these");
+  static_assert(uint64_t{Limits::max_extent} *
+                        ring_rows({Limits::max_extent, Limits::max_extent}) <=
+                    UINT32_MAX,
+                "32 bits count the samples of a ring");
 
   void end_row(uint32_t given) {
     given_[samples_.place_before(0)] = static_cast<uint16_t>(given);

@@ -6,6 +6,7 @@
 #ifndef DISCMC_TRACE_QUEUES_HPP
 #define DISCMC_TRACE_QUEUES_HPP
 
+#include <discmc/capacities.hpp>
 #include <discmc/compiler.hpp>
 #include <discmc/pool.hpp>
 #include <discmc/trace/sector_table.hpp>
@@ -85,6 +86,11 @@ class Queues {
  private:
   static constexpr Index top = static_cast<Index>(Index{1} << (8 * sizeof(Index) - 1));
   static constexpr bool is_narrow = sizeof(Index) == sizeof(uint16_t);
+  static_assert(sizing::max_slots<Index> < top && sizing::max_slots<Index> < loose_end<Index>(),
+                "indices of slots are neither counts nor loose ends");
+  static_assert(uint64_t{Limits::max_extent + 1} * (Limits::max_extent + 1) < uint64_t{1} << 31,
+                "31 bits count lost ends: a queue has one at most for each voxel of a slice");
+  static_assert(queue_count <= UINT8_MAX, "a byte has the number of a queue");
 
   static bool is_count(const Queue<Index>& queue) { return (queue.head & top) != 0; }
   static uint32_t count_of(const Queue<Index>& queue) {

@@ -20,6 +20,19 @@ constexpr bool queues_are_all_used() {
 static_assert(queues_are_all_used(),
               "18 kinds of links on faces both ways, and 108 ways by a centroid");
 
+// The fields of a word of counts, for four cells around a vertex.
+constexpr bool parts_have_room() {
+  for (const uint32_t part : derived.part) {
+    constexpr uint32_t facet = CountParts::facet_shift, triangle = CountParts::triangle_shift;
+    if (quadrants * (part & ((1U << facet) - 1)) >> facet != 0 ||
+        quadrants * (part >> facet & ((1U << (triangle - facet)) - 1)) >> (triangle - facet) != 0 ||
+        uint64_t{quadrants} * (part >> triangle) >> (32 - triangle) != 0)
+      return false;
+  }
+  return true;
+}
+static_assert(parts_have_room(), "the parts of four cells fit into a word");
+
 }  // namespace
 
 const SectorTable sector_table = derived;

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <discmc/trace/passes.hpp>
 #include <vector>
 
 using namespace discmc;
@@ -83,4 +85,22 @@ TEST_CASE_TEMPLATE("lost ends keep their places among others", Index, uint16_t, 
     CHECK(ends.pop_lost(many) == many);
     CHECK(ends.in_use() == 0);
   }
+}
+
+// Room for a batch of edges in every queue rests on it.
+TEST_CASE("no vertex has two passes that come, or two that go, by one queue") {
+  uint32_t most = 0, recurrences = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool is_on : {false, true})
+      for (uint32_t lines = 0; lines < 1U << 16; ++lines) {
+        trace::PassList passes;
+        derive_passes(trace::EdgeLines{axis, is_on, lines}, 0, passes);
+        most = std::max<uint32_t>(most, passes.count);
+        for (uint32_t i = 0; i < passes.count; ++i)
+          for (uint32_t j = 0; j < i; ++j)
+            recurrences +=
+                passes.pass[i].in == passes.pass[j].in || passes.pass[i].out == passes.pass[j].out;
+      }
+  CHECK(recurrences == 0);
+  CHECK(most == trace::PassList::most);
 }

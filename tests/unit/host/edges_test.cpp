@@ -1,0 +1,43 @@
+// Edges are collected in batches.
+#include <doctest/doctest.h>
+
+#include <discmc/host/edges.hpp>
+
+using namespace discmc;
+using host::Edges;
+
+namespace {
+
+constexpr uint32_t words = 1;
+constexpr uint32_t on[] = {4}, off[] = {0};  // the first voxel of a row
+
+// A row of a slice with one voxel that is on.
+trace::SweptRow row_of(int32_t z) {
+  trace::SweptRow row{};
+  for (auto& slice : row.around.row)
+    for (const uint32_t*& each : slice) each = off;
+  row.around.row[1][1] = on;
+  row.words = words;
+  row.width = 20;
+  row.z = z;
+  row.role = trace::SlabRole::inside;
+  row.set_absent_quadrants();
+  return row;
+}
+
+}  // namespace
+
+TEST_CASE("a batch has edges of one slice: those of the next one wait until it is taken") {
+  Edges edges;
+  edges.clear();
+  CHECK_FALSE(edges.collect(row_of(3)));
+  const uint32_t of_row = edges.count();
+  CHECK(of_row == 4);
+  CHECK_FALSE(edges.collect(row_of(3)));
+  CHECK(edges.count() == 2 * of_row);
+  CHECK(edges.collect(row_of(4)));
+  CHECK(edges.count() == 2 * of_row);
+  edges.take_all();
+  CHECK_FALSE(edges.collect(row_of(4)));
+  CHECK(edges.count() == of_row);
+}
