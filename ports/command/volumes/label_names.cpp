@@ -18,10 +18,6 @@ NamedLabels labels_of(const LabelDescription& description) {
           description.colour};
 }
 
-bool has_value(const LabelDescription& description, LabelValue value) {
-  return description.values.empty() || description.values == std::vector<LabelValue>{value};
-}
-
 // Without what people leave out or write otherwise.
 std::string plain(std::string_view name) {
   std::string result = lower(name);
@@ -37,6 +33,12 @@ LabelNames::LabelNames(LabelTable table, std::vector<std::uint32_t> layers)
     return std::find(layers_.begin(), layers_.end(), each.layer) == layers_.end();
   };
   table_.erase(std::remove_if(table_.begin(), table_.end(), is_left), table_.end());
+  for (std::size_t i = 0; i < table_.size(); ++i) {
+    const LabelDescription& each = table_[i];
+    longest_name_ = std::max(longest_name_, each.name.size());
+    if (each.values.empty()) masks_[each.layer].push_back(i);
+    if (each.values.size() == 1) of_value_[each.values[0]].push_back(i);
+  }
 }
 
 std::string LabelNames::list_of_names() const {
@@ -54,8 +56,8 @@ std::optional<NamedLabels> LabelNames::by_number(std::string_view text) const {
   const auto value = label_value(text);
   if (!value) return std::nullopt;
   std::vector<const LabelDescription*> found;
-  for (const LabelDescription& each : table_)
-    if (!each.values.empty() && has_value(each, *value)) found.push_back(&each);
+  if (const auto places = of_value_.find(*value); places != of_value_.end())
+    for (const std::size_t place : places->second) found.push_back(&table_[place]);
   const bool is_in_one_layer = std::all_of(
       found.begin(), found.end(),
       [&found](const LabelDescription* each) { return each->layer == found[0]->layer; });
@@ -90,6 +92,7 @@ std::vector<NamedLabels> LabelNames::each(const std::string& list) const {
     // The longest piece that is a label, since commas may be part of a name.
     std::optional<NamedLabels> found;
     std::size_t end = list.size();
+    if (end - begin > longest_name_) end = std::min(end, list.find(',', begin + longest_name_));
     for (;;) {
       const std::string_view piece = std::string_view(list).substr(begin, end - begin);
       found = by_number(piece);
@@ -125,14 +128,15 @@ NamedLabels LabelNames::together(const std::string& list) const {
 }
 
 NamedLabels LabelNames::named(std::uint32_t layer, LabelValue value) const {
-  const auto is_it = [layer, value](const LabelDescription& each) {
-    return each.layer == layer && has_value(each, value);
-  };
+  std::vector<std::size_t> found;
+  if (const auto masks = masks_.find(layer); masks != masks_.end()) found = masks->second;
+  if (const auto places = of_value_.find(value); places != of_value_.end())
+    for (const std::size_t place : places->second)
+      if (table_[place].layer == layer) found.push_back(place);
   NamedLabels result{{{layer, {value}}}, value.text(), {}};
-  if (std::count_if(table_.begin(), table_.end(), is_it) != 1) return result;
-  const auto found = std::find_if(table_.begin(), table_.end(), is_it);
-  result.name = without_control(found->name);
-  result.colour = found->colour;
+  if (found.size() != 1) return result;
+  result.name = without_control(table_[found[0]].name);
+  result.colour = table_[found[0]].colour;
   return result;
 }
 

@@ -2,7 +2,9 @@
 #ifndef DISCMC_COMMAND_VOLUMES_LABEL_NAMES_HPP
 #define DISCMC_COMMAND_VOLUMES_LABEL_NAMES_HPP
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,6 +51,10 @@ class LabelNames {
 
   LabelTable table_;
   std::vector<std::uint32_t> layers_;
+  // Places in the table: of masks, by their layers, and of labels with one value.
+  std::map<std::uint32_t, std::vector<std::size_t>> masks_;
+  std::map<LabelValue, std::vector<std::size_t>> of_value_;
+  std::size_t longest_name_ = 0;
 };
 
 }  // namespace discmc::command
