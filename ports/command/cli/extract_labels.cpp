@@ -136,13 +136,11 @@ std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentat
     if (auto mask = open_noted_mask(arguments.reading, volume->info()))
       volume = masked(std::move(volume), std::move(mask));
     std::vector<FoundLabel> surfaces = surfaces_of(*volume, arguments, chosen);
-    for (const LabelValue label : chosen.value_or(std::set<LabelValue>())) {
-      const auto is_it = [value = label](const FoundLabel& each) {
-        return each.surface.label == value;
-      };
-      if (std::none_of(surfaces.begin(), surfaces.end(), is_it))
+    std::set<LabelValue> with_voxels;
+    for (const FoundLabel& each : surfaces) with_voxels.insert(each.surface.label);
+    for (const LabelValue label : chosen.value_or(std::set<LabelValue>()))
+      if (with_voxels.count(label) == 0)
         missing.push_back(title(selection_of(names, layer, label)));
-    }
     // A mask that is empty.
     if (!chosen && surfaces.empty() && names.layers().size() > 1)
       missing.push_back(names.named(layer, 1).name);

@@ -31,7 +31,8 @@ class LabelScan {
 
   void add_slice(const Sample* row) {
     for (std::uint32_t y = 0; y < limits_.height; ++y, row += limits_.width) add_row(row, y);
-    for (const std::unique_ptr<Label>& label : labels_) end_slice(*label);
+    const auto is_over = [this](Label* label) { return end_slice(*label); };
+    running_.erase(std::remove_if(running_.begin(), running_.end(), is_over), running_.end());
     ++slice_;
   }
 
@@ -59,7 +60,8 @@ class LabelScan {
 
   void add_voxels(Label& label, std::uint32_t y, std::uint32_t begin, std::uint32_t end) {
     if (!label.run) {
-      require_room(++running_);
+      running_.push_back(&label);
+      require_room(static_cast<std::uint32_t>(running_.size()));
       label.run = std::make_unique<LabelRun>(limits_, slice_, options_.takes_majority,
                                              make_sink(label.builder));
     }
@@ -76,13 +78,13 @@ class LabelScan {
                                   ", need more than 4 GiB; extract parts with --crop, or --shrink");
   }
 
-  void end_slice(Label& label) {
-    if (!label.run) return;
+  // Whether the run of the label is over.
+  bool end_slice(Label& label) {
     label.run->end_slice();
-    if (!label.run->is_over()) return;
+    if (!label.run->is_over()) return false;
     label.run->finish();
     label.run.reset();
-    --running_;
+    return true;
   }
 
   // Null where it is of no surface.
@@ -105,7 +107,7 @@ class LabelScan {
   const LabelOptions& options_;
   Limits limits_;
   std::uint32_t slice_ = 0;  // under way
-  std::uint32_t running_ = 0;
+  std::vector<Label*> running_;
   ValueScatter scatter_;
   std::vector<std::unique_ptr<Label>> labels_;
   std::unordered_map<Sample, Label*> by_sample_;
