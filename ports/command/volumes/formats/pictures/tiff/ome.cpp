@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <pugixml.hpp>
 #include <set>
 #include <system_error>
@@ -81,7 +82,8 @@ class OmeXml {
     auto file = beside(file_, name);
     std::error_code unknown;
     if (std::filesystem::exists(file, unknown)) return file;
-    if (names_of_files().size() == 1) return file_;  // it has been renamed
+    if (!names_of_files_) names_of_files_ = names_of_files();
+    if (names_of_files_->size() == 1) return file_;  // it has been renamed
     fail(file_, "the file " + shown(name) + " of its set is missing", "put it beside the others");
   }
 
@@ -113,6 +115,7 @@ class OmeXml {
   std::filesystem::path file_;
   pugi::xml_document document_;
   std::string uuid_;  // of the file
+  mutable std::optional<std::set<std::string>> names_of_files_;
 };
 
 std::string order_of(const OmeXml& xml, const pugi::xml_node& pixels) {
@@ -186,6 +189,7 @@ class Images {
            "the OME-XML describes an image of " + std::to_string(planes(stack)) + " planes",
            "export the file again");
     stack.spacing_mm = spacing_mm(pixels, stack.notes);
+    numbers_.clear();
     for (const auto& data : children(pixels, "TiffData")) add_run(stack, data);
     if (stack.runs.empty()) add_run(stack, pugi::xml_node());
     return stack;
@@ -208,7 +212,10 @@ class Images {
   void add_run(Hyperstack& stack, const pugi::xml_node& data) {
     PageRun run;
     const std::filesystem::path file = xml_.file_of(data);
-    run.file = number_of(file, stack.files);
+    const auto [number, is_new] =
+        numbers_.emplace(file, static_cast<std::uint32_t>(stack.files.size()));
+    if (is_new) stack.files.push_back(file);
+    run.file = number->second;
     run.first_page = xml_.count(data, "IFD", 0);
     for (const auto& [name, axis] : {std::pair("FirstZ", stack.slices),
                                      {"FirstC", stack.channels},
@@ -235,16 +242,6 @@ class Images {
     if (run.count > 0) stack.runs.push_back(run);
   }
 
-  static std::uint32_t number_of(const std::filesystem::path& file,
-                                 std::vector<std::filesystem::path>& files) {
-    // Elements of a file mostly lie side by side.
-    const auto found = std::find(files.rbegin(), files.rend(), file);
-    const auto behind = static_cast<std::size_t>(found - files.rbegin());
-    if (behind < files.size()) return static_cast<std::uint32_t>(files.size() - 1 - behind);
-    files.push_back(file);
-    return static_cast<std::uint32_t>(files.size() - 1);
-  }
-
   std::uint64_t number_of_pages(const std::filesystem::path& file) {
     const auto counted = pages_.find(file);
     if (counted != pages_.end()) return counted->second;
@@ -255,6 +252,7 @@ class Images {
   std::uint64_t samples_;
   const CountPages& count_pages_;
   std::map<std::filesystem::path, std::uint64_t> pages_;
+  std::map<std::filesystem::path, std::uint32_t> numbers_;  // of the files of an image
 };
 
 }  // namespace
