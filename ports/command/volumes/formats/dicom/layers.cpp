@@ -8,7 +8,14 @@ void Overlaps::start_slice(std::size_t voxels) {
   slice_.assign(voxels, 0);
 }
 
-std::uint32_t Overlaps::number_of(Set set) {
+// Of a set of segments and one more.
+std::uint32_t Overlaps::number_with(std::uint32_t before, std::uint32_t segment) {
+  Set set = sets_[before];
+  for (const std::uint32_t other : set) {
+    neighbours_[segment].insert(other);
+    neighbours_[other].insert(segment);
+  }
+  set.push_back(segment);
   constexpr std::size_t most = 1U << 20;
   const auto next = static_cast<std::uint32_t>(sets_.size());
   const auto [entry, is_new] = numbers_.emplace(set, next);
@@ -26,11 +33,7 @@ void Overlaps::add(std::uint32_t segment, const std::uint8_t* voxels) {
     if (last_after == 0 || slice_[i] != last_before) {
       last_before = slice_[i];
       const auto [entry, is_new] = with_segment.emplace(last_before, 0);
-      if (is_new) {
-        Set set = sets_[last_before];
-        set.push_back(segment);
-        entry->second = number_of(std::move(set));
-      }
+      if (is_new) entry->second = number_with(last_before, segment);
       last_after = entry->second;
     }
     slice_[i] = last_after;
@@ -39,15 +42,13 @@ void Overlaps::add(std::uint32_t segment, const std::uint8_t* voxels) {
 
 std::map<std::uint32_t, std::uint32_t> Overlaps::layers(
     const std::set<std::uint32_t>& segments) const {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> overlapping;
-  for (const Set& set : sets_)
-    for (const std::uint32_t a : set)
-      for (const std::uint32_t b : set) overlapping.emplace(a, b);
   std::map<std::uint32_t, std::uint32_t> layers;
   for (const std::uint32_t segment : segments) {
     std::set<std::uint32_t> taken;
-    for (const auto& [other, layer] : layers)
-      if (overlapping.count({segment, other}) > 0) taken.insert(layer);
+    if (const auto found = neighbours_.find(segment); found != neighbours_.end())
+      for (const std::uint32_t other : found->second)
+        if (const auto layer = layers.find(other); layer != layers.end())
+          taken.insert(layer->second);
     std::uint32_t layer = 0;
     while (taken.count(layer) > 0) ++layer;
     layers[segment] = layer;

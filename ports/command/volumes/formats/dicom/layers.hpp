@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <map>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace discmc::command {
@@ -28,8 +27,9 @@ class Overlaps {
   using Set = std::vector<std::uint32_t>;
 
   // Every set of segments that some voxel is of has a number; 0 is that of none.
-  std::uint32_t number_of(Set set);
+  std::uint32_t number_with(std::uint32_t before, std::uint32_t segment);
 
+  std::map<std::uint32_t, std::set<std::uint32_t>> neighbours_;  ///< that overlap a segment
   std::map<Set, std::uint32_t> numbers_ = {{{}, 0}};
   std::vector<Set> sets_ = {{}};
   std::vector<std::uint32_t> slice_;  ///< by voxel the number of its set
