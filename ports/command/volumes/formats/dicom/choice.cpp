@@ -57,28 +57,36 @@ bool have_one_series(const Stacks& stacks, const Places& places) {
 
 // What makes volumes of one series several.
 std::string differences(const Stacks& stacks, const Places& places) {
-  const auto differ = [&](auto are_alike) {
-    return std::any_of(places.begin(), places.end(), [&](std::size_t a) {
-      return std::any_of(places.begin(), places.end(), [&](std::size_t b) {
-        return !are_alike(stacks[a].frames[0], stacks[b].frames[0]);
-      });
-    });
+  const auto frame = [&](std::size_t place) -> const DicomFrame& {
+    return stacks[place].frames[0];
+  };
+  // Directions are compared with that of the first frame that has one.
+  const auto placed = std::find_if(places.begin(), places.end(), [&](std::size_t place) {
+    return frame(place).place.has_value();
+  });
+  const auto differ = [&](auto are_alike, std::size_t first) {
+    return std::any_of(places.begin(), places.end(),
+                       [&](std::size_t place) { return !are_alike(frame(first), frame(place)); });
   };
   std::string text;
-  if (differ([](const DicomFrame& a, const DicomFrame& b) {
-        return a.image->columns == b.image->columns && a.image->rows == b.image->rows;
-      }))
+  if (differ(
+          [](const DicomFrame& a, const DicomFrame& b) {
+            return a.image->columns == b.image->columns && a.image->rows == b.image->rows;
+          },
+          places[0]))
     text += ", of different extents";
   if (differ(
-          [](const DicomFrame& a, const DicomFrame& b) { return a.image->type == b.image->type; }))
+          [](const DicomFrame& a, const DicomFrame& b) { return a.image->type == b.image->type; },
+          places[0]))
     text += ", of different types of samples";
-  if (differ([](const DicomFrame& a, const DicomFrame& b) {
-        return !a.place || !b.place || have_one_direction(a, b);
-      }))
+  if (placed != places.end() &&
+      differ([](const DicomFrame& a,
+                const DicomFrame& b) { return !b.place || have_one_direction(a, b); },
+             *placed))
     text += ", of different directions";
-  if (differ([](const DicomFrame& a, const DicomFrame& b) {
-        return a.place.has_value() == b.place.has_value();
-      }))
+  if (differ([](const DicomFrame& a,
+                const DicomFrame& b) { return a.place.has_value() == b.place.has_value(); },
+             places[0]))
     text += ", with and without position (ImagePositionPatient and ImageOrientationPatient)";
   return text;
 }

@@ -13,27 +13,30 @@
 namespace discmc::command {
 namespace {
 
-bool are_of_one_kind(const DicomFrame& a, const DicomFrame& b, bool merges_series) {
-  const auto kind = [](const DicomImage& image) {
-    return std::tie(image.columns, image.rows, image.type);
-  };
-  if (a.image->segments || b.image->segments) return a.image == b.image;
-  return (merges_series || a.image->series == b.image->series) &&
-         kind(*a.image) == kind(*b.image) && have_one_direction(a, b);
-}
-
 using Frames = std::vector<DicomFrame>;
 
+// What frames of one kind have in common, but for their direction. Segmentations are never joined.
+auto kind_of(const DicomFrame& frame, bool merges_series) {
+  const DicomImage& image = *frame.image;
+  return std::tuple(image.segments ? &image : nullptr, merges_series ? std::string() : image.series,
+                    image.columns, image.rows, image.type);
+}
+
+// In the order of their first frames.
 std::vector<Frames> by_kind(const Frames& frames, bool merges_series) {
   std::vector<Frames> groups;
+  std::map<decltype(kind_of(frames[0], false)), std::vector<std::size_t>> of_kind;
   for (const DicomFrame& frame : frames) {
-    const auto group = std::find_if(groups.begin(), groups.end(), [&](const Frames& each) {
-      return are_of_one_kind(each[0], frame, merges_series);
+    std::vector<std::size_t>& places = of_kind[kind_of(frame, merges_series)];
+    const auto place = std::find_if(places.begin(), places.end(), [&](std::size_t each) {
+      return frame.image->segments || have_one_direction(groups[each][0], frame);
     });
-    if (group != groups.end())
-      group->push_back(frame);
-    else
+    if (place != places.end()) {
+      groups[*place].push_back(frame);
+    } else {
+      places.push_back(groups.size());
       groups.push_back({frame});
+    }
   }
   return groups;
 }
