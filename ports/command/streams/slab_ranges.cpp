@@ -5,36 +5,41 @@
 namespace discmc::command {
 
 std::optional<SlabRange> SlabRanges::add(const SlabRange& range) {
-  const auto next = std::find_if(ranges_.begin(), ranges_.end(), [&range](const SlabRange& each) {
-    return each.end() > range.first;
-  });
-  if (next != ranges_.end() && next->first < range.end()) {
-    const std::uint32_t first = std::max(next->first, range.first);
-    return SlabRange{first, std::min(next->end(), range.end()) - first, range.depth};
+  const auto next = ranges_.upper_bound(range.first);
+  if (next != ranges_.end() && next->second.first < range.end()) {
+    const std::uint32_t first = std::max(next->second.first, range.first);
+    return SlabRange{first, std::min(next->first, range.end()) - first, range.depth};
   }
-  auto added = ranges_.insert(next, range);
-  if (added + 1 != ranges_.end() && added->end() == (added + 1)->first) {
-    added->slices += (added + 1)->slices;
-    added = ranges_.erase(added + 1) - 1;
+  SlabRange added = range;
+  if (const auto before = ranges_.find(range.first); before != ranges_.end()) {
+    added = {before->second.first, before->second.slices + range.slices, range.depth};
+    ranges_.erase(before);
   }
-  if (added != ranges_.begin() && (added - 1)->end() == added->first) {
-    (added - 1)->slices += added->slices;
-    ranges_.erase(added);
+  if (next != ranges_.end() && next->second.first == range.end()) {
+    next->second = {added.first, added.slices + next->second.slices, range.depth};
+    return std::nullopt;
   }
+  ranges_.emplace_hint(next, added.end(), added);
   return std::nullopt;
+}
+
+std::vector<SlabRange> SlabRanges::ranges() const {
+  std::vector<SlabRange> ranges;
+  for (const auto& [end, range] : ranges_) ranges.push_back(range);
+  return ranges;
 }
 
 std::vector<SlabRange> SlabRanges::missing() const {
   std::vector<SlabRange> missing;
   if (ranges_.empty()) return missing;
-  const std::uint32_t depth = ranges_[0].depth;
+  const std::uint32_t depth = ranges_.begin()->second.depth;
   std::uint32_t first = 0;
   const auto end_at = [&](std::uint32_t end) {
     if (end > first) missing.push_back({first, end - first, depth});
   };
-  for (const SlabRange& range : ranges_) {
+  for (const auto& [end, range] : ranges_) {
     end_at(range.first);
-    first = range.end();
+    first = end;
   }
   end_at(depth);
   return missing;

@@ -3,6 +3,7 @@
 #define DISCMC_COMMAND_STREAMS_SLAB_RANGES_HPP
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,12 +18,12 @@ class SlabRanges {
   std::optional<SlabRange> add(const SlabRange& range);
 
   /// In order, those that touch each other as one.
-  const std::vector<SlabRange>& ranges() const { return ranges_; }
+  std::vector<SlabRange> ranges() const;
   /// What lies between them, below and above.
   std::vector<SlabRange> missing() const;
 
  private:
-  std::vector<SlabRange> ranges_;
+  std::map<std::uint32_t, SlabRange> ranges_;  // by their ends
 };
 
 /// "slices 10 to 19 and 30 to 30", for people.
