@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <discmc/checks.hpp>
 #include <discmc/compiler.hpp>
 
 namespace discmc {
@@ -61,6 +62,7 @@ class Arena {
     uint8_t* const place = next_;
     left_ -= bytes;
     next_ += bytes;
+    unpoison(place, bytes);
     return place;
   }
 

@@ -63,6 +63,7 @@ struct Checkpoint {
 
  private:
   CheckpointHead head_with(Memory used) const {
+    unpoison(used.data, used.bytes);  // free slots, too
     const auto offset = reinterpret_cast<uintptr_t>(used.data) % Arena::alignment;
     CheckpointHead described{CheckpointHead::current_format, sizeof(Object) | Object::layout << 16,
                              used.bytes, static_cast<uint32_t>(offset), 0};

@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <discmc/checks.hpp>
 #include <discmc/compiler.hpp>
 
 namespace discmc {
@@ -43,34 +44,51 @@ class SlotAccount {
 
   /// Reserves slots until release(), without choosing them. Limit: at least this many are
   /// available().
-  void reserve(uint32_t count = 1) { available_ -= count; }
-  void release(uint32_t count = 1) { available_ += count; }
+  void reserve(uint32_t count = 1) {
+    DISCMC_LIMIT(count <= available_);
+    available_ -= count;
+  }
+  void release(uint32_t count = 1) {
+    DISCMC_LIMIT(count <= in_use());
+    available_ += count;
+  }
 
-  /// Returns the first of this many adjacent slots that were never used, or no_slot if there are
-  /// not enough. Release each slot separately.
-  Index take_fresh(uint32_t count) {
+ protected:
+  Index take_fresh(uint32_t count, uint32_t slot_bytes) {
     if (count > available_ || count > capacity_ - fresh_) return no_slot;
     const auto first = static_cast<Index>(fresh_ + 1);
     available_ -= count;
     fresh_ += count;
+    unpoison(&next(first, slot_bytes), size_t{count} * slot_bytes);
     return first;
   }
 
- protected:
   Index take(uint32_t slot_bytes) {
     if (available_ == 0) return no_slot;
     --available_;
-    if (free_ == no_slot) return static_cast<Index>(++fresh_);
+    if (free_ == no_slot) {
+      const auto fresh = static_cast<Index>(++fresh_);
+      DISCMC_LIMIT(fresh_ <= capacity_);
+      unpoison(&next(fresh, slot_bytes), slot_bytes);
+      return fresh;
+    }
     const Index index = free_;
+    DISCMC_LIMIT(has(index));
+    unpoison(&next(index, slot_bytes), slot_bytes);
     free_ = next(index, slot_bytes);
     return index;
   }
 
   void give(Index index, uint32_t slot_bytes) {
+    DISCMC_LIMIT(has(index) && available_ < capacity_);
     next(index, slot_bytes) = free_;
     free_ = index;
     ++available_;
+    poison(&next(index, slot_bytes), slot_bytes);
   }
+
+  /// Whether a slot has been taken at some time.
+  DISCMC_ALWAYS_INLINE bool has(Index index) const { return index != no_slot && index <= fresh_; }
 
   uint8_t* slots_ = nullptr;  // counted from one
   uint32_t capacity_ = 0;
@@ -97,13 +115,33 @@ class Pool : public SlotAccount<Index> {
     this->capacity_ = capacity;
   }
 
+  /// Releases all slots, and resets the peak.
+  DISCMC_ALWAYS_INLINE void clear() {
+    SlotAccount<Index>::clear();
+    if (this->capacity_ > 0)
+      poison(this->slots_ + sizeof(Slot), size_t{this->capacity_} * sizeof(Slot));
+  }
+
   /// Returns a slot with undefined members, or no_slot if all are in use.
   Index take() { return SlotAccount<Index>::take(sizeof(Slot)); }
+  /// Returns the first of this many adjacent slots that were never used, or no_slot if there are
+  /// not enough. Release each slot separately.
+  Index take_fresh(uint32_t count) { return SlotAccount<Index>::take_fresh(count, sizeof(Slot)); }
   /// Releases a slot. Limit: it is in use.
   void give(Index index) { SlotAccount<Index>::give(index, sizeof(Slot)); }
 
-  Slot& operator[](Index index) { return reinterpret_cast<Slot*>(this->slots_)[index]; }
+  /// Lets the caller access free slots, too, until they are taken and released again: checks.hpp.
+  DISCMC_ALWAYS_INLINE void unpoison_free() {
+    if (this->capacity_ > 0)
+      unpoison(this->slots_ + sizeof(Slot), size_t{this->capacity_} * sizeof(Slot));
+  }
+
+  Slot& operator[](Index index) {
+    DISCMC_LIMIT(this->has(index));
+    return reinterpret_cast<Slot*>(this->slots_)[index];
+  }
   const Slot& operator[](Index index) const {
+    DISCMC_LIMIT(this->has(index));
     return reinterpret_cast<const Slot*>(this->slots_)[index];
   }
 };

@@ -127,6 +127,7 @@ bool CheckpointStore::set_parts(const Memory* parts, uint32_t count) {
     if (parts[i].bytes > plan_.max_bytes - bytes) return false;
     bytes += static_cast<uint32_t>(parts[i].bytes);
     pieces_.of[i + 1] = parts[i];
+    unpoison(parts[i].data, parts[i].bytes);  // a scan before may have left it poisoned
   }
   pieces_.of[0] = {&head_, sizeof head_};
   pieces_.of[count + 1] = {&tail_, sizeof tail_};

@@ -52,6 +52,7 @@ void Chains::give(Slots& slots, const Area& area) {
 }
 
 bool Chains::make_room(Slots& slots) {
+  DISCMC_LIMIT(joins_ == 0 && complete_ == 0);
   if (!find_places(slots) || !find_area(slots, area_[0].slots)) return false;
   copy_open(slots);
   // So that copying now and then is little work for each pass.
@@ -93,6 +94,7 @@ void Chains::copy_open(Slots& slots) {
       const uint32_t first = top;
       seat[i] = first;
       do {
+        DISCMC_LIMIT(top < area.first + area.slots);
         node[top] = node[at];
         node[top].next = top + 1;
         if (top == first || node[top].has_corner()) ++top;
@@ -143,6 +145,7 @@ void Chains::make_places(Slots& slots, uint32_t queue) {
   const uint32_t waiting = back(queue) - front(queue);
   const uint32_t old_first = first_seat_[queue];
   const uint32_t old_slots = (end_seat_[queue] - old_first) / seats_per_slot;
+  DISCMC_LIMIT(is_within_seats(queue));
   uint32_t first = old_first;
   if (waiting > old_slots * seats_per_slot / 2) {
     // Beyond the first eight gigabytes the number of a seat would have the bit that marks tails.
@@ -180,6 +183,8 @@ DISCMC_ALWAYS_INLINE uint32_t all_if_zero(uint32_t number) {
 }  // namespace
 
 void Chains::take(Slots& slots, const FoundPasses& passes, uint32_t edges) {
+  DISCMC_LIMIT(edges <= Edges::max_edges);
+  DISCMC_LIMIT(edges == 0 || (has_places() && has_room_for(slots, 0)));
   Node* const node = nodes(slots);
   uint32_t* const seat = seats(slots);
   uint32_t top = top_;
@@ -187,6 +192,8 @@ void Chains::take(Slots& slots, const FoundPasses& passes, uint32_t edges) {
   passes.for_each([&](const uint64_t& voxel, PassWord pass) {
     const size_t in = in_of(pass), out = out_of(pass);
     const uint32_t in_seat = of_in_[in]++, out_seat = of_out_[out]++;
+    DISCMC_LIMIT(is_within_seats(in_of(pass)) && is_within_seats(out_of(pass)) && top < end_);
+    DISCMC_LIMIT(joins < FoundPasses::max_passes);
     const uint32_t before = seat[in_seat], after = seat[out_seat];
     // All bits or none, and conditional moves: no branch depends on the surface.
     const uint32_t comes_from_ahead = ray_ends.comes_from_ahead[in];
@@ -217,6 +224,7 @@ bool Chains::find_ring(Slots& slots) {
     uint64_t* corner = corner_;
     uint32_t steps = short_walk;
     do {
+      DISCMC_LIMIT(corner <= corner_ + max_corners);
       corner = node[at].add_corners(corner);
       at = node[at].next;
     } while (at < join && --steps != 0);
@@ -253,6 +261,7 @@ DISCMC_NOINLINE bool Chains::comes_back(Slots& slots, uint32_t at) {
     at = node[last].next;
   }
   if (at == ring_) return true;
+  DISCMC_LIMIT(top_ < end_);
   node[top_].set_voxel(last);
   node[top_].next = node[ring_].next;
   node[top_].pass = Node::shortcut;

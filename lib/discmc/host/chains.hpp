@@ -41,6 +41,7 @@ class Chains {
   /// Whether there is room for what max_edges bring, in the nodes under way. Limit, here and below:
   /// no ring and no complete fragment is due.
   bool has_room(Slots& slots) {
+    DISCMC_LIMIT(joins_ == 0 && complete_ == 0);
     return (has_places() || find_places(slots)) && has_room_for(slots, 0);
   }
   /// Makes room. False when too many slots would be in use: then hand_over(). Limit: no fragment is
@@ -114,6 +115,10 @@ class Chains {
 
   static bool is_at_seam(uint32_t queue) { return queue == seam_tails || queue == seam_begins; }
   uint32_t places(uint32_t queue) { return end_seat_[queue] - back(queue); }
+  bool is_within_seats(uint32_t queue) {
+    return first_seat_[queue] <= front(queue) && front(queue) <= back(queue) &&
+           back(queue) <= end_seat_[queue];
+  }
 
   uint32_t reserve() const { return slots_a_node * (top_ - area_[0].first + max_new); }
   bool has_room_for(const Slots& slots, uint32_t nodes) const {

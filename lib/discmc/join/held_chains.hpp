@@ -74,6 +74,12 @@ class HeldChains {
     runs_.clear();
   }
 
+  /// Lets the caller access the memory that is free.
+  DISCMC_ALWAYS_INLINE void unpoison_free() {
+    chains_.unpoison_free();
+    runs_.unpoison_free();
+  }
+
   /// Allocates an open chain without runs, or returns no_chain if there is no room.
   uint32_t take(Incidence incidence, const Vertex& start, Direction incoming);
 
@@ -91,6 +97,11 @@ class HeldChains {
   void close(uint32_t index);
 
   void drop_first_run(uint32_t index);
+
+  /// The state of any chain up to last_used(), in use or not.
+  DISCMC_NO_ADDRESS_CHECK HeldChain::State state(uint32_t chain) const {
+    return chains_[chain].state;
+  }
 
   HeldChain& operator[](uint32_t chain) { return chains_[chain]; }
   const HeldChain& operator[](uint32_t chain) const { return chains_[chain]; }

@@ -44,6 +44,7 @@ Status Joiner::finish() {
   if (sink_.take == nullptr) return Status::not_started;
   forget_fragment();
   if (!settle() || !end()) return status_of(answer_);
+  chains().unpoison_free();
   return is_short_ ? Status::too_little_memory : Status::ok;
 }
 
@@ -308,7 +309,7 @@ bool Joiner::begin_next_loose() {
   if (!is_letting_go_) return false;
   while (looked_at_ < chains().last_used()) {
     const uint32_t chain = ++looked_at_;
-    if (chain == arriving_ || chains()[chain].state == join::HeldChain::State::unused) continue;
+    if (chain == arriving_ || chains().state(chain) == join::HeldChain::State::unused) continue;
     begin_loose(chain);
     if (outlet_ != Outlet::none) return true;
   }

@@ -32,8 +32,9 @@ void WaitingRings::note(HeldChains& chains, Incidence incidence, const Vertex& f
 
 uint32_t WaitingRings::take_outer(HeldChains& chains) {
   for (uint32_t ring = 1; unsorted_outers_ > 0; ++ring) {
+    if (chains.state(ring) != HeldChain::State::outer) continue;
     HeldChain& chain = chains[ring];
-    if (chain.state != HeldChain::State::outer || chain.has(HeldChain::sorted)) continue;
+    if (chain.has(HeldChain::sorted)) continue;
     remove(chains, ring);
     chain.set(HeldChain::sorted);
     outers_.insert(Lowest{{chains}}, ring);

@@ -83,6 +83,7 @@ void BasicExtractor<Index, Intake, Sweep>::clear() {
 template <class Index, class Intake, class Sweep>
 size_t BasicExtractor<Index, Intake, Sweep>::bytes_used() const {
   if (state_ == State::idle) return 0;
+  unpoison(memory_.data, memory_.bytes);  // the caller saves it, with free slots
   return static_cast<size_t>(bytes_for<Index, Intake>(limits(), {peaks().slots, 0}));
 }
 
@@ -347,6 +348,7 @@ bool BasicExtractor<Index, Intake, Sweep>::end_scan() {
   if (!sweep_.settle_holes(sink_, statistics_)) return false;
   if (!send(Event::Kind::finish)) return false;
   state_ = State::finished;
+  unpoison(memory_.data, memory_.bytes);
   return true;
 }
 

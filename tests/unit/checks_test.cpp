@@ -1,0 +1,164 @@
+// What is poisoned in the caller's memory, and what traps: with an address sanitizer.
+#include <doctest/doctest.h>
+
+#include <discmc/checks.hpp>
+#include <discmc/extractor.hpp>
+#include <discmc/joiner.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include "oracle/scan.hpp"
+
+#if defined(DISCMC_HAS_ADDRESS_SANITIZER)
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#endif
+
+using namespace discmc;
+using namespace discmc::reference;
+
+namespace {
+
+struct Item {
+  uint32_t next;
+  uint32_t payload;
+};
+using Items = Pool<Item, uint32_t>;
+
+// Reads every byte, as a caller does who copies his memory.
+uint32_t sum_of(const void* data, size_t bytes) {
+  const auto* const first = static_cast<const uint8_t*>(data);
+  return std::accumulate(first, first + bytes, 0U);
+}
+
+constexpr Capacities some{2000, 100};
+
+}  // namespace
+
+TEST_CASE(
+    "the memory of a scan may be copied for a checkpoint, and is the caller's behind the end") {
+  const BitVolume volume = random({30, 20, 8}, 128, 3);
+  const Limits limits = limits_of(volume, Border::closed);
+  const std::vector<uint8_t> half(volume.on.begin(), volume.on.begin() + 4 * 600);
+  std::vector<uint8_t> memory(bytes_for<uint32_t>(limits, some));
+  EventLog log;
+  Extractor32 extractor;
+  require_ok(
+      extractor.start(limits, some, 1, Memory{memory.data(), memory.size()}, make_sink(log)));
+  push_all(extractor, half);
+  CHECK(sum_of(memory.data(), extractor.bytes_used()) > 0);
+  push_all(extractor, half);
+  finish_all(extractor);
+  std::fill(memory.begin(), memory.end(), uint8_t{0});
+}
+
+TEST_CASE("the memory of a joiner is the caller's behind the end") {
+  const BitVolume volume = random({30, 20, 8}, 128, 3);
+  std::vector<uint8_t> memory(1000000);
+  EventLog log;
+  Joiner joiner;
+  require_ok(joiner.start(Memory{memory.data(), memory.size()}, make_sink(log), InputOrder::sweep));
+  scan_into<uint16_t>(joiner, volume, {}, Capacities{60, 10});
+  require_ok(joiner.finish());
+  CHECK(joiner.report().received > 0);
+  std::fill(memory.begin(), memory.end(), uint8_t{0});
+}
+
+TEST_CASE("memory on the stack is never poisoned") {
+  Item items[40] = {};
+  Items pool;
+  pool.start(items, 40);
+  pool.clear();
+  pool.give(pool.take());
+  CHECK(sum_of(items, sizeof items) == 0);
+}
+
+#if defined(DISCMC_HAS_ADDRESS_SANITIZER)
+
+namespace {
+
+bool is_poisoned(const void* byte) {
+  return __asan_address_is_poisoned(byte) != 0;
+}
+
+// Whether a process that does something is ended by a trap or a report.
+template <class Action>
+bool is_fatal(Action action) {
+  const pid_t child = fork();
+  if (child == 0) {
+    (void)close(STDERR_FILENO);
+    (void)signal(SIGILL, SIG_DFL);
+    action();
+    _exit(0);
+  }
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  return !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+}
+
+struct HeapItems {
+  explicit HeapItems(uint32_t capacity) : items(new Item[capacity]()) {
+    pool.start(items.get(), capacity);
+    pool.clear();
+  }
+  bool is_free(uint32_t index) const { return is_poisoned(&items[index - 1].payload); }
+
+  std::unique_ptr<Item[]> items;
+  Items pool;
+};
+
+}  // namespace
+
+TEST_CASE("free slots are poisoned: fresh ones, and those given back") {
+  HeapItems heap(8);
+  CHECK(heap.is_free(1));
+  CHECK(heap.is_free(8));
+  CHECK(heap.pool.take() == 1);
+  CHECK(heap.pool.take_fresh(3) == 2);
+  for (uint32_t i = 1; i <= 4; ++i) CHECK(!heap.is_free(i));
+  CHECK(heap.is_free(5));
+  heap.pool.give(3);
+  CHECK(heap.is_free(3));
+  CHECK(!heap.is_free(4));
+  CHECK(heap.pool.take() == 3);
+  CHECK(!heap.is_free(3));
+  heap.pool.clear();
+  CHECK(heap.is_free(3));
+  heap.pool.unpoison_free();
+  CHECK(!heap.is_free(8));
+}
+
+TEST_CASE("an arena hands out memory that another scan left poisoned") {
+  std::vector<uint8_t> memory(1000);
+  poison(memory.data(), memory.size());
+  Arena arena(Memory{memory.data(), memory.size()});
+  CHECK(sum_of(arena.take<uint8_t>(500), 500) == 0);
+}
+
+TEST_CASE("whoever breaks a limit of a pool is stopped") {
+  HeapItems heap(8);
+  Items& pool = heap.pool;
+  for (int i = 0; i < 5; ++i) (void)pool.take();
+  pool.give(2);
+  CHECK(is_fatal([&] { pool.give(2); }));        // given back already
+  CHECK(is_fatal([&] { pool.give(6); }));        // never taken
+  CHECK(is_fatal([&] { pool.give(no_slot); }));  // none
+  CHECK(is_fatal([&] { pool[2].payload = 1; }));
+  CHECK(is_fatal([&] { pool[6].payload = 1; }));
+  CHECK(is_fatal([&] { pool[no_slot].payload = 1; }));
+  CHECK(is_fatal([&] { pool.reserve(5); }));
+  CHECK(is_fatal([&] { pool.release(5); }));
+  CHECK(!is_fatal([&] {
+    pool.reserve(4);
+    pool.release(4);
+    pool.give(1);
+    pool[5].payload = 1;
+  }));
+}
+
+#endif
