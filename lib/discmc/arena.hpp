@@ -30,7 +30,10 @@ class Arena {
 
   /// The bytes that an array of `count` items of `item_bytes` occupies.
   static constexpr uint64_t bytes_of(uint32_t count, uint32_t item_bytes) {
-    return (uint64_t{count} * item_bytes + alignment - 1) / alignment * alignment;
+    return aligned(uint64_t{count} * item_bytes) + red_zone_bytes;
+  }
+  static constexpr uint64_t aligned(uint64_t bytes) {
+    return (bytes + alignment - 1) / alignment * alignment;
   }
 
   explicit Arena(Memory memory)
@@ -46,9 +49,9 @@ class Arena {
   /// call returns null.
   template <class T>
   T* take(uint32_t count) {
-    constexpr size_t most = (SIZE_MAX - alignment) / sizeof(T);
-    return reinterpret_cast<T*>(
-        take_bytes(count <= most ? count * sizeof(T) : SIZE_MAX - alignment));
+    constexpr size_t most_bytes = SIZE_MAX - alignment - red_zone_bytes;
+    constexpr size_t most = most_bytes / sizeof(T);
+    return reinterpret_cast<T*>(take_bytes(count <= most ? count * sizeof(T) : most_bytes));
   }
 
   /// Whether an array did not fit.
@@ -57,12 +60,14 @@ class Arena {
  private:
   uint8_t* take_bytes(size_t bytes) {
     bytes = (bytes + alignment - 1) / alignment * alignment;
-    if (bytes > left_) is_exhausted_ = true;
+    const size_t with_zone = bytes + red_zone_bytes;
+    if (with_zone > left_) is_exhausted_ = true;
     if (is_exhausted_) return nullptr;
     uint8_t* const place = next_;
-    left_ -= bytes;
-    next_ += bytes;
+    left_ -= with_zone;
+    next_ += with_zone;
     unpoison(place, bytes);
+    poison(place + bytes, red_zone_bytes);
     return place;
   }
 

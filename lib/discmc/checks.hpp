@@ -5,6 +5,9 @@
 // file that includes its headers with the same sanitizers. The memory is accessible to the caller
 // again after finish(), after bytes_used() or save(), and when another object starts with it.
 // ASAN_OPTIONS=allow_user_poisoning=0 turns the poison off.
+//
+// DISCMC_CHECKED adds red zones between the arrays of an arena, for tests of the library. Arenas
+// need more memory then; sizes.h does not count it.
 #ifndef DISCMC_CHECKS_HPP
 #define DISCMC_CHECKS_HPP
 
@@ -22,6 +25,8 @@
 
 #if defined(DISCMC_HAS_ADDRESS_SANITIZER)
 #include <sanitizer/asan_interface.h>
+#elif defined(DISCMC_CHECKED)
+#error "DISCMC_CHECKED needs an address sanitizer: -fsanitize=address"
 #endif
 
 /// DISCMC_LIMIT() traps if a Limit is broken. Other builds do not even read its operands, so their
@@ -36,6 +41,13 @@
 #endif
 
 namespace discmc {
+
+/// The poisoned bytes behind each array of an arena.
+#if defined(DISCMC_CHECKED)
+constexpr size_t red_zone_bytes = 64;
+#else
+constexpr size_t red_zone_bytes = 0;
+#endif
 
 #if defined(DISCMC_HAS_ADDRESS_SANITIZER)
 

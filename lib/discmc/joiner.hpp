@@ -102,7 +102,8 @@ class Joiner {
   /// bytes.
   static constexpr JoinCapacities default_capacities(uint64_t bytes) {
     // In 32 bits: no 64-bit division on small machines.
-    const uint64_t units = bytes < Arena::alignment ? 0 : (bytes - (Arena::alignment - 1)) >> 6;
+    constexpr uint64_t unused = bytes_for({0, 0});
+    const uint64_t units = bytes <= unused ? 0 : (bytes - unused) >> 6;
     const uint32_t affordable = static_cast<uint32_t>(units < UINT32_MAX ? units : UINT32_MAX) / 3;
     if (affordable == 0) return {1, 1};
     const uint32_t fragments =

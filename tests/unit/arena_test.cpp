@@ -21,7 +21,7 @@ bool is_aligned(const void* place) {
 }  // namespace
 
 TEST_CASE("arrays follow each other, aligned, wherever the memory begins") {
-  alignas(8) uint8_t bytes[64] = {};
+  alignas(8) uint8_t bytes[64 + 3 * red_zone_bytes] = {};
   for (size_t offset = 0; offset < 4; ++offset) {
     Arena arena({bytes + offset, sizeof bytes - offset});
     const size_t skipped = (4 - offset) % 4;
@@ -29,8 +29,9 @@ TEST_CASE("arrays follow each other, aligned, wherever the memory begins") {
     const auto* second = arena.take<Six>(3);
     const auto* third = arena.take<uint32_t>(2);
     CHECK(first == bytes + offset + skipped);
-    CHECK(reinterpret_cast<const uint8_t*>(second) == first + 8);
-    CHECK(reinterpret_cast<const uint8_t*>(third) == first + 8 + 20);
+    CHECK(reinterpret_cast<const uint8_t*>(second) == first + Arena::bytes_of(5, 1));
+    CHECK(reinterpret_cast<const uint8_t*>(third) ==
+          first + Arena::bytes_of(5, 1) + Arena::bytes_of(3, 6));
     CHECK(is_aligned(first));
     CHECK(is_aligned(second));
     CHECK(is_aligned(third));
@@ -39,14 +40,15 @@ TEST_CASE("arrays follow each other, aligned, wherever the memory begins") {
 
 TEST_CASE(
     "what fits exactly is had, beside the three bytes set aside, wherever the memory begins") {
-  alignas(4) uint8_t bytes[24] = {};
+  constexpr size_t needed = 16 + 3 * red_zone_bytes;
+  alignas(4) uint8_t bytes[needed + 8] = {};
   for (size_t offset = 0; offset < 4; ++offset) {
-    Arena enough({bytes + offset, 16 + 3});
+    Arena enough({bytes + offset, needed + 3});
     CHECK(enough.take<uint32_t>(3) != nullptr);
     CHECK(enough.take<uint32_t>(1) != nullptr);
     CHECK(enough.take<uint8_t>(0) != nullptr);
     CHECK_FALSE(enough.is_exhausted());
-    Arena short_of_one({bytes + offset, 16 + 2});
+    Arena short_of_one({bytes + offset, needed - red_zone_bytes + 2});
     CHECK(short_of_one.take<uint32_t>(3) != nullptr);
     CHECK(short_of_one.take<uint32_t>(1) == nullptr);
     CHECK(short_of_one.is_exhausted());
@@ -54,7 +56,7 @@ TEST_CASE(
 }
 
 TEST_CASE("once something has not fitted nothing does") {
-  alignas(4) uint8_t bytes[32] = {};
+  alignas(4) uint8_t bytes[32 + red_zone_bytes] = {};
   for (const uint32_t count : {30U, UINT32_MAX}) {
     Arena arena(memory_of(bytes));
     CHECK(arena.take<uint32_t>(1) != nullptr);
@@ -66,8 +68,8 @@ TEST_CASE("once something has not fitted nothing does") {
 }
 
 TEST_CASE("an array of an odd number of bytes needs its padding too") {
-  alignas(4) uint8_t bytes[12] = {};
-  Arena arena({bytes, 7 + 3});
+  alignas(4) uint8_t bytes[12 + 2 * red_zone_bytes] = {};
+  Arena arena({bytes, 7 + 3 + 2 * red_zone_bytes});
   CHECK(arena.take<uint8_t>(4) != nullptr);
   CHECK(arena.take<uint8_t>(3) == nullptr);
 }
@@ -85,9 +87,9 @@ TEST_CASE("too little memory to align, or none, gives nothing") {
 }
 
 TEST_CASE("three bytes, the ones set aside, are memory that has room for nothing") {
-  alignas(4) uint8_t bytes[4] = {};
+  alignas(4) uint8_t bytes[4 + red_zone_bytes] = {};
   for (const size_t count : {3U, 4U}) {
-    Arena arena({bytes, count});
+    Arena arena({bytes, count + red_zone_bytes});
     CHECK_FALSE(arena.is_exhausted());
     CHECK(arena.take<uint8_t>(0) != nullptr);
     CHECK(arena.take<uint8_t>(1) == nullptr);
@@ -96,13 +98,13 @@ TEST_CASE("three bytes, the ones set aside, are memory that has room for nothing
 }
 
 TEST_CASE("the bytes of an array are rounded up to the alignment and do not wrap") {
-  CHECK(Arena::bytes_of(0, 12) == 0);
-  CHECK(Arena::bytes_of(1, 1) == 4);
-  CHECK(Arena::bytes_of(4, 1) == 4);
-  CHECK(Arena::bytes_of(5, 1) == 8);
-  CHECK(Arena::bytes_of(3, 6) == 20);
-  CHECK(Arena::bytes_of(UINT32_MAX, 24) == uint64_t{UINT32_MAX} * 24);
-  static_assert(Arena::bytes_of(7, 2) == 16, "known at compile time");
+  CHECK(Arena::bytes_of(0, 12) == red_zone_bytes);
+  CHECK(Arena::bytes_of(1, 1) == 4 + red_zone_bytes);
+  CHECK(Arena::bytes_of(4, 1) == 4 + red_zone_bytes);
+  CHECK(Arena::bytes_of(5, 1) == 8 + red_zone_bytes);
+  CHECK(Arena::bytes_of(3, 6) == 20 + red_zone_bytes);
+  CHECK(Arena::bytes_of(UINT32_MAX, 24) == uint64_t{UINT32_MAX} * 24 + red_zone_bytes);
+  static_assert(Arena::bytes_of(7, 2) == 16 + red_zone_bytes, "known at compile time");
 }
 
 TEST_CASE("arrays do not overlap and stay within the memory, whatever is taken") {

@@ -40,6 +40,16 @@ constexpr Capacities some{2000, 100};
 
 }  // namespace
 
+TEST_CASE("arrays of an arena have nothing between them but a red zone") {
+  CHECK(Arena::bytes_of(5, 1) == 8 + red_zone_bytes);
+  const std::unique_ptr<uint32_t[]> memory(new uint32_t[100]());
+  Arena arena({memory.get(), 400});
+  const auto* const first = arena.take<uint8_t>(5);
+  const auto* const second = arena.take<uint8_t>(5);
+  CHECK(second == first + 8 + red_zone_bytes);
+  CHECK(sum_of(first, 5) + sum_of(second, 5) == 0);
+}
+
 TEST_CASE(
     "the memory of a scan may be copied for a checkpoint, and is the caller's behind the end") {
   const BitVolume volume = random({30, 20, 8}, 128, 3);
@@ -66,7 +76,8 @@ TEST_CASE("the memory of a joiner is the caller's behind the end") {
   scan_into<uint16_t>(joiner, volume, {}, Capacities{60, 10});
   require_ok(joiner.finish());
   CHECK(joiner.report().received > 0);
-  std::fill(memory.begin(), memory.end(), uint8_t{0});
+  // Red zones stay.
+  if (red_zone_bytes == 0) std::fill(memory.begin(), memory.end(), uint8_t{0});
 }
 
 TEST_CASE("memory on the stack is never poisoned") {
@@ -138,6 +149,14 @@ TEST_CASE("an arena hands out memory that another scan left poisoned") {
   poison(memory.data(), memory.size());
   Arena arena(Memory{memory.data(), memory.size()});
   CHECK(sum_of(arena.take<uint8_t>(500), 500) == 0);
+}
+
+TEST_CASE("a red zone is poisoned in a checked build") {
+  std::vector<uint8_t> memory(1000);
+  Arena arena(Memory{memory.data(), memory.size()});
+  const auto* const first = arena.take<uint8_t>(16);
+  (void)arena.take<uint8_t>(16);
+  if (red_zone_bytes > 0) CHECK(is_fatal([first] { return sum_of(first, 16 + 8); }));
 }
 
 TEST_CASE("whoever breaks a limit of a pool is stopped") {

@@ -204,7 +204,7 @@ TEST_CASE(
 TEST_CASE("a slice is swept when a slice and a row behind it have come, out of four and six rows") {
   using Normals = WithNormals<uint8_t>;
   const Limits limits{8, 3};
-  CHECK(Normals::bytes_for(limits) == (4 * 3 + 6) * (8 + sizeof(uint16_t)));
+  CHECK(Normals::bytes_for(limits) == (4 * 3 + 6) * (8 + sizeof(uint16_t)) + 2 * red_zone_bytes);
   const std::vector<uint8_t> samples(7 * limits.width, 0);
   Block block(minimum_bytes<uint16_t, Normals>(limits));
   EventLog log;

@@ -8,8 +8,9 @@ struct discmc_joiner {
 
 namespace discmc {
 
-static_assert(DISCMC_JOINER_BYTES(7) >=
-                  bytes_with_object(sizeof(discmc_joiner), Joiner::bytes_for({7, 56})),
+static_assert(red_zone_bytes > 0 ||
+                  DISCMC_JOINER_BYTES(7) >=
+                      bytes_with_object(sizeof(discmc_joiner), Joiner::bytes_for({7, 56})),
               "the size in sizes.h suffices");
 
 extern "C" {

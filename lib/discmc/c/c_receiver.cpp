@@ -8,8 +8,9 @@ struct discmc_receiver {
 
 namespace discmc {
 
-static_assert(DISCMC_RECEIVER_BYTES(31, 7, 2) >=
-                  bytes_with_object(sizeof(discmc_receiver), minimum_surface_bytes({31, 7}, 2)),
+static_assert(red_zone_bytes > 0 ||
+                  DISCMC_RECEIVER_BYTES(31, 7, 2) >=
+                      bytes_with_object(sizeof(discmc_receiver), minimum_surface_bytes({31, 7}, 2)),
               "the size in sizes.h suffices");
 
 extern "C" {

@@ -10,8 +10,9 @@ struct discmc_row_ring {
 
 namespace discmc {
 
-static_assert(DISCMC_ROW_RING_BYTES(37, 5) >=
-                  bytes_with_object(sizeof(discmc_row_ring), RowRing::bytes_for(37, 5)),
+static_assert(red_zone_bytes > 0 ||
+                  DISCMC_ROW_RING_BYTES(37, 5) >=
+                      bytes_with_object(sizeof(discmc_row_ring), RowRing::bytes_for(37, 5)),
               "the size in sizes.h suffices");
 
 extern "C" {

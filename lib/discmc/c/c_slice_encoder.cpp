@@ -17,9 +17,9 @@ namespace discmc {
 
 namespace {
 
-static_assert(DISCMC_SLICE_ENCODER_BYTES(31, 7, 2) >=
-                  bytes_with_object(sizeof(discmc_slice_encoder),
-                                    slice_encoder_bytes({31, 7}, {}, 2)),
+static_assert(red_zone_bytes > 0 || DISCMC_SLICE_ENCODER_BYTES(31, 7, 2) >=
+                                        bytes_with_object(sizeof(discmc_slice_encoder),
+                                                          slice_encoder_bytes({31, 7}, {}, 2)),
               "the size in sizes.h suffices");
 
 StreamHeader header_of(const discmc_slice_encoder_config& config) {

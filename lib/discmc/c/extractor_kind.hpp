@@ -28,7 +28,8 @@ struct ScanSizes {
 
 /// As bytes_for(), in one function for all types.
 constexpr uint64_t bytes_of_scan(const ScanSizes& sizes, const Limits& limits, uint32_t slots) {
-  uint64_t bytes = bytes_for<uint16_t>(limits, {0, 0}) + Arena::bytes_of(slots, sizes.slot_bytes);
+  uint64_t bytes =
+      bytes_for<uint16_t>(limits, {0, 0}) + Arena::aligned(uint64_t{slots} * sizes.slot_bytes);
   if (sizes.index_bytes > sizeof(uint16_t))
     bytes += bytes_for<uint32_t>({1, 1}, {0, 0}) - bytes_for<uint16_t>({1, 1}, {0, 0});
   const uint32_t rows = GradientNormals<uint8_t>::ring_rows(limits);

@@ -27,8 +27,8 @@ class MajorityFilter {
 
   /// The memory for start(): two slices of bits and four rows. Units: bytes.
   static constexpr uint64_t bytes_for(const Limits& limits) {
-    return Arena::bytes_of(rows_held(limits) + 1, 4 * words_of(limits.width)) + Arena::alignment -
-           1;
+    return Arena::bytes_of(rows_held(limits) + 1, 4 * words_of(limits.width)) + red_zone_bytes +
+           Arena::alignment - 1;
   }
 
   /// Begins a volume. memory: at least bytes_for(limits); Owner: the caller, while the filter is in

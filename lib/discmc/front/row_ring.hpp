@@ -41,7 +41,7 @@ class RowRing {
 
   /// The memory for start(). Units: bytes.
   static constexpr uint64_t bytes_for(uint32_t row_bytes, uint32_t rows) {
-    return uint64_t{rows} * Arena::bytes_of(1, row_bytes) + Arena::bytes_of(rows, 4) +
+    return uint64_t{rows} * Arena::aligned(row_bytes) + red_zone_bytes + Arena::bytes_of(rows, 4) +
            Arena::alignment - 1;
   }
 
@@ -56,7 +56,7 @@ class RowRing {
     if (row_bytes == 0 || rows == 0 || bytes > UINT32_MAX) return Status::bad_capacities;
     if (memory.data == nullptr || memory.bytes < bytes) return Status::too_little_memory;
     Arena arena(memory);
-    row_bytes_ = static_cast<uint32_t>(Arena::bytes_of(1, row_bytes));
+    row_bytes_ = static_cast<uint32_t>(Arena::aligned(row_bytes));
     rows_ = arena.take<uint8_t>(row_bytes_ * rows);
     numbers_ = arena.take<uint32_t>(rows);
     room_ = rows;

@@ -153,6 +153,7 @@ void Chains::find_complete(Slots& slots) {
 }
 
 void Chains::put_out_complete(Fragments& fragments) {
+  DISCMC_LIMIT(complete_ > 0);
   --complete_;
   const Node* const node = nodes(fragments.slots());
   uint32_t at = seats(fragments.slots())[front(seam_begins)++];
@@ -172,6 +173,7 @@ void Chains::put_out_complete(Fragments& fragments) {
 }
 
 void Chains::hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_t word) {
+  DISCMC_LIMIT(complete_ == 0);
   Slots& slots = fragments.slots();
   const Node* const node = nodes(slots);
   uint32_t* const seat = seats(slots);
@@ -180,6 +182,8 @@ void Chains::hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_
   for (uint32_t queue = first_begins; queue < queue_codes; ++queue)
     for (uint32_t i = front(queue); i != back(queue); ++i) {
       const Node& first_node = node[seat[i]];
+      const uint32_t available = slots.available();
+      uint32_t nodes_passed = 1;
       const bool begins_at_seam = first_node.begins_at_seam();
       const CornerCode first =
           begins_at_seam ? seam_corner(first_node) : CornerCode(first_node.corner());
@@ -196,7 +200,10 @@ void Chains::hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_
         seat[at - Node::waiting_tail] = no_slot;
         continue;
       }
-      for (; at < Node::waiting_tail; at = node[at].next) sides.add(node[at]);
+      for (; at < Node::waiting_tail; at = node[at].next) {
+        sides.add(node[at]);
+        ++nodes_passed;
+      }
       uint32_t tail = trace::loose_end<uint32_t>();
       if (at != Node::no_node) {
         const CornerCode last = sides.last();
@@ -204,6 +211,7 @@ void Chains::hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_
         seat[at - Node::waiting_tail] = tail;
       }
       fragments.connect(begin, tail, sides.list());
+      DISCMC_LIMIT(available - slots.available() <= slots_a_node * nodes_passed);
     }
   for (uint32_t queue = 0; queue < seam_tails; ++queue)
     for (uint32_t i = front(queue); i != back(queue); ++i)

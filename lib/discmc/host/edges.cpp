@@ -1,3 +1,4 @@
+#include <discmc/checks.hpp>
 #include <discmc/compiler.hpp>
 #include <discmc/host/corner_code.hpp>
 #include <discmc/host/edges.hpp>
@@ -18,6 +19,11 @@ uint64_t two_words(const uint32_t* words) {
 
 // Of the columns of two words, and of a row of two words.
 constexpr uint64_t own_columns = trace::own_columns * uint64_t{0x100000001};
+
+// Of a position, which may lie a column or a row before the first.
+uint32_t slice_of(uint64_t position) {
+  return static_cast<uint32_t>((position + CornerCode::vector({2, 2, 0})) >> 48);
+}
 
 // A word of each of the nine rows around a row.
 class BlockWord {
@@ -59,6 +65,8 @@ void Edges::clear() {
 }
 
 bool Edges::collect(const SweptRow& row) {
+  DISCMC_LIMIT(count_ == 0 ||
+               slice_of(edge_[0].voxel) == slice_of(CornerCode::position({0, 0, 2 * row.z})));
   const uint32_t* const here = row.around.row[1][1];
   const uint32_t* const behind = row.around.row[1][2];
   const uint32_t* const above = row.around.row[2][1];
@@ -120,6 +128,7 @@ inline void Edges::collect_word(const SweptRow& row, uint32_t word, uint64_t x, 
     edge += z >> bit & 1;
   }
   count_ = static_cast<uint32_t>(edge - edge_);
+  DISCMC_LIMIT(count_ <= (row.is_own() ? max_edges : max_at_seam));
   const bool is_end = row.has_open_ends && (word == 0 || word + 1 == row.words);
   if (is_end || row.absent_rows != 0) mark_special(row, first);
 }

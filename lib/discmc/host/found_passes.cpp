@@ -1,3 +1,4 @@
+#include <discmc/checks.hpp>
 #include <discmc/compiler.hpp>
 #include <discmc/host/corner_code.hpp>
 #include <discmc/host/found_passes.hpp>
@@ -56,6 +57,7 @@ void FoundPasses::find(const Edges& edges, trace::SweepCounts& counts) {
     place += has_rays;
   }
   rays_ = static_cast<uint32_t>(ray - ray_);
+  DISCMC_LIMIT(place <= place_ + Edges::max_edges && rays_ <= max_passes + Edges::max_edges);
   constexpr uint64_t one = (uint64_t{1} << PartSum::bits) - 1;
   counts.add(static_cast<uint32_t>(parts & one),
              static_cast<uint32_t>(parts >> PartSum::bits & one),

@@ -151,6 +151,7 @@ bool Sweep::may_have_holes(CornerCode start) {
 // ring begins at its last vertex, as in Delivery, which is a corner.
 DISCMC_ALWAYS_INLINE const Run* Sweep::make_runs(uint32_t count, CornerCode& start,
                                                  uint64_t& links) {
+  DISCMC_LIMIT(2 * count <= sizeof run_ / sizeof run_[0]);
   uint64_t* const corner = chains_.corners();
   corner[count] = corner[0];
   const Direction* const direction = plane_table.of[CornerCode(corner[0]).incidence()].direction;

@@ -15,6 +15,7 @@ void WaitingChains::start(Arena& arena, uint32_t chains, uint32_t runs) {
   const uint32_t buckets = buckets_for(chains);
   uint32_t* const hashes = arena.take<uint32_t>(buckets);
   table_.start(hashes, arena.take<uint32_t>(buckets), buckets);
+  DISCMC_LIMIT(!arena.is_exhausted());
   forget();
 }
 

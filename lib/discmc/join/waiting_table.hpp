@@ -5,6 +5,7 @@
 #ifndef DISCMC_JOIN_WAITING_TABLE_HPP
 #define DISCMC_JOIN_WAITING_TABLE_HPP
 
+#include <discmc/checks.hpp>
 #include <discmc/lattice.hpp>
 
 namespace discmc::join {
@@ -45,6 +46,7 @@ class WaitingTable {
 
   /// Call clear() before using it. Limit: buckets >= 1.
   void start(uint32_t* hashes, uint32_t* values, uint32_t buckets) {
+    DISCMC_LIMIT(buckets >= 1);
     hashes_ = hashes;
     values_ = values;
     buckets_ = buckets;

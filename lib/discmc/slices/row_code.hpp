@@ -2,6 +2,7 @@
 #ifndef DISCMC_SLICES_ROW_CODE_HPP
 #define DISCMC_SLICES_ROW_CODE_HPP
 
+#include <discmc/checks.hpp>
 #include <discmc/compiler.hpp>
 #include <discmc/slices/slice_model.hpp>
 #include <discmc/trace/bit_rows.hpp>
@@ -68,6 +69,7 @@ class RowCode {
   /// is_done(). Cost: 1 decision; for a run that ends early, about 10.
   template <class Coder>
   bool step(Coder& coder, SliceModel& model) {
+    DISCMC_LIMIT(!is_done());
     const uint32_t neighbours = differing_neighbours();
     const uint32_t level = neighbours % context::voxels == 0 ? level_voxels() : 0;
     if (level < 2) {
@@ -112,6 +114,7 @@ class RowCode {
   // The number of voxels from here on whose neighbours, except that of the first surface, all equal
   // the voxel before. Limit: the neighbours of the next voxel do.
   uint32_t level_voxels() {
+    DISCMC_LIMIT(differing_neighbours() % context::voxels == 0);
     // If a run has ended early, its level continues and is not computed again.
     if (left_ <= level_end_) level_end_ = left_ - level_voxels_ahead();
     return left_ - level_end_;
@@ -152,6 +155,7 @@ class RowCode {
 
   // Writes this many voxels that equal the one before.
   void pass(uint32_t voxels) {
+    DISCMC_LIMIT(voxels <= left_);
     left_ -= voxels;
     while (voxels > 0) {
       const uint32_t room = trace::columns_per_word + 1 - bit_;
@@ -169,6 +173,7 @@ class RowCode {
   // Limit: the word has room for them.
   void write(uint32_t voxels) {
     const uint32_t next = bit_ + voxels;
+    DISCMC_LIMIT(next <= trace::columns_per_word + 1);
     row_[word_] |= as_before_ & ((uint32_t{1} << next) - (uint32_t{1} << bit_));
     bit_ = next <= trace::columns_per_word ? next : 1;
     if (next > trace::columns_per_word) ++word_;

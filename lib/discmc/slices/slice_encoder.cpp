@@ -253,6 +253,7 @@ bool SliceEncoder::encode_what_precedes() {
 
 // Limit: between two rows.
 bool SliceEncoder::is_at_key_slice() const {
+  DISCMC_LIMIT(!row_is_begun_);
   return rows() == 0 && (key_is_due_ || key_slices_.is_key(slices()));
 }
 

@@ -17,6 +17,7 @@ class Surfaces {
   /// Allocates rows and probabilities in the arena; clear() writes to them. Limit: a valid header.
   void start(Arena& arena, const StreamHeader& header, uint32_t rows) {
     const Limits limits{header.width, header.height, header.border};
+    DISCMC_LIMIT(limits.is_valid() && header.surface_count <= StreamHeader::max_surfaces);
     count_ = header.surface_count;
     height_ = header.height;
     for (Surface& surface : *this) {

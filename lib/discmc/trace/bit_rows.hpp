@@ -35,7 +35,7 @@ constexpr uint32_t swept_rows(uint32_t height) {
 }
 /// The bytes of a ring of so many rows, and of one that is all off.
 constexpr uint64_t bit_row_bytes(uint32_t width, uint32_t rows) {
-  return uint64_t{rows + 1} * row_words(width) * sizeof(uint32_t);
+  return uint64_t{rows + 1} * row_words(width) * sizeof(uint32_t) + red_zone_bytes;
 }
 
 /// The bits of a word's own columns.

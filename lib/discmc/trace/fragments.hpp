@@ -212,6 +212,7 @@ template <class Index, class Normal>
 template <class Intake>
 DISCMC_NOINLINE void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
                                                     const Intake& intake) {
+  DISCMC_LIMIT(!has_outgoing());
   const Place here = place_of(vertex);
   const Index begin = pass.goes_ahead() ? Index{no_slot} : pop(pass.out);
   Index tail;
@@ -427,6 +428,7 @@ void Fragments<Index, Normal>::connect(Index begin, Index tail, Index list) {
 // below.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bool ends) {
+  DISCMC_LIMIT(!has_outgoing());
   Vertex at = ends ? vertex : next_vertex(pass, vertex);
   const Link along = ends ? pass.incoming : pass.second;
   const uint8_t queue = ends ? pass.in : pass.out;

@@ -86,6 +86,7 @@ class Holes {
 
 template <class Index, class Normal>
 void Holes<Index, Normal>::keep(Slots& slots, const Outgoing<Index>& ring) {
+  DISCMC_LIMIT(slots.available() >= slots_each);
   const Index index = slots.take();
   const Index start = slots.take();
   slots[start].hole_start.set(ring.start);
@@ -145,6 +146,7 @@ void Holes<Index, Normal>::take(Slots& slots, Index& last, Vertex& start) {
 
 template <class Index, class Normal>
 void Holes<Index, Normal>::any_plane(const Slots& slots, Incidence& incidence, Vertex& at) const {
+  DISCMC_LIMIT(count_ > 0);
   uint32_t i = 0;
   while (heads_[i] == no_slot) ++i;
   const Hole<Index>& hole = slots[heads_[i]].hole;

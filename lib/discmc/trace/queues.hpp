@@ -41,6 +41,7 @@ class Queues {
 
   /// Puts an end behind what waits. Limit: slots.available() >= 2.
   void push(Slots& slots, uint8_t number, Index end) {
+    DISCMC_LIMIT(slots.available() >= 2);
     Queue<Index>& queue = queues_[number];
     slots[end].linked.next = no_slot;
     if (queue.head == no_slot) {

@@ -139,7 +139,8 @@ TEST_CASE(
     "a filter takes two slices and four rows, and writes nothing behind the row that is due") {
   const Limits limits{33, 2};
   constexpr std::size_t row_bytes = 8;
-  REQUIRE(MajorityFilter::bytes_for(limits) == (2 * 2 + 4) * row_bytes + 3);
+  REQUIRE(MajorityFilter::bytes_for(limits) ==
+          (2 * 2 + 4) * row_bytes + 3 + 2 * discmc::red_zone_bytes);
   const std::uint8_t on[] = {0xFF, 0xFF, 0xFF, 0xFF, 0x01};
   std::vector<std::uint8_t> memory(MajorityFilter::bytes_for(limits) + 16, 0x5A);
   MajorityFilter filter;
@@ -148,5 +149,6 @@ TEST_CASE(
   const std::uint8_t* const due = filter.drain();
   REQUIRE(due != nullptr);
   CHECK(due[4] == 0x01);
-  CHECK(due[row_bytes] == 0x5A);
+  // In a checked build a red zone.
+  if (discmc::red_zone_bytes == 0) CHECK(due[row_bytes] == 0x5A);
 }
