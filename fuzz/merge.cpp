@@ -15,6 +15,7 @@
 #include "input.hpp"
 #include "little_memory.hpp"
 #include "oracle/event_log.hpp"
+#include "oracle/least_host.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "require.hpp"
@@ -298,6 +299,9 @@ void check_nodes(const Scenario& scenario, const EventLog::Refuses& refuses) {
   const EventLog nodes = run<uint32_t, HostExtractor>(large, refuses);
   const EventLog slots = run<uint32_t>(large, {});
   require(nodes.events == slots.events, "a host that keeps nodes gives other events");
+  large.capacities.slots -= host::Chains::min_slots - LeastHost::min_slots;
+  const EventLog least = run<uint32_t, LeastHost>(large, refuses);
+  require(least.events == slots.events, "a host with the least room gives other events");
 }
 
 template <class Scanner>
@@ -327,9 +331,11 @@ void check_slab(const Scenario& scenario) {
   const uint32_t first = scenario.refusal_seed / 16 % tile.depth;
   const uint32_t end = std::min(first + 1 + scenario.refusal_seed / 128, tile.depth);
   const Border border = scenario.limits.border;
-  require(parts_of_slab<HostExtractor>(volume, border, first, end) ==
-              parts_of_slab<Extractor32>(volume, border, first, end),
+  const auto parts = parts_of_slab<Extractor32>(volume, border, first, end);
+  require(parts_of_slab<HostExtractor>(volume, border, first, end) == parts,
           "a host gives other parts of a slab");
+  require(parts_of_slab<LeastHost>(volume, border, first, end) == parts,
+          "a host with the least room gives other parts of a slab");
 }
 
 void check(const Scenario& scenario) {

@@ -23,17 +23,18 @@ void for_each_queue(Visit visit) {
 
 bool Chains::start(Slots& slots) {
   free_places_ = complete_ = joins_ = next_join_ = 0;
-  if (slots.available() < min_slots) return false;
+  if (slots.available() < room_.slots()) return false;
   (void)new_area(slots, 1);
-  uint32_t seat = new_area(slots, seat_slots).first * seats_per_slot;
+  uint32_t seat = new_area(slots, room_.seat_slots()).first * seats_per_slot;
   for_each_queue([&](uint32_t queue) {
     of_in_[queue] = of_out_[queue] = first_seat_[queue] = seat;
-    end_seat_[queue] = seat += is_at_seam(queue) ? min_seats_at_seam : min_seats;
+    end_seat_[queue] = seat += is_at_seam(queue) ? room_.seats_at_seam : room_.seats;
   });
-  area_[0] = new_area(slots, min_nodes);
+  DISCMC_LIMIT(seat == seats_per_slot * (1 + room_.seat_slots()));
+  area_[0] = new_area(slots, room_.nodes);
   area_[1] = {};
   top_ = area_[0].first;
-  end_ = top_ + min_nodes;
+  end_ = top_ + room_.nodes;
   return true;
 }
 
@@ -222,7 +223,7 @@ bool Chains::find_ring(Slots& slots) {
     const uint32_t join = join_[next_join_++];
     uint32_t at = join;
     uint64_t* corner = corner_;
-    uint32_t steps = short_walk;
+    uint32_t steps = room_.short_walk;
     do {
       DISCMC_LIMIT(corner <= corner_ + max_corners);
       corner = node[at].add_corners(corner);
@@ -232,7 +233,7 @@ bool Chains::find_ring(Slots& slots) {
     ring_ = join;
     if (at != join) {
       if (!comes_back(slots, at)) continue;
-      for (at = join, corner = corner_; corner < corner_ + max_corners;) {
+      for (at = join, corner = corner_; corner < corner_ + room_.corners;) {
         corner = node[at].add_corners(corner);
         at = node[at].next;
         if (at == join) break;

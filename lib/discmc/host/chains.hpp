@@ -27,15 +27,65 @@
 
 namespace discmc::host {
 
+/// With what chains begin, and how far a ring is walked before the slower way.
+struct ChainRoom {
+  static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
+  // A pass is a node. It may be a join, which may leave a shortcut.
+  static constexpr uint32_t max_joins = FoundPasses::max_passes;
+  static constexpr uint32_t max_new = FoundPasses::max_passes + max_joins;
+  // In the queues of a seam, as one edge may have all its passes across it.
+  static constexpr uint32_t max_across = Edges::max_at_seam * trace::PassList::most;
+  // For handing over, slots are set aside: a node that waits at both its ends becomes two ends and,
+  // as both its sides may be long, up to eight slots of runs.
+  static constexpr uint32_t slots_a_node = 10;
+  static constexpr uint32_t runs_of_side =
+      (2 * (Limits::max_extent + 1) + trace::longest_short_run - 1) / trace::longest_short_run;
+  static_assert(2 + (2 * runs_of_side + 2 + 2) / 3 <= slots_a_node,
+                "two ends, two long sides, and two short ones at centroids");
+  static constexpr uint32_t max_corners = 512;
+
+  uint32_t nodes = 4096;
+  /// Of each queue, and of the two of a seam: multiples of seats_per_slot. No power of two, so that
+  /// the first seats of queues do not share sets of a cache.
+  uint32_t seats = 4 * Edges::max_edges + 16;
+  uint32_t seats_at_seam = 2 * max_across + 16;
+  /// Rings with as many corners are listed whole.
+  uint32_t corners = max_corners;
+  uint32_t short_walk = 64;
+
+  /// What one batch of edges needs, so that all grows at once: for tests.
+  static constexpr ChainRoom least() { return {max_new, Edges::max_edges, max_across, 1, 1}; }
+
+  constexpr uint32_t seat_slots() const {
+    return 2 * ((queues_each - 1) * seats + seats_at_seam) / seats_per_slot;
+  }
+  /// The slots with which chains begin.
+  constexpr uint32_t slots() const {
+    return 1 + seat_slots() + 2 * nodes + 2 * slots_a_node * max_new;
+  }
+};
+
 class Chains {
  public:
   using Fragments = trace::Fragments<uint32_t, NoNormal>;
   using Slots = Fragments::Slots;
 
-  /// Rings with as many corners are listed whole.
-  static constexpr uint32_t max_corners = 512;
+  static constexpr uint32_t max_corners = ChainRoom::max_corners;
+  static constexpr uint32_t min_slots = ChainRoom{}.slots();
+  static_assert(ChainRoom{}.seats >= 2 * Edges::max_edges &&
+                    ChainRoom{}.seats_at_seam >= 2 * ChainRoom::max_across,
+                "half of the seats have room for a batch");
+  static_assert(ChainRoom{}.nodes >= ChainRoom::max_new, "so have the nodes");
+  static_assert(2 * ChainRoom{}.short_walk <= max_corners, "a node has two corners at most");
 
-  /// Begins with slots that have just been cleared. False when they are fewer than min_slots.
+  /// For the next start. Limit: at least ChainRoom::least(), and at most max_corners corners and
+  /// half as many nodes of a walk.
+  void set_room(const ChainRoom& room) {
+    DISCMC_LIMIT(room.short_walk >= 1 && 2 * room.short_walk <= max_corners);
+    DISCMC_LIMIT(room.corners <= max_corners);
+    room_ = room;
+  }
+  /// Begins with slots that have just been cleared. False when they are fewer than the room's.
   bool start(Slots& slots);
 
   /// Whether there is room for what max_edges bring, in the nodes under way. Limit, here and below:
@@ -73,35 +123,11 @@ class Chains {
   void give_all(Slots& slots);
 
  private:
-  // A pass is a node. It may be a join, which may leave a shortcut.
-  static constexpr uint32_t max_joins = FoundPasses::max_passes;
-  static constexpr uint32_t max_new = FoundPasses::max_passes + max_joins;
-  // For handing over, slots are set aside: a node that waits at both its ends becomes two ends and,
-  // as both its sides may be long, up to eight slots of runs.
-  static constexpr uint32_t slots_a_node = 10;
-  static constexpr uint32_t runs_of_side =
-      (2 * (Limits::max_extent + 1) + trace::longest_short_run - 1) / trace::longest_short_run;
-  static_assert(2 + (2 * runs_of_side + 2 + 2) / 3 <= slots_a_node,
-                "two ends, two long sides, and two short ones at centroids");
-  static constexpr uint32_t min_nodes = 4096;
-  static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
-  // No power of two, so that the first seats of queues do not share sets of a cache.
-  static constexpr uint32_t min_seats = 4 * Edges::max_edges + 16;
-  // In the queues of a seam, as one edge may have all its passes across it.
-  static constexpr uint32_t max_across = Edges::max_at_seam * trace::PassList::most;
-  static constexpr uint32_t min_seats_at_seam = 2 * max_across + 16;
-  static constexpr uint32_t seat_slots =
-      2 * ((queues_each - 1) * min_seats + min_seats_at_seam) / seats_per_slot;
-  static constexpr uint32_t short_walk = 64;
-  static_assert(2 * short_walk <= max_corners, "a node has two corners at most");
+  static constexpr uint32_t max_new = ChainRoom::max_new;
+  static constexpr uint32_t max_across = ChainRoom::max_across;
+  static constexpr uint32_t slots_a_node = ChainRoom::slots_a_node;
+  static constexpr uint32_t seats_per_slot = ChainRoom::seats_per_slot;
 
- public:
-  static constexpr uint32_t min_slots = 1 + seat_slots + 2 * min_nodes + 2 * slots_a_node * max_new;
-  static_assert(min_seats >= 2 * Edges::max_edges && min_seats_at_seam >= 2 * max_across,
-                "half of the seats have room for a batch");
-  static_assert(min_nodes >= max_new, "so have the nodes");
-
- private:
   struct Area {
     uint32_t first, slots;
   };
@@ -138,6 +164,7 @@ class Chains {
   void copy_open(Slots& slots);
   bool comes_back(Slots& slots, uint32_t at);
 
+  ChainRoom room_;
   Area area_[2] = {};         // of nodes: they are in the first, and the other is free
   uint32_t top_ = 0;          // behind the last node
   uint32_t end_ = 0;          // before which it is to stay
@@ -153,7 +180,7 @@ class Chains {
   uint32_t of_out_[queue_codes] = {};
   uint32_t first_seat_[queue_codes] = {};
   uint32_t end_seat_[queue_codes] = {};
-  uint32_t join_[max_joins + 1] = {};
+  uint32_t join_[ChainRoom::max_joins + 1] = {};
   uint64_t corner_[max_corners + 2] = {};
 };
 

@@ -27,6 +27,7 @@ class Sweep : private trace::Sweep<uint32_t, NoNormal> {
     Plain::forget_addresses();
     receiver_ = {};
   }
+  void set_room(const ChainRoom& room) { chains_.set_room(room); }
   void set_receiver(const RegionReceiver& receiver) { receiver_ = receiver; }
   void clear();
   /// May leave the last edges for later.

@@ -28,7 +28,10 @@ Status BasicExtractor<Index, Intake, Sweep>::start(const Limits& limits,
   sink_ = sink;
   threshold_ = threshold;
   if (!lay_out(limits, memory)) return Status::too_little_memory;
-  if (!send_start()) return Status::bad_sink;
+  if (!send_start()) {
+    unpoison(memory.data, memory.bytes);  // red zones
+    return Status::bad_sink;
+  }
   clear();
   return Status::ok;
 }
@@ -48,6 +51,7 @@ bool BasicExtractor<Index, Intake, Sweep>::lay_out(const Limits& limits, Memory 
   bits_.start(arena, limits, trace::swept_rows(limits.height));
   sweep_.start(arena, capacities_);
   memory_ = memory;
+  if (arena.is_exhausted()) unpoison(memory.data, memory.bytes);
   return !arena.is_exhausted();
 }
 

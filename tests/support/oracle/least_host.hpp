@@ -1,0 +1,24 @@
+// A host that begins with the least room, so that its queues and areas of nodes grow all the time.
+#ifndef DISCMC_TESTS_ORACLE_LEAST_HOST_HPP
+#define DISCMC_TESTS_ORACLE_LEAST_HOST_HPP
+
+#include <discmc/host/host_extractor.hpp>
+
+namespace discmc::reference {
+
+class LeastHost : public HostExtractor {
+ public:
+  static constexpr uint32_t min_slots = host::ChainRoom::least().slots();
+
+  /// more_seats: of each queue, a multiple of four.
+  explicit LeastHost(uint32_t more_seats = 0) {
+    host::ChainRoom room = host::ChainRoom::least();
+    room.seats += more_seats;
+    room.seats_at_seam += more_seats;
+    sweep().set_room(room);
+  }
+};
+
+}  // namespace discmc::reference
+
+#endif
