@@ -1,0 +1,141 @@
+#include "draw.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "shapes/sizes.hpp"
+
+namespace discmc::torture {
+
+namespace {
+
+using shapes::Below;
+
+// Enough for nearly all: no slot is short unless a memory below is drawn.
+Capacities much(const Limits& limits, uint32_t slices) {
+  const uint32_t voxels = limits.width * limits.height * (slices + 2);
+  const uint32_t slots = host::Chains::min_slots + 16 * voxels;
+  return {slots, slots};
+}
+
+// Six sizes, from the least to much.
+Capacities draw_memory(uint32_t memory, const Capacities& most, const Below& below) {
+  constexpr uint32_t least = minimum_capacities().slots;
+  switch (memory) {
+    case 0:
+      return minimum_capacities();
+    case 1:
+      return {least + below(200), below(16)};
+    case 2:
+      return {1000 + 32 * below(256), 16 * below(64)};
+    case 3:
+      return {host::Chains::min_slots - 1 - below(2) * 256, below(200)};
+    case 4:
+      return {host::Chains::min_slots + 16 * below(256), 100 + below(200)};
+    default:
+      return most;
+  }
+}
+
+Capacities within_narrow(const Capacities& capacities) {
+  return {std::min(capacities.slots, reference::ample.slots),
+          std::min(capacities.holes, reference::ample.holes)};
+}
+
+// Near where a coordinate, a corner's place or a count takes one bit more.
+uint32_t draw_slices_below(uint32_t depth, const Below& below) {
+  const uint32_t near = below(2 * std::min(depth, 20U) + 2);
+  switch (below(8)) {
+    case 0:
+      return 16380 + 8 - near;
+    case 1:
+      return 32760 + 8 - near;
+    case 2:
+      return (1U << 20) + 8 - near;
+    case 3:
+      return Limits::max_slices - depth - 3 - below(4);
+    default:
+      return 0;
+  }
+}
+
+// Boundaries between slabs, ascending; the first slab begins with the first slice of its own.
+std::vector<uint32_t> draw_ends(const PlacedVolume& volume, const Below& below) {
+  constexpr uint32_t max_slabs = 40;
+  const uint32_t fixed = below(6);  // 0: any thickness
+  std::vector<uint32_t> ends;
+  for (uint32_t at = volume.first_own(); at < volume.size.depth;) {
+    const uint32_t rest = volume.size.depth - at;
+    uint32_t slices = fixed == 0 ? 1 + below(12) : fixed == 5 ? 1 + rest / 2 : fixed;
+    if (ends.size() + 1 == max_slabs) slices = rest;
+    ends.push_back(at += std::min(slices, rest));
+  }
+  return ends;
+}
+
+std::string text_of(const SlabPlan& slab) {
+  constexpr const char* names[] = {"16-bit", "32-bit", "host"};
+  return "[" + std::to_string(slab.first) + ", " + std::to_string(slab.end) + ") " +
+         names[static_cast<uint32_t>(slab.scanner)] + " " + std::to_string(slab.capacities.slots) +
+         " slots " + std::to_string(slab.capacities.holes) + " holes" +
+         (slab.refusals > 0 ? " refusals" : "") + (slab.checkpoints > 0 ? " checkpoints" : "");
+}
+
+void describe(Arrangement& arrangement) {
+  for (const SlabPlan& slab : arrangement.slabs)
+    arrangement.text += (arrangement.text.empty() ? "" : "; ") + text_of(slab);
+}
+
+}  // namespace
+
+DrawnVolume draw_volume(const Below& below) {
+  const uint32_t form = below(16);
+  const bool is_small = form < 5;
+  const reference::Size size = is_small    ? shapes::draw_small_size(below)
+                               : form < 15 ? shapes::draw_wide_size(below, 2000U << below(8))
+                                           : shapes::draw_long_size(below);
+  const auto kind = static_cast<shapes::Kind>(below(shapes::kinds));
+  const Border border = below(3) == 0 ? Border::open : Border::closed;
+  PlacedVolume volume{shapes::draw_shape(kind, size, below), size, border,
+                      is_small ? 0 : draw_slices_below(size.depth, below)};
+  if (volume.below > 0) volume.size.depth += 2;
+  std::string text = shapes::name_of(kind);
+  text += " " + std::to_string(size.width) + "x" + std::to_string(size.height) + "x" +
+          std::to_string(size.depth) + (border == Border::open ? " open" : " closed");
+  if (volume.below > 0) text += " above " + std::to_string(volume.below) + " slices";
+  return {std::move(volume), std::move(text), is_small};
+}
+
+Arrangement whole(const PlacedVolume& volume, Scanner scanner) {
+  const uint32_t first = volume.first_own(), end = volume.size.depth;
+  const Capacities most = much(volume.limits_of_slab(first, end), end - first);
+  Arrangement arrangement{{{first, end, scanner, most, 0, 0, 0, 0}}, {}};
+  describe(arrangement);
+  return arrangement;
+}
+
+Arrangement draw_arrangement(const PlacedVolume& volume, const Below& below) {
+  const uint32_t scanners = below(6);  // 3 and more: mixed
+  const uint32_t memories = below(8);  // 6 and more: mixed
+  const uint32_t refusals = below(3) == 0 ? below(200) : 0;
+  const uint32_t checkpoints = below(4) == 0 ? 1 + below(3) : 0;
+  const uint32_t chunk = below(2) == 0 ? 0 : 1 + below(256);
+  Arrangement arrangement;
+  uint32_t first = volume.first_own();
+  for (const uint32_t end : draw_ends(volume, below)) {
+    const auto scanner = static_cast<Scanner>(scanners < 3 ? scanners : below(3));
+    const Capacities most = much(volume.limits_of_slab(first, end), end - first);
+    Capacities memory = draw_memory(memories < 6 ? memories : below(6), most, below);
+    if (scanner == Scanner::narrow) memory = within_narrow(memory);
+    arrangement.slabs.push_back(
+        {first, end, scanner, memory, refusals, checkpoints, chunk, below(256)});
+    first = end;
+  }
+  // Joiners take slabs in any order.
+  for (size_t i = arrangement.slabs.size(); i > 1 && scanners % 2 == 1; --i)
+    std::swap(arrangement.slabs[i - 1], arrangement.slabs[below(static_cast<uint32_t>(i))]);
+  describe(arrangement);
+  return arrangement;
+}
+
+}  // namespace discmc::torture

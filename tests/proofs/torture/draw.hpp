@@ -1,0 +1,35 @@
+// What a seed stands for: a volume, and the ways in which it is scanned.
+#ifndef DISCMC_TESTS_TORTURE_DRAW_HPP
+#define DISCMC_TESTS_TORTURE_DRAW_HPP
+
+#include <string>
+#include <vector>
+
+#include "placed_volume.hpp"
+#include "shapes/shape.hpp"
+#include "slab_scan.hpp"
+
+namespace discmc::torture {
+
+struct DrawnVolume {
+  PlacedVolume volume;
+  std::string text;
+  bool is_small;  ///< enough for the reference
+};
+
+DrawnVolume draw_volume(const shapes::Below& below);
+
+/// One way to scan a volume: the slabs in the order in which a joiner gets them.
+struct Arrangement {
+  std::vector<SlabPlan> slabs;
+  std::string text;
+};
+
+/// The whole volume in one scan, in much memory.
+Arrangement whole(const PlacedVolume& volume, Scanner scanner);
+/// In slabs of any thickness, by any extractors, in any memory.
+Arrangement draw_arrangement(const PlacedVolume& volume, const shapes::Below& below);
+
+}  // namespace discmc::torture
+
+#endif

@@ -1,0 +1,51 @@
+// A generated volume at any height: its voxels row by row, and slabs of it.
+#ifndef DISCMC_TESTS_TORTURE_PLACED_VOLUME_HPP
+#define DISCMC_TESTS_TORTURE_PLACED_VOLUME_HPP
+
+#include <cstdint>
+#include <discmc/limits.hpp>
+#include <vector>
+
+#include "oracle/volume.hpp"
+#include "shapes/shape.hpp"
+
+namespace discmc::torture {
+
+struct PlacedVolume {
+  shapes::On on;
+  reference::Size size;  ///< with the slices that are off
+  Border border;
+  /// The number of slices below. If there are any, the first slice is the context of the lowest
+  /// slab, and the two lowest slices are off: no surface is below.
+  uint32_t below;
+
+  uint32_t first_own() const { return below > 0 ? 1 : 0; }
+
+  void read_row(uint32_t y, uint32_t z, std::vector<uint8_t>& row) const {
+    const uint32_t off = below > 0 ? 2 : 0;
+    row.assign(size.width, 0);
+    for (uint32_t x = 0; z >= off && x < size.width; ++x) row[x] = on(x, y, z - off) ? 1 : 0;
+  }
+
+  /// Limits of the slab from a slice to before another; Units: slices of this volume.
+  Limits limits_of_slab(uint32_t first, uint32_t end) const {
+    return {size.width, size.height, border, {below + first, first > 0, end < size.depth}};
+  }
+};
+
+/// All voxels, for the reference. Limit: no slices below.
+inline reference::BitVolume voxels_of(const PlacedVolume& volume) {
+  reference::BitVolume all(volume.size);
+  all.on.clear();
+  std::vector<uint8_t> row;
+  for (uint32_t z = 0; z < volume.size.depth; ++z)
+    for (uint32_t y = 0; y < volume.size.height; ++y) {
+      volume.read_row(y, z, row);
+      all.on.insert(all.on.end(), row.begin(), row.end());
+    }
+  return all;
+}
+
+}  // namespace discmc::torture
+
+#endif

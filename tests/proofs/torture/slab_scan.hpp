@@ -1,0 +1,124 @@
+// Scans one slab by one kind of extractor, with refusals, and with checkpoints from which another
+// extractor continues in other memory.
+#ifndef DISCMC_TESTS_TORTURE_SLAB_SCAN_HPP
+#define DISCMC_TESTS_TORTURE_SLAB_SCAN_HPP
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <discmc/host/host_extractor.hpp>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "oracle/scan.hpp"
+#include "pieces.hpp"
+#include "placed_volume.hpp"
+
+namespace discmc::torture {
+
+enum class Scanner : uint8_t { narrow, wide, host };
+
+struct SlabPlan {
+  uint32_t first, end;
+  Scanner scanner;
+  Capacities capacities;
+  uint32_t refusals;     ///< of 256 offers
+  uint32_t checkpoints;  ///< at most, spread over the slab
+  uint32_t chunk;        ///< samples per push; 0: rows of bits
+  uint32_t seed;
+};
+
+/// One slab, from start to finish. Extractors serve again in later scans.
+template <class Index, class Extractor>
+class SlabScan {
+ public:
+  SlabScan(const PlacedVolume& volume, const SlabPlan& plan, Pieces& pieces)
+      : volume_(volume), plan_(plan), sink_(pieces, {plan.refusals, plan.seed}) {
+    block_ = std::make_unique<reference::Block>(bytes());
+    reference::require_ok(
+        active().start(limits(), plan.capacities, 1, block_->memory(), make_sink(sink_)));
+  }
+
+  void run() {
+    const uint32_t first = plan_.first > 0 ? plan_.first - 1 : 0;
+    const uint32_t end = std::min(plan_.end + 1, volume_.size.depth);
+    const uint32_t rows = (end - first) * volume_.size.height;
+    for (uint32_t row = 0; row < rows; ++row) {
+      volume_.read_row(row % volume_.size.height, first + row / volume_.size.height, row_);
+      push_row();
+      // Never in step with slices.
+      if (plan_.checkpoints > 0 && row % (rows / plan_.checkpoints + 1) == plan_.seed % 5)
+        move_to_other();
+    }
+    reference::finish_all(active());
+    if (!block_->is_intact()) throw std::runtime_error("a write outside the arena");
+    const Peaks peaks = active().peaks();
+    if (peaks.slots > plan_.capacities.slots || peaks.holes > plan_.capacities.holes)
+      throw std::runtime_error("more in use than there is room for");
+  }
+
+ private:
+  Limits limits() const { return volume_.limits_of_slab(plan_.first, plan_.end); }
+  uint64_t bytes() const { return bytes_for<Index>(limits(), plan_.capacities); }
+
+  static Extractor& extractor(uint32_t number) {
+    static Extractor extractors[2];
+    return extractors[number];
+  }
+  Extractor& active() { return extractor(active_); }
+
+  void push_row() {
+    if (plan_.chunk > 0) return reference::push_all(active(), row_, plan_.chunk);
+    bits_.assign((row_.size() + 7) / 8, 0xFF);  // bits beyond the row are to be ignored
+    for (size_t x = 0; x < row_.size(); ++x)
+      if (row_[x] == 0) bits_[x / 8] = static_cast<uint8_t>(bits_[x / 8] & ~(1U << x % 8));
+    for (;;) {
+      const PushResult pushed = active().push_bits(bits_.data());
+      if (pushed.samples == row_.size()) return;
+      if (pushed.status != Status::suspended) throw std::runtime_error(to_string(pushed.status));
+    }
+  }
+
+  void move_to_other() {
+    while (active().is_suspended())
+      if (active().resume() != Status::suspended) break;
+    auto checkpoint = std::make_unique<Checkpoint<Extractor>>();
+    reference::require_ok(active().save(*checkpoint));
+    auto other = std::make_unique<reference::Block>(bytes());
+    std::memcpy(other->memory().data, block_->memory().data, active().bytes_used());
+    if (!block_->is_intact()) throw std::runtime_error("a write outside the arena");
+    block_ = std::move(other);
+    active_ = 1 - active_;
+    reference::require_ok(active().restore(*checkpoint, block_->memory(), make_sink(sink_)));
+  }
+
+  const PlacedVolume& volume_;
+  const SlabPlan& plan_;
+  RefusingSink<Pieces> sink_;
+  std::unique_ptr<reference::Block> block_;
+  uint32_t active_ = 0;
+  std::vector<uint8_t> row_, bits_;
+};
+
+/// The events of a slab. Errors: throws when the extractor reports one, or breaks a promise.
+inline Pieces scanned(const PlacedVolume& volume, const SlabPlan& plan) {
+  Pieces pieces;
+  switch (plan.scanner) {
+    case Scanner::narrow:
+      SlabScan<uint16_t, Extractor16>(volume, plan, pieces).run();
+      break;
+    case Scanner::wide:
+      SlabScan<uint32_t, Extractor32>(volume, plan, pieces).run();
+      break;
+    case Scanner::host:
+      SlabScan<uint32_t, HostExtractor>(volume, plan, pieces).run();
+      break;
+  }
+  return pieces;
+}
+
+}  // namespace discmc::torture
+
+#endif

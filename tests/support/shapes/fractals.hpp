@@ -1,0 +1,32 @@
+// Fractals: boundaries of every size, and holes in holes.
+#ifndef DISCMC_TESTS_SHAPES_FRACTALS_HPP
+#define DISCMC_TESTS_SHAPES_FRACTALS_HPP
+
+#include <cstdint>
+
+namespace discmc::shapes {
+
+struct Fractal {
+  enum class Kind : uint8_t {
+    menger,      ///< a sponge: no place has a middle digit of base 3 along two axes
+    cantor,      ///< dust: no place has a middle digit along any
+    sierpinski,  ///< a tetrahedron: no two coordinates have a bit in common
+  };
+
+  Kind kind;
+
+  bool operator()(uint32_t x, uint32_t y, uint32_t z) const {
+    if (kind == Kind::sierpinski) return ((x & y) | (y & z) | (x & z)) == 0;
+    const uint32_t most = kind == Kind::menger ? 1 : 0;
+    for (; (x | y | z) != 0; x /= 3, y /= 3, z /= 3)
+      if (is_middle(x) + is_middle(y) + is_middle(z) > most) return false;
+    return true;
+  }
+
+ private:
+  static uint32_t is_middle(uint32_t place) { return place % 3 == 1 ? 1 : 0; }
+};
+
+}  // namespace discmc::shapes
+
+#endif

@@ -1,0 +1,23 @@
+// Teeth with one slanting side: chains begin along more links than they end along.
+#ifndef DISCMC_TESTS_SHAPES_SAWS_HPP
+#define DISCMC_TESTS_SHAPES_SAWS_HPP
+
+#include <cstdint>
+
+namespace discmc::shapes {
+
+struct Saw {
+  uint32_t pitch = 8;  ///< rows per tooth
+  uint32_t top = 5;    ///< rows that a tooth has at most; Limit: less than the pitch
+  uint32_t rise = 4;   ///< slices until the next teeth begin
+  uint32_t width = 3;  ///< columns per blade, with one more between blades
+
+  bool operator()(uint32_t x, uint32_t y, uint32_t z) const {
+    const uint32_t row = y % pitch;
+    return row >= z % rise && row < top && x % (width + 1) < width;
+  }
+};
+
+}  // namespace discmc::shapes
+
+#endif

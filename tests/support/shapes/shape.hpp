@@ -1,0 +1,39 @@
+// Volumes that reach: a kind of shape with parameters that a caller draws, by chance or from bytes.
+// None is held in memory.
+#ifndef DISCMC_TESTS_SHAPES_SHAPE_HPP
+#define DISCMC_TESTS_SHAPES_SHAPE_HPP
+
+#include <cstdint>
+#include <functional>
+
+#include "oracle/volume.hpp"
+
+namespace discmc::shapes {
+
+/// A number below the limit; Limit: the limit is 1 to 256.
+using Below = std::function<uint32_t(uint32_t limit)>;
+
+/// Whether a voxel is on.
+using On = std::function<bool(uint32_t x, uint32_t y, uint32_t z)>;
+
+enum class Kind : uint8_t {
+  bars,
+  tiling,
+  tents,
+  saw,
+  comb,
+  shells,
+  plates,
+  stripes,
+  fractal,
+};
+constexpr uint32_t kinds = 9;
+
+const char* name_of(Kind kind);
+
+/// A shape of the kind, turned to any axes; now and then inverted, or with a few voxels of noise.
+On draw_shape(Kind kind, const reference::Size& size, const Below& below);
+
+}  // namespace discmc::shapes
+
+#endif

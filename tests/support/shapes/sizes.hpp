@@ -1,0 +1,53 @@
+// Sizes at which something changes: rows of few voxels, rows of words of 30 columns around every
+// power of two, and runs as long as the limits allow.
+#ifndef DISCMC_TESTS_SHAPES_SIZES_HPP
+#define DISCMC_TESTS_SHAPES_SIZES_HPP
+
+#include <algorithm>
+#include <cstdint>
+#include <discmc/limits.hpp>
+#include <utility>
+
+#include "shape.hpp"
+
+namespace discmc::shapes {
+
+/// A side near a power of two from 16 to 4,096, or near the words of 30 columns around it.
+inline uint32_t draw_side(const Below& below) {
+  const uint32_t power = 16U << below(9);
+  const uint32_t words = std::max(power / 30, 1U) + below(2);
+  return (below(2) == 0 ? power : 30 * words) + below(5) - 2;
+}
+
+/// A size of about so many voxels, one or two of whose sides are wide.
+inline reference::Size draw_wide_size(const Below& below, uint32_t voxels) {
+  reference::Size size{draw_side(below), 0, 0};
+  const uint32_t left = std::max(voxels / size.width, 6U);
+  size.depth = 2 + below(std::min(left / 2, 40U));
+  size.height = std::min(left / size.depth + 1, below(2) == 0 ? 60 : draw_side(below));
+  if (below(4) == 0) std::swap(size.width, size.height);
+  return size;
+}
+
+/// A size whose only long side is near its limit, or of 44,000 slices.
+inline reference::Size draw_long_size(const Below& below) {
+  const uint32_t longest = Limits::max_extent - below(3);
+  const uint32_t short_side = 1 + below(3), other = 2 + below(3);
+  switch (below(3)) {
+    case 0:
+      return {longest, short_side, other};
+    case 1:
+      return {short_side, longest, other};
+    default:
+      return {short_side, other, 44000 - below(3)};
+  }
+}
+
+/// A size for the reference, which takes long.
+inline reference::Size draw_small_size(const Below& below) {
+  return {1 + below(36), 1 + below(9), 1 + below(9)};
+}
+
+}  // namespace discmc::shapes
+
+#endif
