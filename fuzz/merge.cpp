@@ -2,7 +2,7 @@
 // refuses as it likes, gives the regions of the paper's Merge, once loose fragments are joined;
 // nothing is loose in the memory of the worst case; neither index width, portions, refusals nor a
 // host show, nor does a host in slabs of a large volume; and the rings come apart into simple ones
-// of the same area.
+// of the same area. The voxels are those of the input, or of a generated shape.
 //
 //   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
 //   fuzz_merge corpus/merge                   with replay_main.cpp
@@ -19,6 +19,7 @@
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "require.hpp"
+#include "shapes/sizes.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -40,6 +41,8 @@ struct Scenario {
   std::vector<Feed> feed;  ///< by row of the whole volume
   uint32_t last_samples;   ///< of a row begun after those, when the scan is abandoned
   BitVolume volume;        ///< what the extractor is to see, substitutes included
+  shapes::On shape;        ///< of the voxels, if they are generated
+  Size wide_size;          ///< of the volume that is scanned in slabs
 };
 
 constexpr uint32_t max_slices = 7;
@@ -64,11 +67,18 @@ bool holds_all(const Capacities& c, const Capacities& needed) {
   return c.slots >= needed.slots && c.holes >= needed.holes;
 }
 
-void read_row(Input& input, BitVolume& volume, size_t row, Feed feed) {
+void read_row(Input& input, Scenario& scenario, size_t row, Feed feed) {
+  BitVolume& volume = scenario.volume;
   const auto begin = volume.on.begin() + static_cast<std::ptrdiff_t>(row * volume.width);
   if (feed == Feed::skip_off) return;
   if (feed == Feed::skip_repeated) {
     if (row > 0) std::copy_n(begin - volume.width, volume.width, begin);
+    return;
+  }
+  if (scenario.shape) {
+    const auto y = static_cast<uint32_t>(row % volume.height);
+    const auto z = static_cast<uint32_t>(row / volume.height);
+    for (uint32_t x = 0; x < volume.width; ++x) begin[x] = scenario.shape(x, y, z) ? 1 : 0;
     return;
   }
   for (uint32_t x = 0; x < volume.width; x += 8) {
@@ -85,16 +95,37 @@ Feed feed_of(uint32_t pattern, size_t row) {
   return static_cast<Feed>(1 + roll % 4);
 }
 
+// A generated shape, and the size in which it is scanned in slabs.
+void read_shape(Input& input, Scenario& scenario) {
+  const shapes::Below below = [&input](uint32_t limit) { return input.below(limit); };
+  scenario.wide_size = shapes::draw_wide_size(below, 1000U << below(5));
+  const auto kind = static_cast<shapes::Kind>(below(shapes::kinds));
+  scenario.shape = shapes::draw_shape(kind, scenario.wide_size, below);
+}
+
 Scenario read_scenario(Input& input) {
   const uint32_t flags = input.byte();
+  const bool is_shape = (flags & 0xB2) == 0x80;
   const Border border = (flags & 1) != 0 ? Border::open : Border::closed;
   // Now and then a row longer than a word.
   const uint32_t width = (flags & 64) != 0 ? 29 + input.below(8) : 1 + input.below(9);
   Size size{width, 1 + input.below(8), input.below(max_slices)};
   // The reference takes longer than all else: few voxels, so that there are many volumes.
   size.depth = std::min(size.depth, 300 / (size.width * size.height));
-  Scenario scenario{
-      {size.width, size.height, border}, {}, false, false, false, 0, 0, 0, {}, 0, BitVolume(size)};
+  Scenario scenario{{size.width, size.height, border},
+                    {},
+                    false,
+                    false,
+                    false,
+                    0,
+                    0,
+                    0,
+                    {},
+                    0,
+                    BitVolume(size),
+                    {},
+                    {}};
+  if (is_shape) read_shape(input, scenario);
   scenario.is_abandoned = (flags & 4) != 0;
   scenario.is_wide = (flags & 8) != 0;
   scenario.capacities = read_capacities(input, scenario.limits, scenario.is_wide);
@@ -114,7 +145,7 @@ Scenario read_scenario(Input& input) {
   for (size_t row = 0; row < fed_rows; ++row) {
     const Feed feed = row < rows ? feed_of(pattern, row) : Feed::samples;
     scenario.feed.push_back(feed);
-    read_row(input, scenario.volume, row, feed);
+    read_row(input, scenario, row, feed);
   }
   if (scenario.is_abandoned) {
     scenario.volume.depth = static_cast<uint32_t>((fed_rows + size.height - 1) / size.height);
@@ -319,17 +350,22 @@ std::vector<std::vector<uint64_t>> parts_of_slab(const BitVolume& volume, Border
   return sorted_parts(log.events);
 }
 
-// Side by side so often that many chains cross the seams of a slab. Takes long: of few inputs.
-void check_slab(const Scenario& scenario) {
+// The shape; otherwise the volume side by side so often that many chains cross the seams of a slab.
+BitVolume wide_volume(const Scenario& scenario) {
   const BitVolume& tile = scenario.volume;
-  if (scenario.refusal_seed % 16 != 0 || tile.depth == 0) return;
-  BitVolume volume({60, 60, tile.depth});
-  for (uint32_t z = 0; z < volume.depth; ++z)
-    for (uint32_t y = 0; y < volume.height; ++y)
-      for (uint32_t x = 0; x < volume.width; ++x)
-        volume.on[volume.index(x, y, z)] = tile.on[tile.index(x % tile.width, y % tile.height, z)];
-  const uint32_t first = scenario.refusal_seed / 16 % tile.depth;
-  const uint32_t end = std::min(first + 1 + scenario.refusal_seed / 128, tile.depth);
+  if (scenario.shape) return volume_of(scenario.wide_size, scenario.shape);
+  return volume_of({60, 60, tile.depth}, [&](uint32_t x, uint32_t y, uint32_t z) {
+    return tile.at(x % tile.width, y % tile.height, z);
+  });
+}
+
+// Takes long: of few inputs.
+void check_slab(const Scenario& scenario) {
+  if (scenario.refusal_seed % 16 != 0) return;
+  const BitVolume volume = wide_volume(scenario);
+  if (volume.depth == 0) return;
+  const uint32_t first = scenario.refusal_seed / 16 % volume.depth;
+  const uint32_t end = std::min(first + 1 + scenario.refusal_seed / 128, volume.depth);
   const Border border = scenario.limits.border;
   const auto parts = parts_of_slab<Extractor32>(volume, border, first, end);
   require(parts_of_slab<HostExtractor>(volume, border, first, end) == parts,

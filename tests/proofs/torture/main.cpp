@@ -1,5 +1,6 @@
 // Scans generated volumes in many ways, which must give one surface. See usage.
 #include <sys/mman.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,6 +29,7 @@ with refusals and checkpoints. All ways must give one surface; small volumes are
   --cases N    stop after this many cases (default: 100)
   --seconds N  stop after this time instead
   --jobs N     this many processes at once (default: 1)
+A case of more than five minutes of processor time is a finding, too.
 Exit code: 0 one surface each, 1 a finding, 2 usage.
 )";
 
@@ -97,7 +99,7 @@ Surface surface_of(const PlacedVolume& volume, const Arrangement& arrangement, P
 
 // What the reference finds wrong with the scan of a small volume, or nothing.
 std::string unlike_reference(const PlacedVolume& volume) {
-  const reference::BitVolume voxels = voxels_of(volume);
+  const reference::BitVolume voxels = reference::volume_of(volume.size, volume.on);
   const bool is_closed = volume.border == Border::closed;
   const reference::Collector collector = reference::scan<uint32_t>(voxels, {volume.border, 0});
   std::string unlike = reference::miscounted(collector, voxels, is_closed);
@@ -106,11 +108,18 @@ std::string unlike_reference(const PlacedVolume& volume) {
                         : unlike;
 }
 
+// An endless loop ends with a signal.
+void limit_processor_time() {
+  const itimerval five_minutes{{0, 0}, {300, 0}};
+  setitimer(ITIMER_PROF, &five_minutes, nullptr);
+}
+
 // Returns what is wrong, or nothing; place.text has what was scanned at last.
 std::string fault_of(Place& place) {
   constexpr uint32_t drawn = 5;
   test::Chance chance(place.seed);
   const shapes::Below below = [&](uint32_t limit) { return chance.below(limit); };
+  place.note("");
   const DrawnVolume subject = draw_volume(below);
   const PlacedVolume& volume = subject.volume;
   place.note(subject.text + ", reference");
@@ -175,6 +184,7 @@ class Torture {
   int work(Place& place) {
     for (; !is_over(place); place.seed += options_.jobs, ++place.cases) {
       try {
+        limit_processor_time();
         const std::string fault = fault_of(place);
         if (fault.empty()) continue;
         std::fprintf(stderr, "torture: %s\n", fault.c_str());

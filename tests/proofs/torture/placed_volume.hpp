@@ -33,19 +33,6 @@ struct PlacedVolume {
   }
 };
 
-/// All voxels, for the reference. Limit: no slices below.
-inline reference::BitVolume voxels_of(const PlacedVolume& volume) {
-  reference::BitVolume all(volume.size);
-  all.on.clear();
-  std::vector<uint8_t> row;
-  for (uint32_t z = 0; z < volume.size.depth; ++z)
-    for (uint32_t y = 0; y < volume.size.height; ++y) {
-      volume.read_row(y, z, row);
-      all.on.insert(all.on.end(), row.begin(), row.end());
-    }
-  return all;
-}
-
 }  // namespace discmc::torture
 
 #endif

@@ -1,19 +1,11 @@
 #include "volume.hpp"
 
+#include "shapes/combs.hpp"
+#include "shapes/tilings.hpp"
+
 namespace discmc::reference {
 
 namespace {
-
-// Sets every voxel by a predicate of its coordinates, in the order of storage.
-template <typename Predicate>
-BitVolume filled(Size size, Predicate is_on) {
-  BitVolume volume(size);
-  auto voxel = volume.on.begin();
-  for (int64_t z = 0; z < size.depth; ++z)
-    for (int64_t y = 0; y < size.height; ++y)
-      for (int64_t x = 0; x < size.width; ++x) *voxel++ = is_on(x, y, z) ? 1 : 0;
-  return volume;
-}
 
 int64_t square(int64_t value) {
   return value * value;
@@ -31,7 +23,7 @@ uint64_t next_random(uint64_t& state) {
 }  // namespace
 
 BitVolume ball(Size size, Vertex centre, int64_t radius_squared) {
-  return filled(size, [&](int64_t x, int64_t y, int64_t z) {
+  return volume_of(size, [&](int64_t x, int64_t y, int64_t z) {
     const int64_t distance =
         square(2 * x - centre.x) + square(2 * y - centre.y) + square(2 * z - centre.z);
     return distance <= 4 * radius_squared;
@@ -39,14 +31,14 @@ BitVolume ball(Size size, Vertex centre, int64_t radius_squared) {
 }
 
 BitVolume box(Size size, Vertex first, Vertex last) {
-  return filled(size, [&](int64_t x, int64_t y, int64_t z) {
+  return volume_of(size, [&](int64_t x, int64_t y, int64_t z) {
     return x >= first.x && x <= last.x && y >= first.y && y <= last.y && z >= first.z &&
            z <= last.z;
   });
 }
 
 BitVolume torus(Size size, int64_t ring_radius, int64_t tube_radius) {
-  return filled(size, [&](int64_t x, int64_t y, int64_t z) {
+  return volume_of(size, [&](int64_t x, int64_t y, int64_t z) {
     const int64_t from_axis =
         square(2 * x + 1 - int64_t{size.width}) + square(2 * y + 1 - int64_t{size.height});
     const int64_t from_plane = square(2 * z + 1 - int64_t{size.depth});
@@ -56,28 +48,25 @@ BitVolume torus(Size size, int64_t ring_radius, int64_t tube_radius) {
 }
 
 BitVolume checkerboard(Size size) {
-  return filled(size, [](int64_t x, int64_t y, int64_t z) { return (x + y + z) % 2 == 0; });
+  return volume_of(size, [](int64_t x, int64_t y, int64_t z) { return (x + y + z) % 2 == 0; });
 }
 
 BitVolume columns(Size size) {
-  return filled(size, [](int64_t x, int64_t y, int64_t) { return (x + y) % 2 == 0; });
+  return volume_of(size, [](int64_t x, int64_t y, int64_t) { return (x + y) % 2 == 0; });
 }
 
 BitVolume tiling(Size size, Configuration configuration) {
-  return filled(size, [&](int64_t x, int64_t y, int64_t z) {
-    return (configuration >> (x % 2 + 2 * (y % 2) + 4 * (z % 2)) & 1) != 0;
-  });
+  return volume_of(size, shapes::Tiling{configuration});
 }
 
 BitVolume random(Size size, uint32_t density, uint64_t seed) {
   uint64_t state = seed;
-  return filled(size,
-                [&](int64_t, int64_t, int64_t) { return next_random(state) >> 56 < density; });
+  return volume_of(size,
+                   [&](int64_t, int64_t, int64_t) { return next_random(state) >> 56 < density; });
 }
 
 BitVolume comb(Size size) {
-  return filled(size,
-                [&](int64_t x, int64_t y, int64_t) { return x % 2 == 0 || y + 1 == size.height; });
+  return volume_of(size, shapes::Comb{2, 1, size.height - 1});
 }
 
 BitVolume spiral(Size size) {
@@ -102,11 +91,11 @@ BitVolume spiral(Size size) {
     step_x = -step_y;
     step_y = previous_x;
   }
-  return filled(size, [&](int64_t i, int64_t j, int64_t) { return slice.at(i / 2, j / 2, 0); });
+  return volume_of(size, [&](int64_t i, int64_t j, int64_t) { return slice.at(i / 2, j / 2, 0); });
 }
 
 BitVolume from_bits(Size size, uint64_t bits) {
-  return filled(size, [&](int64_t, int64_t, int64_t) {
+  return volume_of(size, [&](int64_t, int64_t, int64_t) {
     const bool is_on = (bits & 1) != 0;
     bits >>= 1;
     return is_on;

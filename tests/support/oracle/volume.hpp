@@ -48,6 +48,17 @@ struct BitVolume {
   }
 };
 
+/// On where on(x, y, z) holds. It is called in the order of storage.
+template <class On>
+BitVolume volume_of(Size size, On on) {
+  BitVolume volume(size);
+  auto voxel = volume.on.begin();
+  for (uint32_t z = 0; z < size.depth; ++z)
+    for (uint32_t y = 0; y < size.height; ++y)
+      for (uint32_t x = 0; x < size.width; ++x) *voxel++ = on(x, y, z) ? 1 : 0;
+  return volume;
+}
+
 /// Calls visit(cell, configuration) for every cell in the order of a sweep: from -1 to the last
 /// voxel when `closed` adds a halo of off voxels, else only those with eight voxels.
 template <typename Visit>

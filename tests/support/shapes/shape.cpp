@@ -19,7 +19,7 @@ namespace {
 using reference::Size;
 
 On draw_bars(const Below& below) {
-  const uint32_t period = 2 + below(5);
+  const uint32_t period = 2 + below(2) * below(5);  // half of them as dense as can be
   return Bars{period, 1 + below(period - 1), below(period), 1 + below(3)};
 }
 

@@ -16,7 +16,8 @@ namespace discmc::shapes {
 inline uint32_t draw_side(const Below& below) {
   const uint32_t power = 16U << below(9);
   const uint32_t words = std::max(power / 30, 1U) + below(2);
-  return (below(2) == 0 ? power : 30 * words) + below(5) - 2;
+  const uint32_t middle = below(2) == 0 ? power : 30 * words;
+  return middle + below(5) - 2;
 }
 
 /// A size of about so many voxels, one or two of whose sides are wide.

@@ -17,6 +17,9 @@
 #include "oracle/scan.hpp"
 #include "oracle/stream.hpp"
 #include "oracle/thinned.hpp"
+#include "shapes/bars.hpp"
+#include "shapes/saws.hpp"
+#include "shapes/tents.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -325,16 +328,6 @@ std::vector<BitVolume> volumes_of_slabs() {
           spiral({15, 15, 9})};
 }
 
-// Walls, and bars across the last slice of them: an edge has several chains.
-BitVolume walls_and_bars(Size size) {
-  BitVolume volume(size);
-  for (uint32_t z = 0; z < size.depth; ++z)
-    for (uint32_t y = 0; y < size.height; ++y)
-      for (uint32_t x = 0; x < size.width; ++x)
-        volume.on[volume.index(x, y, z)] = (z + 1 < size.depth ? x : y) % 2 != 0;
-  return volume;
-}
-
 // Its faces cross all seams, and some of the holes in them do.
 BitVolume slanting_plate_with_holes() {
   BitVolume plate({48, 48, 48});
@@ -402,10 +395,7 @@ TEST_CASE("and it is taken for both, by noise or in turn") {
 // At an open border a chain goes along a link alone, where elsewhere another comes along it.
 TEST_CASE("queues have room where more chains go along a link than come along it") {
   constexpr uint32_t teeth = 3000;
-  BitVolume saw({4, 8 * teeth, 4});
-  for (uint32_t z = 0; z < 4; ++z)
-    for (uint32_t y = 0; y < saw.height; ++y)
-      for (uint32_t x = 0; x < 3; ++x) saw.on[saw.index(x, y, z)] = y % 8 >= z && y % 8 < 5;
+  const BitVolume saw = volume_of({4, 8 * teeth, 4}, shapes::Saw{});
   const Plan plan{Border::open, 0};
   HostExtractor extractor;
   CHECK(scanned(extractor, saw, plan, {500000, 1000}).events == expected_of(saw, plan).events);
@@ -731,13 +721,9 @@ TEST_CASE("from the last slab fragments go out in the order in which they were c
     slits.on[i] = (x + (x % 20 < 10 ? z % 2 : 0)) % 5 < 3 || z >= 57 ? 1 : 0;
   }
   // Tents in one another, with ragged rims: the inner ones are complete first.
-  BitVolume tents({120, 4, 60});
-  for (size_t i = 0; i < tents.on.size(); ++i) {
-    const size_t x = i % 120, y = i / 120 % 4, z = i / 480;
-    const size_t t = (x < 60 ? 60 - x : x - 60) + z;
-    const bool is_ragged = t % 8 >= 4 && (x + z) / 2 % 2 == 1;
-    tents.on[i] = t < 58 && t % 4 < 2 && y < (is_ragged ? 4 : 3) ? 1 : 0;
-  }
+  const BitVolume tents = volume_of({120, 4, 60}, [](uint32_t x, uint32_t y, uint32_t z) {
+    return shapes::Tents{}(x, y, z) && (x < 60 ? 60 - x : x - 60) + z < 58;
+  });
   std::vector<BitVolume> volumes{random({60, 40, 8}, 60, 2), slits, tents};
   for (uint32_t seed = 0; seed < 50; ++seed)
     volumes.push_back(random({3 + seed % 3, 2 + seed % 2, 6}, 90, seed));
@@ -826,7 +812,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a slab has them, too, where edges have several chains that cross a seam") {
-  const BitVolume grating = walls_and_bars({60, 60, 3});
+  const BitVolume grating = volume_of({60, 60, 3}, shapes::Bars{});
   constexpr Capacities plenty{3000000, 100};
   HostExtractor extractor;
   Extractor32 other;
@@ -1053,7 +1039,7 @@ TEST_CASE("a checkpoint does not tell where its memory, its sink and the program
 TEST_CASE("a host with the least room gives the events of any other") {
   LeastHost extractor;
   std::vector<BitVolume> all = volumes();
-  all.push_back(walls_and_bars({40, 30, 4}));
+  all.push_back(volume_of({40, 30, 4}, shapes::Bars{2, 1, 1, 3}));
   all.push_back(zigzag_columns({40, 40, 12}));
   all.push_back(columns({60, 60, 3}));
   all.push_back(jagged_comb(40, 40));
@@ -1071,8 +1057,8 @@ TEST_CASE("a host with the least room gives the parts of structured volumes in s
   LeastHost extractor;
   Extractor32 other;
   std::vector<BitVolume> all = volumes_of_slabs();
-  all.push_back(walls_and_bars({60, 60, 3}));
-  all.push_back(walls_and_bars({61, 31, 5}));
+  all.push_back(volume_of({60, 60, 3}, shapes::Bars{}));
+  all.push_back(volume_of({61, 31, 5}, shapes::Bars{2, 1, 1, 4}));
   all.push_back(columns({60, 60, 3}));
   all.push_back(zigzag_columns({40, 40, 6}));
   all.push_back(upright(jagged_comb(12, 40)));
@@ -1095,7 +1081,7 @@ TEST_CASE("a host with the least room gives the parts of structured volumes in s
 TEST_CASE("so does a host with any number of seats, wherever its queues become full") {
   Extractor32 other;
   for (const uint32_t size : {20U, 40U, 60U}) {
-    const BitVolume volume = walls_and_bars({size, size, 3});
+    const BitVolume volume = volume_of({size, size, 3}, shapes::Bars{});
     const SlabScan scan{volume, Border::closed, 1, 2};
     constexpr Capacities plenty{1000000, 1000};
     const auto expected = parts_of(scan.by(other, plenty), scan);
