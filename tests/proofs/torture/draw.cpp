@@ -11,19 +11,12 @@ namespace {
 
 using shapes::Below;
 
-// Enough for nearly all.
+// Enough for nearly all volumes: fragments, and a host's queues that grow. Limit: 64 MiB.
 Capacities much(const Limits& limits, uint32_t slices) {
+  constexpr uint32_t slots_per_voxel = 64, most = 1U << 22;
   const uint32_t voxels = limits.width * limits.height * (slices + 2);
-  const uint32_t slots = host::Chains::min_slots + 16 * voxels;
+  const uint32_t slots = std::min(host::Chains::min_slots + slots_per_voxel * voxels, most);
   return {slots, slots};
-}
-
-// Enough for all: no queue is short of slots to grow into. Limit: 64 MiB.
-Capacities ample(const Limits& limits, uint32_t slices) {
-  constexpr uint32_t most = 1U << 22;
-  const uint32_t slots = worst_case_capacities(limits, slices + 2).slots;
-  const uint32_t held = host::Chains::min_slots + std::min(slots, most);
-  return {held, held};
 }
 
 // Six sizes, from the least to much.
@@ -65,6 +58,12 @@ uint32_t draw_slices_below(uint32_t depth, const Below& below) {
     default:
       return 0;
   }
+}
+
+// One kind of extractor for all slabs, or any for each: hosts most often, which have the most code.
+Scanner draw_scanner(uint32_t choice, const Below& below) {
+  constexpr Scanner of_all[] = {Scanner::narrow, Scanner::wide, Scanner::host, Scanner::host};
+  return choice < 4 ? of_all[choice] : static_cast<Scanner>(below(3));
 }
 
 // Boundaries between slabs, ascending; the first slab begins with the first slice of its own.
@@ -123,20 +122,17 @@ Arrangement whole(const PlacedVolume& volume, Scanner scanner) {
 }
 
 Arrangement draw_arrangement(const PlacedVolume& volume, const Below& below) {
-  const uint32_t scanners = below(8);   // 3 and 4: hosts, too; 5 and more: mixed
-  const uint32_t memories = below(10);  // 6 and 7: much, too; 8 and 9: mixed
-  const bool is_ample = below(3) > 0;
+  const uint32_t scanners = below(7);
+  const uint32_t memories = below(8);  // 6 and more: mixed
   const uint32_t refusals = below(3) == 0 ? below(200) : 0;
   const uint32_t checkpoints = below(4) == 0 ? 1 + below(3) : 0;
   const uint32_t chunk = below(2) == 0 ? 0 : 1 + below(256);
   Arrangement arrangement;
   uint32_t first = volume.first_own();
   for (const uint32_t end : draw_ends(volume, below)) {
-    const auto scanner = static_cast<Scanner>(scanners < 5 ? std::min(scanners, 2U) : below(3));
-    const Limits limits = volume.limits_of_slab(first, end);
-    const uint32_t slices = end - first;
-    const Capacities most = is_ample ? ample(limits, slices) : much(limits, slices);
-    Capacities memory = draw_memory(memories < 8 ? memories : below(6), most, below);
+    const Scanner scanner = draw_scanner(scanners, below);
+    const Capacities most = much(volume.limits_of_slab(first, end), end - first);
+    Capacities memory = draw_memory(memories < 6 ? memories : below(6), most, below);
     if (scanner == Scanner::narrow) memory = within_narrow(memory);
     arrangement.slabs.push_back(
         {first, end, scanner, memory, refusals, checkpoints, chunk, below(256)});

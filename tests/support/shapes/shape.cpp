@@ -19,7 +19,8 @@ namespace {
 using reference::Size;
 
 On draw_bars(const Below& below) {
-  const uint32_t period = 2 + below(2) * below(5);  // half of them as dense as can be
+  const bool is_dense = below(2) == 0;
+  const uint32_t period = is_dense ? 2 : 3 + below(4);
   return Bars{period, 1 + below(period - 1), below(period), 1 + below(3)};
 }
 
