@@ -123,7 +123,7 @@ Arrangement whole(const PlacedVolume& volume, Scanner scanner) {
 
 Arrangement draw_arrangement(const PlacedVolume& volume, const Below& below) {
   const uint32_t scanners = below(7);
-  const uint32_t memories = below(8);  // 6 and more: mixed
+  const uint32_t memories = below(10);  // 6 and 7: much, too; 8 and 9: mixed
   const uint32_t refusals = below(3) == 0 ? below(200) : 0;
   const uint32_t checkpoints = below(4) == 0 ? 1 + below(3) : 0;
   const uint32_t chunk = below(2) == 0 ? 0 : 1 + below(256);
@@ -132,7 +132,7 @@ Arrangement draw_arrangement(const PlacedVolume& volume, const Below& below) {
   for (const uint32_t end : draw_ends(volume, below)) {
     const Scanner scanner = draw_scanner(scanners, below);
     const Capacities most = much(volume.limits_of_slab(first, end), end - first);
-    Capacities memory = draw_memory(memories < 6 ? memories : below(6), most, below);
+    Capacities memory = draw_memory(memories < 8 ? memories : below(6), most, below);
     if (scanner == Scanner::narrow) memory = within_narrow(memory);
     arrangement.slabs.push_back(
         {first, end, scanner, memory, refusals, checkpoints, chunk, below(256)});
