@@ -66,18 +66,24 @@ Scanner draw_scanner(uint32_t choice, const Below& below) {
   return choice < 4 ? of_all[choice] : static_cast<Scanner>(below(3));
 }
 
-// Boundaries between slabs, ascending; the first slab begins with the first slice of its own.
-std::vector<uint32_t> draw_ends(const PlacedVolume& volume, const Below& below) {
+// Where slabs end, ascending. thickness(rest) is how many of the rest of the slices the next has.
+template <class Thickness>
+std::vector<uint32_t> ends_of(const PlacedVolume& volume, Thickness thickness) {
   constexpr uint32_t max_slabs = 40;
-  const uint32_t fixed = below(6);  // 0: any thickness
   std::vector<uint32_t> ends;
   for (uint32_t at = volume.first_own(); at < volume.size.depth;) {
     const uint32_t rest = volume.size.depth - at;
-    uint32_t slices = fixed == 0 ? 1 + below(12) : fixed == 5 ? 1 + rest / 2 : fixed;
-    if (ends.size() + 1 == max_slabs) slices = rest;
+    const uint32_t slices = ends.size() + 1 == max_slabs ? rest : thickness(rest);
     ends.push_back(at += std::min(slices, rest));
   }
   return ends;
+}
+
+std::vector<uint32_t> draw_ends(const PlacedVolume& volume, const Below& below) {
+  const uint32_t fixed = below(6);  // 0: any thickness
+  return ends_of(volume, [&](uint32_t rest) {
+    return fixed == 0 ? 1 + below(12) : fixed == 5 ? 1 + rest / 2 : fixed;
+  });
 }
 
 std::string text_of(const SlabPlan& slab) {
@@ -113,10 +119,14 @@ DrawnVolume draw_volume(const Below& below) {
   return {std::move(volume), std::move(text), is_small};
 }
 
-Arrangement whole(const PlacedVolume& volume, Scanner scanner) {
-  const uint32_t first = volume.first_own(), end = volume.size.depth;
-  const Capacities most = much(volume.limits_of_slab(first, end), end - first);
-  Arrangement arrangement{{{first, end, scanner, most, 0, 0, 0, 0}}, {}};
+Arrangement in_much_memory(const PlacedVolume& volume, Scanner scanner, uint32_t slices) {
+  Arrangement arrangement;
+  uint32_t first = volume.first_own();
+  for (const uint32_t end : ends_of(volume, [slices](uint32_t) { return slices; })) {
+    const Capacities most = much(volume.limits_of_slab(first, end), end - first);
+    arrangement.slabs.push_back({first, end, scanner, most, 0, 0, 0, 0});
+    first = end;
+  }
   describe(arrangement);
   return arrangement;
 }

@@ -25,8 +25,8 @@ struct Arrangement {
   std::string text;
 };
 
-/// The whole volume in one scan, in much memory.
-Arrangement whole(const PlacedVolume& volume, Scanner scanner);
+/// In slabs of this many slices, by one kind of extractor, in much memory.
+Arrangement in_much_memory(const PlacedVolume& volume, Scanner scanner, uint32_t slices);
 /// In slabs of any thickness, by any extractors, in any memory.
 Arrangement draw_arrangement(const PlacedVolume& volume, const shapes::Below& below);
 

@@ -114,9 +114,17 @@ void limit_processor_time() {
   setitimer(ITIMER_PROF, &five_minutes, nullptr);
 }
 
+// A host whole and in thin slabs, whose queues then grow most; then any.
+std::vector<Arrangement> draw_arrangements(const PlacedVolume& volume, const shapes::Below& below) {
+  constexpr size_t count = 6;
+  std::vector<Arrangement> all{in_much_memory(volume, Scanner::host, volume.size.depth),
+                               in_much_memory(volume, Scanner::host, 1 + below(2))};
+  while (all.size() < count) all.push_back(draw_arrangement(volume, below));
+  return all;
+}
+
 // Returns what is wrong, or nothing; place.text has what was scanned at last.
 std::string fault_of(Place& place) {
-  constexpr uint32_t drawn = 5;
   test::Chance chance(place.seed);
   const shapes::Below below = [&](uint32_t limit) { return chance.below(limit); };
   place.note("");
@@ -127,10 +135,9 @@ std::string fault_of(Place& place) {
     const std::string unlike = unlike_reference(volume);
     if (!unlike.empty()) return unlike;
   }
-  Surface expected = surface_of(volume, whole(volume, Scanner::wide), place);
-  for (uint32_t i = 0; i < 1 + drawn; ++i) {
-    const Arrangement arrangement =
-        i == 0 ? whole(volume, Scanner::host) : draw_arrangement(volume, below);
+  Surface expected =
+      surface_of(volume, in_much_memory(volume, Scanner::wide, volume.size.depth), place);
+  for (const Arrangement& arrangement : draw_arrangements(volume, below)) {
     place.note(subject.text + ": " + arrangement.text);
     Surface surface = surface_of(volume, arrangement, place);
     const std::string difference = surface.difference(expected, arrangement.slabs.size() - 1);
