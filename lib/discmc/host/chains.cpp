@@ -185,7 +185,7 @@ DISCMC_ALWAYS_INLINE uint32_t all_if_zero(uint32_t number) {
 
 void Chains::take(Slots& slots, const FoundPasses& passes, uint32_t edges) {
   DISCMC_LIMIT(edges <= Edges::max_edges);
-  DISCMC_LIMIT(edges == 0 || (has_places() && has_room_for(slots, 0)));
+  DISCMC_LIMIT(edges == 0 || is_ready_for_batch(slots));
   Node* const node = nodes(slots);
   uint32_t* const seat = seats(slots);
   uint32_t top = top_;

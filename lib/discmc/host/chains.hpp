@@ -146,6 +146,18 @@ class Chains {
            back(queue) <= end_seat_[queue];
   }
 
+  // What has_room() ensures, found in another way for checks.
+  bool is_ready_for_batch(const Slots& slots) {
+    const uint32_t end = area_[0].first + area_[0].slots;
+    bool is_ready = end_ == end && end - top_ >= 2 * FoundPasses::max_passes &&
+                    slots.available() >= 10 * (top_ - area_[0].first + 2 * FoundPasses::max_passes);
+    for (uint32_t queue = 0; queue < queue_codes; ++queue)
+      is_ready = is_ready && is_within_seats(queue) &&
+                 places(queue) >= (is_at_seam(queue) ? Edges::max_at_seam * trace::PassList::most
+                                                     : Edges::max_edges);
+    return is_ready;
+  }
+
   uint32_t reserve() const { return slots_a_node * (top_ - area_[0].first + max_new); }
   bool has_room_for(const Slots& slots, uint32_t nodes) const {
     return top_ + nodes + max_new <= end_ && slots.available() >= reserve() + slots_a_node * nodes;
