@@ -1,0 +1,22 @@
+// Families of volumes: the same structure at every size, so that twice the size is twice, four
+// times or eight times the work.
+#ifndef DISCMC_TESTS_DOUBLING_FAMILIES_HPP
+#define DISCMC_TESTS_DOUBLING_FAMILIES_HPP
+
+#include "oracle/volume.hpp"
+
+namespace discmc::doubling {
+
+struct Family {
+  const char* name;
+  reference::BitVolume (*make)(uint32_t size);
+  uint32_t size;  ///< the first; the second is twice as large
+};
+
+/// All of them.
+extern const Family families[];
+extern const size_t family_count;
+
+}  // namespace discmc::doubling
+
+#endif

@@ -1,0 +1,297 @@
+#include "proofs/doubling/pipelines.hpp"
+
+#include <algorithm>
+#include <discmc/decoder.hpp>
+#include <discmc/encoder.hpp>
+#include <discmc/host/host_extractor.hpp>
+#include <discmc/joiner.hpp>
+#include <discmc/slice_decoder.hpp>
+#include <discmc/slice_encoder.hpp>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+namespace discmc::doubling {
+
+using reference::BitVolume;
+
+// A volume, and the number of vertices of its surface.
+struct Scanned {
+  explicit Scanned(const BitVolume& bits) : volume(bits) {
+    const size_t row = bits.width, slice = row * bits.height;
+    for (size_t i = 0; i < bits.on.size(); ++i)
+      for (const size_t step : {size_t{1}, row, slice})
+        vertices += bits.on[i] != (i < step ? 0 : bits.on[i - step]) ? 1U : 0U;
+    vertices += 2 * slice;
+  }
+  const BitVolume& volume;
+  uint64_t vertices = 0;
+};
+
+namespace {
+
+// ---- counting ----
+
+Efforts* efforts = nullptr;
+Part running = tests;
+
+// Counts blocks for a part as long as it exists.
+class Running {
+ public:
+  explicit Running(Part part) : before_(running) { running = part; }
+  ~Running() { running = before_; }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+ private:
+  Part before_;
+};
+
+void require_ok(Status status) {
+  if (status != Status::ok) throw std::runtime_error(to_string(status));
+}
+
+// A sink in front of a part: events are the work of this part and of the one before it. Only an
+// extractor follows each link.
+template <class Next>
+class Metered {
+ public:
+  Metered(Next& next, Part part, Part before) : next_(next), part_(part), before_(before) {}
+
+  SinkResult take(const Event& event) {
+    ++efforts->of[part_].work;
+    ++efforts->of[before_].work;
+    if (before_ == extractor && event.kind == Event::Kind::run)
+      efforts->of[extractor].work += event.run.length();
+    const Running running_part(part_);
+    return next_.take(event);
+  }
+  SinkResult take_region(const WholeRegion& region) {
+    efforts->of[part_].work += 3 + region.count;
+    efforts->of[before_].work += 3 + region.count;
+    for (uint32_t i = 0; i < region.count; ++i)
+      efforts->of[before_].work += region.runs[i].length();
+    const Running running_part(part_);
+    return next_.take_region(region);
+  }
+
+ private:
+  Next& next_;
+  Part part_, before_;
+};
+
+struct Nowhere {
+  SinkResult take(const Event&) { return SinkResult::accepted; }
+};
+
+// ---- behind an extractor ----
+
+// Joins what comes, in memory for all vertices. The joiner clears its table, which is little work.
+class Joined {
+ public:
+  Joined(const Scanned& scanned, InputOrder order, Part before)
+      : end_(nowhere_, tests, joiner), begin_(joiner_, joiner, before) {
+    memory_.resize(1000 + 256 * scanned.vertices);
+    require_ok(joiner_.start({memory_.data(), memory_.size()}, make_sink(end_), order));
+    efforts->of[joiner].work += joiner_.capacities().fragments / 3;
+  }
+  Sink sink() { return make_sink(begin_); }
+  void finish() {
+    const Running part(joiner);
+    require_ok(joiner_.finish());
+  }
+
+ private:
+  Nowhere nowhere_;
+  Metered<Nowhere> end_;
+  std::vector<uint8_t> memory_;
+  Joiner joiner_;
+  Metered<Joiner> begin_;
+};
+
+// Encodes what comes, decodes it and joins it.
+class Streamed {
+ public:
+  explicit Streamed(const Scanned& scanned)
+      : joined_(scanned, InputOrder::sweep, decoder), begin_(encoder_, encoder, extractor) {
+    require_ok(decoder_.start(joined_.sink()));
+    require_ok(encoder_.start({}, {this, [](void* context, const uint8_t* bytes, size_t count) {
+                                     return static_cast<Streamed*>(context)->decode(bytes, count);
+                                   }}));
+  }
+  Sink sink() { return make_sink(begin_); }
+  RegionReceiver receiver() { return make_region_receiver(begin_); }
+  void finish() {
+    {
+      const Running part(decoder);
+      require_ok(decoder_.finish());
+    }
+    joined_.finish();
+  }
+
+ private:
+  size_t decode(const uint8_t* bytes, size_t count) {
+    efforts->of[encoder].work += count;
+    efforts->of[decoder].work += count;
+    const Running part(decoder);
+    const Decoded decoded = decoder_.push(bytes, count);
+    require_ok(decoded.status);
+    return decoded.bytes;
+  }
+
+  Joined joined_;
+  Decoder decoder_;
+  Encoder encoder_;
+  Metered<Encoder> begin_;
+};
+
+// ---- extractors ----
+
+// As many slots and holes as any of the volumes needs.
+Capacities ample_for(const Scanned& scanned) {
+  const auto slots = static_cast<uint32_t>(8 * scanned.vertices);
+  return {host::Chains::min_slots + 10 * slots, slots};
+}
+
+template <class Scanner>
+struct Scan {
+  Scan(const Limits& limits, const Capacities& capacities, const Sink& sink)
+      : bytes(bytes_for<Index>(limits, capacities)), memory(new uint8_t[bytes]) {
+    require_ok(scanner.start(limits, capacities, 1, {memory.get(), bytes}, sink));
+  }
+  // Pushes row by row, as a device does.
+  void push(const BitVolume& volume, uint32_t first, uint32_t end) {
+    const Running part(extractor);
+    for (uint32_t z = first; z < end; ++z)
+      for (uint32_t y = 0; y < volume.height; ++y)
+        require_ok(scanner.push(&volume.on[volume.index(0, y, z)], volume.width).status);
+    require_ok(scanner.finish());
+    efforts->of[extractor].work += size_t{end - first} * volume.height * volume.width;
+  }
+
+  using Index = std::conditional_t<std::is_same_v<Scanner, Extractor16>, uint16_t, uint32_t>;
+  uint64_t bytes;
+  std::unique_ptr<uint8_t[]> memory;  // untouched until it is used
+  Scanner scanner;
+};
+
+void scan(const Scanned& scanned, const Capacities& capacities) {
+  const BitVolume& volume = scanned.volume;
+  Streamed streamed(scanned);
+  Scan<Extractor32> scan({volume.width, volume.height}, capacities, streamed.sink());
+  scan.push(volume, 0, volume.depth);
+  streamed.finish();
+}
+
+// A slab for each slice, or sixteen: all that crosses their seams is joined.
+template <class Scanner>
+void scan_slabs(const Scanned& scanned) {
+  const BitVolume& volume = scanned.volume;
+  Joined joined(scanned, InputOrder::any, extractor);
+  const uint32_t thickness = volume.depth < 16 ? 1 : volume.depth / 16;
+  for (uint32_t first = 0; first < volume.depth; first += thickness) {
+    const uint32_t end = std::min(first + thickness, volume.depth);
+    Limits limits{volume.width, volume.height};
+    limits.slab = {first, first > 0, end < volume.depth};
+    Scan<Scanner> scan(limits, ample_for(scanned), joined.sink());
+    scan.push(volume, first - (first > 0 ? 1 : 0), end + (end < volume.depth ? 1 : 0));
+  }
+  joined.finish();
+}
+
+// Encodes slices, and decodes them.
+class Sliced {
+ public:
+  explicit Sliced(const BitVolume& volume) {
+    const Limits limits{volume.width, volume.height};
+    memory_.resize(slice_decoder_bytes(limits));
+    require_ok(decoder_.start({memory_.data(), memory_.size()}, make_row_sink(nowhere_)));
+    slices_.resize(slice_encoder_bytes(limits, {}));
+    const StreamHeader header{volume.width, volume.height, volume.depth, {}, {1}};
+    require_ok(encoder_.start(header, {}, {slices_.data(), slices_.size()}, output()));
+  }
+  void run(const BitVolume& volume) {
+    const Running part(encoder);
+    for (size_t voxel = 0; voxel < volume.voxels(); voxel += volume.width)
+      require_ok(encoder_.push(&volume.on[voxel], volume.width).status);
+    require_ok(encoder_.finish());
+    efforts->of[encoder].work += volume.voxels();
+    efforts->of[decoder].work += volume.voxels();
+  }
+
+ private:
+  struct Rows {
+    SinkResult take(const RowEvent&) { return SinkResult::accepted; }
+  };
+  ByteOutput output() {
+    return {this, [](void* context, const uint8_t* bytes, size_t count) {
+              efforts->of[encoder].work += count;
+              efforts->of[decoder].work += count;
+              const Running part(decoder);
+              const Decoded decoded = static_cast<Sliced*>(context)->decoder_.push(bytes, count);
+              require_ok(decoded.status);
+              return decoded.bytes;
+            }};
+  }
+
+  Rows nowhere_;
+  std::vector<uint8_t> memory_, slices_;
+  SliceDecoder decoder_;
+  SliceEncoder encoder_;
+};
+
+// ---- the table ----
+
+void firmware(const Scanned& scanned) {
+  scan(scanned, ample_for(scanned));
+}
+// Slots for some rows alone: most fragments go out loose.
+void firmware_short(const Scanned& scanned) {
+  scan(scanned, {100 + 2 * scanned.volume.width, scanned.volume.width});
+}
+void firmware_least(const Scanned& scanned) {
+  scan(scanned, minimum_capacities());
+}
+// Whole regions in one call.
+void host(const Scanned& scanned) {
+  const BitVolume& volume = scanned.volume;
+  Encoder encoder;
+  require_ok(
+      encoder.start({}, {nullptr, [](void*, const uint8_t*, size_t count) { return count; }}));
+  Metered<Encoder> metered(encoder, Part::encoder, extractor);
+  Scan<HostExtractor> scan({volume.width, volume.height}, ample_for(scanned), make_sink(metered));
+  scan.scanner.set_region_receiver(make_region_receiver(metered));
+  scan.push(volume, 0, volume.depth);
+}
+void slices(const Scanned& scanned) {
+  Sliced(scanned.volume).run(scanned.volume);
+}
+
+}  // namespace
+
+const Pipeline pipelines[] = {{"firmware", firmware},
+                              {"firmware, short", firmware_short},
+                              {"firmware, least", firmware_least},
+                              {"host", host},
+                              {"slabs", scan_slabs<Extractor32>},
+                              {"slabs, host", scan_slabs<HostExtractor>},
+                              {"slices", slices}};
+const size_t pipeline_count = sizeof pipelines / sizeof pipelines[0];
+
+Efforts run(const Pipeline& pipeline, const BitVolume& volume) {
+  const Scanned scanned(volume);
+  Efforts counts;
+  efforts = &counts;
+  pipeline.run(scanned);
+  efforts = nullptr;
+  return counts;
+}
+
+}  // namespace discmc::doubling
+
+// The name is the compiler's.
+extern "C" void __sanitizer_cov_trace_pc();  // NOLINT(bugprone-reserved-identifier)
+void __sanitizer_cov_trace_pc() {            // NOLINT(bugprone-reserved-identifier)
+  using namespace discmc::doubling;
+  if (efforts != nullptr) ++efforts->of[running].blocks;
+}
