@@ -24,7 +24,12 @@
 #endif
 
 #if defined(DISCMC_HAS_ADDRESS_SANITIZER)
-#include <sanitizer/asan_interface.h>
+// As <sanitizer/asan_interface.h> declares them: the library includes no header of a compiler.
+extern "C" {
+void __asan_poison_memory_region(void const volatile* bytes, size_t count);
+void __asan_unpoison_memory_region(void const volatile* bytes, size_t count);
+void __sanitizer_print_stack_trace();
+}
 #elif defined(DISCMC_CHECKED)
 #error "DISCMC_CHECKED needs an address sanitizer: -fsanitize=address"
 #endif
