@@ -8,7 +8,8 @@ function sizesOf(width, height, memory, indexBytes) {
   const slotBytes = indexBytes === 2 ? 8 : 16;
   const rowBytes = 4 * (Math.floor(width / 30) + 1);
   const alignment = 3;
-  const fixed = rowBytes * (2 * height + 4) + 288 * indexBytes + 16 * indexBytes + alignment;
+  const holeLists = indexBytes === 2 ? 32 : 0;
+  const fixed = rowBytes * (2 * height + 4) + 288 * indexBytes + holeLists + alignment;
   const minimum = fixed + leastSlots * slotBytes;
   const spare = Math.max(0, Math.min(memory - minimum - 4, 0xffffffff));
   const slots = leastSlots + Math.min(Math.floor(spare / slotBytes), mostSlots - leastSlots);
