@@ -69,6 +69,7 @@ class RingSide {
   bool leads_left_ = false;
 };
 
+/// Its look-ups are not inlined: they are called from many places, and seldom.
 /// Rings: a type with left(ring) and right(ring), which return links by reference, and with
 /// incidence(ring), start(ring) and first(ring), the direction of the first link. Rings are numbers
 /// from 1 on. Cost of every function: the depth of a treap; of has_any() and cross(), per line.
@@ -80,11 +81,16 @@ class RingTree {
   /// One of the rings, or no_slot.
   uint32_t any() const { return tree_.root(); }
 
-  void insert(const Rings& rings, uint32_t ring) { tree_.insert(Nodes{rings}, ring); }
-  void remove(const Rings& rings, uint32_t ring) { tree_.remove(Nodes{rings}, ring); }
+  DISCMC_NOINLINE void insert(const Rings& rings, uint32_t ring) {
+    tree_.insert(Nodes{rings}, ring);
+  }
+  DISCMC_NOINLINE void remove(const Rings& rings, uint32_t ring) {
+    tree_.remove(Nodes{rings}, ring);
+  }
 
   /// A ring on the plane of a vertex, or no_slot.
-  uint32_t any_on_plane(const Rings& rings, Incidence incidence, const Vertex& at) const {
+  DISCMC_NOINLINE uint32_t any_on_plane(const Rings& rings, Incidence incidence,
+                                        const Vertex& at) const {
     const Plane plane{incidence, plane_offset(incidence, at)};
     return tree_.find(Nodes{rings}, [&](uint32_t ring) {
       const Plane own = plane_of(rings, ring);
@@ -94,7 +100,7 @@ class RingTree {
   }
 
   /// The next ring on the line of a ring, or no_slot.
-  uint32_t next_on_line(const Rings& rings, uint32_t ring) const {
+  DISCMC_NOINLINE uint32_t next_on_line(const Rings& rings, uint32_t ring) const {
     const ProjectedPoint at = point(rings, ring);
     return first_on_line(rings, plane_of(rings, ring), {at.u + 1, at.v});
   }
@@ -158,7 +164,7 @@ class RingTree {
     return rings.incidence(ring) == plane.incidence &&
            plane_offset(plane.incidence, rings.start(ring)) == plane.offset;
   }
-  static ProjectedPoint point(const Rings& rings, uint32_t ring) {
+  DISCMC_NOINLINE static ProjectedPoint point(const Rings& rings, uint32_t ring) {
     return point_beside(rings.incidence(ring), rings.start(ring), rings.first(ring));
   }
   // Whether a ring lies at a place or behind it, by plane, line and position on the line.
@@ -171,7 +177,8 @@ class RingTree {
     const ProjectedPoint own = point(rings, ring);
     return own.v != at.v ? own.v > at.v : own.u >= at.u;
   }
-  uint32_t first_from(const Rings& rings, const Plane& plane, const ProjectedPoint& at) const {
+  DISCMC_NOINLINE uint32_t first_from(const Rings& rings, const Plane& plane,
+                                      const ProjectedPoint& at) const {
     return tree_.first(Nodes{rings},
                        [&](uint32_t ring) { return is_behind(rings, ring, plane, at); });
   }
