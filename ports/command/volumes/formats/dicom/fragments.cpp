@@ -33,7 +33,8 @@ void DicomFragments::set_starts_by_table(std::uint32_t frames) {
     offsets.push_back(offsets.back() + header_bytes + items_[i]->getLength());
   std::vector<std::size_t> starts;
   for (const std::uint8_t* at = table; at < table + entry_bytes * frames; at += entry_bytes) {
-    const std::uint32_t offset = at[0] | at[1] << 8U | at[2] << 16U | std::uint32_t{at[3]} << 24U;
+    std::uint32_t offset = 0;
+    for (std::size_t i = entry_bytes; i-- > 0;) offset = offset << 8 | at[i];
     const auto place = std::lower_bound(offsets.begin(), offsets.end(), offset);
     if (place == offsets.end() || *place != offset) return;
     starts.push_back(1 + static_cast<std::size_t>(place - offsets.begin()));
