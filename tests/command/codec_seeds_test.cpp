@@ -112,8 +112,11 @@ TEST_CASE("each transfer syntax that is read has a fuzz input that is read to it
   for (const std::string& uid : transfer_syntaxes()) {
     const std::string bytes = dicom_files::slice(0).file(dicom_files::Order::little_endian, uid);
     const std::string refused = refusal_of(folder.write("v.dcm", bytes));
-    const bool is_deflated = uid == standard + ".1.99" || uid == standard + ".4.95";
-    if (contains(refused, is_deflated ? "deflated as a whole" : "an image packed as")) continue;
+    const bool is_deflated =
+        uid == standard + ".1.99" || uid == standard + ".4.95" || uid == standard + ".4.205";
+    if (contains(refused, "an image packed as") ||
+        (is_deflated && contains(refused, "deflated as a whole")))
+      continue;
     INFO(uid);
     CHECK(found.count(uid) == 1);
     ++accepted;
