@@ -55,7 +55,7 @@ std::string drawn_cell(Configuration configuration) {
   return picture;
 }
 
-void print_points(const Point* points, int count) {
+void print_points(const CellPoint* points, int count) {
   for (int i = 0; i < count; ++i) {
     const Vertex p = position(points[i]);
     std::printf(" (%d %d %d)", p.x, p.y, p.z);

@@ -7,7 +7,7 @@
 //   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
 //   fuzz_merge corpus/merge                   with replay_main.cpp
 
-#include <discmc/host/host_extractor.hpp>
+#include "host/host_extractor.hpp"
 #include <discmc/polygon.hpp>
 
 #include <algorithm>

@@ -23,7 +23,7 @@
 
 #include "input.hpp"
 #include "require.hpp"
-#include "volumes/iso_value.hpp"
+#include "samples/iso_value.hpp"
 #include "volumes/volume.hpp"
 #include "volumes/volume_stream.hpp"
 

@@ -23,12 +23,6 @@ static_assert(INT_MAX >= 0x7FFFFFFF,
 #define DISCMC_HAS_LANE_SELECTION
 #endif
 #endif
-// Vectors are for hosts: firmware is compiled freestanding.
-#if __STDC_HOSTED__ && defined(__SSE2__)
-#define DISCMC_HAS_SSE2
-#elif __STDC_HOSTED__ && defined(__AARCH64EL__) && defined(__ARM_NEON)
-#define DISCMC_HAS_NEON
-#endif
 #endif
 
 // ---- for speed and size ----

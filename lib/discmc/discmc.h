@@ -223,10 +223,10 @@ discmc_vertex discmc_unit_normal(const uint8_t normal[2]);
 /* ---- extractor: samples in, polygons out ---- */
 /* A program links only the kinds that it names. Plain kinds accept samples of one type, or rows of
  * bits. Kinds with normals add a normal to each corner, and keep four slices and six rows of
- * samples. discmc_host accepts all types, and with a few megabytes halves the instructions. */
+ * samples. */
 typedef struct discmc_extractor_kind discmc_extractor_kind;
 extern const discmc_extractor_kind discmc_plain_bits, discmc_plain_u8, discmc_plain_u16,
-    discmc_plain_i16, discmc_normals_u8, discmc_normals_u16, discmc_normals_i16, discmc_host;
+    discmc_plain_i16, discmc_normals_u8, discmc_normals_u16, discmc_normals_i16;
 
 /* The configuration of an extractor. */
 typedef struct discmc_extractor_config {
@@ -240,7 +240,7 @@ typedef struct discmc_extractor_config {
   } slab;
   int32_t threshold;     /* a voxel is on if its sample is >= threshold */
   int32_t spacing_nm[3]; /* for normals: between voxels; 0: voxels are cubes */
-  /* Each slot holds up to three runs of unfinished polygons, in 8 bytes (normals 14, hosts 16).
+  /* Each slot holds up to three runs of unfinished polygons, in 8 bytes (normals 14).
    * Few slots make the stream longer; the surface is unchanged. 0: as many as fit. */
   uint32_t slots;
   discmc_memory memory;

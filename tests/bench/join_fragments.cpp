@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <exception>
 
-#include "surface/spilling_joiner.hpp"
+#include "streams/spilling_joiner.hpp"
 
 namespace {
 

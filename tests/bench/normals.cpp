@@ -77,7 +77,7 @@ double percent(size_t part, size_t whole) {
   return whole == 0 ? 0 : 100 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-void print_row(const std::string& name, const Mesh& mesh, const NormalAngles& angles) {
+void print_row(const std::string& name, const FaceMesh& mesh, const NormalAngles& angles) {
   const size_t vertices = mesh.normals.size();
   std::printf("%-28s %9zu %8.3f %8.2f %9.5f %9.5f %9.3f %9.3f\n", name.c_str(), vertices,
               percent(angles.level, vertices), percent(angles.fixed_point.count, vertices),
@@ -105,7 +105,7 @@ Ball measure_ball(double radius, const char* kind, SampleType type, const Ramp& 
   };
   auto first = reader();
   const Surface surface = surface_of(first, ramp.threshold);
-  Mesh mesh = build_mesh(surface);
+  FaceMesh mesh = build_mesh(surface);
   Ball ball;
   ball.name = "ball " + std::to_string(static_cast<int>(radius)) + ", " + kind;
   set_polygon_normals(surface, mesh);
@@ -137,7 +137,7 @@ std::vector<Ball> measure_balls() {
 
 void measure_file(const File& file) {
   const Surface surface = surface_of(*open_volume(file.path), file.threshold);
-  Mesh mesh = build_mesh(surface);
+  FaceMesh mesh = build_mesh(surface);
   set_gradient_normals(*open_volume(file.path), mesh);
   const std::string name = file.path.substr(file.path.rfind('/') + 1);
   print_row(name + " at " + std::to_string(file.threshold), mesh,

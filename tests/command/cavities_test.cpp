@@ -8,14 +8,14 @@
 namespace {
 
 using discmc::Vertex;
-using discmc::command::Component;
-using discmc::command::Surface;
+using discmc::meshing::Component;
+using discmc::meshing::Surface;
 using discmc::reference::BitVolume;
 
 Surface surface_of(const BitVolume& volume) {
   sample_reader::SampleReader reader(volume);
-  discmc::command::SurfaceBuilder builder;
-  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed, 0, {}},
+  discmc::meshing::SurfaceBuilder builder;
+  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed},
           discmc::make_sink(builder));
   builder.surface().spacing_mm = {1, 1, 1};
   return std::move(builder.surface());

@@ -12,15 +12,15 @@ namespace {
 
 using command_tests::volume_of;
 using discmc::Border;
-using discmc::command::check_mesh;
+using discmc::meshing::check_mesh;
 using discmc::command::classic_mesh;
-using discmc::command::Extraction;
+using discmc::meshing::Extraction;
 using discmc::command::ExtractionOptions;
-using discmc::command::Mesh;
-using discmc::command::MeshReport;
-using discmc::command::Point;
-using discmc::command::SampleType;
-using discmc::command::SurfaceBuilder;
+using discmc::meshing::FaceMesh;
+using discmc::meshing::MeshReport;
+using discmc::meshing::Point;
+using discmc::meshing::SampleType;
+using discmc::meshing::SurfaceBuilder;
 using discmc::reference::BitVolume;
 using discmc::reference::Size;
 using sample_reader::SampleReader;
@@ -66,16 +66,16 @@ Field bits(const BitVolume& volume) {
   return field;
 }
 
-Mesh classic(const Field& field, Border border = Border::closed, const Point& spacing = {1, 1, 1},
+FaceMesh classic(const Field& field, Border border = Border::closed, const Point& spacing = {1, 1, 1},
              SampleType type = SampleType::u8) {
   SampleReader reader(field.size, field.samples, spacing, type);
-  return classic_mesh(reader, {{100}, border, 0, {}});
+  return classic_mesh(reader, {{100}, border});
 }
 
 Extraction extraction(const Field& field, Border border) {
   SampleReader reader(field.size, field.samples);
   SurfaceBuilder builder;
-  return extract(reader, {{100}, border, 0, {}}, discmc::make_sink(builder));
+  return extract(reader, {{100}, border}, discmc::make_sink(builder));
 }
 
 // A vertex lies strictly between an on and an off voxel, where the line through their samples
@@ -106,7 +106,7 @@ void check_vertex(const Field& field, const Point& vertex) {
 }
 
 void check_classic(const Field& field, Border border) {
-  const Mesh mesh = classic(field, border);
+  const FaceMesh mesh = classic(field, border);
   const Extraction extracted = extraction(field, border);
   CHECK(mesh.face_count() == extracted.statistics.classic_triangles);
   const MeshReport report = check_mesh(mesh);
@@ -138,7 +138,7 @@ TEST_CASE("cells of any configuration fit each other") {
 
 TEST_CASE("classic Marching Cubes finds the ball that the samples stand for") {
   const double radius = 9.2;
-  const Mesh mesh = classic(ramp({26, 26, 26}, radius));
+  const FaceMesh mesh = classic(ramp({26, 26, 26}, radius));
   for (const Point& vertex : mesh.vertices_mm)
     CHECK(std::hypot(vertex[0] - 12.5, vertex[1] - 12.5, vertex[2] - 12.5) ==
           doctest::Approx(radius + 0.5 / 6).epsilon(0.02));
@@ -151,7 +151,7 @@ TEST_CASE("its triangles look outside whichever way the axes run") {
   for (const double x : {2.0, -2.0})
     for (const double y : {0.5, -0.5})
       for (const double z : {3.0, -3.0}) {
-        const Mesh mesh = classic(field, Border::closed, {x, y, z});
+        const FaceMesh mesh = classic(field, Border::closed, {x, y, z});
         CHECK(check_mesh(mesh).closed());
         CHECK(volume_of(mesh) == doctest::Approx(3 * expected));
       }
@@ -159,14 +159,14 @@ TEST_CASE("its triangles look outside whichever way the axes run") {
 
 TEST_CASE("samples of every type give the same triangles") {
   const Field field = noise({7, 6, 5}, 4, 250);
-  const Mesh expected = classic(field);
+  const FaceMesh expected = classic(field);
   for (const SampleType type : {SampleType::u16, SampleType::i16}) {
-    const Mesh mesh = classic(field, Border::closed, {1, 1, 1}, type);
+    const FaceMesh mesh = classic(field, Border::closed, {1, 1, 1}, type);
     CHECK(mesh.vertices_mm == expected.vertices_mm);
     CHECK(mesh.corners == expected.corners);
   }
   Field negative = field;
   for (int& sample : negative.samples) sample -= 400;
   SampleReader reader(negative.size, negative.samples, {1, 1, 1}, SampleType::i16);
-  CHECK(classic_mesh(reader, {{-300}, Border::closed, 0, {}}).vertices_mm == expected.vertices_mm);
+  CHECK(classic_mesh(reader, {{-300}, Border::closed}).vertices_mm == expected.vertices_mm);
 }

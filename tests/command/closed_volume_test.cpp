@@ -13,8 +13,8 @@
 
 namespace {
 
-using discmc::command::ClosedVolume;
-using discmc::command::Point;
+using discmc::meshing::ClosedVolume;
+using discmc::meshing::Point;
 using discmc::reference::BitVolume;
 using sample_reader::bit_threshold;
 using sample_reader::SampleReader;

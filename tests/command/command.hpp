@@ -19,14 +19,14 @@
 #include <vector>
 
 #include "mesh_formats.hpp"
-#include "meshes/mesh.hpp"
+#include "mesh_files/file_mesh.hpp"
 #include "oracle/volume.hpp"
 #include "volume_files.hpp"
 
 namespace command_tests {
 
-using discmc::command::Mesh;
-using discmc::command::Point;
+using discmc::command::FileMesh;
+using discmc::meshing::Point;
 using discmc::reference::BitVolume;
 
 inline std::string contents(const std::filesystem::path& file) {
@@ -109,14 +109,14 @@ class Workshop {
 
 // ---- meshes ----
 
-inline void add_face(Mesh& mesh, const std::vector<std::uint32_t>& corners) {
+inline void add_face(FileMesh& mesh, const std::vector<std::uint32_t>& corners) {
   mesh.corners.insert(mesh.corners.end(), corners.begin(), corners.end());
   mesh.face_begin.push_back(mesh.corners.size());
   mesh.incidences.push_back(0);
 }
 
-inline Mesh mesh_of_obj(const std::string& text) {
-  Mesh mesh;
+inline FileMesh mesh_of_obj(const std::string& text) {
+  FileMesh mesh;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
@@ -184,8 +184,8 @@ class Taker {
   std::size_t at_;
 };
 
-inline Mesh mesh_of_stl(const std::string& bytes) {
-  Mesh mesh;
+inline FileMesh mesh_of_stl(const std::string& bytes) {
+  FileMesh mesh;
   std::map<Point, std::uint32_t> numbers;
   Taker taker(bytes, 80);
   for (std::uint32_t left = taker.integer(4); left > 0; --left) {
@@ -210,7 +210,7 @@ inline std::size_t count_after(const std::string& text, const std::string& key) 
   return std::stoul(text.substr(text.find(key) + key.size()));
 }
 
-inline Mesh mesh_of_ply(const std::string& bytes) {
+inline FileMesh mesh_of_ply(const std::string& bytes) {
   const std::string end = "end_header\n";
   REQUIRE(contains(bytes, end));
   const std::size_t body = bytes.find(end) + end.size();
@@ -219,7 +219,7 @@ inline Mesh mesh_of_ply(const std::string& bytes) {
   const std::string colour = "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
   const bool has_doubles =
       contains(header, "\nproperty double x\nproperty double y\nproperty double z\n");
-  Mesh mesh;
+  FileMesh mesh;
   Taker taker(bytes, body);
   for (std::size_t left = count_after(header, "element vertex "); left > 0; --left) {
     mesh.vertices_mm.push_back(has_doubles ? taker.point_of_doubles() : taker.point());
@@ -236,7 +236,7 @@ inline Mesh mesh_of_ply(const std::string& bytes) {
 }
 
 /// By the extension of the name.
-inline Mesh mesh_of(const std::string& name, const std::string& bytes) {
+inline FileMesh mesh_of(const std::string& name, const std::string& bytes) {
   const std::string extension = name.substr(name.size() - 4);
   if (extension == ".obj") return mesh_of_obj(bytes);
   if (extension == ".glb") return mesh_of_glb(bytes);
@@ -246,7 +246,7 @@ inline Mesh mesh_of(const std::string& name, const std::string& bytes) {
 }
 
 /// What the faces enclose, when they are closed and look outside. Units: cubic millimetres.
-inline double volume_of(const Mesh& mesh) {
+inline double volume_of(const FileMesh& mesh) {
   double sum = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
     for (std::size_t i = 2; i < mesh.face_size(face); ++i) {

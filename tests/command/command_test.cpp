@@ -6,8 +6,8 @@
 namespace {
 
 using namespace command_tests;
-using discmc::command::check_mesh;
-using discmc::command::MeshReport;
+using discmc::meshing::check_mesh;
+using discmc::meshing::MeshReport;
 using discmc::reference::ball;
 using discmc::reference::box;
 using discmc::reference::checkerboard;
@@ -108,7 +108,7 @@ TEST_CASE(
     const Result result = workshop.run(extract + format);
     CHECK(result.error.empty());
     CHECK(contains(result.out, "closed                               yes"));
-    const Mesh far = mesh_of("far." + format, workshop.read("far." + format));
+    const FileMesh far = mesh_of("far." + format, workshop.read("far." + format));
     REQUIRE(far.vertices_mm.size() == vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -180,7 +180,7 @@ TEST_CASE("meshes are closed and exact whatever the volume and the format") {
     workshop.write("v.nrrd", volume);
     for (const std::string& format : meshes) {
       workshop.done("extract v.nrrd --iso 100 -o v." + format);
-      const Mesh mesh = mesh_of("v." + format, workshop.read("v." + format));
+      const FileMesh mesh = mesh_of("v." + format, workshop.read("v." + format));
       CHECK(mesh.face_count() > 0);
       CHECK(check_mesh(mesh).closed());
       CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
@@ -221,7 +221,7 @@ TEST_CASE("vertices are in millimetres, and faces look outside whichever way the
     workshop.write("v.nrrd", volume, lines.str());
     for (const std::string& format : meshes) {
       workshop.done("extract v.nrrd --iso 100 -o v." + format);
-      const Mesh mesh = mesh_of("v." + format, workshop.read("v." + format));
+      const FileMesh mesh = mesh_of("v." + format, workshop.read("v." + format));
       CHECK(check_mesh(mesh).closed());
       CHECK(volume_of(mesh) == doctest::Approx(4 * enclosed(volume)));
       for (const Point& vertex : mesh.vertices_mm) {
@@ -255,8 +255,8 @@ TEST_CASE("without the vertices of neighbours meshes are smaller and enclose the
   for (const std::string& format : meshes) {
     workshop.done("extract v.nrrd --iso 100 -o full." + format);
     workshop.done("extract v.nrrd --iso 100 --no-conforming -o corners." + format);
-    const Mesh full = mesh_of("full." + format, workshop.read("full." + format));
-    const Mesh corners = mesh_of("corners." + format, workshop.read("corners." + format));
+    const FileMesh full = mesh_of("full." + format, workshop.read("full." + format));
+    const FileMesh corners = mesh_of("corners." + format, workshop.read("corners." + format));
     CHECK(corners.corners.size() < full.corners.size());
     CHECK(volume_of(corners) == doctest::Approx(volume_of(full)));
   }
@@ -270,7 +270,7 @@ TEST_CASE("faces are triangles, and polygons where they are asked for and the fo
   for (const std::string& format : meshes) {
     workshop.done("decode v.dmc -o v." + format);
     const std::string triangles = workshop.read("v." + format);
-    const Mesh mesh = mesh_of("v." + format, triangles);
+    const FileMesh mesh = mesh_of("v." + format, triangles);
     for (std::size_t face = 0; face < mesh.face_count(); ++face) CHECK(mesh.face_size(face) == 3);
     workshop.done("decode v.dmc --faces triangles -o v." + format);
     CHECK(workshop.read("v." + format) == triangles);
@@ -278,7 +278,7 @@ TEST_CASE("faces are triangles, and polygons where they are asked for and the fo
   for (const std::string format : {"ply", "obj", "vtp"}) {
     workshop.done("decode v.dmc --faces polygons -o v." + format);
     const std::string polygons = workshop.read("v." + format);
-    const Mesh mesh = mesh_of("v." + format, polygons);
+    const FileMesh mesh = mesh_of("v." + format, polygons);
     CHECK(check_mesh(mesh).closed());
     CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
     CHECK(std::to_string(mesh.face_count()) == workshop.info("v.dmc")["regions"]);
@@ -344,7 +344,7 @@ TEST_CASE("a surface of nothing is valid in every format") {
     for (const std::string& format : all_formats) {
       workshop.done("extract v.nrrd --allow-empty --iso " + iso + " -o v." + format);
       if (format == "dmc" || format == "jsonl") continue;
-      const Mesh mesh = mesh_of("v." + format, workshop.read("v." + format));
+      const FileMesh mesh = mesh_of("v." + format, workshop.read("v." + format));
       CHECK(mesh.face_count() + mesh.vertices_mm.size() == 0);
     }
     CHECK(workshop.read("v.jsonl").empty());
@@ -378,7 +378,7 @@ TEST_CASE("little memory costs bytes of the stream and never a polygon") {
     const std::string table = workshop.done("extract v.nrrd --iso 100 " + options + " -o v.dmc");
     CHECK(contains(table, "the arena lacked slots"));
     workshop.done("decode v.dmc -o v.stl");
-    const Mesh mesh = mesh_of_stl(workshop.read("v.stl"));
+    const FileMesh mesh = mesh_of_stl(workshop.read("v.stl"));
     CHECK(check_mesh(mesh).closed());
     CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
     auto pieces = workshop.info("v.dmc");

@@ -11,17 +11,17 @@
 
 namespace {
 
-using discmc::command::Component;
-using discmc::command::ComponentCounts;
-using discmc::command::Surface;
+using discmc::meshing::Component;
+using discmc::meshing::ComponentCounts;
+using discmc::meshing::Surface;
 using discmc::reference::BitVolume;
 
-const discmc::command::Point spacing_mm = {0.5, -2, 3};
+const discmc::meshing::Point spacing_mm = {0.5, -2, 3};
 
 Surface surface_of(const BitVolume& volume) {
   sample_reader::SampleReader reader(volume, spacing_mm);
-  discmc::command::SurfaceBuilder builder;
-  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed, 0, {}},
+  discmc::meshing::SurfaceBuilder builder;
+  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed},
           discmc::make_sink(builder));
   builder.surface().spacing_mm = spacing_mm;
   return std::move(builder.surface());

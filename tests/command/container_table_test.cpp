@@ -17,7 +17,7 @@ namespace {
 using namespace volume_files;
 using command_tests::contains;
 using command_tests::contents;
-using discmc::command::sample_type_called;
+using discmc::meshing::sample_type_called;
 
 const fs::path folder = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes";
 

@@ -30,8 +30,8 @@ void check_near(const Point& a, const Point& b) {
 }
 
 // The points around the centroid of a cell, by the facets that have it for a corner.
-std::set<discmc::Point> around_centroid(discmc::Configuration configuration) {
-  std::set<discmc::Point> points;
+std::set<discmc::CellPoint> around_centroid(discmc::Configuration configuration) {
+  std::set<discmc::CellPoint> points;
   for (int i = discmc::facet_table.first[configuration];
        i < discmc::facet_table.first[configuration + 1]; ++i) {
     const discmc::FacetRing& ring = discmc::facet_rings.ring[discmc::facet_table.facet[i]];
@@ -84,7 +84,7 @@ TEST_CASE("a centroid is moved to the mean of the crossings around it, at the bo
         const auto points = around_centroid(configuration);
         if (points.empty()) continue;
         Point mean{};
-        for (const discmc::Point point : points) {
+        for (const discmc::CellPoint point : points) {
           const Point at =
               crossings.interpolated(Vertex{2 * x, 2 * y, 2 * z} + discmc::position(point));
           for (std::size_t axis = 0; axis < 3; ++axis)

@@ -31,7 +31,7 @@ bool lacks_simplifier() {
   }
 }
 
-Mesh all_triangles(const Field& field, Border border = Border::closed) {
+FileMesh all_triangles(const Field& field, Border border = Border::closed) {
   return interpolated(extracted(field, SampleType::u8, {1, 1, 1}, border), 0);
 }
 
@@ -52,7 +52,7 @@ Field cloud(Size size, std::uint32_t seed) {
 }
 
 // Of their coordinates.
-std::set<Point> places(const Mesh& mesh) {
+std::set<Point> places(const FileMesh& mesh) {
   return {mesh.vertices_mm.begin(), mesh.vertices_mm.end()};
 }
 
@@ -60,8 +60,8 @@ std::set<Point> places(const Mesh& mesh) {
 
 TEST_CASE("a decimated ball has the triangles that were asked for, and stays a ball") {
   if (lacks_simplifier()) return;
-  const Mesh before = all_triangles(ball(40, 16, 4));
-  Mesh mesh = before;
+  const FileMesh before = all_triangles(ball(40, 16, 4));
+  FileMesh mesh = before;
   const DecimatedBodies bodies = decimate(mesh, {1000});
   CHECK(bodies.all == 1);
   CHECK(bodies.unchanged == 0);
@@ -77,16 +77,16 @@ TEST_CASE("a decimated ball has the triangles that were asked for, and stays a b
 
 TEST_CASE("a larger error leaves fewer triangles, and the smallest that is given ends it") {
   if (lacks_simplifier()) return;
-  const Mesh before = all_triangles(ball(40, 16, 4));
+  const FileMesh before = all_triangles(ball(40, 16, 4));
   std::size_t faces = before.face_count();
   for (const double error : {0.01, 0.03, 0.1}) {
-    Mesh mesh = before;
+    FileMesh mesh = before;
     decimate(mesh, {0, error});
     CHECK(mesh.face_count() < faces);
     CHECK(distances(before, mesh).mean < error);
     faces = mesh.face_count();
   }
-  Mesh mesh = before;
+  FileMesh mesh = before;
   decimate(mesh, {10, 0.1});
   CHECK(mesh.face_count() == doctest::Approx(static_cast<double>(faces)).epsilon(0.02));
 }
@@ -94,8 +94,8 @@ TEST_CASE("a larger error leaves fewer triangles, and the smallest that is given
 TEST_CASE(
     "more triangles than there are change nothing, and an error beyond the body leaves little") {
   if (lacks_simplifier()) return;
-  const Mesh before = all_triangles(ball(40, 16, 4));
-  Mesh mesh = before;
+  const FileMesh before = all_triangles(ball(40, 16, 4));
+  FileMesh mesh = before;
   decimate(mesh, {before.face_count() + 1});
   CHECK(mesh.corners.size() == before.corners.size());
   decimate(mesh, {0, 1000});
@@ -110,7 +110,7 @@ TEST_CASE("whatever is decimated stays closed, and no body or cavity goes") {
     const Extracted of = extracted(field);
     const std::size_t parts = components(of.surface).size();
     for (const std::uint64_t triangles : {2000U, 6000U}) {
-      Mesh mesh = interpolated(of, 0);
+      FileMesh mesh = interpolated(of, 0);
       const std::size_t before = mesh.face_count();
       const DecimatedBodies bodies = decimate(mesh, {triangles});
       CHECK(bodies.all == parts);
@@ -124,8 +124,8 @@ TEST_CASE("a body that would go stays as it was") {
   if (lacks_simplifier()) return;
   Field field = ball(30, 9, 4);
   field.samples[(3 * 30 + 3) * 30 + 3] = 100;
-  const Mesh before = all_triangles(field);
-  Mesh mesh = before;
+  const FileMesh before = all_triangles(field);
+  FileMesh mesh = before;
   const DecimatedBodies bodies = decimate(mesh, {100});
   CHECK(bodies.all == 2);
   CHECK(bodies.unchanged == 1);
@@ -137,7 +137,7 @@ TEST_CASE("a body that would go stays as it was") {
 
 TEST_CASE("a mesh of many faces without area stays as it was") {
   if (lacks_simplifier()) return;
-  Mesh mesh = all_triangles(ball(40, 16, 4));
+  FileMesh mesh = all_triangles(ball(40, 16, 4));
   for (Point& vertex : mesh.vertices_mm) vertex[0] = 8 * std::floor(vertex[0] / 8);
   const std::vector<std::uint32_t> corners = mesh.corners;
   const DecimatedBodies bodies = decimate(mesh, {1000, 1});
@@ -150,8 +150,8 @@ TEST_CASE("the border of an open mesh keeps its edges") {
   const Field field = field_of({20, 20, 20}, [](double x, double y, double z) {
     return level + 4 * (8 - std::hypot(x - 9.5, y - 9.5, z - 1));
   });
-  const Mesh before = all_triangles(field, Border::open);
-  Mesh mesh = before;
+  const FileMesh before = all_triangles(field, Border::open);
+  FileMesh mesh = before;
   decimate(mesh, {150});
   CHECK(mesh.face_count() < before.face_count() / 3);
   CHECK(check_mesh(before).open_edges > 0);
@@ -168,7 +168,7 @@ TEST_CASE("--triangles and --max-error write decimated meshes, interpolated befo
   const std::string extract = "extract v.raw --dims 40,40,40 --spacing 1,1,1 --type u8 --iso 50 ";
   const std::string told = workshop.done(extract + "--triangles 1000 --normals gradient -o v.ply");
   CHECK(contains(told, "closed                               yes"));
-  const Mesh mesh = command_tests::mesh_of_ply(workshop.read("v.ply"));
+  const FileMesh mesh = command_tests::mesh_of_ply(workshop.read("v.ply"));
   CHECK(mesh.face_count() <= 1000);
   CHECK(check_mesh(mesh).closed());
   CHECK(mesh.normals.size() == mesh.vertices_mm.size());

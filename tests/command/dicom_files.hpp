@@ -249,7 +249,7 @@ inline Dataset frames(const std::string& modality = "CT") {
 }
 
 inline void check_places(const volume_files::VolumeInfo& info, const std::array<double, 3>& origin,
-                         const discmc::command::Axes& axes) {
+                         const discmc::meshing::Axes& axes) {
   REQUIRE(info.placement);
   CHECK(info.placement->space == discmc::Space::lps);
   for (std::size_t i = 0; i < 3; ++i) {

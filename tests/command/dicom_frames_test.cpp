@@ -13,7 +13,7 @@ namespace {
 
 using namespace dicom_files;
 using namespace volume_files;
-using discmc::command::Axes;
+using discmc::meshing::Axes;
 using Spacing = std::array<double, 3>;
 
 const Axes along_axes = {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}};

@@ -14,7 +14,7 @@ namespace {
 using namespace dicom_files;
 using namespace volume_files;
 using command_tests::contains;
-using discmc::command::Axes;
+using discmc::meshing::Axes;
 using discmc::command::SliceOrder;
 using Spacing = std::array<double, 3>;
 
@@ -176,7 +176,7 @@ TEST_CASE("the vertices of a tilted gantry lie where its voxels do") {
   // An octahedron of half a voxel: its volume is that of the cell by 6.
   const double cell = 0.5 * 0.75 * std::cos(tilt) * 2.5;
   CHECK(command_tests::volume_of(mesh) == doctest::Approx(cell / 6).epsilon(1e-6));
-  discmc::command::Point middle{};
+  discmc::meshing::Point middle{};
   for (const auto& vertex : mesh.vertices_mm)
     for (std::size_t i = 0; i < 3; ++i) middle[i] += vertex[i] / 6;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -76,7 +76,7 @@ std::vector<double> slices_of(const std::vector<Voxels>& slices) {
 
 std::string name_of(const VolumeInfo& info, int value, std::uint32_t layer = 0) {
   for (const auto& label : info.labels)
-    if (label.layer == layer && label.values == std::vector<discmc::command::LabelValue>{value})
+    if (label.layer == layer && label.values == std::vector<discmc::meshing::LabelValue>{value})
       return label.name;
   return "";
 }

@@ -83,7 +83,7 @@ TEST_CASE("slices of a folder are in the order of their positions, with spacing 
   CHECK(info.slope == 0.5);
   CHECK(info.intercept == -1024);
   CHECK(info.format == "DICOM");
-  const discmc::command::VolumePlacement placement = {
+  const discmc::meshing::VolumePlacement placement = {
       discmc::Space::lps, {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}}};
   CHECK(info.placement == placement);
   CHECK(read_all(*reader) == values());
@@ -433,7 +433,7 @@ TEST_CASE("axes of the patient are those of the slices, and never mirrored") {
   REQUIRE(reader->info().placement);
   CHECK(reader->info().placement->origin_mm == Spacing{-10, -20, 110});
   CHECK(reader->info().placement->axes_mm ==
-        discmc::command::Axes{{{-0.5, 0, 0}, {0, 0.75, 0}, {0, 0, -2.5}}});
+        discmc::meshing::Axes{{{-0.5, 0, 0}, {0, 0.75, 0}, {0, 0, -2.5}}});
   const auto all = values();
   std::vector<double> expected;
   constexpr int of_slice = width * height;

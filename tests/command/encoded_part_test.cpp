@@ -1,5 +1,5 @@
 // The regions of a part as packets, and which of them a join may pass on.
-#include "streams/encoded_part.hpp"
+#include "extraction/encoded_part.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 
 using namespace discmc::test;
 using discmc::Status;
-using discmc::command::EncodedPart;
+using discmc::meshing::EncodedPart;
 using discmc::wire::PacketKind;
 
 namespace {

@@ -21,10 +21,10 @@ namespace {
 
 using command_tests::contains;
 using discmc::Border;
-using discmc::command::Extraction;
+using discmc::meshing::Extraction;
 using discmc::command::ExtractionOptions;
-using discmc::command::SampleType;
-using discmc::command::SurfaceBuilder;
+using discmc::meshing::SampleType;
+using discmc::meshing::SurfaceBuilder;
 using discmc::reference::ball;
 using discmc::reference::BitVolume;
 using discmc::reference::box;
@@ -35,10 +35,11 @@ using sample_reader::SampleReader;
 
 constexpr std::int32_t threshold = 100;
 
-const discmc::command::Point spacing_mm = {0.5, -2, 1.25};
+const discmc::meshing::Point spacing_mm = {0.5, -2, 1.25};
 
 ExtractionOptions options(Border border = Border::closed, std::uint64_t memory = 0) {
-  ExtractionOptions options{{threshold}, border, memory, {}};
+  ExtractionOptions options{{threshold}, border};
+  options.memory = memory;
   options.measures_memory = true;
   return options;
 }
@@ -46,7 +47,7 @@ ExtractionOptions options(Border border = Border::closed, std::uint64_t memory =
 struct Extracted {
   Extraction extraction;
   discmc::test::Events events;
-  discmc::command::Surface surface;
+  discmc::meshing::Surface surface;
 };
 
 Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
@@ -55,7 +56,7 @@ Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
   discmc::test::EventLog log;
   const Extraction extraction = extract(reader, options, discmc::make_sink(log));
   SurfaceBuilder builder;
-  discmc::command::GrowingJoiner joiner(discmc::make_sink(builder));
+  discmc::meshing::GrowingJoiner joiner(discmc::make_sink(builder));
   for (const auto& recorded : log.events) joiner.take(recorded.event());
   CHECK(builder.incomplete_regions() == 0);
   builder.surface().spacing_mm = reader.info().spacing_mm;

@@ -14,8 +14,8 @@
 namespace {
 
 using discmc::Event;
-using discmc::command::GrowingJoiner;
-using discmc::command::SurfaceBuilder;
+using discmc::meshing::GrowingJoiner;
+using discmc::meshing::SurfaceBuilder;
 using discmc::test::EventLog;
 using discmc::test::Events;
 

@@ -39,10 +39,10 @@ std::string section_of(const std::string& page, const std::string& heading) {
 /// The sources of the command, with literals that are split over lines put together.
 std::string sources() {
   std::string all;
-  for (const auto& file :
-       fs::recursive_directory_iterator(fs::path(DISCMC_SOURCE_DIR) / "ports/command"))
-    if (file.path().extension() == ".cpp" || file.path().extension() == ".hpp")
-      all += text_of(file.path());
+  for (const char* const port : {"ports/command", "ports/mesh"})
+    for (const auto& file : fs::recursive_directory_iterator(fs::path(DISCMC_SOURCE_DIR) / port))
+      if (file.path().extension() == ".cpp" || file.path().extension() == ".hpp")
+        all += text_of(file.path());
   return std::regex_replace(all, std::regex("\"\\s*\n\\s*\""), "");
 }
 

@@ -16,12 +16,12 @@
 namespace hand_made {
 
 using discmc::Vertex;
-using discmc::command::Mesh;
-using discmc::command::Point;
-using discmc::command::Polygon;
-using discmc::command::Polygons;
-using discmc::command::Ring;
-using discmc::command::Surface;
+using discmc::meshing::FaceMesh;
+using discmc::meshing::Point;
+using discmc::meshing::Polygon;
+using discmc::meshing::Polygons;
+using discmc::meshing::Ring;
+using discmc::meshing::Surface;
 using Corners = std::vector<Vertex>;  // of a ring that a test may change
 
 inline std::vector<Corners> rings_of(const Polygon& polygon) {

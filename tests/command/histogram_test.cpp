@@ -13,7 +13,7 @@
 namespace {
 
 using discmc::command::Histogram;
-using discmc::command::SampleType;
+using discmc::meshing::SampleType;
 
 template <class Sample>
 Histogram histogram_of(SampleType type, const std::vector<Sample>& samples) {
@@ -42,7 +42,7 @@ std::vector<Sample> few_samples() {
 
 TEST_CASE("samples of every type are counted each by itself, in their order") {
   for (const auto& [name, type] : discmc::command::sample_types)
-    discmc::command::with_sample_type(type, [&, type = type](auto typed) {
+    discmc::meshing::with_sample_type(type, [&, type = type](auto typed) {
       using Sample = decltype(typed);
       const std::vector<Sample> samples = few_samples<Sample>();
       std::map<double, std::uint64_t> expected;

@@ -12,7 +12,7 @@ namespace {
 using command_tests::check_failure;
 using command_tests::mesh_of_obj;
 using command_tests::Workshop;
-using discmc::command::Mesh;
+using discmc::meshing::FaceMesh;
 
 const std::string extract = "extract v.raw --dims 14,14,14 --type u8 -q --iso 50 ";
 
@@ -32,8 +32,8 @@ TEST_CASE("an interpolated surface is written as the mesh that it is") {
   for (const double tolerance : {0.05, 0.2}) {
     workshop.done(extract + "--surface interpolated --tolerance " + std::to_string(tolerance) +
                   " -o v.obj");
-    const Mesh written = mesh_of_obj(workshop.read("v.obj"));
-    const Mesh made = sampled_field::interpolated(sampled_field::extracted(ball), tolerance);
+    const FaceMesh written = mesh_of_obj(workshop.read("v.obj"));
+    const FaceMesh made = sampled_field::interpolated(sampled_field::extracted(ball), tolerance);
     CHECK(written.vertices_mm == made.vertices_mm);
     CHECK(written.corners == made.corners);
   }
@@ -75,11 +75,11 @@ TEST_CASE("the normals of an interpolated ball are its radii") {
   write_ball(workshop);
   for (const std::string normals : {"surface", "gradient"}) {
     workshop.done(extract + "--surface interpolated --normals " + normals + " -o v.obj");
-    const Mesh mesh = mesh_of_obj(workshop.read("v.obj"));
+    const FaceMesh mesh = mesh_of_obj(workshop.read("v.obj"));
     REQUIRE(mesh.normals.size() == mesh.vertices_mm.size());
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-      const auto radius = discmc::command::difference(mesh.vertices_mm[i], {6.5, 6.5, 6.5});
-      CHECK(discmc::command::dot(mesh.normals[i], discmc::command::unit_or_zero(radius)) > 0.9);
+      const auto radius = discmc::meshing::difference(mesh.vertices_mm[i], {6.5, 6.5, 6.5});
+      CHECK(discmc::meshing::dot(mesh.normals[i], discmc::meshing::unit_or_zero(radius)) > 0.9);
     }
   }
 }

@@ -21,7 +21,7 @@ namespace {
 using namespace sampled_field;
 using command_tests::volume_of;
 
-double distance_to(const Mesh& mesh, const Point& point) {
+double distance_to(const FileMesh& mesh, const Point& point) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     std::array<Point, 3> triangle;
@@ -32,7 +32,7 @@ double distance_to(const Mesh& mesh, const Point& point) {
 }
 
 // The farthest that a crossing of the samples is from the mesh.
-double farthest_crossing(const Field& field, const Mesh& mesh) {
+double farthest_crossing(const Field& field, const FileMesh& mesh) {
   double farthest = 0;
   for (const Point& vertex : classic(field).vertices_mm)
     farthest = std::max(farthest, distance_to(mesh, vertex));
@@ -48,7 +48,7 @@ Field plate(std::uint32_t seed) {
   });
 }
 
-std::size_t intersections_of(const Mesh& mesh) {
+std::size_t intersections_of(const FileMesh& mesh) {
   FaceList faces(mesh.face_count());
   std::iota(faces.begin(), faces.end(), 0U);
   return intersecting_faces(mesh, faces).size();
@@ -64,12 +64,12 @@ TEST_CASE("no crossing is farther from an interpolated mesh than the tolerance, 
     const Extracted of = extracted(field);
     std::size_t faces = std::numeric_limits<std::size_t>::max();
     for (const double tolerance : {0.0, 0.02, 0.1, 0.3}) {
-      const Mesh mesh = interpolated(of, tolerance);
+      const FileMesh mesh = interpolated(of, tolerance);
       CHECK(farthest_crossing(field, mesh) <= tolerance + margin);
       CHECK(mesh.face_count() <= faces);
       faces = mesh.face_count();
     }
-    const Mesh merged = build_mesh(of.surface, {true, Faces::triangles});
+    const FileMesh merged = build_mesh(of.surface, {true, Faces::triangles});
     CHECK(farthest_crossing(field, merged) > 0.2);
     CHECK(faces >= merged.face_count());
     CHECK(interpolated(of, 2).face_count() == merged.face_count());
@@ -80,7 +80,7 @@ TEST_CASE("an interpolated mesh is closed and has its outside outside, whichever
   for (const Field& field : {ball(14, 5.2), ball(9, 5), noise({9, 8, 7}, 5)})
     for (const Point& spacing : {Point{1, 1, 1}, Point{0.5, -2, 3}, Point{-1, -1, -1}})
       for (const double tolerance : {0.0, 0.05, 0.25, 2.0}) {
-        const Mesh mesh = interpolated(extracted(field, SampleType::u8, spacing), tolerance);
+        const FileMesh mesh = interpolated(extracted(field, SampleType::u8, spacing), tolerance);
         CHECK(check_mesh(mesh).closed());
         CHECK(volume_of(mesh) > 0);
         CHECK(mesh.lattice.size() == mesh.vertices_mm.size());
@@ -93,7 +93,7 @@ TEST_CASE("triangles go through each other only where the interpolated surface d
     const Extracted of = extracted(plate(seed));
     const std::size_t own = intersections_of(interpolated(of, 0));
     for (const double tolerance : {0.05, 0.1, 1e300}) {
-      const Mesh mesh = interpolated(of, tolerance);
+      const FileMesh mesh = interpolated(of, tolerance);
       CHECK(intersections_of(mesh) <= own);
       CHECK(std::set<std::uint32_t>(mesh.corners.begin(), mesh.corners.end()).size() ==
             mesh.vertices_mm.size());
@@ -104,7 +104,7 @@ TEST_CASE("triangles go through each other only where the interpolated surface d
 
 TEST_CASE("a ball gets its volume, from fewer triangles than Marching Cubes takes") {
   const Field field = ball(40, 16, 4);
-  const Mesh mesh = interpolated(extracted(field), 0.05);
+  const FileMesh mesh = interpolated(extracted(field), 0.05);
   const double volume = 4.0 / 3 * std::acos(-1.0) * 16 * 16 * 16;
   CHECK(volume_of(mesh) == doctest::Approx(volume).epsilon(0.005));
   CHECK(mesh.face_count() < classic(field).face_count() / 2);
@@ -115,7 +115,7 @@ TEST_CASE("a slope is exact, from the triangles of its terraces") {
   const Field field = field_of(
       {12, 10, 9}, [](double x, double y, double z) { return 45 + 2 * x - 2 * y + 8 * (4 - z); });
   const Extracted of = extracted(field);
-  const Mesh mesh = interpolated(of, 1e-4);
+  const FileMesh mesh = interpolated(of, 1e-4);
   std::size_t on_slope = 0;
   for (const Point& at : mesh.vertices_mm) {
     const bool is_on_wall =
@@ -129,7 +129,7 @@ TEST_CASE("a slope is exact, from the triangles of its terraces") {
 
 TEST_CASE("on the walls around a volume vertices stay where they are") {
   const Extracted of = extracted(ball(9, 6));
-  const Mesh mesh = interpolated(of, 0.05);
+  const FileMesh mesh = interpolated(of, 0.05);
   std::size_t on_walls = 0;
   for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
     const std::array<int, 3> lattice = {mesh.lattice[i].x, mesh.lattice[i].y, mesh.lattice[i].z};
@@ -147,7 +147,7 @@ TEST_CASE("on the walls around a volume vertices stay where they are") {
 
 TEST_CASE("an open surface ends where the volume does, and its sides match all the same") {
   const Field field = ball(12, 7);
-  const Mesh mesh = interpolated(extracted(field, SampleType::u8, {1, 1, 1}, Border::open), 0.02);
+  const FileMesh mesh = interpolated(extracted(field, SampleType::u8, {1, 1, 1}, Border::open), 0.02);
   const MeshReport report = check_mesh(mesh);
   CHECK(report.open_edges > 0);
   CHECK(report.non_manifold_edges + report.wrongly_oriented + report.degenerate_faces == 0);

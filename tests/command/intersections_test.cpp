@@ -16,21 +16,21 @@
 
 namespace {
 
-using namespace discmc::command;
+using namespace discmc::meshing;
 using discmc::test::Chance;
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 
 // corners: three a face.
-Mesh mesh_of(std::vector<Point> vertices, std::vector<std::uint32_t> corners) {
-  Mesh mesh;
+FaceMesh mesh_of(std::vector<Point> vertices, std::vector<std::uint32_t> corners) {
+  FaceMesh mesh;
   mesh.vertices_mm = std::move(vertices);
   mesh.corners = std::move(corners);
   for (std::size_t end = 3; end <= mesh.corners.size(); end += 3) mesh.face_begin.push_back(end);
   return mesh;
 }
 
-Pairs intersections_of(const Mesh& mesh) {
+Pairs intersections_of(const FaceMesh& mesh) {
   FaceList faces(mesh.face_count());
   std::iota(faces.begin(), faces.end(), 0U);
   return intersecting_faces(mesh, faces);
@@ -38,7 +38,7 @@ Pairs intersections_of(const Mesh& mesh) {
 
 // A triangle in the plane z = 0, and another one.
 bool goes_through_floor(const Point& a, const Point& b, const Point& c) {
-  const Mesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, a, b, c}, {0, 1, 2, 3, 4, 5});
+  const FaceMesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, a, b, c}, {0, 1, 2, 3, 4, 5});
   return !intersections_of(mesh).empty();
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("what two triangles share does not count, what they do beside it does"
 
 TEST_CASE("the intersections are the same in any units, also where an axis runs backwards") {
   for (const Point& spacing : {Point{1e-3, 1e-3, 1e-3}, Point{1e4, 1e4, 1e4}, Point{-1, 2, -3}}) {
-    Mesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}},
+    FaceMesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}},
                         {0, 1, 2, 3, 4, 5});
     for (Point& vertex : mesh.vertices_mm)
       for (std::size_t axis = 0; axis < 3; ++axis) vertex[axis] *= spacing[axis];

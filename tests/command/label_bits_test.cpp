@@ -16,7 +16,7 @@ namespace {
 
 using discmc::command::label_bits;
 using discmc::command::LabelSet;
-using discmc::command::SampleType;
+using discmc::meshing::SampleType;
 using discmc::command::VolumeReader;
 using sample_reader::SampleReader;
 
@@ -27,7 +27,7 @@ std::unique_ptr<VolumeReader> bits_of(const std::vector<LabelSet>& sets) {
   for (const LabelSet& set : sets)
     for (const auto& [layer, values] : set)
       readers[layer] = std::make_unique<SampleReader>(
-          discmc::reference::Size{2, 2, 2}, layers[layer], discmc::command::Point{1, 2, 3},
+          discmc::reference::Size{2, 2, 2}, layers[layer], discmc::meshing::Point{1, 2, 3},
           layer == 0 ? SampleType::u16 : SampleType::i64);
   return label_bits(std::move(readers), sets);
 }
@@ -42,7 +42,7 @@ TEST_CASE("a bit is on where the voxel has a label of its set, in any of the lay
                                {{0, {99}}},
                                {{0, {}}, {1, {2}}}});
   CHECK(volume->info().type == SampleType::u8);
-  CHECK(volume->info().spacing_mm == discmc::command::Point{1, 2, 3});
+  CHECK(volume->info().spacing_mm == discmc::meshing::Point{1, 2, 3});
   CHECK(volume_files::read_all(*volume) == std::vector<double>{8, 1 + 4 + 32, 1 + 8 + 32,
                                                                2 + 4 + 32, 2 + 4, 2 + 8 + 32,
                                                                2 + 4 + 32, 4 + 32});

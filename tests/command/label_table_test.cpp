@@ -98,7 +98,7 @@ TEST_CASE("dataset.json of nnU-Net names labels in both of its forms") {
   CHECK(table.size() == 4);
   CHECK(table.at(1).name == "liver");
   CHECK(table.at(2).name == "kidney");
-  CHECK(table.at(2).values == std::vector<discmc::command::LabelValue>{2, 3});
+  CHECK(table.at(2).values == std::vector<discmc::meshing::LabelValue>{2, 3});
   CHECK(table.at(720575940621039145).name == "id");
   const Labels first = table_of("\n {\"labels\": {\"0\": \"background\", \"2\": \"L\u00e4sion\"}}");
   CHECK(first.at(2).name == "L\xC3\xA4sion");

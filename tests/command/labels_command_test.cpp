@@ -15,7 +15,7 @@ namespace {
 
 using command_tests::check_failure;
 using command_tests::contains;
-using command_tests::Mesh;
+using command_tests::FileMesh;
 using command_tests::mesh_of_ply;
 using command_tests::Point;
 using command_tests::Workshop;
@@ -163,7 +163,7 @@ TEST_CASE("segments that overlap are read from all layers, as 3D Slicer writes t
   CHECK(layer("skin") == alone("w.raw", "1"));
   CHECK(layer("9") == alone("v.raw", "9"));
   // Where the file says that it is.
-  const Mesh skin = mesh_of_ply(workshop.read("Skin.ply"));
+  const FileMesh skin = mesh_of_ply(workshop.read("Skin.ply"));
   for (const Point& vertex : skin.vertices_mm) CHECK(vertex[2] >= 39);
   std::string both = volume;
   for (std::size_t i = 0; i < both.size(); ++i)

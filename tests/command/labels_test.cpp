@@ -16,13 +16,13 @@
 namespace {
 
 using discmc::Border;
-using discmc::command::extract_labels;
-using discmc::command::LabelledSurface;
-using discmc::command::LabelOptions;
-using discmc::command::LabelValue;
-using discmc::command::max_scattered_labels;
-using discmc::command::SampleType;
-using discmc::command::Selection;
+using discmc::meshing::extract_labels;
+using discmc::meshing::LabelledSurface;
+using discmc::meshing::LabelOptions;
+using discmc::meshing::LabelValue;
+using discmc::meshing::max_scattered_labels;
+using discmc::meshing::SampleType;
+using discmc::meshing::Selection;
 using discmc::reference::Size;
 using sample_reader::SampleReader;
 
@@ -46,10 +46,10 @@ std::vector<int> labels(std::uint32_t seed) {
   return samples;
 }
 
-discmc::command::Surface surface_of(int label, std::uint32_t seed, Border border,
+discmc::meshing::Surface surface_of(int label, std::uint32_t seed, Border border,
                                     bool takes_majority, SampleType type) {
   SampleReader reader(size, labels(seed), {1, 2, 3}, type);
-  discmc::command::SurfaceBuilder builder;
+  discmc::meshing::SurfaceBuilder builder;
   discmc::command::ExtractionOptions options;
   const double value = label;
   options.selection = {value, value};
@@ -79,7 +79,7 @@ TEST_CASE("the surface of every label is that of a scan for it alone") {
         for (std::size_t i = 0; i < all.size(); ++i) {
           const int label = std::vector<int>{-2, -1, 1, 2, 3}[i];
           CHECK(all[i].label == LabelValue(label));
-          CHECK(all[i].surface.spacing_mm == discmc::command::Point{1, 2, 3});
+          CHECK(all[i].surface.spacing_mm == discmc::meshing::Point{1, 2, 3});
           const auto alone = surface_of(label, seed, border, takes_majority, type);
           CHECK(discmc::reference::describe_difference(hand_made::regions_of(all[i].surface),
                                                        hand_made::regions_of(alone)) == "");

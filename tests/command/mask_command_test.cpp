@@ -151,7 +151,7 @@ TEST_CASE("an interpolated surface is flat where the mask ends, and where it was
   workshop.write("v.nrrd", nrrd_of(samples, "14 14 14"));
   workshop.write("m.nrrd", nrrd_of(mask, "14 14 14"));
   workshop.done("extract v.nrrd --mask m.nrrd --iso 50 --surface interpolated -q -o v.obj");
-  const Mesh mesh = mesh_of_obj(workshop.read("v.obj"));
+  const FileMesh mesh = mesh_of_obj(workshop.read("v.obj"));
   CHECK(check_mesh(mesh).closed());
   constexpr double cap = 4.3;  // high, of a ball of 5.3
   CHECK(volume_of(mesh) == doctest::Approx(3.14159 * cap * cap * (5.3 - cap / 3)).epsilon(0.05));

@@ -39,7 +39,7 @@ constexpr Point spacing = {0.5, 1, 2};
 }  // namespace
 
 TEST_CASE("bodies and cavities are counted, and the volume is that of the components") {
-  const Mesh mesh = merged_mesh(two_blocks(), Faces::triangles, spacing);
+  const FileMesh mesh = merged_mesh(two_blocks(), Faces::triangles, spacing);
   const Measures measures = measures_of(mesh);
   REQUIRE(measures.enclosed);
   CHECK(measures.enclosed->bodies == 2);
@@ -47,7 +47,7 @@ TEST_CASE("bodies and cavities are counted, and the volume is that of the compon
 
   sample_reader::SampleReader reader(two_blocks(), spacing);
   SurfaceBuilder builder;
-  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed, 0, {}},
+  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed},
           discmc::make_sink(builder));
   builder.surface().spacing_mm = spacing;
   double volume = 0;
@@ -69,7 +69,7 @@ TEST_CASE("a single voxel is an octahedron, whose measures are known") {
 }
 
 TEST_CASE("a mesh that is not closed encloses nothing, and an empty one has no extent") {
-  Mesh mesh = merged_mesh(two_blocks(), Faces::triangles);
+  FileMesh mesh = merged_mesh(two_blocks(), Faces::triangles);
   mesh.corners.resize(mesh.corners.size() - 3);
   mesh.face_begin.pop_back();
   mesh.name = "open, \"cut\"";
@@ -80,7 +80,7 @@ TEST_CASE("a mesh that is not closed encloses nothing, and an empty one has no e
   write_json({&mesh}, json);
   CHECK(json.str().find(R"("name": "open, \"cut\"", "volume_mm3": null, "area_mm2": )") !=
         std::string::npos);
-  const Mesh none;
+  const FileMesh none;
   write_json({&none}, empty);
   CHECK(empty.str().find(R"("volume_mm3": 0, "area_mm2": 0, "bodies": 0, "cavities": 0, )"
                          R"("min_x_mm": null)") != std::string::npos);

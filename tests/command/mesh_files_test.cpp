@@ -78,7 +78,7 @@ void check_point(Bytes& bytes, const Point& expected) {
   for (const double coordinate : expected) CHECK(bytes.real() == static_cast<float>(coordinate));
 }
 
-void check_ply(const Mesh& mesh) {
+void check_ply(const FileMesh& mesh) {
   std::ostringstream out;
   write_ply(mesh, out);
   const std::string file = out.str();
@@ -101,8 +101,8 @@ void check_ply(const Mesh& mesh) {
 }  // namespace
 
 TEST_CASE("an OBJ file reads back exactly") {
-  const Mesh mesh = build_mesh(leaning_wall());
-  Mesh scaled = mesh;
+  const FileMesh mesh = build_mesh(leaning_wall());
+  FileMesh scaled = mesh;
   for (Point& vertex : scaled.vertices_mm) vertex[0] = vertex[0] / 3 - 1;
   std::ostringstream out;
   write_obj(scaled, out);
@@ -138,7 +138,7 @@ TEST_CASE("a PLY file reads back, its corners counted by a byte") {
 }
 
 TEST_CASE("PLY refuses what a byte cannot count") {
-  Mesh mesh = build_mesh(saw(255));
+  FileMesh mesh = build_mesh(saw(255));
   mesh.corners.push_back(0);
   ++mesh.face_begin.back();
   std::ostringstream out;
@@ -148,7 +148,7 @@ TEST_CASE("PLY refuses what a byte cannot count") {
 
 TEST_CASE("an STL file reads back, with unit normals that look outside") {
   for (const double z : {3.0, -3.0}) {
-    const Mesh mesh = build_mesh(octahedron({1, 2, z}), {true, Faces::triangles});
+    const FileMesh mesh = build_mesh(octahedron({1, 2, z}), {true, Faces::triangles});
     std::ostringstream out;
     write_stl(mesh, out);
     const std::string file = out.str();
@@ -182,14 +182,14 @@ TEST_CASE("an STL file reads back, with unit normals that look outside") {
 }
 
 TEST_CASE("far from the origin every format but STL keeps the vertices apart, and where they are") {
-  Mesh mesh = build_mesh(pitted_block({{0, 0}, {2, 2}}), {true, Faces::triangles});
+  FileMesh mesh = build_mesh(pitted_block({{0, 0}, {2, 2}}), {true, Faces::triangles});
   place(mesh, {discmc::Space::lps, {5e6, -7e6, 6e6}, {{{0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}}}});
   mesh.spacing_mm = {0.1, 0.1, 0.1};
   for (const std::string name : {"v.obj", "v.3mf", "v.ply", "v.vtp", "v.glb"}) {
     INFO(name);
     std::ostringstream out;
     write_mesh(mesh, format_of(name), out);
-    const Mesh read = command_tests::mesh_of(name, out.str());
+    const FileMesh read = command_tests::mesh_of(name, out.str());
     CHECK(read.corners == mesh.corners);
     if (name != "v.glb") CHECK(read.vertices_mm == mesh.vertices_mm);
     REQUIRE(read.vertices_mm.size() == mesh.vertices_mm.size());
@@ -199,24 +199,24 @@ TEST_CASE("far from the origin every format but STL keeps the vertices apart, an
   }
   std::ostringstream out;
   write_stl(mesh, out);
-  const Mesh read = command_tests::mesh_of("v.stl", out.str());
+  const FileMesh read = command_tests::mesh_of("v.stl", out.str());
   CHECK(read.vertices_mm.size() == count_float_places(mesh));
   CHECK(read.vertices_mm.size() < mesh.vertices_mm.size());
 }
 
 TEST_CASE("meshes of one GLB file that are far away are seen from one origin") {
-  Mesh near = build_mesh(octahedron(), {true, Faces::triangles}), far = near;
+  FileMesh near = build_mesh(octahedron(), {true, Faces::triangles}), far = near;
   for (Point& vertex : far.vertices_mm) vertex[1] += 1e8;
   std::ostringstream out;
   write_glb({&near, &far}, out);
-  const std::vector<Mesh> read = command_tests::meshes_of_glb(out.str());
+  const std::vector<FileMesh> read = command_tests::meshes_of_glb(out.str());
   REQUIRE(read.size() == 2);
   const Point& last = read[1].vertices_mm.back();
   CHECK(last[1] == doctest::Approx(far.vertices_mm.back()[1]).epsilon(1e-12));
 }
 
 TEST_CASE("floats suit a mesh as far as their steps are fine beside its voxels") {
-  Mesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
+  FileMesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
   mesh.spacing_mm = {-1, 2, 3};
   for (const float distance : {1.0F, 1000.0F, 32767.9F, 32768.0F, 1e6F}) {
     mesh.vertices_mm[0] = {0, -static_cast<double>(distance), 0};
@@ -228,7 +228,7 @@ TEST_CASE("floats suit a mesh as far as their steps are fine beside its voxels")
   mesh.vertices_mm[0] = mesh.vertices_mm[1];
   CHECK(!suits_floats(mesh));
   CHECK(suits_floats(mesh, mesh.vertices_mm[0]));
-  const Mesh nothing;
+  const FileMesh nothing;
   CHECK(suits_floats(nothing));
   CHECK(count_float_places(nothing) == 0);
 }
@@ -246,26 +246,26 @@ TEST_CASE("formats without polygons refuse anything but triangles") {
 }
 
 TEST_CASE("a vertex without a normal has one in GLB, which knows no other") {
-  Mesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
+  FileMesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
   mesh.normals.assign(mesh.vertices_mm.size(), {1, 0, 0});
   mesh.normals[3] = {};
   std::ostringstream out;
   write_glb({&mesh}, out);
-  const Mesh read = command_tests::mesh_of_glb(out.str());
+  const FileMesh read = command_tests::mesh_of_glb(out.str());
   REQUIRE(read.normals.size() == mesh.normals.size());
   for (std::size_t i = 0; i < read.normals.size(); ++i)
     CHECK(read.normals[i][i == 3 ? 2 : 0] == doctest::Approx(1));
 }
 
 TEST_CASE("the colour of a mesh is kept by the formats that have one") {
-  Mesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
+  FileMesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
   for (const std::string name : {"v.glb", "v.3mf", "v.ply", "v.vtp"}) {
     INFO(name);
     for (const Srgb& colour : {Srgb{0, 9, 10}, Srgb{255, 128, 160}}) {
       mesh.colour = colour;
       std::ostringstream out;
       write_mesh(mesh, format_of(name), out);
-      const Mesh read = command_tests::mesh_of(name, out.str());
+      const FileMesh read = command_tests::mesh_of(name, out.str());
       CHECK(read.colour == colour);
       CHECK(read.face_count() == mesh.face_count());
     }
@@ -273,7 +273,7 @@ TEST_CASE("the colour of a mesh is kept by the formats that have one") {
 }
 
 TEST_CASE("a mesh has the size and the unit that it was given, and says which") {
-  const Mesh mesh = build_mesh(octahedron({1, 2, 3}), {true, Faces::triangles});
+  const FileMesh mesh = build_mesh(octahedron({1, 2, 3}), {true, Faces::triangles});
   struct Expected {
     MeshSize size;
     double factor;
@@ -284,11 +284,11 @@ TEST_CASE("a mesh has the size and the unit that it was given, and says which") 
         Expected{{MeshUnit::metre, 2}, 0.002, "metres"},
         Expected{{MeshUnit::inch, 0.5}, 0.5 / 25.4, "inches"}})
     for (const std::string file : {"v.stl", "v.ply", "v.obj", "v.3mf", "v.vtp"}) {
-      Mesh resized = mesh;
+      FileMesh resized = mesh;
       resize(resized, size);
       std::ostringstream out;
       write_mesh(resized, format_of(file), out);
-      const Mesh read = command_tests::mesh_of(file, out.str());
+      const FileMesh read = command_tests::mesh_of(file, out.str());
       CHECK(command_tests::volume_of(read) ==
             doctest::Approx(factor * factor * factor * command_tests::volume_of(mesh)));
       if (file == "v.3mf")
@@ -335,7 +335,7 @@ TEST_CASE("lines of JSON hold the corners in half-steps") {
 
 TEST_CASE("every writer reports a stream that fails, early or late") {
   const Surface surface = pitted_block({{0, 0}, {2, 2}});
-  const Mesh mesh = build_mesh(surface, {true, Faces::triangles});
+  const FileMesh mesh = build_mesh(surface, {true, Faces::triangles});
   for (const std::streamsize room : {0, 1, 300}) {
     auto check_writer = [room](auto write) {
       Full full(room);

@@ -210,9 +210,9 @@ discmc::command::Srgb srgb_of(const Json& factor) {
   return colour;
 }
 
-Mesh mesh_of_node(const Glb& glb, const Json& node) {
+FileMesh mesh_of_node(const Glb& glb, const Json& node) {
   const Json& json = glb.json();
-  Mesh mesh;
+  FileMesh mesh;
   mesh.name = node.value("name", "");
   const Json& parts = json["meshes"].at(node["mesh"].get<std::size_t>());
   CHECK(parts.value("name", "") == mesh.name);
@@ -234,8 +234,8 @@ Mesh mesh_of_node(const Glb& glb, const Json& node) {
   return mesh;
 }
 
-Mesh mesh_of_object(const pugi::xml_node& resources, const pugi::xml_node& object) {
-  Mesh mesh;
+FileMesh mesh_of_object(const pugi::xml_node& resources, const pugi::xml_node& object) {
+  FileMesh mesh;
   mesh.name = object.attribute("name").value();
   if (const pugi::xml_attribute group = object.attribute("pid")) {
     auto base =
@@ -260,28 +260,28 @@ Mesh mesh_of_object(const pugi::xml_node& resources, const pugi::xml_node& objec
 }
 
 // A surface of nothing has none.
-Mesh only_mesh(const std::vector<Mesh>& meshes) {
+FileMesh only_mesh(const std::vector<FileMesh>& meshes) {
   CHECK(meshes.size() <= 1);
-  return meshes.empty() ? Mesh{} : meshes[0];
+  return meshes.empty() ? FileMesh{} : meshes[0];
 }
 
 }  // namespace
 
-std::vector<Mesh> meshes_of_glb(const std::string& bytes) {
+std::vector<FileMesh> meshes_of_glb(const std::string& bytes) {
   const Glb glb(bytes);
   const Json& json = glb.json();
   const Json& scene = json["scenes"].at(json["scene"].get<std::size_t>());
-  std::vector<Mesh> meshes;
+  std::vector<FileMesh> meshes;
   for (const Json& number : scene.value("nodes", Json::array()))
     meshes.push_back(mesh_of_node(glb, json["nodes"].at(number.get<std::size_t>())));
   return meshes;
 }
 
-Mesh mesh_of_glb(const std::string& bytes) {
+FileMesh mesh_of_glb(const std::string& bytes) {
   return only_mesh(meshes_of_glb(bytes));
 }
 
-std::vector<Mesh> meshes_of_3mf(const std::string& bytes) {
+std::vector<FileMesh> meshes_of_3mf(const std::string& bytes) {
   CHECK(Taker(bytes, 4).integer(2) <= 20);  // the release of ZIP that a reader has to know: 2.0
   const auto files = files_in(bytes);
   REQUIRE(files.count("[Content_Types].xml") == 1);
@@ -297,7 +297,7 @@ std::vector<Mesh> meshes_of_3mf(const std::string& bytes) {
   const auto document = document_of(files.at(target.substr(1)));
   const pugi::xml_node model = document.child("model");
   const pugi::xml_node resources = model.child("resources");
-  std::vector<Mesh> meshes;
+  std::vector<FileMesh> meshes;
   for (const auto& item : model.child("build")) {
     const pugi::xml_node object =
         resources.find_child_by_attribute("object", "id", item.attribute("objectid").value());
@@ -308,18 +308,18 @@ std::vector<Mesh> meshes_of_3mf(const std::string& bytes) {
   return meshes;
 }
 
-Mesh mesh_of_3mf(const std::string& bytes) {
+FileMesh mesh_of_3mf(const std::string& bytes) {
   return only_mesh(meshes_of_3mf(bytes));
 }
 
-Mesh mesh_of_vtp(const std::string& bytes) {
+FileMesh mesh_of_vtp(const std::string& bytes) {
   const auto document = document_of(bytes);
   const pugi::xml_node file = document.child("VTKFile");
   CHECK(file.attribute("type").value() == std::string("PolyData"));
   CHECK(file.attribute("byte_order").value() == std::string("LittleEndian"));
   CHECK(file.attribute("header_type").value() == std::string("UInt64"));
   const pugi::xml_node piece = file.child("PolyData").child("Piece");
-  Mesh mesh;
+  FileMesh mesh;
   mesh.vertices_mm = points_of(piece.child("Points"), "Points");
   CHECK(piece.attribute("NumberOfPoints").as_uint() == mesh.vertices_mm.size());
   const pugi::xml_node data = piece.child("PointData");

@@ -6,20 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "meshes/mesh.hpp"
+#include "mesh_files/file_mesh.hpp"
 
 namespace command_tests {
 
 /// Brought from the metres of the file, y upwards, to millimetres, z upwards.
-std::vector<discmc::command::Mesh> meshes_of_glb(const std::string& bytes);
-discmc::command::Mesh mesh_of_glb(const std::string& bytes);
+std::vector<discmc::command::FileMesh> meshes_of_glb(const std::string& bytes);
+discmc::command::FileMesh mesh_of_glb(const std::string& bytes);
 
 /// Also checks that the parts of the package find each other.
-std::vector<discmc::command::Mesh> meshes_of_3mf(const std::string& bytes);
-discmc::command::Mesh mesh_of_3mf(const std::string& bytes);
+std::vector<discmc::command::FileMesh> meshes_of_3mf(const std::string& bytes);
+discmc::command::FileMesh mesh_of_3mf(const std::string& bytes);
 
 /// With the colour of its points, where they have one.
-discmc::command::Mesh mesh_of_vtp(const std::string& bytes);
+discmc::command::FileMesh mesh_of_vtp(const std::string& bytes);
 
 }  // namespace command_tests
 

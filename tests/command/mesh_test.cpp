@@ -14,12 +14,12 @@
 
 namespace {
 
-using namespace discmc::command;
+using namespace discmc::meshing;
 using namespace hand_made;
 
 const Faces both_kinds[] = {Faces::polygons, Faces::triangles};
 
-double six_volumes(const Mesh& mesh) {
+double six_volumes(const FaceMesh& mesh) {
   double sum = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
     for (std::size_t i = 2; i < mesh.face_size(face); ++i) {
@@ -33,7 +33,7 @@ double six_volumes(const Mesh& mesh) {
 // With a spacing of two the mesh is in half-steps, and all of this is exact.
 void check_closed_and_exact(const Surface& surface) {
   for (const Faces faces : both_kinds) {
-    const Mesh mesh = build_mesh(surface, {true, faces});
+    const FaceMesh mesh = build_mesh(surface, {true, faces});
     const MeshReport report = check_mesh(mesh);
     CHECK(report.open_edges == 0);
     CHECK(report.non_manifold_edges == 0);
@@ -43,7 +43,7 @@ void check_closed_and_exact(const Surface& surface) {
   }
 }
 
-bool is_vertex(const Mesh& mesh, const Point& point) {
+bool is_vertex(const FaceMesh& mesh, const Point& point) {
   return std::find(mesh.vertices_mm.begin(), mesh.vertices_mm.end(), point) !=
          mesh.vertices_mm.end();
 }
@@ -54,7 +54,7 @@ TEST_CASE("a lone voxel is an octahedron of half its spacing") {
   const Surface surface = octahedron({1, 2, 3});
   CHECK(hand_made::six_volumes(surface) == 8);
   for (const Faces faces : both_kinds) {
-    const Mesh mesh = build_mesh(surface, {true, faces});
+    const FaceMesh mesh = build_mesh(surface, {true, faces});
     CHECK(mesh.vertices_mm.size() == 6);
     CHECK(mesh.face_count() == 8);
     CHECK(check_mesh(mesh).closed());
@@ -68,17 +68,17 @@ TEST_CASE("a lone voxel is an octahedron of half its spacing") {
 }
 
 TEST_CASE("a mesh is closed unless a face is missing, turned or there twice") {
-  const Mesh whole = build_mesh(octahedron());
+  const FaceMesh whole = build_mesh(octahedron());
   CHECK(is_closed(whole));
-  CHECK(is_closed(Mesh{}));
-  Mesh lacking = whole;
+  CHECK(is_closed(FaceMesh{}));
+  FaceMesh lacking = whole;
   lacking.corners.resize(lacking.corners.size() - 3);
   lacking.face_begin.pop_back();
   CHECK(!is_closed(lacking));
-  Mesh turned = whole;
+  FaceMesh turned = whole;
   std::swap(turned.corners[0], turned.corners[1]);
   CHECK(!is_closed(turned));
-  Mesh doubled = whole;
+  FaceMesh doubled = whole;
   doubled.corners.insert(doubled.corners.end(), whole.corners.begin(), whole.corners.begin() + 3);
   doubled.face_begin.push_back(doubled.corners.size());
   CHECK(!is_closed(doubled));
@@ -88,10 +88,10 @@ TEST_CASE("polygons with holes are triangulated, the others stay whole") {
   const Surface surface = box_with_hole();
   CHECK(hand_made::six_volumes(surface) == 6 * (8 * 8 * 8 - 4 * 4 * 8));
   check_closed_and_exact(surface);
-  const Mesh polygons = build_mesh(surface, {true, Faces::polygons});
+  const FaceMesh polygons = build_mesh(surface, {true, Faces::polygons});
   CHECK(polygons.vertices_mm.size() == 16);
   CHECK(polygons.face_count() == 8 + 2 * 8);
-  const Mesh triangles = build_mesh(surface, {true, Faces::triangles});
+  const FaceMesh triangles = build_mesh(surface, {true, Faces::triangles});
   CHECK(triangles.face_count() == 2 * 8 + 2 * 8);
   for (std::size_t face = 0; face < triangles.face_count(); ++face) {
     CHECK(triangles.face_size(face) == 3);
@@ -102,10 +102,10 @@ TEST_CASE("polygons with holes are triangulated, the others stay whole") {
 
 TEST_CASE(
     "a polygon of more corners than a byte can count is triangulated, one of as many stays whole") {
-  const Mesh whole = build_mesh(saw(255), {true, Faces::polygons});
+  const FaceMesh whole = build_mesh(saw(255), {true, Faces::polygons});
   CHECK(whole.face_count() == 1);
   CHECK(whole.face_size(0) == 255);
-  const Mesh cut = build_mesh(saw(257), {true, Faces::polygons});
+  const FaceMesh cut = build_mesh(saw(257), {true, Faces::polygons});
   CHECK(cut.vertices_mm.size() == 257);
   CHECK(cut.face_count() == 257 - 2);
   CHECK(check_mesh(cut).open_edges == 257);
@@ -117,7 +117,7 @@ TEST_CASE("faces look outside whichever way the axes run") {
       for (const double z : {0.7, -0.7})
         for (const Faces faces : both_kinds) {
           const Surface surface = box_with_hole({x, y, z});
-          const Mesh mesh = build_mesh(surface, {true, faces});
+          const FaceMesh mesh = build_mesh(surface, {true, faces});
           CHECK(check_mesh(mesh).closed());
           CHECK(six_volumes(mesh) == doctest::Approx(6 * 384 * 1.4 / 8));
           for (std::size_t face = 0; face < mesh.face_count(); ++face) {
@@ -131,7 +131,7 @@ TEST_CASE("faces look outside whichever way the axes run") {
 }
 
 TEST_CASE("normals follow the spacing as planes do") {
-  const Mesh mesh = build_mesh(octahedron({1, -2, 3}));
+  const FaceMesh mesh = build_mesh(octahedron({1, -2, 3}));
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     const Point normal = outward_normal(mesh.incidences[face], mesh.spacing_mm);
     CHECK(dot(normal, normal) == doctest::Approx(1));
@@ -146,7 +146,7 @@ TEST_CASE("holes may touch each other and the rim") {
   const Surface surface = pitted_block({{0, 0}, {1, 0}, {1, 1}, {2, 1}});
   CHECK(hand_made::six_volumes(surface) == 6 * 16 * 16 * 8 - 4 * 32);
   check_closed_and_exact(surface);
-  const Mesh mesh = build_mesh(surface, {true, Faces::polygons});
+  const FaceMesh mesh = build_mesh(surface, {true, Faces::polygons});
   CHECK(is_vertex(mesh, {5, 2, 8}));  // shared by two pits
   CHECK(is_vertex(mesh, {3, 0, 8}));  // a pit and the rim
 }
@@ -168,8 +168,8 @@ TEST_CASE("a conforming mesh keeps the vertices where other polygons' sides end"
   const Surface surface = leaning_wall();
   check_closed_and_exact(surface);
   for (const Faces faces : both_kinds) {
-    const Mesh conforming = build_mesh(surface, {true, faces});
-    const Mesh plain = build_mesh(surface, {false, faces});
+    const FaceMesh conforming = build_mesh(surface, {true, faces});
+    const FaceMesh plain = build_mesh(surface, {false, faces});
     CHECK(conforming.vertices_mm.size() == plain.vertices_mm.size());
     CHECK(check_mesh(plain).open_edges == 3);
     CHECK(check_mesh(plain).degenerate_faces == 0);
@@ -189,7 +189,7 @@ TEST_CASE("a conforming mesh is closed also where a polygon was cut in two") {
 
 TEST_CASE("without conforming a hole may touch the inside of a straight side") {
   const Surface surface = pitted_block({{0, 0}, {1, 0}, {1, 1}});
-  const Mesh mesh = build_mesh(surface, {false, Faces::triangles});
+  const FaceMesh mesh = build_mesh(surface, {false, Faces::triangles});
   CHECK(check_mesh(mesh).degenerate_faces == 0);
   CHECK(six_volumes(mesh) == static_cast<double>(hand_made::six_volumes(surface)));
 }
@@ -203,7 +203,7 @@ TEST_CASE("polygons that are none are left out, and the others are not") {
                           changed(whole.polygons, [&](std::size_t place, auto& rings) {
                             if (place == polygon) change(rings);
                           })};
-    const Mesh mesh = build_mesh(surface, {true, Faces::triangles});
+    const FaceMesh mesh = build_mesh(surface, {true, Faces::triangles});
     CHECK(mesh.left_out == std::vector<std::uint32_t>{polygon});
     std::set<std::uint32_t> rest(mesh.polygons.begin(), mesh.polygons.end());
     CHECK(rest.size() == surface.polygons.size() - 1);
@@ -227,7 +227,7 @@ TEST_CASE("a spacing must be a length") {
 }
 
 TEST_CASE("a surface without polygons is an empty closed mesh") {
-  const Mesh mesh = build_mesh({{1, 1, 1}, {}});
+  const FaceMesh mesh = build_mesh({{1, 1, 1}, {}});
   CHECK(mesh.face_count() == 0);
   CHECK(check_mesh(mesh).closed());
 }
@@ -239,13 +239,13 @@ TEST_CASE("far coordinates neither wrap nor lose a half-step") {
     for (Corners& ring : rings)
       for (Vertex& vertex : ring) vertex.z += far;
   });
-  const Mesh mesh = build_mesh(surface, {true, Faces::triangles});
+  const FaceMesh mesh = build_mesh(surface, {true, Faces::triangles});
   CHECK(check_mesh(mesh).closed());
   CHECK(is_vertex(mesh, {1, 0, 2000000008.0}));
 }
 
 TEST_CASE("the report counts each kind of damage") {
-  const Mesh whole = build_mesh(octahedron());
+  const FaceMesh whole = build_mesh(octahedron());
   REQUIRE(check_mesh(whole).closed());
 
   Surface surface = octahedron();
@@ -255,7 +255,7 @@ TEST_CASE("the report counts each kind of damage") {
   CHECK(report.edges == 12);
   CHECK_FALSE(report.closed());
 
-  Mesh reversed = whole;
+  FaceMesh reversed = whole;
   std::swap(reversed.corners[0], reversed.corners[1]);
   report = check_mesh(reversed);
   CHECK(report.wrongly_oriented == 3);
@@ -265,19 +265,19 @@ TEST_CASE("the report counts each kind of damage") {
   surface.polygons.append(only(surface.polygons, {0}));
   CHECK(check_mesh(build_mesh(surface)).non_manifold_edges == 3);
 
-  Mesh repeated = build_mesh(leaning_wall());
+  FaceMesh repeated = build_mesh(leaning_wall());
   repeated.corners[4] = repeated.corners[0];
   CHECK(check_mesh(repeated).degenerate_faces == 1);
 
   // Rounding leaves these three corners a trace of an area.
-  Mesh flat = build_mesh({{1, 1, 1}, polygon({0, 0, 1}, {{{1, 0, 0}, {3, 0, 0}, {2, 1, 0}}})});
+  FaceMesh flat = build_mesh({{1, 1, 1}, polygon({0, 0, 1}, {{{1, 0, 0}, {3, 0, 0}, {2, 1, 0}}})});
   CHECK(check_mesh(flat).degenerate_faces == 0);
   flat.vertices_mm = {{0.1, 0.3, 0}, {0.2, 0.6, 0}, {0.3, 0.9, 0}};
   CHECK(check_mesh(flat).degenerate_faces == 1);
 }
 
 TEST_CASE("a face has the normal of its plane, with and without an incidence") {
-  Mesh mesh = build_mesh(octahedron({1, -2, 3}));
+  FaceMesh mesh = build_mesh(octahedron({1, -2, 3}));
   std::vector<Point> expected;
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
     expected.push_back(face_normal(mesh, face));

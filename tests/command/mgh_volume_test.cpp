@@ -13,7 +13,7 @@ namespace {
 
 using namespace volume_files;
 using discmc::Space;
-using discmc::command::Axes;
+using discmc::meshing::Axes;
 
 template <class Number>
 std::string big_endian(Number number) {

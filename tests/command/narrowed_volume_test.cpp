@@ -15,8 +15,8 @@
 namespace {
 
 using namespace volume_files;
-using discmc::command::narrowed;
-using discmc::command::SampleBounds;
+using discmc::meshing::narrowed;
+using discmc::meshing::SampleBounds;
 
 // The test volume as float, some samples of which are others.
 std::string floats(const std::vector<float>& first) {

@@ -13,23 +13,23 @@
 #include "meshes/mesh.hpp"
 #include "oracle/angle.hpp"
 #include "oracle/gradient.hpp"
-#include "streams/spacing.hpp"
+#include "samples/spacing.hpp"
 #include "surface/surface_builder.hpp"
 #include "volumes/volume.hpp"
 
 namespace normal_angles {
 
-using discmc::command::Mesh;
-using discmc::command::Point;
+using discmc::meshing::FaceMesh;
+using discmc::meshing::Point;
 using discmc::reference::Angles;
 using discmc::reference::degrees_between;
 using discmc::reference::SampleVolume;
 
 /// The closed surface of a volume.
-inline discmc::command::Surface surface_of(discmc::command::VolumeReader& volume,
+inline discmc::meshing::Surface surface_of(discmc::command::VolumeReader& volume,
                                            std::int32_t threshold) {
-  discmc::command::SurfaceBuilder builder;
-  extract(volume, {{static_cast<double>(threshold)}, discmc::Border::closed, 0, {}},
+  discmc::meshing::SurfaceBuilder builder;
+  extract(volume, {{static_cast<double>(threshold)}, discmc::Border::closed},
           discmc::make_sink(builder));
   builder.surface().spacing_mm = volume.info().spacing_mm;
   return builder.surface();
@@ -44,8 +44,8 @@ struct NormalAngles {
 };
 
 /// Compares gradient normals of a mesh with central differences in the volume that it is of.
-inline NormalAngles compare(const Mesh& mesh, const SampleVolume<int>& volume) {
-  const auto nm = discmc::command::spacing_nm(mesh.spacing_mm);
+inline NormalAngles compare(const FaceMesh& mesh, const SampleVolume<int>& volume) {
+  const auto nm = discmc::meshing::spacing_nm(mesh.spacing_mm);
   const discmc::AxisWeights weights = discmc::axis_weights({nm[0], nm[1], nm[2]});
   NormalAngles result;
   for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
@@ -67,7 +67,7 @@ inline NormalAngles compare(const Mesh& mesh, const SampleVolume<int>& volume) {
 }
 
 /// Compares the normals of a ball in the middle of a volume of cubes with its radii.
-inline Angles compare_with_radii(const Mesh& mesh, std::uint32_t extent) {
+inline Angles compare_with_radii(const FaceMesh& mesh, std::uint32_t extent) {
   const double centre = (extent - 1) / 2.0;
   Angles angles;
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {

@@ -10,7 +10,7 @@
 namespace {
 
 using namespace command_tests;
-using discmc::command::Point;
+using discmc::meshing::Point;
 using discmc::reference::degrees_between;
 
 constexpr std::uint32_t extent = 16;
@@ -72,7 +72,7 @@ void write_ball(const Workshop& workshop) {
   workshop.done("extract v.nrrd --iso 1000 -o v.dmc");
 }
 
-Mesh mesh_in(const Workshop& workshop, const std::string& name) {
+FileMesh mesh_in(const Workshop& workshop, const std::string& name) {
   return mesh_of(name, workshop.read(name));
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("decode gives the normals that extract gives") {
         workshop.done("decode v.dmc -o d." + format + normals +
                       (source == "gradient" ? " --volume v.nrrd" : ""));
         CHECK(workshop.read("e." + format) == workshop.read("d." + format));
-        const Mesh written = mesh_in(workshop, "d." + format);
+        const FileMesh written = mesh_in(workshop, "d." + format);
         CHECK(written.normals.size() == written.vertices_mm.size());
         CHECK(!written.normals.empty());
       }
@@ -112,14 +112,14 @@ TEST_CASE("every format holds the same normals, and without a source there are n
   for (const std::string& source : sources) {
     for (const std::string& format : formats)
       workshop.done("extract v.nrrd --iso 1000 -q --normals " + source + " -o v." + format);
-    const Mesh ply = mesh_in(workshop, "v.ply");
+    const FileMesh ply = mesh_in(workshop, "v.ply");
     for (const std::string& format : formats) {
-      const Mesh mesh = mesh_in(workshop, "v." + format);
+      const FileMesh mesh = mesh_in(workshop, "v." + format);
       CHECK(mesh.corners == ply.corners);
       REQUIRE(mesh.normals.size() == ply.normals.size());
       for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-        const Point apart = discmc::command::difference(mesh.normals[i], ply.normals[i]);
-        CHECK(discmc::command::dot(apart, apart) < 1e-12);
+        const Point apart = discmc::meshing::difference(mesh.normals[i], ply.normals[i]);
+        CHECK(discmc::meshing::dot(apart, apart) < 1e-12);
       }
     }
   }
@@ -149,7 +149,7 @@ TEST_CASE("normals point outside and faces look there, whichever way the axes ru
           workshop.done("decode m.dmc -o d.ply --normals " + source +
                         (source == "gradient" ? " --volume v.raw" + layout : ""));
           CHECK(workshop.read("d.ply") == workshop.read("e.ply"));
-          const Mesh mesh = mesh_in(workshop, "d.ply");
+          const FileMesh mesh = mesh_in(workshop, "d.ply");
           CHECK(volume_of(mesh) > 0);
           double worst = 0;
           for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
@@ -223,7 +223,7 @@ TEST_CASE("normals that a stream tells are those of its volume, in two bytes eac
     workshop.done("decode told.dmc --volume v.nrrd" + gradient);
     CHECK(workshop.read("v.ply") == of_volume);
     workshop.done("decode told.dmc" + gradient);
-    const Mesh told = mesh_in(workshop, "v.ply"), exact = mesh_of_ply(of_volume);
+    const FileMesh told = mesh_in(workshop, "v.ply"), exact = mesh_of_ply(of_volume);
     REQUIRE(told.vertices_mm == exact.vertices_mm);
     double worst = 0;
     for (std::size_t i = 0; i < told.normals.size(); ++i)
@@ -264,6 +264,6 @@ TEST_CASE("an incomplete stream has normals where it has a surface") {
   workshop.write("cut.dmc", std::string(bytes.begin(), bytes.end()));
   const Result result = workshop.run("decode cut.dmc -o v.ply --normals gradient --volume v.nrrd");
   CHECK(result.code == 3);
-  const Mesh mesh = mesh_in(workshop, "v.ply");
+  const FileMesh mesh = mesh_in(workshop, "v.ply");
   CHECK(mesh.normals.size() == mesh.vertices_mm.size());
 }

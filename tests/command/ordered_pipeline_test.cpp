@@ -12,8 +12,8 @@
 
 namespace {
 
-using discmc::command::run_in_any_order;
-using discmc::command::run_in_order;
+using discmc::meshing::run_in_any_order;
+using discmc::meshing::run_in_order;
 
 constexpr std::size_t count = 100;
 

@@ -53,16 +53,16 @@ const std::string turned =
     "NRRD0004\ntype: uint16\ndimension: 3\nsizes: 16 16 16\nencoding: raw\nendian: little\n"
     "space: LPS\nspace directions: (0,2,0) (-3,0,0) (0,0.6,0.8)\nspace origin: (10,-20,30.5)\n\n";
 
-void check_same_places(const Mesh& a, const Mesh& b) {
+void check_same_places(const FileMesh& a, const FileMesh& b) {
   REQUIRE(a.vertices_mm.size() == b.vertices_mm.size());
   CHECK(a.corners == b.corners);
   for (std::size_t i = 0; i < a.vertices_mm.size(); ++i) {
-    const Point apart = discmc::command::difference(a.vertices_mm[i], b.vertices_mm[i]);
-    CHECK(discmc::command::dot(apart, apart) < 1e-12);
+    const Point apart = discmc::meshing::difference(a.vertices_mm[i], b.vertices_mm[i]);
+    CHECK(discmc::meshing::dot(apart, apart) < 1e-12);
   }
 }
 
-Mesh obj_in(const Workshop& workshop, const std::string& name) {
+FileMesh obj_in(const Workshop& workshop, const std::string& name) {
   return mesh_of_obj(workshop.read(name));
 }
 
@@ -117,7 +117,7 @@ TEST_CASE("a shrunk ball is as large and where it was") {
   for (const std::string part : {"", "--crop 1..,1..14,2.. "}) {
     workshop.done("extract turned.nrrd --iso 1000 --shrink 2 " + part +
                   "--surface interpolated -o shrunk.obj");
-    const Mesh mesh = obj_in(workshop, "shrunk.obj");
+    const FileMesh mesh = obj_in(workshop, "shrunk.obj");
     const double voxel = 2 * 3 * 0.8, ball = 4.18879 * 125 * voxel;
     CHECK(volume_of(mesh) == doctest::Approx(ball).epsilon(0.15));
     // The middle is voxel (7.5, 7.5, 7.5).
@@ -193,9 +193,9 @@ TEST_CASE("labels are shrunk to labels") {
   workshop.write("l.raw", labels);
   const std::string extract = "extract l.raw --dims 9,8,8 --type u8 --shrink 2 -q -o l.obj ";
   workshop.done(extract + "--iso 4");
-  const Mesh mean = obj_in(workshop, "l.obj");
+  const FileMesh mean = obj_in(workshop, "l.obj");
   workshop.done(extract + "--label 6");
-  const Mesh label = obj_in(workshop, "l.obj");
+  const FileMesh label = obj_in(workshop, "l.obj");
   CHECK(volume_of(mean) > volume_of(label) + 40);
   workshop.done(
       "extract l.raw --dims 9,8,8 --type u8 --shrink 2 -q --labels all -o 'all {name}.obj'");

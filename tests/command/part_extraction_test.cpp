@@ -18,13 +18,13 @@
 namespace {
 
 using discmc::Border;
-using discmc::command::Extraction;
+using discmc::meshing::Extraction;
 using discmc::command::ExtractionOptions;
-using discmc::command::GrowingJoiner;
-using discmc::command::SliceSpan;
-using discmc::command::Surface;
-using discmc::command::SurfaceBuilder;
-using discmc::command::SurfaceRequest;
+using discmc::meshing::GrowingJoiner;
+using discmc::meshing::SliceSpan;
+using discmc::meshing::Surface;
+using discmc::meshing::SurfaceBuilder;
+using discmc::meshing::SurfaceRequest;
 using discmc::command::VolumeInfo;
 using discmc::reference::BitVolume;
 using discmc::reference::describe_difference;
@@ -35,7 +35,7 @@ using sample_reader::bit_threshold;
 using sample_reader::SampleReader;
 
 ExtractionOptions options_with(Border border, bool takes_majority = false) {
-  ExtractionOptions options{{bit_threshold}, border, 0, {}};
+  ExtractionOptions options{{bit_threshold}, border};
   options.takes_majority = takes_majority;
   return options;
 }
@@ -119,7 +119,7 @@ VolumeInfo info_of(std::uint32_t width, std::uint32_t height, std::uint32_t dept
 }
 
 std::vector<SliceSpan> parts_of(const VolumeInfo& info) {
-  return discmc::command::parts_of(info, {0, info.dims[2]});
+  return discmc::meshing::parts_of(info, {0, info.dims[2]});
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ TEST_CASE("parts cover the volume, and are as thick as its slices allow") {
 }
 
 TEST_CASE("parts of a slab cover its slices alone") {
-  const auto parts = discmc::command::parts_of(info_of(4, 4, 100), {30, 80});
+  const auto parts = discmc::meshing::parts_of(info_of(4, 4, 100), {30, 80});
   CHECK(parts.size() > 1);
   CHECK(parts.front().first == 30);
   for (std::size_t i = 1; i < parts.size(); ++i) CHECK(parts[i].first == parts[i - 1].end);

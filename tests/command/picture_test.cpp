@@ -46,7 +46,7 @@ bool is_outside(const Pixel& pixel) {
 }
 
 // Ready for both kinds of shading.
-Mesh with_normals(Mesh mesh) {
+FaceMesh with_normals(FaceMesh mesh) {
   mesh.normals = surface_normals(mesh);
   return mesh;
 }
@@ -54,12 +54,12 @@ Mesh with_normals(Mesh mesh) {
 const Point signs_of_axes[] = {{1, 1, 1},   {-1, 1, 1},  {1, -1, 1},  {1, 1, -1},
                                {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, -1}};
 
-Mesh ball_mesh(const Point& spacing_mm = {1, 1, 1}) {
+FaceMesh ball_mesh(const Point& spacing_mm = {1, 1, 1}) {
   const auto volume = discmc::reference::ball({32, 32, 32}, {31, 31, 31}, 196);
   return with_normals(sample_reader::merged_mesh(volume, Faces::triangles, spacing_mm));
 }
 
-Picture from_side(const Mesh& mesh, const Point& from, Shading shading, int size = 96) {
+Picture from_side(const FaceMesh& mesh, const Point& from, Shading shading, int size = 96) {
   PictureOptions options;
   options.width = options.height = size;
   options.from = from;
@@ -76,7 +76,7 @@ int largest_difference(const Picture& a, const Picture& b) {
 }
 
 // The ball with the normals that it stands for.
-Mesh with_radii(Mesh mesh, const Point& signs) {
+FaceMesh with_radii(FaceMesh mesh, const Point& signs) {
   const Point centre = {15.5 * signs[0], 15.5 * signs[1], 15.5 * signs[2]};
   for (std::size_t i = 0; i < mesh.normals.size(); ++i)
     mesh.normals[i] = unit_or_zero(difference(mesh.vertices_mm[i], centre));
@@ -97,8 +97,8 @@ void check_brighter_towards_light(const Picture& picture, int tolerance) {
 
 // A wall of two triangles from the viewer's feet far away from him, and the normals of its near
 // and its far side.
-Mesh long_wall(const Point& near, const Point& far) {
-  Mesh mesh;
+FaceMesh long_wall(const Point& near, const Point& far) {
+  FaceMesh mesh;
   mesh.vertices_mm = {{-5, 0, 0}, {5, 0, 0}, {5, 40, 0}, {-5, 40, 0}};
   mesh.corners = {0, 1, 2, 0, 2, 3};
   mesh.face_begin = {0, 3, 6};
@@ -186,7 +186,7 @@ TEST_CASE("a mirrored axis mirrors the picture but not inside and outside") {
 }
 
 TEST_CASE("outlines follow the polygons and not their triangles, in either shade") {
-  const Mesh mesh = with_normals(build_mesh(box_with_hole(), {true, Faces::triangles}));
+  const FaceMesh mesh = with_normals(build_mesh(box_with_hole(), {true, Faces::triangles}));
   for (const Shading shading : {Shading::flat, Shading::smooth}) {
     PictureOptions options = from_above(64);
     options.shading = shading;
@@ -209,7 +209,7 @@ TEST_CASE("a ball is covered from all sides, and of its inside nothing is seen")
   const Point sides[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0},    {0, -1, 0},
                          {0, 0, 1}, {0, 0, -1}, {1, -2, 0.7}, {-1, -1, -1}};
   for (const Point& signs : signs_of_axes) {
-    const Mesh mesh = ball_mesh(signs);
+    const FaceMesh mesh = ball_mesh(signs);
     for (const Point& side : sides)
       for (const Shading shading : {Shading::flat, Shading::smooth}) {
         const Picture picture = from_side(mesh, side, shading);
@@ -231,8 +231,8 @@ TEST_CASE("a ball is covered from all sides, and of its inside nothing is seen")
 
 TEST_CASE("a smooth ball grows brighter towards the light, whichever way the axes run") {
   for (const Point& signs : signs_of_axes) {
-    const Mesh mesh = ball_mesh(signs);
-    const Mesh exact = with_radii(mesh, signs);
+    const FaceMesh mesh = ball_mesh(signs);
+    const FaceMesh exact = with_radii(mesh, signs);
     for (const Point& side : {Point{1, 0, 0}, {0, 0, -1}, {-1, -1.5, 0.8}}) {
       check_brighter_towards_light(from_side(exact, side, Shading::smooth), 3);
       check_brighter_towards_light(from_side(mesh, side, Shading::smooth), 40);
@@ -241,7 +241,7 @@ TEST_CASE("a smooth ball grows brighter towards the light, whichever way the axe
 }
 
 TEST_CASE("exact normals make an exact ball: smooth shading follows normals and not faces") {
-  const Mesh mesh = with_radii(ball_mesh(), {1, 1, 1});
+  const FaceMesh mesh = with_radii(ball_mesh(), {1, 1, 1});
   const Picture smooth = from_side(mesh, {0, 0, 1}, Shading::smooth, 200);
   const Picture flat = from_side(mesh, {0, 0, 1}, Shading::flat, 200);
   int smooth_steps = 0, flat_steps = 0;  // the largest from pixel to pixel
@@ -260,7 +260,7 @@ TEST_CASE("exact normals make an exact ball: smooth shading follows normals and 
 
 TEST_CASE("walls stay plain in smooth shading, and their edges are rounded") {
   const auto volume = discmc::reference::box({26, 26, 26}, {3, 3, 3}, {22, 22, 22});
-  const Mesh mesh = with_normals(sample_reader::merged_mesh(volume, Faces::triangles));
+  const FaceMesh mesh = with_normals(sample_reader::merged_mesh(volume, Faces::triangles));
   const Picture flat = from_side(mesh, {-1, -1.5, 0.8}, Shading::flat);
   const Picture smooth = from_side(mesh, {-1, -1.5, 0.8}, Shading::smooth);
   int same = 0, covered = 0;
@@ -276,7 +276,7 @@ TEST_CASE("walls stay plain in smooth shading, and their edges are rounded") {
 }
 
 TEST_CASE("a face keeps its own normal where that of a vertex leans too far away") {
-  Mesh mesh = build_mesh(box_with_hole(), {true, Faces::triangles});
+  FaceMesh mesh = build_mesh(box_with_hole(), {true, Faces::triangles});
   mesh.normals.assign(mesh.vertices_mm.size(), {0, 0, 1});  // as at the wall of a volume
   const Point side = {-1, -1.5, 0.8};
   const Picture flat = from_side(mesh, side, Shading::flat);
@@ -309,7 +309,7 @@ TEST_CASE("normals are interpolated in space and not in the picture") {
 TEST_CASE("a zoom enlarges the picture about its middle, or about a point") {
   PictureOptions options = from_above(100);
   options.zoom = 0.5;
-  const Mesh mesh = build_mesh(octahedron());
+  const FaceMesh mesh = build_mesh(octahedron());
   const Picture far = draw(mesh, options);
   CHECK_FALSE(is_background(pixel(far, 30, 50)));
   CHECK(is_background(pixel(far, 24, 50)));
@@ -327,7 +327,7 @@ TEST_CASE("a zoom enlarges the picture about its middle, or about a point") {
 
 TEST_CASE("wrong options are refused, and an empty mesh is an empty picture") {
   PictureOptions options = from_above(16);
-  const Mesh nothing = build_mesh({{1, 1, 1}, {}});
+  const FaceMesh nothing = build_mesh({{1, 1, 1}, {}});
   const Picture picture = draw(nothing, options);
   for (int i = 0; i < 16; ++i) CHECK(is_background(pixel(picture, i, i)));
   options.width = 0;
@@ -360,7 +360,7 @@ TEST_CASE("wrong options are refused, and an empty mesh is an empty picture") {
 TEST_CASE("a picture file holds the picture") {
   PictureOptions options = from_above(40);
   options.height = 24;
-  const Mesh mesh = build_mesh(octahedron());
+  const FaceMesh mesh = build_mesh(octahedron());
   std::ostringstream out;
   write_picture(draw(mesh, options), out);
   const std::string file = out.str();

@@ -21,10 +21,10 @@ namespace {
 
 using namespace command_tests;
 using discmc::Space;
-using discmc::command::Axes;
-using discmc::command::determinant;
-using discmc::command::dot;
-using discmc::command::VolumePlacement;
+using discmc::meshing::Axes;
+using discmc::meshing::determinant;
+using discmc::meshing::dot;
+using discmc::meshing::VolumePlacement;
 
 using Vertices = std::vector<Point>;
 
@@ -57,23 +57,23 @@ Vertices in_lps(Vertices vertices) {
 }
 
 // In any order.
-void check_vertices(const Mesh& mesh, const Vertices& expected) {
+void check_vertices(const FileMesh& mesh, const Vertices& expected) {
   constexpr double rounding_mm = 1e-4;  // of 32 bits near 700
   REQUIRE(mesh.vertices_mm.size() == expected.size());
   for (const Point& vertex : expected)
     CHECK(std::any_of(mesh.vertices_mm.begin(), mesh.vertices_mm.end(), [&](const Point& found) {
-      const Point apart = discmc::command::difference(found, vertex);
+      const Point apart = discmc::meshing::difference(found, vertex);
       return dot(apart, apart) < rounding_mm * rounding_mm;
     }));
 }
 
 // What an octahedron between the ends of half axes encloses, if it looks outside.
-void check_closed(const Mesh& mesh, double determinant) {
+void check_closed(const FileMesh& mesh, double determinant) {
   CHECK(check_mesh(mesh).closed());
   CHECK(volume_of(mesh) == doctest::Approx(std::fabs(determinant) / 6).epsilon(1e-3));
 }
 
-Mesh mesh_in(const Workshop& workshop, const std::string& name) {
+FileMesh mesh_in(const Workshop& workshop, const std::string& name) {
   return mesh_of(name, workshop.read(name));
 }
 
@@ -219,10 +219,10 @@ TEST_CASE("a stream whose placement mirrors what its spacing does not looks outs
   const Workshop workshop;
   workshop.write("v.dmc", stream_with(placement));
   workshop.done("decode v.dmc --normals surface -o v.obj");
-  const Mesh mesh = mesh_in(workshop, "v.obj");
+  const FileMesh mesh = mesh_in(workshop, "v.obj");
   check_closed(mesh, -1);
   for (std::size_t i = 0; i < mesh.normals.size(); ++i)
-    CHECK(dot(mesh.normals[i], discmc::command::difference(mesh.vertices_mm[i], {0, 0, 5})) ==
+    CHECK(dot(mesh.normals[i], discmc::meshing::difference(mesh.vertices_mm[i], {0, 0, 5})) ==
           doctest::Approx(0.5));
 }
 
@@ -244,16 +244,15 @@ TEST_CASE("placed meshes are closed and look outside, and normals stay across th
     for (const Point& spacing : {Point{1, 2, 3}, {-1, 2, 3}, {-1, -2, -3}}) {
       const VolumePlacement placement{Space::lps, {100, -200, 300}, axes};
       for (const auto faces :
-           {discmc::command::Faces::polygons, discmc::command::Faces::triangles}) {
-        Mesh mesh = build_mesh(hand_made::box_with_hole(spacing), {true, faces});
+           {discmc::meshing::Faces::polygons, discmc::meshing::Faces::triangles}) {
+        FileMesh mesh = build_mesh(hand_made::box_with_hole(spacing), {true, faces});
         place(mesh, placement);
         CHECK(check_mesh(mesh).closed());
         // 8 x 8 x 8 half-steps less 4 x 4 x 8.
         CHECK(volume_of(mesh) == doctest::Approx(48 * std::fabs(determinant(axes))));
-        CHECK(mesh.space == Space::lps);
       }
       // Every vertex of an octahedron lies on an axis: its plane there is that of the other two.
-      Mesh mesh = build_mesh(hand_made::octahedron(spacing));
+      FileMesh mesh = build_mesh(hand_made::octahedron(spacing));
       for (const discmc::Vertex& v : mesh.lattice)
         mesh.normals.push_back({std::copysign(double(v.x), v.x * spacing[0]),
                                 std::copysign(double(v.y), v.y * spacing[1]),

@@ -11,9 +11,9 @@ namespace {
 
 using discmc::Incidence;
 using discmc::Vertex;
-using discmc::command::Polygon;
-using discmc::command::Polygons;
-using discmc::command::Ring;
+using discmc::meshing::Polygon;
+using discmc::meshing::Polygons;
+using discmc::meshing::Ring;
 using hand_made::Corners;
 using hand_made::polygon_of;
 using hand_made::rings_of;

@@ -14,9 +14,9 @@
 
 namespace sample_reader {
 
-using discmc::command::Mesh;
-using discmc::command::Point;
-using discmc::command::SampleType;
+using discmc::meshing::FaceMesh;
+using discmc::meshing::Point;
+using discmc::meshing::SampleType;
 using discmc::command::VolumeInfo;
 using discmc::reference::BitVolume;
 using discmc::reference::Size;
@@ -40,7 +40,7 @@ class SampleReader final : public discmc::command::VolumeReader {
 
   const VolumeInfo& info() const override { return info_; }
   void read_slice(void* samples) override {
-    discmc::command::with_sample_type(info_.type, [&](auto type) {
+    discmc::meshing::with_sample_type(info_.type, [&](auto type) {
       using Sample = decltype(type);
       auto* const slice = static_cast<Sample*>(samples);
       for (std::size_t i = 0; i < info_.slice_bytes() / sizeof(Sample); ++i)
@@ -57,11 +57,11 @@ class SampleReader final : public discmc::command::VolumeReader {
 /// Between on and off of a volume of bits.
 constexpr std::int32_t bit_threshold = 100;
 
-inline Mesh merged_mesh(const BitVolume& volume, discmc::command::Faces faces,
+inline FaceMesh merged_mesh(const BitVolume& volume, discmc::meshing::Faces faces,
                         const Point& spacing_mm = {1, 1, 1}) {
   SampleReader reader(volume, spacing_mm);
-  discmc::command::SurfaceBuilder builder;
-  extract(reader, {{bit_threshold}, discmc::Border::closed, 0, {}}, discmc::make_sink(builder));
+  discmc::meshing::SurfaceBuilder builder;
+  extract(reader, {{bit_threshold}, discmc::Border::closed}, discmc::make_sink(builder));
   builder.surface().spacing_mm = spacing_mm;
   return build_mesh(builder.surface(), {true, faces});
 }

@@ -73,21 +73,21 @@ inline Extracted extracted(const Field& field, SampleType type = SampleType::u8,
   const Selection selection{is_floating(type) ? level : threshold};
   SurfaceBuilder builder;
   Extracted result{{}, CrossingFinder(reader.info(), selection)};
-  extract(reader, {selection, border, 0, {}},
+  extract(reader, {selection, border},
           {{selection, discmc::make_sink(builder), &result.finder}});
   result.surface = std::move(builder.surface());
   result.surface.spacing_mm = spacing_mm;
   return result;
 }
 
-inline Mesh interpolated(const Extracted& extracted, double tolerance) {
+inline FaceMesh interpolated(const Extracted& extracted, double tolerance) {
   return build_mesh(extracted.surface,
                     {true, Faces::triangles, &extracted.finder.crossings(), tolerance});
 }
 
-inline Mesh classic(const Field& field) {
+inline FaceMesh classic(const Field& field) {
   SampleReader reader(field.size, field.samples);
-  return classic_mesh(reader, {{threshold}, Border::closed, 0, {}});
+  return classic_mesh(reader, {{threshold}, Border::closed});
 }
 
 }  // namespace sampled_field

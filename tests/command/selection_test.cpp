@@ -10,25 +10,25 @@
 
 namespace {
 
-using discmc::command::bit_row_bytes;
-using discmc::command::SampleRange;
-using discmc::command::SampleType;
-using discmc::command::Selection;
-using discmc::command::SliceSelector;
-using discmc::command::VolumeInfo;
+using discmc::meshing::bit_row_bytes;
+using discmc::meshing::SampleRange;
+using discmc::meshing::SampleType;
+using discmc::meshing::Selection;
+using discmc::meshing::SliceSelector;
+using discmc::meshing::SampleGrid;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-VolumeInfo scaled(double slope, double intercept) {
-  VolumeInfo info;
+SampleGrid scaled(double slope, double intercept) {
+  SampleGrid info;
   info.slope = slope;
   info.intercept = intercept;
   return info;
 }
 
 template <class Sample>
-SampleRange<Sample> range(const Selection& selection, const VolumeInfo& info = {}) {
-  return discmc::command::selected_samples<Sample>(info, selection);
+SampleRange<Sample> range(const Selection& selection, const SampleGrid& info = {}) {
+  return discmc::meshing::selected_samples<Sample>(info, selection);
 }
 
 template <class Sample>
@@ -40,7 +40,7 @@ bool is_empty(const SampleRange<Sample>& range) {
 template <class Sample>
 std::vector<int> selected(SampleType type, const std::vector<Sample>& samples,
                           const Selection& selection) {
-  VolumeInfo info;
+  SampleGrid info;
   info.type = type;
   info.dims = {static_cast<std::uint32_t>(samples.size()), 1, 1};
   std::vector<std::uint8_t> bits(bit_row_bytes(info.dims[0]), 0xFF);
@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("every whole number is selected exactly where its value is", 
     for (const double intercept : {0.0, 0.1, -1024.0})
       for (int low = -140; low <= 270; low += 7)
         for (const int length : {-1, 0, 1, 50}) {
-          const VolumeInfo info = scaled(slope, intercept);
+          const SampleGrid info = scaled(slope, intercept);
           const auto value = [&](int stored) { return slope * stored + intercept; };
           const auto found = range<Sample>({value(low), value(low + length)}, info);
           for (int stored = std::numeric_limits<Sample>::min();
@@ -115,7 +115,7 @@ TEST_CASE("what is not a number is off, and counted") {
   const std::vector<float> samples = {nan, 1, -1, nan, std::numeric_limits<float>::infinity()};
   CHECK(selected(SampleType::f32, samples, {0}) == std::vector<int>{0, 1, 0, 0, 1});
   CHECK(selected(SampleType::f32, samples, {-infinity, 0}) == std::vector<int>{0, 0, 1, 0, 0});
-  VolumeInfo info;
+  SampleGrid info;
   info.type = SampleType::f32;
   info.dims = {5, 1, 1};
   std::uint8_t bits = 0;

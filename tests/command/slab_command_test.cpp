@@ -32,8 +32,8 @@ std::string rough_samples(int width, int height, int depth) {
 }
 
 std::vector<Region> regions_in(const Workshop& workshop, const std::string& stream) {
-  discmc::command::SurfaceBuilder builder;
-  discmc::command::GrowingJoiner joiner(discmc::make_sink(builder));
+  discmc::meshing::SurfaceBuilder builder;
+  discmc::meshing::GrowingJoiner joiner(discmc::make_sink(builder));
   discmc::command::StreamReader reader(discmc::make_sink(joiner));
   std::istringstream in(workshop.read(stream));
   reader.read(in);

@@ -21,7 +21,7 @@ using namespace sampled_field;
 using command_tests::volume_of;
 
 // With an angle below 5 degrees.
-std::size_t thin_faces(const Mesh& mesh) {
+std::size_t thin_faces(const FileMesh& mesh) {
   std::size_t count = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     double cosine = -1;
@@ -37,8 +37,8 @@ std::size_t thin_faces(const Mesh& mesh) {
   return count;
 }
 
-Mesh mesh_of(const std::vector<Point>& vertices, const std::vector<std::uint32_t>& corners) {
-  Mesh mesh;
+FileMesh mesh_of(const std::vector<Point>& vertices, const std::vector<std::uint32_t>& corners) {
+  FileMesh mesh;
   mesh.vertices_mm = vertices;
   mesh.corners = corners;
   for (std::size_t end = 3; end <= corners.size(); end += 3) mesh.face_begin.push_back(end);
@@ -46,18 +46,18 @@ Mesh mesh_of(const std::vector<Point>& vertices, const std::vector<std::uint32_t
 }
 
 // Two triangles with the edge from x = 0 to x = 10, a thin one with the corner c and another one.
-Mesh cap(const Point& d = {5, -8, 0}, const Point& c = {5, 0.1, 0}) {
+FileMesh cap(const Point& d = {5, -8, 0}, const Point& c = {5, 0.1, 0}) {
   return mesh_of({{0, 0, 0}, {10, 0, 0}, c, d}, {0, 1, 2, 1, 0, 3});
 }
 
-Mesh rough_ball() {
+FileMesh rough_ball() {
   return interpolated(extracted(ball(40, 16, 30), SampleType::u8, {1, 1, 1}), 0);
 }
 
 }  // namespace
 
 TEST_CASE("the longest edge of a thin triangle is flipped") {
-  Mesh mesh = cap();
+  FileMesh mesh = cap();
   remove_slivers(mesh, 0, 0.01);
   CHECK(thin_faces(cap()) == 1);
   CHECK(thin_faces(mesh) == 0);
@@ -66,8 +66,8 @@ TEST_CASE("the longest edge of a thin triangle is flipped") {
 }
 
 TEST_CASE("an edge stays if the surface would move or turn too much, or if it is of a first face") {
-  const auto stays = [](const Mesh& before, std::size_t first_faces, double distance) {
-    Mesh mesh = before;
+  const auto stays = [](const FileMesh& before, std::size_t first_faces, double distance) {
+    FileMesh mesh = before;
     remove_slivers(mesh, first_faces, distance);
     return mesh.corners == before.corners;
   };
@@ -78,16 +78,16 @@ TEST_CASE("an edge stays if the surface would move or turn too much, or if it is
 }
 
 TEST_CASE("an edge stays if its flip would be one that there is already") {
-  const Mesh tetrahedron = mesh_of({{0, 0, 0}, {10, 0, 0}, {5, 0.3, 0}, {5, -8, 1}},
+  const FileMesh tetrahedron = mesh_of({{0, 0, 0}, {10, 0, 0}, {5, 0.3, 0}, {5, -8, 1}},
                                    {0, 1, 2, 1, 0, 3, 0, 2, 3, 2, 1, 3});
-  Mesh mesh = tetrahedron;
+  FileMesh mesh = tetrahedron;
   remove_slivers(mesh, 0, 10);
   CHECK(check_mesh(tetrahedron).closed());
   CHECK(mesh.corners == tetrahedron.corners);
 }
 
 TEST_CASE("short edges are collapsed, and the mesh stays closed") {
-  Mesh mesh = rough_ball();
+  FileMesh mesh = rough_ball();
   const std::size_t thin = thin_faces(mesh), faces = mesh.face_count();
   const double volume = volume_of(mesh);
   REQUIRE(thin > 20);
@@ -104,7 +104,7 @@ TEST_CASE("a decimated mesh has hardly any thin triangles") {
   } catch (const std::runtime_error&) {
     return;
   }
-  Mesh mesh = interpolated(extracted(field_of({60, 60, 12},
+  FileMesh mesh = interpolated(extracted(field_of({60, 60, 12},
                                               [](double x, double y, double z) {
                                                 return level + 30 * (2.1 + std::sin(x / 9) +
                                                                      std::cos(y / 11) / 2 -
@@ -117,7 +117,7 @@ TEST_CASE("a decimated mesh has hardly any thin triangles") {
 
 TEST_CASE("rough meshes of many handles stay closed, however far the surface may move") {
   for (std::uint32_t seed = 1; seed <= 5; ++seed) {
-    Mesh mesh = interpolated(extracted(noise({12, 12, 12}, seed)), 0);
+    FileMesh mesh = interpolated(extracted(noise({12, 12, 12}, seed)), 0);
     const std::size_t thin = thin_faces(mesh);
     const bool is_closed = check_mesh(mesh).degenerate_faces == 0;
     remove_slivers(mesh, 0, 10);

@@ -86,7 +86,7 @@ void check_distances(const BitVolume& volume, const Point& spacing_mm, double li
 
 struct Smoothed {
   std::vector<float> samples;
-  Mesh mesh;
+  FileMesh mesh;
 };
 
 Smoothed smoothed(const BitVolume& volume, const Point& spacing_mm, double deviation_mm) {
@@ -102,7 +102,7 @@ Smoothed smoothed(const BitVolume& volume, const Point& spacing_mm, double devia
   SmoothedVolume source(again, {bit_threshold}, nullptr, deviation_mm);
   SurfaceBuilder builder;
   CrossingFinder finder(source.info(), {0});
-  extract(source, {{0}, Border::closed, 0, {}}, {{{0}, discmc::make_sink(builder), &finder}});
+  extract(source, {{0}, Border::closed}, {{{0}, discmc::make_sink(builder), &finder}});
   builder.surface().spacing_mm = spacing_mm;
   result.mesh = build_mesh(builder.surface(), {true, Faces::triangles, &finder.crossings(), 0.05});
   return result;
@@ -128,7 +128,7 @@ struct Roundness {
   double mean_degrees = 0;  // between the faces' normals and those of the ball, by area
 };
 
-Roundness roundness_of(const Mesh& mesh) {
+Roundness roundness_of(const FileMesh& mesh) {
   Roundness result;
   double degrees = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
@@ -308,7 +308,7 @@ TEST_CASE("labels are smoothed one by one, and keep their volumes") {
   CHECK(progress == std::vector<std::size_t>{2, 1, 0});
   double all = 0;
   for (const SmoothedLabel& label : labels) {
-    const Mesh mesh = build_mesh(label.surface.surface,
+    const FileMesh mesh = build_mesh(label.surface.surface,
                                  {true, Faces::triangles, &label.crossings.crossings(), 0.05});
     const auto voxels = static_cast<double>(label.surface.voxels);
     CHECK(volume_of(mesh) == doctest::Approx(voxels).epsilon(0.01));
@@ -351,9 +351,9 @@ TEST_CASE("a label in its box is smoothed as in the whole volume") {
   SampleReader reader({40, 30, 20}, samples);
   const std::vector<SmoothedLabel> labels = smoothed_labels(reader, {}, 1, {});
   REQUIRE(labels.size() == 1);
-  const Mesh of_box = build_mesh(labels[0].surface.surface,
+  const FileMesh of_box = build_mesh(labels[0].surface.surface,
                                  {true, Faces::triangles, &labels[0].crossings.crossings(), 0.05});
-  const Mesh of_whole = smoothed(block, {1, 1, 1}, 1).mesh;
+  const FileMesh of_whole = smoothed(block, {1, 1, 1}, 1).mesh;
   CHECK(of_box.corners == of_whole.corners);
   REQUIRE(of_box.vertices_mm.size() == of_whole.vertices_mm.size());
   for (std::size_t i = 0; i < of_box.vertices_mm.size(); ++i)
@@ -369,7 +369,7 @@ TEST_CASE("labels that are side by side share their smoothed surface") {
   const std::vector<SmoothedLabel> labels = smoothed_labels(reader, {}, 1, {});
   REQUIRE(labels.size() == 2);
   for (const SmoothedLabel& label : labels) {
-    const Mesh mesh = build_mesh(label.surface.surface,
+    const FileMesh mesh = build_mesh(label.surface.surface,
                                  {true, Faces::triangles, &label.crossings.crossings(), 0.05});
     double nearest_to_seam = 100;
     for (const Point& vertex : mesh.vertices_mm)
@@ -388,8 +388,8 @@ TEST_CASE("--smooth with --labels writes a smooth mesh of each") {
   const std::string extract = "extract v.raw --dims 48,48,48 --type u8 -q --smooth auto ";
   workshop.done(extract + "--labels all -o '{name}.obj'");
   workshop.done(extract + "--label 2 -o label.obj");
-  const Mesh one = command_tests::mesh_of_obj(workshop.read("2.obj"));
-  const Mesh same = command_tests::mesh_of_obj(workshop.read("label.obj"));
+  const FileMesh one = command_tests::mesh_of_obj(workshop.read("2.obj"));
+  const FileMesh same = command_tests::mesh_of_obj(workshop.read("label.obj"));
   CHECK(volume_of(one) == doctest::Approx(volume_of(same)).epsilon(1e-5));
   workshop.done(extract + "--labels 1,3 -o all.glb");
 }

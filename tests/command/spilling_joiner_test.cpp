@@ -1,5 +1,5 @@
 // The joiner that goes on in a file: what comes out does not depend on its memory.
-#include "surface/spilling_joiner.hpp"
+#include "streams/spilling_joiner.hpp"
 
 #include <doctest/doctest.h>
 
@@ -52,7 +52,7 @@ std::size_t count(const Events& events, Event::Kind kind) {
 }
 
 std::vector<discmc::reference::Region> regions_of(const Events& events) {
-  discmc::command::SurfaceBuilder builder;
+  discmc::meshing::SurfaceBuilder builder;
   for (const auto& one : events) builder.take(one.event());
   return hand_made::regions_of(builder.surface());
 }

@@ -15,30 +15,30 @@
 
 namespace {
 
-using discmc::command::distances;
-using discmc::command::Distances;
-using discmc::command::Mesh;
-using discmc::command::Point;
-using discmc::command::squared_distance;
+using discmc::meshing::distances;
+using discmc::meshing::Distances;
+using discmc::meshing::FaceMesh;
+using discmc::meshing::Point;
+using discmc::meshing::squared_distance;
 
 // A square of this size at a height, in two triangles.
-Mesh square(double size, double height) {
-  Mesh mesh;
+FaceMesh square(double size, double height) {
+  FaceMesh mesh;
   mesh.vertices_mm = {{0, 0, height}, {size, 0, height}, {size, size, height}, {0, size, height}};
   mesh.corners = {0, 1, 2, 0, 2, 3};
   mesh.face_begin = {0, 3, 6};
   return mesh;
 }
 
-Mesh moved(Mesh mesh, const Point& by) {
+FaceMesh moved(FaceMesh mesh, const Point& by) {
   for (Point& vertex : mesh.vertices_mm)
     for (std::size_t axis = 0; axis < 3; ++axis) vertex[axis] += by[axis];
   return mesh;
 }
 
-Mesh ball() {
+FaceMesh ball() {
   return sample_reader::merged_mesh(discmc::reference::ball({14, 14, 14}, {13, 13, 13}, 30),
-                                    discmc::command::Faces::triangles);
+                                    discmc::meshing::Faces::triangles);
 }
 
 }  // namespace
@@ -86,12 +86,12 @@ TEST_CASE("distances are in units of their own along each axis") {
 }
 
 TEST_CASE("the nearest triangle is found, wherever it is") {
-  const Mesh to = ball();
+  const FaceMesh to = ball();
   discmc::test::Chance chance(9);
   for (int i = 0; i < 30; ++i) {
     Point by{};
     for (double& coordinate : by) coordinate = chance.below(2000) / 100.0 - 10;
-    Mesh from = moved(square(0.01, 0), by);
+    FaceMesh from = moved(square(0.01, 0), by);
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t face = 0; face < to.face_count(); ++face)
       nearest = std::min(nearest,
@@ -118,7 +118,7 @@ TEST_CASE("what is done of the points is told up to all of them") {
 }
 
 TEST_CASE("the largest distance is found at a vertex, beyond all points between") {
-  Mesh spike = square(1, 0);
+  FaceMesh spike = square(1, 0);
   spike.vertices_mm.push_back({0.5, 0.5, 7});
   spike.corners.insert(spike.corners.end(), {0, 4, 1});
   spike.face_begin.push_back(spike.corners.size());
@@ -126,7 +126,7 @@ TEST_CASE("the largest distance is found at a vertex, beyond all points between"
 }
 
 TEST_CASE("a mesh without faces or without area has no distance") {
-  CHECK_THROWS_AS(distances(Mesh{}, square(1, 0)), std::invalid_argument);
-  CHECK_THROWS_AS(distances(square(1, 0), Mesh{}), std::invalid_argument);
+  CHECK_THROWS_AS(distances(FaceMesh{}, square(1, 0)), std::invalid_argument);
+  CHECK_THROWS_AS(distances(square(1, 0), FaceMesh{}), std::invalid_argument);
   CHECK_THROWS_AS(distances(square(0, 0), square(1, 0)), std::invalid_argument);
 }

@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace discmc::command;
+using namespace discmc::meshing;
 using namespace hand_made;
 using discmc::reference::ball;
 using sample_reader::merged_mesh;
@@ -26,8 +26,8 @@ void check_near(const Point& a, const Point& b) {
 }
 
 // Every face with corners of its own, as an STL file has them.
-Mesh soup_of(const Mesh& mesh) {
-  Mesh soup = mesh;
+FaceMesh soup_of(const FaceMesh& mesh) {
+  FaceMesh soup = mesh;
   soup.vertices_mm.clear();
   for (std::uint32_t& corner : soup.corners) {
     soup.vertices_mm.push_back(mesh.vertices_mm[corner]);
@@ -42,7 +42,7 @@ TEST_CASE("the normals of an octahedron are its axes, whichever way they run") {
   for (const double x : {0.5, -0.5})
     for (const double y : {1.0, -1.0})
       for (const double z : {3.0, -3.0}) {
-        const Mesh mesh = build_mesh(octahedron({x, y, z}), {true, Faces::triangles});
+        const FaceMesh mesh = build_mesh(octahedron({x, y, z}), {true, Faces::triangles});
         const std::vector<Point> normals = surface_normals(mesh);
         REQUIRE(normals.size() == 6);
         for (std::size_t i = 0; i < 6; ++i)
@@ -53,7 +53,7 @@ TEST_CASE("the normals of an octahedron are its axes, whichever way they run") {
 TEST_CASE("the normals of a ball are near its radii, however it is stretched and mirrored") {
   const auto volume = ball({50, 50, 50}, {49, 49, 49}, 400);
   for (const Point& spacing : {Point{1, 1, 1}, {-1, 1, 1}, {1, -1, -1}, {0.8, -1.2, 1}}) {
-    const Mesh mesh = merged_mesh(volume, Faces::triangles, spacing);
+    const FaceMesh mesh = merged_mesh(volume, Faces::triangles, spacing);
     const std::vector<Point> normals = surface_normals(mesh);
     double sum = 0, worst = 0;
     for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -86,7 +86,7 @@ TEST_CASE("the normals of an interpolated ball are nearly its radii") {
           return 49.5 + 8 * (radius - std::hypot((x - middle[0]) * mm[0], (y - middle[1]) * mm[1],
                                                  (z - middle[2]) * mm[2]));
         });
-    const Mesh mesh =
+    const FaceMesh mesh =
         sampled_field::interpolated(sampled_field::extracted(field, SampleType::u8, spacing), 0.05);
     const std::vector<Point> normals = surface_normals(mesh);
     double sum = 0;
@@ -101,11 +101,11 @@ TEST_CASE("the normals of an interpolated ball are nearly its radii") {
 }
 
 TEST_CASE("it makes no difference how a flat part is cut into triangles") {
-  Mesh mesh;  // a roof: a square that leans to the left, and one to the right
+  FaceMesh mesh;  // a roof: a square that leans to the left, and one to the right
   mesh.vertices_mm = {{-1, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {0, 1, 1}, {1, 1, 0}};
   mesh.corners = {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};
   mesh.face_begin = {0, 3, 6, 9, 12};
-  Mesh other = mesh;
+  FaceMesh other = mesh;
   other.corners = {0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4};
   const std::vector<Point> normals = surface_normals(mesh), of_other = surface_normals(other);
   for (std::size_t i = 0; i < normals.size(); ++i) check_near(normals[i], of_other[i]);
@@ -113,7 +113,7 @@ TEST_CASE("it makes no difference how a flat part is cut into triangles") {
 }
 
 TEST_CASE("vertices at equal positions have one normal") {
-  const Mesh mesh = build_mesh(leaning_wall(), {true, Faces::triangles});
+  const FaceMesh mesh = build_mesh(leaning_wall(), {true, Faces::triangles});
   const std::vector<Point> expected = surface_normals(mesh);
   const std::vector<Point> normals = surface_normals(soup_of(mesh));
   REQUIRE(normals.size() == mesh.corners.size());
@@ -123,7 +123,7 @@ TEST_CASE("vertices at equal positions have one normal") {
 
 TEST_CASE("a triangle counts by its angle, whatever its area") {
   // A floor nine times as long as the wall that it meets in the edge from (0,0,0) to (0,1,0).
-  Mesh mesh;
+  FaceMesh mesh;
   mesh.vertices_mm = {{0, 0, 0}, {9, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   mesh.corners = {0, 1, 2, 0, 2, 3};
   mesh.face_begin = {0, 3, 6};
@@ -134,7 +134,7 @@ TEST_CASE("a triangle counts by its angle, whatever its area") {
 }
 
 TEST_CASE("there is no normal where no face is, or where two of them cancel each other out") {
-  Mesh mesh;
+  FaceMesh mesh;
   mesh.vertices_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
   mesh.corners = {0, 1, 2, 0, 2, 1};
   mesh.face_begin = {0, 3, 6};

@@ -16,11 +16,11 @@
 
 namespace {
 
-using discmc::command::doubled_area;
-using discmc::command::max_plane_coordinate;
-using discmc::command::PlanePoint;
-using discmc::command::Triangle;
-using discmc::command::Triangulator;
+using discmc::meshing::doubled_area;
+using discmc::meshing::max_plane_coordinate;
+using discmc::meshing::PlanePoint;
+using discmc::meshing::Triangle;
+using discmc::meshing::Triangulator;
 
 using Position = std::pair<std::int64_t, std::int64_t>;
 using Edge = std::pair<Position, Position>;

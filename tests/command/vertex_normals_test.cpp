@@ -16,7 +16,7 @@
 
 namespace {
 
-using namespace discmc::command;
+using namespace discmc::meshing;
 using namespace hand_made;
 using namespace normal_angles;
 using discmc::reference::gradient;
@@ -48,7 +48,7 @@ Surface polygons_of(const SampleVolume<int>& volume, int threshold, const Point&
   return surface_of(reader, threshold);
 }
 
-void set_gradient_normals_of(const SampleVolume<int>& volume, SampleType type, Mesh& mesh) {
+void set_gradient_normals_of(const SampleVolume<int>& volume, SampleType type, FaceMesh& mesh) {
   SampleReader reader(volume.size, volume.samples, mesh.spacing_mm, type);
   set_gradient_normals(reader, mesh);
 }
@@ -68,7 +68,7 @@ Point area_in_space(const Polygon& polygon, const Point& spacing_mm) {
   return is_mirrored ? Point{-sum[0], -sum[1], -sum[2]} : sum;
 }
 
-std::size_t vertex_at(const Mesh& mesh, const Vertex& position) {
+std::size_t vertex_at(const FaceMesh& mesh, const Vertex& position) {
   const auto found = std::find(mesh.lattice.begin(), mesh.lattice.end(), position);
   REQUIRE(found != mesh.lattice.end());
   return static_cast<std::size_t>(found - mesh.lattice.begin());
@@ -83,7 +83,7 @@ void check_along(const Point& normal, const Point& direction) {
 
 TEST_CASE("the vertices of a mesh have their positions on the lattice") {
   for (const bool conforming : {true, false}) {
-    const Mesh mesh = build_mesh(box_with_hole({0.5, -2, 3}), {conforming, Faces::triangles});
+    const FaceMesh mesh = build_mesh(box_with_hole({0.5, -2, 3}), {conforming, Faces::triangles});
     REQUIRE(mesh.lattice.size() == mesh.vertices_mm.size());
     for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
       const Vertex& at = mesh.lattice[i];
@@ -95,7 +95,7 @@ TEST_CASE("the vertices of a mesh have their positions on the lattice") {
 TEST_CASE("polygon normals of an octahedron are its axes, exactly, whichever way they run") {
   for (const Point& spacing : all_signs) {
     const Surface surface = octahedron(spacing);
-    Mesh mesh = build_mesh(surface);
+    FaceMesh mesh = build_mesh(surface);
     set_polygon_normals(surface, mesh);
     REQUIRE(mesh.normals.size() == 6);
     for (std::size_t i = 0; i < 6; ++i) CHECK(mesh.normals[i] == unit_or_zero(mesh.vertices_mm[i]));
@@ -106,7 +106,7 @@ TEST_CASE("a polygon counts by its area in space, without its holes, however it 
   for (const Point& spacing : all_signs)
     for (const Faces faces : {Faces::polygons, Faces::triangles}) {
       const Surface surface = box_with_hole(spacing);
-      Mesh mesh = build_mesh(surface, {true, faces});
+      FaceMesh mesh = build_mesh(surface, {true, faces});
       set_polygon_normals(surface, mesh);
       // In half-steps 8 x 8 each, but the lids without 4 x 4, and 4 x 8 within the hole.
       const auto in_space = [&](double x, double y, double z) {
@@ -124,7 +124,7 @@ TEST_CASE("polygon normals are the sum of the areas that meet, whatever the surf
   for (const Point& spacing : all_signs) {
     const Surface surface = polygons_of(noise({7, 6, 8}, 0, 255, chance), 128, spacing);
     for (const bool conforming : {true, false}) {
-      Mesh mesh = build_mesh(surface, {conforming, Faces::polygons});
+      FaceMesh mesh = build_mesh(surface, {conforming, Faces::polygons});
       set_polygon_normals(surface, mesh);
       std::vector<std::set<std::uint32_t>> polygons(mesh.lattice.size());
       for (std::size_t face = 0; face < mesh.face_count(); ++face)
@@ -155,7 +155,7 @@ TEST_CASE("gradient normals are at most 0.1 degree from double precision, whatev
     for (const Point& spacing : all_signs) {
       const SampleVolume<int> volume = noise({14, 13, 12}, kind.least, kind.most, chance);
       const int middle = (kind.least + kind.most) / 2;
-      Mesh mesh = build_mesh(polygons_of(volume, middle, spacing, kind.type));
+      FaceMesh mesh = build_mesh(polygons_of(volume, middle, spacing, kind.type));
       set_gradient_normals_of(volume, kind.type, mesh);
       const NormalAngles angles = compare(mesh, volume);
       CHECK(angles.fixed_point.count > mesh.lattice.size() / 3);
@@ -174,7 +174,7 @@ TEST_CASE("normals of a ball of radius 40 are within 3 degrees of its radii on a
                            {SampleType::u8, {32, 128, 255}},
                            {SampleType::u16, {500, 32768, 65535}}}) {
     const SampleVolume<int> volume = ramp_ball(90, 40, kind.ramp);
-    Mesh mesh = build_mesh(polygons_of(volume, kind.ramp.threshold, {1, 1, 1}, kind.type));
+    FaceMesh mesh = build_mesh(polygons_of(volume, kind.ramp.threshold, {1, 1, 1}, kind.type));
     set_gradient_normals_of(volume, kind.type, mesh);
     const Angles angles = compare_with_radii(mesh, 90);
     CHECK(angles.count > 5000);
@@ -189,9 +189,9 @@ TEST_CASE("where the samples are level, and outside the volume, a vertex keeps i
   SampleVolume<int> volume{{6, 5, 4}, {}};
   for (const std::uint8_t on : board.on) volume.samples.push_back(on != 0 ? 200 : 10);
   const Surface surface = polygons_of(volume, 100, {1, 1, 1});
-  Mesh mesh = build_mesh(surface);
+  FaceMesh mesh = build_mesh(surface);
   set_polygon_normals(surface, mesh);
-  const Mesh before = mesh;
+  const FaceMesh before = mesh;
   set_gradient_normals_of(volume, SampleType::u8, mesh);
   std::size_t outside = 0, level = 0, steep_vertices = 0;
   for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
@@ -213,7 +213,7 @@ TEST_CASE("where the samples are level, and outside the volume, a vertex keeps i
 
 TEST_CASE("a mesh without normals gets those of the gradient alone") {
   const SampleVolume<int> volume = ramp_ball(12, 4, {32, 128, 255});
-  Mesh mesh = build_mesh(polygons_of(volume, 128, {1, 1, 1}));
+  FaceMesh mesh = build_mesh(polygons_of(volume, 128, {1, 1, 1}));
   set_gradient_normals_of(volume, SampleType::u8, mesh);
   CHECK(mesh.normals.size() == mesh.vertices_mm.size());
   CHECK(compare_with_radii(mesh, 12).worst < 10);
@@ -221,7 +221,7 @@ TEST_CASE("a mesh without normals gets those of the gradient alone") {
 
 TEST_CASE("the second pass tells of every slice") {
   const SampleVolume<int> volume = ramp_ball(12, 4, {32, 128, 255});
-  Mesh mesh = build_mesh(polygons_of(volume, 128, {1, 1, 1}));
+  FaceMesh mesh = build_mesh(polygons_of(volume, 128, {1, 1, 1}));
   SampleReader reader(volume.size, volume.samples);
   std::vector<std::uint32_t> told;
   set_gradient_normals(reader, mesh, [&told](std::uint32_t slices) { told.push_back(slices); });
@@ -230,7 +230,7 @@ TEST_CASE("the second pass tells of every slice") {
 
 TEST_CASE("a spacing that no stream can hold is refused") {
   const Surface surface = octahedron({1, 5000, 1});
-  Mesh mesh = build_mesh(surface);
+  FaceMesh mesh = build_mesh(surface);
   CHECK_THROWS_WITH_AS(set_polygon_normals(surface, mesh), doctest::Contains("5000"),
                        std::invalid_argument);
 }

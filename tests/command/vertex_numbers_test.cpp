@@ -10,7 +10,7 @@
 namespace {
 
 using discmc::Vertex;
-using discmc::command::VertexNumbers;
+using discmc::meshing::VertexNumbers;
 
 // By slices, more or less, and many of them several times; slices so far apart, too, that they
 // share a table.

@@ -24,11 +24,13 @@ namespace volume_files {
 namespace fs = std::filesystem;
 using discmc::command::open_volume;
 using discmc::command::RawLayout;
-using discmc::command::SampleType;
+using discmc::meshing::SampleType;
 using discmc::command::VolumeError;
 using discmc::command::VolumeInfo;
 using discmc::command::VolumeOptions;
 using discmc::command::VolumeReader;
+using discmc::meshing::SampleGrid;
+using discmc::meshing::SliceReader;
 
 /// A folder of its own for a test, removed at its end.
 class Folder {
@@ -106,7 +108,7 @@ inline double sample_at(int voxel, SampleType type) {
 inline std::string stored(SampleType type, bool big_endian = false) {
   std::string bytes;
   for (int voxel = 0; voxel < voxels; ++voxel)
-    discmc::command::with_sample_type(type, [&](auto typed) {
+    discmc::meshing::with_sample_type(type, [&](auto typed) {
       typed = static_cast<decltype(typed)>(sample_at(voxel, type));
       char sample[sizeof typed];
       std::memcpy(sample, &typed, sizeof typed);
@@ -184,13 +186,13 @@ class Nifti {
   std::string bytes_ = std::string(352, '\0');
 };
 
-inline std::vector<double> read_all(VolumeReader& reader) {
-  const VolumeInfo info = reader.info();
+inline std::vector<double> read_all(SliceReader& reader) {
+  const SampleGrid info = reader.info();
   std::vector<double> samples;
   std::vector<unsigned char> slice(info.slice_bytes());
   for (std::uint32_t k = 0; k < info.dims[2]; ++k) {
     reader.read_slice(slice.data());
-    discmc::command::with_sample_type(info.type, [&](auto sample) {
+    discmc::meshing::with_sample_type(info.type, [&](auto sample) {
       for (std::size_t at = 0; at < slice.size(); at += sizeof sample) {
         std::memcpy(&sample, &slice[at], sizeof sample);
         samples.push_back(static_cast<double>(sample));

@@ -22,10 +22,10 @@
 namespace {
 
 using namespace volume_files;
-using discmc::command::along_coordinates;
+using discmc::meshing::along_coordinates;
 using discmc::command::BlockValue;
 using discmc::command::Crop;
-using discmc::command::VolumePlacement;
+using discmc::meshing::VolumePlacement;
 using Dims = std::array<std::uint32_t, 3>;
 using Place = std::array<double, 3>;
 
@@ -191,7 +191,7 @@ TEST_CASE("a block becomes its mean, and of a block that is cut off the mean of 
       std::vector<int> samples(7 * 9 * 5);
       for (int& sample : samples) sample = static_cast<int>(random() % 100);
       std::string bytes;
-      discmc::command::with_sample_type(type, [&](auto typed) {
+      discmc::meshing::with_sample_type(type, [&](auto typed) {
         bytes = bytes_of(std::vector<decltype(typed)>(samples.begin(), samples.end()));
       });
       const auto file = folder.write("v.raw", bytes);
@@ -211,7 +211,7 @@ TEST_CASE("a block becomes its mean, and of a block that is cut off the mean of 
       std::vector<double> expected;
       for (const auto& [block, of] : sums) {
         const auto& [sum, count] = of;
-        expected.push_back(discmc::command::is_floating(type)
+        expected.push_back(discmc::meshing::is_floating(type)
                                ? static_cast<double>(sum) / count
                                : static_cast<double>((2 * sum + count) / (2 * count)));
       }

@@ -1,5 +1,5 @@
 // Where a volume lies, as each format tells it.
-#include "volumes/volume_placement.hpp"
+#include "samples/volume_placement.hpp"
 
 #include <doctest/doctest.h>
 
@@ -17,9 +17,9 @@ namespace {
 
 using namespace volume_files;
 using discmc::Space;
-using discmc::command::Axes;
-using discmc::command::determinant;
-using discmc::command::VolumePlacement;
+using discmc::meshing::Axes;
+using discmc::meshing::determinant;
+using discmc::meshing::VolumePlacement;
 using Vector = std::array<double, 3>;
 
 const std::string u8 = stored(SampleType::u8);

@@ -1,7 +1,7 @@
 // The volume readers, on small files written here. With DISCMC_DATA naming a folder of volumes,
 // each with a JSON file that describes it, those are read as well.
 #include "volumes/volume.hpp"
-#include "volumes/iso_value.hpp"
+#include "samples/iso_value.hpp"
 
 #include <doctest/doctest.h>
 
@@ -23,7 +23,7 @@
 namespace {
 
 using namespace volume_files;
-using discmc::command::stored_threshold;
+using discmc::meshing::stored_threshold;
 using Spacing = std::array<double, 3>;
 
 const std::string u8 = stored(SampleType::u8);
@@ -72,7 +72,7 @@ TEST_CASE(
   CHECK(reader->info().spacing_mm == Spacing{1, -1.5, 2});
   REQUIRE(reader->info().placement);
   CHECK(reader->info().placement->axes_mm ==
-        discmc::command::Axes{{{1, 0, 0}, {0, -1.5, 0}, {0, 0, 2}}});
+        discmc::meshing::Axes{{{1, 0, 0}, {0, -1.5, 0}, {0, 0, 2}}});
   CHECK(read_all(*reader) == read_all(*open_volume(file)));
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("volumes or channels whose samples lie side by side are read one at a 
                                      {SampleType::i16, "short"},
                                      {SampleType::f64, "double"}}) {
     const SampleType type = called;
-    const std::size_t size = discmc::command::sample_bytes(type);
+    const std::size_t size = discmc::meshing::sample_bytes(type);
     const std::string bytes = stored(type, true);
     std::string samples;
     for (std::size_t at = 0; at < bytes.size(); at += size)

@@ -48,7 +48,7 @@ TEST_CASE("VTK's XML gives the place of the first voxel, whatever number it has"
   const VolumeInfo info = open_volume(folder.write("v.vti", file))->info();
   REQUIRE(info.placement);
   using Vector = std::array<double, 3>;
-  CHECK(info.placement->axes_mm == discmc::command::Axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}});
+  CHECK(info.placement->axes_mm == discmc::meshing::Axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}});
   CHECK(info.placement->origin_mm == Vector{1, 12, -1});
 }
 
@@ -83,9 +83,9 @@ TEST_CASE("in VTK's XML an axis of negative spacing runs backwards along its dir
   };
   const VolumeInfo turned = info("Direction=\"0 -1 0 1 0 0 0 0 1\"");
   REQUIRE(turned.placement);
-  CHECK(turned.placement->axes_mm == discmc::command::Axes{{{0, 2, 0}, {3, 0, 0}, {0, 0, 4}}});
+  CHECK(turned.placement->axes_mm == discmc::meshing::Axes{{{0, 2, 0}, {3, 0, 0}, {0, 0, 4}}});
   CHECK(turned.spacing_mm[0] * turned.spacing_mm[1] * turned.spacing_mm[2] == -24);
-  CHECK(info("").placement->axes_mm == discmc::command::Axes{{{2, 0, 0}, {0, -3, 0}, {0, 0, 4}}});
+  CHECK(info("").placement->axes_mm == discmc::meshing::Axes{{{2, 0, 0}, {0, -3, 0}, {0, 0, 4}}});
   check_refusal(refusal(folder.write("v.vti", vti("", whole + place + "Direction=\"1 0 0 1\"",
                                                   ">" + appended_array, appended))),
                 "Direction is '1 0 0 1', which is not 9 numbers");

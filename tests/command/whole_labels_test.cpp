@@ -101,7 +101,7 @@ TEST_CASE("values that are no labels are refused with their slice") {
 
 TEST_CASE("whole numbers stay as they are") {
   for (const auto& [called, type] : discmc::command::sample_types) {
-    if (discmc::command::is_floating(type)) continue;
+    if (discmc::meshing::is_floating(type)) continue;
     RawLayout layout;
     layout.dims = {5, 3, 4};
     layout.type = type;

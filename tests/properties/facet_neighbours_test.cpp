@@ -17,7 +17,7 @@ using reference::Neighbour;
 
 namespace {
 
-using PointLink = std::pair<Point, Point>;
+using PointLink = std::pair<CellPoint, CellPoint>;
 using LinkSet = std::set<PointLink>;
 
 template <typename Check>
@@ -30,7 +30,7 @@ void for_each_link(Facet facet, Check check) {
 template <typename Check>
 void for_each_facet_edge(Check check) {
   for (int code = 0; code < facet_codes; ++code)
-    for_each_link(static_cast<Facet>(code), [&](int edge, Point from, Point to) {
+    for_each_link(static_cast<Facet>(code), [&](int edge, CellPoint from, CellPoint to) {
       CAPTURE(code);
       CAPTURE(edge);
       check(static_cast<Facet>(code), edge, position(from), position(to));
@@ -40,7 +40,7 @@ void for_each_facet_edge(Check check) {
 // The edge of `facet`, in a cell at `cell`, that runs from one vertex to another, or -1.
 int edge_between(Facet facet, const Vertex& cell, const Vertex& from, const Vertex& to) {
   int found = -1;
-  for_each_link(facet, [&](int edge, Point a, Point b) {
+  for_each_link(facet, [&](int edge, CellPoint a, CellPoint b) {
     if (cell + cell + position(a) == from && cell + cell + position(b) == to) found = edge;
   });
   return found;
@@ -50,7 +50,7 @@ int edge_between(Facet facet, const Vertex& cell, const Vertex& from, const Vert
 LinkSet links_on(int face, int configuration, const Vertex& shift) {
   LinkSet set;
   for (int i = facet_table.first[configuration]; i < facet_table.first[configuration + 1]; ++i)
-    for_each_link(facet_table.facet[i], [&](int, Point from, Point to) {
+    for_each_link(facet_table.facet[i], [&](int, CellPoint from, CellPoint to) {
       if (face_of(from, to) == face)
         set.insert({point_at(position(from) + shift), point_at(position(to) + shift)});
     });
@@ -257,7 +257,7 @@ TEST_CASE("around a centroid the surface is a disc") {
       if (ring.point[0] == centroid) fan.push_back({ring.point[1], ring.point[2]});
     }
     if (fan.empty()) continue;
-    Point here = fan[0].first;
+    CellPoint here = fan[0].first;
     size_t steps = 0;
     do {
       const auto step = std::find_if(fan.begin(), fan.end(),

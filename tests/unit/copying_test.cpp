@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <discmc/discmc.hpp>
-#include <discmc/host/host_extractor.hpp>
+#include "host/host_extractor.hpp"
 
 #include <type_traits>
 

@@ -1,5 +1,4 @@
 #include <discmc/front/threshold_row.hpp>
-#include <discmc/host/vector_threshold.hpp>
 #include <discmc/trace/threshold.hpp>
 
 #include <stddef.h>
@@ -34,11 +33,6 @@ uint32_t word_of(const trace::Threshold<Sample>& on, const Sample* samples, uint
 template <class Sample>
 void threshold_row(const Sample* samples, uint32_t count, int32_t threshold, uint8_t* bits,
                    uint32_t stride) {
-  if constexpr (trace::has_vectors) {
-    const trace::VectorThreshold<Sample> on(threshold);
-    for (; stride == 1 && count >= on.lanes; count -= on.lanes, samples += on.lanes)
-      bits = write_word(on.reached(samples), word_bits, bits);
-  }
   const trace::Threshold<Sample> on(threshold);
   const bool reads_words = stride == 1 && on.reads_words(samples);
   // If the last samples were on, the next ones are unlikely to be all off.

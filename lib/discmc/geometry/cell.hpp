@@ -24,17 +24,17 @@ constexpr int configurations = 256;
 
 /// A lattice point of a cell as a number, x + 4 y + 16 z with coordinates 0 to 2.
 /// Edge midpoints have one odd coordinate; 21 is the centroid.
-using Point = uint8_t;
+using CellPoint = uint8_t;
 
 constexpr int point_codes = 43;
-constexpr Point centroid = 21;
-constexpr Point no_point = 0xFF;
+constexpr CellPoint centroid = 21;
+constexpr CellPoint no_point = 0xFF;
 
-constexpr Vertex position(Point point) {
+constexpr Vertex position(CellPoint point) {
   return {point & 3, point >> 2 & 3, point >> 4};
 }
-constexpr Point point_at(const Vertex& position) {
-  return static_cast<Point>(position.x + 4 * position.y + 16 * position.z);
+constexpr CellPoint point_at(const Vertex& position) {
+  return static_cast<CellPoint>(position.x + 4 * position.y + 16 * position.z);
 }
 
 /// The faces of a cell. The first three look back at cells that a sweep in x, y, z order has
@@ -44,7 +44,7 @@ enum Face : uint8_t { face_left, face_front, face_below, face_right, face_back, 
 constexpr int faces = 6;
 
 /// The face on which a link between two edge midpoints lies, or `faces` for a link inside the cell.
-constexpr int face_of(Point from, Point to) {
+constexpr int face_of(CellPoint from, CellPoint to) {
   const Vertex a = position(from);
   const Vertex b = position(to);
   if (a.x == b.x && a.x != 1) return a.x == 0 ? face_left : face_right;
@@ -58,7 +58,7 @@ constexpr int face_of(Point from, Point to) {
 struct Loop {
   static constexpr int max_points = 7;
   uint8_t count;
-  Point point[max_points];
+  CellPoint point[max_points];
 };
 
 /// All loops of a cell.
@@ -91,13 +91,13 @@ constexpr Vertex corner_position(int corner) {
   return {2 * (corner & 1), 2 * (corner >> 1 & 1), 2 * (corner >> 2)};
 }
 
-constexpr Point midpoint(int corner_a, int corner_b) {
+constexpr CellPoint midpoint(int corner_a, int corner_b) {
   const Vertex sum = corner_position(corner_a) + corner_position(corner_b);
   return point_at({sum.x / 2, sum.y / 2, sum.z / 2});
 }
 
 struct Successors {
-  Point next[point_codes];
+  CellPoint next[point_codes];
 };
 
 // Every run of on corners around a face is cut off by one link, which keeps them on its left.
@@ -118,15 +118,15 @@ constexpr void add_face_links(Configuration configuration, int face, Successors&
 
 constexpr Loops loops(Configuration configuration) {
   Successors successors{};
-  for (Point& next : successors.next) next = no_point;
+  for (CellPoint& next : successors.next) next = no_point;
   for (int face = 0; face < faces; ++face) add_face_links(configuration, face, successors);
   Loops result{};
-  for (Point start = 0; start < point_codes; ++start) {
+  for (CellPoint start = 0; start < point_codes; ++start) {
     if (successors.next[start] == no_point) continue;
     Loop& loop = result.loop[result.count++];
-    for (Point point = start; point != no_point;) {
+    for (CellPoint point = start; point != no_point;) {
       loop.point[loop.count++] = point;
-      const Point next = successors.next[point];
+      const CellPoint next = successors.next[point];
       successors.next[point] = no_point;
       point = next == start ? no_point : next;
     }

@@ -5,7 +5,7 @@ namespace discmc {
 
 namespace {
 
-constexpr bool contains(const FacetRing& ring, Point point) {
+constexpr bool contains(const FacetRing& ring, CellPoint point) {
   for (int i = 0; i < ring.count; ++i)
     if (ring.point[i] == point) return true;
   return false;

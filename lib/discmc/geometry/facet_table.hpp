@@ -36,7 +36,7 @@ constexpr Shape shape_of(Facet facet) {
 /// A facet's boundary: its points in the cell, counter-clockwise seen from the tip of the normal.
 struct FacetRing {
   uint8_t count;  ///< 3, 4, or 0 for a code that is no facet
-  Point point[4];
+  CellPoint point[4];
 };
 
 /// The facets of every configuration. Those of c are facet[first[c]] to facet[first[c + 1] - 1].

@@ -1,4 +1,3 @@
-#include <discmc/host/vector_threshold.hpp>
 #include <discmc/trace/bit_rows.hpp>
 #include <discmc/trace/threshold.hpp>
 
@@ -62,41 +61,10 @@ void BitRows::turn_on(uint32_t* words, uint32_t bits) const {
   if (beyond != 0 && word + 1 < words_) words[word + 1] |= beyond;
 }
 
-// Bit i of word k stands for sample 30 * k - 2 + i of the row. So a word is one comparison of 32
-// samples: its own ones, or, where some of these are not in the portion, the nearest that are.
-// Limit: count >= 32.
-template <class Sample>
-void BitRows::append_windows(uint32_t* words, const Sample* samples, uint32_t count,
-                             int32_t threshold) const {
-  constexpr int32_t step = columns_per_word;
-  const VectorThreshold<Sample> on(threshold);
-  const uint32_t* const end = words + words_;
-  const Sample* const last = samples + (count - on.lanes);
-  const uint32_t word = word_of(column_);
-  uint32_t* const row = words;
-  uint32_t any = 0;
-  words += word;
-  // The first sample of the word, counted from those given.
-  int32_t first = static_cast<int32_t>(word * columns_per_word - 2) - static_cast<int32_t>(column_);
-  for (; first < 0; first += step) any |= * words++ |= on.reached(samples) << -first;
-  samples += first;
-  for (; samples <= last; samples += step) any |= * words++ = on.reached(samples);
-  for (first = static_cast<int32_t>(samples - last); first < 32 && words != end; first += step)
-    any |= * words++ = on.reached(last) >> first;
-  if (any != 0) *row |= on_mark;
-}
-
 template <class Sample>
 void BitRows::append(const Sample* samples, uint32_t count, uint32_t stride, int32_t threshold) {
   if (count == 0) return;
   uint32_t* const words = arriving();
-  if constexpr (has_vectors) {
-    if (stride == 1 && count >= VectorThreshold<Sample>::lanes) {
-      append_windows(words, samples, count, threshold);
-      column_ += count;
-      return;
-    }
-  }
   const Threshold<Sample> on(threshold);
   // Where the last samples were on, the next are most likely not off all of them.
   bool may_be_off = true;

@@ -69,9 +69,8 @@ class BitRows {
   void forget_addresses() { ring_ = nullptr; }
 
   /// Appends samples to the row that arrives: on where sample >= threshold. `stride` counts samples
-  /// from one to the next. Limit: count <= width - column(). Cost: where 32 are consecutive and
-  /// there are vectors, about an instruction a sample, whatever it is; without them one or two far
-  /// below the threshold and 5 to 15 else, and the same or more where they are not consecutive.
+  /// from one to the next. Limit: count <= width - column(). Cost: one or two instructions per
+  /// sample far below the threshold, 5 to 15 for others and for samples that are not consecutive.
   template <class Sample>
   void append(const Sample* samples, uint32_t count, uint32_t stride, int32_t threshold);
   /// Fills the whole row from bits, eight voxels a byte, the first in bit 0. Limit: column() == 0.
@@ -115,9 +114,6 @@ class BitRows {
   uint32_t* row_before(uint32_t back) const;
   uint32_t* row_off() const { return &ring_[size_t{words_} * ring_rows_]; }
   void turn_on(uint32_t* words, uint32_t bits) const;
-  template <class Sample>
-  void append_windows(uint32_t* words, const Sample* samples, uint32_t count,
-                      int32_t threshold) const;
 
   uint32_t* ring_ = nullptr;  // and behind it a row that is off
   uint32_t words_ = 0;

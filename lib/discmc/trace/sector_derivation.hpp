@@ -36,14 +36,14 @@ constexpr bool is_in_next_slice(const Vertex& a, const Vertex& b) {
 // ---- edges of a cell ----
 
 struct EdgeNumbers {
-  Point point[cell_edges];
+  CellPoint point[cell_edges];
   CellEdge number[point_codes];
 };
 
 constexpr EdgeNumbers number_edges() {
   EdgeNumbers edges{};
   int count = 0;
-  for (Point point = 0; point < point_codes; ++point) {
+  for (CellPoint point = 0; point < point_codes; ++point) {
     const Vertex at = position(point);
     if (at.x > 2 || at.y > 2) continue;
     if ((at.x == 1) + (at.y == 1) + (at.z == 1) != 1) continue;
@@ -81,7 +81,7 @@ struct VertexLoop {
 };
 
 constexpr VertexLoop loop_at_vertex(Configuration configuration) {
-  const Point vertex = point_at({1, 0, 0});
+  const CellPoint vertex = point_at({1, 0, 0});
   const Loops loops = discmc::derive::loops(configuration);
   VertexLoop found{};
   for (int l = 0; l < loops.count; ++l) {

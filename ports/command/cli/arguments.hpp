@@ -10,10 +10,11 @@
 
 #include <discmc/limits.hpp>
 
+#include "meshing.hpp"
 #include "extraction/selection.hpp"
 #include "meshes/decimation.hpp"
 #include "meshes/mesh.hpp"
-#include "meshes/placing.hpp"
+#include "mesh_files/file_mesh.hpp"
 #include "pictures/srgb.hpp"
 #include "statistics/threshold_rule.hpp"
 #include "streams/stream_file.hpp"
@@ -79,7 +80,7 @@ struct ExtractArguments {
   std::uint16_t scan = 0;        ///< the number in a stream
   std::optional<SlabChoice> slab;
   std::optional<unsigned> jobs;  ///< parts at once; else all cores for a mesh, one for a stream
-  MeshOptions mesh{true, Faces::triangles};
+  MeshingOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   Decimation decimation;           ///< of each mesh
   std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
@@ -111,7 +112,7 @@ struct StreamArguments {
   Normals normals = Normals::none;
   std::string volume;  ///< whose gradient it is
   VolumeOptions options;
-  MeshOptions mesh{true, Faces::triangles};
+  MeshingOptions mesh{true, Faces::triangles};
   ComponentChoice components;
   std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
   MeshSize size;

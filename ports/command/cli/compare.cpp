@@ -13,12 +13,12 @@
 #include "extraction/classic.hpp"
 #include "mesh_files/mesh_reader.hpp"
 #include "mesh_output.hpp"
-#include "meshes/joined_mesh.hpp"
+#include "mesh_files/joined_mesh.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/placing.hpp"
 #include "meshes/surface_distance.hpp"
 #include "progress.hpp"
-#include "require.hpp"
+#include "require_written.hpp"
 #include "stream_input.hpp"
 #include "thresholds.hpp"
 #include "volume_input.hpp"
@@ -27,7 +27,7 @@ namespace discmc::command {
 namespace {
 
 struct Compared {
-  Mesh mesh;
+  FileMesh mesh;
   bool has_voxels;  ///< whether distances can be printed in voxels
   int code;
 };
@@ -41,7 +41,7 @@ bool lies_along_coordinates(const VolumePlacement& placement) {
 }
 
 // Places a surface as extract and decode place its mesh.
-Compared placed(Mesh mesh, const std::string& name, const std::optional<VolumePlacement>& declared,
+Compared placed(FileMesh mesh, const std::string& name, const std::optional<VolumePlacement>& declared,
                 int code) {
   const auto placement = mesh_placement(name, declared, std::nullopt);
   if (placement) place(mesh, *placement);
@@ -52,7 +52,7 @@ Compared surface_of_volume(const std::string& name, VolumeArguments reading) {
   reading.selections = with_thresholds(name, reading);
   const auto volume = open_measured(name, reading);
   Progress progress("extracting", volume->info().dims[2]);
-  Mesh mesh = classic_mesh(*volume, extraction_options(reading, progress));
+  FileMesh mesh = classic_mesh(*volume, extraction_options(reading, progress));
   if (mesh.face_count() == 0)
     throw std::runtime_error(why_empty(name, reading, reading.selections[0], *volume));
   return placed(std::move(mesh), name, volume->info().placement, exit_ok);
@@ -77,7 +77,7 @@ Compared surface_of(const ComparedInput& input, const CompareArguments& argument
   return surface_of_volume(input.name, arguments.reading);
 }
 
-Distances measured(const std::string& direction, const Mesh& from, const Mesh& to,
+Distances measured(const std::string& direction, const FileMesh& from, const FileMesh& to,
                    const Point& unit) {
   Progress progress("measuring " + direction, 100);
   return distances(from, to, unit, [&progress](std::size_t done, std::size_t all) {
@@ -106,7 +106,7 @@ int run_compare(const CompareArguments& arguments) {
   const Compared b = surface_of(arguments.inputs[1], arguments);
   const Compared* const compared[] = {&a, &b};
   for (std::size_t i = 0; i < 2; ++i) {
-    const Mesh& mesh = compared[i]->mesh;
+    const FileMesh& mesh = compared[i]->mesh;
     if (mesh.face_count() == 0)
       throw std::invalid_argument(
           arguments.inputs[i].name +

@@ -14,7 +14,7 @@
 #include "meshes/vertex_normals.hpp"
 #include "require.hpp"
 #include "stream_input.hpp"
-#include "streams/spacing.hpp"
+#include "samples/spacing.hpp"
 #include "streams/stream_output.hpp"
 #include "surface/growing_joiner.hpp"
 #include "volume_input.hpp"
@@ -69,7 +69,7 @@ void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
 
 // Opens the volume that a stream was made of. A headerless one gets the spacing of the stream
 // before it was shrunk, unless another spacing is given.
-std::unique_ptr<VolumeReader> open_volume_of(const DecodedStream& decoded,
+std::unique_ptr<SliceReader> open_volume_of(const DecodedStream& decoded,
                                              const StreamArguments& arguments) {
   const StreamHeader& header = decoded.header;
   VolumeOptions options = arguments.options;
@@ -78,17 +78,17 @@ std::unique_ptr<VolumeReader> open_volume_of(const DecodedStream& decoded,
     for (double& spacing : *options.spacing_mm) spacing /= options.shrink;
   }
   // An offset of the values does not change the direction of their gradient.
-  auto volume = open_for_gradient(arguments.volume, options, header.thresholds[0]).reader;
+  GradientVolume volume = open_for_gradient(arguments.volume, options, header.thresholds[0]);
   try {
-    require_same_volume(volume->info(), header);
-    require_same_part(volume->info(), decoded);
+    require_same_volume(volume.info, header);
+    require_same_part(volume.info, decoded);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(arguments.volume + ": " + error.what());
   }
-  return volume;
+  return std::move(volume.reader);
 }
 
-void add_normals(const StreamArguments& arguments, const DecodedStream& decoded, Mesh& mesh) {
+void add_normals(const StreamArguments& arguments, const DecodedStream& decoded, FileMesh& mesh) {
   if (arguments.normals == Normals::none) return;
   set_polygon_normals(decoded.surface, mesh);
   if (arguments.normals == Normals::surface || mesh.vertices_mm.empty()) return;
@@ -126,13 +126,10 @@ int run_decode(const StreamArguments& arguments) {
     if (format == Format::jsonl) {
       write_to(file, [&](std::ostream& out) { write_jsonl(decoded.surface, out); });
     } else {
-      const Mesh mesh = placed_mesh(
-          decoded.surface, arguments.mesh,
-          [&](Mesh& unplaced) {
-            note_left_out(arguments.stream, decoded.surface, unplaced);
-            add_normals(arguments, decoded, unplaced);
-          },
-          placement, arguments.size);
+      FileMesh mesh = triangulated(decoded.surface, arguments.mesh);
+      note_left_out(arguments.stream, decoded.surface, mesh);
+      add_normals(arguments, decoded, mesh);
+      place_in_file(mesh, placement, arguments.size);
       note_rounding(arguments.output, mesh);
       write_to(file,
                [&](std::ostream& out) { write_mesh(mesh, format, out, arguments.mesh.jobs); });

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "meshing.hpp"
 #include "arguments.hpp"
 #include "extraction/extraction.hpp"
 #include "meshes/mesh.hpp"
@@ -25,7 +26,7 @@ int extract_label_meshes(const ExtractArguments& arguments);
 
 /// The meshes of the labels that are asked for, each with its name and colour; with normals of the
 /// surface, if those are asked for.
-std::vector<Mesh> label_meshes(const ExtractArguments& arguments);
+std::vector<FileMesh> label_meshes(const ExtractArguments& arguments);
 
 /// One a surface, in the order of the selections.
 using SurfaceReceivers = std::vector<std::unique_ptr<SurfaceReceiver>>;

@@ -20,7 +20,7 @@ namespace discmc::command {
 namespace {
 
 void add_normals(const ExtractArguments& arguments, const Selection& selection,
-                 const Surface& surface, Mesh& mesh) {
+                 const Surface& surface, FileMesh& mesh) {
   if (arguments.normals == Normals::none) return;
   if (mesh.polygons.empty() || arguments.interpolates)
     mesh.normals = surface_normals(mesh);
@@ -39,7 +39,7 @@ std::filesystem::path material_file(const std::filesystem::path& mesh) {
 }
 
 // The colour of an OBJ mesh goes into a file beside it.
-void write_obj_and_mtl(const Mesh& mesh, const std::string& name, unsigned jobs, OutputFile& file) {
+void write_obj_and_mtl(const FileMesh& mesh, const std::string& name, unsigned jobs, OutputFile& file) {
   const auto materials = material_file(name);
   write_to(file,
            [&](std::ostream& out) { write_obj(mesh, out, jobs, materials.filename().string()); });
@@ -49,8 +49,8 @@ void write_obj_and_mtl(const Mesh& mesh, const std::string& name, unsigned jobs,
   beside.commit();
 }
 
-MeshOptions options_of(const ExtractArguments& arguments, const SurfaceOutput& output) {
-  MeshOptions options = arguments.mesh;
+MeshingOptions options_of(const ExtractArguments& arguments, const SurfaceOutput& output) {
+  MeshingOptions options = arguments.mesh;
   options.crossings = output.crossings;
   options.jobs = jobs_of(arguments);
   return options;
@@ -59,7 +59,7 @@ MeshOptions options_of(const ExtractArguments& arguments, const SurfaceOutput& o
 }  // namespace
 
 MeshFiles::MeshFiles(const ExtractArguments& arguments) : arguments_(arguments) {
-  if (!arguments.decimation.is_any()) require_simplifier();
+  if (arguments.decimation.is_wanted()) require_simplifier();
   require_no_terminal(arguments.output);
   const FilePattern pattern(arguments.output);
   if (pattern.has_name())
@@ -106,7 +106,7 @@ MeshSummary MeshFiles::write(const SurfaceOutput& output, OutputFile& file) cons
     write_to(file, [&](std::ostream& out) { write_jsonl(output.surface, out); });
   } else {
     summary = {};
-    Mesh mesh = mesh_of(output, summary);
+    FileMesh mesh = mesh_of(output, summary);
     if (traits_of(format).holds_measures) mesh.name = output.selection.name;
     summarize(mesh, summary);
     if (format == Format::obj && mesh.colour && !is_standard_output(output.file)) {
@@ -130,28 +130,25 @@ MeshSummary MeshFiles::keep(const SurfaceOutput& output) {
 void MeshFiles::finish() {
   if (!are_one_) return;
   Meshes meshes;
-  for (const Mesh& mesh : meshes_) meshes.push_back(&mesh);
+  for (const FileMesh& mesh : meshes_) meshes.push_back(&mesh);
   write_to(*file_,
            [&](std::ostream& out) { write_meshes(meshes, format_of(arguments_.output), out); });
   file_->commit();
   if (!arguments_.quiet) print_file(arguments_.output, table_stream(arguments_.output));
 }
 
-Mesh MeshFiles::mesh_of(const SurfaceOutput& output, MeshSummary& summary) const {
-  Mesh mesh = placed_mesh(
-      output.surface, options_of(arguments_, output),
-      [&](Mesh& unplaced) {
-        note_left_out(output.title, output.surface, unplaced);
-        summary.unchanged_bodies = decimate_noted(output.title, arguments_.decimation, unplaced);
-        add_normals(arguments_, output.selection.selection, output.surface, unplaced);
-      },
-      placement_, arguments_.size);
+FileMesh MeshFiles::mesh_of(const SurfaceOutput& output, MeshSummary& summary) const {
+  FileMesh mesh = triangulated(output.surface, options_of(arguments_, output));
+  note_left_out(output.title, output.surface, mesh);
+  summary.unchanged_bodies = decimate_noted(output.title, arguments_.decimation, mesh);
+  add_normals(arguments_, output.selection.selection, output.surface, mesh);
+  place_in_file(mesh, placement_, arguments_.size);
   mesh.colour = output.selection.colour;
   note_rounding(output.file, mesh);
   return mesh;
 }
 
-void MeshFiles::summarize(const Mesh& mesh, MeshSummary& summary) const {
+void MeshFiles::summarize(const FileMesh& mesh, MeshSummary& summary) const {
   summary.faces = arguments_.mesh.faces == Faces::triangles ? "triangles" : "polygons";
   summary.face_count = mesh.face_count();
   summary.vertex_count = mesh.vertices_mm.size();

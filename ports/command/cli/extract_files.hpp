@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "meshing.hpp"
 #include "arguments.hpp"
 #include "files/output_file.hpp"
 #include "summary.hpp"
 #include "surface/surface.hpp"
-#include "volumes/volume_placement.hpp"
+#include "samples/volume_placement.hpp"
 
 namespace discmc::command {
 
@@ -20,7 +21,7 @@ struct SurfaceOutput {
   const NamedSelection& selection;
   std::string file;
   std::string title;                     ///< of the input and the surface, for messages
-  const Crossings* crossings = nullptr;  ///< as MeshOptions
+  const Crossings* crossings = nullptr;  ///< as MeshingOptions
 };
 
 /// One file per mesh if --output has a place for their names, else one file that holds all.
@@ -51,14 +52,14 @@ class MeshFiles {
   MeshSummary write_alone(const SurfaceOutput& output);
   MeshSummary keep(const SurfaceOutput& output);
   // Adds to the summary what only the making of the mesh shows.
-  Mesh mesh_of(const SurfaceOutput& output, MeshSummary& summary) const;
-  void summarize(const Mesh& mesh, MeshSummary& summary) const;
+  FileMesh mesh_of(const SurfaceOutput& output, MeshSummary& summary) const;
+  void summarize(const FileMesh& mesh, MeshSummary& summary) const;
 
   const ExtractArguments& arguments_;
   std::optional<VolumePlacement> placement_;
   bool are_one_ = false;
   std::optional<OutputFile> file_;  // where there is only one
-  std::vector<Mesh> meshes_;        // of it, if it holds several
+  std::vector<FileMesh> meshes_;        // of it, if it holds several
 };
 
 }  // namespace discmc::command

@@ -19,7 +19,7 @@
 #include "meshes/surface_normals.hpp"
 #include "pictures/label_colour.hpp"
 #include "progress.hpp"
-#include "require.hpp"
+#include "require_written.hpp"
 #include "segmentation.hpp"
 #include "smoothing/smoothed_labels.hpp"
 #include "text/message.hpp"
@@ -172,21 +172,21 @@ void print_line(const LabelledSurface& label, std::uint64_t faces, const std::st
 
 }  // namespace
 
-std::vector<Mesh> label_meshes(const ExtractArguments& arguments) {
+std::vector<FileMesh> label_meshes(const ExtractArguments& arguments) {
   Segmentation segmentation(arguments.volume, arguments.reading);
   const auto placement =
       mesh_placement(arguments.volume, segmentation.info().placement, arguments.space);
-  const auto add_normals = [&arguments](Mesh& mesh) {
-    if (arguments.normals == Normals::surface) mesh.normals = surface_normals(mesh);
-  };
-  std::vector<Mesh> meshes;
+  std::vector<FileMesh> meshes;
   for (FoundLabel& each : labels_with_voxels(arguments, segmentation)) {
     Surface& surface = each.surface.surface;
     keep_chosen(name_for_people(arguments.volume) + ": " + title(each.name), arguments.components,
                 surface);
-    meshes.push_back(placed_mesh(surface, arguments.mesh, add_normals, placement, arguments.size));
-    meshes.back().colour = each.name.colour;
-    meshes.back().name = each.name.name;
+    FileMesh mesh = triangulated(surface, arguments.mesh);
+    if (arguments.normals == Normals::surface) mesh.normals = surface_normals(mesh);
+    place_in_file(mesh, placement, arguments.size);
+    mesh.colour = each.name.colour;
+    mesh.name = each.name.name;
+    meshes.push_back(std::move(mesh));
   }
   return meshes;
 }

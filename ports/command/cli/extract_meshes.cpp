@@ -9,7 +9,7 @@
 #include "extract_files.hpp"
 #include "mesh_output.hpp"
 #include "progress.hpp"
-#include "require.hpp"
+#include "require_written.hpp"
 #include "text/message.hpp"
 #include "volume_input.hpp"
 

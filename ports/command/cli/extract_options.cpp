@@ -199,7 +199,7 @@ void choose_surface(ExtractArguments& arguments, const CLI::App& app) {
   const Format format = format_of(arguments.output);
   const bool is_triangles = arguments.mesh.faces == Faces::triangles && arguments.mesh.conforming &&
                             format != Format::stream && format != Format::jsonl;
-  const bool is_decimated = !arguments.decimation.is_any();
+  const bool is_decimated = arguments.decimation.is_wanted();
   const bool has_samples = arguments.reading.median == 0 && arguments.reading.close_mm == 0 &&
                            arguments.labels.empty() && !arguments.reading.selects_labels();
   const bool is_followed = arguments.reading.smooth_mm || (is_decimated && has_samples);

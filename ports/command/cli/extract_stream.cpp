@@ -17,7 +17,7 @@
 #include "streams/stream_output.hpp"
 #include "summary.hpp"
 #include "volume_input.hpp"
-#include "volumes/iso_value.hpp"
+#include "samples/iso_value.hpp"
 
 namespace discmc::command {
 namespace {
@@ -92,7 +92,7 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   // A slab in parts is faster to join.
   if (options.slab && is_divisible(arguments)) options.jobs = arguments.jobs.value_or(1);
   options.measures_memory = !arguments.quiet && !options.jobs;
-  std::unique_ptr<VolumeReader> narrow;
+  std::unique_ptr<SliceReader> narrow;
   if (options.normals && !is_scanner_type(info.type)) {
     require_one_surface(arguments.reading, info);
     narrow = narrowed_again(arguments.volume, arguments.reading.options,
@@ -119,7 +119,7 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
     }
   }
 
-  VolumeReader& samples = narrow ? *narrow : mended.samples();
+  SliceReader& samples = narrow ? *narrow : mended.samples();
   stream.extractions = extract(samples, options, requests_of(selections, stream.receivers));
   stream.slice_bytes = output.bytes();
   stream.slice_memory = slices.memory();

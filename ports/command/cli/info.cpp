@@ -9,7 +9,7 @@
 #include "exit_codes.hpp"
 #include "input_content.hpp"
 #include "progress.hpp"
-#include "require.hpp"
+#include "require_written.hpp"
 #include "statistics/volume_statistics.hpp"
 #include "stream_input.hpp"
 #include "summary.hpp"

@@ -9,11 +9,12 @@
 #include "exit_codes.hpp"
 #include "files/output_file.hpp"
 #include "require.hpp"
+#include "require_written.hpp"
 #include "stream_input.hpp"
 #include "streams/slab_ranges.hpp"
 #include "streams/stream_output.hpp"
 #include "summary.hpp"
-#include "surface/spilling_joiner.hpp"
+#include "streams/spilling_joiner.hpp"
 #include "surface_receiver.hpp"
 #include "text/message.hpp"
 

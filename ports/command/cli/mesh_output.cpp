@@ -14,13 +14,8 @@
 namespace discmc::command {
 namespace {
 
-Mesh triangulated(const Surface& surface, const MeshOptions& options) {
-  const Progress triangulating("triangulating");
-  return build_mesh(surface, options);
-}
-
 // From where the coordinates in the file are counted, if they are 32-bit floats.
-std::optional<Point> origin_of_floats(const std::string& file, const Mesh& mesh) {
+std::optional<Point> origin_of_floats(const std::string& file, const FileMesh& mesh) {
   const Format format = format_of(file);
   if (traits_of(format).holds_doubles) return std::nullopt;
   return format == Format::glb ? glb_origin({&mesh}) : Point{};
@@ -41,14 +36,18 @@ std::optional<VolumePlacement> mesh_placement(const std::string& input,
   return in_space(*placement, asked == MeshSpace::ras ? Space::ras : Space::lps);
 }
 
-Mesh placed_mesh(const Surface& surface, const MeshOptions& options,
-                 const std::function<void(Mesh&)>& add_normals,
-                 const std::optional<VolumePlacement>& placement, const MeshSize& size) {
-  Mesh mesh = triangulated(surface, options);
-  add_normals(mesh);
-  if (placement) place(mesh, *placement);
+FileMesh triangulated(const Surface& surface, const MeshingOptions& options) {
+  const Progress triangulating("triangulating");
+  return build_mesh(surface, options);
+}
+
+void place_in_file(FileMesh& mesh, const std::optional<VolumePlacement>& placement,
+                   const MeshSize& size) {
+  if (placement) {
+    place(mesh, *placement);
+    mesh.space = placement->space;
+  }
   if (size.is_given()) resize(mesh, size);
-  return mesh;
 }
 
 void write_to(OutputFile& file, const std::function<void(std::ostream&)>& write) {
@@ -61,14 +60,14 @@ void write_to(OutputFile& file, const std::function<void(std::ostream&)>& write)
   }
 }
 
-bool is_closed_in(const std::string& file, const Mesh& mesh) {
+bool is_closed_in(const std::string& file, const FileMesh& mesh) {
   if (!is_closed(mesh)) return false;
   const std::optional<Point> origin = origin_of_floats(file, mesh);
   return !origin || suits_floats(mesh, *origin) ||
          count_float_places(mesh, *origin) == mesh.vertices_mm.size();
 }
 
-void note_rounding(const std::string& file, const Mesh& mesh) {
+void note_rounding(const std::string& file, const FileMesh& mesh) {
   const std::optional<Point> origin = origin_of_floats(file, mesh);
   if (!origin || suits_floats(mesh, *origin)) return;
   const std::size_t places = count_float_places(mesh, *origin);
@@ -84,7 +83,7 @@ void note_rounding(const std::string& file, const Mesh& mesh) {
   print_message(output_for_people(file), text);
 }
 
-void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh) {
+void note_left_out(const std::string& input, const Surface& surface, const FileMesh& mesh) {
   if (mesh.left_out.empty()) return;
   print_message(input, std::to_string(mesh.left_out.size()) + " of " +
                            std::to_string(surface.polygons.size()) +
@@ -94,7 +93,7 @@ void note_left_out(const std::string& input, const Surface& surface, const Mesh&
 }
 
 void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface) {
-  if (choice.is_any()) return;
+  if (choice.keeps_all()) return;
   const Progress progress("choosing");
   const ComponentCounts counts = keep_components(surface, choice);
   if (counts.kept == counts.found) return;
@@ -102,8 +101,8 @@ void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface
                           " bodies and cavities are kept");
 }
 
-std::uint64_t decimate_noted(const std::string& name, const Decimation& decimation, Mesh& mesh) {
-  if (decimation.is_any()) return 0;
+std::uint64_t decimate_noted(const std::string& name, const Decimation& decimation, FileMesh& mesh) {
+  if (!decimation.is_wanted()) return 0;
   const Progress progress("decimating");
   const DecimatedBodies bodies = decimate(mesh, decimation);
   if (bodies.unchanged > 0)
@@ -119,7 +118,7 @@ std::uint64_t decimate_noted(const std::string& name, const Decimation& decimati
   return bodies.unchanged;
 }
 
-void add_gradient_normals(VolumeReader& volume, Mesh& mesh) {
+void add_gradient_normals(SliceReader& volume, FileMesh& mesh) {
   Progress progress("normals", volume.info().dims[2]);
   set_gradient_normals(volume, mesh, [&progress](std::uint32_t slices) { progress.show(slices); });
 }

@@ -7,10 +7,11 @@
 #include <ostream>
 #include <string>
 
+#include "meshing.hpp"
 #include "arguments.hpp"
 #include "files/output_file.hpp"
 #include "meshes/decimation.hpp"
-#include "meshes/mesh.hpp"
+#include "mesh_files/file_mesh.hpp"
 #include "surface/components.hpp"
 #include "surface/surface.hpp"
 #include "volumes/volume.hpp"
@@ -24,22 +25,24 @@ std::optional<VolumePlacement> mesh_placement(const std::string& input,
                                               const std::optional<VolumePlacement>& placement,
                                               const std::optional<MeshSpace>& asked);
 
-/// The mesh of a surface. add_normals: called with it before it is placed.
-Mesh placed_mesh(const Surface& surface, const MeshOptions& options,
-                 const std::function<void(Mesh&)>& add_normals,
-                 const std::optional<VolumePlacement>& placement, const MeshSize& size);
+/// The mesh of a surface; voxel (i, j, k) lies at (i, j, k) times the spacing.
+FileMesh triangulated(const Surface& surface, const MeshingOptions& options);
+
+/// Moves a mesh, once and last, to where its file has it. placement: as of mesh_placement().
+void place_in_file(FileMesh& mesh, const std::optional<VolumePlacement>& placement,
+                   const MeshSize& size);
 
 /// Calls write with the stream of the file; errors get the name of the file.
 void write_to(OutputFile& file, const std::function<void(std::ostream&)>& write);
 
 /// Whether the mesh is closed as the file holds it: as is_closed(), and no vertices fall together.
-bool is_closed_in(const std::string& file, const Mesh& mesh);
+bool is_closed_in(const std::string& file, const FileMesh& mesh);
 
 /// Prints how coarse the coordinates in the file are, if its format has too few digits for them.
-void note_rounding(const std::string& file, const Mesh& mesh);
+void note_rounding(const std::string& file, const FileMesh& mesh);
 
 /// Prints which polygons of the surface the mesh lacks, if any.
-void note_left_out(const std::string& input, const Surface& surface, const Mesh& mesh);
+void note_left_out(const std::string& input, const Surface& surface, const FileMesh& mesh);
 
 /// Removes the components that are not chosen, and prints how many are kept, if not all. name: of
 /// the volume or stream, and of the surface if there are several.
@@ -47,10 +50,10 @@ void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface
 
 /// Decimates a mesh, and reports which bodies keep all their triangles. name: as keep_chosen().
 /// Returns how many do.
-std::uint64_t decimate_noted(const std::string& name, const Decimation& decimation, Mesh& mesh);
+std::uint64_t decimate_noted(const std::string& name, const Decimation& decimation, FileMesh& mesh);
 
 /// A second pass over the volume of a mesh.
-void add_gradient_normals(VolumeReader& volume, Mesh& mesh);
+void add_gradient_normals(SliceReader& volume, FileMesh& mesh);
 
 }  // namespace discmc::command
 

@@ -11,7 +11,7 @@
 #include "files/output_file.hpp"
 #include "mesh_files/mesh_reader.hpp"
 #include "mesh_output.hpp"
-#include "meshes/joined_mesh.hpp"
+#include "mesh_files/joined_mesh.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
@@ -28,10 +28,10 @@ namespace discmc::command {
 namespace {
 
 // A mesh that can be shaded smoothly if that is asked, then with the normals that the surface has.
-Mesh mesh_to_draw(const RenderArguments& arguments, Surface& surface) {
+FileMesh mesh_to_draw(const RenderArguments& arguments, Surface& surface) {
   keep_chosen(arguments.input, arguments.components, surface);
   const bool smooth = arguments.smooth;
-  Mesh mesh = build_mesh(surface, {true, smooth ? Faces::triangles : Faces::polygons});
+  FileMesh mesh = build_mesh(surface, {true, smooth ? Faces::triangles : Faces::polygons});
   note_left_out(arguments.input, surface, mesh);
   if (!smooth || surface.normals.empty()) return mesh;
   mesh.normals = surface_normals(mesh);
@@ -46,10 +46,10 @@ bool has_gradient(const VolumeArguments& arguments) {
 }
 
 // options: of the extraction. volume: not yet read; is at the end.
-Mesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
+FileMesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
                  ExtractionOptions options) {
   options.normals = arguments.smooth && has_gradient(arguments.reading);
-  std::unique_ptr<VolumeReader> narrow;
+  std::unique_ptr<SliceReader> narrow;
   if (options.normals && !is_scanner_type(volume.info().type)) {
     narrow =
         narrowed_again(arguments.input, arguments.reading.options, options.selection.low, volume);
@@ -58,13 +58,13 @@ Mesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
   SurfaceBuilder builder;
   GrowingJoiner joiner(make_sink(builder));
   const NamedSelection& asked = arguments.reading.selections[0];
-  const Extraction extraction = extract(narrow ? *narrow : volume, options, make_sink(joiner));
+  const Extraction extraction = extract(narrow ? *narrow : static_cast<SliceReader&>(volume), options, make_sink(joiner));
   check_surface(arguments.input, arguments.reading, asked, volume, extraction);
   builder.surface().spacing_mm = volume.info().spacing_mm;
   return mesh_to_draw(arguments, builder.surface());
 }
 
-Mesh volume_to_draw(RenderArguments arguments) {
+FileMesh volume_to_draw(RenderArguments arguments) {
   if (arguments.smooth && has_gradient(arguments.reading))
     require_second_pass(arguments.input, gradient_pass);
   const auto volume = open_measured(arguments.input, arguments.reading);
@@ -72,18 +72,18 @@ Mesh volume_to_draw(RenderArguments arguments) {
   const auto mask = open_noted_mask(arguments.reading, volume->info());
   const auto options = extraction_options(arguments.reading, progress, mask.get());
   if (!arguments.classic) return merged_mesh(arguments, *volume, options);
-  Mesh mesh = classic_mesh(*volume, options);
+  FileMesh mesh = classic_mesh(*volume, options);
   if (mesh.face_count() == 0 && !arguments.reading.allows_empty)
     fail_empty(arguments.input, arguments.reading, arguments.reading.selections[0], *volume);
   return mesh;
 }
 
-std::vector<Mesh> meshes_of_file(const std::string& file) {
+std::vector<FileMesh> meshes_of_file(const std::string& file) {
   const Progress progress("reading");
   return read_meshes(file);
 }
 
-std::vector<Mesh> meshes_of_labels(const RenderArguments& arguments) {
+std::vector<FileMesh> meshes_of_labels(const RenderArguments& arguments) {
   ExtractArguments extraction;
   extraction.volume = arguments.input;
   extraction.reading = arguments.reading;
@@ -95,8 +95,8 @@ std::vector<Mesh> meshes_of_labels(const RenderArguments& arguments) {
 }
 
 // colours: get that of each face.
-Mesh parts_to_draw(std::vector<Mesh> parts, std::vector<Srgb>& colours) {
-  for (const Mesh& part : parts)
+FileMesh parts_to_draw(std::vector<FileMesh> parts, std::vector<Srgb>& colours) {
+  for (const FileMesh& part : parts)
     colours.resize(colours.size() + part.face_count(),
                    part.colour.value_or(PictureOptions().colour));
   return joined(std::move(parts));
@@ -119,7 +119,7 @@ PictureOptions picture_options(const RenderArguments& arguments) {
 int run_render(const RenderArguments& arguments) {
   OutputFile file(arguments.output);
   PictureOptions options = picture_options(arguments);
-  Mesh mesh;
+  FileMesh mesh;
   int code = exit_ok;
   if (arguments.kind == InputKind::mesh) {
     mesh = parts_to_draw(meshes_of_file(arguments.input), options.face_colours);

@@ -13,7 +13,7 @@
 #include "pages/browser.hpp"
 #include "pages/live_file.hpp"
 #include "pages/page_server.hpp"
-#include "require.hpp"
+#include "require_written.hpp"
 #include "view.hpp"
 #include "volume_input.hpp"
 #include "volumes/byte_source.hpp"

@@ -12,7 +12,7 @@
 #include "progress.hpp"
 #include "streams/application_text.hpp"
 #include "streams/slab_ranges.hpp"
-#include "streams/spacing.hpp"
+#include "samples/spacing.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
 #include "text/message.hpp"

@@ -10,9 +10,10 @@
 
 #include <discmc/sink.hpp>
 
+#include "meshing.hpp"
 #include "streams/stream_file.hpp"
 #include "surface/surface_builder.hpp"
-#include "volumes/volume_placement.hpp"
+#include "samples/volume_placement.hpp"
 
 namespace discmc::command {
 

@@ -11,7 +11,7 @@
 
 #include "files/output_file.hpp"
 #include "mesh_files/file_format.hpp"
-#include "streams/spacing.hpp"
+#include "samples/spacing.hpp"
 #include "text/grouped_number.hpp"
 
 namespace discmc::command {

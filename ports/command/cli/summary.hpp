@@ -11,9 +11,10 @@
 
 #include <discmc/decoder.hpp>
 
+#include "meshing.hpp"
 #include "extraction/extraction.hpp"
 #include "surface/counts.hpp"
-#include "volumes/volume_placement.hpp"
+#include "samples/volume_placement.hpp"
 
 namespace discmc::command {
 

@@ -8,10 +8,11 @@
 #include <discmc/sink.hpp>
 #include <optional>
 
+#include "meshing.hpp"
 #include "require.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
-#include "volumes/volume_placement.hpp"
+#include "samples/volume_placement.hpp"
 
 namespace discmc::command {
 

@@ -12,7 +12,7 @@
 #include "extraction/arena_memory.hpp"
 #include "extraction/extractors.hpp"
 #include "progress.hpp"
-#include "require.hpp"
+#include "require_written.hpp"
 #include "text/grouped_number.hpp"
 #include "text/value_text.hpp"
 #include "thresholds.hpp"

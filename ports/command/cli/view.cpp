@@ -21,7 +21,7 @@
 #include "pages/page.hpp"
 #include "pictures/picture.hpp"
 #include "progress.hpp"
-#include "require.hpp"
+#include "require_written.hpp"
 #include "stream_input.hpp"
 #include "summary.hpp"
 #include "text/message.hpp"
@@ -69,7 +69,7 @@ int write_page_of(const ViewArguments& arguments, std::ostream& out) {
   return exit_ok;
 }
 
-std::vector<Mesh> meshes_of_labels(const ViewArguments& arguments) {
+std::vector<FileMesh> meshes_of_labels(const ViewArguments& arguments) {
   ExtractArguments extraction;
   extraction.volume = arguments.input;
   extraction.reading = arguments.reading;
@@ -78,10 +78,10 @@ std::vector<Mesh> meshes_of_labels(const ViewArguments& arguments) {
   return label_meshes(extraction);
 }
 
-std::vector<Mesh> meshes_of_file(const std::string& file) {
+std::vector<FileMesh> meshes_of_file(const std::string& file) {
   const Progress progress("reading");
-  std::vector<Mesh> meshes = read_meshes(file);
-  for (Mesh& mesh : meshes) mesh.normals = surface_normals(mesh);
+  std::vector<FileMesh> meshes = read_meshes(file);
+  for (FileMesh& mesh : meshes) mesh.normals = surface_normals(mesh);
   return meshes;
 }
 
@@ -117,10 +117,10 @@ NamedBytes stream_in_file(const ViewArguments& arguments) {
 
 NamedBytes meshes_to_show(const ViewArguments& arguments, std::uint64_t most) {
   const bool is_file = arguments.kind == InputKind::mesh;
-  std::vector<Mesh> meshes =
+  std::vector<FileMesh> meshes =
       is_file ? meshes_of_file(arguments.input) : meshes_of_labels(arguments);
   Meshes pointers;
-  for (Mesh& mesh : meshes) {
+  for (FileMesh& mesh : meshes) {
     if (!mesh.colour) mesh.colour = PictureOptions().colour;
     pointers.push_back(&mesh);
   }

@@ -111,7 +111,7 @@ std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
   return mask;
 }
 
-std::unique_ptr<VolumeReader> narrowed_again(const std::string& path, const VolumeOptions& options,
+std::unique_ptr<SliceReader> narrowed_again(const std::string& path, const VolumeOptions& options,
                                              double iso, VolumeReader& volume) {
   require_second_pass(path, gradient_pass);
   const SampleBounds bounds = sample_bounds(volume);
@@ -122,8 +122,9 @@ GradientVolume open_for_gradient(const std::string& path, const VolumeOptions& o
                                  double iso) {
   require_second_pass(path, gradient_pass);
   auto volume = open_noted(path, options);
-  if (is_scanner_type(volume->info().type)) return {std::move(volume), {iso}};
-  return {narrowed_again(path, options, iso, *volume), {0}};
+  const VolumeInfo info = volume->info();
+  if (is_scanner_type(info.type)) return {info, std::move(volume), {iso}};
+  return {info, narrowed_again(path, options, iso, *volume), {0}};
 }
 
 std::optional<double> smoothing_mm(const VolumeArguments& arguments, const VolumeInfo& volume) {
@@ -150,9 +151,9 @@ MendedVolume::MendedVolume(const VolumeArguments& arguments, VolumeReader& volum
   }
 }
 
-VolumeReader& MendedVolume::samples() const {
+SliceReader& MendedVolume::samples() const {
   if (smooth_) return *smooth_;
-  return closed_ ? static_cast<VolumeReader&>(*closed_) : volume_;
+  return closed_ ? static_cast<SliceReader&>(*closed_) : volume_;
 }
 
 std::uint64_t MendedVolume::not_numbers() const {

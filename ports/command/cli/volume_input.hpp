@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "meshing.hpp"
 #include "arguments.hpp"
 #include "extraction/extraction.hpp"
 #include "extraction/selection.hpp"
@@ -40,14 +41,15 @@ std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
 
 /// A volume that gradients can be made of, and what is on in it.
 struct GradientVolume {
-  std::unique_ptr<VolumeReader> reader;
+  VolumeInfo info;  ///< of the file
+  std::unique_ptr<SliceReader> reader;
   Selection selection;
 };
 
 /// The volume from its first slice on, narrowed for gradients. volume: not yet read; is read to its
 /// end, and so measured.
-std::unique_ptr<VolumeReader> narrowed_again(const std::string& path, const VolumeOptions& options,
-                                             double iso, VolumeReader& volume);
+std::unique_ptr<SliceReader> narrowed_again(const std::string& path, const VolumeOptions& options,
+                                            double iso, VolumeReader& volume);
 
 /// The volume once more, in samples that the library takes (is_scanner_type()): itself, or else
 /// narrowed, which takes a pass over it. Throws as require_second_pass().
@@ -64,7 +66,7 @@ class MendedVolume {
   MendedVolume(const VolumeArguments& arguments, VolumeReader& volume, ExtractionOptions& options);
 
   /// What is extracted: the volume itself where nothing is asked for.
-  VolumeReader& samples() const;
+  SliceReader& samples() const;
   bool is_changed() const { return closed_ || smooth_; }
   /// Limit: is_changed().
   std::uint64_t not_numbers() const;

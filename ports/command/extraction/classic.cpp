@@ -78,7 +78,7 @@ class Cubes {
     add_cells();
   }
 
-  Mesh take() { return std::move(mesh_); }
+  FaceMesh take() { return std::move(mesh_); }
 
  private:
   // A slice of voxels, the halo around it, and the vertices on the edges that begin there.
@@ -131,7 +131,7 @@ class Cubes {
     mesh_.face_begin.push_back(mesh_.corners.size());
   }
 
-  std::uint32_t vertex_at(discmc::Point point, std::size_t cell_x, std::size_t cell_y) {
+  std::uint32_t vertex_at(CellPoint point, std::size_t cell_x, std::size_t cell_y) {
     const Vertex in_cell = position(point);
     const std::size_t axis = in_cell.x == 1 ? 0 : in_cell.y == 1 ? 1 : 2;
     Slice& slice = in_cell.z == 2 ? above_ : below_;
@@ -161,12 +161,12 @@ class Cubes {
   bool mirrored_;
   std::uint32_t slices_ = 0;  // before the one above
   Slice below_, above_;
-  Mesh mesh_;
+  FaceMesh mesh_;
 };
 
 }  // namespace
 
-Mesh classic_mesh(VolumeReader& volume, const ExtractionOptions& options) {
+FaceMesh classic_mesh(VolumeReader& volume, const ExtractionOptions& options) {
   const VolumeInfo& info = volume.info();
   Cubes cubes(info, options);
   if (options.border == Border::closed) cubes.add_halo_slice();

@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_EXTRACTION_CLASSIC_HPP
 #define DISCMC_COMMAND_EXTRACTION_CLASSIC_HPP
 
+#include "meshing.hpp"
 #include "extraction.hpp"
 #include "meshes/mesh.hpp"
 #include "volumes/volume_reader.hpp"
@@ -13,7 +14,7 @@ namespace discmc::command {
 /// a stored unit below the threshold; next to the halo of a closed border they are in the middle.
 /// Each triangle is a polygon of its own. options.memory has no meaning here.
 /// Throws VolumeError as the reader does.
-Mesh classic_mesh(VolumeReader& volume, const ExtractionOptions& options);
+FaceMesh classic_mesh(VolumeReader& volume, const ExtractionOptions& options);
 
 }  // namespace discmc::command
 

@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "arena_memory.hpp"
-#include "extractors.hpp"
-#include "mask_bits.hpp"
-#include "part_extraction.hpp"
-#include "streams/spacing.hpp"
-#include "volumes/iso_value.hpp"
+#include "extraction/extractors.hpp"
+#include "extraction/mask_bits.hpp"
+#include "extraction/part_extraction.hpp"
+#include "samples/spacing.hpp"
+#include "samples/iso_value.hpp"
 
 namespace discmc::command {
 namespace {
 
 template <class Normals>
-Arena arena_with(const Limits& limits, const Capacities& capacities) {
+ArenaSize arena_with(const Limits& limits, const Capacities& capacities) {
   if (is_valid<std::uint16_t>(capacities))
     return {true, bytes_for<std::uint16_t, Normals>(limits, capacities), capacities};
   if (is_valid<std::uint32_t>(capacities))
@@ -31,7 +31,7 @@ Arena arena_with(const Limits& limits, const Capacities& capacities) {
 }
 
 template <class Normals>
-Arena arena_of(const Limits& limits, std::uint64_t bytes) {
+ArenaSize arena_of(const Limits& limits, std::uint64_t bytes) {
   const std::uint64_t least = minimum_bytes<std::uint16_t, Normals>(limits);
   if (bytes < least) throw std::invalid_argument(too_little_memory(bytes, limits, least));
   if (takes_narrow_indices<Normals>(limits, bytes))
@@ -41,7 +41,7 @@ Arena arena_of(const Limits& limits, std::uint64_t bytes) {
 
 // What is asked for, or a generous one. Throws where an extractor would refuse.
 template <class Normals>
-Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOptions& options) {
+ArenaSize arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOptions& options) {
   if (options.capacities) return arena_with<Normals>(limits, *options.capacities);
   // More than the worst case needs is never touched.
   const std::uint64_t most = worst_case_bytes<std::uint32_t, Normals>(limits, slices);
@@ -50,49 +50,13 @@ Arena arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOpti
   return arena_of<Normals>(limits, std::min(asked, most));
 }
 
-template <class AnyExtractor>
-std::vector<Extraction> extract_by(VolumeReader& volume, const Limits& limits,
-                                   const ExtractionOptions& options, const Arena& arena,
-                                   const std::vector<SurfaceRequest>& surfaces) {
-  const VolumeInfo& info = volume.info();
-  const SlabSpans spans =
-      slab_spans(slices_of(options.slab, info.dims[2]), info.dims[2], options.takes_majority);
-  std::optional<MaskBits> mask;
-  if (options.mask != nullptr) mask.emplace(*options.mask);
-  for (std::uint32_t z = 0; z < spans.read.first; ++z) {
-    volume.skip_slice();
-    if (mask) mask->skip_slice();
-  }
-  std::vector<std::uint8_t> slice(info.slice_bytes());
-  Extractors<AnyExtractor> extractors(arena, surfaces.size());
-  return extractors.extract(info, limits, spans, options, surfaces, [&] {
-    volume.read_slice(slice.data());
-    return SliceToExtract{slice.data(), mask ? mask->next_slice() : nullptr};
-  });
-}
-
-Limits limits_of(const VolumeInfo& info, const ExtractionOptions& options) {
-  Limits limits{info.dims[0], info.dims[1], options.border};
-  if (options.slab) limits.slab = slab_limits(*options.slab, info.dims[2]);
-  return limits;
-}
-
 template <class Normals, class Narrow, class Wide>
-std::vector<Extraction> extract_with(VolumeReader& volume, const ExtractionOptions& options,
+std::vector<Extraction> extract_with(SliceReader& volume, const ExtractionOptions& options,
                                      const std::vector<SurfaceRequest>& surfaces) {
   const Limits limits = limits_of(volume.info(), options);
-  const Arena arena = arena_for<Normals>(limits, volume.info().dims[2], options);
+  const ArenaSize arena = arena_for<Normals>(limits, volume.info().dims[2], options);
   return arena.has_narrow_indices ? extract_by<Narrow>(volume, limits, options, arena, surfaces)
                                   : extract_by<Wide>(volume, limits, options, arena, surfaces);
-}
-
-// On a host, with no device in mind.
-std::vector<Extraction> extract_fast(VolumeReader& volume, const ExtractionOptions& options,
-                                     const std::vector<SurfaceRequest>& surfaces) {
-  const Limits limits = limits_of(volume.info(), options);
-  const std::uint64_t bytes = generous_bytes_for<BitIntake>(limits);
-  const Arena arena{false, bytes, default_capacities<std::uint32_t>(limits, bytes)};
-  return extract_by<HostExtractor>(volume, limits, options, arena, surfaces);
 }
 
 // Three numbers, for people.
@@ -106,7 +70,7 @@ std::string list(const Numbers& numbers, const char* separator) {
 
 }  // namespace
 
-StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& options) {
+StreamHeader stream_header(const SampleGrid& info, const ExtractionOptions& options) {
   StreamHeader header;
   header.width = info.dims[0];
   header.height = info.dims[1];
@@ -118,7 +82,7 @@ StreamHeader stream_header(const VolumeInfo& info, const ExtractionOptions& opti
   return header;
 }
 
-void require_same_volume(const VolumeInfo& info, const StreamHeader& header) {
+void require_same_volume(const SampleGrid& info, const StreamHeader& header) {
   const std::uint32_t extents[] = {header.width, header.height, header.depth};
   const auto spacing = spacing_nm(info.spacing_mm);
   bool has_extents = true, has_spacing = true;
@@ -139,20 +103,17 @@ void require_same_volume(const VolumeInfo& info, const StreamHeader& header) {
                                 remedy);
 }
 
-Extraction extract(VolumeReader& volume, const ExtractionOptions& options, const Sink& sink) {
+Extraction extract(SliceReader& volume, const ExtractionOptions& options, const Sink& sink) {
   return extract(volume, options, std::vector<SurfaceRequest>{{options.selection, sink}})[0];
 }
 
-std::vector<Extraction> extract(VolumeReader& volume, const ExtractionOptions& options,
+std::vector<Extraction> extract(SliceReader& volume, const ExtractionOptions& options,
                                 const std::vector<SurfaceRequest>& surfaces) {
-  if (options.jobs) return extract_in_parts(volume, options, surfaces);
-  if (!options.normals) {
-    const bool is_of_device =
-        options.measures_memory || options.memory > 0 || options.capacities.has_value();
-    return is_of_device
-               ? extract_with<BitIntake, Extractor16, Extractor32>(volume, options, surfaces)
-               : extract_fast(volume, options, surfaces);
-  }
+  const bool is_of_device = options.normals || options.measures_memory || options.memory > 0 ||
+                            options.capacities.has_value();
+  if (options.jobs || !is_of_device) return extract_surfaces(volume, options, surfaces);
+  if (!options.normals)
+    return extract_with<BitIntake, Extractor16, Extractor32>(volume, options, surfaces);
   return with_scanner_type(volume.info().type, [&](auto type) {
     using Sample = decltype(type);
     return extract_with<GradientNormals<Sample>, NormalExtractor16<Sample>,

@@ -9,7 +9,7 @@
 namespace discmc::command {
 namespace {
 
-double least_spacing_mm(const Mesh& mesh) {
+double least_spacing_mm(const FileMesh& mesh) {
   double least = std::numeric_limits<double>::infinity();
   for (const double spacing : mesh.spacing_mm) least = std::min(least, std::fabs(spacing));
   return least;
@@ -17,7 +17,7 @@ double least_spacing_mm(const Mesh& mesh) {
 
 }  // namespace
 
-double float_step_mm(const Mesh& mesh, const Point& origin) {
+double float_step_mm(const FileMesh& mesh, const Point& origin) {
   double farthest = 0;
   for (const Point& vertex : mesh.vertices_mm)
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -26,12 +26,12 @@ double float_step_mm(const Mesh& mesh, const Point& origin) {
   return farthest > 0 ? std::ldexp(1, std::ilogb(farthest) + 1 - digits) : 0;
 }
 
-bool suits_floats(const Mesh& mesh, const Point& origin) {
+bool suits_floats(const FileMesh& mesh, const Point& origin) {
   constexpr double steps = 500;  // in a voxel: rounding moves by half a step
   return steps * float_step_mm(mesh, origin) <= least_spacing_mm(mesh);
 }
 
-std::size_t count_float_places(const Mesh& mesh, const Point& origin) {
+std::size_t count_float_places(const FileMesh& mesh, const Point& origin) {
   std::vector<std::array<float, 3>> places;
   places.reserve(mesh.vertices_mm.size());
   for (const Point& vertex : mesh.vertices_mm) {

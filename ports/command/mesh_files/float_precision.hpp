@@ -4,19 +4,20 @@
 
 #include <cstddef>
 
-#include "meshes/mesh.hpp"
+#include "meshing.hpp"
+#include "file_mesh.hpp"
 
 namespace discmc::command {
 
 /// The distance from one float to the next where a mesh is farthest from the origin. Units:
 /// millimetres.
-double float_step_mm(const Mesh& mesh, const Point& origin = {});
+double float_step_mm(const FileMesh& mesh, const Point& origin = {});
 
 /// Whether floats move no vertex by more than a thousandth of a voxel.
-bool suits_floats(const Mesh& mesh, const Point& origin = {});
+bool suits_floats(const FileMesh& mesh, const Point& origin = {});
 
-/// How many different places the vertices have as floats. Limit: as Mesh::vertices_mm.
-std::size_t count_float_places(const Mesh& mesh, const Point& origin = {});
+/// How many different places the vertices have as floats. Limit: as FileMesh::vertices_mm.
+std::size_t count_float_places(const FileMesh& mesh, const Point& origin = {});
 
 }  // namespace discmc::command
 

@@ -42,12 +42,12 @@ Point linear(const Srgb& colour) {
 }
 
 // As a member of an object that has more; nothing without a name.
-std::string name_member(const Mesh& mesh) {
+std::string name_member(const FileMesh& mesh) {
   return mesh.name.empty() ? "" : "\"name\":" + json_string(mesh.name) + ",";
 }
 
 // Seen from both sides: a surface may be open.
-std::string material(const Mesh& mesh) {
+std::string material(const FileMesh& mesh) {
   const Point colour = mesh.colour ? linear(*mesh.colour) : plaster;
   return "{" + name_member(mesh) +
          R"("doubleSided":true,"pbrMetallicRoughness":{"baseColorFactor":[)" + decimals(colour) +
@@ -98,7 +98,7 @@ class Arrays {
   std::string accessors_, views_;
 };
 
-std::string primitive(const Mesh& mesh, const Point& origin, const std::string& material_number,
+std::string primitive(const FileMesh& mesh, const Point& origin, const std::string& material_number,
                       Arrays& arrays) {
   const std::uint64_t vertices = mesh.vertices_mm.size(), corners = mesh.corners.size();
   std::string attributes =
@@ -119,7 +119,7 @@ std::string describe(const Meshes& meshes, const Point& origin, Arrays& arrays) 
   if (meshes.empty()) return json + "}]}";
   std::string numbers, nodes, descriptions, materials;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
-    const Mesh& mesh = *meshes[i];
+    const FileMesh& mesh = *meshes[i];
     const std::string comma = i == 0 ? "" : ",";
     const std::string number = std::to_string(i);
     numbers += comma + number;
@@ -134,7 +134,7 @@ std::string describe(const Meshes& meshes, const Point& origin, Arrays& arrays) 
          descriptions + "],\"materials\":[" + materials + "]," + arrays.json() + "}";
 }
 
-void write_arrays(const Mesh& mesh, const Point& origin, Writer& writer) {
+void write_arrays(const FileMesh& mesh, const Point& origin, Writer& writer) {
   for (const Point& vertex : mesh.vertices_mm) writer.floats(difference(vertex, origin));
   // The format allows no vertex without a normal, either.
   for (const Point& normal : mesh.normals)
@@ -146,14 +146,14 @@ void write_arrays(const Mesh& mesh, const Point& origin, Writer& writer) {
 
 Point glb_origin(const Meshes& meshes) {
   if (std::all_of(meshes.begin(), meshes.end(),
-                  [](const Mesh* mesh) { return suits_floats(*mesh); }))
+                  [](const FileMesh* mesh) { return suits_floats(*mesh); }))
     return {};
   return meshes[0]->vertices_mm[0];
 }
 
 void write_glb(const Meshes& meshes, std::ostream& out) {
   const Meshes seen = with_faces(meshes);  // the format allows no empty arrays
-  for (const Mesh* mesh : seen) require_triangles(*mesh, "GLB");
+  for (const FileMesh* mesh : seen) require_triangles(*mesh, "GLB");
   Arrays arrays;
   const Point origin = glb_origin(seen);
   std::string json = describe(seen, origin, arrays);
@@ -172,7 +172,7 @@ void write_glb(const Meshes& meshes, std::ostream& out) {
   if (binary > 0) {
     writer.bytes(arrays.bytes(), 4);
     writer.bytes(binary_chunk, 4);
-    for (const Mesh* mesh : seen) write_arrays(*mesh, origin, writer);
+    for (const FileMesh* mesh : seen) write_arrays(*mesh, origin, writer);
   }
   writer.finish();
 }

@@ -21,7 +21,7 @@ void add_point(std::vector<Field>& fields, const std::string& key, const std::op
                         at ? std::optional(decimal((*at)[axis])) : std::nullopt);
 }
 
-std::vector<Field> fields_of(const Mesh& mesh) {
+std::vector<Field> fields_of(const FileMesh& mesh) {
   const Measures measures = measures_of(mesh);
   const auto enclosed = [&](auto member) -> std::optional<std::string> {
     if (!measures.enclosed) return std::nullopt;
@@ -55,7 +55,7 @@ void write_csv(const Meshes& meshes, std::ostream& out) {
   writer.text("name");
   for (const auto& [key, number] : fields_of({})) writer.text("," + key);
   writer.text("\n");
-  for (const Mesh* mesh : meshes) {
+  for (const FileMesh* mesh : meshes) {
     writer.text(csv_text(mesh->name));
     for (const auto& [key, number] : fields_of(*mesh)) writer.text("," + number.value_or(""));
     writer.text("\n");
@@ -66,7 +66,7 @@ void write_csv(const Meshes& meshes, std::ostream& out) {
 void write_json(const Meshes& meshes, std::ostream& out) {
   Writer writer(out);
   std::string separator = "[\n";
-  for (const Mesh* mesh : meshes) {
+  for (const FileMesh* mesh : meshes) {
     writer.text(separator + " {\"name\": " + json_string(mesh->name));
     for (const auto& [key, number] : fields_of(*mesh))
       writer.text(", \"" + key + "\": " + number.value_or("null"));

@@ -4,7 +4,7 @@
 
 namespace discmc::command {
 
-void write_mesh(const Mesh& mesh, Format format, std::ostream& out, unsigned jobs) {
+void write_mesh(const FileMesh& mesh, Format format, std::ostream& out, unsigned jobs) {
   switch (format) {
     case Format::stl:
       return write_stl(mesh, out, jobs);

@@ -10,17 +10,18 @@
 #include <string>
 #include <vector>
 
+#include "meshing.hpp"
 #include "file_format.hpp"
-#include "meshes/mesh.hpp"
+#include "file_mesh.hpp"
 
 namespace discmc::command {
 
 /// What goes into one file.
-using Meshes = std::vector<const Mesh*>;
+using Meshes = std::vector<const FileMesh*>;
 
 /// By the writer of the format, of those below that take a mesh; otherwise std::invalid_argument.
 /// jobs: parts that are made at once, where the writer takes any. The file is the same.
-void write_mesh(const Mesh& mesh, Format format, std::ostream& out, unsigned jobs = 1);
+void write_mesh(const FileMesh& mesh, Format format, std::ostream& out, unsigned jobs = 1);
 
 /// The same of several in one file, each with its name and colour. Limit: a format that holds
 /// several, or one mesh; otherwise std::invalid_argument.
@@ -28,18 +29,18 @@ void write_meshes(const Meshes& meshes, Format format, std::ostream& out);
 
 /// Binary STL, coordinates as 32-bit floats, however coarse they are. Units: millimetres.
 /// Limit: triangles only (Faces::triangles), otherwise std::invalid_argument.
-void write_stl(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
+void write_stl(const FileMesh& mesh, std::ostream& out, unsigned jobs = 1);
 
 /// PLY, binary little endian: coordinates as 32-bit floats, or as doubles where floats do not suit
 /// (suits_floats()). Doubles make a file a third larger, and some readers support only floats. Also
 /// normals, as floats, if the mesh has them, and at every vertex the colour, if it has one.
 /// Units: millimetres. Limit: faces of max_face_corners, which a byte counts as every reader takes
 /// it, and 2^31 - 1 vertices; otherwise std::invalid_argument.
-void write_ply(const Mesh& mesh, std::ostream& out, unsigned jobs = 1);
+void write_ply(const FileMesh& mesh, std::ostream& out, unsigned jobs = 1);
 
 /// Wavefront OBJ, exact decimal coordinates. Units: millimetres. Every vertex has its normal, where
 /// the mesh has normals. material_file: the name of a file of write_mtl() beside it, or none.
-void write_obj(const Mesh& mesh, std::ostream& out, unsigned jobs = 1,
+void write_obj(const FileMesh& mesh, std::ostream& out, unsigned jobs = 1,
                const std::string& material_file = {});
 
 /// The colour of a mesh, as OBJ has it in a file of its own.
@@ -61,7 +62,7 @@ Point glb_origin(const Meshes& meshes);
 void write_3mf(const Meshes& meshes, std::ostream& out);
 
 /// VTK's XML PolyData; coordinates, normals and colour as those of PLY. Units: millimetres.
-void write_vtp(const Mesh& mesh, std::ostream& out);
+void write_vtp(const FileMesh& mesh, std::ostream& out);
 
 /// The measures of meshes (measures_of()), a line per mesh in CSV or an object per mesh in
 /// a JSON array. Their keys have the units. What a mesh that is not closed does not have is empty,

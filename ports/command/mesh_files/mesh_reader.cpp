@@ -74,8 +74,8 @@ std::optional<Srgb> colour_of(const aiMaterial& material, bool is_gltf) {
   return parts;
 }
 
-Mesh mesh_of(const aiMesh& part, const std::string& file, bool is_gltf) {
-  Mesh mesh;
+FileMesh mesh_of(const aiMesh& part, const std::string& file, bool is_gltf) {
+  FileMesh mesh;
   for (unsigned i = 0; i < part.mNumVertices; ++i) {
     const aiVector3D& at = part.mVertices[i];
     if (!std::isfinite(at.x) || !std::isfinite(at.y) || !std::isfinite(at.z))
@@ -96,7 +96,7 @@ Mesh mesh_of(const aiMesh& part, const std::string& file, bool is_gltf) {
 
 }  // namespace
 
-std::vector<Mesh> read_meshes(const std::string& file) {
+std::vector<FileMesh> read_meshes(const std::string& file) {
   if (!std::filesystem::exists(file))
     throw std::runtime_error(file + ": there is no such file; check the name");
   Assimp::Importer importer;
@@ -108,12 +108,12 @@ std::vector<Mesh> read_meshes(const std::string& file) {
   if (scene == nullptr)
     throw std::runtime_error(file + ": the file cannot be read as a mesh (" +
                              importer.GetErrorString() + "); export it again as .ply or .stl");
-  std::vector<Mesh> meshes;
+  std::vector<FileMesh> meshes;
   const bool is_gltf = is_gltf_name(file);
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
     const aiMesh& part = *scene->mMeshes[i];
     const aiMaterial& material = *scene->mMaterials[part.mMaterialIndex];
-    Mesh mesh = mesh_of(part, file, is_gltf);
+    FileMesh mesh = mesh_of(part, file, is_gltf);
     if (mesh.face_count() == 0) continue;
     mesh.colour = colour_of_vertices(part);
     if (has_materials(file)) mesh.colour = colour_of(material, is_gltf);

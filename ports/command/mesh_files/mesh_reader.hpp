@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "meshes/mesh.hpp"
+#include "meshing.hpp"
+#include "file_mesh.hpp"
 
 namespace discmc::command {
 
@@ -15,7 +16,7 @@ namespace discmc::command {
 /// several, its name. Throws std::runtime_error with the file's name: when it cannot be read, when
 /// it holds no triangle or a vertex that is not finite, and always where the program was built
 /// without Assimp.
-std::vector<Mesh> read_meshes(const std::string& file);
+std::vector<FileMesh> read_meshes(const std::string& file);
 
 }  // namespace discmc::command
 

@@ -5,7 +5,7 @@
 
 namespace discmc::command {
 
-std::vector<Mesh> read_meshes(const std::string& file) {
+std::vector<FileMesh> read_meshes(const std::string& file) {
   throw std::runtime_error(file +
                            ": this is a mesh, and discmc was built without Assimp; install "
                            "libassimp-dev and build again");

@@ -18,7 +18,7 @@ void write_point(const char* key, const Point& point, Writer& writer) {
   writer.text("\n");
 }
 
-void write_face(const Mesh& mesh, std::size_t face, Writer& writer) {
+void write_face(const FileMesh& mesh, std::size_t face, Writer& writer) {
   writer.text("f");
   for (std::size_t i = 0; i < mesh.face_size(face); ++i) {
     const std::uint64_t number = std::uint64_t{mesh.face(face)[i]} + 1;
@@ -35,7 +35,7 @@ constexpr std::string_view material_name = "surface";
 
 }  // namespace
 
-void write_obj(const Mesh& mesh, std::ostream& out, unsigned jobs,
+void write_obj(const FileMesh& mesh, std::ostream& out, unsigned jobs,
                const std::string& material_file) {
   Writer writer(out);
   writer.text("# ");

@@ -9,7 +9,7 @@
 namespace discmc::command {
 namespace {
 
-void require_fit(const Mesh& mesh) {
+void require_fit(const FileMesh& mesh) {
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
     if (mesh.face_size(face) > max_face_corners)
       throw std::invalid_argument(
@@ -22,7 +22,7 @@ void require_fit(const Mesh& mesh) {
 
 }  // namespace
 
-void write_ply(const Mesh& mesh, std::ostream& out, unsigned jobs) {
+void write_ply(const FileMesh& mesh, std::ostream& out, unsigned jobs) {
   require_fit(mesh);
   const bool takes_floats = suits_floats(mesh);
   const std::string property = takes_floats ? "\nproperty float " : "\nproperty double ";

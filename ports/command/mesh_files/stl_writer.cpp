@@ -19,7 +19,7 @@ std::array<Point, incidence_codes> plane_normals(const Point& spacing_mm) {
 
 }  // namespace
 
-void write_stl(const Mesh& mesh, std::ostream& out, unsigned jobs) {
+void write_stl(const FileMesh& mesh, std::ostream& out, unsigned jobs) {
   require_triangles(mesh, "STL");
   if (mesh.face_count() > 0xFFFFFFFFu)
     throw std::invalid_argument(

@@ -55,14 +55,14 @@ std::string hexadecimal(const Srgb& colour) {
 // The names and colours of all meshes that have a colour.
 void write_materials(const Meshes& meshes, const std::string& id, Writer& writer) {
   writer.text("<basematerials id=\"" + id + "\">\n");
-  for (const Mesh* mesh : meshes)
+  for (const FileMesh* mesh : meshes)
     if (mesh->colour)
       writer.text("<base name=\"" + (mesh->name.empty() ? "label" : xml_attribute(mesh->name)) +
                   "\" displaycolor=\"" + hexadecimal(*mesh->colour) + "\"/>\n");
   writer.text("</basematerials>\n");
 }
 
-void write_object(const Mesh& mesh, const std::string& attributes, Writer& writer) {
+void write_object(const FileMesh& mesh, const std::string& attributes, Writer& writer) {
   writer.text("<object" + attributes + ">\n<mesh>\n<vertices>\n");
   for (const Point& vertex : mesh.vertices_mm) {
     const char* before[] = {"<vertex x=\"", "\" y=\"", "\" z=\""};
@@ -98,11 +98,11 @@ void write_model(const Meshes& meshes, std::ostream& out) {
   writer.text(meshes.empty() ? header_text({}) : header_text(*meshes[0]));
   writer.text("</metadata>\n<resources>\n");
   const std::string materials = std::to_string(meshes.size() + 1);
-  if (std::any_of(meshes.begin(), meshes.end(), [](const Mesh* mesh) { return !!mesh->colour; }))
+  if (std::any_of(meshes.begin(), meshes.end(), [](const FileMesh* mesh) { return !!mesh->colour; }))
     write_materials(meshes, materials, writer);
   std::size_t number = 0, material = 0;
   std::string items;
-  for (const Mesh* mesh : meshes) {
+  for (const FileMesh* mesh : meshes) {
     const std::string id = std::to_string(++number);
     std::string attributes = " id=\"" + id + "\" type=\"model\"";
     if (!mesh->name.empty()) attributes += " name=\"" + xml_attribute(mesh->name) + "\"";
@@ -122,7 +122,7 @@ void write_3mf(const Meshes& meshes, std::ostream& out) {
   constexpr std::uint64_t letter = 12;  // of a name, in both places, escaped
   std::uint64_t bytes = the_rest;
   const Meshes seen = with_faces(meshes);  // the format allows no object without triangles
-  for (const Mesh* mesh : seen) {
+  for (const FileMesh* mesh : seen) {
     require_triangles(*mesh, "3MF");
     bytes += vertex_line * mesh->vertices_mm.size() + triangle_line * mesh->face_count() +
              letter * mesh->name.size() + the_rest;

@@ -45,7 +45,7 @@ void write_colour(const Srgb& colour, std::size_t points, std::ostream& out) {
               });
 }
 
-void write_point_data(const Mesh& mesh, std::ostream& out) {
+void write_point_data(const FileMesh& mesh, std::ostream& out) {
   if (mesh.normals.empty() && !mesh.colour) return;
   out << "<PointData" << (mesh.normals.empty() ? "" : " Normals=\"Normals\"")
       << (mesh.colour ? " Scalars=\"Colors\"" : "") << ">\n";
@@ -72,7 +72,7 @@ const char* field_data(Space space) {
 }  // namespace
 
 // The types of the arrays are those that VTK itself writes: some readers support no others.
-void write_vtp(const Mesh& mesh, std::ostream& out) {
+void write_vtp(const FileMesh& mesh, std::ostream& out) {
   out << "<?xml version=\"1.0\"?>\n<!-- " << header_text(mesh)
       << " -->\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n<PolyData>\n"

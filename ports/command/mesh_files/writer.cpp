@@ -25,21 +25,21 @@ const char* plural(MeshUnit unit) {
 
 }  // namespace
 
-std::string header_text(const Mesh& mesh) {
+std::string header_text(const FileMesh& mesh) {
   std::string text = std::string("discmc, ") + plural(mesh.unit);
   if (mesh.space == Space::lps) text += ", SPACE=LPS";
   if (mesh.space == Space::ras) text += ", SPACE=RAS";
   return text;
 }
 
-void require_triangles(const Mesh& mesh, const std::string& format) {
+void require_triangles(const FileMesh& mesh, const std::string& format) {
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
     if (mesh.face_size(face) != 3) throw std::invalid_argument(format + " holds triangles only");
 }
 
 Meshes with_faces(Meshes meshes) {
   meshes.erase(std::remove_if(meshes.begin(), meshes.end(),
-                              [](const Mesh* mesh) { return mesh->face_count() == 0; }),
+                              [](const FileMesh* mesh) { return mesh->face_count() == 0; }),
                meshes.end());
   return meshes;
 }

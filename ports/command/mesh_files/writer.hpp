@@ -14,18 +14,19 @@
 #include <string_view>
 #include <vector>
 
+#include "meshing.hpp"
 #include "jobs/ordered_pipeline.hpp"
 #include "mesh_files.hpp"
-#include "meshes/mesh.hpp"
+#include "file_mesh.hpp"
 
 namespace discmc::command {
 
 /// The description in every file, in a comment or where its format has a place for text; the
 /// space as 3D Slicer reads and writes it.
-std::string header_text(const Mesh& mesh);
+std::string header_text(const FileMesh& mesh);
 
 /// Throws std::invalid_argument where a face is no triangle. format: its name.
-void require_triangles(const Mesh& mesh, const std::string& format);
+void require_triangles(const FileMesh& mesh, const std::string& format);
 
 /// Those of the meshes that have faces.
 Meshes with_faces(Meshes meshes);
@@ -89,7 +90,7 @@ class Writer {
   static constexpr std::size_t items_a_part = std::size_t{1} << 14;
 
   template <class Item, class Fill, class Work, class Take>
-  friend class OrderedPipeline;
+  friend class meshing::OrderedPipeline;
   Writer() : buffer_(full) {}  // of a part: without a stream
 
   template <typename Bits, typename Real>

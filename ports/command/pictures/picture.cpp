@@ -81,7 +81,7 @@ class Camera {
   double distance_;
 };
 
-std::vector<Projected> project(const Mesh& mesh, const Axes& axes, const PictureOptions& options) {
+std::vector<Projected> project(const FaceMesh& mesh, const Axes& axes, const PictureOptions& options) {
   Box space;
   for (const Point& vertex : mesh.vertices_mm) space.add(vertex);
   const Camera camera(space, axes, options.projection);
@@ -200,7 +200,7 @@ class Canvas {
 // is hidden can shine through.
 class Outlines {
  public:
-  Outlines(const Canvas& canvas, const Mesh& mesh) : canvas_(canvas), mesh_(mesh) {}
+  Outlines(const Canvas& canvas, const FaceMesh& mesh) : canvas_(canvas), mesh_(mesh) {}
 
   bool pass(int x, int y) const {
     const std::uint64_t polygon = polygon_at(x, y);
@@ -215,7 +215,7 @@ class Outlines {
   }
 
   const Canvas& canvas_;
-  const Mesh& mesh_;
+  const FaceMesh& mesh_;
 };
 
 std::vector<std::uint8_t> srgb_of_4096() {
@@ -225,7 +225,7 @@ std::vector<std::uint8_t> srgb_of_4096() {
   return table;
 }
 
-Picture develop(const Canvas& canvas, const Mesh& mesh, Shader& shader,
+Picture develop(const Canvas& canvas, const FaceMesh& mesh, Shader& shader,
                 const PictureOptions& options) {
   const std::vector<std::uint8_t> to_srgb = srgb_of_4096();
   const Outlines outlines(canvas, mesh);
@@ -259,7 +259,7 @@ Picture develop(const Canvas& canvas, const Mesh& mesh, Shader& shader,
   return picture;
 }
 
-void check(const Mesh& mesh, const PictureOptions& options) {
+void check(const FaceMesh& mesh, const PictureOptions& options) {
   constexpr int largest = 8192;
   if (options.width < 1 || options.height < 1 || options.width > largest ||
       options.height > largest)
@@ -276,7 +276,7 @@ void check(const Mesh& mesh, const PictureOptions& options) {
 
 }  // namespace
 
-Picture draw(const Mesh& mesh, const PictureOptions& options) {
+Picture draw(const FaceMesh& mesh, const PictureOptions& options) {
   check(mesh, options);
   const Axes axes = axes_of(options);
   Canvas canvas(options.width * samples_per_side, options.height * samples_per_side);

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <vector>
 
+#include "meshing.hpp"
 #include "meshes/mesh.hpp"
 #include "srgb.hpp"
 
@@ -48,7 +49,7 @@ struct Picture {
 /// Draws the mesh so that it fills the picture but for a small margin. n-gons need not be convex.
 /// The inside of an open mesh is drawn in a bluish tone.
 /// Throws std::invalid_argument when the options are out of range or the mesh lacks what they ask.
-Picture draw(const Mesh& mesh, const PictureOptions& options = {});
+Picture draw(const FaceMesh& mesh, const PictureOptions& options = {});
 
 /// Writes a PNG file.
 void write_picture(const Picture& picture, std::ostream& out);

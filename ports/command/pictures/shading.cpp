@@ -26,7 +26,7 @@ Colour linear(const Srgb& colour) {
 
 }  // namespace
 
-Shader::Shader(const Mesh& mesh, const std::vector<Projected>& vertices, const Axes& axes,
+Shader::Shader(const FaceMesh& mesh, const std::vector<Projected>& vertices, const Axes& axes,
                const PictureOptions& options)
     : mesh_(mesh),
       vertices_(vertices),

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "meshing.hpp"
 #include "meshes/mesh.hpp"
 #include "picture.hpp"
 
@@ -29,7 +30,7 @@ struct Projected {
 class Shader {
  public:
   /// Owner: the mesh, the vertices and the options outlive the shader.
-  Shader(const Mesh& mesh, const std::vector<Projected>& vertices, const Axes& axes,
+  Shader(const FaceMesh& mesh, const std::vector<Projected>& vertices, const Axes& axes,
          const PictureOptions& options);
 
   /// The colour of a face at a place of the picture. inside: its back is what is seen.
@@ -41,7 +42,7 @@ class Shader {
   Point normal_at(double x, double y) const;
   Colour light(const Point& normal, bool inside) const;
 
-  const Mesh& mesh_;
+  const FaceMesh& mesh_;
   const std::vector<Projected>& vertices_;
   Axes axes_;
   Shading shading_;

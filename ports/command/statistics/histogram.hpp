@@ -6,8 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "volumes/label_value.hpp"
-#include "volumes/sample_type.hpp"
+#include "meshing.hpp"
+#include "samples/label_value.hpp"
+#include "samples/sample_type.hpp"
 
 namespace discmc::command {
 

@@ -6,7 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "sample_bounds.hpp"
+#include "meshing.hpp"
+#include "samples/sample_bounds.hpp"
 #include "volumes/volume_filter.hpp"
 
 namespace discmc::command {

@@ -7,7 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "volumes/label_value.hpp"
+#include "meshing.hpp"
+#include "samples/label_value.hpp"
 #include "volumes/volume_reader.hpp"
 
 namespace discmc::command {

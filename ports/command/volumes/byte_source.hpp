@@ -10,7 +10,8 @@
 #include <optional>
 #include <string>
 
-#include "sample_type.hpp"
+#include "meshing.hpp"
+#include "samples/sample_type.hpp"
 
 namespace discmc::command {
 

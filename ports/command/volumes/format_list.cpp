@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "array_name.hpp"
-#include "formats/dicom/files.hpp"
-#include "formats/zarr/folder.hpp"
+#include "volumes/formats/dicom/files.hpp"
+#include "volumes/formats/zarr/folder.hpp"
 #include "text/words.hpp"
 
 namespace discmc::command {

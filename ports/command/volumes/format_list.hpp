@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/readers.hpp"
+#include "volumes/formats/readers.hpp"
 
 namespace discmc::command {
 

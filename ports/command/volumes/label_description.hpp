@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "label_value.hpp"
+#include "meshing.hpp"
+#include "samples/label_value.hpp"
 #include "pictures/srgb.hpp"
 
 namespace discmc::command {

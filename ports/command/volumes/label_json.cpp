@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "volume_error.hpp"
+#include "volumes/label_text.hpp"
 
 namespace discmc::command {
 namespace {

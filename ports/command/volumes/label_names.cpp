@@ -8,6 +8,7 @@
 #include "text/control_character.hpp"
 #include "text/words.hpp"
 #include "volume_error.hpp"
+#include "volumes/label_text.hpp"
 
 namespace discmc::command {
 namespace {

@@ -13,6 +13,7 @@
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 #include "volume_error.hpp"
+#include "volumes/label_text.hpp"
 
 namespace discmc::command {
 namespace {

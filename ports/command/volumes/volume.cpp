@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "format_list.hpp"
-#include "formats/readers.hpp"
+#include "volumes/formats/readers.hpp"
 #include "other_kinds.hpp"
 #include "text/words.hpp"
 #include "unpacked_volume.hpp"

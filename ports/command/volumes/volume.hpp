@@ -15,7 +15,8 @@
 #include <string>
 #include <string_view>
 
-#include "sample_type.hpp"
+#include "meshing.hpp"
+#include "samples/sample_type.hpp"
 #include "volume_reader.hpp"
 
 namespace discmc::command {

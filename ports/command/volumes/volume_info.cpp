@@ -112,10 +112,6 @@ void set_part(VolumeInfo& info, const std::string& file, const std::array<std::u
   info.dims = dims;
 }
 
-std::array<double, 3> VolumeInfo::distances_mm() const {
-  return {std::fabs(spacing_mm[0]), std::fabs(spacing_mm[1]), std::fabs(spacing_mm[2])};
-}
-
 std::uint64_t volume_bytes(const VolumeInfo& info) {
   return info.slice_bytes() * info.dims[2];
 }

@@ -9,36 +9,24 @@
 #include <vector>
 
 #include "label_description.hpp"
-#include "sample_type.hpp"
-#include "volume_placement.hpp"
+#include "meshing.hpp"
+#include "samples/slice_reader.hpp"
+#include "samples/volume_placement.hpp"
 
 namespace discmc::command {
 
-/// The description of a volume in its file.
-struct VolumeInfo {
-  /// Width, height and number of slices. Units: voxels. Limit: 1 to 32766 in x and y, 1 to 2^30 - 1
-  /// in z.
-  std::array<std::uint32_t, 3> dims{};
-  SampleType type = SampleType::u8;
+/// The description of a volume in its file. An oblique left-handed volume has a negative spacing
+/// along z, so that no shape is ever mirrored, and the placement only turns and moves it.
+struct VolumeInfo : SampleGrid {
   /// The extents before a part was taken, or the volume was shrunk. Units: voxels.
   std::optional<std::array<std::uint32_t, 3>> whole_dims;
   /// The number of volumes in the file, of which this is one: 3D volumes of a 4D one.
   std::uint64_t frames = 1;
   /// The number of samples that the file holds of a voxel, of which this is one: colours, stains.
   std::uint64_t channels = 1;
-  /// Distance between neighbouring voxels along x, y and z, negative where the axis runs backwards.
-  /// An oblique left-handed volume has a negative z, so that no shape is ever mirrored, and the
-  /// placement only turns and moves it.
-  /// Units: millimetres. Limit: min_spacing_mm to max_spacing_mm either way.
-  std::array<double, 3> spacing_mm{1, 1, 1};
-  /// The same without the signs.
-  std::array<double, 3> distances_mm() const;
   /// Where the volume lies; nothing if the file has only a spacing.
   /// Limit: is_usable().
   std::optional<VolumePlacement> placement;
-  /// value = slope * stored + intercept, in the file's declared units. Limit: slope > 0.
-  double slope = 1;
-  double intercept = 0;
   /// The value where nothing was scanned, if the file declares one.
   std::optional<double> padding;
   /// Whether the file declares that values are Hounsfield units.
@@ -50,20 +38,12 @@ struct VolumeInfo {
   std::string format;
   /// What the reader assumed, and what it left out of the file. Written by note().
   std::vector<std::string> notes;
-
-  /// Units: bytes of one slice.
-  std::uint64_t slice_bytes() const {
-    return std::uint64_t{dims[0]} * dims[1] * sample_bytes(type);
-  }
 };
 
 // Readers and filters fill it with these; set_place() of declared_place.hpp sets its place.
 
 /// Adds a note, unless it is there.
 void note(VolumeInfo& info, const std::string& text);
-
-/// The limit of VolumeInfo::dims. Units: voxels along x and y.
-constexpr std::int64_t max_across = 32766;
 
 /// Takes sizes, fastest axis first. Two give one slice; those beyond the third count volumes.
 /// frame: the one of them that is asked for. Throws when a size is out of the range of

@@ -5,16 +5,16 @@
 
 #include "extraction/arena_memory.hpp"
 #include "require.hpp"
-#include "streams/spacing.hpp"
+#include "samples/spacing.hpp"
 
 namespace discmc::device {
 
-using command::require;
+using meshing::require;
 
 namespace {
 
 StreamLabel label_of(const ScanPlan& plan) {
-  const auto spacing = command::spacing_nm(plan.spacing_mm);
+  const auto spacing = meshing::spacing_nm(plan.spacing_mm);
   return {plan.dims[2], {spacing[0], spacing[1], spacing[2]}};
 }
 
@@ -51,7 +51,7 @@ Status RowScan::push_samples(const std::uint8_t* row) {
 }
 
 void RowScan::push(const std::uint8_t* row) {
-  command::with_scanner_type(plan_.type,
+  meshing::with_scanner_type(plan_.type,
                              [&](auto type) { require(push_samples<decltype(type)>(row)); });
   ++rows_;
 }

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "volumes/sample_type.hpp"
+#include "samples/sample_type.hpp"
 
 namespace discmc::device {
 
@@ -19,7 +19,7 @@ struct ScanPlan {
   /// Samples per row, rows per slice, and slices at most.
   std::array<std::uint32_t, 3> dims{};
   /// Limit: is_scanner_type(type).
-  command::SampleType type = command::SampleType::u8;
+  meshing::SampleType type = meshing::SampleType::u8;
   /// The distance between voxels. Units: millimetres.
   std::array<double, 3> spacing_mm{1, 1, 1};
   std::int32_t threshold = 0;  ///< a voxel is on if its sample is >= threshold
@@ -28,7 +28,7 @@ struct ScanPlan {
   std::uint64_t memory = std::uint64_t{16} << 20;
 
   /// Units: bytes.
-  std::size_t row_bytes() const { return dims[0] * command::sample_bytes(type); }
+  std::size_t row_bytes() const { return dims[0] * meshing::sample_bytes(type); }
   /// Limit: dims[1] * dims[2] fit into 32 bits.
   std::uint32_t rows() const { return dims[1] * dims[2]; }
 };

@@ -42,9 +42,9 @@ void add_scan_options(CLI::App& command, ScanArguments& arguments) {
       ->option_text("X,Y,Z");
   command.add_option("--type", plan.type, "sample type, with the low byte first (default: u8)")
       ->transform(CLI::CheckedTransformer(
-          std::map<std::string, command::SampleType>{{"u8", command::SampleType::u8},
-                                                     {"u16", command::SampleType::u16},
-                                                     {"i16", command::SampleType::i16}}))
+          std::map<std::string, meshing::SampleType>{{"u8", meshing::SampleType::u8},
+                                                     {"u16", meshing::SampleType::u16},
+                                                     {"i16", meshing::SampleType::i16}}))
       ->option_text("u8|u16|i16");
   command.add_option("--threshold", plan.threshold, "a voxel is on if its sample is >= THRESHOLD")
       ->required();

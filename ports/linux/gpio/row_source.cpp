@@ -56,8 +56,8 @@ class FileRows final : public RowSource {
 
 class SimulatedRows final : public RowSource {
  public:
-  SimulatedRows(const std::array<std::uint32_t, 3>& dims, command::SampleType type)
-      : dims_(dims), sample_bytes_(command::sample_bytes(type)) {}
+  SimulatedRows(const std::array<std::uint32_t, 3>& dims, meshing::SampleType type)
+      : dims_(dims), sample_bytes_(meshing::sample_bytes(type)) {}
 
   bool read(std::uint32_t number, std::vector<std::uint8_t>& row) override {
     const std::uint32_t y = number % dims_[1];
@@ -98,7 +98,7 @@ std::unique_ptr<RowSource> open_rows(const std::string& path) {
 }
 
 std::unique_ptr<RowSource> simulated_rows(const std::array<std::uint32_t, 3>& dims,
-                                          command::SampleType type) {
+                                          meshing::SampleType type) {
   return std::make_unique<SimulatedRows>(dims, type);
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "volumes/sample_type.hpp"
+#include "samples/sample_type.hpp"
 
 namespace discmc::device {
 
@@ -32,7 +32,7 @@ std::unique_ptr<RowSource> open_rows(const std::string& path);
 
 /// A generated volume: a ball with a hole through it, in noise.
 std::unique_ptr<RowSource> simulated_rows(const std::array<std::uint32_t, 3>& dims,
-                                          command::SampleType type);
+                                          meshing::SampleType type);
 
 }  // namespace discmc::device
 

@@ -7,15 +7,15 @@ namespace discmc::web {
 namespace {
 
 template <class Call>
-void for_each_corner(const command::Polygons& polygons, Call call) {
-  for (const command::Polygon& polygon : polygons)
-    for (const command::Ring& ring : polygon.rings)
+void for_each_corner(const meshing::Polygons& polygons, Call call) {
+  for (const meshing::Polygon& polygon : polygons)
+    for (const meshing::Ring& ring : polygon.rings)
       for (const Vertex& corner : ring) call(corner);
 }
 
 }  // namespace
 
-void CornerSet::fill(const command::Polygons& polygons) {
+void CornerSet::fill(const meshing::Polygons& polygons) {
   blocks_.clear();
   lay_out(polygons);
   for_each_corner(polygons, [this](const Vertex& corner) {
@@ -29,7 +29,7 @@ void CornerSet::fill(const command::Polygons& polygons) {
   });
 }
 
-void CornerSet::lay_out(const command::Polygons& polygons) {
+void CornerSet::lay_out(const meshing::Polygons& polygons) {
   numbers_.clear();
   if (polygons.empty()) return;
   least_ = polygons[0].rings[0][0];

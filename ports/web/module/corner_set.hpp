@@ -19,7 +19,7 @@ class CornerSet {
 
   /// Takes the corners of these polygons. Throws std::runtime_error where they lie beyond
   /// max_coordinate, or in a box of too many blocks.
-  void fill(const command::Polygons& polygons);
+  void fill(const meshing::Polygons& polygons);
 
   /// Limit: on a side of one of the polygons.
   bool holds(const Vertex& vertex) const {
@@ -43,7 +43,7 @@ class CornerSet {
     const auto z = static_cast<std::uint32_t>(vertex.z - least_.z);
     return {(std::size_t{z / 8} * rows_ + y / 8) * columns_ + x / 8, z % 8, y % 8 * 8 + x % 8};
   }
-  void lay_out(const command::Polygons& polygons);
+  void lay_out(const meshing::Polygons& polygons);
 
   Vertex least_{};
   std::size_t columns_ = 0;

@@ -28,13 +28,13 @@ DeviceScan scan(const VoxelBits& bits, const StreamHeader& header, std::uint64_t
   DeviceScan result;
   std::vector<std::uint8_t> memory(bytes);
   Encoder encoder;
-  command::require(encoder.start(header.label(), output_to(result.stream)));
+  meshing::require(encoder.start(header.label(), output_to(result.stream)));
   Extractor<Index> extractor;
-  command::require(extractor.start(limits_of(header), header.thresholds[0],
+  meshing::require(extractor.start(limits_of(header), header.thresholds[0],
                                    {memory.data(), memory.size()}, make_sink(encoder)));
   for (std::uint32_t row = 0; row < bits.rows(); ++row)
-    command::require(extractor.push_bits(bits.row(row)).status);
-  command::require(extractor.finish());
+    meshing::require(extractor.push_bits(bits.row(row)).status);
+  meshing::require(extractor.finish());
   const Statistics statistics = extractor.statistics();
   result.regions = statistics.regions;
   result.fragments = statistics.fragments;
@@ -59,11 +59,11 @@ DeviceScan scan_slices(const VoxelBits& bits, const StreamHeader& header) {
   constexpr KeySlices first_only{};
   std::vector<std::uint8_t> memory(slice_encoder_bytes(limits_of(header), first_only));
   SliceEncoder encoder;
-  command::require(
+  meshing::require(
       encoder.start(header, first_only, {memory.data(), memory.size()}, output_to(result.stream)));
   for (std::uint32_t row = 0; row < bits.rows(); ++row)
-    command::require(encoder.push_bits(bits.row(row)).status);
-  command::require(encoder.finish());
+    meshing::require(encoder.push_bits(bits.row(row)).status);
+  meshing::require(encoder.finish());
   result.memory_used = memory.size();
   return result;
 }

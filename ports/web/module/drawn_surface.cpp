@@ -5,14 +5,14 @@
 
 namespace discmc::web {
 
-void DrawnSurface::make(const command::Polygons& polygons, bool is_hostile) {
+void DrawnSurface::make(const meshing::Polygons& polygons, bool is_hostile) {
   vertices_.clear();
   for (std::vector<std::uint32_t>& triangles : triangles_of_) triangles.clear();
   edges_.clear();
   left_out_ = 0;
   number_ = 0;
   corners_.fill(polygons);
-  for (const command::Polygon& polygon : polygons) {
+  for (const meshing::Polygon& polygon : polygons) {
     add_polygon(polygon);
     if (!is_hostile)
       add_triangles(polygon.incidence);
@@ -22,16 +22,16 @@ void DrawnSurface::make(const command::Polygons& polygons, bool is_hostile) {
   gather_triangles();
 }
 
-void DrawnSurface::add_polygon(const command::Polygon& polygon) {
+void DrawnSurface::add_polygon(const meshing::Polygon& polygon) {
   points_.clear();
   ring_ends_.clear();
   first_vertex_ = static_cast<std::uint32_t>(vertices_.size());
   ++number_;
-  for (const command::Ring& ring : polygon.rings) add_ring(ring, polygon);
+  for (const meshing::Ring& ring : polygon.rings) add_ring(ring, polygon);
 }
 
-void DrawnSurface::add_ring(const command::Ring& ring, const command::Polygon& polygon) {
-  const command::LatticePlane plane(polygon.rings[0][0], polygon.incidence);
+void DrawnSurface::add_ring(const meshing::Ring& ring, const meshing::Polygon& polygon) {
+  const meshing::LatticePlane plane(polygon.rings[0][0], polygon.incidence);
   const auto begin = static_cast<std::uint32_t>(vertices_.size());
   const auto add = [&](const Vertex& vertex) {
     vertices_.push_back(
@@ -42,8 +42,8 @@ void DrawnSurface::add_ring(const command::Ring& ring, const command::Polygon& p
   };
   for (std::size_t i = 0; i < ring.size(); ++i) {
     add(ring[i]);
-    const command::Side side =
-        command::side_between(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+    const meshing::Side side =
+        meshing::side_between(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
     Vertex vertex = ring[i];
     for (std::int32_t link = 1; link < side.links; ++link) {
       vertex = vertex + side.link;

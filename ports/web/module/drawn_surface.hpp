@@ -32,7 +32,7 @@ class DrawnSurface {
  public:
   /// is_hostile: polygons may be none that a sweep makes; those that cannot be triangulated are
   /// left out and counted. Throws std::runtime_error as CornerSet::fill() does.
-  void make(const command::Polygons& polygons, bool is_hostile);
+  void make(const meshing::Polygons& polygons, bool is_hostile);
 
   const std::vector<DrawnVertex>& vertices() const { return vertices_; }
   /// Numbers of vertices, three a triangle, counter-clockwise from outside as the lattice has it.
@@ -45,8 +45,8 @@ class DrawnSurface {
   std::uint32_t left_out() const { return left_out_; }
 
  private:
-  void add_polygon(const command::Polygon& polygon);
-  void add_ring(const command::Ring& ring, const command::Polygon& polygon);
+  void add_polygon(const meshing::Polygon& polygon);
+  void add_ring(const meshing::Ring& ring, const meshing::Polygon& polygon);
   void add_triangles(Incidence incidence);
   void gather_triangles();
 
@@ -60,7 +60,7 @@ class DrawnSurface {
   // Of the polygon under way.
   std::uint32_t number_ = 0;
   std::uint32_t first_vertex_ = 0;
-  std::vector<command::PlanePoint> points_;
+  std::vector<meshing::PlanePoint> points_;
   std::vector<std::uint32_t> ring_ends_;
   TriangleStore store_;
 };

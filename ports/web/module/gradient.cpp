@@ -6,8 +6,8 @@
 
 #include "extraction/narrowed_volume.hpp"
 #include "require.hpp"
-#include "statistics/sample_bounds.hpp"
-#include "streams/spacing.hpp"
+#include "samples/sample_bounds.hpp"
+#include "samples/spacing.hpp"
 
 namespace discmc::web {
 namespace {
@@ -26,14 +26,14 @@ std::vector<std::uint32_t> upwards(const std::vector<DrawnVertex>& vertices, std
 }
 
 template <class Sample>
-void set_from_samples(command::VolumeReader& volume, const std::vector<DrawnVertex>& vertices,
+void set_from_samples(meshing::SliceReader& volume, const std::vector<DrawnVertex>& vertices,
                       std::vector<OctahedralNormal>& normals) {
-  const command::VolumeInfo& info = volume.info();
+  const meshing::SampleGrid& info = volume.info();
   const Limits limits{info.dims[0], info.dims[1]};
   std::vector<std::uint8_t> memory(SampleWindow<Sample>::bytes_for(limits));
   SampleWindow<Sample> window;
-  command::require(window.start(limits, {memory.data(), memory.size()}));
-  const auto spacing = command::spacing_nm(info.spacing_mm);
+  meshing::require(window.start(limits, {memory.data(), memory.size()}));
+  const auto spacing = meshing::spacing_nm(info.spacing_mm);
   const AxisWeights weights = axis_weights({spacing[0], spacing[1], spacing[2]});
   const std::vector<std::uint32_t> order = upwards(vertices, info.dims[2]);
   auto next = order.begin();
@@ -48,7 +48,7 @@ void set_from_samples(command::VolumeReader& volume, const std::vector<DrawnVert
   std::vector<Sample> slice(info.slice_bytes() / sizeof(Sample));
   for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
     volume.read_slice(slice.data());
-    command::require(window.push(slice.data(), static_cast<std::uint32_t>(slice.size())));
+    meshing::require(window.push(slice.data(), static_cast<std::uint32_t>(slice.size())));
     set_covered();
   }
   window.end();
@@ -60,13 +60,13 @@ void set_from_samples(command::VolumeReader& volume, const std::vector<DrawnVert
 std::vector<OctahedralNormal> gradient_normals(const std::vector<DrawnVertex>& vertices,
                                                const MemoryVolume& volume, double iso) {
   std::vector<OctahedralNormal> normals(vertices.size());
-  std::unique_ptr<command::VolumeReader> reader = std::make_unique<MemoryReader>(volume);
-  if (!command::is_scanner_type(volume.info().type)) {
+  std::unique_ptr<meshing::SliceReader> reader = std::make_unique<MemoryReader>(volume);
+  if (!meshing::is_scanner_type(volume.info().type)) {
     MemoryReader whole(volume);
-    const command::SampleBounds bounds = command::sample_bounds(whole);
-    reader = command::narrowed(std::move(reader), bounds, iso);
+    const meshing::SampleBounds bounds = meshing::sample_bounds(whole);
+    reader = meshing::narrowed(std::move(reader), bounds, iso);
   }
-  command::with_scanner_type(reader->info().type, [&](auto type) {
+  meshing::with_scanner_type(reader->info().type, [&](auto type) {
     set_from_samples<decltype(type)>(*reader, vertices, normals);
   });
   return normals;

@@ -54,10 +54,10 @@ bool is_packable(const Vertex& vertex) {
   return std::max({vertex.x, vertex.y, vertex.z}) <= most;
 }
 
-void add_ring(const command::Ring& ring, Balance& balance) {
+void add_ring(const meshing::Ring& ring, Balance& balance) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const command::Side side =
-        command::side_between(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+    const meshing::Side side =
+        meshing::side_between(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
     Vertex vertex = ring[i];
     for (std::int32_t link = 0; link < side.links; ++link) {
       if (balance.size() > Missing::max_open_links) return;
@@ -69,10 +69,10 @@ void add_ring(const command::Ring& ring, Balance& balance) {
 
 }  // namespace
 
-bool Missing::add_open_links(const command::Polygons& polygons) {
+bool Missing::add_open_links(const meshing::Polygons& polygons) {
   Balance balance;
-  for (const command::Polygon& polygon : polygons) {
-    for (const command::Ring& ring : polygon.rings) {
+  for (const meshing::Polygon& polygon : polygons) {
+    for (const meshing::Ring& ring : polygon.rings) {
       if (!std::all_of(ring.begin(), ring.end(), is_packable)) return false;
       add_ring(ring, balance);
     }

@@ -42,7 +42,7 @@ class Missing {
   /// Links where a polygon has no other beside it. A surface that is whole has none, but where an
   /// open one ends. Returns false, and adds nothing, where there are more than
   /// max_open_links, or coordinates beyond 16 bits.
-  bool add_open_links(const command::Polygons& polygons);
+  bool add_open_links(const meshing::Polygons& polygons);
 
   const std::vector<MissingLine>& lines() const { return lines_; }
   /// In order; none touches the next.

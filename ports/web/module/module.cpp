@@ -16,9 +16,9 @@
 #include "memory_volume.hpp"
 #include "missing.hpp"
 #include "stream_surface.hpp"
-#include "streams/spacing.hpp"
+#include "samples/spacing.hpp"
 #include "sweep.hpp"
-#include "volumes/iso_value.hpp"
+#include "samples/iso_value.hpp"
 #include "voxel_bits.hpp"
 
 #define EXPORT(name) extern "C" __attribute__((export_name(#name), used))
@@ -59,7 +59,7 @@ struct State {
   DrawnSurface drawn;
   std::vector<OctahedralNormal> normals;
   std::vector<std::int32_t> polygons;
-  command::Mesh classic;
+  meshing::FaceMesh classic;
   std::vector<float> classic_vertices;
   DeviceScan scan;
   std::vector<std::int32_t> surfaces;
@@ -77,13 +77,13 @@ StreamHeader header() {
   header.width = info.dims[0];
   header.height = info.dims[1];
   header.depth = info.dims[2];
-  const auto spacing = command::spacing_nm(info.spacing_mm);
+  const auto spacing = meshing::spacing_nm(info.spacing_mm);
   for (std::size_t axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = spacing[axis];
-  header.thresholds[0] = command::stored_threshold(info, state().iso);
+  header.thresholds[0] = meshing::stored_threshold(info, state().iso);
   return header;
 }
 
-const command::Polygons& polygons() {
+const meshing::Polygons& polygons() {
   return state().stream ? state().stream->polygons() : state().swept.polygons;
 }
 
@@ -102,7 +102,7 @@ std::uint8_t* new_volume(std::uint32_t type, std::uint32_t width, std::uint32_t 
                          std::uint32_t depth, double x_mm, double y_mm, double z_mm, double slope,
                          double intercept, std::uint32_t is_in_hounsfield) {
   command::VolumeInfo info;
-  info.type = static_cast<command::SampleType>(type);
+  info.type = static_cast<meshing::SampleType>(type);
   info.dims = {width, height, depth};
   info.spacing_mm = {x_mm, y_mm, z_mm};
   info.slope = slope;
@@ -159,10 +159,10 @@ EXPORT(normals) const Bytes* normals() {
 EXPORT(polygons) const Bytes* polygons_as_numbers() {
   std::vector<std::int32_t>& list = state().polygons;
   list.clear();
-  for (const command::Polygon& polygon : polygons()) {
+  for (const meshing::Polygon& polygon : polygons()) {
     list.push_back(polygon.incidence);
     list.push_back(static_cast<std::int32_t>(polygon.rings.size()));
-    for (const command::Ring& ring : polygon.rings) {
+    for (const meshing::Ring& ring : polygon.rings) {
       list.push_back(static_cast<std::int32_t>(ring.size()));
       for (const Vertex& corner : ring)
         for (const std::int32_t coordinate : {corner.x, corner.y, corner.z})
@@ -180,7 +180,7 @@ EXPORT(classic) void classic() {
   options.selection = {all.iso};
   all.classic = command::classic_mesh(reader, options);
   all.classic_vertices.clear();
-  for (const command::Point& vertex : all.classic.vertices_mm)
+  for (const meshing::Point& vertex : all.classic.vertices_mm)
     for (const double coordinate : vertex)
       all.classic_vertices.push_back(static_cast<float>(coordinate));
   all.classic.vertices_mm = {};
@@ -220,7 +220,7 @@ const Bytes* picture(std::uint32_t axis, std::uint32_t place, double dark, doubl
   constexpr double steps = 127;
   const double scale = bright > dark ? steps / (bright - dark) : 0;
   std::uint32_t at[3] = {place, place, place};
-  command::with_sample_type(info.type, [&](auto type) {
+  meshing::with_sample_type(info.type, [&](auto type) {
     using Sample = decltype(type);
     for (at[across] = 0; at[across] < info.dims[across]; ++at[across])
       for (at[along] = 0; at[along] < info.dims[along]; ++at[along]) {
@@ -265,7 +265,7 @@ EXPORT(stream_state) const double* stream_state() {
   const StreamSurface& stream = *state().stream;
   const StreamHeader& header = stream.reader().header();
   const StreamReport report = stream.report();
-  const auto spacing = command::spacing_mm(header);
+  const auto spacing = meshing::spacing_mm(header);
   const auto surface = static_cast<std::uint32_t>(stream.reader().channel() - header.channel);
   const std::int32_t threshold = header.thresholds[surface < header.surface_count ? surface : 0];
   return numbers(report.has_header, header.width, header.height,

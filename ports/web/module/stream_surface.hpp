@@ -34,15 +34,15 @@ class StreamSurface {
   const std::optional<Placement>& placement() const { return placement_; }
   /// Regions that came in pieces of which some did not are among the lost ones.
   StreamReport report() const;
-  const command::Polygons& polygons() const { return builder_.surface().polygons; }
+  const meshing::Polygons& polygons() const { return builder_.surface().polygons; }
   /// Where rows never came, and at the end, after finish(), where polygons are missing.
   Missing missing(bool is_end) const;
 
  private:
   void note_skipped(std::uint32_t slice, std::uint32_t row);
 
-  command::SurfaceBuilder builder_;
-  command::GrowingJoiner joiner_;
+  meshing::SurfaceBuilder builder_;
+  meshing::GrowingJoiner joiner_;
   command::StreamReader reader_;
   std::optional<Placement> placement_;
   std::vector<MissingRows> rows_;  // the first of those that are skipped

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include <discmc/host/host_extractor.hpp>
+#include "host/host_extractor.hpp"
 
 #include "surface/surface.hpp"
 #include "voxel_bits.hpp"
@@ -17,7 +17,7 @@ namespace discmc::web {
 class Sweep {
  public:
   struct Result {
-    command::Polygons polygons;
+    meshing::Polygons polygons;
     Statistics statistics{};
   };
   /// Border::closed. Throws as SurfaceBuilder.

@@ -7,18 +7,18 @@ namespace discmc::web {
 
 TriangleStore::TriangleStore() : slots_(slot_count) {}
 
-TriangleStore::Triangles TriangleStore::triangulate(const std::vector<command::PlanePoint>& points,
+TriangleStore::Triangles TriangleStore::triangulate(const std::vector<meshing::PlanePoint>& points,
                                                     const std::vector<std::uint32_t>& ring_ends) {
   Shape shape;
   if (ring_ends.size() != 1 || !shape_of(points, shape)) {
-    const std::vector<command::Triangle>& made = triangulator_.triangulate(points, ring_ends);
+    const std::vector<meshing::Triangle>& made = triangulator_.triangulate(points, ring_ends);
     return {made.data(), made.size()};
   }
   Slot& slot = slot_of(shape);
   const bool is_known = slot.shape.points == shape.points &&
                         std::memcmp(slot.shape.at, shape.at, 2 * std::size_t{shape.points}) == 0;
   if (!is_known) {
-    const std::vector<command::Triangle>& made = triangulator_.triangulate(points, ring_ends);
+    const std::vector<meshing::Triangle>& made = triangulator_.triangulate(points, ring_ends);
     slot.shape = shape;
     slot.triangles = static_cast<std::uint32_t>(made.size());
     std::copy(made.begin(), made.end(), slot.triangle);
@@ -26,11 +26,11 @@ TriangleStore::Triangles TriangleStore::triangulate(const std::vector<command::P
   return {slot.triangle, slot.triangles};
 }
 
-bool TriangleStore::shape_of(const std::vector<command::PlanePoint>& points, Shape& shape) {
+bool TriangleStore::shape_of(const std::vector<meshing::PlanePoint>& points, Shape& shape) {
   constexpr std::int64_t farthest = 127;
   if (points.size() > max_points) return false;
   std::int8_t* at = shape.at;
-  for (const command::PlanePoint& point : points)
+  for (const meshing::PlanePoint& point : points)
     for (const std::int64_t coordinate : {point.u, point.v}) {
       if (coordinate < -farthest || coordinate > farthest) return false;
       *at++ = static_cast<std::int8_t>(coordinate);

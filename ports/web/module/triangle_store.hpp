@@ -19,10 +19,10 @@ class TriangleStore {
   /// As Triangulator::triangulate(). points: the first is at 0, 0. The triples are valid until the
   /// next call.
   struct Triangles {
-    const command::Triangle* begin;
+    const meshing::Triangle* begin;
     std::size_t count;
   };
-  Triangles triangulate(const std::vector<command::PlanePoint>& points,
+  Triangles triangulate(const std::vector<meshing::PlanePoint>& points,
                         const std::vector<std::uint32_t>& ring_ends);
 
  private:
@@ -37,13 +37,13 @@ class TriangleStore {
   struct Slot {
     Shape shape;
     std::uint32_t triangles = 0;
-    command::Triangle triangle[max_points - 2];
+    meshing::Triangle triangle[max_points - 2];
   };
 
-  static bool shape_of(const std::vector<command::PlanePoint>& points, Shape& shape);
+  static bool shape_of(const std::vector<meshing::PlanePoint>& points, Shape& shape);
   Slot& slot_of(const Shape& shape);
 
-  command::Triangulator triangulator_;
+  meshing::Triangulator triangulator_;
   std::vector<Slot> slots_;  // one shape each: the last that fell there
 };
 

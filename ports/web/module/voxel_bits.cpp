@@ -12,16 +12,16 @@ void VoxelBits::select(const MemoryVolume& volume, double iso) {
   width_ = info.dims[0];
   height_ = info.dims[1];
   depth_ = info.dims[2];
-  row_bytes_ = command::bit_row_bytes(width_);
+  row_bytes_ = meshing::bit_row_bytes(width_);
   bits_.resize(row_bytes_ * rows());
-  const command::SliceSelector selector(info, {iso});
+  const meshing::SliceSelector selector(info, {iso});
   for (std::uint32_t z = 0; z < depth_; ++z)
     selector.select(volume.slice(z), bits_.data() + z * height_ * row_bytes_, row_bytes_);
 }
 
 // In place: a row comes out long after it went in.
 void VoxelBits::filter() {
-  command::OwnFilter own({width_, height_});
+  meshing::OwnFilter own({width_, height_});
   std::uint8_t* next = bits_.data();
   const auto keep = [&](const std::uint8_t* filtered) {
     if (filtered == nullptr) return false;

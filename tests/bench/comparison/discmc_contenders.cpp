@@ -1,5 +1,5 @@
 #include <discmc/discmc.hpp>
-#include <discmc/host/host_extractor.hpp>
+#include "host/host_extractor.hpp"
 
 #include <memory>
 #include <stdexcept>

@@ -257,7 +257,7 @@ TEST_CASE("an end-stop between slices leaves a whole stream, one within a slice 
 }
 
 TEST_CASE("samples of 16 bits have their low byte first") {
-  for (const auto type : {command::SampleType::u16, command::SampleType::i16}) {
+  for (const auto type : {meshing::SampleType::u16, meshing::SampleType::i16}) {
     ScanPlan plan = plan_of(2, 1, 1, type);
     plan.threshold = 0x0100;
     Recording recording(plan);

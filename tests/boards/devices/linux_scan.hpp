@@ -11,7 +11,7 @@
 namespace discmc::test {
 
 inline device::ScanPlan plan_of(std::uint32_t width, std::uint32_t height, std::uint32_t depth,
-                                command::SampleType type = command::SampleType::u8) {
+                                meshing::SampleType type = meshing::SampleType::u8) {
   device::ScanPlan plan;
   plan.dims = {width, height, depth};
   plan.type = type;

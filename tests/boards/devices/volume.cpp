@@ -12,8 +12,8 @@ int main(int count, char** arguments) {
   auto& [width, height, depth] = dims;
   if (count != 4 || std::sscanf(arguments[2], "%u,%u,%u", &width, &height, &depth) != 3) return 2;
   const bool is_wide = std::strcmp(arguments[3], "u16") == 0;
-  const auto type = is_wide ? discmc::command::SampleType::u16 : discmc::command::SampleType::u8;
-  std::vector<std::uint8_t> row(width * discmc::command::sample_bytes(type));
+  const auto type = is_wide ? discmc::meshing::SampleType::u16 : discmc::meshing::SampleType::u8;
+  std::vector<std::uint8_t> row(width * discmc::meshing::sample_bytes(type));
   std::ofstream file(arguments[1], std::ios::binary);
   const auto source = discmc::device::simulated_rows(dims, type);
   for (std::uint32_t i = 0; i < height * depth; ++i) {

@@ -31,7 +31,7 @@ void add_volume(CLI::App& app, Options& options) {
   CLI::Option* type = app.add_option_function<std::string>(
                              "--type",
                              [layout](const std::string& name) {
-                               layout().type = *command::sample_type_called(name);
+                               layout().type = *meshing::sample_type_called(name);
                              },
                              "samples of a headerless file")
                           ->check(CLI::IsMember({"u8", "u16", "i16"}))

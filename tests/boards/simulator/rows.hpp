@@ -17,7 +17,7 @@ class Rows {
   const command::VolumeInfo& info() const { return info_; }
   std::uint32_t count() const { return info_.dims[1] * info_.dims[2]; }
   /// Units: bytes of a row.
-  std::size_t bytes() const { return info_.dims[0] * command::sample_bytes(info_.type); }
+  std::size_t bytes() const { return info_.dims[0] * meshing::sample_bytes(info_.type); }
   const std::uint8_t* row(std::uint32_t number) const { return &samples_[number * bytes()]; }
 
  private:

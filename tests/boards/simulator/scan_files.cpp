@@ -12,9 +12,9 @@
 
 #include <discmc/extractor.hpp>
 
-#include "streams/spacing.hpp"
+#include "samples/spacing.hpp"
 #include "text/number_text.hpp"
-#include "volumes/iso_value.hpp"
+#include "samples/iso_value.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::simulator {
@@ -23,13 +23,13 @@ namespace {
 // What the board netduinoplus2 has for the arena and two rows of samples. Units: bytes.
 constexpr std::uint64_t memory = std::uint64_t{122} << 10;
 
-const char* sample_of(command::SampleType type) {
+const char* sample_of(meshing::SampleType type) {
   switch (type) {
-    case command::SampleType::u8:
+    case meshing::SampleType::u8:
       return "uint8_t";
-    case command::SampleType::u16:
+    case meshing::SampleType::u16:
       return "uint16_t";
-    case command::SampleType::i16:
+    case meshing::SampleType::i16:
       return "int16_t";
     default:
       throw std::invalid_argument("its samples are " + std::string(name(type)) +
@@ -38,7 +38,7 @@ const char* sample_of(command::SampleType type) {
 }
 
 std::uint64_t arena_bytes(const command::VolumeInfo& info) {
-  const std::uint64_t rows = 2 * (info.dims[0] * command::sample_bytes(info.type) + 4);
+  const std::uint64_t rows = 2 * (info.dims[0] * meshing::sample_bytes(info.type) + 4);
   const std::uint64_t least = minimum_bytes<std::uint16_t>({info.dims[0], info.dims[1]});
   if (rows + least > memory)
     throw std::invalid_argument("its slices of " + std::to_string(info.dims[0]) + "x" +
@@ -48,7 +48,7 @@ std::uint64_t arena_bytes(const command::VolumeInfo& info) {
 }
 
 void write_header(const command::VolumeInfo& info, double iso, std::ostream& out) {
-  const auto spacing = command::spacing_nm(info.spacing_mm);
+  const auto spacing = meshing::spacing_nm(info.spacing_mm);
   out << "// Written by scan_files.\n"
          "#include <stddef.h>\n\n"
          "#include <discmc/limits.hpp>\n\n"
@@ -58,7 +58,7 @@ void write_header(const command::VolumeInfo& info, double iso, std::ostream& out
       << "constexpr uint32_t depth = " << info.dims[2] << ";\n"
       << "constexpr int32_t spacing_nm[] = {" << spacing[0] << ", " << spacing[1] << ", "
       << spacing[2] << "};\n"
-      << "constexpr int32_t threshold = " << command::stored_threshold(info, iso) << ";\n"
+      << "constexpr int32_t threshold = " << meshing::stored_threshold(info, iso) << ";\n"
       << "constexpr size_t arena_bytes = " << arena_bytes(info) << ";\n\n"
       << "}  // namespace scan\n";
 }

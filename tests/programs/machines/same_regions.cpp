@@ -16,8 +16,8 @@
 namespace {
 
 std::vector<discmc::reference::Region> regions_in(const std::string& path) {
-  discmc::command::SurfaceBuilder builder;
-  discmc::command::GrowingJoiner joiner(discmc::make_sink(builder));
+  discmc::meshing::SurfaceBuilder builder;
+  discmc::meshing::GrowingJoiner joiner(discmc::make_sink(builder));
   discmc::command::StreamReader reader(discmc::make_sink(joiner));
   std::ifstream file(path, std::ios::binary);
   reader.read(file);

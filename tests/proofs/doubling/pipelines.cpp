@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
-#include <discmc/host/host_extractor.hpp>
+#include "host/host_extractor.hpp"
 #include <discmc/joiner.hpp>
 #include <discmc/slice_decoder.hpp>
 #include <discmc/slice_encoder.hpp>

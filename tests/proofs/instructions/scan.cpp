@@ -2,7 +2,7 @@
 // CT scan has. Prints the number of active cells.
 //
 //   scan plain | host      by an Extractor, or a HostExtractor
-#include <discmc/host/host_extractor.hpp>
+#include "host/host_extractor.hpp"
 
 #include <cstdint>
 #include <cstdio>

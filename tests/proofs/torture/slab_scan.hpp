@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <discmc/host/host_extractor.hpp>
+#include "host/host_extractor.hpp"
 #include <memory>
 #include <stdexcept>
 #include <utility>

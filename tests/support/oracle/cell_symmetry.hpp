@@ -32,7 +32,7 @@ struct CellSymmetry {
     return {to[0], to[1], to[2]};
   }
 
-  Point point(Point p) const {
+  CellPoint point(CellPoint p) const {
     constexpr Vertex middle{1, 1, 1};
     return point_at(vector(position(p) - middle) + middle);
   }

@@ -2,7 +2,7 @@
 #ifndef DISCMC_TESTS_ORACLE_LEAST_HOST_HPP
 #define DISCMC_TESTS_ORACLE_LEAST_HOST_HPP
 
-#include <discmc/host/host_extractor.hpp>
+#include "host/host_extractor.hpp"
 
 namespace discmc::reference {
 

@@ -13,7 +13,7 @@ namespace discmc::reference {
 namespace {
 
 struct PointLink {
-  Point from, to;
+  CellPoint from, to;
 };
 
 bool operator==(const PointLink& a, const PointLink& b) {
@@ -34,7 +34,7 @@ class LinkList {
     else
       *opposite = links_[--count_];
   }
-  void add(const Point* points, int count) {
+  void add(const CellPoint* points, int count) {
     for (int i = 0; i < count; ++i) add({points[i], points[(i + 1) % count]});
   }
   void sort() { std::sort(links_.begin(), end()); }
@@ -59,7 +59,7 @@ int squared_length(const Vertex& vector) {
   return dot(vector, vector);
 }
 
-bool is_surface_point(Point point) {
+bool is_surface_point(CellPoint point) {
   const Vertex p = position(point);
   const bool inside = p.x <= 2 && p.y <= 2 && p.z <= 2;
   return inside && (point == centroid || p.x % 2 + p.y % 2 + p.z % 2 == 1);

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <discmc/host/host_extractor.hpp>
 #include <memory>
 #include <vector>
 
@@ -93,7 +92,7 @@ void scan_in_cpp(Scanner& scanner, const Limits& limits, const Capacities& capac
 template <class Scanner>
 std::unique_ptr<Scanner> make_scanner() {
   auto scanner = std::make_unique<Scanner>();
-  if constexpr (!std::is_same_v<Scanner, Extractor16> && !std::is_same_v<Scanner, HostExtractor>)
+  if constexpr (!std::is_same_v<Scanner, Extractor16>)
     scanner->set_spacing(uneven_spacing);
   return scanner;
 }
@@ -135,8 +134,7 @@ void compare(const discmc_extractor_kind& kind, discmc_sample_type type,
   CHECK(counts(from_c(info.statistics)) == counts(scanner->statistics()));
   CHECK(info.statistics.skipped_rows == 1);
   CHECK(info.slices == depth);
-  // What keeps nodes may take a few more after it was restored.
-  if (&kind != &discmc_host) CHECK(info.peak_slots == scanner->peaks().slots);
+  CHECK(info.peak_slots == scanner->peaks().slots);
   CHECK(info.peak_holes == scanner->peaks().holes);
 }
 
@@ -174,28 +172,6 @@ TEST_CASE("kinds with normals deliver what such extractors deliver") {
   compare_normals<int16_t>(discmc_normals_i16, DISCMC_I16);
 }
 
-TEST_CASE("the kind for hosts delivers what a HostExtractor delivers, whatever the samples") {
-  for (const uint64_t spare : {uint64_t{2} << 20, uint64_t{6} << 20}) {
-    compare<HostExtractor, uint8_t>(discmc_host, DISCMC_U8, make_samples<uint8_t>(), spare);
-    compare<HostExtractor, uint16_t>(discmc_host, DISCMC_U16, make_samples<uint16_t>(), spare);
-    compare<HostExtractor, int16_t>(discmc_host, DISCMC_I16, make_samples<int16_t>(), spare);
-    compare<HostExtractor, uint8_t>(discmc_host, DISCMC_BITS, bits_of(make_samples<uint8_t>()),
-                                    spare);
-  }
-}
-
-TEST_CASE("a host has room for the slots that it names") {
-  EventLog log;
-  for (const uint32_t slots : {4U, 190000U, 200000U, 262144U, 300000U}) {
-    Scan scan(discmc_host, 0, log, slots);
-    Scan exact(discmc_host, discmc_extractor_bytes(&scan.config), log, slots);
-    CHECK(discmc_extractor_start(&exact.extractor, &exact.config) == DISCMC_OK);
-    CHECK(exact.info().slots == slots);
-    CHECK(exact.info().holes == slots / 16);
-    CHECK(exact.memory.is_intact());
-  }
-}
-
 TEST_CASE("a slab in C is one in C++") {
   EventLog log, expected;
   Scan scan(discmc_plain_u8, 20000, log);
@@ -213,20 +189,18 @@ TEST_CASE("a slab in C is one in C++") {
 }
 
 TEST_CASE("a slab in C accepts all slices up to the last number, and no more") {
-  for (const discmc_extractor_kind* const kind : {&discmc_plain_u8, &discmc_host}) {
-    EventLog log;
-    Scan scan(*kind, 200000, log);
-    scan.config.limits = {1, 1, DISCMC_CLOSED};
-    scan.config.slab.first = DISCMC_MAX_SLICES - 3;
-    scan.config.slab.continues_below = 1;
-    scan.start();
-    const uint8_t samples[5] = {};
-    const discmc_push_result result =
-        discmc_extractor_push(scan.extractor, DISCMC_U8, samples, 5, 1);
-    CHECK(result.status == DISCMC_TOO_MANY_SLICES);
-    CHECK(result.accepted == 4);
-    CHECK(discmc_extractor_finish(scan.extractor) == DISCMC_OK);
-  }
+  EventLog log;
+  Scan scan(discmc_plain_u8, 200000, log);
+  scan.config.limits = {1, 1, DISCMC_CLOSED};
+  scan.config.slab.first = DISCMC_MAX_SLICES - 3;
+  scan.config.slab.continues_below = 1;
+  scan.start();
+  const uint8_t samples[5] = {};
+  const discmc_push_result result =
+      discmc_extractor_push(scan.extractor, DISCMC_U8, samples, 5, 1);
+  CHECK(result.status == DISCMC_TOO_MANY_SLICES);
+  CHECK(result.accepted == 4);
+  CHECK(discmc_extractor_finish(scan.extractor) == DISCMC_OK);
 }
 
 TEST_CASE("samples may be strided, and end anywhere") {

@@ -32,8 +32,8 @@ std::vector<CellEdge> cell_edges() {
 }
 
 // Where the surface crosses the cell's edges.
-std::set<Point> crossings(Configuration configuration) {
-  std::set<Point> points;
+std::set<CellPoint> crossings(Configuration configuration) {
+  std::set<CellPoint> points;
   for (const CellEdge& edge : cell_edges())
     if (is_on(configuration, edge.corner_a) != is_on(configuration, edge.corner_b))
       points.insert(derive::midpoint(edge.corner_a, edge.corner_b));
@@ -41,7 +41,7 @@ std::set<Point> crossings(Configuration configuration) {
 }
 
 struct LoopLink {
-  Point from, to;
+  CellPoint from, to;
 };
 
 std::vector<LoopLink> loop_links(Configuration configuration) {
@@ -88,7 +88,7 @@ std::vector<int> corners_on_left(int face, const LoopLink& link) {
   return left;
 }
 
-using LinkSet = std::set<std::pair<Point, Point>>;
+using LinkSet = std::set<std::pair<CellPoint, CellPoint>>;
 
 LinkSet link_set(Configuration configuration) {
   LinkSet set;
@@ -122,7 +122,7 @@ void for_each_pair(int axis, Check check) {
 }  // namespace
 
 TEST_CASE("a point and its position name each other") {
-  for (Point point = 0; point < point_codes; ++point) CHECK(point_at(position(point)) == point);
+  for (CellPoint point = 0; point < point_codes; ++point) CHECK(point_at(position(point)) == point);
   CHECK(point_at({2, 2, 2}) == point_codes - 1);
   CHECK(position(centroid) == Vertex{1, 1, 1});
 }
@@ -136,7 +136,7 @@ TEST_CASE("corner c lies at (c & 1, c >> 1 & 1, c >> 2), two half-steps apart") 
 }
 
 TEST_CASE("the twelve edge midpoints are the points with one odd coordinate") {
-  std::set<Point> midpoints;
+  std::set<CellPoint> midpoints;
   for (const CellEdge& edge : cell_edges())
     midpoints.insert(derive::midpoint(edge.corner_a, edge.corner_b));
   CHECK(midpoints.size() == 12);
@@ -165,8 +165,8 @@ TEST_CASE("a face's four corners lie on it, counter-clockwise seen from inside t
 TEST_CASE("two edge midpoints share one face or none, and face_of tells which") {
   for (const CellEdge& a : cell_edges())
     for (const CellEdge& b : cell_edges()) {
-      const Point from = derive::midpoint(a.corner_a, a.corner_b);
-      const Point to = derive::midpoint(b.corner_a, b.corner_b);
+      const CellPoint from = derive::midpoint(a.corner_a, a.corner_b);
+      const CellPoint to = derive::midpoint(b.corner_a, b.corner_b);
       if (from == to) continue;
       int shared = faces;
       int count = 0;
@@ -184,7 +184,7 @@ TEST_CASE("two edge midpoints share one face or none, and face_of tells which") 
 
 TEST_CASE("a link to the centroid lies on no face") {
   for (const CellEdge& edge : cell_edges()) {
-    const Point point = derive::midpoint(edge.corner_a, edge.corner_b);
+    const CellPoint point = derive::midpoint(edge.corner_a, edge.corner_b);
     CHECK(face_of(point, centroid) == faces);
     CHECK(face_of(centroid, point) == faces);
   }
@@ -192,9 +192,9 @@ TEST_CASE("a link to the centroid lies on no face") {
 
 TEST_CASE("the loops of a cell pass every crossing of its edges once, and nothing else") {
   for_each_configuration([](Configuration configuration) {
-    std::multiset<Point> passed;
+    std::multiset<CellPoint> passed;
     for (const LoopLink& link : loop_links(configuration)) passed.insert(link.from);
-    const std::set<Point> crossed = crossings(configuration);
+    const std::set<CellPoint> crossed = crossings(configuration);
     CHECK(std::equal(passed.begin(), passed.end(), crossed.begin(), crossed.end()));
   });
 }
@@ -289,8 +289,8 @@ TEST_CASE("a cell turned or mirrored has its loops turned or mirrored") {
     for (const CellSymmetry& symmetry : symmetries) {
       LinkSet moved;
       for (const LoopLink& link : all) {
-        const Point from = symmetry.point(link.from);
-        const Point to = symmetry.point(link.to);
+        const CellPoint from = symmetry.point(link.from);
+        const CellPoint to = symmetry.point(link.to);
         moved.insert(symmetry.is_mirror() ? std::pair(to, from) : std::pair(from, to));
       }
       CHECK(moved == link_set(symmetry.configuration(configuration)));

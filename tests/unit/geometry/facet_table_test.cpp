@@ -24,20 +24,20 @@ std::vector<Facet> facets_of(int configuration) {
           facet_table.facet + facet_table.first[configuration + 1]};
 }
 
-std::vector<Point> ring_of(Facet facet) {
+std::vector<CellPoint> ring_of(Facet facet) {
   const FacetRing& ring = facet_rings.ring[facet];
   return {ring.point, ring.point + ring.count};
 }
 
 bool has_centroid(Facet facet) {
-  const std::vector<Point> ring = ring_of(facet);
+  const std::vector<CellPoint> ring = ring_of(facet);
   return std::find(ring.begin(), ring.end(), centroid) != ring.end();
 }
 
-using PointLink = std::pair<Point, Point>;
+using PointLink = std::pair<CellPoint, CellPoint>;
 using LinkSet = std::set<PointLink>;
 
-std::vector<PointLink> links_of(const std::vector<Point>& ring) {
+std::vector<PointLink> links_of(const std::vector<CellPoint>& ring) {
   std::vector<PointLink> result;
   for (size_t i = 0; i < ring.size(); ++i) result.push_back({ring[i], ring[(i + 1) % ring.size()]});
   return result;
@@ -47,9 +47,9 @@ std::vector<PointLink> links_of(Facet facet) {
   return links_of(ring_of(facet));
 }
 
-std::vector<std::vector<Point>> loops_of(int configuration) {
+std::vector<std::vector<CellPoint>> loops_of(int configuration) {
   const Loops loops = derive::loops(static_cast<Configuration>(configuration));
-  std::vector<std::vector<Point>> result;
+  std::vector<std::vector<CellPoint>> result;
   for (int l = 0; l < loops.count; ++l)
     result.emplace_back(loops.loop[l].point, loops.loop[l].point + loops.loop[l].count);
   return result;
@@ -101,13 +101,13 @@ bool has_ambiguous_face(int configuration) {
 }
 
 // A facet's ring, started where its smallest point is: rings that are the same compare as such.
-std::vector<Point> normalised(std::vector<Point> ring) {
+std::vector<CellPoint> normalised(std::vector<CellPoint> ring) {
   std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
   return ring;
 }
 
 // A facet as geometry, so that a map of the cell can move it.
-using Placed = std::pair<Incidence, std::vector<Point>>;
+using Placed = std::pair<Incidence, std::vector<CellPoint>>;
 
 std::set<Placed> placed_facets(int configuration) {
   std::set<Placed> set;
@@ -126,7 +126,7 @@ int twice_on_area(int configuration, int face) {
 
 // Six times the volume of the pyramid over a facet with its tip at corner 0.
 int six_volumes(Facet facet) {
-  const std::vector<Point> ring = ring_of(facet);
+  const std::vector<CellPoint> ring = ring_of(facet);
   int sum = 0;
   for (size_t i = 2; i < ring.size(); ++i)
     sum += dot(position(ring[0]), cross(position(ring[i - 1]), position(ring[i])));
@@ -174,7 +174,7 @@ TEST_CASE("a facet's code is its incidence and its shape") {
 }
 
 TEST_CASE("every facet of the table has a ring, and no two the same") {
-  std::set<std::vector<Point>> rings;
+  std::set<std::vector<CellPoint>> rings;
   int count = 0;
   for_each_facet([&](Facet facet) {
     rings.insert(normalised(ring_of(facet)));
@@ -186,9 +186,9 @@ TEST_CASE("every facet of the table has a ring, and no two the same") {
 
 TEST_CASE("a facet's points are edge midpoints or the centroid: an odd coordinate sum, each once") {
   for_each_facet([](Facet facet) {
-    const std::vector<Point> ring = ring_of(facet);
-    CHECK(std::set<Point>(ring.begin(), ring.end()).size() == ring.size());
-    for (const Point point : ring) {
+    const std::vector<CellPoint> ring = ring_of(facet);
+    CHECK(std::set<CellPoint>(ring.begin(), ring.end()).size() == ring.size());
+    for (const CellPoint point : ring) {
       const Vertex p = position(point);
       CHECK((p.x + p.y + p.z) % 2 == 1);
     }
@@ -197,7 +197,7 @@ TEST_CASE("a facet's points are edge midpoints or the centroid: an odd coordinat
 
 TEST_CASE("a facet is flat and convex, its ring counter-clockwise seen from the normal's tip") {
   for_each_facet([](Facet facet) {
-    const std::vector<Point> ring = ring_of(facet);
+    const std::vector<CellPoint> ring = ring_of(facet);
     const Vertex n = normal(incidence_of(facet));
     for (size_t i = 0; i < ring.size(); ++i) {
       const Vertex here = position(ring[i]);
@@ -244,7 +244,7 @@ TEST_CASE("shapes are numbered as promised") {
 TEST_CASE("normals point from on to off, at every edge of the cell that a facet meets") {
   for_each_configuration([](int c) {
     for (const Facet facet : facets_of(c))
-      for (const Point point : ring_of(facet)) {
+      for (const CellPoint point : ring_of(facet)) {
         if (point == centroid) continue;
         const Vertex midpoint = position(point);
         CHECK(end_is_on(c, midpoint, true) != end_is_on(c, midpoint, false));
@@ -262,7 +262,7 @@ TEST_CASE("inside a cell facets meet link against link, and only the loops are l
         if (left_over.erase({to, from}) == 0) left_over.insert({from, to});
       }
     LinkSet loops;
-    for (const std::vector<Point>& loop : loops_of(c))
+    for (const std::vector<CellPoint>& loop : loops_of(c))
       for (const PointLink& link : links_of(loop)) loops.insert(link);
     CHECK(left_over == loops);
   });
@@ -275,7 +275,7 @@ TEST_CASE("at most one loop of a cell uses the centroid, and its fan goes round 
     for (const Facet facet : facets_of(c))
       if (has_centroid(facet)) rim.insert({ring_of(facet)[1], ring_of(facet)[2]});
     int loops_with_centroid = 0;
-    for (const std::vector<Point>& loop : loops_of(c)) {
+    for (const std::vector<CellPoint>& loop : loops_of(c)) {
       const std::vector<PointLink> loop_links = links_of(loop);
       if (rim.count(loop_links[0]) == 0) continue;
       ++loops_with_centroid;
@@ -290,7 +290,7 @@ TEST_CASE("at most one loop of a cell uses the centroid, and its fan goes round 
 TEST_CASE("classic Marching Cubes makes two triangles less than a loop has links") {
   for_each_configuration([](int c) {
     size_t triangles = 0;
-    for (const std::vector<Point>& loop : loops_of(c)) triangles += loop.size() - 2;
+    for (const std::vector<CellPoint>& loop : loops_of(c)) triangles += loop.size() - 2;
     CHECK(cell_facts.classic_triangles[c] == triangles);
   });
 }
@@ -333,7 +333,7 @@ TEST_CASE("a cell turned or mirrored has its facets turned or mirrored") {
     for_each_configuration([&](int c) {
       std::set<Placed> moved;
       for (auto [incidence, ring] : placed_facets(c)) {
-        for (Point& point : ring) point = symmetry.point(point);
+        for (CellPoint& point : ring) point = symmetry.point(point);
         if (symmetry.is_mirror()) std::reverse(ring.begin(), ring.end());
         moved.insert({incidence_of(symmetry.vector(normal(incidence))), normalised(ring)});
       }

@@ -1,7 +1,7 @@
 // Corners in 64 bits: what the sweep of a host builds on.
 #include <doctest/doctest.h>
 
-#include <discmc/host/corner_code.hpp>
+#include "host/corner_code.hpp"
 
 #include <initializer_list>
 

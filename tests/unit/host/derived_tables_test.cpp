@@ -1,8 +1,8 @@
 // The tables of the host's sweep, which the compiler derives, derived once more at run time.
 //
 // The sources are compiled in here; the library's objects of them are then not linked.
-#include <discmc/host/ray_table.cpp>
-#include <discmc/host/sweep.cpp>
+#include "host/ray_table.cpp"
+#include "host/sweep.cpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // Edges are collected in batches.
 #include <doctest/doctest.h>
 
-#include <discmc/host/edges.hpp>
+#include "host/edges.hpp"
 
 using namespace discmc;
 using host::Edges;

@@ -1,7 +1,7 @@
 // An extractor for hosts says what any other says, wherever it hands its fragments over.
 #include <doctest/doctest.h>
 
-#include <discmc/host/host_extractor.hpp>
+#include "host/host_extractor.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <discmc/gradient_normals.hpp>
-#include <discmc/host/host_extractor.hpp>
+#include "host/host_extractor.hpp"
 #include <vector>
 
 #include "oracle/agreement.hpp"

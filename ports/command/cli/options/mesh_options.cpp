@@ -78,7 +78,7 @@ void add_normals_option(CLI::App& app, Normals& normals, const std::string& grad
           "); surface: from the faces around a vertex; gradient: " + gradient);
 }
 
-void add_mesh_options(CLI::App& app, MeshOptions& mesh) {
+void add_mesh_options(CLI::App& app, MeshingOptions& mesh) {
   app.option_defaults()->group(mesh_group);
   add_named_option(
       app, "--faces", mesh.faces,
@@ -105,7 +105,7 @@ void add_component_options(CLI::App& app, ComponentChoice& components) {
 }
 
 void check_components(const ComponentChoice& components, const std::string& output) {
-  if (components.is_any() || format_of(output) != Format::stream) return;
+  if (components.keeps_all() || format_of(output) != Format::stream) return;
   throw CLI::ValidationError(
       components.largest > 0 ? "--largest"
       : components.fills     ? "--fill"
@@ -114,7 +114,7 @@ void check_components(const ComponentChoice& components, const std::string& outp
 }
 
 void check_closed(const ComponentChoice& components, Border border) {
-  if (components.is_any() || border == Border::closed) return;
+  if (components.keeps_all() || border == Border::closed) return;
   throw CLI::ValidationError(
       "--border",
       "an open surface encloses no volume; leave out --largest, --min-volume and "
@@ -203,9 +203,9 @@ void add_decimation_options(CLI::App& app, Decimation& decimation) {
       ->option_text("MM");
 }
 
-void check_decimation(const Decimation& decimation, const MeshOptions& mesh,
+void check_decimation(const Decimation& decimation, const MeshingOptions& mesh,
                       const std::string& output) {
-  if (decimation.is_any()) return;
+  if (!decimation.is_wanted()) return;
   const std::string option = decimation.triangles > 0 ? "--triangles" : "--max-error";
   const Format format = format_of(output);
   if (format == Format::stream || format == Format::jsonl)
@@ -218,7 +218,7 @@ void check_decimation(const Decimation& decimation, const MeshOptions& mesh,
                                "--faces polygons and --no-conforming");
 }
 
-void check_interpolation(const MeshOptions& mesh, const std::string& output) {
+void check_interpolation(const MeshingOptions& mesh, const std::string& output) {
   const Format format = format_of(output);
   if (format == Format::stream || format == Format::jsonl)
     throw CLI::ValidationError("--surface", named(output) +

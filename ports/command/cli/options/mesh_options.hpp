@@ -27,7 +27,7 @@ void take_format(const std::string& format, std::string& output);
 void add_normals_option(CLI::App& app, Normals& normals, const std::string& gradient);
 
 /// --faces and --conforming.
-void add_mesh_options(CLI::App& app, MeshOptions& mesh);
+void add_mesh_options(CLI::App& app, MeshingOptions& mesh);
 
 /// --largest, --min-volume and --fill: what of the surface is kept.
 void add_component_options(CLI::App& app, ComponentChoice& components);
@@ -57,12 +57,12 @@ void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolera
 void add_decimation_options(CLI::App& app, Decimation& decimation);
 
 /// Only conforming triangles of a mesh are decimated. Throws: CLI::ValidationError.
-void check_decimation(const Decimation& decimation, const MeshOptions& mesh,
+void check_decimation(const Decimation& decimation, const MeshingOptions& mesh,
                       const std::string& output);
 
 /// Interpolated vertices are those of conforming triangles, in a mesh. Throws:
 /// CLI::ValidationError.
-void check_interpolation(const MeshOptions& mesh, const std::string& output);
+void check_interpolation(const MeshingOptions& mesh, const std::string& output);
 
 /// Only some formats hold polygons. Throws: CLI::ValidationError.
 void check_faces(Faces faces, const std::string& output);

@@ -6,7 +6,7 @@
 
 #include "surface_options.hpp"
 #include "text/number_text.hpp"
-#include "volumes/label_value.hpp"
+#include "volumes/label_text.hpp"
 
 namespace discmc::command {
 namespace {

@@ -8,7 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "volumes/label_value.hpp"
+#include "meshing.hpp"
+#include "samples/label_value.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::command {

@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "meshing.hpp"
 #include "segments.hpp"
 #include "traits.hpp"
-#include "volumes/sample_type.hpp"
+#include "samples/sample_type.hpp"
 
 namespace discmc::command {
 

@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "meshing.hpp"
 #include "handle.hpp"
-#include "volumes/sample_type.hpp"
+#include "samples/sample_type.hpp"
 
 namespace discmc::command {
 

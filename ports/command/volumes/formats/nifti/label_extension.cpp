@@ -10,6 +10,7 @@
 
 #include "text/number_text.hpp"
 #include "text/words.hpp"
+#include "volumes/label_text.hpp"
 
 #ifdef DISCMC_WITH_PUGIXML
 #include <pugixml.hpp>

@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "volumes/sample_type.hpp"
+#include "meshing.hpp"
+#include "samples/sample_type.hpp"
 
 namespace discmc::command {
 

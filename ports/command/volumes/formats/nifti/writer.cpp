@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "types.hpp"
-#include "volumes/volume_placement.hpp"
+#include "samples/volume_placement.hpp"
 
 namespace discmc::command {
 namespace {

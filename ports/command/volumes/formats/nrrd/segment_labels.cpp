@@ -6,6 +6,7 @@
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 #include "volumes/volume_error.hpp"
+#include "volumes/label_text.hpp"
 
 namespace discmc::command {
 namespace {

@@ -6,8 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "meshing.hpp"
 #include "volumes/array_layout.hpp"
-#include "volumes/sample_type.hpp"
+#include "samples/sample_type.hpp"
 #include "volumes/volume_stream.hpp"
 
 namespace discmc::command {

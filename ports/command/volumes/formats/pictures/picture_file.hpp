@@ -11,10 +11,11 @@
 #include <string_view>
 #include <vector>
 
+#include "meshing.hpp"
 #include "hyperstack.hpp"
 #include "palette.hpp"
 #include "picture_names.hpp"
-#include "volumes/sample_type.hpp"
+#include "samples/sample_type.hpp"
 
 namespace discmc::command {
 

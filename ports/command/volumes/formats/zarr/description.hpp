@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "meshing.hpp"
 #include "codecs.hpp"
 #include "metadata.hpp"
-#include "volumes/sample_type.hpp"
+#include "samples/sample_type.hpp"
 
 namespace discmc::command {
 

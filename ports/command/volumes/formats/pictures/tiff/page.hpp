@@ -9,8 +9,9 @@
 #include <optional>
 #include <string>
 
+#include "meshing.hpp"
 #include "volumes/formats/pictures/palette.hpp"
-#include "volumes/sample_type.hpp"
+#include "samples/sample_type.hpp"
 
 namespace discmc::command {
 

@@ -1,0 +1,46 @@
+// A mesh with what a file holds beside it.
+#ifndef DISCMC_COMMAND_MESH_FILES_FILE_MESH_HPP
+#define DISCMC_COMMAND_MESH_FILES_FILE_MESH_HPP
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <discmc/placement.hpp>
+
+#include "meshes/mesh.hpp"
+#include "meshing.hpp"
+#include "pictures/srgb.hpp"
+
+namespace discmc::command {
+
+/// The length of 1 in the coordinates of a mesh.
+enum class MeshUnit { millimetre, micrometre, metre, inch };
+
+struct FileMesh : FaceMesh {
+  FileMesh() = default;
+  FileMesh(FaceMesh mesh) : FaceMesh(std::move(mesh)) {}
+
+  std::optional<Srgb> colour;    ///< of all of it, where one was given
+  std::string name;              ///< in a file that holds several
+  Space space = Space::scanner;  ///< of the coordinates
+  MeshUnit unit = MeshUnit::millimetre;  ///< of all lengths, once resize() has changed it
+};
+
+/// The coordinates of a mesh in a file.
+struct MeshSize {
+  MeshUnit unit = MeshUnit::millimetre;
+  double scale = 1;  ///< times larger than the object; Limit: positive
+
+  bool is_given() const { return unit != MeshUnit::millimetre || scale != 1; }
+};
+
+/// Turns millimetres into these. Call it last: what has a length in its name is then in this unit.
+void resize(FileMesh& mesh, const MeshSize& size);
+
+/// "mm", "um", "m" or "inch".
+const char* symbol(MeshUnit unit);
+
+}  // namespace discmc::command
+
+#endif

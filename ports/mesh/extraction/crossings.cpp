@@ -1,0 +1,257 @@
+#include "crossings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "mask_bits.hpp"
+
+namespace discmc::meshing {
+namespace {
+
+// The loop of each configuration that is a fan about the centroid; no points if there is none.
+std::array<Loop, configurations> fan_loops() {
+  const auto axis_of = [](CellPoint point) {
+    const Vertex at = position(point);
+    return at.x == 1 ? 0 : at.y == 1 ? 1 : 2;
+  };
+  const auto is_fan = [&](const Loop& loop) {
+    const bool is_flat = std::all_of(loop.point, loop.point + loop.count, [&](CellPoint point) {
+      return axis_of(point) == axis_of(loop.point[0]);
+    });
+    return loop.count > 4 || (loop.count == 4 && is_flat);
+  };
+  std::array<Loop, configurations> result{};
+  for (std::size_t c = 0; c < result.size(); ++c) {
+    const Loops loops = derive::loops(static_cast<Configuration>(c));
+    const Loop* const fan = std::find_if(loops.loop, loops.loop + loops.count, is_fan);
+    if (fan != loops.loop + loops.count) result[c] = *fan;
+  }
+  return result;
+}
+
+Vertex corner_at(const Vertex& centroid, unsigned corner) {
+  return {(centroid.x - 1) / 2 + static_cast<int>(corner & 1),
+          (centroid.y - 1) / 2 + static_cast<int>(corner >> 1 & 1),
+          (centroid.z - 1) / 2 + static_cast<int>(corner >> 2)};
+}
+
+}  // namespace
+
+bool Crossings::is_inside(const Vertex& voxel) const {
+  const std::int32_t at[] = {voxel.x, voxel.y, voxel.z};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (at[axis] < 0 || static_cast<std::uint32_t>(at[axis]) >= dims_[axis]) return false;
+  return true;
+}
+
+const Crossings::Crossing* Crossings::crossing_of(const Vertex& middle) const {
+  const Vertex voxel = {middle.x >> 1, middle.y >> 1, middle.z >> 1};
+  if (!is_inside(voxel)) return nullptr;
+  const Rows& rows = along_[(middle.x & 1) != 0 ? 0 : (middle.y & 1) != 0 ? 1 : 2];
+  const auto x = static_cast<std::uint32_t>(voxel.x);
+  const std::size_t row =
+      static_cast<std::size_t>(voxel.z) * dims_[1] + static_cast<std::size_t>(voxel.y);
+  if (row + 1 >= rows.begin.size()) return nullptr;
+  const Crossing* const end = rows.crossings.data() + rows.begin[row + 1];
+  const Crossing* const found =
+      std::lower_bound(rows.crossings.data() + rows.begin[row], end, x,
+                       [](const Crossing& crossing, std::uint32_t at) { return crossing.x < at; });
+  return found != end && found->x == x ? found : nullptr;
+}
+
+// From a corner inside the volume on to the others, across the edges between them.
+Configuration Crossings::configuration_around(const Vertex& centroid) const {
+  unsigned base = 0;
+  while (!is_inside(corner_at(centroid, base))) ++base;
+  unsigned differ = 0;      // from the base
+  bool base_is_on = false;  // where none differs there is nothing to interpolate
+  for (unsigned away = 1; away < 8; ++away) {
+    const unsigned corner = base ^ away, before = base ^ (away & (away - 1));
+    const Vertex to = corner_at(centroid, corner);
+    if (!is_inside(to)) continue;
+    const Vertex from = corner_at(centroid, before);
+    const Crossing* const crossing = crossing_of(from + to);
+    const unsigned before_differs = differ >> before & 1;
+    differ |= (before_differs ^ (crossing != nullptr ? 1U : 0U)) << corner;
+    if (crossing == nullptr) continue;
+    const bool from_is_first = from.x + from.y + from.z < to.x + to.y + to.z;
+    const bool from_is_on = crossing->falls == from_is_first;
+    base_is_on = from_is_on != (before_differs != 0);
+  }
+  unsigned configuration = 0;
+  for (unsigned corner = 0; corner < 8; ++corner)
+    if (is_inside(corner_at(centroid, corner)) && ((differ >> corner & 1) == 0) == base_is_on)
+      configuration |= 1U << corner;
+  return static_cast<Configuration>(configuration);
+}
+
+Point Crossings::on_edge(const Vertex& middle) const {
+  Point point = {static_cast<double>(middle.x), static_cast<double>(middle.y),
+                 static_cast<double>(middle.z)};
+  const std::size_t axis = (middle.x & 1) != 0 ? 0 : (middle.y & 1) != 0 ? 1 : 2;
+  if (const Crossing* const crossing = crossing_of(middle))
+    point[axis] += static_cast<double>(crossing->at) - 1;
+  return point;
+}
+
+Point Crossings::interpolated(const Vertex& vertex) const {
+  const Point point = in_volume(vertex - first_);
+  return {point[0] + first_.x, point[1] + first_.y, point[2] + first_.z};
+}
+
+Point Crossings::in_volume(const Vertex& vertex) const {
+  const bool is_centroid = (vertex.x & vertex.y & vertex.z & 1) != 0;
+  if (!is_centroid) return on_edge(vertex);
+  static const std::array<Loop, configurations> loops = fan_loops();
+  const Loop& loop = loops[configuration_around(vertex)];
+  if (loop.count == 0)
+    return {static_cast<double>(vertex.x), static_cast<double>(vertex.y),
+            static_cast<double>(vertex.z)};
+  Point mean{};
+  for (int i = 0; i < loop.count; ++i) {
+    const Point crossing = on_edge(vertex - Vertex{1, 1, 1} + position(loop.point[i]));
+    for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += crossing[axis] / loop.count;
+  }
+  return mean;
+}
+
+// What is on, and the samples, of one slice after the other.
+class CrossingFinder::Slices {
+ public:
+  Slices(const SampleGrid& info, const Vertex& first) : crossings_(info.dims, first) {}
+  Slices(const Slices&) = delete;
+  Slices& operator=(const Slices&) = delete;
+  virtual ~Slices() = default;
+
+  virtual void add(const void* samples, const std::uint8_t* mask) = 0;
+  const Crossings& crossings() const { return crossings_; }
+
+ protected:
+  Crossings crossings_;
+};
+
+template <class Sample>
+class CrossingFinder::SlicesOf final : public Slices {
+ public:
+  SlicesOf(const SampleGrid& info, const Selection& selection, const Vertex& first)
+      : Slices(info, first),
+        selector_(info, selection),
+        width_(info.dims[0]),
+        height_(info.dims[1]),
+        row_bytes_(bit_row_bytes(width_)),
+        range_(selected_samples<Sample>(info, selection)) {
+    const double half = is_floating(info.type) ? 0 : 0.5;
+    low_level_ = static_cast<double>(range_.low) - half;
+    high_level_ = static_cast<double>(range_.high) + half;
+    for (Slice* slice : {&below_, &above_}) slice->bits.resize(row_bytes_ * height_);
+    changes_.resize(row_bytes_);
+  }
+
+  void add(const void* samples, const std::uint8_t* mask) override {
+    std::swap(below_, above_);
+    const auto* first = static_cast<const Sample*>(samples);
+    above_.samples.assign(first, first + std::size_t{width_} * height_);
+    selector_.select(samples, above_.bits.data(), row_bytes_);
+    if (mask != nullptr) keep_masked(above_.bits.data(), mask, above_.bits.size());
+    for (std::uint32_t y = 0; y < height_; ++y) add_row(y);
+  }
+
+ private:
+  struct Slice {
+    std::vector<std::uint8_t> bits;
+    std::vector<Sample> samples;
+  };
+
+  const std::uint8_t* bits(const Slice& slice, std::uint32_t y) const {
+    return slice.bits.data() + y * row_bytes_;
+  }
+  const Sample* samples(const Slice& slice, std::uint32_t y) const {
+    return slice.samples.data() + std::size_t{y} * width_;
+  }
+
+  void add_row(std::uint32_t y) {
+    const std::uint8_t* const row = bits(above_, y);
+    for (std::size_t i = 0; i < row_bytes_; ++i) {
+      const unsigned next = i + 1 < row_bytes_ ? row[i + 1] : 0U;
+      changes_[i] = static_cast<std::uint8_t>(row[i] ^ (row[i] >> 1 | next << 7));
+    }
+    const std::uint32_t last = width_ - 1;  // no edge begins there
+    changes_[last / 8] &= static_cast<std::uint8_t>(~(1U << last % 8));
+    add_crossings(0, row, samples(above_, y), samples(above_, y) + 1);
+
+    if (y + 1 < height_) {
+      set_changes(row, bits(above_, y + 1));
+      add_crossings(1, row, samples(above_, y), samples(above_, y + 1));
+    } else {
+      end_row(1);
+    }
+    if (below_.samples.empty()) return;
+    set_changes(bits(below_, y), row);
+    add_crossings(2, bits(below_, y), samples(below_, y), samples(above_, y));
+  }
+
+  void set_changes(const std::uint8_t* from, const std::uint8_t* to) {
+    for (std::size_t i = 0; i < row_bytes_; ++i)
+      changes_[i] = static_cast<std::uint8_t>(from[i] ^ to[i]);
+  }
+
+  void add_crossings(std::size_t axis, const std::uint8_t* bits, const Sample* from,
+                     const Sample* to) {
+    auto& crossings = crossings_.along_[axis].crossings;
+    for (std::size_t i = 0; i < row_bytes_; ++i) {
+      if (changes_[i] == 0) continue;
+      for (unsigned bit = 0; bit < 8; ++bit) {
+        if ((changes_[i] >> bit & 1) == 0) continue;
+        const std::size_t x = 8 * i + bit;
+        const bool falls = (bits[i] >> bit & 1) != 0;
+        const float at = falls ? crossing(from[x], to[x]) : 2 - crossing(to[x], from[x]);
+        crossings.push_back({static_cast<std::uint16_t>(x), falls, at});
+      }
+    }
+    end_row(axis);
+  }
+
+  void end_row(std::size_t axis) {
+    Crossings::Rows& rows = crossings_.along_[axis];
+    rows.begin.push_back(rows.crossings.size());
+  }
+
+  float crossing(Sample on_sample, Sample off_sample) const {
+    if (range_.holds(off_sample)) return 1;  // off by the mask
+    const auto on = static_cast<double>(on_sample), off = static_cast<double>(off_sample);
+    const double level = off_sample < range_.low ? low_level_ : high_level_;
+    const double at = 2 * (on - level) / (on - off);
+    if (!std::isfinite(on) || !std::isfinite(off) || !std::isfinite(at)) return 1;
+    return static_cast<float>(std::clamp(at, Crossings::margin, 2 - Crossings::margin));
+  }
+
+  SliceSelector selector_;
+  std::uint32_t width_, height_;
+  std::size_t row_bytes_;
+  SampleRange<Sample> range_;
+  double low_level_, high_level_;
+  Slice below_, above_;
+  std::vector<std::uint8_t> changes_;  // along the row under way
+};
+
+CrossingFinder::CrossingFinder(const SampleGrid& info, const Selection& selection,
+                               const Vertex& first)
+    : slices_(with_sample_type(info.type, [&](auto type) -> std::unique_ptr<Slices> {
+        return std::make_unique<SlicesOf<decltype(type)>>(info, selection, first);
+      })) {}
+
+CrossingFinder::CrossingFinder(CrossingFinder&&) noexcept = default;
+CrossingFinder& CrossingFinder::operator=(CrossingFinder&&) noexcept = default;
+CrossingFinder::~CrossingFinder() = default;
+
+void CrossingFinder::add_slice(const void* samples, const std::uint8_t* mask) {
+  slices_->add(samples, mask);
+}
+
+const Crossings& CrossingFinder::crossings() const {
+  return slices_->crossings();
+}
+
+}  // namespace discmc::meshing

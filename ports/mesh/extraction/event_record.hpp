@@ -1,0 +1,31 @@
+// The events of a scan, kept to be sent later.
+#ifndef DISCMC_MESH_EXTRACTION_EVENT_RECORD_HPP
+#define DISCMC_MESH_EXTRACTION_EVENT_RECORD_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include <discmc/sink.hpp>
+
+namespace discmc::meshing {
+
+/// Keeps the events of an extractor except layer marks, which are true only in the order of one
+/// sweep. Limit: a scan at once, without skipped rows.
+class EventRecord {
+ public:
+  /// Always takes the event.
+  SinkResult take(const Event& event);
+
+  /// Sends all of them. sink: must accept everything at once.
+  void replay(const Sink& sink) const;
+
+ private:
+  std::vector<std::uint32_t> words_;
+  StreamHeader header_;
+  Statistics totals_{};
+  std::uint32_t slices_ = 0;
+};
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,39 @@
+// The bits of a mask, and what they leave of others.
+#ifndef DISCMC_MESH_EXTRACTION_MASK_BITS_HPP
+#define DISCMC_MESH_EXTRACTION_MASK_BITS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "selection.hpp"
+#include "samples/slice_reader.hpp"
+
+namespace discmc::meshing {
+
+/// Reads a mask of open_mask(), slice by slice. Holds one.
+class MaskBits {
+ public:
+  /// mask: has to live as long as this.
+  explicit MaskBits(SliceReader& mask);
+
+  /// The rows of the next slice, bit_row_bytes() each. Valid until the next call.
+  const std::uint8_t* next_slice();
+  void skip_slice() { mask_.skip_slice(); }
+
+ private:
+  SliceReader& mask_;
+  SliceSelector selector_;
+  std::vector<std::uint8_t> slice_, bits_;
+};
+
+/// Puts off the bits that are off in the mask.
+template <class Mask>
+void keep_masked(std::uint8_t* bits, Mask mask, std::size_t bytes) {
+  for (std::size_t i = 0; i < bytes; ++i, ++mask)
+    bits[i] = static_cast<std::uint8_t>(bits[i] & *mask);
+}
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,357 @@
+#include "part_extraction.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <unordered_set>
+#include <utility>
+
+#include <discmc/chain.hpp>
+
+#include "event_record.hpp"
+#include "extractors.hpp"
+#include "jobs/ordered_pipeline.hpp"
+#include "mask_bits.hpp"
+#include "encoded_part.hpp"
+#include "surface/growing_joiner.hpp"
+
+namespace discmc::meshing {
+namespace {
+
+// What a part gives to a surface: regions, as polygons, as packets or as both, and what is to be
+// joined. As parts follow each other from below, the pieces of a region come in the order of a
+// sweep.
+//
+// A hole may go out loose, as a ring, although the region around it is whole: where a fragment of
+// its plane goes out before. Then the region is to be joined, too. Holes that cross a seam are in
+// regions that do: nothing of a hole lies below all of what surrounds it, or above.
+class PartSurface {
+ public:
+  explicit PartSurface(const SurfaceRequest& request) {
+    if (request.builder != nullptr) polygons_.emplace(request.builder->kept());
+    if (request.encoder != nullptr) packets_ = std::make_unique<EncodedPart>();
+  }
+
+  SinkResult take(const Event& event) {
+    if (event.kind == Event::Kind::finish)
+      return SinkResult::accepted;  // all parts have one together
+    if (event.kind == Event::Kind::start && packets_) packets_->take(event);
+    if (event.kind == Event::Kind::region) {
+      region_ = event;  // until its plane is known
+      return SinkResult::accepted;
+    }
+    if (event.kind == Event::Kind::ring && region_) begin_region(event.start);
+    if (place_ == Place::joined) follow_fragment(event);
+    const SinkResult answer = give(event);
+    if (event.kind == Event::Kind::region_end) place_ = Place::joined;
+    return answer;
+  }
+
+  // A region that is whole. The packets may refuse it, and come first.
+  SinkResult take_region(const WholeRegion& region) {
+    if (has_loose_rings(region.incidence, region.start)) return SinkResult::busy;
+    if (packets_ && packets_->take_region(region) != SinkResult::accepted) return SinkResult::busy;
+    if (polygons_) polygons_->take_region(region);
+    return SinkResult::accepted;
+  }
+
+  // What is to be joined goes to the joiner, which sends to the same sink.
+  void pass_on(const SurfaceRequest& request, GrowingJoiner& joiner) {
+    if (polygons_) request.builder->append(std::move(*polygons_));
+    joined_.replay(make_sink(joiner));
+    if (packets_) packets_->append_to(*request.encoder);
+  }
+
+ private:
+  enum class Place { whole, joined };
+
+  static std::uint64_t plane_of(Incidence incidence, const Vertex& vertex) {
+    return std::uint64_t{incidence} << 32 |
+           static_cast<std::uint32_t>(plane_offset(incidence, vertex));
+  }
+
+  bool has_loose_rings(Incidence incidence, const Vertex& vertex) const {
+    return !ring_planes_.empty() && ring_planes_.count(plane_of(incidence, vertex)) > 0;
+  }
+
+  void begin_region(const Vertex& vertex) {
+    const Event region = *std::exchange(region_, std::nullopt);
+    place_ = has_loose_rings(region.incidence, vertex) ? Place::joined : Place::whole;
+    give(region);
+  }
+
+  // Notes the planes of loose rings: they end where they start, and come there as they came.
+  void follow_fragment(const Event& event) {
+    if (event.kind == Event::Kind::fragment) {
+      fragment_ = event;
+      end_ = event.start;
+    } else if (fragment_ && event.kind == Event::Kind::run) {
+      last_ = event.run.direction();
+      move(end_, fragment_->incidence, last_, event.run.length());
+    } else if (fragment_ && event.kind == Event::Kind::fragment_end) {
+      if (end_ == fragment_->start && last_ == fragment_->incoming_direction)
+        ring_planes_.insert(plane_of(fragment_->incidence, end_));
+      fragment_.reset();
+    }
+  }
+
+  SinkResult give(const Event& event) {
+    if (place_ == Place::joined) return joined_.take(event);
+    if (polygons_) polygons_->take(event);
+    if (packets_) packets_->take(event);
+    return SinkResult::accepted;
+  }
+
+  std::optional<Event> region_;
+  Place place_ = Place::joined;    // of what is under way
+  std::optional<Event> fragment_;  // under way
+  Vertex end_{};                   // of it, so far
+  Direction last_ = 0;             // by which it came there
+  std::unordered_set<std::uint64_t> ring_planes_;
+  // The regions that are whole, as they are asked for.
+  std::optional<SurfaceBuilder> polygons_;
+  std::unique_ptr<EncodedPart> packets_;
+  EventRecord joined_;
+};
+
+struct Part {
+  SlabSpans spans;
+  std::vector<std::uint8_t> samples;  // of the slices that are read
+  std::vector<std::uint8_t> mask;     // rows of bits, if there is a mask
+  std::vector<PartSurface> surfaces;
+  std::vector<Extraction> extractions;
+};
+
+// Slices of equal size, read once, for spans that overlap.
+class OverlappingSlices {
+ public:
+  explicit OverlappingSlices(std::size_t slice_bytes) : slice_bytes_(slice_bytes) {}
+
+  // read(bytes): reads the next slice. Limit: spans in order, none after a gap but the first.
+  template <class Read>
+  void fill(const SliceSpan& span, std::vector<std::uint8_t>& slices, Read read) {
+    const std::size_t shared = end_ > span.first ? (end_ - span.first) * slice_bytes_ : 0;
+    slices.resize(span.count() * slice_bytes_);
+    std::copy(last_.end() - static_cast<std::ptrdiff_t>(shared), last_.end(), slices.begin());
+    for (std::size_t at = shared; at < slices.size(); at += slice_bytes_) read(slices.data() + at);
+    const std::size_t kept = std::min<std::size_t>(max_shared, span.count()) * slice_bytes_;
+    last_.assign(slices.end() - static_cast<std::ptrdiff_t>(kept), slices.end());
+    end_ = span.end;
+  }
+
+ private:
+  // A slice of context and one for the filter, on both sides of a seam.
+  static constexpr std::size_t max_shared = 4;
+
+  std::size_t slice_bytes_;
+  std::vector<std::uint8_t> last_;
+  std::uint32_t end_ = 0;
+};
+
+class PartReader {
+ public:
+  PartReader(SliceReader& volume, SliceReader* mask)
+      : volume_(volume), samples_(volume.info().slice_bytes()), bits_(0) {
+    if (mask == nullptr) return;
+    mask_.emplace(*mask);
+    mask_bytes_ = bit_row_bytes(mask->info().dims[0]) * mask->info().dims[1];
+    bits_ = OverlappingSlices(mask_bytes_);
+  }
+
+  void read(Part& part) {
+    skip_to(part.spans.read.first);
+    samples_.fill(part.spans.read, part.samples,
+                  [this](std::uint8_t* slice) { volume_.read_slice(slice); });
+    end_ = part.spans.read.end;
+    if (!mask_) return;
+    bits_.fill(part.spans.read, part.mask, [this](std::uint8_t* slice) {
+      std::memcpy(slice, mask_->next_slice(), mask_bytes_);
+    });
+  }
+
+ private:
+  void skip_to(std::uint32_t first) {
+    for (; end_ < first; ++end_) {
+      volume_.skip_slice();
+      if (mask_) mask_->skip_slice();
+    }
+  }
+
+  SliceReader& volume_;
+  OverlappingSlices samples_;
+  std::optional<MaskBits> mask_;
+  std::size_t mask_bytes_ = 0;
+  OverlappingSlices bits_;
+  std::uint32_t end_ = 0;  // of the slices that were read or skipped
+};
+
+using PartExtractors = Extractors<HostExtractor>;
+
+// Those at rest.
+class IdleExtractors {
+ public:
+  std::unique_ptr<PartExtractors> take() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (idle_.empty()) return nullptr;
+    std::unique_ptr<PartExtractors> extractors = std::move(idle_.back());
+    idle_.pop_back();
+    return extractors;
+  }
+  void give(std::unique_ptr<PartExtractors> extractors) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    idle_.push_back(std::move(extractors));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<PartExtractors>> idle_;
+};
+
+class Parts {
+ public:
+  Parts(SliceReader& volume, const SurfaceOptions& options,
+        const std::vector<SurfaceRequest>& surfaces)
+      : info_(volume.info()),
+        options_(options),
+        requests_(surfaces),
+        progress_(std::exchange(options_.progress, nullptr)),
+        reader_(volume, options.mask),
+        spans_(parts_of(info_, slices_of(options.slab, info_.dims[2]))) {
+    for (const SurfaceRequest& request : requests_)
+      joiners_.push_back(std::make_unique<GrowingJoiner>(request.sink));
+  }
+
+  std::vector<Extraction> extract() {
+    run_in_order<Part>(
+        *options_.jobs, spans_.size(), [this](std::size_t i, Part& part) { read(i, part); },
+        [this](std::size_t, Part& part) { work_on(part); },
+        [this](std::size_t, Part& part) { take(part); });
+    for (std::size_t i = 0; i < requests_.size(); ++i) finish(*joiners_[i], sums_[i].statistics);
+    return sums_;
+  }
+
+ private:
+  void read(std::size_t number, Part& part) {
+    const SliceSpan own = spans_[number];
+    part.spans = slab_spans(own, info_.dims[2], options_.takes_majority);
+    reader_.read(part);
+  }
+
+  // If memory is short, some pieces are sent loose that cross no seam, and would have to be joined
+  // before the whole regions.
+  void work_on(Part& part) {
+    std::unique_ptr<PartExtractors> extractors = idle_.take();
+    if (!extractors) extractors = new_extractors(first_arena_bytes());
+    for (;;) {
+      extract(part, *extractors);
+      if (extractors->had_enough()) break;
+      extractors = new_extractors(4 * extractors->arena().bytes);
+    }
+    idle_.give(std::move(extractors));
+  }
+
+  std::unique_ptr<PartExtractors> new_extractors(std::uint64_t arena_bytes) const {
+    return std::make_unique<PartExtractors>(arena_of(arena_bytes), requests_.size());
+  }
+
+  void extract(Part& part, PartExtractors& extractors) const {
+    Limits limits = volume_limits();
+    const SlabRange slab{part.spans.own.first, part.spans.own.count(), info_.dims[2]};
+    limits.slab = slab_limits(slab, info_.dims[2]);
+    std::vector<SurfaceRequest> requests = requests_;
+    part.surfaces.clear();
+    for (const SurfaceRequest& request : requests_) part.surfaces.emplace_back(request);
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      requests[i].sink = make_sink(part.surfaces[i]);
+      requests[i].regions = make_region_receiver(part.surfaces[i]);
+    }
+    const std::size_t slice_bytes = info_.slice_bytes();
+    const std::size_t mask_bytes = part.mask.size() / part.spans.read.count();
+    std::size_t next = 0;
+    part.extractions = extractors.extract(info_, limits, part.spans, options_, requests, [&] {
+      const std::size_t z = next++;
+      return SliceToExtract{part.samples.data() + z * slice_bytes,
+                            mask_bytes > 0 ? part.mask.data() + z * mask_bytes : nullptr};
+    });
+  }
+
+  void take(Part& part) {
+    for (std::size_t i = 0; i < requests_.size(); ++i)
+      part.surfaces[i].pass_on(requests_[i], *joiners_[i]);
+    part.surfaces.clear();
+    add(part.extractions);
+    if (progress_) progress_(part.spans.own.end);
+  }
+
+  // totals: of the parts; then of what was joined.
+  void finish(GrowingJoiner& joiner, Statistics& totals) const {
+    Event event{};
+    event.kind = Event::Kind::finish;
+    event.slice = spans_.back().end - spans_.front().first;
+    event.statistics = &totals;
+    joiner.take(event);
+    joiner.finish();
+    totals = joiner.totals();
+  }
+
+  void add(const std::vector<Extraction>& extractions) {
+    if (sums_.empty()) {
+      sums_ = extractions;
+      for (Extraction& sum : sums_) sum.is_of_slab = options_.slab.has_value();
+      return;
+    }
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      discmc::add(sums_[i].statistics, extractions[i].statistics);
+      sums_[i].voxels += extractions[i].voxels;
+      sums_[i].not_numbers += extractions[i].not_numbers;
+      sums_[i].is_full = sums_[i].is_full && extractions[i].is_full;
+    }
+  }
+
+  Limits volume_limits() const { return {info_.dims[0], info_.dims[1], options_.border}; }
+  std::uint64_t first_arena_bytes() const {
+    return options_.memory > 0 ? options_.memory : generous_bytes_for<BitIntake>(volume_limits());
+  }
+  ArenaSize arena_of(std::uint64_t bytes) const {
+    return {false, bytes, default_capacities<std::uint32_t>(volume_limits(), bytes)};
+  }
+
+  SampleGrid info_;
+  SurfaceOptions options_;
+  const std::vector<SurfaceRequest>& requests_;
+  std::function<void(std::uint32_t)> progress_;  // of all parts
+  PartReader reader_;
+  std::vector<SliceSpan> spans_;
+  IdleExtractors idle_;
+  std::vector<std::unique_ptr<GrowingJoiner>> joiners_;
+  std::vector<Extraction> sums_;
+};
+
+}  // namespace
+
+std::vector<SliceSpan> parts_of(const SampleGrid& info, const SliceSpan& slices) {
+  constexpr std::uint32_t least = 16, most = 32, parts = 8;
+  constexpr std::uint64_t max_bytes = std::uint64_t{64} << 20;
+  const std::uint32_t depth = slices.count();
+  const auto max_slices = static_cast<std::uint32_t>(
+      std::clamp<std::uint64_t>(max_bytes / info.slice_bytes(), 2, most));
+  const std::uint32_t thickness = std::min(std::clamp(depth / parts, least, most), max_slices);
+  const std::uint32_t count = (depth + thickness - 1) / thickness;
+  const auto end_of = [&](std::uint32_t part) {
+    return slices.first + static_cast<std::uint32_t>(std::uint64_t{depth} * part / count);
+  };
+  std::vector<SliceSpan> spans;
+  for (std::uint32_t part = 0; part < count; ++part)
+    spans.push_back({end_of(part), end_of(part + 1)});
+  return spans;
+}
+
+std::vector<Extraction> extract_in_parts(SliceReader& volume, const SurfaceOptions& options,
+                                         const std::vector<SurfaceRequest>& surfaces) {
+  return Parts(volume, options, surfaces).extract();
+}
+
+}  // namespace discmc::meshing

@@ -1,0 +1,40 @@
+// The voxels of a volume that are on, as bits.
+#ifndef DISCMC_MESH_EXTRACTION_SELECTED_BITS_HPP
+#define DISCMC_MESH_EXTRACTION_SELECTED_BITS_HPP
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "mask_bits.hpp"
+#include "selection.hpp"
+#include "samples/slice_reader.hpp"
+
+namespace discmc::meshing {
+
+/// Reads a volume slice by slice, and keeps what is selected and in the mask.
+class SelectedBits {
+ public:
+  /// volume: not yet read; mask: or none; both have to live as long as this.
+  SelectedBits(SliceReader& volume, const Selection& selection, SliceReader* mask);
+
+  /// The rows of the next slice, bit_row_bytes() each. Valid until the next call.
+  const std::uint8_t* next_slice();
+
+  /// Samples that were not a number, and taken as off.
+  std::uint64_t not_numbers() const { return not_numbers_; }
+
+ private:
+  SliceReader& volume_;
+  SliceSelector selector_;
+  std::unique_ptr<MaskBits> mask_;
+  std::vector<std::uint8_t> slice_, bits_;
+  std::uint64_t not_numbers_ = 0;
+};
+
+/// The description of a volume of samples of another kind that are made of these bits.
+SampleGrid info_of_mask(SampleGrid info, SampleType type);
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,166 @@
+#include "selection.hpp"
+#include "samples/iso_value.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+namespace discmc::meshing {
+namespace {
+
+// The least sample for which a condition holds that then holds for all above; the greatest where
+// it holds for none. By bisection: exact where a quotient would be rounded.
+template <class Sample, class Condition>
+Sample first_sample(Condition holds) {
+  using Limits = std::numeric_limits<Sample>;
+  Sample low = Limits::min();
+  Sample high = Limits::max();
+  while (low < high) {
+    // Half of the distance fits the unsigned type of the same width.
+    using Distance = std::make_unsigned_t<Sample>;
+    const auto half = static_cast<Distance>(
+        static_cast<Distance>(static_cast<Distance>(high) - static_cast<Distance>(low)) / 2);
+    const auto middle = static_cast<Sample>(static_cast<Distance>(low) + half);
+    if (holds(middle))
+      high = middle;
+    else
+      low = static_cast<Sample>(middle + 1);
+  }
+  return low;
+}
+
+template <class Sample>
+SampleRange<Sample> none() {
+  return {Sample{1}, Sample{0}};
+}
+
+// Where values are the stored whole numbers: all digits of 64 bits count.
+template <class Sample>
+SampleRange<Sample> selected_as_stored(const Selection& selection) {
+  using Limits = std::numeric_limits<Sample>;
+  const double low = std::ceil(selection.low);
+  const double high = std::floor(selection.high);
+  const double beyond = std::ldexp(1, Limits::digits);
+  const double least = std::is_signed_v<Sample> ? -beyond : 0;
+  if (!(low < beyond) || !(high >= least)) return none<Sample>();
+  return {low > least ? static_cast<Sample>(low) : Limits::min(),
+          high < beyond ? static_cast<Sample>(high) : Limits::max()};
+}
+
+// Whole numbers: value = slope * stored + intercept is compared, as stored_threshold() does.
+template <class Sample>
+SampleRange<Sample> selected_whole(const SampleGrid& info, const Selection& selection) {
+  using Limits = std::numeric_limits<Sample>;
+  const auto value = [&](Sample stored) {
+    return info.slope * static_cast<double>(stored) + info.intercept;
+  };
+  const double least = lowered_by_rounding(info, selection.low);
+  const double most = -lowered_by_rounding(info, -selection.high);
+  if (!(value(Limits::max()) >= least) || !(value(Limits::min()) <= most)) return none<Sample>();
+  SampleRange<Sample> range{};
+  range.low = first_sample<Sample>([&](Sample stored) { return value(stored) >= least; });
+  range.high = Limits::max();
+  if (value(range.high) > most)
+    range.high = static_cast<Sample>(
+        first_sample<Sample>([&](Sample stored) { return value(stored) > most; }) - 1);
+  return range;
+}
+
+template <class Sample>
+SampleRange<Sample> selected_floating(const SampleGrid& info, const Selection& selection) {
+  const auto stored = [&](double value) {
+    return static_cast<Sample>((value - info.intercept) / info.slope);
+  };
+  return {stored(lowered_by_rounding(info, selection.low)),
+          stored(-lowered_by_rounding(info, -selection.high))};
+}
+
+// Eight flags of a byte each to eight bits, the first one lowest.
+std::uint8_t packed(const std::array<std::uint8_t, 8>& flags) {
+  unsigned bits = 0;
+  for (unsigned i = 0; i < 8; ++i) bits |= static_cast<unsigned>(flags[i]) << i;
+  return static_cast<std::uint8_t>(bits);
+}
+
+// is_on: without a branch, so that compilers take eight at once.
+template <class Sample, class Condition>
+void select_row(const Sample* samples, std::uint32_t width, const Condition& is_on,
+                std::uint8_t* bits) {
+  std::uint32_t x = 0;
+  std::array<std::uint8_t, 8> flags{};
+  for (; x + 8 <= width; x += 8) {
+    for (std::uint32_t i = 0; i < 8; ++i)
+      flags[i] = static_cast<std::uint8_t>(is_on(samples[x + i]));
+    *bits++ = packed(flags);
+  }
+  if (x == width) return;
+  flags = {};
+  for (std::uint32_t i = 0; x + i < width; ++i)
+    flags[i] = static_cast<std::uint8_t>(is_on(samples[x + i]));
+  *bits = packed(flags);
+}
+
+template <class Sample>
+std::uint64_t count_not_numbers(const Sample* samples, std::size_t count) {
+  std::uint64_t not_numbers = 0;
+  if constexpr (std::is_floating_point_v<Sample>)
+    for (std::size_t i = 0; i < count; ++i) not_numbers += std::isnan(samples[i]) ? 1U : 0U;
+  return not_numbers;
+}
+
+// What SliceSelector calls.
+template <class Sample, class Condition>
+auto selector_of(const SampleGrid& info, Condition is_on) {
+  return [is_on, width = info.dims[0], height = info.dims[1]](const void* slice, std::uint8_t* bits,
+                                                              std::size_t stride) {
+    const auto* row = static_cast<const Sample*>(slice);
+    for (std::uint32_t y = 0; y < height; ++y, row += width, bits += stride)
+      select_row(row, width, is_on, bits);
+    return count_not_numbers(static_cast<const Sample*>(slice), std::size_t{width} * height);
+  };
+}
+
+}  // namespace
+
+template <class Sample>
+SampleRange<Sample> selected_samples(const SampleGrid& info, const Selection& selection) {
+  if constexpr (std::is_floating_point_v<Sample>)
+    return selected_floating<Sample>(info, selection);
+  else
+    return info.slope == 1 && info.intercept == 0 ? selected_as_stored<Sample>(selection)
+                                                  : selected_whole<Sample>(info, selection);
+}
+
+template SampleRange<std::uint8_t> selected_samples(const SampleGrid&, const Selection&);
+template SampleRange<std::int8_t> selected_samples(const SampleGrid&, const Selection&);
+template SampleRange<std::uint16_t> selected_samples(const SampleGrid&, const Selection&);
+template SampleRange<std::int16_t> selected_samples(const SampleGrid&, const Selection&);
+template SampleRange<std::uint32_t> selected_samples(const SampleGrid&, const Selection&);
+template SampleRange<std::int32_t> selected_samples(const SampleGrid&, const Selection&);
+template SampleRange<std::uint64_t> selected_samples(const SampleGrid&, const Selection&);
+template SampleRange<std::int64_t> selected_samples(const SampleGrid&, const Selection&);
+template SampleRange<float> selected_samples(const SampleGrid&, const Selection&);
+template SampleRange<double> selected_samples(const SampleGrid&, const Selection&);
+
+SliceSelector::SliceSelector(const SampleGrid& info, const Selection& selection) {
+  if (selection.bits != 0) {
+    with_whole_type(info.type, [&](auto type) {
+      using Sample = decltype(type);
+      select_ = selector_of<Sample>(info, [bits = selection.bits](Sample sample) {
+        return static_cast<unsigned>((static_cast<std::uint64_t>(sample) & bits) != 0);
+      });
+    });
+    return;
+  }
+  with_sample_type(info.type, [&](auto type) {
+    using Sample = decltype(type);
+    select_ = selector_of<Sample>(
+        info, [range = selected_samples<Sample>(info, selection)](Sample sample) {
+          return static_cast<unsigned>(range.low <= sample) &
+                 static_cast<unsigned>(sample <= range.high);
+        });
+  });
+}
+
+}  // namespace discmc::meshing

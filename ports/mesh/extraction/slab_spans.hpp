@@ -1,0 +1,50 @@
+// The slices that a slab is made of, and those beside it that it takes.
+#ifndef DISCMC_MESH_EXTRACTION_SLAB_SPANS_HPP
+#define DISCMC_MESH_EXTRACTION_SLAB_SPANS_HPP
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include <discmc/limits.hpp>
+#include <discmc/placement.hpp>
+
+namespace discmc::meshing {
+
+/// Slices of a volume that follow each other.
+struct SliceSpan {
+  std::uint32_t first, end;
+
+  bool holds(std::uint32_t z) const { return z >= first && z < end; }
+  std::uint32_t count() const { return end - first; }
+  /// With this many more slices on either side, as far as the volume has them.
+  SliceSpan widened(std::uint32_t slices, std::uint32_t depth) const {
+    return {first > slices ? first - slices : 0, end + std::min(slices, depth - end)};
+  }
+};
+
+struct SlabSpans {
+  SliceSpan own;
+  SliceSpan given;  ///< to the extractor: a slice of each neighbour, too
+  SliceSpan read;   ///< what these are made from: a MajorityFilter looks at a slice on either side
+};
+
+/// slab: nothing for the whole volume. depth: of the volume.
+inline SliceSpan slices_of(const std::optional<SlabRange>& slab, std::uint32_t depth) {
+  return slab ? SliceSpan{slab->first, slab->end()} : SliceSpan{0, depth};
+}
+
+/// own: the slices of the slab. depth: of the volume.
+inline SlabSpans slab_spans(const SliceSpan& own, std::uint32_t depth, bool takes_majority) {
+  const SliceSpan given = own.widened(1, depth);
+  return {own, given, given.widened(takes_majority ? 1 : 0, depth)};
+}
+
+/// The slab as the extractor expects it. depth: of the volume.
+inline Slab slab_limits(const SlabRange& slab, std::uint32_t depth) {
+  return {slab.first, slab.first > 0, slab.end() < depth};
+}
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,225 @@
+// Chains leave as slots: rings and fragments that go out event by event, and all that are open
+// where firmware's sweep goes on.
+#include "chains.hpp"
+
+namespace discmc::host {
+
+using Slots = Chains::Slots;
+
+namespace {
+
+using Fragments = Chains::Fragments;
+using Lists = Fragments::Lists;
+
+bool is_centroid(const Vertex& v) {
+  return (v.x & v.y & 1) != 0;
+}
+
+// The voxels before this one have been visited.
+struct Front {
+  int32_t x, y, z;
+
+  bool has_passed(const Vertex& v) const {
+    return precedes({v.x >> 1, v.y >> 1, v.z >> 1}, {x, y, z});
+  }
+  // How many links an end has surely passed beyond a corner. From a centroid there may be one alone
+  // that leads back a little, to a vertex ahead.
+  uint32_t links_passed(const Vertex& corner, const Vertex& step) const {
+    const auto passed = [](int32_t coordinate, int32_t by, int32_t voxel) {
+      const int32_t links = (2 * voxel - 2 - coordinate) / by;
+      return by > 0 && links > 0 ? static_cast<uint32_t>(links) : 0;
+    };
+    if (step.z != 0) return passed(corner.z, step.z, z);
+    if (step.y != 0) return passed(corner.y, step.y, y);
+    return passed(corner.x, step.x, x);
+  }
+};
+
+// Where a fragment begins at a seam: at the vertex to which the last link leads from beyond.
+CornerCode seam_corner(const Node& node) {
+  const CornerCode behind(node.corner_behind());
+  Vertex at = behind.vertex();
+  if (is_centroid(at)) move(at, behind.onwards(), 1);
+  return CornerCode(CornerCode::position(at) |
+                    uint64_t{behind.incidence()} << CornerCode::incidence_shift |
+                    CornerCode::links(CornerCode::beyond_seam, behind.onwards()));
+}
+
+// Makes a list of the sides of a chain, as its corners come by.
+class Sides {
+ public:
+  Sides(Slots& slots, CornerCode first) : slots_(slots), last_(first) {}
+
+  Direction direction(Link link) const { return direction_of(last_.incidence(), link); }
+  void add_side(Direction direction, uint32_t length) {
+    while (length > 0) {
+      const uint32_t most = trace::longest_short_run;
+      const uint32_t taken = length < most ? length : most;
+      Lists::Entry entry;
+      entry.run = trace::short_run(direction, taken);
+      Lists::append(slots_, list_, entry);
+      length -= taken;
+    }
+  }
+  void add(CornerCode corner) {
+    add_side(direction(last_.onwards()), links_between(last_, corner));
+    last_ = corner;
+  }
+  void add(const Node& node) {
+    uint64_t corners[3];
+    const uint64_t* const end = node.add_corners(corners);
+    for (const uint64_t* corner = corners; corner != end; ++corner) add(CornerCode(*corner));
+  }
+
+  CornerCode last() const { return last_; }
+  uint32_t list() const { return list_; }
+
+ private:
+  Slots& slots_;
+  CornerCode last_;
+  uint32_t list_ = no_slot;
+};
+
+// An end that waits, on a side by a link. What has been passed of the side already, ahead of the
+// corner, is a side of its own: the rest is short. may_turn: the chain turns at the next centroid.
+uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link ahead,
+                 bool may_turn, const Front& front) {
+  Vertex vertex = corner.vertex();
+  const Vertex step = link_vector(ahead);
+  const uint32_t passed = may_turn ? 0 : front.links_passed(vertex, step);
+  sides.add_side(sides.direction(side), passed);
+  move(vertex, ahead, passed);
+  const uint32_t end = slots.take();
+  slots[end].end.side = trace::Side(sides.direction(side), trace::place_of(vertex));
+  slots[end].end.mate = end;  // until it has one
+  return end;
+}
+
+// Shell's sort, with gaps of Knuth (The Art of Computer Programming, vol. 3, section 5.2.1).
+void sort(uint32_t* numbers, uint32_t count) {
+  uint32_t gap = 1;
+  while (gap < count / 3) gap = 3 * gap + 1;
+  for (; gap > 0; gap /= 3)
+    for (uint32_t i = gap; i < count; ++i) {
+      const uint32_t number = numbers[i];
+      uint32_t at = i;
+      for (; at >= gap && numbers[at - gap] > number; at -= gap) numbers[at] = numbers[at - gap];
+      numbers[at] = number;
+    }
+}
+
+}  // namespace
+
+void Chains::put_out_ring(Fragments& fragments) const {
+  const Node* const node = nodes(fragments.slots());
+  uint32_t first = ring_;
+  uint64_t corners[3];
+  while (node[first].add_corners(corners) == corners) first = node[first].next;
+  const CornerCode start(corners[0]);
+  Sides sides(fragments.slots(), start);
+  uint32_t at = first;
+  do {
+    sides.add(node[at]);
+    at = node[at].next;
+  } while (at != first);
+  sides.add(start);
+  auto& outgoing = fragments.outgoing();
+  outgoing.kind = trace::Outgoing<uint32_t>::Kind::ring;
+  outgoing.incidence = start.incidence();
+  outgoing.start = start.vertex();
+  outgoing.last = sides.list();
+}
+
+// Fragments go out in the order in which they were completed, each by its newest node. That node
+// gets the seat of the fragment, and the chain becomes a circle.
+void Chains::find_complete(Slots& slots) {
+  Node* const node = nodes(slots);
+  uint32_t* const seat = seats(slots);
+  complete_ = 0;
+  for (uint32_t i = front(seam_begins); i != back(seam_begins); ++i) {
+    const uint32_t first = seat[i];
+    uint32_t last = first, newest = first;
+    while (node[last].next != Node::no_node) {
+      last = node[last].next;
+      if (last > newest && node[last].pass != Node::shortcut) newest = last;
+    }
+    if (!node[last].ends_at_seam()) continue;
+    node[last].next = first;
+    uint32_t& other = seat[front(seam_begins) + complete_++];
+    seat[i] = other;
+    other = newest;
+  }
+  sort(seat + front(seam_begins), complete_);
+}
+
+void Chains::put_out_complete(Fragments& fragments) {
+  DISCMC_LIMIT(complete_ > 0);
+  --complete_;
+  const Node* const node = nodes(fragments.slots());
+  uint32_t at = seats(fragments.slots())[front(seam_begins)++];
+  while (!node[at].begins_at_seam()) at = node[at].next;
+  const CornerCode start = seam_corner(node[at]);
+  Sides sides(fragments.slots(), start);
+  while (!node[at].ends_at_seam()) {
+    at = node[at].next;
+    sides.add(node[at]);
+  }
+  auto& outgoing = fragments.outgoing();
+  outgoing.kind = trace::Outgoing<uint32_t>::Kind::fragment;
+  outgoing.incidence = start.incidence();
+  outgoing.start = start.vertex();
+  outgoing.incoming = sides.direction(start.onwards());
+  outgoing.last = sides.list();
+}
+
+void Chains::hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_t word) {
+  DISCMC_LIMIT(complete_ == 0);
+  Slots& slots = fragments.slots();
+  const Node* const node = nodes(slots);
+  uint32_t* const seat = seats(slots);
+  const Front visited{static_cast<int32_t>(trace::column_of(word, 1)), row.y, row.z};
+  mark_tails(slots);
+  for (uint32_t queue = first_begins; queue < queue_codes; ++queue)
+    for (uint32_t i = front(queue); i != back(queue); ++i) {
+      const Node& first_node = node[seat[i]];
+      const uint32_t available = slots.available();
+      uint32_t nodes_passed = 1;
+      const bool begins_at_seam = first_node.begins_at_seam();
+      const CornerCode first =
+          begins_at_seam ? seam_corner(first_node) : CornerCode(first_node.corner());
+      uint32_t at = first_node.next;
+      Sides sides(slots, first);
+      uint32_t begin = trace::loose_end<uint32_t>(sides.direction(first.onwards()));
+      if (!begins_at_seam) {
+        const Link came = first.incoming();
+        const bool may_turn = ray_ends.turns[queue] != 0;
+        begin = new_end(slots, sides, first, came, opposite_link(came), may_turn, visited);
+        fragments.push(ray_ends.number[queue], begin);
+        if (first_node.turns_behind()) sides.add(CornerCode(first_node.corner_behind()));
+      } else if (at >= Node::waiting_tail && !visited.has_passed(first.vertex())) {
+        seat[at - Node::waiting_tail] = no_slot;
+        continue;
+      }
+      for (; at < Node::waiting_tail; at = node[at].next) {
+        sides.add(node[at]);
+        ++nodes_passed;
+      }
+      uint32_t tail = trace::loose_end<uint32_t>();
+      if (at != Node::no_node) {
+        const CornerCode last = sides.last();
+        tail = new_end(slots, sides, last, last.onwards(), last.onwards(), false, visited);
+        seat[at - Node::waiting_tail] = tail;
+      }
+      fragments.connect(begin, tail, sides.list());
+      DISCMC_LIMIT(available - slots.available() <= slots_a_node * nodes_passed);
+    }
+  for (uint32_t queue = 0; queue < seam_tails; ++queue)
+    for (uint32_t i = front(queue); i != back(queue); ++i)
+      if (seat[i] == no_slot)
+        fragments.push_lost(ray_ends.number[queue]);
+      else
+        fragments.push(ray_ends.number[queue], seat[i]);
+  give_all(slots);
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,273 @@
+#include "chains.hpp"
+
+namespace discmc::host {
+
+using Slots = Chains::Slots;
+
+// ---- room ----
+
+namespace {
+
+// Calls visit(queue) for those of tails, or of begins.
+template <class Visit>
+void for_each_queue(uint32_t first, Visit visit) {
+  for (uint32_t queue = first; queue < first + queues_each; ++queue) visit(queue);
+}
+template <class Visit>
+void for_each_queue(Visit visit) {
+  for_each_queue(0, visit);
+  for_each_queue(first_begins, visit);
+}
+
+}  // namespace
+
+bool Chains::start(Slots& slots) {
+  free_places_ = complete_ = joins_ = next_join_ = 0;
+  if (slots.available() < room_.slots()) return false;
+  (void)new_area(slots, 1);
+  uint32_t seat = new_area(slots, room_.seat_slots()).first * seats_per_slot;
+  for_each_queue([&](uint32_t queue) {
+    of_in_[queue] = of_out_[queue] = first_seat_[queue] = seat;
+    end_seat_[queue] = seat += is_at_seam(queue) ? room_.seats_at_seam : room_.seats;
+  });
+  DISCMC_LIMIT(seat == seats_per_slot * (1 + room_.seat_slots()));
+  area_[0] = new_area(slots, room_.nodes);
+  area_[1] = {};
+  top_ = area_[0].first;
+  end_ = top_ + room_.nodes;
+  return true;
+}
+
+// Slots side by side, or none. They are written, as all slots in use are: a checkpoint has them.
+Chains::Area Chains::new_area(Slots& slots, uint32_t count) {
+  const uint32_t slot = slots.take_fresh(count);
+  if (slot == no_slot) return {};
+  const uint32_t first = slot - 1;
+  uint32_t* const words = seats(slots) + size_t{first} * seats_per_slot;
+  for (size_t i = 0; i < size_t{count} * seats_per_slot; ++i) words[i] = 0;
+  return {first, count};
+}
+
+void Chains::give(Slots& slots, const Area& area) {
+  for (uint32_t i = 0; i < area.slots; ++i) slots.give(area.first + 1 + i);
+}
+
+bool Chains::make_room(Slots& slots) {
+  DISCMC_LIMIT(joins_ == 0 && complete_ == 0);
+  if (!find_places(slots) || !find_area(slots, area_[0].slots)) return false;
+  copy_open(slots);
+  // So that copying now and then is little work for each pass.
+  const uint32_t open = top_ - area_[0].first;
+  if (3 * open + max_new > area_[0].slots && find_area(slots, 2 * area_[0].slots) &&
+      !has_room_for(slots, open))
+    copy_open(slots);
+  return has_room_for(slots, open);
+}
+
+// Makes the free area as large at least. False when there is no room.
+bool Chains::find_area(Slots& slots, uint32_t count) {
+  if (area_[1].slots >= count) return true;
+  if (slots.available() < reserve() + count) return false;
+  const Area larger = new_area(slots, count);
+  if (larger.slots == 0) return false;
+  give(slots, area_[1]);
+  area_[1] = larger;
+  return true;
+}
+
+// Marks the last node of each fragment with the seat in which it waits.
+void Chains::mark_tails(Slots& slots) {
+  for (uint32_t queue = 0; queue < seam_tails; ++queue)
+    for (uint32_t i = front(queue); i != back(queue); ++i)
+      nodes(slots)[seats(slots)[i]].next = Node::waiting_tail + i;
+}
+
+// Copies the nodes of open fragments to the other area, each behind the one before it.
+void Chains::copy_open(Slots& slots) {
+  Node* const node = nodes(slots);
+  uint32_t* const seat = seats(slots);
+  mark_tails(slots);
+  const Area area = area_[1];
+  uint32_t top = area.first;
+  for_each_queue(first_begins, [&](uint32_t queue) {
+    for (uint32_t i = front(queue); i != back(queue); ++i) {
+      uint32_t at = seat[i];
+      const uint32_t first = top;
+      seat[i] = first;
+      do {
+        DISCMC_LIMIT(top < area.first + area.slots);
+        node[top] = node[at];
+        node[top].next = top + 1;
+        if (top == first || node[top].has_corner()) ++top;
+        at = node[at].next;
+      } while (at < Node::waiting_tail);
+      node[top - 1].next = Node::no_node;
+      if (at != Node::no_node) seat[at - Node::waiting_tail] = top - 1;
+    }
+  });
+  area_[1] = area_[0];
+  area_[0] = area;
+  top_ = top;
+  end_ = area.first + area.slots;
+}
+
+// Makes room in the queues. False when one of them has too little.
+bool Chains::find_places(Slots& slots) {
+  find_least_places();
+  if (has_places()) return true;
+  back(seam_tails) = front(seam_tails);
+  for_each_queue([&](uint32_t queue) {
+    const uint32_t seats = end_seat_[queue] - first_seat_[queue];
+    const uint32_t free = places(queue);
+    const uint32_t needed = is_at_seam(queue) ? max_across : Edges::max_edges;
+    const bool is_short_move = free < seats / 4 * 3 && back(queue) - front(queue) <= seats / 16;
+    if (free < needed || is_short_move) make_places(slots, queue);
+  });
+  find_least_places();
+  return has_places();
+}
+
+void Chains::find_least_places() {
+  uint32_t least = UINT32_MAX;
+  const auto find = [&least](const uint32_t* end, const uint32_t* back) {
+    for (uint32_t i = 0; i < queues_each - 1; ++i) {
+      const uint32_t places = end[i] - back[i];
+      least = places < least ? places : least;
+    }
+  };
+  find(end_seat_, of_out_);
+  find(end_seat_ + first_begins, of_in_ + first_begins);
+  free_places_ = least;
+}
+
+// Moves what waits in a queue to its first seats, or to twice as many elsewhere if there are slots.
+void Chains::make_places(Slots& slots, uint32_t queue) {
+  uint32_t* const seat = seats(slots);
+  const uint32_t waiting = back(queue) - front(queue);
+  const uint32_t old_first = first_seat_[queue];
+  const uint32_t old_slots = (end_seat_[queue] - old_first) / seats_per_slot;
+  DISCMC_LIMIT(is_within_seats(queue));
+  uint32_t first = old_first;
+  if (waiting > old_slots * seats_per_slot / 2) {
+    // Beyond the first eight gigabytes the number of a seat would have the bit that marks tails.
+    const bool may_take = slots.available() >= reserve() + 2 * old_slots &&
+                          slots.peak() + 2 * old_slots < Node::waiting_tail / seats_per_slot;
+    const Area area = may_take ? new_area(slots, 2 * old_slots) : Area{};
+    if (area.slots == 0) return;
+    first_seat_[queue] = first = area.first * seats_per_slot;
+    end_seat_[queue] = first + area.slots * seats_per_slot;
+  }
+  for (uint32_t i = 0; i < waiting; ++i) seat[first + i] = seat[front(queue) + i];
+  front(queue) = first;
+  back(queue) = first + waiting;
+  if (first != old_first) give(slots, {old_first / seats_per_slot, old_slots});
+}
+
+void Chains::give_all(Slots& slots) {
+  for (const Area& area : area_) give(slots, area);
+  give(slots, {0, 1});
+  for_each_queue([&](uint32_t queue) {
+    const uint32_t first = first_seat_[queue] / seats_per_slot;
+    give(slots, {first, end_seat_[queue] / seats_per_slot - first});
+  });
+}
+
+// ---- passes ----
+
+namespace {
+
+// All bits or none.
+DISCMC_ALWAYS_INLINE uint32_t all_if_zero(uint32_t number) {
+  return 0 - static_cast<uint32_t>(number == 0);
+}
+
+}  // namespace
+
+void Chains::take(Slots& slots, const FoundPasses& passes, uint32_t edges) {
+  DISCMC_LIMIT(edges <= Edges::max_edges);
+  DISCMC_LIMIT(edges == 0 || is_ready_for_batch(slots));
+  Node* const node = nodes(slots);
+  uint32_t* const seat = seats(slots);
+  uint32_t top = top_;
+  uint32_t joins = 0;
+  passes.for_each([&](const uint64_t& voxel, PassWord pass) {
+    const size_t in = in_of(pass), out = out_of(pass);
+    const uint32_t in_seat = of_in_[in]++, out_seat = of_out_[out]++;
+    DISCMC_LIMIT(is_within_seats(in_of(pass)) && is_within_seats(out_of(pass)) && top < end_);
+    DISCMC_LIMIT(joins < FoundPasses::max_passes);
+    const uint32_t before = seat[in_seat], after = seat[out_seat];
+    // All bits or none, and conditional moves: no branch depends on the surface.
+    const uint32_t comes_from_ahead = ray_ends.comes_from_ahead[in];
+    const uint32_t goes_ahead = ray_ends.goes_ahead[out];
+    const uint32_t difference = ray_ends.straight_in[in] ^ ray_ends.straight_out[out];
+    const uint32_t is_straight = all_if_zero(difference);
+    const uint32_t goes_on = comes_from_ahead != 0 ? after : before;
+    seat[in_seat] = seat[out_seat] = difference == 0 ? goes_on : top;
+    node[top].set_voxel(voxel);
+    node[top].next = after | goes_ahead;
+    node[top].pass = pass;
+    // The node before, if there is one: what goes straight on has no next.
+    node[before & ~comes_from_ahead].next = top | is_straight;
+    join_[joins] = top;
+    joins += 1 + (comes_from_ahead | goes_ahead);
+    top += 1 + is_straight;
+  });
+  top_ = top;
+  joins_ = joins;
+  free_places_ -= edges;
+}
+
+bool Chains::find_ring(Slots& slots) {
+  const Node* const node = nodes(slots);
+  while (next_join_ != joins_) {
+    const uint32_t join = join_[next_join_++];
+    uint32_t at = join;
+    uint64_t* corner = corner_;
+    uint32_t steps = room_.short_walk;
+    do {
+      DISCMC_LIMIT(corner <= corner_ + max_corners);
+      corner = node[at].add_corners(corner);
+      at = node[at].next;
+    } while (at < join && --steps != 0);
+    if (at > join && (at == Node::no_node || node[at].pass != Node::shortcut)) continue;
+    ring_ = join;
+    if (at != join) {
+      if (!comes_back(slots, at)) continue;
+      for (at = join, corner = corner_; corner < corner_ + room_.corners;) {
+        corner = node[at].add_corners(corner);
+        at = node[at].next;
+        if (at == join) break;
+      }
+      if (at != join) corner = corner_;
+    }
+    corner_count_ = static_cast<uint32_t>(corner - corner_);
+    return true;
+  }
+  joins_ = next_join_ = 0;
+  return false;
+}
+
+// Whether a chain comes back to the ring's join, on which there is a long way from there to a node.
+DISCMC_NOINLINE bool Chains::comes_back(Slots& slots, uint32_t at) {
+  Node* const node = nodes(slots);
+  uint32_t last = at;
+  while (at != ring_) {
+    if (at == Node::no_node) break;
+    if (node[at].pass == Node::shortcut) {
+      last = static_cast<uint32_t>(node[at].voxel());
+    } else {
+      if (at > ring_) break;
+      last = at;
+    }
+    at = node[last].next;
+  }
+  if (at == ring_) return true;
+  DISCMC_LIMIT(top_ < end_);
+  node[top_].set_voxel(last);
+  node[top_].next = node[ring_].next;
+  node[top_].pass = Node::shortcut;
+  node[ring_].next = top_++;
+  return false;
+}
+
+}  // namespace discmc::host

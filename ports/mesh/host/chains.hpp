@@ -1,0 +1,201 @@
+// Chains as a host keeps them: a node for each vertex that they pass, linked in their direction.
+//
+// Nodes are numbered as they come. What waits in a queue is the number of a node: the last one of a
+// fragment where tails wait, the first one where begins do. A pass is one node, which is linked
+// with those that it takes out of the queues; where the chain goes straight on what has waited
+// waits again, and there is none. So all passes are taken by the same instructions.
+//
+// A ring is closed by the last one of its nodes, which takes an end out of two queues, a join. From
+// a join the chain is followed as long as its nodes are older: a ring comes back to the join. A
+// walk in vain that was long leaves a node that names the end of it, so that none walks there
+// again.
+//
+// When there is no room for nodes those of open fragments are copied to the other half of their
+// slots, fragment by fragment, without what is straight; the other nodes are forgotten.
+//
+// At the seam of a slab a chain that comes from beyond begins, and one that goes there ends, at a
+// node of which one end waits in a queue from which nothing is taken out. A fragment between two of
+// these is complete.
+//
+// Nodes and queues lie in the pool of slots: a checkpoint has them.
+#ifndef DISCMC_MESH_HOST_CHAINS_HPP
+#define DISCMC_MESH_HOST_CHAINS_HPP
+
+#include "found_passes.hpp"
+#include "node.hpp"
+#include <discmc/trace/fragments.hpp>
+
+namespace discmc::host {
+
+/// With what chains begin, and how far a ring is walked before the slower way.
+struct ChainRoom {
+  static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
+  // A pass is a node. It may be a join, which may leave a shortcut.
+  static constexpr uint32_t max_joins = FoundPasses::max_passes;
+  static constexpr uint32_t max_new = FoundPasses::max_passes + max_joins;
+  // In the queues of a seam, as one edge may have all its passes across it.
+  static constexpr uint32_t max_across = Edges::max_at_seam * trace::PassList::most;
+  // For handing over, slots are set aside: a node that waits at both its ends becomes two ends and,
+  // as both its sides may be long, up to eight slots of runs.
+  static constexpr uint32_t slots_a_node = 10;
+  static constexpr uint32_t runs_of_side =
+      (2 * (Limits::max_extent + 1) + trace::longest_short_run - 1) / trace::longest_short_run;
+  static_assert(2 + (2 * runs_of_side + 2 + 2) / 3 <= slots_a_node,
+                "two ends, two long sides, and two short ones at centroids");
+  static constexpr uint32_t max_corners = 512;
+
+  uint32_t nodes = 4096;
+  /// Of each queue, and of the two of a seam: multiples of seats_per_slot. No power of two, so that
+  /// the first seats of queues do not share sets of a cache.
+  uint32_t seats = 4 * Edges::max_edges + 16;
+  uint32_t seats_at_seam = 2 * max_across + 16;
+  /// Rings with as many corners are listed whole.
+  uint32_t corners = max_corners;
+  uint32_t short_walk = 64;
+
+  /// What one batch of edges needs, so that all grows at once: for tests.
+  static constexpr ChainRoom least() { return {max_new, Edges::max_edges, max_across, 1, 1}; }
+
+  constexpr uint32_t seat_slots() const {
+    return 2 * ((queues_each - 1) * seats + seats_at_seam) / seats_per_slot;
+  }
+  /// The slots with which chains begin.
+  constexpr uint32_t slots() const {
+    return 1 + seat_slots() + 2 * nodes + 2 * slots_a_node * max_new;
+  }
+};
+
+class Chains {
+ public:
+  using Fragments = trace::Fragments<uint32_t, NoNormal>;
+  using Slots = Fragments::Slots;
+
+  static constexpr uint32_t max_corners = ChainRoom::max_corners;
+  static constexpr uint32_t min_slots = ChainRoom{}.slots();
+  static_assert(ChainRoom{}.seats >= 2 * Edges::max_edges &&
+                    ChainRoom{}.seats_at_seam >= 2 * ChainRoom::max_across,
+                "half of the seats have room for a batch");
+  static_assert(ChainRoom{}.nodes >= ChainRoom::max_new, "so have the nodes");
+  static_assert(2 * ChainRoom{}.short_walk <= max_corners, "a node has two corners at most");
+
+  /// For the next start. Limit: at least ChainRoom::least(), and at most max_corners corners and
+  /// half as many nodes of a walk.
+  void set_room(const ChainRoom& room) {
+    DISCMC_LIMIT(room.short_walk >= 1 && 2 * room.short_walk <= max_corners);
+    DISCMC_LIMIT(room.corners <= max_corners);
+    room_ = room;
+  }
+  /// Begins with slots that have just been cleared. False when they are fewer than the room's.
+  bool start(Slots& slots);
+
+  /// Whether there is room for what max_edges bring, in the nodes under way. Limit, here and below:
+  /// no ring and no complete fragment is due.
+  bool has_room(Slots& slots) {
+    DISCMC_LIMIT(joins_ == 0 && complete_ == 0);
+    return (has_places() || find_places(slots)) && has_room_for(slots, 0);
+  }
+  /// Makes room. False when too many slots would be in use: then hand_over(). Limit: no fragment is
+  /// complete. Cost: copies all open fragments.
+  bool make_room(Slots& slots);
+
+  /// Takes passes in. Limit: there is room.
+  void take(Slots& slots, const FoundPasses& passes, uint32_t edges);
+
+  /// Finds the next ring that was closed, in the order in which they were. False when there is
+  /// none.
+  bool find_ring(Slots& slots);
+  /// Its corners in order, from any one of them on; none if they are more than max_corners.
+  uint64_t* corners() { return corner_; }
+  uint32_t corner_count() const { return corner_count_; }
+  /// Puts the ring out as slots.
+  void put_out_ring(Fragments& fragments) const;
+
+  /// Finds the fragments that are complete, between two seams. Cost: follows those that begin at
+  /// one.
+  void find_complete(Slots& slots);
+  bool has_complete() const { return complete_ > 0; }
+  /// Puts the next of these out as slots. Limit: there is one.
+  void put_out_complete(Fragments& fragments);
+
+  /// Hands all fragments over, when a sweep has come to a word of a row. Limit: none is complete.
+  void hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_t word);
+  /// Forgets everything, and gives the slots back.
+  void give_all(Slots& slots);
+
+ private:
+  static constexpr uint32_t max_new = ChainRoom::max_new;
+  static constexpr uint32_t max_across = ChainRoom::max_across;
+  static constexpr uint32_t slots_a_node = ChainRoom::slots_a_node;
+  static constexpr uint32_t seats_per_slot = ChainRoom::seats_per_slot;
+
+  struct Area {
+    uint32_t first, slots;
+  };
+
+  // Of slots, counted from the first, the number is that of a node less one, and the first is none
+  // that is ever read.
+  static Node* nodes(Slots& slots) { return reinterpret_cast<Node*>(&slots[1]); }
+  static uint32_t* seats(Slots& slots) { return reinterpret_cast<uint32_t*>(&slots[1]); }
+  uint32_t& front(uint32_t queue) { return queue < first_begins ? of_in_[queue] : of_out_[queue]; }
+  uint32_t& back(uint32_t queue) { return queue < first_begins ? of_out_[queue] : of_in_[queue]; }
+
+  static bool is_at_seam(uint32_t queue) { return queue == seam_tails || queue == seam_begins; }
+  uint32_t places(uint32_t queue) { return end_seat_[queue] - back(queue); }
+  bool is_within_seats(uint32_t queue) {
+    return first_seat_[queue] <= front(queue) && front(queue) <= back(queue) &&
+           back(queue) <= end_seat_[queue];
+  }
+
+  // What has_room() ensures, found in another way for checks.
+  bool is_ready_for_batch(const Slots& slots) {
+    const uint32_t end = area_[0].first + area_[0].slots;
+    bool is_ready = end_ == end && end - top_ >= 2 * FoundPasses::max_passes &&
+                    slots.available() >= 10 * (top_ - area_[0].first + 2 * FoundPasses::max_passes);
+    for (uint32_t queue = 0; queue < queue_codes; ++queue)
+      is_ready = is_ready && is_within_seats(queue) &&
+                 places(queue) >= (is_at_seam(queue) ? Edges::max_at_seam * trace::PassList::most
+                                                     : Edges::max_edges);
+    return is_ready;
+  }
+
+  uint32_t reserve() const { return slots_a_node * (top_ - area_[0].first + max_new); }
+  bool has_room_for(const Slots& slots, uint32_t nodes) const {
+    return top_ + nodes + max_new <= end_ && slots.available() >= reserve() + slots_a_node * nodes;
+  }
+  Area new_area(Slots& slots, uint32_t count);
+  void give(Slots& slots, const Area& area);
+  bool find_area(Slots& slots, uint32_t count);
+  bool has_places() {
+    return free_places_ >= Edges::max_edges && places(seam_tails) >= max_across &&
+           places(seam_begins) >= max_across;
+  }
+  bool find_places(Slots& slots);
+  void find_least_places();
+  void make_places(Slots& slots, uint32_t queue);
+  void mark_tails(Slots& slots);
+  void copy_open(Slots& slots);
+  bool comes_back(Slots& slots, uint32_t at);
+
+  ChainRoom room_;
+  Area area_[2] = {};         // of nodes: they are in the first, and the other is free
+  uint32_t top_ = 0;          // behind the last node
+  uint32_t end_ = 0;          // before which it is to stay
+  uint32_t free_places_ = 0;  // no queue has fewer, but for those of a seam
+  uint32_t complete_ = 0;     // fragments between seams, the first ones of seam_begins
+  uint32_t joins_ = 0;
+  uint32_t next_join_ = 0;
+  uint32_t ring_ = 0;
+  uint32_t corner_count_ = 0;
+  // By queue: the seat that is next for passes that come along it, and for those that go. One is
+  // where an end is taken out, the other where one is put in.
+  uint32_t of_in_[queue_codes] = {};
+  uint32_t of_out_[queue_codes] = {};
+  uint32_t first_seat_[queue_codes] = {};
+  uint32_t end_seat_[queue_codes] = {};
+  uint32_t join_[ChainRoom::max_joins + 1] = {};
+  uint64_t corner_[max_corners + 2] = {};
+};
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,88 @@
+// A corner of a chain: where it is and how the chain turns there, in 64 bits.
+#ifndef DISCMC_MESH_HOST_CORNER_CODE_HPP
+#define DISCMC_MESH_HOST_CORNER_CODE_HPP
+
+#include <discmc/lattice.hpp>
+#include <discmc/limits.hpp>
+
+namespace discmc::host {
+
+/// From the lowest bit: the link by which the chain goes on (5 bits) and that by which it comes
+/// (5), its incidence (5); from bit 16 on x, y and z (16 each), each and one. So the order of
+/// numbers is the order z, y, x, and a vector is a number to be added.
+class CornerCode {
+ public:
+  /// Slices that fit, the row before the first one and what lies behind the last included: its
+  /// centroids, and the slice above a slab.
+  static constexpr int32_t max_slices = 32760;
+  static_assert(2 * (max_slices + 2) < 1 << 16 && 2 * Limits::max_extent + 1 < 1 << 16,
+                "each coordinate and one has 16 bits");
+  /// In place of a link that lies beyond the seam of a slab.
+  static constexpr Link beyond_seam = link_codes;
+  static_assert(beyond_seam < 1 << 5 && incidence_codes <= 1 << 5, "each has five bits");
+
+  constexpr explicit CornerCode(uint64_t bits) : bits_(bits) {}
+
+  /// What has to be added for links, an incidence, a vector; and the code of a vertex without
+  /// these.
+  static constexpr uint64_t links(Link incoming, Link onwards) {
+    return uint64_t{incoming} << 5 | onwards;
+  }
+  static constexpr uint32_t incidence_shift = 10;
+  static constexpr uint64_t vector(const Vertex& v) {
+    const auto part = [](int32_t coordinate) { return static_cast<uint64_t>(int64_t{coordinate}); };
+    return (part(v.x) << 16) + (part(v.y) << 32) + (part(v.z) << 48);
+  }
+  static constexpr uint64_t position(const Vertex& v) {
+    return vector({v.x + 1, v.y + 1, v.z + 1});
+  }
+
+  constexpr uint64_t bits() const { return bits_; }
+  constexpr Link onwards() const { return bits_ & 31; }
+  constexpr Link incoming() const { return bits_ >> 5 & 31; }
+  constexpr Incidence incidence() const { return bits_ >> incidence_shift & 31; }
+  constexpr Vertex vertex() const {
+    const auto coordinate = [this](int at) {
+      return static_cast<int32_t>(bits_ >> at & 0xFFFF) - 1;
+    };
+    return {coordinate(16), coordinate(32), coordinate(48)};
+  }
+
+ private:
+  uint64_t bits_;
+};
+
+/// How to count links between two corners: from their bits from `shift` on, where what is above
+/// the lowest coordinate that changes is the same, and by how much a link changes it.
+struct LinkMeasure {
+  uint8_t shift;
+  uint8_t halvings;
+};
+struct LinkMeasures {
+  LinkMeasure of[link_codes];
+};
+namespace derive {
+constexpr LinkMeasures link_measures() {
+  LinkMeasures measures{};
+  for (Link link = 0; link < link_codes; ++link) {
+    const Vertex v = link_vector(link);
+    const int32_t change = v.z != 0 ? v.z : v.y != 0 ? v.y : v.x;
+    measures.of[link].shift = v.z != 0 ? 48 : v.y != 0 ? 32 : 16;
+    measures.of[link].halvings = change == 2 || change == -2 ? 1 : 0;
+  }
+  return measures;
+}
+}  // namespace derive
+inline constexpr LinkMeasures link_measures = derive::link_measures();
+
+/// How many links lead straight from a corner to the next.
+inline uint32_t links_between(CornerCode from, CornerCode to) {
+  const LinkMeasure measure = link_measures.of[from.onwards()];
+  const auto difference = static_cast<int32_t>(static_cast<uint32_t>(to.bits() >> measure.shift) -
+                                               static_cast<uint32_t>(from.bits() >> measure.shift));
+  return static_cast<uint32_t>(difference < 0 ? -difference : difference) >> measure.halvings;
+}
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,60 @@
+// The crossing edges of rows, collected, with the voxels around them.
+//
+// They are collected without a branch that depends on the surface, from one row after another of a
+// slice, until there are many: what is done to them is then done in loops that run long.
+#ifndef DISCMC_MESH_HOST_EDGES_HPP
+#define DISCMC_MESH_HOST_EDGES_HPP
+
+#include "ray_table.hpp"
+#include <discmc/trace/swept_row.hpp>
+
+namespace discmc::host {
+
+/// An edge, and what is around it.
+struct Edge {
+  uint64_t voxel;  ///< CornerCode::position() of the one at its lower end
+  uint32_t lines;  ///< of its axis, from bit 0 on; what stands above is of no use: see RayTable
+  uint32_t axis;   ///< and, from special_shift on, 0, or special and quadrants without a cell
+
+  static constexpr uint32_t special_shift = 2;
+  static constexpr uint32_t special = 1U << 6, at_seam = 1U << 7;
+  static_assert(special == 1U << (special_shift + trace::quadrants), "quadrants have four bits");
+};
+
+class Edges {
+ public:
+  static constexpr uint32_t max_edges = 192;
+  /// Of those at a seam, which have twice as many passes.
+  static constexpr uint32_t max_at_seam = max_edges / 2;
+
+  void clear();
+  /// Collects those of a row, from where it was last left. False when the row has come to an end;
+  /// else there is no room for those of one more word, or those of another slice have to be taken
+  /// first.
+  bool collect(const trace::SweptRow& row);
+  /// Forgets those collected.
+  void take_all() { count_ = 0; }
+
+  bool is_empty() const { return count_ == 0; }
+  uint32_t count() const { return count_; }
+  const Edge* begin() const { return edge_; }
+  const Edge* end() const { return edge_ + count_; }
+  /// The next word of the row under way.
+  uint32_t word() const { return word_; }
+
+ private:
+  static constexpr uint32_t max_in_word = 3 * trace::columns_per_word;
+  static_assert(max_at_seam > max_in_word, "a word has room, at a seam, too");
+
+  void collect_word(const trace::SweptRow& row, uint32_t word, uint64_t x, uint64_t y, uint64_t z);
+  void mark_special(const trace::SweptRow& row, Edge* first);
+
+  uint32_t word_ = 0;
+  uint32_t count_ = 0;
+  int32_t z_ = 0;                  // of those collected
+  Edge edge_[max_edges + 3] = {};  // those of the last voxel are written, be there any or none
+};
+
+}  // namespace discmc::host
+
+#endif

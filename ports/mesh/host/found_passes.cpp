@@ -1,0 +1,97 @@
+#include <discmc/checks.hpp>
+#include <discmc/compiler.hpp>
+#include "corner_code.hpp"
+#include "found_passes.hpp"
+
+namespace discmc::host {
+
+using trace::Pass;
+
+namespace {
+
+constexpr uint32_t incidences = incidence_bits >> incidence_shift;
+
+// Adds the rays of a half to others, the first one if the sector before it differs: that is the
+// last one of a half that begins with another ray.
+DISCMC_ALWAYS_INLINE RayWord* add_half(RayWord* ray, const HalfRays& half, RayWord first,
+                                       RayWord first_before) {
+  const uint32_t differ = first >> incidence_shift ^ first_before >> HalfRays::last_shift;
+  *ray = first;
+  ray += (differ & incidences) != 0 ? 1 : 0;
+  // One more, as four are copied at once.
+  copy_bytes(ray, half.ray, sizeof half);
+  return ray + (first >> HalfRays::count_shift);
+}
+
+}  // namespace
+
+void FoundPasses::find(const Edges& edges, trace::SweepCounts& counts) {
+  RayWord* ray = ray_;
+  Place* place = place_;
+  uint64_t parts = 0;
+  for (const Edge& edge : edges) {
+    if (edge.axis >= Edge::special) {
+      const Added added = add_special(edge, ray, place);
+      ray += added.rays;
+      place += added.rays != 0 ? 1 : 0;
+      parts += added.parts;
+      continue;
+    }
+    constexpr uint32_t half_places = HalfRays::places - 1;
+    const uint32_t lines = edge.lines;
+    const RayTable::Kind kind_0 = ray_table.kind[0][lines & half_places];
+    const RayTable::Kind kind_1 = ray_table.kind[1][lines >> HalfRays::lines_bits & half_places];
+    parts += ray_table.parts[kind_0.parts];
+    parts += ray_table.parts[kind_1.parts];
+    const HalfRays& half_0 = ray_table.rays[edge.axis][0][kind_0.rays];
+    const HalfRays& half_1 = ray_table.rays[edge.axis][1][kind_1.rays];
+    const RayWord first_0 = half_0.first, first_1 = half_1.first;
+    RayWord* const begin = ray;
+    ray = add_half(ray, half_0, first_0, first_1);
+    ray = add_half(ray, half_1, first_1, first_0);
+    const uint32_t has_rays = ray != begin ? 1 : 0;
+    *ray = *begin | repeated;
+    ray += has_rays;
+    // Where the voxel is on chains come by the next ray, else they go by it.
+    *place = {edge.voxel, out_bits >> (lines >> (HalfRays::lines_bits - 3) & 8)};
+    place += has_rays;
+  }
+  rays_ = static_cast<uint32_t>(ray - ray_);
+  DISCMC_LIMIT(place <= place_ + Edges::max_edges && rays_ <= max_passes + Edges::max_edges);
+  constexpr uint64_t one = (uint64_t{1} << PartSum::bits) - 1;
+  counts.add(static_cast<uint32_t>(parts & one),
+             static_cast<uint32_t>(parts >> PartSum::bits & one),
+             static_cast<uint32_t>(parts >> 2 * PartSum::bits));
+}
+
+// Finds the passes at an edge around which cells are absent, or the ends at the seam of a slab.
+DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, RayWord* ray,
+                                                            Place* place) const {
+  // Lines 0 to 4 stand lowest, and 5 to 7 behind line 4 where it stands once more.
+  constexpr uint32_t first_lines = (1U << HalfRays::lines_bits) - 1;
+  const uint32_t lines = (edge.lines & first_lines) |
+                         (edge.lines >> (HalfRays::lines_bits + 3) & 63) << HalfRays::lines_bits;
+  const bool is_on = (edge.lines >> HalfRays::lines_bits & 1) != 0;
+  trace::PassList list;
+  trace::derive_passes(trace::EdgeLines{static_cast<int>(edge.axis & 3), is_on, lines},
+                       edge.axis >> Edge::special_shift & 15, list);
+  const bool is_at_seam = (edge.axis & Edge::at_seam) != 0;
+  RayWord* const first = ray;
+  for (uint32_t i = 0; i < list.count; ++i) {
+    const Pass& pass = list.pass[i];
+    const QueueCode in = ray_ends.code[pass.in], out = ray_ends.code[pass.out];
+    if (!is_at_seam) *ray++ = pass_word(in, out, pass.incidence);
+    // A chain that comes across the seam ends here; one that goes across it begins here.
+    if (is_at_seam && pass.in >= trace::first_rising_queue)
+      *ray++ = pass_word(in, seam_tails, pass.incidence);
+    if (is_at_seam && pass.out >= trace::first_rising_queue)
+      *ray++ = pass_word(seam_begins, out, pass.incidence);
+  }
+  const bool has_passes = ray != first;
+  *ray = repeated;
+  ray += has_passes ? 1 : 0;
+  *place = {edge.voxel, 0};
+  return {static_cast<uint32_t>(ray - first), is_at_seam ? 0 : PartSum::of(list.parts)};
+}
+
+}  // namespace discmc::host

@@ -1,0 +1,61 @@
+// The passes at the edges that were collected: as the rays between which they lie.
+#ifndef DISCMC_MESH_HOST_FOUND_PASSES_HPP
+#define DISCMC_MESH_HOST_FOUND_PASSES_HPP
+
+#include "edges.hpp"
+#include "ray_table.hpp"
+#include <discmc/trace/passes.hpp>
+
+namespace discmc::host {
+
+class FoundPasses {
+ public:
+  static constexpr uint32_t max_passes = Edges::max_edges * trace::PassList::most;
+
+  /// Finds those of some edges, and adds to the counts of cells.
+  void find(const Edges& edges, trace::SweepCounts& counts);
+
+  /// Calls visit(voxel, pass) for each: where the voxel at the lower end of its edge is.
+  template <class Visit>
+  DISCMC_ALWAYS_INLINE void for_each(Visit visit) const {
+    const Place* place = place_;
+    for (const RayWord *ray = ray_, *const end = ray_ + rays_; ray != end;) {
+      const RayWord next = ray[1];
+      visit(place->voxel, ray[0] ^ ((ray[0] ^ next) & place->of_next));
+      ray += 1 + (next >> 31);
+      place += next >> 31;
+    }
+  }
+
+ private:
+  // Set in the word behind the last ray of a vertex: the first once more.
+  static constexpr uint32_t repeated = 1U << 31;
+
+  // Of the rays of a vertex: where it is, and which bits of a pass are those of the next ray:
+  // in_bits or out_bits, or none where each ray is a pass already.
+  struct Place {
+    uint64_t voxel;
+    uint32_t of_next;
+  };
+
+  struct Added {
+    uint32_t rays;
+    uint64_t parts;
+  };
+
+  Added add_special(const Edge& edge, RayWord* ray, Place* place) const;
+
+  uint32_t rays_ = 0;  // those repeated included
+  Place place_[Edges::max_edges + 1] = {};
+  // Four words are copied behind a first ray, however many count.
+  RayWord ray_[max_passes + Edges::max_edges + 5] = {};
+  static_assert(2 * sizeof(HalfRays) == trace::PassList::most * sizeof(RayWord),
+                "a vertex has as many rays as two halves");
+  static_assert(Edges::max_at_seam * (2 * trace::PassList::most + 1) <=
+                    max_passes + Edges::max_edges,
+                "both ends of each pass at a seam have room");
+};
+
+}  // namespace discmc::host
+
+#endif

@@ -1,0 +1,16 @@
+// The extractor for hosts: a file of its own, so that firmware does not link it.
+#include "host_extractor.hpp"
+#include <discmc/trace/extractor_definitions.hpp>
+
+namespace discmc {
+
+template class BasicExtractor<uint32_t, BitIntake, host::Sweep>;
+template PushResult HostExtractor::BasicExtractor::push_samples(const uint8_t*, uint32_t, uint32_t);
+template PushResult HostExtractor::BasicExtractor::push_samples(const uint16_t*, uint32_t,
+                                                                uint32_t);
+template PushResult HostExtractor::BasicExtractor::push_samples(const int16_t*, uint32_t, uint32_t);
+template Status HostExtractor::BasicExtractor::save(Checkpoint<HostExtractor>&) const;
+template Status HostExtractor::BasicExtractor::restore(const Checkpoint<HostExtractor>&, Memory,
+                                                       const Sink&);
+
+}  // namespace discmc

@@ -1,0 +1,64 @@
+// A vertex that a chain passes, and the corners there.
+#ifndef DISCMC_MESH_HOST_NODE_HPP
+#define DISCMC_MESH_HOST_NODE_HPP
+
+#include <discmc/capacities.hpp>
+#include <discmc/compiler.hpp>
+#include "corner_code.hpp"
+#include "ray_table.hpp"
+
+namespace discmc::host {
+
+/// A vertex that a chain passes: as large as a slot, and aligned as one.
+struct Node {
+  uint32_t voxel_bits[2];  // CornerCode::position()
+  uint32_t next;           // in the chain; or no_node, or a waiting_tail
+  PassWord pass;
+
+  static constexpr uint32_t no_node = UINT32_MAX;
+  /// Added to the seat of a tail, while nodes are copied.
+  static constexpr uint32_t waiting_tail = 1U << 31;
+  /// In place of a pass: the node names another in voxel_bits, up to which chains need not be
+  /// followed again. It has no corner.
+  static constexpr PassWord shortcut = 1U << 31 | pass_word(seam_tails, seam_begins, 0);
+  static_assert(sizing::max_slots<uint32_t> < waiting_tail,
+                "numbers of nodes are not those of tails");
+
+  uint64_t voxel() const {
+    uint64_t bits;
+    copy_bytes(&bits, voxel_bits, sizeof bits);
+    return bits;
+  }
+  void set_voxel(uint64_t bits) { copy_bytes(voxel_bits, &bits, sizeof bits); }
+
+  bool turns() const { return ray_ends.incoming[in_of(pass)] != ray_ends.first[out_of(pass)]; }
+  bool turns_behind() const { return ray_ends.turns[out_of(pass)] != 0; }
+  bool has_corner() const { return turns() || turns_behind(); }
+  bool begins_at_seam() const { return in_of(pass) == seam_begins; }
+  bool ends_at_seam() const { return out_of(pass) == seam_tails; }
+
+  /// The corner at the vertex, if it turns there; and at the centroid behind it.
+  uint64_t corner() const {
+    return plane() + ray_ends.vertex[in_of(pass)] + ray_ends.first[out_of(pass)];
+  }
+  uint64_t corner_behind() const { return plane() + ray_ends.centroid[out_of(pass)]; }
+
+  /// Writes down the corners: none, one or two, whatever it is by the same instructions. Returns
+  /// where the next one belongs. Limit: there is room for two.
+  DISCMC_ALWAYS_INLINE uint64_t* add_corners(uint64_t* corners) const {
+    corners[0] = corner();
+    corners += turns() ? 1 : 0;
+    corners[0] = corner_behind();
+    return corners + ray_ends.turns[out_of(pass)];
+  }
+
+ private:
+  uint64_t plane() const {
+    static_assert(incidence_shift > CornerCode::incidence_shift);
+    return voxel() + ((pass & incidence_bits) >> (incidence_shift - CornerCode::incidence_shift));
+  }
+};
+
+}  // namespace discmc::host
+
+#endif

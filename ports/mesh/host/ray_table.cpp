@@ -1,0 +1,221 @@
+#include "corner_code.hpp"
+#include "edges.hpp"
+#include "ray_table.hpp"
+#include <discmc/trace/sector_derivation.hpp>
+
+namespace discmc::host {
+
+namespace {
+
+using trace::AxisTable;
+using trace::CellAtVertex;
+using trace::quadrants;
+using trace::SectorTable;
+using trace::Way;
+
+constexpr SectorTable sectors = trace::derive::sector_table();
+
+constexpr Vertex unit(int axis) {
+  return {axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0};
+}
+
+// Calls visit(axis, quadrant, way, whether it is a spoke) for every way that chains come by, or go.
+template <class Visit>
+constexpr void for_each_way(bool they_come, Visit visit) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (int quadrant = 0; quadrant < quadrants; ++quadrant) {
+      const Way* const ways = sectors.axis[axis].way[quadrant];
+      for (int way = trace::straight_way; way < trace::ways; ++way)
+        visit(axis, quadrant, ways[way], false);
+      for (const auto& of_lower : sectors.edges)
+        for (const uint8_t both : of_lower)
+          if (both != 0) visit(axis, quadrant, ways[they_come ? both >> 4 : both & 15], true);
+    }
+}
+
+constexpr RayEnds derive_ends() {
+  RayEnds ends{};
+  bool begins[trace::queue_count] = {};
+  for_each_way(true, [&](int, int, Way way, bool) {
+    if (way.is_ahead()) begins[way.queue_in()] = true;
+  });
+  uint32_t next[] = {0, first_begins};
+  for (uint8_t queue = 0; queue < trace::queue_count; ++queue) {
+    const uint32_t code = next[begins[queue] ? 1 : 0]++;
+    ends.code[queue] = static_cast<QueueCode>(code);
+    ends.number[code] = queue;
+  }
+  for_each_way(true, [&](int axis, int quadrant, Way way, bool is_spoke) {
+    const uint32_t code = ends.code[way.queue_in()];
+    ends.incoming[code] =
+        opposite_link(is_spoke ? sectors.axis[axis].inwards[quadrant] : way.link());
+    ends.vertex[code] = CornerCode::vector(unit(axis)) + CornerCode::links(ends.incoming[code], 0);
+  });
+  for_each_way(false, [&](int axis, int quadrant, Way way, bool is_spoke) {
+    const uint32_t code = ends.code[way.queue_out()];
+    ends.first[code] = is_spoke ? sectors.axis[axis].inwards[quadrant] : way.link();
+    ends.turns[code] = ends.first[code] != way.link() ? 1 : 0;
+    ends.centroid[code] = CornerCode::vector(unit(axis) + link_vector(ends.first[code])) +
+                          CornerCode::links(ends.first[code], way.link());
+  });
+  ends.incoming[seam_begins] = ends.first[seam_tails] = CornerCode::beyond_seam;
+  ends.vertex[seam_begins] = CornerCode::links(CornerCode::beyond_seam, 0);
+  for (uint32_t code = 0; code < queue_codes; ++code) {
+    const bool has_begins = code >= first_begins;
+    (has_begins ? ends.comes_from_ahead : ends.goes_ahead)[code] = UINT32_MAX;
+    constexpr uint32_t never_in = 30, never_out = 31, of_begins = 32;
+    const uint32_t ends_of = has_begins ? of_begins : 0;
+    const bool turns = ends.turns[code] != 0;
+    ends.straight_in[code] = (turns && has_begins ? never_in : ends.incoming[code]) | ends_of;
+    ends.straight_out[code] = (turns ? never_out : ends.first[code]) | ends_of;
+  }
+  return ends;
+}
+
+constexpr RayEnds derived_ends = derive_ends();
+
+// ---- rays ----
+
+constexpr RayWord ray_word(const Way& comes, const Way& goes, Incidence behind) {
+  return pass_word(derived_ends.code[comes.queue_in()], derived_ends.code[goes.queue_out()],
+                   behind);
+}
+
+constexpr uint32_t turned(uint32_t heading, uint32_t by) {
+  return heading == trace::no_heading ? heading : (heading + by) % 8;
+}
+
+// A half as it is whatever the axis, and turned to the first one.
+struct Half {
+  uint32_t lower_is_on;
+  uint32_t heading[4] = {};  // of its sectors
+  uint32_t edges[2] = {};    // of the cells' spokes, or 0
+  uint32_t face[2] = {};     // the ways on their first faces; 0 if the second has no ray
+  uint32_t parts = 0;        // a place in RayTable::parts
+
+  constexpr Half(uint32_t lower, uint32_t lines) : lower_is_on(lower) {
+    uint32_t part[2] = {};
+    for (uint32_t i = 0; i < 2; ++i) {
+      const CellAtVertex cell = sectors.cell_at(static_cast<int>(lower), lines >> 4 * i & 63);
+      uint32_t* const headings = heading + size_t{2} * i;
+      headings[0] = turned(cell.headings & 15, 2 * i);
+      headings[1] = turned(cell.headings >> 4, 2 * i);
+      edges[i] = cell.edges;
+      face[i] = sectors.face_way_at(static_cast<int>(lower), lines >> 4 * i & 3);
+      part[i] = cell.part;
+    }
+    if (heading[1] == heading[2]) face[1] = 0;
+    // The pairs of parts, whichever comes first, without a gap.
+    const uint32_t greater = part[0] > part[1] ? part[0] : part[1];
+    parts = greater * (greater + 1) / 2 + (part[0] + part[1] - greater);
+  }
+
+  // Equal where all else is that makes a kind; never 0.
+  constexpr uint64_t key() const {
+    uint64_t bits = 2 | lower_is_on;
+    for (const uint32_t h : heading) bits = bits << 4 | h;
+    for (int i = 0; i < 2; ++i) bits = bits << 12 | edges[i] << 4 | face[i];
+    return bits;
+  }
+
+  constexpr HalfRays rays(int axis, int half) const {
+    const AxisTable& table = sectors.axis[axis];
+    const auto incidence = [&](uint32_t sector) {
+      return sectors.incidence_at(
+          axis, static_cast<int>(lower_is_on),
+          static_cast<int>(turned(heading[sector], 4 * static_cast<uint32_t>(half))));
+    };
+    HalfRays rays{};
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < 2; ++i) {
+      const Way* const ways = table.way[2 * half + static_cast<int>(i)];
+      const Way& on_face = ways[face[i]];
+      const RayWord first = ray_word(on_face, on_face, incidence(2 * i));
+      if (i == 0)
+        rays.first = first;
+      else if (face[i] != 0)
+        rays.ray[count++] = first;
+      if (edges[i] != 0)
+        rays.ray[count++] =
+            ray_word(ways[edges[i] >> 4], ways[edges[i] & 15], incidence(2 * i + 1));
+    }
+    rays.first |= uint32_t{incidence(3)} << HalfRays::last_shift | count << HalfRays::count_shift;
+    return rays;
+  }
+};
+
+// ---- the table ----
+
+// Where the voxels at a place in the block around a voxel stand in RayTable::lines.
+constexpr uint64_t bits_of_voxel(int x, int y, int z) {
+  uint64_t bits = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int at[] = {x, y, z};
+    const int along = at[axis], u = at[(axis + 1) % 3], v = at[(axis + 2) % 3];
+    uint64_t of_axis = along == 0 && u == 0 && v == 0 ? 1U << HalfRays::lines_bits : 0;
+    for (int place = 0; along >= 0 && place < 10; ++place) {
+      const Vertex line = trace::derive::line_at((place < 5 ? place : place - 1) % 8);
+      const int shift = 2 * place + (place < 5 ? 0 : 1) + along;
+      if (line.y == u && line.z == v) of_axis |= uint64_t{1} << shift;
+    }
+    bits |= of_axis << RayTable::axis_bits * static_cast<uint32_t>(axis);
+  }
+  return bits;
+}
+
+constexpr RayTable derive_rays() {
+  RayTable table{};
+  for (int z = 0; z < 3; ++z)
+    for (uint32_t place = 0; place < 9; ++place) {
+      const uint64_t bits =
+          bits_of_voxel(static_cast<int>(place % 3) - 1, static_cast<int>(place / 3) - 1, z - 1);
+      for (uint32_t lower = 0; lower < 1U << place; ++lower)
+        table.lines[z][1U << place | lower] = table.lines[z][lower] | bits;
+    }
+  for (uint32_t greater = 0; greater < 15; ++greater)
+    for (uint32_t other = 0; other <= greater; ++other)
+      table.parts[greater * (greater + 1) / 2 + other] =
+          PartSum::of(sectors.part[greater]) + PartSum::of(sectors.part[other]);
+
+  constexpr uint32_t places = 1024;
+  uint64_t known[places] = {};
+  uint16_t number[places] = {};
+  uint16_t kinds = 0;
+  for (uint32_t lower = 0; lower < 2; ++lower)
+    for (uint32_t lines = 0; lines < 1U << HalfRays::lines_bits; ++lines) {
+      const Half half(lower, lines);
+      const uint64_t key = half.key();
+      auto place = static_cast<uint32_t>(key % 1021);
+      while (known[place] != 0 && known[place] != key) place = (place + 1) % places;
+      if (known[place] == 0) {
+        known[place] = key;
+        number[place] = kinds;
+        for (int axis = 0; axis < 3; ++axis)
+          for (int i = 0; i < 2; ++i) table.rays[axis][i][kinds] = half.rays(axis, i);
+        ++kinds;
+      }
+      const RayTable::Kind kind{number[place], static_cast<uint16_t>(half.parts)};
+      table.kind[0][lines | lower << HalfRays::lines_bits] = kind;
+      table.kind[1][lines << 1 | lower] = kind;
+    }
+  return table;
+}
+
+constexpr RayTable derived_rays = derive_rays();
+static_assert(derived_rays.rays[0][0][HalfRays::kinds - 1].first != 0, "there are so many kinds");
+
+constexpr bool sums_have_room() {
+  constexpr uint64_t field = (uint64_t{1} << PartSum::bits) - 1;
+  for (uint64_t parts : derived_rays.parts)
+    for (; parts != 0; parts >>= PartSum::bits)
+      if ((parts & field) * 2 * Edges::max_edges > field) return false;
+  return true;
+}
+static_assert(sums_have_room(), "the parts of two halves each, for all edges of a batch, fit");
+
+}  // namespace
+
+const RayTable ray_table = derived_rays;
+const RayEnds ray_ends = derived_ends;
+
+}  // namespace discmc::host

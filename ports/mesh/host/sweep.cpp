@@ -1,0 +1,224 @@
+#include "sweep.hpp"
+
+namespace discmc::host {
+
+namespace {
+
+using trace::SlabRole;
+
+/// What is asked of the planes of an incidence for every ring, at hand.
+struct Planes {
+  Direction direction[link_codes];  ///< as direction_of()
+  uint64_t right_turns;             ///< bit 8 a + b: whether from direction a to b is one
+};
+struct PlaneTable {
+  Planes of[incidence_codes];
+};
+constexpr PlaneTable derive_planes() {
+  PlaneTable table{};
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
+    Planes& planes = table.of[incidence];
+    for (Direction a = 0; a < direction_count(incidence); ++a) {
+      planes.direction[link_of(incidence, a)] = a;
+      for (Direction b = 0; b < direction_count(incidence); ++b)
+        if (turn(incidence, a, b) < 0) planes.right_turns |= uint64_t{1} << (8 * a + b);
+    }
+  }
+  return table;
+}
+constexpr PlaneTable plane_table = derive_planes();
+
+bool is_hole(CornerCode start) {
+  const Planes& planes = plane_table.of[start.incidence()];
+  const uint32_t turn = 8U * planes.direction[start.incoming()] + planes.direction[start.onwards()];
+  return (planes.right_turns >> turn & 1) != 0;
+}
+
+}  // namespace
+
+void Sweep::clear() {
+  Plain::clear();
+  edges_.clear();
+  is_due_ = false;
+  below_waits_ = false;
+  handed_word_ = 0;
+  keeps_nodes_ = chains_.start(slots());
+}
+
+bool Sweep::sweep(const trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
+                  Statistics& statistics) {
+  while (keeps_nodes_) {
+    if (is_due_ && !deliver(sink, statistics)) return false;
+    if (edges_.is_empty() && !make_room(row)) {
+      if (!chains_.has_complete()) hand_over(row);
+    } else if (edges_.collect(row)) {
+      take_edges(statistics);
+    } else {
+      return true;
+    }
+  }
+  return sweep_plain(row, intake, sink, statistics);
+}
+
+bool Sweep::flush(const Sink& sink, Statistics& statistics) {
+  if (!keeps_nodes_) return true;
+  if (is_due_ && !deliver(sink, statistics)) return false;
+  take_edges(statistics);
+  return deliver(sink, statistics);
+}
+
+bool Sweep::settle_holes(const Sink& sink, Statistics& statistics) {
+  if (keeps_nodes_) {
+    if (!flush(sink, statistics)) return false;
+    chains_.find_complete(slots());
+    if (!deliver(sink, statistics)) return false;
+  }
+  return Plain::settle_holes(sink, statistics);
+}
+
+void Sweep::take_edges(Statistics& statistics) {
+  is_due_ = true;
+  found_.find(edges_, counts_);
+  counts_.add_to(statistics);
+  chains_.take(slots(), found_, edges_.count());
+  edges_.take_all();
+}
+
+// ---- handing over ----
+
+// False when fragments that are complete have to go out first, or there is none.
+bool Sweep::make_room(const trace::SweptRow& row) {
+  const bool may_stay = row.z < CornerCode::max_slices;
+  if (may_stay && chains_.has_room(slots())) return true;
+  chains_.find_complete(slots());
+  is_due_ = chains_.has_complete();
+  return !is_due_ && may_stay && chains_.make_room(slots());
+}
+
+// Below a slab there are only ends of others, which are lost to firmware's sweep.
+void Sweep::hand_over(const trace::SweptRow& row) {
+  keeps_nodes_ = false;
+  if (row.role == SlabRole::below_slab) return chains_.give_all(slots());
+  below_waits_ = true;
+  handed_word_ = edges_.word();
+  passes_.go_on_from(handed_word_);
+  chains_.hand_over(fragments_, row, handed_word_);
+}
+
+bool Sweep::sweep_plain(const trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
+                        Statistics& statistics) {
+  trace::SweptRow rest = row;
+  if (below_waits_ && row.is_own()) rest.role = SlabRole::inside;
+  if (row.role == SlabRole::above_slab && handed_word_ > 0) {
+    // It is swept twice, either time from there.
+    fragments_.set_below_is_lost(false);
+    if (!chains_are_ended_) {
+      if (!take_passes(row, intake, sink, statistics)) return false;
+      chains_are_ended_ = true;
+      passes_.go_on_from(handed_word_);
+    }
+    if (!take_passes(row, intake, sink, statistics)) return false;
+    chains_are_ended_ = false;
+  } else if (!Plain::sweep(rest, intake, sink, statistics)) {
+    return false;
+  }
+  handed_word_ = 0;
+  return true;
+}
+
+// ---- delivery ----
+
+// Delivers all that is due. False when the sink is busy.
+bool Sweep::deliver(const Sink& sink, Statistics& statistics) {
+  if (!delivery_.settle(fragments_, sink, statistics)) return false;
+  while (chains_.find_ring(slots()))
+    if (!deliver_ring(sink, statistics)) return false;
+  while (chains_.has_complete()) {
+    chains_.put_out_complete(fragments_);
+    if (!delivery_.settle(fragments_, sink, statistics)) return false;
+  }
+  is_due_ = false;
+  return true;
+}
+
+// Whether holes wait on the plane of a ring.
+bool Sweep::may_have_holes(CornerCode start) {
+  const auto& holes = delivery_.holes();
+  return holes.count() > 0 && holes.has_any(slots(), start.incidence(), start.vertex());
+}
+
+// Makes runs of the corners of the ring that was found, twice over, and returns the first one: a
+// ring begins at its last vertex, as in Delivery, which is a corner.
+DISCMC_ALWAYS_INLINE const Run* Sweep::make_runs(uint32_t count, CornerCode& start,
+                                                 uint64_t& links) {
+  DISCMC_LIMIT(2 * count <= sizeof run_ / sizeof run_[0]);
+  uint64_t* const corner = chains_.corners();
+  corner[count] = corner[0];
+  const Direction* const direction = plane_table.of[CornerCode(corner[0]).incidence()].direction;
+  Run* const again = run_ + count;
+  uint64_t last = 0;
+  uint32_t first = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    const CornerCode from(corner[i]);
+    const uint32_t length = links_between(from, CornerCode(corner[i + 1]));
+    run_[i] = again[i] = Run::straight(direction[from.onwards()], length);
+    links += length;
+    // Without a branch.
+    const uint64_t is_later = 0 - uint64_t{corner[i] > last};
+    last ^= (last ^ corner[i]) & is_later;
+    first ^= (first ^ i) & static_cast<uint32_t>(is_later);
+  }
+  start = CornerCode(last);
+  return run_ + first;
+}
+
+// Delivers the ring that was found.
+bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
+  const uint32_t count = chains_.corner_count();
+  CornerCode start(0);
+  uint64_t links = 0;
+  const Run* const runs = count > 0 ? make_runs(count, start, links) : nullptr;
+  if (count == 0 || is_hole(start) || may_have_holes(start)) {
+    chains_.put_out_ring(fragments_);
+    return delivery_.settle(fragments_, sink, statistics);
+  }
+  const WholeRegion region{start.incidence(), start.vertex(), runs, count};
+  if ((receiver_.take == nullptr ||
+       receiver_.take(receiver_.context, region) != SinkResult::accepted) &&
+      !send_events(region, sink, statistics))
+    return false;
+  statistics.links += links;
+  ++statistics.rings;
+  ++statistics.regions;
+  return true;
+}
+
+// When the sink is busy, the ordinary delivery continues.
+bool Sweep::send_events(const WholeRegion& region, const Sink& sink, Statistics& statistics) {
+  Event event{};
+  event.incidence = region.incidence;
+  event.start = region.start;
+  uint32_t taken = 0;
+  const auto send = [&](Event::Kind kind) {
+    event.kind = kind;
+    if (sink.take(sink.context, event) != SinkResult::accepted) return false;
+    ++taken;
+    return true;
+  };
+  const auto send_runs = [&] {
+    for (uint32_t i = 0; i < region.count; ++i) {
+      event.run = region.runs[i];
+      if (!send(Event::Kind::run)) return false;
+    }
+    return true;
+  };
+  if (send(Event::Kind::region) && send(Event::Kind::ring) && send_runs() &&
+      send(Event::Kind::region_end))
+    return true;
+  chains_.put_out_ring(fragments_);
+  delivery_.begin(fragments_);
+  for (; taken > 0; --taken) delivery_.go_on(fragments_, statistics);
+  return false;
+}
+
+}  // namespace discmc::host

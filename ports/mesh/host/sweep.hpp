@@ -1,0 +1,68 @@
+// The sweep of a host: faster, and with the same events, while there is memory to spare.
+//
+// Then chains are kept as nodes (chains.hpp). When too many slots would be in use they are handed
+// over to the sweep that firmware has, which goes on.
+#ifndef DISCMC_MESH_HOST_SWEEP_HPP
+#define DISCMC_MESH_HOST_SWEEP_HPP
+
+#include "chains.hpp"
+#include <discmc/trace/sweep.hpp>
+
+namespace discmc::host {
+
+/// To an extractor what a trace::Sweep is.
+class Sweep : private trace::Sweep<uint32_t, NoNormal> {
+ public:
+  using Features = AllFeatures;
+  using Plain = trace::Sweep<uint32_t, NoNormal>;
+
+  using Plain::delivery;
+  using Plain::fragments;
+
+  void start(Arena& arena, const Capacities& capacities) {
+    Plain::start(arena, capacities);
+    receiver_ = {};
+  }
+  void forget_addresses() {
+    Plain::forget_addresses();
+    receiver_ = {};
+  }
+  void set_room(const ChainRoom& room) { chains_.set_room(room); }
+  void set_receiver(const RegionReceiver& receiver) { receiver_ = receiver; }
+  void clear();
+  /// May leave the last edges for later.
+  bool sweep(const trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
+             Statistics& statistics);
+  bool flush(const Sink& sink, Statistics& statistics);
+  bool settle_holes(const Sink& sink, Statistics& statistics);
+
+ private:
+  using Slots = Chains::Slots;
+
+  bool sweep_plain(const trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
+                   Statistics& statistics);
+  bool make_room(const trace::SweptRow& row);
+  void hand_over(const trace::SweptRow& row);
+  void take_edges(Statistics& statistics);
+  bool deliver(const Sink& sink, Statistics& statistics);
+  bool may_have_holes(CornerCode start);
+  bool deliver_ring(const Sink& sink, Statistics& statistics);
+  const Run* make_runs(uint32_t count, CornerCode& start, uint64_t& links);
+  bool send_events(const WholeRegion& region, const Sink& sink, Statistics& statistics);
+
+  Slots& slots() { return fragments_.slots(); }
+
+  bool keeps_nodes_ = false;
+  bool is_due_ = false;       // something may have to be delivered
+  bool below_waits_ = false;  // ends from below a slab wait in the queues, or were counted as lost
+  uint32_t handed_word_ = 0;  // where in a row chains were handed over
+  RegionReceiver receiver_;
+  Edges edges_;
+  FoundPasses found_;
+  Chains chains_;
+  Run run_[2 * (Chains::max_corners + 2)];
+};
+
+}  // namespace discmc::host
+
+#endif

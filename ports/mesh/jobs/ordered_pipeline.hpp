@@ -1,0 +1,126 @@
+// Work on items side by side, between two steps that take them one by one, in order.
+#ifndef DISCMC_MESH_JOBS_ORDERED_PIPELINE_HPP
+#define DISCMC_MESH_JOBS_ORDERED_PIPELINE_HPP
+
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace discmc::meshing {
+
+/// Items 0 to count - 1 pass three steps. fill(number, item) and take(number, item) are called in
+/// the order of the items, each by one thread at a time; work(number, item) by as many as there
+/// are jobs. Items are made once and used again, so that their memory stays: twice as many as jobs.
+/// What a step throws ends the pipeline, and is thrown. With one job no thread is started.
+template <class Item, class Fill, class Work, class Take>
+class OrderedPipeline {
+ public:
+  /// Limit: at least one job.
+  OrderedPipeline(unsigned jobs, std::size_t count, Fill fill, Work work, Take take)
+      : jobs_(jobs), count_(count), slots_(2 * jobs), fill_(fill), work_(work), take_(take) {}
+
+  void run() {
+    std::vector<std::thread> threads;
+    try {
+      for (unsigned i = 1; i < jobs_ && i < count_; ++i)
+        threads.emplace_back([this] { run_steps(); });
+    } catch (const std::system_error&) {
+      // The system has no thread left: those that there are do all of it.
+    }
+    run_steps();
+    for (std::thread& thread : threads) thread.join();
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  enum class State { empty, filled, done };
+  struct Slot {
+    State state = State::empty;
+    Item item{};
+  };
+
+  Slot& slot(std::size_t number) { return slots_[number % slots_.size()]; }
+
+  // Until nothing is left to do.
+  void run_steps() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (!error_ && taken_ < count_)
+      if (!run_step(lock)) changed_.wait(lock);
+    changed_.notify_all();
+  }
+
+  // Whether there was one. What holds up others goes first.
+  bool run_step(std::unique_lock<std::mutex>& lock) {
+    if (!is_taking_ && slot(taken_).state == State::done) {
+      is_taking_ = true;
+      call(lock, take_, taken_);
+      slot(taken_++).state = State::empty;
+      is_taking_ = false;
+    } else if (!is_filling_ && filled_ < count_ && slot(filled_).state == State::empty &&
+               filled_ < begun_ + jobs_) {
+      is_filling_ = true;
+      call(lock, fill_, filled_);
+      slot(filled_++).state = State::filled;
+      is_filling_ = false;
+    } else if (begun_ < filled_) {
+      const std::size_t number = begun_++;
+      call(lock, work_, number);
+      slot(number).state = State::done;
+    } else {
+      return false;
+    }
+    changed_.notify_all();
+    return true;
+  }
+
+  // Calls a step without the lock.
+  template <class Step>
+  void call(std::unique_lock<std::mutex>& lock, Step& step, std::size_t number) {
+    Item& item = slot(number).item;
+    lock.unlock();
+    std::exception_ptr error;
+    try {
+      step(number, item);
+    } catch (...) {
+      error = std::current_exception();
+    }
+    lock.lock();
+    if (error && !error_) error_ = error;
+  }
+
+  const unsigned jobs_;
+  const std::size_t count_;
+  std::vector<Slot> slots_;
+  Fill fill_;
+  Work work_;
+  Take take_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  // Items that were filled, are or were worked on, and were taken.
+  std::size_t filled_ = 0, begun_ = 0, taken_ = 0;
+  bool is_filling_ = false, is_taking_ = false;
+  std::exception_ptr error_;
+};
+
+/// Runs one.
+template <class Item, class Fill, class Work, class Take>
+void run_in_order(unsigned jobs, std::size_t count, Fill fill, Work work, Take take) {
+  OrderedPipeline<Item, Fill, Work, Take>(jobs, count, fill, work, take).run();
+}
+
+/// Calls work(number) for 0 to count - 1, as often at once as there are jobs.
+template <class Work>
+void run_in_any_order(unsigned jobs, std::size_t count, Work work) {
+  struct Nothing {};
+  const auto nothing = [](std::size_t, Nothing&) {};
+  run_in_order<Nothing>(
+      jobs, count, nothing, [&work](std::size_t number, Nothing&) { work(number); }, nothing);
+}
+
+}  // namespace discmc::meshing
+
+#endif

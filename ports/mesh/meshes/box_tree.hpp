@@ -1,0 +1,158 @@
+// Boxes in space, found by where they are.
+#ifndef DISCMC_MESH_MESHES_BOX_TREE_HPP
+#define DISCMC_MESH_MESHES_BOX_TREE_HPP
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "point.hpp"
+
+namespace discmc::meshing {
+
+/// The three corners of a triangle.
+using Corners = std::array<Point, 3>;
+
+/// A box along the axes; empty at first. Its bounds are rounded outwards.
+struct Box {
+  Box() = default;
+  explicit Box(const Corners& triangle) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [least, most] =
+          std::minmax({triangle[0][axis], triangle[1][axis], triangle[2][axis]});
+      low[axis] = static_cast<float>(least);
+      high[axis] = static_cast<float>(most);
+      if (static_cast<double>(low[axis]) > least) low[axis] = std::nextafter(low[axis], -infinity);
+      if (static_cast<double>(high[axis]) < most) high[axis] = std::nextafter(high[axis], infinity);
+    }
+  }
+
+  static constexpr float infinity = std::numeric_limits<float>::infinity();
+
+  void include(const Box& box) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], box.low[axis]);
+      high[axis] = std::max(high[axis], box.high[axis]);
+    }
+  }
+  // Without branches: which way they go is hard to foretell, and wrong guesses cost more.
+  bool overlaps(const Box& other) const {
+    bool result = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      result &= low[axis] <= other.high[axis];
+      result &= other.low[axis] <= high[axis];
+    }
+    return result;
+  }
+  double squared_distance(const Point& point) const;
+
+  std::array<float, 3> low{infinity, infinity, infinity};
+  std::array<float, 3> high{-infinity, -infinity, -infinity};
+};
+
+/// A binary tree of boxes, in which those near to each other are mostly together.
+/// Memory: 40 to 52 bytes a box. Time: n log n to build for n boxes.
+class BoxTree {
+ public:
+  /// Limit: fewer than 2^32.
+  explicit BoxTree(const std::vector<Box>& boxes);
+
+  /// Returns the distance of a point from the nearest of the things that lie in the boxes, or
+  /// `enough` where it is no more. It takes less time the nearer the point is to the one before.
+  /// squared_distance_of: called with the place of a box in what was given, returns that of the
+  /// thing. Limit: some boxes.
+  template <class SquaredDistance>
+  double distance(const Point& point, double enough, SquaredDistance squared_distance_of) {
+    struct Waiting {
+      std::size_t node;
+      double squared_distance;
+    };
+    const double squared_enough = enough * enough;
+    double nearest = squared_distance_of(last_);
+    std::array<Waiting, max_waiting> waiting;
+    std::size_t count = 0;
+    waiting[count++] = {1, nodes_[1].squared_distance(point)};
+    while (count > 0 && nearest > squared_enough) {
+      const Waiting next = waiting[--count];
+      if (next.squared_distance >= nearest) continue;
+      if (next.node >= leaves_) {
+        for (std::size_t i = begin_of(next.node); i < end_of(next.node); ++i) {
+          const double away = squared_distance_of(places_[i]);
+          if (away >= nearest) continue;
+          nearest = away;
+          last_ = places_[i];
+        }
+        continue;
+      }
+      Waiting near = {2 * next.node, nodes_[2 * next.node].squared_distance(point)};
+      Waiting far = {2 * next.node + 1, nodes_[2 * next.node + 1].squared_distance(point)};
+      if (far.squared_distance < near.squared_distance) std::swap(near, far);
+      waiting[count++] = far;
+      waiting[count++] = near;
+    }
+    return std::max(std::sqrt(nearest), enough);
+  }
+
+  /// Whether one of the boxes overlaps this one.
+  bool is_near(const Box& box) const;
+
+  /// Calls with the places of two boxes in what was given, once for any two that overlap.
+  template <class Call>
+  void for_each_near_pair(Call call) const {
+    std::array<std::array<std::size_t, 2>, max_waiting> waiting;  // nodes of one level
+    std::size_t count = 0;
+    const auto add_if_near = [&](std::size_t a, std::size_t b) {
+      waiting[count] = {a, b};
+      count += nodes_[a].overlaps(nodes_[b]);
+    };
+    waiting[count++] = {1, 1};
+    while (count > 0) {
+      const auto [a, b] = waiting[--count];
+      if (a >= leaves_) {
+        for_each_pair_of(a, b, call);
+        continue;
+      }
+      add_if_near(2 * a, 2 * b);
+      add_if_near(2 * a, 2 * b + 1);
+      if (a != b) add_if_near(2 * a + 1, 2 * b);
+      add_if_near(2 * a + 1, 2 * b + 1);
+    }
+  }
+
+ private:
+  static constexpr std::size_t leaf_size = 4;
+  static constexpr std::size_t max_waiting = 128;  // the tree has at most 32 levels
+
+  std::size_t begin_of(std::size_t leaf) const { return (leaf - leaves_) * leaf_size; }
+  std::size_t end_of(std::size_t leaf) const {
+    return std::min(begin_of(leaf) + leaf_size, places_.size());
+  }
+
+  // Pairs in one leaf, or in two.
+  template <class Call>
+  void for_each_pair_of(std::size_t a, std::size_t b, Call& call) const {
+    std::array<std::array<std::size_t, 2>, leaf_size * leaf_size> near;
+    std::size_t count = 0;
+    for (std::size_t i = begin_of(a); i < end_of(a); ++i)
+      for (std::size_t j = a == b ? i + 1 : begin_of(b); j < end_of(b); ++j) {
+        near[count] = {i, j};
+        count += boxes_[i].overlaps(boxes_[j]);
+      }
+    for (std::size_t i = 0; i < count; ++i) call(places_[near[i][0]], places_[near[i][1]]);
+  }
+
+  std::vector<std::uint32_t> places_;  // along a curve through space
+  std::vector<Box> boxes_;             // one a place
+  std::size_t leaves_ = 1;
+  std::vector<Box> nodes_;  // node i has the children 2 i and 2 i + 1; the leaves are the last ones
+  std::uint32_t last_ = 0;  // what distance() found
+};
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,148 @@
+#include "delaunay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace discmc::meshing {
+namespace {
+
+// A triangle, in the mean.
+constexpr std::size_t max_flips = 32;
+
+std::uint32_t next(std::uint32_t side) {
+  return side % 3 == 2 ? side - 2 : side + 1;
+}
+std::uint32_t previous(std::uint32_t side) {
+  return side % 3 == 0 ? side + 2 : side - 1;
+}
+
+std::uint32_t& start_of(std::vector<Triangle>& triangles, std::uint32_t side) {
+  return triangles[side / 3][side % 3];
+}
+
+}  // namespace
+
+bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
+                  const PlanePoint& d) {
+  constexpr double doubt = 1e-14;  // more than what rounding could make of it
+  double determinant = 0, magnitude = 0;
+  const auto add = [&](const PlanePoint& lifted, const PlanePoint& from, const PlanePoint& to) {
+    const auto u = static_cast<double>(lifted.u - d.u), v = static_cast<double>(lifted.v - d.v);
+    const double one = static_cast<double>(from.u - d.u) * static_cast<double>(to.v - d.v);
+    const double other = static_cast<double>(to.u - d.u) * static_cast<double>(from.v - d.v);
+    determinant += (u * u + v * v) * (one - other);
+    magnitude += (u * u + v * v) * (std::abs(one) + std::abs(other));
+  };
+  add(a, b, c);
+  add(b, c, a);
+  add(c, a, b);
+  return determinant > doubt * magnitude;
+}
+
+void DelaunayFlips::improve(const std::vector<PlanePoint>& points,
+                            std::vector<Triangle>& triangles) {
+  pair_sides(triangles);
+  changed_.clear();
+  waiting_.clear();
+  for (Side side = 0; side < twins_.size(); ++side)
+    if (side < twins_[side] && twins_[side] != no_side) waiting_.push_back(side);
+  flip_waiting(points, triangles);
+}
+
+// The point cuts the triangle in three. If it lies on an edge, one of them has no area, until the
+// edge is flipped.
+void DelaunayFlips::insert(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
+                           std::uint32_t triangle) {
+  const auto point = static_cast<std::uint32_t>(points.size() - 1);
+  const auto is_on = [&](Side side) {
+    return doubled_area(points[start_of(triangles, side)], points[start_of(triangles, next(side))],
+                        points[point]) == 0;
+  };
+  Side side = 3 * triangle;
+  while (side < 3 * triangle + 2 && !is_on(side)) ++side;
+  const bool is_on_edge = is_on(side);
+  const std::uint32_t a = start_of(triangles, side), b = start_of(triangles, next(side)),
+                      c = start_of(triangles, previous(side));
+  const Side outer[] = {twins_[side], twins_[next(side)], twins_[previous(side)]};
+  const auto second = static_cast<std::uint32_t>(triangles.size()), third = second + 1;
+  triangles[triangle] = {a, b, point};
+  triangles.push_back({b, c, point});
+  triangles.push_back({c, a, point});
+  twins_.resize(3 * triangles.size(), no_side);
+  link(3 * triangle, outer[0]);
+  link(3 * second, outer[1]);
+  link(3 * third, outer[2]);
+  link(3 * triangle + 1, 3 * second + 2);
+  link(3 * second + 1, 3 * third + 2);
+  link(3 * third + 1, 3 * triangle + 2);
+  changed_ = {triangle, second, third};
+  waiting_ = {3 * third, 3 * second};
+  if (is_on_edge)
+    flip(triangles, 3 * triangle);
+  else
+    waiting_.push_back(3 * triangle);
+  flip_waiting(points, triangles);
+}
+
+void DelaunayFlips::flip_waiting(const std::vector<PlanePoint>& points,
+                                 std::vector<Triangle>& triangles) {
+  // From triangles that are nearly Delaunay's there are few flips; hostile ones must come to an
+  // end.
+  for (std::size_t flips = max_flips * triangles.size(); flips > 0 && !waiting_.empty();) {
+    const Side side = waiting_.back();
+    waiting_.pop_back();
+    const Side twin = twins_[side];
+    if (twin == no_side) continue;
+    const Triangle& triangle = triangles[side / 3];
+    if (is_in_circle(points[triangle[0]], points[triangle[1]], points[triangle[2]],
+                     points[start_of(triangles, previous(twin))])) {
+      flip(triangles, side);
+      --flips;
+    }
+  }
+}
+
+void DelaunayFlips::pair_sides(const std::vector<Triangle>& triangles) {
+  ends_.clear();
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
+      ends_.push_back({low, high, static_cast<Side>(3 * t + i)});
+    }
+  std::sort(ends_.begin(), ends_.end(), [](const Ends& a, const Ends& b) {
+    return a.low != b.low ? a.low < b.low : a.high < b.high;
+  });
+  twins_.assign(ends_.size(), no_side);
+  for (std::size_t i = 1; i < ends_.size(); ++i)
+    if (ends_[i].low == ends_[i - 1].low && ends_[i].high == ends_[i - 1].high)
+      link(ends_[i].side, ends_[i - 1].side);
+}
+
+void DelaunayFlips::link(Side a, Side b) {
+  twins_[a] = b;
+  if (b != no_side) twins_[b] = a;
+}
+
+// The other diagonal of the four points: of the triangles a b c and b a d, which share the side
+// a b, it makes a d c and d b c.
+void DelaunayFlips::flip(std::vector<Triangle>& triangles, Side side) {
+  const Side twin = twins_[side];
+  const Side outer[] = {twins_[next(twin)], twins_[previous(twin)], twins_[next(side)],
+                        twins_[previous(side)]};  // of a d, d b, b c and c a
+  const std::uint32_t a = start_of(triangles, side), b = start_of(triangles, twin),
+                      c = start_of(triangles, previous(side)),
+                      d = start_of(triangles, previous(twin));
+  const Side first = side - side % 3, second = twin - twin % 3;
+  triangles[first / 3] = {a, d, c};
+  triangles[second / 3] = {d, b, c};
+  link(first, outer[0]);
+  link(second, outer[1]);
+  link(second + 1, outer[2]);
+  link(first + 2, outer[3]);
+  link(first + 1, second + 2);
+  for (const Side changed : {first, second, second + 1, first + 2}) waiting_.push_back(changed);
+  changed_.insert(changed_.end(), {first / 3, second / 3});
+}
+
+}  // namespace discmc::meshing

@@ -1,0 +1,191 @@
+#include "interpolated_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "intersections.hpp"
+#include "outline.hpp"
+#include "refinement.hpp"
+
+namespace discmc::meshing {
+namespace {
+
+class InterpolatedMesh {
+ public:
+  InterpolatedMesh(const Surface& surface, NumberedCorners corners, const MeshingOptions& options)
+      : surface_(surface),
+        is_mirrored_(is_mirrored(surface.spacing_mm)),
+        corners_(std::move(corners)),
+        outline_(corners_.vertices, true),
+        triangulator_(corners_.vertices),
+        refinement_(*options.crossings, options.tolerance) {
+    number_what_sides_need();
+  }
+
+  FaceMesh build() {
+    mesh_.spacing_mm = surface_.spacing_mm;
+    mesh_.lattice.reserve(corners_.vertices.positions().size());
+    mesh_.vertices_mm.reserve(corners_.vertices.positions().size());
+    place_vertices();
+    reserve_faces(mesh_, mesh_.lattice.size());
+    for_each_polygon([this](std::uint32_t polygon) { add_polygon(polygon); });
+    separate_faces();
+    return std::move(mesh_);
+  }
+
+ private:
+  // Those that are new.
+  void place_vertices() {
+    const std::vector<Vertex>& positions = corners_.vertices.positions();
+    for (std::size_t i = mesh_.lattice.size(); i < positions.size(); ++i) {
+      moved_.push_back(refinement_.moved(positions[i]));
+      mesh_.lattice.push_back(positions[i]);
+      mesh_.vertices_mm.push_back(in_mm(moved_.back(), surface_.spacing_mm));
+    }
+  }
+
+  // Follows the outline of each before the call.
+  template <class Call>
+  void for_each_polygon(Call call) {
+    for (std::size_t block = 0; block < block_count(surface_.polygons); ++block)
+      meshing::for_each_polygon(surface_, corners_, block, outline_, call);
+  }
+
+  // If two sheets are near to each other, triangles that leave out crossings may intersect. Such
+  // triangles get their crossings, until only the interpolated surface itself intersects.
+  void separate_faces() {
+    FaceList faces(mesh_.face_count());
+    std::iota(faces.begin(), faces.end(), 0U);
+    for (;;) {
+      const std::size_t vertices = corners_.vertices.positions().size();
+      std::vector<bool> is_outdated(surface_.polygons.size());
+      for (const auto& pair : intersecting_faces(mesh_, faces))
+        for (const std::uint32_t face : pair)
+          if (number_crossings(face)) is_outdated[mesh_.polygons[face]] = true;
+      if (corners_.vertices.positions().size() == vertices) return;
+      faces = near_faces(mesh_, renewed_faces(is_outdated, vertices));
+    }
+  }
+
+  // Whether there are new ones in the face or on its sides.
+  bool number_crossings(std::size_t face) {
+    const std::size_t vertices = corners_.vertices.positions().size();
+    const Incidence incidence = surface_.polygons[mesh_.polygons[face]].incidence;
+    const std::uint32_t* corners = mesh_.face(face);
+    const LatticePlane plane(mesh_.lattice[corners[0]], incidence);
+    std::array<PlanePoint, 3> points;
+    for (std::size_t i = 0; i < 3; ++i)
+      points[i] = plane.at(mesh_.lattice[corners[is_mirrored_ ? 2 - i : i]]);
+    Refinement::add_crossings(plane, points, corners_.vertices);
+    return corners_.vertices.positions().size() > vertices;
+  }
+
+  // Replaces triangles of an outdated polygon, or of one with a new vertex on a side.
+  FaceList renewed_faces(const std::vector<bool>& is_outdated, std::size_t first_new) {
+    place_vertices();
+    FaceMesh earlier;
+    std::swap(earlier.corners, mesh_.corners);
+    std::swap(earlier.face_begin, mesh_.face_begin);
+    std::swap(earlier.polygons, mesh_.polygons);
+    mesh_.left_out.clear();
+    reserve_faces(mesh_, mesh_.lattice.size());
+    FaceList renewed;
+    std::size_t end = 0;
+    for_each_polygon([&](std::uint32_t polygon) {
+      const std::size_t begin = end;
+      while (end < earlier.face_count() && earlier.polygons[end] == polygon) ++end;
+      const bool has_new_side = std::any_of(outline_.numbers.begin(), outline_.numbers.end(),
+                                            [&](std::uint32_t each) { return each >= first_new; });
+      if (!is_outdated[polygon] && !has_new_side) {
+        for (std::size_t face = begin; face < end; ++face)
+          add_triangle(polygon, earlier.face(face));
+        return;
+      }
+      std::size_t face = mesh_.face_count();
+      add_polygon(polygon);
+      for (; face < mesh_.face_count(); ++face) renewed.push_back(static_cast<std::uint32_t>(face));
+    });
+    return renewed;
+  }
+
+  // What an interpolated side needs between its ends becomes a junction, for both polygons that
+  // have it.
+  void number_what_sides_need() {
+    std::vector<Vertex> needed;
+    for (const Polygon& polygon : surface_.polygons)
+      for (const Ring& ring : polygon.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i)
+          add_what_sides_need(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], needed);
+    for (const Vertex& vertex : needed) corners_.vertices.add(vertex);
+  }
+
+  // Between two corners: from each junction to the next.
+  void add_what_sides_need(const Vertex& from, const Vertex& to, std::vector<Vertex>& needed) {
+    const Side side = side_between(from, to);
+    side_ = {from};
+    for (std::int32_t i = 1; i <= side.links; ++i) {
+      const Vertex vertex = side_.back() + side.link;
+      side_.push_back(vertex);
+      if (corners_.vertices.find(vertex) == VertexNumbers::none) continue;
+      if (precedes(side_.back(), side_.front())) std::reverse(side_.begin(), side_.end());
+      for (const std::size_t place : refinement_.needed(side_)) needed.push_back(side_[place]);
+      side_ = {vertex};
+    }
+  }
+
+  void add_polygon(std::uint32_t polygon) {
+    try {
+      add_refined(polygon,
+                  triangulator_.triangulate(outline_, surface_.polygons[polygon].incidence));
+    } catch (const std::invalid_argument&) {
+      mesh_.left_out.push_back(polygon);
+    }
+  }
+
+  void add_refined(std::uint32_t polygon, const std::vector<Triangle>& triangles) {
+    const LatticePlane& plane = triangulator_.plane();
+    std::vector<std::uint32_t>& numbers = outline_.numbers;
+    refined_.points = triangulator_.points();
+    refined_.moved.clear();
+    for (const std::uint32_t number : numbers) refined_.moved.push_back(moved_[number]);
+    refined_.triangles = triangles;
+    refinement_.refine(plane, corners_.vertices, refined_);
+    for (std::size_t i = numbers.size(); i < refined_.points.size(); ++i)
+      numbers.push_back(corners_.vertices.add(plane.vertex(refined_.points[i])));
+    place_vertices();
+    for (const Triangle& triangle : refined_.triangles) {
+      std::array<std::uint32_t, 3> corners;
+      for (std::size_t i = 0; i < 3; ++i) corners[i] = numbers[triangle[is_mirrored_ ? 2 - i : i]];
+      add_triangle(polygon, corners.data());
+    }
+  }
+
+  void add_triangle(std::uint32_t polygon, const std::uint32_t* corners) {
+    mesh_.corners.insert(mesh_.corners.end(), corners, corners + 3);
+    mesh_.face_begin.push_back(mesh_.corners.size());
+    mesh_.polygons.push_back(polygon);
+  }
+
+  const Surface& surface_;
+  bool is_mirrored_;
+  NumberedCorners corners_;
+  Outline outline_;  // of the polygon under way
+  OutlineTriangulator triangulator_;
+  Refinement refinement_;
+  std::vector<Vertex> side_;  // under way
+  MovedTriangles refined_;
+  std::vector<Point> moved_;  // where the corners and junctions are moved to; Units: half-steps
+  FaceMesh mesh_;
+};
+
+}  // namespace
+
+FaceMesh interpolated_mesh(const Surface& surface, NumberedCorners corners,
+                       const MeshingOptions& options) {
+  return InterpolatedMesh(surface, std::move(corners), options).build();
+}
+
+}  // namespace discmc::meshing

@@ -1,0 +1,28 @@
+// Where the faces of a mesh go through each other.
+#ifndef DISCMC_MESH_MESHES_INTERSECTIONS_HPP
+#define DISCMC_MESH_MESHES_INTERSECTIONS_HPP
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mesh.hpp"
+
+namespace discmc::meshing {
+
+/// Places of faces.
+using FaceList = std::vector<std::uint32_t>;
+
+/// Returns any two of these faces that have more points in common than the vertices and edges that
+/// they share. Two that lie in one plane are not looked at. Limit: triangles.
+/// Time: n log n for n faces, and the pairs that are next to each other.
+std::vector<std::array<std::uint32_t, 2>> intersecting_faces(const FaceMesh& mesh,
+                                                             const FaceList& faces);
+
+/// Returns the faces, of all, that are in a box which overlaps that of one of these. Limit:
+/// triangles.
+FaceList near_faces(const FaceMesh& mesh, const FaceList& faces);
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,42 @@
+// The edges of a mesh, and what they join.
+#ifndef DISCMC_MESH_MESHES_MESH_EDGES_HPP
+#define DISCMC_MESH_MESHES_MESH_EDGES_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mesh.hpp"
+#include "surface/sets.hpp"
+
+namespace discmc::meshing {
+
+/// An edge as one face uses it.
+struct FaceEdge {
+  std::uint32_t low, high;  ///< vertex numbers
+  std::uint32_t face;
+  bool falls;  ///< runs from the higher number to the lower one
+
+  bool joins_the_same(const FaceEdge& other) const {
+    return low == other.low && high == other.high;
+  }
+};
+
+/// Every edge of every face; those that join the same vertices follow each other.
+std::vector<FaceEdge> sorted_edges(const FaceMesh& mesh);
+
+/// Calls call(uses, count) for the uses of each undirected edge.
+template <class Call>
+void for_each_edge(const std::vector<FaceEdge>& edges, const Call& call) {
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    while (end < edges.size() && edges[end].joins_the_same(edges[begin])) ++end;
+    call(edges.data() + begin, end - begin);
+  }
+}
+
+/// Returns sets of faces that are connected by edges. edges: sorted_edges() of so many faces.
+Sets connected_faces(const std::vector<FaceEdge>& edges, std::size_t faces);
+
+}  // namespace discmc::meshing
+
+#endif

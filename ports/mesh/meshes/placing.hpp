@@ -1,0 +1,18 @@
+// A mesh moved to where its volume lies.
+#ifndef DISCMC_MESH_MESHES_PLACING_HPP
+#define DISCMC_MESH_MESHES_PLACING_HPP
+
+#include "mesh.hpp"
+#include "samples/volume_placement.hpp"
+
+namespace discmc::meshing {
+
+/// Moves a mesh of build_mesh(), once, from where its spacing has it: vertices, normals (as planes
+/// go, so also by oblique axes), and the order of corners where the placement mirrors. A vertex
+/// (x, y, z), in half-steps, then lies at origin + (x axes[0] + y axes[1] + z axes[2]) / 2.
+/// Limit: is_usable(placement).
+void place(FaceMesh& mesh, const VolumePlacement& placement);
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,157 @@
+#include "refinement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+#include "point_distance.hpp"
+
+namespace discmc::meshing {
+namespace {
+
+// The mean of crossings at a centroid adds nothing to the crossings.
+bool is_crossing(const Vertex& vertex) {
+  return (vertex.x & 1) + (vertex.y & 1) + (vertex.z & 1) == 1;
+}
+
+bool is_corner(const std::array<PlanePoint, 3>& corners, const PlanePoint& point) {
+  return std::any_of(corners.begin(), corners.end(), [&point](const PlanePoint& corner) {
+    return corner.u == point.u && corner.v == point.v;
+  });
+}
+
+std::int64_t floor_of_quotient(std::int64_t a, std::int64_t b) {
+  return a / b - (a % b != 0 && (a < 0) != (b < 0) ? 1 : 0);
+}
+std::int64_t ceiling_of_quotient(std::int64_t a, std::int64_t b) {
+  return -floor_of_quotient(-a, b);
+}
+
+// The points of a row that lie within a triangle.
+class RowWithin {
+ public:
+  explicit RowWithin(std::int64_t v) : v_(v) {}
+
+  // Keeps what lies to the left of an edge, and on it where that counts.
+  void cut(const PlanePoint& from, const PlanePoint& to, bool with_edge) {
+    const std::int64_t du = to.u - from.u, dv = to.v - from.v, product = du * (v_ - from.v);
+    if (dv > 0)
+      last = std::min(last, from.u + (with_edge ? floor_of_quotient(product, dv)
+                                                : ceiling_of_quotient(product, dv) - 1));
+    else if (dv < 0)
+      first = std::max(first, from.u + (with_edge ? ceiling_of_quotient(product, dv)
+                                                  : floor_of_quotient(product, dv) + 1));
+    else if (v_ == from.v && !with_edge)
+      last = first - 1;
+  }
+
+  std::int64_t first = -2 * max_plane_coordinate;
+  std::int64_t last = 2 * max_plane_coordinate;
+
+ private:
+  std::int64_t v_;
+};
+
+// Calls for all crossings in a triangle but its corners. with_side: those on a side as well, one
+// for each, from its corner to the next.
+template <class Call>
+void for_each_crossing(const LatticePlane& plane, const std::array<PlanePoint, 3>& corners,
+                       const std::array<bool, 3>& with_side, Call call) {
+  const auto [low, high] = std::minmax({corners[0].v, corners[1].v, corners[2].v});
+  for (std::int64_t v = low; v <= high; ++v) {
+    RowWithin row(v);
+    for (std::size_t i = 0; i < 3; ++i) row.cut(corners[i], corners[(i + 1) % 3], with_side[i]);
+    for (std::int64_t u = row.first; u <= row.last; ++u) {
+      const Vertex vertex = plane.vertex({u, v});
+      if (is_crossing(vertex) && !is_corner(corners, {u, v})) call(PlanePoint{u, v}, vertex);
+    }
+  }
+}
+
+}  // namespace
+
+Refinement::Refinement(const Crossings& crossings, double tolerance)
+    : crossings_(crossings),
+      // Finite: what is required is farther than any tolerance.
+      squared_tolerance_(std::min(4 * tolerance * tolerance, std::numeric_limits<double>::max())) {}
+
+const std::vector<std::size_t>& Refinement::needed(const std::vector<Vertex>& side) {
+  side_.resize(side.size());
+  for (std::size_t i = 0; i < side.size(); ++i)
+    if (i == 0 || i + 1 == side.size() || is_crossing(side[i])) side_[i] = moved(side[i]);
+  needed_.clear();
+  spans_.assign(1, {0, side.size() - 1});
+  while (!spans_.empty()) {
+    const auto [begin, end] = spans_.back();
+    spans_.pop_back();
+    double most = squared_tolerance_;
+    std::size_t farthest = begin;
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      if (!is_crossing(side[i])) continue;
+      const double distance = squared_distance(side_[i], std::array{side_[begin], side_[end]});
+      if (distance <= most) continue;
+      most = distance;
+      farthest = i;
+    }
+    if (farthest == begin) continue;
+    needed_.push_back(farthest);
+    spans_.emplace_back(begin, farthest);
+    spans_.emplace_back(farthest, end);
+  }
+  return needed_;
+}
+
+void Refinement::refine(const LatticePlane& plane, const VertexNumbers& required,
+                        MovedTriangles& triangles) {
+  flips_.improve(triangles.points, triangles.triangles);
+  waiting_.resize(triangles.triangles.size());
+  std::iota(waiting_.begin(), waiting_.end(), 0U);
+  waits_.assign(waiting_.size(), true);
+  while (!waiting_.empty()) {
+    const std::uint32_t triangle = waiting_.back();
+    waiting_.pop_back();
+    waits_[triangle] = false;
+    const Farthest added = farthest(plane, required, triangles, triangle);
+    if (added.squared_distance <= squared_tolerance_) continue;
+    triangles.points.push_back(added.point);
+    triangles.moved.push_back(added.moved);
+    flips_.insert(triangles.points, triangles.triangles, triangle);
+    waits_.resize(triangles.triangles.size(), false);
+    for (const std::uint32_t changed : flips_.changed()) {
+      if (waits_[changed]) continue;
+      waits_[changed] = true;
+      waiting_.push_back(changed);
+    }
+  }
+}
+
+Refinement::Farthest Refinement::farthest(const LatticePlane& plane, const VertexNumbers& required,
+                                          const MovedTriangles& triangles,
+                                          std::uint32_t triangle) const {
+  std::array<PlanePoint, 3> corners;
+  std::array<Point, 3> moved_corners;
+  std::array<bool, 3> is_shared;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    corners[i] = triangles.points[triangles.triangles[triangle][i]];
+    moved_corners[i] = triangles.moved[triangles.triangles[triangle][i]];
+    is_shared[i] = flips_.is_shared(triangle, i);
+  }
+  Farthest result{};
+  for_each_crossing(plane, corners, is_shared, [&](const PlanePoint& at, const Vertex& vertex) {
+    const Point point = moved(vertex);
+    const double distance = required.find(vertex) != VertexNumbers::none
+                                ? std::numeric_limits<double>::infinity()
+                                : squared_distance(point, moved_corners);
+    if (distance > result.squared_distance) result = {distance, at, point};
+  });
+  return result;
+}
+
+void Refinement::add_crossings(const LatticePlane& plane, const std::array<PlanePoint, 3>& corners,
+                               VertexNumbers& vertices) {
+  for_each_crossing(plane, corners, {true, true, true},
+                    [&vertices](const PlanePoint&, const Vertex& vertex) { vertices.add(vertex); });
+}
+
+}  // namespace discmc::meshing

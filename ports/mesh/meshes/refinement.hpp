@@ -1,0 +1,72 @@
+// Merged polygons made fine enough for the interpolated surface.
+#ifndef DISCMC_MESH_MESHES_REFINEMENT_HPP
+#define DISCMC_MESH_MESHES_REFINEMENT_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "delaunay.hpp"
+#include "extraction/crossings.hpp"
+#include "lattice_plane.hpp"
+#include "point.hpp"
+#include "vertex_numbers.hpp"
+
+namespace discmc::meshing {
+
+/// The triangles of a polygon, and where their corners are moved to.
+struct MovedTriangles {
+  std::vector<PlanePoint> points;
+  std::vector<Point> moved;  ///< one a point; Units: half-steps
+  std::vector<Triangle> triangles;
+};
+
+/// Finds the vertices that a polygon needs when its vertices are moved to the crossings
+/// of the samples: in the manner of greedy insertion (M. Garland, P. Heckbert, Fast Polygonal
+/// Approximation of Terrains and Height Fields, 1995) the one that is farthest away is added, until
+/// none is farther than the tolerance.
+class Refinement {
+ public:
+  /// tolerance: how far a crossing may be from the mesh. Units: voxels. Owner of the crossings: the
+  /// caller.
+  Refinement(const Crossings& crossings, double tolerance);
+
+  /// Where a vertex is moved to. Units: half-steps.
+  Point moved(const Vertex& vertex) const { return crossings_.interpolated(vertex); }
+
+  /// Returns the places of the vertices that a straight side needs between its ends; valid until
+  /// the next call. side: all its vertices, in the same order for both polygons that have it.
+  const std::vector<std::size_t>& needed(const std::vector<Vertex>& side);
+
+  /// Adds the points that the polygon needs inside. triangles: Delaunay's, but for the sides of the
+  /// polygon. required: vertices that it gets in any case.
+  void refine(const LatticePlane& plane, const VertexNumbers& required, MovedTriangles& triangles);
+
+  /// Adds the crossings in a triangle and on its sides to the vertices.
+  static void add_crossings(const LatticePlane& plane, const std::array<PlanePoint, 3>& corners,
+                            VertexNumbers& vertices);
+
+ private:
+  struct Farthest {
+    double squared_distance;
+    PlanePoint point;
+    Point moved;
+  };
+  Farthest farthest(const LatticePlane& plane, const VertexNumbers& required,
+                    const MovedTriangles& triangles, std::uint32_t triangle) const;
+
+  const Crossings& crossings_;
+  double squared_tolerance_;  // Units: square half-steps
+  std::vector<Point> side_;
+  std::vector<std::pair<std::size_t, std::size_t>> spans_;
+  std::vector<std::size_t> needed_;
+  DelaunayFlips flips_;
+  std::vector<std::uint32_t> waiting_;  // triangles to be looked at
+  std::vector<bool> waits_;
+};
+
+}  // namespace discmc::meshing
+
+#endif

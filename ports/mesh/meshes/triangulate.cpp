@@ -1,0 +1,231 @@
+#include "triangulate.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace discmc::meshing {
+namespace {
+
+// The sweep is slanted against all sides that are usual on a lattice. Along them it would meet many
+// points at once, and make long fans that cost many flips.
+bool is_left_of(const PlanePoint& a, const PlanePoint& b) {
+  const std::int64_t distance = 5 * (b.u - a.u) + 2 * (b.v - a.v);
+  return distance != 0 ? distance > 0 : a.v < b.v;
+}
+
+void require_in_range(const std::vector<PlanePoint>& points) {
+  for (const PlanePoint& point : points)
+    if (std::max(point.u, point.v) > max_plane_coordinate ||
+        std::min(point.u, point.v) < -max_plane_coordinate)
+      throw std::invalid_argument("polygon too large to triangulate");
+}
+
+}  // namespace
+
+const std::vector<Triangle>& Triangulator::triangulate(
+    const std::vector<PlanePoint>& points, const std::vector<std::uint32_t>& ring_ends) {
+  require_in_range(points);
+  triangles_.clear();
+  if (ring_ends.size() == 1 && cut_small(points)) return triangles_;
+  sort_points(points);
+  add_edges(ring_ends);
+  nodes_.clear();
+  active_.clear();
+  for (Rank point = 0; point < at_.size(); ++point) pass(point);
+  if (triangles_.empty()) throw std::invalid_argument("rings do not bound a polygon");
+  flips_.improve(at_, triangles_);
+  for (Triangle& triangle : triangles_)
+    for (std::uint32_t& corner : triangle) corner = places_[corner];
+  return triangles_;
+}
+
+// Most polygons of a surface have three corners or four: cut along either diagonal, the one that is
+// Delaunay's if both are inside.
+bool Triangulator::cut_small(const std::vector<PlanePoint>& points) {
+  const auto is_triangle = [&points](std::size_t a, std::size_t b, std::size_t c) {
+    return doubled_area(points[a], points[b], points[c]) > 0;
+  };
+  if (points.size() == 3 && is_triangle(0, 1, 2)) {
+    triangles_ = {{0, 1, 2}};
+  } else if (points.size() == 4) {
+    const bool is_first = is_triangle(0, 1, 2) && is_triangle(0, 2, 3);
+    const bool is_second = is_triangle(0, 1, 3) && is_triangle(1, 2, 3);
+    if (is_first && !(is_second && is_in_circle(points[0], points[1], points[2], points[3])))
+      triangles_ = {{0, 1, 2}, {0, 2, 3}};
+    else if (is_second)
+      triangles_ = {{0, 1, 3}, {1, 2, 3}};
+  }
+  return !triangles_.empty();
+}
+
+void Triangulator::sort_points(const std::vector<PlanePoint>& points) {
+  located_.clear();
+  for (std::uint32_t place = 0; place < points.size(); ++place)
+    located_.push_back({points[place], place});
+  std::sort(located_.begin(), located_.end(),
+            [](const Located& a, const Located& b) { return is_left_of(a.point, b.point); });
+  ranks_.resize(points.size());
+  at_.clear();
+  places_.clear();
+  for (const Located& located : located_) {
+    if (at_.empty() || is_left_of(at_.back(), located.point)) {
+      at_.push_back(located.point);
+      places_.push_back(located.place);
+    }
+    ranks_[located.place] = static_cast<Rank>(at_.size() - 1);
+  }
+}
+
+void Triangulator::add_edges(const std::vector<std::uint32_t>& ring_ends) {
+  // The inside is to the left of a ring, so above an edge that goes from left to right.
+  edges_.clear();
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : ring_ends) {
+    if (end - begin < 3) throw std::invalid_argument("ring of less than three points");
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const Rank from = ranks_[i], to = ranks_[i + 1 < end ? i + 1 : begin];
+      if (from == to) throw std::invalid_argument("ring stays on a point");
+      edges_.push_back({std::min(from, to), std::max(from, to), from < to});
+    }
+    begin = end;
+  }
+  std::sort(edges_.begin(), edges_.end(),
+            [](const Edge& a, const Edge& b) { return a.left < b.left; });
+  edges_begin_.assign(at_.size() + 1, 0);
+  for (const Edge& edge : edges_) ++edges_begin_[edge.left + 1];
+  for (std::size_t i = 1; i < edges_begin_.size(); ++i) edges_begin_[i] += edges_begin_[i - 1];
+}
+
+// Floors and ceilings take turns from bottom to top: those at even places are floors. What the
+// point ends is cut off; what continues begins at a chain that has it for its rightmost.
+void Triangulator::pass(Rank point) {
+  // The edges that end in the point or lead through it.
+  const auto side_of = [&](const ActiveEdge& active) {
+    return doubled_area(at_[active.edge.left], at_[active.edge.right], at_[point]);
+  };
+  const auto first =
+      std::partition_point(active_.begin(), active_.end(),
+                           [&](const ActiveEdge& active) { return side_of(active) > 0; });
+  const auto last = std::find_if(first, active_.end(),
+                                 [&](const ActiveEdge& active) { return side_of(active) < 0; });
+  const auto begin = static_cast<std::size_t>(first - active_.begin());
+  const auto end = static_cast<std::size_t>(last - active_.begin());
+  collect_leaving(point, begin, end);
+
+  const bool is_inside_below = begin % 2 == 1, is_inside_above = end % 2 == 1;
+  Chain lower{}, upper{};
+  if (is_inside_below) lower = active_[begin - 1].chain;
+  if (is_inside_above) upper = begin == end ? split_off_upper(lower) : active_[end - 1].chain;
+  for (std::size_t i = begin + begin % 2; i + 1 < end; i += 2) close(active_[i].chain, point);
+  if (is_inside_below) add_on_top(lower, point);
+  if (is_inside_above) add_at_bottom(upper, point);
+  if (is_inside_below && leaving_.empty()) lower = joined(lower, upper);
+  if (is_inside_below) active_[begin - 1].chain = lower;
+
+  const std::size_t new_end = begin + leaving_.size();
+  const auto at = [&](std::size_t place) {
+    return active_.begin() + static_cast<std::ptrdiff_t>(place);
+  };
+  if (new_end < end) active_.erase(at(new_end), at(end));
+  if (new_end > end) active_.insert(at(end), new_end - end, ActiveEdge{});
+  for (std::size_t i = begin; i < new_end; ++i) {
+    active_[i].edge = leaving_[i - begin];
+    if (i % 2 != 0) continue;
+    if (i + 1 == new_end) {
+      active_[i].chain = upper;
+    } else {
+      const std::uint32_t node = new_node(point);
+      active_[i].chain = {node, node, node};
+    }
+  }
+  if (begin > 0) require_order(begin - 1);
+  if (new_end > begin) require_order(new_end - 1);
+}
+
+void Triangulator::collect_leaving(Rank point, std::size_t begin, std::size_t end) {
+  leaving_.assign(edges_.begin() + edges_begin_[point], edges_.begin() + edges_begin_[point + 1]);
+  for (std::size_t i = begin; i < end; ++i)
+    if (active_[i].edge.right != point)
+      leaving_.push_back({point, active_[i].edge.right, active_[i].edge.is_floor});
+  const auto turn = [&](const Edge& a, const Edge& b) {
+    return doubled_area(at_[point], at_[a.right], at_[b.right]);
+  };
+  std::sort(leaving_.begin(), leaving_.end(),
+            [&](const Edge& a, const Edge& b) { return turn(a, b) > 0; });
+  for (std::size_t i = 0; i < leaving_.size(); ++i) {
+    if (i > 0 && turn(leaving_[i - 1], leaving_[i]) == 0)
+      throw std::invalid_argument("rings share a stretch");
+    if (leaving_[i].is_floor != ((begin + i) % 2 == 0))
+      throw std::invalid_argument("rings do not bound a polygon");
+  }
+}
+
+// Edges that have come to lie side by side must not cross: of two that do, and leftmost, none is
+// missed.
+void Triangulator::require_order(std::size_t lower) const {
+  if (lower + 1 == active_.size()) return;
+  const Edge &a = active_[lower].edge, &b = active_[lower + 1].edge;
+  const bool is_kept = a.right < b.right
+                           ? doubled_area(at_[b.left], at_[b.right], at_[a.right]) <= 0
+                           : doubled_area(at_[a.left], at_[a.right], at_[b.right]) >= 0;
+  if (!is_kept) throw std::invalid_argument("rings cross");
+}
+
+std::uint32_t Triangulator::new_node(Rank point) {
+  nodes_.push_back({point, 0, 0});
+  return static_cast<std::uint32_t>(nodes_.size() - 1);
+}
+
+bool Triangulator::cut(Rank a, Rank b, Rank c) {
+  if (doubled_area(at_[a], at_[b], at_[c]) <= 0) return false;
+  triangles_.push_back({a, b, c});
+  return true;
+}
+
+void Triangulator::add_on_top(Chain& chain, Rank point) {
+  for (; chain.top != chain.bottom; chain.top = nodes_[chain.top].below)
+    if (!cut(point, nodes_[chain.top].point, nodes_[nodes_[chain.top].below].point)) break;
+  const std::uint32_t node = new_node(point);
+  nodes_[node].below = chain.top;
+  nodes_[chain.top].above = node;
+  chain.top = chain.rightmost = node;
+}
+
+void Triangulator::add_at_bottom(Chain& chain, Rank point) {
+  for (; chain.bottom != chain.top; chain.bottom = nodes_[chain.bottom].above)
+    if (!cut(point, nodes_[nodes_[chain.bottom].above].point, nodes_[chain.bottom].point)) break;
+  const std::uint32_t node = new_node(point);
+  nodes_[node].above = chain.bottom;
+  nodes_[chain.bottom].below = node;
+  chain.bottom = chain.rightmost = node;
+}
+
+// If the two edges meet, all points left between them see that point.
+void Triangulator::close(Chain chain, Rank point) {
+  for (; chain.bottom != chain.top; chain.bottom = nodes_[chain.bottom].above)
+    cut(point, nodes_[nodes_[chain.bottom].above].point, nodes_[chain.bottom].point);
+}
+
+// A point inside sees the rightmost one of the chain: both parts keep that.
+Triangulator::Chain Triangulator::split_off_upper(Chain& chain) {
+  const std::uint32_t node = new_node(nodes_[chain.rightmost].point);
+  Chain upper{node, node, node};
+  if (chain.rightmost != chain.top) {
+    const std::uint32_t above = nodes_[chain.rightmost].above;
+    nodes_[node].above = above;
+    nodes_[above].below = node;
+    upper.top = chain.top;
+  }
+  chain.top = chain.rightmost;
+  return upper;
+}
+
+// Both end in the same point.
+Triangulator::Chain Triangulator::joined(const Chain& lower, const Chain& upper) {
+  const std::uint32_t above = nodes_[upper.bottom].above;
+  nodes_[lower.top].above = above;
+  nodes_[above].below = lower.top;
+  return {lower.bottom, upper.top, lower.top};
+}
+
+}  // namespace discmc::meshing

@@ -1,0 +1,20 @@
+// The distance between voxels, as volumes and as streams store it.
+#ifndef DISCMC_MESH_SAMPLES_SPACING_HPP
+#define DISCMC_MESH_SAMPLES_SPACING_HPP
+
+#include <array>
+#include <cstdint>
+
+#include <discmc/sink.hpp>
+
+namespace discmc::meshing {
+
+/// The spacing as headers hold it. Throws std::invalid_argument beyond their range.
+std::array<std::int32_t, 3> spacing_nm(const std::array<double, 3>& spacing_mm);
+
+/// The header's spacing, 1 if the stream has none. Units: millimetres.
+std::array<double, 3> spacing_mm(const StreamHeader& header);
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,56 @@
+// Where a volume lies in space: from voxels to millimetres.
+#ifndef DISCMC_MESH_SAMPLES_VOLUME_PLACEMENT_HPP
+#define DISCMC_MESH_SAMPLES_VOLUME_PLACEMENT_HPP
+
+#include <array>
+
+#include <discmc/placement.hpp>
+
+namespace discmc::meshing {
+
+/// The limits of distances between voxels.
+constexpr double min_spacing_mm = 1e-6;
+constexpr double max_spacing_mm = 1e6;
+
+/// One vector an axis of the volume: the way to the next voxel along x, y and z.
+using Axes = std::array<std::array<double, 3>, 3>;
+
+constexpr Axes coordinates = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+/// An affine map: voxel (i, j, k) has its centre at origin + i axes[0] + j axes[1] + k axes[2].
+/// Units: millimetres.
+struct VolumePlacement {
+  Space space = Space::scanner;
+  std::array<double, 3> origin_mm{};  ///< the centre of voxel (0, 0, 0)
+  Axes axes_mm{};
+
+  bool operator==(const VolumePlacement& other) const {
+    return space == other.space && origin_mm == other.origin_mm && axes_mm == other.axes_mm;
+  }
+};
+
+/// Volumes along the coordinates, with voxel (0, 0, 0) at their origin.
+constexpr VolumePlacement along_coordinates(const std::array<double, 3>& spacing_mm) {
+  return {
+      Space::scanner, {}, {{{spacing_mm[0], 0, 0}, {0, spacing_mm[1], 0}, {0, 0, spacing_mm[2]}}}};
+}
+
+/// The volume of the parallelepiped that the axes span: negative where they are left-handed.
+double determinant(const Axes& axes);
+
+/// Whether the axes are as long as spacings can be and span a space, and the origin is no farther
+/// than 1e9 mm away.
+bool is_usable(const Axes& axes_mm);
+bool is_usable(const VolumePlacement& placement);
+
+/// The same place in another space. Limit: neither is Space::scanner.
+VolumePlacement in_space(VolumePlacement placement, Space space);
+
+/// As the record of a stream holds it, rounded to nanometres. Limit: is_usable(). Throws
+/// std::invalid_argument where an axis is longer than it holds.
+Placement in_nanometres(const VolumePlacement& placement);
+VolumePlacement in_millimetres(const Placement& placement);
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,42 @@
+// A Gaussian blur across slices.
+#ifndef DISCMC_MESH_SMOOTHING_GAUSSIAN_BLUR_HPP
+#define DISCMC_MESH_SMOOTHING_GAUSSIAN_BLUR_HPP
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "slice_window.hpp"
+
+namespace discmc::meshing {
+
+/// Blurs by a Gaussian that ends at three deviations, along each axis. Beyond the ends of the
+/// volume its last voxels are repeated. Memory: the slices within three deviations.
+class GaussianBlur {
+ public:
+  /// deviation_mm: of the Gaussian; Limit: positive
+  GaussianBlur(const Grid& grid, double deviation_mm, SliceSource source);
+
+  /// Writes the next slice, blurred.
+  void next(float* blurred);
+  /// The slice that next() has blurred, as it was.
+  const float* sharp() const { return window_.at(next_ - 1); }
+
+ private:
+  // Weights of the voxel itself, and of those at each distance in steps.
+  using Kernel = std::vector<float>;
+
+  void blur_rows(float* slice);
+  void blur_columns(float* slice);
+
+  std::uint32_t width_, height_, depth_;
+  SliceSource source_;
+  std::array<Kernel, 3> kernel_;
+  SliceWindow<float> window_;
+  std::vector<float> copy_;
+  std::uint32_t next_ = 0;
+};
+
+}  // namespace discmc::meshing
+
+#endif

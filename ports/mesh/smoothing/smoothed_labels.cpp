@@ -1,0 +1,176 @@
+#include "smoothed_labels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "extraction/surfaces.hpp"
+#include "smoothed_volume.hpp"
+#include "surface/growing_joiner.hpp"
+#include "surface/surface_builder.hpp"
+
+namespace discmc::meshing {
+namespace {
+
+using Voxel = std::array<std::uint32_t, 3>;
+
+// The voxels of a label lie from first to before end.
+struct Box {
+  Voxel first{~0U, ~0U, ~0U}, end{};
+  std::uint64_t voxels = 0;
+
+  void add(const Voxel& begin, std::uint32_t end_x) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      first[axis] = std::min(first[axis], begin[axis]);
+      end[axis] = std::max(end[axis], axis == 0 ? end_x : begin[axis] + 1);
+    }
+    voxels += end_x - begin[0];
+  }
+};
+
+// So that all voxels at its faces are too far from the label for its surface.
+Box widened(const Box& box, const Voxel& dims, const Voxel& by) {
+  Box wide = box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    wide.first[axis] -= std::min(box.first[axis], by[axis]);
+    wide.end[axis] += std::min(dims[axis] - box.end[axis], by[axis]);
+  }
+  return wide;
+}
+
+// The voxels of a label in a box: 1, all others 0.
+template <class Sample>
+class LabelMask final : public SliceReader {
+ public:
+  LabelMask(const SampleGrid& whole, const std::vector<Sample>& samples, Sample label,
+            const Box& box)
+      : whole_dims_(whole.dims), samples_(samples), label_(label), box_(box) {
+    for (std::size_t axis = 0; axis < 3; ++axis) info_.dims[axis] = box.end[axis] - box.first[axis];
+    info_.spacing_mm = whole.spacing_mm;
+  }
+
+  const SampleGrid& info() const override { return info_; }
+  void read_slice(void* samples) override {
+    auto* mask = static_cast<std::uint8_t*>(samples);
+    const std::size_t z = box_.first[2] + slice_++;
+    for (std::uint32_t y = box_.first[1]; y < box_.end[1]; ++y) {
+      const Sample* row = samples_.data() + (z * whole_dims_[1] + y) * whole_dims_[0];
+      mask = std::transform(row + box_.first[0], row + box_.end[0], mask,
+                            [this](Sample sample) { return sample == label_ ? 1 : 0; });
+    }
+  }
+
+ private:
+  Voxel whole_dims_;
+  const std::vector<Sample>& samples_;
+  Sample label_;
+  Box box_;
+  SampleGrid info_;
+  std::uint32_t slice_ = 0;
+};
+
+// Moves what begins somewhere.
+class MovingSink {
+ public:
+  MovingSink(const Sink& sink, const Vertex& by) : sink_(sink), by_(by) {}
+
+  SinkResult take(const Event& event) {
+    Event moved = event;
+    moved.start = event.start + by_;
+    return sink_.take(sink_.context, moved);
+  }
+
+ private:
+  Sink sink_;
+  Vertex by_;
+};
+
+template <class Sample>
+class LabelSmoother {
+ public:
+  LabelSmoother(SliceReader& volume, const LabelOptions& options, double deviation_mm)
+      : info_(volume.info()), options_(options), deviation_mm_(deviation_mm) {
+    const std::size_t slice = std::size_t{info_.dims[0]} * info_.dims[1];
+    samples_.resize(slice * info_.dims[2]);
+    for (std::uint32_t z = 0; z < info_.dims[2]; ++z) {
+      volume.read_slice(samples_.data() + z * slice);
+      find_boxes(z);
+      if (options.progress) options.progress(z + 1);
+    }
+  }
+
+  std::vector<SmoothedLabel> smoothed(
+      const std::function<void(std::size_t, std::size_t)>& progress) const {
+    std::vector<SmoothedLabel> all;
+    for (const auto& [label, box] : boxes_) {
+      all.push_back(smoothed(label, box));
+      if (progress) progress(all.size(), boxes_.size());
+    }
+    return all;
+  }
+
+ private:
+  void find_boxes(std::uint32_t z) {
+    for (std::uint32_t y = 0; y < info_.dims[1]; ++y) {
+      const Sample* row = samples_.data() + (std::size_t{z} * info_.dims[1] + y) * info_.dims[0];
+      for (std::uint32_t x = 0, end = 0; x < info_.dims[0]; x = end) {
+        for (end = x + 1; end < info_.dims[0] && row[end] == row[x];) ++end;
+        if (!options_.takes(row[x])) continue;
+        boxes_[row[x]].add({x, y, z}, end);
+        scatter_.add(end - x);
+      }
+    }
+    if (boxes_.size() > max_labels) refuse_values(z, max_labels);
+    if (boxes_.size() > max_scattered_labels) scatter_.require_labels(z, labels_near(z));
+  }
+
+  // In a slice and the two before it.
+  std::size_t labels_near(std::uint32_t z) const {
+    return static_cast<std::size_t>(
+        std::count_if(boxes_.begin(), boxes_.end(),
+                      [z](const auto& each) { return each.second.end[2] + 2 > z; }));
+  }
+
+  SmoothedLabel smoothed(Sample label, const Box& box) const {
+    const Box wide = widened(box, info_.dims, SmoothedVolume::reach(info_, deviation_mm_));
+    LabelMask<Sample> mask(info_, samples_, label, wide);
+    SmoothedVolume smooth(mask, {1}, nullptr, deviation_mm_);
+    const auto half_steps = [](std::uint32_t voxels) {
+      return static_cast<std::int32_t>(2 * voxels);
+    };
+    const Vertex first = {half_steps(wide.first[0]), half_steps(wide.first[1]),
+                          half_steps(wide.first[2])};
+    CrossingFinder crossings(smooth.info(), {0}, first);
+    SurfaceBuilder builder;
+    GrowingJoiner joiner(make_sink(builder));
+    MovingSink moving(make_sink(joiner), first);
+    SurfaceOptions options;
+    options.border = options_.border;
+    extract_surfaces(smooth, options, {{{0}, make_sink(moving), &crossings}});
+    builder.surface().spacing_mm = info_.spacing_mm;
+    return {{label, box.voxels, std::move(builder.surface())}, std::move(crossings)};
+  }
+
+  const SampleGrid& info_;
+  const LabelOptions& options_;
+  double deviation_mm_;
+  std::vector<Sample> samples_;
+  std::map<Sample, Box> boxes_;
+  ValueScatter scatter_;
+};
+
+}  // namespace
+
+std::vector<SmoothedLabel> smoothed_labels(
+    SliceReader& volume, const LabelOptions& options, double deviation_mm,
+    const std::function<void(std::size_t done, std::size_t all)>& progress) {
+  std::vector<SmoothedLabel> labels;
+  with_whole_type(volume.info().type, [&](auto type) {
+    labels = LabelSmoother<decltype(type)>(volume, options, deviation_mm).smoothed(progress);
+  });
+  return labels;
+}
+
+}  // namespace discmc::meshing

@@ -1,0 +1,151 @@
+#include "cavities.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
+namespace discmc::meshing {
+namespace {
+
+// From a point of each body a ray leaves along x. The body lies in a cavity if the ray leaves
+// cavities more often than it enters any.
+//
+// All coordinates are doubled, and a ray is a little beyond its integers: more along x than along
+// y, and more along y than along z. So it meets no vertex and no side.
+using Doubled = std::int64_t;
+
+// The line of a ray: z first.
+using RayLine = std::array<Doubled, 2>;
+
+struct Start {
+  RayLine line;
+  Doubled x;
+  std::size_t component;
+
+  bool operator<(const Start& other) const {
+    return std::tie(line, other.x) < std::tie(other.line, x);
+  }
+};
+
+// Where a line meets a polygon of a cavity: 1 if a ray along x leaves the cavity there, else -1.
+struct Meeting {
+  std::size_t line;
+  Doubled x;
+  int leaves;
+
+  bool operator<(const Meeting& other) const {
+    return std::tie(line, other.x) < std::tie(other.line, x);
+  }
+};
+
+// Near the middle of a link on a side: sides are of one surface alone.
+Start start_of(const Surface& surface, const Component& component, std::size_t number) {
+  const Ring ring = surface.polygons[component.polygons[0]].rings[0];
+  const Vertex& from = ring[0];
+  const Vertex link = side_between(from, ring[1]).link;
+  return {{Doubled{2} * from.z + link.z, Doubled{2} * from.y + link.y},
+          Doubled{2} * from.x + link.x,
+          number};
+}
+
+class Rays {
+ public:
+  explicit Rays(std::vector<Start> starts) : starts_(std::move(starts)) {
+    std::sort(starts_.begin(), starts_.end());
+    for (const Start& start : starts_)
+      if (lines_.empty() || lines_.back() != start.line) lines_.push_back(start.line);
+  }
+
+  // Where lines meet a polygon. Cost: the sides, once per line of another z, and the meetings.
+  void meet(const Polygon& polygon) {
+    const Vertex n = normal(polygon.incidence);
+    if (n.x == 0) return;
+    crossings_.clear();
+    for (const Ring& ring : polygon.rings)
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        cross(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+    std::sort(crossings_.begin(), crossings_.end());
+    // Lines between the first crossing and the second lie inside, and so on.
+    for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
+      const std::size_t end = line_from(crossings_[i + 1]);
+      for (std::size_t line = line_from(crossings_[i]); line < end; ++line)
+        meetings_.push_back({line, x_of(polygon.rings[0][0], n, lines_[line]), n.x < 0 ? 1 : -1});
+    }
+  }
+
+  // Calls call(component) for each ray that leaves cavities more often.
+  template <class Call>
+  void for_each_inside(const Call& call) {
+    std::sort(meetings_.begin(), meetings_.end());
+    std::size_t line = 0;
+    auto meeting = meetings_.cbegin();
+    int leaves = 0;
+    for (const Start& start : starts_) {
+      if (lines_[line] != start.line) ++line, leaves = 0;
+      while (meeting != meetings_.cend() && meeting->line < line) ++meeting;
+      for (; meeting != meetings_.cend() && meeting->line == line && meeting->x > start.x;
+           ++meeting)
+        leaves += meeting->leaves;
+      if (leaves > 0) call(start.component);
+    }
+  }
+
+ private:
+  std::size_t line_from(const RayLine& line) const {
+    const auto found = std::lower_bound(lines_.begin(), lines_.end(), line);
+    return static_cast<std::size_t>(found - lines_.begin());
+  }
+
+  // Adds where a side crosses each z of the lines. Along y a side changes as much as along z, or
+  // not at all.
+  void cross(const Vertex& a, const Vertex& b) {
+    const Vertex& low = a.z < b.z ? a : b;
+    const Vertex& high = a.z < b.z ? b : a;
+    const Doubled slope = high.y > low.y ? 1 : high.y < low.y ? -1 : 0;
+    const Doubled begin = Doubled{2} * low.z, end = Doubled{2} * high.z;
+    for (std::size_t line = line_from({begin, least}); line < lines_.size();
+         line = line_from({lines_[line][0] + 1, least})) {
+      const Doubled z = lines_[line][0];
+      if (z >= end) return;
+      crossings_.push_back({z, Doubled{2} * low.y + slope * (z - begin)});
+    }
+  }
+
+  static Doubled x_of(const Vertex& vertex, const Vertex& n, const RayLine& line) {
+    const Doubled y = line[1] - Doubled{2} * vertex.y, z = line[0] - Doubled{2} * vertex.z;
+    return Doubled{2} * vertex.x - n.x * (n.y * y + n.z * z);
+  }
+
+  static constexpr Doubled least = INT64_MIN;
+
+  std::vector<Start> starts_;
+  std::vector<RayLine> lines_;  // of the starts, in order
+  std::vector<RayLine> crossings_;
+  std::vector<Meeting> meetings_;
+};
+
+}  // namespace
+
+void fill_cavities(const Surface& surface, std::vector<Component>& components) {
+  const auto is_cavity = [](const Component& component) { return component.volume_mm3 < 0; };
+  std::vector<Start> starts;
+  for (std::size_t i = 0; i < components.size(); ++i)
+    if (!is_cavity(components[i])) starts.push_back(start_of(surface, components[i], i));
+  Rays rays(std::move(starts));
+  std::vector<bool> is_filled(components.size());
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    is_filled[i] = is_cavity(components[i]);
+    if (!is_filled[i]) continue;
+    for (const std::uint32_t polygon : components[i].polygons) rays.meet(surface.polygons[polygon]);
+  }
+  rays.for_each_inside([&](std::size_t component) { is_filled[component] = true; });
+  std::size_t number = 0;
+  components.erase(std::remove_if(components.begin(), components.end(),
+                                  [&](const Component&) { return is_filled[number++]; }),
+                   components.end());
+}
+
+}  // namespace discmc::meshing

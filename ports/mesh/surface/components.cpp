@@ -1,0 +1,151 @@
+#include "components.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "cavities.hpp"
+#include "sets.hpp"
+
+namespace discmc::meshing {
+namespace {
+
+// A line of links, whichever way they run: its point next to a plane of the coordinates, and the
+// way to the next vertex.
+struct Line {
+  std::array<std::int64_t, 3> point;
+  std::array<std::int32_t, 3> step;
+
+  bool operator==(const Line& other) const { return point == other.point && step == other.step; }
+  bool operator<(const Line& other) const {
+    return point != other.point ? point < other.point : step < other.step;
+  }
+};
+
+// A side of a polygon, and where it lies on its line.
+struct LineSide {
+  Line line;
+  std::int32_t begin, end;  // Units: links
+  std::uint32_t polygon;
+
+  bool operator<(const LineSide& other) const {
+    return line == other.line ? begin < other.begin : line < other.line;
+  }
+};
+
+LineSide line_side(const Vertex& from, Side side, std::uint32_t polygon) {
+  const std::array<std::int32_t, 3> at = {from.x, from.y, from.z};
+  std::array<std::int32_t, 3> step = {side.link.x, side.link.y, side.link.z};
+  const auto along = static_cast<std::size_t>(
+      std::find_if(step.begin(), step.end(), [](std::int32_t each) { return each != 0; }) -
+      step.begin());
+  const bool is_backwards = step[along] < 0;
+  if (is_backwards)
+    for (std::int32_t& each : step) each = -each;
+  const std::int32_t rest = (at[along] % step[along] + step[along]) % step[along];
+  const std::int32_t place = (at[along] - rest) / step[along];
+  const std::int64_t steps = place;
+  LineSide result{{{}, step}, place, place, polygon};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    result.line.point[axis] = at[axis] - steps * step[axis];
+  (is_backwards ? result.begin : result.end) += is_backwards ? -side.links : side.links;
+  return result;
+}
+
+std::vector<LineSide> sorted_sides(const Surface& surface) {
+  std::vector<LineSide> sides;
+  sides.reserve(surface.polygons.corners().size());
+  for (std::size_t i = 0; i < surface.polygons.size(); ++i)
+    for (const Ring& ring : surface.polygons[i].rings)
+      for (std::size_t k = 0; k < ring.size(); ++k)
+        sides.push_back(line_side(ring[k], side_between(ring[k], ring[(k + 1) % ring.size()]),
+                                  static_cast<std::uint32_t>(i)));
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+// Those whose sides have a link in common.
+void join_neighbours(const std::vector<LineSide>& sides, Sets& sets) {
+  const LineSide* farthest = nullptr;  // of those on the line so far
+  for (const LineSide& side : sides) {
+    const bool is_beside = farthest != nullptr && farthest->line == side.line;
+    if (is_beside && side.begin < farthest->end) sets.join(side.polygon, farthest->polygon);
+    if (!is_beside || side.end > farthest->end) farthest = &side;
+  }
+}
+
+// Six times what the pyramid between a polygon and the origin encloses. Units: half-steps.
+double six_volumes(const Polygon& polygon, const Vertex& origin) {
+  double sum = 0;
+  for (const Ring& ring : polygon.rings) {
+    const Vertex apex = ring[0] - origin;
+    for (std::size_t i = 2; i < ring.size(); ++i) {
+      const Vertex a = ring[i - 1] - origin;
+      const Vertex b = ring[i] - origin;
+      const double x = double{1} * a.y * b.z - double{1} * a.z * b.y;
+      const double y = double{1} * a.z * b.x - double{1} * a.x * b.z;
+      const double z = double{1} * a.x * b.y - double{1} * a.y * b.x;
+      sum += apex.x * x + apex.y * y + apex.z * z;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Component> components(const Surface& surface) {
+  Sets sets(surface.polygons.size());
+  join_neighbours(sorted_sides(surface), sets);
+
+  std::vector<Component> found;
+  std::vector<std::uint32_t> place(surface.polygons.size());
+  for (std::uint32_t i = 0; i < place.size(); ++i) {
+    const std::uint32_t name = sets.name(i);
+    if (name == i) {
+      place[i] = static_cast<std::uint32_t>(found.size());
+      found.emplace_back();
+    }
+    found[place[name]].polygons.push_back(i);
+  }
+  const auto& s = surface.spacing_mm;
+  const double unit_mm3 = std::fabs(s[0] * s[1] * s[2]) / 8;
+  for (Component& component : found) {
+    // Near by, so that nothing is rounded that counts.
+    const Vertex origin = surface.polygons[component.polygons[0]].rings[0][0];
+    double sum = 0;
+    for (const std::uint32_t polygon : component.polygons)
+      sum += six_volumes(surface.polygons[polygon], origin);
+    component.volume_mm3 = sum / 6 * unit_mm3;
+  }
+  return found;
+}
+
+ComponentCounts keep_components(Surface& surface, const ComponentChoice& choice) {
+  std::vector<Component> kept = components(surface);
+  const std::uint64_t found = kept.size();
+  if (choice.fills) fill_cavities(surface, kept);
+  const auto size = [](const Component& component) { return std::fabs(component.volume_mm3); };
+  kept.erase(std::remove_if(kept.begin(), kept.end(),
+                            [&](const Component& component) {
+                              return size(component) < choice.min_volume_mm3;
+                            }),
+             kept.end());
+  if (choice.largest > 0 && kept.size() > choice.largest) {
+    std::stable_sort(kept.begin(), kept.end(),
+                     [&](const Component& a, const Component& b) { return size(a) > size(b); });
+    kept.resize(choice.largest);
+  }
+  std::vector<std::uint32_t> stay;
+  for (const Component& component : kept)
+    stay.insert(stay.end(), component.polygons.begin(), component.polygons.end());
+  std::sort(stay.begin(), stay.end());
+  Polygons polygons;
+  for (const std::uint32_t polygon : stay) polygons.push_back(surface.polygons[polygon]);
+  surface.polygons = std::move(polygons);
+  return {found, kept.size()};
+}
+
+}  // namespace discmc::meshing

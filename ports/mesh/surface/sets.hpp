@@ -1,0 +1,39 @@
+// Which of many things hang together.
+#ifndef DISCMC_MESH_SURFACE_SETS_HPP
+#define DISCMC_MESH_SURFACE_SETS_HPP
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace discmc::meshing {
+
+/// Sets of the numbers from 0 on, at first one each. A set is named by its lowest number.
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+  /// The name of the set that has a number.
+  std::uint32_t name(std::uint32_t number) {
+    while (parent_[number] != number) {
+      parent_[number] = parent_[parent_[number]];
+      number = parent_[number];
+    }
+    return number;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t first = name(a);
+    const std::uint32_t second = name(b);
+    parent_[std::max(first, second)] = std::min(first, second);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace discmc::meshing
+
+#endif

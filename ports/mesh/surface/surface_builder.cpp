@@ -1,0 +1,297 @@
+#include "surface_builder.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include <discmc/polygon.hpp>
+
+namespace discmc::meshing {
+namespace {
+
+constexpr std::uint32_t no_end = 0xFFFFFFFFu;
+
+Vertex after_links(const Vertex& from, const Side& side, std::int32_t links) {
+  return from + Vertex{links * side.link.x, links * side.link.y, links * side.link.z};
+}
+
+// Behind which link of a side a vertex lies; 0 where it lies beside the side, or at one of its
+// ends.
+std::int32_t link_at(const Vertex& from, const Side& side, const Vertex& vertex) {
+  const Vertex way = vertex - from;
+  const std::int32_t link = side.link.x != 0   ? way.x / side.link.x
+                            : side.link.y != 0 ? way.y / side.link.y
+                                               : way.z / side.link.z;
+  const bool is_between = link > 0 && link < side.links;
+  return is_between && after_links(from, side, link) == vertex ? link : 0;
+}
+
+// Whether the way through a vertex of a ring changes its direction there.
+bool turns(const Vertex* vertices, std::uint32_t count, std::uint32_t i) {
+  const Vertex& before = vertices[i > 0 ? i - 1 : count - 1];
+  const Vertex& after = vertices[i + 1 < count ? i + 1 : 0];
+  return side_between(before, vertices[i]).link != side_between(vertices[i], after).link;
+}
+
+}  // namespace
+
+SinkResult SurfaceBuilder::take(const Event& event) {
+  switch (event.kind) {
+    case Event::Kind::region:
+      incidence_ = event.incidence;
+      rings_.clear();
+      runs_.clear();
+      break;
+    case Event::Kind::ring:
+      rings_.push_back({event.start, runs_.size()});
+      break;
+    case Event::Kind::run:
+      if (!rings_.empty()) runs_.push_back({event.run, event.normal});
+      break;
+    case Event::Kind::region_end:
+      end_region();
+      break;
+    case Event::Kind::fragment:
+      rings_.clear();
+      break;
+    case Event::Kind::fragment_end:
+      ++incomplete_regions_;
+      break;
+    case Event::Kind::start:
+    case Event::Kind::lost:
+    case Event::Kind::skipped:
+    case Event::Kind::application:
+    case Event::Kind::layer:
+    case Event::Kind::finish:
+      break;
+  }
+  return SinkResult::accepted;
+}
+
+void SurfaceBuilder::take_region(const WholeRegion& region) {
+  incidence_ = region.incidence;
+  rings_.assign(1, {region.start, 0});
+  runs_.clear();
+  for (std::uint32_t i = 0; i < region.count; ++i) runs_.push_back({region.runs[i], {}});
+  end_region();
+}
+
+void SurfaceBuilder::append(SurfaceBuilder&& other) {
+  counts_ += other.counts_;
+  incomplete_regions_ += other.incomplete_regions_;
+  surface_.polygons.append(other.surface_.polygons);
+  surface_.normals.merge(other.surface_.normals);
+}
+
+SurfaceBuilder::Chain SurfaceBuilder::chain(std::size_t ring) const {
+  const std::size_t end = ring + 1 < rings_.size() ? rings_[ring + 1].first_run : runs_.size();
+  return {rings_[ring].start, runs_.data() + rings_[ring].first_run, runs_.data() + end};
+}
+
+// Whether a chain closes, and within the coordinates that a scan can have, which are of 32 bits.
+bool SurfaceBuilder::is_sound(const Chain& chain) const {
+  constexpr std::int64_t least = -1, most = (std::int64_t{1} << 31) - 3;
+  std::int64_t x = chain.start.x, y = chain.start.y, z = chain.start.z;
+  const auto is_inside = [&] {
+    return std::min({x, y, z}) >= least && std::max({x, y, z}) <= most;
+  };
+  bool is_always_inside = is_inside();
+  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
+    const Vertex step = direction_vector(incidence_, at->run.direction());
+    const std::int64_t length = at->run.length();
+    x += step.x * length;
+    y += step.y * length;
+    z += step.z * length;
+    is_always_inside = is_always_inside && is_inside();
+  }
+  return is_always_inside && x == chain.start.x && y == chain.start.y && z == chain.start.z;
+}
+
+// Whether a closed chain turns to one side only, and once round. Most do, and are simple.
+bool SurfaceBuilder::is_convex(const Chain& chain) const {
+  if (chain.begin == chain.end) return false;
+  const int round = direction_count(incidence_);
+  int left = 0, right = 0;
+  Direction before = chain.end[-1].run.direction();
+  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
+    const Direction direction = at->run.direction();
+    const int turn = direction - before + (direction < before ? round : 0);
+    if (2 * turn == round) return false;
+    if (2 * turn < round)
+      left += turn;
+    else
+      right += round - turn;
+    before = direction;
+  }
+  return left + right == round && (left == 0 || right == 0);
+}
+
+void SurfaceBuilder::add_corners(const Chain& chain) {
+  if (chain.begin == chain.end) return;
+  Vertex vertex = chain.start;
+  Direction before = chain.end[-1].run.direction();
+  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
+    if (at->run.direction() != before) corners_.push_back(vertex);
+    before = at->run.direction();
+    move(vertex, incidence_, before, at->run.length());
+  }
+}
+
+// The corners since the last one are a simple ring.
+void SurfaceBuilder::end_ring() {
+  const std::size_t begin = simple_rings_.empty() ? 0 : simple_rings_.back().end;
+  simple_rings_.push_back({begin, corners_.size()});
+}
+
+void SurfaceBuilder::collect_ends(const Chain& chain) {
+  ends_.clear();
+  if (chain.begin == chain.end) return;
+  Vertex vertex = chain.start;
+  Direction before = chain.end[-1].run.direction();
+  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
+    if (at == chain.begin || at->run.direction() != before) ends_.push_back(vertex);
+    before = at->run.direction();
+    move(vertex, incidence_, before, at->run.length());
+  }
+}
+
+// Whether a vertex is an end twice. By a hash table with open addressing, half full at most.
+bool SurfaceBuilder::index_ends() {
+  std::size_t slots = 8;
+  while (slots < 2 * ends_.size()) slots *= 2;
+  slots_.assign(slots, no_end);
+  bool recurs = false;
+  for (std::uint32_t i = 0; i < ends_.size(); ++i) {
+    std::size_t slot = VertexHash()(ends_[i]) & (slots - 1);
+    while (slots_[slot] != no_end && ends_[slots_[slot]] != ends_[i])
+      slot = (slot + 1) & (slots - 1);
+    recurs = recurs || slots_[slot] != no_end;
+    slots_[slot] = i;
+  }
+  return recurs;
+}
+
+bool SurfaceBuilder::is_end(const Vertex& vertex) const {
+  const std::size_t mask = slots_.size() - 1;
+  for (std::size_t slot = VertexHash()(vertex) & mask; slots_[slot] != no_end;
+       slot = (slot + 1) & mask)
+    if (ends_[slots_[slot]] == vertex) return true;
+  return false;
+}
+
+// Whether the ring under way has a vertex twice. It never crosses itself: of two passes through a
+// vertex one turns there, so that the vertex is one of its ends.
+bool SurfaceBuilder::find_touches() {
+  const bool recurs = index_ends();
+  vertices_.clear();
+  for (std::size_t i = 0; i < ends_.size(); ++i) {
+    vertices_.push_back(ends_[i]);
+    add_touches_of(ends_[i], side_between(ends_[i], ends_[i + 1 < ends_.size() ? i + 1 : 0]));
+  }
+  return recurs || vertices_.size() > ends_.size();
+}
+
+// The ends that a side passes through, in its order: found link by link or, if these are more, end
+// by end.
+void SurfaceBuilder::add_touches_of(const Vertex& from, const Side& side) {
+  if (static_cast<std::size_t>(side.links) <= ends_.size()) {
+    Vertex vertex = from;
+    for (std::int32_t link = 1; link < side.links; ++link) {
+      vertex = vertex + side.link;
+      if (is_end(vertex)) vertices_.push_back(vertex);
+    }
+    return;
+  }
+  touches_.clear();
+  for (const Vertex& end : ends_)
+    if (const std::int32_t link = link_at(from, side, end); link > 0) touches_.push_back(link);
+  std::sort(touches_.begin(), touches_.end());
+  touches_.erase(std::unique(touches_.begin(), touches_.end()), touches_.end());
+  for (const std::int32_t link : touches_) vertices_.push_back(after_links(from, side, link));
+}
+
+void SurfaceBuilder::add_simple_rings(const Chain& chain) {
+  const auto add_whole = [&] {
+    add_corners(chain);
+    end_ring();
+  };
+  if (is_convex(chain)) return add_whole();
+  collect_ends(chain);
+  if (!find_touches()) return add_whole();
+  scratch_.resize(2 * vertices_.size());
+  const auto add = [](void* context, const Vertex* vertices, std::uint32_t count) {
+    auto& builder = *static_cast<SurfaceBuilder*>(context);
+    for (std::uint32_t i = 0; i < count; ++i)
+      if (turns(vertices, count, i)) builder.corners_.push_back(vertices[i]);
+    builder.end_ring();
+  };
+  split_ring(vertices_.data(), static_cast<std::uint32_t>(vertices_.size()), scratch_.data(),
+             {this, add});
+}
+
+Ring SurfaceBuilder::simple_ring(const Span& span) const {
+  return {corners_.data() + span.begin, corners_.data() + span.end};
+}
+
+// Whether there is one.
+bool SurfaceBuilder::put_outer_first() {
+  const auto is_outer = [this](const Span& span) {
+    const Ring ring = simple_ring(span);
+    return twice_area(incidence_, ring.data(), static_cast<std::uint32_t>(ring.size())) > 0;
+  };
+  const auto outer = std::find_if(simple_rings_.begin(), simple_rings_.end(), is_outer);
+  if (outer == simple_rings_.end()) return false;
+  std::iter_swap(simple_rings_.begin(), outer);
+  return true;
+}
+
+void SurfaceBuilder::end_region() {
+  simple_rings_.clear();
+  corners_.clear();
+  bool is_whole = true;
+  for (std::size_t i = 0; i < rings_.size() && is_whole; ++i) {
+    const Chain ring = chain(i);
+    is_whole = is_sound(ring);
+    if (is_whole) add_simple_rings(ring);
+  }
+  if (!is_whole || !put_outer_first()) {
+    ++incomplete_regions_;
+    return;
+  }
+  if (kept_ == Kept::polygons)
+    keep_region();
+  else
+    count_region();
+}
+
+void SurfaceBuilder::count_region() {
+  ++counts_.regions;
+  counts_.rings += simple_rings_.size();
+  counts_.holes += simple_rings_.size() - 1;
+  counts_.corners += corners_.size();
+  ++(corners_.size() == 3 ? counts_.three : corners_.size() == 4 ? counts_.four : counts_.more);
+  for (const Span& span : simple_rings_) {
+    const Ring ring = simple_ring(span);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      counts_.links += static_cast<std::uint64_t>(
+          side_between(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]).links);
+  }
+  for (const PlacedRun& each : runs_)
+    if (!each.normal.is_none()) ++counts_.normals;
+}
+
+void SurfaceBuilder::keep_region() {
+  surface_.polygons.add_polygon(incidence_);
+  for (const Span& span : simple_rings_) surface_.polygons.add_ring(simple_ring(span));
+  for (std::size_t i = 0; i < rings_.size(); ++i) keep_normals(chain(i));
+}
+
+void SurfaceBuilder::keep_normals(const Chain& chain) {
+  Vertex vertex = chain.start;
+  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
+    if (!at->normal.is_none()) surface_.normals.emplace(vertex, at->normal);
+    move(vertex, incidence_, at->run.direction(), at->run.length());
+  }
+}
+
+}  // namespace discmc::meshing

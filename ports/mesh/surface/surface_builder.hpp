@@ -1,0 +1,106 @@
+// A sink that puts a scan together again: regions whole, rings simple.
+#ifndef DISCMC_MESH_SURFACE_SURFACE_BUILDER_HPP
+#define DISCMC_MESH_SURFACE_SURFACE_BUILDER_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <discmc/sink.hpp>
+
+#include "counts.hpp"
+#include "surface.hpp"
+
+namespace discmc::meshing {
+
+/// What a SurfaceBuilder keeps of regions: polygons, or their counts alone, which take no memory.
+enum class Kept { polygons, counts };
+
+/// Takes events of an extractor or a decoder and always answers "taken". Loose fragments are to be
+/// joined before.
+/// Memory: of one region at a time in proportion to its runs, not to its links, since a few bytes
+/// of a hostile stream can encode any number of these.
+/// Errors: take() and append() throw std::length_error beyond the limit of Polygons.
+class SurfaceBuilder {
+ public:
+  explicit SurfaceBuilder(Kept kept = Kept::polygons) : kept_(kept) {}
+
+  SinkResult take(const Event& event);
+  /// Takes a region in place of its events.
+  void take_region(const WholeRegion& region);
+
+  Kept kept() const { return kept_; }
+
+  /// Adds what another has kept, behind its own. Limit: both keep the same.
+  void append(SurfaceBuilder&& other);
+
+  /// What has been delivered so far; spacing_mm is for the caller to set.
+  Surface& surface() { return surface_; }
+  const Surface& surface() const { return surface_; }
+  /// Limit: Kept::counts.
+  const Counts& counts() const { return counts_; }
+
+  /// Regions and loose fragments that could not be made polygons of.
+  std::uint64_t incomplete_regions() const { return incomplete_regions_; }
+
+ private:
+  // A run and the normal where it starts.
+  struct PlacedRun {
+    Run run;
+    OctahedralNormal normal;
+  };
+  struct OpenRing {
+    Vertex start;
+    std::size_t first_run;
+  };
+  // A ring of the region under way, by its runs.
+  struct Chain {
+    Vertex start;
+    const PlacedRun* begin;
+    const PlacedRun* end;
+  };
+
+  // A simple ring of the region under way, by its corners.
+  struct Span {
+    std::size_t begin, end;
+  };
+
+  void end_region();
+  Chain chain(std::size_t ring) const;
+  bool is_sound(const Chain& chain) const;
+  bool is_convex(const Chain& chain) const;
+  void add_corners(const Chain& chain);
+  void end_ring();
+  void add_simple_rings(const Chain& chain);
+  void collect_ends(const Chain& chain);
+  bool index_ends();
+  bool is_end(const Vertex& vertex) const;
+  bool find_touches();
+  void add_touches_of(const Vertex& from, const Side& side);
+  Ring simple_ring(const Span& span) const;
+  bool put_outer_first();
+  void keep_region();
+  void keep_normals(const Chain& chain);
+  void count_region();
+
+  Kept kept_;
+  Surface surface_;
+  Counts counts_;
+  std::uint64_t incomplete_regions_ = 0;
+  Incidence incidence_ = no_incidence;
+  // The region under way.
+  std::vector<OpenRing> rings_;
+  std::vector<PlacedRun> runs_;
+  std::vector<Span> simple_rings_;
+  std::vector<Vertex> corners_;
+  // Buffers of one ring; here to keep the memory.
+  std::vector<Vertex> ends_;          // its start and its corners
+  std::vector<std::uint32_t> slots_;  // their places, by a hash
+  std::vector<Vertex> vertices_;      // the ends, and where a side passes through another one
+  std::vector<std::int32_t> touches_;
+  std::vector<std::uint32_t> scratch_;
+};
+
+}  // namespace discmc::meshing
+
+#endif
