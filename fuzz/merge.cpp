@@ -7,8 +7,8 @@
 //   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
 //   fuzz_merge corpus/merge                   with replay_main.cpp
 
-#include "host/host_extractor.hpp"
 #include <discmc/polygon.hpp>
+#include "host/host_extractor.hpp"
 
 #include <algorithm>
 

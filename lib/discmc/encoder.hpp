@@ -34,11 +34,6 @@ class Encoder {
   /// a finished packet waits for the output. Cost: a few coding decisions per run, and the bytes.
   SinkResult take(const Event& event);
 
-  /// For hosts, see HostExtractor::set_region_receiver(): encodes a region in one call, to the same
-  /// bytes as its events. Returns SinkResult::busy if the encoder needs the events instead: the
-  /// output is busy, the region does not fit, or the stream has normals.
-  SinkResult take_region(const WholeRegion& region);
-
   /// Sends an application record now, in the order of the stream. Set its slice and row to slices()
   /// and rows() of the extractor. Status::suspended: nothing is sent, because the output is busy or
   /// a region is in progress; call resume() of the extractor, then write_record() again. Errors:

@@ -192,31 +192,6 @@ Sink make_sink(Object& object) {
           }};
 }
 
-// ---- Regions in one call, for hosts.
-
-/// A region of one ring, with all runs of the ring. Most regions have one ring.
-struct WholeRegion {
-  Incidence incidence;
-  Vertex start;     ///< Units: half-steps
-  const Run* runs;  ///< Owner: the sender; valid during the call
-  uint32_t count;
-};
-
-/// For HostExtractor::set_region_receiver(): accepts a region in one call, or answers `busy`; then
-/// the sink receives the events of the region.
-struct RegionReceiver {
-  void* context = nullptr;
-  SinkResult (*take)(void* context, const WholeRegion& region) = nullptr;
-};
-
-/// Returns a receiver that calls `receiver.take_region(region)`. Owner: as make_sink().
-template <class Receiver>
-RegionReceiver make_region_receiver(Receiver& receiver) {
-  return {&receiver, [](void* context, const WholeRegion& region) {
-            return static_cast<Receiver*>(context)->take_region(region);
-          }};
-}
-
 }  // namespace discmc
 
 #endif

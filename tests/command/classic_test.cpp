@@ -12,10 +12,10 @@ namespace {
 
 using command_tests::volume_of;
 using discmc::Border;
-using discmc::meshing::check_mesh;
 using discmc::command::classic_mesh;
-using discmc::meshing::Extraction;
 using discmc::command::ExtractionOptions;
+using discmc::meshing::check_mesh;
+using discmc::meshing::Extraction;
 using discmc::meshing::FaceMesh;
 using discmc::meshing::MeshReport;
 using discmc::meshing::Point;
@@ -66,8 +66,8 @@ Field bits(const BitVolume& volume) {
   return field;
 }
 
-FaceMesh classic(const Field& field, Border border = Border::closed, const Point& spacing = {1, 1, 1},
-             SampleType type = SampleType::u8) {
+FaceMesh classic(const Field& field, Border border = Border::closed,
+                 const Point& spacing = {1, 1, 1}, SampleType type = SampleType::u8) {
   SampleReader reader(field.size, field.samples, spacing, type);
   return classic_mesh(reader, {{100}, border});
 }

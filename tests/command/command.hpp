@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh_formats.hpp"
 #include "mesh_files/file_mesh.hpp"
+#include "mesh_formats.hpp"
 #include "oracle/volume.hpp"
 #include "volume_files.hpp"
 

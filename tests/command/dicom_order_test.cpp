@@ -14,8 +14,8 @@ namespace {
 using namespace dicom_files;
 using namespace volume_files;
 using command_tests::contains;
-using discmc::meshing::Axes;
 using discmc::command::SliceOrder;
+using discmc::meshing::Axes;
 using Spacing = std::array<double, 3>;
 
 // A folder of slices. change: what differs in each.

@@ -21,8 +21,8 @@ namespace {
 
 using command_tests::contains;
 using discmc::Border;
-using discmc::meshing::Extraction;
 using discmc::command::ExtractionOptions;
+using discmc::meshing::Extraction;
 using discmc::meshing::SampleType;
 using discmc::meshing::SurfaceBuilder;
 using discmc::reference::ball;

@@ -147,7 +147,8 @@ TEST_CASE("on the walls around a volume vertices stay where they are") {
 
 TEST_CASE("an open surface ends where the volume does, and its sides match all the same") {
   const Field field = ball(12, 7);
-  const FileMesh mesh = interpolated(extracted(field, SampleType::u8, {1, 1, 1}, Border::open), 0.02);
+  const FileMesh mesh =
+      interpolated(extracted(field, SampleType::u8, {1, 1, 1}, Border::open), 0.02);
   const MeshReport report = check_mesh(mesh);
   CHECK(report.open_edges > 0);
   CHECK(report.non_manifold_edges + report.wrongly_oriented + report.degenerate_faces == 0);

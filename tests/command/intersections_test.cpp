@@ -71,7 +71,7 @@ TEST_CASE("what two triangles share does not count, what they do beside it does"
 TEST_CASE("the intersections are the same in any units, also where an axis runs backwards") {
   for (const Point& spacing : {Point{1e-3, 1e-3, 1e-3}, Point{1e4, 1e4, 1e4}, Point{-1, 2, -3}}) {
     FaceMesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}},
-                        {0, 1, 2, 3, 4, 5});
+                            {0, 1, 2, 3, 4, 5});
     for (Point& vertex : mesh.vertices_mm)
       for (std::size_t axis = 0; axis < 3; ++axis) vertex[axis] *= spacing[axis];
     CHECK(intersections_of(mesh).size() == 1);

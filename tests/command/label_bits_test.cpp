@@ -16,8 +16,8 @@ namespace {
 
 using discmc::command::label_bits;
 using discmc::command::LabelSet;
-using discmc::meshing::SampleType;
 using discmc::command::VolumeReader;
+using discmc::meshing::SampleType;
 using sample_reader::SampleReader;
 
 const std::vector<std::vector<int>> layers = {{0, 1, 1, 2, 0, 3, 3, 0}, {0, 1, 0, -5, -5, 0, 2, 2}};

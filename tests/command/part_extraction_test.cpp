@@ -18,14 +18,14 @@
 namespace {
 
 using discmc::Border;
-using discmc::meshing::Extraction;
 using discmc::command::ExtractionOptions;
+using discmc::command::VolumeInfo;
+using discmc::meshing::Extraction;
 using discmc::meshing::GrowingJoiner;
 using discmc::meshing::SliceSpan;
 using discmc::meshing::Surface;
 using discmc::meshing::SurfaceBuilder;
 using discmc::meshing::SurfaceRequest;
-using discmc::command::VolumeInfo;
 using discmc::reference::BitVolume;
 using discmc::reference::describe_difference;
 using discmc::reference::random;

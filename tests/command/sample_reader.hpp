@@ -14,10 +14,10 @@
 
 namespace sample_reader {
 
+using discmc::command::VolumeInfo;
 using discmc::meshing::FaceMesh;
 using discmc::meshing::Point;
 using discmc::meshing::SampleType;
-using discmc::command::VolumeInfo;
 using discmc::reference::BitVolume;
 using discmc::reference::Size;
 
@@ -58,7 +58,7 @@ class SampleReader final : public discmc::command::VolumeReader {
 constexpr std::int32_t bit_threshold = 100;
 
 inline FaceMesh merged_mesh(const BitVolume& volume, discmc::meshing::Faces faces,
-                        const Point& spacing_mm = {1, 1, 1}) {
+                            const Point& spacing_mm = {1, 1, 1}) {
   SampleReader reader(volume, spacing_mm);
   discmc::meshing::SurfaceBuilder builder;
   extract(reader, {{bit_threshold}, discmc::Border::closed}, discmc::make_sink(builder));

@@ -73,8 +73,7 @@ inline Extracted extracted(const Field& field, SampleType type = SampleType::u8,
   const Selection selection{is_floating(type) ? level : threshold};
   SurfaceBuilder builder;
   Extracted result{{}, CrossingFinder(reader.info(), selection)};
-  extract(reader, {selection, border},
-          {{selection, discmc::make_sink(builder), &result.finder}});
+  extract(reader, {selection, border}, {{selection, discmc::make_sink(builder), &result.finder}});
   result.surface = std::move(builder.surface());
   result.surface.spacing_mm = spacing_mm;
   return result;

@@ -5,8 +5,8 @@
 #include "command.hpp"
 #include "hand_made.hpp"
 #include "oracle/thinned.hpp"
-#include "streams/stream_file.hpp"
 #include "streams/stream_output.hpp"
+#include "streams/stream_reader.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
 
@@ -34,7 +34,7 @@ std::string rough_samples(int width, int height, int depth) {
 std::vector<Region> regions_in(const Workshop& workshop, const std::string& stream) {
   discmc::meshing::SurfaceBuilder builder;
   discmc::meshing::GrowingJoiner joiner(discmc::make_sink(builder));
-  discmc::command::StreamReader reader(discmc::make_sink(joiner));
+  discmc::meshing::StreamReader reader(discmc::make_sink(joiner));
   std::istringstream in(workshop.read(stream));
   reader.read(in);
   joiner.finish();
@@ -80,7 +80,7 @@ class WithoutDepth {
 
 void forget_depth(const Workshop& workshop, const std::string& stream) {
   WithoutDepth encoder;
-  discmc::command::StreamReader reader(discmc::make_sink(encoder));
+  discmc::meshing::StreamReader reader(discmc::make_sink(encoder));
   std::istringstream in(workshop.read(stream));
   reader.read(in);
   workshop.write(stream, encoder.stream());

@@ -79,7 +79,7 @@ TEST_CASE("an edge stays if the surface would move or turn too much, or if it is
 
 TEST_CASE("an edge stays if its flip would be one that there is already") {
   const FileMesh tetrahedron = mesh_of({{0, 0, 0}, {10, 0, 0}, {5, 0.3, 0}, {5, -8, 1}},
-                                   {0, 1, 2, 1, 0, 3, 0, 2, 3, 2, 1, 3});
+                                       {0, 1, 2, 1, 0, 3, 0, 2, 3, 2, 1, 3});
   FileMesh mesh = tetrahedron;
   remove_slivers(mesh, 0, 10);
   CHECK(check_mesh(tetrahedron).closed());
@@ -105,12 +105,12 @@ TEST_CASE("a decimated mesh has hardly any thin triangles") {
     return;
   }
   FileMesh mesh = interpolated(extracted(field_of({60, 60, 12},
-                                              [](double x, double y, double z) {
-                                                return level + 30 * (2.1 + std::sin(x / 9) +
-                                                                     std::cos(y / 11) / 2 -
-                                                                     std::abs(z - 5.37));
-                                              })),
-                           0);
+                                                  [](double x, double y, double z) {
+                                                    return level + 30 * (2.1 + std::sin(x / 9) +
+                                                                         std::cos(y / 11) / 2 -
+                                                                         std::abs(z - 5.37));
+                                                  })),
+                               0);
   decimate(mesh, {mesh.face_count() / 3});
   CHECK(thin_faces(mesh) < mesh.face_count() / 40);
 }

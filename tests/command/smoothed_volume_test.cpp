@@ -309,7 +309,7 @@ TEST_CASE("labels are smoothed one by one, and keep their volumes") {
   double all = 0;
   for (const SmoothedLabel& label : labels) {
     const FileMesh mesh = build_mesh(label.surface.surface,
-                                 {true, Faces::triangles, &label.crossings.crossings(), 0.05});
+                                     {true, Faces::triangles, &label.crossings.crossings(), 0.05});
     const auto voxels = static_cast<double>(label.surface.voxels);
     CHECK(volume_of(mesh) == doctest::Approx(voxels).epsilon(0.01));
     all += volume_of(mesh);
@@ -351,8 +351,8 @@ TEST_CASE("a label in its box is smoothed as in the whole volume") {
   SampleReader reader({40, 30, 20}, samples);
   const std::vector<SmoothedLabel> labels = smoothed_labels(reader, {}, 1, {});
   REQUIRE(labels.size() == 1);
-  const FileMesh of_box = build_mesh(labels[0].surface.surface,
-                                 {true, Faces::triangles, &labels[0].crossings.crossings(), 0.05});
+  const FileMesh of_box = build_mesh(
+      labels[0].surface.surface, {true, Faces::triangles, &labels[0].crossings.crossings(), 0.05});
   const FileMesh of_whole = smoothed(block, {1, 1, 1}, 1).mesh;
   CHECK(of_box.corners == of_whole.corners);
   REQUIRE(of_box.vertices_mm.size() == of_whole.vertices_mm.size());
@@ -370,7 +370,7 @@ TEST_CASE("labels that are side by side share their smoothed surface") {
   REQUIRE(labels.size() == 2);
   for (const SmoothedLabel& label : labels) {
     const FileMesh mesh = build_mesh(label.surface.surface,
-                                 {true, Faces::triangles, &label.crossings.crossings(), 0.05});
+                                     {true, Faces::triangles, &label.crossings.crossings(), 0.05});
     double nearest_to_seam = 100;
     for (const Point& vertex : mesh.vertices_mm)
       nearest_to_seam = std::min(nearest_to_seam, std::fabs(vertex[0] - 16.5));

@@ -24,12 +24,12 @@ namespace volume_files {
 namespace fs = std::filesystem;
 using discmc::command::open_volume;
 using discmc::command::RawLayout;
-using discmc::meshing::SampleType;
 using discmc::command::VolumeError;
 using discmc::command::VolumeInfo;
 using discmc::command::VolumeOptions;
 using discmc::command::VolumeReader;
 using discmc::meshing::SampleGrid;
+using discmc::meshing::SampleType;
 using discmc::meshing::SliceReader;
 
 /// A folder of its own for a test, removed at its end.

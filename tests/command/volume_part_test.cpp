@@ -22,9 +22,9 @@
 namespace {
 
 using namespace volume_files;
-using discmc::meshing::along_coordinates;
 using discmc::command::BlockValue;
 using discmc::command::Crop;
+using discmc::meshing::along_coordinates;
 using discmc::meshing::VolumePlacement;
 using Dims = std::array<std::uint32_t, 3>;
 using Place = std::array<double, 3>;

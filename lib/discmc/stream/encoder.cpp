@@ -100,20 +100,6 @@ DISCMC_NOINLINE SinkResult Encoder::take_other(const Event& event) {
   return is_done ? SinkResult::accepted : SinkResult::busy;
 }
 
-SinkResult Encoder::take_region(const WholeRegion& region) {
-  const bool fits_in_record = region.count <= Record::max_words - Record::ring_words;
-  if (state_ != State::between || write_normals_ != nullptr || !fits_in_record || !drain())
-    return SinkResult::busy;
-  record_.begin(region.incidence);
-  record_.add_ring(region.start);
-  for (uint32_t i = 0; i < region.count; ++i) record_.add_run(region.runs[i]);
-  Model model = model_;
-  if (!stream::encode_record_in_place(model, record_) || !fits(model)) return SinkResult::busy;
-  model_ = model;
-  packets_.count_piece();
-  return SinkResult::accepted;
-}
-
 // Whether a packet without records of the encoder can be sent now.
 Status Encoder::ready_for_packet(bool is_good) {
   if (state_ == State::idle) return Status::not_started;

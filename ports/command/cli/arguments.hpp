@@ -10,14 +10,15 @@
 
 #include <discmc/limits.hpp>
 
-#include "meshing.hpp"
+#include "discmc/mesh.hpp"
 #include "extraction/selection.hpp"
+#include "mesh_files/file_mesh.hpp"
 #include "meshes/decimation.hpp"
 #include "meshes/mesh.hpp"
-#include "mesh_files/file_mesh.hpp"
+#include "meshing.hpp"
 #include "pictures/srgb.hpp"
 #include "statistics/threshold_rule.hpp"
-#include "streams/stream_file.hpp"
+#include "streams/stream_reader.hpp"
 #include "streams/wire_kind.hpp"
 #include "surface/components.hpp"
 #include "tuning/cycle_costs.hpp"
@@ -55,9 +56,6 @@ struct VolumeArguments {
   /// Whether the surfaces are those of labels.
   bool selects_labels() const { return !selections.empty() && selections[0].is_label; }
 };
-
-/// Where the normals of a mesh's vertices come from: its polygons, or the samples.
-enum class Normals { none, surface, gradient };
 
 /// The coordinates of a mesh: of the patient, or index times spacing.
 enum class MeshSpace { lps, ras, voxel };

@@ -11,9 +11,9 @@
 #include "empty_surface.hpp"
 #include "exit_codes.hpp"
 #include "extraction/classic.hpp"
+#include "mesh_files/joined_mesh.hpp"
 #include "mesh_files/mesh_reader.hpp"
 #include "mesh_output.hpp"
-#include "mesh_files/joined_mesh.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/placing.hpp"
 #include "meshes/surface_distance.hpp"
@@ -41,8 +41,8 @@ bool lies_along_coordinates(const VolumePlacement& placement) {
 }
 
 // Places a surface as extract and decode place its mesh.
-Compared placed(FileMesh mesh, const std::string& name, const std::optional<VolumePlacement>& declared,
-                int code) {
+Compared placed(FileMesh mesh, const std::string& name,
+                const std::optional<VolumePlacement>& declared, int code) {
   const auto placement = mesh_placement(name, declared, std::nullopt);
   if (placement) place(mesh, *placement);
   return {std::move(mesh), !placement || lies_along_coordinates(*placement), code};

@@ -13,8 +13,8 @@
 #include "mesh_output.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "require.hpp"
-#include "stream_input.hpp"
 #include "samples/spacing.hpp"
+#include "stream_input.hpp"
 #include "streams/stream_output.hpp"
 #include "surface/growing_joiner.hpp"
 #include "volume_input.hpp"
@@ -70,7 +70,7 @@ void require_same_part(const VolumeInfo& volume, const DecodedStream& decoded) {
 // Opens the volume that a stream was made of. A headerless one gets the spacing of the stream
 // before it was shrunk, unless another spacing is given.
 std::unique_ptr<SliceReader> open_volume_of(const DecodedStream& decoded,
-                                             const StreamArguments& arguments) {
+                                            const StreamArguments& arguments) {
   const StreamHeader& header = decoded.header;
   VolumeOptions options = arguments.options;
   if (options.layout && !options.spacing_mm) {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "meshing.hpp"
 #include "arguments.hpp"
 #include "extraction/extraction.hpp"
 #include "meshes/mesh.hpp"
+#include "meshing.hpp"
 #include "statistics/measured_volume.hpp"
 #include "summary.hpp"
 #include "surface_receiver.hpp"

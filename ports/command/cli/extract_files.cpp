@@ -39,7 +39,8 @@ std::filesystem::path material_file(const std::filesystem::path& mesh) {
 }
 
 // The colour of an OBJ mesh goes into a file beside it.
-void write_obj_and_mtl(const FileMesh& mesh, const std::string& name, unsigned jobs, OutputFile& file) {
+void write_obj_and_mtl(const FileMesh& mesh, const std::string& name, unsigned jobs,
+                       OutputFile& file) {
   const auto materials = material_file(name);
   write_to(file,
            [&](std::ostream& out) { write_obj(mesh, out, jobs, materials.filename().string()); });

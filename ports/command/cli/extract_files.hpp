@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "meshing.hpp"
 #include "arguments.hpp"
 #include "files/output_file.hpp"
+#include "meshing.hpp"
+#include "samples/volume_placement.hpp"
 #include "summary.hpp"
 #include "surface/surface.hpp"
-#include "samples/volume_placement.hpp"
 
 namespace discmc::command {
 
@@ -59,7 +59,7 @@ class MeshFiles {
   std::optional<VolumePlacement> placement_;
   bool are_one_ = false;
   std::optional<OutputFile> file_;  // where there is only one
-  std::vector<FileMesh> meshes_;        // of it, if it holds several
+  std::vector<FileMesh> meshes_;    // of it, if it holds several
 };
 
 }  // namespace discmc::command

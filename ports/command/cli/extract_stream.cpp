@@ -14,10 +14,10 @@
 #include "extract.hpp"
 #include "files/output_file.hpp"
 #include "progress.hpp"
+#include "samples/iso_value.hpp"
 #include "streams/stream_output.hpp"
 #include "summary.hpp"
 #include "volume_input.hpp"
-#include "samples/iso_value.hpp"
 
 namespace discmc::command {
 namespace {

@@ -12,9 +12,9 @@
 #include "require_written.hpp"
 #include "stream_input.hpp"
 #include "streams/slab_ranges.hpp"
+#include "streams/spilling_joiner.hpp"
 #include "streams/stream_output.hpp"
 #include "summary.hpp"
-#include "streams/spilling_joiner.hpp"
 #include "surface_receiver.hpp"
 #include "text/message.hpp"
 

@@ -101,7 +101,8 @@ void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface
                           " bodies and cavities are kept");
 }
 
-std::uint64_t decimate_noted(const std::string& name, const Decimation& decimation, FileMesh& mesh) {
+std::uint64_t decimate_noted(const std::string& name, const Decimation& decimation,
+                             FileMesh& mesh) {
   if (!decimation.is_wanted()) return 0;
   const Progress progress("decimating");
   const DecimatedBodies bodies = decimate(mesh, decimation);

@@ -7,11 +7,11 @@
 #include <ostream>
 #include <string>
 
-#include "meshing.hpp"
 #include "arguments.hpp"
 #include "files/output_file.hpp"
-#include "meshes/decimation.hpp"
 #include "mesh_files/file_mesh.hpp"
+#include "meshes/decimation.hpp"
+#include "meshing.hpp"
 #include "surface/components.hpp"
 #include "surface/surface.hpp"
 #include "volumes/volume.hpp"

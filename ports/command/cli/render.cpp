@@ -9,9 +9,9 @@
 #include "extraction/classic.hpp"
 #include "extraction/extraction.hpp"
 #include "files/output_file.hpp"
+#include "mesh_files/joined_mesh.hpp"
 #include "mesh_files/mesh_reader.hpp"
 #include "mesh_output.hpp"
-#include "mesh_files/joined_mesh.hpp"
 #include "meshes/mesh.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
@@ -47,7 +47,7 @@ bool has_gradient(const VolumeArguments& arguments) {
 
 // options: of the extraction. volume: not yet read; is at the end.
 FileMesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
-                 ExtractionOptions options) {
+                     ExtractionOptions options) {
   options.normals = arguments.smooth && has_gradient(arguments.reading);
   std::unique_ptr<SliceReader> narrow;
   if (options.normals && !is_scanner_type(volume.info().type)) {
@@ -58,7 +58,8 @@ FileMesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
   SurfaceBuilder builder;
   GrowingJoiner joiner(make_sink(builder));
   const NamedSelection& asked = arguments.reading.selections[0];
-  const Extraction extraction = extract(narrow ? *narrow : static_cast<SliceReader&>(volume), options, make_sink(joiner));
+  const Extraction extraction =
+      extract(narrow ? *narrow : static_cast<SliceReader&>(volume), options, make_sink(joiner));
   check_surface(arguments.input, arguments.reading, asked, volume, extraction);
   builder.surface().spacing_mm = volume.info().spacing_mm;
   return mesh_to_draw(arguments, builder.surface());

@@ -10,9 +10,9 @@
 
 #include "exit_codes.hpp"
 #include "progress.hpp"
+#include "samples/spacing.hpp"
 #include "streams/application_text.hpp"
 #include "streams/slab_ranges.hpp"
-#include "samples/spacing.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
 #include "text/message.hpp"

@@ -11,9 +11,9 @@
 #include <discmc/sink.hpp>
 
 #include "meshing.hpp"
-#include "streams/stream_file.hpp"
-#include "surface/surface_builder.hpp"
 #include "samples/volume_placement.hpp"
+#include "streams/stream_reader.hpp"
+#include "surface/surface_builder.hpp"
 
 namespace discmc::command {
 

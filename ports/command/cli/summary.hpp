@@ -11,10 +11,10 @@
 
 #include <discmc/decoder.hpp>
 
-#include "meshing.hpp"
 #include "extraction/extraction.hpp"
-#include "surface/counts.hpp"
+#include "meshing.hpp"
 #include "samples/volume_placement.hpp"
+#include "surface/counts.hpp"
 
 namespace discmc::command {
 

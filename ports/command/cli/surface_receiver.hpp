@@ -10,9 +10,9 @@
 
 #include "meshing.hpp"
 #include "require.hpp"
+#include "samples/volume_placement.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
-#include "samples/volume_placement.hpp"
 
 namespace discmc::command {
 

@@ -112,7 +112,7 @@ std::unique_ptr<VolumeReader> open_noted_mask(const VolumeArguments& arguments,
 }
 
 std::unique_ptr<SliceReader> narrowed_again(const std::string& path, const VolumeOptions& options,
-                                             double iso, VolumeReader& volume) {
+                                            double iso, VolumeReader& volume) {
   require_second_pass(path, gradient_pass);
   const SampleBounds bounds = sample_bounds(volume);
   return narrowed(open_noted(path, options), bounds, iso);

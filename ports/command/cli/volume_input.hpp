@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "meshing.hpp"
 #include "arguments.hpp"
 #include "extraction/extraction.hpp"
 #include "extraction/selection.hpp"
+#include "meshing.hpp"
 #include "progress.hpp"
 #include "smoothing/closed_volume.hpp"
 #include "smoothing/smoothed_volume.hpp"

@@ -2,9 +2,9 @@
 #ifndef DISCMC_COMMAND_EXTRACTION_CLASSIC_HPP
 #define DISCMC_COMMAND_EXTRACTION_CLASSIC_HPP
 
-#include "meshing.hpp"
 #include "extraction.hpp"
 #include "meshes/mesh.hpp"
+#include "meshing.hpp"
 #include "volumes/volume_reader.hpp"
 
 namespace discmc::command {

@@ -12,8 +12,8 @@
 #include "extraction/extractors.hpp"
 #include "extraction/mask_bits.hpp"
 #include "extraction/part_extraction.hpp"
-#include "samples/spacing.hpp"
 #include "samples/iso_value.hpp"
+#include "samples/spacing.hpp"
 
 namespace discmc::command {
 namespace {

@@ -7,7 +7,6 @@
 
 #include <discmc/stream/wire.hpp>
 
-#include "meshing.hpp"
 #include "extraction/surfaces.hpp"
 #include "meshing.hpp"
 

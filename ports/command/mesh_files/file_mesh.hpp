@@ -21,9 +21,9 @@ struct FileMesh : FaceMesh {
   FileMesh() = default;
   FileMesh(FaceMesh mesh) : FaceMesh(std::move(mesh)) {}
 
-  std::optional<Srgb> colour;    ///< of all of it, where one was given
-  std::string name;              ///< in a file that holds several
-  Space space = Space::scanner;  ///< of the coordinates
+  std::optional<Srgb> colour;            ///< of all of it, where one was given
+  std::string name;                      ///< in a file that holds several
+  Space space = Space::scanner;          ///< of the coordinates
   MeshUnit unit = MeshUnit::millimetre;  ///< of all lengths, once resize() has changed it
 };
 

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "meshing.hpp"
 #include "file_mesh.hpp"
+#include "meshing.hpp"
 
 namespace discmc::command {
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "meshing.hpp"
 #include "file_format.hpp"
 #include "file_mesh.hpp"
+#include "meshing.hpp"
 
 namespace discmc::command {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "meshing.hpp"
 #include "file_mesh.hpp"
+#include "meshing.hpp"
 
 namespace discmc::command {
 

@@ -98,7 +98,8 @@ void write_model(const Meshes& meshes, std::ostream& out) {
   writer.text(meshes.empty() ? header_text({}) : header_text(*meshes[0]));
   writer.text("</metadata>\n<resources>\n");
   const std::string materials = std::to_string(meshes.size() + 1);
-  if (std::any_of(meshes.begin(), meshes.end(), [](const FileMesh* mesh) { return !!mesh->colour; }))
+  if (std::any_of(meshes.begin(), meshes.end(),
+                  [](const FileMesh* mesh) { return !!mesh->colour; }))
     write_materials(meshes, materials, writer);
   std::size_t number = 0, material = 0;
   std::string items;

@@ -14,10 +14,10 @@
 #include <string_view>
 #include <vector>
 
-#include "meshing.hpp"
+#include "file_mesh.hpp"
 #include "jobs/ordered_pipeline.hpp"
 #include "mesh_files.hpp"
-#include "file_mesh.hpp"
+#include "meshing.hpp"
 
 namespace discmc::command {
 

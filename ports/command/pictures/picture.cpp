@@ -81,7 +81,8 @@ class Camera {
   double distance_;
 };
 
-std::vector<Projected> project(const FaceMesh& mesh, const Axes& axes, const PictureOptions& options) {
+std::vector<Projected> project(const FaceMesh& mesh, const Axes& axes,
+                               const PictureOptions& options) {
   Box space;
   for (const Point& vertex : mesh.vertices_mm) space.add(vertex);
   const Camera camera(space, axes, options.projection);

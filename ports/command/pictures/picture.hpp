@@ -8,8 +8,8 @@
 #include <ostream>
 #include <vector>
 
-#include "meshing.hpp"
 #include "meshes/mesh.hpp"
+#include "meshing.hpp"
 #include "srgb.hpp"
 
 namespace discmc::command {

@@ -10,7 +10,7 @@ namespace {
 // surface that they approximate, and walls at which a volume ends are 90 degrees away.
 constexpr double min_cosine = 0.3;
 
-float linear(std::uint8_t srgb) {
+float light_of(std::uint8_t srgb) {
   const float value = static_cast<float>(srgb) / 255;
   return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
@@ -20,8 +20,8 @@ double doubled_area(double ax, double ay, const Projected& b, const Projected& c
   return (b.x - ax) * (c.y - ay) - (b.y - ay) * (c.x - ax);
 }
 
-Colour linear(const Srgb& colour) {
-  return {linear(colour[0]), linear(colour[1]), linear(colour[2])};
+Colour light_of(const Srgb& colour) {
+  return {light_of(colour[0]), light_of(colour[1]), light_of(colour[2])};
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ Shader::Shader(const FaceMesh& mesh, const std::vector<Projected>& vertices, con
       axes_(axes),
       shading_(options.shading),
       face_colours_(options.face_colours),
-      surface_(linear(options.colour)),
+      surface_(light_of(options.colour)),
       face_(mesh.face_count()) {}
 
 Colour Shader::colour(std::size_t face, bool inside, double x, double y) {
@@ -44,7 +44,7 @@ Colour Shader::colour(std::size_t face, bool inside, double x, double y) {
 void Shader::take(std::size_t face) {
   face_ = face;
   face_normal_ = face_normal(mesh_, face);
-  if (!face_colours_.empty()) surface_ = linear(face_colours_[face]);
+  if (!face_colours_.empty()) surface_ = light_of(face_colours_[face]);
   if (shading_ == Shading::flat) return;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point& normal = mesh_.normals[mesh_.face(face)[i]];

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "meshing.hpp"
 #include "meshes/mesh.hpp"
+#include "meshing.hpp"
 #include "picture.hpp"
 
 namespace discmc::command {

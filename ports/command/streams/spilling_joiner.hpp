@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "meshing.hpp"
-#include "surface/growing_joiner.hpp"
 #include "plane_spill.hpp"
+#include "surface/growing_joiner.hpp"
 
 namespace discmc::command {
 

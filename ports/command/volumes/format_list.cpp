@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "array_name.hpp"
+#include "text/words.hpp"
 #include "volumes/formats/dicom/files.hpp"
 #include "volumes/formats/zarr/folder.hpp"
-#include "text/words.hpp"
 
 namespace discmc::command {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "meshing.hpp"
-#include "samples/label_value.hpp"
 #include "pictures/srgb.hpp"
+#include "samples/label_value.hpp"
 
 namespace discmc::command {
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "format_list.hpp"
-#include "volumes/formats/readers.hpp"
 #include "other_kinds.hpp"
 #include "text/words.hpp"
 #include "unpacked_volume.hpp"
@@ -19,6 +18,7 @@
 #include "volumes/formats/dicom/files.hpp"
 #include "volumes/formats/mask_files.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
+#include "volumes/formats/readers.hpp"
 #include "volumes/formats/zarr/folder.hpp"
 
 namespace discmc::command {

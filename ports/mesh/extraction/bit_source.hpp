@@ -9,11 +9,11 @@
 #include <memory>
 #include <vector>
 
-#include "surfaces.hpp"
 #include "mask_bits.hpp"
 #include "own_filter.hpp"
 #include "selection.hpp"
 #include "slab_spans.hpp"
+#include "surfaces.hpp"
 
 namespace discmc::meshing {
 

@@ -120,7 +120,9 @@ Point Crossings::in_volume(const Vertex& vertex) const {
 // What is on, and the samples, of one slice after the other.
 class CrossingFinder::Slices {
  public:
-  Slices(const SampleGrid& info, const Vertex& first) : crossings_(info.dims, first) {}
+  // The slices are counted as they come.
+  Slices(const SampleGrid& info, const Vertex& first)
+      : crossings_({info.dims[0], info.dims[1], 0}, first) {}
   Slices(const Slices&) = delete;
   Slices& operator=(const Slices&) = delete;
   virtual ~Slices() = default;
@@ -151,6 +153,7 @@ class CrossingFinder::SlicesOf final : public Slices {
 
   void add(const void* samples, const std::uint8_t* mask) override {
     std::swap(below_, above_);
+    ++crossings_.dims_[2];
     const auto* first = static_cast<const Sample*>(samples);
     above_.samples.assign(first, first + std::size_t{width_} * height_);
     selector_.select(samples, above_.bits.data(), row_bytes_);

@@ -11,8 +11,8 @@
 #include <discmc/geometry/cell.hpp>
 
 #include "meshes/point.hpp"
-#include "selection.hpp"
 #include "samples/slice_reader.hpp"
+#include "selection.hpp"
 
 namespace discmc::meshing {
 

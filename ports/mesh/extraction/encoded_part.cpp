@@ -32,10 +32,8 @@ SinkResult EncodedPart::take(const Event& event) {
   return encoder_.take(event);
 }
 
-SinkResult EncodedPart::take_region(const WholeRegion& region) {
-  const SinkResult result = encoder_.take_region(region);
-  if (result == SinkResult::accepted) ++pieces_;
-  return result;
+void EncodedPart::take_region(const WholeRegion& region) {
+  send_events(region, [this](const Event& event) { return take(event) == SinkResult::accepted; });
 }
 
 // An encoder offers a frame at a time. Headers are the other encoder's matter.

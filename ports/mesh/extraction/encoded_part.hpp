@@ -8,6 +8,8 @@
 
 #include <discmc/encoder.hpp>
 
+#include "host/whole_region.hpp"
+
 namespace discmc::meshing {
 
 /// A sink that keeps packets of records, for the encoder of the whole volume to send.
@@ -19,8 +21,8 @@ class EncodedPart {
 
   /// Takes a scan's start, then regions. Always takes the event.
   SinkResult take(const Event& event);
-  /// As Encoder::take_region().
-  SinkResult take_region(const WholeRegion& region);
+  /// The same by the events of the region.
+  void take_region(const WholeRegion& region);
 
   /// Gives all packets to an encoder. Call once, after the last region. encoder: started; its
   /// output must take all.

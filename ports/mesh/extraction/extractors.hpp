@@ -3,8 +3,8 @@
 #define DISCMC_MESH_EXTRACTION_EXTRACTORS_HPP
 
 #include <discmc/gradient_normals.hpp>
-#include "host/host_extractor.hpp"
 #include <discmc/surface_group.hpp>
+#include "host/host_extractor.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -17,10 +17,10 @@
 
 #include "bit_source.hpp"
 #include "mask_bits.hpp"
-#include "surfaces.hpp"
 #include "require.hpp"
-#include "samples/spacing.hpp"
 #include "samples/iso_value.hpp"
+#include "samples/spacing.hpp"
+#include "surfaces.hpp"
 
 namespace discmc::meshing {
 

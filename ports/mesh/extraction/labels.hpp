@@ -10,9 +10,9 @@
 
 #include <discmc/limits.hpp>
 
-#include "surface/surface.hpp"
 #include "samples/label_value.hpp"
 #include "samples/slice_reader.hpp"
+#include "surface/surface.hpp"
 
 namespace discmc::meshing {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "selection.hpp"
 #include "samples/slice_reader.hpp"
+#include "selection.hpp"
 
 namespace discmc::meshing {
 

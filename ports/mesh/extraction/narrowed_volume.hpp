@@ -14,7 +14,7 @@ namespace discmc::meshing {
 /// So the surface at 0 is that of the volume at iso. What is not a number is just off.
 /// bounds: of the volume.
 std::unique_ptr<SliceReader> narrowed(std::unique_ptr<SliceReader> volume,
-                                       const SampleBounds& bounds, double iso);
+                                      const SampleBounds& bounds, double iso);
 
 }  // namespace discmc::meshing
 

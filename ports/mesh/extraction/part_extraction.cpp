@@ -11,11 +11,11 @@
 
 #include <discmc/chain.hpp>
 
+#include "encoded_part.hpp"
 #include "event_record.hpp"
 #include "extractors.hpp"
 #include "jobs/ordered_pipeline.hpp"
 #include "mask_bits.hpp"
-#include "encoded_part.hpp"
 #include "surface/growing_joiner.hpp"
 
 namespace discmc::meshing {
@@ -50,10 +50,10 @@ class PartSurface {
     return answer;
   }
 
-  // A region that is whole. The packets may refuse it, and come first.
+  // A region that is whole.
   SinkResult take_region(const WholeRegion& region) {
     if (has_loose_rings(region.incidence, region.start)) return SinkResult::busy;
-    if (packets_ && packets_->take_region(region) != SinkResult::accepted) return SinkResult::busy;
+    if (packets_) packets_->take_region(region);
     if (polygons_) polygons_->take_region(region);
     return SinkResult::accepted;
   }

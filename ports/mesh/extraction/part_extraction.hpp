@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "surfaces.hpp"
 #include "slab_spans.hpp"
+#include "surfaces.hpp"
 
 namespace discmc::meshing {
 

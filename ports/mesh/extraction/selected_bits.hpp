@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "mask_bits.hpp"
-#include "selection.hpp"
 #include "samples/slice_reader.hpp"
+#include "selection.hpp"
 
 namespace discmc::meshing {
 

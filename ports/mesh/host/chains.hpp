@@ -21,9 +21,9 @@
 #ifndef DISCMC_MESH_HOST_CHAINS_HPP
 #define DISCMC_MESH_HOST_CHAINS_HPP
 
+#include <discmc/trace/fragments.hpp>
 #include "found_passes.hpp"
 #include "node.hpp"
-#include <discmc/trace/fragments.hpp>
 
 namespace discmc::host {
 

@@ -1,7 +1,7 @@
+#include "edges.hpp"
 #include <discmc/checks.hpp>
 #include <discmc/compiler.hpp>
 #include "corner_code.hpp"
-#include "edges.hpp"
 
 namespace discmc::host {
 

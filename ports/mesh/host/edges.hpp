@@ -5,8 +5,8 @@
 #ifndef DISCMC_MESH_HOST_EDGES_HPP
 #define DISCMC_MESH_HOST_EDGES_HPP
 
-#include "ray_table.hpp"
 #include <discmc/trace/swept_row.hpp>
+#include "ray_table.hpp"
 
 namespace discmc::host {
 

@@ -1,7 +1,7 @@
+#include "found_passes.hpp"
 #include <discmc/checks.hpp>
 #include <discmc/compiler.hpp>
 #include "corner_code.hpp"
-#include "found_passes.hpp"
 
 namespace discmc::host {
 

@@ -2,9 +2,9 @@
 #ifndef DISCMC_MESH_HOST_FOUND_PASSES_HPP
 #define DISCMC_MESH_HOST_FOUND_PASSES_HPP
 
+#include <discmc/trace/passes.hpp>
 #include "edges.hpp"
 #include "ray_table.hpp"
-#include <discmc/trace/passes.hpp>
 
 namespace discmc::host {
 

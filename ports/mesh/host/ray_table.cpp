@@ -1,7 +1,7 @@
-#include "corner_code.hpp"
-#include "edges.hpp"
 #include "ray_table.hpp"
 #include <discmc/trace/sector_derivation.hpp>
+#include "corner_code.hpp"
+#include "edges.hpp"
 
 namespace discmc::host {
 

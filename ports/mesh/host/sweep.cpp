@@ -195,26 +195,10 @@ bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
 
 // When the sink is busy, the ordinary delivery continues.
 bool Sweep::send_events(const WholeRegion& region, const Sink& sink, Statistics& statistics) {
-  Event event{};
-  event.incidence = region.incidence;
-  event.start = region.start;
-  uint32_t taken = 0;
-  const auto send = [&](Event::Kind kind) {
-    event.kind = kind;
-    if (sink.take(sink.context, event) != SinkResult::accepted) return false;
-    ++taken;
-    return true;
-  };
-  const auto send_runs = [&] {
-    for (uint32_t i = 0; i < region.count; ++i) {
-      event.run = region.runs[i];
-      if (!send(Event::Kind::run)) return false;
-    }
-    return true;
-  };
-  if (send(Event::Kind::region) && send(Event::Kind::ring) && send_runs() &&
-      send(Event::Kind::region_end))
-    return true;
+  uint32_t taken = discmc::send_events(region, [&](const Event& event) {
+    return sink.take(sink.context, event) == SinkResult::accepted;
+  });
+  if (taken == region.count + 3) return true;
   chains_.put_out_ring(fragments_);
   delivery_.begin(fragments_);
   for (; taken > 0; --taken) delivery_.go_on(fragments_, statistics);

@@ -5,8 +5,10 @@
 #ifndef DISCMC_MESH_HOST_SWEEP_HPP
 #define DISCMC_MESH_HOST_SWEEP_HPP
 
-#include "chains.hpp"
+#include "whole_region.hpp"
+
 #include <discmc/trace/sweep.hpp>
+#include "chains.hpp"
 
 namespace discmc::host {
 

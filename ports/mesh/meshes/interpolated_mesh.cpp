@@ -184,7 +184,7 @@ class InterpolatedMesh {
 }  // namespace
 
 FaceMesh interpolated_mesh(const Surface& surface, NumberedCorners corners,
-                       const MeshingOptions& options) {
+                           const MeshingOptions& options) {
   return InterpolatedMesh(surface, std::move(corners), options).build();
 }
 

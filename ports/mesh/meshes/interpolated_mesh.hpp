@@ -8,7 +8,8 @@
 namespace discmc::meshing {
 
 /// As build_mesh(). corners: of the surface. Limit: the options have crossings.
-FaceMesh interpolated_mesh(const Surface& surface, NumberedCorners corners, const MeshingOptions& options);
+FaceMesh interpolated_mesh(const Surface& surface, NumberedCorners corners,
+                           const MeshingOptions& options);
 
 }  // namespace discmc::meshing
 

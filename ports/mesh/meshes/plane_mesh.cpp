@@ -92,7 +92,8 @@ void place_vertices(const NumberedCorners& corners, FaceMesh& mesh) {
 
 }  // namespace
 
-FaceMesh plane_mesh(const Surface& surface, NumberedCorners corners, const MeshingOptions& options) {
+FaceMesh plane_mesh(const Surface& surface, NumberedCorners corners,
+                    const MeshingOptions& options) {
   FaceMesh mesh;
   mesh.spacing_mm = surface.spacing_mm;
   reserve_faces(mesh, corners.vertices.positions().size());

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "mesh.hpp"
-#include "surface/surface.hpp"
 #include "samples/slice_reader.hpp"
+#include "surface/surface.hpp"
 
 namespace discmc::meshing {
 

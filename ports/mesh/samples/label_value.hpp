@@ -26,6 +26,7 @@ class LabelValue {
     return is_negative_ == other.is_negative_ ? bits_ < other.bits_ : is_negative_;
   }
 
+  constexpr std::uint64_t bits() const { return bits_; }
   std::string text() const {
     return is_negative_ ? std::to_string(static_cast<std::int64_t>(bits_)) : std::to_string(bits_);
   }

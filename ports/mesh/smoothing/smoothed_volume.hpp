@@ -9,8 +9,8 @@
 
 #include "extraction/selected_bits.hpp"
 #include "gaussian_blur.hpp"
-#include "signed_distance.hpp"
 #include "samples/slice_reader.hpp"
+#include "signed_distance.hpp"
 
 namespace discmc::meshing {
 

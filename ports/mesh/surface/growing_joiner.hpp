@@ -36,6 +36,9 @@ class GrowingJoiner {
   /// Ends the events: a stream may break off before its `finish`.
   void finish();
 
+  /// Whether a loose fragment has come. Before, every region is whole.
+  bool has_fragments() const { return has_fragments_; }
+
   /// The totals of the `finish` event that the sink got; before it, zeroes.
   const Statistics& totals() const;
 
@@ -50,7 +53,7 @@ class GrowingJoiner {
   std::optional<Limit> limit_;
   std::unique_ptr<std::uint8_t[]> memory_;
   Joiner joiner_;
-  bool has_fragments_ = false;  // before any a region is whole, and the joiner need not see it
+  bool has_fragments_ = false;
   Statistics totals_{};
   std::uint64_t unmatched_ = 0;  // fragments that came out so
   std::unique_ptr<GrowingJoiner> next_;

@@ -76,9 +76,8 @@ struct Polygon {
 inline void require_numbers_for(std::size_t corners) {
   constexpr std::size_t most = 0xFFFFFFFFu;
   if (corners > most)
-    throw std::length_error(
-        "the surface has more than " + std::to_string(most) +
-        " corners, the limit of a mesh; extract a part, or shrink the volume");
+    throw std::length_error("the surface has more than " + std::to_string(most) +
+                            " corners, the limit of a mesh; extract a part, or shrink the volume");
 }
 
 /// Polygons one behind the other. Limit: fewer than 2^32 corners, else std::length_error.

@@ -6,9 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <discmc/sink.hpp>
-
 #include "counts.hpp"
+#include "host/whole_region.hpp"
 #include "surface.hpp"
 
 namespace discmc::meshing {

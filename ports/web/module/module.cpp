@@ -15,10 +15,10 @@
 #include "measured.hpp"
 #include "memory_volume.hpp"
 #include "missing.hpp"
-#include "stream_surface.hpp"
-#include "samples/spacing.hpp"
-#include "sweep.hpp"
 #include "samples/iso_value.hpp"
+#include "samples/spacing.hpp"
+#include "stream_surface.hpp"
+#include "sweep.hpp"
 #include "voxel_bits.hpp"
 
 #define EXPORT(name) extern "C" __attribute__((export_name(#name), used))
@@ -237,7 +237,7 @@ const Bytes* picture(std::uint32_t axis, std::uint32_t place, double dark, doubl
 
 /// Of a link with several surfaces that one; negative: the first.
 EXPORT(new_stream) void new_stream(std::int32_t scan, std::int32_t channel) {
-  command::StreamChoice choice;
+  meshing::StreamChoice choice;
   if (scan >= 0) choice.scan = static_cast<std::uint16_t>(scan);
   if (channel >= 0) choice.channel = static_cast<std::uint8_t>(channel);
   state().stream = std::make_unique<StreamSurface>(choice);

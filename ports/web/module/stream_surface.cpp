@@ -2,7 +2,7 @@
 
 namespace discmc::web {
 
-StreamSurface::StreamSurface(const command::StreamChoice& choice)
+StreamSurface::StreamSurface(const meshing::StreamChoice& choice)
     : joiner_(make_sink(builder_)), reader_(make_sink(*this), choice) {}
 
 SinkResult StreamSurface::take(const Event& event) {

@@ -10,7 +10,7 @@
 #include <discmc/placement.hpp>
 
 #include "missing.hpp"
-#include "streams/stream_file.hpp"
+#include "streams/stream_reader.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
 
@@ -19,7 +19,7 @@ namespace discmc::web {
 /// Of a stream of either kind; of a link with several, one surface.
 class StreamSurface {
  public:
-  explicit StreamSurface(const command::StreamChoice& choice);
+  explicit StreamSurface(const meshing::StreamChoice& choice);
   StreamSurface(const StreamSurface&) = delete;
   StreamSurface& operator=(const StreamSurface&) = delete;
 
@@ -29,7 +29,7 @@ class StreamSurface {
   /// Limit: the last call. Throws as StreamReader::finish().
   void finish();
 
-  const command::StreamReader& reader() const { return reader_; }
+  const meshing::StreamReader& reader() const { return reader_; }
   /// Where the volume lies, if the stream has a placement.
   const std::optional<Placement>& placement() const { return placement_; }
   /// Regions that came in pieces of which some did not are among the lost ones.
@@ -43,7 +43,7 @@ class StreamSurface {
 
   meshing::SurfaceBuilder builder_;
   meshing::GrowingJoiner joiner_;
-  command::StreamReader reader_;
+  meshing::StreamReader reader_;
   std::optional<Placement> placement_;
   std::vector<MissingRows> rows_;  // the first of those that are skipped
 };

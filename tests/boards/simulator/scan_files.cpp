@@ -12,9 +12,9 @@
 
 #include <discmc/extractor.hpp>
 
+#include "samples/iso_value.hpp"
 #include "samples/spacing.hpp"
 #include "text/number_text.hpp"
-#include "samples/iso_value.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::simulator {

@@ -9,7 +9,7 @@
 
 #include "command/hand_made.hpp"
 #include "oracle/region.hpp"
-#include "streams/stream_file.hpp"
+#include "streams/stream_reader.hpp"
 #include "surface/growing_joiner.hpp"
 #include "surface/surface_builder.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 std::vector<discmc::reference::Region> regions_in(const std::string& path) {
   discmc::meshing::SurfaceBuilder builder;
   discmc::meshing::GrowingJoiner joiner(discmc::make_sink(builder));
-  discmc::command::StreamReader reader(discmc::make_sink(joiner));
+  discmc::meshing::StreamReader reader(discmc::make_sink(joiner));
   std::ifstream file(path, std::ios::binary);
   reader.read(file);
   joiner.finish();

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
-#include "host/host_extractor.hpp"
 #include <discmc/joiner.hpp>
 #include <discmc/slice_decoder.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <memory>
 #include <stdexcept>
 #include <vector>
+#include "host/host_extractor.hpp"
 
 namespace discmc::doubling {
 

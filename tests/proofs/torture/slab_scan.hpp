@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include "host/host_extractor.hpp"
 #include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
+#include "host/host_extractor.hpp"
 
 #include "oracle/scan.hpp"
 #include "pieces.hpp"

@@ -92,8 +92,7 @@ void scan_in_cpp(Scanner& scanner, const Limits& limits, const Capacities& capac
 template <class Scanner>
 std::unique_ptr<Scanner> make_scanner() {
   auto scanner = std::make_unique<Scanner>();
-  if constexpr (!std::is_same_v<Scanner, Extractor16>)
-    scanner->set_spacing(uneven_spacing);
+  if constexpr (!std::is_same_v<Scanner, Extractor16>) scanner->set_spacing(uneven_spacing);
   return scanner;
 }
 
@@ -196,8 +195,7 @@ TEST_CASE("a slab in C accepts all slices up to the last number, and no more") {
   scan.config.slab.continues_below = 1;
   scan.start();
   const uint8_t samples[5] = {};
-  const discmc_push_result result =
-      discmc_extractor_push(scan.extractor, DISCMC_U8, samples, 5, 1);
+  const discmc_push_result result = discmc_extractor_push(scan.extractor, DISCMC_U8, samples, 5, 1);
   CHECK(result.status == DISCMC_TOO_MANY_SLICES);
   CHECK(result.accepted == 4);
   CHECK(discmc_extractor_finish(scan.extractor) == DISCMC_OK);

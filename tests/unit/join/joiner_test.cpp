@@ -1085,7 +1085,8 @@ TEST_CASE("the default split uses what there is, and no more") {
     CHECK(Joiner::default_capacities(bytes).fragments == fragments);
     CHECK(Joiner::default_capacities(bytes - 1).fragments == fragments - 1);
   }
-  for (uint64_t bytes = Joiner::bytes_for({1, 8}); bytes < uint64_t{1} << 50; bytes = bytes * 5 / 4 + 1) {
+  for (uint64_t bytes = Joiner::bytes_for({1, 8}); bytes < uint64_t{1} << 50;
+       bytes = bytes * 5 / 4 + 1) {
     const JoinCapacities split = Joiner::default_capacities(bytes);
     REQUIRE(Joiner::bytes_for(split) <= bytes);
     REQUIRE(split.runs == 8 * split.fragments);

@@ -536,47 +536,6 @@ TEST_CASE("an encoder that cannot be restored for want of an output is as it was
   CHECK(after.write_record({}) == Status::not_started);
 }
 
-TEST_CASE("a region that is given at once may fill a record, and is told as its events are") {
-  // A staircase up and another one down again.
-  const auto stairs = [](uint32_t count, uint32_t length) {
-    std::vector<Run> runs;
-    for (uint32_t i = 0; i < count; ++i)
-      runs.push_back(
-          Run::straight(static_cast<Direction>(2 * (i % 2) + (i < count / 2 ? 0 : 4)), length));
-    return runs;
-  };
-  constexpr uint32_t most = stream::Record::max_words - stream::Record::ring_words;
-  const auto stream_of = [](const std::vector<Run>& runs, bool at_once) {
-    Line line;
-    Encoder encoder;
-    REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-    const WholeRegion region{up, {1, 0, 0}, runs.data(), static_cast<uint32_t>(runs.size())};
-    Script script;
-    script.region(up).ring({1, 0, 0});
-    for (const Run run : runs) script.run(run);
-    if (at_once)
-      CHECK(encoder.take_region(region) == SinkResult::accepted);
-    else
-      take_all(encoder, script.region_end().events);
-    REQUIRE(encoder.flush());
-    return line.bytes;
-  };
-  CHECK(stream_of(stairs(most, 1), true) == stream_of(stairs(most, 1), false));
-
-  Line line;
-  Encoder encoder;
-  NormalEncoder with_normals;
-  REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-  REQUIRE(begin_stream(with_normals, any_header(), line.output()) == Status::ok);
-  const auto answer = [](Encoder& any, const std::vector<Run>& runs) {
-    return any.take_region({up, {1, 0, 0}, runs.data(), static_cast<uint32_t>(runs.size())});
-  };
-  CHECK(answer(encoder, stairs(most + 4, 1)) == SinkResult::busy);
-  CHECK(answer(encoder, stairs(4, stream::max_compact_length + 1)) == SinkResult::busy);
-  CHECK(answer(encoder, stairs(4, 1)) == SinkResult::accepted);
-  CHECK(answer(with_normals, stairs(4, 1)) == SinkResult::busy);
-}
-
 TEST_CASE("a region whose first run is in no ring does harm to nothing but its packet") {
   // The second would be a ring of its own, were its first words taken for a start.
   for (const Vertex& start : {Vertex{1, 0, 0}, Vertex{1, 0, 8}}) {

@@ -2,8 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <discmc/gradient_normals.hpp>
-#include "host/host_extractor.hpp"
 #include <vector>
+#include "host/host_extractor.hpp"
 
 #include "oracle/agreement.hpp"
 #include "oracle/naive_join.hpp"

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "streams/stream_file.hpp"
+#include "streams/stream_reader.hpp"
 
 namespace discmc::command {
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "meshing.hpp"
+#include "samples/sample_type.hpp"
 #include "segments.hpp"
 #include "traits.hpp"
-#include "samples/sample_type.hpp"
 
 namespace discmc::command {
 

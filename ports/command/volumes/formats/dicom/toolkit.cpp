@@ -77,9 +77,8 @@ bool can_decode(const std::string& transfer_syntax) {
   for (const char* const number : {"94", "95", "204", "205"})
     if (transfer_syntax == std::string("1.2.840.10008.1.2.4.") + number) return false;
   const E_TransferSyntax syntax = DcmXfer(transfer_syntax.c_str()).getXfer();
-  return syntax != EXS_Unknown &&
-         (!is_encapsulated(syntax) || is_decoded_here(syntax) ||
-          DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit));
+  return syntax != EXS_Unknown && (!is_encapsulated(syntax) || is_decoded_here(syntax) ||
+                                   DcmCodecList::canChangeCoding(syntax, EXS_LittleEndianExplicit));
 }
 
 std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels) {

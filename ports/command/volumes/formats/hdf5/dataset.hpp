@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "meshing.hpp"
 #include "handle.hpp"
+#include "meshing.hpp"
 #include "samples/sample_type.hpp"
 
 namespace discmc::command {

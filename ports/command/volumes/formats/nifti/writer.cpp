@@ -8,8 +8,8 @@
 #include <cstring>
 #include <vector>
 
-#include "types.hpp"
 #include "samples/volume_placement.hpp"
+#include "types.hpp"
 
 namespace discmc::command {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "text/number_text.hpp"
 #include "text/words.hpp"
-#include "volumes/volume_error.hpp"
 #include "volumes/label_text.hpp"
+#include "volumes/volume_error.hpp"
 
 namespace discmc::command {
 namespace {

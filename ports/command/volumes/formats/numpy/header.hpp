@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "meshing.hpp"
-#include "volumes/array_layout.hpp"
 #include "samples/sample_type.hpp"
+#include "volumes/array_layout.hpp"
 #include "volumes/volume_stream.hpp"
 
 namespace discmc::command {

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "meshing.hpp"
 #include "hyperstack.hpp"
+#include "meshing.hpp"
 #include "palette.hpp"
 #include "picture_names.hpp"
 #include "samples/sample_type.hpp"

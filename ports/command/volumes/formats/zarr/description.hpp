@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "meshing.hpp"
 #include "codecs.hpp"
+#include "meshing.hpp"
 #include "metadata.hpp"
 #include "samples/sample_type.hpp"
 

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "meshing.hpp"
-#include "volumes/formats/pictures/palette.hpp"
 #include "samples/sample_type.hpp"
+#include "volumes/formats/pictures/palette.hpp"
 
 namespace discmc::command {
 

@@ -1,6 +1,6 @@
 // The bytes of a link as frames.
-#ifndef DISCMC_COMMAND_STREAMS_FRAMES_HPP
-#define DISCMC_COMMAND_STREAMS_FRAMES_HPP
+#ifndef DISCMC_MESH_STREAMS_FRAMES_HPP
+#define DISCMC_MESH_STREAMS_FRAMES_HPP
 
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include <discmc/stream/wire.hpp>
 
-namespace discmc::command {
+namespace discmc::meshing {
 
 class Frames {
  public:
@@ -28,6 +28,6 @@ class Frames {
   std::vector<std::uint8_t> frame_;
 };
 
-}  // namespace discmc::command
+}  // namespace discmc::meshing
 
 #endif

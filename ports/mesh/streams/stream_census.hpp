@@ -1,6 +1,6 @@
 // Which streams share a link.
-#ifndef DISCMC_COMMAND_STREAMS_STREAM_CENSUS_HPP
-#define DISCMC_COMMAND_STREAMS_STREAM_CENSUS_HPP
+#ifndef DISCMC_MESH_STREAMS_STREAM_CENSUS_HPP
+#define DISCMC_MESH_STREAMS_STREAM_CENSUS_HPP
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 #include "frames.hpp"
 
-namespace discmc::command {
+namespace discmc::meshing {
 
 /// Finds the headers among the frames of a link.
 class StreamCensus {
@@ -31,6 +31,6 @@ class StreamCensus {
   std::uint8_t other_version_ = 0;
 };
 
-}  // namespace discmc::command
+}  // namespace discmc::meshing
 
 #endif

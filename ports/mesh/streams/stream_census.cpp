@@ -2,7 +2,7 @@
 
 #include <discmc/stream/packet_reader.hpp>
 
-namespace discmc::command {
+namespace discmc::meshing {
 
 void StreamCensus::take(const std::uint8_t* bytes, std::size_t count) {
   frames_.push(bytes, count, [this](const std::vector<std::uint8_t>& frame) { look_at(frame); });
@@ -25,4 +25,4 @@ void StreamCensus::look_at(const std::vector<std::uint8_t>& frame) {
   if (is_new) headers_.push_back(header);
 }
 
-}  // namespace discmc::command
+}  // namespace discmc::meshing

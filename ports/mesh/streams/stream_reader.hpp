@@ -1,6 +1,6 @@
-// Streams (.dmc) as files, read through a decoder.
-#ifndef DISCMC_COMMAND_STREAMS_STREAM_FILE_HPP
-#define DISCMC_COMMAND_STREAMS_STREAM_FILE_HPP
+// Streams (.dmc), read through a decoder.
+#ifndef DISCMC_MESH_STREAMS_STREAM_READER_HPP
+#define DISCMC_MESH_STREAMS_STREAM_READER_HPP
 
 #include <cstdint>
 #include <functional>
@@ -14,7 +14,7 @@
 #include "scan_filter.hpp"
 #include "stream_census.hpp"
 
-namespace discmc::command {
+namespace discmc::meshing {
 
 /// Which stream of a link, and which surface of it.
 struct StreamChoice {
@@ -66,6 +66,6 @@ class StreamReader {
   std::uint64_t skipped_ = 0;  // how much work the lost rows were so far
 };
 
-}  // namespace discmc::command
+}  // namespace discmc::meshing
 
 #endif

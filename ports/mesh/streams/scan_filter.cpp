@@ -1,6 +1,6 @@
 #include "scan_filter.hpp"
 
-namespace discmc::command {
+namespace discmc::meshing {
 
 std::vector<std::uint8_t> ScanFilter::take(const std::uint8_t* bytes, std::size_t count) {
   std::vector<std::uint8_t> passed;
@@ -19,4 +19,4 @@ bool ScanFilter::is_other_scan(std::vector<std::uint8_t> frame) const {
   return wire::ByteReader(tag, wire::packet_tag).get(2) != scan_;
 }
 
-}  // namespace discmc::command
+}  // namespace discmc::meshing

@@ -1,6 +1,6 @@
 // The packets of one scan, of a link that carries several.
-#ifndef DISCMC_COMMAND_STREAMS_SCAN_FILTER_HPP
-#define DISCMC_COMMAND_STREAMS_SCAN_FILTER_HPP
+#ifndef DISCMC_MESH_STREAMS_SCAN_FILTER_HPP
+#define DISCMC_MESH_STREAMS_SCAN_FILTER_HPP
 
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include "frames.hpp"
 
-namespace discmc::command {
+namespace discmc::meshing {
 
 class ScanFilter {
  public:
@@ -24,6 +24,6 @@ class ScanFilter {
   Frames frames_;
 };
 
-}  // namespace discmc::command
+}  // namespace discmc::meshing
 
 #endif

@@ -1,10 +1,10 @@
-#include "stream_file.hpp"
+#include "stream_reader.hpp"
 
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace discmc::command {
+namespace discmc::meshing {
 
 StreamReader::StreamReader(const Sink& sink, const StreamChoice& choice) : choice_(choice) {
   if (choice.scan) filter_.emplace(*choice.scan);
@@ -87,4 +87,4 @@ Status StreamReader::give_memory() {
   return decoder_.give_memory({memory_.get(), bytes});
 }
 
-}  // namespace discmc::command
+}  // namespace discmc::meshing

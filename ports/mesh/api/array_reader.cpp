@@ -1,0 +1,85 @@
+#include "array_reader.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace discmc::meshing {
+namespace {
+
+// Copies samples that are this many bytes apart.
+template <class Bits>
+std::uint8_t* gather(const std::uint8_t* from, std::ptrdiff_t stride, std::uint32_t count,
+                     std::uint8_t* to) {
+  for (std::uint32_t i = 0; i < count; ++i, from += stride, to += sizeof(Bits))
+    std::memcpy(to, from, sizeof(Bits));
+  return to;
+}
+
+std::uint8_t* copy_row(const std::uint8_t* from, std::ptrdiff_t stride, std::uint32_t count,
+                       std::size_t bytes, std::uint8_t* to) {
+  if (stride == static_cast<std::ptrdiff_t>(bytes)) {
+    std::memcpy(to, from, count * bytes);
+    return to + count * bytes;
+  }
+  switch (bytes) {
+    case 1:
+      return gather<std::uint8_t>(from, stride, count, to);
+    case 2:
+      return gather<std::uint16_t>(from, stride, count, to);
+    case 4:
+      return gather<std::uint32_t>(from, stride, count, to);
+    default:
+      return gather<std::uint64_t>(from, stride, count, to);
+  }
+}
+
+}  // namespace
+
+AxisOrder axis_order(const Samples& samples) {
+  const Extents& extents = samples.extents();
+  Strides distances{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (extents[axis] > 1)
+      distances[axis] = std::abs(samples.strides()[axis]);
+    else if (axis > 0)  // the stride of a single sample means nothing
+      distances[axis] = distances[axis - 1];
+  AxisOrder order{0, 1, 2};
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return distances[a] < distances[b]; });
+  // The longest is swept slice by slice, if a slice has no room for it.
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (extents[order[axis]] > max_across) std::swap(order[axis], order[2]);
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (extents[order[axis]] > max_across)
+      throw std::invalid_argument("the array has " + std::to_string(extents[0]) + " x " +
+                                  std::to_string(extents[1]) + " x " + std::to_string(extents[2]) +
+                                  " samples; two extents must be at most " +
+                                  std::to_string(max_across) + ", so divide the array");
+  return order;
+}
+
+ArrayReader::ArrayReader(const Samples& samples, const AxisOrder& order,
+                         const std::array<double, 3>& spacing)
+    : samples_(static_cast<const std::uint8_t*>(samples.data())) {
+  info_.type = samples.type();
+  info_.spacing_mm = spacing;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    info_.dims[axis] = static_cast<std::uint32_t>(samples.extents()[order[axis]]);
+    stride_bytes_[axis] =
+        samples.strides()[order[axis]] * static_cast<std::ptrdiff_t>(sample_bytes(samples.type()));
+  }
+}
+
+void ArrayReader::read_slice(void* slice) {
+  auto* to = static_cast<std::uint8_t*>(slice);
+  const std::uint8_t* const from = samples_ + stride_bytes_[2] * next_++;
+  for (std::uint32_t y = 0; y < info_.dims[1]; ++y)
+    to = copy_row(from + stride_bytes_[1] * static_cast<std::ptrdiff_t>(y), stride_bytes_[0],
+                  info_.dims[0], sample_bytes(info_.type), to);
+}
+
+}  // namespace discmc::meshing

@@ -1,0 +1,167 @@
+#include "finished_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "extraction/narrowed_volume.hpp"
+#include "meshes/decimation.hpp"
+#include "meshes/mesh_simplifier.hpp"
+#include "meshes/numbered_corners.hpp"
+#include "meshes/placing.hpp"
+#include "meshes/surface_normals.hpp"
+#include "meshes/vertex_normals.hpp"
+#include "samples/sample_bounds.hpp"
+
+namespace discmc::meshing {
+namespace {
+
+bool is_interpolated(const MeshOptions& options) {
+  return options.interpolates || options.smoothing > 0;
+}
+
+bool is_decimated(const MeshOptions& options) {
+  return options.triangles > 0 || options.max_error > 0;
+}
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw std::invalid_argument(text);
+}
+
+void require_number(const char* name, double value) {
+  if (!(value >= 0) || std::isinf(value))
+    refuse(std::string(name) + " is " + std::to_string(value) + "; give 0 or more");
+}
+
+void add_gradient(FaceMesh& mesh, const MeshOptions& options, double level,
+                  const OpenAgain& open_again) {
+  std::unique_ptr<SliceReader> volume = open_again();
+  const SampleGrid info = volume->info();
+  if (!is_scanner_type(info.type)) {
+    const SampleBounds bounds = sample_bounds(*volume);
+    volume = narrowed(open_again(), bounds, level);
+  }
+  set_gradient_normals(*volume, mesh, [&](std::uint32_t slices) {
+    report(options, "normals", slices, info.dims[2]);
+  });
+}
+
+void add_normals(const Surface& surface, FaceMesh& mesh, const MeshOptions& options, double level,
+                 const OpenAgain& open_again) {
+  if (options.normals == Normals::none || mesh.vertices_mm.empty()) return;
+  report(options, "normals", 0, 0);
+  if (mesh.polygons.empty() || is_interpolated(options))
+    mesh.normals = surface_normals(mesh);
+  else
+    set_polygon_normals(surface, mesh);
+  if (options.normals == Normals::gradient) add_gradient(mesh, options, level, open_again);
+}
+
+// The area of a ring as a vector.
+Point area_of(const std::vector<Point>& vertices, const std::uint32_t* corner, std::size_t count) {
+  Point sum{};
+  for (std::size_t i = 2; i < count; ++i) {
+    const Point part = cross(difference(vertices[corner[i - 1]], vertices[corner[0]]),
+                             difference(vertices[corner[i]], vertices[corner[0]]));
+    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += part[axis];
+  }
+  return sum;
+}
+
+// vertices: of the mesh, in the order of number_corners().
+MeshPolygons polygons_of(const Surface& surface, const std::vector<Point>& vertices,
+                         bool is_mirrored, unsigned threads) {
+  MeshPolygons all;
+  all.corners = number_corners(surface.polygons, threads).numbers;
+  for (const Polygon& polygon : surface.polygons) {
+    const std::size_t outer = all.corner_begin.back();
+    for (const Ring& ring : polygon.rings) {
+      const std::size_t begin = all.corner_begin.back();
+      all.corner_begin.push_back(begin + ring.size());
+      const auto first = all.corners.begin() + static_cast<std::ptrdiff_t>(begin);
+      if (is_mirrored) std::reverse(first, first + static_cast<std::ptrdiff_t>(ring.size()));
+    }
+    all.ring_begin.push_back(all.ring_begin.back() + polygon.rings.size());
+    all.normals.push_back(
+        unit_or_zero(area_of(vertices, all.corners.data() + outer, polygon.rings[0].size())));
+  }
+  return all;
+}
+
+}  // namespace
+
+void report(const MeshOptions& options, const char* step, std::uint64_t done, std::uint64_t all) {
+  if (options.progress && !options.progress({step, done, all})) throw Cancelled();
+}
+
+unsigned threads_of(const MeshOptions& options) {
+  return options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
+SweepPlace sweep_place(const MeshOptions& options, const AxisOrder& order) {
+  VolumePlacement all{Space::scanner, {}, {}};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    all.axes_mm[axis][axis] = options.spacing[axis];
+    if (!options.placement) continue;
+    all.origin_mm[axis] = (*options.placement)[axis][3];
+    for (std::size_t row = 0; row < 3; ++row)
+      all.axes_mm[axis][row] = (*options.placement)[row][axis];
+  }
+  if (!is_usable(all))
+    refuse(options.placement
+               ? "the columns of the placement span no space, or are not 1e-6 to 1e6 long"
+               : "the spacing is " + std::to_string(options.spacing[0]) + ", " +
+                     std::to_string(options.spacing[1]) + ", " +
+                     std::to_string(options.spacing[2]) + "; give distances of 1e-6 to 1e6");
+  VolumePlacement swept = all;
+  for (std::size_t axis = 0; axis < 3; ++axis) swept.axes_mm[axis] = all.axes_mm[order[axis]];
+  const bool is_mirrored = determinant(swept.axes_mm) < 0;
+  if (!options.placement && order == AxisOrder{0, 1, 2})
+    return {options.spacing, std::nullopt, is_mirrored};
+  SweepPlace place{{}, swept, is_mirrored};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::array<double, 3>& along = swept.axes_mm[axis];
+    place.spacing[axis] = std::hypot(along[0], along[1], along[2]);
+  }
+  return place;
+}
+
+void check_options(const MeshOptions& options) {
+  require_number("tolerance", options.tolerance);
+  require_number("smoothing", options.smoothing);
+  require_number("max_error", options.max_error);
+  if (is_decimated(options)) require_simplifier();
+  if (options.polygons && (is_decimated(options) || is_interpolated(options)))
+    refuse(
+        "polygons are those of the midpoint surface: leave out interpolates, smoothing, "
+        "triangles and max_error, or polygons");
+}
+
+Mesh finished_mesh(Surface&& surface, const Crossings* crossings, const MeshOptions& options,
+                   const SweepPlace& place, double level, const OpenAgain& open_again) {
+  surface.spacing_mm = place.spacing;
+  report(options, "triangulating", 0, 0);
+  const unsigned threads = threads_of(options);
+  FaceMesh faces =
+      build_mesh(surface, {true, Faces::triangles, crossings, options.tolerance, threads});
+  if (is_decimated(options)) {
+    report(options, "decimating", 0, 0);
+    decimate(faces, {options.triangles, options.max_error});
+  }
+  add_normals(surface, faces, options, level, open_again);
+  if (place.placement) meshing::place(faces, *place.placement);
+
+  Mesh mesh;
+  mesh.vertices = std::move(faces.vertices_mm);
+  mesh.normals = std::move(faces.normals);
+  mesh.triangles.resize(faces.face_count());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    std::copy_n(faces.face(i), 3, mesh.triangles[i].begin());
+  if (options.polygons)
+    mesh.polygons = polygons_of(surface, mesh.vertices, place.is_mirrored, threads);
+  return mesh;
+}
+
+}  // namespace discmc::meshing

@@ -1,0 +1,92 @@
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "discmc/mesh.hpp"
+#include "extraction/crossings.hpp"
+#include "extraction/selection.hpp"
+#include "finished_mesh.hpp"
+#include "host/host_scan.hpp"
+#include "surface/joined_surface.hpp"
+
+namespace discmc {
+
+using namespace meshing;
+
+class MeshBuilder::State {
+ public:
+  State(std::int64_t width, std::int64_t height, const Level& level, const MeshOptions& options)
+      : level_(level), options_(options), place_(sweep_place(options)) {
+    check_options(options);
+    if (options.smoothing > 0 || options.normals == Normals::gradient)
+      throw std::invalid_argument(
+          "slices are read once, so a MeshBuilder has neither smoothing nor gradient normals; "
+          "call mesh_of()");
+    for (const std::int64_t extent : {width, height})
+      if (extent < 1 || extent > max_across)
+        throw std::invalid_argument("a slice has an extent of " + std::to_string(extent) +
+                                    "; give 1 to " + std::to_string(max_across) + " voxels");
+    grid_.dims = {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 0};
+    grid_.spacing_mm = place_.spacing;
+    bits_.resize(bit_row_bytes(grid_.dims[0]) * grid_.dims[1]);
+    scan_.start({grid_.dims[0], grid_.dims[1], options.border}, make_sink(surface_),
+                make_region_receiver(surface_));
+  }
+
+  void add(const void* samples, SampleType type) {
+    if (!selector_) start(type);
+    if (type != grid_.type)
+      throw std::invalid_argument("this slice is of " + std::string(name(type)) +
+                                  ", those before of " + std::string(name(grid_.type)) +
+                                  "; give slices of one type");
+    const std::size_t row_bytes = bit_row_bytes(grid_.dims[0]);
+    selector_->select(samples, bits_.data(), row_bytes);
+    for (std::size_t at = 0; at < bits_.size(); at += row_bytes) scan_.push(bits_.data() + at);
+    if (crossings_) crossings_->add_slice(samples);
+    report(options_, "extracting", ++slices_, 0);
+  }
+
+  Mesh finish() {
+    scan_.finish();
+    surface_.finish();
+    return finished_mesh(std::move(surface_.surface()),
+                         crossings_ ? &crossings_->crossings() : nullptr, options_, place_,
+                         level_.low);
+  }
+
+ private:
+  void start(SampleType type) {
+    grid_.type = type;
+    const Selection selection{level_.low, level_.high};
+    selector_.emplace(grid_, selection);
+    if (options_.interpolates) crossings_.emplace(grid_, selection);
+  }
+
+  Level level_;
+  MeshOptions options_;
+  SweepPlace place_;
+  SampleGrid grid_;
+  std::vector<std::uint8_t> bits_;  // of a slice
+  std::optional<SliceSelector> selector_;
+  std::optional<CrossingFinder> crossings_;
+  JoinedSurface surface_;
+  HostScan scan_;
+  std::uint64_t slices_ = 0;
+};
+
+MeshBuilder::MeshBuilder(std::int64_t width, std::int64_t height, const Level& level,
+                         const MeshOptions& options)
+    : state_(std::make_unique<State>(width, height, level, options)) {}
+MeshBuilder::~MeshBuilder() = default;
+MeshBuilder::MeshBuilder(MeshBuilder&&) noexcept = default;
+MeshBuilder& MeshBuilder::operator=(MeshBuilder&&) noexcept = default;
+
+void MeshBuilder::add_slice(const void* samples, SampleType type) {
+  state_->add(samples, type);
+}
+Mesh MeshBuilder::finish() {
+  return state_->finish();
+}
+
+}  // namespace discmc

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "array_reader.hpp"
+#include "discmc/mesh.hpp"
+#include "extraction/labels.hpp"
+#include "extraction/surfaces.hpp"
+#include "finished_mesh.hpp"
+#include "meshes/measures.hpp"
+#include "smoothing/smoothed_labels.hpp"
+#include "smoothing/smoothed_volume.hpp"
+#include "surface/joined_surface.hpp"
+
+namespace discmc {
+
+using namespace meshing;
+
+std::int64_t Extents::limited(std::int64_t voxels) {
+  constexpr std::int64_t most = (std::int64_t{1} << 30) - 1;
+  if (voxels < 1 || voxels > most)
+    throw std::invalid_argument("an extent is " + std::to_string(voxels) + "; give 1 to " +
+                                std::to_string(most) + " voxels");
+  return voxels;
+}
+
+Samples::Samples(const void* samples, SampleType type, const Extents& extents,
+                 const Strides& strides)
+    : data_(samples), type_(type), extents_(extents), strides_(strides) {
+  if (samples == nullptr) throw std::invalid_argument("the pointer to the samples is null");
+}
+
+void Samples::require_count(std::size_t count, const Extents& extents) {
+  if (count != static_cast<std::size_t>(extents.count()))
+    throw std::invalid_argument("the vector has " + std::to_string(count) +
+                                " samples, and the extents " + std::to_string(extents[0]) + " x " +
+                                std::to_string(extents[1]) + " x " + std::to_string(extents[2]) +
+                                " need " + std::to_string(extents.count()));
+}
+
+namespace {
+
+Selection selection_of(const Level& level) {
+  if (!(level.low <= level.high))
+    throw std::invalid_argument("the level is from " + std::to_string(level.low) + " to " +
+                                std::to_string(level.high) + "; give numbers in this order");
+  return {level.low, level.high};
+}
+
+void check_gradient(const MeshOptions& options, const std::vector<Selection>& selections) {
+  if (options.normals != Normals::gradient) return;
+  if (options.smoothing > 0)
+    throw std::invalid_argument(
+        "a smoothed surface has no gradient normals; give Normals::surface");
+  for (const Selection& selection : selections)
+    if (selection.has_upper_end())
+      throw std::invalid_argument(
+          "gradient normals need a level without a high end; give Normals::surface");
+}
+
+SurfaceOptions surface_options(const MeshOptions& options, std::uint64_t slices) {
+  SurfaceOptions surfaces;
+  surfaces.border = options.border;
+  surfaces.progress = [&options, slices](std::uint32_t done) {
+    report(options, "extracting", done, slices);
+  };
+  const bool is_divisible = !options.interpolates && options.smoothing == 0;
+  if (is_divisible && threads_of(options) > 1) surfaces.jobs = threads_of(options);
+  return surfaces;
+}
+
+LabelOptions label_options(const Samples& samples, const MeshOptions& options,
+                           const std::vector<std::int64_t>& labels) {
+  LabelOptions wanted;
+  wanted.border = options.border;
+  const auto slices = static_cast<std::uint64_t>(samples.extents()[2]);
+  wanted.progress = [&options, slices](std::uint32_t done) {
+    report(options, "extracting", done, slices);
+  };
+  if (labels.empty()) return wanted;
+  std::set<LabelValue> chosen;
+  for (const std::int64_t label : labels)
+    if (samples.type() == SampleType::u64)
+      chosen.insert(LabelValue(static_cast<std::uint64_t>(label)));
+    else
+      chosen.insert(LabelValue(label));
+  wanted.chosen = std::move(chosen);
+  return wanted;
+}
+
+}  // namespace
+
+std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& levels,
+                            const MeshOptions& options) {
+  check_options(options);
+  std::vector<Selection> selections;
+  for (const Level& level : levels) selections.push_back(selection_of(level));
+  check_gradient(options, selections);
+  if (options.smoothing > 0 && levels.size() > 1)
+    throw std::invalid_argument("smoothing takes one level; call mesh_of() for each");
+  const AxisOrder order = axis_order(samples);
+  const SweepPlace place = sweep_place(options, order);
+  ArrayReader array(samples, order, place.spacing);
+  std::unique_ptr<SmoothedVolume> smoothed;
+  if (options.smoothing > 0 && !selections.empty()) {
+    smoothed = std::make_unique<SmoothedVolume>(array, selections[0], nullptr, options.smoothing);
+    selections[0] = {0};
+  }
+  SliceReader& volume = smoothed ? static_cast<SliceReader&>(*smoothed) : array;
+
+  std::vector<std::unique_ptr<JoinedSurface>> surfaces;
+  std::vector<std::unique_ptr<CrossingFinder>> crossings;
+  std::vector<SurfaceRequest> requests;
+  for (const Selection& selection : selections) {
+    surfaces.push_back(std::make_unique<JoinedSurface>());
+    JoinedSurface& surface = *surfaces.back();
+    requests.push_back({selection, make_sink(surface), nullptr, &surface.builder(), nullptr,
+                        make_region_receiver(surface)});
+    if (!options.interpolates && !smoothed) continue;
+    crossings.push_back(std::make_unique<CrossingFinder>(volume.info(), selection));
+    requests.back().crossings = crossings.back().get();
+  }
+  if (!requests.empty())
+    extract_surfaces(volume, surface_options(options, volume.info().dims[2]), requests);
+
+  std::vector<Mesh> meshes;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    surfaces[i]->finish();
+    meshes.push_back(finished_mesh(
+        std::move(surfaces[i]->surface()), crossings.empty() ? nullptr : &crossings[i]->crossings(),
+        options, place, selections[i].low,
+        [&] { return std::make_unique<ArrayReader>(samples, order, place.spacing); }));
+    surfaces[i].reset();  // its memory is the next mesh's
+  }
+  return meshes;
+}
+
+Mesh mesh_of(const Samples& samples, const Level& level, const MeshOptions& options) {
+  return std::move(meshes_of(samples, {level}, options)[0]);
+}
+
+std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& options,
+                                    const std::vector<std::int64_t>& labels) {
+  check_options(options);
+  if (is_floating(samples.type()))
+    throw std::invalid_argument("labels are whole numbers; convert the array to an integer type");
+  if (options.normals == Normals::gradient || (options.interpolates && options.smoothing == 0))
+    throw std::invalid_argument(
+        "there is nothing between labels: give Normals::surface, and smoothing in place of "
+        "interpolates");
+  const AxisOrder order = axis_order(samples);
+  const SweepPlace place = sweep_place(options, order);
+  ArrayReader array(samples, order, place.spacing);
+  const LabelOptions wanted = label_options(samples, options, labels);
+  std::vector<SmoothedLabel> smoothed;
+  std::vector<LabelledSurface> found;
+  if (options.smoothing > 0)
+    smoothed = smoothed_labels(
+        array, wanted, options.smoothing,
+        [&](std::size_t done, std::size_t all) { report(options, "smoothing", done, all); });
+  else
+    found = extract_labels(array, wanted);
+
+  std::vector<LabelMesh> meshes;
+  const auto add = [&](LabelledSurface& label, const Crossings* crossings) {
+    meshes.push_back({static_cast<std::int64_t>(label.label.bits()), label.voxels,
+                      finished_mesh(std::move(label.surface), crossings, options, place, 0)});
+  };
+  for (SmoothedLabel& each : smoothed) add(each.surface, &each.crossings.crossings());
+  for (LabelledSurface& each : found) add(each, nullptr);
+  return meshes;
+}
+
+MeshMeasures measures_of(const Mesh& mesh) {
+  FaceMesh all;
+  all.vertices_mm = mesh.vertices;
+  for (const auto& triangle : mesh.triangles) {
+    all.corners.insert(all.corners.end(), triangle.begin(), triangle.end());
+    all.face_begin.push_back(all.corners.size());
+  }
+  const Measures found = measures_of(all);
+  MeshMeasures measures;
+  measures.area = found.area_mm2;
+  measures.least = found.min_mm;
+  measures.greatest = found.max_mm;
+  measures.is_closed = found.enclosed.has_value();
+  if (!found.enclosed) return measures;
+  measures.volume = found.enclosed->volume_mm3;
+  measures.centre = found.enclosed->centre_mm;
+  measures.bodies = found.enclosed->bodies;
+  measures.cavities = found.enclosed->cavities;
+  return measures;
+}
+
+}  // namespace discmc

@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "discmc/mesh.hpp"
+#include "finished_mesh.hpp"
+#include "samples/spacing.hpp"
+#include "streams/stream_reader.hpp"
+#include "surface/joined_surface.hpp"
+
+namespace discmc {
+
+using namespace meshing;
+
+namespace {
+
+// One scan of a link.
+class ReceivedScan {
+ public:
+  explicit ReceivedScan(std::uint8_t channel) : reader_(make_sink(*this), {channel, {}}) {}
+  ReceivedScan(const ReceivedScan&) = delete;
+  ReceivedScan& operator=(const ReceivedScan&) = delete;
+
+  SinkResult take(const Event& event) {
+    Placement placement;
+    if (event.kind == Event::Kind::application && read_placement(*event.application, placement))
+      placement_ = in_millimetres(placement);
+    return surface_.take(event);
+  }
+
+  void push(const std::uint8_t* bytes, std::size_t count) {
+    reader_.push(bytes, count);
+    if (reader_.report().has_trailer) surface_.finish();
+  }
+  void finish() {
+    reader_.finish();
+    surface_.finish();
+  }
+
+  const StreamReader& reader() const { return reader_; }
+  const std::optional<VolumePlacement>& placement() const { return placement_; }
+  JoinedSurface& surface() { return surface_; }
+
+ private:
+  JoinedSurface surface_;
+  std::optional<VolumePlacement> placement_;
+  StreamReader reader_;
+};
+
+std::array<std::array<double, 4>, 3> matrix_of(const VolumePlacement& placement) {
+  std::array<std::array<double, 4>, 3> rows{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t axis = 0; axis < 3; ++axis) rows[row][axis] = placement.axes_mm[axis][row];
+    rows[row][3] = placement.origin_mm[row];
+  }
+  return rows;
+}
+
+}  // namespace
+
+class MeshReceiver::State {
+ public:
+  explicit State(std::uint8_t channel) : channel_(channel) { begin(); }
+
+  // A stream ends with a frame, which ends with a zero byte.
+  std::size_t push(const std::uint8_t* bytes, std::size_t count) {
+    if (has_ended_) begin();
+    std::size_t taken = 0;
+    while (taken < count && !has_ended_) {
+      const std::uint8_t* const zero = std::find(bytes + taken, bytes + count, 0);
+      const auto end = static_cast<std::size_t>(zero - bytes) + (zero == bytes + count ? 0 : 1);
+      scan_->push(bytes + taken, end - taken);
+      taken = end;
+      has_ended_ = scan_->reader().report().has_trailer;
+    }
+    return taken;
+  }
+  void finish() {
+    if (!has_ended_) scan_->finish();
+    has_ended_ = true;
+  }
+
+  bool has_ended() const { return has_ended_; }
+  const StreamReader& reader() const { return scan_->reader(); }
+  SurfaceBuilder& builder() const { return scan_->surface().builder(); }
+
+  StreamReport report() const {
+    StreamReport report = reader().report();
+    report.lost_pieces += builder().incomplete_regions();
+    return report;
+  }
+
+  Mesh mesh(MeshOptions options) const {
+    if (!options.placement && scan_->placement() && is_usable(*scan_->placement()))
+      options.placement = matrix_of(*scan_->placement());
+    options.spacing = spacing_mm(reader().header());
+    check_options(options);
+    if (options.interpolates || options.smoothing > 0 || options.normals == Normals::gradient)
+      throw std::invalid_argument(
+          "a stream holds no samples: leave out interpolates and smoothing, and give "
+          "Normals::surface");
+    Surface so_far = builder().surface();
+    return finished_mesh(std::move(so_far), nullptr, options, sweep_place(options), 0);
+  }
+
+ private:
+  void begin() {
+    scan_ = std::make_unique<ReceivedScan>(channel_);
+    has_ended_ = false;
+  }
+
+  std::uint8_t channel_;
+  std::unique_ptr<ReceivedScan> scan_;
+  bool has_ended_ = false;
+};
+
+MeshReceiver::MeshReceiver(std::optional<std::uint8_t> channel)
+    : state_(std::make_unique<State>(channel.value_or(any_channel))) {}
+MeshReceiver::~MeshReceiver() = default;
+MeshReceiver::MeshReceiver(MeshReceiver&&) noexcept = default;
+MeshReceiver& MeshReceiver::operator=(MeshReceiver&&) noexcept = default;
+
+std::size_t MeshReceiver::push(const std::uint8_t* bytes, std::size_t count) {
+  return state_->push(bytes, count);
+}
+void MeshReceiver::finish() {
+  state_->finish();
+}
+bool MeshReceiver::has_ended() const {
+  return state_->has_ended();
+}
+StreamReport MeshReceiver::report() const {
+  return state_->report();
+}
+const StreamHeader& MeshReceiver::header() const {
+  return state_->reader().header();
+}
+Mesh MeshReceiver::mesh(MeshOptions options) const {
+  return state_->mesh(std::move(options));
+}
+std::size_t MeshReceiver::polygon_count() const {
+  return state_->builder().surface().polygons.size();
+}
+
+}  // namespace discmc

@@ -1,0 +1,46 @@
+// A host's extractor with memory of its own.
+#ifndef DISCMC_MESH_HOST_HOST_SCAN_HPP
+#define DISCMC_MESH_HOST_HOST_SCAN_HPP
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+
+#include "host_extractor.hpp"
+#include "require.hpp"
+
+namespace discmc::meshing {
+
+/// The memory of a scan on a host: enough for slices of any kind. Pages that are never used cost
+/// nothing. Units: bytes.
+inline std::uint64_t generous_bytes(const Limits& limits) {
+  return std::max(std::uint64_t{64} << 20, 2 * minimum_bytes<std::uint32_t>(limits));
+}
+
+/// Extracts rows of bits; further scans use the same memory.
+class HostScan {
+ public:
+  /// sink: accepts every event at once. regions: offered whole regions first. Owner: the caller.
+  void start(const Limits& limits, const Sink& sink, const RegionReceiver& regions = {}) {
+    const std::uint64_t bytes = generous_bytes(limits);
+    if (bytes_ < bytes) memory_.reset(new std::uint8_t[bytes]);
+    bytes_ = std::max(bytes_, bytes);
+    constexpr std::int32_t threshold = 1;  // of bits
+    require(extractor_.start(limits, threshold, {memory_.get(), bytes_}, sink));
+    extractor_.set_region_receiver(regions);
+  }
+  /// bits: as Extractor::push_bits().
+  void push(const std::uint8_t* bits) { require(extractor_.push_bits(bits).status); }
+  void finish() { require(extractor_.finish()); }
+
+  const Statistics& statistics() const { return extractor_.statistics(); }
+
+ private:
+  HostExtractor extractor_;
+  std::unique_ptr<std::uint8_t[]> memory_;
+  std::uint64_t bytes_ = 0;
+};
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,38 @@
+// The polygons of a scan or of a stream.
+#ifndef DISCMC_MESH_SURFACE_JOINED_SURFACE_HPP
+#define DISCMC_MESH_SURFACE_JOINED_SURFACE_HPP
+
+#include "growing_joiner.hpp"
+#include "surface_builder.hpp"
+
+namespace discmc::meshing {
+
+/// A sink that joins loose fragments and keeps the polygons. Holds pointers to itself.
+class JoinedSurface {
+ public:
+  JoinedSurface() = default;
+  JoinedSurface(const JoinedSurface&) = delete;
+  JoinedSurface& operator=(const JoinedSurface&) = delete;
+
+  SinkResult take(const Event& event) { return joiner_.take(event); }
+  /// A region in place of its events, unless fragments may have to be joined with it.
+  SinkResult take_region(const WholeRegion& region) {
+    if (joiner_.has_fragments()) return SinkResult::busy;
+    builder_.take_region(region);
+    return SinkResult::accepted;
+  }
+  /// Ends the events.
+  void finish() { joiner_.finish(); }
+
+  SurfaceBuilder& builder() { return builder_; }
+  Surface& surface() { return builder_.surface(); }
+  const Surface& surface() const { return builder_.surface(); }
+
+ private:
+  SurfaceBuilder builder_;
+  GrowingJoiner joiner_{make_sink(builder_)};
+};
+
+}  // namespace discmc::meshing
+
+#endif
