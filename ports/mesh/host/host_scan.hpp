@@ -3,6 +3,7 @@
 #define DISCMC_MESH_HOST_HOST_SCAN_HPP
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -13,8 +14,9 @@ namespace discmc::meshing {
 
 /// The memory of a scan on a host: enough for slices of any kind. Pages that are never used cost
 /// nothing. Units: bytes.
-inline std::uint64_t generous_bytes(const Limits& limits) {
-  return std::max(std::uint64_t{64} << 20, 2 * minimum_bytes<std::uint32_t>(limits));
+inline std::size_t generous_bytes(const Limits& limits) {
+  const std::size_t least = minimum_bytes<std::uint32_t>(limits);
+  return std::max(std::size_t{64} << 20, 2 * least);
 }
 
 /// Extracts rows of bits; further scans use the same memory.
@@ -22,7 +24,7 @@ class HostScan {
  public:
   /// sink: accepts every event at once. regions: offered whole regions first. Owner: the caller.
   void start(const Limits& limits, const Sink& sink, const RegionReceiver& regions = {}) {
-    const std::uint64_t bytes = generous_bytes(limits);
+    const std::size_t bytes = generous_bytes(limits);
     if (bytes_ < bytes) memory_.reset(new std::uint8_t[bytes]);
     bytes_ = std::max(bytes_, bytes);
     constexpr std::int32_t threshold = 1;  // of bits
@@ -38,7 +40,7 @@ class HostScan {
  private:
   HostExtractor extractor_;
   std::unique_ptr<std::uint8_t[]> memory_;
-  std::uint64_t bytes_ = 0;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace discmc::meshing

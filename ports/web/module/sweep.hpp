@@ -3,12 +3,9 @@
 #define DISCMC_WEB_SWEEP_HPP
 
 #include <cstdint>
-#include <memory>
-#include <vector>
 
-#include "host/host_extractor.hpp"
-
-#include "surface/surface.hpp"
+#include "host/host_scan.hpp"
+#include "surface/joined_surface.hpp"
 #include "voxel_bits.hpp"
 
 namespace discmc::web {
@@ -24,8 +21,7 @@ class Sweep {
   Result run(const VoxelBits& bits, std::uint32_t width, std::uint32_t height);
 
  private:
-  HostExtractor extractor_;
-  std::vector<std::uint8_t> memory_;
+  meshing::HostScan scan_;
 };
 
 }  // namespace discmc::web

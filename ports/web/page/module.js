@@ -4,10 +4,10 @@ import { placeOf } from './formats/axes.js';
 
 /** Owner of a volume or stream, and of its surface: see module/module.cpp. */
 export class Module {
-  /** @param {BufferSource} bytes */
-  static async start(bytes) {
+  /** @param {BufferSource | WebAssembly.Module} source */
+  static async start(source) {
     const module = new Module();
-    const { instance } = await WebAssembly.instantiate(bytes, {
+    const started = await WebAssembly.instantiate(/** @type {any} */ (source), {
       page: {
         fail: (/** @type {number} */ text) => {
           throw new Error(module.textAt(text));
@@ -18,7 +18,8 @@ export class Module {
       // Nothing is written or read; the C library has the calls all the same.
       wasi_snapshot_preview1: { fd_close: () => 8, fd_seek: () => 8, fd_write: () => 8 },
     });
-    module.exports = /** @type {any} */ (instance.exports);
+    // Bytes give the module beside its instance.
+    module.exports = /** @type {any} */ ((started.instance ?? started).exports);
     module.exports._initialize();
     module.hasVolume = false;
     module.stack = module.exports.__stack_pointer.value;

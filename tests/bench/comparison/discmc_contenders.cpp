@@ -1,21 +1,15 @@
 #include <discmc/discmc.hpp>
-#include "host/host_extractor.hpp"
 
-#include <memory>
-#include <stdexcept>
+#include <vector>
 
 #include "contenders.hpp"
+#include "discmc/mesh.hpp"
+#include "extraction/selection.hpp"
+#include "host/host_scan.hpp"
 
 namespace discmc::bench {
 
 namespace {
-
-void require_ok(Status status) {
-  if (status != Status::ok) throw std::runtime_error(to_string(status));
-}
-
-// With so much nothing goes out loose. What is never used is never touched.
-constexpr size_t arena_bytes = size_t{64} << 20;
 
 struct Counter {
   uint64_t regions = 0;
@@ -35,22 +29,13 @@ struct Counter {
 // A volume, and the memory for its extraction.
 class Scan {
  public:
-  explicit Scan(const Volume& volume) : volume_(volume), memory_(new uint8_t[arena_bytes]) {}
+  explicit Scan(const Volume& volume) : volume_(volume) {}
 
-  // The receiver is the sink, and is offered regions before their events.
-  template <class Receiver>
-  void extract(Receiver& receiver) {
-    require_ok(extractor_.start(limits(), volume_.threshold, {memory_.get(), arena_bytes},
-                                make_sink(receiver)));
-    extractor_.set_region_receiver(make_region_receiver(receiver));
-    const uint32_t slice = volume_.width * volume_.height;
-    std::visit(
-        [&](const auto& samples) {
-          for (uint32_t z = 0; z < volume_.depth; ++z)
-            require_ok(extractor_.push(samples.data() + size_t{z} * slice, slice).status);
-        },
-        volume_.samples);
-    require_ok(extractor_.finish());
+  // regions: offered whole regions before the sink receives their events.
+  void extract(const Sink& sink, const RegionReceiver& regions = {}) {
+    scan_.start({volume_.width, volume_.height, Border::open}, sink, regions);
+    std::visit([this](const auto& samples) { push(samples.data()); }, volume_.samples);
+    scan_.finish();
   }
 
   StreamHeader header() const {
@@ -64,11 +49,22 @@ class Scan {
   }
 
  private:
-  Limits limits() const { return {volume_.width, volume_.height, Border::open}; }
+  template <class Sample>
+  void push(const Sample* samples) {
+    meshing::SampleGrid grid;
+    grid.dims = {volume_.width, volume_.height, volume_.depth};
+    grid.type = meshing::type_of<Sample>();
+    const meshing::SliceSelector selector(grid, {static_cast<double>(volume_.threshold)});
+    const size_t row_bytes = meshing::bit_row_bytes(volume_.width);
+    std::vector<uint8_t> bits(row_bytes * volume_.height);
+    for (uint32_t z = 0; z < volume_.depth; ++z, samples += volume_.width * volume_.height) {
+      selector.select(samples, bits.data(), row_bytes);
+      for (size_t at = 0; at < bits.size(); at += row_bytes) scan_.push(bits.data() + at);
+    }
+  }
 
   const Volume& volume_;
-  std::unique_ptr<uint8_t[]> memory_;
-  HostExtractor extractor_;
+  meshing::HostScan scan_;
 };
 
 // Polygons in arrays, as meshes are kept: a region has rings, a ring has corners. The vertex where
@@ -140,19 +136,19 @@ std::vector<Contender> discmc_contenders(const Volume& volume) {
   const auto scan = std::make_shared<Scan>(volume);
   const auto count = [scan] {
     Counter counter;
-    scan->extract(counter);
+    scan->extract(make_sink(counter), make_region_receiver(counter));
     if (counter.fragments != 0) throw std::runtime_error("the memory is too little");
     return counter.regions;
   };
   const auto keep = [scan] {
     Polygons polygons;
-    scan->extract(polygons);
+    scan->extract(make_sink(polygons), make_region_receiver(polygons));
     return polygons.corners();
   };
   const auto stream = [scan] {
     Encoder encoder;
-    require_ok(encoder.start(scan->header().label(), {nullptr, take_bytes}));
-    scan->extract(encoder);
+    meshing::require(encoder.start(scan->header().label(), {nullptr, take_bytes}));
+    scan->extract(make_sink(encoder));
     return encoder.bytes();
   };
   return {

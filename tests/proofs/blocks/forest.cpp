@@ -9,7 +9,7 @@ namespace discmc::prove {
 namespace {
 
 struct FacetLink {
-  Point from, to;
+  CellPoint from, to;
 };
 
 std::vector<FacetLink> links_of(Facet facet) {

@@ -1,0 +1,115 @@
+// The npm package, packed and installed as a program would have it.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { createServer } from 'node:http';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { nrrdOf, roughBall } from './ball.js';
+import { command } from './command.js';
+
+const folder = mkdtempSync(join(tmpdir(), 'discmc-package-'));
+after(() => rmSync(folder, { recursive: true }));
+const installed = join(folder, 'node_modules/discmc');
+const ball = roughBall();
+let discmc;
+
+before(async () => {
+  const npm = (...words) => execFileSync('npm', words, { cwd: folder, encoding: 'utf8' });
+  const packed = npm('pack', '--silent', process.env.DISCMC_PACKAGE).trim();
+  writeFileSync(join(folder, 'package.json'), '{ "private": true, "type": "module" }');
+  npm('install', '--silent', '--offline', '--no-audit', '--no-fund', join(folder, packed));
+  const { load } = await import(pathToFileURL(join(installed, 'index.js')).href);
+  discmc = await load();
+});
+
+// Six times the volume inside; every edge once in each direction.
+function volumeOfClosed({ positions, triangles }) {
+  const edges = new Map();
+  let volume = 0;
+  for (let i = 0; i < triangles.length; i += 3) {
+    const [a, b, c] = triangles.subarray(i, i + 3);
+    for (const [from, to] of [[a, b], [b, c], [c, a]]) {
+      const edge = Math.min(from, to) * 2 ** 26 + Math.max(from, to);
+      edges.set(edge, (edges.get(edge) ?? 0) + (from < to ? 1 : -1));
+    }
+    const [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] =
+      [a, b, c].map((corner) => positions.subarray(3 * corner, 3 * corner + 3));
+    volume += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
+  }
+  assert.ok([...edges.values()].every((sum) => sum === 0), 'the mesh is closed');
+  return volume;
+}
+
+test('a mesh has the triangles and the volume that the command prints', () => {
+  const file = join(folder, 'ball.nrrd');
+  writeFileSync(file, nrrdOf(ball));
+  const table = join(folder, 'ball.json');
+  command('extract', '--quiet', file, '--iso', '400', '-o', table);
+  const [expected] = JSON.parse(readFileSync(table, 'utf8'));
+  const mesh = discmc.extract(ball.samples, ball.dims, 400, { spacing: ball.spacing });
+  assert.ok(Math.abs(volumeOfClosed(mesh) / 6 / expected.volume_mm3 - 1) < 1e-5);
+});
+
+test('every type of typed arrays gives the same surface', () => {
+  const { triangles } = discmc.extract(ball.samples, ball.dims, 400);
+  for (const Type of [Int32Array, Float32Array, Float64Array])
+    assert.deepEqual(discmc.extract(Type.from(ball.samples), ball.dims, 400).triangles, triangles);
+  const big = BigInt64Array.from(ball.samples, BigInt);
+  assert.deepEqual(discmc.extract(big, ball.dims, 400).triangles, triangles);
+});
+
+test('a wrong array is refused with its value and the remedy', () => {
+  assert.throws(() => discmc.extract([1, 2], [2, 1, 1], 1), /no typed array; give one/);
+  assert.throws(() => discmc.extract(new Uint8Array(7), [2, 2, 2], 1), /7 samples, and 2 x 2 x 2 are 8/);
+  assert.throws(() => discmc.extract(new Uint8Array(8), [0, 2, 2], 1), /an extent is 0; give/);
+});
+
+test('a decoder has the mesh so far, and all of it at the end', async () => {
+  const file = join(folder, 'ball.nrrd');
+  const stream = join(folder, 'ball.dmc');
+  command('extract', '--quiet', file, '--iso', '400', '-o', stream);
+  const bytes = readFileSync(stream);
+  const decoder = await discmc.decoder();
+  decoder.push(bytes.subarray(0, bytes.length / 2));
+  const half = decoder.mesh().triangles.length;
+  decoder.push(bytes.subarray(bytes.length / 2));
+  assert.ok(decoder.finish().isComplete);
+  const whole = decoder.mesh();
+  assert.ok(half > 0 && half < whole.triangles.length);
+  const mesh = discmc.extract(ball.samples, ball.dims, 400, { spacing: ball.spacing });
+  assert.ok(Math.abs(volumeOfClosed(whole) / volumeOfClosed(mesh) - 1) < 1e-5);
+});
+
+test('the first program of its page prints the ball', () => {
+  const page = readFileSync(join(installed, 'README.md'), 'utf8');
+  writeFileSync(join(folder, 'first.js'), page.match(/```js\n([^]*?)```/)[1]);
+  const printed = execFileSync(process.execPath, ['first.js'], { cwd: folder, encoding: 'utf8' });
+  assert.match(printed, /^\d{4} vertices, \d{4,5} triangles\n$/);
+});
+
+test('it runs in a browser', { skip: !process.env.DISCMC_CHROMIUM }, async (t) => {
+  const { startBrowser } = await import('./browser.js');
+  const types = { js: 'text/javascript', wasm: 'application/wasm', html: 'text/html' };
+  const server = createServer(({ url }, answer) => {
+    const name = url === '/' ? undefined : url.slice(1);
+    answer.setHeader('Content-Type', types[name?.split('.').pop() ?? 'html'] ?? 'text/plain');
+    answer.end(name === undefined ? '<!doctype html>' : ['index.js', 'discmc.wasm'].includes(name)
+      ? readFileSync(join(installed, name)) : '');
+  });
+  await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
+  t.after(() => server.close());
+  const browser = await startBrowser();
+  t.after(() => browser.close());
+  const page = await browser.newPage();
+  await page.goto(`http://127.0.0.1:${server.address().port}/`);
+  const count = await page.evaluate(async () => {
+    const { load } = await import('/index.js');
+    const samples = new Uint8Array(27);
+    samples[13] = 1;
+    return (await load()).extract(samples, [3, 3, 3], 1).triangles.length / 3;
+  });
+  assert.equal(count, 8);
+});
