@@ -95,11 +95,15 @@ template void BitRows::append(const uint16_t*, uint32_t, uint32_t, int32_t);
 template void BitRows::append(const int16_t*, uint32_t, uint32_t, int32_t);
 
 void BitRows::append_bits(const uint8_t* bits) {
+  constexpr uint32_t max_bits = 24;  // whole bytes, placed at once
+  static_assert(max_bits <= max_placed, "in two words");
   uint32_t* const words = arriving();
-  for (; column_ < width_; column_ += 8) {
+  for (; column_ < width_; column_ += max_bits) {
     const uint32_t left = width_ - column_;
-    const uint32_t count = left < 8 ? left : 8;
-    const uint32_t on = *bits++ & ((uint32_t{1} << count) - 1);
+    const uint32_t count = left < max_bits ? left : max_bits;
+    uint32_t on = 0;
+    for (uint32_t bit = 0; bit < count; bit += 8) on |= uint32_t{*bits++} << bit;
+    on &= (uint32_t{1} << count) - 1;
     if (on != 0) turn_on(words, on);
   }
   column_ = width_;
