@@ -7,7 +7,7 @@
 #include "cli/options/named_values.hpp"
 #include "command_line.hpp"
 #include "exit_codes.hpp"
-#include "require_written.hpp"
+#include "files/require_written.hpp"
 
 namespace discmc::command {
 namespace {

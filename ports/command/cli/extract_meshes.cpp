@@ -7,9 +7,9 @@
 #include "exit_codes.hpp"
 #include "extract.hpp"
 #include "extract_files.hpp"
+#include "files/require_written.hpp"
 #include "mesh_output.hpp"
 #include "progress.hpp"
-#include "require_written.hpp"
 #include "text/message.hpp"
 #include "volume_input.hpp"
 

@@ -7,9 +7,9 @@
 
 #include "commands.hpp"
 #include "exit_codes.hpp"
+#include "files/require_written.hpp"
 #include "input_content.hpp"
 #include "progress.hpp"
-#include "require_written.hpp"
 #include "statistics/volume_statistics.hpp"
 #include "stream_input.hpp"
 #include "summary.hpp"

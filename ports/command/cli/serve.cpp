@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "exit_codes.hpp"
+#include "files/require_written.hpp"
 #include "input_content.hpp"
 #include "pages/browser.hpp"
 #include "pages/live_file.hpp"
 #include "pages/page_server.hpp"
-#include "require_written.hpp"
 #include "view.hpp"
 #include "volume_input.hpp"
 #include "volumes/byte_source.hpp"

@@ -10,9 +10,9 @@
 
 #include <discmc/geometry/cell.hpp>
 
-#include "meshes/point.hpp"
 #include "samples/slice_reader.hpp"
 #include "selection.hpp"
+#include "surface/point.hpp"
 
 namespace discmc::meshing {
 

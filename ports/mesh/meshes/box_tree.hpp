@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "point.hpp"
+#include "surface/point.hpp"
 
 namespace discmc::meshing {
 

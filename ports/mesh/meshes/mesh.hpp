@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "point.hpp"
+#include "surface/point.hpp"
 #include "surface/surface.hpp"
 
 namespace discmc::meshing {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "point.hpp"
+#include "surface/point.hpp"
 
 namespace discmc::meshing {
 

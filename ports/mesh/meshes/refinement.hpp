@@ -11,7 +11,7 @@
 #include "delaunay.hpp"
 #include "extraction/crossings.hpp"
 #include "lattice_plane.hpp"
-#include "point.hpp"
+#include "surface/point.hpp"
 #include "vertex_numbers.hpp"
 
 namespace discmc::meshing {

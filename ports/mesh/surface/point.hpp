@@ -1,6 +1,6 @@
 // Points and vectors in millimetres.
-#ifndef DISCMC_MESH_MESHES_POINT_HPP
-#define DISCMC_MESH_MESHES_POINT_HPP
+#ifndef DISCMC_MESH_SURFACE_POINT_HPP
+#define DISCMC_MESH_SURFACE_POINT_HPP
 
 #include <array>
 #include <cmath>

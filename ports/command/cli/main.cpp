@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/command_line.hpp"
-#include "cli/exit_codes.hpp"
 #include "cli/help/help.hpp"
 #include "cli/help/usage_error.hpp"
+#include "command_line.hpp"
+#include "exit_codes.hpp"
 
 namespace discmc::command {
 namespace {

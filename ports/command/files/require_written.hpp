@@ -1,11 +1,11 @@
 // Standard output that must be written; otherwise the command fails.
-#ifndef DISCMC_COMMAND_REQUIRE_WRITTEN_HPP
-#define DISCMC_COMMAND_REQUIRE_WRITTEN_HPP
+#ifndef DISCMC_COMMAND_FILES_REQUIRE_WRITTEN_HPP
+#define DISCMC_COMMAND_FILES_REQUIRE_WRITTEN_HPP
 
 #include <ostream>
 #include <stdexcept>
 
-#include "files/write_failure.hpp"
+#include "write_failure.hpp"
 
 namespace discmc::command {
 
