@@ -26,6 +26,20 @@ std::int64_t Extents::limited(std::int64_t voxels) {
   return voxels;
 }
 
+namespace {
+
+Strides contiguous(const Extents& extents) {
+  const auto distance = [](std::int64_t samples) {
+    return static_cast<std::ptrdiff_t>(static_cast<std::size_t>(samples));
+  };
+  return {1, distance(extents[0]), distance(extents[0] * extents[1])};
+}
+
+}  // namespace
+
+Samples::Samples(const void* samples, SampleType type, const Extents& extents)
+    : Samples(samples, type, extents, contiguous(extents)) {}
+
 Samples::Samples(const void* samples, SampleType type, const Extents& extents,
                  const Strides& strides)
     : data_(samples), type_(type), extents_(extents), strides_(strides) {

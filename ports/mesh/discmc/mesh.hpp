@@ -69,7 +69,7 @@ class Samples {
  public:
   template <class Sample>
   Samples(const Sample* samples, const Extents& extents)
-      : Samples(samples, extents, {1, extents[0], extents[0] * extents[1]}) {}
+      : Samples(samples, meshing::type_of<Sample>(), extents) {}
   /// samples: that of voxel (0, 0, 0).
   template <class Sample>
   Samples(const Sample* samples, const Extents& extents, const Strides& strides)
@@ -80,6 +80,7 @@ class Samples {
       : Samples(samples.data(), extents) {
     require_count(samples.size(), extents);
   }
+  Samples(const void* samples, meshing::SampleType type, const Extents& extents);
   Samples(const void* samples, meshing::SampleType type, const Extents& extents,
           const Strides& strides);
 
