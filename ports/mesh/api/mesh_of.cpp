@@ -2,6 +2,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "array_reader.hpp"
@@ -77,8 +78,8 @@ void check_gradient(const MeshOptions& options, const std::vector<Selection>& se
 SurfaceOptions surface_options(const MeshOptions& options, std::uint64_t slices) {
   SurfaceOptions surfaces;
   surfaces.border = options.border;
-  surfaces.progress = [&options, slices](std::uint32_t done) {
-    report(options, "extracting", done, slices);
+  surfaces.progress = [&options, slices, caller = std::this_thread::get_id()](std::uint32_t done) {
+    if (std::this_thread::get_id() == caller) report(options, "extracting", done, slices);
   };
   const bool is_divisible = !options.interpolates && options.smoothing == 0;
   if (is_divisible && threads_of(options) > 1) surfaces.jobs = threads_of(options);

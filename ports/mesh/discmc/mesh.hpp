@@ -117,7 +117,7 @@ enum class Normals {
 
 /// The progress of a call.
 struct MeshProgress {
-  const char* step;    ///< "extracting", "triangulating", "decimating" or "normals"
+  const char* step;    ///< "smoothing", "extracting", "triangulating", "decimating", "normals"
   std::uint64_t done;  ///< slices
   std::uint64_t all;   ///< 0: the step does not count
 };
@@ -146,10 +146,10 @@ struct MeshOptions {
   Normals normals = Normals::none;
   /// Whether Mesh::polygons is filled. Limit: not interpolated, not decimated.
   bool polygons = false;
-  /// The mesh does not depend on it, but for the order of its triangles and vertices. 0: as many as
-  /// there are processors.
+  /// The vertices and polygons do not depend on it; their order does, and which of two equally good
+  /// diagonals divides a polygon. 0: as many as there are processors.
   unsigned threads = 1;
-  /// Called in the calling thread; false cancels the call.
+  /// Called in the calling thread, less often if there are more; false cancels the call.
   std::function<bool(const MeshProgress&)> progress{};
 };
 
