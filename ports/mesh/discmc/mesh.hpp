@@ -126,7 +126,7 @@ struct MeshOptions {
   /// Distances between voxels along x, y and z, in any unit, which is that of the mesh. Negative if
   /// the axis runs backwards. Limit: 1e-6 to 1e6, with normals 2147.
   std::array<double, 3> spacing{1, 1, 1};
-  /// Where the volume lies, in place of the spacing: voxel (i, j, k) has its centre at row r,
+  /// The place of the volume, instead of the spacing: voxel (i, j, k) has its centre at row r,
   /// column 3, plus i, j, k times columns 0 to 2.
   std::optional<std::array<std::array<double, 4>, 3>> placement{};
   /// closed: everything outside the array is outside the surface. open: the surface ends there.
@@ -212,7 +212,7 @@ struct MeshMeasures {
   double area = 0;  ///< with the walls of cavities
   std::array<double, 3> least{}, greatest{};
   bool is_closed = false;
-  // Of a closed mesh:
+  // If the mesh is closed:
   double volume = 0;               ///< without cavities
   std::array<double, 3> centre{};  ///< of mass
   std::uint64_t bodies = 0;        ///< pieces that are connected by edges
