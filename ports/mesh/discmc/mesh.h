@@ -55,11 +55,12 @@ enum {
 };
 
 typedef struct discmc_mesh_options {
-  double spacing[3]; /* between voxels along x, y, z, in any unit, which is that of the mesh;
-                        negative if the axis runs backwards. All 0: 1, 1, 1. Limit: 1e-6 to 1e6 */
-  const double*
-      placement;           /* null, or 3 rows of 4 numbers in place of the spacing: voxel (i, j, k)
-                              has its centre at row r, column 3, plus i, j, k times columns 0 to 2 */
+  /* Distances between voxels along x, y, z, in any unit, which is that of the mesh; negative if the
+   * axis runs backwards. All 0: 1, 1, 1. Limit: 1e-6 to 1e6. */
+  double spacing[3];
+  /* Null, or 3 rows of 4 numbers instead of the spacing: voxel (i, j, k) lies at row r, column 3,
+   * plus i, j, k times columns 0 to 2. */
+  const double* placement;
   int32_t has_open_border; /* 0: the surface closes at the border of the array; 1: it ends there */
   int32_t interpolates;    /* 1: vertices lie where the samples cross the level */
   double tolerance;        /* of interpolation. Units: voxels. 0: 0.05 */
