@@ -57,6 +57,7 @@ void add_normals(const Surface& surface, FaceMesh& mesh, const MeshOptions& opti
   else
     set_polygon_normals(surface, mesh);
   if (options.normals == Normals::gradient) add_gradient(mesh, options, level, open_again);
+  for (Point& normal : mesh.normals) normal = unit_or_zero(normal);  // some have 15 bits
 }
 
 // The area of a ring as a vector.

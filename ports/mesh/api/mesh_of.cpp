@@ -2,6 +2,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "array_reader.hpp"
@@ -25,6 +26,20 @@ std::int64_t Extents::limited(std::int64_t voxels) {
                                 std::to_string(most) + " voxels");
   return voxels;
 }
+
+namespace {
+
+Strides contiguous(const Extents& extents) {
+  const auto distance = [](std::int64_t samples) {
+    return static_cast<std::ptrdiff_t>(static_cast<std::size_t>(samples));
+  };
+  return {1, distance(extents[0]), distance(extents[0] * extents[1])};
+}
+
+}  // namespace
+
+Samples::Samples(const void* samples, SampleType type, const Extents& extents)
+    : Samples(samples, type, extents, contiguous(extents)) {}
 
 Samples::Samples(const void* samples, SampleType type, const Extents& extents,
                  const Strides& strides)
@@ -63,8 +78,8 @@ void check_gradient(const MeshOptions& options, const std::vector<Selection>& se
 SurfaceOptions surface_options(const MeshOptions& options, std::uint64_t slices) {
   SurfaceOptions surfaces;
   surfaces.border = options.border;
-  surfaces.progress = [&options, slices](std::uint32_t done) {
-    report(options, "extracting", done, slices);
+  surfaces.progress = [&options, slices, caller = std::this_thread::get_id()](std::uint32_t done) {
+    if (std::this_thread::get_id() == caller) report(options, "extracting", done, slices);
   };
   const bool is_divisible = !options.interpolates && options.smoothing == 0;
   if (is_divisible && threads_of(options) > 1) surfaces.jobs = threads_of(options);

@@ -69,7 +69,7 @@ class Samples {
  public:
   template <class Sample>
   Samples(const Sample* samples, const Extents& extents)
-      : Samples(samples, extents, {1, extents[0], extents[0] * extents[1]}) {}
+      : Samples(samples, meshing::type_of<Sample>(), extents) {}
   /// samples: that of voxel (0, 0, 0).
   template <class Sample>
   Samples(const Sample* samples, const Extents& extents, const Strides& strides)
@@ -80,6 +80,7 @@ class Samples {
       : Samples(samples.data(), extents) {
     require_count(samples.size(), extents);
   }
+  Samples(const void* samples, meshing::SampleType type, const Extents& extents);
   Samples(const void* samples, meshing::SampleType type, const Extents& extents,
           const Strides& strides);
 
@@ -116,7 +117,7 @@ enum class Normals {
 
 /// The progress of a call.
 struct MeshProgress {
-  const char* step;    ///< "extracting", "triangulating", "decimating" or "normals"
+  const char* step;    ///< "smoothing", "extracting", "triangulating", "decimating", "normals"
   std::uint64_t done;  ///< slices
   std::uint64_t all;   ///< 0: the step does not count
 };
@@ -125,7 +126,7 @@ struct MeshOptions {
   /// Distances between voxels along x, y and z, in any unit, which is that of the mesh. Negative if
   /// the axis runs backwards. Limit: 1e-6 to 1e6, with normals 2147.
   std::array<double, 3> spacing{1, 1, 1};
-  /// Where the volume lies, in place of the spacing: voxel (i, j, k) has its centre at row r,
+  /// The place of the volume, instead of the spacing: voxel (i, j, k) has its centre at row r,
   /// column 3, plus i, j, k times columns 0 to 2.
   std::optional<std::array<std::array<double, 4>, 3>> placement{};
   /// closed: everything outside the array is outside the surface. open: the surface ends there.
@@ -145,10 +146,10 @@ struct MeshOptions {
   Normals normals = Normals::none;
   /// Whether Mesh::polygons is filled. Limit: not interpolated, not decimated.
   bool polygons = false;
-  /// The mesh does not depend on it, but for the order of its triangles and vertices. 0: as many as
-  /// there are processors.
+  /// The vertices and polygons do not depend on it; their order does, and which of two equally good
+  /// diagonals divides a polygon. 0: as many as there are processors.
   unsigned threads = 1;
-  /// Called in the calling thread; false cancels the call.
+  /// Called in the calling thread, less often if there are more; false cancels the call.
   std::function<bool(const MeshProgress&)> progress{};
 };
 
@@ -211,7 +212,7 @@ struct MeshMeasures {
   double area = 0;  ///< with the walls of cavities
   std::array<double, 3> least{}, greatest{};
   bool is_closed = false;
-  // Of a closed mesh:
+  // If the mesh is closed:
   double volume = 0;               ///< without cavities
   std::array<double, 3> centre{};  ///< of mass
   std::uint64_t bodies = 0;        ///< pieces that are connected by edges

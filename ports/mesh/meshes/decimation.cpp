@@ -13,7 +13,7 @@
 namespace discmc::meshing {
 namespace {
 
-using Corners = std::vector<std::uint32_t>;
+using CornerNumbers = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t of_tetrahedron = 4;  // the least faces that enclose anything
 
@@ -30,10 +30,10 @@ class Decimator {
   }
 
   // If too much would have to be kept, fewer triangles are removed everywhere; at last none.
-  Corners decimated(Decimation decimation) {
+  CornerNumbers decimated(Decimation decimation) {
     const std::uint64_t all = is_kept_.size();
     for (unsigned attempts = 0; attempts < max_attempts; ++attempts) {
-      if (std::optional<Corners> corners = attempt(decimation)) return *std::move(corners);
+      if (std::optional<CornerNumbers> corners = attempt(decimation)) return *std::move(corners);
       const std::uint64_t removed = all - std::min(all, decimation.triangles);
       decimation.triangles += std::min(decimation.triangles, removed) / 2;
       decimation.max_error_mm /= 2;
@@ -89,10 +89,10 @@ class Decimator {
   }
 
   // Nothing if too much has to be kept.
-  std::optional<Corners> attempt(const Decimation& decimation) {
+  std::optional<CornerNumbers> attempt(const Decimation& decimation) {
     std::size_t in_bodies_kept = 0, around_wrong_kept = 0;
     for (unsigned round = 1;; ++round) {
-      Corners corners = decimated_once(decimation);
+      CornerNumbers corners = decimated_once(decimation);
       find_wrong(corners);
       if (wrong_.empty() && lost_.empty()) return corners;
       for (const std::uint32_t vertex : wrong_)
@@ -110,10 +110,10 @@ class Decimator {
   }
 
   // The faces that are kept, then what the library makes of the others.
-  Corners decimated_once(const Decimation& decimation) {
-    Corners result, others;
+  CornerNumbers decimated_once(const Decimation& decimation) {
+    CornerNumbers result, others;
     for (std::size_t face = 0; face < mesh_.face_count(); ++face) {
-      Corners& corners = is_kept_[face] ? result : others;
+      CornerNumbers& corners = is_kept_[face] ? result : others;
       corners.insert(corners.end(), mesh_.face(face), mesh_.face(face) + 3);
     }
     // The others make up for those, but not so that hardly any of them are left.
@@ -132,7 +132,7 @@ class Decimator {
 
   // Finds vertices of edges that are not used once in each direction, unless that was so before;
   // of faces without area; of pieces that enclose nothing; and bodies without any other piece.
-  void find_wrong(const Corners& corners) {
+  void find_wrong(const CornerNumbers& corners) {
     wrong_.clear();
     const FaceMesh triangles = mesh_of(corners);
     const std::vector<FaceEdge> edges = sorted_edges(triangles);
@@ -190,7 +190,7 @@ class Decimator {
     return count;
   }
 
-  FaceMesh mesh_of(const Corners& corners) const {
+  FaceMesh mesh_of(const CornerNumbers& corners) const {
     FaceMesh mesh;
     mesh.vertices_mm = mesh_.vertices_mm;
     mesh.corners = corners;

@@ -44,7 +44,7 @@ std::vector<std::uint32_t> upwards(const std::vector<Vertex>& lattice) {
   return order;
 }
 
-void require(Status status) {
+void require_valid(Status status) {
   if (status != Status::ok) throw std::invalid_argument(to_string(status));
 }
 
@@ -55,7 +55,7 @@ void set_from_samples(SliceReader& volume, FaceMesh& mesh,
   const Limits limits{info.dims[0], info.dims[1]};
   std::vector<std::uint8_t> memory(SampleWindow<Sample>::bytes_for(limits));
   SampleWindow<Sample> window;
-  require(window.start(limits, {memory.data(), memory.size()}));
+  require_valid(window.start(limits, {memory.data(), memory.size()}));
 
   const AxisWeights weights = weights_of(mesh);
   const std::vector<std::uint32_t> order = upwards(mesh.lattice);
@@ -69,7 +69,7 @@ void set_from_samples(SliceReader& volume, FaceMesh& mesh,
   std::vector<Sample> slice(info.slice_bytes() / sizeof(Sample));
   for (std::uint32_t z = 0; z < info.dims[2]; ++z) {
     volume.read_slice(slice.data());
-    require(window.push(slice.data(), static_cast<std::uint32_t>(slice.size())));
+    require_valid(window.push(slice.data(), static_cast<std::uint32_t>(slice.size())));
     set_covered();
     if (progress) progress(z + 1);
   }

@@ -1,0 +1,50 @@
+// MeshBuilder: slices one by one.
+#include <doctest/doctest.h>
+
+#include "sampled_shapes.hpp"
+
+using namespace discmc;
+using namespace mesh_tests;
+
+namespace {
+
+template <class Sample>
+Mesh built(const Array<Sample>& array, const Level& level, const MeshOptions& options) {
+  MeshBuilder builder(array.size[0], array.size[1], level, options);
+  std::vector<Sample> slice;
+  for (auto at = array.samples.begin(); at != array.samples.end();) {
+    const auto end = at + array.size[0] * array.size[1];
+    slice.assign(at, end);  // a slice may be gone when the call returns
+    builder.add_slice(slice.data());
+    at = end;
+  }
+  return builder.finish();
+}
+
+}  // namespace
+
+TEST_CASE("slices one by one make the mesh of the array") {
+  MeshOptions options;
+  for (const auto& array : bit_volumes())
+    CHECK(triangles_of(built(array, 1, options)) == triangles_of(mesh_of(array.view(), 1)));
+  const auto array = ball<float>();
+  options.interpolates = true;
+  options.spacing = {1, 2, -3};
+  options.border = Border::open;
+  const Level level(30, 60);
+  CHECK(triangles_of(built(array, level, options)) ==
+        triangles_of(mesh_of(array.view(), level, options)));
+}
+
+TEST_CASE("a builder without slices makes an empty mesh") {
+  CHECK(MeshBuilder(4, 5, 1).finish().triangles.empty());
+}
+
+TEST_CASE("a builder can be moved between slices") {
+  const auto array = array_of(discmc::reference::box({5, 5, 2}, {1, 1, 0}, {3, 3, 1}));
+  MeshBuilder first(5, 5, 1);
+  first.add_slice(array.samples.data());
+  MeshBuilder second = std::move(first);
+  second.add_slice(array.samples.data() + 25);
+  CHECK(triangles_of(second.finish()) == triangles_of(mesh_of(array.view(), 1)));
+}

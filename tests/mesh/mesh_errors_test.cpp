@@ -1,0 +1,122 @@
+// Errors: each names the value and the remedy.
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <string>
+
+#include "sampled_shapes.hpp"
+
+using namespace discmc;
+
+namespace {
+
+const std::vector<int> samples(27);
+
+template <class Call>
+std::string message_of(Call call) {
+  try {
+    (void)call();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+template <class Set>
+std::string refusal(Set set) {
+  MeshOptions options;
+  set(options);
+  return message_of([&] { return mesh_of(samples, {3, 3, 3}, 1, options); });
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a wrong extent or number of samples is named") {
+  CHECK(message_of([] {
+          return mesh_of(samples, {0, 3, 3}, 1);
+        }) == "an extent is 0; give 1 to 1073741823 voxels");
+  CHECK(has(message_of([] { return mesh_of(samples, {3, -3, 3}, 1); }), "-3"));
+  CHECK(message_of([] {
+          return mesh_of(samples, {3, 3, 4}, 1);
+        }) == "the vector has 27 samples, and the extents 3 x 3 x 4 need 36");
+  const int* const none = nullptr;
+  CHECK(message_of([&] {
+          return mesh_of(none, {3, 3, 3}, 1);
+        }) == "the pointer to the samples is null");
+  const std::vector<char> flat(1);
+  const std::string text = message_of([&] {
+    return mesh_of(Samples(flat.data(), {40000, 40000, 2}, Strides{0, 0, 0}), 1);
+  });
+  CHECK(has(text, "40000 x 40000 x 2"));
+  CHECK(has(text, "divide the array"));
+}
+
+TEST_CASE("a level that is no number or runs backwards is named") {
+  CHECK(has(message_of([] { return mesh_of(samples, {3, 3, 3}, {5, 2}); }), "from 5.0"));
+  CHECK(has(message_of([] { return mesh_of(samples, {3, 3, 3}, std::nan("")); }), "nan"));
+}
+
+TEST_CASE("options out of range are named") {
+  CHECK(has(refusal([](auto& options) { options.spacing[1] = 0; }), "1.000000, 0.000000"));
+  CHECK(has(refusal([](auto& options) { options.spacing[2] = 1e7; }), "1e-6 to 1e6"));
+  CHECK(has(refusal([](auto& options) { options.placement.emplace(); }), "span no space"));
+  CHECK(has(refusal([](auto& options) { options.tolerance = -1; }), "tolerance is -1"));
+  CHECK(has(refusal([](auto& options) { options.smoothing = std::nan(""); }), "smoothing is nan"));
+  CHECK(has(
+      refusal([](auto& options) { options.max_error = std::numeric_limits<double>::infinity(); }),
+      "max_error is inf"));
+}
+
+TEST_CASE("options that contradict each other are named") {
+  CHECK(has(refusal([](auto& options) { options.polygons = options.interpolates = true; }),
+            "leave out interpolates"));
+  CHECK(has(refusal([](auto& options) {
+              options.smoothing = 1;
+              options.normals = Normals::gradient;
+            }),
+            "give Normals::surface"));
+  MeshOptions gradient;
+  gradient.normals = Normals::gradient;
+  CHECK(has(message_of([&] {
+              return mesh_of(samples, {3, 3, 3}, {1, 2}, gradient);
+            }),
+            "without a high end"));
+  MeshOptions smooth;
+  smooth.smoothing = 1;
+  CHECK(has(message_of([&] {
+              return meshes_of({samples, {3, 3, 3}}, {1, 2}, smooth);
+            }),
+            "call mesh_of() for each"));
+}
+
+TEST_CASE("labels refuse samples with fractions, gradients, and interpolation without smoothing") {
+  const std::vector<float> fractions(27);
+  CHECK(has(message_of([&] { return label_meshes({fractions, {3, 3, 3}}); }), "integer type"));
+  MeshOptions options;
+  options.normals = Normals::gradient;
+  CHECK(has(message_of([&] {
+              return label_meshes({samples, {3, 3, 3}}, options);
+            }),
+            "Normals::surface"));
+  options = {};
+  options.interpolates = true;
+  CHECK(has(message_of([&] { return label_meshes({samples, {3, 3, 3}}, options); }), "smoothing"));
+}
+
+TEST_CASE("a builder refuses what needs the slices twice, other types, and wrong extents") {
+  MeshOptions options;
+  options.smoothing = 1;
+  CHECK(has(message_of([&] { return MeshBuilder(3, 3, 1, options); }), "call mesh_of()"));
+  CHECK(has(message_of([] { return MeshBuilder(3, 32767, 1); }), "32767; give 1 to 32766"));
+  CHECK(has(message_of([] {
+              MeshBuilder builder(3, 3, 1);
+              builder.add_slice(samples.data());
+              builder.add_slice(std::vector<float>(9).data());
+              return builder;
+            }),
+            "slices of one type"));
+}

@@ -1,0 +1,174 @@
+// mesh_of() and meshes_of(): levels, sample types, and where the vertices lie.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "sampled_shapes.hpp"
+
+using namespace discmc;
+using namespace mesh_tests;
+
+TEST_CASE("one voxel has the octahedron of its half-steps as surface") {
+  std::vector<int> samples(27);
+  samples[13] = 5;
+  const Mesh mesh = mesh_of(samples, {3, 3, 3}, 5);
+  CHECK(mesh.vertices.size() == 6);
+  CHECK(mesh.triangles.size() == 8);
+  const MeshMeasures measures = measures_of(mesh);
+  CHECK(measures.is_closed);
+  CHECK(measures.volume == doctest::Approx(1.0 / 6));
+  CHECK(measures.area == doctest::Approx(std::sqrt(3.0)));
+  CHECK(measures.least == std::array<double, 3>{0.5, 0.5, 0.5});
+  CHECK(measures.centre[0] == doctest::Approx(1));
+}
+
+TEST_CASE_TEMPLATE("samples of every type have the same triangles", Sample, std::int8_t,
+                   std::uint8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t,
+                   std::int64_t, std::uint64_t, float, double, long long, char) {
+  // Whole numbers, so that no type rounds.
+  const auto whole = ball<std::int8_t>();
+  Array<Sample> array{whole.size, {whole.samples.begin(), whole.samples.end()}};
+  const std::vector<Triangle> expected = triangles_of(mesh_of(whole.view(), ball_level));
+  REQUIRE(expected.size() > 100);
+  CHECK(triangles_of(mesh_of(array.samples, array.extents(), ball_level)) == expected);
+  CHECK(triangles_of(mesh_of(array.samples.data(), array.extents(), ball_level)) == expected);
+  // With fractions there is more between a sample of 49 and one of 50.
+  MeshOptions options;
+  options.interpolates = true;
+  const double level = std::is_integral_v<Sample> ? ball_level : ball_level - 0.5;
+  const Mesh mesh = mesh_of(array.view(), level, options);
+  const Mesh of_whole = mesh_of(whole.view(), ball_level, options);
+  CHECK(mesh.triangles.size() == of_whole.triangles.size());
+  CHECK(measures_of(mesh).volume == doctest::Approx(measures_of(of_whole).volume));
+}
+
+TEST_CASE("every volume of the oracle has a closed mesh that turns outwards") {
+  for (const auto& array : bit_volumes()) {
+    const Mesh mesh = mesh_of(array.view(), 1);
+    const MeshMeasures measures = measures_of(mesh);
+    CHECK(measures.is_closed);
+    CHECK(measures.volume > 0);
+    CHECK(signed_volume(mesh) == doctest::Approx(measures.volume));
+  }
+}
+
+TEST_CASE("vertices of an interpolated ball lie within the tolerance of the true sphere") {
+  const auto array = ball<double>();
+  MeshOptions options;
+  options.interpolates = true;
+  options.tolerance = 0.02;
+  const Mesh mesh = mesh_of(array.view(), ball_level, options);
+  CHECK(measures_of(mesh).is_closed);
+  for (const auto& vertex : mesh.vertices) {
+    const auto from = difference(vertex, ball_centre);
+    // Linear interpolation between voxels is off by 1 / (8 radius).
+    CHECK(std::abs(std::sqrt(dot(from, from)) - ball_radius) < 0.02 + 1 / (8 * ball_radius));
+  }
+  const double sphere = 4 / 3.0 * std::acos(-1) * std::pow(ball_radius, 3);
+  CHECK(measures_of(mesh).volume == doctest::Approx(sphere).epsilon(0.02));
+}
+
+TEST_CASE("a level with a high end encloses the samples from low to high, both included") {
+  const auto array = array_of<std::int16_t>(
+      {9, 3, 3}, [](auto x, auto y, auto z) { return y == 1 && z == 1 ? x : -1; });
+  const auto extent = [&](const Level& level) {
+    const MeshMeasures measures = measures_of(mesh_of(array.view(), level));
+    return std::array<double, 2>{measures.least[0], measures.greatest[0]};
+  };
+  CHECK(extent({3, 5}) == std::array<double, 2>{2.5, 5.5});
+  CHECK(extent({2.5, 4.5}) == std::array<double, 2>{2.5, 4.5});
+  CHECK(extent({7, 7}) == std::array<double, 2>{6.5, 7.5});
+  CHECK(extent(7) == std::array<double, 2>{6.5, 8.5});
+}
+
+TEST_CASE("a sample that is not a number is outside, of a range too") {
+  std::vector<float> samples(27, std::numeric_limits<float>::quiet_NaN());
+  samples[13] = 1;
+  CHECK(mesh_of(samples, {3, 3, 3}, 0).triangles.size() == 8);
+  CHECK(mesh_of(samples, {3, 3, 3}, {0, 2}).triangles.size() == 8);
+}
+
+TEST_CASE("several levels in one pass are the meshes of each, in their order") {
+  const auto array = ball<float>();
+  for (const bool interpolates : {false, true}) {
+    MeshOptions options;
+    options.interpolates = interpolates;
+    const std::vector<Level> levels{50, {40, 60}, 30};
+    const std::vector<Mesh> meshes = meshes_of(array.view(), levels, options);
+    REQUIRE(meshes.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i)
+      CHECK(triangles_of(meshes[i]) == triangles_of(mesh_of(array.view(), levels[i], options)));
+  }
+  CHECK(meshes_of(array.view(), {}).empty());
+}
+
+TEST_CASE("a level that no sample reaches has an empty mesh") {
+  const Mesh mesh = mesh_of(std::vector<int>(27), {3, 3, 3}, 1);
+  CHECK(mesh.vertices.empty());
+  CHECK(mesh.triangles.empty());
+  CHECK(measures_of(mesh).area == 0);
+}
+
+TEST_CASE("an open border ends the surface at the array, a closed one closes it") {
+  const std::vector<int> samples(8, 1);
+  MeshOptions options;
+  CHECK(measures_of(mesh_of(samples, {2, 2, 2}, 1)).is_closed);
+  options.border = Border::open;
+  CHECK(mesh_of(samples, {2, 2, 2}, 1, options).triangles.empty());
+  std::vector<int> half{1, 0, 1, 0, 1, 0, 1, 0};
+  CHECK(mesh_of(half, {2, 2, 2}, 1, options).triangles.size() == 2);
+}
+
+TEST_CASE("decimation makes about as many triangles as were asked for, and keeps the mesh closed") {
+  const auto array = ball<float>();
+  MeshOptions options;
+  options.interpolates = true;
+  const Mesh whole = mesh_of(array.view(), ball_level, options);
+  options.triangles = 300;
+  Mesh mesh;
+  try {
+    mesh = mesh_of(array.view(), ball_level, options);
+  } catch (const std::invalid_argument&) {
+    return;  // built without meshoptimizer
+  }
+  CHECK(mesh.triangles.size() <= 300);
+  CHECK(mesh.triangles.size() > 200);
+  CHECK(measures_of(mesh).is_closed);
+  CHECK(measures_of(mesh).volume == doctest::Approx(measures_of(whole).volume).epsilon(0.05));
+}
+
+TEST_CASE("smoothing removes the steps of a mask, and keeps its volume") {
+  const auto mask = array_of<std::uint8_t>(ball_size, [](auto x, auto y, auto z) {
+    const std::array<double, 3> voxel{static_cast<double>(x), static_cast<double>(y),
+                                      static_cast<double>(z)};
+    const auto from = difference(voxel, ball_centre);
+    return dot(from, from) <= ball_radius * ball_radius ? 1 : 0;
+  });
+  const double sphere = 4 / 3.0 * std::acos(-1) * std::pow(ball_radius, 3);
+  MeshOptions options;
+  options.smoothing = 1;
+  const MeshMeasures measures = measures_of(mesh_of(mask.view(), 1, options));
+  CHECK(measures.is_closed);
+  CHECK(measures.volume == doctest::Approx(sphere).epsilon(0.03));
+  const double area = 4 * std::acos(-1) * ball_radius * ball_radius;
+  CHECK(measures.area == doctest::Approx(area).epsilon(0.03));
+}
+
+TEST_CASE("normals are unit vectors that point outwards, of the surface and of the samples") {
+  const auto array = ball<float>();
+  for (const Normals normals : {Normals::surface, Normals::gradient})
+    for (const bool interpolates : {false, true}) {
+      MeshOptions options;
+      options.normals = normals;
+      options.interpolates = interpolates;
+      const Mesh mesh = mesh_of(array.view(), ball_level, options);
+      REQUIRE(mesh.normals.size() == mesh.vertices.size());
+      for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        CHECK(dot(mesh.normals[i], mesh.normals[i]) == doctest::Approx(1));
+        const auto from = difference(mesh.vertices[i], ball_centre);
+        const double cosine = dot(mesh.normals[i], from) / std::sqrt(dot(from, from));
+        CHECK(cosine > (normals == Normals::gradient ? 0.99 : 0.8));
+      }
+    }
+}

@@ -1,0 +1,69 @@
+// MeshOptions::progress: what it hears, and that it can cancel.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <thread>
+
+#include "sampled_shapes.hpp"
+
+using namespace discmc;
+using namespace mesh_tests;
+
+TEST_CASE("progress counts slices in order, then names the steps that follow") {
+  const auto array = ball<float>();
+  for (const unsigned threads : {1U, 3U}) {
+    std::vector<std::string> steps;
+    std::uint64_t last = 0;
+    MeshOptions options;
+    options.threads = threads;
+    options.normals = Normals::gradient;
+    const std::thread::id caller = std::this_thread::get_id();
+    options.progress = [&](const MeshProgress& at) {
+      CHECK((std::this_thread::get_id() == caller));
+      if (steps.empty() || steps.back() != at.step) {
+        steps.push_back(at.step);
+        last = 0;
+      }
+      CHECK(at.done >= last);
+      last = at.done;
+      if (steps.back() == "extracting") CHECK(at.all == 24);
+      CHECK((at.all == 0 || at.done <= at.all));
+      return true;
+    };
+    (void)mesh_of(array.view(), ball_level, options);
+    if (threads == 1) CHECK(steps.front() == "extracting");
+    REQUIRE(steps.size() >= 2);
+    CHECK(steps[steps.size() - 2] == "triangulating");
+    CHECK(steps.back() == "normals");
+    CHECK(last == 24);
+  }
+}
+
+TEST_CASE("progress that returns false cancels at any call, in any number of threads") {
+  const auto array = ball<float>();
+  for (const unsigned threads : {1U, 4U})
+    for (int calls = 1;; ++calls) {
+      int left = calls;
+      MeshOptions options;
+      options.threads = threads;
+      options.normals = Normals::surface;
+      options.progress = [&](const MeshProgress&) { return --left > 0; };
+      try {
+        (void)mesh_of(array.view(), ball_level, options);
+        CHECK(calls > (threads == 1 ? 20 : 2));
+        break;
+      } catch (const Cancelled&) {
+        CHECK(left == 0);
+      }
+    }
+}
+
+TEST_CASE("what progress throws leaves the call unchanged") {
+  struct Mine {};
+  MeshOptions options;
+  options.progress = [](const MeshProgress&) -> bool { throw Mine{}; };
+  CHECK_THROWS_AS((void)mesh_of(std::vector<int>(27), {3, 3, 3}, 1, options), Mine);
+  options.threads = 2;
+  CHECK_THROWS_AS((void)mesh_of(std::vector<int>(27), {3, 3, 3}, 1, options), Mine);
+  CHECK_THROWS_AS((void)label_meshes({std::vector<int>(27, 1), {3, 3, 3}}, options), Mine);
+}

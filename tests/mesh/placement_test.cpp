@@ -1,0 +1,76 @@
+// Spacing and placement: where the mesh lies.
+#include <doctest/doctest.h>
+
+#include "sampled_shapes.hpp"
+
+using namespace discmc;
+using namespace mesh_tests;
+
+namespace {
+
+using Matrix = std::array<std::array<double, 4>, 3>;
+
+std::array<double, 3> placed(const Matrix& matrix, const std::array<double, 3>& point) {
+  std::array<double, 3> at{};
+  for (std::size_t row = 0; row < 3; ++row)
+    at[row] = matrix[row][3] + matrix[row][0] * point[0] + matrix[row][1] * point[1] +
+              matrix[row][2] * point[2];
+  return at;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the spacing scales the mesh, and a negative one mirrors it without turning it inside out") {
+  const auto array = ball<float>();
+  const double volume = measures_of(mesh_of(array.view(), ball_level)).volume;
+  MeshOptions options;
+  options.spacing = {2, -3, 0.5};
+  for (const bool interpolates : {false, true}) {
+    options.interpolates = interpolates;
+    const Mesh mesh = mesh_of(array.view(), ball_level, options);
+    CHECK(signed_volume(mesh) == doctest::Approx(measures_of(mesh).volume));
+    CHECK(measures_of(mesh).least[1] < -3 * 16);
+    if (!interpolates) CHECK(measures_of(mesh).volume == doctest::Approx(3 * volume));
+  }
+}
+
+TEST_CASE("a placement puts vertices, normals and polygons where its matrix says") {
+  const auto array = ball<float>();
+  const Mesh lattice = mesh_of(array.view(), ball_level);
+  const double c = 0.6, s = 0.8;  // a rotation about z
+  const Matrix rotated{{{2 * c, -3 * s, 0, 100}, {2 * s, 3 * c, 0, -20}, {0, 0, 4, 7}}};
+  const Matrix mirrored{{{0, 3, 0, 1}, {2, 0, 0, 2}, {0, 0, 4, 3}}};
+  for (const Matrix& matrix : {rotated, mirrored}) {
+    MeshOptions options;
+    options.spacing = {9, 9, 9};  // the placement is in place of it
+    options.placement = matrix;
+    options.polygons = true;
+    options.normals = Normals::gradient;
+    const Mesh mesh = mesh_of(array.view(), ball_level, options);
+    std::vector<std::array<double, 3>> expected;
+    for (const auto& vertex : lattice.vertices) expected.push_back(placed(matrix, vertex));
+    const auto found = sorted(mesh.vertices);
+    expected = sorted(expected);
+    REQUIRE(found.size() == expected.size());
+    for (const auto& vertex : found) {  // rounding may change the order
+      const bool is_there = std::any_of(expected.begin(), expected.end(), [&](const auto& other) {
+        const auto apart = difference(vertex, other);
+        return dot(apart, apart) < 1e-18;
+      });
+      CHECK(is_there);
+    }
+    const MeshMeasures measures = measures_of(mesh);
+    CHECK(measures.is_closed);
+    CHECK(measures.volume == doctest::Approx(24 * measures_of(lattice).volume));
+    CHECK(signed_volume(mesh) > 0);
+    const auto centre = placed(matrix, ball_centre);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+      CHECK(dot(mesh.normals[i], difference(mesh.vertices[i], centre)) > 0);
+    for (std::size_t i = 0; i < mesh.polygons.size(); ++i) {
+      const std::size_t corner = mesh.polygons.corner_begin[mesh.polygons.ring_begin[i]];
+      const auto& vertex = mesh.vertices[mesh.polygons.corners[corner]];
+      CHECK(dot(mesh.polygons.normals[i], difference(vertex, centre)) > 0);
+    }
+  }
+}
