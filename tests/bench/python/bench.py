@@ -1,0 +1,249 @@
+"""Times the Python package beside scikit-image, VTK, PyMCubes and zmesh, where these are installed.
+
+usage: bench.py [FOLDER]; FOLDER has volumes, each with a JSON file of its name that lists thresholds.
+`scripts/bench --python` builds the package and runs this. Prints tables in Markdown.
+
+Each call is in a process of its own, on one core, in turns. Seconds: the least of the rounds. Memory: the
+peak during the call, above what the process had with the array.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROUNDS = 3
+
+
+def memory(field):
+    """Bytes of this process by /proc: VmRSS now, VmHWM at the peak."""
+    for line in open('/proc/self/status'):
+        if line.startswith(field):
+            return int(line.split()[1]) * 1024
+    raise LookupError(field)
+
+
+# ---- Contenders: each imports what it needs, and returns a call, which returns its triangles.
+
+
+def extract(array, level):
+    import discmc
+
+    return lambda: len(discmc.extract(array, level).faces)
+
+
+def extract_interpolated(array, level):
+    import discmc
+
+    return lambda: len(discmc.extract(array, level, interpolate=True).faces)
+
+
+def marching_cubes(array, level):
+    import discmc
+
+    return lambda: len(discmc.marching_cubes(array, level)[1])
+
+
+def scikit_image(array, level):
+    from skimage.measure import marching_cubes as other
+
+    return lambda: len(other(array, level)[1])
+
+
+def vtk_image(array):
+    from vtkmodules.util import numpy_support
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+
+    image = vtkImageData()
+    image.SetDimensions(array.shape[::-1])
+    image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(array.reshape(-1)))
+    return image
+
+
+def vtk_faces(algorithm):
+    """Runs it, and takes its points and triangles to NumPy."""
+    from vtkmodules.util import numpy_support
+
+    algorithm.Update()
+    output = algorithm.GetOutput()
+    numpy_support.vtk_to_numpy(output.GetPoints().GetData())
+    return len(numpy_support.vtk_to_numpy(output.GetPolys().GetConnectivityArray()).reshape(-1, 3))
+
+
+def vtk_flying_edges(array, level):
+    from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+
+    def call():
+        edges = vtkFlyingEdges3D()
+        edges.SetInputData(vtk_image(array))
+        edges.SetValue(0, level)
+        edges.ComputeNormalsOff()
+        return vtk_faces(edges)
+
+    return call
+
+
+def pymcubes(array, level):
+    import mcubes
+
+    return lambda: len(mcubes.marching_cubes(array, level)[1])
+
+
+def extract_labels(array, level):
+    import discmc
+
+    return lambda: sum(len(mesh.faces) for mesh in discmc.extract_labels(array).values())
+
+
+def vtk_discrete_flying_edges(array, level):
+    import numpy as np
+    from vtkmodules.vtkFiltersGeneral import vtkDiscreteFlyingEdges3D
+
+    def call():
+        edges = vtkDiscreteFlyingEdges3D()
+        edges.SetInputData(vtk_image(array))
+        for place, label in enumerate(np.unique(array)[1:]):
+            edges.SetValue(place, label)
+        edges.ComputeNormalsOff()
+        return vtk_faces(edges)
+
+    return call
+
+
+def scikit_image_labels(array, level):
+    import numpy as np
+    from skimage.measure import marching_cubes as other
+
+    return lambda: sum(len(other(array == label, 0.5)[1]) for label in np.unique(array)[1:])
+
+
+def zmesh_labels(array, level):
+    import zmesh
+
+    def call():
+        mesher = zmesh.Mesher((1, 1, 1))
+        mesher.mesh(array)
+        return sum(len(mesher.get(label).faces) for label in mesher.ids())
+
+    return call
+
+
+OF_LEVELS = {
+    'discmc.extract()': extract,
+    'discmc.extract(interpolate=True)': extract_interpolated,
+    'discmc.marching_cubes()': marching_cubes,
+    'scikit-image marching_cubes': scikit_image,
+    'VTK vtkFlyingEdges3D': vtk_flying_edges,
+    'PyMCubes': pymcubes,
+}
+OF_LABELS = {
+    'discmc.extract_labels()': extract_labels,
+    'scikit-image marching_cubes, each label': scikit_image_labels,
+    'VTK vtkDiscreteFlyingEdges3D': vtk_discrete_flying_edges,
+    'zmesh': zmesh_labels,
+}
+
+
+def measure(name, file, level):
+    """Prints seconds, bytes and triangles of one call; nothing if its library is not installed."""
+    import numpy as np
+
+    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+    array = np.load(file)
+    try:
+        call = (OF_LEVELS | OF_LABELS)[name](array, level)
+        # What libraries set up at their first call is none of the volume's.
+        (OF_LEVELS | OF_LABELS)[name](np.ascontiguousarray(array[:8, :8, :8] // 2 * 0 + np.arange(
+            8, dtype=array.dtype)), 4)()
+    except ImportError:
+        return
+    import time
+
+    with open('/proc/self/clear_refs', 'w') as peak:
+        peak.write('5')  # the peak from here on
+    before = memory('VmRSS')
+    begin = time.perf_counter()
+    triangles = call()
+    seconds = time.perf_counter() - begin
+    print(json.dumps([seconds, memory('VmHWM') - before, triangles]))
+
+
+# ---- Volumes
+
+
+def generated(size, kind):
+    """A gyroid that grows finer along an axis, with values around 128."""
+    import numpy as np
+
+    steps = np.linspace(0, 1, size, dtype=np.float32)
+    x, y, z = (steps * 40, steps.reshape(-1, 1) * 40, steps.reshape(-1, 1, 1) * 40)
+    volume = np.sin(x) * np.cos(y) + np.sin(y) * np.cos(z) + np.sin(z) * np.cos(x)
+    return np.ascontiguousarray((volume * 80 + 128).astype(kind))
+
+
+def labelled(size, count):
+    """Each voxel has the number of the nearest of some points."""
+    import numpy as np
+    from scipy.spatial import cKDTree
+
+    points = np.random.default_rng(1).random((count, 3)) * size
+    voxels = np.stack(np.meshgrid(*3 * [np.arange(size)], indexing='ij'), -1).reshape(-1, 3)
+    return (cKDTree(points).query(voxels)[1] + 1).reshape(3 * [size]).astype(np.uint16)
+
+
+def volumes(folder):
+    """Name, array, thresholds; none of labels."""
+    import numpy as np
+
+    for kind in ('uint8', 'float32'):
+        for size in (256, 512):
+            yield f'gyroid, {size}^3 {kind}, at 128.5', generated(size, kind), [128.5]
+    yield '300 labels, 256^3 uint16', labelled(256, 300), []
+    if folder is None:
+        return
+    import discmc
+
+    for file in sorted(Path(folder).glob('*.json')):
+        about = json.loads(file.read_text())
+        array = np.ascontiguousarray(np.asarray(discmc.read(file.parent / about['file'])).T)
+        if array.size > 2**20:
+            for level in about['iso'][:1]:
+                extents = ' x '.join(map(str, array.shape[::-1]))
+                yield f'{file.stem}, {extents} {array.dtype}, at {level}', array, [level]
+
+
+def run(file, level, names):
+    rounds = {name: [] for name in names}
+    for _ in range(ROUNDS):
+        for name in names:
+            found = subprocess.run([sys.executable, __file__, 'measure', name, file, str(level)],
+                                   stdout=subprocess.PIPE, check=True).stdout
+            if found:
+                rounds[name].append(json.loads(found))
+    return {name: found for name, found in rounds.items() if found}
+
+
+def main(folder=None):
+    print('| volume | call | seconds | MB above the array | triangles |')
+    print('|---|---|--:|--:|--:|')
+    import numpy as np
+
+    with tempfile.TemporaryDirectory() as scratch:
+        file = os.path.join(scratch, 'volume.npy')
+        for title, array, levels in volumes(folder):
+            np.save(file, array)
+            del array
+            for name, found in run(file, (levels or [0])[0], OF_LEVELS if levels else OF_LABELS).items():
+                seconds = min(each[0] for each in found)
+                megabytes = min(each[1] for each in found) / 1e6
+                print(f'| {title} | {name} | {seconds:.2f} | {megabytes:,.0f} | {found[0][2]:,} |', flush=True)
+                title = ''
+
+
+if __name__ == '__main__':
+    if sys.argv[1:2] == ['measure']:
+        measure(sys.argv[2], sys.argv[3], float(sys.argv[4]))
+    else:
+        main(*sys.argv[1:])
