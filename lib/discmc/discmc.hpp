@@ -9,8 +9,9 @@
 // state. examples/firmware.cpp sends regions, and examples/link.cpp receives streams of either
 // kind.
 //
-// This file includes everything that firmware and receivers need. Hosts also include
-// host/host_extractor.hpp. Each header is the reference of its part. Four documents belong to all:
+// This file includes everything that firmware and receivers need. Each header is the reference of
+// its part. Programs on a PC that want meshes include mesh.hpp of the mesh library instead
+// (docs/cpp.md). Four documents belong to all:
 //
 //   docs/map.md       the way through the headers
 //   docs/concepts.md  the terms

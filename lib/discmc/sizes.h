@@ -14,8 +14,7 @@
 #error "discmc needs an int of at least 32 bits: its integers are promoted to int"
 #endif
 
-/* An extractor of a plain kind. slots: at least DISCMC_MIN_SLOTS; see discmc_extractor_config. For
- * discmc_host call discmc_extractor_bytes() instead. */
+/* An extractor of a plain kind. slots: at least DISCMC_MIN_SLOTS; see discmc_extractor_config. */
 #define DISCMC_EXTRACTOR_BYTES(width, height, slots)                           \
   (26 * sizeof(void*) + 962 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
    UINT64_C(8) * (slots))

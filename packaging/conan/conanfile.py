@@ -33,7 +33,7 @@ class Discmc(ConanFile):
 
     def generate(self):
         toolchain = CMakeToolchain(self)
-        for part in ("COMMAND", "EXAMPLES", "TESTS", "FUZZ"):
+        for part in ("MESH", "COMMAND", "EXAMPLES", "TESTS", "FUZZ"):
             toolchain.cache_variables["DISCMC_BUILD_" + part] = False
         toolchain.generate()
 

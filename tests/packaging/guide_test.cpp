@@ -463,7 +463,8 @@ std::vector<std::string> blocks_of(const std::string& page) {
 }  // namespace
 
 TEST_CASE("the guide shows no code in C or C++ that is not built") {
-  std::vector<std::string> programs{lines_of(root / "tests/packaging/guide_test.cpp")};
+  std::vector<std::string> programs{lines_of(root / "tests/packaging/guide_test.cpp"),
+                                    lines_of(root / "tests/packaging/mesh_guide_test.cpp")};
   for (const auto& file : std::filesystem::directory_iterator(root / "examples"))
     if (file.path().extension() == ".cpp" || file.path().extension() == ".c")
       programs.push_back(lines_of(file.path()));

@@ -1,8 +1,9 @@
-// The first program of the README is the example that the tests compile and run.
+// The programs of the README are examples that the tests compile and run.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include "project_text.hpp"
 
@@ -10,19 +11,25 @@ namespace {
 
 using discmc::test::text_of;
 
-std::string first_block(const std::string& markdown, const std::string& language) {
+std::vector<std::string> blocks_of(const std::string& markdown, const std::string& language) {
   const std::string fence = "```" + language + "\n";
-  const size_t begin = markdown.find(fence);
-  REQUIRE(begin != std::string::npos);
-  const size_t end = markdown.find("\n```", begin);
-  REQUIRE(end != std::string::npos);
-  return markdown.substr(begin + fence.size(), end + 1 - begin - fence.size());
+  std::vector<std::string> blocks;
+  for (size_t begin = markdown.find(fence); begin != std::string::npos;
+       begin = markdown.find(fence, begin)) {
+    begin += fence.size();
+    blocks.push_back(markdown.substr(begin, markdown.find("\n```", begin) + 1 - begin));
+  }
+  return blocks;
 }
 
 }  // namespace
 
-TEST_CASE("the README's program is examples/firmware.cpp, in at most 40 lines") {
-  const std::string program = first_block(text_of("README.md"), "cpp");
-  CHECK(program == text_of("examples/firmware.cpp"));
-  CHECK(std::count(program.begin(), program.end(), '\n') <= 40);
+TEST_CASE(
+    "the README's programs are examples/mesh.cpp in ten lines, and firmware.cpp in at most 40") {
+  const std::vector<std::string> programs = blocks_of(text_of("README.md"), "cpp");
+  REQUIRE(programs.size() == 2);
+  CHECK(programs[0] == text_of("examples/mesh.cpp"));
+  CHECK(std::count(programs[0].begin(), programs[0].end(), '\n') <= 11);
+  CHECK(programs[1] == text_of("examples/firmware.cpp"));
+  CHECK(std::count(programs[1].begin(), programs[1].end(), '\n') <= 40);
 }

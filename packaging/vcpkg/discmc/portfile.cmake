@@ -9,7 +9,8 @@ vcpkg_cmake_configure(
     -DDISCMC_BUILD_COMMAND=OFF
     -DDISCMC_BUILD_EXAMPLES=OFF
     -DDISCMC_BUILD_TESTS=OFF
-    -DDISCMC_BUILD_FUZZ=OFF)
+    -DDISCMC_BUILD_FUZZ=OFF
+    -DDISCMC_BUILD_MESH=OFF)
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(CONFIG_PATH lib/cmake/discmc)
 vcpkg_fixup_pkgconfig()

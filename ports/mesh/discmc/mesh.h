@@ -84,7 +84,7 @@ enum {
   DISCMC_MESH_TOO_LARGE,    /* more than 2^32 corners */
   DISCMC_MESH_NO_MEMORY,
   DISCMC_MESH_CANCELLED, /* progress returned 0 */
-  DISCMC_MESH_FAILED
+  DISCMC_MESH_FAILED     /* for example decimation in a build without meshoptimizer */
 };
 
 /* Owner of the arrays: the mesh, until it is freed. */

@@ -1,3 +1,5 @@
+// By meshoptimizer, if DISCMC_WITH_MESHOPTIMIZER is defined.
+#ifdef DISCMC_WITH_MESHOPTIMIZER
 #include "mesh_simplifier.hpp"
 
 #include <meshoptimizer.h>
@@ -45,3 +47,5 @@ Simplified simplified(const std::vector<Point>& vertices, const std::vector<std:
 }
 
 }  // namespace discmc::meshing
+
+#endif

@@ -1,4 +1,5 @@
-// Where meshoptimizer is not.
+// Without meshoptimizer.
+#ifndef DISCMC_WITH_MESHOPTIMIZER
 #include <stdexcept>
 
 #include "mesh_simplifier.hpp"
@@ -18,3 +19,5 @@ Simplified simplified(const std::vector<Point>&, const std::vector<std::uint32_t
 }
 
 }  // namespace discmc::meshing
+
+#endif
