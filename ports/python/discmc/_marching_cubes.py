@@ -70,5 +70,6 @@ def marching_cubes(
         faces = np.ascontiguousarray(faces[:, ::-1])
     # scikit-image has double precision if it multiplies by a spacing.
     is_unit = np.array_equal(spacing, (1, 1, 1))
-    vertices = data.vertices.astype(np.float32) if is_unit else data.vertices.copy()
+    vertices: NDArray[np.floating[Any]] = data.vertices
+    vertices = vertices.astype(np.float32) if is_unit else vertices.copy()
     return vertices, faces, data.normals.astype(np.float32), values
