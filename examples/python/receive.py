@@ -27,8 +27,8 @@ def receive(link):
         while data := link.read(4096):
             yield from decoder.feed(data)
             print(decoder.polygon_count, "polygons so far", end="\r", file=sys.stderr)
-    except OSError as error:  # the other end of a terminal is closed
-        print("the link ended:", error.strerror)
+    except OSError:  # the other end of a terminal is closed
+        pass
     if scan := decoder.finish():
         yield scan
 

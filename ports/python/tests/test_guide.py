@@ -67,10 +67,9 @@ def test_receive(tmp_path):
     sender.join()
     os.close(device_end)
     os.close(port)
-    rest = receiver.stdout.read()
+    receiver.stdout.close()
     assert receiver.wait() == 0
     assert all("complete" in line and "incomplete" not in line for line in lines), lines
-    assert "the link ended" in rest
     assert {file.name for file in tmp_path.iterdir()} == {"scan0.stl", "scan1.stl"}
 
 
