@@ -38,6 +38,7 @@ TEST_CASE("all files that name the version name this one") {
   CHECK(version_after("discmc-", "docs/packaging.md") == version);
   CHECK(version_after("project\\(discmc\\s+VERSION ", "packaging/CMakeLists.txt") == version);
   CHECK(version_after("version: '", "meson.build") == version);
+  CHECK(version_after("\nversion = \"", "ports/python/pyproject.toml") == version);
   CHECK(version_after("name = \"discmc\",\\s+version = \"", "MODULE.bazel") == version);
   CHECK(version_after("\"version\": \"", "library.json") == version);
   CHECK(version_after("version: \"", "idf_component.yml") == version);

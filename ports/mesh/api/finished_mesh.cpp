@@ -136,8 +136,8 @@ void check_options(const MeshOptions& options) {
   if (is_decimated(options)) require_simplifier();
   if (options.polygons && (is_decimated(options) || is_interpolated(options)))
     refuse(
-        "polygons are those of the midpoint surface: leave out interpolates, smoothing, "
-        "triangles and max_error, or polygons");
+        "polygons are those of the midpoint surface: leave out interpolation, smoothing "
+        "and decimation, or the polygons");
 }
 
 Mesh finished_mesh(Surface&& surface, const Crossings* crossings, const MeshOptions& options,

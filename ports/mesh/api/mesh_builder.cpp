@@ -21,8 +21,9 @@ class MeshBuilder::State {
     check_options(options);
     if (options.smoothing > 0 || options.normals == Normals::gradient)
       throw std::invalid_argument(
-          "slices are read once, so a MeshBuilder has neither smoothing nor gradient normals; "
-          "call mesh_of()");
+          "slices that come one by one allow neither smoothing nor gradient normals; give the "
+          "whole "
+          "array");
     for (const std::int64_t extent : {width, height})
       if (extent < 1 || extent > max_across)
         throw std::invalid_argument("a slice has an extent of " + std::to_string(extent) +

@@ -68,11 +68,11 @@ void check_gradient(const MeshOptions& options, const std::vector<Selection>& se
   if (options.normals != Normals::gradient) return;
   if (options.smoothing > 0)
     throw std::invalid_argument(
-        "a smoothed surface has no gradient normals; give Normals::surface");
+        "a smoothed surface has no gradient normals; ask for surface normals");
   for (const Selection& selection : selections)
     if (selection.has_upper_end())
       throw std::invalid_argument(
-          "gradient normals need a level without a high end; give Normals::surface");
+          "gradient normals need a level without a high end; ask for surface normals");
 }
 
 SurfaceOptions surface_options(const MeshOptions& options, std::uint64_t slices) {
@@ -114,7 +114,7 @@ std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& le
   for (const Level& level : levels) selections.push_back(selection_of(level));
   check_gradient(options, selections);
   if (options.smoothing > 0 && levels.size() > 1)
-    throw std::invalid_argument("smoothing takes one level; call mesh_of() for each");
+    throw std::invalid_argument("smoothing takes one level; extract each by itself");
   const AxisOrder order = axis_order(samples);
   const SweepPlace place = sweep_place(options, order);
   ArrayReader array(samples, order, place.spacing);
@@ -163,8 +163,8 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
     throw std::invalid_argument("labels are whole numbers; convert the array to an integer type");
   if (options.normals == Normals::gradient || (options.interpolates && options.smoothing == 0))
     throw std::invalid_argument(
-        "there is nothing between labels: give Normals::surface, and smoothing in place of "
-        "interpolates");
+        "there is nothing between labels: ask for surface normals, and for smoothing in place of "
+        "interpolation");
   const AxisOrder order = axis_order(samples);
   const SweepPlace place = sweep_place(options, order);
   ArrayReader array(samples, order, place.spacing);

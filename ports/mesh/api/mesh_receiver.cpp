@@ -97,8 +97,8 @@ class MeshReceiver::State {
     check_options(options);
     if (options.interpolates || options.smoothing > 0 || options.normals == Normals::gradient)
       throw std::invalid_argument(
-          "a stream holds no samples: leave out interpolates and smoothing, and give "
-          "Normals::surface");
+          "a stream holds no samples: leave out interpolation and smoothing, and ask for surface "
+          "normals");
     Surface so_far = builder().surface();
     return finished_mesh(std::move(so_far), nullptr, options, sweep_place(options), 0);
   }

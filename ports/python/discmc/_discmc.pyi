@@ -75,7 +75,7 @@ def extract_labels(
     volume: NDArray[Any], labels: Sequence[int], options: Options
 ) -> dict[int, MeshData]: ...
 def ranges_around(
-    volume: NDArray[Any], mesh: MeshData, spacing: NDArray[np.float64]
+    volume: NDArray[Any], mesh: MeshData, spacing: NDArray[Any]
 ) -> NDArray[np.float32]: ...
 
 class Slices:

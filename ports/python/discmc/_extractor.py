@@ -66,10 +66,13 @@ class Extractor:
         channel: int = 0,
     ) -> None:
         is_open = choice("border", border, {"closed": False, "open": True})
+        distances = triple("spacing", spacing)
+        if max(abs(distance) for distance in distances) > 2147:
+            raise ValueError(f"spacing is {distances}; give at most 2147 mm, as a stream holds it")
         self._encodes = encode
         self._scan = _discmc.start(
             width, height, level, memory, is_open, choice("index_bits", index_bits, {16: 16, 32: 32}),
-            encode, triple("spacing", spacing), scan, channel)
+            encode, distances, scan, channel)
 
     @staticmethod
     def minimum_memory(width: int, height: int, index_bits: int = 16) -> int:

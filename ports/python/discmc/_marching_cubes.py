@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _discmc
 from ._options import options, triple
 
-Arrays = tuple["NDArray[np.float32]", "NDArray[np.int32]", "NDArray[np.float32]", "NDArray[np.float32]"]
+Arrays = tuple["NDArray[np.floating[Any]]", "NDArray[np.int32]", "NDArray[np.float32]", "NDArray[np.float32]"]
 
 
 def marching_cubes(
@@ -52,16 +52,15 @@ def marching_cubes(
     if not least <= level <= greatest:
         raise ValueError(
             f"the level is {level}; give one within the values of the volume, {least} to {greatest}")
-    distances = np.array(triple("spacing", spacing))
+    distances = np.array(triple("spacing", spacing)) * step_size
     samples = samples[::step_size, ::step_size, ::step_size]
-    # Values are found by voxels, and normals must be those of the spacing.
     data = _discmc.extract(
         samples, level, np.inf,
-        options(spacing=distances * step_size, border="open", interpolate=True, tolerance=tolerance,
+        options(spacing=distances, border="open", interpolate=True, tolerance=tolerance,
                 normals="gradient"))
     if len(data.faces) == 0:
         raise RuntimeError(f"there is no surface at the level {level}")
-    values = _discmc.ranges_around(samples, data, distances * step_size)
+    values = _discmc.ranges_around(samples, data, distances)
     faces = data.faces.astype(np.int32)
     if not allow_degenerate:
         corners = data.vertices[faces]
@@ -69,4 +68,8 @@ def marching_cubes(
         faces = faces[np.any(sides != 0, axis=1)]
     if gradient_direction == "descent":  # left-handed, as in scikit-image
         faces = np.ascontiguousarray(faces[:, ::-1])
-    return data.vertices.astype(np.float32), faces, data.normals.astype(np.float32), values
+    # scikit-image has double precision if it multiplies by a spacing.
+    is_unit = np.array_equal(spacing, (1, 1, 1))
+    vertices: NDArray[np.floating[Any]] = data.vertices
+    vertices = vertices.astype(np.float32) if is_unit else vertices.copy()
+    return vertices, faces, data.normals.astype(np.float32), values

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, Sequence
+from typing import Any, Callable, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -46,7 +46,7 @@ def matrix(placement: ArrayLike) -> list[list[float]]:
 
 def options(
     *,
-    spacing: Sequence[float] = (1.0, 1.0, 1.0),
+    spacing: ArrayLike = (1.0, 1.0, 1.0),
     placement: Optional[ArrayLike] = None,
     border: str = "closed",
     interpolate: bool = False,

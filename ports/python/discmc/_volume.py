@@ -82,5 +82,5 @@ def read(
     affine[:3, :3] = np.array(found["axes"]).T
     affine[:3, 3] = found["origin"]
     return Volume(
-        array, tuple(found["spacing"]), affine, found["space"], "mm", found["format"],
+        array, triple("spacing", found["spacing"]), affine, found["space"], "mm", found["format"],
         tuple(found["notes"]))
