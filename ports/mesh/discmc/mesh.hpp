@@ -148,7 +148,8 @@ struct MeshOptions {
   /// The mesh does not depend on it, but for the order of its triangles and vertices. 0: as many as
   /// there are processors.
   unsigned threads = 1;
-  /// Called in the calling thread; false cancels the call.
+  /// Called by one thread at a time; with several threads, not always by the calling one. false
+  /// cancels the call.
   std::function<bool(const MeshProgress&)> progress{};
 };
 
