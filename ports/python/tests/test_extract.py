@@ -119,6 +119,8 @@ def test_decimation_and_smoothing(ball):
     if decimates():
         mesh = discmc.extract(mask, 1, smoothing=1, triangles=300)
         assert len(mesh.faces) < 0.6 * len(smooth.faces) and mesh.is_closed
+        mesh = discmc.extract(mask, 1, smoothing=1, max_error=0.2)
+        assert len(mesh.faces) < 0.6 * len(smooth.faces) and mesh.is_closed
 
 
 def decimates():
