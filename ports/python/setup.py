@@ -1,6 +1,7 @@
 """Builds the module discmc._discmc with CMake, in the folder build/ beside this file."""
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -24,6 +25,8 @@ class CMakeBuild(build_ext):
             f"-Dpybind11_DIR={pybind11.get_cmake_dir()}",
             f"-DCMAKE_LIBRARY_OUTPUT_DIRECTORY={module.parent}",
         ]
+        if "CMAKE_GENERATOR" not in os.environ and shutil.which("ninja"):
+            configure += ["-G", "Ninja"]
         subprocess.run(configure, check=True)
         subprocess.run(
             ["cmake", "--build", str(build), "--target", "discmc_python",

@@ -146,7 +146,8 @@ Mesh finished_mesh(Surface&& surface, const Crossings* crossings, const MeshOpti
   report(options, "triangulating", 0, 0);
   const unsigned threads = threads_of(options);
   FaceMesh faces =
-      build_mesh(surface, {true, Faces::triangles, crossings, options.tolerance, threads});
+      build_mesh(surface, {true, Faces::triangles, crossings, options.tolerance, threads,
+                           [&options] { report(options, "triangulating", 0, 0); }});
   if (is_decimated(options)) {
     report(options, "decimating", 0, 0);
     decimate(faces, {options.triangles, options.max_error});

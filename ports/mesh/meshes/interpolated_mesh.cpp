@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -21,7 +22,8 @@ class InterpolatedMesh {
         corners_(std::move(corners)),
         outline_(corners_.vertices, true),
         triangulator_(corners_.vertices),
-        refinement_(*options.crossings, options.tolerance) {
+        refinement_(*options.crossings, options.tolerance),
+        check_(options.check) {
     number_what_sides_need();
   }
 
@@ -50,8 +52,10 @@ class InterpolatedMesh {
   // Follows the outline of each before the call.
   template <class Call>
   void for_each_polygon(Call call) {
-    for (std::size_t block = 0; block < block_count(surface_.polygons); ++block)
+    for (std::size_t block = 0; block < block_count(surface_.polygons); ++block) {
+      if (check_) check_();
       meshing::for_each_polygon(surface_, corners_, block, outline_, call);
+    }
   }
 
   // If two sheets are near to each other, triangles that leave out crossings may intersect. Such
@@ -62,7 +66,7 @@ class InterpolatedMesh {
     for (;;) {
       const std::size_t vertices = corners_.vertices.positions().size();
       std::vector<bool> is_outdated(surface_.polygons.size());
-      for (const auto& pair : intersecting_faces(mesh_, faces))
+      for (const auto& pair : intersecting_faces(mesh_, faces, check_))
         for (const std::uint32_t face : pair)
           if (number_crossings(face)) is_outdated[mesh_.polygons[face]] = true;
       if (corners_.vertices.positions().size() == vertices) return;
@@ -175,6 +179,7 @@ class InterpolatedMesh {
   Outline outline_;  // of the polygon under way
   OutlineTriangulator triangulator_;
   Refinement refinement_;
+  std::function<void()> check_;
   std::vector<Vertex> side_;  // under way
   MovedTriangles refined_;
   std::vector<Point> moved_;  // where the corners and junctions are moved to; Units: half-steps

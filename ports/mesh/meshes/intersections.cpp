@@ -129,11 +129,15 @@ std::vector<Box> boxes_of(const FaceMesh& mesh, const FaceList& faces) {
 }  // namespace
 
 std::vector<std::array<std::uint32_t, 2>> intersecting_faces(const FaceMesh& mesh,
-                                                             const FaceList& faces) {
+                                                             const FaceList& faces,
+                                                             const std::function<void()>& check) {
+  constexpr std::uint64_t pairs_a_check = 1 << 16;
   std::vector<std::array<std::uint32_t, 2>> pairs;
   const SomeFaces some(mesh, faces);
   const BoxTree tree(boxes_of(mesh, faces));
+  std::uint64_t tried = 0;
   tree.for_each_near_pair([&](std::uint32_t one, std::uint32_t other) {
+    if (check && ++tried % pairs_a_check == 0) check();
     if (some.intersect(one, other)) pairs.push_back({faces[one], faces[other]});
   });
   return pairs;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "surface/point.hpp"
@@ -36,6 +37,8 @@ struct MeshingOptions {
   /// This many threads triangulate polygons, unless they are interpolated. The mesh is the
   /// same.
   unsigned jobs = 1;
+  /// Called now and then, by one thread at a time, if it is given. What it throws ends the call.
+  std::function<void()> check{};
 };
 
 /// Faces over shared vertices. Faces are counter-clockwise seen from outside.

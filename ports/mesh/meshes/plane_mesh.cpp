@@ -112,7 +112,10 @@ FaceMesh plane_mesh(const Surface& surface, NumberedCorners corners,
         if (number == 0) return place_vertices(corners, mesh);
         block.faces->add_block(number - 1, block.part);
       },
-      [&mesh](std::size_t, Block& block) { append_faces(mesh, block.part); });
+      [&](std::size_t, Block& block) {
+        if (options.check) options.check();
+        append_faces(mesh, block.part);
+      });
   mesh.lattice = std::move(corners.vertices).positions();
   return mesh;
 }

@@ -82,7 +82,8 @@ def extract(
     normals: 'surface' for those of the polygons, 'gradient' for those of the samples.
     polygons: fills Mesh.polygons.
     threads: 0 for one per processor.
-    progress: called with step, done and all; all is 0 if unknown. False cancels the call.
+    progress: called in the calling thread with the newest step, done and all; all is 0 if unknown.
+        False cancels the call.
 
     Raises TypeError or ValueError with the remedy, and Cancelled.
     """

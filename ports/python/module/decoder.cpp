@@ -36,7 +36,7 @@ std::size_t push(MeshReceiver& receiver, const py::buffer& bytes) {
 }
 
 SharedMesh mesh(const MeshReceiver& receiver, const Options& options) {
-  return shared(receiver.mesh(watched(options)));
+  return shared(receiver.mesh(options.mesh));
 }
 
 }  // namespace

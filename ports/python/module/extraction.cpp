@@ -9,26 +9,23 @@
 #include "mesh_class.hpp"
 #include "options.hpp"
 #include "samples.hpp"
+#include "watch.hpp"
 
 namespace discmc::python {
 namespace {
 
 SharedMesh extract(const py::array& volume, double low, double high, const Options& options) {
   const Samples samples = samples_of(volume);
-  const MeshOptions watched_options = watched(options);
-  const py::gil_scoped_release others_run;
-  return shared(mesh_of(samples, {low, high}, watched_options));
+  Watch watch(options);
+  return watch.run([&] { return shared(mesh_of(samples, {low, high}, watch.options())); });
 }
 
 py::dict extract_labels(const py::array& volume, const std::vector<std::int64_t>& labels,
                         const Options& options) {
   const Samples samples = samples_of(volume);
-  const MeshOptions watched_options = watched(options);
-  std::vector<LabelMesh> found;
-  {
-    const py::gil_scoped_release others_run;
-    found = label_meshes(samples, watched_options, labels);
-  }
+  Watch watch(options);
+  std::vector<LabelMesh> found =
+      watch.run([&] { return label_meshes(samples, watch.options(), labels); });
   const bool is_unsigned = samples.type() == meshing::type_of<std::uint64_t>();
   py::dict meshes;
   for (LabelMesh& each : found) {
@@ -42,10 +39,7 @@ py::dict extract_labels(const py::array& volume, const std::vector<std::int64_t>
 /// A mesh from slices. The first one sets the extents.
 class Slices {
  public:
-  Slices(double low, double high, const Options& options)
-      : level_(low, high), options_(options), watched_(watched(options_)) {}
-  Slices(const Slices&) = delete;
-  Slices& operator=(const Slices&) = delete;
+  Slices(double low, double high, const Options& options) : level_(low, high), watch_(options) {}
 
   void add(const py::array& slice) {
     if (slice.ndim() != 2)
@@ -56,7 +50,7 @@ class Slices {
     if (!builder_) {
       rows_ = slice.shape(0);
       columns_ = slice.shape(1);
-      builder_.emplace(columns_, rows_, level_, watched_);
+      builder_.emplace(columns_, rows_, level_, watch_.options());
     }
     if (slice.shape(0) != rows_ || slice.shape(1) != columns_)
       throw py::value_error(
@@ -64,21 +58,22 @@ class Slices {
           std::to_string(slice.shape(1)) + " samples, the first has " + std::to_string(rows_) +
           " x " + std::to_string(columns_) + "; give slices of one size");
     ++count_;
-    const void* const samples = slice.data();
-    const py::gil_scoped_release others_run;
-    builder_->add_slice(samples, type);
+    {
+      const void* const samples = slice.data();
+      const py::gil_scoped_release others_run;
+      builder_->add_slice(samples, type);
+    }
+    watch_.look();
   }
 
   SharedMesh finish() {
     if (!builder_) throw py::value_error("there is no slice; give at least one");
-    const py::gil_scoped_release others_run;
-    return shared(builder_->finish());
+    return watch_.run([&] { return shared(builder_->finish()); });
   }
 
  private:
   Level level_;
-  Options options_;
-  MeshOptions watched_;
+  Watch watch_;
   std::optional<MeshBuilder> builder_;
   py::ssize_t rows_ = 0;
   py::ssize_t columns_ = 0;

@@ -1,45 +1,11 @@
 #include "options.hpp"
 
-#include <chrono>
 #include <type_traits>
 #include <utility>
 
 #include <pybind11/stl.h>
 
 namespace discmc::python {
-namespace {
-
-/// Signals are looked for so often that Ctrl-C seems immediate, and so seldom that a busy
-/// interpreter does not delay the call.
-constexpr std::chrono::milliseconds between_looks{50};
-
-class Watch {
- public:
-  explicit Watch(const py::object& progress) : progress_(&progress) {}
-
-  bool operator()(const MeshProgress& now) {
-    const auto time = std::chrono::steady_clock::now();
-    const bool is_called = !progress_->is_none();
-    if (!is_called && time < next_look_) return true;
-    next_look_ = time + between_looks;
-    const py::gil_scoped_acquire interpreter;
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    return !is_called || !(*progress_)(now.step, now.done, now.all).is(py::bool_(false));
-  }
-
- private:
-  const py::object* progress_;
-  std::chrono::steady_clock::time_point next_look_{};
-};
-
-}  // namespace
-
-MeshOptions watched(const Options& options) {
-  MeshOptions all = options.mesh;
-  all.progress = Watch(options.progress);
-  return all;
-}
-
 void add_options(py::module_& module) {
   py::enum_<Border>(module, "Border").value("closed", Border::closed).value("open", Border::open);
   py::enum_<Normals>(module, "Normals")

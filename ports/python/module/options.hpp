@@ -1,4 +1,4 @@
-// The options of an extraction, and the interpreter during a call.
+// The options of an extraction.
 #ifndef DISCMC_PYTHON_OPTIONS_HPP
 #define DISCMC_PYTHON_OPTIONS_HPP
 
@@ -14,11 +14,6 @@ struct Options {
   MeshOptions mesh;
   py::object progress = py::none();  ///< called with step, done, all; False cancels
 };
-
-/// The options of a call during which other threads of Python run. Its progress() checks for
-/// signals, such as Ctrl-C, and calls that of the user; exceptions of either end the call.
-/// Limit: the options live as long as the call.
-MeshOptions watched(const Options& options);
 
 void add_options(py::module_& module);
 

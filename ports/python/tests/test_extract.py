@@ -1,3 +1,4 @@
+import threading
 import weakref
 
 import numpy as np
@@ -118,6 +119,8 @@ def test_decimation_and_smoothing(ball):
     if decimates():
         mesh = discmc.extract(mask, 1, smoothing=1, triangles=300)
         assert len(mesh.faces) < 0.6 * len(smooth.faces) and mesh.is_closed
+        mesh = discmc.extract(mask, 1, smoothing=1, max_error=0.2)
+        assert len(mesh.faces) < 0.6 * len(smooth.faces) and mesh.is_closed
 
 
 def decimates():
@@ -210,13 +213,18 @@ def test_an_empty_surface_is_a_mesh_without_faces(ball):
 def test_progress_is_reported_and_can_cancel(ball):
     steps = []
     discmc.extract(ball, 100, progress=lambda step, done, all: steps.append((step, done, all)))
-    assert ("extracting", 24, 24) in steps and steps[-1][0] == "triangulating"
+    assert steps[-1] == ("triangulating", 0, 0)
+    discmc.extract(iter(ball), 100, progress=lambda step, done, all: steps.append((step, done, all)))
+    assert ("extracting", 24, 0) in steps and steps[-1][0] == "triangulating"
     with pytest.raises(discmc.Cancelled):
         discmc.extract(ball, 100, progress=lambda *_: False)
     with pytest.raises(ZeroDivisionError):
         discmc.extract(ball, 100, threads=2, progress=lambda *_: 1 / 0)
     with pytest.raises(discmc.Cancelled):
         discmc.extract(iter(ball), 100, progress=lambda step, *_: step != "triangulating")
+    callers = set()
+    discmc.extract(ball, 100, threads=3, progress=lambda *_: callers.add(threading.get_ident()))
+    assert callers == {threading.get_ident()}
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,15 @@ import discmc
 
 def endless():
     """A volume that takes minutes, of one slice of memory."""
-    return np.broadcast_to(np.eye(512, dtype=np.uint8), (1 << 20, 512, 512))
+    return np.broadcast_to(np.eye(512, dtype=np.uint8), (1 << 17, 512, 512))
+
+
+@pytest.fixture(autouse=True)
+def python_handles_signals():
+    """Shells start programs in the background without."""
+    handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, handler)
 
 
 @pytest.mark.parametrize("threads", [1, 2])

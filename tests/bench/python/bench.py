@@ -3,8 +3,9 @@
 usage: bench.py [FOLDER]; FOLDER has volumes, each with a JSON file of its name that lists thresholds.
 `scripts/bench --python` builds the package and runs this. Prints tables in Markdown.
 
-Each call is in a process of its own, on one core, in turns. Seconds: the least of the rounds. Memory: the
-peak during the call, above what the process had with the array.
+Each call is in a process of its own, on one core, in turns. Seconds: processor time, which other programs
+change little; the least of the rounds. Memory: the peak during the call, above what the process had with the
+array.
 """
 
 import json
@@ -164,9 +165,9 @@ def measure(name, file, level):
     with open('/proc/self/clear_refs', 'w') as peak:
         peak.write('5')  # the peak from here on
     before = memory('VmRSS')
-    begin = time.perf_counter()
+    begin = time.process_time()
     triangles = call()
-    seconds = time.perf_counter() - begin
+    seconds = time.process_time() - begin
     print(json.dumps([seconds, memory('VmHWM') - before, triangles]))
 
 
@@ -197,21 +198,19 @@ def volumes(folder):
     """Name, array, thresholds; none of labels."""
     import numpy as np
 
-    for kind in ('uint8', 'float32'):
-        for size in (256, 512):
-            yield f'gyroid, {size}^3 {kind}, at 128.5', generated(size, kind), [128.5]
-    yield '300 labels, 256^3 uint16', labelled(256, 300), []
-    if folder is None:
-        return
-    import discmc
+    for file in sorted(Path(folder).glob('*.json')) if folder else []:
+        import discmc
 
-    for file in sorted(Path(folder).glob('*.json')):
         about = json.loads(file.read_text())
         array = np.ascontiguousarray(np.asarray(discmc.read(file.parent / about['file'])).T)
         if array.size > 2**20:
-            for level in about['iso'][:1]:
-                extents = ' x '.join(map(str, array.shape[::-1]))
-                yield f'{file.stem}, {extents} {array.dtype}, at {level}', array, [level]
+            level = about['iso'][0]
+            extents = ' x '.join(map(str, array.shape[::-1]))
+            yield f'{about["name"]}, {extents} {array.dtype}, at {level}', array, [level]
+    yield '300 labels, 256^3 uint16', labelled(256, 300), []
+    for size in (256, 512):
+        for kind in ('uint8', 'float32'):
+            yield f'gyroid, {size}^3 {kind}, at 128.5', generated(size, kind), [128.5]
 
 
 def run(file, level, names):
