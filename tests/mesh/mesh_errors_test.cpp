@@ -73,12 +73,12 @@ TEST_CASE("options out of range are named") {
 
 TEST_CASE("options that contradict each other are named") {
   CHECK(has(refusal([](auto& options) { options.polygons = options.interpolates = true; }),
-            "leave out interpolates"));
+            "or the polygons"));
   CHECK(has(refusal([](auto& options) {
               options.smoothing = 1;
               options.normals = Normals::gradient;
             }),
-            "give Normals::surface"));
+            "ask for surface normals"));
   MeshOptions gradient;
   gradient.normals = Normals::gradient;
   CHECK(has(message_of([&] {
@@ -90,7 +90,7 @@ TEST_CASE("options that contradict each other are named") {
   CHECK(has(message_of([&] {
               return meshes_of({samples, {3, 3, 3}}, {1, 2}, smooth);
             }),
-            "call mesh_of() for each"));
+            "extract each by itself"));
 }
 
 TEST_CASE("labels refuse samples with fractions, gradients, and interpolation without smoothing") {
@@ -101,7 +101,7 @@ TEST_CASE("labels refuse samples with fractions, gradients, and interpolation wi
   CHECK(has(message_of([&] {
               return label_meshes({samples, {3, 3, 3}}, options);
             }),
-            "Normals::surface"));
+            "surface normals"));
   options = {};
   options.interpolates = true;
   CHECK(has(message_of([&] { return label_meshes({samples, {3, 3, 3}}, options); }), "smoothing"));
@@ -110,7 +110,7 @@ TEST_CASE("labels refuse samples with fractions, gradients, and interpolation wi
 TEST_CASE("a builder refuses what needs the slices twice, other types, and wrong extents") {
   MeshOptions options;
   options.smoothing = 1;
-  CHECK(has(message_of([&] { return MeshBuilder(3, 3, 1, options); }), "call mesh_of()"));
+  CHECK(has(message_of([&] { return MeshBuilder(3, 3, 1, options); }), "neither smoothing nor gradient"));
   CHECK(has(message_of([] { return MeshBuilder(3, 32767, 1); }), "32767; give 1 to 32766"));
   CHECK(has(message_of([] {
               MeshBuilder builder(3, 3, 1);
