@@ -95,7 +95,7 @@ template void BitRows::append(const uint16_t*, uint32_t, uint32_t, int32_t);
 template void BitRows::append(const int16_t*, uint32_t, uint32_t, int32_t);
 
 void BitRows::append_bits(const uint8_t* bits) {
-  constexpr uint32_t max_bits = 24;  // whole bytes, placed at once
+  constexpr uint32_t max_bits = is_host ? 24 : 8;  // placed at once; one byte takes less flash
   static_assert(max_bits <= max_placed, "in two words");
   uint32_t* const words = arriving();
   for (; column_ < width_; column_ += max_bits) {
