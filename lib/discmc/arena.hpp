@@ -15,10 +15,15 @@ struct Memory {
   size_t bytes = 0;
 };
 
-/// The memory of an array. Owner: the caller.
-template <size_t N>
-constexpr Memory memory_of(uint8_t (&array)[N]) {
-  return {array, N};
+/// The memory of an array of bytes, words or plain structs. Owner: the caller.
+template <class Item, size_t N>
+constexpr Memory memory_of(Item (&array)[N]) {
+  return {array, sizeof array};
+}
+/// The memory of a std::array, std::span or std::vector, as long as it keeps its size.
+template <class Items>
+constexpr auto memory_of(Items& items) -> decltype(Memory{items.data(), items.size()}) {
+  return {items.data(), items.size() * sizeof *items.data()};
 }
 
 /// Allocates consecutive arrays of trivial types from one piece of memory and frees none of them.

@@ -7,6 +7,10 @@
 #ifndef DISCMC_COMPILER_HPP
 #define DISCMC_COMPILER_HPP
 
+#if !(__cplusplus >= 201703L || (defined(_MSVC_LANG) && _MSVC_LANG >= 201703L))
+#error "discmc needs C++17 or later: compile with -std=c++17"
+#endif
+
 #include <limits.h>
 #include <stddef.h>
 #include <stdint.h>
