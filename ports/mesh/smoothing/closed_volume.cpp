@@ -15,8 +15,7 @@ BitGrid padded_by(const std::array<std::uint32_t, 3>& voxels, BitGrid grid) {
 
 ClosedVolume::ClosedVolume(SliceReader& volume, const Selection& selection, SliceReader* mask,
                            double radius_mm)
-    : volume_(volume),
-      selected_(volume, selection, mask),
+    : selected_(volume, selection, mask),
       info_(info_of_mask(volume.info(), SampleType::u8)),
       ball_(radius_mm, info_.distances_mm()),
       padded_(padded_by(ball_.reach, {info_.dims})),

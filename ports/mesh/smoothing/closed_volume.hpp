@@ -31,7 +31,6 @@ class ClosedVolume final : public SliceReader {
   void read_padded(std::uint64_t* bits);
   void read_complement(std::uint64_t* bits);
 
-  SliceReader& volume_;
   SelectedBits selected_;
   SampleGrid info_;
   VoxelBall ball_;

@@ -18,8 +18,7 @@ Grid grid_of(const SampleGrid& info) {
 
 SmoothedVolume::SmoothedVolume(SliceReader& volume, const Selection& selection, SliceReader* mask,
                                double deviation_mm)
-    : volume_(volume),
-      selected_(volume, selection, mask),
+    : selected_(volume, selection, mask),
       info_(info_of_mask(volume.info(), SampleType::f32)),
       distance_(grid_of(info_), limit_mm(info_, deviation_mm),
                 [this](float* mask_slice) { read_mask(mask_slice); }),

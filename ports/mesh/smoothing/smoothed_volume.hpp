@@ -40,7 +40,6 @@ class SmoothedVolume final : public SliceReader {
  private:
   void read_mask(float* mask);
 
-  SliceReader& volume_;
   SelectedBits selected_;
   SampleGrid info_;
   SignedDistance distance_;
