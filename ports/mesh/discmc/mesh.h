@@ -4,8 +4,9 @@
  *   discmc_mesh mesh;
  *   if (discmc_mesh_of(&samples, 500, INFINITY, NULL, &mesh) != DISCMC_MESH_OK)
  *     fprintf(stderr, "%s\n", mesh.message);
- *   for (size_t i = 0; i < 3 * mesh.triangle_count; ++i) use(&mesh.vertices[3 *
- * mesh.triangles[i]]); discmc_mesh_free(&mesh);
+ *   for (size_t i = 0; i < 3 * mesh.triangle_count; ++i)
+ *     use(&mesh.vertices[3 * mesh.triangles[i]]);
+ *   discmc_mesh_free(&mesh);
  *
  * A voxel is inside if its sample is >= level_low and <= level_high. The mesh is closed, without
  * T-junctions, and its triangles are counter-clockwise seen from outside. By default vertices lie

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
+import operator
 from typing import Any, Iterable, Iterator, Optional, Sequence, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _discmc
 from ._mesh import Mesh
-from ._options import Progress, matrix, options, triple
+from ._options import Progress, array_of, matrix, number, options, triple
 from ._volume import Volume
 
 
@@ -87,16 +88,31 @@ def extract(
 
     Raises TypeError or ValueError with the remedy, and Cancelled.
     """
-    high = math.inf if upper is None else upper
+    low = number("level", level)
+    high = math.inf if upper is None else number("upper", upper)
     spacing_, placement_ = _placed(volume, spacing, placement)
     chosen: dict[str, Any] = dict(
         border=border, interpolate=interpolate, tolerance=tolerance, smoothing=smoothing,
         triangles=triangles, max_error=max_error, normals=normals, polygons=polygons,
         threads=threads, progress=progress)
     if isinstance(volume, Iterator):
-        return _of_slices(volume, level, high, spacing_, placement_, chosen)
+        return _of_slices(volume, low, high, spacing_, placement_, chosen)
     all_options = options(spacing=spacing_, placement=placement_, **chosen)
-    return Mesh(_discmc.extract(np.asarray(volume), level, high, all_options), polygons)
+    return Mesh(_discmc.extract(array_of(volume), low, high, all_options), polygons)
+
+
+def _bits_of(labels: Sequence[int]) -> list[int]:
+    """The library has labels of 64 bits, with their sign."""
+    bits = []
+    for each in labels:
+        try:
+            label = operator.index(each)
+        except TypeError:
+            raise TypeError(f"only has {each!r}; give whole numbers") from None
+        if not -(2**63) <= label < 2**64:
+            raise ValueError(f"only has {label}; give labels from -2**63 to 2**64 - 1")
+        bits.append(label - 2**64 if label >= 2**63 else label)
+    return bits
 
 
 def extract_labels(
@@ -125,8 +141,5 @@ def extract_labels(
         spacing=spacing_, placement=placement_, border=border, smoothing=smoothing,
         triangles=triangles, max_error=max_error, normals=normals, polygons=polygons,
         threads=threads, progress=progress)
-    array: NDArray[Any] = np.asarray(labels)
-    # The library has labels of 64 bits, with their sign.
-    bits = [label - 2**64 if label >= 2**63 else label for label in only]
-    found = _discmc.extract_labels(array, bits, all_options)
+    found = _discmc.extract_labels(array_of(labels), _bits_of(only), all_options)
     return {label: Mesh(data, polygons) for label, data in found.items()}

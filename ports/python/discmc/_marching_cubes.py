@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _discmc
-from ._options import options, triple
+from ._options import array_of, number, options, triple
 
 Arrays = tuple["NDArray[np.floating[Any]]", "NDArray[np.int32]", "NDArray[np.float32]", "NDArray[np.float32]"]
 
@@ -43,12 +43,13 @@ def marching_cubes(
         raise ValueError(f"gradient_direction is {gradient_direction!r}; expected 'descent' or 'ascent'")
     if step_size < 1 or step_size != int(step_size):
         raise ValueError(f"step_size is {step_size}; give a whole number from 1 on")
-    samples: NDArray[Any] = np.asarray(volume)
+    samples = array_of(volume)
     if samples.ndim != 3:
         raise ValueError(f"the volume has {samples.ndim} axes; it needs 3")
     least, greatest = samples.min(), samples.max()
     if level is None:
         level = 0.5 * (float(least) + float(greatest))
+    level = number("level", level)
     if not least <= level <= greatest:
         raise ValueError(
             f"the level is {level}; give one within the values of the volume, {least} to {greatest}")

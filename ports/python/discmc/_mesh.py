@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import tempfile
 from pathlib import Path
@@ -129,6 +130,9 @@ class Mesh:
         path = Path(path)
         if not _discmc.has_files:
             _plain_files.require_format(path)
+        if not path.parent.is_dir():
+            raise FileNotFoundError(
+                errno.ENOENT, "there is no such folder; create it", str(path.parent))
         # The file appears whole, or not at all.
         handle, name = tempfile.mkstemp(dir=path.parent, prefix=path.name, suffix=".part")
         os.close(handle)

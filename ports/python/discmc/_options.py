@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import operator
+import os
 from typing import Any, Callable, Optional
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _discmc
 
@@ -24,6 +26,37 @@ def choice(name: str, value: Any, choices: dict[Any, Any]) -> Any:
         listed = " or ".join(repr(each) for each in choices)
         raise ValueError(f"{name} is {value!r}; expected {listed}")
     return choices[value]
+
+
+def number(name: str, value: Any) -> float:
+    try:
+        if not isinstance(value, (str, bytes)):  # float("1") is a number
+            return float(value)
+    except (TypeError, ValueError):
+        pass
+    raise TypeError(f"{name} is {value!r}; give a number")
+
+
+def count(name: str, value: Any, most: int) -> int:
+    try:
+        whole = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} is {value!r}; give a whole number") from None
+    if whole < 0:
+        raise ValueError(f"{name} is {whole}; give 0 or more")
+    if whole > most:
+        raise ValueError(f"{name} is {whole}; give at most {most}")
+    return whole
+
+
+def array_of(volume: Any) -> NDArray[Any]:
+    if isinstance(volume, (str, os.PathLike)):
+        raise TypeError(f"the volume is the path {str(volume)!r}; give an array, as discmc.read(path)")
+    if np.ma.is_masked(volume):
+        raise TypeError(
+            "masks of arrays are not supported; give array.filled(value), with a value outside the "
+            "surface")
+    return np.asarray(volume)
 
 
 def triple(name: str, value: ArrayLike) -> tuple[float, float, float]:
@@ -65,15 +98,12 @@ def options(
         chosen.placement = matrix(placement)
     chosen.border = choice("border", border, _borders)
     chosen.interpolates = interpolate
-    chosen.tolerance = tolerance
-    chosen.smoothing = smoothing
-    for name, count in (("triangles", triangles), ("threads", threads)):
-        if count < 0:
-            raise ValueError(f"{name} is {count}; give 0 or more")
-    chosen.triangles = triangles
-    chosen.max_error = max_error
+    chosen.tolerance = number("tolerance", tolerance)
+    chosen.smoothing = number("smoothing", smoothing)
+    chosen.triangles = count("triangles", triangles, 2**64 - 1)
+    chosen.max_error = number("max_error", max_error)
     chosen.normals = choice("normals", normals, _normals)
     chosen.polygons = polygons
-    chosen.threads = threads
+    chosen.threads = count("threads", threads, 2**32 - 1)
     chosen.progress = progress
     return chosen

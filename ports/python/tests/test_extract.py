@@ -241,6 +241,8 @@ def test_progress_is_reported_and_can_cancel(ball):
         (np.zeros((2, 2, 2), [("a", "i1"), ("b", "i2")])["b"], ValueError, "ascontiguousarray"),
         (np.zeros((2, 2, 2), {"names": "ab", "formats": ["i2", "i1"], "itemsize": 3})["a"], ValueError,
          "ascontiguousarray"),
+        ("head.nrrd", TypeError, r"path 'head.nrrd'; give an array, as discmc.read\(path\)"),
+        (np.ma.masked_less(np.arange(8).reshape(2, 2, 2), 3), TypeError, r"array.filled\(value\)"),
     ])
 def test_refused_arrays(array, error, remedy):
     with pytest.raises(error, match=remedy):
@@ -258,6 +260,7 @@ def test_refused_arrays(array, error, remedy):
         ({"placement": np.eye(3)}, "give 3 x 4 numbers"),
         ({"placement": np.zeros((3, 4))}, "span no space"),
         ({"threads": -1}, "threads is -1; give 0 or more"),
+        ({"threads": 2**32}, "threads is 4294967296; give at most 4294967295"),
         ({"triangles": -1}, "triangles is -1; give 0 or more"),
         ({"tolerance": -1}, "tolerance is -1"),
         ({"upper": 0}, "give numbers in this order"),
@@ -267,6 +270,22 @@ def test_refused_arrays(array, error, remedy):
 def test_refused_options(ball, options, remedy):
     with pytest.raises(ValueError, match=remedy):
         discmc.extract(ball, 100, **options)
+
+
+@pytest.mark.parametrize(
+    "options, remedy",
+    [
+        ({"level": "auto"}, "level is 'auto'; give a number"),
+        ({"level": "1"}, "level is '1'; give a number"),
+        ({"upper": [1, 2]}, "upper is .*; give a number"),
+        ({"smoothing": None}, "smoothing is None; give a number"),
+        ({"triangles": 1.5}, "triangles is 1.5; give a whole number"),
+    ])
+def test_options_of_another_type(ball, options, remedy):
+    with pytest.raises(TypeError, match=remedy):
+        discmc.extract(ball, **{"level": 100, **options})
+    with pytest.raises(TypeError, match=remedy):
+        discmc.extract(iter(ball), **{"level": 100, **options})
 
 
 def test_refused_slices(ball):
@@ -285,3 +304,8 @@ def test_refused_slices(ball):
 def test_refused_labels(ball):
     with pytest.raises(ValueError, match="whole numbers; convert"):
         discmc.extract_labels(ball)
+    labels = (ball > 100).astype(np.uint8)
+    with pytest.raises(TypeError, match="only has 1.5; give whole numbers"):
+        discmc.extract_labels(labels, [1.5])
+    with pytest.raises(ValueError, match="labels from"):
+        discmc.extract_labels(labels, [2**64])
