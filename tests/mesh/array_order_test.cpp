@@ -2,6 +2,7 @@
 // contiguous array.
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <numeric>
 
 #include "sampled_shapes.hpp"
@@ -129,4 +130,11 @@ TEST_CASE("an array that is longer than a slice can be is swept along its long a
   const Mesh along_x = mesh_of(samples, {40000, 1, 1}, 1);
   CHECK(measures_of(along_x).greatest[0] == 39999.5);
   CHECK(signed_volume(along_x) > 0);
+}
+
+TEST_CASE("the stride of an axis with one sample is never used") {
+  const std::vector<int> samples(100, 1);
+  constexpr auto most = std::numeric_limits<std::ptrdiff_t>::max();
+  const Samples far(samples.data(), {10, 1, 10}, Strides{1, most, 10});
+  CHECK(triangles_of(mesh_of(far, 1)) == triangles_of(mesh_of(samples, {10, 1, 10}, 1)));
 }

@@ -40,6 +40,20 @@ TEST_CASE("a builder without slices makes an empty mesh") {
   CHECK(MeshBuilder(4, 5, 1).finish().triangles.empty());
 }
 
+TEST_CASE("a builder that has finished or was moved from refuses every call") {
+  const std::vector<float> slice(20);
+  MeshBuilder builder(4, 5, 1);
+  builder.add_slice(slice.data());
+  MeshBuilder other = std::move(builder);
+  (void)other.finish();
+  for (MeshBuilder* const each : {&builder, &other}) {
+    CHECK_THROWS_WITH_AS(each->add_slice(slice.data()), doctest::Contains("construct another"),
+                         std::logic_error);
+    CHECK_THROWS_WITH_AS((void)each->finish(), doctest::Contains("construct another"),
+                         std::logic_error);
+  }
+}
+
 TEST_CASE("a builder can be moved between slices") {
   const auto array = array_of(discmc::reference::box({5, 5, 2}, {1, 1, 0}, {3, 3, 1}));
   MeshBuilder first(5, 5, 1);

@@ -215,3 +215,16 @@ TEST_CASE("in C, an error has a code and the message of the exception, and no ex
   discmc_mesh mesh;
   CHECK(discmc_mesh_of(&good, 1, infinity, &options, &mesh) == DISCMC_MESH_FAILED);
 }
+
+TEST_CASE("null pointers are named, and freeing null does nothing") {
+  discmc_mesh mesh;
+  CHECK(discmc_mesh_of(nullptr, 1, infinity, nullptr, &mesh) == DISCMC_MESH_BAD_ARGUMENT);
+  CHECK(std::string(mesh.message) == "the pointer to discmc_samples is null");
+  const int one = 1;
+  const discmc_samples samples = {&one, DISCMC_SAMPLES_I32, {1, 1, 1}, {0, 0, 0}};
+  discmc_label_meshes meshes;
+  CHECK(discmc_label_meshes_of(&samples, nullptr, 3, nullptr, &meshes) == DISCMC_MESH_BAD_ARGUMENT);
+  CHECK(std::string(meshes.message) == "the pointer to 3 labels is null");
+  discmc_mesh_free(nullptr);
+  discmc_label_meshes_free(nullptr);
+}

@@ -47,6 +47,10 @@ TEST_CASE("a wrong extent or number of samples is named") {
   CHECK(message_of([&] {
           return mesh_of(none, {3, 3, 3}, 1);
         }) == "the pointer to the samples is null");
+  CHECK(has(message_of([] {
+              return mesh_of(samples, {1 << 29, 1 << 29, 1 << 29}, 1);
+            }),
+            "divide the array"));
   const std::vector<char> flat(1);
   const std::string text = message_of([&] {
     return mesh_of(Samples(flat.data(), {40000, 40000, 2}, Strides{0, 0, 0}), 1);
@@ -56,14 +60,19 @@ TEST_CASE("a wrong extent or number of samples is named") {
 }
 
 TEST_CASE("a level that is no number or runs backwards is named") {
-  CHECK(has(message_of([] { return mesh_of(samples, {3, 3, 3}, {5, 2}); }), "from 5.0"));
+  CHECK(has(message_of([] { return mesh_of(samples, {3, 3, 3}, {5, 2}); }), "from 5 to 2"));
   CHECK(has(message_of([] { return mesh_of(samples, {3, 3, 3}, std::nan("")); }), "nan"));
 }
 
 TEST_CASE("options out of range are named") {
-  CHECK(has(refusal([](auto& options) { options.spacing[1] = 0; }), "1.000000, 0.000000"));
+  CHECK(has(refusal([](auto& options) { options.spacing[1] = 0; }), "spacing is 1, 0, 1;"));
+  CHECK(has(refusal([](auto& options) { options.spacing[1] = 1e-7; }), "1, 1e-07, 1"));
   CHECK(has(refusal([](auto& options) { options.spacing[2] = 1e7; }), "1e-6 to 1e6"));
   CHECK(has(refusal([](auto& options) { options.placement.emplace(); }), "span no space"));
+  CHECK(has(refusal([](auto& options) {
+              options.placement = {{{1, 0, 0, 0}, {0, 1, 0, 2e9}, {0, 0, 1, 0}}};
+            }),
+            "origin of the placement is 0, 2e+09, 0; give coordinates of -1e9 to 1e9"));
   CHECK(has(refusal([](auto& options) { options.tolerance = -1; }), "tolerance is -1"));
   CHECK(has(refusal([](auto& options) { options.smoothing = std::nan(""); }), "smoothing is nan"));
   CHECK(has(
@@ -110,7 +119,8 @@ TEST_CASE("labels refuse samples with fractions, gradients, and interpolation wi
 TEST_CASE("a builder refuses what needs the slices twice, other types, and wrong extents") {
   MeshOptions options;
   options.smoothing = 1;
-  CHECK(has(message_of([&] { return MeshBuilder(3, 3, 1, options); }), "neither smoothing nor gradient"));
+  CHECK(has(message_of([&] { return MeshBuilder(3, 3, 1, options); }),
+            "neither smoothing nor gradient"));
   CHECK(has(message_of([] { return MeshBuilder(3, 32767, 1); }), "32767; give 1 to 32766"));
   CHECK(has(message_of([] {
               MeshBuilder builder(3, 3, 1);
@@ -119,4 +129,12 @@ TEST_CASE("a builder refuses what needs the slices twice, other types, and wrong
               return builder;
             }),
             "slices of one type"));
+  CHECK(has(message_of([] { return MeshBuilder(3, 3, {5, 2}); }), "from 5 to 2"));
+  CHECK(has(message_of([] { return MeshBuilder(3, 3, std::nan("")); }), "nan"));
+  CHECK(has(message_of([] {
+              MeshBuilder builder(3, 3, 1);
+              builder.add_slice(static_cast<const float*>(nullptr));
+              return builder;
+            }),
+            "is null"));
 }

@@ -172,3 +172,23 @@ TEST_CASE("normals are unit vectors that point outwards, of the surface and of t
       }
     }
 }
+
+TEST_CASE("smoothing by next to nothing keeps the mesh") {
+  MeshOptions options;
+  options.smoothing = 1e-300;
+  const std::vector<int> samples(27, 1);
+  const Mesh mesh = mesh_of(samples, {3, 3, 3}, 1, options);
+  CHECK(triangles_of(mesh) == triangles_of(mesh_of(samples, {3, 3, 3}, 1)));
+}
+
+TEST_CASE("gradient normals of infinite samples and levels are unit vectors") {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<double> values{1, std::nan(""), infinity, -infinity, 1e308, -1e308};
+  std::vector<double> samples;
+  for (std::size_t i = 0; i < 64; ++i) samples.push_back(values[i * i % 7 % 6]);
+  MeshOptions options;
+  options.normals = Normals::gradient;
+  for (const double level : {-infinity, infinity, 1e308, -1e308, 0.0})
+    for (const auto& normal : mesh_of(samples, {4, 4, 4}, level, options).normals)
+      CHECK(dot(normal, normal) == doctest::Approx(1));
+}

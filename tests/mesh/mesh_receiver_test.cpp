@@ -207,3 +207,12 @@ TEST_CASE("a stream of an unknown version is refused") {
   MeshReceiver receiver;
   CHECK_THROWS_AS((void)push(receiver, bytes, 100), std::runtime_error);
 }
+
+TEST_CASE("a push without bytes keeps the mesh of the scan that has ended") {
+  const Bytes bytes = region_stream();
+  MeshReceiver receiver;
+  push(receiver, bytes, bytes.size());
+  CHECK(receiver.push(nullptr, 0) == 0);
+  CHECK(receiver.has_ended());
+  check_complete(receiver);
+}

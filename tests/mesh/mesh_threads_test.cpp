@@ -1,6 +1,8 @@
 // MeshOptions::threads.
 #include <doctest/doctest.h>
 
+#include <limits>
+
 #include "sampled_shapes.hpp"
 
 using namespace discmc;
@@ -33,4 +35,13 @@ TEST_CASE("any number of threads interpolates alike") {
   const std::vector<Triangle> expected = triangles_of(mesh_of(array.view(), ball_level, options));
   options.threads = 3;
   CHECK(triangles_of(mesh_of(array.view(), ball_level, options)) == expected);
+}
+
+TEST_CASE("more threads than the system has are allowed") {
+  MeshOptions options;
+  const std::vector<int> samples(27, 1);
+  for (const unsigned threads : {100U, 1U << 31, std::numeric_limits<unsigned>::max()}) {
+    options.threads = threads;
+    CHECK(mesh_of(samples, {3, 3, 3}, 1, options).triangles.size() == 44);
+  }
 }

@@ -74,3 +74,20 @@ TEST_CASE("a placement puts vertices, normals and polygons where its matrix says
     }
   }
 }
+
+TEST_CASE("normals are right for spacings of any size") {
+  const auto array = ball<float>();
+  MeshOptions options;
+  for (const Normals normals : {Normals::surface, Normals::gradient}) {
+    options.normals = normals;
+    for (const double unit : {1e-6, 1e-3, 1e5}) {
+      options.spacing = {1, 1, 1.4};
+      const Mesh expected = mesh_of(array.view(), ball_level, options);
+      options.spacing = {unit, unit, 1.4 * unit};
+      const Mesh mesh = mesh_of(array.view(), ball_level, options);
+      REQUIRE(mesh.normals.size() == expected.normals.size());
+      for (std::size_t i = 0; i < mesh.normals.size(); ++i)
+        CHECK(dot(mesh.normals[i], expected.normals[i]) > 1 - 1e-7);
+    }
+  }
+}

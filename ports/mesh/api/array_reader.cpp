@@ -53,12 +53,6 @@ AxisOrder axis_order(const Samples& samples) {
   // The longest is swept slice by slice, if a slice has no room for it.
   for (std::size_t axis = 0; axis < 2; ++axis)
     if (extents[order[axis]] > max_across) std::swap(order[axis], order[2]);
-  for (std::size_t axis = 0; axis < 2; ++axis)
-    if (extents[order[axis]] > max_across)
-      throw std::invalid_argument("the array has " + std::to_string(extents[0]) + " x " +
-                                  std::to_string(extents[1]) + " x " + std::to_string(extents[2]) +
-                                  " samples; two extents must be at most " +
-                                  std::to_string(max_across) + ", so divide the array");
   return order;
 }
 
@@ -69,8 +63,10 @@ ArrayReader::ArrayReader(const Samples& samples, const AxisOrder& order,
   info_.spacing_mm = spacing;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     info_.dims[axis] = static_cast<std::uint32_t>(samples.extents()[order[axis]]);
-    stride_bytes_[axis] =
-        samples.strides()[order[axis]] * static_cast<std::ptrdiff_t>(sample_bytes(samples.type()));
+    stride_bytes_[axis] = info_.dims[axis] == 1  // the stride of a single sample means nothing
+                              ? 0
+                              : samples.strides()[order[axis]] *
+                                    static_cast<std::ptrdiff_t>(sample_bytes(samples.type()));
   }
 }
 

@@ -15,7 +15,7 @@ namespace discmc::meshing {
 using AxisOrder = std::array<std::size_t, 3>;
 
 /// The order in which memory is read from front to back, so that arrays of any order of axes are
-/// equally fast. Throws std::invalid_argument if an extent is too large.
+/// equally fast.
 AxisOrder axis_order(const Samples& samples);
 
 /// Reads an array slice by slice. Owner of the samples: the caller.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <thread>
 #include <utility>
@@ -30,9 +31,19 @@ bool is_decimated(const MeshOptions& options) {
   throw std::invalid_argument(text);
 }
 
+std::string text_of(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", number);
+  return text;
+}
+
+std::string text_of(const std::array<double, 3>& numbers) {
+  return text_of(numbers[0]) + ", " + text_of(numbers[1]) + ", " + text_of(numbers[2]);
+}
+
 void require_number(const char* name, double value) {
   if (!(value >= 0) || std::isinf(value))
-    refuse(std::string(name) + " is " + std::to_string(value) + "; give 0 or more");
+    refuse(std::string(name) + " is " + text_of(value) + "; give 0 or more");
 }
 
 void add_gradient(FaceMesh& mesh, const MeshOptions& options, double level,
@@ -101,6 +112,13 @@ unsigned threads_of(const MeshOptions& options) {
   return options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
 }
 
+Selection selection_of(const Level& level) {
+  if (!(level.low <= level.high))
+    refuse("the level is from " + text_of(level.low) + " to " + text_of(level.high) +
+           "; give numbers in this order");
+  return {level.low, level.high};
+}
+
 SweepPlace sweep_place(const MeshOptions& options, const AxisOrder& order) {
   VolumePlacement all{Space::scanner, {}, {}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -110,12 +128,15 @@ SweepPlace sweep_place(const MeshOptions& options, const AxisOrder& order) {
     for (std::size_t row = 0; row < 3; ++row)
       all.axes_mm[axis][row] = (*options.placement)[row][axis];
   }
+  const auto& origin = all.origin_mm;
+  if (!std::all_of(origin.begin(), origin.end(),
+                   [](double at) { return std::fabs(at) <= farthest_origin_mm; }))
+    refuse("the origin of the placement is " + text_of(origin) +
+           "; give coordinates of -1e9 to 1e9");
   if (!is_usable(all))
     refuse(options.placement
                ? "the columns of the placement span no space, or are not 1e-6 to 1e6 long"
-               : "the spacing is " + std::to_string(options.spacing[0]) + ", " +
-                     std::to_string(options.spacing[1]) + ", " +
-                     std::to_string(options.spacing[2]) + "; give distances of 1e-6 to 1e6");
+               : "the spacing is " + text_of(options.spacing) + "; give distances of 1e-6 to 1e6");
   VolumePlacement swept = all;
   for (std::size_t axis = 0; axis < 3; ++axis) swept.axes_mm[axis] = all.axes_mm[order[axis]];
   const bool is_mirrored = determinant(swept.axes_mm) < 0;

@@ -9,6 +9,7 @@
 #include "array_reader.hpp"
 #include "discmc/mesh.hpp"
 #include "extraction/crossings.hpp"
+#include "extraction/selection.hpp"
 #include "meshes/mesh.hpp"
 #include "samples/volume_placement.hpp"
 #include "surface/surface.hpp"
@@ -27,6 +28,9 @@ struct SweepPlace {
   std::optional<VolumePlacement> placement;  ///< nothing: along the coordinates
   bool is_mirrored;
 };
+
+/// Throws std::invalid_argument if the level is no number, or runs backwards.
+Selection selection_of(const Level& level);
 
 /// Throws std::invalid_argument if the axes span no space.
 SweepPlace sweep_place(const MeshOptions& options, const AxisOrder& order = {0, 1, 2});

@@ -1,4 +1,6 @@
+#include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,13 +19,12 @@ using namespace meshing;
 class MeshBuilder::State {
  public:
   State(std::int64_t width, std::int64_t height, const Level& level, const MeshOptions& options)
-      : level_(level), options_(options), place_(sweep_place(options)) {
+      : selection_(selection_of(level)), options_(options), place_(sweep_place(options)) {
     check_options(options);
     if (options.smoothing > 0 || options.normals == Normals::gradient)
       throw std::invalid_argument(
           "slices that come one by one allow neither smoothing nor gradient normals; give the "
-          "whole "
-          "array");
+          "whole array");
     for (const std::int64_t extent : {width, height})
       if (extent < 1 || extent > max_across)
         throw std::invalid_argument("a slice has an extent of " + std::to_string(extent) +
@@ -36,6 +37,7 @@ class MeshBuilder::State {
   }
 
   void add(const void* samples, SampleType type) {
+    if (samples == nullptr) throw std::invalid_argument("the pointer to the samples is null");
     if (!selector_) start(type);
     if (type != grid_.type)
       throw std::invalid_argument("this slice is of " + std::string(name(type)) +
@@ -53,18 +55,17 @@ class MeshBuilder::State {
     surface_.finish();
     return finished_mesh(std::move(surface_.surface()),
                          crossings_ ? &crossings_->crossings() : nullptr, options_, place_,
-                         level_.low);
+                         selection_.low);
   }
 
  private:
   void start(SampleType type) {
     grid_.type = type;
-    const Selection selection{level_.low, level_.high};
-    selector_.emplace(grid_, selection);
-    if (options_.interpolates) crossings_.emplace(grid_, selection);
+    selector_.emplace(grid_, selection_);
+    if (options_.interpolates) crossings_.emplace(grid_, selection_);
   }
 
-  Level level_;
+  Selection selection_;
   MeshOptions options_;
   SweepPlace place_;
   SampleGrid grid_;
@@ -76,6 +77,17 @@ class MeshBuilder::State {
   std::uint64_t slices_ = 0;
 };
 
+namespace {
+
+template <class State>
+State& require_state(const std::unique_ptr<State>& state) {
+  if (!state)
+    throw std::logic_error("the builder has finished, or was moved from; construct another");
+  return *state;
+}
+
+}  // namespace
+
 MeshBuilder::MeshBuilder(std::int64_t width, std::int64_t height, const Level& level,
                          const MeshOptions& options)
     : state_(std::make_unique<State>(width, height, level, options)) {}
@@ -84,10 +96,11 @@ MeshBuilder::MeshBuilder(MeshBuilder&&) noexcept = default;
 MeshBuilder& MeshBuilder::operator=(MeshBuilder&&) noexcept = default;
 
 void MeshBuilder::add_slice(const void* samples, SampleType type) {
-  state_->add(samples, type);
+  require_state(state_).add(samples, type);
 }
 Mesh MeshBuilder::finish() {
-  return state_->finish();
+  require_state(state_);
+  return std::exchange(state_, nullptr)->finish();
 }
 
 }  // namespace discmc

@@ -15,7 +15,9 @@ static_assert(DISCMC_SAMPLES_U8 == int{static_cast<std::uint8_t>(type_of<std::ui
               DISCMC_SAMPLES_F64 == int{static_cast<std::uint8_t>(type_of<double>())});
 static_assert(DISCMC_NORMALS_GRADIENT == static_cast<int>(Normals::gradient));
 
-Samples samples_of(const discmc_samples& from) {
+Samples samples_of(const discmc_samples* pointer) {
+  if (pointer == nullptr) throw std::invalid_argument("the pointer to discmc_samples is null");
+  const discmc_samples& from = *pointer;
   if (from.type < DISCMC_SAMPLES_U8 || from.type > DISCMC_SAMPLES_F64)
     throw std::invalid_argument("the type of the samples is " + std::to_string(from.type) +
                                 "; give DISCMC_SAMPLES_U8 to DISCMC_SAMPLES_F64");
@@ -122,13 +124,14 @@ std::int32_t discmc_mesh_of(const discmc_samples* samples, double level_low, dou
                             const discmc_mesh_options* options, discmc_mesh* mesh) {
   return result_of(*mesh, [&] {
     auto made = std::make_unique<Mesh>(
-        mesh_of(samples_of(*samples), Level(level_low, level_high), options_of(options)));
+        mesh_of(samples_of(samples), Level(level_low, level_high), options_of(options)));
     *mesh = view_of(*made);
     mesh->owner = made.release();
   });
 }
 
 void discmc_mesh_free(discmc_mesh* mesh) {
+  if (mesh == nullptr) return;
   delete static_cast<Mesh*>(mesh->owner);
   *mesh = {};
 }
@@ -137,9 +140,12 @@ std::int32_t discmc_label_meshes_of(const discmc_samples* samples, const std::in
                                     std::size_t label_count, const discmc_mesh_options* options,
                                     discmc_label_meshes* meshes) {
   return result_of(*meshes, [&] {
+    if (labels == nullptr && label_count > 0)
+      throw std::invalid_argument("the pointer to " + std::to_string(label_count) +
+                                  " labels is null");
     auto made = std::make_unique<LabelMeshes>();
     const std::vector<std::int64_t> chosen(labels, labels + label_count);
-    made->meshes = label_meshes(samples_of(*samples), options_of(options), chosen);
+    made->meshes = label_meshes(samples_of(samples), options_of(options), chosen);
     for (const LabelMesh& each : made->meshes)
       made->views.push_back({each.label, each.voxels, view_of(each.mesh)});
     meshes->count = made->views.size();
@@ -149,6 +155,7 @@ std::int32_t discmc_label_meshes_of(const discmc_samples* samples, const std::in
 }
 
 void discmc_label_meshes_free(discmc_label_meshes* meshes) {
+  if (meshes == nullptr) return;
   delete static_cast<LabelMeshes*>(meshes->owner);
   *meshes = {};
 }

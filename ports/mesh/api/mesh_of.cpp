@@ -27,6 +27,15 @@ std::int64_t Extents::limited(std::int64_t voxels) {
   return voxels;
 }
 
+void Extents::require_two_short() const {
+  if (std::count_if(voxels_.begin(), voxels_.end(),
+                    [](std::int64_t voxels) { return voxels > max_across; }) > 1)
+    throw std::invalid_argument("the array has " + std::to_string(voxels_[0]) + " x " +
+                                std::to_string(voxels_[1]) + " x " + std::to_string(voxels_[2]) +
+                                " samples; two extents must be at most " +
+                                std::to_string(max_across) + ", so divide the array");
+}
+
 namespace {
 
 Strides contiguous(const Extents& extents) {
@@ -56,13 +65,6 @@ void Samples::require_count(std::size_t count, const Extents& extents) {
 }
 
 namespace {
-
-Selection selection_of(const Level& level) {
-  if (!(level.low <= level.high))
-    throw std::invalid_argument("the level is from " + std::to_string(level.low) + " to " +
-                                std::to_string(level.high) + "; give numbers in this order");
-  return {level.low, level.high};
-}
 
 void check_gradient(const MeshOptions& options, const std::vector<Selection>& selections) {
   if (options.normals != Normals::gradient) return;

@@ -64,7 +64,7 @@ class MeshReceiver::State {
 
   // A stream ends with a frame, which ends with a zero byte.
   std::size_t push(const std::uint8_t* bytes, std::size_t count) {
-    if (has_ended_) begin();
+    if (has_ended_ && count > 0) begin();
     std::size_t taken = 0;
     while (taken < count && !has_ended_) {
       const std::uint8_t* const zero = std::find(bytes + taken, bytes + count, 0);

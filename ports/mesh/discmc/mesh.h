@@ -113,7 +113,8 @@ typedef struct discmc_mesh {
 int32_t discmc_mesh_of(const discmc_samples* samples, double level_low, double level_high,
                        const discmc_mesh_options* options, discmc_mesh* mesh);
 
-/* Frees the arrays. Any number of times, if the mesh was zeroed or is of a call. */
+/* Frees the arrays. Any number of times, if the mesh was zeroed or is of a call; mesh: may be null.
+ */
 void discmc_mesh_free(discmc_mesh* mesh);
 
 /* The surface of the voxels of one value. */

@@ -39,7 +39,9 @@ namespace discmc {
 class Extents {
  public:
   template <class X, class Y, class Z>
-  Extents(X x, Y y, Z z) : voxels_{checked(x), checked(y), checked(z)} {}
+  Extents(X x, Y y, Z z) : voxels_{checked(x), checked(y), checked(z)} {
+    require_two_short();
+  }
 
   std::int64_t operator[](std::size_t axis) const { return voxels_[axis]; }
   std::int64_t count() const { return voxels_[0] * voxels_[1] * voxels_[2]; }
@@ -51,6 +53,7 @@ class Extents {
     return limited(static_cast<std::int64_t>(voxels));
   }
   static std::int64_t limited(std::int64_t voxels);
+  void require_two_short() const;
 
   std::array<std::int64_t, 3> voxels_;
 };
@@ -125,7 +128,7 @@ struct MeshProgress {
 
 struct MeshOptions {
   /// Distances between voxels along x, y and z, in any unit, which is that of the mesh. Negative if
-  /// the axis runs backwards. Limit: 1e-6 to 1e6, with normals 2147.
+  /// the axis runs backwards. Limit: 1e-6 to 1e6.
   std::array<double, 3> spacing{1, 1, 1};
   /// The place of the volume, instead of the spacing: voxel (i, j, k) has its centre at row r,
   /// column 3, plus i, j, k times columns 0 to 2.
@@ -201,9 +204,9 @@ struct LabelMesh {
 };
 
 /// The surfaces of all labels but 0 in one pass, the least first; or only of those given.
-/// Neighbours share their walls exactly. Limit: samples of whole numbers, at most 65,536 labels;
-/// normals from the surface alone; with interpolates only by smoothing. Smoothing holds the array
-/// once more.
+/// Neighbours share their walls exactly. Limit: samples of whole numbers, at most 65,536 labels, or
+/// 1,024 if most voxels have no neighbour of their label; normals from the surface alone; with
+/// interpolates only by smoothing. Smoothing holds the array once more.
 [[nodiscard]] std::vector<LabelMesh> label_meshes(const Samples& samples,
                                                   const MeshOptions& options = {},
                                                   const std::vector<std::int64_t>& labels = {});
@@ -239,7 +242,7 @@ class MeshBuilder {
   }
   void add_slice(const void* samples, meshing::SampleType type);
 
-  /// The mesh of all slices. Limit: the last call.
+  /// The mesh of all slices. Limit: the last call; later ones throw std::logic_error.
   [[nodiscard]] Mesh finish();
 
  private:
@@ -257,8 +260,8 @@ class MeshReceiver {
   MeshReceiver& operator=(MeshReceiver&&) noexcept;
 
   /// Accepts bytes of the link, up to the end of a scan. Returns the number accepted; then
-  /// has_ended() is true, and the next push() begins the next scan. Throws std::runtime_error for a
-  /// stream of an unknown version.
+  /// has_ended() is true, and the next push() of a byte or more begins the next scan. Throws
+  /// std::runtime_error for a stream of an unknown version.
   std::size_t push(const std::uint8_t* bytes, std::size_t count);
   /// No bytes follow: ends a scan whose trailer is lost.
   void finish();

@@ -44,7 +44,8 @@ class NarrowedVolume final : public SliceReader {
   static constexpr double greatest = std::numeric_limits<std::int16_t>::max();
 
   static std::int16_t counted(double sample, bool is_on, double zero, double scale) {
-    const double distance = std::isnan(sample) ? -1 : std::round((sample - zero) * scale);
+    double distance = std::round((sample - zero) * scale);
+    if (std::isnan(distance)) distance = 0;  // of no number, or from an infinite level
     return static_cast<std::int16_t>(is_on ? std::clamp(distance, 0.0, greatest)
                                            : std::clamp(distance, -greatest, -1.0));
   }

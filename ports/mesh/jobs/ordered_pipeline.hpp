@@ -2,6 +2,7 @@
 #ifndef DISCMC_MESH_JOBS_ORDERED_PIPELINE_HPP
 #define DISCMC_MESH_JOBS_ORDERED_PIPELINE_HPP
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -14,14 +15,20 @@ namespace discmc::meshing {
 
 /// Items 0 to count - 1 pass three steps. fill(number, item) and take(number, item) are called in
 /// the order of the items, each by one thread at a time; work(number, item) by as many as there
-/// are jobs. Items are made once and used again, so that their memory stays: twice as many as jobs.
-/// What a step throws ends the pipeline, and is thrown. With one job no thread is started.
+/// are jobs. Items are made once and used again, so that their memory stays: twice as many as jobs,
+/// or twice the count if that is less. What a step throws ends the pipeline, and is thrown. With
+/// one job no thread is started.
 template <class Item, class Fill, class Work, class Take>
 class OrderedPipeline {
  public:
   /// Limit: at least one job.
   OrderedPipeline(unsigned jobs, std::size_t count, Fill fill, Work work, Take take)
-      : jobs_(jobs), count_(count), slots_(2 * jobs), fill_(fill), work_(work), take_(take) {}
+      : jobs_(jobs),
+        count_(count),
+        slots_(2 * std::clamp<std::size_t>(count, 1, jobs)),
+        fill_(fill),
+        work_(work),
+        take_(take) {}
 
   void run() {
     std::vector<std::thread> threads;

@@ -1,6 +1,7 @@
 #include "vertex_normals.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <discmc/normal.hpp>
 #include <discmc/polygon.hpp>
@@ -14,8 +15,23 @@
 namespace discmc::meshing {
 namespace {
 
+// Only the ratios count, so short and long spacings are scaled to where nanometres are exact enough
+// and fit.
+Point scaled(Point spacing_mm) {
+  constexpr double least_mm = 0.01, most_mm = 2000, nanometre = 1e-6;
+  double shortest = std::fabs(spacing_mm[0]), longest = shortest;
+  for (const double along : spacing_mm) {
+    shortest = std::min(shortest, std::fabs(along));
+    longest = std::max(longest, std::fabs(along));
+  }
+  if (shortest == 0 || (shortest >= least_mm && longest <= most_mm)) return spacing_mm;
+  for (double& along : spacing_mm)
+    along = std::copysign(std::max(std::fabs(along) / longest * most_mm, nanometre), along);
+  return spacing_mm;
+}
+
 AxisWeights weights_of(const FaceMesh& mesh) {
-  const auto spacing = spacing_nm(mesh.spacing_mm);
+  const auto spacing = spacing_nm(scaled(mesh.spacing_mm));
   return axis_weights({spacing[0], spacing[1], spacing[2]});
 }
 

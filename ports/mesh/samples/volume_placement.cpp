@@ -26,10 +26,9 @@ bool is_usable(const Axes& axes_mm) {
 }
 
 bool is_usable(const VolumePlacement& placement) {
-  constexpr double farthest_mm = 1e9;
   return is_usable(placement.axes_mm) &&
          std::all_of(placement.origin_mm.begin(), placement.origin_mm.end(),
-                     [](double at) { return std::fabs(at) <= farthest_mm; });
+                     [](double at) { return std::fabs(at) <= farthest_origin_mm; });
 }
 
 VolumePlacement in_space(VolumePlacement placement, Space space) {

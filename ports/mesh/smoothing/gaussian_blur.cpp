@@ -14,7 +14,8 @@ std::vector<float> gaussian(double deviation, std::uint32_t radius) {
   std::vector<double> weights;
   double sum = 0;
   for (std::uint32_t i = 0; i <= radius; ++i) {
-    weights.push_back(std::exp(-0.5 * i * i / (deviation * deviation)));
+    const double deviations_away = i > 0 ? i / deviation : 0;
+    weights.push_back(std::exp(-0.5 * deviations_away * deviations_away));
     sum += (i == 0 ? 1 : 2) * weights.back();
   }
   std::vector<float> kernel;

@@ -52,7 +52,7 @@ def count(name: str, value: Any, most: int) -> int:
 def array_of(volume: Any) -> NDArray[Any]:
     if isinstance(volume, (str, os.PathLike)):
         raise TypeError(f"the volume is the path {str(volume)!r}; give an array, as discmc.read(path)")
-    if np.ma.is_masked(volume):
+    if isinstance(volume, np.ma.MaskedArray) and np.any(volume.mask):
         raise TypeError(
             "masks of arrays are not supported; give array.filled(value), with a value outside the "
             "surface")
