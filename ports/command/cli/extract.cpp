@@ -1,12 +1,11 @@
 // discmc extract: a volume to a stream or to meshes.
 #include "extract.hpp"
 
-#include <algorithm>
-#include <thread>
 #include <utility>
 
 #include "commands.hpp"
 #include "empty_surface.hpp"
+#include "jobs/processors.hpp"
 #include "mesh_files/file_format.hpp"
 #include "text/message.hpp"
 #include "thresholds.hpp"
@@ -31,7 +30,7 @@ std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selec
 }
 
 unsigned jobs_of(const ExtractArguments& arguments) {
-  return arguments.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
+  return arguments.jobs.value_or(processors());
 }
 
 void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbers) {

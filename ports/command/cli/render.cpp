@@ -18,8 +18,7 @@
 #include "pictures/picture.hpp"
 #include "progress.hpp"
 #include "stream_input.hpp"
-#include "surface/growing_joiner.hpp"
-#include "surface/surface_builder.hpp"
+#include "surface/joined_surface.hpp"
 #include "text/message.hpp"
 #include "thresholds.hpp"
 #include "volume_input.hpp"
@@ -55,14 +54,13 @@ FileMesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
         narrowed_again(arguments.input, arguments.reading.options, options.selection.low, volume);
     options.selection = {0};
   }
-  SurfaceBuilder builder;
-  GrowingJoiner joiner(make_sink(builder));
+  JoinedSurface joined;
   const NamedSelection& asked = arguments.reading.selections[0];
   const Extraction extraction =
-      extract(narrow ? *narrow : static_cast<SliceReader&>(volume), options, make_sink(joiner));
+      extract(narrow ? *narrow : static_cast<SliceReader&>(volume), options, make_sink(joined));
   check_surface(arguments.input, arguments.reading, asked, volume, extraction);
-  builder.surface().spacing_mm = volume.info().spacing_mm;
-  return mesh_to_draw(arguments, builder.surface());
+  joined.surface().spacing_mm = volume.info().spacing_mm;
+  return mesh_to_draw(arguments, joined.surface());
 }
 
 FileMesh volume_to_draw(RenderArguments arguments) {

@@ -13,8 +13,7 @@
 #include "samples/spacing.hpp"
 #include "streams/application_text.hpp"
 #include "streams/slab_ranges.hpp"
-#include "surface/growing_joiner.hpp"
-#include "surface/surface_builder.hpp"
+#include "surface/joined_surface.hpp"
 #include "text/message.hpp"
 #include "volumes/other_kinds.hpp"
 #include "volumes/volume.hpp"
@@ -42,7 +41,7 @@ std::string joined(const std::vector<std::string>& list) {
 // Notes the application records of a stream, the placement of its volume among them, and passes on
 // what it is given.
 struct RecordNotes {
-  GrowingJoiner& to;
+  JoinedSurface& to;
   std::vector<std::string> records{};
   std::optional<VolumePlacement> placement{};
   SlabRanges slabs{};
@@ -109,9 +108,8 @@ void read_stream(const std::string& path, std::istream& in, std::uint64_t size,
 template <class Read>
 DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice& choice,
                          Kept kept) {
-  SurfaceBuilder builder(kept);
-  GrowingJoiner joiner(make_sink(builder));
-  RecordNotes notes{joiner};
+  JoinedSurface joined(kept);
+  RecordNotes notes{joined};
   StreamReader reader(make_sink(notes), choice);
   read(reader);
   note_others(path, choice, reader);
@@ -119,8 +117,8 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
     print_message(path, "the stream holds only the " + text(notes.slabs.ranges()) + " of " +
                             std::to_string(notes.slabs.ranges()[0].depth) +
                             "; join it with the other slabs by discmc join");
-  joiner.finish();
-  builder.surface().spacing_mm = spacing_mm(reader.header());
+  joined.finish();
+  joined.surface().spacing_mm = spacing_mm(reader.header());
   if (notes.placement && !is_usable(*notes.placement)) {
     print_message(path,
                   "the placement in the stream is ignored, because its axes span no space; "
@@ -128,13 +126,13 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
     notes.placement.reset();
   }
   StreamReport report = reader.report();
-  report.lost_pieces += builder.incomplete_regions();
+  report.lost_pieces += joined.builder().incomplete_regions();
   return {reader.header(),
           reader.channel(),
           reader.headers(),
           report,
-          std::move(builder.surface()),
-          builder.counts(),
+          std::move(joined.surface()),
+          joined.builder().counts(),
           std::move(notes.records),
           notes.placement};
 }

@@ -11,8 +11,7 @@
 #include "meshing.hpp"
 #include "require.hpp"
 #include "samples/volume_placement.hpp"
-#include "surface/growing_joiner.hpp"
-#include "surface/surface_builder.hpp"
+#include "surface/joined_surface.hpp"
 
 namespace discmc::command {
 
@@ -38,7 +37,7 @@ void write_slab(const std::optional<SlabRange>& slab, Encoder& encoder) {
 class SurfaceReceiver {
  public:
   explicit SurfaceReceiver(std::optional<Kept> kept)
-      : builder_(kept.value_or(Kept::counts)), builds_(kept.has_value()) {}
+      : surface_(kept.value_or(Kept::counts)), builds_(kept.has_value()) {}
 
   /// Begins a stream. output: must take all; Owner: the caller.
   void start_stream(const StreamLabel& label, const std::optional<VolumePlacement>& placement,
@@ -56,26 +55,25 @@ class SurfaceReceiver {
       write_placement(placement_, encoder_);
       write_slab(slab_, encoder_);
     }
-    return builds_ ? joiner_.take(event) : SinkResult::accepted;
+    return builds_ ? surface_.take(event) : SinkResult::accepted;
   }
 
   /// The bytes of the stream; 0 without one.
   std::uint64_t stream_bytes() const { return encodes_ ? encoder_.bytes() : 0; }
   /// Accepts regions instead of their events; null if regions are not kept.
-  SurfaceBuilder* builder() { return builds_ ? &builder_ : nullptr; }
+  SurfaceBuilder* builder() { return builds_ ? &surface_.builder() : nullptr; }
   /// Likewise packets, or null without a stream.
   Encoder* encoder() { return encodes_ ? &encoder_ : nullptr; }
   /// Limit: Kept::polygons. The spacing is for the caller to set.
-  Surface& surface() { return builder_.surface(); }
+  Surface& surface() { return surface_.surface(); }
   /// Limit: Kept::counts.
-  const Counts& counts() const { return builder_.counts(); }
+  const Counts& counts() const { return surface_.builder().counts(); }
 
  private:
   Encoder encoder_;
   std::optional<VolumePlacement> placement_;
   std::optional<SlabRange> slab_;
-  SurfaceBuilder builder_;
-  GrowingJoiner joiner_{make_sink(builder_)};
+  JoinedSurface surface_;
   bool encodes_ = false;
   bool builds_;
 };

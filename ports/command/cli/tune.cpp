@@ -105,7 +105,7 @@ Trials try_all(const VolumeBits& volume, const TuneArguments& arguments,
   constexpr std::uint64_t usual_count = 16;
   Progress progress("trying arenas", usual_count);
   Trials trials;
-  const std::uint64_t plenty = generous_bytes_for<BitIntake>(volume.limits());
+  const std::uint64_t plenty = generous_bytes_for(volume.limits());
   trials.plenty = try_regions<std::uint32_t>(
       volume, default_capacities<std::uint32_t>(volume.limits(), plenty));
   if (trials.plenty.work.cells == 0) return trials;

@@ -11,30 +11,17 @@ namespace discmc::meshing {
 namespace {
 
 // Copies samples that are this many bytes apart.
-template <class Bits>
-std::uint8_t* gather(const std::uint8_t* from, std::ptrdiff_t stride, std::uint32_t count,
-                     std::uint8_t* to) {
-  for (std::uint32_t i = 0; i < count; ++i, from += stride, to += sizeof(Bits))
-    std::memcpy(to, from, sizeof(Bits));
-  return to;
-}
-
 std::uint8_t* copy_row(const std::uint8_t* from, std::ptrdiff_t stride, std::uint32_t count,
-                       std::size_t bytes, std::uint8_t* to) {
-  if (stride == static_cast<std::ptrdiff_t>(bytes)) {
-    std::memcpy(to, from, count * bytes);
-    return to + count * bytes;
+                       SampleType type, std::uint8_t* to) {
+  if (stride == static_cast<std::ptrdiff_t>(sample_bytes(type))) {
+    std::memcpy(to, from, count * sample_bytes(type));
+    return to + count * sample_bytes(type);
   }
-  switch (bytes) {
-    case 1:
-      return gather<std::uint8_t>(from, stride, count, to);
-    case 2:
-      return gather<std::uint16_t>(from, stride, count, to);
-    case 4:
-      return gather<std::uint32_t>(from, stride, count, to);
-    default:
-      return gather<std::uint64_t>(from, stride, count, to);
-  }
+  return with_sample_type(type, [&](auto sample) {
+    for (std::uint32_t i = 0; i < count; ++i, from += stride, to += sizeof sample)
+      std::memcpy(to, from, sizeof sample);
+    return to;
+  });
 }
 
 }  // namespace
@@ -75,7 +62,7 @@ void ArrayReader::read_slice(void* slice) {
   const std::uint8_t* const from = samples_ + stride_bytes_[2] * next_++;
   for (std::uint32_t y = 0; y < info_.dims[1]; ++y)
     to = copy_row(from + stride_bytes_[1] * static_cast<std::ptrdiff_t>(y), stride_bytes_[0],
-                  info_.dims[0], sample_bytes(info_.type), to);
+                  info_.dims[0], info_.type, to);
 }
 
 }  // namespace discmc::meshing

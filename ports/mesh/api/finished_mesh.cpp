@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "extraction/narrowed_volume.hpp"
+#include "jobs/processors.hpp"
 #include "meshes/decimation.hpp"
 #include "meshes/mesh_simplifier.hpp"
 #include "meshes/numbered_corners.hpp"
@@ -19,12 +19,8 @@
 namespace discmc::meshing {
 namespace {
 
-bool is_interpolated(const MeshOptions& options) {
-  return options.interpolates || options.smoothing > 0;
-}
-
-bool is_decimated(const MeshOptions& options) {
-  return options.triangles > 0 || options.max_error > 0;
+Decimation decimation_of(const MeshOptions& options) {
+  return {options.triangles, options.max_error};
 }
 
 [[noreturn]] void refuse(const std::string& text) {
@@ -71,17 +67,6 @@ void add_normals(const Surface& surface, FaceMesh& mesh, const MeshOptions& opti
   for (Point& normal : mesh.normals) normal = unit_or_zero(normal);  // some have 15 bits
 }
 
-// The area of a ring as a vector.
-Point area_of(const std::vector<Point>& vertices, const std::uint32_t* corner, std::size_t count) {
-  Point sum{};
-  for (std::size_t i = 2; i < count; ++i) {
-    const Point part = cross(difference(vertices[corner[i - 1]], vertices[corner[0]]),
-                             difference(vertices[corner[i]], vertices[corner[0]]));
-    for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += part[axis];
-  }
-  return sum;
-}
-
 // vertices: of the mesh, in the order of number_corners().
 MeshPolygons polygons_of(const Surface& surface, const std::vector<Point>& vertices,
                          bool is_mirrored, unsigned threads) {
@@ -97,7 +82,7 @@ MeshPolygons polygons_of(const Surface& surface, const std::vector<Point>& verti
     }
     all.ring_begin.push_back(all.ring_begin.back() + polygon.rings.size());
     all.normals.push_back(
-        unit_or_zero(area_of(vertices, all.corners.data() + outer, polygon.rings[0].size())));
+        unit_or_zero(area_vector(vertices, all.corners.data() + outer, polygon.rings[0].size())));
   }
   return all;
 }
@@ -109,7 +94,11 @@ void report(const MeshOptions& options, const char* step, std::uint64_t done, st
 }
 
 unsigned threads_of(const MeshOptions& options) {
-  return options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  return options.threads > 0 ? options.threads : processors();
+}
+
+bool is_interpolated(const MeshOptions& options) {
+  return options.interpolates || options.smoothing > 0;
 }
 
 Selection selection_of(const Level& level) {
@@ -154,14 +143,14 @@ void check_options(const MeshOptions& options) {
   require_number("tolerance", options.tolerance);
   require_number("smoothing", options.smoothing);
   require_number("max_error", options.max_error);
-  if (is_decimated(options)) require_simplifier();
-  if (options.polygons && (is_decimated(options) || is_interpolated(options)))
+  if (decimation_of(options).is_wanted()) require_simplifier();
+  if (options.polygons && (decimation_of(options).is_wanted() || is_interpolated(options)))
     refuse(
         "polygons are those of the midpoint surface: leave out interpolation, smoothing "
         "and decimation, or the polygons");
 }
 
-Mesh finished_mesh(Surface&& surface, const Crossings* crossings, const MeshOptions& options,
+Mesh finished_mesh(Surface& surface, const Crossings* crossings, const MeshOptions& options,
                    const SweepPlace& place, double level, const OpenAgain& open_again) {
   surface.spacing_mm = place.spacing;
   report(options, "triangulating", 0, 0);
@@ -169,9 +158,9 @@ Mesh finished_mesh(Surface&& surface, const Crossings* crossings, const MeshOpti
   FaceMesh faces =
       build_mesh(surface, {true, Faces::triangles, crossings, options.tolerance, threads,
                            [&options] { report(options, "triangulating", 0, 0); }});
-  if (is_decimated(options)) {
+  if (decimation_of(options).is_wanted()) {
     report(options, "decimating", 0, 0);
-    decimate(faces, {options.triangles, options.max_error});
+    decimate(faces, decimation_of(options));
   }
   add_normals(surface, faces, options, level, open_again);
   if (place.placement) meshing::place(faces, *place.placement);

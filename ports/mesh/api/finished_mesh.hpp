@@ -22,6 +22,9 @@ void report(const MeshOptions& options, const char* step, std::uint64_t done, st
 /// The threads that the options ask for.
 unsigned threads_of(const MeshOptions& options);
 
+/// Whether vertices leave the lattice.
+bool is_interpolated(const MeshOptions& options);
+
 /// Where the axes of a sweep lie.
 struct SweepPlace {
   std::array<double, 3> spacing;
@@ -41,9 +44,9 @@ void check_options(const MeshOptions& options);
 /// A volume once more, for gradients.
 using OpenAgain = std::function<std::unique_ptr<SliceReader>()>;
 
-/// The triangles of a surface, decimated, with normals, placed. level: of the gradient. open_again:
-/// may be empty unless the options have Normals::gradient.
-Mesh finished_mesh(Surface&& surface, const Crossings* crossings, const MeshOptions& options,
+/// The triangles of a surface, decimated, with normals, placed. surface: gets the spacing. level:
+/// of the gradient. open_again: may be empty unless the options have Normals::gradient.
+Mesh finished_mesh(Surface& surface, const Crossings* crossings, const MeshOptions& options,
                    const SweepPlace& place, double level, const OpenAgain& open_again = {});
 
 }  // namespace discmc::meshing

@@ -53,9 +53,8 @@ class MeshBuilder::State {
   Mesh finish() {
     scan_.finish();
     surface_.finish();
-    return finished_mesh(std::move(surface_.surface()),
-                         crossings_ ? &crossings_->crossings() : nullptr, options_, place_,
-                         selection_.low);
+    return finished_mesh(surface_.surface(), crossings_ ? &crossings_->crossings() : nullptr,
+                         options_, place_, selection_.low);
   }
 
  private:

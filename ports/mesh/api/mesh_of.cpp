@@ -83,8 +83,7 @@ SurfaceOptions surface_options(const MeshOptions& options, std::uint64_t slices)
   surfaces.progress = [&options, slices, caller = std::this_thread::get_id()](std::uint32_t done) {
     if (std::this_thread::get_id() == caller) report(options, "extracting", done, slices);
   };
-  const bool is_divisible = !options.interpolates && options.smoothing == 0;
-  if (is_divisible && threads_of(options) > 1) surfaces.jobs = threads_of(options);
+  if (!is_interpolated(options) && threads_of(options) > 1) surfaces.jobs = threads_of(options);
   return surfaces;
 }
 
@@ -135,7 +134,7 @@ std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& le
     JoinedSurface& surface = *surfaces.back();
     requests.push_back({selection, make_sink(surface), nullptr, &surface.builder(), nullptr,
                         make_region_receiver(surface)});
-    if (!options.interpolates && !smoothed) continue;
+    if (!is_interpolated(options)) continue;
     crossings.push_back(std::make_unique<CrossingFinder>(volume.info(), selection));
     requests.back().crossings = crossings.back().get();
   }
@@ -146,8 +145,8 @@ std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& le
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     surfaces[i]->finish();
     meshes.push_back(finished_mesh(
-        std::move(surfaces[i]->surface()), crossings.empty() ? nullptr : &crossings[i]->crossings(),
-        options, place, selections[i].low,
+        surfaces[i]->surface(), crossings.empty() ? nullptr : &crossings[i]->crossings(), options,
+        place, selections[i].low,
         [&] { return std::make_unique<ArrayReader>(samples, order, place.spacing); }));
     surfaces[i].reset();  // its memory is the next mesh's
   }
@@ -183,7 +182,7 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
   std::vector<LabelMesh> meshes;
   const auto add = [&](LabelledSurface& label, const Crossings* crossings) {
     meshes.push_back({static_cast<std::int64_t>(label.label.bits()), label.voxels,
-                      finished_mesh(std::move(label.surface), crossings, options, place, 0)});
+                      finished_mesh(label.surface, crossings, options, place, 0)});
   };
   for (SmoothedLabel& each : smoothed) add(each.surface, &each.crossings.crossings());
   for (LabelledSurface& each : found) add(each, nullptr);

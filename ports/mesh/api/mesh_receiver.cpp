@@ -99,8 +99,8 @@ class MeshReceiver::State {
       throw std::invalid_argument(
           "a stream holds no samples: leave out interpolation and smoothing, and ask for surface "
           "normals");
-    Surface so_far = builder().surface();
-    return finished_mesh(std::move(so_far), nullptr, options, sweep_place(options), 0);
+    Surface so_far = builder().surface();  // a copy: its spacing follows from the options
+    return finished_mesh(so_far, nullptr, options, sweep_place(options), 0);
   }
 
  private:

@@ -4,7 +4,7 @@
 
 #include <discmc/gradient_normals.hpp>
 #include <discmc/surface_group.hpp>
-#include "host/host_extractor.hpp"
+#include "host/host_scan.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -31,16 +31,9 @@ struct ArenaSize {
   Capacities capacities;
 };
 
-/// Where nothing is asked for. Units: bytes.
-template <class Normals>
-std::uint64_t generous_bytes_for(const Limits& limits) {
-  constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
-  return std::max(generous_bytes, 2 * minimum_bytes<std::uint32_t, Normals>(limits));
-}
-
-/// As much as slices of any kind take, in virtual memory: untouched pages cost nothing.
+/// For a scan on a host.
 inline ArenaSize generous_arena(const Limits& limits) {
-  const std::uint64_t bytes = generous_bytes_for<BitIntake>(limits);
+  const std::uint64_t bytes = generous_bytes_for(limits);
   return {false, bytes, default_capacities<std::uint32_t>(limits, bytes)};
 }
 

@@ -313,7 +313,7 @@ class Parts {
 
   Limits volume_limits() const { return {info_.dims[0], info_.dims[1], options_.border}; }
   std::uint64_t first_arena_bytes() const {
-    return options_.memory > 0 ? options_.memory : generous_bytes_for<BitIntake>(volume_limits());
+    return options_.memory > 0 ? options_.memory : generous_bytes_for(volume_limits());
   }
   ArenaSize arena_of(std::uint64_t bytes) const {
     return {false, bytes, default_capacities<std::uint32_t>(volume_limits(), bytes)};

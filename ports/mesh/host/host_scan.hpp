@@ -14,9 +14,10 @@ namespace discmc::meshing {
 
 /// The memory of a scan on a host: enough for slices of any kind. Pages that are never used cost
 /// nothing. Units: bytes.
-inline std::size_t generous_bytes(const Limits& limits) {
-  const std::size_t least = minimum_bytes<std::uint32_t>(limits);
-  return std::max(std::size_t{64} << 20, 2 * least);
+template <class Normals = BitIntake>
+std::uint64_t generous_bytes_for(const Limits& limits) {
+  constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
+  return std::max(generous_bytes, 2 * minimum_bytes<std::uint32_t, Normals>(limits));
 }
 
 /// Extracts rows of bits; further scans use the same memory.
@@ -24,7 +25,7 @@ class HostScan {
  public:
   /// sink: accepts every event at once. regions: offered whole regions first. Owner: the caller.
   void start(const Limits& limits, const Sink& sink, const RegionReceiver& regions = {}) {
-    const std::size_t bytes = generous_bytes(limits);
+    const std::size_t bytes = generous_bytes_for(limits);
     if (bytes_ < bytes) memory_.reset(new std::uint8_t[bytes]);
     bytes_ = std::max(bytes_, bytes);
     constexpr std::int32_t threshold = 1;  // of bits

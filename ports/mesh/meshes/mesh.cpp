@@ -31,12 +31,16 @@ Point outward_normal(Incidence incidence, const Point& spacing_mm) {
 }
 
 Point area_vector(const FaceMesh& mesh, std::size_t face) {
-  const std::uint32_t* corners = mesh.face(face);
-  const Point& origin = mesh.vertices_mm[corners[0]];
+  return area_vector(mesh.vertices_mm, mesh.face(face), mesh.face_size(face));
+}
+
+Point area_vector(const std::vector<Point>& vertices, const std::uint32_t* corners,
+                  std::size_t count) {
+  const Point& origin = vertices[corners[0]];
   Point sum{};
-  for (std::size_t i = 2; i < mesh.face_size(face); ++i) {
-    const Point doubled = cross(difference(mesh.vertices_mm[corners[i - 1]], origin),
-                                difference(mesh.vertices_mm[corners[i]], origin));
+  for (std::size_t i = 2; i < count; ++i) {
+    const Point doubled = cross(difference(vertices[corners[i - 1]], origin),
+                                difference(vertices[corners[i]], origin));
     for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += doubled[axis] / 2;
   }
   return sum;

@@ -75,6 +75,9 @@ Point outward_normal(Incidence incidence, const Point& spacing_mm);
 /// A vector along the normal of a face, as long as the face is large; exact enough also where
 /// corners are collinear. Units: square millimetres.
 Point area_vector(const FaceMesh& mesh, std::size_t face);
+/// The same of a ring. corners: `count` numbers of vertices.
+Point area_vector(const std::vector<Point>& vertices, const std::uint32_t* corners,
+                  std::size_t count);
 
 /// The unit normal of a face, by its incidence where it has one; zero where it has no area.
 Point face_normal(const FaceMesh& mesh, std::size_t face);

@@ -8,8 +8,7 @@
 
 #include "extraction/surfaces.hpp"
 #include "smoothed_volume.hpp"
-#include "surface/growing_joiner.hpp"
-#include "surface/surface_builder.hpp"
+#include "surface/joined_surface.hpp"
 
 namespace discmc::meshing {
 namespace {
@@ -143,14 +142,13 @@ class LabelSmoother {
     const Vertex first = {half_steps(wide.first[0]), half_steps(wide.first[1]),
                           half_steps(wide.first[2])};
     CrossingFinder crossings(smooth.info(), {0}, first);
-    SurfaceBuilder builder;
-    GrowingJoiner joiner(make_sink(builder));
-    MovingSink moving(make_sink(joiner), first);
+    JoinedSurface joined;
+    MovingSink moving(make_sink(joined), first);
     SurfaceOptions options;
     options.border = options_.border;
     extract_surfaces(smooth, options, {{{0}, make_sink(moving), &crossings}});
-    builder.surface().spacing_mm = info_.spacing_mm;
-    return {{label, box.voxels, std::move(builder.surface())}, std::move(crossings)};
+    joined.surface().spacing_mm = info_.spacing_mm;
+    return {{label, box.voxels, std::move(joined.surface())}, std::move(crossings)};
   }
 
   const SampleGrid& info_;

@@ -7,10 +7,11 @@
 
 namespace discmc::meshing {
 
-/// A sink that joins loose fragments and keeps the polygons. Holds pointers to itself.
+/// A sink that joins loose fragments and keeps the polygons, or their counts. Holds pointers to
+/// itself.
 class JoinedSurface {
  public:
-  JoinedSurface() = default;
+  explicit JoinedSurface(Kept kept = Kept::polygons) : builder_(kept) {}
   JoinedSurface(const JoinedSurface&) = delete;
   JoinedSurface& operator=(const JoinedSurface&) = delete;
 
@@ -25,6 +26,7 @@ class JoinedSurface {
   void finish() { joiner_.finish(); }
 
   SurfaceBuilder& builder() { return builder_; }
+  const SurfaceBuilder& builder() const { return builder_; }
   Surface& surface() { return builder_.surface(); }
   const Surface& surface() const { return builder_.surface(); }
 

@@ -3,14 +3,14 @@
 namespace discmc::web {
 
 StreamSurface::StreamSurface(const meshing::StreamChoice& choice)
-    : joiner_(make_sink(builder_)), reader_(make_sink(*this), choice) {}
+    : reader_(make_sink(*this), choice) {}
 
 SinkResult StreamSurface::take(const Event& event) {
   if (event.kind == Event::Kind::skipped) note_skipped(event.slice, event.row);
   Placement placement;
   if (event.kind == Event::Kind::application && read_placement(*event.application, placement))
     placement_ = placement;
-  return joiner_.take(event);
+  return surface_.take(event);
 }
 
 // Rows of a slice that follow each other are one, and so are slices that follow each other.
@@ -45,12 +45,12 @@ Missing StreamSurface::missing(bool is_end) const {
 
 void StreamSurface::finish() {
   reader_.finish();
-  joiner_.finish();
+  surface_.finish();
 }
 
 StreamReport StreamSurface::report() const {
   StreamReport report = reader_.report();
-  report.lost_pieces += builder_.incomplete_regions();
+  report.lost_pieces += surface_.builder().incomplete_regions();
   return report;
 }
 

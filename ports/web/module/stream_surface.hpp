@@ -11,8 +11,7 @@
 
 #include "missing.hpp"
 #include "streams/stream_reader.hpp"
-#include "surface/growing_joiner.hpp"
-#include "surface/surface_builder.hpp"
+#include "surface/joined_surface.hpp"
 
 namespace discmc::web {
 
@@ -34,15 +33,14 @@ class StreamSurface {
   const std::optional<Placement>& placement() const { return placement_; }
   /// Regions that came in pieces of which some did not are among the lost ones.
   StreamReport report() const;
-  const meshing::Polygons& polygons() const { return builder_.surface().polygons; }
+  const meshing::Polygons& polygons() const { return surface_.surface().polygons; }
   /// Where rows never came, and at the end, after finish(), where polygons are missing.
   Missing missing(bool is_end) const;
 
  private:
   void note_skipped(std::uint32_t slice, std::uint32_t row);
 
-  meshing::SurfaceBuilder builder_;
-  meshing::GrowingJoiner joiner_;
+  meshing::JoinedSurface surface_;
   meshing::StreamReader reader_;
   std::optional<Placement> placement_;
   std::vector<MissingRows> rows_;  // the first of those that are skipped

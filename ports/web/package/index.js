@@ -45,21 +45,14 @@ function drawn(module, spacing) {
   return { positions: places, triangles: corners };
 }
 
-class Extractor {
-  #module;
-  constructor(module) {
-    this.#module = module;
-  }
-
-  extract(array, dims, iso, { spacing = [1, 1, 1], filter = false } = {}) {
-    const type = typeOf(array);
-    checkDims(array, dims);
-    const info = { dims, spacing, slope: 1, intercept: 0, isInHounsfield: false };
-    const samples = this.#module.newVolume(info, type, array.byteLength);
-    samples.set(new Uint8Array(array.buffer, array.byteOffset, array.byteLength));
-    const { polygons } = this.#module.extract(iso, filter);
-    return { ...drawn(this.#module, spacing), polygons };
-  }
+function extract(module, array, dims, iso, { spacing = [1, 1, 1], filter = false } = {}) {
+  const type = typeOf(array);
+  checkDims(array, dims);
+  const info = { dims, spacing, slope: 1, intercept: 0, isInHounsfield: false };
+  const samples = module.newVolume(info, type, array.byteLength);
+  samples.set(new Uint8Array(array.buffer, array.byteOffset, array.byteLength));
+  const { polygons } = module.extract(iso, filter);
+  return { ...drawn(module, spacing), polygons };
 }
 
 class Decoder {
@@ -85,10 +78,10 @@ class Decoder {
 }
 
 export async function load({ wasm } = {}) {
-  const module = await compile(wasm);
-  const extractor = new Extractor(await Module.start(module));
+  const compiledModule = await compile(wasm);
+  const module = await Module.start(compiledModule);
   return {
-    extract: (...values) => extractor.extract(...values),
-    decoder: async (choice) => new Decoder(await Module.start(module), choice),
+    extract: (...values) => extract(module, ...values),
+    decoder: async (choice) => new Decoder(await Module.start(compiledModule), choice),
   };
 }
