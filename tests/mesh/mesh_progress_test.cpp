@@ -67,3 +67,17 @@ TEST_CASE("what progress throws leaves the call unchanged") {
   CHECK_THROWS_AS((void)mesh_of(std::vector<int>(27), {3, 3, 3}, 1, options), Mine);
   CHECK_THROWS_AS((void)label_meshes({std::vector<int>(27, 1), {3, 3, 3}}, options), Mine);
 }
+
+TEST_CASE("progress of labels counts the slices that are swept, in any order of axes") {
+  const std::vector<std::uint8_t> labels(2 * 3 * 7, 1);
+  MeshOptions options;
+  std::uint64_t last = 0;
+  options.progress = [&](const MeshProgress& at) {
+    if (std::string(at.step) != "extracting") return true;
+    CHECK(at.all == 7);
+    last = at.done;
+    return true;
+  };
+  (void)label_meshes({labels.data(), {7, 3, 2}, {6, 2, 1}}, options);
+  CHECK(last == 7);
+}

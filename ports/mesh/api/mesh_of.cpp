@@ -87,18 +87,17 @@ SurfaceOptions surface_options(const MeshOptions& options, std::uint64_t slices)
   return surfaces;
 }
 
-LabelOptions label_options(const Samples& samples, const MeshOptions& options,
+LabelOptions label_options(const SampleGrid& info, const MeshOptions& options,
                            const std::vector<std::int64_t>& labels) {
   LabelOptions wanted;
   wanted.border = options.border;
-  const auto slices = static_cast<std::uint64_t>(samples.extents()[2]);
-  wanted.progress = [&options, slices](std::uint32_t done) {
+  wanted.progress = [&options, slices = info.dims[2]](std::uint32_t done) {
     report(options, "extracting", done, slices);
   };
   if (labels.empty()) return wanted;
   std::set<LabelValue> chosen;
   for (const std::int64_t label : labels)
-    if (samples.type() == SampleType::u64)
+    if (info.type == SampleType::u64)
       chosen.insert(LabelValue(static_cast<std::uint64_t>(label)));
     else
       chosen.insert(LabelValue(label));
@@ -169,7 +168,7 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
   const AxisOrder order = axis_order(samples);
   const SweepPlace place = sweep_place(options, order);
   ArrayReader array(samples, order, place.spacing);
-  const LabelOptions wanted = label_options(samples, options, labels);
+  const LabelOptions wanted = label_options(array.info(), options, labels);
   std::vector<SmoothedLabel> smoothed;
   std::vector<LabelledSurface> found;
   if (options.smoothing > 0)
