@@ -44,7 +44,7 @@ Point normal_along(const LongVector& direction, const AxisWeights& weights) {
   return point_of(unit_normal(weighted(direction, weights)));
 }
 
-LongVector area_vector(const Polygon& polygon) {
+LongVector whole_area_vector(const Polygon& polygon) {
   std::int64_t doubled = 0;
   for (const Ring& ring : polygon.rings)
     doubled += twice_area(polygon.incidence, ring.data(), static_cast<std::uint32_t>(ring.size()));
@@ -105,7 +105,7 @@ void set_polygon_normals(const Surface& surface, FaceMesh& mesh) {
     const std::size_t begin = face;
     const std::uint32_t polygon = mesh.polygons[begin];
     while (face < mesh.face_count() && mesh.polygons[face] == polygon) ++face;
-    const LongVector area = area_vector(surface.polygons[polygon]);
+    const LongVector area = whole_area_vector(surface.polygons[polygon]);
     for (std::size_t i = mesh.face_begin[begin]; i < mesh.face_begin[face]; ++i) {
       const std::uint32_t vertex = mesh.corners[i];
       if (last[vertex] == begin) continue;
