@@ -47,6 +47,10 @@ static int flash_erase(void* context, uint32_t block) {
 static uint8_t stream[32 * 1024];
 static size_t stream_bytes = 0;
 
+static size_t stream_unsent(void* context) { /* written at once, nothing is queued */
+  (void)context;
+  return 0;
+}
 static size_t stream_write(void* context, const uint8_t* bytes, size_t count) {
   (void)context;
   if (stream_bytes + count > sizeof stream) return 0;
@@ -57,7 +61,13 @@ static size_t stream_write(void* context, const uint8_t* bytes, size_t count) {
 
 /* ---- the scanner ---- */
 
-/* At power-on: continues from the newest checkpoint, or begins. */
+/* Waits until a call of the store is over; only the scan pauses. */
+static discmc_status complete(discmc_status status) {
+  while (status == DISCMC_SUSPENDED) status = discmc_store_resume(store);
+  return status;
+}
+
+/* At power-on: continues from the newest checkpoint, or begins a scan. */
 static discmc_status power_on(void) {
   const discmc_store_config device = {
       .read = flash_read,
@@ -73,7 +83,7 @@ static discmc_status power_on(void) {
       .kind = &discmc_regions,
       .label = {.depth = SIZE},
       .memory = {encoder_memory, sizeof encoder_memory},
-      .output = {NULL, stream_write},
+      .output = {NULL, stream_write, stream_unsent},
   };
   discmc_extractor_config scan = {
       .kind = &discmc_plain_u8,
@@ -92,21 +102,20 @@ static discmc_status power_on(void) {
     if (status == DISCMC_OK) status = discmc_extractor_restore(&extractor, &scan);
     if (status == DISCMC_OK) stream_bytes = (size_t)discmc_encoder_stream_bytes(encoder);
   } else {
-    status = discmc_encoder_start(&encoder, &stream_config);
+    status = complete(discmc_store_discard(store));
+    if (status == DISCMC_OK) status = discmc_encoder_start(&encoder, &stream_config);
     scan.sink.context = encoder;
     if (status == DISCMC_OK) status = discmc_extractor_start(&extractor, &scan);
   }
   return status;
 }
 
+/* Suspended: bytes are unsent; call it again, before the next row. */
 static discmc_status save(void) {
   discmc_memory parts[2];
   discmc_status status = discmc_encoder_save(encoder, &parts[0]);
   if (status == DISCMC_OK) status = discmc_extractor_save(extractor, &parts[1]);
-  if (status == DISCMC_OK) status = discmc_store_save(store, parts, 2);
-  while (status == DISCMC_SUSPENDED) /* only the scan pauses */
-    status = discmc_store_resume(store);
-  return status;
+  return status == DISCMC_OK ? complete(discmc_store_save(store, parts, 2)) : status;
 }
 
 static uint8_t sample_at(int32_t x, int32_t y, int32_t z) { /* of a ball, densest in its middle */
@@ -146,6 +155,7 @@ int main(void) {
   if (status == DISCMC_OK) status = power_on();
   if (status == DISCMC_OK) status = scan_to(SIZE);
   if (status == DISCMC_OK) status = discmc_extractor_finish(extractor);
+  if (status == DISCMC_OK) status = complete(discmc_store_discard(store)); /* never continued */
   while (written < stream_bytes)
     written += fwrite(stream + written, 1, stream_bytes - written, stdout);
   return status == DISCMC_OK ? 0 : 1;

@@ -48,7 +48,7 @@ class Caller {
 
  private:
   void call() {
-    switch (input_.below(9)) {
+    switch (input_.below(10)) {
       case 0:
       case 1:
         return save();
@@ -64,6 +64,8 @@ class Caller {
         return flip();
       case 7:
         return put_head();
+      case 8:
+        return discard();
       default:
         return begin_in_vain();
     }
@@ -77,7 +79,10 @@ class Caller {
     const Status status =
         store_.start(flash_.device(), max_bytes, {buffer_.data(), buffer_.size()});
     require(status == Status::ok, "start() fails");
-    require(store_.has_checkpoint() || newest_ == 0 || is_disturbed_, "the checkpoint is lost");
+    require(store_.has_checkpoint() || newest_ == 0 || may_be_discarded_ || is_disturbed_,
+            "the checkpoint is lost");
+    require(!store_.has_checkpoint() || !is_discarded_ || is_disturbed_,
+            "a discarded checkpoint is found");
     if (store_.has_checkpoint()) check();
   }
 
@@ -95,21 +100,36 @@ class Caller {
   }
 
   void save() {
+    is_discarded_ = false;  // a save that fails may be complete in flash
     std::vector<uint8_t> bytes = contents_of(++last_, 4 + input_.word() % (max_bytes - 3));
     const Memory part{bytes.data(), bytes.size()};
     Status status = store_.save(&part, 1);
     while (status == Status::suspended) status = store_.resume();
     require(status == Status::ok || status == Status::device_error, to_string(status));
-    if (status == Status::ok) newest_ = last_;
+    if (status == Status::ok) note_saved();
+  }
+  void note_saved() {
+    newest_ = last_;
+    may_be_discarded_ = false;
+  }
+
+  void discard() {
+    const bool has_checkpoint = store_.has_checkpoint();
+    may_be_discarded_ = may_be_discarded_ || has_checkpoint;
+    Status status = store_.discard();
+    while (status == Status::suspended) status = store_.resume();
+    require(status == Status::ok || status == Status::device_error, to_string(status));
+    if (status == Status::ok) is_discarded_ = has_checkpoint || is_discarded_;
   }
 
   void begin_in_vain() {
+    is_discarded_ = false;
     std::vector<uint8_t> bytes = contents_of(++last_, max_bytes);
     const Memory part{bytes.data(), bytes.size()};
     Status status = store_.save(&part, 1);
     for (uint32_t steps = input_.below(8); steps > 0 && status == Status::suspended; --steps)
       status = store_.resume();
-    if (status == Status::ok) newest_ = last_;
+    if (status == Status::ok) note_saved();
     // Its part goes, so it must not go on.
     if (status == Status::suspended) (void)store_.restore(&part, 0);
   }
@@ -138,6 +158,8 @@ class Caller {
   std::vector<uint8_t> buffer_;
   CheckpointStore store_{};
   uint32_t newest_ = 0, last_ = 0;
+  bool is_discarded_ = false;      // the newest checkpoint
+  bool may_be_discarded_ = false;  // a failure may have interrupted discard()
   bool is_disturbed_ = false;
 };
 

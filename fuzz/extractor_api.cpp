@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "input.hpp"
+#include "oracle/checkpointed_device.hpp"
 #include "oracle/event_log.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
@@ -403,27 +404,28 @@ class Caller {
 
   // The scan goes on in another object and in other memory, which has the bytes in use alone.
   void fail_power() {
-    const auto checkpoint = std::make_unique<Checkpoint<Extractor<Index>>>();
+    Memory parts[2];
     const Status expected = state_ == State::idle ? Status::not_started
                             : is_refused()        ? Status::suspended
                                                   : Status::ok;
-    require(extractor_.save(*checkpoint) == expected, "save() comes to another status");
+    require(extractor_.save(parts) == expected, "save() comes to another status");
     if (expected != Status::ok) return;
-    const size_t used = extractor_.bytes_used();
+    const size_t used = parts[1].bytes;
+    require(used == extractor_.bytes_used(), "the part of the memory is not bytes_used()");
+    const auto image = test::image_of({parts, parts + 2});
     auto place = std::make_unique<Place>(place_->memory().bytes, place_->offset());
     const Memory memory = place->memory();
-    std::copy_n(static_cast<uint8_t*>(place_->memory().data), used,
-                static_cast<uint8_t*>(memory.data));
     check_own_memory();
     place_ = std::move(place);
-    new (&extractor_) Extractor<Index>{};
+    const std::vector<Memory> to = {memory_of(extractor_), memory};
     const Sink sink = make_sink(listener_);
+    test::read_back(image, to);
     uint8_t& any = static_cast<uint8_t*>(memory.data)[input_.byte() % used];
     any = static_cast<uint8_t>(any ^ 1);
-    require(extractor_.restore(*checkpoint, memory, sink) == Status::bad_checkpoint,
-            "memory with a wrong bit is taken for what was saved");
-    any = static_cast<uint8_t>(any ^ 1);
-    require(extractor_.restore(*checkpoint, memory, sink) == Status::ok, "restore() fails");
+    require(extractor_.restore(memory, sink) == Status::bad_checkpoint,
+            "memory with a wrong bit passes for what was saved");
+    test::read_back(image, to);
+    require(extractor_.restore(memory, sink) == Status::ok, "restore() fails");
   }
 
   // ---- checks ----
@@ -465,7 +467,7 @@ class Caller {
   Input& input_;
   Listener listener_;
   std::unique_ptr<Place> place_;
-  Extractor<Index> extractor_{};  // all of it set, also what lies between members, for checkpoints
+  Extractor<Index> extractor_;
   Limits limits_{1, 1};
   int32_t threshold_ = 0;
   State state_ = State::idle;

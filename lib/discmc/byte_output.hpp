@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <discmc/compiler.hpp>
+#include <discmc/status.hpp>
 #include <discmc/stream/wire.hpp>
 
 namespace discmc {
@@ -12,15 +13,20 @@ namespace discmc {
 /// The destination of a stream: a UART, a ring buffer, a file. Owner: the context belongs to the
 /// caller, and must exist until the encoder has another output or is no longer used.
 ///
-/// write() is called during calls of the encoder, or of the extractor in front of it, in the
-/// caller's thread. It may block. It must not throw: the library is compiled without exceptions. It
-/// must not call a function that changes or saves one of these objects.
+/// Both functions are called during calls of the encoder, or of the extractor in front of it, in
+/// the caller's thread. They may block. They must not throw: the library is compiled without
+/// exceptions. They must not call a function that changes or saves one of these objects.
 struct ByteOutput {
   void* context = nullptr;
   /// Accepts up to `count` bytes, and returns how many it accepted. 0 means busy; return 0 on an
   /// error, too. If the link is dead, call set_output() of the encoder, because resume() keeps
   /// returning Status::suspended. bytes: valid during the call.
   size_t (*write)(void* context, const uint8_t* bytes, size_t count) = nullptr;
+  /// Returns how many accepted bytes a power failure would still lose: those in the queue of a
+  /// driver, a DMA or a radio. A function that only returns 0 states that write() queues nothing.
+  /// save() of an encoder waits until it returns 0, and fails with bad_sink if it is null. Programs
+  /// without checkpoints leave it null.
+  size_t (*unsent)(void* context) = nullptr;
 };
 
 // ---- One link for several encoders: their frames alternate on the link, each frame whole.
@@ -29,7 +35,7 @@ struct ByteOutput {
 //   link.start({nullptr, uart_write});
 //   encoders[i].start(label, link.output());     // each with a channel of its own
 //   ...
-//   while (!link.flush() && link_is_up) sleep();  // after all have finished
+//   while (link.flush() == Status::suspended && link_is_up) sleep();  // after all have finished
 //
 // If the link is dead, call set_output({}) of every encoder: the encoders drop their streams, and
 // the scans continue. Later set_output(link.output()) resumes each stream. The frame that the
@@ -52,34 +58,42 @@ class SharedOutput {
   }
 
   /// Returns the output for every encoder. Before start(), returns an output that encoders reject
-  /// with bad_sink.
+  /// with bad_sink. Its unsent() counts the held frame, and is null if that of the output is.
   ByteOutput output() {
     if (output_.write == nullptr) return {};
-    return {this, [](void* context, const uint8_t* bytes, size_t count) {
-              return static_cast<SharedOutput*>(context)->take(bytes, count);
-            }};
+    ByteOutput shared{this, [](void* context, const uint8_t* bytes, size_t count) {
+                        return static_cast<SharedOutput*>(context)->take(bytes, count);
+                      }};
+    if (output_.unsent != nullptr)
+      shared.unsent = [](void* context) { return static_cast<SharedOutput*>(context)->unsent(); };
+    return shared;
   }
 
-  /// Sends the held frame. Returns false if the output did not accept all of it: call again, unless
-  /// the link is dead.
-  [[nodiscard]] bool flush() {
+  /// Sends the held frame. Status::suspended: the output did not accept all of it; call again,
+  /// unless the link is dead.
+  [[nodiscard]] Status flush() {
     while (sent_ < held_) {
       const size_t taken = output_.write(output_.context, frame_ + sent_, held_ - sent_);
-      if (taken == 0) return false;
+      if (taken == 0) return Status::suspended;
       sent_ += taken;
     }
-    return true;
+    return Status::ok;
   }
 
  private:
   // All or nothing: an encoder offers one frame at a time.
   size_t take(const uint8_t* bytes, size_t count) {
-    if (!flush()) return 0;
+    if (flush() != Status::ok) return 0;
     for (size_t i = 0; i < count; ++i) frame_[i] = bytes[i];
     held_ = count;
     sent_ = 0;
     (void)flush();  // the next call sends the rest
     return count;
+  }
+
+  size_t unsent() {
+    (void)flush();
+    return held_ - sent_ + output_.unsent(output_.context);
   }
 
   ByteOutput output_;

@@ -1,78 +1,65 @@
-// A checkpoint: the state of an object between two calls, as bytes that survive a power failure.
+// A checkpoint: the state of objects between two calls, as bytes that survive a power failure.
 //
-// The checkpoint of an extractor needs the memory of the extractor as well; the checkpoint of an
-// encoder needs nothing else. Save both between two rows: after restore() the stream continues byte
-// for byte as if nothing had happened. A SliceEncoder needs only its own checkpoint and memory.
+// The state of an object is its own bytes, and the used bytes of the memory that it works in.
+// save() seals both with a checksum, and names them as parts. Copy the parts before the next call
+// of the object, for example into flash (checkpoint_store.hpp).
 //
-//   static Checkpoint<Extractor16> scan;
-//   static Checkpoint<Encoder> stream;
-//   if (extractor.save(scan) == Status::ok && encoder.save(stream) == Status::ok)
-//     ...             // write scan, stream and the first extractor.bytes_used() bytes of memory
+//   Memory parts[3];
+//   Status status = encoder.save(parts);                                  // 1 part
+//   if (status == Status::ok) status = extractor.save(parts + 1);         // 2 parts
+//   if (status == Status::ok) ...                                         // copy the parts
 //
-//   ...               // after the failure: read scan, stream and memory back
-//   if (encoder.restore(stream, output) == Status::ok &&
-//       extractor.restore(scan, memory, make_sink(encoder)) == Status::ok)
-//     ...             // continue with row extractor.rows() of slice extractor.slices()
+// After the failure, read the parts back to where they were: into the objects and their memory.
+// restore() checks the seal, and continues the scan:
 //
-// A failure during the write leaves a torn checkpoint, which restore() rejects. So write to two
-// places in turn, and restore the newer checkpoint that is whole; checkpoint_store.hpp does so in
-// flash. The encoder sends everything after the checkpoint again. Truncate a stored stream to its
-// first encoder.bytes() bytes. On a link, send one zero byte first: a decoder then counts the
-// repeated packets and decodes each packet once.
+//   const Memory parts[] = {memory_of(encoder), memory_of(extractor), memory_of(memory)};
+//   ...                                                                   // read the parts back
+//   if (encoder.restore(output) == Status::ok &&
+//       extractor.restore(memory_of(memory), make_sink(encoder)) == Status::ok)
+//     ...                       // continue with row extractor.rows() of slice extractor.slices()
+//
+// Nothing is lost if the output reports its unsent bytes (byte_output.hpp): save() waits for them.
+// The encoder sends everything after the checkpoint again. Truncate a stored stream to its first
+// encoder.bytes() bytes. On a link, send one zero byte first: a decoder then counts the repeated
+// packets and decodes each packet once.
+//
+// Each object checks its own parts. Write the parts of all objects as one unit, as a store does:
+// an old encoder with a new extractor would continue another stream. Only the build that saved a
+// checkpoint can restore it. A piece of memory may lie at another
+// address that is the same modulo Arena::alignment. The checksum detects accidents, not attacks:
+// store checkpoints where no one else writes.
 #ifndef DISCMC_CHECKPOINT_HPP
 #define DISCMC_CHECKPOINT_HPP
 
 #include <discmc/arena.hpp>
-#include <discmc/stream/crc32.hpp>
 
 namespace discmc {
 
-/// The header of a checkpoint.
-struct CheckpointHead {
-  /// The version of the header and of the state. Another byte order reads another number.
-  static constexpr uint32_t current_format = 0x324B4344;  // "DCK2"
+namespace detail {
 
-  uint32_t format;
-  uint32_t layout;         ///< from sizeof(Object) and Object::layout; builds may agree in it
-  uint64_t memory_bytes;   ///< the first bytes of the memory, which belong to the checkpoint
-  uint32_t memory_offset;  ///< address of the memory modulo Arena::alignment
-  uint32_t checksum;       ///< of the header with 0 in this member, of the object and of the memory
-};
-
-/// The state of an Object at one moment, with the checksum of its memory. A checkpoint holds no
-/// addresses and is copied as plain bytes, unlike the object itself. The same build restores the
-/// checkpoint, with the memory at any address that is the same modulo Arena::alignment. The
-/// checksum detects accidents, not attacks: store checkpoints where no one else writes.
-template <class Object>
-struct Checkpoint {
-  CheckpointHead head;
-  Object object;
-
-  /// Computes the header for `object` and the used memory. Cost: about 50 instructions per byte of
-  /// both.
-  void seal(Memory used) { head = head_with(used); }
-
-  /// Whether this and the memory are unchanged since seal(). Never reads beyond memory.bytes. Cost:
-  /// as seal().
-  bool is_whole(Memory memory) const {
-    if (head.memory_bytes > memory.bytes) return false;
-    const CheckpointHead now = head_with({memory.data, static_cast<size_t>(head.memory_bytes)});
-    return head.format == now.format && head.layout == now.layout &&
-           head.memory_offset == now.memory_offset && head.checksum == now.checksum;
-  }
+/// The seal of an object, which is one of its members.
+class Seal {
+ public:
+  /// Seals the object and the used bytes of its memory. layout: differs between types of objects.
+  void close(void* object, uint32_t object_bytes, uint32_t layout, Memory used);
+  /// Whether the object and the sealed bytes at the beginning of this memory are unchanged.
+  bool is_intact(void* object, uint32_t object_bytes, uint32_t layout, Memory memory);
 
  private:
-  CheckpointHead head_with(Memory used) const {
-    unpoison(used.data, used.bytes);  // free slots, too
-    const auto offset = reinterpret_cast<uintptr_t>(used.data) % Arena::alignment;
-    CheckpointHead described{CheckpointHead::current_format, sizeof(Object) | Object::layout << 16,
-                             used.bytes, static_cast<uint32_t>(offset), 0};
-    uint32_t checksum = crc32(reinterpret_cast<const uint8_t*>(&described), sizeof described);
-    checksum = crc32(reinterpret_cast<const uint8_t*>(&object), sizeof object, checksum);
-    described.checksum = crc32(static_cast<const uint8_t*>(used.data), used.bytes, checksum);
-    return described;
-  }
+  uint32_t checksum_of(const void* object, uint32_t object_bytes, const void* memory);
+
+  uint32_t checksum_ = 0;  // with 0 here
+  uint32_t layout_ = 0;    // and the address of the memory modulo Arena::alignment
+  size_t memory_bytes_ = 0;
 };
+
+}  // namespace detail
+
+/// The memory of an object that is saved as its own bytes, such as an encoder.
+template <class Object, class = decltype(&Object::save)>
+Memory memory_of(Object& object) {
+  return {&object, sizeof object};
+}
 
 }  // namespace discmc
 

@@ -1,14 +1,16 @@
 // A store of checkpoints in flash. After a power failure at any time, the store finds the newest
 // complete checkpoint.
 //
-//   store.start(device, max_bytes, buffer)   once: finds the newest complete checkpoint
+//   store.start(device, max_bytes, buffer)   at power-on: finds the newest complete checkpoint
 //   store.restore(parts, count)               if has_checkpoint(): reads it back
+//   store.discard()                           before a scan that starts from its beginning
 //   store.erase_ahead(bytes)                  between rows during a scan: saves time later
 //   store.save(parts, count)                  between two rows; while `suspended`, call resume()
+//   store.discard()                           after a scan whose last byte has left the output
 //
-// A checkpoint consists of the bytes of several parts: objects of checkpoint.hpp, and the used
-// memory. The parts must not change during a save, so the scan pauses. The firmware keeps running:
-// each call erases one block or programs one unit.
+// A checkpoint consists of the parts that the save() functions of objects name (checkpoint.hpp).
+// The parts must not change during a save, so the scan pauses. The firmware keeps running: each
+// call erases one block or programs one unit.
 //
 // The store divides the flash into as many flash slots as fit, at least two, and writes them in
 // turn. So all blocks wear alike, and an erase never hits the newest checkpoint.
@@ -63,14 +65,14 @@ struct FlashDevice {
 
 // ---- The store.
 
-/// The header of a checkpoint in flash. The bytes of the parts and a checksum of everything follow
-/// it.
+/// The header of a checkpoint in flash. The lengths of the parts, their bytes and a checksum of
+/// everything follow it.
 struct StoredHead {
-  static constexpr uint32_t current_format = 0x31534344;  // "DCS1"
+  static constexpr uint32_t current_format = 0x32534344;  // "DCS2"
 
   uint32_t format;
   uint32_t sequence;  ///< the number of the previous checkpoint plus 1, modulo 2^32
-  uint32_t bytes;     ///< of all parts
+  uint32_t bytes;     ///< of all parts; 0 if the checkpoint only makes older ones void
   uint32_t checksum;  ///< of the three members above
 };
 
@@ -78,6 +80,8 @@ struct StoredHead {
 /// block has blocks of its own. Smaller checkpoints share a block, which the store erases for the
 /// first of them.
 struct StorePlan {
+  static constexpr uint32_t max_parts = 6;
+
   FlashGeometry geometry;
   uint32_t max_bytes = 0;        ///< of all parts of a checkpoint
   uint32_t slot_units = 0;       ///< program units of a flash slot
@@ -85,7 +89,7 @@ struct StorePlan {
   uint32_t blocks_per_slot = 0;  ///< 1 if several slots share a block
   uint32_t slots = 0;            ///< checkpoints that fit
 
-  static constexpr uint32_t head_bytes = sizeof(StoredHead);
+  static constexpr uint32_t head_bytes = sizeof(StoredHead) + max_parts * sizeof(uint32_t);
   static constexpr uint32_t tail_bytes = sizeof(uint32_t);
   static constexpr uint32_t max_checkpoint_bytes = uint32_t{1} << 30;
 
@@ -100,19 +104,6 @@ struct StorePlan {
   constexpr uint32_t blocks(uint32_t bytes) const {
     const uint32_t per_block = geometry.units_per_block();
     return slots_per_block > 1 ? 1 : (units(bytes) + per_block - 1) / per_block;
-  }
-
-  /// The number of checkpoints after which the flash is worn, if each block endures this many
-  /// erasures. A start() that finds a block partly written continues with the next block, so a
-  /// start may count as slots_per_block checkpoints.
-  constexpr uint64_t checkpoints_until_worn(uint32_t erasures) const {
-    return uint64_t{slots} * erasures;
-  }
-
-  /// The time that a checkpoint of this many bytes needs in flash. For erased-ahead blocks pass
-  /// erase_us = 0. erase_us: per block; program_us: per unit.
-  constexpr uint64_t microseconds(uint32_t bytes, uint32_t erase_us, uint32_t program_us) const {
-    return uint64_t{blocks(bytes)} * erase_us + uint64_t{units(bytes)} * program_us;
   }
 };
 
@@ -132,9 +123,12 @@ constexpr StorePlan store_plan(const FlashGeometry& geometry, uint32_t max_bytes
 
 /// Stores checkpoints in flash. A store contains pointers to itself, so it is neither copied nor
 /// moved.
+///
+/// save() and discard() may need several calls. Status::suspended: call resume() until it returns
+/// another status.
 class CheckpointStore {
  public:
-  static constexpr uint32_t max_parts = 4;
+  static constexpr uint32_t max_parts = StorePlan::max_parts;
 
   CheckpointStore() = default;
   CheckpointStore(const CheckpointStore&) = delete;
@@ -151,18 +145,19 @@ class CheckpointStore {
   /// computes its checksum.
   [[nodiscard]] Status start(const FlashDevice& device, uint32_t max_bytes, Memory buffer);
 
-  /// Whether the flash contains a complete checkpoint.
-  bool has_checkpoint() const { return has_newest_; }
+  /// Whether a scan can continue: the newest complete entry in flash is a checkpoint that was not
+  /// discarded.
+  bool has_checkpoint() const { return bytes() > 0; }
   /// The bytes of all parts of the newest checkpoint; 0 without a checkpoint.
   uint32_t bytes() const { return has_newest_ ? newest_bytes_ : 0; }
-  /// The number of the newest checkpoint, one more than that of the previous one, modulo 2^32; 0
-  /// without a checkpoint.
+  /// The number of the newest entry, one more than that of the previous one, modulo 2^32; 0 without
+  /// an entry. discard() writes an entry, too.
   uint32_t sequence() const { return has_newest_ ? newest_sequence_ : 0; }
 
-  /// Reads the newest checkpoint. parts: in number, order and sizes as at save(), except that the
-  /// last part may be larger; its remaining bytes stay unchanged. Cancels a save in progress.
-  /// Errors: not_started; bad_checkpoint (there is none; or the sizes differ, and nothing is
-  /// written; or it was damaged after start()); device_error. After damage or device_error the
+  /// Reads the newest checkpoint. parts: in number and order as at save(), each at least as large
+  /// as it was; bytes beyond the saved ones stay unchanged. Cancels a save in progress. Errors:
+  /// not_started; bad_checkpoint (there is none; or a part is too small or not there, and nothing
+  /// is written; or it was damaged after start()); device_error. After damage or device_error the
   /// contents of the parts are undefined. Cost: reads the checkpoint and computes its checksum.
   [[nodiscard]] Status restore(const Memory* parts, uint32_t count);
 
@@ -174,8 +169,14 @@ class CheckpointStore {
   /// Starts to save a checkpoint, and performs the first step of resume(). parts: copied, at most
   /// max_parts; Owner: the caller keeps the memory behind them unchanged until the status is not
   /// `suspended`. Until then the previous checkpoint is the newest. Cancels a save in progress.
-  /// Errors: not_started, too_little_memory (no part, or too many parts or bytes), device_error.
+  /// Errors: not_started, too_little_memory (no byte, or too many parts or bytes), device_error.
   [[nodiscard]] Status save(const Memory* parts, uint32_t count);
+
+  /// Makes the newest checkpoint void, so that no later start() finds a scan to continue. Call it
+  /// before the first row of a scan that starts from its beginning, and after a scan whose last
+  /// byte has left the output. Does nothing if has_checkpoint() is false. Cancels a save in
+  /// progress. Errors: not_started, device_error. Cost: as a save of no bytes.
+  [[nodiscard]] Status discard();
 
   /// Continues a save in progress: erases a block, or programs a unit and reads it back. Returns ok
   /// if no save is in progress. Errors: not_started. device_error: a call of the device failed, or
@@ -187,9 +188,9 @@ class CheckpointStore {
   const StorePlan& plan() const { return plan_; }
 
  private:
-  // The bytes of a slot: header, parts, checksum.
+  // The bytes of a slot: header, lengths, parts, checksum.
   struct Pieces {
-    Memory of[max_parts + 2];
+    Memory of[max_parts + 3];
     uint32_t count;
     uint32_t at;
     size_t offset;
@@ -204,6 +205,8 @@ class CheckpointStore {
   bool read_head(uint32_t slot, StoredHead& head);
 
   bool set_parts(const Memory* parts, uint32_t count);
+  void set_pieces(const Memory* parts, uint32_t count);
+  Status begin_save();
   void begin_pieces();
   void move_pieces(bool to_unit);
 
@@ -233,6 +236,7 @@ class CheckpointStore {
   uint32_t erased_ = 0;    // its first blocks that are erased
   uint32_t unit_ = 0;      // the next to program
   StoredHead head_{};
+  uint32_t lengths_[max_parts] = {};  // of the parts
   uint32_t tail_ = 0;
   Pieces pieces_{};
 };

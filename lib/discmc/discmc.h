@@ -13,13 +13,14 @@
  * the least memory for start(); sizes.h has upper bounds for static arrays.
  *
  * Checkpoints. save() sets `part` to the first bytes of the object's memory, which are its complete
- * state. Copy them before the next call of the object. restore() continues from a copy at the
- * beginning of the config's memory, and reads only kind, memory, and sink or output of the config.
- * The build must be the same, and the address modulo 8. Cost: about 50 instructions per byte.
+ * state. Copy them before the next call of the object. An encoder is suspended until its output has
+ * no unsent bytes. restore() continues from a copy at the beginning of the config's memory, and
+ * reads only kind, memory, and sink or output of the config. The build must be the same, and the
+ * address modulo 8. Cost: about 50 instructions per byte.
  *
- * Errors. start() and restore() can return DISCMC_TOO_LITTLE_MEMORY and DISCMC_BAD_SINK, restore()
- * also DISCMC_BAD_CHECKPOINT. Comments list all others; docs/statuses.md has remedies. After an
- * error of another function the object continues as if not called, but waiting events were sent.
+ * Errors. start() and restore() can return DISCMC_NO_KIND, DISCMC_TOO_LITTLE_MEMORY and
+ * DISCMC_BAD_SINK, restore() also DISCMC_BAD_CHECKPOINT. Comments list all others; docs/statuses.md
+ * has remedies. After another error the object continues as if not called, but sent its events.
  *
  * Calls. Call an object from one thread or interrupt at a time. Objects share nothing. Your
  * functions run within calls of the object that has them. They must not jump out of the call, nor
@@ -53,7 +54,7 @@ enum {
   DISCMC_BAD_LIMITS,        /* see discmc_limits and slab */
   DISCMC_BAD_CAPACITIES,    /* too few slots, or more than the kind counts; no rows */
   DISCMC_TOO_LITTLE_MEMORY, /* less than bytes(), or null */
-  DISCMC_BAD_SINK,          /* a sink or output without a function, or a sink that is not started */
+  DISCMC_BAD_SINK,          /* a sink or output lacks a function, or the sink has not started */
   DISCMC_NOT_STARTED,       /* an encoder that has not received the start of a scan */
   DISCMC_FINISHED,          /* the scan has ended: start another */
   DISCMC_ROW_IN_PROGRESS,   /* a whole row was pushed or skipped in the middle of a row */
@@ -65,7 +66,8 @@ enum {
   DISCMC_BAD_RECORD,        /* an application record is too long */
   DISCMC_BAD_DEVICE,        /* a flash without functions, or without room for two checkpoints */
   DISCMC_DEVICE_ERROR,      /* a flash function failed, or a unit reads back with other bytes */
-  DISCMC_BAD_SAMPLES        /* a type that the kind does not accept, or bits that are not one row */
+  DISCMC_BAD_SAMPLES,       /* a type that the kind does not accept, or bits that are not one row */
+  DISCMC_NO_KIND            /* the kind in the config is null */
 };
 
 /* A short English text. Owner: static storage. */
@@ -80,7 +82,6 @@ typedef struct discmc_joiner discmc_joiner;
 typedef struct discmc_store discmc_store;
 typedef struct discmc_row_ring discmc_row_ring;
 
-/* Memory that you supply. */
 typedef struct discmc_memory {
   void* data;
   size_t bytes;
@@ -109,10 +110,13 @@ typedef struct discmc_push_result {
 } discmc_push_result;
 
 /* The output of an encoder. write() accepts up to `count` bytes, valid during the call, and returns
- * how many: 0 if busy, or on an error. If the link is dead, call set_output(). */
+ * how many: 0 if busy, or on an error. If the link is dead, call set_output(). unsent() returns how
+ * many accepted bytes a power failure would still lose, such as those in the queue of a driver; it
+ * is required for checkpoints alone. */
 typedef struct discmc_byte_output {
   void* context;
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
+  size_t (*unsent)(void* context);
 } discmc_byte_output;
 enum { DISCMC_WIRE_VERSION = 1, DISCMC_MAX_FRAME = 256 /* bytes of a stream's longest frame */ };
 
@@ -163,7 +167,6 @@ typedef struct discmc_vertex {
   int32_t x, y, z;
 } discmc_vertex;
 
-/* Totals of a scan. */
 typedef struct discmc_statistics {
   uint64_t cells, facets;     /* active cells, and facets in them, before the merge */
   uint64_t classic_triangles; /* that classic Marching Cubes would have made */
@@ -203,8 +206,8 @@ typedef struct discmc_event {
   } of; /* Owner: the sender; valid during the call */
 } discmc_event;
 
-/* A sink's answer. BUSY: the next resume(), or push() of a receiver, offers the event again, but
- * START must be accepted at once. NOT_STARTED: a retry fails, too. */
+/* A sink's answer. BUSY: the next resume(), or push() of a receiver, offers the event again.
+ * NOT_STARTED: a retry fails, too. */
 typedef uint8_t discmc_sink_result;
 enum { DISCMC_SINK_ACCEPTED, DISCMC_SINK_BUSY, DISCMC_SINK_NOT_STARTED };
 /* A sink of events: a function, and the object that it is called with. */
@@ -228,7 +231,6 @@ typedef struct discmc_extractor_kind discmc_extractor_kind;
 extern const discmc_extractor_kind discmc_plain_bits, discmc_plain_u8, discmc_plain_u16,
     discmc_plain_i16, discmc_normals_u8, discmc_normals_u16, discmc_normals_i16;
 
-/* The configuration of an extractor. */
 typedef struct discmc_extractor_config {
   const discmc_extractor_kind* kind;
   discmc_limits limits;
@@ -249,7 +251,7 @@ typedef struct discmc_extractor_config {
 enum { DISCMC_MIN_SLOTS = 4, DISCMC_MAX_SLOTS = 32759 };
 /* The least memory for this kind, limits and slots, with the object; 0 if the limits are bad. */
 uint64_t discmc_extractor_bytes(const discmc_extractor_config* config);
-/* Begins a scan. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_CAPACITIES. */
+/* Begins a scan, also if suspended. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_CAPACITIES. */
 DISCMC_CHECK discmc_status discmc_extractor_start(discmc_extractor** extractor,
                                                   const discmc_extractor_config* config);
 
@@ -293,7 +295,6 @@ discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extracto
 typedef struct discmc_encoder_kind discmc_encoder_kind;
 extern const discmc_encoder_kind discmc_regions, discmc_regions_with_normals;
 
-/* The configuration of an encoder. */
 typedef struct discmc_encoder_config {
   const discmc_encoder_kind* kind;
   discmc_stream_label label; /* a spacing that the extractor has replaces the one here */
@@ -318,7 +319,7 @@ DISCMC_CHECK discmc_status discmc_encoder_flush(discmc_encoder* encoder);
  * write function is for a dead link: the encoder drops the stream but counts its bytes. */
 void discmc_encoder_set_output(discmc_encoder* encoder, discmc_byte_output output);
 
-/* A checkpoint. restore() sends the interrupted frame again. */
+/* A checkpoint; if suspended, call again. restore() sends the interrupted frame again. */
 DISCMC_CHECK discmc_status discmc_encoder_save(discmc_encoder* encoder, discmc_memory* part);
 DISCMC_CHECK discmc_status discmc_encoder_restore(discmc_encoder** encoder,
                                                   const discmc_encoder_config* config);
@@ -331,11 +332,10 @@ typedef struct discmc_slice_kind discmc_slice_kind;
 extern const discmc_slice_kind discmc_slices_bits, discmc_slices_u8, discmc_slices_u16,
     discmc_slices_i16;
 
-/* The configuration of a slice encoder. */
 typedef struct discmc_slice_encoder_config {
   const discmc_slice_kind* kind;
   discmc_limits limits;
-  uint8_t surface_count; /* 1 to DISCMC_MAX_SURFACES, on consecutive channels */
+  uint8_t surface_count; /* up to DISCMC_MAX_SURFACES, on consecutive channels; 0: one */
   int32_t thresholds[4]; /* put first the surface most like the others: it predicts them */
   /* The slices from a key slice, which decodes alone, to the next; 0: no further key slice. A lost
    * packet costs up to this many slices; 16 is good. 1: least memory, but the longest stream. */
@@ -373,7 +373,6 @@ DISCMC_CHECK discmc_status discmc_slice_encoder_write_record(
 DISCMC_CHECK discmc_status discmc_slice_encoder_flush(discmc_slice_encoder* encoder);
 void discmc_slice_encoder_set_output(discmc_slice_encoder* encoder, discmc_byte_output output);
 
-/* The progress of a scan. */
 typedef struct discmc_slice_encoder_info {
   uint64_t stream_bytes; /* so far, dropped ones included */
   uint32_t slices, rows; /* complete slices, and complete rows of the next */
@@ -381,7 +380,6 @@ typedef struct discmc_slice_encoder_info {
 discmc_slice_encoder_info discmc_slice_encoder_get_info(const discmc_slice_encoder* encoder);
 
 /* ---- receiver: bytes in, polygons out ---- */
-/* The configuration of a receiver. */
 typedef struct discmc_receiver_config {
   uint8_t channel;      /* of the surface; DISCMC_ANY_CHANNEL: of the first stream that comes */
   discmc_memory memory; /* for slices: beyond the minimum, fewer regions arrive as fragments */
@@ -427,7 +425,6 @@ typedef struct discmc_receiver_info {
 discmc_receiver_info discmc_receiver_get_info(const discmc_receiver* receiver);
 
 /* ---- joiner: fragments in, regions out ---- */
-/* The configuration of a joiner. */
 typedef struct discmc_joiner_config {
   uint8_t order;        /* DISCMC_SWEEP_ORDER: one extractor or receiver; DISCMC_ANY_ORDER: many */
   discmc_memory memory; /* DISCMC_JOINER_BYTES(fragments that wait at once) */
@@ -444,7 +441,6 @@ discmc_sink_result discmc_joiner_take(void* joiner, const discmc_event* event);
  * DISCMC_TOO_LITTLE_MEMORY (the sink received fragments that a larger joiner can join). */
 DISCMC_CHECK discmc_status discmc_joiner_finish(discmc_joiner* joiner);
 
-/* The report of a joiner so far. */
 typedef struct discmc_joiner_info {
   uint64_t received, invalid;         /* fragments that arrived, and those dropped as invalid */
   uint64_t regions, rings;            /* delivered, joined from fragments */
@@ -478,16 +474,16 @@ DISCMC_CHECK discmc_status discmc_store_start(discmc_store** store,
 
 /* The newest checkpoint of a store, and the costs of a checkpoint. */
 typedef struct discmc_store_info {
-  uint8_t has_checkpoint;
-  uint32_t bytes, sequence; /* of the newest checkpoint: its length and its number, modulo 2^32 */
+  uint8_t has_checkpoint;   /* one that was not discarded: continue its scan */
+  uint32_t bytes, sequence; /* of the newest entry: its length and its number, modulo 2^32 */
   uint32_t slots;           /* checkpoints that fit; E erasures per block suffice for E * slots */
   uint32_t slots_per_block; /* 1 if a slot has one or more blocks of its own */
   uint32_t blocks, units;   /* erased and programmed by a checkpoint of max_bytes */
 } discmc_store_info;
 discmc_store_info discmc_store_get_info(const discmc_store* store);
 
-/* Reads the newest checkpoint. parts: in number, order and sizes as of save(), except that the last
- * may be longer, so put the extractor last. Errors: DISCMC_BAD_CHECKPOINT, DISCMC_DEVICE_ERROR. */
+/* Reads the newest checkpoint. parts: in number and order as of save(); each may be longer. Errors:
+ * DISCMC_BAD_CHECKPOINT, DISCMC_DEVICE_ERROR. */
 DISCMC_CHECK discmc_status discmc_store_restore(discmc_store* store, const discmc_memory* parts,
                                                 uint32_t count);
 
@@ -501,7 +497,11 @@ DISCMC_CHECK discmc_status discmc_store_erase_ahead(discmc_store* store, uint32_
 DISCMC_CHECK discmc_status discmc_store_save(discmc_store* store, const discmc_memory* parts,
                                              uint32_t count);
 DISCMC_CHECK discmc_status discmc_store_resume(discmc_store* store);
-enum { DISCMC_MAX_PARTS = 4 };
+enum { DISCMC_MAX_PARTS = 6 };
+
+/* Makes the newest checkpoint void: call it before the first row of a new scan, and after a scan
+ * whose last byte has left the output. Suspended and errors: as save(). */
+DISCMC_CHECK discmc_status discmc_store_discard(discmc_store* store);
 
 /* ---- row ring: an interrupt fills rows in place, a task pushes them from there ---- */
 /* Rows lie one after the other from the beginning of the memory, each aligned to four bytes. */

@@ -12,12 +12,13 @@ namespace discmc {
 
 /// Writes one stream per scan. The encoder buffers one packet and one record. The output may stop
 /// accepting at any byte: take() then returns busy, and the next take() of the same event continues
-/// there. An encoder contains pointers to itself, so only save() and restore() copy it.
+/// there. An encoder contains pointers to itself, so it is not copied.
 class Encoder {
  public:
   Encoder() = default;
 
-  /// Also encodes the normals of runs, in all later streams. Call it before start() or restore().
+  /// Also encodes the normals of runs, in all later streams. Call it before start() and after
+  /// restore().
   /// Programs without this call do not link the code for normals. Cost: 2 to 3 bytes per normal;
   /// the stream is about five times as long.
   void encode_normals();
@@ -53,32 +54,29 @@ class Encoder {
   void set_output(const ByteOutput& output);
 
   /// Sends the packet in progress although it is not full, for a receiver that must not wait.
-  /// Returns false if the output did not accept all of it: call again. Without a stream it returns
-  /// true. Cost: at least 15 bytes of stream per packet sent.
-  [[nodiscard]] bool flush();
+  /// Without a stream it does nothing. Status::suspended: the output did not accept all of it, call
+  /// again. Cost: at least 15 bytes of stream per packet sent.
+  [[nodiscard]] Status flush();
 
-  /// Saves the encoder's state, at the beginning of a frame; restore() may send that frame again.
-  /// Errors: not_started. Cost: a checksum of the object.
-  [[nodiscard]] Status save(Checkpoint<Encoder>& checkpoint) const;
+  /// Seals the encoder's state, and sets parts[0] to its bytes: this object. Copy them before the
+  /// next call (checkpoint.hpp). Status::suspended: the output has unsent bytes, call again.
+  /// Errors: not_started, bad_sink (the output has no unsent()). Cost: a checksum of the object.
+  [[nodiscard]] Status save(Memory* parts);
 
-  /// Restores a saved state; bytes() is the length of the stream up to it. Errors: bad_checkpoint,
-  /// bad_sink (no write). Cost: as save().
-  [[nodiscard]] Status restore(const Checkpoint<Encoder>& checkpoint, const ByteOutput& output);
-
-  /// Continues a stream whose object was saved and restored as plain bytes, without save() and
-  /// restore(), as discmc.h does. Limit: the bytes are unchanged. Errors: bad_sink (no write
-  /// function).
-  [[nodiscard]] Status resume_in_place(const ByteOutput& output);
+  /// Continues from the part of save(), which was read back into this object. The frame that was
+  /// being sent is sent again; bytes() is the length of the stream before it. Errors:
+  /// bad_checkpoint, bad_sink (no write function). After an error read the part back again, or call
+  /// start(). Cost: as save().
+  [[nodiscard]] Status restore(const ByteOutput& output);
 
   /// The bytes of stream so far, including bytes that were dropped because there was no output. The
   /// growth from set_output({}) to the next set_output() is the number of dropped bytes.
   uint64_t bytes() const { return packets_.bytes(); }
 
-  /// For CheckpointHead::layout.
+  /// Differs between builds; for discmc.h.
   static constexpr uint32_t layout = sizeof(void*) << 4;
 
  private:
-  friend struct Checkpoint<Encoder>;
   Encoder(const Encoder&) = default;
   Encoder& operator=(const Encoder&) = default;
 
@@ -121,6 +119,7 @@ class Encoder {
   Record record_;
   OctahedralNormal normals_[Record::max_words] = {};  // by the word of the record
   PacketWriter packets_;
+  detail::Seal seal_;
 };
 
 }  // namespace discmc

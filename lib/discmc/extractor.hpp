@@ -34,8 +34,8 @@ struct Peaks {
 /// its regions to a Sink. Declare an Extractor or a NormalExtractor (gradient_normals.hpp).
 ///
 /// Index numbers the slots: uint16_t (up to 32,759 slots) for firmware, uint32_t for hosts. It does
-/// not change the events if the capacities are equal. Intake and Sweep are internal. Only save()
-/// and restore() copy an extractor: two copies would write to the same memory.
+/// not change the events if the capacities are equal. Intake and Sweep are internal. An
+/// extractor is not copied, as two copies would write to the same memory.
 template <class Index, class Intake, class Sweep>
 class BasicExtractor {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
@@ -47,11 +47,11 @@ class BasicExtractor {
   ///
   /// threshold: a voxel is on if its sample is >= threshold. memory: at least
   /// minimum_bytes<Index>(limits), at any alignment; Owner: the caller, for as long as the scan
-  /// lasts. sink: must accept `start` at once. Errors: bad_limits (also for limits that need an
-  /// ability that Features lacks), too_little_memory, bad_sink (no function, or the sink rejects
-  /// `start`, as an encoder does before its start()). After an error the memory is untouched; after
-  /// too_little_memory, or if the sink rejects `start`, the previous scan has ended. Cost: clears
-  /// about 150 words and one row of bits.
+  /// lasts. Status::suspended: the scan has begun, but the sink is busy. Errors: bad_limits (also
+  /// for limits that need an ability that Features lacks), too_little_memory, bad_sink (no
+  /// function, or the sink has not started, like an encoder before its start()). After an error the
+  /// memory is untouched; after too_little_memory, or if the sink has not started, the previous
+  /// scan has ended. Cost: clears about 150 words and one row of bits.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
                              const Sink& sink) {
     return start(limits, default_capacities<Index, Intake>(limits, memory.bytes), threshold, memory,
@@ -64,8 +64,8 @@ class BasicExtractor {
                              Memory memory, const Sink& sink);
 
   /// Begins the next scan with the limits, threshold, memory and sink of the last start(). An
-  /// unfinished scan is dropped without a `finish` event. Errors: not_started; bad_sink (the sink
-  /// rejects `start`, for example while its output is busy), after which nothing has changed.
+  /// unfinished scan is dropped without a `finish` event. Status::suspended: as start(). Errors:
+  /// not_started; bad_sink (the sink has not started), after which nothing has changed.
   [[nodiscard]] Status reset();
 
   /// Accepts samples of consecutive voxels: x first, then y, then z. A call may begin and end
@@ -107,23 +107,16 @@ class BasicExtractor {
   /// Status::suspended: as finish().
   [[nodiscard]] Status abandon();
 
-  /// Saves the extractor's state. Also save the first bytes_used() bytes of the memory; restore()
-  /// needs both. Any is deduced: the type of this extractor. Errors: not_started.
-  /// Status::suspended: call resume() first. Cost: a checksum of those bytes.
-  template <class Any>
-  [[nodiscard]] Status save(Checkpoint<Any>& checkpoint) const;
+  /// Seals the extractor's state, and sets parts[0] and parts[1] to its bytes: the object, and the
+  /// first bytes_used() bytes of the memory. Copy them before the next call (checkpoint.hpp).
+  /// Errors: not_started. Cost: a checksum of both, about 50 instructions per byte.
+  [[nodiscard]] Status save(Memory* parts);
 
-  /// Restores a saved state. memory: of the size given to start(), with the saved bytes at its
-  /// beginning; it may lie at another address with the same alignment modulo 4; Owner: as of
-  /// start(). Errors: too_little_memory, bad_checkpoint, bad_sink. Cost: as save().
-  template <class Any>
-  [[nodiscard]] Status restore(const Checkpoint<Any>& checkpoint, Memory memory, const Sink& sink);
-
-  /// Continues a scan whose object and memory were saved and restored as plain bytes, without
-  /// save() and restore(), as discmc.h does. memory, sink: as of restore(). Limit: the bytes were
-  /// saved while is_suspended() was false, and are unchanged. Errors: bad_sink; too_little_memory
-  /// (then call start(), or this function again with enough memory).
-  [[nodiscard]] Status resume_in_place(Memory memory, const Sink& sink);
+  /// Continues from the parts of save(), which were read back into this object and into the
+  /// beginning of the memory. memory: of the size given to start(); it may lie at another address
+  /// that is the same modulo 4; Owner: as of start(). Errors: bad_checkpoint, too_little_memory,
+  /// bad_sink. After an error read the parts back again, or call start(). Cost: as save().
+  [[nodiscard]] Status restore(Memory memory, const Sink& sink);
 
   /// Whether the sink has refused an event that is due. If so, call resume() before save().
   bool is_suspended() const;
@@ -146,7 +139,7 @@ class BasicExtractor {
   /// The number of complete rows of the current slice, 0 to height - 1.
   uint32_t rows() const { return intake_.rows(bits_); }
 
-  /// For CheckpointHead::layout.
+  /// Differs between the types of extractors and between builds; for discmc.h.
   static constexpr uint32_t layout = sizeof(Index) | sizeof(void*) << 4 | Intake::type << 8;
 
  protected:
@@ -169,7 +162,7 @@ class BasicExtractor {
   bool continues_above() const { return Features::slabs && continues_above_; }
   uint32_t first_slice() const { return Features::slabs ? first_slice_ : 0; }
   bool lay_out(const Limits& limits, Memory memory);
-  void forget_addresses();
+  Status begin();
   void clear();
   Status ready_for_samples();
   void note_origin(RowOrigin origin);
@@ -184,12 +177,13 @@ class BasicExtractor {
   bool end_slice();
   bool end_scan();
   uint32_t own_slices() const;
-  bool send_start();
+  SinkResult send_start();
   bool send(Event::Kind kind);
 
   // The members that the sweep uses come first, within reach of short instructions.
   State state_ = State::idle;
   bool abandoned_ = false;
+  bool start_is_due_ = false;
   bool skip_is_due_ = false;
   bool skip_repeated_ = false;
   Border border_ = Border::closed;
@@ -207,6 +201,7 @@ class BasicExtractor {
   Statistics statistics_{};
   Capacities capacities_{};
   Memory memory_;
+  detail::Seal seal_;
 };
 
 /// The extractor for firmware, and for hosts without special needs. The library contains its code
@@ -218,7 +213,6 @@ class Extractor : public BasicExtractor<Index, BitIntake, trace::Sweep<Index, No
   Extractor() = default;
 
  private:
-  friend struct Checkpoint<Extractor>;
   Extractor(const Extractor&) = default;
   Extractor& operator=(const Extractor&) = default;
 };

@@ -38,7 +38,6 @@ class NormalExtractor
   PushResult push_bits(const uint8_t* bits) = delete;
 
  private:
-  friend struct Checkpoint<NormalExtractor>;
   NormalExtractor(const NormalExtractor&) = default;
   NormalExtractor& operator=(const NormalExtractor&) = default;
 };

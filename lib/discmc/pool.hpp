@@ -31,9 +31,6 @@ class SlotAccount {
     available_ = capacity_;
   }
 
-  /// Clears the address of the slots, until start().
-  void forget_addresses() { slots_ = nullptr; }
-
   uint32_t capacity() const { return capacity_; }
   /// available(): the slots that take() may still return. in_use(): all others, including reserved
   /// slots.

@@ -7,9 +7,9 @@
 //   region   = region { ring { run } } region_end         outer ring first, then the holes
 //   fragment = fragment { run } fragment_end              for lack of memory, or at a slab's seam
 //
-// The sink must accept `start` at once; otherwise the extractor does not start. Only decoders send
-// `application`. A decoder may send `lost` instead of the rest of a region or fragment. A truncated
-// stream has no `finish`; a stream whose header is lost has its `start` late, or none.
+// Only decoders send `application`. A decoder may send `lost` instead of the rest of a region or
+// fragment. A truncated stream has no `finish`; a stream whose header is lost has its `start` late,
+// or none.
 //
 // All fragments are loose: pieces of a ring that were sent before the ring was closed. Fragment B
 // continues fragment A if three things match:

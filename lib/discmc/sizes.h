@@ -16,21 +16,21 @@
 
 /* An extractor of a plain kind. slots: at least DISCMC_MIN_SLOTS; see discmc_extractor_config. */
 #define DISCMC_EXTRACTOR_BYTES(width, height, slots)                           \
-  (26 * sizeof(void*) + 962 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
+  (27 * sizeof(void*) + 962 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
    UINT64_C(8) * (slots))
 
 /* An extractor of a kind with normals. sample_bytes: 1 for u8, 2 for u16 and i16. */
 #define DISCMC_NORMAL_EXTRACTOR_BYTES(width, height, sample_bytes, slots)       \
-  (28 * sizeof(void*) + 1032 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
+  (29 * sizeof(void*) + 1032 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
    (UINT64_C(4) * (height) + 6) * ((width) * (sample_bytes) + 2) + UINT64_C(14) * (slots))
 
 /* An encoder of either kind. */
-#define DISCMC_ENCODER_BYTES (10 * sizeof(void*) + 991)
+#define DISCMC_ENCODER_BYTES (12 * sizeof(void*) + 991)
 
 /* A slice encoder with any key_slice_interval. With the interval 1, discmc_slice_encoder_bytes() is
  * much less. */
 #define DISCMC_SLICE_ENCODER_BYTES(width, height, surfaces)                   \
-  (28 * sizeof(void*) + 58 +                                                  \
+  (30 * sizeof(void*) + 58 +                                                  \
    DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + \
    UINT64_C(1060) * (surfaces))
 
@@ -45,7 +45,7 @@
 #define DISCMC_JOINER_BYTES(fragments) (10 * sizeof(void*) + 242 + UINT64_C(192) * (fragments))
 
 /* A checkpoint store for a flash with this program_bytes. */
-#define DISCMC_STORE_BYTES(program_bytes) (22 * sizeof(void*) + 103 + (program_bytes))
+#define DISCMC_STORE_BYTES(program_bytes) (28 * sizeof(void*) + 127 + (program_bytes))
 /* A row ring with its rows. row_bytes: of the samples of one row. */
 #define DISCMC_ROW_RING_BYTES(row_bytes, rows) \
   (3 * sizeof(void*) + 42 + UINT64_C(4) * (rows) * (((row_bytes) + UINT64_C(3)) / 4 + 1))

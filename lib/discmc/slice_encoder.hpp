@@ -78,7 +78,7 @@ constexpr uint64_t slice_decoder_bytes(const Limits& limits, uint32_t surfaces =
 // ---- The encoder.
 
 /// Accepts the samples of a scan, and writes one stream with the bits of its surfaces. An encoder
-/// contains pointers to itself, so only save() and restore() copy it.
+/// contains pointers to itself, so it is not copied.
 class SliceEncoder {
  public:
   SliceEncoder() = default;
@@ -149,24 +149,22 @@ class SliceEncoder {
   /// returns Status::suspended.
   bool is_suspended() const { return row_is_due_ || state_ == State::finishing; }
 
-  /// Saves the encoder's state. A frame that is being sent is sent again after restore(). Also save
-  /// the first bytes_used() bytes of the memory; restore() needs both. Errors: not_started.
-  /// Status::suspended: call resume() first. Cost: a checksum of those bytes.
-  [[nodiscard]] Status save(Checkpoint<SliceEncoder>& checkpoint) const;
+  /// Seals the encoder's state, and sets parts[0] and parts[1] to its bytes: the object, and the
+  /// first bytes_used() bytes of the memory. Copy them before the next call (checkpoint.hpp).
+  /// Status::suspended: call resume() first; or the output has unsent bytes, call again. Errors:
+  /// not_started, bad_sink (the output has no unsent()). Cost: a checksum of both.
+  [[nodiscard]] Status save(Memory* parts);
 
-  /// Restores a saved state: the scan continues with row rows() of slice slices(), after bytes()
-  /// bytes of stream. memory: at least the bytes_used() of the saved encoder, with the saved bytes
-  /// at the beginning, at an address that is the same modulo 4; Owner: as of start(). Errors:
-  /// too_little_memory (null), bad_checkpoint (also if the memory is smaller), bad_sink (no write).
-  /// Cost: as save().
-  [[nodiscard]] Status restore(const Checkpoint<SliceEncoder>& checkpoint, Memory memory,
-                               const ByteOutput& output);
+  /// Continues from the parts of save(), which were read back into this object and into the
+  /// beginning of the memory. The next row is row rows() of slice slices(); the stream has bytes()
+  /// bytes. The frame that was being sent is sent again. memory: at least bytes_used(), at an address that is
+  /// the same modulo 4; Owner: as of start(). Errors: bad_checkpoint, too_little_memory (null),
+  /// bad_sink. After an error read the parts back again, or call start(). Cost: as save().
+  [[nodiscard]] Status restore(Memory memory, const ByteOutput& output);
 
-  /// Continues a scan whose object and memory were saved and restored as plain bytes, without
-  /// save() and restore(), as discmc.h does. Limit: the bytes were saved while is_suspended() was
-  /// false, and are unchanged. Errors: bad_sink (no write function), too_little_memory.
-  [[nodiscard]] Status resume_in_place(Memory memory, const ByteOutput& output);
-
+  Limits limits() const {
+    return {packets_.header().width, packets_.header().height, packets_.header().border};
+  }
   /// The bytes of stream so far, including bytes that were dropped because there was no output. The
   /// growth from set_output({}) to the next set_output() is the number of dropped bytes.
   uint64_t bytes() const { return packets_.bytes(); }
@@ -178,11 +176,10 @@ class SliceEncoder {
   /// The complete rows of the current slice.
   uint32_t rows() const { return surfaces_.rows().rows(); }
 
-  /// For CheckpointHead::layout.
+  /// Differs between builds; for discmc.h.
   static constexpr uint32_t layout = sizeof(void*) << 4;
 
  private:
-  friend struct Checkpoint<SliceEncoder>;
   SliceEncoder(const SliceEncoder&) = default;
   SliceEncoder& operator=(const SliceEncoder&) = default;
 
@@ -225,6 +222,7 @@ class SliceEncoder {
   slices::RowCode row_;
   slices::Surfaces surfaces_;
   PacketWriter packets_;
+  detail::Seal seal_;
 };
 
 }  // namespace discmc

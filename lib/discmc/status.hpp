@@ -9,17 +9,18 @@ namespace discmc {
 
 /// The result of a call. docs/statuses.md has the cause and the remedy of each status.
 ///
-/// `ok` and `suspended` are not errors. The comment of each function states how to continue after
-/// `suspended`: in most cases with resume(). After an error, the object continues as if the call
-/// had not been made, except that waiting events may have been delivered, and push() may have
-/// accepted some input. If an error changes more, the comment of the function states it.
+/// `ok` and `suspended` are not errors. After `suspended`, call resume() of the object until it
+/// returns another status, then the same function with what it has not accepted. After an error,
+/// the object continues as if the call had not been made, except that waiting events may have been
+/// delivered, and push() may have accepted some input. If an error changes more, the comment of the
+/// function states it.
 enum class Status : uint8_t {
   ok,
   suspended,          ///< work remains: the sink or output is busy, or it was one step of several
   bad_limits,         ///< see Limits
   bad_capacities,     ///< a capacity is below the minimum or beyond the index type
   too_little_memory,  ///< the memory is null or smaller than the limits or capacities need
-  bad_sink,           ///< no function; or a sink that did not accept the start of the scan
+  bad_sink,           ///< a sink or output lacks a function, or the sink has not started
   not_started,        ///< start() has not succeeded; for records, also start() of the extractor
   finished,           ///< the scan has ended: start() another, or reset()
   row_in_progress,    ///< a whole row was pushed or skipped in the middle of a row
@@ -50,8 +51,8 @@ constexpr const char* to_string(Status status) {
       return "the memory is null or too small: size it with the ..._bytes() function of the "
              "object, or with sizes.h; for a decoder of slices call give_memory()";
     case Status::bad_sink:
-      return "the sink or output has no function, or the sink did not accept the start of the "
-             "scan: start the encoder first, or retry when its output is ready";
+      return "the sink or output lacks a function, or the sink has not started: set write(), and "
+             "unsent() for checkpoints; start the encoder before the extractor";
     case Status::not_started:
       return "start() was not called or failed: check its status; an encoder accepts records after "
              "start() of the extractor";

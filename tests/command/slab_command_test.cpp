@@ -68,7 +68,7 @@ class WithoutDepth {
     return encoder_.take(event);
   }
   std::string stream() {
-    REQUIRE(encoder_.flush());
+    REQUIRE(encoder_.flush() == Status::ok);
     return bytes_.str();
   }
 

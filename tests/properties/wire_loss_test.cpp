@@ -102,7 +102,8 @@ std::vector<Bytes> packets_of_one_region(uint32_t regions) {
   reference::require_ok(begin_stream(encoder, any_header(), line.output()));
   for (const RecordedEvent& recorded : script.finish().events) {
     take_all(encoder, {recorded});
-    if (recorded.is(Kind::region_end) && !encoder.flush()) throw std::runtime_error("a busy line");
+    if (recorded.is(Kind::region_end) && encoder.flush() != Status::ok)
+      throw std::runtime_error("a busy line");
   }
   return frames_of(line.bytes);
 }

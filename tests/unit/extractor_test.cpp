@@ -314,9 +314,11 @@ TEST_CASE("a scan begins with what the extractor knows of it") {
   }
 }
 
-TEST_CASE("a scan whose sink does not take its start does not begin, and writes nothing") {
+TEST_CASE("a scan does not begin if its sink has not started, and the memory is untouched") {
   struct Closed {
-    SinkResult take(const Event&) { return is_closed ? SinkResult::busy : SinkResult::accepted; }
+    SinkResult take(const Event&) {
+      return is_closed ? SinkResult::not_started : SinkResult::accepted;
+    }
     bool is_closed = true;
   } sink;
   const Limits limits{7, 3};
@@ -334,4 +336,37 @@ TEST_CASE("a scan whose sink does not take its start does not begin, and writes 
   sink.is_closed = true;
   CHECK(extractor.reset() == Status::bad_sink);
   CHECK(extractor.rows() == 1);
+}
+
+TEST_CASE("a busy sink receives the start later: start() and reset() are suspended") {
+  struct Busy {
+    SinkResult take(const Event& event) {
+      if (is_busy) return SinkResult::busy;
+      kinds.push_back(event.kind);
+      return SinkResult::accepted;
+    }
+    bool is_busy = true;
+    std::vector<Event::Kind> kinds{};
+  } sink;
+  const Limits limits{7, 1};
+  std::vector<uint8_t> memory(minimum_bytes<uint16_t>(limits));
+  const uint8_t row[7] = {};
+  Extractor16 extractor;
+  CHECK(extractor.start(limits, 1, {memory.data(), memory.size()}, make_sink(sink)) ==
+        Status::suspended);
+  CHECK(extractor.is_suspended());
+  CHECK(extractor.resume() == Status::suspended);
+  CHECK(extractor.push(row, 7).samples == 0);
+  sink.is_busy = false;
+  require_ok(extractor.resume());
+  CHECK_FALSE(extractor.is_suspended());
+  require_ok(extractor.push(row, 7).status);
+  using Kind = Event::Kind;
+  CHECK(sink.kinds == std::vector<Kind>{Kind::start, Kind::layer});
+  sink.is_busy = true;
+  CHECK(extractor.reset() == Status::suspended);
+  CHECK(extractor.slices() == 0);
+  sink.is_busy = false;
+  require_ok(extractor.push(row, 7).status);
+  CHECK(sink.kinds == std::vector<Kind>{Kind::start, Kind::layer, Kind::start, Kind::layer});
 }

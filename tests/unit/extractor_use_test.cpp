@@ -132,34 +132,34 @@ TEST_CASE("a start that finds too little memory ends the scan before it") {
   CHECK(extractor.reset() == Status::not_started);
 }
 
-TEST_CASE("so does one whose sink does not take the start; all others let the scan go on") {
+TEST_CASE("start() with a sink that has not started ends the scan; other errors do not") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
   EventLog log;
   Block block(1 << 14), other(1 << 14);
   const Memory memory = other.memory();
-  struct Busy {
-    SinkResult take(const Event&) { return SinkResult::busy; }
-  } busy;
+  struct Closed {
+    SinkResult take(const Event&) { return SinkResult::not_started; }
+  } closed;
   Extractor16 extractor;
   require_ok(extractor.start({3, 3}, 1, block.memory(), make_sink(log)));
   require_ok(extractor.push(volume.on.data(), 4).status);
-  CHECK(extractor.start({0, 3}, 1, memory, make_sink(busy)) == Status::bad_limits);
-  CHECK(extractor.start({4, 4}, {0, 0}, 1, memory, make_sink(busy)) == Status::bad_capacities);
+  CHECK(extractor.start({0, 3}, 1, memory, make_sink(closed)) == Status::bad_limits);
+  CHECK(extractor.start({4, 4}, {0, 0}, 1, memory, make_sink(closed)) == Status::bad_capacities);
   CHECK(extractor.start({4, 4}, 1, memory, Sink{}) == Status::bad_sink);
   require_ok(extractor.push(volume.on.data() + 4, 14).status);
   require_ok(extractor.finish());
   CHECK(log.events == events_of(volume).events);
   require_ok(extractor.reset());
-  CHECK(extractor.start({4, 4}, 1, memory, make_sink(busy)) == Status::bad_sink);
+  CHECK(extractor.start({4, 4}, 1, memory, make_sink(closed)) == Status::bad_sink);
   CHECK(extractor.finish() == Status::not_started);
 }
 
-TEST_CASE("a reset that the sink does not take lets the scan go on") {
+TEST_CASE("reset() changes nothing if the sink has not started") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
   struct Once {
     SinkResult take(const Event& event) {
       const bool is_start = event.kind == Event::Kind::start;
-      return is_start && starts++ > 0 ? SinkResult::busy : log.take(event);
+      return is_start && starts++ > 0 ? SinkResult::not_started : log.take(event);
     }
     int starts = 0;
     EventLog log{};

@@ -7,6 +7,7 @@
 #include <discmc/sample_window.hpp>
 #include <vector>
 
+#include "oracle/checkpointed_device.hpp"
 #include "oracle/normal_events.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/stream.hpp"
@@ -363,12 +364,8 @@ TEST_CASE("a scan with normals is saved between rows, and goes on with the same 
     require_ok(
         first.start(limits, setting.capacities, 128, {memory.data(), bytes}, make_sink(log)));
     require_ok(first.push(volume.samples.data(), row * size.width).status);
-    const auto checkpoint = std::make_unique<Checkpoint<Scan>>();
-    require_ok(first.save(*checkpoint));
-    later = memory;
-    memory.assign(bytes, 0xEE);
     Scan second;
-    require_ok(second.restore(*checkpoint, {later.data(), bytes}, make_sink(log)));
+    require_ok(test::move_scan(first, second, {later.data(), bytes}, make_sink(log)));
     REQUIRE(second.slices() == row / size.height);
     require_ok(second
                    .push(volume.samples.data() + size_t{row} * size.width,
@@ -387,15 +384,13 @@ TEST_CASE("a checkpoint of samples of another type is refused") {
   EventLog log;
   Scan scan;
   require_ok(scan.start(limits, 1, block.memory(), make_sink(log)));
-  // From zeros, so that no byte of the checkpoint is any.
-  const auto checkpoint = std::make_unique<Checkpoint<Scan>>();
-  require_ok(scan.save(*checkpoint));
-  const auto bytes = std::make_unique<Checkpoint<Other>>();
-  static_assert(sizeof(Checkpoint<Scan>) == sizeof(Checkpoint<Other>));
-  std::memcpy(static_cast<void*>(bytes.get()), checkpoint.get(), sizeof *bytes);
+  Memory parts[2];
+  require_ok(scan.save(parts));
   Other other;
-  CHECK(other.restore(*bytes, block.memory(), make_sink(log)) == Status::bad_checkpoint);
-  CHECK(scan.restore(*checkpoint, block.memory(), make_sink(log)) == Status::ok);
+  static_assert(sizeof other == sizeof scan);
+  test::read_back(test::image_of({parts[0]}), {memory_of(other)});
+  CHECK(other.restore(block.memory(), make_sink(log)) == Status::bad_checkpoint);
+  CHECK(scan.restore(block.memory(), make_sink(log)) == Status::ok);
 }
 
 TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {

@@ -57,6 +57,9 @@ discmc_status discmc_store_save(discmc_store* store, const discmc_memory* parts,
   if (!copy(parts, count, copies)) return DISCMC_TOO_LITTLE_MEMORY;
   return c(store->store.save(copies, count));
 }
+discmc_status discmc_store_discard(discmc_store* store) {
+  return c(store->store.discard());
+}
 discmc_status discmc_store_resume(discmc_store* store) {
   return c(store->store.resume());
 }

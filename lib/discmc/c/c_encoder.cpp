@@ -14,18 +14,20 @@ discmc_status discmc_encoder_start(discmc_encoder** encoder, const discmc_encode
 discmc_status discmc_encoder_restore(discmc_encoder** encoder,
                                      const discmc_encoder_config* config) {
   return restore<discmc_encoder>(encoder, *config, [&](discmc_encoder& object, Memory) {
-    config->kind->prepare(object.encoder);
-    return object.encoder.resume_in_place(cpp(config->output));
+    const Status status = object.encoder.restore(cpp(config->output));
+    if (status == Status::ok) config->kind->prepare(object.encoder);
+    return status;
   });
 }
 discmc_status discmc_encoder_save(discmc_encoder* encoder, discmc_memory* part) {
-  encoder->close(sizeof *encoder);
+  Memory object;
   *part = encoder->memory;  // as long as the memory of the config, wherever the object lies in it
-  return DISCMC_OK;
+  return c(encoder->encoder.save(&object));
 }
 
 // The header of a `start` event is the beginning of a C++ header; only that part is read.
 discmc_sink_result discmc_encoder_take(void* encoder, const discmc_event* event) {
+  if (encoder == nullptr) return DISCMC_SINK_NOT_STARTED;  // the sink lacks its context
   Encoder& object = static_cast<discmc_encoder*>(encoder)->encoder;
   return static_cast<discmc_sink_result>(object.take(reinterpret_cast<const Event&>(*event)));
 }
@@ -34,7 +36,7 @@ discmc_status discmc_encoder_write_record(discmc_encoder* encoder,
   return c(encoder->encoder.write_record(cpp(*record)));
 }
 discmc_status discmc_encoder_flush(discmc_encoder* encoder) {
-  return encoder->encoder.flush() ? DISCMC_OK : DISCMC_SUSPENDED;
+  return c(encoder->encoder.flush());
 }
 void discmc_encoder_set_output(discmc_encoder* encoder, discmc_byte_output output) {
   encoder->encoder.set_output(cpp(output));

@@ -2,12 +2,6 @@
 
 namespace discmc {
 
-// The used bytes, from the object on.
-static size_t used_bytes(const discmc_extractor_kind& kind, const ExtractorView& view) {
-  const uint64_t bytes = bytes_of_scan(kind.sizes, view.limits, view.peaks.slots);
-  return kind.object_bytes + static_cast<size_t>(bytes);
-}
-
 static const discmc_extractor_kind& kind_of(const discmc_extractor& extractor) {
   return static_cast<const discmc_extractor_kind&>(*extractor.kind);
 }
@@ -22,6 +16,7 @@ extern "C" {
 uint64_t discmc_extractor_bytes(const discmc_extractor_config* config) {
   const Limits limits = cpp(config->limits);
   if (!limits.is_valid()) return 0;
+  if (config->kind == nullptr) return 0;
   const discmc_extractor_kind& kind = *config->kind;
   const uint32_t slots = config->slots == 0 ? minimum_capacities().slots : config->slots;
   return bytes_with_object(kind.object_bytes, bytes_of_scan(kind.sizes, limits, slots));
@@ -41,12 +36,10 @@ discmc_status discmc_extractor_restore(discmc_extractor** extractor,
 }
 
 discmc_status discmc_extractor_save(discmc_extractor* extractor, discmc_memory* part) {
-  const ExtractorView view = look(*extractor);
-  if (view.is_suspended) return DISCMC_SUSPENDED;
-  const size_t bytes = used_bytes(kind_of(*extractor), view);
-  extractor->close(bytes);
-  *part = extractor->part(bytes);
-  return DISCMC_OK;
+  Memory parts[2];
+  const Status status = kind_of(*extractor).save(*extractor, parts);
+  if (status == Status::ok) *part = extractor->part_with(parts[1].bytes);
+  return c(status);
 }
 
 discmc_push_result discmc_extractor_push(discmc_extractor* extractor, discmc_sample_type type,
@@ -74,7 +67,7 @@ discmc_extractor_info discmc_extractor_get_info(const discmc_extractor* extracto
           view.capacities->holes,
           view.peaks.slots,
           view.peaks.holes,
-          extractor->part(used_bytes(kind_of(*extractor), view)).bytes};
+          extractor->part_with(view.bytes_used).bytes};
 }
 
 }  // extern "C"

@@ -25,6 +25,7 @@ discmc_status discmc_joiner_start(discmc_joiner** joiner, const discmc_joiner_co
   return c(status);
 }
 discmc_sink_result discmc_joiner_take(void* joiner, const discmc_event* event) {
+  if (joiner == nullptr) return DISCMC_SINK_NOT_STARTED;  // the sink lacks its context
   Joiner& object = static_cast<discmc_joiner*>(joiner)->with_sink.object;
   return static_cast<discmc_sink_result>(object.take(reinterpret_cast<const Event&>(*event)));
 }

@@ -1,5 +1,4 @@
 #include <discmc/c/object.hpp>
-#include <discmc/stream/crc32.hpp>
 
 namespace discmc {
 
@@ -19,24 +18,8 @@ void* begin_object(const discmc_memory& memory, size_t object_bytes, Memory& res
   return object;
 }
 
-static uint32_t checksum_of(const Sealed& object) {
-  const auto* const bytes = reinterpret_cast<const uint8_t*>(&object);
-  return crc32(bytes + sizeof object.checksum, object.bytes - sizeof object.checksum);
-}
-
-void Sealed::close(size_t bytes_from_here) {
-  bytes = bytes_from_here;
-  checksum = checksum_of(*this);
-}
-
-discmc_memory Sealed::part(size_t bytes_from_here) const {
-  const auto before =
-      reinterpret_cast<const uint8_t*>(this) - static_cast<const uint8_t*>(memory.data);
-  return {memory.data, static_cast<size_t>(before) + bytes_from_here};
-}
-
-Sealed* begin_sealed(const discmc_memory& memory, const Kind& kind, Memory& rest) {
-  auto* const object = static_cast<Sealed*>(begin_object(memory, kind.object_bytes, rest));
+KindObject* begin_kind_object(const discmc_memory& memory, const Kind& kind, Memory& rest) {
+  auto* const object = static_cast<KindObject*>(begin_object(memory, kind.object_bytes, rest));
   if (object == nullptr) return nullptr;
   object->layout = kind.layout;
   object->memory = memory;
@@ -44,15 +27,12 @@ Sealed* begin_sealed(const discmc_memory& memory, const Kind& kind, Memory& rest
   return object;
 }
 
-Sealed* open_sealed(const discmc_memory& memory, const Kind& kind, Memory& rest,
-                    discmc_status& status) {
-  auto* const object = reinterpret_cast<Sealed*>(place_object(memory, kind.object_bytes, rest));
+// The C++ object checks the rest.
+KindObject* saved_kind_object(const discmc_memory& memory, const Kind& kind, Memory& rest,
+                              discmc_status& status) {
+  auto* const object = reinterpret_cast<KindObject*>(place_object(memory, kind.object_bytes, rest));
   status = object == nullptr ? DISCMC_TOO_LITTLE_MEMORY : DISCMC_BAD_CHECKPOINT;
-  // Every member of a damaged object may have any value.
-  if (object == nullptr || object->layout != kind.layout || object->bytes < sizeof(Sealed) ||
-      object->bytes > kind.object_bytes + rest.bytes || object->checksum != checksum_of(*object))
-    return nullptr;
-  status = DISCMC_OK;
+  if (object == nullptr || object->layout != kind.layout) return nullptr;
   object->memory = memory;
   object->kind = &kind;
   return object;

@@ -2,15 +2,14 @@
 #include <discmc/c/values.hpp>
 #include <discmc/slice_encoder.hpp>
 
-struct discmc_slice_encoder : discmc::Sealed {
+struct discmc_slice_encoder : discmc::KindObject {
   discmc::SliceEncoder encoder;
-  uint32_t row_voxels;
 };
 
 struct discmc_slice_kind : discmc::Kind {
   discmc_sample_type type;
-  discmc_push_result (*push)(discmc::SliceEncoder& encoder, uint32_t width, const void* samples,
-                             uint32_t count, uint32_t stride);
+  discmc_push_result (*push)(discmc::SliceEncoder& encoder, const void* samples, uint32_t count,
+                             uint32_t stride);
 };
 
 namespace discmc {
@@ -22,6 +21,10 @@ static_assert(red_zone_bytes > 0 || DISCMC_SLICE_ENCODER_BYTES(31, 7, 2) >=
                                                           slice_encoder_bytes({31, 7}, {}, 2)),
               "the size in sizes.h suffices");
 
+uint8_t surface_count_of(const discmc_slice_encoder_config& config) {
+  return config.surface_count == 0 ? 1 : config.surface_count;
+}
+
 StreamHeader header_of(const discmc_slice_encoder_config& config) {
   const discmc_stream_label& label = config.label;
   StreamHeader header;
@@ -32,7 +35,7 @@ StreamHeader header_of(const discmc_slice_encoder_config& config) {
   for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = label.spacing_nm[axis];
   header.channel = label.channel;
   header.scan = label.scan;
-  header.surface_count = config.surface_count;
+  header.surface_count = surface_count_of(config);
   for (int i = 0; i < StreamHeader::max_surfaces; ++i) header.thresholds[i] = config.thresholds[i];
   return header;
 }
@@ -49,44 +52,40 @@ extern "C" {
 
 uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config) {
   const Limits limits = cpp(config->limits);
-  if (!limits.is_valid() || config->surface_count < 1 ||
-      config->surface_count > StreamHeader::max_surfaces)
-    return 0;
+  if (!limits.is_valid() || config->surface_count > StreamHeader::max_surfaces) return 0;
   return bytes_with_object(
       sizeof(discmc_slice_encoder),
-      slice_encoder_bytes(limits, {config->key_slice_interval}, config->surface_count));
+      slice_encoder_bytes(limits, {config->key_slice_interval}, surface_count_of(*config)));
 }
 
 discmc_status discmc_slice_encoder_start(discmc_slice_encoder** encoder,
                                          const discmc_slice_encoder_config* config) {
   return start<discmc_slice_encoder>(
       encoder, *config, [&](discmc_slice_encoder& object, Memory rest) {
-        object.row_voxels = config->limits.width;
         return object.encoder.start(header_of(*config), {config->key_slice_interval}, rest,
                                     cpp(config->output));
       });
 }
 discmc_status discmc_slice_encoder_restore(discmc_slice_encoder** encoder,
                                            const discmc_slice_encoder_config* config) {
-  return restore<discmc_slice_encoder>(
-      encoder, *config, [&](discmc_slice_encoder& object, Memory rest) {
-        return object.encoder.resume_in_place(rest, cpp(config->output));
-      });
+  return restore<discmc_slice_encoder>(encoder, *config,
+                                       [&](discmc_slice_encoder& object, Memory rest) {
+                                         return object.encoder.restore(rest, cpp(config->output));
+                                       });
 }
 
 discmc_status discmc_slice_encoder_save(discmc_slice_encoder* encoder, discmc_memory* part) {
-  if (encoder->encoder.is_suspended()) return DISCMC_SUSPENDED;
-  const size_t bytes = sizeof *encoder + encoder->encoder.bytes_used();
-  encoder->close(bytes);
-  *part = encoder->part(bytes);
-  return DISCMC_OK;
+  Memory parts[2];
+  const Status status = encoder->encoder.save(parts);
+  if (status == Status::ok) *part = encoder->part_with(parts[1].bytes);
+  return c(status);
 }
 
 discmc_push_result discmc_slice_encoder_push(discmc_slice_encoder* encoder, discmc_sample_type type,
                                              const void* samples, uint32_t count, uint32_t stride) {
   const auto& kind = static_cast<const discmc_slice_kind&>(*encoder->kind);
   if (type != kind.type) return {DISCMC_BAD_SAMPLES, 0};
-  return kind.push(encoder->encoder, encoder->row_voxels, samples, count, stride);
+  return kind.push(encoder->encoder, samples, count, stride);
 }
 discmc_push_result discmc_slice_encoder_skip_row(discmc_slice_encoder* encoder,
                                                  uint8_t substitute) {

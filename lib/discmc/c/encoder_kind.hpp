@@ -5,12 +5,12 @@
 #include <discmc/c/object.hpp>
 #include <discmc/encoder.hpp>
 
-struct discmc_encoder : discmc::Sealed {
+struct discmc_encoder : discmc::KindObject {
   discmc::Encoder encoder;
 };
 
 struct discmc_encoder_kind : discmc::Kind {
-  void (*prepare)(discmc::Encoder& encoder);  // before start() and restore()
+  void (*prepare)(discmc::Encoder& encoder);  // before start() and after restore()
 };
 
 namespace discmc {

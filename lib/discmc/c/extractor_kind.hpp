@@ -16,7 +16,7 @@ struct ExtractorView {
   const Capacities* capacities;
   Peaks peaks;
   uint32_t slices, rows;
-  bool is_suspended;
+  size_t bytes_used;
 };
 
 /// The properties that determine the memory of a scan, besides limits and slots.
@@ -41,7 +41,7 @@ constexpr uint64_t bytes_of_scan(const ScanSizes& sizes, const Limits& limits, u
 
 }  // namespace discmc
 
-struct discmc_extractor : discmc::Sealed {};
+struct discmc_extractor : discmc::KindObject {};
 
 struct discmc_extractor_kind : discmc::Kind {
   discmc::ScanSizes sizes;
@@ -54,6 +54,7 @@ struct discmc_extractor_kind : discmc::Kind {
   discmc::Status (*resume)(discmc_extractor& extractor);
   discmc::Status (*finish)(discmc_extractor& extractor);
   discmc::Status (*abandon)(discmc_extractor& extractor);
+  discmc::Status (*save)(discmc_extractor& extractor, discmc::Memory* parts);
   void (*look)(const discmc_extractor& extractor, discmc::ExtractorView& view);
 };
 
@@ -90,7 +91,7 @@ struct ExtractorKind {
                       Memory memory, bool restores) {
     Scanner& scanner = in(extractor);
     const Sink sink = static_cast<Stored&>(extractor).with_sink.set_sink(config.sink);
-    if (restores) return scanner.resume_in_place(memory, sink);
+    if (restores) return scanner.restore(memory, sink);
     if constexpr (Type::has_normals) scanner.set_spacing(config.spacing_nm);
     Limits limits = cpp(config.limits);
     limits.slab = {config.slab.first, config.slab.continues_below != 0,
@@ -104,11 +105,9 @@ struct ExtractorKind {
                                  const void* samples, uint32_t count, uint32_t stride) {
     discmc_push_result result{DISCMC_BAD_SAMPLES, 0};
     Scanner& scanner = in(extractor);
-    const uint32_t width = scanner.limits().width;
-    const bool is_taken =
-        ((type == type_of<Samples> &&
-          (result = push_as<Samples>(scanner, width, samples, count, stride), true)) ||
-         ...);
+    const bool is_taken = ((type == type_of<Samples> &&
+                            (result = push_as<Samples>(scanner, samples, count, stride), true)) ||
+                           ...);
     (void)is_taken;
     return result;
   }
@@ -126,7 +125,7 @@ struct ExtractorKind {
     view.peaks = scanner.peaks();
     view.slices = scanner.slices();
     view.rows = scanner.rows();
-    view.is_suspended = scanner.is_suspended();
+    view.bytes_used = scanner.bytes_used();
   }
 
   static constexpr discmc_extractor_kind functions = {
@@ -140,6 +139,7 @@ struct ExtractorKind {
       call<&Scanner::resume>,
       call<&Scanner::finish>,
       call<&Scanner::abandon>,
+      [](discmc_extractor& extractor, Memory* parts) { return in(extractor).save(parts); },
       look,
   };
 };

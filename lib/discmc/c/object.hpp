@@ -32,42 +32,46 @@ struct Kind {
 };
 
 /// The first members of an object that has a kind and can be saved.
-struct Sealed {
-  uint32_t checksum;  // of the bytes after this member
-  uint32_t layout;
-  size_t bytes;          // sealed bytes, from here on
+struct KindObject {
+  uint32_t layout;       // of the kind
   discmc_memory memory;  // of the config
   const Kind* kind;
 
-  /// Seals this many bytes from here on.
-  void close(size_t bytes_from_here);
-  /// The first bytes of the memory: the sealed bytes, and those before them.
-  discmc_memory part(size_t bytes_from_here) const;
+  /// The first bytes of the config's memory: up to this many after the object.
+  discmc_memory part_with(size_t used_bytes) const {
+    const auto* const begin = static_cast<const uint8_t*>(memory.data);
+    const auto* const object = reinterpret_cast<const uint8_t*>(this);
+    return {memory.data, static_cast<size_t>(object - begin) + kind->object_bytes + used_bytes};
+  }
 };
 
-/// Returns the object of a config: one that was not started; or the one that was sealed there, or
-/// null with a status.
-Sealed* begin_sealed(const discmc_memory& memory, const Kind& kind, Memory& rest);
-Sealed* open_sealed(const discmc_memory& memory, const Kind& kind, Memory& rest,
-                    discmc_status& status);
+/// Returns the object of a config, or null if the memory has no room: one that was not started; or
+/// the one that was saved there, with a status.
+KindObject* begin_kind_object(const discmc_memory& memory, const Kind& kind, Memory& rest);
+KindObject* saved_kind_object(const discmc_memory& memory, const Kind& kind, Memory& rest,
+                              discmc_status& status);
 
-/// Starts the object of a config by `call`, with the object and the rest of its memory.
+/// Starts the object of a config by `call`, with the object and the rest of its memory. A suspended
+/// object has started.
 template <class Object, class Config, class Call>
 discmc_status start(Object** object, const Config& config, Call call) {
+  if (config.kind == nullptr) return DISCMC_NO_KIND;
   Memory rest;
-  auto* const begun = static_cast<Object*>(begin_sealed(config.memory, *config.kind, rest));
+  auto* const begun = static_cast<Object*>(begin_kind_object(config.memory, *config.kind, rest));
   if (begun == nullptr) return DISCMC_TOO_LITTLE_MEMORY;
   const Status status = call(*begun, rest);
-  if (status == Status::ok) *object = begun;
+  if (status == Status::ok || status == Status::suspended) *object = begun;
   return static_cast<discmc_status>(status);
 }
 template <class Object, class Config, class Call>
 discmc_status restore(Object** object, const Config& config, Call call) {
+  if (config.kind == nullptr) return DISCMC_NO_KIND;
   Memory rest;
   discmc_status status;
-  auto* const opened = static_cast<Object*>(open_sealed(config.memory, *config.kind, rest, status));
-  if (opened != nullptr) status = static_cast<discmc_status>(call(*opened, rest));
-  if (status == DISCMC_OK) *object = opened;
+  auto* const saved =
+      static_cast<Object*>(saved_kind_object(config.memory, *config.kind, rest, status));
+  if (saved != nullptr) status = static_cast<discmc_status>(call(*saved, rest));
+  if (status == DISCMC_OK) *object = saved;
   return status;
 }
 

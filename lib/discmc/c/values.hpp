@@ -18,7 +18,7 @@ inline Limits cpp(const discmc_limits& from) {
   return {from.width, from.height, static_cast<Border>(from.border)};
 }
 inline ByteOutput cpp(const discmc_byte_output& from) {
-  return {from.context, from.write};
+  return {from.context, from.write, from.unsent};
 }
 inline StreamLabel cpp(const discmc_stream_label& from) {
   const int32_t(&spacing)[3] = from.spacing_nm;
@@ -71,13 +71,11 @@ template <>
 inline constexpr discmc_sample_type type_of<Bits> = DISCMC_BITS;
 
 template <class Sample, class Object>
-discmc_push_result push_as(Object& object, uint32_t width, const void* samples, uint32_t count,
-                           uint32_t stride) {
+discmc_push_result push_as(Object& object, const void* samples, uint32_t count, uint32_t stride) {
   if constexpr (type_of<Sample> == DISCMC_BITS) {
-    if (count != width) return {DISCMC_BAD_SAMPLES, 0};
+    if (count != object.limits().width) return {DISCMC_BAD_SAMPLES, 0};
     return c(object.push_bits(static_cast<const uint8_t*>(samples)));
   } else {
-    (void)width;
     return c(object.push(static_cast<const Sample*>(samples), count, stride));
   }
 }

@@ -78,27 +78,32 @@ bool CheckpointStore::read_head(uint32_t slot, StoredHead& head) {
 }
 
 bool CheckpointStore::is_whole(uint32_t slot, const StoredHead& head) {
+  if (head.bytes > plan_.max_bytes) return false;
   const Memory unseen{nullptr, head.bytes};
-  return set_parts(&unseen, 1) && read_slot(slot) == Status::ok;
+  set_pieces(&unseen, 1);
+  return read_slot(slot) == Status::ok;
 }
 
+// The lengths in flash are those of the newest checkpoint, which start() or save() found whole.
 Status CheckpointStore::restore(const Memory* parts, uint32_t count) {
   if (!is_started()) return Status::not_started;
   break_off();
-  if (!has_newest_ || count == 0 || count > max_parts) return Status::bad_checkpoint;
+  if (!has_checkpoint() || count > max_parts) return Status::bad_checkpoint;
+  set_pieces(nullptr, 0);
+  if (const Status status = read_slot(newest_); status == Status::device_error) return status;
   Memory fitting[max_parts];
-  size_t left = newest_bytes_;
-  for (uint32_t i = 0; i < count; ++i) {
-    fitting[i] = parts[i];
-    if (i + 1 == count && left < parts[i].bytes) fitting[i].bytes = left;
-    if (fitting[i].bytes > left) return Status::bad_checkpoint;
-    left -= fitting[i].bytes;
+  uint64_t bytes = 0;
+  for (uint32_t i = 0; i < max_parts; ++i) {
+    if (lengths_[i] > (i < count ? parts[i].bytes : 0)) return Status::bad_checkpoint;
+    if (i < count) fitting[i] = {parts[i].data, lengths_[i]};
+    bytes += lengths_[i];
   }
-  if (left > 0 || !set_parts(fitting, count)) return Status::bad_checkpoint;
+  if (bytes != newest_bytes_) return Status::bad_checkpoint;
+  set_pieces(fitting, count);
   return read_slot(newest_);
 }
 
-// Reads into the parts. Limit: set_parts().
+// Reads into the pieces.
 Status CheckpointStore::read_slot(uint32_t slot) {
   begin_pieces();
   for (uint32_t unit = 0; pieces_.at < pieces_.count; ++unit) {
@@ -120,20 +125,31 @@ bool CheckpointStore::read(uint32_t slot, uint32_t unit) {
 
 // ---- the bytes of a slot ----
 
+// Sets the parts to save. False if there are too many parts or bytes.
 bool CheckpointStore::set_parts(const Memory* parts, uint32_t count) {
   if (count > max_parts) return false;
   uint32_t bytes = 0;
+  for (uint32_t i = 0; i < max_parts; ++i) {
+    const size_t length = i < count ? parts[i].bytes : 0;
+    if (length > plan_.max_bytes - bytes) return false;
+    lengths_[i] = static_cast<uint32_t>(length);
+    bytes += lengths_[i];
+  }
+  head_.bytes = bytes;
+  set_pieces(parts, count);
+  return true;
+}
+
+void CheckpointStore::set_pieces(const Memory* parts, uint32_t count) {
+  uint32_t piece = 0;
+  pieces_.of[piece++] = {&head_, sizeof head_};
+  pieces_.of[piece++] = {lengths_, sizeof lengths_};
   for (uint32_t i = 0; i < count; ++i) {
-    if (parts[i].bytes > plan_.max_bytes - bytes) return false;
-    bytes += static_cast<uint32_t>(parts[i].bytes);
-    pieces_.of[i + 1] = parts[i];
+    pieces_.of[piece++] = parts[i];
     unpoison(parts[i].data, parts[i].bytes);  // a scan before may have left it poisoned
   }
-  pieces_.of[0] = {&head_, sizeof head_};
-  pieces_.of[count + 1] = {&tail_, sizeof tail_};
-  pieces_.count = count + 2;
-  head_.bytes = bytes;
-  return true;
+  pieces_.of[piece++] = {&tail_, sizeof tail_};
+  pieces_.count = piece;
 }
 
 void CheckpointStore::begin_pieces() {
@@ -183,7 +199,20 @@ Status CheckpointStore::erase_ahead(uint32_t bytes) {
 Status CheckpointStore::save(const Memory* parts, uint32_t count) {
   if (!is_started()) return Status::not_started;
   break_off();
-  if (count == 0 || !set_parts(parts, count)) return Status::too_little_memory;
+  if (!set_parts(parts, count) || head_.bytes == 0) return Status::too_little_memory;
+  return begin_save();
+}
+
+// An entry without bytes is newer than every checkpoint.
+Status CheckpointStore::discard() {
+  if (!is_started()) return Status::not_started;
+  break_off();
+  if (!has_checkpoint()) return Status::ok;
+  (void)set_parts(nullptr, 0);
+  return begin_save();
+}
+
+Status CheckpointStore::begin_save() {
   begin_pieces();
   head_.format = StoredHead::current_format;
   head_.sequence = ++sequence_;

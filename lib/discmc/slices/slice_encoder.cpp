@@ -162,35 +162,26 @@ size_t SliceEncoder::bytes_used() const {
   return static_cast<size_t>(bytes);
 }
 
-Status SliceEncoder::save(Checkpoint<SliceEncoder>& checkpoint) const {
+Status SliceEncoder::save(Memory* parts) {
   if (state_ == State::idle) return Status::not_started;
   if (is_suspended()) return Status::suspended;
-  SliceEncoder& image = checkpoint.object;
-  image = *this;
-  // Addresses are useless after a restore.
-  image.row_ = {};
-  image.coder_.range.move_to(nullptr);
-  image.packets_.rewind();
-  image.lay_out({});
-  checkpoint.seal({memory_, bytes_used()});
+  const Status status = packets_.ready_for_checkpoint();
+  if (status != Status::ok) return status;
+  parts[0] = {this, sizeof *this};
+  parts[1] = {memory_, bytes_used()};
+  seal_.close(this, sizeof *this, layout, parts[1]);
   return Status::ok;
 }
 
-Status SliceEncoder::restore(const Checkpoint<SliceEncoder>& checkpoint, Memory memory,
-                             const ByteOutput& output) {
+Status SliceEncoder::restore(Memory memory, const ByteOutput& output) {
+  if (output.write == nullptr) return Status::bad_sink;
   if (memory.data == nullptr) return Status::too_little_memory;
-  if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
-  if (output.write == nullptr) return Status::bad_sink;
-  *this = checkpoint.object;
-  return resume_in_place(memory, output);
-}
-
-Status SliceEncoder::resume_in_place(Memory memory, const ByteOutput& output) {
-  if (output.write == nullptr) return Status::bad_sink;
-  if (memory.bytes < bytes_used()) return Status::too_little_memory;
+  if (!seal_.is_intact(this, sizeof *this, layout, memory)) {
+    state_ = State::idle;
+    return Status::bad_checkpoint;
+  }
   lay_out(memory);
-  packets_.rewind();
-  packets_.set_output(output);
+  packets_.resume(output);
   coder_.range.move_to(code_end(0));
   return Status::ok;
 }

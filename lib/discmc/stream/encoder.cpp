@@ -86,7 +86,7 @@ DISCMC_NOINLINE SinkResult Encoder::take_other(const Event& event) {
     is_done = write_record(*event.application) != Status::suspended;
   } else if (event.kind == Event::Kind::finish) {
     if (state_ != State::ended) {
-      if (!flush()) return SinkResult::busy;
+      if (flush() != Status::ok) return SinkResult::busy;
       packets_.seal_trailer(event);
       state_ = State::ended;
     }
@@ -105,7 +105,7 @@ Status Encoder::ready_for_packet(bool is_good) {
   if (state_ == State::idle) return Status::not_started;
   if (state_ == State::ended) return Status::finished;
   if (!is_good) return Status::bad_record;
-  return state_ == State::between && flush() ? Status::ok : Status::suspended;
+  return state_ == State::between ? flush() : Status::suspended;
 }
 
 Status Encoder::write_record(const ApplicationRecord& record) {
@@ -130,40 +130,33 @@ void Encoder::set_output(const ByteOutput& output) {
   if (output.write != nullptr) packets_.repeat_header(packet_is_empty());
 }
 
-bool Encoder::flush() {
-  if (state_ == State::idle) return true;
-  if (!drain()) return false;
+Status Encoder::flush() {
+  if (state_ == State::idle) return Status::ok;
+  if (!drain()) return Status::suspended;
   if (!packet_is_empty()) seal_records();
-  return drain();
+  return drain() ? Status::ok : Status::suspended;
 }
 
 // ---- checkpoints ----
 
-Status Encoder::save(Checkpoint<Encoder>& checkpoint) const {
+Status Encoder::save(Memory* parts) {
   if (state_ == State::idle) return Status::not_started;
-  Encoder& image = checkpoint.object;
-  image = *this;
-  image.model_.coder().range.move_to(nullptr);
-  image.write_normals_ = nullptr;
-  image.packets_.rewind();
-  checkpoint.seal({});
+  const Status status = packets_.ready_for_checkpoint();
+  if (status != Status::ok) return status;
+  parts[0] = {this, sizeof *this};
+  seal_.close(this, sizeof *this, layout, {});
   return Status::ok;
 }
 
-Status Encoder::restore(const Checkpoint<Encoder>& checkpoint, const ByteOutput& output) {
-  if (!checkpoint.is_whole({})) return Status::bad_checkpoint;
+Status Encoder::restore(const ByteOutput& output) {
   if (output.write == nullptr) return Status::bad_sink;
-  const auto write_normals = write_normals_;
-  *this = checkpoint.object;
-  write_normals_ = write_normals;
-  return resume_in_place(output);
-}
-
-Status Encoder::resume_in_place(const ByteOutput& output) {
-  if (output.write == nullptr) return Status::bad_sink;
-  packets_.rewind();
-  packets_.set_output(output);
+  if (!seal_.is_intact(this, sizeof *this, layout, {})) {
+    state_ = State::idle;
+    return Status::bad_checkpoint;
+  }
+  packets_.resume(output);
   model_.coder().range.move_to(packets_.payload());
+  write_normals_ = nullptr;  // code may lie elsewhere now
   return Status::ok;
 }
 

@@ -115,8 +115,9 @@ bool PacketWriter::drain() {
 
 void PacketWriter::set_output(const ByteOutput& output) {
   output_ = output;
-  if (output_.write == nullptr)
-    output_.write = [](void*, const uint8_t*, size_t count) { return count; };
+  if (output_.write != nullptr) return;
+  output_.write = [](void*, const uint8_t*, size_t count) { return count; };
+  output_.unsent = [](void*) { return size_t{0}; };
 }
 
 void PacketWriter::repeat_header(bool packet_is_empty) {
@@ -125,8 +126,13 @@ void PacketWriter::repeat_header(bool packet_is_empty) {
   if (is_open() && packet_is_empty) seal_header();
 }
 
-void PacketWriter::rewind() {
-  output_ = {};
+Status PacketWriter::ready_for_checkpoint() const {
+  if (output_.unsent == nullptr) return Status::bad_sink;
+  return output_.unsent(output_.context) > 0 ? Status::suspended : Status::ok;
+}
+
+void PacketWriter::resume(const ByteOutput& output) {
+  output_ = output;
   if (frame_bytes_ > 0) bytes_ -= drained_;
   drained_ = 0;
 }

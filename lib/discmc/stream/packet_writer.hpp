@@ -48,8 +48,12 @@ class PacketWriter {
   /// The bytes that the output has accepted so far.
   uint64_t bytes() const { return bytes_; }
 
-  /// For a checkpoint: restores the state at the beginning of the frame, without an output.
-  void rewind();
+  /// Whether a checkpoint is complete: ok if every accepted byte has left the output, suspended if
+  /// not yet, bad_sink if the output does not report it.
+  Status ready_for_checkpoint() const;
+  /// After a checkpoint: continues at the beginning of the frame, on this output. Limit: the output
+  /// has a function.
+  void resume(const ByteOutput& output);
   /// Sets another output. Without a function, bytes are only counted.
   void set_output(const ByteOutput& output);
   /// Repeats the header, for a receiver that joins late: at once if the open packet is empty,

@@ -65,8 +65,6 @@ class BitRows {
   /// writes nothing there; clear() does.
   void start(Arena& arena, const Limits& limits, uint32_t rows);
   void clear();
-  /// Forgets where the rows lie, until start().
-  void forget_addresses() { ring_ = nullptr; }
 
   /// Appends samples to the row that arrives: on where sample >= threshold. `stride` counts samples
   /// from one to the next. Limit: count <= width - column(). Cost: one or two instructions per

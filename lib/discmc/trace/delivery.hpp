@@ -30,7 +30,6 @@ class Delivery {
     holes_.clear();
     is_delivering_ = false;
   }
-  void forget_addresses() { holes_.start(nullptr); }
 
   /// Delivers what goes out, if anything. False when the sink is busy: call again.
   bool settle(Chains& chains, const Sink& sink, Statistics& statistics);

@@ -3,20 +3,14 @@
 
 namespace discmc {
 
-template <class Index>
-using ScanCheckpoint = Checkpoint<Extractor<Index>>;
-
-#define DISCMC_INSTANTIATE(Index)                                                                 \
-  template class BasicExtractor<Index, BitIntake, trace::Sweep<Index, NoNormal>>;                 \
-  template PushResult Extractor<Index>::BasicExtractor::push_samples(const uint8_t*, uint32_t,    \
-                                                                     uint32_t);                   \
-  template PushResult Extractor<Index>::BasicExtractor::push_samples(const uint16_t*, uint32_t,   \
-                                                                     uint32_t);                   \
-  template PushResult Extractor<Index>::BasicExtractor::push_samples(const int16_t*, uint32_t,    \
-                                                                     uint32_t);                   \
-  template Status Extractor<Index>::BasicExtractor::save(ScanCheckpoint<Index>&) const;           \
-  template Status Extractor<Index>::BasicExtractor::restore(const ScanCheckpoint<Index>&, Memory, \
-                                                            const Sink&);
+#define DISCMC_INSTANTIATE(Index)                                                               \
+  template class BasicExtractor<Index, BitIntake, trace::Sweep<Index, NoNormal>>;               \
+  template PushResult Extractor<Index>::BasicExtractor::push_samples(const uint8_t*, uint32_t,  \
+                                                                     uint32_t);                 \
+  template PushResult Extractor<Index>::BasicExtractor::push_samples(const uint16_t*, uint32_t, \
+                                                                     uint32_t);                 \
+  template PushResult Extractor<Index>::BasicExtractor::push_samples(const int16_t*, uint32_t,  \
+                                                                     uint32_t);
 
 DISCMC_INSTANTIATE(uint16_t)
 DISCMC_INSTANTIATE(uint32_t)

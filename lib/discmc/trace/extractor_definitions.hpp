@@ -28,12 +28,19 @@ Status BasicExtractor<Index, Intake, Sweep>::start(const Limits& limits,
   sink_ = sink;
   threshold_ = threshold;
   if (!lay_out(limits, memory)) return Status::too_little_memory;
-  if (!send_start()) {
-    unpoison(memory.data, memory.bytes);  // red zones
-    return Status::bad_sink;
-  }
+  const Status status = begin();
+  if (status == Status::bad_sink) unpoison(memory.data, memory.bytes);  // red zones
+  return status;
+}
+
+// Offers the `start` event, and begins the scan unless the sink has not started.
+template <class Index, class Intake, class Sweep>
+Status BasicExtractor<Index, Intake, Sweep>::begin() {
+  const SinkResult answer = send_start();
+  if (answer == SinkResult::not_started) return Status::bad_sink;
   clear();
-  return Status::ok;
+  start_is_due_ = answer == SinkResult::busy;
+  return start_is_due_ ? Status::suspended : Status::ok;
 }
 
 template <class Index, class Intake, class Sweep>
@@ -56,20 +63,8 @@ bool BasicExtractor<Index, Intake, Sweep>::lay_out(const Limits& limits, Memory 
 }
 
 template <class Index, class Intake, class Sweep>
-void BasicExtractor<Index, Intake, Sweep>::forget_addresses() {
-  intake_.forget_addresses();
-  bits_.forget_addresses();
-  sweep_.forget_addresses();
-  memory_ = {};
-  sink_ = {};
-}
-
-template <class Index, class Intake, class Sweep>
 Status BasicExtractor<Index, Intake, Sweep>::reset() {
-  if (state_ == State::idle) return Status::not_started;
-  if (!send_start()) return Status::bad_sink;
-  clear();
-  return Status::ok;
+  return state_ == State::idle ? Status::not_started : begin();
 }
 
 template <class Index, class Intake, class Sweep>
@@ -177,41 +172,32 @@ void BasicExtractor<Index, Intake, Sweep>::note_origin(RowOrigin origin) {
 // Whether the sink has refused something that is due.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::is_suspended() const {
-  return skip_is_due_ || swept_rows_ < ready_rows() || bits_.rows() == height_ ||
+  return start_is_due_ || skip_is_due_ || swept_rows_ < ready_rows() || bits_.rows() == height_ ||
          state_ == State::finishing;
 }
 
 template <class Index, class Intake, class Sweep>
-template <class Any>
-Status BasicExtractor<Index, Intake, Sweep>::save(Checkpoint<Any>& checkpoint) const {
+Status BasicExtractor<Index, Intake, Sweep>::save(Memory* parts) {
   if (state_ == State::idle) return Status::not_started;
   if (is_suspended()) return Status::suspended;
-  BasicExtractor& image = checkpoint.object;
-  image = *this;
-  image.forget_addresses();  // of no use to whoever restores it
-  checkpoint.seal({memory_.data, bytes_used()});
+  parts[0] = {this, sizeof *this};
+  parts[1] = {memory_.data, bytes_used()};
+  seal_.close(this, sizeof *this, layout, parts[1]);
   return Status::ok;
 }
 
 template <class Index, class Intake, class Sweep>
-template <class Any>
-Status BasicExtractor<Index, Intake, Sweep>::restore(const Checkpoint<Any>& checkpoint,
-                                                     Memory memory, const Sink& sink) {
-  const BasicExtractor& image = checkpoint.object;
+Status BasicExtractor<Index, Intake, Sweep>::restore(Memory memory, const Sink& sink) {
+  if (sink.take == nullptr) return Status::bad_sink;
   if (memory.data == nullptr) return Status::too_little_memory;
-  if (!checkpoint.is_whole(memory)) return Status::bad_checkpoint;
-  if (sink.take == nullptr) return Status::bad_sink;
-  if (memory.bytes < bytes_for<Index, Intake>(image.limits(), image.capacities_))
-    return Status::too_little_memory;
-  *this = image;
-  return resume_in_place(memory, sink);
-}
-
-template <class Index, class Intake, class Sweep>
-Status BasicExtractor<Index, Intake, Sweep>::resume_in_place(Memory memory, const Sink& sink) {
-  if (sink.take == nullptr) return Status::bad_sink;
+  if (!seal_.is_intact(this, sizeof *this, layout, memory)) {
+    state_ = State::idle;
+    return Status::bad_checkpoint;
+  }
   sink_ = sink;
-  return lay_out(limits(), memory) ? Status::ok : Status::too_little_memory;
+  if (lay_out(limits(), memory)) return Status::ok;
+  state_ = State::idle;
+  return Status::too_little_memory;
 }
 
 // ---- the sweep ----
@@ -219,6 +205,8 @@ Status BasicExtractor<Index, Intake, Sweep>::resume_in_place(Memory memory, cons
 // Does all that the rows at hand allow. False when the sink is busy.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::work() {
+  if (start_is_due_) start_is_due_ = send_start() != SinkResult::accepted;
+  if (start_is_due_) return false;
   while (state_ != State::finished) {
     if (skip_is_due_) {
       if (!sweep_.flush(sink_, statistics_) || !send(Event::Kind::skipped)) return false;
@@ -311,7 +299,7 @@ uint32_t BasicExtractor<Index, Intake, Sweep>::own_slices() const {
 }
 
 template <class Index, class Intake, class Sweep>
-bool BasicExtractor<Index, Intake, Sweep>::send_start() {
+SinkResult BasicExtractor<Index, Intake, Sweep>::send_start() {
   StreamHeader header;
   header.width = width_;
   header.height = height_;
@@ -321,7 +309,7 @@ bool BasicExtractor<Index, Intake, Sweep>::send_start() {
   Event event{};
   event.kind = Event::Kind::start;
   event.header = &header;
-  return sink_.take(sink_.context, event) == SinkResult::accepted;
+  return sink_.take(sink_.context, event);
 }
 
 // Offers an event about rows and slices.

@@ -97,10 +97,6 @@ class Fragments {
     queues_.clear();
     outgoing_.kind = Outgoing<Index>::Kind::none;
   }
-  void forget_addresses() {
-    slots_.forget_addresses();
-    queues_.start(nullptr);
-  }
 
   /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
   /// intake.normal_at(vertex) returns the normal at a corner. Cost: constant, but for what is sent.

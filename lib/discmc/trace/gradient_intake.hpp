@@ -39,10 +39,6 @@ class GradientNormals {
     samples_.clear();
     waiting_ = 0;
   }
-  void forget_addresses() {
-    samples_.forget_addresses();
-    given_ = nullptr;
-  }
 
   /// Sets the spacing for voxels that are not cubes. Units: nanometres.
   void set_spacing(const int32_t (&spacing_nm)[3]) {

@@ -9,11 +9,7 @@ namespace discmc {
   template class BasicExtractor<Index, GradientNormals<Sample>,                     \
                                 trace::Sweep<Index, OctahedralNormal>>;             \
   template PushResult NormalExtractor<Index, Sample>::BasicExtractor::push_samples( \
-      const Sample*, uint32_t, uint32_t);                                           \
-  template Status NormalExtractor<Index, Sample>::BasicExtractor::save(             \
-      Checkpoint<NormalExtractor<Index, Sample>>&) const;                           \
-  template Status NormalExtractor<Index, Sample>::BasicExtractor::restore(          \
-      const Checkpoint<NormalExtractor<Index, Sample>>&, Memory, const Sink&);
+      const Sample*, uint32_t, uint32_t);
 // NOLINTEND(bugprone-macro-parentheses)
 
 DISCMC_INSTANTIATE(uint16_t, uint8_t)

@@ -24,13 +24,12 @@ struct NoNormal {};
 class BitIntake {
  public:
   static constexpr bool holds_samples = false;
-  static constexpr uint32_t type = 0;  ///< of extractor: see CheckpointHead
+  static constexpr uint32_t type = 0;  ///< of extractor: see BasicExtractor::layout
   using Normal = NoNormal;
 
   static constexpr uint64_t bytes_for(const Limits&) { return 0; }
   void start(Arena&, const Limits&) {}
   void clear() {}
-  void forget_addresses() {}
   void write_spacing(int32_t (&)[3]) const {}
 
   /// Where the samples that arrive are.

@@ -23,8 +23,6 @@ class SampleRows {
   /// Takes ring_rows rows from the arena, and writes nothing.
   void start(Arena& arena, const Limits& limits, uint32_t ring_rows);
   void clear();
-  /// Forgets where the rows lie, until start().
-  void forget_addresses() { ring_ = nullptr; }
 
   /// Appends samples to the row that arrives; `stride` counts samples from one to the next.
   /// Limit: count <= width - column(). Cost: a copy.

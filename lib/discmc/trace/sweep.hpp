@@ -29,11 +29,6 @@ class Sweep {
     counts_ = {};
     chains_are_ended_ = false;
   }
-  /// Forgets where its memory lies, until start().
-  void forget_addresses() {
-    fragments_.forget_addresses();
-    delivery_.forget_addresses();
-  }
 
   const Fragments<Index, Normal>& fragments() const { return fragments_; }
   const Delivery<Index, Normal, Features::holes_wait>& delivery() const { return delivery_; }

@@ -56,7 +56,8 @@ std::size_t EncodedPart::keep(const std::uint8_t* frame, std::size_t bytes) {
 }
 
 void EncodedPart::append_to(Encoder& encoder) {
-  if (!encoder_.flush()) throw std::logic_error("a part's encoder holds back a packet");
+  if (encoder_.flush() != Status::ok)
+    throw std::logic_error("a part's encoder holds back a packet");
   std::size_t begin = 0;
   for (std::size_t i = 0; i < packets_.size(); ++i) {
     const Packet& packet = packets_[i];

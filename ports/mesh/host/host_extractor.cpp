@@ -9,8 +9,5 @@ template PushResult HostExtractor::BasicExtractor::push_samples(const uint8_t*, 
 template PushResult HostExtractor::BasicExtractor::push_samples(const uint16_t*, uint32_t,
                                                                 uint32_t);
 template PushResult HostExtractor::BasicExtractor::push_samples(const int16_t*, uint32_t, uint32_t);
-template Status HostExtractor::BasicExtractor::save(Checkpoint<HostExtractor>&) const;
-template Status HostExtractor::BasicExtractor::restore(const Checkpoint<HostExtractor>&, Memory,
-                                                       const Sink&);
 
 }  // namespace discmc

@@ -27,7 +27,6 @@ class HostExtractor : public BasicExtractor<uint32_t, BitIntake, host::Sweep> {
   void set_region_receiver(const RegionReceiver& receiver) { sweep().set_receiver(receiver); }
 
  private:
-  friend struct Checkpoint<HostExtractor>;
   HostExtractor(const HostExtractor&) = default;
   HostExtractor& operator=(const HostExtractor&) = default;
 };

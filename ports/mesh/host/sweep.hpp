@@ -25,10 +25,6 @@ class Sweep : private trace::Sweep<uint32_t, NoNormal> {
     Plain::start(arena, capacities);
     receiver_ = {};
   }
-  void forget_addresses() {
-    Plain::forget_addresses();
-    receiver_ = {};
-  }
   void set_room(const ChainRoom& room) { chains_.set_room(room); }
   void set_receiver(const RegionReceiver& receiver) { receiver_ = receiver; }
   void clear();

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/checkpointed_device.hpp"
 #include "oracle/event_log.hpp"
 #include "oracle/join.hpp"
 #include "oracle/least_host.hpp"
@@ -840,15 +841,13 @@ TEST_CASE("a slab goes on from a checkpoint in any of its slices, those of conte
   HostExtractor extractor;
   const EventLog expected = scan.by(extractor, much);
   const std::vector<uint8_t> voxels = voxels_of_slab(volume, 1, 6);
-  const auto checkpoint = std::make_unique<Checkpoint<HostExtractor>>();
   for (uint32_t cut = 0; cut <= voxels.size(); cut += 130) {
     EventLog log;
     Block block(bytes_for<uint32_t>(scan.limits(), much));
     require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
     require_ok(extractor.push(voxels.data(), cut).status);
-    require_ok(extractor.save(*checkpoint));
     HostExtractor after;
-    require_ok(after.restore(*checkpoint, block.memory(), make_sink(log)));
+    require_ok(test::move_scan(extractor, after, block.memory(), make_sink(log)));
     require_ok(after.push(voxels.data() + cut, static_cast<uint32_t>(voxels.size()) - cut).status);
     finish_all(after);
     CHECK(log.events == expected.events);
@@ -904,7 +903,6 @@ TEST_CASE("a checkpoint has the nodes") {
   const Limits limits = limits_of(volume, Border::closed);
   const auto slice = static_cast<uint32_t>(volume.width) * volume.height;
   const EventLog expected = expected_of(volume);
-  auto checkpoint = std::make_unique<Checkpoint<HostExtractor>>();
   for (const uint32_t cut : {slice, 4 * slice + 7 * volume.width, 7 * slice}) {
     EventLog log;
     Block block(bytes_for<uint32_t>(limits, much));
@@ -912,61 +910,12 @@ TEST_CASE("a checkpoint has the nodes") {
     HostExtractor before{};
     require_ok(before.start(limits, much, 1, block.memory(), make_sink(log)));
     require_ok(before.push(volume.on.data(), cut).status);
-    require_ok(before.save(*checkpoint));
-    std::copy_n(static_cast<const uint8_t*>(block.memory().data), before.bytes_used(),
-                static_cast<uint8_t*>(elsewhere.memory().data));
     HostExtractor after;
-    require_ok(after.restore(*checkpoint, elsewhere.memory(), make_sink(log)));
+    require_ok(test::move_scan(before, after, elsewhere.memory(), make_sink(log)));
     require_ok(after.push(volume.on.data() + cut, 8 * slice - cut).status);
     finish_all(after);
     CHECK(log.events == expected.events);
   }
-}
-
-TEST_CASE("a checkpoint does not tell what its memory was before") {
-  const BitVolume volume = random({30, 30, 8}, 100, 4);
-  const Limits limits = limits_of(volume, Border::closed);
-  std::vector<uint8_t> memory(bytes_for<uint32_t>(limits, much));
-  const auto saved = [&](uint8_t before) {
-    std::fill(memory.begin(), memory.end(), before);
-    EventLog log;
-    const auto extractor = std::make_unique<HostExtractor>();
-    require_ok(extractor->start(limits, much, 1, {memory.data(), memory.size()}, make_sink(log)));
-    require_ok(extractor->push(volume.on.data(), 5000).status);
-    const size_t spare = Arena::alignment;  // of which a part lies behind what is used
-    return std::vector<uint8_t>(memory.data(), memory.data() + extractor->bytes_used() - spare);
-  };
-  const std::vector<uint8_t> zeros = saved(0);
-  CHECK(zeros.size() > min_for_nodes / 4 * 16);
-  // Red zones stay as they were.
-  if (red_zone_bytes == 0) CHECK(zeros == saved(0xA5));
-}
-
-TEST_CASE("a checkpoint does not tell where its memory, its sink and the program lie") {
-  const BitVolume volume = random({20, 20, 9}, 100, 3);
-  Limits limits = limits_of(volume, Border::closed);
-  limits.slab = {3, true, true};
-  const auto check = [&](auto extractor) {
-    EventLog log;
-    Block block(bytes_for<uint32_t>(limits, much));
-    const Memory memory = block.memory();
-    const Sink sink = make_sink(log);
-    require_ok(extractor->start(limits, much, 1, memory, sink));
-    require_ok(extractor->push(volume.on.data(), 1000).status);
-    using Saved = Checkpoint<std::remove_reference_t<decltype(*extractor)>>;
-    const auto checkpoint = std::make_unique<Saved>();
-    require_ok(extractor->save(*checkpoint));
-    const auto* const bytes = reinterpret_cast<const uint8_t*>(checkpoint.get());
-    for (size_t at = 0; at + sizeof(uintptr_t) <= sizeof *checkpoint; ++at) {
-      uintptr_t word;
-      std::memcpy(&word, bytes + at, sizeof word);
-      CHECK(word - reinterpret_cast<uintptr_t>(memory.data) >= memory.bytes);
-      CHECK(word != reinterpret_cast<uintptr_t>(sink.context));
-      CHECK(word != reinterpret_cast<uintptr_t>(sink.take));
-    }
-  };
-  check(std::make_unique<Extractor32>());
-  check(std::make_unique<HostExtractor>());
 }
 
 // ---- the least room ----

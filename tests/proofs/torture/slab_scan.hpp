@@ -12,6 +12,7 @@
 #include <vector>
 #include "host/host_extractor.hpp"
 
+#include "oracle/checkpointed_device.hpp"
 #include "oracle/scan.hpp"
 #include "pieces.hpp"
 #include "placed_volume.hpp"
@@ -84,14 +85,12 @@ class SlabScan {
   void move_to_other() {
     while (active().is_suspended())
       if (active().resume() != Status::suspended) break;
-    auto checkpoint = std::make_unique<Checkpoint<Extractor>>();
-    reference::require_ok(active().save(*checkpoint));
     auto other = std::make_unique<reference::Block>(bytes());
-    std::memcpy(other->memory().data, block_->memory().data, active().bytes_used());
+    Extractor& before = active();
+    active_ = 1 - active_;
+    reference::require_ok(test::move_scan(before, active(), other->memory(), make_sink(sink_)));
     if (!block_->is_intact()) throw std::runtime_error("a write outside the arena");
     block_ = std::move(other);
-    active_ = 1 - active_;
-    reference::require_ok(active().restore(*checkpoint, block_->memory(), make_sink(sink_)));
   }
 
   const PlacedVolume& volume_;

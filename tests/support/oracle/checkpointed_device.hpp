@@ -3,7 +3,6 @@
 #define DISCMC_TESTS_ORACLE_CHECKPOINTED_DEVICE_HPP
 
 #include <algorithm>
-#include <cstring>
 #include <discmc/checkpoint.hpp>
 #include <stdexcept>
 #include <vector>
@@ -31,7 +30,9 @@ struct Store {
     store.bytes.insert(store.bytes.end(), bytes, bytes + count);
     return count;
   }
-  ByteOutput output() { return {this, write}; }
+  ByteOutput output() {
+    return {this, write, [](void*) { return size_t{0}; }};
+  }
 };
 
 /// What a device has written down, as one string of bytes, as a flash holds it.
@@ -56,19 +57,14 @@ inline void read_back(const Image& image, const std::vector<Memory>& parts) {
   }
 }
 
-/// Whether an image holds an address in a device or in its memory, which is the last of its parts.
-template <class AnyDevice>
-bool holds_address(const Image& image, AnyDevice& device) {
-  const auto lies_in = [](uintptr_t address, const Memory& memory) {
-    return address - reinterpret_cast<uintptr_t>(memory.data) < memory.bytes;
-  };
-  const Memory of_device = device.parts().back();
-  for (size_t at = 0; at + sizeof(uintptr_t) <= image.size(); ++at) {
-    uintptr_t word;
-    std::memcpy(&word, image.data() + at, sizeof word);
-    if (lies_in(word, {&device, sizeof device}) || lies_in(word, of_device)) return true;
-  }
-  return false;
+/// Continues a scan in another extractor and in other memory.
+template <class Scanner>
+Status move_scan(Scanner& from, Scanner& to, Memory memory, const Sink& sink) {
+  Memory parts[2];
+  const Status status = from.save(parts);
+  if (status != Status::ok) return status;
+  read_back(image_of({parts, parts + 2}), {memory_of(to), memory});
+  return to.restore(memory, sink);
 }
 
 /// The first bit of an image whose flip a device does not find out, or the number of its bits.
@@ -111,22 +107,21 @@ class Device {
   }
   uint32_t rows() const { return volume_.height * volume_.depth; }
 
-  /// What a checkpoint is made of: the two objects, saved, and the memory in use.
+  /// The parts of a checkpoint.
   std::vector<Memory> save_parts() {
-    require_ok(extractor_.save(scan_));
-    require_ok(encoder_.save(stream_));
-    return {{&scan_, sizeof scan_},
-            {&stream_, sizeof stream_},
-            {block_.memory().data, extractor_.bytes_used()}};
+    std::vector<Memory> parts(3);
+    require_ok(encoder_.save(&parts[0]));
+    require_ok(extractor_.save(&parts[1]));
+    return parts;
   }
-  /// Where they go when they are read back.
+  /// The memory into which they are read back.
   std::vector<Memory> parts() {
-    return {{&scan_, sizeof scan_}, {&stream_, sizeof stream_}, block_.memory()};
+    return {memory_of(encoder_), memory_of(extractor_), block_.memory()};
   }
   Status restore_parts() {
-    const Status status = encoder_.restore(stream_, store.output());
+    const Status status = encoder_.restore(store.output());
     if (status != Status::ok) return status;
-    return extractor_.restore(scan_, block_.memory(), make_sink(encoder_));
+    return extractor_.restore(block_.memory(), make_sink(encoder_));
   }
 
   Image save() { return image_of(save_parts()); }
@@ -144,11 +139,8 @@ class Device {
   BitVolume volume_;
   Limits limits_;
   Block block_;
-  // Zero to begin with, as static objects are.
-  Extractor<Index> extractor_{};
-  Encoder encoder_{};
-  Checkpoint<Extractor<Index>> scan_{};
-  Checkpoint<Encoder> stream_{};
+  Extractor<Index> extractor_;
+  Encoder encoder_;
 };
 
 inline BitVolume centred_ball(uint32_t size) {

@@ -40,15 +40,14 @@ void until_done(Call call) {
 
 /// The encoder goes on from a checkpoint, in other memory of the same size.
 inline void lose_power(SliceEncoder& encoder, reference::Block& memory, Line& line) {
-  Checkpoint<SliceEncoder> checkpoint{};
+  Memory parts[2];
   until_done([&] {
     (void)encoder.resume();
-    return encoder.save(checkpoint);
+    return encoder.save(parts);
   });
-  const Memory before = memory.memory();
-  reference::Block later(before.bytes);
-  std::memcpy(later.memory().data, before.data, encoder.bytes_used());
-  reference::require_ok(encoder.restore(checkpoint, later.memory(), line.output()));
+  reference::Block later(memory.memory().bytes);
+  std::memcpy(later.memory().data, parts[1].data, parts[1].bytes);
+  reference::require_ok(encoder.restore(later.memory(), line.output()));
   line.bytes.resize(encoder.bytes());
   memory = std::move(later);
 }

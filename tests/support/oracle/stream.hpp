@@ -77,9 +77,11 @@ class Line {
  public:
   explicit Line(size_t most = 0) : most_(most) {}
   ByteOutput output() {
-    return {this, [](void* context, const uint8_t* data, size_t count) {
+    return {this,
+            [](void* context, const uint8_t* data, size_t count) {
               return static_cast<Line*>(context)->write(data, count);
-            }};
+            },
+            [](void*) { return size_t{0}; }};
   }
 
   Bytes bytes;
@@ -127,7 +129,7 @@ Bytes encode(const Events& events, const StreamHeader& header = any_header(),
   Encoding encoder;
   reference::require_ok(begin_stream(encoder, header, line.output()));
   take_all(encoder, events);
-  while (!encoder.flush()) continue;
+  while (encoder.flush() == Status::suspended) continue;
   if (encoder.bytes() != line.bytes.size()) throw std::runtime_error("bytes() is wrong");
   return line.bytes;
 }

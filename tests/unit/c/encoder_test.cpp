@@ -16,7 +16,7 @@ using discmc::test::Line;
 namespace {
 
 discmc_byte_output in_c(const ByteOutput& output) {
-  return {output.context, output.write};
+  return {output.context, output.write, output.unsent};
 }
 
 struct Stream {
@@ -109,9 +109,9 @@ void compare(const discmc_encoder_kind& kind, Encoder& encoder, const Events& al
   require_ok(test::begin_stream(encoder, header, expected.output()));
   const auto half = all.begin() + static_cast<std::ptrdiff_t>(middle);
   test::take_all(encoder, Events(all.begin(), half));
-  CHECK(encoder.flush());
+  CHECK(encoder.flush() == Status::ok);
   test::take_all(encoder, Events(half, all.end()));
-  CHECK(encoder.flush());
+  CHECK(encoder.flush() == Status::ok);
   CHECK(line.bytes == expected.bytes);
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("records, outputs and further scans are as in C++") {
   start.header = &further;
   CHECK(encoder.take(start) == SinkResult::accepted);
   CHECK(discmc_encoder_flush(stream.encoder) == DISCMC_OK);
-  CHECK(encoder.flush());
+  CHECK(encoder.flush() == Status::ok);
   CHECK(line.bytes == cpp_line.bytes);
   CHECK(other_line.bytes == other_cpp_line.bytes);
   CHECK(discmc_encoder_stream_bytes(stream.encoder) == encoder.bytes());
@@ -181,9 +181,17 @@ TEST_CASE("errors of encoders in C") {
   discmc_event region{};
   region.kind = DISCMC_REGION;
   CHECK(discmc_encoder_take(stream.encoder, &region) == DISCMC_SINK_NOT_STARTED);
+  CHECK(discmc_encoder_take(nullptr, &region) == DISCMC_SINK_NOT_STARTED);
+  discmc_encoder* none = nullptr;
+  discmc_encoder_config without_kind = stream.config;
+  without_kind.kind = nullptr;
+  CHECK(discmc_encoder_start(&none, &without_kind) == DISCMC_NO_KIND);
+  CHECK(discmc_encoder_restore(&none, &without_kind) == DISCMC_NO_KIND);
 
   // A checkpoint of the other kind.
   discmc_memory part;
+  CHECK(discmc_encoder_save(stream.encoder, &part) == DISCMC_NOT_STARTED);
+  CHECK(begin(stream.encoder, 12) == DISCMC_SINK_ACCEPTED);
   REQUIRE(discmc_encoder_save(stream.encoder, &part) == DISCMC_OK);
   CHECK(discmc_encoder_restore(&stream.encoder, &stream.config) == DISCMC_OK);
   stream.config.kind = &discmc_regions_with_normals;

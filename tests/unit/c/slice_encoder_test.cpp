@@ -36,7 +36,7 @@ struct Scan {
     config.label = {depth, {1000, -2000, 3000}, 300, 5};
     config.memory = {memory.memory().data, bytes};
     const ByteOutput output = line.output();
-    config.output = {output.context, output.write};
+    config.output = {output.context, output.write, output.unsent};
   }
   Scan(const discmc_slice_kind& kind, Line& line) : Scan(kind, line, min_bytes()) {}
   static uint64_t min_bytes() {
@@ -214,12 +214,13 @@ TEST_CASE("errors of slice encoders in C") {
   };
   using Config = discmc_slice_encoder_config;
   CHECK(status_of([](Config& c) { c.limits.height = 0; }) == DISCMC_BAD_LIMITS);
-  CHECK(status_of([](Config& c) { c.surface_count = 0; }) == DISCMC_BAD_LABEL);
+  CHECK(status_of([](Config& c) { c.kind = nullptr; }) == DISCMC_NO_KIND);
   CHECK(status_of([](Config& c) { c.surface_count = 5; }) == DISCMC_BAD_LABEL);
   CHECK(status_of([](Config& c) { c.label.channel = 62; }) == DISCMC_BAD_LABEL);
   CHECK(status_of([](Config& c) { c.output.write = nullptr; }) == DISCMC_BAD_SINK);
   CHECK(status_of([](Config& c) { --c.memory.bytes; }) == DISCMC_TOO_LITTLE_MEMORY);
   CHECK(scan.encoder == nullptr);
+  CHECK(status_of([](Config& c) { c.surface_count = 0; }) == DISCMC_OK);  // one
   CHECK(status_of([](Config&) {}) == DISCMC_OK);
 
   const uint8_t samples[width] = {};

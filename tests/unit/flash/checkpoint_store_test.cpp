@@ -75,6 +75,16 @@ class Contents {
   std::vector<Memory> parts() {
     return {{bytes_.data(), 24}, {bytes_.data() + 24, 101}, {bytes_.data() + 125, left()}};
   }
+  /// The parts as they lie in flash: lengths, then bytes.
+  std::vector<uint8_t> stored() {
+    std::vector<uint8_t> bytes(StorePlan::max_parts * sizeof(uint32_t));
+    for (size_t i = 0; i < parts().size(); ++i) {
+      const auto length = static_cast<uint32_t>(parts()[i].bytes);
+      std::memcpy(&bytes[4 * i], &length, sizeof length);
+    }
+    bytes.insert(bytes.end(), bytes_.begin(), bytes_.end());
+    return bytes;
+  }
   uint32_t bytes() const { return static_cast<uint32_t>(bytes_.size()); }
   bool operator==(const Contents& other) const { return bytes_ == other.bytes_; }
 
@@ -123,11 +133,10 @@ void put_slot(uint8_t* bytes, uint32_t sequence, Contents contents,
   const auto* const in_memory = reinterpret_cast<const uint8_t*>(&head);
   head.checksum = crc32(in_memory, 12);
   std::copy_n(in_memory, sizeof head, bytes);
-  uint8_t* const data = bytes + sizeof head;
-  const uint8_t* const first = static_cast<uint8_t*>(contents.parts()[0].data);
-  std::copy_n(first, contents.bytes(), data);
-  const uint32_t checksum = crc32(bytes, sizeof head + contents.bytes());
-  std::memcpy(data + contents.bytes(), &checksum, sizeof checksum);
+  const std::vector<uint8_t> data = contents.stored();
+  std::copy(data.begin(), data.end(), bytes + sizeof head);
+  const uint32_t checksum = crc32(bytes, sizeof head + data.size());
+  std::memcpy(bytes + sizeof head + data.size(), &checksum, sizeof checksum);
 }
 
 }  // namespace
@@ -322,7 +331,7 @@ TEST_CASE("only what is in use is erased, and all blocks wear alike") {
     Keeper wearing(worn);
     std::vector<uint8_t> all(max_bytes);
     const StorePlan& plan = wearing.store.plan();
-    for (uint64_t i = 0; i < plan.checkpoints_until_worn(3); ++i)
+    for (uint64_t i = 0; i < 3 * plan.slots; ++i)
       REQUIRE(wearing.save({{all.data(), all.size()}}) == Status::ok);
     const uint32_t used = plan.slots / plan.slots_per_block * plan.blocks_per_slot;
     for (uint32_t block = 0; block < memory.geometry.blocks; ++block)
@@ -624,20 +633,62 @@ TEST_CASE("parts are read back as they were saved, or not at all") {
   CHECK(keeper.restore({{read, 300}}) == Status::bad_checkpoint);
   std::iota(bytes, bytes + 300, uint8_t{0});
   REQUIRE(keeper.save({{bytes, 100}, {bytes + 100, 0}, {bytes + 100, 200}}) == Status::ok);
-  CHECK(keeper.restore({{read, 299}}) == Status::bad_checkpoint);
-  CHECK(keeper.restore({{read, 301}, {read, 0}}) == Status::bad_checkpoint);
+  CHECK(keeper.restore({{read, 300}}) == Status::bad_checkpoint);
+  CHECK(keeper.restore({{read, 100}, {read, 0}, {read, 199}}) == Status::bad_checkpoint);
+  CHECK(keeper.restore({{read, 99}, {read, 1}, {read, 200}}) == Status::bad_checkpoint);
   CHECK(keeper.restore({}) == Status::bad_checkpoint);
   CHECK(std::all_of(read, read + 301, [](uint8_t byte) { return byte == 0; }));
-  CHECK(keeper.restore({{read, 7}, {read + 7, 294}}) == Status::ok);
+  CHECK(keeper.restore({{read, 101}, {read + 101, 0}, {read + 100, 201}}) == Status::ok);
   CHECK(std::equal(bytes, bytes + 300, read));
-  CHECK(keeper.restore({{read, 300}, {nullptr, 0}}) == Status::ok);
+  CHECK(read[300] == 0);
   const Memory none{nullptr, 0};
-  CHECK(keeper.restore({{read, 300}, none, none, none}) == Status::ok);
-  CHECK(keeper.restore({{read, 300}, none, none, none, none}) == Status::bad_checkpoint);
-  CHECK(keeper.save({{bytes, 300}, none, none, none, none}) == Status::too_little_memory);
-  CHECK(keeper.save({{bytes, 300}, none, none, none}) == Status::ok);
+  const std::vector<Memory> all = {{read, 100}, none, {read + 100, 200}, none, none, none};
+  CHECK(keeper.restore(all) == Status::ok);
+  CHECK(keeper.restore({all[0], all[1], all[2], none, none, none, none}) == Status::bad_checkpoint);
+  CHECK(keeper.save({{bytes, 300}, none, none, none, none, none, none}) ==
+        Status::too_little_memory);
+  CHECK(keeper.save({{bytes, 300}, none, none, none, none, none}) == Status::ok);
   slot(flash, keeper.store.plan(), 1)[200] ^= 4;
   CHECK(keeper.restore({{read, 300}}) == Status::bad_checkpoint);
+}
+
+TEST_CASE("a discarded checkpoint is never found again, whenever the power fails") {
+  for (const Memories& memory : memories) {
+    CAPTURE(memory.name);
+    uint64_t saved = 0, discarded = 0;
+    {
+      SimulatedFlash flash(memory.geometry, 1, memory.kind);
+      Keeper keeper(flash);
+      CHECK(keeper.store.discard() == Status::ok);
+      CHECK(flash.units == 0);
+      REQUIRE(save(keeper, 0) == Status::ok);
+      REQUIRE(save(keeper, 1) == Status::ok);
+      saved = flash.steps;
+      REQUIRE(keeper.finish(keeper.store.discard()) == Status::ok);
+      discarded = flash.steps;
+      CHECK_FALSE(keeper.store.has_checkpoint());
+      CHECK(keeper.restore(Contents(1).parts()) == Status::bad_checkpoint);
+      CHECK(keeper.store.discard() == Status::ok);
+      CHECK(flash.steps == discarded);
+      CHECK(number_found(flash, 2) == UINT32_MAX);
+      REQUIRE(save(keeper, 2) == Status::ok);
+      CHECK(number_found(flash, 3) == 2);
+      CHECK_FALSE(flash.has_broken_rules);
+    }
+    for (uint64_t cut = saved + 1; cut <= discarded; ++cut) {
+      CAPTURE(cut);
+      SimulatedFlash flash(memory.geometry, static_cast<uint32_t>(cut), memory.kind);
+      flash.cut_after(cut);
+      Keeper keeper(flash);
+      REQUIRE(save(keeper, 0) == Status::ok);
+      REQUIRE(save(keeper, 1) == Status::ok);
+      const Status status = keeper.finish(keeper.store.discard());
+      flash.power_on();
+      const uint32_t found = number_found(flash, 2);
+      REQUIRE((found == UINT32_MAX || (found == 1 && status != Status::ok)));
+      REQUIRE_FALSE(flash.has_broken_rules);
+    }
+  }
 }
 
 TEST_CASE("what cannot be started, saved or restored is refused") {
@@ -645,10 +696,12 @@ TEST_CASE("what cannot be started, saved or restored is refused") {
   SimulatedFlash flash(memory.geometry);
   CheckpointStore store{};
   uint8_t buffer[256], bytes[max_bytes + 1] = {};
-  const Memory parts[5] = {{bytes, max_bytes}, {bytes, 1}, {bytes, 1}, {bytes, 1}, {bytes, 1}};
+  const Memory one{bytes, 1};
+  const Memory parts[8] = {{bytes, max_bytes}, one, one, one, one, one, one, one};
   CHECK(store.save(parts, 1) == Status::not_started);
   CHECK(store.resume() == Status::not_started);
   CHECK(store.erase_ahead(1) == Status::not_started);
+  CHECK(store.discard() == Status::not_started);
   CHECK(store.restore(parts, 1) == Status::not_started);
 
   const FlashDevice device = flash.device();
@@ -670,7 +723,9 @@ TEST_CASE("what cannot be started, saved or restored is refused") {
 
   CHECK(store.save(parts, 0) == Status::too_little_memory);
   CHECK(store.save(parts, 2) == Status::too_little_memory);
-  CHECK(store.save(parts + 1, 5) == Status::too_little_memory);
+  CHECK(store.save(parts + 1, 7) == Status::too_little_memory);
+  const Memory empty{bytes, 0};
+  CHECK(store.save(&empty, 1) == Status::too_little_memory);
   CHECK(flash.units == 0);
   Status status = store.save(parts, 1);
   while (status == Status::suspended) status = store.resume();
@@ -678,29 +733,26 @@ TEST_CASE("what cannot be started, saved or restored is refused") {
   CHECK(store.bytes() == max_bytes);
 }
 
-TEST_CASE("a plan counts blocks, units, erasures and time") {
+TEST_CASE("a plan counts blocks and units") {
   // 32 KiB of an SPI NOR flash for 33 checkpoints of 30,000 bytes, and four sectors of an STM32F4.
   constexpr FlashGeometry nor{256, 4096, 272}, internal{256, 131072, 4};
   constexpr StorePlan in_nor = store_plan(nor, 30000);
   static_assert(in_nor.is_valid() && in_nor.slots == 34 && in_nor.slots_per_block == 1 &&
                 in_nor.blocks_per_slot == 8 && in_nor.units(30000) == 118 &&
-                in_nor.blocks(30000) == 8 && in_nor.blocks(4076) == 1 && in_nor.blocks(4077) == 2);
-  static_assert(in_nor.checkpoints_until_worn(100000) == 3400000);
-  CHECK(in_nor.microseconds(30000, 45000, 700) == 8 * 45000 + 118 * 700);
+                in_nor.blocks(30000) == 8 && in_nor.blocks(4052) == 1 && in_nor.blocks(4053) == 2);
   constexpr StorePlan in_internal = store_plan(internal, 30000);
   static_assert(in_internal.is_valid() && in_internal.slots == 16 &&
                 in_internal.slots_per_block == 4 && in_internal.blocks_per_slot == 1 &&
                 in_internal.blocks(30000) == 1);
-  static_assert(in_internal.checkpoints_until_worn(10000) == 160000);
 
   const auto is_valid = [](const FlashGeometry& geometry, uint32_t bytes) {
     return store_plan(geometry, bytes).is_valid();
   };
-  CHECK(is_valid({16, 16, 4}, 12));  // two units a slot
-  CHECK_FALSE(is_valid({16, 16, 3}, 12));
-  CHECK(is_valid({16, 32, 2}, 12));
-  CHECK_FALSE(is_valid({16, 32, 1}, 12));
-  CHECK_FALSE(is_valid({16, 64, 1}, 12));  // two slots, but of one block
+  CHECK(is_valid({16, 16, 8}, 20));  // four units per slot
+  CHECK_FALSE(is_valid({16, 16, 7}, 20));
+  CHECK(is_valid({16, 64, 2}, 20));
+  CHECK_FALSE(is_valid({16, 64, 1}, 20));
+  CHECK_FALSE(is_valid({16, 128, 1}, 20));  // two slots, but of one block
   CHECK_FALSE(is_valid({15, 30, 100}, 12));
   CHECK_FALSE(is_valid({16, 40, 100}, 12));
   CHECK_FALSE(is_valid({32, 16, 100}, 12));

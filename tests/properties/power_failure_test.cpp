@@ -1,0 +1,427 @@
+// No polygon is lost if the power fails, whatever the output queues: the recipe of
+// docs/power-failure.md in C++ and in C, with both encoders and with two surfaces.
+#include <discmc/discmc.h>
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <deque>
+#include <discmc/checkpoint_store.hpp>
+#include <discmc/slice_encoder.hpp>
+#include <discmc/surface_decoder.hpp>
+#include <discmc/surface_group.hpp>
+#include <functional>
+#include <memory>
+
+#include "oracle/simulated_flash.hpp"
+#include "oracle/stream.hpp"
+#include "oracle/thinned.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::SimulatedFlash;
+
+namespace {
+
+constexpr uint32_t size = 6;
+constexpr Limits limits{size, size};
+constexpr size_t arena_bytes = minimum_bytes<uint16_t>(limits) + 400;  // sends fragments, too
+constexpr int32_t thresholds[] = {110, 150};
+constexpr FlashGeometry geometry{128, 1024, 24};
+constexpr uint32_t max_bytes = 8000;
+
+// ---- the supply, and what depends on it ----
+
+/// Fails after a number of events.
+struct Power {
+  uint64_t left = UINT64_MAX;
+  uint64_t events = 0;
+
+  bool is_on() const { return left > 0; }
+  /// Whether the power survives one more event.
+  bool survives() {
+    ++events;
+    if (left != UINT64_MAX && left > 0) --left;
+    return is_on();
+  }
+};
+
+/// A radio that queues bytes, and sends up to 20 of them per event.
+class Radio {
+ public:
+  Radio(Power& power, size_t capacity) : power_(power), capacity_(capacity) {}
+
+  ByteOutput output() {
+    return {this,
+            [](void* radio, const uint8_t* bytes, size_t count) {
+              return static_cast<Radio*>(radio)->write(bytes, count);
+            },
+            [](void* radio) { return static_cast<Radio*>(radio)->unsent(); }};
+  }
+  size_t unsent() {
+    work();
+    return queue_.size();
+  }
+
+  Bytes received;
+
+ private:
+  size_t write(const uint8_t* bytes, size_t count) {
+    work();
+    if (capacity_ > 0) count = std::min(count, capacity_ - queue_.size());
+    if (power_.is_on()) queue_.insert(queue_.end(), bytes, bytes + count);
+    if (capacity_ == 0) send(queue_.size());
+    return count;
+  }
+  void work() {
+    if (!power_.survives()) queue_.clear();
+    send(20);
+  }
+  void send(size_t count) {
+    const auto end = queue_.begin() + static_cast<std::ptrdiff_t>(std::min(count, queue_.size()));
+    received.insert(received.end(), queue_.begin(), end);
+    queue_.erase(queue_.begin(), end);
+  }
+
+  Power& power_;
+  size_t capacity_;
+  std::deque<uint8_t> queue_;
+};
+
+/// A flash whose last operation is torn if the power fails.
+class Flash {
+ public:
+  explicit Flash(Power& power) : power_(power) {}
+
+  FlashDevice device() {
+    return {this,
+            [](void* flash, uint32_t block, uint32_t offset, void* to, uint32_t bytes) {
+              const FlashDevice device = next(flash);
+              return device.read(device.context, block, offset, to, bytes);
+            },
+            [](void* flash, uint32_t block, uint32_t offset, const void* from, uint32_t bytes) {
+              const FlashDevice device = next(flash);
+              return device.program(device.context, block, offset, from, bytes);
+            },
+            [](void* flash, uint32_t block) {
+              const FlashDevice device = next(flash);
+              return device.erase(device.context, block);
+            },
+            nullptr,
+            geometry};
+  }
+  void power_on() { flash_.power_on(); }
+  bool has_broken_rules() const { return flash_.has_broken_rules; }
+
+ private:
+  static FlashDevice next(void* context) {
+    auto& flash = *static_cast<Flash*>(context);
+    if (!flash.power_.is_on())
+      flash.flash_.cut_after(0);
+    else if (!flash.power_.survives())
+      flash.flash_.cut_after(1 + flash.power_.events % 100);
+    return flash.flash_.device();
+  }
+
+  Power& power_;
+  SimulatedFlash flash_{geometry};
+};
+
+// ---- devices ----
+
+/// The objects of a device, in RAM that a power failure clears.
+class Device {
+ public:
+  Device() = default;
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+  virtual ~Device() = default;
+
+  virtual Status start(const ByteOutput& output) = 0;
+  virtual std::vector<Memory> memories() = 0;
+  virtual Status restore(const ByteOutput& output) = 0;
+  virtual Status save(std::vector<Memory>& parts) = 0;
+  virtual uint32_t row() const = 0;
+  virtual Status push(const uint8_t* samples) = 0;
+  virtual Status resume() = 0;
+  virtual Status finish() = 0;
+};
+
+class PolygonDevice : public Device {
+ public:
+  Status start(const ByteOutput& output) override {
+    const Status status = encoder_.start({size}, output);
+    if (status != Status::ok) return status;
+    return extractor_.start(limits, thresholds[0], memory_of(memory_), make_sink(encoder_));
+  }
+  std::vector<Memory> memories() override {
+    return {memory_of(encoder_), memory_of(extractor_), memory_of(memory_)};
+  }
+  Status restore(const ByteOutput& output) override {
+    const Status status = encoder_.restore(output);
+    if (status != Status::ok) return status;
+    return extractor_.restore(memory_of(memory_), make_sink(encoder_));
+  }
+  Status save(std::vector<Memory>& parts) override {
+    parts.resize(3);
+    const Status status = encoder_.save(&parts[0]);
+    return status == Status::ok ? extractor_.save(&parts[1]) : status;
+  }
+  uint32_t row() const override { return extractor_.slices() * size + extractor_.rows(); }
+  Status push(const uint8_t* samples) override { return extractor_.push(samples, size).status; }
+  Status resume() override { return extractor_.resume(); }
+  Status finish() override { return extractor_.finish(); }
+
+ private:
+  Encoder encoder_;
+  Extractor16 extractor_;
+  uint8_t memory_[arena_bytes] = {};
+};
+
+class TwoSurfaceDevice : public Device {
+ public:
+  Status start(const ByteOutput& output) override {
+    link_.start(output);
+    for (uint8_t i = 0; i < 2; ++i) {
+      StreamLabel label{size};
+      label.channel = i;
+      Status status = encoders_[i].start(label, link_.output());
+      if (status == Status::ok)
+        status = extractors_[i].start(limits, thresholds[i], memory_of(memories_[i]),
+                                      make_sink(encoders_[i]));
+      if (status != Status::ok && status != Status::suspended) return status;
+    }
+    return group_.resume();
+  }
+  std::vector<Memory> memories() override {
+    return {memory_of(encoders_[0]), memory_of(encoders_[1]),   memory_of(extractors_[0]),
+            memory_of(memories_[0]), memory_of(extractors_[1]), memory_of(memories_[1])};
+  }
+  Status restore(const ByteOutput& output) override {
+    link_.start(output);
+    for (uint8_t i = 0; i < 2; ++i) {
+      Status status = encoders_[i].restore(link_.output());
+      if (status == Status::ok)
+        status = extractors_[i].restore(memory_of(memories_[i]), make_sink(encoders_[i]));
+      if (status != Status::ok) return status;
+    }
+    return Status::ok;
+  }
+  Status save(std::vector<Memory>& parts) override {
+    parts.resize(6);
+    Status status = encoders_[0].save(&parts[0]);
+    if (status == Status::ok) status = encoders_[1].save(&parts[1]);
+    if (status == Status::ok) status = extractors_[0].save(&parts[2]);
+    if (status == Status::ok) status = extractors_[1].save(&parts[4]);
+    return status;
+  }
+  uint32_t row() const override { return extractors_[0].slices() * size + extractors_[0].rows(); }
+  Status push(const uint8_t* samples) override { return group_.push(samples, size).status; }
+  Status resume() override { return group_.resume(); }
+  // The link may hold a last frame.
+  Status finish() override {
+    const Status status = group_.finish();
+    return status == Status::ok ? link_.flush() : status;
+  }
+
+ private:
+  SharedOutput link_;
+  Encoder encoders_[2];
+  Extractor16 extractors_[2];
+  uint8_t memories_[2][arena_bytes] = {};
+  SurfaceGroup<Extractor16> group_{extractors_, 2, size};
+};
+
+class SliceDevice : public Device {
+ public:
+  Status start(const ByteOutput& output) override {
+    StreamHeader header;
+    header.width = size;
+    header.height = size;
+    header.depth = size;
+    header.surface_count = 2;
+    std::copy_n(thresholds, 2, header.thresholds);
+    return encoder_.start(header, {4}, memory_of(memory_), output);
+  }
+  std::vector<Memory> memories() override { return {memory_of(encoder_), memory_of(memory_)}; }
+  Status restore(const ByteOutput& output) override {
+    return encoder_.restore(memory_of(memory_), output);
+  }
+  Status save(std::vector<Memory>& parts) override {
+    parts.resize(2);
+    return encoder_.save(parts.data());
+  }
+  uint32_t row() const override { return encoder_.slices() * size + encoder_.rows(); }
+  Status push(const uint8_t* samples) override { return encoder_.push(samples, size).status; }
+  Status resume() override { return encoder_.resume(); }
+  Status finish() override { return encoder_.finish(); }
+
+ private:
+  SliceEncoder encoder_;
+  uint8_t memory_[slice_encoder_bytes(limits, {4}, 2)] = {};
+};
+
+class DeviceInC : public Device {
+ public:
+  Status start(const ByteOutput& output) override { return begin(output, false); }
+  std::vector<Memory> memories() override {
+    return {memory_of(encoder_memory_), memory_of(extractor_memory_)};
+  }
+  Status restore(const ByteOutput& output) override { return begin(output, true); }
+  Status save(std::vector<Memory>& parts) override {
+    discmc_memory part[2];
+    discmc_status status = discmc_encoder_save(encoder_, &part[0]);
+    if (status == DISCMC_OK) status = discmc_extractor_save(extractor_, &part[1]);
+    parts = {{part[0].data, part[0].bytes}, {part[1].data, part[1].bytes}};
+    return static_cast<Status>(status);
+  }
+  uint32_t row() const override {
+    const discmc_extractor_info info = discmc_extractor_get_info(extractor_);
+    return info.slices * size + info.rows;
+  }
+  Status push(const uint8_t* samples) override {
+    return static_cast<Status>(
+        discmc_extractor_push(extractor_, DISCMC_U8, samples, size, 1).status);
+  }
+  Status resume() override { return static_cast<Status>(discmc_extractor_resume(extractor_)); }
+  Status finish() override { return static_cast<Status>(discmc_extractor_finish(extractor_)); }
+
+ private:
+  Status begin(const ByteOutput& output, bool restores) {
+    discmc_encoder_config stream{};
+    stream.kind = &discmc_regions;
+    stream.label.depth = size;
+    stream.memory = {encoder_memory_, sizeof encoder_memory_};
+    stream.output = {output.context, output.write, output.unsent};
+    discmc_status status = restores ? discmc_encoder_restore(&encoder_, &stream)
+                                    : discmc_encoder_start(&encoder_, &stream);
+    discmc_extractor_config scan{};
+    scan.kind = &discmc_plain_u8;
+    scan.limits = {size, size, DISCMC_CLOSED};
+    scan.threshold = thresholds[0];
+    scan.memory = {extractor_memory_, sizeof extractor_memory_};
+    scan.sink = {encoder_, discmc_encoder_take};
+    if (status == DISCMC_OK)
+      status = restores ? discmc_extractor_restore(&extractor_, &scan)
+                        : discmc_extractor_start(&extractor_, &scan);
+    return static_cast<Status>(status);
+  }
+
+  uint8_t encoder_memory_[DISCMC_ENCODER_BYTES] = {};
+  uint8_t extractor_memory_[DISCMC_EXTRACTOR_BYTES(size, size, 60)] = {};
+  discmc_encoder* encoder_ = nullptr;
+  discmc_extractor* extractor_ = nullptr;
+};
+
+// ---- the recipe ----
+
+Bytes samples() {
+  Bytes all(size * size * size);
+  Chance chance(5);
+  for (uint8_t& sample : all) sample = chance.byte();
+  return all;
+}
+
+/// From power-on to the end of the scan, or until the power fails. Returns whether it continued a
+/// scan.
+bool run(Device& device, Power& power, Radio& radio, Flash& flash) {
+  CheckpointStore store;
+  uint8_t buffer[geometry.program_bytes];
+  const auto finish = [&](Status status, const std::function<Status()>& resume) {
+    while (power.is_on() && status == Status::suspended) status = resume();
+    return status == Status::ok && power.is_on();
+  };
+  const auto complete = [&](Status status) {
+    return finish(status, [&] { return store.resume(); });
+  };
+  const auto over = [&](Status status) { return finish(status, [&] { return device.resume(); }); };
+  const ByteOutput output = radio.output();
+
+  if (store.start(flash.device(), max_bytes, memory_of(buffer)) != Status::ok) return false;
+  const std::vector<Memory> memories = device.memories();
+  const bool continues =
+      store.has_checkpoint() &&
+      store.restore(memories.data(), static_cast<uint32_t>(memories.size())) == Status::ok &&
+      device.restore(output) == Status::ok;
+  if (!continues && (!complete(store.discard()) || !over(device.start(output)))) return false;
+
+  const Bytes all = samples();
+  for (uint32_t row = device.row(); row < size * size; ++row) {
+    if (row % 7 == 5) {
+      std::vector<Memory> parts;
+      const Status saved = finish(device.save(parts), [&] { return device.save(parts); })
+                               ? store.save(parts.data(), static_cast<uint32_t>(parts.size()))
+                               : Status::device_error;
+      if (!complete(saved)) return continues;
+    }
+    if (!over(device.push(&all[size_t{row} * size]))) return continues;
+  }
+  const auto ended = [&] { return device.finish(); };
+  if (!finish(device.finish(), ended)) return continues;
+  while (power.is_on() && radio.unsent() > 0) continue;
+  if (power.is_on()) (void)complete(store.discard());
+  return continues;
+}
+
+/// The events that a receiver of a channel sends, without those that count.
+Events events_on(uint8_t channel, const Bytes& received) {
+  EventLog log;
+  Bytes memory(minimum_surface_bytes(limits, 2) + 20000);
+  SurfaceDecoder decoder;
+  reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log), channel));
+  REQUIRE(decoder.push(received.data(), received.size()).status == Status::ok);
+  REQUIRE(decoder.finish() == Status::ok);
+  REQUIRE(decoder.report().has_trailer);
+  REQUIRE(decoder.report().lost_packets == 0);
+  return log.events;
+}
+
+template <class AnyDevice>
+void check_every_failure(uint8_t surfaces, uint32_t stride) {
+  for (const size_t capacity : {size_t{0}, size_t{20}, size_t{300}, size_t{1024}}) {
+    CAPTURE(capacity);
+    Power whole_power;
+    Radio whole(whole_power, capacity);
+    Flash whole_flash(whole_power);
+    run(*std::make_unique<AnyDevice>(), whole_power, whole, whole_flash);
+    std::vector<Events> expected;
+    for (uint8_t channel = 0; channel < surfaces; ++channel)
+      expected.push_back(events_on(channel, whole.received));
+    uint32_t continued = 0;
+    for (uint64_t cut = 1; cut <= whole_power.events; cut += stride) {
+      CAPTURE(cut);
+      Power power{cut};
+      Radio radio(power, capacity);
+      Flash flash(power);
+      run(*std::make_unique<AnyDevice>(), power, radio, flash);
+      REQUIRE_FALSE(power.is_on());
+      power.left = UINT64_MAX;
+      flash.power_on();
+      radio.received.push_back(0);
+      if (run(*std::make_unique<AnyDevice>(), power, radio, flash)) ++continued;
+      for (uint8_t channel = 0; channel < surfaces; ++channel)
+        REQUIRE(events_on(channel, radio.received) == expected[channel]);
+      REQUIRE_FALSE(flash.has_broken_rules());
+      // The scan is finished: the next power-on begins another.
+      REQUIRE_FALSE(run(*std::make_unique<AnyDevice>(), power, radio, flash));
+    }
+    CHECK(continued > 0);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("no polygon is lost if the power fails: regions, in C++") {
+  check_every_failure<PolygonDevice>(1, reference::step(37));
+}
+
+TEST_CASE("no polygon is lost if the power fails: regions, in C") {
+  check_every_failure<DeviceInC>(1, reference::step(37));
+}
+
+TEST_CASE("no polygon is lost if the power fails: two surfaces on one link") {
+  check_every_failure<TwoSurfaceDevice>(2, reference::step(37));
+}
+
+TEST_CASE("no polygon is lost if the power fails: slices of two surfaces") {
+  check_every_failure<SliceDevice>(2, reference::step(37));
+}
