@@ -1,5 +1,6 @@
 # The library has no dependency to look for.
 include(${CMAKE_CURRENT_LIST_DIR}/discmc-targets.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/discmc-firmware.cmake)
 
 # It is written in C++ but needs nothing of C++'s run-time library: who links it may speak any
 # language, and a program in C is linked as C.

@@ -46,10 +46,10 @@ class Seal {
   bool is_intact(void* object, uint32_t object_bytes, uint32_t layout, Memory memory);
 
  private:
-  uint32_t checksum_of(const void* object, uint32_t object_bytes, const void* memory);
+  uint32_t checksum_of(const void* object, uint32_t object_bytes, uint32_t layout,
+                       const void* memory);
 
-  uint32_t checksum_ = 0;  // with 0 here
-  uint32_t layout_ = 0;    // and the address of the memory modulo Arena::alignment
+  uint32_t checksum_ = 0;  // of all, with 0 here
   size_t memory_bytes_ = 0;
 };
 

@@ -153,6 +153,8 @@ class BasicExtractor {
   using Features = typename Sweep::Features;
 
   enum class State : uint8_t { idle, scanning, finishing, finished };
+  /// The event that precedes the sweep: of the scan, or of a row without samples.
+  enum class Due : uint8_t { nothing, start, off_row, repeated_row };
 
   template <class Sample>
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
@@ -178,14 +180,13 @@ class BasicExtractor {
   bool end_scan();
   uint32_t own_slices() const;
   SinkResult send_start();
+  bool send_due();
   bool send(Event::Kind kind);
 
   // The members that the sweep uses come first, within reach of short instructions.
   State state_ = State::idle;
   bool abandoned_ = false;
-  bool start_is_due_ = false;
-  bool skip_is_due_ = false;
-  bool skip_repeated_ = false;
+  Due due_ = Due::nothing;
   Border border_ = Border::closed;
   bool continues_below_ = false;  // of the slab
   bool continues_above_ = false;

@@ -16,7 +16,7 @@
 
 /* An extractor of a plain kind. slots: at least DISCMC_MIN_SLOTS; see discmc_extractor_config. */
 #define DISCMC_EXTRACTOR_BYTES(width, height, slots)                           \
-  (27 * sizeof(void*) + 962 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
+  (26 * sizeof(void*) + 966 + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + \
    UINT64_C(8) * (slots))
 
 /* An extractor of a kind with normals. sample_bytes: 1 for u8, 2 for u16 and i16. */

@@ -39,8 +39,9 @@ Status BasicExtractor<Index, Intake, Sweep>::begin() {
   const SinkResult answer = send_start();
   if (answer == SinkResult::not_started) return Status::bad_sink;
   clear();
-  start_is_due_ = answer == SinkResult::busy;
-  return start_is_due_ ? Status::suspended : Status::ok;
+  if (answer == SinkResult::accepted) return Status::ok;
+  due_ = Due::start;
+  return Status::suspended;
 }
 
 template <class Index, class Intake, class Sweep>
@@ -75,7 +76,7 @@ void BasicExtractor<Index, Intake, Sweep>::clear() {
   statistics_ = Statistics{};
   state_ = State::scanning;
   abandoned_ = false;
-  skip_is_due_ = false;
+  due_ = Due::nothing;
   swept_rows_ = 0;
 }
 
@@ -162,8 +163,7 @@ Status BasicExtractor<Index, Intake, Sweep>::abandon() {
 template <class Index, class Intake, class Sweep>
 void BasicExtractor<Index, Intake, Sweep>::note_origin(RowOrigin origin) {
   if (origin == RowOrigin::samples) return;
-  skip_repeated_ = origin == RowOrigin::repeated;
-  skip_is_due_ = true;
+  due_ = origin == RowOrigin::repeated ? Due::repeated_row : Due::off_row;
   ++statistics_.skipped_rows;
 }
 
@@ -172,7 +172,7 @@ void BasicExtractor<Index, Intake, Sweep>::note_origin(RowOrigin origin) {
 // Whether the sink has refused something that is due.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::is_suspended() const {
-  return start_is_due_ || skip_is_due_ || swept_rows_ < ready_rows() || bits_.rows() == height_ ||
+  return due_ != Due::nothing || swept_rows_ < ready_rows() || bits_.rows() == height_ ||
          state_ == State::finishing;
 }
 
@@ -205,13 +205,8 @@ Status BasicExtractor<Index, Intake, Sweep>::restore(Memory memory, const Sink& 
 // Does all that the rows at hand allow. False when the sink is busy.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::work() {
-  if (start_is_due_) start_is_due_ = send_start() != SinkResult::accepted;
-  if (start_is_due_) return false;
   while (state_ != State::finished) {
-    if (skip_is_due_) {
-      if (!sweep_.flush(sink_, statistics_) || !send(Event::Kind::skipped)) return false;
-      skip_is_due_ = false;
-    }
+    if (due_ != Due::nothing && !send_due()) return false;
     for (; swept_rows_ < ready_rows(); ++swept_rows_)
       if (!sweep_row()) return false;
     if (bits_.rows() == height_ && !end_slice()) return false;
@@ -312,6 +307,16 @@ SinkResult BasicExtractor<Index, Intake, Sweep>::send_start() {
   return sink_.take(sink_.context, event);
 }
 
+// Offers the event that precedes the sweep. False when the sink is busy.
+template <class Index, class Intake, class Sweep>
+DISCMC_NOINLINE bool BasicExtractor<Index, Intake, Sweep>::send_due() {
+  const bool is_sent = due_ == Due::start
+                           ? send_start() == SinkResult::accepted
+                           : sweep_.flush(sink_, statistics_) && send(Event::Kind::skipped);
+  if (is_sent) due_ = Due::nothing;
+  return is_sent;
+}
+
 // Offers an event about rows and slices.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::send(Event::Kind kind) {
@@ -320,7 +325,7 @@ bool BasicExtractor<Index, Intake, Sweep>::send(Event::Kind kind) {
   event.kind = kind;
   event.slice = bits_.slices() + first_slice() - below;
   event.row = bits_.rows() - 1;
-  event.repeated = skip_repeated_;
+  event.repeated = due_ == Due::repeated_row;
   event.abandoned = abandoned_;
   event.statistics = &statistics_;
   if (kind == Event::Kind::finish) event.slice = own_slices();
