@@ -8,7 +8,6 @@
 //
 // The names are qualified because discmc has short ones, such as Link, Run and Event.
 #include <stdio.h>
-#include <string.h>
 
 #include <discmc/discmc.hpp>
 
@@ -21,30 +20,25 @@ constexpr uint8_t time_stamp = 1;  // a kind of record: the application's own, b
 
 // ---- the receiver ----
 
-// Receives one surface. Two surfaces of a stream need two decoders, which both get all bytes.
-class Receiver {
+// Receives one surface, scan after scan. Two surfaces need two receivers, which both get all bytes.
+class Surface {
  public:
   bool start(uint8_t channel) {
     channel_ = channel;
-    regions_ = lost_rows_ = 0;
-    return decoder_.start(discmc::memory_of(memory_), discmc::make_sink(*this), channel) ==
+    return receiver_.start(discmc::memory_of(memory_), discmc::make_sink(*this), channel) ==
            discmc::Status::ok;
   }
 
-  // A decoder decodes one stream. So it gets at most one frame at a time, up to the zero byte: the
-  // next scan begins after a trailer.
   bool push(const uint8_t* bytes, size_t count) {
-    for (size_t taken = 0; taken < count;) {
-      const void* const zero = memchr(bytes + taken, 0, count - taken);
-      const size_t end =
-          zero == nullptr ? count : size_t(static_cast<const uint8_t*>(zero) - bytes) + 1;
-      discmc::Decoded decoded{discmc::Status::suspended, 0};  // also while many rows are skipped
-      for (; decoded.status == discmc::Status::suspended; taken += decoded.bytes)
-        decoded = decoder_.push(bytes + taken, end - taken);
-      if (decoded.status != discmc::Status::ok) return false;
-      if (decoder_.report().has_trailer && !end_scan()) return false;
+    for (;;) {
+      const discmc::Decoded decoded = receiver_.push(bytes, count);
+      bytes += decoded.bytes;
+      count -= decoded.bytes;
+      if (decoded.status == discmc::Status::finished) end_scan();
+      const bool goes_on = decoded.status == discmc::Status::suspended ||  // rows are skipped
+                           decoded.status == discmc::Status::finished;
+      if (!goes_on) return decoded.status == discmc::Status::ok;
     }
-    return true;
   }
 
   discmc::SinkResult take(const discmc::Event& event) {
@@ -64,22 +58,22 @@ class Receiver {
       milliseconds_ = record.bytes[0] + 256U * record.bytes[1];
   }
 
-  bool end_scan() {
+  void end_scan() {
     printf("scan %d, channel %d: %u regions, %u rows lost, the last stamp %u ms, x from %.1f mm\n",
-           decoder_.header().scan, channel_, regions_, lost_rows_, milliseconds_,
+           receiver_.header().scan, channel_, regions_, lost_rows_, milliseconds_,
            static_cast<double>(placement_.origin_nm[0]) / 1e6);
-    if (decoder_.report().is_complete()) ++complete_scans_;
-    return start(channel_);
+    if (receiver_.report().is_complete()) ++complete_scans_;
+    regions_ = lost_rows_ = 0;
   }
 
-  discmc::SurfaceDecoder decoder_;
-  uint8_t memory_[256 * 1024];  // more than minimum_surface_bytes(): no loose fragments come
+  discmc::Receiver receiver_;
+  uint8_t memory_[256 * 1024];  // more than Receiver::minimum_bytes(): no loose fragments come
   uint8_t channel_ = 0;
   unsigned regions_ = 0, lost_rows_ = 0, milliseconds_ = 0, complete_scans_ = 0;
   discmc::Placement placement_;
 };
 
-Receiver receivers[surfaces];
+Surface received[surfaces];
 
 // ---- the link ----
 
@@ -89,8 +83,8 @@ bool radio_works = true;
 size_t radio_write(void*, const uint8_t* bytes, size_t count) {
   if (!radio_works) return 0;
   const size_t taken = count < 16 ? count : 16;
-  for (Receiver& receiver : receivers)
-    if (!receiver.push(bytes, taken)) fputs("a receiver has stopped\n", stderr);
+  for (Surface& surface : received)
+    if (!surface.push(bytes, taken)) fputs("a receiver has stopped\n", stderr);
   return taken;
 }
 
@@ -191,8 +185,8 @@ bool scans(uint16_t number) {
 }  // namespace
 
 int main() {
-  bool good = receivers[0].start(0) && receivers[1].start(1);
+  bool good = received[0].start(0) && received[1].start(1);
   for (uint16_t scan = 1; good && scan <= 2; ++scan) good = scans(scan);
-  for (const Receiver& receiver : receivers) good = good && receiver.complete_scans() == 1;
+  for (const Surface& surface : received) good = good && surface.complete_scans() == 1;
   return good ? 0 : 1;
 }

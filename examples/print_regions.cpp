@@ -10,7 +10,7 @@
 // the fragment that ends at its start with a run of direction 7.
 #include <cinttypes>
 #include <cstdio>
-#include <discmc/surface_decoder.hpp>
+#include <discmc/receiver.hpp>
 #include <vector>
 
 using namespace discmc;
@@ -76,10 +76,10 @@ class Printer {
 };
 
 // Status::suspended: more lost rows are to be skipped.
-Status push_all(SurfaceDecoder& decoder, const uint8_t* bytes, size_t count) {
+Status push_all(Receiver& receiver, const uint8_t* bytes, size_t count) {
   Decoded decoded{Status::suspended, 0};
   for (size_t taken = 0; decoded.status == Status::suspended; taken += decoded.bytes)
-    decoded = decoder.push(bytes + taken, count - taken);
+    decoded = receiver.push(bytes + taken, count - taken);
   return decoded.status;
 }
 
@@ -88,15 +88,15 @@ Status push_all(SurfaceDecoder& decoder, const uint8_t* bytes, size_t count) {
 int main() {
   Printer printer;
   std::vector<uint8_t> memory(16 << 20);  // to extract the surface of slices
-  SurfaceDecoder decoder;                 // a Decoder suffices for regions, and needs no memory
-  Status status = decoder.start({memory.data(), memory.size()}, make_sink(printer));
+  Receiver receiver;
+  Status status = receiver.start({memory.data(), memory.size()}, make_sink(printer));
   uint8_t bytes[4096];
   size_t count = 0;
   while (status == Status::ok && (count = std::fread(bytes, 1, sizeof(bytes), stdin)) > 0)
-    status = push_all(decoder, bytes, count);
-  if (status == Status::ok)
-    while ((status = decoder.finish()) == Status::suspended) continue;
-  const StreamReport& report = decoder.report();
+    status = push_all(receiver, bytes, count);
+  if (status == Status::ok || status == Status::finished)  // finished: the first scan is over
+    while ((status = receiver.finish()) == Status::suspended) continue;
+  const StreamReport& report = receiver.report();
   std::fprintf(stderr,
                "%" PRIu64 " regions, %" PRIu64 " loose fragments in %" PRIu64 " bytes, %s\n",
                printer.regions(), printer.fragments(), report.bytes,

@@ -57,21 +57,26 @@ static discmc_sink_result take(void* context, const discmc_event* event) {
   return DISCMC_SINK_ACCEPTED;
 }
 
-static discmc_status start(void) {
+/* Before every scan. The joiner stays where it is, so the receiver keeps its sink. */
+static discmc_status begin_scan(void) {
   const discmc_joiner_config joining = {
       .order = DISCMC_SWEEP_ORDER,
       .memory = {joiner_memory, sizeof joiner_memory},
       .sink = {NULL, take},
   };
-  const discmc_status status = discmc_joiner_start(&joiner, &joining);
+  regions = corners = lost_rows = milliseconds = 0;
+  lowest_z = INT32_MAX;
+  has_finish = 0;
+  return discmc_joiner_start(&joiner, &joining);
+}
+
+static discmc_status start(void) {
+  const discmc_status status = begin_scan();
   const discmc_receiver_config receiving = {
       .channel = channel,
       .memory = {receiver_memory, sizeof receiver_memory},
       .sink = {joiner, discmc_joiner_take},
   };
-  regions = corners = lost_rows = milliseconds = 0;
-  lowest_z = INT32_MAX;
-  has_finish = 0;
   return status == DISCMC_OK ? discmc_receiver_start(&receiver, &receiving) : status;
 }
 
@@ -85,26 +90,20 @@ static void print_scan(void) {
   printf("\n");
 }
 
-/* A receiver decodes one stream. So it gets at most one frame at a time, up to the zero byte: the
- * next scan begins after a trailer. */
 static discmc_status push(const uint8_t* bytes, size_t count) {
-  while (count > 0) {
-    const uint8_t* const zero = memchr(bytes, 0, count);
-    const size_t frame = zero == NULL ? count : (size_t)(zero - bytes) + 1;
-    discmc_push_result result = {DISCMC_SUSPENDED, 0};
-    size_t pushed = 0;
-    for (; result.status == DISCMC_SUSPENDED; pushed += result.accepted)
-      result = discmc_receiver_push(receiver, bytes + pushed, frame - pushed);
-    if (result.status != DISCMC_OK) return result.status;
-    bytes += frame;
-    count -= frame;
-    if (discmc_receiver_get_info(receiver).has_trailer) {
+  for (;;) {
+    const discmc_push_result result = discmc_receiver_push(receiver, bytes, count);
+    discmc_status status = result.status;
+    bytes += result.accepted;
+    count -= result.accepted;
+    if (status == DISCMC_FINISHED) { /* the remaining bytes are of the next scan */
+      while ((status = discmc_joiner_finish(joiner)) == DISCMC_SUSPENDED) continue;
       print_scan();
-      result.status = start();
-      if (result.status != DISCMC_OK) return result.status;
+      if (status == DISCMC_OK) status = begin_scan();
+      if (status == DISCMC_OK && count > 0) continue;
     }
+    if (status != DISCMC_SUSPENDED) return status; /* suspended: rows are skipped */
   }
-  return DISCMC_OK;
 }
 
 int main(int count, char** arguments) {

@@ -18,8 +18,8 @@ static size_t radio_write(void* context, const uint8_t* bytes, size_t count) {
   (void)context;
   return radio_works ? fwrite(bytes, 1, count < 16 ? count : 16, stdout) : 0;
 }
-static const discmc_byte_output radio = {NULL, radio_write};
-static const discmc_byte_output nowhere = {NULL, NULL};
+static const discmc_byte_output radio = {.write = radio_write};
+static const discmc_byte_output nowhere = {0};
 
 static discmc_status start(void) {
   const discmc_slice_encoder_config config = {

@@ -3,15 +3,8 @@
 // Any bytes are safe. The decoder never reads beyond its input, never writes beyond its object, and
 // allocates nothing. It delivers every region and fragment whose packets all arrive intact.
 //
-// A decoder decodes one stream, up to its trailer, and only counts later packets. So if a link
-// carries one scan after another, push one frame at a time: the bytes up to and including the next
-// zero byte. When push() has returned `ok` and report().has_trailer is set, all events of the scan
-// are delivered: call start() for the next scan.
-//
-// If the trailer is lost, the packets of the next scan have another scan number, and
-// report().foreign_packets counts them. On a link with one channel, then call finish() and start(),
-// and push that frame again. SliceDecoder and SurfaceDecoder behave alike; examples/link.cpp
-// contains the loop.
+// A decoder decodes one stream, up to its trailer, and only counts later packets. For streams of
+// either kind, and for links that carry scan after scan, use a Receiver.
 #ifndef DISCMC_DECODER_HPP
 #define DISCMC_DECODER_HPP
 
@@ -55,6 +48,11 @@ class Decoder {
   /// stream.
   Decoded push(const uint8_t* bytes, size_t count);
 
+  /// For a Receiver: whether the next scan of `before` has begun, and its start here.
+  bool holds_next_scan() const { return packets_.holds_next_scan(); }
+  void start_next(const PacketReader& before);
+  const PacketReader& packets() const { return packets_; }
+
   /// Ends the input: an unfinished region or fragment is reported as lost. Without a trailer there
   /// is no `finish` event. Status::suspended: call finish() again. Errors: not_started, bad_sink.
   [[nodiscard]] Status finish();
@@ -68,6 +66,7 @@ class Decoder {
   // What is in progress between two bytes.
   enum class Stage : uint8_t { collect, whole_regions, records, record, mark, packet_mark };
 
+  void clear();
   void open(PacketReader::Completed arrival);
   void pass_whole_regions();
   void lose_open();

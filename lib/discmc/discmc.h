@@ -381,21 +381,21 @@ discmc_slice_encoder_info discmc_slice_encoder_get_info(const discmc_slice_encod
 
 /* ---- receiver: bytes in, polygons out ---- */
 typedef struct discmc_receiver_config {
-  uint8_t channel;      /* of the surface; DISCMC_ANY_CHANNEL: of the first stream that comes */
+  uint8_t channel;      /* of the surface; DISCMC_ANY_CHANNEL: of the first packet */
   discmc_memory memory; /* for slices: beyond the minimum, fewer regions arrive as fragments */
   discmc_sink sink;
 } discmc_receiver_config;
 /* The least memory for a stream of slices; for polygons pass null. Limit: valid limits, or null. */
 uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count);
-/* Prepares to receive a stream. Ignores packets of other scans and channels, so push all bytes of a
- * link to each receiver, one per surface. If scan follows scan, push one frame per call: up to and
- * including a zero byte. If push() is DISCMC_OK and the info has_trailer, call start() again. */
+/* Prepares to receive a channel. Use a receiver per surface, and push all bytes to each. */
 DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
                                                  const discmc_receiver_config* config);
 
-/* Accepts any bytes, any number at a time. If suspended, call push() again with the remaining
- * bytes, even if there are none. Errors: DISCMC_TOO_LITTLE_MEMORY (call give_memory(), then push
- * the rest), DISCMC_WRONG_VERSION (no byte is accepted until start()), DISCMC_BAD_SINK. */
+/* Accepts any bytes, any number at a time. DISCMC_FINISHED: a scan is over; the info describes it
+ * until the next push() of the remaining bytes, which begin the next scan. If suspended, call push()
+ * again with the remaining bytes, even if there are none. Errors: DISCMC_TOO_LITTLE_MEMORY (call
+ * give_memory(), then push the rest), DISCMC_WRONG_VERSION (no byte is accepted until start()),
+ * DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_push_result discmc_receiver_push(discmc_receiver* receiver,
                                                      const uint8_t* bytes, size_t count);
 

@@ -3,7 +3,7 @@
 //
 //   samples -> Extractor -> Encoder -> your link        regions: the receiver only draws
 //   samples -> SliceEncoder -> your link                thresholded slices: a tenth of the bytes
-//   your link -> SurfaceDecoder -> Joiner -> your sink  regions, from a stream of either kind
+//   your link -> Receiver -> Joiner -> your sink        regions, from a stream of either kind
 //
 // You supply all memory. The library uses no heap, no floating point, no exceptions and no global
 // state. examples/firmware.cpp sends regions, and examples/link.cpp receives streams of either
@@ -44,9 +44,9 @@
 #include <discmc/joiner.hpp>
 #include <discmc/placement.hpp>
 #include <discmc/polygon.hpp>
+#include <discmc/receiver.hpp>
 #include <discmc/sample_window.hpp>
 #include <discmc/slice_encoder.hpp>
-#include <discmc/surface_decoder.hpp>
 #include <discmc/surface_group.hpp>
 
 #endif

@@ -2,8 +2,8 @@
 //
 // Any bytes are safe. The decoder never reads beyond its input, never writes beyond its object and
 // its memory, and allocates nothing. After a loss it continues at the next key slice, and reports
-// the missing rows as lost. It decodes one stream; decoder.hpp explains links that carry scan after
-// scan. For polygons instead of rows use a SurfaceDecoder.
+// the missing rows as lost. It decodes one stream. For polygons instead of rows, and for links that
+// carry scan after scan, use a Receiver.
 #ifndef DISCMC_SLICE_DECODER_HPP
 #define DISCMC_SLICE_DECODER_HPP
 
@@ -86,6 +86,11 @@ class SliceDecoder {
   /// wrong_version.
   [[nodiscard]] Status give_memory(Memory memory);
 
+  /// For a Receiver: as Decoder::start_next().
+  bool holds_next_scan() const { return packets_.holds_next_scan(); }
+  void start_next(const PacketReader& before);
+  const PacketReader& packets() const { return packets_; }
+
   /// Ends the input; without a trailer there is no `finish` event. Status::suspended: call finish()
   /// again. Errors: as push().
   [[nodiscard]] Status finish();
@@ -99,6 +104,7 @@ class SliceDecoder {
   // Between two bytes.
   enum class Stage : uint8_t { collect, start, lose, read, hand_out, application, finish };
 
+  void clear();
   void open(PacketReader::Completed arrival);
   void lay_out();
   void open_slices();

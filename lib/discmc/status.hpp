@@ -22,7 +22,7 @@ enum class Status : uint8_t {
   too_little_memory,  ///< the memory is null or smaller than the limits or capacities need
   bad_sink,           ///< a sink or output lacks a function, or the sink has not started
   not_started,        ///< start() has not succeeded; for records, also start() of the extractor
-  finished,           ///< the scan has ended: start() another, or reset()
+  finished,           ///< the scan has ended: start() another, or reset(); of a Receiver: push on
   row_in_progress,    ///< a whole row was pushed or skipped in the middle of a row
   slice_in_progress,  ///< finish() in the middle of a slice: push or skip its rows, or abandon()
   too_many_slices,    ///< the scan has Limits::max_slices slices; finish() still works

@@ -10,11 +10,11 @@ namespace discmc {
 ///
 /// Streams of regions set regions, fragments, lost_pieces and totals. Streams of slices set rows,
 /// lost_rows and total_rows, which count a row of several surfaces once, and only skipped_rows in
-/// totals. The other totals of their surface are in the `finish` event of a SurfaceDecoder. A lost
+/// totals. The other totals of their surface are in the `finish` event of a Receiver. A lost
 /// application record counts only as a lost packet.
 struct StreamReport {
   bool has_header = false;
-  bool holds_slices = false;  ///< according to its header: use a SliceDecoder or a SurfaceDecoder
+  bool holds_slices = false;  ///< according to its header: use a Receiver or a SliceDecoder
   bool has_trailer = false;
   bool abandoned = false;      ///< the scan ended early; a closed border still closes the surface
   bool is_unreadable = false;  ///< an intact packet has contents that the decoder cannot read

@@ -179,26 +179,26 @@ struct Outlines {
 Outlines outlines;
 Joiner joiner;
 uint8_t join_memory[192 * 1024];  // for 1,000 fragments
-SurfaceDecoder decoder;
-uint8_t decoder_memory[256 * 1024];  // for slices of 256x256, and 14,000 slots
+Receiver receiver;
+uint8_t receiver_memory[256 * 1024];  // for slices of 256x256, and 14,000 slots
 
 bool start_receiver() {
   return joiner.start(memory_of(join_memory), make_sink(outlines), InputOrder::sweep) ==
              Status::ok &&
-         decoder.start(memory_of(decoder_memory), make_sink(joiner)) == Status::ok;
+         receiver.start(memory_of(receiver_memory), make_sink(joiner)) == Status::ok;
 }
 
 Status receive(const uint8_t* bytes, size_t count) {
   Decoded decoded{Status::suspended, 0};
   for (size_t pushed = 0; decoded.status == Status::suspended; pushed += decoded.bytes)
-    decoded = decoder.push(bytes + pushed, count - pushed);
+    decoded = receiver.push(bytes + pushed, count - pushed);
   return decoded.status;
 }
 
 bool finish_and_check() {
-  while (decoder.finish() == Status::suspended) continue;
+  while (receiver.finish() == Status::suspended) continue;
   while (joiner.finish() == Status::suspended) continue;
-  return decoder.report().is_complete() && joiner.report().unmatched == 0 &&
+  return receiver.report().is_complete() && joiner.report().unmatched == 0 &&
          joiner.report().short_of_memory == 0;
 }
 
@@ -305,7 +305,8 @@ TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a 
   REQUIRE(extractor.statistics().fragments > 0);
 
   REQUIRE(start_receiver());
-  for (const uint8_t byte : bytes) REQUIRE(receive(&byte, 1) == Status::ok);
+  for (const uint8_t& byte : bytes)
+    REQUIRE(receive(&byte, 1) == (&byte == &bytes.back() ? Status::finished : Status::ok));
   CHECK(finish_and_check());
   CHECK(joiner.report().received == extractor.statistics().fragments);
   CHECK(outlines.lines > 0);
@@ -315,7 +316,7 @@ TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a 
   const auto next = std::find(middle + 1, bytes.end(), 0);
   bytes.erase(middle + 1, next + 1);
   REQUIRE(start_receiver());
-  REQUIRE(receive(bytes.data(), bytes.size()) == Status::ok);
+  REQUIRE(receive(bytes.data(), bytes.size()) == Status::finished);
   CHECK_FALSE(finish_and_check());
 }
 

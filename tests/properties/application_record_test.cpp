@@ -1,7 +1,7 @@
 // The user's own data goes with a scan, in the order of the stream.
 #include <doctest/doctest.h>
 
-#include <discmc/surface_decoder.hpp>
+#include <discmc/receiver.hpp>
 
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
@@ -137,7 +137,7 @@ TEST_CASE("records go with a stream of slices, before the row that follows") {
     }
     CHECK(records == volume.depth + 1);
     Records received;
-    Bytes memory(minimum_surface_bytes({volume.width, volume.height}) + 100000);
+    Bytes memory(Receiver::minimum_bytes({volume.width, volume.height}) + 100000);
     SurfaceDecoder decoder;
     require_ok(decoder.start({memory.data(), memory.size()}, make_sink(received)));
     require_ok(decoder.push(stream.data(), stream.size()).status);
@@ -156,7 +156,7 @@ TEST_CASE("a record in a stream of slices goes out at once, and says where the s
   const Bytes bytes{1, 2, 3};
   require_ok(encoder.write_record(record_of(bytes, 7, 99, 99)));
   EventLog log;
-  Bytes memory_of_surface(minimum_surface_bytes({volume.width, volume.height}) + 100000);
+  Bytes memory_of_surface(Receiver::minimum_bytes({volume.width, volume.height}) + 100000);
   SurfaceDecoder decoder;
   require_ok(decoder.start({memory_of_surface.data(), memory_of_surface.size()}, make_sink(log)));
   require_ok(decoder.push(line.bytes.data(), line.bytes.size()).status);
@@ -195,7 +195,7 @@ TEST_CASE("a record does not overtake what a busy sink has refused, in a stream 
   for (const Bytes& stream : {regions_with_records(0), slices_with_records(0)}) {
     EventLog idle, busy(reference::refuses_first);
     for (EventLog* log : {&idle, &busy}) {
-      Bytes memory(minimum_surface_bytes({volume.width, volume.height}) + 100000);
+      Bytes memory(Receiver::minimum_bytes({volume.width, volume.height}) + 100000);
       SurfaceDecoder decoder;
       require_ok(decoder.start({memory.data(), memory.size()}, make_sink(*log)));
       require_ok(push_stream(decoder, stream, 0));

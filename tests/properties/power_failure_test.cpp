@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <deque>
 #include <discmc/checkpoint_store.hpp>
+#include <discmc/receiver.hpp>
 #include <discmc/slice_encoder.hpp>
-#include <discmc/surface_decoder.hpp>
 #include <discmc/surface_group.hpp>
 #include <functional>
 #include <memory>
@@ -362,16 +362,19 @@ bool run(Device& device, Power& power, Radio& radio, Flash& flash) {
   return continues;
 }
 
-/// The events that a receiver of a channel sends, without those that count.
+/// The events of the only scan that a receiver of a channel reports.
 Events events_on(uint8_t channel, const Bytes& received) {
   EventLog log;
-  Bytes memory(minimum_surface_bytes(limits, 2) + 20000);
-  SurfaceDecoder decoder;
-  reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log), channel));
-  REQUIRE(decoder.push(received.data(), received.size()).status == Status::ok);
-  REQUIRE(decoder.finish() == Status::ok);
-  REQUIRE(decoder.report().has_trailer);
-  REQUIRE(decoder.report().lost_packets == 0);
+  Bytes memory(Receiver::minimum_bytes(limits, 2) + 20000);
+  Receiver receiver;
+  reference::require_ok(receiver.start({memory.data(), memory.size()}, make_sink(log), channel));
+  const Decoded scan = receiver.push(received.data(), received.size());
+  REQUIRE(scan.status == Status::finished);
+  REQUIRE(receiver.report().has_trailer);
+  REQUIRE(receiver.report().lost_packets == 0);
+  const Decoded rest = receiver.push(received.data() + scan.bytes, received.size() - scan.bytes);
+  REQUIRE(rest.status == Status::ok);
+  REQUIRE_FALSE(receiver.report().has_header);
   return log.events;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <discmc/byte_output.hpp>
 #include <discmc/gradient_normals.hpp>
-#include <discmc/surface_decoder.hpp>
+#include <discmc/receiver.hpp>
 #include <discmc/surface_group.hpp>
 
 #include "oracle/slice_stream.hpp"
@@ -55,41 +55,35 @@ Bytes slices_of(const StreamHeader& header, const BitVolume& volume) {
   return line.bytes;
 }
 
-// Takes scan after scan, a frame at a time, as decoder.hpp says.
-class Receiver {
- public:
-  Receiver() { begin(); }
-
-  void push(const Bytes& frame) {
-    const uint64_t foreign = decoder_.report().foreign_packets;
-    require_ok(decoder_.push(frame.data(), frame.size()).status);
-    if (decoder_.report().has_trailer) return end();
-    if (decoder_.report().foreign_packets == foreign) return;
-    require_ok(decoder_.finish());
-    end();
-    push(frame);
-  }
-
-  struct Scan {
-    Events events;
-    bool is_complete;
-  };
-  std::vector<Scan> scans{};
-
- private:
-  void begin() {
-    log_ = EventLog();
-    require_ok(decoder_.start({memory_.data(), memory_.size()}, make_sink(log_)));
-  }
-  void end() {
-    scans.push_back({log_.events, decoder_.report().is_complete()});
-    begin();
-  }
-
-  EventLog log_;
-  SurfaceDecoder decoder_;
-  Bytes memory_ = Bytes(minimum_surface_bytes({20, 20}) + 100000);
+/// The scans that a receiver reports.
+struct ReportedScan {
+  Events events;
+  StreamReport report;
 };
+
+std::vector<ReportedScan> scans_on(uint8_t channel, const Bytes& link, size_t chunk,
+                                   EventLog::Refuses refuses = {}) {
+  std::vector<ReportedScan> scans;
+  EventLog log(std::move(refuses));
+  Bytes memory(Receiver::minimum_bytes({20, 20}) + 100000);
+  Receiver receiver;
+  require_ok(receiver.start({memory.data(), memory.size()}, make_sink(log), channel));
+  for (size_t at = 0; at < link.size();) {
+    const size_t left = link.size() - at;
+    Decoded decoded = receiver.push(link.data() + at, std::min(chunk, left));
+    at += decoded.bytes;
+    while (decoded.status == Status::suspended) decoded.status = receiver.resume();
+    if (decoded.status == Status::finished) {
+      scans.push_back({log.events, receiver.report()});
+      log.events.clear();
+      continue;
+    }
+    require_ok(decoded.status);
+  }
+  until_done([&] { return receiver.finish(); });
+  if (!log.events.empty()) scans.push_back({log.events, receiver.report()});
+  return scans;
+}
 
 const BitVolume first_volume = reference::random({20, 20, 20}, 40, 1);
 const BitVolume second_volume = reference::random({20, 20, 20}, 40, 2);
@@ -166,7 +160,7 @@ TEST_CASE("three channels of one link are told apart, whatever each of them hold
     CHECK(received.report.is_complete());
   }
   EventLog log;
-  Bytes memory(minimum_surface_bytes({20, 20}) + 100000);
+  Bytes memory(Receiver::minimum_bytes({20, 20}) + 100000);
   SurfaceDecoder decoder;
   require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log), 63));
   require_ok(decoder.push(link.data(), link.size()).status);
@@ -430,7 +424,7 @@ TEST_CASE("a shared link that is started anew sends nothing of before") {
   CHECK(line.bytes.size() == 4 + longest.size());
 }
 
-TEST_CASE("a receiver that begins anew behind each trailer, lost or not, takes all scans") {
+TEST_CASE("a receiver receives scan after scan, whether or not a trailer is lost") {
   const BitVolume volumes[] = {first_volume, second_volume, second_volume, first_volume};
   constexpr size_t none = 4;
   const std::vector<Bytes> scans[] = {
@@ -438,17 +432,54 @@ TEST_CASE("a receiver that begins anew behind each trailer, lost or not, takes a
       frames_of(slices_of(named(volumes[1], 2, 0), volumes[1])),
       frames_of(encode(events_of(volumes[2]), named(volumes[2], 3, 0))),
       frames_of(slices_of(named(volumes[3], 4, 0), volumes[3]))};
-  for (const size_t lost : {none, size_t{0}, size_t{1}, size_t{2}}) {
-    CAPTURE(lost);
-    Receiver receiver;
-    for (size_t scan = 0; scan < 4; ++scan)
-      for (const Bytes& frame : scans[scan])
-        if (scan != lost || &frame != &scans[scan].back()) receiver.push(frame);
-    REQUIRE(receiver.scans.size() == 4);
-    for (size_t scan = 0; scan < 4; ++scan) {
-      CAPTURE(scan);
-      CHECK(receiver.scans[scan].is_complete == (scan != lost));
-      if (scan != lost) CHECK(receiver.scans[scan].events == events_of(volumes[scan]));
+  for (const size_t lost : {none, size_t{0}, size_t{1}, size_t{2}})
+    for (const size_t chunk : {size_t{1}, size_t{50}, size_t{100000}}) {
+      CAPTURE(lost);
+      CAPTURE(chunk);
+      Bytes link;
+      for (size_t scan = 0; scan < 4; ++scan)
+        for (const Bytes& frame : scans[scan])
+          if (scan != lost || &frame != &scans[scan].back())
+            link.insert(link.end(), frame.begin(), frame.end());
+      const std::vector<ReportedScan> reported = scans_on(
+          any_channel, link, chunk, chunk == 50 ? reference::refuses_first : EventLog::Refuses{});
+      REQUIRE(reported.size() == 4);
+      for (size_t scan = 0; scan < 4; ++scan) {
+        CAPTURE(scan);
+        CHECK(reported[scan].report.is_complete() == (scan != lost));
+        CHECK(reported[scan].report.lost_packets == 0);
+        if (scan != lost) CHECK(reported[scan].events == events_of(volumes[scan]));
+      }
     }
+}
+
+TEST_CASE("packets of a finished scan that are sent again begin no scan") {
+  const Events events = events_of(first_volume);
+  const std::vector<Bytes> first = frames_of(encode(events, named(first_volume, 1, 0)));
+  const std::vector<Bytes> second = frames_of(encode(events, named(first_volume, 2, 0)));
+  const std::vector<Bytes> repeated(first.begin() + 3, first.end());
+  Bytes link;
+  for (const auto& frames : {first, repeated, second, repeated, second})
+    for (const Bytes& frame : frames) link.insert(link.end(), frame.begin(), frame.end());
+  // The first scan is no longer known when its packets come after the second scan.
+  const std::vector<ReportedScan> reported = scans_on(0, link, 100);
+  REQUIRE(reported.size() >= 2);
+  CHECK(reported[0].events == events);
+  CHECK(reported[1].events == events);
+  CHECK(reported[1].report.is_complete());
+}
+
+TEST_CASE("a receiver of any channel stays on the channel of its first packet") {
+  Bytes link;
+  for (uint16_t scan = 1; scan <= 3; ++scan) {
+    const Bytes both = mixed(encode(events_of(first_volume), named(first_volume, scan, 5)),
+                             encode(events_of(second_volume), named(second_volume, scan, 6)));
+    link.insert(link.end(), both.begin(), both.end());
+  }
+  const std::vector<ReportedScan> reported = scans_on(any_channel, link, 1000);
+  REQUIRE(reported.size() == 3);
+  for (const ReportedScan& scan : reported) {
+    CHECK(scan.events == events_of(first_volume));
+    CHECK(scan.report.is_complete());
   }
 }

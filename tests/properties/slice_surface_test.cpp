@@ -1,7 +1,7 @@
 // From either payload comes the same surface.
 #include <doctest/doctest.h>
 #include <algorithm>
-#include <discmc/surface_decoder.hpp>
+#include <discmc/receiver.hpp>
 
 #include "oracle/slice_stream.hpp"
 
@@ -21,7 +21,7 @@ struct Surface {
 Surface decode_surface(const Bytes& stream, const Limits& limits, size_t chunk = 0,
                        bool refuses = false) {
   EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
-  reference::Block block(minimum_surface_bytes(limits) + 200000);
+  reference::Block block(Receiver::minimum_bytes(limits) + 200000);
   SurfaceDecoder decoder;
   reference::require_ok(decoder.start(block.memory(), make_sink(log)));
   const Status status = push_stream(decoder, stream, chunk);
@@ -135,21 +135,22 @@ TEST_CASE("memory that is too small for a stream of slices is refused") {
   const BitVolume volume = volumes()[0];
   const Bytes stream = told(volume, Border::closed, false, 0);
   const Limits limits{volume.width, volume.height};
-  for (const uint64_t bytes : {uint64_t{0}, uint64_t{100}, slice_decoder_bytes(limits),
-                               minimum_surface_bytes(limits) - 1, minimum_surface_bytes(limits)}) {
+  for (const uint64_t bytes :
+       {uint64_t{0}, uint64_t{100}, slice_decoder_bytes(limits),
+        Receiver::minimum_bytes(limits) - 1, Receiver::minimum_bytes(limits)}) {
     CAPTURE(bytes);
     Bytes memory(bytes);
     EventLog log;
     SurfaceDecoder decoder;
     reference::require_ok(decoder.start({memory.data(), bytes}, make_sink(log)));
     const Status status = decoder.push(stream.data(), stream.size()).status;
-    const bool is_enough = bytes == minimum_surface_bytes(limits);
+    const bool is_enough = bytes == Receiver::minimum_bytes(limits);
     CHECK(status == (is_enough ? Status::ok : Status::too_little_memory));
     CHECK(decoder.push(stream.data(), 0).status == status);
     CHECK(log.events.empty() == !is_enough);
     if (is_enough) continue;
     // With enough it goes on where it was.
-    Bytes enough(minimum_surface_bytes(limits));
+    Bytes enough(Receiver::minimum_bytes(limits));
     CHECK(decoder.give_memory({enough.data(), enough.size() - 1}) == Status::too_little_memory);
     CHECK(decoder.give_memory({enough.data(), enough.size()}) == Status::ok);
     const size_t taken = frames_of(stream)[0].size();
@@ -172,7 +173,7 @@ TEST_CASE("a call skips no more lost rows than it promises, whatever a stream cl
       return recorded.is(Event::Kind::skipped);
     });
   };
-  Bytes memory(minimum_surface_bytes({3, 2}));
+  Bytes memory(Receiver::minimum_bytes({3, 2}));
   SurfaceDecoder decoder;
   reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));
   const Decoded decoded = decoder.push(stream.data(), stream.size());
@@ -192,7 +193,7 @@ TEST_CASE("a stream that ends within its first packet has not begun, whatever fo
   const BitVolume volume = volumes()[0];
   const Bytes stream = told(volume, Border::closed, false, 0);
   EventLog log;
-  Bytes memory(minimum_surface_bytes({20, 20}) + 100000);
+  Bytes memory(Receiver::minimum_bytes({20, 20}) + 100000);
   SurfaceDecoder decoder;
   reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));
   reference::require_ok(decoder.push(stream.data(), 10).status);
@@ -220,11 +221,11 @@ TEST_CASE("memory that is given takes the place of what was too little, all of i
   const Bytes stream = told(volume, Border::closed, false, 0);
   const Limits limits{volume.width, volume.height};
   const size_t head = frames_of(stream)[0].size();
-  for (const uint64_t bytes : {slice_decoder_bytes(limits), minimum_surface_bytes(limits) - 1}) {
+  for (const uint64_t bytes : {slice_decoder_bytes(limits), Receiver::minimum_bytes(limits) - 1}) {
     CAPTURE(bytes);
     EventLog log;
     SurfaceDecoder decoder;
-    Bytes little(bytes), enough(minimum_surface_bytes(limits) + 200000);
+    Bytes little(bytes), enough(Receiver::minimum_bytes(limits) + 200000);
     reference::require_ok(decoder.start({little.data(), little.size()}, make_sink(log)));
     CHECK(decoder.push(stream.data(), head).status == Status::too_little_memory);
     reference::require_ok(decoder.give_memory({enough.data(), enough.size()}));

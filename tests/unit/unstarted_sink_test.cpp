@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <discmc/joiner.hpp>
-#include <discmc/surface_decoder.hpp>
+#include <discmc/receiver.hpp>
 
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
@@ -92,7 +92,7 @@ TEST_CASE("a joiner says in the end that its sink is not started") {
 
 TEST_CASE("a surface decoder says so of either kind of stream") {
   for (const Bytes& stream : {regions(), encode_slices(volume())}) {
-    Bytes memory(minimum_surface_bytes(limits) + 20000);
+    Bytes memory(Receiver::minimum_bytes(limits) + 20000);
     Encoder encoder;
     SurfaceDecoder decoder;
     require_ok(decoder.start({memory.data(), memory.size()}, make_sink(encoder)));

@@ -1,16 +1,16 @@
 #include <discmc/c/object.hpp>
 #include <discmc/c/values.hpp>
-#include <discmc/surface_decoder.hpp>
+#include <discmc/receiver.hpp>
 
 struct discmc_receiver {
-  discmc::WithSink<discmc::SurfaceDecoder> with_sink;
+  discmc::WithSink<discmc::Receiver> with_sink;
 };
 
 namespace discmc {
 
-static_assert(red_zone_bytes > 0 ||
-                  DISCMC_RECEIVER_BYTES(31, 7, 2) >=
-                      bytes_with_object(sizeof(discmc_receiver), minimum_surface_bytes({31, 7}, 2)),
+static_assert(red_zone_bytes > 0 || DISCMC_RECEIVER_BYTES(31, 7, 2) >=
+                                        bytes_with_object(sizeof(discmc_receiver),
+                                                          Receiver::minimum_bytes({31, 7}, 2)),
               "the size in sizes.h suffices");
 
 extern "C" {
@@ -18,7 +18,7 @@ extern "C" {
 uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count) {
   return bytes_with_object(
       sizeof(discmc_receiver),
-      limits == nullptr ? 0 : minimum_surface_bytes(cpp(*limits), surface_count));
+      limits == nullptr ? 0 : Receiver::minimum_bytes(cpp(*limits), surface_count));
 }
 
 discmc_status discmc_receiver_start(discmc_receiver** receiver,

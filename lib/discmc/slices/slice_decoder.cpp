@@ -17,6 +17,17 @@ Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) 
   sink_ = sink;
   memory_ = memory;
   packets_.start(channel);
+  clear();
+  return Status::ok;
+}
+
+void SliceDecoder::start_next(const PacketReader& before) {
+  memory_ = {};
+  clear();
+  open(packets_.start_next(before));
+}
+
+void SliceDecoder::clear() {
   stage_ = Stage::collect;
   is_started_ = true;
   refusal_ = Status::ok;
@@ -24,7 +35,6 @@ Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) 
   is_whole_ = false;
   slice_ = 0;
   passed_rows_ = 0;
-  return Status::ok;
 }
 
 Decoded SliceDecoder::push(const uint8_t* bytes, size_t count) {

@@ -1,4 +1,4 @@
-#include <discmc/surface_decoder.hpp>
+#include <discmc/slices/surface_decoder.hpp>
 
 namespace discmc {
 
@@ -45,10 +45,28 @@ Decoded SurfaceDecoder::push_to_both(const uint8_t* byte) {
   const Decoded decoded = regions_.push(byte, 1);
   if (decoded.bytes == 0) return decoded;
   (void)slices_.push(byte, 1);
+  note_kind();
+  return {refusal_, 1};
+}
+
+void SurfaceDecoder::note_kind() {
   is_known_ = regions_.report().has_header;
   is_of_slices_ = regions_.report().holds_slices;
   if (is_of_slices_) refusal_ = begin_sweep();
-  return {refusal_, 1};
+}
+
+// Both decoders read the packet that the active one holds, which restarts last.
+void SurfaceDecoder::start_next() {
+  skipped_rows_ = 0;
+  refusal_ = Status::ok;
+  if (is_of_slices_) {
+    regions_.start_next(packets());
+    slices_.start_next(packets());
+  } else {
+    slices_.start_next(packets());
+    regions_.start_next(packets());
+  }
+  note_kind();
 }
 
 // The memory contains the rows of the slice decoder, followed by the memory of the extractor.

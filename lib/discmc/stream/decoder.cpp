@@ -11,12 +11,21 @@ Status Decoder::start(const Sink& sink, uint8_t channel) {
   sink_ = sink;
   packet_sink_ = {};
   packets_.start(channel);
+  clear();
+  return Status::ok;
+}
+
+void Decoder::start_next(const PacketReader& before) {
+  clear();
+  open(packets_.start_next(before));
+}
+
+void Decoder::clear() {
   is_started_ = true;
   start_is_sent_ = false;
   stage_ = Stage::collect;
   lost_is_due_ = false;
   is_open_ = false;
-  return Status::ok;
 }
 
 Decoded Decoder::push(const uint8_t* bytes, size_t count) {

@@ -40,6 +40,8 @@ HeaderPacket parse_header(wire::ByteReader& reader, uint32_t tag) {
 void PacketReader::start(uint8_t channel) {
   channel_ = channel;
   has_tag_ = false;
+  has_ended_tag_ = false;
+  kept_bytes_ = 0;
   digest_ = 0;
   header_ = wire::no_header();
   report_ = StreamReport{};
@@ -50,8 +52,22 @@ void PacketReader::start(uint8_t channel) {
   frame_bytes_ = 0;
 }
 
+PacketReader::Completed PacketReader::start_next(const PacketReader& before) {
+  const bool has_ended_tag = before.has_tag_;
+  const uint32_t ended_tag = before.tag_;
+  const bool follows_channel = before.channel_ == any_channel && has_ended_tag;
+  const uint8_t channel = follows_channel ? wire::channel_in(ended_tag) : before.channel_;
+  const size_t bytes = before.kept_bytes_;
+  if (this != &before) copy_bytes(frame_, before.frame_, sizeof frame_);
+  start(channel);
+  has_ended_tag_ = has_ended_tag;
+  ended_tag_ = ended_tag;
+  return bytes > 0 ? open_packet(bytes) : Completed::nothing;
+}
+
 PacketReader::Completed PacketReader::take(uint8_t byte) {
   ++report_.bytes;
+  kept_bytes_ = 0;
   if (byte != 0) {
     if (frame_bytes_ < sizeof(frame_)) frame_[frame_bytes_++] = byte;
     return Completed::nothing;
@@ -84,17 +100,24 @@ PacketReader::Completed PacketReader::damage() {
 }
 
 PacketReader::Completed PacketReader::open_frame(size_t bytes) {
-  using namespace wire;
   const size_t plain = cobs::unstuff(frame_, bytes);
+  const bool is_packet =
+      plain >= wire::packet_head + wire::packet_tail && plain <= wire::max_packet;
+  return is_packet ? open_packet(plain) : damage();
+}
+
+PacketReader::Completed PacketReader::open_packet(size_t bytes) {
+  using namespace wire;
   const uint8_t* const packet = frame_ + 1;
-  if (plain < packet_head + packet_tail || plain > max_packet) return damage();
-  const size_t checked = plain - packet_crc;
+  const size_t checked = bytes - packet_crc;
   const uint32_t crc = crc32(packet, checked);
   if (crc != ByteReader(packet + checked, packet_crc).get(4)) return damage();
   payload_bytes_ = checked - packet_tag - packet_head;
   const PacketKind kind = static_cast<PacketKind>(packet[0]);
-  if (!adopt(static_cast<uint32_t>(ByteReader(packet + checked - packet_tag, 3).get(3)))) {
+  const auto tag = static_cast<uint32_t>(ByteReader(packet + checked - packet_tag, 3).get(3));
+  if (!adopt(tag)) {
     ++report_.foreign_packets;
+    if (has_tag_ && is_on_channel(tag)) kept_bytes_ = bytes;
     return Completed::nothing;
   }
   if (report_.has_trailer) {
@@ -138,14 +161,20 @@ ApplicationRecord PacketReader::application() const {
 
 // Whether a packet belongs to this stream; the first packet on the channel determines the scan.
 bool PacketReader::adopt(uint32_t tag) {
-  if (!has_tag_) {
-    const uint32_t first = wire::channel_in(tag);
-    const bool holds_channel = channel_ >= first && channel_ < first + wire::surface_count_in(tag);
-    if (channel_ != any_channel && !holds_channel) return false;
+  if (!has_tag_ && is_on_channel(tag)) {
     tag_ = tag;
     has_tag_ = true;
   }
-  return tag == tag_;
+  return has_tag_ && tag == tag_;
+}
+
+// Whether a packet is of this channel, and not of the scan before.
+bool PacketReader::is_on_channel(uint32_t tag) const {
+  if (has_ended_tag_ && tag == ended_tag_) return false;
+  if (channel_ == any_channel && !has_tag_) return true;
+  const uint32_t channel = channel_ == any_channel ? wire::channel_in(tag_) : channel_;
+  const uint32_t first = wire::channel_in(tag);
+  return channel >= first && channel < first + wire::surface_count_in(tag);
 }
 
 // Accepts a packet that is the next one or a later one, and notes a gap before it. A count of

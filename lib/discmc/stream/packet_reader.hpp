@@ -21,6 +21,13 @@ class PacketReader {
   /// Ends the input.
   void finish();
 
+  /// Whether the packet that arrived last is the first one of the next scan on this channel. It is
+  /// kept until the next byte.
+  bool holds_next_scan() const { return kept_bytes_ > 0; }
+  /// Begins the next scan on the channel of the reader `before`, which may be this one, with the
+  /// packet that it holds. Packets of the scan before count as foreign.
+  Completed start_next(const PacketReader& before);
+
   /// Whether anything before the current packet, or at the end, is lost. Returns true once per
   /// loss.
   bool take_gap();
@@ -50,8 +57,10 @@ class PacketReader {
 
  private:
   Completed open_frame(size_t bytes);
+  Completed open_packet(size_t bytes);
   Completed damage();
   bool adopt(uint32_t tag);
+  bool is_on_channel(uint32_t tag) const;
   bool accept_number(const uint8_t* packet);
   bool accept_long_number(const uint8_t* packet);
   // The number of the next packet.
@@ -69,11 +78,14 @@ class PacketReader {
   bool is_refused_ = false;
   bool has_tag_ = false;
   bool gap_is_due_ = false;
-  bool gap_is_noted_ = true;    // since the last header; packets before the start are a gap
+  bool gap_is_noted_ = true;  // since the last header; packets before the start are a gap
+  bool has_ended_tag_ = false;
+  uint32_t ended_tag_ = 0;      // of the scan before
   uint32_t tag_ = 0;            // of the accepted packets: scan and channel
   uint32_t digest_ = 0;         // of the accepted packets
   uint64_t pieces_passed_ = 0;  // regions and fragments sent before now, lost ones included
   size_t payload_bytes_ = 0;
+  size_t kept_bytes_ = 0;   // of a packet of the next scan, in the frame
   size_t frame_bytes_ = 0;  // bytes beyond the size of a frame are dropped
   uint8_t frame_[wire::max_frame];
 };

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include <discmc/surface_decoder.hpp>
+#include <discmc/slices/surface_decoder.hpp>
 
 #include "scan_filter.hpp"
 #include "stream_census.hpp"

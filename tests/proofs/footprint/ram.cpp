@@ -5,8 +5,8 @@
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/joiner.hpp>
+#include <discmc/receiver.hpp>
 #include <discmc/slice_encoder.hpp>
-#include <discmc/surface_decoder.hpp>
 
 using namespace discmc;
 
@@ -18,7 +18,7 @@ using namespace discmc;
 #define DISCMC_SURFACES(count, size)                                             \
   uint8_t encoder##count##_##size[slice_encoder_bytes({size, size}, {}, count)]; \
   uint8_t rows##count##_##size[slice_decoder_bytes({size, size}, count)];        \
-  uint8_t sweep##count##_##size[minimum_surface_bytes({size, size}, count)];
+  uint8_t sweep##count##_##size[Receiver::minimum_bytes({size, size}, count)];
 
 extern "C" {
 DISCMC_OBJECT(Extractor16)
@@ -26,7 +26,7 @@ DISCMC_OBJECT(Encoder)
 DISCMC_OBJECT(Decoder)
 DISCMC_OBJECT(SliceEncoder)
 DISCMC_OBJECT(SliceDecoder)
-DISCMC_OBJECT(SurfaceDecoder)
+DISCMC_OBJECT(Receiver)
 DISCMC_OBJECT(Joiner)
 DISCMC_OBJECT(SharedOutput)
 

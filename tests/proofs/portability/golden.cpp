@@ -6,8 +6,8 @@
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/gradient_normals.hpp>
+#include <discmc/receiver.hpp>
 #include <discmc/slice_encoder.hpp>
-#include <discmc/surface_decoder.hpp>
 
 using namespace discmc;
 

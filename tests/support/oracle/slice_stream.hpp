@@ -138,6 +138,7 @@ Status push_stream(Decoding& decoder, const Bytes& bytes, size_t chunk) {
     const Decoded decoded =
         decoder.push(bytes.data() + at, chunk == 0 || chunk > left ? left : chunk);
     at += decoded.bytes;
+    if (decoded.status == Status::finished && at == bytes.size()) break;  // of a Receiver
     if (decoded.status != Status::ok && decoded.status != Status::suspended) return decoded.status;
   }
   until_done([&] { return decoder.finish(); });

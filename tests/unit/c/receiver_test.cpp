@@ -1,9 +1,9 @@
-// A receiver in C delivers what a SurfaceDecoder delivers, and a joiner what a Joiner does.
+// A receiver in C delivers what a Receiver delivers, and a joiner what a Joiner does.
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 
 #include <discmc/joiner.hpp>
-#include <discmc/surface_decoder.hpp>
+#include <discmc/receiver.hpp>
 #include <vector>
 
 #include "oracle/c_events.hpp"
@@ -42,8 +42,8 @@ Bytes encoded_slices(uint8_t surface_count) {
   return line.bytes;
 }
 
-struct Receiver {
-  Receiver(const discmc_sink& sink, uint64_t bytes, uint8_t channel = DISCMC_ANY_CHANNEL)
+struct ReceiverInC {
+  ReceiverInC(const discmc_sink& sink, uint64_t bytes, uint8_t channel = DISCMC_ANY_CHANNEL)
       : memory(bytes) {
     const discmc_receiver_config config = {channel, {memory.memory().data, bytes}, sink};
     REQUIRE(discmc_receiver_start(&receiver, &config) == DISCMC_OK);
@@ -53,6 +53,7 @@ struct Receiver {
       const discmc_push_result result =
           discmc_receiver_push(receiver, stream.data() + at, std::min(chunk, stream.size() - at));
       at += result.accepted;
+      if (result.status == DISCMC_FINISHED && at == stream.size()) return DISCMC_OK;
       if (result.status != DISCMC_OK && result.status != DISCMC_SUSPENDED) return result.status;
     }
     return completed(DISCMC_SUSPENDED, [this] { return discmc_receiver_finish(receiver); });
@@ -89,12 +90,12 @@ void check_info(const discmc_receiver_info& in_c, const StreamHeader& header,
 void compare(const Bytes& stream, uint32_t surfaces, uint8_t channel) {
   const uint64_t spare = 1000;
   EventLog log(refuses_first), expected;
-  Receiver receiver(c_sink_to(log), discmc_receiver_bytes(&limits, surfaces) + spare, channel);
+  ReceiverInC receiver(c_sink_to(log), discmc_receiver_bytes(&limits, surfaces) + spare, channel);
   REQUIRE(receiver.push(stream, 7) == DISCMC_OK);
   CHECK(receiver.memory.is_intact());
 
-  std::vector<uint8_t> memory(minimum_surface_bytes({20, 15}, surfaces) + spare);
-  SurfaceDecoder decoder;
+  std::vector<uint8_t> memory(Receiver::minimum_bytes({20, 15}, surfaces) + spare);
+  Receiver decoder;
   require_ok(decoder.start({memory.data(), memory.size()}, make_sink(expected), channel));
   require_ok(test::push_stream(decoder, stream, 0));
   CHECK(log.events == expected.events);
@@ -105,7 +106,7 @@ void compare(const Bytes& stream, uint32_t surfaces, uint8_t channel) {
 
 }  // namespace
 
-TEST_CASE("a receiver delivers what a SurfaceDecoder delivers, of either stream") {
+TEST_CASE("a receiver in C delivers what a Receiver of C++ delivers, of either stream") {
   compare(polygons(), 1, DISCMC_ANY_CHANNEL);
   compare(encoded_slices(1), 1, 0);
   compare(encoded_slices(3), 3, 1);
@@ -120,7 +121,7 @@ TEST_CASE("a receiver delivers what a SurfaceDecoder delivers, of either stream"
 TEST_CASE("a receiver without memory for slices gets it later, or none for polygons") {
   const Bytes stream = encoded_slices(1);
   EventLog log, expected;
-  Receiver receiver(c_sink_to(log), discmc_receiver_bytes(nullptr, 0));
+  ReceiverInC receiver(c_sink_to(log), discmc_receiver_bytes(nullptr, 0));
   discmc_push_result result = discmc_receiver_push(receiver.receiver, stream.data(), stream.size());
   REQUIRE(result.status == DISCMC_TOO_LITTLE_MEMORY);
   const discmc_receiver_info info = discmc_receiver_get_info(receiver.receiver);
@@ -132,12 +133,12 @@ TEST_CASE("a receiver without memory for slices gets it later, or none for polyg
   CHECK(discmc_receiver_give_memory(receiver.receiver, given) == DISCMC_OK);
   result = discmc_receiver_push(receiver.receiver, stream.data() + result.accepted,
                                 stream.size() - result.accepted);
-  CHECK(result.status == DISCMC_OK);
+  CHECK(result.status == DISCMC_FINISHED);
   CHECK(discmc_receiver_finish(receiver.receiver) == DISCMC_OK);
   CHECK(memory.is_intact());
   CHECK(discmc_receiver_get_info(receiver.receiver).is_complete == 1);
 
-  Receiver bare(c_sink_to(expected), discmc_receiver_bytes(nullptr, 0));
+  ReceiverInC bare(c_sink_to(expected), discmc_receiver_bytes(nullptr, 0));
   CHECK(bare.push(polygons(), 1000) == DISCMC_OK);
   CHECK(discmc_receiver_get_info(bare.receiver).is_complete == 1);
 }
@@ -152,12 +153,12 @@ TEST_CASE("errors of receivers in C") {
   --config.memory.bytes;
   CHECK(discmc_receiver_start(&receiver, &config) == DISCMC_TOO_LITTLE_MEMORY);
   CHECK(receiver == nullptr);
-  Receiver later(c_sink_to(log), discmc_receiver_bytes(nullptr, 0));
+  ReceiverInC later(c_sink_to(log), discmc_receiver_bytes(nullptr, 0));
   CHECK(later.push(test::with_version(77, polygons()), 1000) == DISCMC_WRONG_VERSION);
   const auto refuse = [](void*, const discmc_event*) {
     return static_cast<discmc_sink_result>(DISCMC_SINK_NOT_STARTED);
   };
-  Receiver refused({nullptr, refuse}, discmc_receiver_bytes(nullptr, 0));
+  ReceiverInC refused({nullptr, refuse}, discmc_receiver_bytes(nullptr, 0));
   CHECK(refused.push(polygons(), 1000) == DISCMC_BAD_SINK);
 }
 
@@ -169,7 +170,7 @@ TEST_CASE("a joiner behind a receiver delivers what a Joiner delivers") {
         DISCMC_SWEEP_ORDER, {memory.memory().data, memory.memory().bytes}, c_sink_to(log)};
     discmc_joiner* joiner = nullptr;
     REQUIRE(discmc_joiner_start(&joiner, &config) == DISCMC_OK);
-    Receiver receiver({joiner, discmc_joiner_take}, discmc_receiver_bytes(nullptr, 0));
+    ReceiverInC receiver({joiner, discmc_joiner_take}, discmc_receiver_bytes(nullptr, 0));
     REQUIRE(receiver.push(polygons(), 1000) == DISCMC_OK);
     const discmc_status status =
         completed(DISCMC_SUSPENDED, [&] { return discmc_joiner_finish(joiner); });

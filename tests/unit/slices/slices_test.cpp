@@ -1,7 +1,7 @@
 // Streams of slices: every volume comes through, whatever the portions, the line and the receiver.
 #include <doctest/doctest.h>
 
-#include <discmc/surface_decoder.hpp>
+#include <discmc/receiver.hpp>
 
 #include "oracle/slice_stream.hpp"
 
@@ -723,7 +723,7 @@ TEST_CASE("a surface decoder takes the surface of its channel out of several") {
     for (size_t i = 0; i < samples.size(); ++i)
       volume.on[i] = samples[i] >= thresholds[surface] ? 1 : 0;
     reference::EventLog log;
-    Bytes memory(minimum_surface_bytes({size.width, size.height}, 3) + 100000);
+    Bytes memory(Receiver::minimum_bytes({size.width, size.height}, 3) + 100000);
     SurfaceDecoder decoder;
     reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log),
                                         static_cast<uint8_t>(5 + surface)));

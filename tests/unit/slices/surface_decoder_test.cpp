@@ -1,6 +1,6 @@
 // The surface decoder alone: started again, given memory, and streams that end where none should.
 #include <doctest/doctest.h>
-#include <discmc/surface_decoder.hpp>
+#include <discmc/receiver.hpp>
 
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
@@ -41,7 +41,7 @@ Events decoded(SurfaceDecoder& decoder, const Memory& memory, const Bytes& strea
 }  // namespace
 
 TEST_CASE("a surface decoder that is started again forgets everything") {
-  Bytes memory(minimum_surface_bytes(limits) + 100000);
+  Bytes memory(Receiver::minimum_bytes(limits) + 100000);
   const Memory all{memory.data(), memory.size()};
   const Bytes streams[] = {slices_with_a_loss(), regions()};
   Events expected[2];
@@ -98,7 +98,7 @@ TEST_CASE("a surface decoder that is started again amid rows that are lost has l
     }
     uint32_t left = 3;
   } stubborn;
-  Bytes memory(minimum_surface_bytes(limits) + 100000);
+  Bytes memory(Receiver::minimum_bytes(limits) + 100000);
   const Memory all{memory.data(), memory.size()};
   const Bytes stream = slices_with_a_loss();
   SurfaceDecoder decoder;
@@ -111,7 +111,7 @@ TEST_CASE("a surface decoder that is started again amid rows that are lost has l
 
 TEST_CASE("memory is given to a surface decoder that has too little, and to no other") {
   const Bytes stream = encode_slices(volume());
-  Bytes memory(minimum_surface_bytes(limits));
+  Bytes memory(Receiver::minimum_bytes(limits));
   const Memory all{memory.data(), memory.size()};
   SurfaceDecoder decoder;
   EventLog log;
@@ -160,7 +160,7 @@ TEST_CASE("where a scan ends its surface is closed, whatever the trailer says") 
       frames.push_back(frame_of(trailer));
       BitVolume scanned({12, 8, 2});
       std::copy_n(volume().on.begin(), rows * 12, scanned.on.begin());
-      Bytes memory(minimum_surface_bytes(limits) + 100000);
+      Bytes memory(Receiver::minimum_bytes(limits) + 100000);
       SurfaceDecoder decoder;
       const Events events = decoded(decoder, {memory.data(), memory.size()}, joined(frames));
       CHECK(pieces_of(events) == pieces_of(events_of(scanned)));
@@ -238,7 +238,7 @@ TEST_CASE("rows that never came, or were lost, are skipped, of whatever surface,
     std::vector<Bytes> frames = frames_with_skips(scan);
     frames.erase(frames.begin() + 3);
     const Bytes stream = joined(frames);
-    Bytes memory(minimum_surface_bytes({scan.width, 8}, scan.surfaces) + 100000);
+    Bytes memory(Receiver::minimum_bytes({scan.width, 8}, scan.surfaces) + 100000);
     for (uint8_t surface = 0; surface < scan.surfaces; ++surface)
       for (const bool refuses : {false, true}) {
         CAPTURE(scan.width);
@@ -258,7 +258,7 @@ TEST_CASE("rows that never came, or were lost, are skipped, of whatever surface,
 
 TEST_CASE("a surface decoder tells how many bytes it has taken, and looks at no others") {
   const Bytes slices = encode_slices(volume());
-  Bytes memory(minimum_surface_bytes(limits) + 100000);
+  Bytes memory(Receiver::minimum_bytes(limits) + 100000);
   for (const Bytes& stream : {slices, regions()})
     for (const size_t first : {size_t{0}, size_t{1}, size_t{30}, stream.size()}) {
       SurfaceDecoder decoder;
@@ -278,7 +278,7 @@ TEST_CASE("a surface decoder tells how many bytes it has taken, and looks at no 
 
 TEST_CASE("what the end of a scan brings is told before its stream is over, whoever is busy") {
   const Bytes stream = encode_slices(volume());
-  Bytes memory(minimum_surface_bytes(limits) + 100000);
+  Bytes memory(Receiver::minimum_bytes(limits) + 100000);
   EventLog log(reference::refuses_first);
   SurfaceDecoder decoder;
   reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));

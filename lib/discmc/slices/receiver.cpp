@@ -1,0 +1,37 @@
+#include <discmc/receiver.hpp>
+
+namespace discmc {
+
+Status Receiver::start(Memory memory, const Sink& sink, uint8_t channel) {
+  const Status status = decoder_.start(memory, sink, channel);
+  if (status == Status::ok) is_over_ = false;
+  return status;
+}
+
+Decoded Receiver::push(const uint8_t* bytes, size_t count) {
+  if (is_over_) decoder_.start_next();
+  is_over_ = false;
+  for (size_t taken = 0;;) {
+    if (is_at_end()) {
+      const Status status = decoder_.finish();
+      is_over_ = status == Status::ok;
+      return {is_over_ ? Status::finished : status, taken};
+    }
+    // One frame at a time: the next may be of another scan.
+    size_t end = taken;
+    while (end < count && bytes[end++] != 0) continue;
+    const Decoded decoded = decoder_.push(bytes + taken, end - taken);
+    taken += decoded.bytes;
+    if (decoded.status != Status::ok || (taken == count && !is_at_end()))
+      return {decoded.status, taken};
+  }
+}
+
+Status Receiver::finish() {
+  if (is_over_ && !decoder_.holds_next_scan()) return Status::ok;
+  if (is_over_) decoder_.start_next();
+  is_over_ = false;
+  return decoder_.finish();
+}
+
+}  // namespace discmc
