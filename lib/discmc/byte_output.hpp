@@ -27,6 +27,19 @@ struct ByteOutput {
   /// save() of an encoder waits until it returns 0, and fails with bad_sink if it is null. Programs
   /// without checkpoints leave it null.
   size_t (*unsent)(void* context) = nullptr;
+  /// The longest frame of regions, fragments or slices; 0: max_frame_limit. Short frames suit links
+  /// that lose short frames of their own: a lost one costs a packet. They make the stream longer
+  /// (docs/lost-packets.md). Headers, trailers, application records and appended packets are longer.
+  /// Units: bytes. Limit: 0, or min_frame_limit to max_frame_limit.
+  uint16_t max_frame = 0;
+
+  static constexpr uint16_t min_frame_limit = 48;
+  static constexpr uint16_t max_frame_limit = wire::max_frame;
+
+  constexpr bool is_valid() const {
+    const bool has_limit = max_frame >= min_frame_limit && max_frame <= max_frame_limit;
+    return write != nullptr && (max_frame == 0 || has_limit);
+  }
 };
 
 // ---- One link for several encoders: their frames alternate on the link, each frame whole.
@@ -64,6 +77,7 @@ class SharedOutput {
     ByteOutput shared{this, [](void* context, const uint8_t* bytes, size_t count) {
                         return static_cast<SharedOutput*>(context)->take(bytes, count);
                       }};
+    shared.max_frame = output_.max_frame;
     if (output_.unsent != nullptr)
       shared.unsent = [](void* context) { return static_cast<SharedOutput*>(context)->unsent(); };
     return shared;

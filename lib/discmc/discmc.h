@@ -54,7 +54,7 @@ enum {
   DISCMC_BAD_LIMITS,        /* see discmc_limits and slab */
   DISCMC_BAD_CAPACITIES,    /* too few slots, or more than the kind counts; no rows */
   DISCMC_TOO_LITTLE_MEMORY, /* less than bytes(), or null */
-  DISCMC_BAD_SINK,          /* a sink or output lacks a function, or the sink has not started */
+  DISCMC_BAD_SINK,          /* no function; a sink that has not started; a bad max_frame */
   DISCMC_NOT_STARTED,       /* an encoder that has not received the start of a scan */
   DISCMC_FINISHED,          /* the scan has ended: start another */
   DISCMC_ROW_IN_PROGRESS,   /* a whole row was pushed or skipped in the middle of a row */
@@ -117,6 +117,7 @@ typedef struct discmc_byte_output {
   void* context;
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
   size_t (*unsent)(void* context);
+  uint16_t max_frame; /* of regions or slices: 48 to DISCMC_MAX_FRAME, or 0 for the latter */
 } discmc_byte_output;
 enum { DISCMC_WIRE_VERSION = 1, DISCMC_MAX_FRAME = 256 /* bytes of a stream's longest frame */ };
 

@@ -106,7 +106,7 @@ class Encoder {
   Status ready_for_packet(bool is_good);
 
   bool packet_is_empty() const { return model_.coder().range.is_empty(); }
-  static bool fits(const Model& model);
+  bool fits(const Model& model) const;
   void open_packet();
   void seal_records();
   bool drain();

@@ -25,12 +25,12 @@
    (UINT64_C(4) * (height) + 6) * ((width) * (sample_bytes) + 2) + UINT64_C(14) * (slots))
 
 /* An encoder of either kind. */
-#define DISCMC_ENCODER_BYTES (12 * sizeof(void*) + 991)
+#define DISCMC_ENCODER_BYTES (14 * sizeof(void*) + 983)
 
 /* A slice encoder with any key_slice_interval. With the interval 1, discmc_slice_encoder_bytes() is
  * much less. */
 #define DISCMC_SLICE_ENCODER_BYTES(width, height, surfaces)                   \
-  (30 * sizeof(void*) + 58 +                                                  \
+  (31 * sizeof(void*) + 58 +                                                  \
    DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + \
    UINT64_C(1060) * (surfaces))
 

@@ -157,9 +157,10 @@ class SliceEncoder {
 
   /// Continues from the parts of save(), which were read back into this object and into the
   /// beginning of the memory. The next row is row rows() of slice slices(); the stream has bytes()
-  /// bytes. The frame that was being sent is sent again. memory: at least bytes_used(), at an address that is
-  /// the same modulo 4; Owner: as of start(). Errors: bad_checkpoint, too_little_memory (null),
-  /// bad_sink. After an error read the parts back again, or call start(). Cost: as save().
+  /// bytes. The frame that was being sent is sent again. memory: at least bytes_used(), at an
+  /// address that is the same modulo 4; Owner: as of start(). Errors: bad_checkpoint,
+  /// too_little_memory (null), bad_sink. After an error read the parts back again, or call start().
+  /// Cost: as save().
   [[nodiscard]] Status restore(Memory memory, const ByteOutput& output);
 
   Limits limits() const {

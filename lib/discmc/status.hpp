@@ -20,7 +20,7 @@ enum class Status : uint8_t {
   bad_limits,         ///< see Limits
   bad_capacities,     ///< a capacity is below the minimum or beyond the index type
   too_little_memory,  ///< the memory is null or smaller than the limits or capacities need
-  bad_sink,           ///< a sink or output lacks a function, or the sink has not started
+  bad_sink,           ///< no function; a sink that has not started; a bad ByteOutput::max_frame
   not_started,        ///< start() has not succeeded; for records, also start() of the extractor
   finished,           ///< the scan has ended: start() another, or reset(); of a Receiver: push on
   row_in_progress,    ///< a whole row was pushed or skipped in the middle of a row
@@ -52,7 +52,9 @@ constexpr const char* to_string(Status status) {
              "object, or with sizes.h; for a decoder of slices call give_memory()";
     case Status::bad_sink:
       return "the sink or output lacks a function, or the sink has not started: set write(), and "
-             "unsent() for checkpoints; start the encoder before the extractor";
+             "unsent() for checkpoints; start the encoder before the extractor; a max_frame is 0 "
+             "or "
+             "48 to 256";
     case Status::not_started:
       return "start() was not called or failed: check its status; an encoder accepts records after "
              "start() of the extractor";

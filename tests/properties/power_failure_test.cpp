@@ -291,7 +291,7 @@ class DeviceInC : public Device {
     stream.kind = &discmc_regions;
     stream.label.depth = size;
     stream.memory = {encoder_memory_, sizeof encoder_memory_};
-    stream.output = {output.context, output.write, output.unsent};
+    stream.output = {output.context, output.write, output.unsent, output.max_frame};
     discmc_status status = restores ? discmc_encoder_restore(&encoder_, &stream)
                                     : discmc_encoder_start(&encoder_, &stream);
     discmc_extractor_config scan{};

@@ -18,7 +18,7 @@ inline Limits cpp(const discmc_limits& from) {
   return {from.width, from.height, static_cast<Border>(from.border)};
 }
 inline ByteOutput cpp(const discmc_byte_output& from) {
-  return {from.context, from.write, from.unsent};
+  return {from.context, from.write, from.unsent, from.max_frame};
 }
 inline StreamLabel cpp(const discmc_stream_label& from) {
   const int32_t(&spacing)[3] = from.spacing_nm;

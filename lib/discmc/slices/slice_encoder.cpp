@@ -9,7 +9,7 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
   const Limits limits{header.width, header.height, header.border};
   if (!limits.is_valid()) return Status::bad_limits;
   if (!header.is_valid()) return Status::bad_label;
-  if (output.write == nullptr) return Status::bad_sink;
+  if (!output.is_valid()) return Status::bad_sink;
   if (memory.data == nullptr ||
       memory.bytes < slice_encoder_bytes(limits, key_slices, header.surface_count))
     return Status::too_little_memory;
@@ -174,7 +174,7 @@ Status SliceEncoder::save(Memory* parts) {
 }
 
 Status SliceEncoder::restore(Memory memory, const ByteOutput& output) {
-  if (output.write == nullptr) return Status::bad_sink;
+  if (!output.is_valid()) return Status::bad_sink;
   if (memory.data == nullptr) return Status::too_little_memory;
   if (!seal_.is_intact(this, sizeof *this, layout, memory)) {
     state_ = State::idle;
@@ -259,7 +259,8 @@ void SliceEncoder::encode_note(RowNote note) {
 // cut after it 6.
 constexpr size_t code_reserve = 4 + 1 + wire::cut_tail;
 static_assert(Limits::max_extent < 1 << 15, "a step has a decision and 15 bits at most");
-static_assert(wire::key_slice_head + 2 * code_reserve < wire::max_payload,
+static_assert(wire::key_slice_head + 2 * code_reserve + (wire::max_frame - wire::max_payload) <
+                  ByteOutput::min_frame_limit,
               "a code that is not final has room to end");
 
 // Makes room in the packet for a step or a note. False if the output is busy.
@@ -270,7 +271,7 @@ bool SliceEncoder::make_room() {
       if (!cut_code()) return false;
     } else {
       seal(code_end(coder_.range.final_bytes()));
-      coder_.range.continue_in(packets_.payload(), wire::max_payload);
+      coder_.range.continue_in(packets_.payload(), packets_.max_payload());
       if (!packets_.drain()) return false;
     }
   }
@@ -287,7 +288,7 @@ void SliceEncoder::begin_code() {
     code = wire::put(code, slices(), wire::key_slice_head);
   }
   const auto head = static_cast<size_t>(code - packets_.payload());
-  coder_.range = RangeEncoder(code, wire::max_payload - head);
+  coder_.range = RangeEncoder(code, packets_.max_payload() - head);
   code_is_open_ = true;
 }
 

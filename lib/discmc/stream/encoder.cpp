@@ -21,7 +21,7 @@ void Encoder::encode_normals() {
 
 Status Encoder::start(const StreamLabel& label, const ByteOutput& output) {
   if (label.channel > StreamLabel::max_channel) return Status::bad_label;
-  if (output.write == nullptr) return Status::bad_sink;
+  if (!output.is_valid()) return Status::bad_sink;
   packets_.attach(output);
   state_ = State::idle;
   StreamHeader& header = packets_.header();
@@ -149,7 +149,7 @@ Status Encoder::save(Memory* parts) {
 }
 
 Status Encoder::restore(const ByteOutput& output) {
-  if (output.write == nullptr) return Status::bad_sink;
+  if (!output.is_valid()) return Status::bad_sink;
   if (!seal_.is_intact(this, sizeof *this, layout, {})) {
     state_ = State::idle;
     return Status::bad_checkpoint;
@@ -245,8 +245,8 @@ bool Encoder::encode_whole(Model& model, const Event& event) {
 
 // Whether the end of the packet fits, too: the byte of its symbol, and the byte that closes the
 // code.
-bool Encoder::fits(const Model& model) {
-  return model.coder().range.size() + 2 <= wire::max_payload;
+bool Encoder::fits(const Model& model) const {
+  return model.coder().range.size() + 2 <= packets_.max_payload();
 }
 
 void Encoder::open_packet() {

@@ -25,8 +25,13 @@ class PacketWriter {
 
   /// Whether the packet is open.
   bool is_open() const { return frame_bytes_ == 0; }
-  /// The payload of an open packet: room for wire::max_payload bytes.
+  /// The payload of an open packet: room for wire::max_payload bytes. Regions, fragments and slices
+  /// use at most max_payload() of them.
   uint8_t* payload() { return frame_ + 1 + wire::packet_head; }
+  size_t max_payload() const {
+    const size_t frame = output_.max_frame == 0 ? wire::max_frame : output_.max_frame;
+    return frame - (wire::max_frame - wire::max_payload);
+  }
   /// Seals the open packet, whose payload ends at `end`.
   void seal(wire::PacketKind kind, uint8_t* end);
   /// Seals a trailer made of the event that ends the scan. Limit: the packet is open.

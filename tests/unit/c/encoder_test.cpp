@@ -16,7 +16,7 @@ using discmc::test::Line;
 namespace {
 
 discmc_byte_output in_c(const ByteOutput& output) {
-  return {output.context, output.write, output.unsent};
+  return {output.context, output.write, output.unsent, output.max_frame};
 }
 
 struct Stream {

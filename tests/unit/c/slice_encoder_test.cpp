@@ -36,7 +36,7 @@ struct Scan {
     config.label = {depth, {1000, -2000, 3000}, 300, 5};
     config.memory = {memory.memory().data, bytes};
     const ByteOutput output = line.output();
-    config.output = {output.context, output.write, output.unsent};
+    config.output = {output.context, output.write, output.unsent, output.max_frame};
   }
   Scan(const discmc_slice_kind& kind, Line& line) : Scan(kind, line, min_bytes()) {}
   static uint64_t min_bytes() {

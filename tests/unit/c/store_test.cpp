@@ -34,7 +34,7 @@ struct Device {
     return {&discmc_regions,
             {size, {0, 0, 0}, 0, 0},
             in_c(encoder_memory),
-            {output.context, output.write, output.unsent}};
+            {output.context, output.write, output.unsent, output.max_frame}};
   }
   discmc_extractor_config scan() {
     discmc_extractor_config config{};
