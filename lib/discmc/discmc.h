@@ -45,8 +45,7 @@ extern "C" {
 #define DISCMC_CHECK
 #endif
 
-/* ---- status ---- */
-/* The result of a call; DISCMC_SUSPENDED is not an error. */
+/* ---- status: the result of a call; DISCMC_SUSPENDED is not an error ---- */
 typedef uint8_t discmc_status;
 enum {
   DISCMC_OK,
