@@ -59,9 +59,9 @@ class Receiver {
   /// power failure, are ignored.
   ///
   /// Status::suspended: the sink is busy, or more than max_skipped_rows lost rows are to be
-  /// skipped. Errors: not_started; bad_sink (the sink answered not_started; an encoder answers so
-  /// before its start(), and before the header of its stream); wrong_version (no byte is accepted
-  /// until start()); too_little_memory (call give_memory(), then push the remaining bytes).
+  /// skipped. Errors: not_started; bad_sink (the sink has not started); wrong_version (no byte is
+  /// accepted until start()); too_little_memory (call give_memory(), then push the remaining
+  /// bytes).
   Decoded push(const uint8_t* bytes, size_t count);
 
   /// Continues after Status::suspended, as push() without bytes.

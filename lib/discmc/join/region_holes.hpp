@@ -7,8 +7,8 @@
 
 namespace discmc::join {
 
-/// A hole belongs to a region if it lies inside, and in no other waiting ring that lies inside:
-/// that ring would be of a region in one of the holes.
+/// A hole belongs to a region if it lies inside its outer ring, and if no other waiting ring inside
+/// contains it. Such a ring belongs to a region in one of the holes.
 class RegionHoles {
  public:
   /// Follows an event of the region, in order. Limit: from its outer ring on, no ring may begin or

@@ -39,8 +39,8 @@ class WaitingRings {
     settle(chains, true, [](uint32_t) {});
   }
 
-  /// Takes out an outer ring, or returns no_chain. Of several on a plane one further inside comes
-  /// first. Limit: no ring has a note. Cost: the first call after an insert() looks at all chains.
+  /// Removes an outer ring, or returns no_chain. On a plane, inner rings come first. Limit: no ring
+  /// has a note. Cost: the first call after an insert() looks at all chains.
   uint32_t take_outer(HeldChains& chains);
 
  private:

@@ -19,7 +19,7 @@ class PacketWriter {
   /// is_open().
   void begin_stream(const StreamHeader& header, uint8_t flags);
   bool has_output() const { return output_.write != nullptr; }
-  /// Of the current stream, or of the previous one.
+  /// The header of the current stream, or of the previous one.
   StreamHeader& header() { return header_; }
   const StreamHeader& header() const { return header_; }
 

@@ -1,7 +1,7 @@
 // The grammar of a packet of records: the symbols of regions, loose fragments and marks.
-// The same functions encode and decode. symbol(row, symbol) of a writing Coder writes the symbol
-// and returns it; that of a reading Coder ignores the argument and returns the symbol it reads.
-// even(bits, value) does likewise. Each function returns what was coded. The probabilities of
+// The same functions encode and decode. A writing Coder writes the argument of symbol(row, symbol)
+// and returns it. A reading Coder ignores the argument and returns the symbol that it reads.
+// even(bits, value) works likewise. Each function returns what was coded. The probabilities of
 // symbols are rows of shares (shares.hpp), found by training. They do not adapt, so every packet
 // decodes alone.
 #ifndef DISCMC_STREAM_RECORD_MODEL_HPP
@@ -52,8 +52,8 @@ constexpr uint32_t axis_of(const Vertex& v) {
   return (odd(v.x) | odd(v.y) << 1 | odd(v.z) << 2) >> 1;
 }
 
-/// An incidence seen along an axis: its component there, plus one; and the two others, plus one
-/// each, as a number of base 3, whose high digit is that of the later axis.
+/// An incidence, seen along an axis. along: its component on the axis, plus one. across: the other
+/// two components, plus one each, as digits of base 3; the later axis has the high digit.
 struct Heading {
   uint32_t along;
   uint32_t across;

@@ -18,8 +18,8 @@ constexpr uint32_t length_in(uint32_t run) {
 /// ring: then its last two lengths follow from the others. Otherwise 0.
 uint32_t closed_runs(const Record& record, uint32_t first);
 
-/// The symbol of a ring of three or four corners that turns left at each, by less than a half turn:
-/// the turns at its second, third and last corner, as digits. 0 for any other ring.
+/// The symbol of a ring of three or four corners, if each is a left turn of less than half a turn.
+/// Its digits are the turns at the second, third and last corner. 0 for any other ring.
 uint32_t corners_of(const uint32_t* runs, uint32_t count, uint32_t directions);
 
 /// Whether coding a whole fragment from its end costs less, after the vertex `before`. vertex: set

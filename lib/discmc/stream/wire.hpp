@@ -43,10 +43,16 @@ constexpr bool is_of_slices(uint8_t kind) {
 constexpr int key_slice_head = 4;
 constexpr int cut_tail = 4 + 2;
 
-// A packet before stuffing: kind; number modulo 256; the complete pieces (regions and fragments)
-// before it modulo 65,536, or for slices two more bytes of the number; payload; scan and channel;
-// CRC-32 of all of these. Scan and channel come after the payload, so that the version in a header
-// has the same position in every version of the stream.
+// A packet before stuffing, in bytes:
+//
+//   1   kind
+//   1   number modulo 256
+//   2   complete pieces (regions and fragments) before it, modulo 65,536; for slices two more bytes
+//       of the number
+//   n   payload
+//   3   scan and channel, after the payload: so the version in a header has the same position in
+//       every version of the stream
+//   4   CRC-32 of all bytes before
 constexpr size_t packet_head = 4;
 constexpr size_t packet_tag = 2 + 1;
 constexpr size_t packet_crc = 4;

@@ -66,7 +66,7 @@ void BitRows::append(const Sample* samples, uint32_t count, uint32_t stride, int
   if (count == 0) return;
   uint32_t* const words = arriving();
   const Threshold<Sample> on(threshold);
-  // Where the last samples were on, the next are most likely not off all of them.
+  // After samples that were on, a whole group that is off is unlikely.
   bool may_be_off = true;
   while (count > 0) {
     uint32_t taken = 0;
@@ -146,7 +146,7 @@ void BitRows::next_slice() {
 bool BitRows::is_off_around(int32_t y) const {
   const uint32_t row = static_cast<uint32_t>(y);
   const uint32_t there = slices_ == 0 ? 0 : height_;
-  const uint32_t back = rows_ + height_ - row;  // so many rows ago it came
+  const uint32_t back = rows_ + height_ - row;  // how many rows ago it arrived
   uint32_t on = 0;
   if (row < there) on |= *row_before(back);
   if (row + 1 < there) on |= *row_before(back - 1);  // beyond the height for a row before the first
@@ -155,8 +155,8 @@ bool BitRows::is_off_around(int32_t y) const {
 }
 
 void BitRows::find_around(int32_t y, RowBlock& block) const {
-  // Rows arrive slice by slice: so many rows ago came row y - 1 of the slice that arrives, of the
-  // one before it, and of the one before that.
+  // Rows arrive slice by slice. Row y - 1 of the arriving slice arrived this many rows ago; the
+  // same row of the slice before arrived `height_` rows earlier.
   uint32_t back = rows_ + 1 - static_cast<uint32_t>(y);
   const uint32_t* const off = row_off();
   for (uint32_t k = 3; k-- > 0; back += height_) {

@@ -1,16 +1,16 @@
-// Rows of bits: one bit a voxel, of the three slices that a sweep looks at.
+// Rows of bits, one per voxel, of the three slices that a sweep reads.
 //
-// The voxels of a row stand in columns from 1 on; columns 0 and width + 1 are the halo, which is
-// off. A word holds 30 columns and, so that the neighbours of each are in the same word, a copy of
-// the last column before and of the first one after:
+// The voxels of a row have columns 1 to width. Columns 0 and width + 1 are the halo, which is off.
+// A word holds 30 columns, and a copy of the column on either side. So the neighbours of each
+// column are in the same word:
 //
 //     bit      31   30 ......... 1   0
 //     word k   30k + 30   30k + 29 ... 30k   30k - 1
 //
 // Before the first word there is no column: its bit 0 is set if a voxel of the row is on.
 //
-// A ring of 2 * height + 3 rows suffices: while row y of a slice is swept, row y - 1 of the slice
-// below and row y + 1 of the slice above are the oldest and the newest in use.
+// A ring buffer of 2 * height + 3 rows suffices. During the sweep of row y, the oldest row in use
+// is row y - 1 of the slice below. The newest is row y + 1 of the slice above.
 #ifndef DISCMC_TRACE_BIT_ROWS_HPP
 #define DISCMC_TRACE_BIT_ROWS_HPP
 
@@ -33,7 +33,7 @@ constexpr uint32_t row_words(uint32_t width) {
 constexpr uint32_t swept_rows(uint32_t height) {
   return 2 * height + 3;
 }
-/// The bytes of a ring of so many rows, and of one that is all off.
+/// The bytes of a ring buffer of this many rows, and of a row that is off.
 constexpr uint64_t bit_row_bytes(uint32_t width, uint32_t rows) {
   return uint64_t{rows + 1} * row_words(width) * sizeof(uint32_t) + red_zone_bytes;
 }
@@ -41,7 +41,7 @@ constexpr uint64_t bit_row_bytes(uint32_t width, uint32_t rows) {
 /// The bits of a word's own columns.
 constexpr uint32_t own_columns = 0x7FFFFFFE;
 
-/// Of them, those whose voxel and the next one lie in the volume.
+/// The own columns whose voxel and next voxel lie in the volume.
 constexpr uint32_t inner_columns(uint32_t word, uint32_t width) {
   const uint32_t columns = word == 0 ? own_columns - 2 : own_columns;
   const uint32_t left = width - word * columns_per_word;
@@ -61,7 +61,7 @@ struct CellRowBits {
 /// The rows of the slice that arrives and of the two before it.
 class BitRows {
  public:
-  /// Keeps so many rows, the one that arrives among them. Takes bit_row_bytes() from the arena and
+  /// Keeps this many rows, including the arriving one. Takes bit_row_bytes() from the arena, and
   /// writes nothing there; clear() does.
   void start(Arena& arena, const Limits& limits, uint32_t rows);
   void clear();

@@ -37,8 +37,8 @@ class Delivery {
   /// After the last vertex: delivers holes that still wait, loose. As settle().
   bool settle_holes(Chains& chains, const Sink& sink, Statistics& statistics);
 
-  /// What settle() does step by step: begins with what is outgoing, and goes on behind the next
-  /// event, which the sink has taken.
+  /// The steps of settle(): begin() selects the first event of what is outgoing; go_on() selects
+  /// the event after the one that the sink has accepted.
   void begin(Chains& chains);
   void go_on(Chains& chains, Statistics& statistics);
 
@@ -124,10 +124,10 @@ void Delivery<Index, Normal, holes_wait>::begin(Chains& chains) {
 
 // Finds where to begin, whether the ring is a hole, and the direction before its first run.
 //
-// A ring begins at its last vertex in the order z, y, x. That is always a corner, it lies near the
-// front of the sweep, and there only some directions are left: so it takes few bits to tell. It is
-// a top: the ring ascends to it and descends from it. At no vertex has a plane two tops, so a ring
-// passes its last vertex once; a hole turns right there, and no other ring.
+// A ring begins at its last vertex in the order z, y, x. This vertex is always a corner. It lies
+// near the front of the sweep, and only some directions are possible there, so its code is short.
+// The vertex is a top: the ring ascends to it and descends from it. A plane has at most one top per
+// vertex, so a ring passes its last vertex once. Holes turn right there; all other rings turn left.
 template <class Index, class Normal, bool holes_wait>
 void Delivery<Index, Normal, holes_wait>::begin_ring(const Slots& slots) {
   const Incidence incidence = event_.incidence;

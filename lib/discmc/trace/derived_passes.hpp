@@ -19,8 +19,8 @@ class DerivedPasses {
   /// Begins in a word of a row. Limit: after clear().
   void go_on_from(uint32_t word) { word_ = word; }
 
-  /// Goes on to the next vertex of a row that has passes, and counts what it comes by. False when
-  /// there are no more; the next call begins a row.
+  /// Finds the next vertex of a row that has passes, and counts the cells on the way. False after
+  /// the last vertex; the next call begins a row.
   template <class Features = AllFeatures>
   bool find(const SweptRow& row, SweepCounts& counts);
 
@@ -31,7 +31,7 @@ class DerivedPasses {
   void advance() { ++next_; }
 
  private:
-  // Goes on to the next word with crossings.
+  // Finds the next word with crossings.
   template <class Features>
   bool find_word(const SweptRow& row);
 

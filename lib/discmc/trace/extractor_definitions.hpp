@@ -1,5 +1,5 @@
-// What the functions of extractor.hpp do: included where an extractor is instantiated, be it in a
-// program that chooses its own features.
+// The functions of extractor.hpp. Include this file where an extractor is instantiated: in the
+// library, or in a program that chooses its own features.
 #ifndef DISCMC_TRACE_EXTRACTOR_DEFINITIONS_HPP
 #define DISCMC_TRACE_EXTRACTOR_DEFINITIONS_HPP
 
@@ -51,7 +51,8 @@ bool BasicExtractor<Index, Intake, Sweep>::can_scan(const Limits& limits) {
          (Features::slabs || (!slab.continues_below && !slab.continues_above));
 }
 
-// Says what lies where in the memory, and writes nothing there. False when it has no room.
+// Assigns the arrays their places in the memory, and writes nothing there. False if they do not
+// fit.
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::lay_out(const Limits& limits, Memory memory) {
   Arena arena(memory);

@@ -79,11 +79,11 @@ class Fragments {
   using Slots = Pool<Slot<Index, Normal>, Index>;
   using Lists = RunLists<Index, Normal>;
 
-  /// With as many slots left no fragment is sent early.
+  /// No fragment is sent early while this many slots are free.
   static constexpr uint32_t plenty = 1024;
-  /// What a pass may take.
+  /// The most slots that a pass takes.
   static constexpr uint32_t slots_a_pass = 6;
-  /// So many slots more, or half of all, are kept from ends that wait for the next slice.
+  /// This many further slots, or half of all, are withheld from ends that wait for the next slice.
   static constexpr uint32_t max_kept = 80;
 
   void start(Slot<Index, Normal>* slots, uint32_t capacity, Queue<Index>* queues) {
@@ -103,8 +103,8 @@ class Fragments {
   template <class Intake>
   void take(const Pass& pass, const Vertex& vertex, const Intake& intake);
 
-  /// At a vertex of the slice above a slab: a chain that comes up to it ends there, or one that
-  /// goes down from it begins at the next vertex, loose. Limits and cost as take().
+  /// At a vertex of the slice above a slab: a chain that rises to the vertex ends there. A chain
+  /// that descends from it begins, loose, at the next vertex. Limits and cost as take().
   void cut_at(const Pass& pass, const Vertex& vertex, bool ends);
 
   /// Moves a vertex by a link.
@@ -197,7 +197,7 @@ class Fragments {
 
   Slots slots_;                   // first, so that its address is at hand
   uint32_t kept_for_slice_ = 0;   // slots kept from ends that wait for the next slice
-  uint32_t enough_for_ends_ = 0;  // with so many to spare no end is lost
+  uint32_t enough_for_ends_ = 0;  // no end is lost while this many are free
   Outgoing<Index> outgoing_;
   Queues<Index, Normal> queues_;
 };
@@ -278,7 +278,7 @@ DISCMC_NOINLINE Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
   return tail;
 }
 
-// A chain that comes from ahead goes on as a fragment that has waited for it.
+// A chain from a later vertex continues in a fragment that has waited for it.
 template <class Index, class Normal>
 template <class Intake>
 DISCMC_NOINLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
@@ -346,7 +346,7 @@ void Fragments<Index, Normal>::turn_back(Index begin, Link onwards, Place corner
   Lists::prepend(slots_, runs_of(begin), run);
 }
 
-// ---- how it goes on ----
+// ---- the end of a fragment ----
 
 // The fragment ends loose at the next vertex.
 template <class Index, class Normal>
@@ -367,7 +367,7 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
   send(pass, begin, loose_end<Index>(), list, at);
 }
 
-// The fragment goes on as one that has waited, or closes.
+// The fragment continues in one that has waited, or closes.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Index tail,
                                     Index begin) {
@@ -439,9 +439,9 @@ void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bo
 
 // ---- short of slots ----
 
-// Ends of links that stay within the slice are the last to be lost: they leave it soon. Of the
-// others those are lost first whose chain has lost an end before, so that more regions stay whole,
-// and those behind a lost one, where that takes no slot.
+// The ends of links within the slice are lost last, because they leave their queue soon. The others
+// are lost earlier if their chain has already lost an end, so that more regions stay whole. They are
+// also lost earlier behind a lost end, where they take no slot.
 template <class Index, class Normal>
 uint32_t Fragments<Index, Normal>::min_spare(uint8_t queue, Index mate) const {
   if (queue < first_rising_queue) return slots_a_pass;
@@ -451,8 +451,8 @@ uint32_t Fragments<Index, Normal>::min_spare(uint8_t queue, Index mate) const {
   return least;
 }
 
-// The fewer slots are left, the shorter a fragment may be to be sent as it stands; with none left
-// any is, and gives back what the pass has taken.
+// With fewer free slots, shorter fragments count as long and are sent. Without free slots, every
+// fragment is sent, and releases the slots that the pass has taken.
 template <class Index, class Normal>
 bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
   const uint32_t most = spare() / 16;

@@ -203,8 +203,8 @@ bool Holes<Index, Normal>::surrounds(const Slots& slots, const Outgoing<Index>& 
     const int8_t* const side = step(direction_of(run));
     const int32_t end_v = at_v + length * side[v];
     if (is_above(at_v) != is_above(end_v)) {
-      // Where the side crosses the ray's line, times the step in v: never 0. As it crosses, at_v is
-      // small.
+      // The position at which the side crosses the line of the ray, times the step in v; never 0.
+      // As it crosses, at_v is small.
       const int32_t crossing = (2 * at_u - link[u]) * side[v] - (2 * at_v - link[v]) * side[u];
       if ((crossing > 0) == (side[v] > 0)) is_inside = !is_inside;
     }

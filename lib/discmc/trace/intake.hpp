@@ -17,7 +17,7 @@ enum class RowOrigin : uint8_t {
   repeated,  ///< no samples arrived: the row before replaces it
 };
 
-/// What a run carries of the normal where it starts when nobody wants normals.
+/// The normal of a run in an extractor without normals.
 struct NoNormal {};
 
 /// For an extractor that makes no normals.

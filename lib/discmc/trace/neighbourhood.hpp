@@ -1,4 +1,4 @@
-// The lines of voxels around a crossing edge (sector_table.hpp), out of rows of bits.
+// The circle of lines around a crossing edge (sector_table.hpp), from rows of bits.
 #ifndef DISCMC_TRACE_NEIGHBOURHOOD_HPP
 #define DISCMC_TRACE_NEIGHBOURHOOD_HPP
 
@@ -7,15 +7,14 @@
 
 namespace discmc::trace {
 
-/// Where the voxels of a row, at x - 1, x and x + 1, stand among the lines of a ring: the lower
-/// bits of these lines, by the three bits of the row.
+/// The lower bits of the lines of a circle, by the three bits of a row at x - 1, x and x + 1.
 struct LineBits {
   uint16_t of[8];
 };
 
 namespace derive {
 
-// line: of each voxel, or 8 for the one in the middle, which is none of the ring.
+// The line of each voxel; 8 for the middle voxel, which is not on the circle.
 constexpr LineBits line_bits(int left, int middle, int right) {
   LineBits bits{};
   const int line[] = {left, middle, right};
@@ -28,10 +27,11 @@ constexpr LineBits line_bits(int left, int middle, int right) {
 
 }  // namespace derive
 
-/// [0]: the row of the lines farther along u, [1]: that of the edge, [2]: the one before.
+/// For edges along y: [0] the row beyond the edge along u, [1] the row of the edge, [2] the row
+/// before it.
 inline constexpr LineBits lines_of_y[3] = {derive::line_bits(7, 0, 1), derive::line_bits(6, 8, 2),
                                            derive::line_bits(5, 4, 3)};
-/// The same of v for edges along z, whose u is x.
+/// For edges along z, whose u is x: likewise along v.
 inline constexpr LineBits lines_of_z[3] = {derive::line_bits(3, 2, 1), derive::line_bits(4, 8, 0),
                                            derive::line_bits(5, 6, 7)};
 
@@ -43,7 +43,7 @@ struct EdgePlace {
   int axis;
 
   DISCMC_ALWAYS_INLINE bool lower_is_on() const { return (rows.row[1][1][word] >> bit & 1) != 0; }
-  /// The ring of lines around it, two bits each.
+  /// The circle of lines around it, two bits per line.
   uint32_t lines() const;
 
  private:

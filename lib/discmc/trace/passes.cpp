@@ -38,7 +38,7 @@ class Surroundings {
     return differ & 0x11111111;
   }
 
-  // Of the wedge that begins at a ray.
+  // The incidence of the wedge that begins at a ray.
   Incidence incidence(uint32_t ray) const {
     const uint32_t heading = headings_ >> ray & 15;
     if (has_absent_cells && heading > no_heading) return no_incidence;
@@ -46,10 +46,10 @@ class Surroundings {
                                   (lower_is_on_ != 0 ? axis_.to_upper : 0));
   }
 
-  // A ray lies between two wedges: one chain comes along it, and the other goes. A chain has its
-  // wedge on the left, seen from the tip of the normal. Where the lower end is off, normals point
-  // down the axis, and sectors are counted as seen from above it: so the wedge that begins at a ray
-  // has the chain that comes along it. Where the lower end is on, that one goes.
+  // A ray lies between two wedges: one chain arrives along it, the other leaves. A chain has its
+  // wedge on the left, seen from the tip of the normal. If the lower end is off, normals point down
+  // the axis. Sectors are counted as seen from above, so the chain of the wedge that begins at a
+  // ray arrives along the ray. If the lower end is on, that chain leaves.
   void set_ray(uint32_t ray, Pass& ending, Pass& beginning) const {
     const uint32_t quadrant = ray / 8;
     const bool is_spoke = (ray & 4) != 0;

@@ -1,8 +1,8 @@
 // The passes at a vertex: which chains go through it, from where to where.
 //
-// A ray is a boundary link that leaves the vertex between two different sectors. Through the
-// sectors between two rays, a wedge, one chain passes: it comes in along one ray and goes out along
-// the other, with the wedge on its left. Where all sectors are alike there is nothing to do.
+// A ray is a boundary link that leaves the vertex between two different sectors. The sectors
+// between two rays are a wedge. One chain passes each wedge: it arrives along one ray and leaves
+// along the other, with the wedge on its left. If all sectors are equal, no chain passes.
 #ifndef DISCMC_TRACE_PASSES_HPP
 #define DISCMC_TRACE_PASSES_HPP
 
@@ -11,14 +11,14 @@
 
 namespace discmc::trace {
 
-/// One chain's way through a vertex. The two spokes of a wedge at a centroid are one link here, so
-/// the link that goes out may have a corner on the way.
+/// The way of one chain through a vertex. The two spokes of a wedge at a centroid are one link
+/// here, so the outgoing link may have a corner.
 struct Pass {
   Incidence incidence;
-  Link incoming;  ///< by which the chain comes to the vertex
-  Link first;     ///< by which it goes on: to the next vertex, or to the centroid on the way there
-  Link second;    ///< from the centroid on; equal to `first` without one, or without a corner there
-  uint8_t in, out;        ///< queues of the links that come in and go out
+  Link incoming;    ///< by which the chain arrives
+  Link first;       ///< by which the chain leaves: to the next vertex, or to a centroid before it
+  Link second;      ///< from the centroid; equal to `first` without a centroid or a corner there
+  uint8_t in, out;  ///< queues of the incoming and the outgoing link
   bool comes_from_ahead;  ///< the vertex before is visited later
   uint8_t flags;          ///< ahead, by_centroid
 

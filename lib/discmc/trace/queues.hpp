@@ -1,8 +1,14 @@
-// Ends wait in queues, first in, first out: one for each kind of link and way of the chain.
+// Ends wait in queues, first in, first out: one queue per kind of link and way of the chain.
 //
-// An end that finds no room is lost, but its place in the queue is not: lost ends are counted, in
-// the queue itself while nothing else waits in it, else in a slot of the queue. A queue that ends
-// with an end has one slot of the pool reserved for that.
+// If an end finds no room, it is lost. Its place in the queue stays, so that the other ends keep
+// their partners: the queue counts lost ends. The count has three encodings:
+//
+//   only lost ends wait           in the Queue: top bit of `head` set, the count in the other bits
+//                                 of `head` and in `tail` (32-bit indices: in `tail` alone)
+//   lost ends beside others       in a slot of the queue whose `mate` is no_slot: the count is in
+//                                 `last` and in the bits of `side` (32-bit indices: in `last`
+//                                 alone)
+//   the queue ends with an end    none, but a slot of the pool is reserved for a count behind it
 #ifndef DISCMC_TRACE_QUEUES_HPP
 #define DISCMC_TRACE_QUEUES_HPP
 
@@ -14,8 +20,7 @@
 
 namespace discmc::trace {
 
-/// The first and the last slot of a queue. Without slots it is the number of lost ends, with
-/// the top bit of `head` set, or nothing.
+/// The first and the last slot of a queue. An empty queue has no_slot as its head.
 template <class Index>
 struct Queue {
   Index head, tail;
@@ -32,14 +37,14 @@ class Queues {
     lose_from(queue_count);
   }
 
-  /// Whether the last of what waits in a queue is a lost end.
+  /// Whether a lost end is the last entry of a queue.
   bool last_is_lost(const Slots& slots, uint8_t number) const {
     const Queue<Index>& queue = queues_[number];
     if (queue.head == no_slot) return false;
     return is_count(queue) || slots[queue.tail].end.mate == no_slot;
   }
 
-  /// Puts an end behind what waits. Limit: slots.available() >= 2.
+  /// Appends an end. Limit: slots.available() >= 2.
   void push(Slots& slots, uint8_t number, Index end) {
     DISCMC_LIMIT(slots.available() >= 2);
     Queue<Index>& queue = queues_[number];
@@ -57,7 +62,7 @@ class Queues {
     queue.tail = end;
   }
 
-  /// Puts a lost end behind what waits.
+  /// Appends a lost end.
   void push_lost(Slots& slots, uint8_t number) {
     Queue<Index>& queue = queues_[number];
     if (queue.head == no_slot) return set_count(queue, 1);
@@ -70,10 +75,10 @@ class Queues {
     queue.tail = lost;
   }
 
-  /// Takes everything that is asked for in these queues and those behind them for lost.
+  /// Treats all ends of this queue and of the queues after it as lost.
   void lose_from(int number) { first_lost_ = static_cast<uint8_t>(number); }
 
-  /// Takes out what has waited longest: an end, or no_slot for one that was lost.
+  /// Removes the first entry: an end, or no_slot for a lost end.
   Index pop(Slots& slots, uint8_t number) {
     if (number >= first_lost_) return no_slot;
     Queue<Index>& queue = queues_[number];

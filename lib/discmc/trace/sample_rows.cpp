@@ -59,8 +59,8 @@ LongVector SampleRows<Sample>::negative_gradient(const Vertex& vertex) const {
   return {slope.x, slope.y, slope.z};
 }
 
-// Adds what the samples fall at the voxels x to last_x of a row, two steps' worth each. Where a
-// neighbour is missing the voxel itself stands in, and one step counts twice.
+// Adds the slope of the samples at the voxels x to last_x of a row, over two steps each. If a
+// neighbour is missing, the voxel itself replaces it, and one step counts twice.
 template <class Sample>
 void SampleRows<Sample>::add_row(Slope& slope, uint32_t x, uint32_t last_x, uint32_t y,
                                  uint32_t z) const {

@@ -1,8 +1,8 @@
-// The rows of samples that arrived last, and the gradient that they have at a vertex.
+// The last rows of samples, and their gradient at a vertex.
 //
-// Central differences at the voxels that a vertex lies between: the two ends of a cell edge for a
-// midpoint, all eight corners of a cell for a centroid, each counting alike. At the outermost
-// voxels of the volume the differences are one-sided.
+// The gradient is the mean of central differences at the voxels around the vertex. A midpoint has
+// the two ends of its edge, a centroid the eight corners of its cell. At the outermost voxels of
+// the volume, the differences are one-sided.
 #ifndef DISCMC_TRACE_SAMPLE_ROWS_HPP
 #define DISCMC_TRACE_SAMPLE_ROWS_HPP
 

@@ -95,7 +95,7 @@ constexpr VertexLoop loop_at_vertex(Configuration configuration) {
   return found;
 }
 
-// Where the line of a heading lies, seen along the axis.
+// The position of the line of a heading, seen along the axis.
 constexpr Vertex line_at(int heading) {
   return quarter_turns(heading % 2 == 0 ? Vertex{0, 1, 0} : Vertex{0, 1, 1}, heading / 2);
 }

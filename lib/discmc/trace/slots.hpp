@@ -1,10 +1,10 @@
-// What a tracer keeps in its pool: ends that wait, the runs of fragments, and holes.
+// The slots of the pool: ends that wait, the runs of fragments, and holes.
 //
-// A fragment is a piece of a chain whose two ends wait for the vertices where it goes on. Its tail
-// is where the chain goes, its begin where the chain comes from. The side under way at either end
-// has no length yet: an end holds where it starts (tail) or stops (begin), and its direction. The
-// sides between are runs, in a circular list of slots named by its last, which the tail holds, or
-// the begin where the tail is loose. So a fragment of k corners has k - 1 runs.
+// A fragment is a piece of a chain whose two ends wait for later vertices. The chain leaves at the
+// tail of the fragment and arrives at its begin. The side in progress at either end has no length
+// yet: the end holds its direction, and the place where it starts (tail) or stops (begin). The
+// sides between are runs, in a circular list of slots. The tail holds the last slot of the list; if
+// the tail is loose, the begin does. So a fragment of k corners has k - 1 runs.
 #ifndef DISCMC_TRACE_SLOTS_HPP
 #define DISCMC_TRACE_SLOTS_HPP
 
@@ -14,7 +14,7 @@
 
 namespace discmc::trace {
 
-/// A normal, or nothing where nobody wants any.
+/// A normal, or nothing in an extractor without normals.
 template <class Normal>
 struct NormalPart {
   Normal normal_;
@@ -27,8 +27,9 @@ struct NormalPart<NoNormal> {
   void set_normal(NoNormal) {}
 };
 
-/// Where a vertex lies along a line of links, in one number whatever the line: 3 x + 2 y + z modulo
-/// 8,192. Every link changes it, by 1 to 6; those along z by 2, as sides may be longest there.
+/// The position of a vertex along any line of links, as one number: 3 x + 2 y + z modulo 8,192.
+/// Every link changes it by 1 to 6. Links along z change it by 2, because sides may be longest
+/// there.
 using Place = uint32_t;
 
 constexpr uint32_t place_bits = 13;
@@ -53,8 +54,7 @@ class Side {
   uint16_t code_;
 };
 
-/// A complete straight side in two bytes: direction, and 1 to longest_short_run links. 0 is
-/// none.
+/// A complete straight side in two bytes: direction, and 1 to longest_short_run links. 0: none.
 using ShortRun = uint16_t;
 constexpr uint32_t longest_short_run = 8191;
 
@@ -71,8 +71,8 @@ constexpr Run long_run(ShortRun run) {
   return Run::from_code(run);
 }
 
-/// In place of the other end of a fragment, where that end is loose: this mark, and for a begin the
-/// direction of the link before it in the lowest bits.
+/// The mate of an end whose other end is loose. A begin holds the direction of the previous link in
+/// the lowest bits.
 template <class Index>
 constexpr Index loose_end(Direction incoming = 0) {
   return static_cast<Index>(static_cast<Index>(~Index{7}) | incoming);
@@ -82,13 +82,13 @@ constexpr bool is_loose(Index mate) {
   return mate >= loose_end<Index>();
 }
 
-/// Every slot begins with the next one of its list, and of the pool's free list.
+/// Every slot begins with the next slot of its list, or of the free list of the pool.
 template <class Index>
 struct Linked {
   Index next;
 };
 
-/// An end that waits. Where the mate is no_slot it is a number of ends that found no room.
+/// An end that waits. If the mate is no_slot, it is a count of lost ends (queues.hpp).
 template <class Index, class Normal>
 struct End : Linked<Index>, NormalPart<Normal> {  // of a tail: the normal where the side starts
   Side side;
@@ -96,7 +96,7 @@ struct End : Linked<Index>, NormalPart<Normal> {  // of a tail: the normal where
   Index last;  // of the fragment's runs
 };
 
-/// Up to three runs of a fragment, in order; those not in use are 0 and may stand before or behind.
+/// Up to three runs of a fragment, in order. Unused runs are 0, before or after the others.
 template <class Index, class Normal>
 struct RunSlot : Linked<Index> {
   static constexpr int entries = 3;

@@ -33,7 +33,7 @@ class Sweep {
   const Fragments<Index, Normal>& fragments() const { return fragments_; }
   const Delivery<Index, Normal, Features::holes_wait>& delivery() const { return delivery_; }
 
-  /// Sweeps a row, or goes on with it. False when the sink is busy: call again.
+  /// Sweeps a row, or continues it. False when the sink is busy: call again.
   template <class Intake>
   bool sweep(const SweptRow& row, const Intake& intake, const Sink& sink, Statistics& statistics);
 
@@ -57,9 +57,9 @@ class Sweep {
   Delivery<Index, Normal, Features::holes_wait> delivery_;
 };
 
-// Nothing is swept below a slab: what comes from there is lost. Above it a row is swept twice: as
-// an end does not hold its vertex, the chains that come up to a vertex are ended there first, and
-// those that go down from it begin there then.
+// Rows below a slab are not swept: chains from there are lost. Rows above it are swept twice, as an
+// end does not hold its vertex. The first time, rising chains end at their vertices. The second
+// time, descending chains begin there.
 template <class Index, class Normal, class AnyFeatures>
 template <class Intake>
 bool Sweep<Index, Normal, AnyFeatures>::sweep(const SweptRow& row, const Intake& intake,

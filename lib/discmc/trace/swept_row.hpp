@@ -35,10 +35,10 @@ struct SweptRow {
   bool has_y, has_z;            ///< whether edges along y and z are visited
   uint8_t absent_quadrants[3];  ///< by axis of an edge: quadrants whose row of cells takes no part
 
-  /// Whether it is none of context.
+  /// Whether the slice is not context.
   bool is_own() const { return role <= SlabRole::first_of_slab; }
-  /// Sets what follows from absent_rows. Where no cells behind, or above, take part, no edges along
-  /// y, or z, are visited.
+  /// Sets the members that follow from absent_rows. If no cells behind take part, no edges along y
+  /// are visited; if no cells above, none along z.
   void set_absent_quadrants() {
     has_y = (absent_rows & CellRowBits::back) != CellRowBits::back;
     has_z = (absent_rows & CellRowBits::above) != CellRowBits::above;
