@@ -7,7 +7,7 @@ constexpr int32_t size = 48;  // voxels per row, rows per slice, slices
 constexpr int32_t threshold = 192;
 constexpr Limits limits{size, size};
 // RAM without the stack: 7.8 KiB. A smaller arena, from 1.5 KiB on, makes the stream longer.
-static uint8_t memory[minimum_bytes<uint16_t>(limits) + 5 * 1024];
+static uint8_t memory[Extractor16::minimum_bytes(limits) + 5 * 1024];
 static Extractor16 extractor;
 static Encoder encoder;
 

@@ -98,7 +98,7 @@ constexpr discmc::KeySlices key_slices{8};
 
 // RAM without the stack: 3 KiB.
 discmc::SliceEncoder encoder;
-uint8_t memory[discmc::slice_encoder_bytes(limits, key_slices, surfaces)];
+uint8_t memory[discmc::SliceEncoder::minimum_bytes(limits, key_slices, surfaces)];
 
 bool is_dropping = false;
 uint64_t dropped_from = 0;

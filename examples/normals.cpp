@@ -10,9 +10,9 @@ constexpr int32_t threshold = 192;
 constexpr Limits limits{size, size};
 constexpr int32_t spacing_nm[] = {500000, 500000, 1000000};
 
-using Normals = GradientNormals<uint8_t>;  // of the samples' type
-static uint8_t memory[minimum_bytes<uint16_t, Normals>(limits) + 8 * 1024];
-static NormalExtractor16<uint8_t> extractor;
+using NormalScan = NormalExtractor16<uint8_t>;  // of the samples' type
+static uint8_t memory[NormalScan::minimum_bytes(limits) + 8 * 1024];
+static NormalScan extractor;
 static Encoder encoder;
 
 static Status begin(const ByteOutput& output) {

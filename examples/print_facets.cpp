@@ -64,7 +64,7 @@ void print_points(const CellPoint* points, int count) {
 }
 
 void print_loops(Configuration configuration) {
-  const Loops loops = derive::loops(configuration);
+  const Loops loops = detail::derive::loops(configuration);
   for (int i = 0; i < loops.count; ++i) {
     const Loop& loop = loops.loop[i];
     std::printf("  loop of %d            ", loop.count);
@@ -73,7 +73,7 @@ void print_loops(Configuration configuration) {
 }
 
 void print_facet(Facet facet) {
-  const Vertex n = normal(incidence_of(facet));
+  const Vertex n = incidence_normal(incidence_of(facet));
   const FacetRing& ring = facet_rings.ring[facet];
   std::printf("  facet (%2d %2d %2d) shape %d", n.x, n.y, n.z, shape_of(facet));
   print_points(ring.point, ring.count);

@@ -64,7 +64,7 @@ class Printer {
 
  private:
   static void print_normal(Incidence incidence) {
-    const Vertex n = normal(incidence);
+    const Vertex n = incidence_normal(incidence);
     std::printf("(%2d %2d %2d)", n.x, n.y, n.z);
   }
   static void print_start(const Vertex& start) {

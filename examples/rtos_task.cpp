@@ -57,7 +57,7 @@ extern "C" void on_bytes_sent() {
 
 // ---- the task ----
 
-static uint8_t arena[minimum_bytes<uint16_t>(limits) + 5 * 1024];
+static uint8_t arena[Extractor16::minimum_bytes(limits) + 5 * 1024];
 static Extractor16 extractor;
 static Encoder encoder;
 

@@ -40,9 +40,10 @@ void rows::end_of_scan(uint32_t count, bool was_broken_off) {
 namespace {
 
 uint8_t arena[scan::arena_bytes];
-static_assert(sizeof arena >= minimum_bytes<uint16_t>(scan::limits), "see arena_bytes in scan.hpp");
+static_assert(sizeof arena >= Extractor16::minimum_bytes(scan::limits),
+              "see arena_bytes in scan.hpp");
 // Constant expressions, so that the firmware does not contain the code that computes them.
-constexpr Capacities capacities = default_capacities<uint16_t>(scan::limits, sizeof arena);
+constexpr Capacities capacities = Extractor16::default_capacities(scan::limits, sizeof arena);
 Extractor16 extractor;
 Encoder encoder;
 

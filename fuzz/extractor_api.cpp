@@ -146,12 +146,13 @@ class Caller {
   void start() {
     const uint32_t flags = input_.byte();
     Limits limits = read_limits(flags);
-    const uint64_t least = limits.is_valid() ? minimum_bytes<Index>(limits) : 64;
+    const uint64_t least = limits.is_valid() ? Extractor<Index>::minimum_bytes(limits) : 64;
     Capacities capacities = read_capacities(least);
     const bool is_split = (flags & 2) != 0;
-    const bool is_good = is_valid<Index>(capacities);
-    const uint64_t needed =
-        is_split || !limits.is_valid() || !is_good ? least : bytes_for<Index>(limits, capacities);
+    const bool is_good = detail::sizing::is_valid<Index>(capacities);
+    const uint64_t needed = is_split || !limits.is_valid() || !is_good
+                                ? least
+                                : Extractor<Index>::bytes_for(limits, capacities);
     if (needed > 1 << 20) return;
     const uint64_t bytes = read_bytes(needed, is_split);
     auto place = std::make_unique<Place>(bytes, input_.below(4));
@@ -214,7 +215,8 @@ class Caller {
       capacities.slots = input_.below(2) != 0 ? capacities.slots - 1 : UINT32_MAX - input_.byte();
       return capacities;
     }
-    if (kind == 2) return default_capacities<Index>({9, 9}, min_bytes + 16 * input_.byte());
+    if (kind == 2)
+      return Extractor<Index>::default_capacities({9, 9}, min_bytes + 16 * input_.byte());
     capacities.slots += input_.byte();
     capacities.holes += input_.below(16);
     return capacities;

@@ -57,7 +57,8 @@ void push(Scan& scan, const Sample* samples, uint32_t count, uint32_t portion) {
 template <class Normals, class Sample>
 Events events_of(const SampleVolume<Sample>& volume, const Setting& setting, const Script& script) {
   using Scan = typename ExtractorOf<uint16_t, Normals>::Type;
-  const size_t bytes = bytes_for<uint16_t, Normals>(setting.limits, setting.capacities);
+  const size_t bytes =
+      detail::sizing::bytes_for<uint16_t, Normals>(setting.limits, setting.capacities);
   const std::unique_ptr<uint8_t[]> memory(new uint8_t[bytes]);
   EventLog log(setting.refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   Scan scan;

@@ -53,8 +53,10 @@ Capacities read_capacities(Input& input, const Limits& limits, bool is_wide) {
       return is_wide ? worst_case_capacities(limits, max_slices) : ample;
     case 1: {
       const uint64_t room = input.word();
-      return is_wide ? default_capacities<uint32_t>(limits, minimum_bytes<uint32_t>(limits) + room)
-                     : default_capacities<uint16_t>(limits, minimum_bytes<uint16_t>(limits) + room);
+      return is_wide ? Extractor32::default_capacities(limits,
+                                                       Extractor32::minimum_bytes(limits) + room)
+                     : Extractor16::default_capacities(limits,
+                                                       Extractor16::minimum_bytes(limits) + room);
     }
     case 2:  // few holes may wait
       return {ample.slots, input.below(8)};
@@ -244,7 +246,7 @@ class Feeder {
 template <class Index, class Scanner = Extractor<Index>>
 EventLog run(const Scenario& scenario, EventLog::Refuses refuses) {
   EventLog log(std::move(refuses));
-  Block block(bytes_for<Index>(scenario.limits, scenario.capacities),
+  Block block(Extractor<Index>::bytes_for(scenario.limits, scenario.capacities),
               scenario.chunk % 2 == 0 ? Block::Kind::exact : Block::Kind::guarded);
   Scanner extractor;
   const Status started =
@@ -341,7 +343,7 @@ std::vector<std::vector<uint64_t>> parts_of_slab(const BitVolume& volume, Border
   const Limits limits = limits_of_slab(volume, border, first, end);
   constexpr Capacities capacities{1 << 20, 1 << 12};
   EventLog log;
-  Block block(bytes_for<uint32_t>(limits, capacities));
+  Block block(Extractor32::bytes_for(limits, capacities));
   Scanner extractor;
   require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
   push_all(extractor, voxels_of_slab(volume, first, end));
@@ -388,7 +390,7 @@ void check(const Scenario& scenario) {
   require(host.events == log.events, "a host gives other events");
   check_nodes(scenario, refuses);
   check_slab(scenario);
-  if (!is_valid<uint16_t>(scenario.capacities)) return;
+  if (!detail::sizing::is_valid<uint16_t>(scenario.capacities)) return;
   Scenario plain = scenario;
   plain.chunk = 1 << 20;
   const EventLog other = scenario.is_wide ? run<uint16_t>(plain, {}) : run<uint32_t>(plain, {});

@@ -39,7 +39,7 @@ Bytes mangled(const Bytes& stream, Input& input, bool& is_made_up) {
       Packet packet = packet_of(frame);
       packet.kind = static_cast<uint8_t>(packet.kind ^ input.below(32));
       const Bytes payload = input.bytes(1 + input.byte());
-      if (payload.size() <= wire::max_payload) packet.payload = payload;
+      if (payload.size() <= detail::wire::max_payload) packet.payload = payload;
       sent = frame_of(packet);
       is_made_up = true;
     } else if (what >= 230) {

@@ -26,7 +26,7 @@ Bytes framed(const uint8_t* data, size_t size) {
     packet.number = static_cast<uint8_t>(data[at + 2] + (at + 1) / 64);
     packet.pieces = data[at + 3];
     packet.payload.assign(data + at + 4, data + at + 4 + count);
-    if (count <= wire::max_payload) {
+    if (count <= detail::wire::max_payload) {
       const Bytes frame = frame_of(packet);
       stream.insert(stream.end(), frame.begin(), frame.end());
     }
@@ -63,7 +63,7 @@ void check(const Bytes& stream, size_t portion) {
   static_cast<void>(pieces_of(events_beside_packets(stream)));  // keep to the grammar as well
   const Bytes copy = encode<NormalEncoder>(arrival.events);
   for (const Bytes& frame : frames_of(copy))
-    require(frame.size() <= wire::max_frame, "a frame too long");
+    require(frame.size() <= detail::wire::max_frame, "a frame too long");
   require(pieces_of(decode(copy).events) == pieces, "a copy has other pieces");
   require(encode<NormalEncoder>(arrival.events, any_header(), portion) == copy,
           "the output's portions show");

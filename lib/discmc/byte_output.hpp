@@ -29,12 +29,12 @@ struct ByteOutput {
   size_t (*unsent)(void* context) = nullptr;
   /// The longest frame of regions, fragments or slices; 0: max_frame_limit. Short frames suit links
   /// that lose short frames of their own: a lost one costs a packet. They make the stream longer
-  /// (docs/lost-packets.md). Headers, trailers, application records and appended packets are longer.
-  /// Units: bytes. Limit: 0, or min_frame_limit to max_frame_limit.
+  /// (docs/lost-packets.md). Headers, trailers, application records and appended packets are
+  /// longer. Units: bytes. Limit: 0, or min_frame_limit to max_frame_limit.
   uint16_t max_frame = 0;
 
   static constexpr uint16_t min_frame_limit = 48;
-  static constexpr uint16_t max_frame_limit = wire::max_frame;
+  static constexpr uint16_t max_frame_limit = detail::wire::max_frame;
 
   constexpr bool is_valid() const {
     const bool has_limit = max_frame >= min_frame_limit && max_frame <= max_frame_limit;
@@ -113,7 +113,7 @@ class SharedOutput {
   ByteOutput output_;
   size_t held_ = 0;
   size_t sent_ = 0;
-  uint8_t frame_[wire::max_frame] = {};
+  uint8_t frame_[detail::wire::max_frame] = {};
 };
 
 }  // namespace discmc

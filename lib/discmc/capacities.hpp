@@ -1,6 +1,7 @@
 // The memory of a scan, as constant expressions.
 //
-//   static uint8_t memory[minimum_bytes<uint16_t>(limits) + 5 * 1024];  // the rest becomes slots
+//   static uint8_t memory[Extractor16::minimum_bytes(limits) + 5 * 1024];  // the rest becomes
+//   slots
 //
 // The memory contains rows of bits, whose size follows from the limits, and slots for the
 // boundaries that are not complete yet. Fewer slots make the stream longer; the surface is
@@ -34,7 +35,7 @@ struct Capacities {
 
 // ---- Internal constants.
 
-namespace sizing {
+namespace detail::sizing {
 
 /// The number of lists that hold holes: a power of two, or none if holes are in a tree.
 template <class Index>
@@ -57,7 +58,7 @@ constexpr uint32_t max_slots = static_cast<Index>(~Index{0}) / 2 - 8;
 /// The most slots that a cell can need: an end and a run for each link of the rings of its facets.
 constexpr uint32_t slots_per_cell = 2 * 17;
 
-}  // namespace sizing
+}  // namespace detail::sizing
 
 // ---- Capacities and memory.
 
@@ -71,60 +72,51 @@ constexpr Capacities minimum_capacities() {
 constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices) {
   // In 32 bits: no 64-bit division on small machines.
   const uint32_t cells = (limits.width + 1) * (limits.height + 1);
-  const uint32_t most = UINT32_MAX / sizing::slots_per_cell;
+  const uint32_t most = UINT32_MAX / detail::sizing::slots_per_cell;
   const uint32_t all = slices < most / cells ? cells * (slices + 1) : most;
-  const uint32_t slots = all * sizing::slots_per_cell;
+  const uint32_t slots = all * detail::sizing::slots_per_cell;
   return {slots, slots};
 }
 
-/// The bytes of memory for a scan with these limits and capacities. Index: the index type of the
-/// extractor. Intake: BitIntake, or GradientNormals<Sample> for an extractor with normals. Limit:
-/// valid limits.
+// ---- Internal: the functions of the same names of extractors. Index: their index type. Intake:
+// BitIntake, or GradientNormals<Sample>.
+
+namespace detail::sizing {
+
 template <class Index, class Intake = BitIntake>
 constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
   return Intake::bytes_for(limits) +
          trace::bit_row_bytes(limits.width, trace::swept_rows(limits.height)) +
          Arena::bytes_of(trace::queue_count, 2 * sizeof(Index)) +
-         Arena::bytes_of(sizing::hole_lists<Index>, sizeof(Index)) +
-         Arena::bytes_of(capacities.slots, sizing::slot_bytes<Index, Intake>) + Arena::alignment -
-         1;
+         Arena::bytes_of(hole_lists<Index>, sizeof(Index)) +
+         Arena::bytes_of(capacities.slots, slot_bytes<Index, Intake>) + Arena::alignment - 1;
 }
 
 /// Whether an index of this width can count the slots.
 template <class Index>
 constexpr bool is_valid(const Capacities& capacities) {
-  return capacities.slots >= minimum_capacities().slots &&
-         capacities.slots <= sizing::max_slots<Index>;
+  return capacities.slots >= minimum_capacities().slots && capacities.slots <= max_slots<Index>;
 }
 
-/// The least memory for a scan: the surface is complete, in loose fragments of a few links.
 template <class Index, class Intake = BitIntake>
 constexpr uint64_t minimum_bytes(const Limits& limits) {
   return bytes_for<Index, Intake>(limits, minimum_capacities());
 }
 
-/// The memory for worst_case_capacities(). Limit: these are valid.
-template <class Index, class Intake = BitIntake>
-constexpr uint64_t worst_case_bytes(const Limits& limits, uint32_t slices) {
-  return bytes_for<Index, Intake>(limits, worst_case_capacities(limits, slices));
-}
-
-/// The capacities that start() chooses for this many bytes: as many slots as fit, of which waiting
-/// holes may use an eighth. Below minimum_bytes() they are the minimum. More bytes never reduce a
-/// capacity.
 template <class Index, class Intake = BitIntake>
 constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
   const Capacities least = minimum_capacities();
   const uint64_t taken = minimum_bytes<Index, Intake>(limits) + Arena::alignment;
   const uint64_t spare = bytes > taken ? bytes - taken : 0;
   // In 32 bits: small processors need no 64-bit division, and more than 4 GiB has no use.
-  const uint32_t affordable = static_cast<uint32_t>(spare < UINT32_MAX ? spare : UINT32_MAX) /
-                              sizing::slot_bytes<Index, Intake>;
-  const uint32_t slots =
-      least.slots + sizing::lesser(affordable, sizing::max_slots<Index> - least.slots);
+  const uint32_t affordable =
+      static_cast<uint32_t>(spare < UINT32_MAX ? spare : UINT32_MAX) / slot_bytes<Index, Intake>;
+  const uint32_t slots = least.slots + lesser(affordable, max_slots<Index> - least.slots);
   return {slots, slots / 16};
 }
+
+}  // namespace detail::sizing
 
 }  // namespace discmc
 

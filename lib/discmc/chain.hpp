@@ -85,7 +85,7 @@ constexpr void reverse(Incidence incidence, Run* runs, uint32_t count) {
 /// square root of 2 or of 3): an exact integer. Positive for an outer ring, negative for a hole.
 /// Units: square half-steps. Limit: a ring of a scan; others may overflow.
 constexpr int64_t twice_area(Incidence incidence, const Run* runs, uint32_t count) {
-  const Vertex n = normal(incidence);
+  const Vertex n = incidence_normal(incidence);
   int64_t sum = 0;
   int64_t x = 0, y = 0, z = 0;
   for (uint32_t i = 0; i < count; ++i) {
@@ -128,7 +128,7 @@ constexpr Vertex after_run(Incidence incidence, const Vertex& from, Run run) {
 
 /// The dot product of the incidence's normal and a vertex: one number for all vertices of a plane.
 constexpr int32_t plane_offset(Incidence incidence, const Vertex& p) {
-  const Vertex n = normal(incidence);
+  const Vertex n = incidence_normal(incidence);
   const auto term = [](int32_t factor, int32_t coordinate) {
     return static_cast<uint32_t>(factor) * static_cast<uint32_t>(coordinate);
   };

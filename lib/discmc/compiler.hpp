@@ -126,7 +126,7 @@ inline void store_release(uint32_t& word, uint32_t value) {
 
 // ---- bits ----
 
-namespace derive {
+namespace detail::derive {
 
 // Multiplied by a de Bruijn sequence, each power of two has other bits at the top (C. Leiserson,
 // H. Prokop, K. Randall, Using de Bruijn Sequences to Index a 1 in a Computer Word, 1998).
@@ -141,13 +141,13 @@ constexpr BitPlaces bit_places() {
   return places;
 }
 
-}  // namespace derive
+}  // namespace detail::derive
 
-inline constexpr derive::BitPlaces bit_places = derive::bit_places();
+inline constexpr detail::derive::BitPlaces bit_places = detail::derive::bit_places();
 
 /// trailing_zeros() for processors that have no instruction for it.
 constexpr uint32_t trailing_zeros_by_table(uint32_t bits) {
-  return bit_places.of[(bits & (0 - bits)) * derive::de_bruijn >> 27];
+  return bit_places.of[(bits & (0 - bits)) * detail::derive::de_bruijn >> 27];
 }
 
 /// The number of zeros below the lowest 1. Limit: bits != 0.

@@ -74,7 +74,7 @@ class Decoder {
   void note_finish();
   Event& packet_mark(Event::Kind kind);
   void read_record();
-  void read_mark(stream::RecordKind kind);
+  void read_mark(detail::stream::RecordKind kind);
   void read_extension();
   void begin_record();
 
@@ -94,12 +94,12 @@ class Decoder {
   SinkResult answer_ = SinkResult::accepted;  // of the sink, to the last event
 
   Stage stage_ = Stage::collect;
-  stream::ReadingModel model_;
-  stream::Record record_;
-  uint32_t sent_words_ = 0;         // words of the record that the sink has accepted
-  uint32_t sent_runs_ = 0;          // of them runs
-  stream::RecordNormals normals_;   // of the record
-  bool normals_are_ahead_ = false;  // of the next record
+  detail::stream::ReadingModel model_;
+  detail::stream::Record record_;
+  uint32_t sent_words_ = 0;                // words of the record that the sink has accepted
+  uint32_t sent_runs_ = 0;                 // of them runs
+  detail::stream::RecordNormals normals_;  // of the record
+  bool normals_are_ahead_ = false;         // of the next record
   bool begin_is_due_ = false;
   bool lost_is_due_ = false;
   bool is_first_ring_ = true;

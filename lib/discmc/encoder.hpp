@@ -80,8 +80,8 @@ class Encoder {
   Encoder(const Encoder&) = default;
   Encoder& operator=(const Encoder&) = default;
 
-  using Record = stream::Record;
-  using Model = stream::RecordModel<stream::SymbolWriter>;
+  using Record = detail::stream::Record;
+  using Model = detail::stream::RecordModel<detail::stream::SymbolWriter>;
 
   enum class State : uint8_t {
     idle,      // no scan has begun

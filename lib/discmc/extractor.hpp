@@ -41,12 +41,28 @@ class BasicExtractor {
   static_assert(is_index<Index>, "an index must be uint16_t or uint32_t");
 
  public:
+  /// The least memory of start(): the surface is complete, but sent in loose fragments of a few
+  /// links. Limit: valid limits, as for the next two.
+  static constexpr uint64_t minimum_bytes(const Limits& limits) {
+    return detail::sizing::minimum_bytes<Index, Intake>(limits);
+  }
+  /// The memory for these capacities.
+  static constexpr uint64_t bytes_for(const Limits& limits, const Capacities& capacities) {
+    return detail::sizing::bytes_for<Index, Intake>(limits, capacities);
+  }
+  /// The capacities that start() chooses for this many bytes: as many slots as fit, of which
+  /// waiting holes may use an eighth. Below minimum_bytes() they are the minimum. More bytes never
+  /// reduce a capacity.
+  static constexpr Capacities default_capacities(const Limits& limits, uint64_t bytes) {
+    return detail::sizing::default_capacities<Index, Intake>(limits, bytes);
+  }
+
   BasicExtractor() = default;
 
   /// Begins a scan. All memory beyond the least becomes slots: see default_capacities().
   ///
   /// threshold: a voxel is on if its sample is >= threshold. memory: at least
-  /// minimum_bytes<Index>(limits), at any alignment; Owner: the caller, for as long as the scan
+  /// minimum_bytes(limits), at any alignment; Owner: the caller, for as long as the scan
   /// lasts. Status::suspended: the scan has begun, but the sink is busy. Errors: bad_limits (also
   /// for limits that need an ability that Features lacks), too_little_memory, bad_sink (no
   /// function, or the sink has not started, like an encoder before its start()). After an error the
@@ -54,11 +70,10 @@ class BasicExtractor {
   /// scan has ended. Cost: clears about 150 words and one row of bits.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
                              const Sink& sink) {
-    return start(limits, default_capacities<Index, Intake>(limits, memory.bytes), threshold, memory,
-                 sink);
+    return start(limits, default_capacities(limits, memory.bytes), threshold, memory, sink);
   }
 
-  /// With explicit capacities. memory: at least bytes_for<Index>(limits, capacities). Errors: also
+  /// With explicit capacities. memory: at least bytes_for(limits, capacities). Errors: also
   /// bad_capacities.
   [[nodiscard]] Status start(const Limits& limits, const Capacities& capacities, int32_t threshold,
                              Memory memory, const Sink& sink);
@@ -171,7 +186,7 @@ class BasicExtractor {
 
   bool work();
   uint32_t rows_outside(int32_t y) const;
-  trace::SlabRole slab_role() const;
+  detail::trace::SlabRole slab_role() const;
   bool sweep_row();
   int32_t middle_slice() const;
   uint32_t ready_rows() const;
@@ -197,7 +212,7 @@ class BasicExtractor {
   uint32_t first_slice_ = 0;  // of the slab
   Sink sink_;
   Intake intake_;
-  trace::BitRows bits_;
+  detail::trace::BitRows bits_;
   Sweep sweep_;
   Statistics statistics_{};
   Capacities capacities_{};
@@ -209,7 +224,8 @@ class BasicExtractor {
 /// with AllFeatures. Include discmc/trace/extractor_definitions.hpp where you use other Features,
 /// or to let the compiler inline more.
 template <class Index, class Features = AllFeatures>
-class Extractor : public BasicExtractor<Index, BitIntake, trace::Sweep<Index, NoNormal, Features>> {
+class Extractor
+    : public BasicExtractor<Index, BitIntake, detail::trace::Sweep<Index, NoNormal, Features>> {
  public:
   Extractor() = default;
 

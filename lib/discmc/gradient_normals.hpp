@@ -1,9 +1,9 @@
 // Normals during the scan: an extractor that adds to every run the normal of the surface at its
 // start.
 //
-//   using Normals = GradientNormals<uint8_t>;           // the type of the samples
-//   static uint8_t memory[minimum_bytes<uint16_t, Normals>(limits) + 24 * 1024];
-//   static NormalExtractor16<uint8_t> extractor;        // used like any other extractor
+//   using NormalScan = NormalExtractor16<uint8_t>;      // the type of the samples
+//   static uint8_t memory[NormalScan::minimum_bytes(limits) + 24 * 1024];
+//   static NormalScan extractor;                        // used like any other extractor
 //   encoder.encode_normals();                           // otherwise the stream omits them
 //   extractor.set_spacing(spacing_nm);                  // before start(), unless voxels are cubes
 //
@@ -21,11 +21,10 @@
 namespace discmc {
 
 /// An extractor with normals. It accepts samples of one type and no bits. Sample is uint8_t,
-/// uint16_t or int16_t. memory of start(): at least minimum_bytes<Index,
-/// GradientNormals<Sample>>(limits), or with explicit capacities bytes_for() with the same types.
+/// uint16_t or int16_t.
 template <class Index, class Sample>
-class NormalExtractor
-    : public BasicExtractor<Index, GradientNormals<Sample>, trace::Sweep<Index, OctahedralNormal>> {
+class NormalExtractor : public BasicExtractor<Index, GradientNormals<Sample>,
+                                              detail::trace::Sweep<Index, OctahedralNormal>> {
  public:
   NormalExtractor() = default;
 

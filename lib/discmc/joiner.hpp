@@ -55,7 +55,8 @@ struct JoinCapacities {
   uint32_t fragments;  ///< fragments and rings that wait at once
   uint32_t runs;       ///< the runs of all of them
 };
-static_assert(uint64_t{join::WaitingTable::buckets_for(2)} * JoinCapacities::max_fragments <=
+static_assert(uint64_t{detail::join::WaitingTable::buckets_for(2)} *
+                      JoinCapacities::max_fragments <=
                   UINT32_MAX,
               "32 bits count the buckets, and an entry: an index and two bits");
 
@@ -92,7 +93,7 @@ class Joiner {
 
   /// The bytes of memory that start() needs for these capacities: 96 per fragment, and 12 per run.
   static constexpr uint64_t bytes_for(const JoinCapacities& capacities) {
-    return join::WaitingChains::bytes_for(capacities.fragments, capacities.runs) +
+    return detail::join::WaitingChains::bytes_for(capacities.fragments, capacities.runs) +
            Arena::alignment - 1;
   }
   /// The least memory with which start() succeeds.
@@ -174,11 +175,11 @@ class Joiner {
   bool send_finish();
 
   bool passes_loose() const { return unjoined_ == Unjoined::passed_on; }
-  join::HeldChains& chains() { return waiting_.chains(); }
-  const join::HeldChains& chains() const { return waiting_.chains(); }
+  detail::join::HeldChains& chains() { return waiting_.chains(); }
+  const detail::join::HeldChains& chains() const { return waiting_.chains(); }
 
-  join::WaitingChains waiting_;
-  join::RegionHoles
+  detail::join::WaitingChains waiting_;
+  detail::join::RegionHoles
       region_;  // of the region that passes or is delivered, as far as the sink has it
   Sink sink_;
   JoinCapacities capacities_{0, 0};
@@ -191,16 +192,16 @@ class Joiner {
   // The fate of the arriving fragment, and the chain that holds it.
   enum class Fate : uint8_t { none, held, passed, ignored };
   Fate fate_ = Fate::none;
-  uint32_t arriving_ = join::no_chain;
+  uint32_t arriving_ = detail::join::no_chain;
 
   // What is being delivered: the next event, and its chain. `holes` complete a region that passes
   // through; a `beginning` belongs to the arriving fragment.
   Outlet outlet_ = Outlet::none;
   Event::Kind next_kind_{};
   bool is_letting_go_ = false;  // of all chains, one after another
-  uint32_t delivered_ = join::no_chain;
-  uint32_t claimed_ = join::no_chain;  // the holes that follow
-  uint32_t looked_at_ = 0;             // the last chain, on a walk over all
+  uint32_t delivered_ = detail::join::no_chain;
+  uint32_t claimed_ = detail::join::no_chain;  // the holes that follow
+  uint32_t looked_at_ = 0;                     // the last chain, on a walk over all
 
   // The sum of the `finish` events.
   bool has_start_ = false;

@@ -68,7 +68,7 @@ constexpr Incidence no_incidence = 13;
 constexpr int incidence_codes = 27;
 
 /// The normal of an incidence.
-constexpr Vertex normal(Incidence incidence) {
+constexpr Vertex incidence_normal(Incidence incidence) {
   // Without divisions: the smallest processors have no instruction for them.
   const int by_3 = incidence * 171 >> 9, by_9 = incidence * 57 >> 9;
   return {incidence - 3 * by_3 - 1, by_3 - 3 * by_9 - 1, by_9 - 1};
@@ -107,7 +107,7 @@ struct LinkTable {
   Link link[incidence_codes][max_directions / 2];  ///< of the first half of the directions
 };
 
-namespace derive {
+namespace detail::derive {
 
 constexpr Vertex link_vector(const LinkTable& table, Link link) {
   return {table.vector[link][0], table.vector[link][1], table.vector[link][2]};
@@ -133,7 +133,7 @@ constexpr Link next_link(const LinkTable& table, const Vertex& normal, Link from
 }
 
 constexpr void add_plane(LinkTable& table, Incidence incidence) {
-  const Vertex n = normal(incidence);
+  const Vertex n = incidence_normal(incidence);
   Link first = 0;
   while (dot(link_vector(table, first), n) != 0) ++first;
   uint8_t half = 0;
@@ -162,9 +162,9 @@ constexpr LinkTable link_table() {
   return table;
 }
 
-}  // namespace derive
+}  // namespace detail::derive
 
-inline constexpr LinkTable links = derive::link_table();
+inline constexpr LinkTable links = detail::derive::link_table();
 
 /// The number of directions in the planes of an incidence: 8 in axis planes, 4 in diagonal
 /// planes, 6 in corner planes.
@@ -174,7 +174,7 @@ constexpr uint8_t direction_count(Incidence incidence) {
 
 /// The vector of a link. Units: half-steps.
 constexpr Vertex link_vector(Link link) {
-  return derive::link_vector(links, link);
+  return detail::derive::link_vector(links, link);
 }
 
 /// The link of a direction in the planes of an incidence.
@@ -196,7 +196,7 @@ constexpr Direction direction_of(Incidence incidence, Link link) {
 
 /// As above, for a link vector. Cost: a search, so not per run.
 constexpr Direction direction_of(Incidence incidence, const Vertex& vector) {
-  return direction_of(incidence, derive::link_of(links, vector));
+  return direction_of(incidence, detail::derive::link_of(links, vector));
 }
 
 /// The vector of a direction in the planes of an incidence. Units: half-steps.

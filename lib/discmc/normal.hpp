@@ -4,7 +4,7 @@
 // makes a unit vector of any vector below. A normal that arrives in a stream already includes the
 // spacing, and needs only unit_normal(). The sources of a vector:
 //
-//   the facet      normal(incidence) of lattice.hpp: exact, at almost no cost
+//   the facet      incidence_normal(incidence) of lattice.hpp: exact, at almost no cost
 //   the samples    SampleWindow::negative_gradient(): Montani et al. 1994, section 2.4; may point
 //                  inwards at walls thinner than two voxels
 //   the polygons   the sum of area_vector() over the polygons that meet in a vertex
@@ -81,7 +81,7 @@ UnitNormal unit_normal(OctahedralNormal normal);
 /// polygon, as long as twelve times the area. twice_area: the sum of twice_area() over all rings of
 /// the polygon (chain.hpp, polygon.hpp). Units: half-steps.
 constexpr LongVector area_vector(Incidence incidence, int64_t twice_area) {
-  const Vertex n = normal(incidence);
+  const Vertex n = incidence_normal(incidence);
   // twice_area contains the length of n as a factor, and n does too: 6 / |n|^2 removes both.
   const int64_t length = twice_area * (6 / dot(n, n));
   return {n.x * length, n.y * length, n.z * length};

@@ -62,12 +62,18 @@ RowSink make_row_sink(Object& object) {
 /// itself, so it is neither copied nor moved.
 class SliceDecoder {
  public:
+  /// The memory for slices of this size. Limit: valid limits.
+  static constexpr uint64_t minimum_bytes(const Limits& limits, uint32_t surfaces = 1) {
+    return SliceEncoder::minimum_bytes(limits, {}, surfaces) +
+           Arena::bytes_of((limits.width + 7) / 8, sizeof(uint8_t));
+  }
+
   SliceDecoder() = default;
   SliceDecoder(const SliceDecoder&) = delete;
   SliceDecoder& operator=(const SliceDecoder&) = delete;
 
   /// Prepares to receive a stream, and to deliver the rows of all its surfaces. memory: at least
-  /// slice_decoder_bytes() for the size and the number of surfaces in the header; {} while they are
+  /// minimum_bytes() for the size and the number of surfaces in the header; {} while they are
   /// unknown, see give_memory(). Owner: the caller, while the decoder is in use. channel: the
   /// channel of any surface of the stream; any_channel: the first stream that arrives. Errors:
   /// bad_sink (no function).
@@ -81,7 +87,7 @@ class SliceDecoder {
   /// is false. Cost: the coding decisions of SliceEncoder::push().
   Decoded push(const uint8_t* bytes, size_t count);
 
-  /// After too_little_memory: continues with this memory, at least slice_decoder_bytes(). Does
+  /// After too_little_memory: continues with this memory, at least minimum_bytes(). Does
   /// nothing at any other time. Owner: as of start(). Errors: not_started, too_little_memory,
   /// wrong_version.
   [[nodiscard]] Status give_memory(Memory memory);
@@ -133,18 +139,18 @@ class SliceDecoder {
   bool code_is_over_ = false;  // its last packet has come
   bool row_is_begun_ = false;
   uint8_t rest_bytes_ = 0;
-  uint8_t rest_[wire::packet_head];  // of the code, before the next packet of it
-  uint8_t surface_ = 0;              // whose row is read
-  slices::RowNote note_ = slices::RowNote::none;
+  uint8_t rest_[detail::wire::packet_head];  // of the code, before the next packet of it
+  uint8_t surface_ = 0;                      // whose row is read
+  detail::slices::RowNote note_ = detail::slices::RowNote::none;
   uint32_t cut_row_ = 0;   // where the code is cut: in this row of those of all surfaces
   uint32_t cut_left_ = 0;  // the number of its voxels behind the cut; 0 without a cut
   uint32_t slice_ = 0;
   uint32_t next_slice_ = 0;   // after what is lost
   uint64_t lost_rows_ = 0;    // not yet reported
   uint64_t passed_rows_ = 0;  // handed out or lost
-  slices::RowReader coder_;
-  slices::RowCode row_;
-  slices::Surfaces surfaces_;
+  detail::slices::RowReader coder_;
+  detail::slices::RowCode row_;
+  detail::slices::Surfaces surfaces_;
   uint8_t* bits_ = nullptr;
 };
 

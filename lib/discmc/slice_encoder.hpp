@@ -48,32 +48,17 @@ struct KeySlices {
   }
 };
 
-namespace slices {
+namespace detail::slices {
 
 /// The bytes of the rows and probabilities of this many surfaces.
 constexpr uint64_t surface_bytes(const Limits& limits, uint32_t rows, uint32_t surfaces) {
   uint64_t bytes = 0;
   for (uint32_t surface = 0; surface < surfaces; ++surface)
-    bytes += trace::bit_row_bytes(limits.width, rows) + SliceModel::bytes_for(surface > 0);
+    bytes += detail::trace::bit_row_bytes(limits.width, rows) + SliceModel::bytes_for(surface > 0);
   return bytes;
 }
 
-}  // namespace slices
-
-/// The bytes of memory that a SliceEncoder needs (FOOTPRINT.md has a table). The first surface
-/// needs 548 bytes, each further one 1,060. In addition each surface needs rows of bits: five if
-/// every slice is a key slice, otherwise the rows of a slice and three more. Limit: valid limits.
-constexpr uint64_t slice_encoder_bytes(const Limits& limits, KeySlices key_slices,
-                                       uint32_t surfaces = 1) {
-  const uint32_t rows = slices::rows_kept(limits.height, key_slices.is_every_slice());
-  return slices::surface_bytes(limits, rows, surfaces) + Arena::alignment - 1;
-}
-
-/// The bytes of memory that a SliceDecoder needs for slices of this size. Limit: valid limits.
-constexpr uint64_t slice_decoder_bytes(const Limits& limits, uint32_t surfaces = 1) {
-  return slice_encoder_bytes(limits, KeySlices{}, surfaces) +
-         Arena::bytes_of((limits.width + 7) / 8, sizeof(uint8_t));
-}
+}  // namespace detail::slices
 
 // ---- The encoder.
 
@@ -81,13 +66,22 @@ constexpr uint64_t slice_decoder_bytes(const Limits& limits, uint32_t surfaces =
 /// contains pointers to itself, so it is not copied.
 class SliceEncoder {
  public:
+  /// The memory of start(), which needs no more (FOOTPRINT.md has a table). The first surface needs
+  /// 548 bytes, each further one 1,060. In addition each surface needs rows of bits: five if every
+  /// slice is a key slice, otherwise the rows of a slice and three more. Limit: valid limits.
+  static constexpr uint64_t minimum_bytes(const Limits& limits, KeySlices key_slices,
+                                          uint32_t surfaces = 1) {
+    const uint32_t rows = detail::slices::rows_kept(limits.height, key_slices.is_every_slice());
+    return detail::slices::surface_bytes(limits, rows, surfaces) + Arena::alignment - 1;
+  }
+
   SliceEncoder() = default;
 
   /// Begins a scan and its stream. header: width, height and thresholds are required; the stream
   /// begins with the header. With several surfaces, each uses all samples. Put first the surface
   /// that most resembles the others: its bits predict the bits of the others. memory: at least
-  /// slice_encoder_bytes(limits, key_slices, header.surface_count); Owner: the caller, for as long
-  /// as the scan lasts. If a reset of the device may have cut off a frame, send a zero byte to the
+  /// minimum_bytes(limits, key_slices, header.surface_count); Owner: the caller, for as long as the
+  /// scan lasts. If a reset of the device may have cut off a frame, send a zero byte to the
   /// link first: it ends that frame. Errors: bad_limits, bad_label, bad_sink (no write function),
   /// too_little_memory.
   [[nodiscard]] Status start(const StreamHeader& header, KeySlices key_slices, Memory memory,
@@ -170,7 +164,7 @@ class SliceEncoder {
   /// growth from set_output({}) to the next set_output() is the number of dropped bytes.
   uint64_t bytes() const { return packets_.bytes(); }
   /// The number of bytes at the beginning of the caller's memory that the scan uses:
-  /// slice_encoder_bytes().
+  /// minimum_bytes().
   size_t bytes_used() const;
   /// The complete slices so far.
   uint32_t slices() const { return surfaces_.rows().slices(); }
@@ -191,13 +185,13 @@ class SliceEncoder {
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
   Status ready_for_row();
   uint32_t column() const { return surfaces_.rows().column(); }
-  PushResult take_row(slices::RowNote note);
+  PushResult take_row(detail::slices::RowNote note);
   bool work();
   bool encode_row();
   bool begin_row();
   bool encode_what_precedes();
   bool is_at_key_slice() const;
-  void encode_note(slices::RowNote note);
+  void encode_note(detail::slices::RowNote note);
   bool make_room();
   void begin_code();
   bool end_code();
@@ -207,21 +201,21 @@ class SliceEncoder {
   void seal(uint8_t* end);
 
   State state_ = State::idle;
-  slices::RowNote note_ = slices::RowNote::none;  // of the row that is due
+  detail::slices::RowNote note_ = detail::slices::RowNote::none;  // of the row that is due
   bool row_is_due_ = false;
   bool row_is_begun_ = false;
   bool code_is_open_ = false;
   bool key_is_due_ = false;  // regardless of key_slices_
   bool is_abandoned_ = false;
-  uint8_t packet_bits_ = 0;  // of the packet: see wire::SliceBits
+  uint8_t packet_bits_ = 0;  // of the packet: see detail::wire::SliceBits
   uint8_t surface_ = 0;      // whose row is being coded
   KeySlices key_slices_;
   uint64_t encoded_rows_ = 0;
   uint64_t skipped_rows_ = 0;
   void* memory_ = nullptr;
-  slices::RowWriter coder_;
-  slices::RowCode row_;
-  slices::Surfaces surfaces_;
+  detail::slices::RowWriter coder_;
+  detail::slices::RowCode row_;
+  detail::slices::Surfaces surfaces_;
   PacketWriter packets_;
   detail::Seal seal_;
 };

@@ -54,7 +54,7 @@ void scan(const std::string& path, int32_t threshold, uint16_t max_frame, Bytes&
   const auto reader = open_volume(path);
   const VolumeInfo& info = reader->info();
   const Limits limits{info.dims[0], info.dims[1]};
-  Bytes memory(96 * 1024), bits(slice_encoder_bytes(limits, {16}));
+  Bytes memory(96 * 1024), bits(SliceEncoder::minimum_bytes(limits, {16}));
   const auto extractor = std::make_unique<Extractor16>();
   Encoder encoder;
   SliceEncoder slice_encoder;

@@ -18,9 +18,9 @@
 
 namespace {
 
-using discmc::stream::Record;
-using discmc::stream::RecordKind;
-using Counts = std::array<double, discmc::stream::rows::end>;
+using discmc::detail::stream::Record;
+using discmc::detail::stream::RecordKind;
+using Counts = std::array<double, discmc::detail::stream::rows::end>;
 
 struct CountingCoder {
   static constexpr bool writes = true;
@@ -69,7 +69,7 @@ class Trainer {
   const Counts& counts() const { return counts_; }
 
  private:
-  using Model = discmc::stream::RecordModel<CountingCoder>;
+  using Model = discmc::detail::stream::RecordModel<CountingCoder>;
 
   void make_room(uint32_t words) {
     if (!record_.has_room(words)) encode_parts(false);

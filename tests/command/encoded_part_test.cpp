@@ -9,8 +9,8 @@
 
 using namespace discmc::test;
 using discmc::Status;
+using discmc::detail::wire::PacketKind;
 using discmc::meshing::EncodedPart;
-using discmc::wire::PacketKind;
 
 namespace {
 
@@ -66,7 +66,8 @@ TEST_CASE(
     const Packet packet = packet_of(frames[i]);
     const bool is_whole = packet.is(PacketKind::whole_regions);
     if (!is_whole && !packet.is(PacketKind::records)) continue;
-    const bool has_room = is_whole || packet.payload.size() <= discmc::wire::max_whole_regions;
+    const bool has_room =
+        is_whole || packet.payload.size() <= discmc::detail::wire::max_whole_regions;
     CHECK(is_whole == (has_room && brought[i].front().is(Kind::region) &&
                        brought[i].back().is(Kind::region_end)));
     ++(is_whole ? whole : others);

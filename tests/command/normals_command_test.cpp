@@ -49,7 +49,8 @@ std::string stream_with_normals() {
   header.spacing_nm[2] = 2000000;
   header.thresholds[0] = 1000;
   const discmc::Limits limits{extent, extent};
-  const std::uint64_t least = discmc::minimum_bytes<std::uint32_t, WithNormals>(limits);
+  const std::uint64_t least =
+      discmc::detail::sizing::minimum_bytes<std::uint32_t, WithNormals>(limits);
   discmc::reference::Block block(least + (std::uint64_t{1} << 20));
   discmc::test::Line line;
   discmc::test::NormalEncoder encoder;

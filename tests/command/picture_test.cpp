@@ -160,7 +160,7 @@ TEST_CASE("what is nearer hides what is farther, whatever the order of the faces
     Surface seen = surface;
     seen.polygons = {};
     for (const Polygon& polygon : surface.polygons) {
-      const Vertex n = discmc::normal(polygon.incidence);
+      const Vertex n = discmc::incidence_normal(polygon.incidence);
       if (-n.x - n.y + n.z > 0) seen.polygons.push_back(polygon);
     }
     REQUIRE(seen.polygons.size() == 5);

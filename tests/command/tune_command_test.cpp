@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <discmc/capacities.hpp>
+#include <discmc/extractor.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <sstream>
 #include <string>
@@ -87,7 +87,7 @@ TEST_CASE("tune shows the kinds of stream that are asked for") {
   CHECK(!contains(regions, "Slices:"));
   const std::string slices = workshop.done("tune v.nrrd --iso 100 --wire slices");
   CHECK(!contains(slices, "Regions:"));
-  CHECK(contains(slices, with_commas(discmc::slice_encoder_bytes(limits, {16}))));
+  CHECK(contains(slices, with_commas(discmc::SliceEncoder::minimum_bytes(limits, {16}))));
 }
 
 TEST_CASE("the code that tune prints compiles, in C++ and in C") {
@@ -166,9 +166,9 @@ TEST_CASE("tune refuses with the value and the remedy") {
   refused("--iso 100 --clock fast", 2, "invalid clock 'fast'; expected Hertz, as in 48M");
   refused("--iso 100 --baud 0", 2, "invalid value '0'; expected bits per second");
   refused("--iso 100 --memory 100", 1,
-          "give at least " + std::to_string(discmc::minimum_bytes<std::uint16_t>(limits)));
+          "give at least " + std::to_string(discmc::Extractor16::minimum_bytes(limits)));
   refused("--iso 100 --memory 1M", 1,
-          "give at most " + std::to_string(discmc::bytes_for<std::uint16_t>(limits, {32759, 0})));
+          "give at most " + std::to_string(discmc::Extractor16::bytes_for(limits, {32759, 0})));
   refused("--iso 100 --capacities 40000,1", 1, "expected 4 to 32759");
   refused("--iso 300", 1, "no voxel reaches 300");
   refused("--iso 300 --allow-empty", 2, "'--allow-empty' is not an option of tune");

@@ -57,7 +57,7 @@ constexpr Limits limits{size, size};
 struct Device {
   Extractor16 extractor;
   Encoder encoder;
-  uint8_t memory[minimum_bytes<uint16_t>(limits) + 16 * 1024];
+  uint8_t memory[Extractor16::minimum_bytes(limits) + 16 * 1024];
 };
 
 bool begin(Device& device, const ByteOutput& output) {
@@ -79,7 +79,7 @@ Bytes stream_of(Ball ball) {
 // Of docs/regions-or-slices.md.
 constexpr KeySlices key_slices{16};
 SliceEncoder slice_encoder;
-uint8_t slice_memory[slice_encoder_bytes(limits, key_slices)];
+uint8_t slice_memory[SliceEncoder::minimum_bytes(limits, key_slices)];
 
 bool begin_slices(const ByteOutput& output) {
   StreamHeader header;
@@ -160,7 +160,7 @@ Status push_levelled(Extractor16& extractor, const uint8_t* row, int32_t thresho
 
 // Of docs/receiving.md.
 struct Outlines {
-  Incidence incidence = no_incidence;  // of the region or fragment: normal(incidence)
+  Incidence incidence = no_incidence;  // of the region or fragment: incidence_normal(incidence)
   Vertex corner{};
   uint64_t lines = 0;
 
@@ -254,7 +254,7 @@ Status end_scan(Device& device, CheckpointStore& store, const ByteOutput& output
 // Of docs/normals.md.
 UnitNormal normal_of(const Event& run, Incidence incidence, const StreamHeader& header) {
   if (!run.normal.is_none()) return unit_normal(run.normal);
-  const Vertex n = normal(incidence);
+  const Vertex n = incidence_normal(incidence);
   return unit_normal(weighted({n.x, n.y, n.z}, axis_weights(header.spacing_nm)));
 }
 
@@ -292,7 +292,7 @@ TEST_CASE("the guide's stream of slices makes the regions of the device's own") 
 
 TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a lost packet") {
   // So little memory that the device sends fragments.
-  static uint8_t memory[minimum_bytes<uint16_t>(limits) + 256];
+  static uint8_t memory[Extractor16::minimum_bytes(limits) + 256];
   Bytes bytes;
   Encoder encoder;
   Extractor16 extractor;
@@ -356,7 +356,7 @@ TEST_CASE(
     "the guide's task pushes the rows that the guide's interrupt brings, and skips the lost ones") {
   REQUIRE(ring.start(pixels * sizeof(uint16_t), rows_held, memory_of(row_memory)) == Status::ok);
   constexpr Limits row_limits{pixels, 1};
-  static uint8_t memory[minimum_bytes<uint16_t>(row_limits) + 16 * 1024];
+  static uint8_t memory[Extractor16::minimum_bytes(row_limits) + 16 * 1024];
   Bytes bytes;
   Encoder encoder;
   Extractor16 extractor;
@@ -380,7 +380,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the guide's part of a volume, and its threshold for each row") {
-  static uint8_t memory[minimum_bytes<uint16_t>(limits) + 16 * 1024];
+  static uint8_t memory[Extractor16::minimum_bytes(limits) + 16 * 1024];
   Bytes bytes;
   Encoder encoder;
   Extractor16 extractor;

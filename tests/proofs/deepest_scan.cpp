@@ -36,7 +36,7 @@ class Log {
 // One voxel in each of the last three of `slices` slices, of which those from `first` on are
 // scanned; then one slice more.
 bool scan(uint32_t first, uint32_t slices, Status beyond, Log& log) {
-  static uint8_t memory[minimum_bytes<uint16_t>({1, 1}) + 2000];
+  static uint8_t memory[Extractor16::minimum_bytes({1, 1}) + 2000];
   const Slab slab{first, first > 0};
   Extractor16 extractor;
   if (extractor.start({1, 1, Border::closed, slab}, 1, memory_of(memory), make_sink(log)) !=

@@ -67,7 +67,7 @@ Bytes regions_with_records(size_t bytes_a_time) {
 
 Bytes slices_with_records(size_t bytes_a_time) {
   Line line(bytes_a_time);
-  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
   SliceEncoder encoder;
   require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, line.output()));
   const uint32_t slice = volume.width * volume.height;
@@ -149,7 +149,7 @@ TEST_CASE("records go with a stream of slices, before the row that follows") {
 
 TEST_CASE("a record in a stream of slices goes out at once, and says where the scan was") {
   Line line;
-  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
   SliceEncoder encoder;
   require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, line.output()));
   require_ok(encoder.push(volume.on.data(), volume.width * (2 * volume.height + 3)).status);
@@ -174,7 +174,7 @@ TEST_CASE("a row that follows a record is taken, though the record is on its way
       return static_cast<BusyLine*>(context)->is_busy ? 0 : count;
     }
   } line;
-  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
   SliceEncoder encoder;
   require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()},
                            {&line, BusyLine::write}));
@@ -232,7 +232,7 @@ TEST_CASE("200 bytes are a record, 201 are none; none is told before a start, or
     REQUIRE(encoder.take(event.event()) == SinkResult::accepted);
   }
   require_ok(encoder.write_record(record_of(most)));
-  Bytes memory(slice_encoder_bytes({1, 1}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({1, 1}, {}));
   SliceEncoder slices;
   CHECK(slices.write_record(record_of(most)) == Status::not_started);
   require_ok(slices.start(any_header(), {}, {memory.data(), memory.size()}, line.output()));
@@ -249,7 +249,7 @@ TEST_CASE("a record is refused as soon as the scan has ended, taken by the outpu
     Line line(bytes_a_time);
     Encoder encoder;
     Extractor32 extractor;
-    Bytes room(minimum_bytes<uint32_t>({1, 1}));
+    Bytes room(Extractor32::minimum_bytes({1, 1}));
     require_ok(encoder.start({}, line.output()));
     require_ok(extractor.start({1, 1}, 1, {room.data(), room.size()}, make_sink(encoder)));
     until_taken([&] { return extractor.finish(); });
@@ -260,7 +260,7 @@ TEST_CASE("a record is refused as soon as the scan has ended, taken by the outpu
 
     Line other(bytes_a_time);
     SliceEncoder slices;
-    Bytes memory(slice_encoder_bytes({1, 1}, {}));
+    Bytes memory(SliceEncoder::minimum_bytes({1, 1}, {}));
     require_ok(slices.start(any_header(), {}, {memory.data(), memory.size()}, other.output()));
     (void)slices.finish();
     CHECK(slices.write_record(record_of(bytes)) == Status::finished);

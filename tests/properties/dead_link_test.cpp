@@ -104,13 +104,13 @@ TEST_CASE("a stream of regions whose link comes back lacks what was dropped, and
         received.report.totals.regions + received.report.totals.fragments);
   CHECK_FALSE(received.report.is_complete());
   // A receiver that comes late has a header behind the first packet.
-  CHECK(packet_of(frames_of(back.bytes)[1]).is(wire::PacketKind::header));
+  CHECK(packet_of(frames_of(back.bytes)[1]).is(detail::wire::PacketKind::header));
 }
 
 TEST_CASE("a stream of slices whose link comes back goes on with a key slice") {
   DyingLine dead{300};
   Line back;
-  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
   SliceEncoder encoder;
   require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, dead.output()));
   uint32_t row = 0;
@@ -138,7 +138,7 @@ TEST_CASE("a stream of slices whose link comes back goes on with a key slice") {
 TEST_CASE("a receiver that comes between two packets has a header at once") {
   const uint32_t slice = volume.width * volume.height;
   Line before, after;
-  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
   SliceEncoder encoder;
   require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, before.output()));
   require_ok(encoder.push(volume.on.data(), slice).status);
@@ -178,7 +178,7 @@ TEST_CASE("an output that comes before the stream does changes nothing") {
 TEST_CASE("what is sealed goes to the new output, and the header behind it") {
   DyingLine dead{SIZE_MAX};
   Line back;
-  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
   SliceEncoder encoder;
   require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, dead.output()));
   require_ok(encoder.resume());
@@ -189,13 +189,13 @@ TEST_CASE("what is sealed goes to the new output, and the header behind it") {
   require_ok(encoder.resume());
   const std::vector<Bytes> frames = frames_of(back.bytes);
   REQUIRE(frames.size() == 2);
-  CHECK(packet_of(frames[0]).is(wire::PacketKind::slices_application));
-  CHECK(packet_of(frames[1]).is(wire::PacketKind::header));
+  CHECK(packet_of(frames[0]).is(detail::wire::PacketKind::slices_application));
+  CHECK(packet_of(frames[1]).is(detail::wire::PacketKind::header));
 }
 
 TEST_CASE("a zero ends a cut frame once, before the next stream that goes out") {
   DyingLine line{3};
-  Bytes memory(slice_encoder_bytes({1, 1}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({1, 1}, {}));
   SliceEncoder encoder;
   const auto start = [&](const ByteOutput& output) {
     require_ok(encoder.start({1, 1}, {}, {memory.data(), memory.size()}, output));
@@ -226,7 +226,7 @@ TEST_CASE("a stream that is begun amid a frame of another is whole") {
       expected.insert(expected.end(), whole.begin(), whole.end());
       uint32_t row = 0;
       if (is_of_slices) {
-        Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+        Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
         SliceEncoder encoder;
         for (const Status status : {Status::suspended, Status::ok}) {
           require_ok(

@@ -22,7 +22,7 @@ class BlockScanner {
  public:
   BlockScanner(Size size, bool closed, const Capacities& capacities)
       : limits_{size.width, size.height, closed ? Border::closed : Border::open},
-        memory_(bytes_for<uint16_t>(limits_, capacities)) {
+        memory_(Extractor16::bytes_for(limits_, capacities)) {
     require_ok(extractor_.start(limits_, capacities, 1, memory_.memory(), make_sink(collector_)));
   }
 

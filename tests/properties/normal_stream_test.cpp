@@ -59,7 +59,7 @@ const OctahedralNormal none{0, 0};
 // ---- payloads by hand ----
 
 void add_region(Payload& payload, uint32_t runs = 2) {
-  stream::Record record;
+  detail::stream::Record record;
   record.begin(up);
   record.add_ring({1, 0, 0});
   for (uint32_t i = 0; i < runs; ++i) record.add_run(run_to_and_fro(i));
@@ -69,7 +69,7 @@ void add_region(Payload& payload, uint32_t runs = 2) {
 
 // `lacking`: the bytes at its end that are promised and not there.
 void add_normals(Payload& payload, uint32_t type, const Bytes& bytes, uint32_t lacking = 0) {
-  payload.model.record_kind(stream::RecordKind::extension);
+  payload.model.record_kind(detail::stream::RecordKind::extension);
   payload.model.even(8, type);
   payload.model.even(8, static_cast<uint32_t>(bytes.size()) + lacking);
   for (const uint8_t byte : bytes) payload.model.even(8, byte);
@@ -145,7 +145,7 @@ TEST_CASE("a normal belongs to the record after it and to no other") {
   }
   SUBCASE("a layer mark comes between") {
     add_normals(payload, 1, {5, 6});
-    payload.model.record_kind(stream::RecordKind::layer);
+    payload.model.record_kind(detail::stream::RecordKind::layer);
     payload.model.layer(3);
     add_region(payload);
     CHECK(normals_of({payload.finish()}) == List{{0, 0}, {0, 0}});
@@ -233,7 +233,7 @@ TEST_CASE("a stream of an extractor with normals comes through") {
   for (uint8_t& sample : samples) sample = chance.byte();
   for (size_t i = 1; i + 24 < samples.size(); ++i)
     samples[i] = static_cast<uint8_t>((samples[i - 1] + samples[i] + samples[i + 24]) / 3);
-  Block block(bytes_for<uint16_t, GradientNormals<uint8_t>>(limits, capacities));
+  Block block(detail::sizing::bytes_for<uint16_t, GradientNormals<uint8_t>>(limits, capacities));
   EventLog log;
   NormalExtractor16<uint8_t> extractor;
   require_ok(extractor.start(limits, capacities, 120, block.memory(), make_sink(log)));

@@ -73,7 +73,7 @@ class Device {
   Device(const Scenario& scenario, Stopping& output)
       : scenario_(scenario),
         limits_(limits_of(scenario.volume, Border::closed)),
-        block_(bytes_for<uint16_t>(limits_, scenario.capacities)) {
+        block_(Extractor16::bytes_for(limits_, scenario.capacities)) {
     begin_stream(output);
     require_ok(
         extractor_.start(limits_, scenario.capacities, 1, block_.memory(), make_sink(gate_)));

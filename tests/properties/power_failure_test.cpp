@@ -24,7 +24,7 @@ namespace {
 
 constexpr uint32_t size = 6;
 constexpr Limits limits{size, size};
-constexpr size_t arena_bytes = minimum_bytes<uint16_t>(limits) + 400;  // sends fragments, too
+constexpr size_t arena_bytes = Extractor16::minimum_bytes(limits) + 400;  // sends fragments, too
 constexpr int32_t thresholds[] = {110, 150};
 constexpr FlashGeometry geometry{128, 1024, 24};
 constexpr uint32_t max_bytes = 8000;
@@ -257,7 +257,7 @@ class SliceDevice : public Device {
 
  private:
   SliceEncoder encoder_;
-  uint8_t memory_[slice_encoder_bytes(limits, {4}, 2)] = {};
+  uint8_t memory_[SliceEncoder::minimum_bytes(limits, {4}, 2)] = {};
 };
 
 class DeviceInC : public Device {

@@ -38,7 +38,7 @@ class Pressed {
   /// The peaks of a scan that lacks nothing.
   Peaks needed() const {
     Collector collector;
-    Block block(bytes_for<uint16_t>(limits(), ample));
+    Block block(Extractor16::bytes_for(limits(), ample));
     Extractor16 extractor;
     require_ok(extractor.start(limits(), ample, 1, block.memory(), collector.sink()));
     push_all(extractor, volume_.on);
@@ -56,7 +56,7 @@ class Pressed {
       Collector collector;
       Collector broken_off;
       Switch receiver{&broken_off};
-      Block block(bytes_for<uint16_t>(limits(), capacities), next_kind());
+      Block block(Extractor16::bytes_for(limits(), capacities), next_kind());
       Extractor16 extractor;
       require_ok(extractor.start(limits(), capacities, 1, block.memory(), make_sink(receiver)));
       const std::vector<uint8_t>& on = volume_.on;
@@ -150,12 +150,12 @@ TEST_CASE("whatever number of holes may wait, the rings are the same") {
 
 TEST_CASE("every arena from the minimum to more than enough keeps the rings") {
   for_each_case([](const Pressed& pressed) {
-    const uint64_t narrow = minimum_bytes<uint16_t>(pressed.limits());
+    const uint64_t narrow = Extractor16::minimum_bytes(pressed.limits());
     for (uint64_t extra = 0; extra < 12000; extra += step(23) * (1 + extra / 32)) {
       CAPTURE(extra);
       CHECK(pressed.fault<uint16_t>(narrow + extra) == "");
     }
-    const uint64_t wide = minimum_bytes<uint32_t>(pressed.limits());
+    const uint64_t wide = Extractor32::minimum_bytes(pressed.limits());
     for (uint64_t bytes = wide; bytes < wide + 12000; bytes += 797)
       CHECK(pressed.fault<uint32_t>(bytes) == "");
   });
@@ -163,7 +163,7 @@ TEST_CASE("every arena from the minimum to more than enough keeps the rings") {
 
 TEST_CASE("every single byte more than the minimum keeps the rings") {
   const Pressed pressed(random({7, 6, 5}, 120, 3), Border::closed);
-  const uint64_t minimum = minimum_bytes<uint16_t>(pressed.limits());
+  const uint64_t minimum = Extractor16::minimum_bytes(pressed.limits());
   for (uint64_t bytes = minimum; bytes < minimum + 3000; bytes += step(17))
     CHECK(pressed.fault<uint16_t>(bytes) == "");
 }
@@ -221,7 +221,7 @@ TEST_CASE("more memory never makes more loose fragments of a ball, and enough ma
   size_t before = SIZE_MAX;
   for (const uint64_t bytes : {0U, 500U, 1000U, 2000U, 4000U, 8000U, 16000U}) {
     Collector collector;
-    scan_into<uint16_t>(collector, volume, {}, minimum_bytes<uint16_t>(limits) + bytes);
+    scan_into<uint16_t>(collector, volume, {}, Extractor16::minimum_bytes(limits) + bytes);
     CHECK(collector.loose().size() <= before);
     before = collector.loose().size();
   }

@@ -163,7 +163,7 @@ TEST_CASE("real volumes come out the same in any memory, once loose fragments ar
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);
     const std::vector<Region> merged = merge(volume, true);
-    const uint64_t least = minimum_bytes<uint16_t>(limits_of(volume, Border::closed));
+    const uint64_t least = Extractor16::minimum_bytes(limits_of(volume, Border::closed));
     for (const uint64_t extra : {0U, 1000U, 10000U, 40000U}) {
       CAPTURE(scan.file.string());
       CAPTURE(extra);
@@ -195,7 +195,7 @@ TEST_CASE("more memory makes no more loose fragments of a real volume, and hardl
   for (const command::DescribedVolume& scan : scans()) {
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);
-    uint64_t bytes = minimum_bytes<uint16_t>(limits_of(volume, Border::closed));
+    uint64_t bytes = Extractor16::minimum_bytes(limits_of(volume, Border::closed));
     StreamSize before = stream_size(volume, bytes);
     while (before.fragments > 0 && bytes < 256 * kib) {
       bytes += 2 * kib;

@@ -81,7 +81,7 @@ template <class Index>
 EventLog run(const Scenario& scenario, EventLog::Refuses refuses = {}, Way way = Way::again) {
   EventLog log(std::move(refuses));
   const Limits limits = limits_of(scenario.volume, scenario.border);
-  Block block(bytes_for<Index>(limits, scenario.capacities));
+  Block block(Extractor<Index>::bytes_for(limits, scenario.capacities));
   Extractor<Index> extractor;
   require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), make_sink(log)));
   push_samples(extractor, scenario, way);
@@ -122,7 +122,7 @@ EventLog events_after_reset(const Scenario& scenario, uint64_t taken, bool skips
   EventLog before, after;
   Gate gate{&before, taken};
   const Limits limits = limits_of(scenario.volume, scenario.border);
-  Block block(bytes_for<uint16_t>(limits, scenario.capacities));
+  Block block(Extractor16::bytes_for(limits, scenario.capacities));
   Extractor16 extractor;
   require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), make_sink(gate)));
   if (skips) (void)extractor.skip_row(Substitute::off);
@@ -198,7 +198,7 @@ std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, 
   EventLog next;
   Switch receiver{&log};
   const Limits limits = limits_of(scenario.volume, scenario.border);
-  Block block(bytes_for<uint16_t>(limits, scenario.capacities));
+  Block block(Extractor16::bytes_for(limits, scenario.capacities));
   Extractor16 extractor;
   require_ok(extractor.start(limits, scenario.capacities, 1, block.memory(), make_sink(receiver)));
   uint32_t at = 0;

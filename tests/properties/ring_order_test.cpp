@@ -10,7 +10,7 @@
 namespace {
 
 using namespace discmc;
-using trace::derive::is_visited_before;
+using detail::trace::derive::is_visited_before;
 
 using Polygon = std::vector<Vertex>;
 
@@ -97,7 +97,7 @@ TEST_CASE("a straight way leads from each midpoint out of all facets of its plan
   int planes = 0;
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
     if (incidence == no_incidence) continue;
-    const Vertex n = normal(incidence);
+    const Vertex n = incidence_normal(incidence);
     const std::vector<Polygon> facets = facets_near(incidence, 4);
     for (const Vertex v : {Vertex{1, 0, 0}, Vertex{0, 1, 0}, Vertex{0, 0, 1}}) {
       std::vector<Polygon> plane;

@@ -47,7 +47,7 @@ Received decode_channel(const Bytes& bytes, uint8_t channel) {
 
 Bytes slices_of(const StreamHeader& header, const BitVolume& volume) {
   Line line;
-  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
   SliceEncoder encoder;
   require_ok(encoder.start(header, {}, {memory.data(), memory.size()}, line.output()));
   require_ok(encoder.push(volume.on.data(), static_cast<uint32_t>(volume.voxels())).status);
@@ -224,7 +224,7 @@ TEST_CASE("an extractor that knows the spacing says it once, for the stream as w
   Line line;
   discmc::test::NormalEncoder encoder;
   require_ok(encoder.start({0, {5, 5, 5}}, line.output()));
-  Bytes memory(minimum_bytes<uint16_t, Normals>({8, 8}));
+  Bytes memory(detail::sizing::minimum_bytes<uint16_t, Normals>({8, 8}));
   NormalExtractor16<uint8_t> extractor;
   extractor.set_spacing({1000, 2000, -3000});
   require_ok(extractor.start({8, 8}, 1, {memory.data(), memory.size()}, make_sink(encoder)));
@@ -419,7 +419,7 @@ TEST_CASE("a shared link that is started anew sends nothing of before") {
   CHECK(line.bytes.empty());
   CHECK(output.write(output.context, frame, 4) == 4);
   CHECK(line.bytes == Bytes(frame, frame + 4));
-  const Bytes longest(wire::max_frame, 7);
+  const Bytes longest(detail::wire::max_frame, 7);
   CHECK(output.write(output.context, longest.data(), longest.size()) == longest.size());
   CHECK(line.bytes.size() == 4 + longest.size());
 }

@@ -23,8 +23,8 @@ ByteOutput limited(Line& line, uint16_t max_frame) {
 }
 
 bool is_of_surface(const Bytes& frame) {
-  const auto kind = static_cast<wire::PacketKind>(packet_of(frame).kind);
-  return kind == wire::PacketKind::records || kind >= wire::PacketKind::slices;
+  const auto kind = static_cast<detail::wire::PacketKind>(packet_of(frame).kind);
+  return kind == detail::wire::PacketKind::records || kind >= detail::wire::PacketKind::slices;
 }
 
 void check_lengths(const Bytes& stream, uint16_t max_frame) {
@@ -61,7 +61,7 @@ TEST_CASE("short frames carry all regions, fragments and normals") {
       CAPTURE(length);
       CAPTURE(memory);
       const BitVolume volume = reference::random({20, 15, 10}, 100, length);
-      const Events events = events_of(volume, default_capacities<uint32_t>({20, 15}, memory));
+      const Events events = events_of(volume, Extractor32::default_capacities({20, 15}, memory));
       Line line;
       Encoder encoder;
       require_ok(begin_stream(encoder, header_of(volume), limited(line, length)));
@@ -74,7 +74,7 @@ TEST_CASE("short frames carry all regions, fragments and normals") {
       const Bytes stream = with_normals(events, header_of(volume), length);
       check_lengths(stream, length);
       CHECK(decode(stream).events ==
-            decode(with_normals(events, header_of(volume), wire::max_frame)).events);
+            decode(with_normals(events, header_of(volume), detail::wire::max_frame)).events);
     }
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("short frames carry all slices of several surfaces") {
       StreamHeader header = header_of(volume);
       header.surface_count = 2;
       header.thresholds[1] = header.thresholds[0];
-      Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {interval}, 2));
+      Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {interval}, 2));
       Line line;
       SliceEncoder encoder;
       require_ok(
@@ -126,7 +126,7 @@ TEST_CASE("lengths of frames that ByteOutput does not allow are refused") {
     CHECK(encoder.start({}, limited(line, length)) == Status::bad_sink);
     StreamHeader header;
     header.width = header.height = 4;
-    Bytes memory(slice_encoder_bytes({4, 4}, {}));
+    Bytes memory(SliceEncoder::minimum_bytes({4, 4}, {}));
     SliceEncoder slices;
     CHECK(slices.start(header, {}, {memory.data(), memory.size()}, limited(line, length)) ==
           Status::bad_sink);

@@ -86,11 +86,11 @@ TEST_CASE("a loss of 256 packets up to a header is noticed, whatever was lost be
   SlicePlan plan{{1}};
   plan.flush_every = 1;  // every packet is a row
   const std::vector<Bytes> frames = frames_of(encode_slices(volume, plan));
-  constexpr size_t from_header_to_header = 1 + wire::header_interval;
+  constexpr size_t from_header_to_header = 1 + detail::wire::header_interval;
   constexpr size_t end = 4 * from_header_to_header, gap = 256;
   for (size_t header = 0; header + end < frames.size(); header += from_header_to_header) {
     CAPTURE(header);
-    REQUIRE(packet_of(frames[header + end]).is(wire::PacketKind::header));
+    REQUIRE(packet_of(frames[header + end]).is(detail::wire::PacketKind::header));
     std::vector<Bytes> kept;
     for (size_t i = 0; i < frames.size(); ++i) {
       const bool is_lost = i == header + 1 || (i + gap >= header + end && i < header + end);
@@ -229,7 +229,7 @@ TEST_CASE("packets that are whole but hold anything do no harm") {
 
 TEST_CASE("a key slice is told by nothing that was lost, its first row among it") {
   const BitVolume volume = reference::random({40, 1, 12}, 128, 3);
-  Bytes memory(slice_encoder_bytes({40, 1}, {2}));
+  Bytes memory(SliceEncoder::minimum_bytes({40, 1}, {2}));
   Line line;
   SliceEncoder encoder;
   reference::require_ok(

@@ -93,8 +93,8 @@ Bytes samples_of(const reference::Size& size) {
 Bytes encode(const Scan& scan) {
   const StreamHeader header = header_of(scan);
   const Bytes samples = samples_of(scan.size);
-  Bytes memory(
-      slice_encoder_bytes({header.width, header.height}, scan.key_slices, header.surface_count));
+  Bytes memory(SliceEncoder::minimum_bytes({header.width, header.height}, scan.key_slices,
+                                           header.surface_count));
   Line line;
   SliceEncoder encoder;
   reference::require_ok(
@@ -172,7 +172,7 @@ TEST_CASE("a code with a header in it is read as WIRE.md specifies") {
   const BitVolume volume = reference::random({400, 400, 1}, 128, 8);
   const Bytes stream = encode_slices(volume);
   REQUIRE(frames_of(stream).size() > 70);
-  CHECK(packet_of(frames_of(stream)[65]).is(wire::PacketKind::header));
+  CHECK(packet_of(frames_of(stream)[65]).is(detail::wire::PacketKind::header));
   const SlicesRead told = check_read(stream);
   CHECK(told.on[0] == volume.on);
   CHECK(told.key_codes == 1);

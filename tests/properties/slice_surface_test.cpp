@@ -48,7 +48,7 @@ void scan(Scanner& scanner, const BitVolume& volume, bool skips) {
 Events swept(const BitVolume& volume, Border border, bool skips) {
   EventLog log;
   const Limits limits{volume.width, volume.height, border};
-  Bytes memory(minimum_bytes<uint32_t>(limits) + 200000);
+  Bytes memory(Extractor32::minimum_bytes(limits) + 200000);
   Extractor32 extractor;
   reference::require_ok(extractor.start(limits, 1, {memory.data(), memory.size()}, make_sink(log)));
   scan(extractor, volume, skips);
@@ -57,7 +57,7 @@ Events swept(const BitVolume& volume, Border border, bool skips) {
 
 Bytes told(const BitVolume& volume, Border border, bool skips, uint32_t interval) {
   Line line;
-  Bytes memory(slice_encoder_bytes({volume.width, volume.height}, {interval}));
+  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {interval}));
   SliceEncoder encoder;
   reference::require_ok(encoder.start(header_of(volume, border), {interval},
                                       {memory.data(), memory.size()}, line.output()));
@@ -136,7 +136,7 @@ TEST_CASE("memory that is too small for a stream of slices is refused") {
   const Bytes stream = told(volume, Border::closed, false, 0);
   const Limits limits{volume.width, volume.height};
   for (const uint64_t bytes :
-       {uint64_t{0}, uint64_t{100}, slice_decoder_bytes(limits),
+       {uint64_t{0}, uint64_t{100}, SliceDecoder::minimum_bytes(limits),
         Receiver::minimum_bytes(limits) - 1, Receiver::minimum_bytes(limits)}) {
     CAPTURE(bytes);
     Bytes memory(bytes);
@@ -221,7 +221,8 @@ TEST_CASE("memory that is given takes the place of what was too little, all of i
   const Bytes stream = told(volume, Border::closed, false, 0);
   const Limits limits{volume.width, volume.height};
   const size_t head = frames_of(stream)[0].size();
-  for (const uint64_t bytes : {slice_decoder_bytes(limits), Receiver::minimum_bytes(limits) - 1}) {
+  for (const uint64_t bytes :
+       {SliceDecoder::minimum_bytes(limits), Receiver::minimum_bytes(limits) - 1}) {
     CAPTURE(bytes);
     EventLog log;
     SurfaceDecoder decoder;

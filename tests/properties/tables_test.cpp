@@ -17,5 +17,5 @@ TEST_CASE("the facets of every configuration fill its loops, and are counted rig
 }
 
 TEST_CASE("a vertex sees the sectors of its four cells, and each kind of link has a queue") {
-  CHECK(broken(trace::sector_table) == nullptr);
+  CHECK(broken(detail::trace::sector_table) == nullptr);
 }

@@ -20,7 +20,7 @@ Received survive(const Bytes& bytes, size_t portion = 0) {
   const std::vector<Events> pieces = pieces_of(arrival.events);
   CHECK(pieces.size() == arrival.report.regions + arrival.report.fragments);
   const Bytes again = encode<NormalEncoder>(arrival.events);  // hostile bytes may hold normals
-  for (const Bytes& frame : frames_of(again)) CHECK(frame.size() <= wire::max_frame);
+  for (const Bytes& frame : frames_of(again)) CHECK(frame.size() <= detail::wire::max_frame);
   CHECK(pieces_of(decode(again).events) == pieces);
   return arrival;
 }
@@ -50,7 +50,7 @@ void mutate(Chance& chance, Bytes& bytes) {
     if (way == 0) byte = chance.byte();
     if (way == 1) byte = static_cast<uint8_t>(byte ^ 1 << chance.below(8));
     if (way == 2) bytes.resize(chance.below(static_cast<uint32_t>(bytes.size()) + 1));
-    if (way == 3 && bytes.size() < wire::max_payload) bytes.push_back(chance.byte());
+    if (way == 3 && bytes.size() < detail::wire::max_payload) bytes.push_back(chance.byte());
   }
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("random payloads under a correct checksum end, and break no rule") {
   for (int round = 0; round < 1500; ++round) {
     Bytes stream;
     for (uint8_t number = 0; number < 8; ++number) {
-      const Bytes payload = random_bytes(chance, chance.below(wire::max_payload + 1));
+      const Bytes payload = random_bytes(chance, chance.below(detail::wire::max_payload + 1));
       const uint8_t kind = chance.below(5) == 0 ? chance.byte() : 2;
       const auto pieces = static_cast<uint16_t>(chance.below(3) == 0 ? chance.next() : 0);
       const Bytes frame =
@@ -164,7 +164,7 @@ TEST_CASE("hostile payloads that cost next to nothing a decision still end") {
   Chance chance(5);
   for (int round = 0; round < 300; ++round) {
     // All ones or all zeros steer the decoder along the likeliest or least likely decisions.
-    Bytes payload(wire::max_payload, chance.below(2) == 0 ? 0xFF : 0);
+    Bytes payload(detail::wire::max_payload, chance.below(2) == 0 ? 0xFF : 0);
     for (uint32_t i = chance.below(6); i > 0; --i) payload[chance.below(8)] = chance.byte();
     const Received arrival = survive(frame_of({2, 0, 0, payload}));
     CHECK(arrival.events.size() < 400000);
@@ -173,11 +173,11 @@ TEST_CASE("hostile payloads that cost next to nothing a decision still end") {
 
 TEST_CASE("frames of every length with a correct checksum are safe, too long ones as well") {
   Chance chance(6);
-  for (size_t count = 0; count <= wire::max_payload + 1; ++count)
+  for (size_t count = 0; count <= detail::wire::max_payload + 1; ++count)
     for (uint8_t kind = 0; kind < 5; ++kind) {
       const Received arrival = survive(frame_of({kind, 0, 0, random_bytes(chance, count)}));
       CHECK(arrival.report.packets + arrival.report.damaged_packets >= 1);
-      if (count > wire::max_payload) CHECK(arrival.report.packets == 0);
+      if (count > detail::wire::max_payload) CHECK(arrival.report.packets == 0);
     }
   Bytes endless(100000, 0x77);
   endless.push_back(0);

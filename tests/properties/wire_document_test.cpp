@@ -47,12 +47,12 @@ Bytes single_voxel() {
 // Notes every symbol and even bits as the document writes them.
 struct TracingCoder {
   static constexpr bool writes = false;
-  stream::SymbolReader reader;
+  detail::stream::SymbolReader reader;
   std::vector<std::string>* trace;
 
   uint32_t symbol(uint32_t row, uint32_t) {
     const uint32_t symbol = reader.symbol(row, 0);
-    const uint8_t* const below = stream::shares + row + symbol;
+    const uint8_t* const below = detail::stream::shares + row + symbol;
     note(std::to_string(row), symbol, (below[1] - below[0]) & 0xFF);
     return symbol;
   }
@@ -88,7 +88,7 @@ reference::BitVolume two_slices() {
 
 // Notes every decision of a row, as the document writes it.
 struct TracingRowReader {
-  slices::RowReader reader;
+  detail::slices::RowReader reader;
   const LearntProbability* first;
   std::vector<std::string>* trace;
 
@@ -117,7 +117,8 @@ std::string text_of(const Vertex& vertex) {
 }
 
 std::string row_of(Incidence incidence) {
-  std::string row = "| " + std::to_string(incidence) + " | " + text_of(normal(incidence)) + " |";
+  std::string row =
+      "| " + std::to_string(incidence) + " | " + text_of(incidence_normal(incidence)) + " |";
   for (uint8_t d = 0; d < direction_count(incidence); ++d)
     row += (d == 0 ? " " : ", ") + text_of(direction_vector(incidence, d));
   return row + " |";
@@ -132,16 +133,16 @@ TEST_CASE("the dump in WIRE.md is the stream of a single voxel") {
 TEST_CASE("the symbols in WIRE.md are those of the first record and the first region") {
   const Packet packet = packet_of(frames_of(single_voxel())[1]);
   std::vector<std::string> trace;
-  stream::RecordModel<TracingCoder> model(
+  detail::stream::RecordModel<TracingCoder> model(
       {{RangeDecoder(packet.payload.data(), packet.payload.size())}, &trace});
-  CHECK(model.record_kind(stream::RecordKind::end) == stream::RecordKind::layer);
+  CHECK(model.record_kind(detail::stream::RecordKind::end) == detail::stream::RecordKind::layer);
   CHECK(model.layer(1) == 0);
-  CHECK(model.record_kind(stream::RecordKind::end) == stream::RecordKind::region);
+  CHECK(model.record_kind(detail::stream::RecordKind::end) == detail::stream::RecordKind::region);
   CHECK(model.start({0, 0, 0}) == Vertex{-1, 0, 0});
   CHECK(model.incidence(no_incidence) == 0);
   CHECK(model.corners(0) == 8);
   CHECK(model.ring_direction(9) == 1);
-  CHECK(model.length(stream::rows::lengths, 0, 9) == 1);
+  CHECK(model.length(detail::stream::rows::lengths, 0, 9) == 1);
   CHECK(trace == words_of_block("symbols"));
 }
 
@@ -160,21 +161,21 @@ TEST_CASE("the dump of slices in WIRE.md is the stream of its volume, behind the
 TEST_CASE("the decisions of slices in WIRE.md are those of its volume, and give its voxels") {
   const reference::BitVolume volume = two_slices();
   const Packet packet = packet_of(frames_of(encode_slices(volume))[1]);
-  Bytes memory(slice_decoder_bytes({4, 3}));
+  Bytes memory(SliceDecoder::minimum_bytes({4, 3}));
   Arena arena({memory.data(), memory.size()});
-  slices::Surfaces surfaces;
-  surfaces.start(arena, header_of(volume), slices::rows_kept(3, false));
+  detail::slices::Surfaces surfaces;
+  surfaces.start(arena, header_of(volume), detail::slices::rows_kept(3, false));
   surfaces.clear();
   surfaces.begin_key_slice();
   std::vector<std::string> trace;
-  const RangeDecoder code(packet.payload.data() + wire::key_slice_head,
-                          packet.payload.size() - wire::key_slice_head);
+  const RangeDecoder code(packet.payload.data() + detail::wire::key_slice_head,
+                          packet.payload.size() - detail::wire::key_slice_head);
   TracingRowReader reader{{code}, &surfaces.note(), &trace};
   Bytes on;
   for (uint32_t row = 0; row < 6; ++row) {
     CHECK_FALSE(reader.code_bit(surfaces.note(), false));
     if (row == 3) surfaces.begin_following_slice();
-    slices::RowCode voxels;
+    detail::slices::RowCode voxels;
     surfaces.begin_row(voxels, 0, 4);
     while (!voxels.is_done()) REQUIRE(voxels.step(reader, surfaces[0].model));
     uint8_t bits = 0;
@@ -183,7 +184,7 @@ TEST_CASE("the decisions of slices in WIRE.md are those of its volume, and give 
     surfaces.next_row();
   }
   CHECK(reader.code_bit(surfaces.note(), false));
-  CHECK(reader.number(slices::note_bits, 0) == 0);
+  CHECK(reader.number(detail::slices::note_bits, 0) == 0);
   CHECK(on == volume.on);
   CHECK(trace == words_of_block("slice-decisions"));
 }
@@ -222,5 +223,5 @@ TEST_CASE("the rows in WIRE.md are those of the code") {
     CHECK_MESSAGE(line->find(first + sizes + cell) == 0, *line);
   }
   CHECK(rows.size() == 11 + 6);
-  CHECK(std::size(stream::shares) == 556);
+  CHECK(std::size(detail::stream::shares) == 556);
 }

@@ -10,7 +10,7 @@
 using namespace discmc;
 using namespace discmc::test;
 using Kind = Event::Kind;
-using wire::PacketKind;
+using detail::wire::PacketKind;
 
 namespace {
 
@@ -134,7 +134,7 @@ TEST_CASE("any run of packets that is dropped in front of others is counted") {
   const Sent& sent = long_stream();
   const size_t total = sent.frames.size();
   REQUIRE(total > 600);
-  const size_t after = wire::header_interval + 2;  // a header is among them
+  const size_t after = detail::wire::header_interval + 2;  // a header is among them
   for (const size_t count :
        {2U, 5U, 64U, 65U, 127U, 128U, 129U, 130U, 200U, 255U, 256U, 257U, 300U, 511U, 512U})
     for (size_t first = 0; first + count + after < total;
@@ -180,8 +180,8 @@ TEST_CASE("of any number of pieces lost before the trailer it tells exactly how 
       trailer.pieces = static_cast<uint16_t>(regions + fragments);
       // After the slices and the flag; the fragments are the seventh total.
       uint8_t* const totals = trailer.payload.data() + 4 + 1;
-      wire::put_long(totals + 3 * 8, regions);
-      wire::put_long(totals + 6 * 8, fragments);
+      detail::wire::put_long(totals + 3 * 8, regions);
+      detail::wire::put_long(totals + 6 * 8, fragments);
       frames[1] = frame_of(trailer);
       const Received arrival = decode(joined(frames));
       CHECK(arrival.report.totals.regions == regions);
@@ -193,7 +193,7 @@ TEST_CASE("of any number of pieces lost before the trailer it tells exactly how 
 
 TEST_CASE("a listener that joins late knows what was before him") {
   const Sent& sent = long_stream();
-  for (size_t first = 1; first + wire::header_interval < sent.frames.size();
+  for (size_t first = 1; first + detail::wire::header_interval < sent.frames.size();
        first += 11 * reference::step(3))
     check_without(sent, 0, first);
 }

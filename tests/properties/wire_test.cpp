@@ -62,7 +62,7 @@ TEST_CASE("the samples hold everything that a stream can hold") {
     }
     if (sample.name == "noise with fragments") CHECK(count_of(sample.events, Kind::fragment) > 50);
     if (sample.name == "a spiral, whose rings are long")
-      CHECK(longest_ring > stream::Record::max_words);
+      CHECK(longest_ring > detail::stream::Record::max_words);
   }
   CHECK(fragments > 100);
   CHECK(skipped > 10);
@@ -203,19 +203,19 @@ TEST_CASE("parts, fragments and marks are encoded as they always were") {
 
 TEST_CASE("fields of one to eight bytes are read as they were written, and zeros beyond the end") {
   Bytes bytes(1 + 2 + 4 + 8);
-  uint8_t* place = wire::put(bytes.data(), 0xFE, 1);
-  place = wire::put(place, 0x1234, 2);
-  place = wire::put(place, 0x89ABCDEF, 4);
-  place = wire::put_long(place, 0x0123456789ABCDEF);
+  uint8_t* place = detail::wire::put(bytes.data(), 0xFE, 1);
+  place = detail::wire::put(place, 0x1234, 2);
+  place = detail::wire::put(place, 0x89ABCDEF, 4);
+  place = detail::wire::put_long(place, 0x0123456789ABCDEF);
   CHECK(place == bytes.data() + bytes.size());
   CHECK(bytes == Bytes{0xFE, 0x34, 0x12, 0xEF, 0xCD, 0xAB, 0x89,  //
                        0xEF, 0xCD, 0xAB, 0x89, 0x67, 0x45, 0x23, 0x01});
-  wire::ByteReader reader(bytes.data(), bytes.size());
+  detail::wire::ByteReader reader(bytes.data(), bytes.size());
   CHECK(reader.get(1) == 0xFE);
   CHECK(reader.get(2) == 0x1234);
   CHECK(reader.get(4) == 0x89ABCDEF);
   CHECK(reader.get(8) == 0x0123456789ABCDEF);
   CHECK(reader.get(4) == 0);
   const uint8_t three[] = {1, 2, 3, 0xFF};  // of which the reader knows two
-  CHECK(wire::ByteReader(three, 2).get(4) == 0x0201);
+  CHECK(detail::wire::ByteReader(three, 2).get(4) == 0x0201);
 }

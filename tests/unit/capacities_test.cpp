@@ -12,9 +12,10 @@ namespace {
 
 // As firmware would write it: the memory's size is a constant.
 constexpr Limits small{64, 48};
-uint8_t default_memory[minimum_bytes<uint16_t>(small) + 16384];
-uint8_t worst_memory[worst_case_bytes<uint32_t>({8, 8, Border::open}, 8)];
-uint8_t explicit_memory[bytes_for<uint16_t>(small, {100, 20})];
+uint8_t default_memory[Extractor16::minimum_bytes(small) + 16384];
+uint8_t worst_memory[Extractor32::bytes_for({8, 8, Border::open},
+                                            worst_case_capacities({8, 8, Border::open}, 8))];
+uint8_t explicit_memory[Extractor16::bytes_for(small, {100, 20})];
 
 constexpr uint32_t extents[] = {1,   2,   3,   7,    8,    9,    30,    31,    32,   33,  34,
                                 62,  63,  64,  65,   100,  127,  128,   129,   255,  256, 257,
@@ -37,21 +38,21 @@ void for_each_limits(Check check) {
 
 template <class Index, class Normals = BitIntake>
 void check_defaults(const Limits& limits, uint64_t bytes) {
-  const Capacities capacities = default_capacities<Index, Normals>(limits, bytes);
+  const Capacities capacities = detail::sizing::default_capacities<Index, Normals>(limits, bytes);
   CAPTURE(bytes);
-  REQUIRE(bytes_for<Index, Normals>(limits, capacities) <= bytes);
-  REQUIRE(is_valid<Index>(capacities));
+  REQUIRE(detail::sizing::bytes_for<Index, Normals>(limits, capacities) <= bytes);
+  REQUIRE(detail::sizing::is_valid<Index>(capacities));
   REQUIRE(at_most(minimum_capacities(), capacities));
 }
 
 // Each more than the last, up to the end of 64 bits.
 template <class Index>
 void check_defaults_of_many_sizes(const Limits& limits) {
-  const uint64_t least = minimum_bytes<Index>(limits);
+  const uint64_t least = Extractor<Index>::minimum_bytes(limits);
   Capacities before = minimum_capacities();
   for (uint64_t extra = 0; extra < uint64_t{1} << 40; extra = extra * 3 / 2 + 7) {
     check_defaults<Index>(limits, least + extra);
-    const Capacities capacities = default_capacities<Index>(limits, least + extra);
+    const Capacities capacities = Extractor<Index>::default_capacities(limits, least + extra);
     REQUIRE(at_most(before, capacities));
     before = capacities;
   }
@@ -93,27 +94,28 @@ TEST_CASE("the default capacities fit in every single number of bytes") {
   for (const uint32_t width : {1U, 2U, 31U, 100U})
     for (uint64_t extra = 0; extra < 5000; ++extra) {
       const Limits limits{width, 5, extra % 2 == 0 ? Border::closed : Border::open};
-      check_defaults<uint16_t>(limits, minimum_bytes<uint16_t>(limits) + extra);
-      check_defaults<uint32_t>(limits, minimum_bytes<uint32_t>(limits) + extra);
+      check_defaults<uint16_t>(limits, Extractor16::minimum_bytes(limits) + extra);
+      check_defaults<uint32_t>(limits, Extractor32::minimum_bytes(limits) + extra);
       using Normals = GradientNormals<uint16_t>;
-      check_defaults<uint16_t, Normals>(limits, minimum_bytes<uint16_t, Normals>(limits) + extra);
+      check_defaults<uint16_t, Normals>(
+          limits, detail::sizing::minimum_bytes<uint16_t, Normals>(limits) + extra);
     }
 }
 
 TEST_CASE("hardly a byte is left over by the default capacities") {
   for (uint64_t extra = 0; extra < 5000; ++extra) {
-    const uint64_t bytes = minimum_bytes<uint16_t>(small) + extra;
-    const Capacities capacities = default_capacities<uint16_t>(small, bytes);
-    const uint64_t left = bytes - bytes_for<uint16_t>(small, capacities);
+    const uint64_t bytes = Extractor16::minimum_bytes(small) + extra;
+    const Capacities capacities = Extractor16::default_capacities(small, bytes);
+    const uint64_t left = bytes - Extractor16::bytes_for(small, capacities);
     CHECK(left < 8 + Arena::alignment);
   }
 }
 
 TEST_CASE("fewer bytes than the minimum give the minimum") {
   const Capacities least = minimum_capacities();
-  for (const uint64_t bytes : {uint64_t{0}, uint64_t{1}, minimum_bytes<uint16_t>(small)}) {
-    CHECK(at_most(default_capacities<uint16_t>(small, bytes), least));
-    CHECK(at_most(least, default_capacities<uint16_t>(small, bytes)));
+  for (const uint64_t bytes : {uint64_t{0}, uint64_t{1}, Extractor16::minimum_bytes(small)}) {
+    CHECK(at_most(Extractor16::default_capacities(small, bytes), least));
+    CHECK(at_most(least, Extractor16::default_capacities(small, bytes)));
   }
 }
 
@@ -124,10 +126,10 @@ TEST_CASE("exactly the bytes asked for are enough, wherever they begin, and one 
         const Limits limits{width, height, border};
         const Capacities odd{35, 13};
         for (const Capacities& capacities : {minimum_capacities(), reference::ample, odd}) {
-          const uint64_t narrow = bytes_for<uint16_t>(limits, capacities);
+          const uint64_t narrow = Extractor16::bytes_for(limits, capacities);
           CHECK(start_with<uint16_t>(limits, capacities, narrow) == Status::ok);
           CHECK(start_with<uint16_t>(limits, capacities, narrow - 1) == Status::too_little_memory);
-          const uint64_t wide = bytes_for<uint32_t>(limits, capacities);
+          const uint64_t wide = Extractor32::bytes_for(limits, capacities);
           CHECK(start_with<uint32_t>(limits, capacities, wide) == Status::ok);
           CHECK(start_with<uint32_t>(limits, capacities, wide - 1) == Status::too_little_memory);
         }
@@ -136,15 +138,15 @@ TEST_CASE("exactly the bytes asked for are enough, wherever they begin, and one 
 
 TEST_CASE("fewer slots than the minimum, or more than an index counts, are refused") {
   const Capacities least = minimum_capacities();
-  CHECK(is_valid<uint16_t>(least));
-  CHECK(is_valid<uint32_t>(least));
-  CHECK_FALSE(is_valid<uint16_t>({least.slots - 1, 0}));
-  CHECK_FALSE(is_valid<uint32_t>({least.slots - 1, 0}));
-  CHECK(is_valid<uint16_t>({32759, 0}));
-  CHECK_FALSE(is_valid<uint16_t>({32760, 0}));
-  CHECK(is_valid<uint32_t>({0x7FFFFFF7, 0}));
-  CHECK_FALSE(is_valid<uint32_t>({0x7FFFFFF8, 0}));
-  CHECK(is_valid<uint16_t>({32759, UINT32_MAX}));
+  CHECK(detail::sizing::is_valid<uint16_t>(least));
+  CHECK(detail::sizing::is_valid<uint32_t>(least));
+  CHECK_FALSE(detail::sizing::is_valid<uint16_t>({least.slots - 1, 0}));
+  CHECK_FALSE(detail::sizing::is_valid<uint32_t>({least.slots - 1, 0}));
+  CHECK(detail::sizing::is_valid<uint16_t>({32759, 0}));
+  CHECK_FALSE(detail::sizing::is_valid<uint16_t>({32760, 0}));
+  CHECK(detail::sizing::is_valid<uint32_t>({0x7FFFFFF7, 0}));
+  CHECK_FALSE(detail::sizing::is_valid<uint32_t>({0x7FFFFFF8, 0}));
+  CHECK(detail::sizing::is_valid<uint16_t>({32759, UINT32_MAX}));
   CHECK(start_with<uint16_t>(small, {32760, 0}, 1 << 20) == Status::bad_capacities);
   CHECK(start_with<uint16_t>(small, {least.slots - 1, 0}, 1 << 20) == Status::bad_capacities);
 }
@@ -155,14 +157,16 @@ TEST_CASE("the minimum lies below the worst case, and more slices need no less")
     CHECK(at_most(minimum_capacities(), one));
     CHECK(at_most(one, worst_case_capacities(limits, 2)));
     CHECK(at_most(worst_case_capacities(limits, 2), worst_case_capacities(limits, UINT32_MAX)));
-    CHECK(minimum_bytes<uint16_t>(limits) <= minimum_bytes<uint32_t>(limits));
-    CHECK(minimum_bytes<uint16_t>(limits) <= worst_case_bytes<uint16_t>(limits, 1));
+    CHECK(Extractor16::minimum_bytes(limits) <= Extractor32::minimum_bytes(limits));
+    CHECK(Extractor16::minimum_bytes(limits) <=
+          Extractor16::bytes_for(limits, worst_case_capacities(limits, 1)));
   });
 }
 
 TEST_CASE("the worst case is the greatest number from where it cannot be counted any more") {
   constexpr Limits limits{1, 1};
-  constexpr uint32_t slices = UINT32_MAX / sizing::slots_per_cell / 4;  // of four cells each
+  constexpr uint32_t slices =
+      UINT32_MAX / detail::sizing::slots_per_cell / 4;  // of four cells each
   Capacities before = worst_case_capacities(limits, slices - 3);
   for (uint32_t more = slices - 2; more < slices + 3; ++more) {
     const Capacities now = worst_case_capacities(limits, more);
@@ -173,6 +177,6 @@ TEST_CASE("the worst case is the greatest number from where it cannot be counted
 }
 
 TEST_CASE("a scan of 256 x 256 voxels works in 20 KiB, one of 64 x 64 in 2.5 KiB") {
-  CHECK(minimum_bytes<uint16_t>({256, 256}) <= 20 * 1024);
-  CHECK(minimum_bytes<uint16_t>({64, 64}) <= 2560);
+  CHECK(Extractor16::minimum_bytes({256, 256}) <= 20 * 1024);
+  CHECK(Extractor16::minimum_bytes({64, 64}) <= 2560);
 }

@@ -183,7 +183,7 @@ TEST_CASE("save() of an extractor is suspended while any event is due") {
   std::set<Event::Kind> waited_for;
   constexpr Limits limits{5, 5};
   constexpr Capacities capacities{60, 2};
-  Block block(bytes_for<uint16_t>(limits, capacities));
+  Block block(Extractor16::bytes_for(limits, capacities));
   Extractor16 extractor;
   Memory parts[2];
   const auto wait = [&](Status status) {
@@ -239,7 +239,7 @@ TEST_CASE("save() of an encoder is suspended while its output has unsent bytes")
   header.width = 4;
   header.height = 1;
   SliceEncoder slices;
-  Block block(slice_encoder_bytes({4, 1}, {}));
+  Block block(SliceEncoder::minimum_bytes({4, 1}, {}));
   require_ok(slices.start(header, {}, block.memory(), radio.output()));
   require_ok(slices.resume());
   CHECK(slices.save(parts) == Status::suspended);
@@ -264,7 +264,7 @@ TEST_CASE("an output that does not report unsent bytes cannot be saved") {
   header.width = 4;
   header.height = 1;
   SliceEncoder slices;
-  Block block(slice_encoder_bytes({4, 1}, {}));
+  Block block(SliceEncoder::minimum_bytes({4, 1}, {}));
   require_ok(slices.start(header, {}, block.memory(), output));
   CHECK(slices.save(parts) == Status::bad_sink);
 }
@@ -280,7 +280,7 @@ TEST_CASE("errors of save() and restore()") {
   CHECK(encoder.restore(store.output()) == Status::bad_checkpoint);
 
   constexpr Limits limits{4, 1};
-  alignas(4) uint8_t memory[minimum_bytes<uint16_t>(limits) + 1] = {};
+  alignas(4) uint8_t memory[Extractor16::minimum_bytes(limits) + 1] = {};
   const Memory whole{memory, sizeof memory - 1};
   require_ok(encoder.start({}, store.output()));
   store.most = 0;  // the sink cannot accept the `layer` event
@@ -321,7 +321,7 @@ TEST_CASE("save() is suspended while the event of a skipped row is due") {
     bool is_busy = true;
   } sink;
   const Limits limits{3, 4, Border::open};  // nothing is swept yet
-  Block block(minimum_bytes<uint16_t>(limits));
+  Block block(Extractor16::minimum_bytes(limits));
   Extractor16 extractor;
   Memory parts[2];
   require_ok(extractor.start(limits, 1, block.memory(), make_sink(sink)));

@@ -55,7 +55,7 @@ TEST_CASE(
   const BitVolume volume = random({30, 20, 8}, 128, 3);
   const Limits limits = limits_of(volume, Border::closed);
   const std::vector<uint8_t> half(volume.on.begin(), volume.on.begin() + 4 * 600);
-  std::vector<uint8_t> memory(bytes_for<uint32_t>(limits, some));
+  std::vector<uint8_t> memory(Extractor32::bytes_for(limits, some));
   EventLog log;
   Extractor32 extractor;
   require_ok(

@@ -42,8 +42,8 @@ TEST_CASE("lanes are selected by comparing each as an unsigned number") {
 TEST_CASE("a level is reached alike where lanes are selected and where they are added") {
   constexpr uint32_t levels[] = {0, 1, 127, 128, 129, 255, 256};
   for (const uint32_t level : levels) {
-    const trace::LaneThreshold<8, true> selecting(level);
-    const trace::LaneThreshold<8, false> adding(level);
+    const detail::trace::LaneThreshold<8, true> selecting(level);
+    const detail::trace::LaneThreshold<8, false> adding(level);
     for (uint32_t lane = 0; lane < 256; ++lane) {
       const uint32_t word = lane | (255 - lane) << 8 | (lane ^ 128) << 16 | lane << 24;
       CHECK(selecting.reached(word) == adding.reached(word));

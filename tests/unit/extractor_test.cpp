@@ -18,7 +18,7 @@ template <class Index>
 class Bench {
  public:
   explicit Bench(const Limits& limits, int32_t threshold = 1, uint64_t extra = 1 << 20)
-      : block_(minimum_bytes<Index>(limits) + extra) {
+      : block_(Extractor<Index>::minimum_bytes(limits) + extra) {
     require_ok(extractor.start(limits, threshold, block_.memory(), make_sink(log)));
   }
   ~Bench() { CHECK(block_.is_intact()); }
@@ -245,7 +245,7 @@ TEST_CASE("reset begins the next scan as if nothing had been, wherever the last 
         return (*static_cast<EventLog**>(context))->take(event);
       };
       const Limits limits = limits_of(first, border);
-      Block block(minimum_bytes<uint16_t>(limits) + 20000);
+      Block block(Extractor16::minimum_bytes(limits) + 20000);
       Extractor16 extractor;
       current = &discarded;
       require_ok(extractor.start(limits, 1, block.memory(), {&current, take}));
@@ -283,7 +283,7 @@ TEST_CASE("reset forgets what a sink has yet to take, and what has left early") 
     for (int taken = 0; taken < 400; taken += 3) {
       CAPTURE(taken);
       Gate gate{taken};
-      Block block(bytes_for<uint16_t>(limits, few));
+      Block block(Extractor16::bytes_for(limits, few));
       Extractor16 extractor;
       require_ok(extractor.start(limits, few, 1, block.memory(), make_sink(gate)));
       CHECK(extractor.push(volume.on.data(), static_cast<uint32_t>(volume.voxels())).status ==
@@ -299,7 +299,7 @@ TEST_CASE("reset forgets what a sink has yet to take, and what has left early") 
 
 TEST_CASE("a scan begins with what the extractor knows of it") {
   const Limits limits{7, 3, Border::open};
-  Block block(minimum_bytes<uint16_t>(limits));
+  Block block(Extractor16::minimum_bytes(limits));
   EventLog log;
   Extractor16 extractor;
   require_ok(extractor.start(limits, -42, block.memory(), make_sink(log)));
@@ -322,7 +322,7 @@ TEST_CASE("a scan does not begin if its sink has not started, and the memory is 
     bool is_closed = true;
   } sink;
   const Limits limits{7, 3};
-  const std::vector<uint8_t> untouched(minimum_bytes<uint16_t>(limits), 0xA5);
+  const std::vector<uint8_t> untouched(Extractor16::minimum_bytes(limits), 0xA5);
   std::vector<uint8_t> memory = untouched;
   const Memory all{memory.data(), memory.size()};
   const uint8_t row[7] = {};
@@ -349,7 +349,7 @@ TEST_CASE("a busy sink receives the start later: start() and reset() are suspend
     std::vector<Event::Kind> kinds{};
   } sink;
   const Limits limits{7, 1};
-  std::vector<uint8_t> memory(minimum_bytes<uint16_t>(limits));
+  std::vector<uint8_t> memory(Extractor16::minimum_bytes(limits));
   const uint8_t row[7] = {};
   Extractor16 extractor;
   CHECK(extractor.start(limits, 1, {memory.data(), memory.size()}, make_sink(sink)) ==

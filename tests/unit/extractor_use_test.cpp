@@ -57,7 +57,7 @@ void check_refused_starts() {
   CHECK(extractor.start({1, UINT32_MAX}, 1, memory, sink) == Status::bad_limits);
   CHECK(extractor.start({8, 8, static_cast<Border>(2)}, 1, memory, sink) == Status::bad_limits);
   CHECK(extractor.start(good, 1, memory, Sink{}) == Status::bad_sink);
-  const auto least = static_cast<size_t>(minimum_bytes<Index>(good));
+  const auto least = static_cast<size_t>(Extractor<Index>::minimum_bytes(good));
   CHECK(extractor.start(good, 1, {memory.data, least - 1}, sink) == Status::too_little_memory);
   CHECK(extractor.start(good, 1, {memory.data, 0}, sink) == Status::too_little_memory);
   CHECK(extractor.start(good, 1, {nullptr, 1 << 16}, sink) == Status::too_little_memory);
@@ -252,7 +252,7 @@ TEST_CASE("a hundred thousand thin slices end as they began") {
       std::vector<uint8_t> period(slice * 4, 0);
       std::fill_n(period.begin() + slice, 2 * slice - 1, uint8_t{1});
       Counter counter;
-      Block block(minimum_bytes<uint16_t>(limits) + 8000);
+      Block block(Extractor16::minimum_bytes(limits) + 8000);
       Extractor16 extractor;
       require_ok(extractor.start(limits, 1, block.memory(), make_sink(counter)));
       std::vector<uint64_t> regions;
@@ -272,7 +272,7 @@ TEST_CASE("a hundred thousand thin slices end as they began") {
 TEST_CASE("a surface that lasts a hundred thousand slices comes out whole in a few bytes") {
   const Limits limits{3, 3};
   EventLog log;
-  Block block(minimum_bytes<uint16_t>(limits) + 8000);
+  Block block(Extractor16::minimum_bytes(limits) + 8000);
   Extractor16 extractor;
   require_ok(extractor.start(limits, 1, block.memory(), make_sink(log)));
   const std::vector<uint8_t> slice(9, 1);
@@ -294,7 +294,7 @@ TEST_CASE(
   const auto slices_of = [&](const Slab& slab, uint32_t from, uint32_t to) {
     const Limits limits{5, 5, {}, slab};
     Last last;
-    Block block(minimum_bytes<uint16_t>(limits) + 4000);
+    Block block(Extractor16::minimum_bytes(limits) + 4000);
     Extractor16 extractor;
     require_ok(extractor.start(limits, 1, block.memory(), make_sink(last)));
     for (uint32_t z = from; z < to; ++z)
@@ -342,7 +342,7 @@ TEST_CASE("memory that begins anywhere will do") {
   const Limits limits = limits_of(volume, Border::closed);
   const EventLog expected = events_of(volume);
   for (size_t offset = 0; offset < 4; ++offset) {
-    const size_t bytes = bytes_for<uint16_t>(limits, ample);
+    const size_t bytes = Extractor16::bytes_for(limits, ample);
     std::vector<uint8_t> memory(bytes + offset + 8, 0x5A);
     EventLog log;
     Extractor16 extractor;
@@ -357,14 +357,14 @@ TEST_CASE("memory that begins anywhere will do") {
 TEST_CASE("bytes_used() is what was ever used, and what lies beyond has not been touched") {
   const BitVolume volume = random({9, 8, 7}, 100, 1);
   const Limits limits = limits_of(volume, Border::closed);
-  const size_t bytes = bytes_for<uint16_t>(limits, ample);
+  const size_t bytes = Extractor16::bytes_for(limits, ample);
   std::vector<uint8_t> memory(bytes, 0x5A);
   EventLog log;
   Extractor16 extractor;
   CHECK(extractor.bytes_used() == 0);
   require_ok(extractor.start(limits, ample, 1, {memory.data(), bytes}, make_sink(log)));
   size_t used = extractor.bytes_used();
-  CHECK(used <= minimum_bytes<uint16_t>(limits));
+  CHECK(used <= Extractor16::minimum_bytes(limits));
   for (const uint8_t sample : volume.on) {
     require_ok(extractor.push(&sample, 1).status);
     CHECK(extractor.bytes_used() >= used);
@@ -372,7 +372,7 @@ TEST_CASE("bytes_used() is what was ever used, and what lies beyond has not been
   }
   finish_all(extractor);
   used = extractor.bytes_used();
-  CHECK(used == bytes_for<uint16_t>(limits, {extractor.peaks().slots, 0}));
+  CHECK(used == Extractor16::bytes_for(limits, {extractor.peaks().slots, 0}));
   CHECK(std::count(memory.begin() + static_cast<ptrdiff_t>(used), memory.end(), uint8_t{0x5A}) ==
         static_cast<ptrdiff_t>(bytes - used));
   require_ok(extractor.reset());
@@ -384,7 +384,7 @@ TEST_CASE("the peaks lie within the capacities, and are all that a scan needs") 
     const BitVolume volume = random({12, 9, 7}, 60 + 10 * static_cast<uint32_t>(seed), seed);
     const Limits limits = limits_of(volume, Border::closed);
     const auto scan_in = [&](const Capacities& capacities, EventLog& log) {
-      Block block(bytes_for<uint16_t>(limits, capacities));
+      Block block(Extractor16::bytes_for(limits, capacities));
       Extractor16 extractor;
       require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
       push_all(extractor, volume.on);

@@ -33,7 +33,7 @@ struct Setting {
 template <class Index, class Normals, class Sample>
 Events events_of(const SampleVolume<Sample>& volume, const Setting& setting) {
   const Limits limits{volume.size.width, volume.size.height, setting.border, setting.slab};
-  Block block(bytes_for<Index, Normals>(limits, setting.capacities));
+  Block block(detail::sizing::bytes_for<Index, Normals>(limits, setting.capacities));
   EventLog log(setting.refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
   typename ExtractorOf<Index, Normals>::Type extractor;
   if constexpr (Normals::holds_samples) extractor.set_spacing(uneven_spacing);
@@ -141,7 +141,7 @@ TEST_CASE("a scan that begins anew knows nothing of the one before") {
   const Limits larger{before.size.width, before.size.height};
   const Limits limits{volume.size.width, volume.size.height};
   using Normals = WithNormals<uint8_t>;
-  Block block(bytes_for<uint16_t, Normals>(larger, setting.capacities));
+  Block block(detail::sizing::bytes_for<uint16_t, Normals>(larger, setting.capacities));
   EventLog log;
   NormalExtractor16<uint8_t> extractor;
   extractor.set_spacing(uneven_spacing);
@@ -207,7 +207,7 @@ TEST_CASE("a slice is swept when a slice and a row behind it have come, out of f
   const Limits limits{8, 3};
   CHECK(Normals::bytes_for(limits) == (4 * 3 + 6) * (8 + sizeof(uint16_t)) + 2 * red_zone_bytes);
   const std::vector<uint8_t> samples(7 * limits.width, 0);
-  Block block(minimum_bytes<uint16_t, Normals>(limits));
+  Block block(detail::sizing::minimum_bytes<uint16_t, Normals>(limits));
   EventLog log;
   NormalExtractor16<uint8_t> extractor;
   require_ok(extractor.start(limits, 1, block.memory(), make_sink(log)));
@@ -242,7 +242,7 @@ template <class Normals>
 Events events_with_gaps(const SampleVolume<uint8_t>& volume, const std::vector<Row>& rows,
                         int32_t threshold, Ending ending, uint32_t part = 0) {
   const Limits limits{volume.size.width, volume.size.height};
-  Block block(bytes_for<uint16_t, Normals>(limits, ample));
+  Block block(detail::sizing::bytes_for<uint16_t, Normals>(limits, ample));
   EventLog log;
   typename ExtractorOf<uint16_t, Normals>::Type extractor;
   if constexpr (Normals::holds_samples) extractor.set_spacing(uneven_spacing);
@@ -334,7 +334,7 @@ TEST_CASE("where a scan breaks off, normals are those of a slice whose rest is j
   const Capacities least = minimum_capacities();
   for (uint32_t given = 1; given <= size.width * size.height * size.depth; ++given) {
     SampleVolume<uint8_t> volume = clouds<uint8_t>(size, given);
-    Block block(bytes_for<uint16_t, WithNormals<uint8_t>>(limits, least));
+    Block block(detail::sizing::bytes_for<uint16_t, WithNormals<uint8_t>>(limits, least));
     EventLog log;
     NormalExtractor16<uint8_t> extractor;
     extractor.set_spacing(uneven_spacing);
@@ -356,7 +356,8 @@ TEST_CASE("a scan with normals is saved between rows, and goes on with the same 
   const Events whole = events_of<uint16_t, WithNormals<uint8_t>>(volume, setting);
   using Scan = NormalExtractor16<uint8_t>;
   for (uint32_t row = 0; row <= size.height * size.depth; ++row) {
-    const size_t bytes = bytes_for<uint16_t, WithNormals<uint8_t>>(limits, setting.capacities);
+    const size_t bytes =
+        detail::sizing::bytes_for<uint16_t, WithNormals<uint8_t>>(limits, setting.capacities);
     std::vector<uint8_t> memory(bytes), later(bytes);
     EventLog log;
     Scan first;
@@ -380,7 +381,7 @@ TEST_CASE("a checkpoint of samples of another type is refused") {
   using Scan = NormalExtractor16<uint16_t>;
   using Other = NormalExtractor16<int16_t>;
   const Limits limits{8, 6};
-  Block block(minimum_bytes<uint16_t, WithNormals<uint16_t>>(limits));
+  Block block(detail::sizing::minimum_bytes<uint16_t, WithNormals<uint16_t>>(limits));
   EventLog log;
   Scan scan;
   require_ok(scan.start(limits, 1, block.memory(), make_sink(log)));
@@ -396,8 +397,8 @@ TEST_CASE("a checkpoint of samples of another type is refused") {
 TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {
   const Limits limits{16, 9};
   using Normals = WithNormals<uint16_t>;
-  const size_t least = minimum_bytes<uint16_t, Normals>(limits);
-  CHECK(least >= minimum_bytes<uint16_t>(limits) + 16 * (4 * 9 + 6) * 2);
+  const size_t least = detail::sizing::minimum_bytes<uint16_t, Normals>(limits);
+  CHECK(least >= Extractor16::minimum_bytes(limits) + 16 * (4 * 9 + 6) * 2);
   Block block(least);
   const Memory memory = block.memory();
   EventLog log;
@@ -406,9 +407,9 @@ TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {
         Status::too_little_memory);
   CHECK(extractor.start(limits, 1, memory, make_sink(log)) == Status::ok);
   CHECK(extractor.bytes_used() <= least);
-  CHECK(extractor.bytes_used() > minimum_bytes<uint16_t>(limits) + 16 * (4 * 9 + 6) * 2);
+  CHECK(extractor.bytes_used() > Extractor16::minimum_bytes(limits) + 16 * (4 * 9 + 6) * 2);
   const uint64_t more = least + 4096;
-  const Capacities capacities = default_capacities<uint16_t, Normals>(limits, more);
-  CHECK(bytes_for<uint16_t, Normals>(limits, capacities) <= more);
-  CHECK(bytes_for<uint16_t, Normals>(limits, capacities) > more - 500);
+  const Capacities capacities = detail::sizing::default_capacities<uint16_t, Normals>(limits, more);
+  CHECK(detail::sizing::bytes_for<uint16_t, Normals>(limits, capacities) <= more);
+  CHECK(detail::sizing::bytes_for<uint16_t, Normals>(limits, capacities) > more - 500);
 }

@@ -53,17 +53,18 @@ TEST_CASE("vectors add, subtract, and multiply as vectors do") {
 }
 
 TEST_CASE("an incidence and its normal name each other, and opposites are opposite") {
-  CHECK(normal(no_incidence) == Vertex{0, 0, 0});
+  CHECK(incidence_normal(no_incidence) == Vertex{0, 0, 0});
   for_each_incidence([](Incidence incidence) {
-    CHECK(incidence_of(normal(incidence)) == incidence);
-    CHECK(normal(opposite(incidence)) == -normal(incidence));
-    CHECK(normal(incidence) != Vertex{0, 0, 0});
+    CHECK(incidence_of(incidence_normal(incidence)) == incidence);
+    CHECK(incidence_normal(opposite(incidence)) == -incidence_normal(incidence));
+    CHECK(incidence_normal(incidence) != Vertex{0, 0, 0});
   });
 }
 
 TEST_CASE("there are 6 axis, 12 diagonal and 8 corner incidences") {
   int count[4] = {};
-  for_each_incidence([&](Incidence incidence) { ++count[squared_length(normal(incidence))]; });
+  for_each_incidence(
+      [&](Incidence incidence) { ++count[squared_length(incidence_normal(incidence))]; });
   CHECK(count[1] == 6);
   CHECK(count[2] == 12);
   CHECK(count[3] == 8);
@@ -76,7 +77,7 @@ TEST_CASE("the links are 12 diagonals and 6 axis vectors of length 2, all differ
     const Vertex vector = link_vector(link);
     diagonals += squared_length(vector) == 2 && odd_coordinates(vector) == 2;
     axes += squared_length(vector) == 4 && odd_coordinates(vector) == 0;
-    CHECK(derive::link_of(links, vector) == link);
+    CHECK(detail::derive::link_of(links, vector) == link);
   }
   CHECK(diagonals == 12);
   CHECK(axes == 6);
@@ -95,15 +96,15 @@ TEST_CASE("the opposite of a link is opposite") {
 }
 
 TEST_CASE("no link has a vector that is none") {
-  CHECK(derive::link_of(links, {0, 0, 0}) == link_codes);
-  CHECK(derive::link_of(links, {1, 1, 1}) == link_codes);
-  CHECK(derive::link_of(links, {2, 2, 0}) == link_codes);
+  CHECK(detail::derive::link_of(links, {0, 0, 0}) == link_codes);
+  CHECK(detail::derive::link_of(links, {1, 1, 1}) == link_codes);
+  CHECK(detail::derive::link_of(links, {2, 2, 0}) == link_codes);
 }
 
 TEST_CASE("axis planes have 8 directions, diagonal planes 4, corner planes 6") {
   constexpr int by_squared_length[] = {0, 8, 4, 6};
   for_each_incidence([&](Incidence incidence) {
-    const int expected = by_squared_length[squared_length(normal(incidence))];
+    const int expected = by_squared_length[squared_length(incidence_normal(incidence))];
     CHECK(direction_count(incidence) == expected);
   });
 }
@@ -112,7 +113,7 @@ TEST_CASE("the directions of an incidence are the links in its planes, each once
   for_each_incidence([](Incidence incidence) {
     for (Link link = 0; link < link_codes; ++link) {
       const Direction direction = direction_of(incidence, link);
-      const bool in_plane = dot(link_vector(link), normal(incidence)) == 0;
+      const bool in_plane = dot(link_vector(link), incidence_normal(incidence)) == 0;
       CHECK((direction != no_direction) == in_plane);
       if (!in_plane) continue;
       CHECK(direction < direction_count(incidence));
@@ -130,7 +131,8 @@ TEST_CASE("directions go round counter-clockwise seen from the tip of the normal
       // The first half of the round from here is on the left, the second half on the right.
       for (int steps = 1; steps < count; ++steps) {
         const auto other = static_cast<Direction>((direction + steps) % count);
-        const int side = dot(cross(here, direction_vector(incidence, other)), normal(incidence));
+        const int side =
+            dot(cross(here, direction_vector(incidence, other)), incidence_normal(incidence));
         CHECK((side > 0) == (2 * steps < count));
         CHECK((side == 0) == (2 * steps == count));
       }
@@ -159,7 +161,7 @@ TEST_CASE("a turn leads from one direction to the other, by the shorter way") {
 TEST_CASE("a turn is positive where the second direction is on the left of the first") {
   for_each_turn([](Incidence incidence, Direction from, Direction to) {
     const int side = dot(cross(direction_vector(incidence, from), direction_vector(incidence, to)),
-                         normal(incidence));
+                         incidence_normal(incidence));
     const int turned = turn(incidence, from, to);
     CHECK((turned > 0) == (side > 0));
     CHECK((turned == 0) == (from == to));
@@ -190,9 +192,9 @@ TEST_CASE("seen from the other side of a plane the directions go round the other
 
 TEST_CASE("the links are the same when they are derived at run time") {
   LinkTable derived{};
-  derived = derive::link_table();  // what is initialised the compiler would work out
+  derived = detail::derive::link_table();  // what is initialised the compiler would work out
   for (Link link = 0; link < link_codes; ++link)
-    CHECK(derive::link_of(derived, derive::link_vector(links, link)) == link);
+    CHECK(detail::derive::link_of(derived, detail::derive::link_vector(links, link)) == link);
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
     CHECK(derived.direction_count[incidence] == links.direction_count[incidence]);
     for (int i = 0; i < max_directions / 2; ++i)

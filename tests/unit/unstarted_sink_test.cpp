@@ -43,7 +43,7 @@ void check_refusal(Decoding& decoder, Encoder& encoder, const Bytes& stream) {
 }  // namespace
 
 TEST_CASE("an extractor is not started before its encoder, nor with a joiner between them") {
-  Block block(minimum_bytes<uint16_t>(limits));
+  Block block(Extractor16::minimum_bytes(limits));
   Extractor16 extractor;
   Encoder encoder;
   CHECK(extractor.start(limits, 1, block.memory(), make_sink(encoder)) == Status::bad_sink);

@@ -10,7 +10,7 @@ constexpr int32_t threshold = 192;
 constexpr Limits limits{size, size};
 
 // RAM without the stack: 7.8 KiB.
-static uint8_t memory[minimum_bytes<uint16_t>(limits) + 5 * 1024];
+static uint8_t memory[Extractor16::minimum_bytes(limits) + 5 * 1024];
 static Extractor16 extractor;
 static Encoder encoder;
 

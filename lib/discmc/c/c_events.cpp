@@ -47,7 +47,8 @@ static_assert(DISCMC_DEVICE_ERROR == static_cast<int>(Status::device_error) &&
                   DISCMC_MONO12_PACKED == static_cast<int>(Packing::mono12_packed),
               "enumerations are in the same order");
 static_assert(DISCMC_MAX_EXTENT == Limits::max_extent && DISCMC_MAX_SLICES == Limits::max_slices &&
-                  DISCMC_WIRE_VERSION == wire::version && DISCMC_MAX_FRAME == wire::max_frame &&
+                  DISCMC_WIRE_VERSION == detail::wire::version &&
+                  DISCMC_MAX_FRAME == detail::wire::max_frame &&
                   DISCMC_MAX_CHANNEL == StreamLabel::max_channel &&
                   DISCMC_MAX_SURFACES == StreamHeader::max_surfaces &&
                   DISCMC_ANY_CHANNEL == any_channel &&
@@ -67,7 +68,7 @@ const char* discmc_status_string(discmc_status status) {
 }
 
 discmc_vertex discmc_incidence_normal(uint8_t incidence) {
-  return c(normal(incidence));
+  return c(incidence_normal(incidence));
 }
 discmc_vertex discmc_run_vector(uint8_t incidence, uint32_t run) {
   return c(after_run(incidence, {0, 0, 0}, Run::from_code(run)));

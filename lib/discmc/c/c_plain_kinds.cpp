@@ -8,11 +8,11 @@ using PlainKind = ExtractorKind<Extractor16, Sample>;
 
 static_assert(red_zone_bytes > 0 || DISCMC_EXTRACTOR_BYTES(31, 7, 5) >=
                                         bytes_with_object(PlainKind<Bits>::functions.object_bytes,
-                                                          bytes_for<uint16_t>({31, 7}, {5, 0})),
+                                                          Extractor16::bytes_for({31, 7}, {5, 0})),
               "the size in sizes.h suffices");
 static_assert(DISCMC_MIN_SLOTS == minimum_capacities().slots &&
-                  is_valid<uint16_t>({DISCMC_MAX_SLOTS, 0}) &&
-                  !is_valid<uint16_t>({DISCMC_MAX_SLOTS + 1, 0}),
+                  detail::sizing::is_valid<uint16_t>({DISCMC_MAX_SLOTS, 0}) &&
+                  !detail::sizing::is_valid<uint16_t>({DISCMC_MAX_SLOTS + 1, 0}),
               "constants are the same");
 
 }  // namespace discmc

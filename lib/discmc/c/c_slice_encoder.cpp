@@ -16,9 +16,10 @@ namespace discmc {
 
 namespace {
 
-static_assert(red_zone_bytes > 0 || DISCMC_SLICE_ENCODER_BYTES(31, 7, 2) >=
-                                        bytes_with_object(sizeof(discmc_slice_encoder),
-                                                          slice_encoder_bytes({31, 7}, {}, 2)),
+static_assert(red_zone_bytes > 0 ||
+                  DISCMC_SLICE_ENCODER_BYTES(31, 7, 2) >=
+                      bytes_with_object(sizeof(discmc_slice_encoder),
+                                        SliceEncoder::minimum_bytes({31, 7}, {}, 2)),
               "the size in sizes.h suffices");
 
 uint8_t surface_count_of(const discmc_slice_encoder_config& config) {
@@ -55,7 +56,7 @@ uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config) {
   if (!limits.is_valid() || config->surface_count > StreamHeader::max_surfaces) return 0;
   return bytes_with_object(
       sizeof(discmc_slice_encoder),
-      slice_encoder_bytes(limits, {config->key_slice_interval}, surface_count_of(*config)));
+      SliceEncoder::minimum_bytes(limits, {config->key_slice_interval}, surface_count_of(*config)));
 }
 
 discmc_status discmc_slice_encoder_start(discmc_slice_encoder** encoder,

@@ -29,9 +29,9 @@ struct ScanSizes {
 /// As bytes_for(), in one function for all types.
 constexpr uint64_t bytes_of_scan(const ScanSizes& sizes, const Limits& limits, uint32_t slots) {
   uint64_t bytes =
-      bytes_for<uint16_t>(limits, {0, 0}) + Arena::aligned(uint64_t{slots} * sizes.slot_bytes);
+      Extractor16::bytes_for(limits, {0, 0}) + Arena::aligned(uint64_t{slots} * sizes.slot_bytes);
   if (sizes.index_bytes > sizeof(uint16_t))
-    bytes += bytes_for<uint32_t>({1, 1}, {0, 0}) - bytes_for<uint16_t>({1, 1}, {0, 0});
+    bytes += Extractor32::bytes_for({1, 1}, {0, 0}) - Extractor16::bytes_for({1, 1}, {0, 0});
   const uint32_t rows = GradientNormals<uint8_t>::ring_rows(limits);
   if (sizes.sample_bytes > 0)
     bytes += Arena::bytes_of(rows * limits.width, sizes.sample_bytes) +
@@ -63,13 +63,14 @@ namespace discmc {
 /// The properties of an extractor's type.
 template <class Index, class Intake, class Sweep>
 struct ExtractorType {
-  static constexpr ScanSizes sizes = {sizeof(Index), sizing::slot_bytes<Index, Intake>,
+  static constexpr ScanSizes sizes = {sizeof(Index), detail::sizing::slot_bytes<Index, Intake>,
                                       Intake::type / 2};
-  static_assert(bytes_of_scan(sizes, {31, 7}, 5) == bytes_for<Index, Intake>({31, 7}, {5, 0}),
+  static_assert(bytes_of_scan(sizes, {31, 7}, 5) ==
+                    detail::sizing::bytes_for<Index, Intake>({31, 7}, {5, 0}),
                 "it is as many bytes");
   static constexpr bool has_normals = Intake::holds_samples;
   static Capacities capacities(const Limits& limits, uint64_t bytes) {
-    return default_capacities<Index, Intake>(limits, bytes);
+    return detail::sizing::default_capacities<Index, Intake>(limits, bytes);
   }
 };
 template <class Index, class Intake, class Sweep>

@@ -79,25 +79,25 @@ void unpack_row(const uint8_t* packed, uint32_t count, uint16_t* samples) {
 
 }  // namespace
 
-void unpacking::raw10(const uint8_t* packed, uint32_t count, uint16_t* samples) {
+void detail::unpacking::raw10(const uint8_t* packed, uint32_t count, uint16_t* samples) {
   unpack_row<Raw10>(packed, count, samples);
 }
-void unpacking::raw12(const uint8_t* packed, uint32_t count, uint16_t* samples) {
+void detail::unpacking::raw12(const uint8_t* packed, uint32_t count, uint16_t* samples) {
   unpack_row<Raw12>(packed, count, samples);
 }
-void unpacking::mono10p(const uint8_t* packed, uint32_t count, uint16_t* samples) {
+void detail::unpacking::mono10p(const uint8_t* packed, uint32_t count, uint16_t* samples) {
   unpack_row<LowestFirst<10, 4>>(packed, count, samples);
 }
-void unpacking::mono12p(const uint8_t* packed, uint32_t count, uint16_t* samples) {
+void detail::unpacking::mono12p(const uint8_t* packed, uint32_t count, uint16_t* samples) {
   unpack_row<LowestFirst<12, 2>>(packed, count, samples);
 }
-void unpacking::mono10pmsb(const uint8_t* packed, uint32_t count, uint16_t* samples) {
+void detail::unpacking::mono10pmsb(const uint8_t* packed, uint32_t count, uint16_t* samples) {
   unpack_row<HighestFirst<10, 4>>(packed, count, samples);
 }
-void unpacking::mono12pmsb(const uint8_t* packed, uint32_t count, uint16_t* samples) {
+void detail::unpacking::mono12pmsb(const uint8_t* packed, uint32_t count, uint16_t* samples) {
   unpack_row<HighestFirst<12, 2>>(packed, count, samples);
 }
-void unpacking::mono12_packed(const uint8_t* packed, uint32_t count, uint16_t* samples) {
+void detail::unpacking::mono12_packed(const uint8_t* packed, uint32_t count, uint16_t* samples) {
   unpack_row<Mono12Packed>(packed, count, samples);
 }
 

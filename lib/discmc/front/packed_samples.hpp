@@ -56,7 +56,7 @@ constexpr uint32_t packed_bytes(Packing packing, uint32_t count) {
   return (count + group.samples - 1) / group.samples * group.bytes;
 }
 
-namespace unpacking {
+namespace detail::unpacking {
 
 void raw10(const uint8_t* packed, uint32_t count, uint16_t* samples);
 void raw12(const uint8_t* packed, uint32_t count, uint16_t* samples);
@@ -66,7 +66,7 @@ void mono10pmsb(const uint8_t* packed, uint32_t count, uint16_t* samples);
 void mono12pmsb(const uint8_t* packed, uint32_t count, uint16_t* samples);
 void mono12_packed(const uint8_t* packed, uint32_t count, uint16_t* samples);
 
-}  // namespace unpacking
+}  // namespace detail::unpacking
 
 /// Unpacks a row, or a part of a row that begins with a group. samples: room for count; it may
 /// begin at `packed`, to unpack a row in place, and must not overlap it otherwise. Owner: the
@@ -75,19 +75,19 @@ void mono12_packed(const uint8_t* packed, uint32_t count, uint16_t* samples);
 inline void unpack(Packing packing, const uint8_t* packed, uint32_t count, uint16_t* samples) {
   switch (packing) {
     case Packing::raw10:
-      return unpacking::raw10(packed, count, samples);
+      return detail::unpacking::raw10(packed, count, samples);
     case Packing::raw12:
-      return unpacking::raw12(packed, count, samples);
+      return detail::unpacking::raw12(packed, count, samples);
     case Packing::mono10p:
-      return unpacking::mono10p(packed, count, samples);
+      return detail::unpacking::mono10p(packed, count, samples);
     case Packing::mono12p:
-      return unpacking::mono12p(packed, count, samples);
+      return detail::unpacking::mono12p(packed, count, samples);
     case Packing::mono10pmsb:
-      return unpacking::mono10pmsb(packed, count, samples);
+      return detail::unpacking::mono10pmsb(packed, count, samples);
     case Packing::mono12pmsb:
-      return unpacking::mono12pmsb(packed, count, samples);
+      return detail::unpacking::mono12pmsb(packed, count, samples);
     case Packing::mono12_packed:
-      return unpacking::mono12_packed(packed, count, samples);
+      return detail::unpacking::mono12_packed(packed, count, samples);
   }
 }
 

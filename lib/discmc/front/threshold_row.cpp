@@ -16,7 +16,7 @@ uint8_t* write_word(uint32_t word, uint32_t count, uint8_t* bits) {
 
 // The bits of up to 32 samples.
 template <class Sample>
-uint32_t word_of(const trace::Threshold<Sample>& on, const Sample* samples, uint32_t count,
+uint32_t word_of(const detail::trace::Threshold<Sample>& on, const Sample* samples, uint32_t count,
                  uint32_t stride) {
   uint32_t word = 0, taken = 0;
   if (stride == 1 && on.reads_words(samples)) {
@@ -33,7 +33,7 @@ uint32_t word_of(const trace::Threshold<Sample>& on, const Sample* samples, uint
 template <class Sample>
 void threshold_row(const Sample* samples, uint32_t count, int32_t threshold, uint8_t* bits,
                    uint32_t stride) {
-  const trace::Threshold<Sample> on(threshold);
+  const detail::trace::Threshold<Sample> on(threshold);
   const bool reads_words = stride == 1 && on.reads_words(samples);
   // If the last samples were on, the next ones are unlikely to be all off.
   bool may_be_off = true;

@@ -68,7 +68,7 @@ struct Loops {
   Loop loop[max_loops];
 };
 
-namespace derive {
+namespace detail::derive {
 
 // The corners of a face, counter-clockwise seen from inside the cell.
 struct FaceCorners {
@@ -134,7 +134,7 @@ constexpr Loops loops(Configuration configuration) {
   return result;
 }
 
-}  // namespace derive
+}  // namespace detail::derive
 
 }  // namespace discmc
 

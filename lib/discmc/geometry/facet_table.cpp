@@ -12,7 +12,7 @@ constexpr bool contains(const FacetRing& ring, CellPoint point) {
 }
 
 constexpr Shape ring_shape(Incidence incidence, const FacetRing& ring) {
-  const Vertex n = normal(incidence);
+  const Vertex n = incidence_normal(incidence);
   const Shape side = dot(n, position(ring.point[0]) - position(centroid)) > 0 ? 1 : 0;
   if (!contains(ring, centroid)) return side;
   // A fan's triangle is listed centroid first, so its outer link runs from point 1 to point 2.
@@ -56,7 +56,7 @@ constexpr uint8_t twice_on_area(int on_count, bool diagonal) {
 constexpr int face_pyramids(Configuration configuration) {
   int sum = 0;
   for (int face = 0; face < faces; ++face) {
-    const derive::FaceCorners ring = derive::face_corners(face);
+    const detail::derive::FaceCorners ring = detail::derive::face_corners(face);
     bool on[4] = {};
     int count = 0;
     for (int i = 0; i < 4; ++i) count += on[i] = configuration >> ring.corner[i] & 1;
@@ -80,7 +80,7 @@ constexpr Derived derive_all() {
   for (int c = 0; c < configurations; ++c) {
     derived.table.first[c] = static_cast<uint16_t>(total);
     const Configuration configuration = static_cast<Configuration>(c);
-    const Loops loops = derive::loops(configuration);
+    const Loops loops = detail::derive::loops(configuration);
     int triangles = 0;
     int enclosed = face_pyramids(configuration);
     for (int l = 0; l < loops.count; ++l) {
@@ -113,7 +113,7 @@ constexpr int configurations_with(int facets) {
 
 constexpr bool occurs(int squared_length, int times) {
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
-    const Vertex n = normal(incidence);
+    const Vertex n = incidence_normal(incidence);
     if (dot(n, n) != squared_length) continue;
     int count = 0;
     for (const Facet facet : derived.table.facet) count += incidence_of(facet) == incidence;

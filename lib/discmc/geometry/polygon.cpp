@@ -64,7 +64,7 @@ void ring_vertices(Incidence incidence, const Vertex& start, const Run* runs, ui
 
 int64_t twice_area(Incidence incidence, const Vertex* vertices, uint32_t count) {
   if (count == 0) return 0;
-  const Vertex n = normal(incidence);
+  const Vertex n = incidence_normal(incidence);
   const Vertex origin = vertices[0];
   int64_t sum = 0;
   for (uint32_t i = 1; i + 1 < count; ++i) {

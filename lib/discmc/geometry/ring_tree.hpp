@@ -20,7 +20,7 @@ struct ProjectedPoint {
 };
 
 constexpr ProjectedPoint projected(Incidence incidence, const Vertex& p) {
-  const Vertex n = normal(incidence);
+  const Vertex n = incidence_normal(incidence);
   if (n.z != 0) return {p.x, p.y};
   if (n.y != 0) return {p.x, p.z};
   return {p.y, p.z};
@@ -33,7 +33,7 @@ constexpr ProjectedPoint point_beside(Incidence incidence, const Vertex& start, 
   const Vertex link = direction_vector(incidence, first);
   const ProjectedPoint begin = projected(incidence, start);
   const ProjectedPoint forward = projected(incidence, link);
-  const ProjectedPoint left = projected(incidence, cross(normal(incidence), link));
+  const ProjectedPoint left = projected(incidence, cross(incidence_normal(incidence), link));
   return {8 * begin.u + 4 * forward.u + left.u, 8 * begin.v + 4 * forward.v + left.v};
 }
 
@@ -50,7 +50,7 @@ class RingSide {
     low_ = {8 * low.u, 8 * low.v};
     end_line_ = 8 * (begin.v < end.v ? end.v : begin.v);
     slope_ = step.u == 0 || step.v == 0 ? 0 : (step.u > 0) == (step.v > 0) ? 1 : -1;
-    leads_left_ = projected(incidence, cross(normal(incidence), link)).u > 0;
+    leads_left_ = projected(incidence, cross(incidence_normal(incidence), link)).u > 0;
   }
 
   /// The lines that it crosses: from the first one on, those before the end.

@@ -2,7 +2,7 @@
 
 #include <discmc/geometry/ring_tree.hpp>
 
-namespace discmc::join {
+namespace discmc::detail::join {
 
 namespace {
 
@@ -103,4 +103,4 @@ WaitingKey HeldChains::end_key(uint32_t index) const {
   return {chain.end, chain.incidence, runs_[chain.last_run].run.direction()};
 }
 
-}  // namespace discmc::join
+}  // namespace discmc::detail::join

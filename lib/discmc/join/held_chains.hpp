@@ -7,7 +7,7 @@
 #include <discmc/normal.hpp>
 #include <discmc/pool.hpp>
 
-namespace discmc::join {
+namespace discmc::detail::join {
 
 constexpr uint32_t no_chain = no_slot, no_run = no_slot;
 
@@ -121,6 +121,6 @@ class HeldChains {
   Pool<HeldRun, uint32_t> runs_;
 };
 
-}  // namespace discmc::join
+}  // namespace discmc::detail::join
 
 #endif

@@ -72,7 +72,7 @@ bool Joiner::begin_fragment(const Event& event) {
       return true;
     }
     arriving_ = chains().take(event.incidence, event.start, event.incoming_direction);
-    if (arriving_ != join::no_chain) {
+    if (arriving_ != detail::join::no_chain) {
       fate_ = Fate::held;
       return true;
     }
@@ -169,17 +169,17 @@ bool Joiner::pass_loose(const Event& event) {
 // Joins the fragment that has arrived with its neighbours.
 void Joiner::place_fragment() {
   const uint32_t arrived = arriving_;
-  if (chains()[arrived].first_run == join::no_chain) {
+  if (chains()[arrived].first_run == detail::join::no_chain) {
     fate_ = Fate::ignored;
     return;
   }
-  const join::WaitingChains::Result result = waiting_.join(arrived);
-  if (result.joined == join::WaitingChains::Joined::no_room) return run_short();
+  const detail::join::WaitingChains::Result result = waiting_.join(arrived);
+  if (result.joined == detail::join::WaitingChains::Joined::no_room) return run_short();
   ++report_.received;
   fate_ = Fate::none;
-  arriving_ = join::no_chain;
-  if (result.joined == join::WaitingChains::Joined::refused) return begin_loose(arrived);
-  if (result.joined == join::WaitingChains::Joined::open) return;
+  arriving_ = detail::join::no_chain;
+  if (result.joined == detail::join::WaitingChains::Joined::refused) return begin_loose(arrived);
+  if (result.joined == detail::join::WaitingChains::Joined::open) return;
   chains().close(result.chain);
   const bool is_outer = !chains()[result.chain].is_hole();
   if (is_outer && order_ == InputOrder::sweep)
@@ -189,15 +189,15 @@ void Joiner::place_fragment() {
 }
 
 void Joiner::forget_fragment() {
-  if (arriving_ != join::no_chain) chains().give(arriving_);
-  arriving_ = join::no_chain;
+  if (arriving_ != detail::join::no_chain) chains().give(arriving_);
+  arriving_ = detail::join::no_chain;
   fate_ = Fate::none;
 }
 
 // From now on everything is passed on, the held chains first.
 void Joiner::run_short() {
   is_short_ = true;
-  if (arriving_ != join::no_chain) fate_ = Fate::passed;
+  if (arriving_ != detail::join::no_chain) fate_ = Fate::passed;
   let_all_go();
 }
 
@@ -218,9 +218,9 @@ Event Joiner::next_event() const {
   event.kind = next_kind_;
   if (next_kind_ == Event::Kind::region_end || next_kind_ == Event::Kind::fragment_end)
     return event;
-  const join::HeldChain& chain = chains()[delivered_];
+  const detail::join::HeldChain& chain = chains()[delivered_];
   if (next_kind_ == Event::Kind::run) {
-    const join::HeldRun& first = chains().run(chain.first_run);
+    const detail::join::HeldRun& first = chains().run(chain.first_run);
     event.run = first.run;
     event.normal = first.normal;
     return event;
@@ -251,7 +251,7 @@ void Joiner::go_on() {
     default:  // ring and fragment
       next_kind_ = Event::Kind::run;
   }
-  if (chains()[delivered_].first_run == join::no_chain) end_chain();
+  if (chains()[delivered_].first_run == detail::join::no_chain) end_chain();
 }
 
 // Ends a chain after its last run.
@@ -263,7 +263,7 @@ void Joiner::end_chain() {
       next_kind_ = Event::Kind::fragment_end;
       return;
     case Outlet::beginning:
-      arriving_ = join::no_chain;
+      arriving_ = detail::join::no_chain;
       outlet_ = Outlet::none;
       return;
     default:
@@ -281,7 +281,7 @@ void Joiner::begin_delivery(Outlet outlet, Event::Kind kind, uint32_t chain) {
 
 void Joiner::begin_next_hole() {
   const uint32_t hole = claimed_;
-  if (hole != join::no_chain) {
+  if (hole != detail::join::no_chain) {
     claimed_ = chains()[hole].next;
     begin_delivery(outlet_, Event::Kind::ring, hole);
   } else if (outlet_ == Outlet::region) {
@@ -309,14 +309,15 @@ bool Joiner::begin_next_loose() {
   if (!is_letting_go_) return false;
   while (looked_at_ < chains().last_used()) {
     const uint32_t chain = ++looked_at_;
-    if (chain == arriving_ || chains().state(chain) == join::HeldChain::State::unused) continue;
+    if (chain == arriving_ || chains().state(chain) == detail::join::HeldChain::State::unused)
+      continue;
     begin_loose(chain);
     if (outlet_ != Outlet::none) return true;
   }
   is_letting_go_ = false;
   looked_at_ = 0;
   waiting_.forget();
-  if (arriving_ == join::no_chain) return false;
+  if (arriving_ == detail::join::no_chain) return false;
   begin_delivery(Outlet::beginning, Event::Kind::fragment, arriving_);
   if (passes_loose()) return true;
   end_chain();
@@ -335,7 +336,7 @@ bool Joiner::end() {
 // Begins the delivery of a waiting outer ring. False if none is left.
 bool Joiner::begin_next_outer() {
   const uint32_t outer = waiting_.rings().take_outer(chains());
-  if (outer == join::no_chain) return false;
+  if (outer == detail::join::no_chain) return false;
   begin_delivery(Outlet::region, Event::Kind::region, outer);
   return true;
 }

@@ -1,6 +1,6 @@
 #include <discmc/join/region_holes.hpp>
 
-namespace discmc::join {
+namespace discmc::detail::join {
 
 namespace {
 
@@ -72,4 +72,4 @@ uint32_t RegionHoles::claim(WaitingChains& waiting) {
   return claimed;
 }
 
-}  // namespace discmc::join
+}  // namespace discmc::detail::join

@@ -5,7 +5,7 @@
 #include <discmc/join/waiting_chains.hpp>
 #include <discmc/sink.hpp>
 
-namespace discmc::join {
+namespace discmc::detail::join {
 
 /// A hole belongs to a region if it lies inside its outer ring, and if no other waiting ring inside
 /// contains it. Such a ring belongs to a region in one of the holes.
@@ -29,6 +29,6 @@ class RegionHoles {
   Vertex at_{};               // the end of the current ring so far
 };
 
-}  // namespace discmc::join
+}  // namespace discmc::detail::join
 
 #endif

@@ -1,6 +1,6 @@
 #include <discmc/join/waiting_chains.hpp>
 
-namespace discmc::join {
+namespace discmc::detail::join {
 
 namespace {
 
@@ -60,4 +60,4 @@ void WaitingChains::forget() {
   rings_.clear();
 }
 
-}  // namespace discmc::join
+}  // namespace discmc::detail::join

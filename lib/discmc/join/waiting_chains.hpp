@@ -7,7 +7,7 @@
 #include <discmc/join/waiting_rings.hpp>
 #include <discmc/join/waiting_table.hpp>
 
-namespace discmc::join {
+namespace discmc::detail::join {
 
 class WaitingChains {
  public:
@@ -66,6 +66,6 @@ class WaitingChains {
   WaitingRings rings_;
 };
 
-}  // namespace discmc::join
+}  // namespace discmc::detail::join
 
 #endif

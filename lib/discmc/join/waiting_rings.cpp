@@ -1,6 +1,6 @@
 #include <discmc/join/waiting_rings.hpp>
 
-namespace discmc::join {
+namespace discmc::detail::join {
 
 void WaitingRings::insert(HeldChains& chains, uint32_t ring) {
   if (!chains[ring].is_hole()) ++unsorted_outers_;
@@ -44,4 +44,4 @@ uint32_t WaitingRings::take_outer(HeldChains& chains) {
   return lowest;
 }
 
-}  // namespace discmc::join
+}  // namespace discmc::detail::join

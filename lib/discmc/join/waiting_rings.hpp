@@ -5,7 +5,7 @@
 #include <discmc/geometry/ring_tree.hpp>
 #include <discmc/join/held_chains.hpp>
 
-namespace discmc::join {
+namespace discmc::detail::join {
 
 /// Finds the waiting rings inside another ring, or inside a region: note() all sides, then
 /// settle(). Cost: per side, a look-up in a tree for each line of the plane that it crosses and
@@ -88,6 +88,6 @@ void WaitingRings::settle(HeldChains& chains, bool is_left, Visit visit) {
   }
 }
 
-}  // namespace discmc::join
+}  // namespace discmc::detail::join
 
 #endif

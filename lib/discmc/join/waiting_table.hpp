@@ -8,7 +8,7 @@
 #include <discmc/checks.hpp>
 #include <discmc/lattice.hpp>
 
-namespace discmc::join {
+namespace discmc::detail::join {
 
 /// The place where a chain waits.
 struct WaitingKey {
@@ -106,6 +106,6 @@ class WaitingTable {
   uint32_t buckets_ = 0;
 };
 
-}  // namespace discmc::join
+}  // namespace discmc::detail::join
 
 #endif

@@ -7,7 +7,7 @@
 #include <discmc/slices/slice_model.hpp>
 #include <discmc/trace/bit_rows.hpp>
 
-namespace discmc::slices {
+namespace discmc::detail::slices {
 
 /// The rows that contain the neighbours of a row's voxels. Owner: Surfaces.
 struct RowsBefore {
@@ -19,7 +19,7 @@ struct RowsBefore {
 };
 
 /// The neighbours of the arriving row. first: as in RowsBefore.
-inline RowsBefore rows_before(const trace::BitRows& rows, uint32_t height, SliceKind kind,
+inline RowsBefore rows_before(const detail::trace::BitRows& rows, uint32_t height, SliceKind kind,
                               const uint32_t* first = nullptr) {
   const auto row = [&rows](bool is_there, uint32_t back) {
     return is_there ? rows.row(back) : rows.off();
@@ -137,12 +137,12 @@ class RowCode {
   uint32_t voxels_before(uint32_t most, Bits bits) const {
     uint32_t passed = 0;
     for (uint32_t word = word_, bit = bit_; passed < most; ++word, bit = 1) {
-      const uint32_t rest = (bits(word) & trace::own_columns) >> bit;
+      const uint32_t rest = (bits(word) & detail::trace::own_columns) >> bit;
       if (rest != 0) {
         passed += trailing_zeros(rest);
         break;
       }
-      passed += trace::columns_per_word + 1 - bit;
+      passed += detail::trace::columns_per_word + 1 - bit;
     }
     return passed < most ? passed : most;
   }
@@ -158,7 +158,7 @@ class RowCode {
     DISCMC_LIMIT(voxels <= left_);
     left_ -= voxels;
     while (voxels > 0) {
-      const uint32_t room = trace::columns_per_word + 1 - bit_;
+      const uint32_t room = detail::trace::columns_per_word + 1 - bit_;
       const uint32_t here = voxels < room ? voxels : room;
       write(here);
       voxels -= here;
@@ -173,10 +173,10 @@ class RowCode {
   // Limit: the word has room for them.
   void write(uint32_t voxels) {
     const uint32_t next = bit_ + voxels;
-    DISCMC_LIMIT(next <= trace::columns_per_word + 1);
+    DISCMC_LIMIT(next <= detail::trace::columns_per_word + 1);
     row_[word_] |= as_before_ & ((uint32_t{1} << next) - (uint32_t{1} << bit_));
-    bit_ = next <= trace::columns_per_word ? next : 1;
-    if (next > trace::columns_per_word) ++word_;
+    bit_ = next <= detail::trace::columns_per_word ? next : 1;
+    if (next > detail::trace::columns_per_word) ++word_;
   }
 
   uint32_t* row_ = nullptr;
@@ -188,6 +188,6 @@ class RowCode {
   uint32_t level_end_ = 0;  // voxels left after the last computed level
 };
 
-}  // namespace discmc::slices
+}  // namespace discmc::detail::slices
 
 #endif

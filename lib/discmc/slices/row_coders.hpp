@@ -4,7 +4,7 @@
 
 #include <discmc/stream/range_coder.hpp>
 
-namespace discmc::slices {
+namespace discmc::detail::slices {
 
 struct RowWriter {
   RangeEncoder range;
@@ -36,6 +36,6 @@ struct RowReader {
   }
 };
 
-}  // namespace discmc::slices
+}  // namespace discmc::detail::slices
 
 #endif

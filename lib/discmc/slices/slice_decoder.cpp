@@ -2,13 +2,13 @@
 
 namespace discmc {
 
-using slices::RowNote;
+using detail::slices::RowNote;
 
 namespace {
 
 // The most that a step or a note reads. Units: bytes.
 constexpr size_t max_of_a_step = 4;
-static_assert(max_of_a_step <= wire::packet_head, "what is left has room before a payload");
+static_assert(max_of_a_step <= detail::wire::packet_head, "what is left has room before a payload");
 
 }  // namespace
 
@@ -83,7 +83,7 @@ void SliceDecoder::open(PacketReader::Completed arrival) {
 
 void SliceDecoder::lay_out() {
   Arena arena(memory_);
-  surfaces_.start(arena, header(), slices::rows_kept(header().height, false));
+  surfaces_.start(arena, header(), detail::slices::rows_kept(header().height, false));
   bits_ = arena.take<uint8_t>((header().width + 7) / 8);
   if (arena.is_exhausted()) {
     refusal_ = Status::too_little_memory;
@@ -102,7 +102,7 @@ void SliceDecoder::give_up() {
 }
 
 void SliceDecoder::open_slices() {
-  using wire::SliceBits;
+  using detail::wire::SliceBits;
   const uint8_t bits = packets_.slice_bits();
   uint8_t* code = packets_.payload();
   size_t bytes = packets_.payload_bytes();
@@ -111,9 +111,10 @@ void SliceDecoder::open_slices() {
   if ((bits & SliceBits::key) != 0) {
     // A key slice begins a code; in the middle of a code it cannot be read.
     const bool begins_code = (bits & SliceBits::first) != 0;
-    if (!begins_code || bytes < wire::key_slice_head || !begin_key_slice()) return give_up();
-    code += wire::key_slice_head;
-    bytes -= wire::key_slice_head;
+    if (!begins_code || bytes < detail::wire::key_slice_head || !begin_key_slice())
+      return give_up();
+    code += detail::wire::key_slice_head;
+    bytes -= detail::wire::key_slice_head;
   }
   if (!is_whole_) {
     stage_ = Stage::collect;
@@ -123,9 +124,9 @@ void SliceDecoder::open_slices() {
   code_is_over_ = (bits & SliceBits::last) != 0;
   cut_left_ = 0;
   if ((bits & SliceBits::cut) != 0) {
-    if (bytes < wire::cut_tail || !code_is_over_) return give_up();
-    bytes -= wire::cut_tail;
-    wire::ByteReader tail(code + bytes, wire::cut_tail);
+    if (bytes < detail::wire::cut_tail || !code_is_over_) return give_up();
+    bytes -= detail::wire::cut_tail;
+    detail::wire::ByteReader tail(code + bytes, detail::wire::cut_tail);
     cut_row_ = static_cast<uint32_t>(tail.get(4));
     cut_left_ = static_cast<uint32_t>(tail.get(2));
   }
@@ -142,7 +143,7 @@ void SliceDecoder::open_slices() {
 }
 
 bool SliceDecoder::begin_key_slice() {
-  const auto slice = static_cast<uint32_t>(wire::ByteReader(packets_.payload(), 4).get(4));
+  const auto slice = static_cast<uint32_t>(detail::wire::ByteReader(packets_.payload(), 4).get(4));
   const bool is_ahead = slice > slice_ || (slice == slice_ && surfaces_.rows().rows() == 0);
   if (slice >= Limits::max_slices || !is_ahead) return false;
   lost_rows_ = uint64_t{slice - slice_} * header().height - surfaces_.rows().rows();
@@ -205,7 +206,7 @@ bool SliceDecoder::begin_row() {
     if (surfaces_.rows().rows() == 0 && !is_key_ahead_) surfaces_.begin_following_slice();
     is_key_ahead_ = false;
   }
-  trace::BitRows& rows = surfaces_[surface_].rows;
+  detail::trace::BitRows& rows = surfaces_[surface_].rows;
   if (note_ == RowNote::repeated) rows.repeat();  // else it is off
   surfaces_.begin_row(row_, surface_, note_ == RowNote::none ? header().width : 0);
   row_is_begun_ = true;
@@ -215,7 +216,7 @@ bool SliceDecoder::begin_row() {
 bool SliceDecoder::read_note() {
   note_ = RowNote::none;
   if (!coder_.code_bit(surfaces_.note(), false)) return true;
-  const uint32_t note = coder_.number(slices::note_bits, 0);
+  const uint32_t note = coder_.number(detail::slices::note_bits, 0);
   if (note >= static_cast<uint32_t>(RowNote::none)) return false;
   note_ = static_cast<RowNote>(note);
   return note_ != RowNote::repeated || !is_key_ahead_;

@@ -2,7 +2,7 @@
 
 namespace discmc {
 
-using slices::RowNote;
+using detail::slices::RowNote;
 
 Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Memory memory,
                            const ByteOutput& output) {
@@ -11,10 +11,10 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
   if (!header.is_valid()) return Status::bad_label;
   if (!output.is_valid()) return Status::bad_sink;
   if (memory.data == nullptr ||
-      memory.bytes < slice_encoder_bytes(limits, key_slices, header.surface_count))
+      memory.bytes < minimum_bytes(limits, key_slices, header.surface_count))
     return Status::too_little_memory;
   packets_.attach(output);
-  packets_.begin_stream(header, wire::HeaderFlags::slices);
+  packets_.begin_stream(header, detail::wire::HeaderFlags::slices);
   key_slices_ = key_slices;
   lay_out(memory);
   surfaces_.clear();
@@ -33,7 +33,8 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
 void SliceEncoder::lay_out(Memory memory) {
   const StreamHeader& header = packets_.header();
   Arena arena(memory);
-  surfaces_.start(arena, header, slices::rows_kept(header.height, key_slices_.is_every_slice()));
+  surfaces_.start(arena, header,
+                  detail::slices::rows_kept(header.height, key_slices_.is_every_slice()));
   memory_ = memory.data;
 }
 
@@ -74,7 +75,7 @@ PushResult SliceEncoder::push_bits(const uint8_t* bits) {
   const Status status = ready_for_row();
   if (status != Status::ok) return {status, 0};
   if (column() != 0) return {Status::row_in_progress, 0};
-  for (slices::Surface& surface : surfaces_) {
+  for (detail::slices::Surface& surface : surfaces_) {
     surface.rows.append_bits(bits);
     bits += (packets_.header().width + 7) / 8;
   }
@@ -86,7 +87,7 @@ PushResult SliceEncoder::skip_row(Substitute substitute) {
   if (status != Status::ok) return {status, 0};
   if (column() != 0) return {Status::row_in_progress, 0};
   const bool is_repeated = substitute == Substitute::previous_row;
-  for (slices::Surface& surface : surfaces_) {
+  for (detail::slices::Surface& surface : surfaces_) {
     if (is_repeated)
       surface.rows.repeat();
     else
@@ -122,7 +123,7 @@ Status SliceEncoder::write_record(const ApplicationRecord& record) {
   ApplicationRecord placed = record;
   placed.slice = slices();
   placed.row = rows();
-  packets_.seal_application(wire::PacketKind::slices_application, placed);
+  packets_.seal_application(detail::wire::PacketKind::slices_application, placed);
   (void)packets_.drain();  // the packet is accepted, even if the output is busy now
   return Status::ok;
 }
@@ -158,7 +159,7 @@ size_t SliceEncoder::bytes_used() const {
   if (state_ == State::idle) return 0;
   const StreamHeader& header = packets_.header();
   const uint64_t bytes =
-      slice_encoder_bytes({header.width, header.height}, key_slices_, header.surface_count);
+      minimum_bytes({header.width, header.height}, key_slices_, header.surface_count);
   return static_cast<size_t>(bytes);
 }
 
@@ -250,16 +251,17 @@ bool SliceEncoder::is_at_key_slice() const {
 
 void SliceEncoder::encode_note(RowNote note) {
   coder_.code_bit(surfaces_.note(), note != RowNote::none);
-  if (note != RowNote::none) coder_.number(slices::note_bits, static_cast<uint32_t>(note));
+  if (note != RowNote::none) coder_.number(detail::slices::note_bits, static_cast<uint32_t>(note));
 }
 
 // ---- packets ----
 
 // A step or a note takes up to 4 bytes and the end of the code 1. A note before it takes 2, or a
 // cut after it 6.
-constexpr size_t code_reserve = 4 + 1 + wire::cut_tail;
+constexpr size_t code_reserve = 4 + 1 + detail::wire::cut_tail;
 static_assert(Limits::max_extent < 1 << 15, "a step has a decision and 15 bits at most");
-static_assert(wire::key_slice_head + 2 * code_reserve + (wire::max_frame - wire::max_payload) <
+static_assert(detail::wire::key_slice_head + 2 * code_reserve +
+                      (detail::wire::max_frame - detail::wire::max_payload) <
                   ByteOutput::min_frame_limit,
               "a code that is not final has room to end");
 
@@ -281,11 +283,11 @@ bool SliceEncoder::make_room() {
 
 void SliceEncoder::begin_code() {
   const bool is_key = !row_is_begun_ && is_at_key_slice();
-  packet_bits_ = wire::SliceBits::first;
+  packet_bits_ = detail::wire::SliceBits::first;
   uint8_t* code = packets_.payload();
   if (is_key) {
-    packet_bits_ |= wire::SliceBits::key;
-    code = wire::put(code, slices(), wire::key_slice_head);
+    packet_bits_ |= detail::wire::SliceBits::key;
+    code = detail::wire::put(code, slices(), detail::wire::key_slice_head);
   }
   const auto head = static_cast<size_t>(code - packets_.payload());
   coder_.range = RangeEncoder(code, packets_.max_payload() - head);
@@ -300,16 +302,16 @@ bool SliceEncoder::end_code() {
 
 // Ends the code at any place.
 bool SliceEncoder::cut_code() {
-  return row_is_begun_ ? close_code(wire::SliceBits::cut) : end_code();
+  return row_is_begun_ ? close_code(detail::wire::SliceBits::cut) : end_code();
 }
 
 bool SliceEncoder::close_code(uint8_t bits) {
-  packet_bits_ = static_cast<uint8_t>(packet_bits_ | wire::SliceBits::last | bits);
+  packet_bits_ = static_cast<uint8_t>(packet_bits_ | detail::wire::SliceBits::last | bits);
   uint8_t* end = code_end(coder_.range.finish());
-  if (bits == wire::SliceBits::cut) {
+  if (bits == detail::wire::SliceBits::cut) {
     const uint64_t rows_of_all = encoded_rows_ * surfaces_.count() + surface_;
-    end = wire::put(end, static_cast<uint32_t>(rows_of_all), 4);
-    end = wire::put(end, row_.left(), 2);
+    end = detail::wire::put(end, static_cast<uint32_t>(rows_of_all), 4);
+    end = detail::wire::put(end, row_.left(), 2);
   }
   seal(end);
   code_is_open_ = false;
@@ -318,13 +320,14 @@ bool SliceEncoder::close_code(uint8_t bits) {
 
 // The end of this many bytes of code in the packet.
 uint8_t* SliceEncoder::code_end(size_t code_bytes) {
-  const size_t head = (packet_bits_ & wire::SliceBits::key) != 0 ? wire::key_slice_head : 0;
+  const size_t head =
+      (packet_bits_ & detail::wire::SliceBits::key) != 0 ? detail::wire::key_slice_head : 0;
   return packets_.payload() + head + code_bytes;
 }
 
 void SliceEncoder::seal(uint8_t* end) {
-  const auto kind = static_cast<uint8_t>(wire::PacketKind::slices) | packet_bits_;
-  packets_.seal(static_cast<wire::PacketKind>(kind), end);
+  const auto kind = static_cast<uint8_t>(detail::wire::PacketKind::slices) | packet_bits_;
+  packets_.seal(static_cast<detail::wire::PacketKind>(kind), end);
   packet_bits_ = 0;
 }
 

@@ -1,6 +1,6 @@
 #include <discmc/slices/slice_model.hpp>
 
-namespace discmc::slices {
+namespace discmc::detail::slices {
 
 namespace {
 
@@ -62,4 +62,4 @@ void SliceModel::begin(SliceKind kind) {
   }
 }
 
-}  // namespace discmc::slices
+}  // namespace discmc::detail::slices

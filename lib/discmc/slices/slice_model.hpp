@@ -15,7 +15,7 @@
 #include <discmc/arena.hpp>
 #include <discmc/stream/range_coder.hpp>
 
-namespace discmc::slices {
+namespace discmc::detail::slices {
 
 /// Whether the slice before contains neighbours.
 enum class SliceKind : uint8_t { key, follows };
@@ -56,6 +56,6 @@ class SliceModel {
   uint32_t count_ = 0;
 };
 
-}  // namespace discmc::slices
+}  // namespace discmc::detail::slices
 
 #endif

@@ -26,7 +26,7 @@ class SurfaceDecoder {
   [[nodiscard]] Status give_memory(Memory memory);
   [[nodiscard]] Status finish();
   static constexpr uint64_t minimum_bytes(const Limits& limits, uint32_t surfaces = 1) {
-    return slice_decoder_bytes(limits, surfaces) + discmc::minimum_bytes<uint32_t>(limits);
+    return SliceDecoder::minimum_bytes(limits, surfaces) + Extractor32::minimum_bytes(limits);
   }
 
   /// Whether a packet of the next scan has arrived, and the start of that scan with it.

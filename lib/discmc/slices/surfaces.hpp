@@ -5,10 +5,10 @@
 #include <discmc/sink.hpp>
 #include <discmc/slices/row_code.hpp>
 
-namespace discmc::slices {
+namespace discmc::detail::slices {
 
 struct Surface {
-  trace::BitRows rows;
+  detail::trace::BitRows rows;
   SliceModel model;
 };
 
@@ -35,7 +35,7 @@ class Surfaces {
   Surface& operator[](uint32_t surface) { return of_[surface]; }
 
   /// The rows of all surfaces arrive together.
-  const trace::BitRows& rows() const { return of_[0].rows; }
+  const detail::trace::BitRows& rows() const { return of_[0].rows; }
   LearntProbability& note() { return of_[0].model[context::note]; }
 
   /// Begins a key slice.
@@ -54,7 +54,7 @@ class Surfaces {
   /// Begins the arriving row of one surface. width: 0 if the row is skipped.
   void begin_row(RowCode& row, uint32_t surface, uint32_t width) {
     const uint32_t* const first = surface > 0 ? rows().row(0) : nullptr;
-    trace::BitRows& rows = of_[surface].rows;
+    detail::trace::BitRows& rows = of_[surface].rows;
     row.begin(rows.arriving(), rows_before(rows, height_, kind_, first), width);
   }
   /// Turns off the arriving row of all surfaces.
@@ -83,6 +83,6 @@ class Surfaces {
   SliceKind kind_ = SliceKind::key;
 };
 
-}  // namespace discmc::slices
+}  // namespace discmc::detail::slices
 
 #endif

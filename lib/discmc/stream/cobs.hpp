@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include <discmc/compiler.hpp>
 
-namespace discmc::cobs {
+namespace discmc::detail::cobs {
 
 constexpr size_t max_plain = 254;
 
@@ -42,6 +42,6 @@ constexpr size_t unstuff(uint8_t* frame, size_t count) {
   return count - 1;
 }
 
-}  // namespace discmc::cobs
+}  // namespace discmc::detail::cobs
 
 #endif

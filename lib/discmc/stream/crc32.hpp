@@ -8,7 +8,7 @@
 
 namespace discmc {
 
-namespace derive {
+namespace detail::derive {
 
 /// The register after `bits` zero bits.
 constexpr uint32_t crc32_shifted(uint32_t crc, int bits) {
@@ -31,7 +31,7 @@ constexpr Crc32Table<bits> crc32_table() {
 
 inline constexpr Crc32Table<8> crc32_of_bytes = crc32_table<8>();
 
-}  // namespace derive
+}  // namespace detail::derive
 
 /// The checksum of some bytes; `before` is the checksum of the bytes in front of them. Cost: a step
 /// per byte on a host, eight on firmware, where packets are short and flash is scarce.
@@ -40,9 +40,9 @@ constexpr uint32_t crc32(const uint8_t* bytes, size_t count, uint32_t before = 0
   for (size_t i = 0; i < count; ++i) {
     crc ^= bytes[i];
     if constexpr (is_host)
-      crc = crc >> 8 ^ derive::crc32_of_bytes.remainder[crc & 0xFF];
+      crc = crc >> 8 ^ detail::derive::crc32_of_bytes.remainder[crc & 0xFF];
     else
-      crc = derive::crc32_shifted(crc, 8);
+      crc = detail::derive::crc32_shifted(crc, 8);
   }
   return ~crc;
 }

@@ -3,8 +3,8 @@
 
 namespace discmc {
 
-using stream::Record;
-using stream::RecordKind;
+using detail::stream::Record;
+using detail::stream::RecordKind;
 
 Status Decoder::start(const Sink& sink, uint8_t channel) {
   if (sink.take == nullptr) return Status::bad_sink;
@@ -49,7 +49,8 @@ Status Decoder::finish() {
 void Decoder::open(PacketReader::Completed arrival) {
   if (packets_.take_gap()) lose_open();
   if (arrival == PacketReader::Completed::records) {
-    model_ = stream::ReadingModel({RangeDecoder(packets_.payload(), packets_.payload_bytes())});
+    model_ =
+        detail::stream::ReadingModel({RangeDecoder(packets_.payload(), packets_.payload_bytes())});
     normals_are_ahead_ = false;
     const bool may_pass = packets_.whole_regions() > 0 && packet_sink_.take != nullptr;
     if (may_pass) lose_open();
@@ -100,14 +101,14 @@ void Decoder::read_record() {
   switch (kind) {
     case RecordKind::region:
     case RecordKind::holed:
-      is_good = stream::read_region(model_, record_, kind);
+      is_good = detail::stream::read_region(model_, record_, kind);
       break;
     case RecordKind::forwards:
     case RecordKind::backwards:
-      is_good = stream::read_fragment(model_, record_, kind);
+      is_good = detail::stream::read_fragment(model_, record_, kind);
       break;
     case RecordKind::part:
-      is_good = stream::read_part(model_, record_);
+      is_good = detail::stream::read_part(model_, record_);
       break;
     case RecordKind::layer:
     case RecordKind::skipped:
@@ -133,7 +134,8 @@ void Decoder::read_record() {
 void Decoder::read_extension() {
   const uint32_t type = model_.even(8, 0);
   uint32_t bytes = model_.even(8, 0);
-  if (type >= stream::first_normals_extension && type <= stream::last_normals_extension) {
+  if (type >= detail::stream::first_normals_extension &&
+      type <= detail::stream::last_normals_extension) {
     normals_.decode(model_, type, bytes);
     normals_are_ahead_ = true;
     return;

@@ -15,7 +15,7 @@ constexpr bool is_end(Event::Kind kind) {
 // Only this function refers to the code for normals: if it is not called, the linker drops both.
 void Encoder::encode_normals() {
   write_normals_ = [](Encoder& encoder, Model& model, uint32_t words) {
-    stream::encode_normals(model, encoder.record_, encoder.normals_, words);
+    detail::stream::encode_normals(model, encoder.record_, encoder.normals_, words);
   };
 }
 
@@ -111,13 +111,13 @@ Status Encoder::ready_for_packet(bool is_good) {
 Status Encoder::write_record(const ApplicationRecord& record) {
   const Status status = ready_for_packet(record.count <= ApplicationRecord::max_bytes);
   if (status != Status::ok) return status;
-  packets_.seal_application(wire::PacketKind::application, record);
+  packets_.seal_application(detail::wire::PacketKind::application, record);
   (void)drain();  // it is taken, whenever the output takes it
   return Status::ok;
 }
 
 Status Encoder::append(const RecordsPacket& packet) {
-  const size_t most = packet.is_whole ? wire::max_whole_regions : wire::max_payload;
+  const size_t most = packet.is_whole ? detail::wire::max_whole_regions : detail::wire::max_payload;
   const Status status = ready_for_packet(packet.bytes <= most && packet.pieces <= 0xFFFF);
   if (status != Status::ok) return status;
   packets_.seal_appended(packet);
@@ -197,7 +197,7 @@ DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
     bool is_encoded = true;
     if (is_part) {
       record_.is_last = is_end(event.kind) && words == record_.count;
-      stream::encode_part(model, record_, words);
+      detail::stream::encode_part(model, record_, words);
     } else {
       is_encoded = encode_whole(model, event);
     }
@@ -224,20 +224,20 @@ DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
 bool Encoder::encode_whole(Model& model, const Event& event) {
   switch (event.kind) {
     case Event::Kind::layer:
-      model.record_kind(stream::RecordKind::layer);
+      model.record_kind(detail::stream::RecordKind::layer);
       model.layer(event.slice);
       return true;
     case Event::Kind::skipped:
-      model.record_kind(stream::RecordKind::skipped);
+      model.record_kind(detail::stream::RecordKind::skipped);
       model.plain_number(event.slice);
       model.plain_number(event.row);
       model.even(1, event.repeated ? 1 : 0);
       return true;
     default:
       if constexpr (is_host)
-        return stream::encode_record_in_place(model, record_);
+        return detail::stream::encode_record_in_place(model, record_);
       else
-        return stream::encode_record(model, record_);
+        return detail::stream::encode_record(model, record_);
   }
 }
 
@@ -250,12 +250,13 @@ bool Encoder::fits(const Model& model) const {
 }
 
 void Encoder::open_packet() {
-  model_ = Model({RangeEncoder(packets_.payload(), wire::max_payload)});
+  model_ = Model({RangeEncoder(packets_.payload(), detail::wire::max_payload)});
 }
 
 void Encoder::seal_records() {
-  model_.record_kind(stream::RecordKind::end);
-  packets_.seal(wire::PacketKind::records, packets_.payload() + model_.coder().range.finish());
+  model_.record_kind(detail::stream::RecordKind::end);
+  packets_.seal(detail::wire::PacketKind::records,
+                packets_.payload() + model_.coder().range.finish());
 }
 
 // Sends the sealed frame. When all of it is sent, the next packet is open.

@@ -7,7 +7,7 @@
 #include <discmc/normal.hpp>
 #include <discmc/stream/record_model.hpp>
 
-namespace discmc::stream {
+namespace discmc::detail::stream {
 
 /// The types of extensions that contain normals: the first for differences of 0 bits, the last for
 /// 8.
@@ -105,6 +105,6 @@ void RecordNormals::decode(Model& model, uint32_t type, uint32_t bytes) {
   for (; left > 0; --left) model.even(1, 0);
 }
 
-}  // namespace discmc::stream
+}  // namespace discmc::detail::stream
 
 #endif

@@ -13,7 +13,7 @@ struct HeaderPacket {
 };
 
 // reader: after the version. Missing bytes read as 0.
-HeaderPacket parse_header(wire::ByteReader& reader, uint32_t tag) {
+HeaderPacket parse_header(detail::wire::ByteReader& reader, uint32_t tag) {
   HeaderPacket packet;
   StreamHeader& header = packet.header;
   header.width = static_cast<uint32_t>(reader.get(2));
@@ -24,12 +24,12 @@ HeaderPacket parse_header(wire::ByteReader& reader, uint32_t tag) {
   header.thresholds[0] = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
   packet.flags = reader.get(1);
   header.border =
-      (packet.flags & wire::HeaderFlags::open_border) != 0 ? Border::open : Border::closed;
+      (packet.flags & detail::wire::HeaderFlags::open_border) != 0 ? Border::open : Border::closed;
   packet.packets_before = reader.get(4);
   packet.pieces_before = reader.get(8);
   header.scan = static_cast<uint16_t>(tag);
-  header.channel = wire::channel_in(tag);
-  header.surface_count = wire::surface_count_in(tag);
+  header.channel = detail::wire::channel_in(tag);
+  header.surface_count = detail::wire::surface_count_in(tag);
   for (uint32_t i = 1; i < StreamHeader::max_surfaces; ++i)
     header.thresholds[i] = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));
   return packet;
@@ -43,7 +43,7 @@ void PacketReader::start(uint8_t channel) {
   has_ended_tag_ = false;
   kept_bytes_ = 0;
   digest_ = 0;
-  header_ = wire::no_header();
+  header_ = detail::wire::no_header();
   report_ = StreamReport{};
   is_refused_ = false;
   gap_is_due_ = false;
@@ -56,7 +56,7 @@ PacketReader::Completed PacketReader::start_next(const PacketReader& before) {
   const bool has_ended_tag = before.has_tag_;
   const uint32_t ended_tag = before.tag_;
   const bool follows_channel = before.channel_ == any_channel && has_ended_tag;
-  const uint8_t channel = follows_channel ? wire::channel_in(ended_tag) : before.channel_;
+  const uint8_t channel = follows_channel ? detail::wire::channel_in(ended_tag) : before.channel_;
   const size_t bytes = before.kept_bytes_;
   if (this != &before) copy_bytes(frame_, before.frame_, sizeof frame_);
   start(channel);
@@ -100,14 +100,14 @@ PacketReader::Completed PacketReader::damage() {
 }
 
 PacketReader::Completed PacketReader::open_frame(size_t bytes) {
-  const size_t plain = cobs::unstuff(frame_, bytes);
-  const bool is_packet =
-      plain >= wire::packet_head + wire::packet_tail && plain <= wire::max_packet;
+  const size_t plain = detail::cobs::unstuff(frame_, bytes);
+  const bool is_packet = plain >= detail::wire::packet_head + detail::wire::packet_tail &&
+                         plain <= detail::wire::max_packet;
   return is_packet ? open_packet(plain) : damage();
 }
 
 PacketReader::Completed PacketReader::open_packet(size_t bytes) {
-  using namespace wire;
+  using namespace detail::wire;
   const uint8_t* const packet = frame_ + 1;
   const size_t checked = bytes - packet_crc;
   const uint32_t crc = crc32(packet, checked);
@@ -143,19 +143,19 @@ PacketReader::Completed PacketReader::open_packet(size_t bytes) {
 }
 
 uint32_t PacketReader::whole_regions() const {
-  if (frame_[1] != static_cast<uint8_t>(wire::PacketKind::whole_regions)) return 0;
-  wire::ByteReader tail(payload() + payload_bytes_, wire::whole_regions_tail);
-  return static_cast<uint32_t>(tail.get(wire::whole_regions_tail));
+  if (frame_[1] != static_cast<uint8_t>(detail::wire::PacketKind::whole_regions)) return 0;
+  detail::wire::ByteReader tail(payload() + payload_bytes_, detail::wire::whole_regions_tail);
+  return static_cast<uint32_t>(tail.get(detail::wire::whole_regions_tail));
 }
 
 ApplicationRecord PacketReader::application() const {
-  wire::ByteReader reader(payload(), payload_bytes_);
+  detail::wire::ByteReader reader(payload(), payload_bytes_);
   ApplicationRecord record;
   record.kind = static_cast<uint8_t>(reader.get(1));
   record.slice = static_cast<uint32_t>(reader.get(4));
   record.row = static_cast<uint32_t>(reader.get(4));
-  record.bytes = payload() + wire::application_head;
-  record.count = payload_bytes_ - wire::application_head;
+  record.bytes = payload() + detail::wire::application_head;
+  record.count = payload_bytes_ - detail::wire::application_head;
   return record;
 }
 
@@ -172,21 +172,21 @@ bool PacketReader::adopt(uint32_t tag) {
 bool PacketReader::is_on_channel(uint32_t tag) const {
   if (has_ended_tag_ && tag == ended_tag_) return false;
   if (channel_ == any_channel && !has_tag_) return true;
-  const uint32_t channel = channel_ == any_channel ? wire::channel_in(tag_) : channel_;
-  const uint32_t first = wire::channel_in(tag);
-  return channel >= first && channel < first + wire::surface_count_in(tag);
+  const uint32_t channel = channel_ == any_channel ? detail::wire::channel_in(tag_) : channel_;
+  const uint32_t first = detail::wire::channel_in(tag);
+  return channel >= first && channel < first + detail::wire::surface_count_in(tag);
 }
 
 // Accepts a packet that is the next one or a later one, and notes a gap before it. A count of
 // pieces in the upper half of its range means an earlier packet; if the count is unchanged, so does
 // a number in the upper half.
 bool PacketReader::accept_number(const uint8_t* packet) {
-  if (wire::is_of_slices(packet[0])) return accept_long_number(packet);
+  if (detail::wire::is_of_slices(packet[0])) return accept_long_number(packet);
   const uint8_t number = packet[1];
   const uint32_t low = uint32_t{packet[2]} | uint32_t{packet[3]} << 8;
   const uint16_t pieces = static_cast<uint16_t>(low - pieces_passed_);
   const uint8_t gap = static_cast<uint8_t>(number - packets_passed());
-  const bool is_trailer = packet[0] == static_cast<uint8_t>(wire::PacketKind::trailer);
+  const bool is_trailer = packet[0] == static_cast<uint8_t>(detail::wire::PacketKind::trailer);
   if (packets_passed() > 0 && !is_trailer && (pieces >= 0x8000 || (pieces == 0 && gap >= 128))) {
     ++report_.repeated_packets;
     return false;
@@ -198,7 +198,7 @@ bool PacketReader::accept_number(const uint8_t* packet) {
 // Packets of slices have a longer number instead.
 bool PacketReader::accept_long_number(const uint8_t* packet) {
   constexpr uint32_t numbers = uint32_t{1} << 24;
-  const auto number = static_cast<uint32_t>(wire::ByteReader(packet + 1, 3).get(3));
+  const auto number = static_cast<uint32_t>(detail::wire::ByteReader(packet + 1, 3).get(3));
   const uint32_t gap = (number - static_cast<uint32_t>(packets_passed())) % numbers;
   if (gap >= numbers / 2) {
     ++report_.repeated_packets;
@@ -220,18 +220,18 @@ void PacketReader::note_gap(uint64_t packets, uint64_t pieces) {
 // The counts in the header have no modulus: they correct those of the packets. False if the packet
 // has nothing more to read.
 bool PacketReader::read_header() {
-  wire::ByteReader reader(payload(), payload_bytes_);
-  const bool has_magic = reader.get(3) == wire::magic;
-  is_refused_ = has_magic && reader.get(1) != wire::version;
+  detail::wire::ByteReader reader(payload(), payload_bytes_);
+  const bool has_magic = reader.get(3) == detail::wire::magic;
+  is_refused_ = has_magic && reader.get(1) != detail::wire::version;
   if (is_refused_) return false;
   const HeaderPacket packet = parse_header(reader, tag_);
-  if (!has_magic || payload_bytes_ < wire::header_payload || !packet.header.is_valid()) {
+  if (!has_magic || payload_bytes_ < detail::wire::header_payload || !packet.header.is_valid()) {
     damage();
     return false;
   }
   if (!report_.has_header) {
     header_ = packet.header;
-    report_.holds_slices = (packet.flags & wire::HeaderFlags::slices) != 0;
+    report_.holds_slices = (packet.flags & detail::wire::HeaderFlags::slices) != 0;
   }
   report_.has_header = true;
   if (packet.packets_before < packets_passed()) {
@@ -256,7 +256,7 @@ bool PacketReader::read_header() {
 }
 
 // The beginning of both kinds of trailer.
-void PacketReader::note_end(wire::ByteReader& reader) {
+void PacketReader::note_end(detail::wire::ByteReader& reader) {
   report_.has_trailer = true;
   report_.slices = static_cast<uint32_t>(reader.get(4));
   report_.abandoned = reader.get(1) != 0;
@@ -268,11 +268,11 @@ void PacketReader::compare_digest(uint32_t expected) {
 }
 
 PacketReader::Completed PacketReader::read_trailer() {
-  if (payload_bytes_ < wire::trailer_payload) return damage();
-  wire::ByteReader reader(payload(), payload_bytes_);
+  if (payload_bytes_ < detail::wire::trailer_payload) return damage();
+  detail::wire::ByteReader reader(payload(), payload_bytes_);
   note_end(reader);
   Statistics& totals = report_.totals;
-  for (const auto total : wire::trailer_totals) totals.*total = reader.get(8);
+  for (const auto total : detail::wire::trailer_totals) totals.*total = reader.get(8);
   compare_digest(static_cast<uint32_t>(reader.get(4)));
   const uint64_t pieces = totals.regions + totals.fragments;
   if (pieces > pieces_passed_) note_gap(0, pieces - pieces_passed_);
@@ -280,8 +280,8 @@ PacketReader::Completed PacketReader::read_trailer() {
 }
 
 PacketReader::Completed PacketReader::read_slices_trailer() {
-  if (payload_bytes_ < wire::slices_trailer_payload) return damage();
-  wire::ByteReader reader(payload(), payload_bytes_);
+  if (payload_bytes_ < detail::wire::slices_trailer_payload) return damage();
+  detail::wire::ByteReader reader(payload(), payload_bytes_);
   note_end(reader);
   report_.total_rows = reader.get(8);
   report_.totals.skipped_rows = reader.get(8);

@@ -35,12 +35,12 @@ class PacketReader {
   bool is_refused() const { return is_refused_; }
 
   /// The SliceBits of the current packet of slices.
-  uint8_t slice_bits() const { return frame_[1] & wire::SliceBits::all; }
+  uint8_t slice_bits() const { return frame_[1] & detail::wire::SliceBits::all; }
   /// The current application record, until the next byte.
   ApplicationRecord application() const;
   /// The payload of the current packet, until the next byte.
-  const uint8_t* payload() const { return frame_ + 1 + wire::packet_head; }
-  uint8_t* payload() { return frame_ + 1 + wire::packet_head; }
+  const uint8_t* payload() const { return frame_ + 1 + detail::wire::packet_head; }
+  uint8_t* payload() { return frame_ + 1 + detail::wire::packet_head; }
   size_t payload_bytes() const { return payload_bytes_; }
 
   /// The number of regions in a packet of whole regions; 0 for other packets.
@@ -67,12 +67,12 @@ class PacketReader {
   uint64_t packets_passed() const { return report_.packets + report_.lost_packets; }
   void note_gap(uint64_t packets, uint64_t pieces);
   bool read_header();
-  void note_end(wire::ByteReader& reader);
+  void note_end(detail::wire::ByteReader& reader);
   void compare_digest(uint32_t expected);
   Completed read_trailer();
   Completed read_slices_trailer();
 
-  StreamHeader header_ = wire::no_header();
+  StreamHeader header_ = detail::wire::no_header();
   StreamReport report_;
   uint8_t channel_ = any_channel;
   bool is_refused_ = false;
@@ -87,7 +87,7 @@ class PacketReader {
   size_t payload_bytes_ = 0;
   size_t kept_bytes_ = 0;   // of a packet of the next scan, in the frame
   size_t frame_bytes_ = 0;  // bytes beyond the size of a frame are dropped
-  uint8_t frame_[wire::max_frame];
+  uint8_t frame_[detail::wire::max_frame];
 };
 
 }  // namespace discmc

@@ -13,7 +13,8 @@ void PacketWriter::attach(const ByteOutput& output) {
 void PacketWriter::begin_stream(const StreamHeader& header, uint8_t flags) {
   header_ = header;
   const bool has_open_border = header.border == Border::open;
-  flags_ = static_cast<uint8_t>(flags | (has_open_border ? wire::HeaderFlags::open_border : 0));
+  flags_ =
+      static_cast<uint8_t>(flags | (has_open_border ? detail::wire::HeaderFlags::open_border : 0));
   is_under_way_ = true;
   bytes_ = 0;
   pieces_ = 0;
@@ -24,17 +25,19 @@ void PacketWriter::begin_stream(const StreamHeader& header, uint8_t flags) {
   if (is_cut_) put_delimiter();
 }
 
-void PacketWriter::seal(wire::PacketKind kind, uint8_t* end) {
+void PacketWriter::seal(detail::wire::PacketKind kind, uint8_t* end) {
   uint8_t* const packet = frame_ + 1;
   const auto kind_code = static_cast<uint8_t>(kind);
-  const uint32_t counts =
-      wire::is_of_slices(kind_code) ? packets_ << 8 : (packets_ & 0xFF) << 8 | pieces_before_ << 16;
-  wire::put(packet, kind_code | counts, wire::packet_head);
-  end = wire::put(end, wire::tag_of(header_), wire::packet_tag);
+  const uint32_t counts = detail::wire::is_of_slices(kind_code)
+                              ? packets_ << 8
+                              : (packets_ & 0xFF) << 8 | pieces_before_ << 16;
+  detail::wire::put(packet, kind_code | counts, detail::wire::packet_head);
+  end = detail::wire::put(end, detail::wire::tag_of(header_), detail::wire::packet_tag);
   const uint32_t crc = crc32(packet, static_cast<size_t>(end - packet));
-  end = wire::put(end, crc, wire::packet_crc);
-  frame_bytes_ = static_cast<uint16_t>(cobs::stuff(frame_, static_cast<size_t>(end - packet)));
-  digest_ = wire::digest_with(digest_, crc);
+  end = detail::wire::put(end, crc, detail::wire::packet_crc);
+  frame_bytes_ =
+      static_cast<uint16_t>(detail::cobs::stuff(frame_, static_cast<size_t>(end - packet)));
+  digest_ = detail::wire::digest_with(digest_, crc);
   drained_ = 0;
   ++packets_;
   ++packets_since_header_;
@@ -42,19 +45,20 @@ void PacketWriter::seal(wire::PacketKind kind, uint8_t* end) {
 }
 
 void PacketWriter::seal_header() {
-  uint8_t* to = wire::put(payload(), wire::magic | uint32_t{wire::version} << 24, 4);
-  to = wire::put(to, header_.width, 2);
-  to = wire::put(to, header_.height, 2);
-  to = wire::put(to, header_.depth, 4);
+  uint8_t* to =
+      detail::wire::put(payload(), detail::wire::magic | uint32_t{detail::wire::version} << 24, 4);
+  to = detail::wire::put(to, header_.width, 2);
+  to = detail::wire::put(to, header_.height, 2);
+  to = detail::wire::put(to, header_.depth, 4);
   for (const int32_t spacing : header_.spacing_nm)
-    to = wire::put(to, static_cast<uint32_t>(spacing), 4);
-  to = wire::put(to, static_cast<uint32_t>(header_.thresholds[0]), 4);
-  to = wire::put(to, flags_, 1);
-  to = wire::put(to, packets_, 4);
-  to = wire::put_long(to, pieces_);
+    to = detail::wire::put(to, static_cast<uint32_t>(spacing), 4);
+  to = detail::wire::put(to, static_cast<uint32_t>(header_.thresholds[0]), 4);
+  to = detail::wire::put(to, flags_, 1);
+  to = detail::wire::put(to, packets_, 4);
+  to = detail::wire::put_long(to, pieces_);
   for (uint32_t surface = 1; surface < header_.surface_count; ++surface)
-    to = wire::put(to, static_cast<uint32_t>(header_.thresholds[surface]), 4);
-  seal(wire::PacketKind::header, to);
+    to = detail::wire::put(to, static_cast<uint32_t>(header_.thresholds[surface]), 4);
+  seal(detail::wire::PacketKind::header, to);
   packets_since_header_ = 0;
 }
 
@@ -65,27 +69,29 @@ void PacketWriter::put_delimiter() {
 }
 
 void PacketWriter::seal_trailer(const Event& finish) {
-  uint8_t* to = wire::put(payload(), finish.slice, 4);
-  to = wire::put(to, finish.abandoned ? 1 : 0, 1);
-  for (const auto total : wire::trailer_totals) to = wire::put_long(to, finish.statistics->*total);
+  uint8_t* to = detail::wire::put(payload(), finish.slice, 4);
+  to = detail::wire::put(to, finish.abandoned ? 1 : 0, 1);
+  for (const auto total : detail::wire::trailer_totals)
+    to = detail::wire::put_long(to, finish.statistics->*total);
   is_under_way_ = false;
-  seal(wire::PacketKind::trailer, wire::put(to, digest_, 4));
+  seal(detail::wire::PacketKind::trailer, detail::wire::put(to, digest_, 4));
 }
 
 void PacketWriter::seal_slices_trailer(uint32_t slices, bool is_abandoned, uint64_t rows,
                                        uint64_t skipped_rows) {
-  uint8_t* to = wire::put(payload(), slices, 4);
-  to = wire::put(to, is_abandoned ? 1 : 0, 1);
-  to = wire::put_long(to, rows);
-  to = wire::put_long(to, skipped_rows);
+  uint8_t* to = detail::wire::put(payload(), slices, 4);
+  to = detail::wire::put(to, is_abandoned ? 1 : 0, 1);
+  to = detail::wire::put_long(to, rows);
+  to = detail::wire::put_long(to, skipped_rows);
   is_under_way_ = false;
-  seal(wire::PacketKind::slices_trailer, wire::put(to, digest_, 4));
+  seal(detail::wire::PacketKind::slices_trailer, detail::wire::put(to, digest_, 4));
 }
 
-void PacketWriter::seal_application(wire::PacketKind kind, const ApplicationRecord& record) {
-  uint8_t* to = wire::put(payload(), record.kind, 1);
-  to = wire::put(to, record.slice, 4);
-  to = wire::put(to, record.row, 4);
+void PacketWriter::seal_application(detail::wire::PacketKind kind,
+                                    const ApplicationRecord& record) {
+  uint8_t* to = detail::wire::put(payload(), record.kind, 1);
+  to = detail::wire::put(to, record.slice, 4);
+  to = detail::wire::put(to, record.row, 4);
   for (size_t i = 0; i < record.count; ++i) *to++ = record.bytes[i];
   seal(kind, to);
 }
@@ -94,8 +100,10 @@ void PacketWriter::seal_appended(const RecordsPacket& packet) {
   uint8_t* to = payload();
   for (size_t i = 0; i < packet.bytes; ++i) *to++ = packet.payload[i];
   pieces_ += packet.pieces;
-  if (packet.is_whole) to = wire::put(to, packet.pieces, wire::whole_regions_tail);
-  seal(packet.is_whole ? wire::PacketKind::whole_regions : wire::PacketKind::records, to);
+  if (packet.is_whole) to = detail::wire::put(to, packet.pieces, detail::wire::whole_regions_tail);
+  seal(
+      packet.is_whole ? detail::wire::PacketKind::whole_regions : detail::wire::PacketKind::records,
+      to);
 }
 
 bool PacketWriter::drain() {
@@ -108,7 +116,7 @@ bool PacketWriter::drain() {
     drained_ = static_cast<uint16_t>(drained_ + taken);
     if (taken < left) continue;
     frame_bytes_ = 0;
-    if (packets_since_header_ >= wire::header_interval && is_under_way_) seal_header();
+    if (packets_since_header_ >= detail::wire::header_interval && is_under_way_) seal_header();
   }
   return true;
 }
@@ -122,7 +130,7 @@ void PacketWriter::set_output(const ByteOutput& output) {
 
 void PacketWriter::repeat_header(bool packet_is_empty) {
   if (!is_under_way_) return;
-  packets_since_header_ = wire::header_interval;
+  packets_since_header_ = detail::wire::header_interval;
   if (is_open() && packet_is_empty) seal_header();
 }
 

@@ -14,9 +14,9 @@ class PacketWriter {
  public:
   /// Sets the output, without a stream. Limit: the output has a function.
   void attach(const ByteOutput& output);
-  /// Begins a stream by sealing the header. flags: the wire::HeaderFlags that do not follow from
-  /// the header. If a part of a frame was sent before, a zero byte first ends that frame. Limit:
-  /// is_open().
+  /// Begins a stream by sealing the header. flags: the detail::wire::HeaderFlags that do not follow
+  /// from the header. If a part of a frame was sent before, a zero byte first ends that frame.
+  /// Limit: is_open().
   void begin_stream(const StreamHeader& header, uint8_t flags);
   bool has_output() const { return output_.write != nullptr; }
   /// The header of the current stream, or of the previous one.
@@ -25,15 +25,15 @@ class PacketWriter {
 
   /// Whether the packet is open.
   bool is_open() const { return frame_bytes_ == 0; }
-  /// The payload of an open packet: room for wire::max_payload bytes. Regions, fragments and slices
-  /// use at most max_payload() of them.
-  uint8_t* payload() { return frame_ + 1 + wire::packet_head; }
+  /// The payload of an open packet: room for detail::wire::max_payload bytes. Regions, fragments
+  /// and slices use at most max_payload() of them.
+  uint8_t* payload() { return frame_ + 1 + detail::wire::packet_head; }
   size_t max_payload() const {
-    const size_t frame = output_.max_frame == 0 ? wire::max_frame : output_.max_frame;
-    return frame - (wire::max_frame - wire::max_payload);
+    const size_t frame = output_.max_frame == 0 ? detail::wire::max_frame : output_.max_frame;
+    return frame - (detail::wire::max_frame - detail::wire::max_payload);
   }
   /// Seals the open packet, whose payload ends at `end`.
-  void seal(wire::PacketKind kind, uint8_t* end);
+  void seal(detail::wire::PacketKind kind, uint8_t* end);
   /// Seals a trailer made of the event that ends the scan. Limit: the packet is open.
   void seal_trailer(const Event& finish);
   /// Seals a trailer for a stream of slices.
@@ -41,9 +41,9 @@ class PacketWriter {
                            uint64_t skipped_rows);
   /// Seals an application record. kind: one of the two for application records. Limit: the packet
   /// is open, and the record not too long.
-  void seal_application(wire::PacketKind kind, const ApplicationRecord& record);
-  /// Seals a copy of a packet. Limit: the packet is open, the copy at most wire::max_payload or
-  /// max_whole_regions long, and its pieces fit into 16 bits.
+  void seal_application(detail::wire::PacketKind kind, const ApplicationRecord& record);
+  /// Seals a copy of a packet. Limit: the packet is open, the copy at most
+  /// detail::wire::max_payload or max_whole_regions long, and its pieces fit into 16 bits.
   void seal_appended(const RecordsPacket& packet);
   /// Sends the sealed frame. True if all of it was sent: then the next packet is open.
   bool drain();
@@ -82,8 +82,8 @@ class PacketWriter {
   uint32_t pieces_before_ = 0;  // complete before the open packet, modulo 2^32
   uint64_t pieces_ = 0;         // regions and fragments so far
   uint64_t bytes_ = 0;
-  StreamHeader header_ = wire::no_header();
-  uint8_t frame_[wire::max_frame] = {};
+  StreamHeader header_ = detail::wire::no_header();
+  uint8_t frame_[detail::wire::max_frame] = {};
 };
 
 }  // namespace discmc

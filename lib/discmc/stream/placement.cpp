@@ -8,17 +8,18 @@ static_assert(Placement::record_bytes <= ApplicationRecord::max_bytes, "a record
 ApplicationRecord record_of(const Placement& placement, uint8_t* bytes) {
   uint8_t* place = bytes;
   for (const auto& axis : placement.axes_nm)
-    for (const int32_t along : axis) place = wire::put(place, static_cast<uint32_t>(along), 4);
+    for (const int32_t along : axis)
+      place = detail::wire::put(place, static_cast<uint32_t>(along), 4);
   for (const int64_t along : placement.origin_nm)
-    place = wire::put_long(place, static_cast<uint64_t>(along));
-  wire::put(place, static_cast<uint8_t>(placement.space), 1);
+    place = detail::wire::put_long(place, static_cast<uint64_t>(along));
+  detail::wire::put(place, static_cast<uint8_t>(placement.space), 1);
   return {Placement::record_kind, 0, 0, bytes, Placement::record_bytes};
 }
 
 bool read_placement(const ApplicationRecord& record, Placement& placement) {
   if (record.kind != Placement::record_kind || record.count != Placement::record_bytes)
     return false;
-  wire::ByteReader reader(record.bytes, record.count);
+  detail::wire::ByteReader reader(record.bytes, record.count);
   Placement read;
   for (auto& axis : read.axes_nm)
     for (int32_t& along : axis) along = static_cast<int32_t>(static_cast<uint32_t>(reader.get(4)));

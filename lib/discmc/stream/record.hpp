@@ -4,7 +4,7 @@
 
 #include <discmc/chain.hpp>
 
-namespace discmc::stream {
+namespace discmc::detail::stream {
 
 /// A region, a loose fragment, or a part of one: the unit of encoding. One list of words contains
 /// rings and runs. A zero word begins a ring, and its start (x, y, z) follows; any other word is
@@ -74,6 +74,6 @@ struct Record {
   }
 };
 
-}  // namespace discmc::stream
+}  // namespace discmc::detail::stream
 
 #endif

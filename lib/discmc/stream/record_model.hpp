@@ -11,7 +11,7 @@
 #include <discmc/stream/record.hpp>
 #include <discmc/stream/shares.hpp>
 
-namespace discmc::stream {
+namespace discmc::detail::stream {
 
 /// The kind of a record.
 enum class RecordKind : uint8_t {
@@ -392,6 +392,6 @@ bool RecordModel<Coder>::part(Record& record, bool begins_ring) {
   return (flags & 1) != 0;
 }
 
-}  // namespace discmc::stream
+}  // namespace discmc::detail::stream
 
 #endif

@@ -1,6 +1,6 @@
 #include <discmc/stream/record_reading.hpp>
 
-namespace discmc::stream {
+namespace discmc::detail::stream {
 
 namespace {
 
@@ -175,4 +175,4 @@ bool read_part(ReadingModel& model, Record& record) {
   return read_runs(model, record, model.chain_direction(0), Run::max_length);
 }
 
-}  // namespace discmc::stream
+}  // namespace discmc::detail::stream

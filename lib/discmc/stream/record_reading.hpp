@@ -4,7 +4,7 @@
 
 #include <discmc/stream/symbol_coders.hpp>
 
-namespace discmc::stream {
+namespace discmc::detail::stream {
 
 using ReadingModel = RecordModel<SymbolReader>;
 
@@ -31,6 +31,6 @@ Closure close_ring(PlaneStep a, PlaneStep b, PlaneWay way);
 /// The run along a way; empty if no run of at most max_compact_length matches.
 Run run_along(const PlaneStep* steps, uint32_t directions, PlaneWay way);
 
-}  // namespace discmc::stream
+}  // namespace discmc::detail::stream
 
 #endif

@@ -1,6 +1,6 @@
 #include <discmc/stream/record_writing.hpp>
 
-namespace discmc::stream {
+namespace discmc::detail::stream {
 
 namespace {
 
@@ -59,4 +59,4 @@ bool is_nearer_at_end(const Record& record, const Vertex& before, Vertex& vertex
   return is_nearer;
 }
 
-}  // namespace discmc::stream
+}  // namespace discmc::detail::stream

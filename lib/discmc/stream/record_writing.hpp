@@ -5,7 +5,7 @@
 #include <discmc/compiler.hpp>
 #include <discmc/stream/record_model.hpp>
 
-namespace discmc::stream {
+namespace discmc::detail::stream {
 
 constexpr Direction direction_in(uint32_t run) {
   return Run::from_code(run).direction();
@@ -136,6 +136,6 @@ void encode_part(Model& model, Record& record, uint32_t words) {
   encode_runs(model, record.word + first, words - first);
 }
 
-}  // namespace discmc::stream
+}  // namespace discmc::detail::stream
 
 #endif

@@ -1,6 +1,6 @@
 #include <discmc/stream/shares.hpp>
 
-namespace discmc::stream {
+namespace discmc::detail::stream {
 
 // Printed by train_record_model (tests/bench).
 // clang-format off
@@ -34,4 +34,4 @@ const uint8_t shares[rows::end + 1] = {
 };
 // clang-format on
 
-}  // namespace discmc::stream
+}  // namespace discmc::detail::stream

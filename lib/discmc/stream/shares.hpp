@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-namespace discmc::stream {
+namespace discmc::detail::stream {
 
 /// The place of a chain's start relative to the vertex coded last: the distance along the row if it
 /// is short, otherwise which coordinates follow.
@@ -71,6 +71,6 @@ constexpr uint32_t end = of_class(3);
 
 extern const uint8_t shares[rows::end + 1];
 
-}  // namespace discmc::stream
+}  // namespace discmc::detail::stream
 
 #endif

@@ -4,16 +4,16 @@
 namespace discmc {
 
 ApplicationRecord record_of(const SlabRange& range, uint8_t* bytes) {
-  uint8_t* place = wire::put(bytes, range.first, 4);
-  place = wire::put(place, range.slices, 4);
-  wire::put(place, range.depth, 4);
+  uint8_t* place = detail::wire::put(bytes, range.first, 4);
+  place = detail::wire::put(place, range.slices, 4);
+  detail::wire::put(place, range.depth, 4);
   return {SlabRange::record_kind, 0, 0, bytes, SlabRange::record_bytes};
 }
 
 bool read_slab_range(const ApplicationRecord& record, SlabRange& range) {
   if (record.kind != SlabRange::record_kind || record.count != SlabRange::record_bytes)
     return false;
-  wire::ByteReader reader(record.bytes, record.count);
+  detail::wire::ByteReader reader(record.bytes, record.count);
   const auto next = [&reader] { return static_cast<uint32_t>(reader.get(4)); };
   SlabRange read;
   read.first = next();

@@ -5,7 +5,7 @@
 #include <discmc/stream/range_coder.hpp>
 #include <discmc/stream/record_model.hpp>
 
-namespace discmc::stream {
+namespace discmc::detail::stream {
 
 struct SymbolWriter {
   static constexpr bool writes = true;
@@ -34,6 +34,6 @@ struct SymbolReader {
   uint32_t even(uint32_t bits, uint32_t) { return range.decode_even(bits); }
 };
 
-}  // namespace discmc::stream
+}  // namespace discmc::detail::stream
 
 #endif

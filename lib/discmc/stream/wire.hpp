@@ -7,7 +7,7 @@
 
 namespace discmc {
 
-namespace wire {
+namespace detail::wire {
 
 constexpr uint8_t version = 1;
 
@@ -57,7 +57,7 @@ constexpr size_t packet_head = 4;
 constexpr size_t packet_tag = 2 + 1;
 constexpr size_t packet_crc = 4;
 constexpr size_t packet_tail = packet_tag + packet_crc;
-constexpr size_t max_packet = cobs::max_plain;
+constexpr size_t max_packet = detail::cobs::max_plain;
 constexpr size_t max_payload = max_packet - packet_head - packet_tail;
 
 /// The name of a stream: its scan, the channel of its first surface, and in the upper two bits the
@@ -151,7 +151,7 @@ constexpr uint32_t digest_with(uint32_t digest, uint32_t crc) {
   return (digest << 1 | digest >> 31) ^ crc;
 }
 
-}  // namespace wire
+}  // namespace detail::wire
 
 }  // namespace discmc
 

@@ -1,7 +1,7 @@
 #include <discmc/trace/bit_rows.hpp>
 #include <discmc/trace/threshold.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 namespace {
 
@@ -180,4 +180,4 @@ void BitRows::find_around(int32_t y, RowBlock& block) const {
   }
 }
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace

@@ -17,7 +17,7 @@
 #include <discmc/arena.hpp>
 #include <discmc/limits.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 constexpr uint32_t columns_per_word = 30;
 
@@ -124,6 +124,6 @@ class BitRows {
   uint32_t slices_ = 0;
 };
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

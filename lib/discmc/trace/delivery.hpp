@@ -9,7 +9,7 @@
 #include <discmc/sink.hpp>
 #include <discmc/trace/hole_tree.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 inline bool turns_right(Incidence incidence, Direction before, Direction after) {
   return turn(incidence, before, after) < 0;
@@ -226,6 +226,6 @@ DISCMC_NOINLINE void Delivery<Index, Normal, holes_wait>::go_on(Chains& chains,
   }
 }
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

@@ -6,7 +6,7 @@
 #include <discmc/trace/passes.hpp>
 #include <discmc/trace/swept_row.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 class DerivedPasses {
  public:
@@ -77,6 +77,6 @@ bool DerivedPasses::find(const SweptRow& row, SweepCounts& counts) {
   }
 }
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

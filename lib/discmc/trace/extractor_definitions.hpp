@@ -11,11 +11,11 @@ template <class Index, class Intake, class Sweep>
 Status BasicExtractor<Index, Intake, Sweep>::start(const Limits& limits,
                                                    const Capacities& capacities, int32_t threshold,
                                                    Memory memory, const Sink& sink) {
-  static_assert(
-      sizeof(trace::Slot<Index, typename Intake::Normal>) == sizing::slot_bytes<Index, Intake>,
-      "slot_bytes is the size of a slot");
+  static_assert(sizeof(detail::trace::Slot<Index, typename Intake::Normal>) ==
+                    detail::sizing::slot_bytes<Index, Intake>,
+                "slot_bytes is the size of a slot");
   if (!limits.is_valid() || !can_scan(limits)) return Status::bad_limits;
-  if (!is_valid<Index>(capacities)) return Status::bad_capacities;
+  if (!detail::sizing::is_valid<Index>(capacities)) return Status::bad_capacities;
   if (sink.take == nullptr) return Status::bad_sink;
   state_ = State::idle;
   width_ = limits.width;
@@ -57,7 +57,7 @@ template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::lay_out(const Limits& limits, Memory memory) {
   Arena arena(memory);
   intake_.start(arena, limits);
-  bits_.start(arena, limits, trace::swept_rows(limits.height));
+  bits_.start(arena, limits, detail::trace::swept_rows(limits.height));
   sweep_.start(arena, capacities_);
   memory_ = memory;
   if (arena.is_exhausted()) unpoison(memory.data, memory.bytes);
@@ -85,7 +85,7 @@ template <class Index, class Intake, class Sweep>
 size_t BasicExtractor<Index, Intake, Sweep>::bytes_used() const {
   if (state_ == State::idle) return 0;
   unpoison(memory_.data, memory_.bytes);  // the caller saves it, with free slots
-  return static_cast<size_t>(bytes_for<Index, Intake>(limits(), {peaks().slots, 0}));
+  return static_cast<size_t>(bytes_for(limits(), {peaks().slots, 0}));
 }
 
 // ---- what the caller gives ----
@@ -252,17 +252,17 @@ template <class Index, class Intake, class Sweep>
 uint32_t BasicExtractor<Index, Intake, Sweep>::rows_outside(int32_t y) const {
   if (!is_open()) return 0;
   uint32_t outside = 0;
-  if (y == 0) outside |= trace::CellRowBits::front;
-  if (y + 1 == static_cast<int32_t>(height_)) outside |= trace::CellRowBits::back;
-  if (middle_slice() == 0) outside |= trace::CellRowBits::below;
-  if (is_last_slice()) outside |= trace::CellRowBits::above;
+  if (y == 0) outside |= detail::trace::CellRowBits::front;
+  if (y + 1 == static_cast<int32_t>(height_)) outside |= detail::trace::CellRowBits::back;
+  if (middle_slice() == 0) outside |= detail::trace::CellRowBits::below;
+  if (is_last_slice()) outside |= detail::trace::CellRowBits::above;
   return outside;
 }
 
 // Where the slice that is swept lies.
 template <class Index, class Intake, class Sweep>
-DISCMC_NOINLINE trace::SlabRole BasicExtractor<Index, Intake, Sweep>::slab_role() const {
-  using trace::SlabRole;
+DISCMC_NOINLINE detail::trace::SlabRole BasicExtractor<Index, Intake, Sweep>::slab_role() const {
+  using detail::trace::SlabRole;
   if (continues_below() && middle_slice() == 0) return SlabRole::below_slab;
   if (continues_below() && middle_slice() == 1) return SlabRole::first_of_slab;
   return continues_above() && is_last_slice() ? SlabRole::above_slab : SlabRole::inside;
@@ -272,16 +272,18 @@ template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::sweep_row() {
   const int32_t y = static_cast<int32_t>(swept_rows_) - (is_open() ? 0 : 1);
   if (bits_.is_off_around(y)) return true;
-  trace::SweptRow row;
+  detail::trace::SweptRow row;
   row.y = y;
   row.z = middle_slice() + static_cast<int32_t>(first_slice()) - (continues_below() ? 1 : 0);
   bits_.find_around(row.y, row.around);
   row.words = bits_.words();
   row.width = width_;
-  row.role = Features::slabs ? slab_role() : trace::SlabRole::inside;
+  row.role = Features::slabs ? slab_role() : detail::trace::SlabRole::inside;
   row.absent_rows = rows_outside(row.y);
-  if (row.role == trace::SlabRole::below_slab) row.absent_rows |= trace::CellRowBits::below;
-  if (row.role == trace::SlabRole::above_slab) row.absent_rows |= trace::CellRowBits::above;
+  if (row.role == detail::trace::SlabRole::below_slab)
+    row.absent_rows |= detail::trace::CellRowBits::below;
+  if (row.role == detail::trace::SlabRole::above_slab)
+    row.absent_rows |= detail::trace::CellRowBits::above;
   row.has_open_ends = is_open();
   row.set_absent_quadrants();
   return sweep_.sweep(row, intake_, sink_, statistics_);

@@ -7,7 +7,7 @@
 #include <discmc/trace/queues.hpp>
 #include <discmc/trace/run_list.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 /// What a link adds to a place, and how to count links between two places without a division.
 struct LinkSteps {
@@ -440,8 +440,8 @@ void Fragments<Index, Normal>::cut_at(const Pass& pass, const Vertex& vertex, bo
 // ---- short of slots ----
 
 // The ends of links within the slice are lost last, because they leave their queue soon. The others
-// are lost earlier if their chain has already lost an end, so that more regions stay whole. They are
-// also lost earlier behind a lost end, where they take no slot.
+// are lost earlier if their chain has already lost an end, so that more regions stay whole. They
+// are also lost earlier behind a lost end, where they take no slot.
 template <class Index, class Normal>
 uint32_t Fragments<Index, Normal>::min_spare(uint8_t queue, Index mate) const {
   if (queue < first_rising_queue) return slots_a_pass;
@@ -500,6 +500,6 @@ void Fragments<Index, Normal>::send(const Pass& pass, Index begin, Index tail, I
   connect(loose_end<Index>(last), tail, no_slot);
 }
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

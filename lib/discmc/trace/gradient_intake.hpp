@@ -50,19 +50,19 @@ class GradientNormals {
   }
 
   /// The position of the next sample: as BitIntake.
-  uint32_t column(const trace::BitRows&) const { return samples_.column(); }
-  uint32_t rows(const trace::BitRows&) const { return samples_.rows(); }
-  uint32_t slices(const trace::BitRows&) const { return samples_.slices(); }
+  uint32_t column(const detail::trace::BitRows&) const { return samples_.column(); }
+  uint32_t rows(const detail::trace::BitRows&) const { return samples_.rows(); }
+  uint32_t slices(const detail::trace::BitRows&) const { return samples_.slices(); }
 
   /// As BitIntake, with samples of this type only.
-  RowOrigin append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
-                   int32_t threshold) {
+  RowOrigin append(detail::trace::BitRows& rows, const Sample* samples, uint32_t count,
+                   uint32_t stride, int32_t threshold) {
     samples_.append(samples, count, stride);
     if (!samples_.row_is_complete()) return RowOrigin::samples;
     end_row(width_);
     return pass_on_due(rows, threshold);
   }
-  RowOrigin skip(trace::BitRows& rows, bool is_repeated, int32_t threshold) {
+  RowOrigin skip(detail::trace::BitRows& rows, bool is_repeated, int32_t threshold) {
     if (is_repeated)
       samples_.repeat(off_below(threshold));
     else
@@ -70,14 +70,14 @@ class GradientNormals {
     end_row(is_repeated ? skipped_repeated : skipped_off);
     return pass_on_due(rows, threshold);
   }
-  RowOrigin drain(trace::BitRows& rows, int32_t threshold) {
+  RowOrigin drain(detail::trace::BitRows& rows, int32_t threshold) {
     if (samples_.rows() == 0 && samples_.column() == 0) return pass_on(rows, threshold);
     const uint32_t given = samples_.column();
     samples_.fill(off_below(threshold));
     end_row(given);
     return pass_on_due(rows, threshold);
   }
-  bool holds_rows(const trace::BitRows& rows) const {
+  bool holds_rows(const detail::trace::BitRows& rows) const {
     return waiting_ > 0 || samples_.column() > 0 || rows.rows() > 0;
   }
 
@@ -102,12 +102,12 @@ class GradientNormals {
     ++waiting_;
   }
   // A row is due after a slice and a row.
-  RowOrigin pass_on_due(trace::BitRows& rows, int32_t threshold) {
+  RowOrigin pass_on_due(detail::trace::BitRows& rows, int32_t threshold) {
     if (waiting_ <= height_ + 1) return RowOrigin::samples;
     return pass_on(rows, threshold);
   }
   // Thresholds the oldest row.
-  RowOrigin pass_on(trace::BitRows& rows, int32_t threshold) {
+  RowOrigin pass_on(detail::trace::BitRows& rows, int32_t threshold) {
     const uint16_t given = given_[samples_.place_before(waiting_)];
     const RowOrigin row = given == skipped_repeated ? RowOrigin::repeated
                           : given == skipped_off    ? RowOrigin::skipped

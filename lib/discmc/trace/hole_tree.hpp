@@ -6,7 +6,7 @@
 #include <discmc/geometry/ring_tree.hpp>
 #include <discmc/trace/holes.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 template <class Normal>
 class Holes<uint32_t, Normal> {
@@ -181,6 +181,6 @@ bool Holes<uint32_t, Normal>::may_surround_any(Slots& slots, const Ring& ring) c
                           {8 * high.u, 8 * high.v});
 }
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

@@ -12,7 +12,7 @@
 #include <discmc/chain.hpp>
 #include <discmc/trace/fragments.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 template <class Index, class Normal>
 class Holes {
@@ -22,10 +22,10 @@ class Holes {
 
   static constexpr uint32_t slots_each = 2;
 
-  /// heads: of sizing::hole_lists<Index> lists.
+  /// heads: of detail::sizing::hole_lists<Index> lists.
   void start(Index* heads) { heads_ = heads; }
   void clear() {
-    for (uint32_t i = 0; i < sizing::hole_lists<Index>; ++i) heads_[i] = no_slot;
+    for (uint32_t i = 0; i < detail::sizing::hole_lists<Index>; ++i) heads_[i] = no_slot;
     count_ = 0;
     peak_ = 0;
   }
@@ -57,7 +57,7 @@ class Holes {
     // (D. Knuth, The Art of Computer Programming, vol. 3, section 6.4).
     const uint32_t spread =
         (static_cast<uint32_t>(plane) * incidence_codes + incidence) * 0x9E3779B1U;
-    return spread >> 16 & (sizing::hole_lists<Index> - 1);
+    return spread >> 16 & (detail::sizing::hole_lists<Index> - 1);
   }
   static bool lies_on(const Slots& slots, Index index, Incidence incidence, int32_t plane) {
     const Hole<Index>& hole = slots[index].hole;
@@ -183,7 +183,7 @@ typename Holes<Index, Normal>::Extent Holes<Index, Normal>::extent_of(const Slot
 template <class Index, class Normal>
 bool Holes<Index, Normal>::surrounds(const Slots& slots, const Outgoing<Index>& ring,
                                      const Vertex& start, Direction first) {
-  const Vertex n = normal(ring.incidence);
+  const Vertex n = incidence_normal(ring.incidence);
   const int v = n.z != 0 ? 1 : 2;
   const int u = n.z != 0 || n.y != 0 ? 0 : 1;
   const auto step = [&](Direction direction) {
@@ -215,6 +215,6 @@ bool Holes<Index, Normal>::surrounds(const Slots& slots, const Outgoing<Index>& 
   return is_inside;
 }
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

@@ -33,20 +33,20 @@ class BitIntake {
   void write_spacing(int32_t (&)[3]) const {}
 
   /// Where the samples that arrive are.
-  uint32_t column(const trace::BitRows& rows) const { return rows.column(); }
-  uint32_t rows(const trace::BitRows& rows) const { return rows.rows(); }
-  uint32_t slices(const trace::BitRows& rows) const { return rows.slices(); }
+  uint32_t column(const detail::trace::BitRows& rows) const { return rows.column(); }
+  uint32_t rows(const detail::trace::BitRows& rows) const { return rows.rows(); }
+  uint32_t slices(const detail::trace::BitRows& rows) const { return rows.slices(); }
 
   /// Appends samples to the row that arrives. Limit: count <= width - column().
   template <class Sample>
-  RowOrigin append(trace::BitRows& rows, const Sample* samples, uint32_t count, uint32_t stride,
-                   int32_t threshold) {
+  RowOrigin append(detail::trace::BitRows& rows, const Sample* samples, uint32_t count,
+                   uint32_t stride, int32_t threshold) {
     rows.append(samples, count, stride, threshold);
     if (rows.row_is_complete()) rows.next_row();
     return RowOrigin::samples;
   }
   /// A row never came. Limit: column() == 0.
-  RowOrigin skip(trace::BitRows& rows, bool is_repeated, int32_t) {
+  RowOrigin skip(detail::trace::BitRows& rows, bool is_repeated, int32_t) {
     if (is_repeated)
       rows.repeat();
     else
@@ -55,13 +55,15 @@ class BitIntake {
     return is_repeated ? RowOrigin::repeated : RowOrigin::skipped;
   }
   /// No more samples come: what the slice lacks is off. Limit: holds_rows().
-  RowOrigin drain(trace::BitRows& rows, int32_t) {
+  RowOrigin drain(detail::trace::BitRows& rows, int32_t) {
     rows.fill_off();
     rows.next_row();
     return RowOrigin::samples;
   }
   /// Whether a slice is under way.
-  bool holds_rows(const trace::BitRows& rows) const { return rows.rows() > 0 || rows.column() > 0; }
+  bool holds_rows(const detail::trace::BitRows& rows) const {
+    return rows.rows() > 0 || rows.column() > 0;
+  }
 
   NoNormal normal_at(const Vertex&) const { return {}; }
 };

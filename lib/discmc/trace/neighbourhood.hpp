@@ -5,7 +5,7 @@
 #include <discmc/compiler.hpp>
 #include <discmc/trace/bit_rows.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 /// The lower bits of the lines of a circle, by the three bits of a row at x - 1, x and x + 1.
 struct LineBits {
@@ -69,6 +69,6 @@ inline uint32_t EdgePlace::lines() const {
          pair(lines_of_z[2], row[1][0], row[2][0]);
 }
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

@@ -1,7 +1,7 @@
 #include <discmc/compiler.hpp>
 #include <discmc/trace/passes.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 namespace {
 
@@ -138,4 +138,4 @@ void derive_passes(const EdgeLines& edge, uint32_t absent, PassList& passes) {
   find_passes<true, true>(edge, absent, passes);
 }
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace

@@ -9,7 +9,7 @@
 #include <discmc/trace/neighbourhood.hpp>
 #include <discmc/trace/sector_table.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 /// The way of one chain through a vertex. The two spokes of a wedge at a centroid are one link
 /// here, so the outgoing link may have a corner.
@@ -54,6 +54,6 @@ struct EdgeLines {
 };
 void derive_passes(const EdgeLines& edge, uint32_t absent, PassList& passes);
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

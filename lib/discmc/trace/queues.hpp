@@ -18,7 +18,7 @@
 #include <discmc/trace/sector_table.hpp>
 #include <discmc/trace/slots.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 /// The first and the last slot of a queue. An empty queue has no_slot as its head.
 template <class Index>
@@ -92,7 +92,8 @@ class Queues {
  private:
   static constexpr Index top = static_cast<Index>(Index{1} << (8 * sizeof(Index) - 1));
   static constexpr bool is_narrow = sizeof(Index) == sizeof(uint16_t);
-  static_assert(sizing::max_slots<Index> < top && sizing::max_slots<Index> < loose_end<Index>(),
+  static_assert(detail::sizing::max_slots<Index> < top &&
+                    detail::sizing::max_slots<Index> < loose_end<Index>(),
                 "indices of slots are neither counts nor loose ends");
   static_assert(uint64_t{Limits::max_extent + 1} * (Limits::max_extent + 1) < uint64_t{1} << 31,
                 "31 bits count lost ends: a queue has one at most for each voxel of a slice");
@@ -147,6 +148,6 @@ class Queues {
   uint8_t first_lost_ = 0;
 };
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

@@ -5,7 +5,7 @@
 #include <discmc/pool.hpp>
 #include <discmc/trace/slots.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 /// What can be done to the lists of a pool. An empty list is no_slot.
 template <class Index, class Normal>
@@ -120,6 +120,6 @@ class RunCursor {
   size_t place_ = 0;
 };
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

@@ -5,7 +5,7 @@
 #include <discmc/geometry/loop_facets.hpp>
 #include <discmc/trace/sector_table.hpp>
 
-namespace discmc::trace::derive {
+namespace discmc::detail::trace::derive {
 
 // Vectors along the axis of an edge and the two that follow it, turned to those of the volume.
 constexpr Vertex from_axis_frame(int axis, const Vertex& v) {
@@ -82,7 +82,7 @@ struct VertexLoop {
 
 constexpr VertexLoop loop_at_vertex(Configuration configuration) {
   const CellPoint vertex = point_at({1, 0, 0});
-  const Loops loops = discmc::derive::loops(configuration);
+  const Loops loops = discmc::detail::derive::loops(configuration);
   VertexLoop found{};
   for (int l = 0; l < loops.count; ++l) {
     found.points += loops.loop[l].count;
@@ -101,7 +101,7 @@ constexpr Vertex line_at(int heading) {
 }
 
 constexpr uint8_t heading_of(Incidence incidence) {
-  const Vertex n = normal(incidence);
+  const Vertex n = incidence_normal(incidence);
   for (uint8_t heading = 0; heading < no_heading; ++heading)
     if (line_at(heading).y == n.y && line_at(heading).z == n.z) return heading;
   return no_heading;
@@ -142,7 +142,7 @@ constexpr CellEdge own_edge(int axis, int quadrant) {
 }
 
 constexpr Link link_inwards(CellEdge edge) {
-  return discmc::derive::link_of(links, position(centroid) - position(edges.point[edge]));
+  return discmc::detail::derive::link_of(links, position(centroid) - position(edges.point[edge]));
 }
 
 // Numbers queues, those within a slice first.
@@ -242,7 +242,7 @@ constexpr void add_face_ways(SectorTable& table, QueueNumbers& numbers) {
           const Vertex there = here + vector;
           const bool is_ahead = is_visited_before(here, there);
           if (is_ahead != (pass == 0)) continue;
-          const Link link = discmc::derive::link_of(links, vector);
+          const Link link = discmc::detail::derive::link_of(links, vector);
           const auto queue = static_cast<uint8_t>(
               is_ahead
                   ? numbers.take(2, is_in_next_slice(here, there))
@@ -325,6 +325,6 @@ constexpr SectorTable sector_table() {
   return table;
 }
 
-}  // namespace discmc::trace::derive
+}  // namespace discmc::detail::trace::derive
 
 #endif

@@ -1,6 +1,6 @@
 #include <discmc/trace/sector_derivation.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 namespace {
 
@@ -37,4 +37,4 @@ static_assert(parts_have_room(), "the parts of four cells fit into a word");
 
 const SectorTable sector_table = derived;
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace

@@ -22,7 +22,7 @@
 #include <discmc/compiler.hpp>
 #include <discmc/geometry/cell.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 /// The edges of a cell, numbered in the order in which a sweep visits them.
 using CellEdge = uint8_t;
@@ -132,6 +132,6 @@ struct SectorTable {
 
 extern const SectorTable sector_table;
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

@@ -12,7 +12,7 @@
 #include <discmc/compiler.hpp>
 #include <discmc/trace/intake.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 /// A normal, or nothing in an extractor without normals.
 template <class Normal>
@@ -171,6 +171,6 @@ union Slot {
   HoleStart<Index> hole_start;
 };
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

@@ -6,7 +6,7 @@
 #include <discmc/trace/delivery.hpp>
 #include <discmc/trace/derived_passes.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 template <class Index, class Normal, class AnyFeatures = AllFeatures>
 class Sweep {
@@ -17,7 +17,7 @@ class Sweep {
   /// that those never used are behind all that is in use.
   void start(Arena& arena, const Capacities& capacities) {
     auto* const queues = arena.take<Queue<Index>>(queue_count);
-    auto* const holes = arena.take<Index>(sizing::hole_lists<Index>);
+    auto* const holes = arena.take<Index>(detail::sizing::hole_lists<Index>);
     auto* const slots = arena.take<Slot<Index, Normal>>(capacities.slots);
     fragments_.start(slots, capacities.slots, queues);
     delivery_.start(holes, capacities.holes);
@@ -96,6 +96,6 @@ bool Sweep<Index, Normal, AnyFeatures>::take_passes(const SweptRow& row, const I
   return true;
 }
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

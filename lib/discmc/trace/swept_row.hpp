@@ -9,7 +9,7 @@
 #include <discmc/trace/bit_rows.hpp>
 #include <discmc/trace/sector_table.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 /// Whether cells may take no part: those beyond an open border or of another slab.
 template <class Features>
@@ -132,6 +132,6 @@ class SweepCounts {
   uint32_t cells_ = 0, facets_ = 0, triangles_ = 0;
 };
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

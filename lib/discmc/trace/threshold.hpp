@@ -7,7 +7,7 @@
 
 #include <discmc/compiler.hpp>
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 
 /// A word of lanes.
 template <uint32_t lane_bits>
@@ -126,6 +126,6 @@ class Threshold {
   Lanes lanes_;
 };
 
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
 
 #endif

@@ -27,9 +27,9 @@ enum class Answer : uint8_t {
 
 constexpr size_t head_bytes = 1 + 4;
 constexpr size_t crc_bytes = 4;
-constexpr size_t max_samples = discmc::cobs::max_plain - head_bytes - crc_bytes;
+constexpr size_t max_samples = discmc::detail::cobs::max_plain - head_bytes - crc_bytes;
 /// With the stuffing byte and a zero at either end.
-constexpr size_t max_bytes = discmc::cobs::max_plain + 3;
+constexpr size_t max_bytes = discmc::detail::cobs::max_plain + 3;
 
 /// Writes a frame of up to max_samples bytes of samples. Limit: there is room for max_bytes.
 /// Returns its length.
@@ -38,11 +38,11 @@ inline size_t write(uint8_t* frame, Kind kind, uint32_t number, const uint8_t* s
   frame[0] = 0;  // ends whatever is left on the line
   uint8_t* plain = frame + 2;
   plain[0] = static_cast<uint8_t>(kind);
-  discmc::wire::put(plain + 1, number, 4);
+  discmc::detail::wire::put(plain + 1, number, 4);
   for (size_t i = 0; i < count; ++i) plain[head_bytes + i] = samples[i];
   const size_t checked = head_bytes + count;
-  discmc::wire::put(plain + checked, discmc::crc32(plain, checked), crc_bytes);
-  return 1 + discmc::cobs::stuff(frame + 1, checked + crc_bytes);
+  discmc::detail::wire::put(plain + checked, discmc::crc32(plain, checked), crc_bytes);
+  return 1 + discmc::detail::cobs::stuff(frame + 1, checked + crc_bytes);
 }
 
 /// Undoes the stuffing of frames, byte by byte, and checks them. Frames are found again after
@@ -87,7 +87,8 @@ class Reader {
   }
 
   void check(uint8_t byte) {
-    constexpr discmc::derive::Crc32Table<4> table = discmc::derive::crc32_table<4>();
+    constexpr discmc::detail::derive::Crc32Table<4> table =
+        discmc::detail::derive::crc32_table<4>();
     crc_ ^= byte;
     crc_ = crc_ >> 4 ^ table.remainder[crc_ & 15];
     crc_ = crc_ >> 4 ^ table.remainder[crc_ & 15];

@@ -26,8 +26,8 @@ namespace {
 class SliceWriter {
  public:
   void start(const StreamHeader& header, KeySlices key_slices, const ByteOutput& output) {
-    memory_.resize(
-        slice_encoder_bytes({header.width, header.height}, key_slices, header.surface_count));
+    memory_.resize(SliceEncoder::minimum_bytes({header.width, header.height}, key_slices,
+                                               header.surface_count));
     require(encoder_.start(header, key_slices, {memory_.data(), memory_.size()}, output));
   }
   SliceEncoder& encoder() { return encoder_; }

@@ -48,19 +48,19 @@ std::string bytes_text(std::uint64_t bytes) {
 std::optional<std::uint64_t> given_arena(const VolumeArguments& arguments, const Limits& limits) {
   if (!arguments.capacities.empty()) {
     const Capacities capacities{arguments.capacities[0], arguments.capacities[1]};
-    if (!is_valid<std::uint16_t>(capacities))
+    if (!detail::sizing::is_valid<std::uint16_t>(capacities))
       throw std::invalid_argument(
           "--capacities " + std::to_string(capacities.slots) + "," +
           std::to_string(capacities.holes) +
           ": invalid number of slots; expected 4 to 32759, the range of 16-bit indices");
-    return bytes_for<std::uint16_t>(limits, capacities);
+    return Extractor16::bytes_for(limits, capacities);
   }
   if (arguments.memory == 0) return std::nullopt;
-  const std::uint64_t least = minimum_bytes<std::uint16_t>(limits);
+  const std::uint64_t least = Extractor16::minimum_bytes(limits);
   if (arguments.memory < least)
     throw std::invalid_argument(too_little_memory(arguments.memory, limits, least) +
                                 ", or send slices with --wire slices, which need " +
-                                std::to_string(slice_encoder_bytes(limits, {1})) +
+                                std::to_string(SliceEncoder::minimum_bytes(limits, {1})) +
                                 " bytes if every slice is a key slice");
   const std::uint64_t most = max_arena_bytes(limits);
   if (arguments.memory > most)
@@ -106,8 +106,8 @@ Trials try_all(const VolumeBits& volume, const TuneArguments& arguments,
   Progress progress("trying arenas", usual_count);
   Trials trials;
   const std::uint64_t plenty = generous_bytes_for(volume.limits());
-  trials.plenty = try_regions<std::uint32_t>(
-      volume, default_capacities<std::uint32_t>(volume.limits(), plenty));
+  trials.plenty =
+      try_regions<std::uint32_t>(volume, Extractor32::default_capacities(volume.limits(), plenty));
   if (trials.plenty.work.cells == 0) return trials;
   if (shows(arguments, Wire::regions)) try_all_regions(volume, arguments, given, progress, trials);
   if (shows(arguments, Wire::slices))
@@ -120,8 +120,7 @@ void print_needs(const VolumeBits& volume, const Trials& trials, std::ostream& o
   const Peaks& most = trials.plenty.peaks;
   out << "  peak                " << grouped(most.slots) << " slots of 8 bytes, "
       << grouped(most.holes) << " holes\n"
-      << "  least arena         " << bytes_text(minimum_bytes<std::uint16_t>(volume.limits()))
-      << '\n'
+      << "  least arena         " << bytes_text(Extractor16::minimum_bytes(volume.limits())) << '\n'
       << "  no fragments from   ";
   if (trials.no_loose)
     out << bytes_text(trials.no_loose->memory) << '\n';

@@ -13,8 +13,8 @@ namespace discmc::command {
 /// half a MiB. A scan on the host then is one on a device.
 template <class Normals = BitIntake>
 bool takes_narrow_indices(const Limits& limits, std::uint64_t memory) {
-  return default_capacities<std::uint16_t, Normals>(limits, memory).slots >=
-         default_capacities<std::uint32_t, Normals>(limits, memory).slots;
+  return detail::sizing::default_capacities<std::uint16_t, Normals>(limits, memory).slots >=
+         detail::sizing::default_capacities<std::uint32_t, Normals>(limits, memory).slots;
 }
 
 /// The message for memory that an extractor refuses. Units: bytes.

@@ -23,7 +23,7 @@ bool is_inside(const Loop& loop, int apex) {
 std::array<Loops, configurations> fans() {
   std::array<Loops, configurations> result{};
   for (std::size_t c = 0; c < result.size(); ++c) {
-    result[c] = derive::loops(static_cast<Configuration>(c));
+    result[c] = detail::derive::loops(static_cast<Configuration>(c));
     for (int i = 0; i < result[c].count; ++i) {
       Loop& loop = result[c].loop[i];
       int apex = 0;

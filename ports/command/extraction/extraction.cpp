@@ -20,23 +20,25 @@ namespace {
 
 template <class Normals>
 ArenaSize arena_with(const Limits& limits, const Capacities& capacities) {
-  if (is_valid<std::uint16_t>(capacities))
-    return {true, bytes_for<std::uint16_t, Normals>(limits, capacities), capacities};
-  if (is_valid<std::uint32_t>(capacities))
-    return {false, bytes_for<std::uint32_t, Normals>(limits, capacities), capacities};
+  if (detail::sizing::is_valid<std::uint16_t>(capacities))
+    return {true, detail::sizing::bytes_for<std::uint16_t, Normals>(limits, capacities),
+            capacities};
+  if (detail::sizing::is_valid<std::uint32_t>(capacities))
+    return {false, detail::sizing::bytes_for<std::uint32_t, Normals>(limits, capacities),
+            capacities};
   throw std::invalid_argument(
       "--capacities " + std::to_string(capacities.slots) + "," + std::to_string(capacities.holes) +
       ": invalid number of slots; expected " + std::to_string(minimum_capacities().slots) + " to " +
-      std::to_string(sizing::max_slots<std::uint32_t>));
+      std::to_string(detail::sizing::max_slots<std::uint32_t>));
 }
 
 template <class Normals>
 ArenaSize arena_of(const Limits& limits, std::uint64_t bytes) {
-  const std::uint64_t least = minimum_bytes<std::uint16_t, Normals>(limits);
+  const std::uint64_t least = detail::sizing::minimum_bytes<std::uint16_t, Normals>(limits);
   if (bytes < least) throw std::invalid_argument(too_little_memory(bytes, limits, least));
   if (takes_narrow_indices<Normals>(limits, bytes))
-    return {true, bytes, default_capacities<std::uint16_t, Normals>(limits, bytes)};
-  return {false, bytes, default_capacities<std::uint32_t, Normals>(limits, bytes)};
+    return {true, bytes, detail::sizing::default_capacities<std::uint16_t, Normals>(limits, bytes)};
+  return {false, bytes, detail::sizing::default_capacities<std::uint32_t, Normals>(limits, bytes)};
 }
 
 // What is asked for, or a generous one. Throws where an extractor would refuse.
@@ -44,7 +46,8 @@ template <class Normals>
 ArenaSize arena_for(const Limits& limits, std::uint32_t slices, const ExtractionOptions& options) {
   if (options.capacities) return arena_with<Normals>(limits, *options.capacities);
   // More than the worst case needs is never touched.
-  const std::uint64_t most = worst_case_bytes<std::uint32_t, Normals>(limits, slices);
+  const std::uint64_t most = detail::sizing::bytes_for<std::uint32_t, Normals>(
+      limits, worst_case_capacities(limits, slices));
   const std::uint64_t asked =
       options.memory > 0 ? options.memory : generous_bytes_for<Normals>(limits);
   return arena_of<Normals>(limits, std::min(asked, most));

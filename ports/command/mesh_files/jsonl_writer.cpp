@@ -31,7 +31,7 @@ void write_jsonl(const Surface& surface, std::ostream& out) {
   Writer writer(out);
   for (const Polygon& polygon : surface.polygons) {
     writer.text("{\"normal\":");
-    write_vertex(normal(polygon.incidence), writer);
+    write_vertex(incidence_normal(polygon.incidence), writer);
     writer.text(",\"rings\":[");
     const char* separator = "";
     for (const Ring& ring : polygon.rings) {

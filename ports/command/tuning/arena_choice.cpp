@@ -6,7 +6,7 @@ namespace discmc::command {
 namespace {
 
 constexpr std::uint64_t step = 256;
-constexpr std::uint32_t max_slots = sizing::max_slots<std::uint16_t>;
+constexpr std::uint32_t max_slots = detail::sizing::max_slots<std::uint16_t>;
 
 // With this many unused slots no loose fragment is ever sent (docs/memory.md).
 constexpr std::uint32_t spare_slots = 1168;
@@ -16,7 +16,7 @@ std::uint64_t rounded_up(std::uint64_t bytes, std::uint64_t unit) {
 }
 
 std::uint64_t bytes_of_slots(const Limits& limits, std::uint32_t slots) {
-  return bytes_for<std::uint16_t>(limits, {std::min(slots, max_slots), 0});
+  return Extractor16::bytes_for(limits, {std::min(slots, max_slots), 0});
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ std::optional<Trial> min_without_loose_pieces(const VolumeBits& volume, const Tr
   Trial trial;
   if (!has_none(end, trial)) return std::nullopt;
   Trial least = trial;
-  begin = std::max(begin, rounded_up(minimum_bytes<std::uint16_t>(limits), step) / step - 1);
+  begin = std::max(begin, rounded_up(Extractor16::minimum_bytes(limits), step) / step - 1);
   while (end - begin > 1) {
     const std::uint64_t middle = begin + (end - begin) / 2;
     const bool is_enough = has_none(middle, trial);
@@ -50,7 +50,7 @@ std::optional<Trial> min_without_loose_pieces(const VolumeBits& volume, const Tr
 }
 
 std::vector<std::uint64_t> arena_sizes(const Limits& limits, std::uint64_t end) {
-  const std::uint64_t least = minimum_bytes<std::uint16_t>(limits);
+  const std::uint64_t least = Extractor16::minimum_bytes(limits);
   const std::uint64_t unit = least < 4096 ? step : 1024;
   std::vector<std::uint64_t> sizes;
   std::uint64_t size = least;

@@ -21,17 +21,17 @@ std::string threshold_text(std::int32_t threshold) {
 void write_cpp_memory(const FirmwareChoice& choice, std::ostream& out) {
   if (is_of_slices(choice)) {
     out << "constexpr discmc::KeySlices key_slices{" << choice.key_slices << "};\n"
-        << "static uint8_t memory[discmc::slice_encoder_bytes(limits, key_slices)];\n"
+        << "static uint8_t memory[discmc::SliceEncoder::minimum_bytes(limits, key_slices)];\n"
         << "static discmc::SliceEncoder encoder;\n";
     return;
   }
   if (choice.capacities)
     out << "constexpr discmc::Capacities capacities{" << choice.capacities->slots << ", "
         << choice.capacities->holes << "};\n"
-        << "static uint8_t memory[discmc::bytes_for<uint16_t>(limits, capacities)];\n";
+        << "static uint8_t memory[discmc::Extractor16::bytes_for(limits, capacities)];\n";
   else
     out << "static uint8_t memory[" << choice.arena_bytes << "];\n"
-        << "static_assert(sizeof memory >= discmc::minimum_bytes<uint16_t>(limits));\n";
+        << "static_assert(sizeof memory >= discmc::Extractor16::minimum_bytes(limits));\n";
   out << "static discmc::Extractor16 extractor;\n"
       << "static discmc::Encoder encoder;\n";
 }
@@ -44,7 +44,7 @@ void write_c_memory(const FirmwareChoice& choice, std::ostream& out) {
   }
   const Capacities capacities =
       choice.capacities ? *choice.capacities
-                        : default_capacities<std::uint16_t>(choice.limits, choice.arena_bytes);
+                        : Extractor16::default_capacities(choice.limits, choice.arena_bytes);
   out << "enum { SLOTS = " << capacities.slots << " };\n"
       << "static uint8_t extractor_memory[DISCMC_EXTRACTOR_BYTES(WIDTH, HEIGHT, SLOTS)];\n"
       << "static uint8_t encoder_memory[DISCMC_ENCODER_BYTES];\n";

@@ -10,11 +10,12 @@ namespace discmc::command {
 
 class SliceSteps {
  public:
-  /// memory: slice_encoder_bytes() of the limits; Owner: the caller.
+  /// memory: SliceEncoder::minimum_bytes() of the limits; Owner: the caller.
   void start(const Limits& limits, KeySlices key_slices, Memory memory) {
     discmc::Arena arena(memory);
     model_.start(arena, false);
-    rows_.start(arena, limits, slices::rows_kept(limits.height, key_slices.is_every_slice()));
+    rows_.start(arena, limits,
+                detail::slices::rows_kept(limits.height, key_slices.is_every_slice()));
     rows_.clear();
     limits_ = limits;
     key_slices_ = key_slices;
@@ -40,18 +41,19 @@ class SliceSteps {
   };
 
   void count_row() {
-    const auto kind =
-        key_slices_.is_key(rows_.slices()) ? slices::SliceKind::key : slices::SliceKind::follows;
-    slices::RowCode row;
-    row.begin(rows_.arriving(), slices::rows_before(rows_, limits_.height, kind), limits_.width);
+    const auto kind = key_slices_.is_key(rows_.slices()) ? detail::slices::SliceKind::key
+                                                         : detail::slices::SliceKind::follows;
+    detail::slices::RowCode row;
+    row.begin(rows_.arriving(), detail::slices::rows_before(rows_, limits_.height, kind),
+              limits_.width);
     NoCoder coder;
     for (; !row.is_done(); ++count_) row.step(coder, model_);
     rows_.next_row();
     if (rows_.rows() == limits_.height) rows_.next_slice();
   }
 
-  trace::BitRows rows_;
-  slices::SliceModel model_;
+  detail::trace::BitRows rows_;
+  detail::slices::SliceModel model_;
   Limits limits_{};
   KeySlices key_slices_;
   uint64_t count_ = 0;

@@ -39,7 +39,7 @@ void push_all(Scanner& scanner, const VolumeBits& volume, Call call) {
 
 // Coded by the end of each slice, in all.
 std::vector<std::uint64_t> steps_by_slice(const VolumeBits& volume, KeySlices key_slices) {
-  const auto bytes = slice_encoder_bytes(volume.limits(), key_slices);
+  const auto bytes = SliceEncoder::minimum_bytes(volume.limits(), key_slices);
   const auto memory = untouched(bytes);
   SliceSteps steps;
   steps.start(volume.limits(), key_slices, {memory.get(), bytes});
@@ -56,7 +56,7 @@ std::vector<std::uint64_t> steps_by_slice(const VolumeBits& volume, KeySlices ke
 
 template <class Index>
 Trial try_regions(const VolumeBits& volume, const Capacities& capacities) {
-  const auto bytes = bytes_for<Index>(volume.limits(), capacities);
+  const auto bytes = Extractor<Index>::bytes_for(volume.limits(), capacities);
   const auto memory = untouched(bytes);
   Encoder encoder;
   require(encoder.start(volume.header().label(), nowhere));
@@ -82,14 +82,14 @@ template Trial try_regions<std::uint32_t>(const VolumeBits&, const Capacities&);
 
 Trial try_regions(const VolumeBits& volume, std::uint64_t arena_bytes) {
   Trial trial = try_regions<std::uint16_t>(
-      volume, default_capacities<std::uint16_t>(volume.limits(), arena_bytes));
+      volume, Extractor16::default_capacities(volume.limits(), arena_bytes));
   trial.memory = arena_bytes;
   return trial;
 }
 
 Trial try_slices(const VolumeBits& volume, KeySlices key_slices) {
   Trial trial;
-  trial.memory = slice_encoder_bytes(volume.limits(), key_slices);
+  trial.memory = SliceEncoder::minimum_bytes(volume.limits(), key_slices);
   const auto memory = untouched(trial.memory);
   SliceEncoder encoder;
   require(encoder.start(volume.header(), key_slices, {memory.get(), trial.memory}, nowhere));

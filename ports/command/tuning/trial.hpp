@@ -23,7 +23,7 @@ struct Trial {
   std::uint64_t stream_bytes() const { return work.bytes; }
 };
 
-/// Regions, in an arena of this size. Limit: at least minimum_bytes<uint16_t>(), and what is
+/// Regions, in an arena of this size. Limit: at least Extractor16::minimum_bytes(), and what is
 /// beyond 32,759 slots is not used.
 Trial try_regions(const VolumeBits& volume, std::uint64_t arena_bytes);
 

@@ -36,14 +36,14 @@ RowScan::RowScan(const ScanPlan& plan, const ByteOutput& output)
       extractor_);
   if (started == Status::too_little_memory)
     throw std::invalid_argument(
-        command::too_little_memory(memory_.size(), limits, minimum_bytes<std::uint16_t>(limits)));
+        command::too_little_memory(memory_.size(), limits, Extractor16::minimum_bytes(limits)));
   require(started);
 }
 
 template <class Sample>
 Status RowScan::push_samples(const std::uint8_t* row) {
   std::vector<Sample> samples(plan_.dims[0]);
-  wire::ByteReader bytes(row, plan_.row_bytes());
+  detail::wire::ByteReader bytes(row, plan_.row_bytes());
   for (Sample& sample : samples) sample = static_cast<Sample>(bytes.get(sizeof(Sample)));
   const auto count = static_cast<std::uint32_t>(samples.size());
   return std::visit([&](auto& extractor) { return extractor.push(samples.data(), count).status; },

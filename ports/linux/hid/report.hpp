@@ -36,17 +36,17 @@ struct Report {
   void write(std::uint8_t* report) const {
     std::fill_n(report, bytes, std::uint8_t{0});
     const auto first = static_cast<std::uint32_t>(version << 4 | static_cast<int>(kind));
-    std::uint8_t* place = wire::put(report, first, 1);
-    place = wire::put(place, length, 1);
-    place = wire::put(place, chunk, 2);
-    wire::put(place, number, 4);
+    std::uint8_t* place = detail::wire::put(report, first, 1);
+    place = detail::wire::put(place, length, 1);
+    place = detail::wire::put(place, chunk, 2);
+    detail::wire::put(place, number, 4);
     std::copy_n(payload, length, report + head_bytes);
   }
 
   /// Nothing when it is none of these reports. Owner: the payload stays in the bytes given.
   static std::optional<Report> read(const std::uint8_t* report, std::size_t count) {
     if (count != bytes) return std::nullopt;
-    wire::ByteReader head(report, head_bytes);
+    detail::wire::ByteReader head(report, head_bytes);
     const auto first = static_cast<std::uint8_t>(head.get(1));
     Report read;
     read.kind = static_cast<Kind>(first & 15);

@@ -24,7 +24,7 @@ std::array<Loop, configurations> fan_loops() {
   };
   std::array<Loop, configurations> result{};
   for (std::size_t c = 0; c < result.size(); ++c) {
-    const Loops loops = derive::loops(static_cast<Configuration>(c));
+    const Loops loops = detail::derive::loops(static_cast<Configuration>(c));
     const Loop* const fan = std::find_if(loops.loop, loops.loop + loops.count, is_fan);
     if (fan != loops.loop + loops.count) result[c] = *fan;
   }

@@ -14,9 +14,10 @@ namespace {
 
 // Whether a region that an earlier packet has begun continues in this one.
 bool continues_region(const std::uint8_t* payload, std::size_t bytes) {
-  stream::ReadingModel model({RangeDecoder(payload, bytes)});
-  if (model.record_kind(stream::RecordKind::end) != stream::RecordKind::part) return false;
-  stream::Record record;
+  detail::stream::ReadingModel model({RangeDecoder(payload, bytes)});
+  if (model.record_kind(detail::stream::RecordKind::end) != detail::stream::RecordKind::part)
+    return false;
+  detail::stream::Record record;
   model.part(record, false);
   return record.continues;
 }
@@ -38,19 +39,19 @@ void EncodedPart::take_region(const WholeRegion& region) {
 
 // An encoder offers a frame at a time. Headers are the other encoder's matter.
 std::size_t EncodedPart::keep(const std::uint8_t* frame, std::size_t bytes) {
-  std::uint8_t plain[wire::max_frame];
+  std::uint8_t plain[detail::wire::max_frame];
   std::copy_n(frame, bytes, plain);
   const std::uint8_t* const packet = plain + 1;
-  const std::size_t count = cobs::unstuff(plain, bytes - 1);
-  if (packet[0] != static_cast<std::uint8_t>(wire::PacketKind::records)) return bytes;
-  wire::ByteReader head(packet + 2, 2);
+  const std::size_t count = detail::cobs::unstuff(plain, bytes - 1);
+  if (packet[0] != static_cast<std::uint8_t>(detail::wire::PacketKind::records)) return bytes;
+  detail::wire::ByteReader head(packet + 2, 2);
   const auto pieces_before = static_cast<std::uint16_t>(head.get(2));
-  const std::uint8_t* const payload = packet + wire::packet_head;
-  const std::uint8_t* const end = packet + count - wire::packet_tail;
+  const std::uint8_t* const payload = packet + detail::wire::packet_head;
+  const std::uint8_t* const end = packet + count - detail::wire::packet_tail;
   payloads_.insert(payloads_.end(), payload, end);
   const bool continues = continues_region(payload, static_cast<std::size_t>(end - payload));
   if (continues) packets_.back().is_whole = false;
-  const bool is_whole = !continues && payload + wire::max_whole_regions >= end;
+  const bool is_whole = !continues && payload + detail::wire::max_whole_regions >= end;
   packets_.push_back({payloads_.size(), pieces_before, is_whole});
   return bytes;
 }

@@ -34,7 +34,7 @@ struct ArenaSize {
 /// For a scan on a host.
 inline ArenaSize generous_arena(const Limits& limits) {
   const std::uint64_t bytes = generous_bytes_for(limits);
-  return {false, bytes, default_capacities<std::uint32_t>(limits, bytes)};
+  return {false, bytes, Extractor32::default_capacities(limits, bytes)};
 }
 
 /// The samples that an extractor takes, where it takes any beside bits.

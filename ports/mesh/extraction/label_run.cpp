@@ -23,14 +23,14 @@ Slab slab_from(std::uint32_t first) {
 // A run that needs more sends loose fragments, which are joined.
 std::uint64_t arena_bytes(const Limits& limits) {
   constexpr std::uint64_t plenty = std::uint64_t{4} << 20;
-  return std::max(plenty, 2 * minimum_bytes<std::uint32_t>(limits));
+  return std::max(plenty, 2 * Extractor32::minimum_bytes(limits));
 }
 
 }  // namespace
 
 std::uint64_t LabelRun::bytes_for(const Limits& limits) {
   // The extractor, the filter and the slice under way; and the joiner.
-  return minimum_bytes<std::uint32_t>(limits) + MajorityFilter::bytes_for(limits) +
+  return Extractor32::minimum_bytes(limits) + MajorityFilter::bytes_for(limits) +
          bit_row_bytes(limits.width) * std::uint64_t{limits.height} +
          GrowingJoiner::first_bytes / 8;
 }

@@ -316,7 +316,7 @@ class Parts {
     return options_.memory > 0 ? options_.memory : generous_bytes_for(volume_limits());
   }
   ArenaSize arena_of(std::uint64_t bytes) const {
-    return {false, bytes, default_capacities<std::uint32_t>(volume_limits(), bytes)};
+    return {false, bytes, Extractor32::default_capacities(volume_limits(), bytes)};
   }
 
   SampleGrid info_;

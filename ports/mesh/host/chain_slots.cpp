@@ -53,10 +53,10 @@ class Sides {
   Direction direction(Link link) const { return direction_of(last_.incidence(), link); }
   void add_side(Direction direction, uint32_t length) {
     while (length > 0) {
-      const uint32_t most = trace::longest_short_run;
+      const uint32_t most = detail::trace::longest_short_run;
       const uint32_t taken = length < most ? length : most;
       Lists::Entry entry;
-      entry.run = trace::short_run(direction, taken);
+      entry.run = detail::trace::short_run(direction, taken);
       Lists::append(slots_, list_, entry);
       length -= taken;
     }
@@ -90,7 +90,7 @@ uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link 
   sides.add_side(sides.direction(side), passed);
   move(vertex, ahead, passed);
   const uint32_t end = slots.take();
-  slots[end].end.side = trace::Side(sides.direction(side), trace::place_of(vertex));
+  slots[end].end.side = detail::trace::Side(sides.direction(side), detail::trace::place_of(vertex));
   slots[end].end.mate = end;  // until it has one
   return end;
 }
@@ -124,7 +124,7 @@ void Chains::put_out_ring(Fragments& fragments) const {
   } while (at != first);
   sides.add(start);
   auto& outgoing = fragments.outgoing();
-  outgoing.kind = trace::Outgoing<uint32_t>::Kind::ring;
+  outgoing.kind = detail::trace::Outgoing<uint32_t>::Kind::ring;
   outgoing.incidence = start.incidence();
   outgoing.start = start.vertex();
   outgoing.last = sides.list();
@@ -165,19 +165,19 @@ void Chains::put_out_complete(Fragments& fragments) {
     sides.add(node[at]);
   }
   auto& outgoing = fragments.outgoing();
-  outgoing.kind = trace::Outgoing<uint32_t>::Kind::fragment;
+  outgoing.kind = detail::trace::Outgoing<uint32_t>::Kind::fragment;
   outgoing.incidence = start.incidence();
   outgoing.start = start.vertex();
   outgoing.incoming = sides.direction(start.onwards());
   outgoing.last = sides.list();
 }
 
-void Chains::hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_t word) {
+void Chains::hand_over(Fragments& fragments, const detail::trace::SweptRow& row, uint32_t word) {
   DISCMC_LIMIT(complete_ == 0);
   Slots& slots = fragments.slots();
   const Node* const node = nodes(slots);
   uint32_t* const seat = seats(slots);
-  const Front visited{static_cast<int32_t>(trace::column_of(word, 1)), row.y, row.z};
+  const Front visited{static_cast<int32_t>(detail::trace::column_of(word, 1)), row.y, row.z};
   mark_tails(slots);
   for (uint32_t queue = first_begins; queue < queue_codes; ++queue)
     for (uint32_t i = front(queue); i != back(queue); ++i) {
@@ -189,7 +189,7 @@ void Chains::hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_
           begins_at_seam ? seam_corner(first_node) : CornerCode(first_node.corner());
       uint32_t at = first_node.next;
       Sides sides(slots, first);
-      uint32_t begin = trace::loose_end<uint32_t>(sides.direction(first.onwards()));
+      uint32_t begin = detail::trace::loose_end<uint32_t>(sides.direction(first.onwards()));
       if (!begins_at_seam) {
         const Link came = first.incoming();
         const bool may_turn = ray_ends.turns[queue] != 0;
@@ -204,7 +204,7 @@ void Chains::hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_
         sides.add(node[at]);
         ++nodes_passed;
       }
-      uint32_t tail = trace::loose_end<uint32_t>();
+      uint32_t tail = detail::trace::loose_end<uint32_t>();
       if (at != Node::no_node) {
         const CornerCode last = sides.last();
         tail = new_end(slots, sides, last, last.onwards(), last.onwards(), false, visited);

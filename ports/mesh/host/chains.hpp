@@ -34,12 +34,13 @@ struct ChainRoom {
   static constexpr uint32_t max_joins = FoundPasses::max_passes;
   static constexpr uint32_t max_new = FoundPasses::max_passes + max_joins;
   // In the queues of a seam, as one edge may have all its passes across it.
-  static constexpr uint32_t max_across = Edges::max_at_seam * trace::PassList::most;
+  static constexpr uint32_t max_across = Edges::max_at_seam * detail::trace::PassList::most;
   // For handing over, slots are set aside: a node that waits at both its ends becomes two ends and,
   // as both its sides may be long, up to eight slots of runs.
   static constexpr uint32_t slots_a_node = 10;
   static constexpr uint32_t runs_of_side =
-      (2 * (Limits::max_extent + 1) + trace::longest_short_run - 1) / trace::longest_short_run;
+      (2 * (Limits::max_extent + 1) + detail::trace::longest_short_run - 1) /
+      detail::trace::longest_short_run;
   static_assert(2 + (2 * runs_of_side + 2 + 2) / 3 <= slots_a_node,
                 "two ends, two long sides, and two short ones at centroids");
   static constexpr uint32_t max_corners = 512;
@@ -67,7 +68,7 @@ struct ChainRoom {
 
 class Chains {
  public:
-  using Fragments = trace::Fragments<uint32_t, NoNormal>;
+  using Fragments = detail::trace::Fragments<uint32_t, NoNormal>;
   using Slots = Fragments::Slots;
 
   static constexpr uint32_t max_corners = ChainRoom::max_corners;
@@ -118,7 +119,7 @@ class Chains {
   void put_out_complete(Fragments& fragments);
 
   /// Hands all fragments over, when a sweep has come to a word of a row. Limit: none is complete.
-  void hand_over(Fragments& fragments, const trace::SweptRow& row, uint32_t word);
+  void hand_over(Fragments& fragments, const detail::trace::SweptRow& row, uint32_t word);
   /// Forgets everything, and gives the slots back.
   void give_all(Slots& slots);
 
@@ -152,9 +153,10 @@ class Chains {
     bool is_ready = end_ == end && end - top_ >= 2 * FoundPasses::max_passes &&
                     slots.available() >= 10 * (top_ - area_[0].first + 2 * FoundPasses::max_passes);
     for (uint32_t queue = 0; queue < queue_codes; ++queue)
-      is_ready = is_ready && is_within_seats(queue) &&
-                 places(queue) >= (is_at_seam(queue) ? Edges::max_at_seam * trace::PassList::most
-                                                     : Edges::max_edges);
+      is_ready =
+          is_ready && is_within_seats(queue) &&
+          places(queue) >= (is_at_seam(queue) ? Edges::max_at_seam * detail::trace::PassList::most
+                                              : Edges::max_edges);
     return is_ready;
   }
 

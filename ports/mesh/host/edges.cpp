@@ -7,8 +7,8 @@ namespace discmc::host {
 
 namespace {
 
-using trace::columns_per_word;
-using trace::SweptRow;
+using detail::trace::columns_per_word;
+using detail::trace::SweptRow;
 
 // From a voxel to the next one.
 constexpr uint64_t next_voxel = CornerCode::vector({2, 0, 0});
@@ -18,7 +18,7 @@ uint64_t two_words(const uint32_t* words) {
 }
 
 // Of the columns of two words, and of a row of two words.
-constexpr uint64_t own_columns = trace::own_columns * uint64_t{0x100000001};
+constexpr uint64_t own_columns = detail::trace::own_columns * uint64_t{0x100000001};
 
 // Of a position, which may lie a column or a row before the first.
 uint32_t slice_of(uint64_t position) {
@@ -28,7 +28,7 @@ uint32_t slice_of(uint64_t position) {
 // A word of each of the nine rows around a row.
 class BlockWord {
  public:
-  BlockWord(const trace::RowBlock& rows, uint32_t word) {
+  BlockWord(const detail::trace::RowBlock& rows, uint32_t word) {
     const auto& row = rows.row;
     const auto pair = [word](const uint32_t* lower, const uint32_t* upper) {
       return lower[word] | uint64_t{upper[word]} << 32;
@@ -88,7 +88,7 @@ bool Edges::collect(const SweptRow& row) {
     if (word + 2 > words) {
       if (word == words) break;
       const uint64_t on = here[word];
-      x = (on ^ on >> 1) & trace::own_columns;
+      x = (on ^ on >> 1) & detail::trace::own_columns;
       y = (on ^ behind[word]) & mask_y;
       z = (on ^ above[word]) & mask_z;
       if ((x | y | z) == 0) break;
@@ -113,7 +113,7 @@ inline void Edges::collect_word(const SweptRow& row, uint32_t word, uint64_t x, 
   const BlockWord block(row.around, word);
   const uint64_t origin = CornerCode::position({-4, 2 * row.y, 2 * row.z}) +
                           next_voxel * (uint64_t{columns_per_word} * word);
-  if (row.has_open_ends) x &= trace::inner_columns(word, row.width);
+  if (row.has_open_ends) x &= detail::trace::inner_columns(word, row.width);
   Edge* const first = edge_ + count_;
   Edge* edge = first;
   for (auto left = static_cast<uint32_t>(x | y | z); left != 0; left &= left - 1) {

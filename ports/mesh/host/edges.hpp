@@ -18,7 +18,8 @@ struct Edge {
 
   static constexpr uint32_t special_shift = 2;
   static constexpr uint32_t special = 1U << 6, at_seam = 1U << 7;
-  static_assert(special == 1U << (special_shift + trace::quadrants), "quadrants have four bits");
+  static_assert(special == 1U << (special_shift + detail::trace::quadrants),
+                "quadrants have four bits");
 };
 
 class Edges {
@@ -31,7 +32,7 @@ class Edges {
   /// Collects those of a row, from where it was last left. False when the row has come to an end;
   /// else there is no room for those of one more word, or those of another slice have to be taken
   /// first.
-  bool collect(const trace::SweptRow& row);
+  bool collect(const detail::trace::SweptRow& row);
   /// Forgets those collected.
   void take_all() { count_ = 0; }
 
@@ -43,11 +44,12 @@ class Edges {
   uint32_t word() const { return word_; }
 
  private:
-  static constexpr uint32_t max_in_word = 3 * trace::columns_per_word;
+  static constexpr uint32_t max_in_word = 3 * detail::trace::columns_per_word;
   static_assert(max_at_seam > max_in_word, "a word has room, at a seam, too");
 
-  void collect_word(const trace::SweptRow& row, uint32_t word, uint64_t x, uint64_t y, uint64_t z);
-  void mark_special(const trace::SweptRow& row, Edge* first);
+  void collect_word(const detail::trace::SweptRow& row, uint32_t word, uint64_t x, uint64_t y,
+                    uint64_t z);
+  void mark_special(const detail::trace::SweptRow& row, Edge* first);
 
   uint32_t word_ = 0;
   uint32_t count_ = 0;

@@ -5,7 +5,7 @@
 
 namespace discmc::host {
 
-using trace::Pass;
+using detail::trace::Pass;
 
 namespace {
 
@@ -25,7 +25,7 @@ DISCMC_ALWAYS_INLINE RayWord* add_half(RayWord* ray, const HalfRays& half, RayWo
 
 }  // namespace
 
-void FoundPasses::find(const Edges& edges, trace::SweepCounts& counts) {
+void FoundPasses::find(const Edges& edges, detail::trace::SweepCounts& counts) {
   RayWord* ray = ray_;
   Place* place = place_;
   uint64_t parts = 0;
@@ -72,9 +72,10 @@ DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, Ra
   const uint32_t lines = (edge.lines & first_lines) |
                          (edge.lines >> (HalfRays::lines_bits + 3) & 63) << HalfRays::lines_bits;
   const bool is_on = (edge.lines >> HalfRays::lines_bits & 1) != 0;
-  trace::PassList list;
-  trace::derive_passes(trace::EdgeLines{static_cast<int>(edge.axis & 3), is_on, lines},
-                       edge.axis >> Edge::special_shift & 15, list);
+  detail::trace::PassList list;
+  detail::trace::derive_passes(
+      detail::trace::EdgeLines{static_cast<int>(edge.axis & 3), is_on, lines},
+      edge.axis >> Edge::special_shift & 15, list);
   const bool is_at_seam = (edge.axis & Edge::at_seam) != 0;
   RayWord* const first = ray;
   for (uint32_t i = 0; i < list.count; ++i) {
@@ -82,9 +83,9 @@ DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, Ra
     const QueueCode in = ray_ends.code[pass.in], out = ray_ends.code[pass.out];
     if (!is_at_seam) *ray++ = pass_word(in, out, pass.incidence);
     // A chain that comes across the seam ends here; one that goes across it begins here.
-    if (is_at_seam && pass.in >= trace::first_rising_queue)
+    if (is_at_seam && pass.in >= detail::trace::first_rising_queue)
       *ray++ = pass_word(in, seam_tails, pass.incidence);
-    if (is_at_seam && pass.out >= trace::first_rising_queue)
+    if (is_at_seam && pass.out >= detail::trace::first_rising_queue)
       *ray++ = pass_word(seam_begins, out, pass.incidence);
   }
   const bool has_passes = ray != first;

@@ -10,10 +10,10 @@ namespace discmc::host {
 
 class FoundPasses {
  public:
-  static constexpr uint32_t max_passes = Edges::max_edges * trace::PassList::most;
+  static constexpr uint32_t max_passes = Edges::max_edges * detail::trace::PassList::most;
 
   /// Finds those of some edges, and adds to the counts of cells.
-  void find(const Edges& edges, trace::SweepCounts& counts);
+  void find(const Edges& edges, detail::trace::SweepCounts& counts);
 
   /// Calls visit(voxel, pass) for each: where the voxel at the lower end of its edge is.
   template <class Visit>
@@ -49,9 +49,9 @@ class FoundPasses {
   Place place_[Edges::max_edges + 1] = {};
   // Four words are copied behind a first ray, however many count.
   RayWord ray_[max_passes + Edges::max_edges + 5] = {};
-  static_assert(2 * sizeof(HalfRays) == trace::PassList::most * sizeof(RayWord),
+  static_assert(2 * sizeof(HalfRays) == detail::trace::PassList::most * sizeof(RayWord),
                 "a vertex has as many rays as two halves");
-  static_assert(Edges::max_at_seam * (2 * trace::PassList::most + 1) <=
+  static_assert(Edges::max_at_seam * (2 * detail::trace::PassList::most + 1) <=
                     max_passes + Edges::max_edges,
                 "both ends of each pass at a seam have room");
 };

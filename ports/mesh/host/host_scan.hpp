@@ -17,7 +17,8 @@ namespace discmc::meshing {
 template <class Normals = BitIntake>
 std::uint64_t generous_bytes_for(const Limits& limits) {
   constexpr std::uint64_t generous_bytes = std::uint64_t{64} << 20;
-  return std::max(generous_bytes, 2 * minimum_bytes<std::uint32_t, Normals>(limits));
+  return std::max(generous_bytes,
+                  2 * detail::sizing::minimum_bytes<std::uint32_t, Normals>(limits));
 }
 
 /// Extracts rows of bits; further scans use the same memory.

@@ -21,7 +21,7 @@ struct Node {
   /// In place of a pass: the node names another in voxel_bits, up to which chains need not be
   /// followed again. It has no corner.
   static constexpr PassWord shortcut = 1U << 31 | pass_word(seam_tails, seam_begins, 0);
-  static_assert(sizing::max_slots<uint32_t> < waiting_tail,
+  static_assert(detail::sizing::max_slots<uint32_t> < waiting_tail,
                 "numbers of nodes are not those of tails");
 
   uint64_t voxel() const {

@@ -7,13 +7,13 @@ namespace discmc::host {
 
 namespace {
 
-using trace::AxisTable;
-using trace::CellAtVertex;
-using trace::quadrants;
-using trace::SectorTable;
-using trace::Way;
+using detail::trace::AxisTable;
+using detail::trace::CellAtVertex;
+using detail::trace::quadrants;
+using detail::trace::SectorTable;
+using detail::trace::Way;
 
-constexpr SectorTable sectors = trace::derive::sector_table();
+constexpr SectorTable sectors = detail::trace::derive::sector_table();
 
 constexpr Vertex unit(int axis) {
   return {axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0};
@@ -25,7 +25,7 @@ constexpr void for_each_way(bool they_come, Visit visit) {
   for (int axis = 0; axis < 3; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant) {
       const Way* const ways = sectors.axis[axis].way[quadrant];
-      for (int way = trace::straight_way; way < trace::ways; ++way)
+      for (int way = detail::trace::straight_way; way < detail::trace::ways; ++way)
         visit(axis, quadrant, ways[way], false);
       for (const auto& of_lower : sectors.edges)
         for (const uint8_t both : of_lower)
@@ -35,12 +35,12 @@ constexpr void for_each_way(bool they_come, Visit visit) {
 
 constexpr RayEnds derive_ends() {
   RayEnds ends{};
-  bool begins[trace::queue_count] = {};
+  bool begins[detail::trace::queue_count] = {};
   for_each_way(true, [&](int, int, Way way, bool) {
     if (way.is_ahead()) begins[way.queue_in()] = true;
   });
   uint32_t next[] = {0, first_begins};
-  for (uint8_t queue = 0; queue < trace::queue_count; ++queue) {
+  for (uint8_t queue = 0; queue < detail::trace::queue_count; ++queue) {
     const uint32_t code = next[begins[queue] ? 1 : 0]++;
     ends.code[queue] = static_cast<QueueCode>(code);
     ends.number[code] = queue;
@@ -82,7 +82,7 @@ constexpr RayWord ray_word(const Way& comes, const Way& goes, Incidence behind) 
 }
 
 constexpr uint32_t turned(uint32_t heading, uint32_t by) {
-  return heading == trace::no_heading ? heading : (heading + by) % 8;
+  return heading == detail::trace::no_heading ? heading : (heading + by) % 8;
 }
 
 // A half as it is whatever the axis, and turned to the first one.
@@ -154,7 +154,7 @@ constexpr uint64_t bits_of_voxel(int x, int y, int z) {
     const int along = at[axis], u = at[(axis + 1) % 3], v = at[(axis + 2) % 3];
     uint64_t of_axis = along == 0 && u == 0 && v == 0 ? 1U << HalfRays::lines_bits : 0;
     for (int place = 0; along >= 0 && place < 10; ++place) {
-      const Vertex line = trace::derive::line_at((place < 5 ? place : place - 1) % 8);
+      const Vertex line = detail::trace::derive::line_at((place < 5 ? place : place - 1) % 8);
       const int shift = 2 * place + (place < 5 ? 0 : 1) + along;
       if (line.y == u && line.z == v) of_axis |= uint64_t{1} << shift;
     }

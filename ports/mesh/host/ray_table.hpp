@@ -14,7 +14,7 @@ namespace discmc::host {
 /// from first_begins on. The last one of either is that of ends at a seam, which no pass takes out.
 using QueueCode = uint8_t;
 
-constexpr uint32_t queues_each = trace::queue_count / 2 + 1;
+constexpr uint32_t queues_each = detail::trace::queue_count / 2 + 1;
 constexpr uint32_t first_begins = queues_each;
 constexpr uint32_t queue_codes = first_begins + queues_each;
 constexpr QueueCode seam_tails = queues_each - 1, seam_begins = queue_codes - 1;
@@ -46,8 +46,8 @@ constexpr PassWord pass_word(uint32_t in, uint32_t out, Incidence incidence) {
 struct PartSum {
   static constexpr uint32_t bits = 21;  // of each of the three
   static constexpr uint64_t of(uint32_t part) {
-    constexpr uint32_t facet = trace::CountParts::facet_shift;
-    constexpr uint32_t triangle = trace::CountParts::triangle_shift;
+    constexpr uint32_t facet = detail::trace::CountParts::facet_shift;
+    constexpr uint32_t triangle = detail::trace::CountParts::triangle_shift;
     const uint64_t cells = part & ((1U << facet) - 1);
     const uint64_t facets = part >> facet & ((1U << (triangle - facet)) - 1);
     return cells | facets << bits | uint64_t{part >> triangle} << 2 * bits;
@@ -108,8 +108,8 @@ struct RayEnds {
   /// and the side up to there be of any length.
   uint32_t straight_in[queue_codes], straight_out[queue_codes];
 
-  uint8_t number[queue_codes];         ///< what the queue is in sector_table.hpp
-  QueueCode code[trace::queue_count];  ///< and back
+  uint8_t number[queue_codes];                 ///< what the queue is in sector_table.hpp
+  QueueCode code[detail::trace::queue_count];  ///< and back
 };
 
 extern const RayTable ray_table;

@@ -4,7 +4,7 @@ namespace discmc::host {
 
 namespace {
 
-using trace::SlabRole;
+using detail::trace::SlabRole;
 
 /// What is asked of the planes of an incidence for every ring, at hand.
 struct Planes {
@@ -45,7 +45,7 @@ void Sweep::clear() {
   keeps_nodes_ = chains_.start(slots());
 }
 
-bool Sweep::sweep(const trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
+bool Sweep::sweep(const detail::trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
                   Statistics& statistics) {
   while (keeps_nodes_) {
     if (is_due_ && !deliver(sink, statistics)) return false;
@@ -87,7 +87,7 @@ void Sweep::take_edges(Statistics& statistics) {
 // ---- handing over ----
 
 // False when fragments that are complete have to go out first, or there is none.
-bool Sweep::make_room(const trace::SweptRow& row) {
+bool Sweep::make_room(const detail::trace::SweptRow& row) {
   const bool may_stay = row.z < CornerCode::max_slices;
   if (may_stay && chains_.has_room(slots())) return true;
   chains_.find_complete(slots());
@@ -96,7 +96,7 @@ bool Sweep::make_room(const trace::SweptRow& row) {
 }
 
 // Below a slab there are only ends of others, which are lost to firmware's sweep.
-void Sweep::hand_over(const trace::SweptRow& row) {
+void Sweep::hand_over(const detail::trace::SweptRow& row) {
   keeps_nodes_ = false;
   if (row.role == SlabRole::below_slab) return chains_.give_all(slots());
   below_waits_ = true;
@@ -105,9 +105,9 @@ void Sweep::hand_over(const trace::SweptRow& row) {
   chains_.hand_over(fragments_, row, handed_word_);
 }
 
-bool Sweep::sweep_plain(const trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
-                        Statistics& statistics) {
-  trace::SweptRow rest = row;
+bool Sweep::sweep_plain(const detail::trace::SweptRow& row, const BitIntake& intake,
+                        const Sink& sink, Statistics& statistics) {
+  detail::trace::SweptRow rest = row;
   if (below_waits_ && row.is_own()) rest.role = SlabRole::inside;
   if (row.role == SlabRole::above_slab && handed_word_ > 0) {
     // It is swept twice, either time from there.

@@ -12,11 +12,11 @@
 
 namespace discmc::host {
 
-/// To an extractor what a trace::Sweep is.
-class Sweep : private trace::Sweep<uint32_t, NoNormal> {
+/// To an extractor what a detail::trace::Sweep is.
+class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
  public:
   using Features = AllFeatures;
-  using Plain = trace::Sweep<uint32_t, NoNormal>;
+  using Plain = detail::trace::Sweep<uint32_t, NoNormal>;
 
   using Plain::delivery;
   using Plain::fragments;
@@ -29,7 +29,7 @@ class Sweep : private trace::Sweep<uint32_t, NoNormal> {
   void set_receiver(const RegionReceiver& receiver) { receiver_ = receiver; }
   void clear();
   /// May leave the last edges for later.
-  bool sweep(const trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
+  bool sweep(const detail::trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
              Statistics& statistics);
   bool flush(const Sink& sink, Statistics& statistics);
   bool settle_holes(const Sink& sink, Statistics& statistics);
@@ -37,10 +37,10 @@ class Sweep : private trace::Sweep<uint32_t, NoNormal> {
  private:
   using Slots = Chains::Slots;
 
-  bool sweep_plain(const trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
+  bool sweep_plain(const detail::trace::SweptRow& row, const BitIntake& intake, const Sink& sink,
                    Statistics& statistics);
-  bool make_room(const trace::SweptRow& row);
-  void hand_over(const trace::SweptRow& row);
+  bool make_room(const detail::trace::SweptRow& row);
+  void hand_over(const detail::trace::SweptRow& row);
   void take_edges(Statistics& statistics);
   bool deliver(const Sink& sink, Statistics& statistics);
   bool may_have_holes(CornerCode start);

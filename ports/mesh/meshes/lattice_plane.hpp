@@ -19,7 +19,7 @@ class LatticePlane {
  public:
   /// origin: any vertex of the plane; has the coordinates 0 and 0.
   LatticePlane(const Vertex& origin, Incidence incidence)
-      : origin_(coordinates(origin)), normal_(coordinates(normal(incidence))) {
+      : origin_(coordinates(origin)), normal_(coordinates(incidence_normal(incidence))) {
     left_out_ = normal_[2] != 0 ? 2 : normal_[1] != 0 ? 1 : 0;
     u_ = (left_out_ + 1) % 3;
     v_ = (left_out_ + 2) % 3;

@@ -24,7 +24,7 @@ FaceMesh build_mesh(const Surface& surface, const MeshingOptions& options) {
 
 Point outward_normal(Incidence incidence, const Point& spacing_mm) {
   // Planes transform by the inverse; a signed inverse also keeps the normal outside.
-  const Vertex n = normal(incidence);
+  const Vertex n = incidence_normal(incidence);
   const Point scaled = {n.x / spacing_mm[0], n.y / spacing_mm[1], n.z / spacing_mm[2]};
   const double length = std::hypot(scaled[0], scaled[1], scaled[2]);
   return {scaled[0] / length, scaled[1] / length, scaled[2] / length};

@@ -17,7 +17,7 @@ class Frames {
   template <class Take>
   void push(const std::uint8_t* bytes, std::size_t count, Take take) {
     for (std::size_t i = 0; i < count; ++i) {
-      if (frame_.size() <= wire::max_frame || bytes[i] == 0) frame_.push_back(bytes[i]);
+      if (frame_.size() <= detail::wire::max_frame || bytes[i] == 0) frame_.push_back(bytes[i]);
       if (bytes[i] != 0) continue;
       take(static_cast<const std::vector<std::uint8_t>&>(frame_));
       frame_.clear();

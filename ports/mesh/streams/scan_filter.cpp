@@ -12,11 +12,11 @@ std::vector<std::uint8_t> ScanFilter::take(const std::uint8_t* bytes, std::size_
 
 // The tag precedes the checksum. Damaged frames may contain any tag, and are left to the decoder.
 bool ScanFilter::is_other_scan(std::vector<std::uint8_t> frame) const {
-  if (frame.size() > wire::max_frame) return false;
-  const std::size_t plain = cobs::unstuff(frame.data(), frame.size() - 1);
-  if (plain < wire::packet_head + wire::packet_tail) return false;
-  const std::uint8_t* const tag = frame.data() + 1 + plain - wire::packet_tail;
-  return wire::ByteReader(tag, wire::packet_tag).get(2) != scan_;
+  if (frame.size() > detail::wire::max_frame) return false;
+  const std::size_t plain = detail::cobs::unstuff(frame.data(), frame.size() - 1);
+  if (plain < detail::wire::packet_head + detail::wire::packet_tail) return false;
+  const std::uint8_t* const tag = frame.data() + 1 + plain - detail::wire::packet_tail;
+  return detail::wire::ByteReader(tag, detail::wire::packet_tag).get(2) != scan_;
 }
 
 }  // namespace discmc::meshing

@@ -10,18 +10,18 @@ void StreamCensus::take(const std::uint8_t* bytes, std::size_t count) {
 
 void StreamCensus::look_at(const std::vector<std::uint8_t>& frame) {
   // Stuffing leaves the kind of a packet as it is.
-  constexpr auto header_kind = static_cast<std::uint8_t>(wire::PacketKind::header);
+  constexpr auto header_kind = static_cast<std::uint8_t>(detail::wire::PacketKind::header);
   if (frame.size() < 2 || frame[1] != header_kind) return;
   PacketReader reader;
   reader.start(any_channel);
   for (const std::uint8_t byte : frame) static_cast<void>(reader.take(byte));
   if (reader.is_refused()) {
-    wire::ByteReader fields(reader.payload(), reader.payload_bytes());
+    detail::wire::ByteReader fields(reader.payload(), reader.payload_bytes());
     other_version_ = static_cast<std::uint8_t>(fields.get(3 + 1) >> 24);  // behind the magic
   }
   if (!reader.report().has_header) return;
   const StreamHeader& header = reader.header();
-  const bool is_new = tags_.insert(wire::tag_of(header)).second;
+  const bool is_new = tags_.insert(detail::wire::tag_of(header)).second;
   if (is_new) headers_.push_back(header);
 }
 

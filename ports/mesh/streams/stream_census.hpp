@@ -19,7 +19,7 @@ class StreamCensus {
   void take(const std::uint8_t* bytes, std::size_t count);
   /// One of each stream, in the order in which they came.
   const std::vector<StreamHeader>& headers() const { return headers_; }
-  /// The version of the last header whose version is not wire::version.
+  /// The version of the last header whose version is not detail::wire::version.
   std::uint8_t other_version() const { return other_version_; }
 
  private:

@@ -42,7 +42,7 @@ void StreamReader::require_ok() const {
   if (status_ == Status::wrong_version)
     throw std::runtime_error("stream version " + std::to_string(census_.other_version()) +
                              " is unknown; this discmc reads version " +
-                             std::to_string(wire::version) +
+                             std::to_string(detail::wire::version) +
                              ", so use the release of discmc that wrote the stream");
   if (status_ != Status::ok)
     throw std::logic_error(std::string("internal error: ") + to_string(status_) + "; report it");

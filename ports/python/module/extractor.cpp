@@ -138,10 +138,11 @@ class ScanOf final : public Scan {
  public:
   ScanOf(const Limits& limits, std::int32_t level, std::size_t bytes, const StreamLabel* label)
       : memory_(bytes) {
-    if (bytes < minimum_bytes<Index>(limits) && limits.is_valid())
+    if (bytes < Extractor<Index>::minimum_bytes(limits) && limits.is_valid())
       throw py::value_error("the memory is " + std::to_string(bytes) + " bytes; slices of " +
                             std::to_string(limits.width) + " x " + std::to_string(limits.height) +
-                            " need at least " + std::to_string(minimum_bytes<Index>(limits)));
+                            " need at least " +
+                            std::to_string(Extractor<Index>::minimum_bytes(limits)));
     if (label) recorder_.encode(*label);
     require(
         extractor_.start(limits, level, {memory_.data(), memory_.size()}, make_sink(recorder_)));
@@ -244,8 +245,8 @@ void add_extractor(py::module_& module) {
   module.def("start", start);
   module.def("minimum_bytes", [](std::uint32_t width, std::uint32_t height, unsigned index_bits) {
     const Limits limits{width, height};
-    return index_bits == 16 ? minimum_bytes<std::uint16_t>(limits)
-                            : minimum_bytes<std::uint32_t>(limits);
+    return index_bits == 16 ? Extractor16::minimum_bytes(limits)
+                            : Extractor32::minimum_bytes(limits);
   });
 }
 

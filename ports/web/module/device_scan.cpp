@@ -45,7 +45,7 @@ DeviceScan scan(const VoxelBits& bits, const StreamHeader& header, std::uint64_t
 }  // namespace
 
 std::uint64_t min_memory(const StreamHeader& header) {
-  return minimum_bytes<std::uint16_t>(limits_of(header));
+  return Extractor16::minimum_bytes(limits_of(header));
 }
 
 DeviceScan scan_regions(const VoxelBits& bits, const StreamHeader& header, std::uint64_t memory) {
@@ -57,7 +57,7 @@ DeviceScan scan_regions(const VoxelBits& bits, const StreamHeader& header, std::
 DeviceScan scan_slices(const VoxelBits& bits, const StreamHeader& header) {
   DeviceScan result;
   constexpr KeySlices first_only{};
-  std::vector<std::uint8_t> memory(slice_encoder_bytes(limits_of(header), first_only));
+  std::vector<std::uint8_t> memory(SliceEncoder::minimum_bytes(limits_of(header), first_only));
   SliceEncoder encoder;
   meshing::require(
       encoder.start(header, first_only, {memory.data(), memory.size()}, output_to(result.stream)));

@@ -271,7 +271,7 @@ TEST_CASE("samples of 16 bits have their low byte first") {
 TEST_CASE("too little memory is refused with what is needed") {
   ScanPlan plan = plan_of(30, 20, 50);
   plan.memory = 100;
-  const std::string least = std::to_string(minimum_bytes<std::uint16_t>({30, 20}));
+  const std::string least = std::to_string(Extractor16::minimum_bytes({30, 20}));
   CHECK_THROWS_WITH_AS(Recording{plan}, doctest::Contains(least.c_str()), std::invalid_argument);
 }
 

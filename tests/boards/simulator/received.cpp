@@ -52,7 +52,8 @@ void Received::push(const std::uint8_t* bytes, std::size_t count) {
   ReceivedStream& current = *streams_.back();
   const std::size_t seen = current.bytes().size();
   current.push(bytes, count);
-  const auto beginning = second_beginning(current.bytes(), seen - std::min(seen, wire::max_frame));
+  const auto beginning =
+      second_beginning(current.bytes(), seen - std::min(seen, detail::wire::max_frame));
   if (beginning == current.bytes().end()) return;
 
   // The decoder of the old stream has seen bytes of the new one: both begin anew.

@@ -12,17 +12,17 @@ namespace {
 
 template <class Index>
 void print(const Limits& limits, std::uint64_t memory) {
-  const Capacities capacities = default_capacities<Index>(limits, memory);
+  const Capacities capacities = Extractor<Index>::default_capacities(limits, memory);
   const std::uint64_t sizes[] = {limits.width,
                                  limits.height,
                                  memory,
                                  sizeof(Index),
-                                 minimum_bytes<Index>(limits),
+                                 Extractor<Index>::minimum_bytes(limits),
                                  capacities.slots,
                                  capacities.holes,
-                                 bytes_for<Index>(limits, capacities),
-                                 slice_encoder_bytes(limits, {16}),
-                                 slice_encoder_bytes(limits, {1})};
+                                 Extractor<Index>::bytes_for(limits, capacities),
+                                 SliceEncoder::minimum_bytes(limits, {16}),
+                                 SliceEncoder::minimum_bytes(limits, {1})};
   for (const std::uint64_t size : sizes)
     std::printf("%llu ", static_cast<unsigned long long>(size));
   std::printf("\n");
@@ -35,7 +35,7 @@ int main() {
     for (const std::uint32_t height : {1U, 2U, 31U, 32U, 63U, 64U, 256U, 5000U})
       for (const std::uint64_t more : {0U, 3U, 4U, 12U, 1000U, 24576U, 1U << 20}) {
         const Limits limits{width, height};
-        print<std::uint16_t>(limits, minimum_bytes<std::uint16_t>(limits) + more);
-        print<std::uint32_t>(limits, minimum_bytes<std::uint32_t>(limits) + more);
+        print<std::uint16_t>(limits, Extractor16::minimum_bytes(limits) + more);
+        print<std::uint32_t>(limits, Extractor32::minimum_bytes(limits) + more);
       }
 }

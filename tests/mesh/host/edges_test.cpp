@@ -12,15 +12,15 @@ constexpr uint32_t words = 1;
 constexpr uint32_t on[] = {4}, off[] = {0};  // the first voxel of a row
 
 // A row of a slice with one voxel that is on.
-trace::SweptRow row_of(int32_t z) {
-  trace::SweptRow row{};
+detail::trace::SweptRow row_of(int32_t z) {
+  detail::trace::SweptRow row{};
   for (auto& slice : row.around.row)
     for (const uint32_t*& each : slice) each = off;
   row.around.row[1][1] = on;
   row.words = words;
   row.width = 20;
   row.z = z;
-  row.role = trace::SlabRole::inside;
+  row.role = detail::trace::SlabRole::inside;
   row.set_absent_quadrants();
   return row;
 }

@@ -60,7 +60,7 @@ EventLog scanned(Extractor& extractor, const BitVolume& volume, const Plan& plan
                  const Capacities& capacities = much, const EventLog::Refuses& refuses = {}) {
   EventLog log(refuses);
   const Limits limits = limits_of(volume, plan.border);
-  Block block(bytes_for<uint32_t>(limits, capacities));
+  Block block(Extractor32::bytes_for(limits, capacities));
   require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
   push_all(extractor, volume.on);
   finish_all(extractor);
@@ -180,7 +180,7 @@ Statistics totals_of(Extractor& extractor, const BitVolume& volume, uint32_t slo
   } taker;
   const Limits limits = limits_of(volume, Border::closed);
   const Capacities capacities{slots, 1000};
-  Block block(bytes_for<uint32_t>(limits, capacities));
+  Block block(Extractor32::bytes_for(limits, capacities));
   require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(taker)));
   push_all(extractor, volume.on);
   finish_all(extractor);
@@ -268,7 +268,7 @@ struct SlabScan {
   EventLog by(Extractor& extractor, const Capacities& capacities,
               const EventLog::Refuses& refuses = {}) const {
     EventLog log(refuses);
-    Block block(bytes_for<uint32_t>(limits(), capacities));
+    Block block(Extractor32::bytes_for(limits(), capacities));
     require_ok(extractor.start(limits(), capacities, 1, block.memory(), make_sink(log)));
     push_all(extractor, voxels_of_slab(volume, first, end));
     finish_all(extractor);
@@ -481,7 +481,7 @@ TEST_CASE("a region that is given whole is one that is left to the sink") {
   for (const BitVolume& volume : volumes()) {
     EventLog log;
     EverySecond receiver{log};
-    Block block(bytes_for<uint32_t>(limits_of(volume, Border::closed), much));
+    Block block(Extractor32::bytes_for(limits_of(volume, Border::closed), much));
     require_ok(extractor.start(limits_of(volume, Border::closed), much, 1, block.memory(),
                                make_sink(log)));
     extractor.set_region_receiver(make_region_receiver(receiver));
@@ -797,7 +797,7 @@ TEST_CASE("a slab without a slice of its own has no surface, however many corner
   for (const bool continues_above : {false, true}) {
     Limits limits = limits_of(noise, Border::closed);
     limits.slab = {7, true, continues_above};
-    Block block(bytes_for<uint32_t>(limits, much));
+    Block block(Extractor32::bytes_for(limits, much));
     EventLog log;
     require_ok(extractor.start(limits, much, 1, block.memory(), make_sink(log)));
     require_ok(extractor.push(noise.on.data(), continues_above ? 162 : 81).status);
@@ -813,7 +813,7 @@ TEST_CASE(
   const auto abandoned = [](auto& extractor, const SlabScan& scan, uint32_t samples,
                             const EventLog::Refuses& refuses) {
     EventLog log(refuses);
-    Block block(bytes_for<uint32_t>(scan.limits(), much));
+    Block block(Extractor32::bytes_for(scan.limits(), much));
     require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
     uint32_t pushed = 0;
     const std::vector<uint8_t> voxels = voxels_of_slab(scan.volume, scan.first, scan.end);
@@ -843,7 +843,7 @@ TEST_CASE("a slab goes on from a checkpoint in any of its slices, those of conte
   const std::vector<uint8_t> voxels = voxels_of_slab(volume, 1, 6);
   for (uint32_t cut = 0; cut <= voxels.size(); cut += 130) {
     EventLog log;
-    Block block(bytes_for<uint32_t>(scan.limits(), much));
+    Block block(Extractor32::bytes_for(scan.limits(), much));
     require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
     require_ok(extractor.push(voxels.data(), cut).status);
     HostExtractor after;
@@ -865,7 +865,7 @@ TEST_CASE("a scan that breaks off where the sink says not now leaves nothing to 
       bool is_first_scan = true;
       EventLog log([&](uint64_t offer) { return is_first_scan && offer >= last; });
       const Limits limits = limits_of(volume, border);
-      Block block(bytes_for<uint32_t>(limits, much));
+      Block block(Extractor32::bytes_for(limits, much));
       HostExtractor extractor;
       require_ok(extractor.start(limits, much, 1, block.memory(), make_sink(log)));
       const auto samples = static_cast<uint32_t>(volume.voxels());
@@ -889,7 +889,7 @@ TEST_CASE("a slab that breaks off above its last slice leaves nothing to the nex
   const EventLog expected = scan.by(extractor, much);
   for (const uint64_t left : {2U, 100U, 400U}) {
     EventLog log([&](uint64_t offer) { return offer >= expected.events.size() - left; });
-    Block block(bytes_for<uint32_t>(scan.limits(), much));
+    Block block(Extractor32::bytes_for(scan.limits(), much));
     require_ok(extractor.start(scan.limits(), much, 1, block.memory(), make_sink(log)));
     const std::vector<uint8_t> voxels = voxels_of_slab(volume, 2, 5);
     require_ok(extractor.push(voxels.data(), static_cast<uint32_t>(voxels.size())).status);
@@ -905,7 +905,7 @@ TEST_CASE("a checkpoint has the nodes") {
   const EventLog expected = expected_of(volume);
   for (const uint32_t cut : {slice, 4 * slice + 7 * volume.width, 7 * slice}) {
     EventLog log;
-    Block block(bytes_for<uint32_t>(limits, much));
+    Block block(Extractor32::bytes_for(limits, much));
     Block elsewhere(block.memory().bytes);
     HostExtractor before{};
     require_ok(before.start(limits, much, 1, block.memory(), make_sink(log)));

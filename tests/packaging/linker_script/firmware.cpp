@@ -9,7 +9,7 @@ constexpr Limits limits{64, 64};
 volatile uint32_t& sensor = *reinterpret_cast<uint32_t*>(0x40000000);
 volatile uint32_t& uart = *reinterpret_cast<uint32_t*>(0x40000004);
 
-uint8_t memory[minimum_bytes<uint16_t>(limits) + 8 * 1024];
+uint8_t memory[Extractor16::minimum_bytes(limits) + 8 * 1024];
 Extractor16 extractor;
 Encoder encoder;
 

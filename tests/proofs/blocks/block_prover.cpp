@@ -28,7 +28,7 @@ void require_ok(Status status) {
 BlockProver::BlockProver(const Tables& tables)
     : tables_(tables), forest_(tables.groups), check_(tables.lattice) {
   const Limits limits{side, side, tables.border};
-  memory_.resize(bytes_for<uint16_t>(limits, capacities));
+  memory_.resize(Extractor16::bytes_for(limits, capacities));
   require_ok(
       extractor_.start(limits, capacities, 1, {memory_.data(), memory_.size()}, make_sink(check_)));
 }

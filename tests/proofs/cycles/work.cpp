@@ -164,7 +164,7 @@ static bool scan_file(const char* name, const char* file, const Volume& volume) 
 }
 
 static size_t least(const Volume& volume) {
-  return minimum_bytes<uint16_t>(volume.limits);
+  return Extractor16::minimum_bytes(volume.limits);
 }
 
 int main() {

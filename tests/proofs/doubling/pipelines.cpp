@@ -156,7 +156,7 @@ Capacities ample_for(const Scanned& scanned) {
 template <class Scanner>
 struct Scan {
   Scan(const Limits& limits, const Capacities& capacities, const Sink& sink)
-      : bytes(bytes_for<Index>(limits, capacities)), memory(new uint8_t[bytes]) {
+      : bytes(Extractor<Index>::bytes_for(limits, capacities)), memory(new uint8_t[bytes]) {
     require_ok(scanner.start(limits, capacities, 1, {memory.get(), bytes}, sink));
   }
   // Pushes row by row, as a device does.
@@ -204,9 +204,9 @@ class Sliced {
  public:
   explicit Sliced(const BitVolume& volume) {
     const Limits limits{volume.width, volume.height};
-    memory_.resize(slice_decoder_bytes(limits));
+    memory_.resize(SliceDecoder::minimum_bytes(limits));
     require_ok(decoder_.start({memory_.data(), memory_.size()}, make_row_sink(nowhere_)));
-    slices_.resize(slice_encoder_bytes(limits, {}));
+    slices_.resize(SliceEncoder::minimum_bytes(limits, {}));
     const StreamHeader header{volume.width, volume.height, volume.depth, {}, {1}};
     require_ok(encoder_.start(header, {}, {slices_.data(), slices_.size()}, output()));
   }

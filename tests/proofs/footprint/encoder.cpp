@@ -6,7 +6,7 @@ using namespace discmc;
 
 // What a firmware knows at compile time.
 constexpr Limits limits{64, 64};
-constexpr Capacities capacities = default_capacities<uint16_t>(limits, 12 * 1024);
+constexpr Capacities capacities = Extractor16::default_capacities(limits, 12 * 1024);
 
 extern "C" Status run(Extractor16& extractor, Encoder& encoder, const ByteOutput& output,
                       const StreamLabel& label, Memory memory, const uint8_t* row) {

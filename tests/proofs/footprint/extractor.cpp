@@ -9,7 +9,7 @@ static SinkResult take(void*, const Event&) {
 
 // What a firmware knows at compile time.
 constexpr Limits limits{64, 64};
-constexpr Capacities capacities = default_capacities<uint16_t>(limits, 12 * 1024);
+constexpr Capacities capacities = Extractor16::default_capacities(limits, 12 * 1024);
 
 extern "C" Status run(Extractor16& extractor, Memory memory, const uint8_t* row) {
   Status status = extractor.start(limits, capacities, 128, memory, {nullptr, take});

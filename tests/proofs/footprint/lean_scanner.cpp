@@ -13,7 +13,7 @@ struct Features : AllFeatures {
 
 // What a firmware knows at compile time.
 constexpr Limits limits{64, 64};
-constexpr Capacities capacities = default_capacities<uint16_t>(limits, 12 * 1024);
+constexpr Capacities capacities = Extractor16::default_capacities(limits, 12 * 1024);
 
 extern "C" Status run(Extractor<uint16_t, Features>& extractor, Encoder& encoder,
                       const ByteOutput& output, const StreamLabel& label, Memory memory,

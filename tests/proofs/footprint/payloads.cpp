@@ -61,7 +61,7 @@ SinkResult ignore(void*, const RowEvent&) {
 
 // The share of a volume's rows that do not arrive. Units: percent.
 double lost_rows(const std::vector<Bytes>& frames, size_t lost, const BitVolume& volume) {
-  reference::Block block(slice_decoder_bytes({volume.width, volume.height}));
+  reference::Block block(SliceDecoder::minimum_bytes({volume.width, volume.height}));
   SliceDecoder decoder;
   reference::require_ok(decoder.start(block.memory(), {nullptr, ignore}));
   for (size_t i = 0; i < frames.size(); ++i)
@@ -78,8 +78,8 @@ double mean_loss(const Bytes& stream, const BitVolume& volume) {
   size_t packets_of_records = 0, packets_of_slices = 0;
   for (size_t i = 0; i < frames.size(); ++i) {
     const test::Packet packet = test::packet_of(frames[i]);
-    if (packet.is(wire::PacketKind::records)) ++packets_of_records;
-    if (packet.kind < static_cast<uint8_t>(wire::PacketKind::slices)) continue;
+    if (packet.is(detail::wire::PacketKind::records)) ++packets_of_records;
+    if (packet.kind < static_cast<uint8_t>(detail::wire::PacketKind::slices)) continue;
     ++packets_of_slices;
     rows += lost_rows(frames, i, volume);
   }

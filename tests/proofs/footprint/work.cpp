@@ -15,7 +15,7 @@ using namespace discmc::test;
 constexpr Limits wide{256, 32};
 constexpr uint32_t wide_slices = 16;
 static uint8_t memory[11 * 1024];
-static_assert(sizeof memory >= minimum_bytes<uint16_t>(wide), "or the scan does not start");
+static_assert(sizeof memory >= Extractor16::minimum_bytes(wide), "or the scan does not start");
 static Extractor16 extractor;
 static Encoder encoder;
 static SliceEncoder slice_encoder;

@@ -61,7 +61,7 @@ namespace {
 template <class Scanner>
 bool is_scanned(const reference::BitVolume& volume) {
   const Limits limits{extent, extent};
-  static uint8_t memory[minimum_bytes<uint32_t>(Limits{extent, extent}) + (size_t{4} << 20)];
+  static uint8_t memory[Extractor32::minimum_bytes(Limits{extent, extent}) + (size_t{4} << 20)];
   Scanner extractor;
   return extractor.start(limits, 1, {memory, sizeof memory}, {nullptr, take_event}) == Status::ok &&
          is_pushed(extractor, volume) && extractor.finish() == Status::ok;

@@ -124,7 +124,7 @@ class EventHash {
       case Event::Kind::finish:
         add(event.slice);
         add(event.abandoned);
-        for (const auto total : wire::trailer_totals) add(event.statistics->*total);
+        for (const auto total : detail::wire::trailer_totals) add(event.statistics->*total);
         break;
       case Event::Kind::start:  // an extractor knows less of it than a decoder
         return SinkResult::accepted;
@@ -213,7 +213,7 @@ class Wire {
 constexpr Capacities rooms[] = {minimum_capacities(), {100, 4}, {200, 0}, {400, 30}};
 constexpr Limits sizes[] = {{width, height, Border::closed}, {width, height, Border::open}};
 
-alignas(8) uint8_t memory[bytes_for<uint32_t>(sizes[0], rooms[3])];
+alignas(8) uint8_t memory[Extractor32::bytes_for(sizes[0], rooms[3])];
 Wire wire_between;
 
 template <class AnyExtractor, class Sample, bool has_normals>
@@ -338,7 +338,7 @@ class SlicesBetween {
  private:
   SliceEncoder encoder_;
   BusyLine<SurfaceDecoder> line_;
-  uint8_t rows_[slice_encoder_bytes(sizes[0], {2})];
+  uint8_t rows_[SliceEncoder::minimum_bytes(sizes[0], {2})];
 };
 
 // Pushes a volume to an extractor or a slice encoder, one of its rows skipped, and ends the scan.
@@ -368,8 +368,8 @@ bool push_volume(Scanner& scanner, Volume volume, bool abandons) {
 // The surface that is made of slices is that of an extractor with as much memory. The objects lie
 // in that of the other scans, as the smallest board has no more.
 [[gnu::noinline]] bool scan_slices(Volume volume, const Limits& limits) {
-  constexpr size_t of_rows = size_t{slice_decoder_bytes(sizes[0])};
-  constexpr size_t of_sweep = size_t{minimum_bytes<uint32_t>(sizes[0])} + 900;
+  constexpr size_t of_rows = size_t{SliceDecoder::minimum_bytes(sizes[0])};
+  constexpr size_t of_sweep = size_t{Extractor32::minimum_bytes(sizes[0])} + 900;
   static_assert(sizeof(SlicesBetween) + of_rows + of_sweep <= sizeof memory &&
                     sizeof(Extractor32) <= sizeof(SlicesBetween),
                 "there is room");

@@ -15,7 +15,7 @@
 
 using namespace discmc;
 using namespace discmc::reference;
-using namespace discmc::trace;
+using namespace discmc::detail::trace;
 
 namespace {
 

@@ -39,10 +39,11 @@ struct Cost {
 /// holes: what the whole scan delivers: a ring may be compared with each. hole_runs: of all.
 inline uint64_t bound(uint32_t width, const Asked& asked, uint64_t holes, uint64_t hole_runs) {
   const uint64_t vertex = Cost::vertex + (asked.is_short ? Cost::short_vertex : 0);
-  const uint64_t blocks =
-      Cost::call + asked.voxels * Cost::voxel +
-      asked.rows * (Cost::row + trace::row_words(width) * Cost::word) + asked.vertices * vertex +
-      asked.delivered * (Cost::delivered + holes * Cost::hole_look) + hole_runs * Cost::hole_run;
+  const uint64_t blocks = Cost::call + asked.voxels * Cost::voxel +
+                          asked.rows * (Cost::row + detail::trace::row_words(width) * Cost::word) +
+                          asked.vertices * vertex +
+                          asked.delivered * (Cost::delivered + holes * Cost::hole_look) +
+                          hole_runs * Cost::hole_run;
   return is_portable ? blocks + blocks / 20 : blocks;
 }
 

@@ -38,7 +38,7 @@ class CountedScan {
       : volume_(volume),
         room_(room),
         limits_{volume.width, volume.height, border},
-        memory_(bytes_for<uint32_t>(limits_, room.capacities)) {
+        memory_(Extractor32::bytes_for(limits_, room.capacities)) {
     require_ok(extractor_.start(limits_, room.capacities, 1, {memory_.data(), memory_.size()},
                                 make_sink(counter_)));
   }
@@ -65,7 +65,7 @@ class CountedScan {
     uint64_t events = 0, holes = 0, hole_runs = 0;
     bool is_in_hole = false;
     SinkResult take(const Event& event) {
-      // A long side is kept in pieces (trace::is_longest_side()).
+      // A long side is kept in pieces (detail::trace::is_longest_side()).
       events += 1 + event.run.length() / 680;
       if (event.kind == Event::Kind::ring || event.kind == Event::Kind::fragment)
         holes += is_in_hole = event.hole;
@@ -141,7 +141,7 @@ class CountedScan {
     return work;
   }
 
-  static constexpr uint32_t plenty = trace::Fragments<uint32_t, NoNormal>::plenty;
+  static constexpr uint32_t plenty = detail::trace::Fragments<uint32_t, NoNormal>::plenty;
 
   const reference::BitVolume& volume_;
   Room room_;

@@ -26,7 +26,7 @@ inline SliceWork encode_slices(const reference::BitVolume& volume, KeySlices key
   header.surface_count = surfaces;
   std::fill_n(header.thresholds + 1, surfaces - 1, 1);
   std::vector<uint8_t> memory(
-      slice_encoder_bytes({volume.width, volume.height}, key_slices, surfaces));
+      SliceEncoder::minimum_bytes({volume.width, volume.height}, key_slices, surfaces));
   SliceEncoder encoder;
   const ByteOutput nowhere{nullptr, [](void*, const uint8_t*, size_t count) { return count; }};
   if (encoder.start(header, key_slices, {memory.data(), memory.size()}, nowhere) != Status::ok)

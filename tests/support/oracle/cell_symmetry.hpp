@@ -40,7 +40,7 @@ struct CellSymmetry {
   Configuration configuration(Configuration c) const {
     unsigned bits = 0;
     for (int corner = 0; corner < 8; ++corner) {
-      const Vertex there = position(point(point_at(derive::corner_position(corner))));
+      const Vertex there = position(point(point_at(detail::derive::corner_position(corner))));
       const int number = (there.x + 2 * there.y + 4 * there.z) / 2;
       bits |= static_cast<unsigned>(c >> corner & 1) << number;
     }

@@ -164,7 +164,7 @@ inline std::vector<Scan> scans() {
 
 template <class Index>
 Device<Index> device_for(const Scan& scan) {
-  const uint64_t least = minimum_bytes<Index>(limits_of(scan.volume, scan.border));
+  const uint64_t least = Extractor<Index>::minimum_bytes(limits_of(scan.volume, scan.border));
   return Device<Index>(scan.volume, scan.border, least + scan.spare);
 }
 

@@ -13,7 +13,7 @@ void for_each_neighbourhood(int axis, Visit visit, uint32_t absent = 0) {
   for (uint32_t around = 0; around < 1U << 18; ++around) {
     uint32_t words[9] = {};
     uint32_t left = around;
-    trace::RowBlock rows;
+    detail::trace::RowBlock rows;
     for (int row = 0; row < 9; ++row) {
       rows.row[row / 3][row % 3] = &words[row];
       for (int x = 0; x < 3; ++x) {
@@ -27,8 +27,8 @@ void for_each_neighbourhood(int axis, Visit visit, uint32_t absent = 0) {
     const int next_row = axis == 0 ? 4 : axis == 1 ? 5 : 7;
     const uint32_t next_bit = axis == 0 ? middle_bit + 1 : middle_bit;
     if ((words[4] >> middle_bit & 1) == (words[next_row] >> next_bit & 1)) continue;
-    trace::PassList passes;
-    trace::derive_passes({rows, 0, middle_bit, axis}, absent, passes);
+    detail::trace::PassList passes;
+    detail::trace::derive_passes({rows, 0, middle_bit, axis}, absent, passes);
     visit(passes);
   }
 }

@@ -36,7 +36,7 @@ std::string describe(const Vertex& vertex) {
 }
 
 std::string describe(const Region& region) {
-  std::string text = "incidence " + describe(normal(region.incidence));
+  std::string text = "incidence " + describe(incidence_normal(region.incidence));
   for (const Ring& ring : region.rings) {
     constexpr size_t shown = 12;
     text += "; ring of " + std::to_string(ring.size()) + " links:";
@@ -93,7 +93,7 @@ std::string describe_difference(const std::vector<Region>& a, const std::vector<
 
 int64_t signed_area(Incidence incidence, const Ring& ring) {
   const Area area = twice_area(ring);
-  const Vertex n = normal(incidence);
+  const Vertex n = incidence_normal(incidence);
   return area.x * n.x + area.y * n.y + area.z * n.z;
 }
 

@@ -90,7 +90,7 @@ template <class Index, class Receiver>
 void scan_into(Receiver& receiver, const BitVolume& volume, const Plan& plan,
                const Capacities& capacities, Block::Kind kind = Block::Kind::guarded) {
   const Limits limits = limits_of(volume, plan.border);
-  Block block(bytes_for<Index>(limits, capacities), kind);
+  Block block(Extractor<Index>::bytes_for(limits, capacities), kind);
   Extractor<Index> extractor;
   require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(receiver)));
   push_all(extractor, volume.on, plan.chunk);
@@ -142,7 +142,7 @@ std::vector<Collector> scan_slabs(const BitVolume& volume, Border border, uint32
   for (uint32_t first = 0; first < volume.depth; first += slices) {
     const uint32_t end = std::min(first + slices, volume.depth);
     const Limits limits = limits_of_slab(volume, border, first, end);
-    Block block(minimum_bytes<Index>(limits) + spare);
+    Block block(Extractor<Index>::minimum_bytes(limits) + spare);
     EventLog log(refuses);
     Extractor<Index> extractor;
     require_ok(extractor.start(limits, 1, block.memory(), make_sink(log)));

@@ -12,13 +12,13 @@ namespace discmc::reference {
 
 namespace {
 
-using trace::cell_edges;
-using trace::CellAtVertex;
-using trace::CellEdge;
-using trace::CountParts;
-using trace::quadrants;
-using trace::SectorTable;
-using trace::Way;
+using detail::trace::cell_edges;
+using detail::trace::CellAtVertex;
+using detail::trace::CellEdge;
+using detail::trace::CountParts;
+using detail::trace::quadrants;
+using detail::trace::SectorTable;
+using detail::trace::Way;
 
 constexpr int axes = 3;
 
@@ -210,8 +210,8 @@ bool leads_to_centroids(const SectorTable& table) {
 bool points_where_headings_lie(const SectorTable& table) {
   for (int axis = 0; axis < axes; ++axis)
     for (int lower = 0; lower < 2; ++lower)
-      for (int heading = 0; heading <= trace::no_heading; ++heading) {
-        const Place place = heading == trace::no_heading ? Place{0, 0} : ring[heading];
+      for (int heading = 0; heading <= detail::trace::no_heading; ++heading) {
+        const Place place = heading == detail::trace::no_heading ? Place{0, 0} : ring[heading];
         const Vertex n = along(axis, lower != 0 ? 1 : -1, place.u, place.v);
         if (table.incidence_at(axis, lower, heading) != incidence_of(n)) return false;
       }
@@ -221,9 +221,9 @@ bool points_where_headings_lie(const SectorTable& table) {
 // Where the ray begins, and what it leads along.
 Vertex ray_vector(int axis, int quadrant, int way) {
   const Place across = ring[2 * quadrant];
-  return way == trace::straight_way
+  return way == detail::trace::straight_way
              ? along(axis, 0, 2 * across.u, 2 * across.v)
-             : along(axis, way == trace::downward_way ? -1 : 1, across.u, across.v);
+             : along(axis, way == detail::trace::downward_way ? -1 : 1, across.u, across.v);
 }
 
 // A way holds nothing but what it tells.
@@ -236,7 +236,7 @@ bool is_way(const Way& way, const Vertex& vector, bool is_ahead) {
 bool leads_across_faces(const SectorTable& table) {
   for (int axis = 0; axis < axes; ++axis)
     for (int quadrant = 0; quadrant < quadrants; ++quadrant)
-      for (int way = trace::straight_way; way < trace::ways; ++way) {
+      for (int way = detail::trace::straight_way; way < detail::trace::ways; ++way) {
         const Vertex here = along(axis, 1, 0, 0);
         const Vertex vector = ray_vector(axis, quadrant, way);
         if (!is_way(table.axis[axis].way[quadrant][way], vector,
@@ -267,7 +267,7 @@ bool leads_by_centroids(const SectorTable& table) {
 bool is_ray(const SectorTable& table, const FaceLook& seen, int axis, int lower, int quadrant,
             int line) {
   const uint8_t way = table.face_way_at(lower, static_cast<uint32_t>(line));
-  if (way < trace::straight_way || way >= trace::ways) return false;
+  if (way < detail::trace::straight_way || way >= detail::trace::ways) return false;
   return link_vector(table.axis[axis].way[quadrant][way].link()) == seen.link;
 }
 
@@ -278,10 +278,10 @@ bool is_seen(const SectorTable& table, int axis, int quadrant, int lower, int li
       looks_of(axis, quadrant)[static_cast<size_t>(lower)][static_cast<size_t>(lines)];
   // Turned from the first quadrant.
   const auto turned = [quadrant](int heading) {
-    return heading == trace::no_heading ? heading : (heading + 2 * quadrant) % 8;
+    return heading == detail::trace::no_heading ? heading : (heading + 2 * quadrant) % 8;
   };
   const int first = cell.headings & 15, second = cell.headings >> 4;
-  if (first > trace::no_heading || second > trace::no_heading) return false;
+  if (first > detail::trace::no_heading || second > detail::trace::no_heading) return false;
   if (table.incidence_at(axis, lower, turned(first)) != seen.face[0].incidence ||
       table.incidence_at(axis, lower, turned(second)) != seen.face[1].incidence)
     return false;
@@ -337,7 +337,7 @@ bool agrees_from_both_ends(const SectorTable& table, std::vector<Kind>& kinds) {
     for (int quadrant = 0; quadrant < quadrants; ++quadrant) {
       const auto& ways = table.axis[axis].way[quadrant];
       const Vertex here = along(axis, 1, 0, 0);
-      for (int way = trace::straight_way; way < trace::ways; ++way)
+      for (int way = detail::trace::straight_way; way < detail::trace::ways; ++way)
         if (!add_kind(kinds, ways[way], here, here + ray_vector(axis, quadrant, way), here, true,
                       true))
           return false;
@@ -356,13 +356,14 @@ bool agrees_from_both_ends(const SectorTable& table, std::vector<Kind>& kinds) {
 
 // Each of all queues once, and those that rise to the next slice behind the others.
 bool shares_no_queue(const std::vector<Kind>& kinds) {
-  std::array<int, trace::queue_count> users{};
+  std::array<int, detail::trace::queue_count> users{};
   for (const Kind& kind : kinds)
     for (int way = 0; way < 2; ++way) {
       if (!kind.is_taken[way]) continue;
       const int queue = way == 0 ? kind.queue : kind.queue ^ 1;
-      if (queue >= trace::queue_count) return false;
-      if (rises(kind.begin, kind.begin + kind.vector) != (queue >= trace::first_rising_queue))
+      if (queue >= detail::trace::queue_count) return false;
+      if (rises(kind.begin, kind.begin + kind.vector) !=
+          (queue >= detail::trace::first_rising_queue))
         return false;
       ++users.at(static_cast<size_t>(queue));
     }

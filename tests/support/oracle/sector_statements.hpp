@@ -9,7 +9,7 @@
 namespace discmc::reference {
 
 /// The first statement that a table breaks, in words, or nullptr. Any bytes may be in the table.
-const char* broken(const trace::SectorTable& table);
+const char* broken(const detail::trace::SectorTable& table);
 
 }  // namespace discmc::reference
 

@@ -57,7 +57,8 @@ inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& 
   header.surface_count = plan.surface_count;
   for (int32_t& threshold : header.thresholds) threshold = header.thresholds[0];
   const Limits limits{volume.width, volume.height};
-  reference::Block block(slice_encoder_bytes(limits, plan.key_slices, header.surface_count));
+  reference::Block block(
+      SliceEncoder::minimum_bytes(limits, plan.key_slices, header.surface_count));
   Line line(plan.bytes_a_time);
   SliceEncoder encoder;
   reference::require_ok(encoder.start(header, plan.key_slices, block.memory(), line.output()));
@@ -81,7 +82,7 @@ inline Bytes lost_slices(const reference::Size& size) {
   PacketWriter packets;
   packets.attach(line.output());
   packets.begin_stream({size.width, size.height, size.depth, {}, {1}, Border::closed},
-                       wire::HeaderFlags::slices);
+                       detail::wire::HeaderFlags::slices);
   if (!packets.drain()) throw std::runtime_error("the line takes everything");
   packets.seal_slices_trailer(size.depth, false, uint64_t{size.height} * size.depth, 0);
   if (!packets.drain()) throw std::runtime_error("the line takes everything");
@@ -162,7 +163,7 @@ size_t push_until_done(Decoding& decoder, const Bytes& bytes) {
 /// or the status will tell that they are larger.
 inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& size, size_t chunk = 0,
                                   bool refuses = false, uint32_t surfaces = 1) {
-  reference::Block block(slice_decoder_bytes({size.width, size.height}, surfaces));
+  reference::Block block(SliceDecoder::minimum_bytes({size.width, size.height}, surfaces));
   RowLog log(refuses);
   log.set_width(size.width);
   SliceDecoder decoder;

@@ -250,7 +250,7 @@ struct Packet {
   uint16_t scan = 0;
   uint8_t channel = 0;
 
-  bool is(wire::PacketKind which) const { return kind == static_cast<uint8_t>(which); }
+  bool is(detail::wire::PacketKind which) const { return kind == static_cast<uint8_t>(which); }
 };
 
 inline Bytes frame_of(const Packet& packet) {
@@ -263,19 +263,20 @@ inline Bytes frame_of(const Packet& packet) {
   for (int i = 0; i < 4; ++i) frame.push_back(static_cast<uint8_t>(check >> 8 * i));
   const size_t plain = frame.size() - 1;
   frame.push_back(0);
-  cobs::stuff(frame.data(), plain);
+  detail::cobs::stuff(frame.data(), plain);
   return frame;
 }
 
 /// Limit: a whole frame with its zero.
 inline Packet packet_of(Bytes frame) {
-  const size_t plain = cobs::unstuff(frame.data(), frame.size() - 1);
-  if (plain < wire::packet_head + wire::packet_tail) throw std::runtime_error("no packet");
+  const size_t plain = detail::cobs::unstuff(frame.data(), frame.size() - 1);
+  if (plain < detail::wire::packet_head + detail::wire::packet_tail)
+    throw std::runtime_error("no packet");
   Packet packet;
   packet.kind = frame[1];
   packet.number = frame[2];
   packet.pieces = static_cast<uint16_t>(frame[3] | frame[4] << 8);
-  const size_t tag = 1 + plain - wire::packet_tail;
+  const size_t tag = 1 + plain - detail::wire::packet_tail;
   packet.payload.assign(frame.begin() + 5, frame.begin() + static_cast<std::ptrdiff_t>(tag));
   packet.scan = static_cast<uint16_t>(frame[tag] | frame[tag + 1] << 8);
   packet.channel = frame[tag + 2];
@@ -297,9 +298,10 @@ inline std::vector<Bytes> frames_of(const Bytes& stream) {
 inline uint32_t digest_of(const std::vector<Bytes>& frames) {
   uint32_t digest = 0;
   for (Bytes frame : frames) {
-    const size_t plain = cobs::unstuff(frame.data(), frame.size() - 1);
-    const uint8_t* const crc = frame.data() + 1 + plain - wire::packet_crc;
-    digest = wire::digest_with(digest, static_cast<uint32_t>(wire::ByteReader(crc, 4).get(4)));
+    const size_t plain = detail::cobs::unstuff(frame.data(), frame.size() - 1);
+    const uint8_t* const crc = frame.data() + 1 + plain - detail::wire::packet_crc;
+    digest = detail::wire::digest_with(
+        digest, static_cast<uint32_t>(detail::wire::ByteReader(crc, 4).get(4)));
   }
   return digest;
 }
@@ -324,13 +326,14 @@ inline Bytes with_version(uint8_t version, const Bytes& stream) {
 /// The payload of a packet of records, told to the model by hand.
 class Payload {
  public:
-  Payload() : bytes_(wire::max_payload), model({RangeEncoder(bytes_.data(), bytes_.size())}) {}
+  Payload()
+      : bytes_(detail::wire::max_payload), model({RangeEncoder(bytes_.data(), bytes_.size())}) {}
   Payload(const Payload&) = delete;
   Payload& operator=(const Payload&) = delete;
 
   /// Ends the records and the code. Errors: throws when they do not fit.
   Bytes finish() {
-    model.record_kind(stream::RecordKind::end);
+    model.record_kind(detail::stream::RecordKind::end);
     return close();
   }
   /// The same without a word of an end.
@@ -344,7 +347,7 @@ class Payload {
   Bytes bytes_;
 
  public:
-  stream::RecordModel<stream::SymbolWriter> model;
+  detail::stream::RecordModel<detail::stream::SymbolWriter> model;
 };
 
 }  // namespace discmc::test

@@ -148,7 +148,7 @@ inline reference::BitVolume sieve(uint32_t side) {
 /// A scan in which rows do not come, and which is abandoned after so many rows (0: it is not).
 inline Events events_with_gaps(const reference::BitVolume& volume, uint32_t rows_until_abandoned) {
   const Limits limits = reference::limits_of(volume, Border::closed);
-  reference::Block block(bytes_for<uint32_t>(limits, reference::ample));
+  reference::Block block(Extractor32::bytes_for(limits, reference::ample));
   EventLog log;
   Extractor32 extractor;
   reference::require_ok(

@@ -18,9 +18,9 @@ struct SymbolRows {
 
 /// All of them, in the order of the table.
 inline std::vector<SymbolRows> symbol_rows() {
-  namespace of = stream::rows;
+  namespace of = detail::stream::rows;
   std::vector<SymbolRows> all{{"kinds", of::kinds, 3, of::of_kinds},
-                              {"places", of::places, 1, stream::place::count},
+                              {"places", of::places, 1, detail::stream::place::count},
                               {"axes", of::axes, 8, 4},
                               {"steps_x", of::steps_x, 5, of::of_number},
                               {"steps_y", of::steps_y, 1, of::of_number},

@@ -69,7 +69,7 @@ const Loops& loops_of(int configuration) {
   static const std::vector<Loops> all = [] {
     std::vector<Loops> loops;
     for (int c = 0; c < configurations; ++c)
-      loops.push_back(derive::loops(static_cast<Configuration>(c)));
+      loops.push_back(detail::derive::loops(static_cast<Configuration>(c)));
     return loops;
   }();
   return all[static_cast<size_t>(configuration)];
@@ -85,9 +85,10 @@ bool is_link(const Vertex& vector) {
 
 bool are_links_in_order(const LinkTable& links) {
   for (Link link = 0; link < link_codes; ++link) {
-    const Vertex vector = derive::link_vector(links, link);
+    const Vertex vector = detail::derive::link_vector(links, link);
     if (!is_link(vector)) return false;
-    if (link > 0 && !before(derive::link_vector(links, static_cast<Link>(link - 1)), vector))
+    if (link > 0 &&
+        !before(detail::derive::link_vector(links, static_cast<Link>(link - 1)), vector))
       return false;
   }
   return true;
@@ -96,7 +97,8 @@ bool are_links_in_order(const LinkTable& links) {
 bool counts_directions(const LinkTable& links) {
   constexpr int by_squared_length[] = {0, 8, 4, 6};
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
-    if (links.direction_count[incidence] != by_squared_length[squared_length(normal(incidence))])
+    if (links.direction_count[incidence] !=
+        by_squared_length[squared_length(incidence_normal(incidence))])
       return false;
   return true;
 }
@@ -104,22 +106,25 @@ bool counts_directions(const LinkTable& links) {
 // Half a round of directions: each is less than half a turn from the first and beyond the one
 // before it.
 bool turns_counter_clockwise(const LinkTable& links, Incidence incidence) {
-  const Vertex n = normal(incidence);
+  const Vertex n = incidence_normal(incidence);
   const Link* half = links.link[incidence];
-  if (half[0] >= link_codes || dot(derive::link_vector(links, half[0]), n) != 0) return false;
+  if (half[0] >= link_codes || dot(detail::derive::link_vector(links, half[0]), n) != 0)
+    return false;
   for (int i = 1; i < links.direction_count[incidence] / 2; ++i) {
     if (half[i] >= link_codes) return false;
-    const Vertex vector = derive::link_vector(links, half[i]);
+    const Vertex vector = detail::derive::link_vector(links, half[i]);
     if (dot(vector, n) != 0) return false;
     for (int earlier = 0; earlier < i; ++earlier)
-      if (dot(cross(derive::link_vector(links, half[earlier]), vector), n) <= 0) return false;
+      if (dot(cross(detail::derive::link_vector(links, half[earlier]), vector), n) <= 0)
+        return false;
   }
   return true;
 }
 
 bool begins_with_lowest(const LinkTable& links, Incidence incidence) {
   for (Link link = 0; link < links.link[incidence][0]; ++link)
-    if (dot(derive::link_vector(links, link), normal(incidence)) == 0) return false;
+    if (dot(detail::derive::link_vector(links, link), incidence_normal(incidence)) == 0)
+      return false;
   return true;
 }
 
@@ -151,7 +156,7 @@ bool has_rings_of_its_facets(const FacetTables& facets) {
 // Counter-clockwise about the normal at every point.
 bool lies_as_its_code_says(const FacetRing& ring, Facet facet) {
   if (!is_incidence(incidence_of(facet))) return false;
-  const Vertex n = normal(incidence_of(facet));
+  const Vertex n = incidence_normal(incidence_of(facet));
   for (int i = 0; i < ring.count; ++i) {
     const Vertex a = position(ring.point[i]);
     const Vertex b = position(ring.point[(i + 1) % ring.count]);
@@ -188,7 +193,7 @@ int enclosed(const FacetTables& facets, int configuration) {
   constexpr int twice_on_area[] = {0, 1, 4, 7, 8};
   int sum = 0;
   for (const int face : {face_right, face_back, face_above}) {
-    const derive::FaceCorners ring = derive::face_corners(face);
+    const detail::derive::FaceCorners ring = detail::derive::face_corners(face);
     bool on[4] = {};
     int count = 0;
     for (int i = 0; i < 4; ++i) count += on[i] = (configuration >> ring.corner[i] & 1) != 0;
@@ -245,11 +250,11 @@ FacetTables facet_tables() {
 
 ModelTable model_table() {
   ModelTable model;
-  std::copy(std::begin(stream::shares), std::end(stream::shares), model.shares);
+  std::copy(std::begin(detail::stream::shares), std::end(detail::stream::shares), model.shares);
   return model;
 }
 
-// Other numbers are another format: a new wire::version, new golden files, a new WIRE.md.
+// Other numbers are another format: a new detail::wire::version, new golden files, a new WIRE.md.
 const char* broken(const ModelTable& model) {
   const uint32_t version_1 = 0x2725C136;
   return crc32(model.shares, sizeof(model.shares)) == version_1

@@ -20,7 +20,7 @@ struct FacetTables {
 
 /// The shares of the stream's symbols.
 struct ModelTable {
-  uint8_t shares[std::size(stream::shares)];
+  uint8_t shares[std::size(detail::stream::shares)];
 };
 
 /// What the library has.

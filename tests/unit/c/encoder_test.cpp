@@ -47,7 +47,7 @@ discmc_sink_result begin(discmc_encoder* encoder, uint32_t width) {
 
 const Events& events() {
   static const Events all =
-      test::events_of(random({12, 9, 7}, 128, 3), default_capacities<uint32_t>({12, 9}, 3000));
+      test::events_of(random({12, 9, 7}, 128, 3), Extractor32::default_capacities({12, 9}, 3000));
   return all;
 }
 

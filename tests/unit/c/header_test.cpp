@@ -132,7 +132,7 @@ TEST_CASE("a config without slots needs the least memory, and bad ones need none
 TEST_CASE("a sink in C finds the corners and normals of polygons") {
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
     const discmc_vertex in_c = discmc_incidence_normal(incidence);
-    CHECK(Vertex{in_c.x, in_c.y, in_c.z} == normal(incidence));
+    CHECK(Vertex{in_c.x, in_c.y, in_c.z} == incidence_normal(incidence));
     for (Direction direction = 0; direction < direction_count(incidence); ++direction) {
       const Run run = Run::straight(direction, 1000 + direction);
       const discmc_vertex vector = discmc_run_vector(incidence, run.code());

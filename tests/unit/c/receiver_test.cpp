@@ -24,7 +24,7 @@ constexpr discmc_limits limits = {20, 15, DISCMC_CLOSED};
 // With so little memory that most is sent loose.
 const Bytes& polygons() {
   static const Bytes stream =
-      test::encode(test::events_of(volume(), default_capacities<uint32_t>({20, 15}, 3000)),
+      test::encode(test::events_of(volume(), Extractor32::default_capacities({20, 15}, 3000)),
                    test::header_of(volume()));
   return stream;
 }

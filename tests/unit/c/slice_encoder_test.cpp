@@ -84,7 +84,7 @@ test::Bytes stream_of_cpp() {
                       300,
                       surfaces};
   const auto samples = make_samples<Sample>();
-  std::vector<uint8_t> memory(slice_encoder_bytes({width, height}, {4}, surfaces));
+  std::vector<uint8_t> memory(SliceEncoder::minimum_bytes({width, height}, {4}, surfaces));
   Line line;
   SliceEncoder encoder;
   require_ok(encoder.start(header, {4}, {memory.data(), memory.size()}, line.output()));

@@ -36,7 +36,7 @@ std::set<CellPoint> crossings(Configuration configuration) {
   std::set<CellPoint> points;
   for (const CellEdge& edge : cell_edges())
     if (is_on(configuration, edge.corner_a) != is_on(configuration, edge.corner_b))
-      points.insert(derive::midpoint(edge.corner_a, edge.corner_b));
+      points.insert(detail::derive::midpoint(edge.corner_a, edge.corner_b));
   return points;
 }
 
@@ -45,7 +45,7 @@ struct LoopLink {
 };
 
 std::vector<LoopLink> loop_links(Configuration configuration) {
-  const Loops loops = derive::loops(configuration);
+  const Loops loops = detail::derive::loops(configuration);
   std::vector<LoopLink> result;
   for (int l = 0; l < loops.count; ++l)
     for (int i = 0; i < loops.loop[l].count; ++i)
@@ -70,7 +70,7 @@ Vertex inward(int face) {
 
 // A face whose on corners are opposite: there are two ways to join its four crossings.
 bool is_ambiguous(Configuration configuration, int face) {
-  const derive::FaceCorners ring = derive::face_corners(face);
+  const detail::derive::FaceCorners ring = detail::derive::face_corners(face);
   const bool first = is_on(configuration, ring.corner[0]);
   return first == is_on(configuration, ring.corner[2]) &&
          first != is_on(configuration, ring.corner[1]) &&
@@ -82,8 +82,8 @@ std::vector<int> corners_on_left(int face, const LoopLink& link) {
   const Vertex from = position(link.from);
   const Vertex along = position(link.to) - from;
   std::vector<int> left;
-  for (const int corner : derive::face_corners(face).corner)
-    if (dot(cross(along, derive::corner_position(corner) - from), inward(face)) > 0)
+  for (const int corner : detail::derive::face_corners(face).corner)
+    if (dot(cross(along, detail::derive::corner_position(corner) - from), inward(face)) > 0)
       left.push_back(corner);
   return left;
 }
@@ -128,17 +128,17 @@ TEST_CASE("a point and its position name each other") {
 }
 
 TEST_CASE("corner c lies at (c & 1, c >> 1 & 1, c >> 2), two half-steps apart") {
-  CHECK(derive::corner_position(0) == Vertex{0, 0, 0});
-  CHECK(derive::corner_position(1) == Vertex{2, 0, 0});
-  CHECK(derive::corner_position(2) == Vertex{0, 2, 0});
-  CHECK(derive::corner_position(4) == Vertex{0, 0, 2});
-  CHECK(derive::corner_position(7) == Vertex{2, 2, 2});
+  CHECK(detail::derive::corner_position(0) == Vertex{0, 0, 0});
+  CHECK(detail::derive::corner_position(1) == Vertex{2, 0, 0});
+  CHECK(detail::derive::corner_position(2) == Vertex{0, 2, 0});
+  CHECK(detail::derive::corner_position(4) == Vertex{0, 0, 2});
+  CHECK(detail::derive::corner_position(7) == Vertex{2, 2, 2});
 }
 
 TEST_CASE("the twelve edge midpoints are the points with one odd coordinate") {
   std::set<CellPoint> midpoints;
   for (const CellEdge& edge : cell_edges())
-    midpoints.insert(derive::midpoint(edge.corner_a, edge.corner_b));
+    midpoints.insert(detail::derive::midpoint(edge.corner_a, edge.corner_b));
   CHECK(midpoints.size() == 12);
   for (int i = 0; i < 27; ++i) {
     const Vertex p{i % 3, i / 3 % 3, i / 9};
@@ -149,12 +149,12 @@ TEST_CASE("the twelve edge midpoints are the points with one odd coordinate") {
 TEST_CASE("a face's four corners lie on it, counter-clockwise seen from inside the cell") {
   for (int face = 0; face < faces; ++face) {
     CAPTURE(face);
-    const derive::FaceCorners ring = derive::face_corners(face);
+    const detail::derive::FaceCorners ring = detail::derive::face_corners(face);
     const int32_t plane = face < 3 ? 0 : -2;
     for (int i = 0; i < 4; ++i) {
-      const Vertex before = derive::corner_position(ring.corner[i]);
-      const Vertex here = derive::corner_position(ring.corner[(i + 1) % 4]);
-      const Vertex after = derive::corner_position(ring.corner[(i + 2) % 4]);
+      const Vertex before = detail::derive::corner_position(ring.corner[i]);
+      const Vertex here = detail::derive::corner_position(ring.corner[(i + 1) % 4]);
+      const Vertex after = detail::derive::corner_position(ring.corner[(i + 2) % 4]);
       CHECK(dot(inward(face), here) == plane);
       CHECK(cross(here - before, after - here) ==
             inward(face) + inward(face) + inward(face) + inward(face));
@@ -165,8 +165,8 @@ TEST_CASE("a face's four corners lie on it, counter-clockwise seen from inside t
 TEST_CASE("two edge midpoints share one face or none, and face_of tells which") {
   for (const CellEdge& a : cell_edges())
     for (const CellEdge& b : cell_edges()) {
-      const CellPoint from = derive::midpoint(a.corner_a, a.corner_b);
-      const CellPoint to = derive::midpoint(b.corner_a, b.corner_b);
+      const CellPoint from = detail::derive::midpoint(a.corner_a, a.corner_b);
+      const CellPoint to = detail::derive::midpoint(b.corner_a, b.corner_b);
       if (from == to) continue;
       int shared = faces;
       int count = 0;
@@ -184,7 +184,7 @@ TEST_CASE("two edge midpoints share one face or none, and face_of tells which") 
 
 TEST_CASE("a link to the centroid lies on no face") {
   for (const CellEdge& edge : cell_edges()) {
-    const CellPoint point = derive::midpoint(edge.corner_a, edge.corner_b);
+    const CellPoint point = detail::derive::midpoint(edge.corner_a, edge.corner_b);
     CHECK(face_of(point, centroid) == faces);
     CHECK(face_of(centroid, point) == faces);
   }
@@ -203,7 +203,7 @@ TEST_CASE("every link of a loop lies on a face and is a link of the lattice") {
   for_each_configuration([](Configuration configuration) {
     for (const LoopLink& link : loop_links(configuration)) {
       CHECK(face_of(link.from, link.to) < faces);
-      CHECK(derive::link_of(links, position(link.to) - position(link.from)) < link_codes);
+      CHECK(detail::derive::link_of(links, position(link.to) - position(link.from)) < link_codes);
     }
   });
 }
@@ -212,7 +212,7 @@ TEST_CASE("a loop has 3 to 7 links, a cell up to 4 loops; all of these occur") {
   std::set<int> lengths;
   std::set<int> loop_counts;
   for_each_configuration([&](Configuration configuration) {
-    const Loops loops = derive::loops(configuration);
+    const Loops loops = detail::derive::loops(configuration);
     loop_counts.insert(loops.count);
     for (int l = 0; l < loops.count; ++l) lengths.insert(loops.loop[l].count);
   });
@@ -239,7 +239,7 @@ TEST_CASE("each link has on corners on its left and off corners on its right, se
     for (const LoopLink& link : loop_links(configuration)) {
       const int face = face_of(link.from, link.to);
       const std::vector<int> left = corners_on_left(face, link);
-      for (const int corner : derive::face_corners(face).corner) {
+      for (const int corner : detail::derive::face_corners(face).corner) {
         const bool on_left = std::find(left.begin(), left.end(), corner) != left.end();
         // On an ambiguous face, beyond a link is the other on corner, which has a link of its own.
         if (on_left || !is_ambiguous(configuration, face))

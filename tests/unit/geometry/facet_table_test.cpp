@@ -48,7 +48,7 @@ std::vector<PointLink> links_of(Facet facet) {
 }
 
 std::vector<std::vector<CellPoint>> loops_of(int configuration) {
-  const Loops loops = derive::loops(static_cast<Configuration>(configuration));
+  const Loops loops = detail::derive::loops(static_cast<Configuration>(configuration));
   std::vector<std::vector<CellPoint>> result;
   for (int l = 0; l < loops.count; ++l)
     result.emplace_back(loops.loop[l].point, loops.loop[l].point + loops.loop[l].count);
@@ -89,7 +89,7 @@ Vertex towards_off(int configuration, const Vertex& midpoint) {
 }
 
 bool is_ambiguous(int configuration, int face) {
-  const derive::FaceCorners ring = derive::face_corners(face);
+  const detail::derive::FaceCorners ring = detail::derive::face_corners(face);
   const auto on = [&](int i) { return configuration >> ring.corner[i] & 1; };
   return on(0) == on(2) && on(1) == on(3) && on(0) != on(1);
 }
@@ -120,7 +120,8 @@ std::set<Placed> placed_facets(int configuration) {
 int twice_on_area(int configuration, int face) {
   constexpr int by_count[] = {0, 1, 4, 7, 8};
   int count = 0;
-  for (const int corner : derive::face_corners(face).corner) count += configuration >> corner & 1;
+  for (const int corner : detail::derive::face_corners(face).corner)
+    count += configuration >> corner & 1;
   return is_ambiguous(configuration, face) ? 2 : by_count[count];
 }
 
@@ -153,7 +154,7 @@ TEST_CASE("every axis incidence occurs 44 times, every diagonal one 5, every cor
   CHECK(times.size() == 26);
   constexpr int expected[] = {0, 44, 5, 93};
   for (const auto& [incidence, count] : times)
-    CHECK(count == expected[dot(normal(incidence), normal(incidence))]);
+    CHECK(count == expected[dot(incidence_normal(incidence), incidence_normal(incidence))]);
 }
 
 TEST_CASE("an incidence has 4 shapes on an axis, 2 on a diagonal, 8 on a corner") {
@@ -162,7 +163,7 @@ TEST_CASE("an incidence has 4 shapes on an axis, 2 on a diagonal, 8 on a corner"
   constexpr int expected[] = {0, 4, 2, 8};
   CHECK(shapes.size() == 26);
   for (const auto& [incidence, count] : shapes)
-    CHECK(count == expected[dot(normal(incidence), normal(incidence))]);
+    CHECK(count == expected[dot(incidence_normal(incidence), incidence_normal(incidence))]);
 }
 
 TEST_CASE("a facet's code is its incidence and its shape") {
@@ -198,7 +199,7 @@ TEST_CASE("a facet's points are edge midpoints or the centroid: an odd coordinat
 TEST_CASE("a facet is flat and convex, its ring counter-clockwise seen from the normal's tip") {
   for_each_facet([](Facet facet) {
     const std::vector<CellPoint> ring = ring_of(facet);
-    const Vertex n = normal(incidence_of(facet));
+    const Vertex n = incidence_normal(incidence_of(facet));
     for (size_t i = 0; i < ring.size(); ++i) {
       const Vertex here = position(ring[i]);
       const Vertex next = position(ring[(i + 1) % ring.size()]);
@@ -214,10 +215,10 @@ TEST_CASE("a facet is what its incidence says: right triangle, rectangle, equila
     std::multiset<int> squared_lengths;
     for (const auto& [from, to] : links_of(facet)) {
       const Vertex link = position(to) - position(from);
-      CHECK(derive::link_of(links, link) < link_codes);
+      CHECK(detail::derive::link_of(links, link) < link_codes);
       squared_lengths.insert(dot(link, link));
     }
-    const Vertex n = normal(incidence_of(facet));
+    const Vertex n = incidence_normal(incidence_of(facet));
     if (dot(n, n) == 1) CHECK(squared_lengths == std::multiset<int>{2, 2, 4});
     if (dot(n, n) == 2) CHECK(squared_lengths == std::multiset<int>{2, 2, 4, 4});
     if (dot(n, n) == 3) CHECK(squared_lengths == std::multiset<int>{2, 2, 2});
@@ -227,7 +228,7 @@ TEST_CASE("a facet is what its incidence says: right triangle, rectangle, equila
 TEST_CASE("shapes are numbered as promised") {
   for_each_facet([](Facet facet) {
     const Incidence incidence = incidence_of(facet);
-    const Vertex n = normal(incidence);
+    const Vertex n = incidence_normal(incidence);
     const Shape shape = shape_of(facet);
     if (!has_centroid(facet)) {
       // On the on side of the centroid the plane cuts off what the normal points away from.
@@ -248,7 +249,7 @@ TEST_CASE("normals point from on to off, at every edge of the cell that a facet 
         if (point == centroid) continue;
         const Vertex midpoint = position(point);
         CHECK(end_is_on(c, midpoint, true) != end_is_on(c, midpoint, false));
-        CHECK(dot(normal(incidence_of(facet)), towards_off(c, midpoint)) > 0);
+        CHECK(dot(incidence_normal(incidence_of(facet)), towards_off(c, midpoint)) > 0);
       }
   });
 }
@@ -335,7 +336,8 @@ TEST_CASE("a cell turned or mirrored has its facets turned or mirrored") {
       for (auto [incidence, ring] : placed_facets(c)) {
         for (CellPoint& point : ring) point = symmetry.point(point);
         if (symmetry.is_mirror()) std::reverse(ring.begin(), ring.end());
-        moved.insert({incidence_of(symmetry.vector(normal(incidence))), normalised(ring)});
+        moved.insert(
+            {incidence_of(symmetry.vector(incidence_normal(incidence))), normalised(ring)});
       }
       CHECK(moved == placed_facets(symmetry.configuration(static_cast<Configuration>(c))));
     });

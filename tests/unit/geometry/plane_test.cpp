@@ -37,10 +37,10 @@ TEST_CASE("the vertices of a plane have one offset, and those beside it another"
   for_each_incidence([](Incidence incidence) {
     const Vertex vertex{3, -4, 12};
     const int32_t offset = plane_offset(incidence, vertex);
-    CHECK(offset == dot(normal(incidence), vertex));
+    CHECK(offset == dot(incidence_normal(incidence), vertex));
     for (Direction direction = 0; direction < direction_count(incidence); ++direction)
       CHECK(plane_offset(incidence, vertex + direction_vector(incidence, direction)) == offset);
-    CHECK(plane_offset(incidence, vertex + normal(incidence)) != offset);
+    CHECK(plane_offset(incidence, vertex + incidence_normal(incidence)) != offset);
   });
   CHECK(plane_offset(incidence_of({1, 1, 1}), {INT32_MAX, INT32_MAX, INT32_MAX}) == INT32_MAX - 2);
 }

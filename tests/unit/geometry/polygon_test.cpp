@@ -164,7 +164,7 @@ TEST_CASE("the sweep rings of a volume, whole or cut, split into the reference's
     const Limits limits{14, 13};
     reference::Collector collector;
     reference::scan_into<uint16_t>(collector, volume, {},
-                                   minimum_bytes<uint16_t>(limits) + 1 + seed * 300);
+                                   Extractor16::minimum_bytes(limits) + 1 + seed * 300);
     for (const reference::Region& region : collector.regions()) {
       Rings expected;
       Rings rings;

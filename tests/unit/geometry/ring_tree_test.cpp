@@ -56,7 +56,7 @@ bool is_left_of_all(Incidence incidence, Vertex at, const std::vector<Run>& runs
   for (const Run run : runs) {
     const Vertex step = direction_vector(incidence, run.direction());
     const Vertex to_point = eighths - Vertex{8 * at.x, 8 * at.y, 8 * at.z};
-    if (dot(cross(step, to_point), normal(incidence)) <= 0) return false;
+    if (dot(cross(step, to_point), incidence_normal(incidence)) <= 0) return false;
     at = after_run(incidence, at, run);
   }
   return true;
@@ -125,7 +125,7 @@ TEST_CASE("the point beside a link is an eighth of a half-step left of its middl
   for_each_incidence([&](Incidence incidence) {
     for (Direction direction = 0; direction < direction_count(incidence); ++direction) {
       const Vertex link = direction_vector(incidence, direction);
-      const Vertex left = cross(normal(incidence), link);
+      const Vertex left = cross(incidence_normal(incidence), link);
       const Vertex eighths{8 * at.x + 4 * link.x + left.x, 8 * at.y + 4 * link.y + left.y,
                            8 * at.z + 4 * link.z + left.z};
       const ProjectedPoint point = point_beside(incidence, at, direction);

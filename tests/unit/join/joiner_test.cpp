@@ -385,8 +385,8 @@ TEST_CASE("the marks tell what would have been enough") {
 namespace {
 
 // Whether a joiner's table has the key near its beginning, however large it is.
-bool is_crowded(const join::WaitingKey& key) {
-  return join::WaitingTable::hash_of(key) >> 27 == 0;
+bool is_crowded(const detail::join::WaitingKey& key) {
+  return detail::join::WaitingTable::hash_of(key) >> 27 == 0;
 }
 
 // Joins what crowds the table of the first joiner: it runs short, though it has room for more.
@@ -482,7 +482,7 @@ struct WholeRegions {
   WholeRegions(const BitVolume& volume, size_t bytes, const EventLog::Refuses& refuses = {})
       : log(refuses) {
     const Limits limits = limits_of(volume, Border::closed);
-    Block block(minimum_bytes<uint16_t>(limits)), room(bytes);
+    Block block(Extractor16::minimum_bytes(limits)), room(bytes);
     Extractor16 extractor;
     require_ok(
         extractor.start(limits, 1, block.memory(), make_region_sink(log, joiner, room.memory())));

@@ -9,7 +9,7 @@
 #include "oracle/stream.hpp"
 
 using namespace discmc;
-using namespace discmc::join;
+using namespace discmc::detail::join;
 using test::Chance;
 
 namespace {

@@ -46,7 +46,7 @@ class SliceDevice {
     for (int32_t& threshold : header_.thresholds) threshold = header_.thresholds[0];
     store.most = plan.most;
     const Limits limits{volume.width, volume.height};
-    block_ = Block(slice_encoder_bytes(limits, key_slices_, header_.surface_count));
+    block_ = Block(SliceEncoder::minimum_bytes(limits, key_slices_, header_.surface_count));
   }
 
   void start() { require_ok(encoder.start(header_, key_slices_, block_.memory(), store.output())); }
@@ -211,7 +211,7 @@ TEST_CASE("errors of save() and restore() of a slice encoder") {
   header.height = 9;
   header.thresholds[0] = 1;
   constexpr Limits limits{999, 9};
-  alignas(4) static uint8_t memory[slice_encoder_bytes(limits, {}) + 1] = {};
+  alignas(4) static uint8_t memory[SliceEncoder::minimum_bytes(limits, {}) + 1] = {};
   const Memory whole{memory, sizeof memory - 1};
   require_ok(encoder.start(header, {}, whole, store.output()));
   CHECK(encoder.bytes_used() == whole.bytes);

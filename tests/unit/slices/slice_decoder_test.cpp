@@ -8,9 +8,9 @@
 
 using namespace discmc;
 using namespace discmc::test;
+using detail::slices::RowNote;
+using detail::wire::SliceBits;
 using reference::BitVolume;
-using slices::RowNote;
-using wire::SliceBits;
 using Kind = RowEvent::Kind;
 
 namespace {
@@ -29,11 +29,11 @@ SlicePlan plan_of(uint8_t surfaces) {
 // Codes told by hand, from the first row of a key slice on.
 class Code {
  public:
-  explicit Code(uint8_t surfaces = 1) : memory_(slice_encoder_bytes(limits, {}, surfaces)) {
+  explicit Code(uint8_t surfaces = 1) : memory_(SliceEncoder::minimum_bytes(limits, {}, surfaces)) {
     Arena arena({memory_.data(), memory_.size()});
     StreamHeader header = header_of(BitVolume(size));
     header.surface_count = surfaces;
-    surfaces_.start(arena, header, slices::rows_kept(limits.height, false));
+    surfaces_.start(arena, header, detail::slices::rows_kept(limits.height, false));
     surfaces_.clear();
     surfaces_.begin_key_slice();
     begin_code();
@@ -43,7 +43,7 @@ class Code {
 
   Code& note(uint32_t told) {
     writer_.code_bit(surfaces_.note(), true);
-    writer_.number(slices::note_bits, told);
+    writer_.number(detail::slices::note_bits, told);
     return *this;
   }
   Code& note(RowNote told) { return note(static_cast<uint32_t>(told)); }
@@ -76,7 +76,7 @@ class Code {
   // One that never came, in a slice that has begun.
   Code& repeated_row() {
     note(RowNote::repeated);
-    for (slices::Surface& surface : surfaces_) surface.rows.repeat();
+    for (detail::slices::Surface& surface : surfaces_) surface.rows.repeat();
     surfaces_.next_row();
     return *this;
   }
@@ -99,7 +99,7 @@ class Code {
  private:
   static constexpr size_t bytes_of_row = (size.width + 7) / 8;
   // That of 40 voxels, which have six bits, up to the end of the row.
-  static constexpr uint32_t run_of_a_row = slices::context::run + 2 * (6 - 1) + 1;
+  static constexpr uint32_t run_of_a_row = detail::slices::context::run + 2 * (6 - 1) + 1;
 
   void begin_code() {
     bytes_.assign(1000, 0);
@@ -107,9 +107,9 @@ class Code {
   }
 
   Bytes memory_, bytes_;
-  slices::RowWriter writer_;
-  slices::RowCode row_;
-  slices::Surfaces surfaces_;
+  detail::slices::RowWriter writer_;
+  detail::slices::RowCode row_;
+  detail::slices::Surfaces surfaces_;
   uint32_t rows_told_ = 0;
   uint32_t surface_ = 0;
 };
@@ -140,7 +140,7 @@ class Stream {
     bytes_ = frame_of(header);
   }
 
-  Stream& add(wire::PacketKind kind, uint8_t bits, const Bytes& payload) {
+  Stream& add(detail::wire::PacketKind kind, uint8_t bits, const Bytes& payload) {
     ++number_;
     const Bytes frame =
         frame_of({static_cast<uint8_t>(static_cast<uint8_t>(kind) + bits),
@@ -150,11 +150,11 @@ class Stream {
     return *this;
   }
   Stream& slices(uint8_t bits, const std::vector<Bytes>& parts) {
-    return add(wire::PacketKind::slices, bits, payload_of(parts));
+    return add(detail::wire::PacketKind::slices, bits, payload_of(parts));
   }
   // Its digest is wrong: so no stream by hand is complete.
   Stream& trailer(uint64_t rows) {
-    return add(wire::PacketKind::slices_trailer, 0,
+    return add(detail::wire::PacketKind::slices_trailer, 0,
                payload_of({little_endian(size.depth, 4), Bytes{0}, little_endian(rows, 8),
                            little_endian(0, 8), little_endian(0, 4)}));
   }
@@ -379,7 +379,7 @@ TEST_CASE("a slice decoder that is started again forgets everything") {
     }
     int left;
   };
-  Bytes memory(slice_decoder_bytes({40, 9}, 2));
+  Bytes memory(SliceDecoder::minimum_bytes({40, 9}, 2));
   const Memory all{memory.data(), memory.size()};
   SliceDecoder decoder;
   for (size_t count = 0; count < stream.size(); count += 23)
@@ -401,7 +401,7 @@ TEST_CASE("a slice decoder that is started again forgets everything") {
 TEST_CASE("a slice decoder that is started again has neither a refusal nor a slice to go on from") {
   const Bytes stream = Stream().slices(of_key, {key(0), Code().rows_off(3).end()}).bytes();
   const Bytes unheard = Stream().slices(whole_code, {Code().rows_off(3).end()}).bytes();
-  Bytes memory(slice_decoder_bytes(limits));
+  Bytes memory(SliceDecoder::minimum_bytes(limits));
   const Memory all{memory.data(), memory.size()};
   SliceDecoder decoder;
   RowLog log(false);
@@ -458,7 +458,7 @@ TEST_CASE("a sink may refuse a start, rows, losses and the end, and gets them ag
   const Bytes stream =
       Stream(2)
           .slices(of_key, {key(1), Code(2).rows_off(2).repeated_row().rows_off(2).end()})
-          .add(wire::PacketKind::slices_application, 0, Bytes(12, 7))
+          .add(detail::wire::PacketKind::slices_application, 0, Bytes(12, 7))
           .lose_packets(1)
           .slices(of_key, {key(4), Code(2).rows_off(6).end()})
           .trailer(15)
@@ -477,7 +477,7 @@ TEST_CASE("a sink may refuse a start, rows, losses and the end, and gets them ag
     bool refused = false;
     std::vector<Told> told{};
   } willing{false}, sullen{true};
-  Bytes memory(slice_decoder_bytes(limits, 2));
+  Bytes memory(SliceDecoder::minimum_bytes(limits, 2));
   for (Sullen* sink : {&willing, &sullen}) {
     SliceDecoder decoder;
     reference::require_ok(decoder.start({memory.data(), memory.size()}, make_row_sink(*sink)));
@@ -506,7 +506,7 @@ TEST_CASE("a slice decoder needs as much memory as is said, whatever the width")
     CAPTURE(width);
     const Bytes stream = encode_slices(reference::random({width, 2, 2}, 60, 3));
     CHECK(decode_slices(stream, {width, 2, 2}).report.is_complete());
-    Bytes memory(slice_decoder_bytes({width, 2}) - 1);
+    Bytes memory(SliceDecoder::minimum_bytes({width, 2}) - 1);
     SliceDecoder decoder;
     RowLog log(false);
     CHECK(decoder.push(stream.data(), 1).bytes == 0);
@@ -517,7 +517,7 @@ TEST_CASE("a slice decoder needs as much memory as is said, whatever the width")
 
 TEST_CASE("memory is given to a slice decoder that has too little, and to no other") {
   const Bytes stream = encode_slices(reference::random(size, 60, 3));
-  Bytes memory(slice_decoder_bytes(limits));
+  Bytes memory(SliceDecoder::minimum_bytes(limits));
   const Memory all{memory.data(), memory.size()};
   SliceDecoder decoder;
   RowLog log(false);
@@ -558,7 +558,7 @@ TEST_CASE("half of the numbers that packets of slices have lie behind, and they 
     CHECK(report.repeated_packets == (lost < half ? 0 : 1));
     CHECK(report.rows == (lost < half ? 1 : 0));
   }
-  const auto record = wire::PacketKind::slices_application;
+  const auto record = detail::wire::PacketKind::slices_application;
   CHECK(Stream().lose_packets(300).add(record, 0, Bytes(9)).received().report.lost_packets == 300);
   Stream stream;
   for (uint32_t slice = 0; slice < 5; ++slice)
@@ -569,7 +569,7 @@ TEST_CASE("half of the numbers that packets of slices have lie behind, and they 
 
 TEST_CASE("a trailer of slices that is too short is none") {
   const ReceivedRows received =
-      Stream().add(wire::PacketKind::slices_trailer, 0, Bytes(24)).received();
+      Stream().add(detail::wire::PacketKind::slices_trailer, 0, Bytes(24)).received();
   CHECK_FALSE(received.report.has_trailer);
   CHECK(received.report.damaged_packets == 1);
   CHECK(received.rows.empty());
@@ -587,7 +587,7 @@ TEST_CASE("where packets are missing the digest of a trailer says nothing") {
 TEST_CASE("the end of a stream that the sink refuses is told when the decoder is asked again") {
   const Bytes stream =
       Stream().slices(of_key, {key(0), Code().rows_off(3).end()}).trailer(3).bytes();
-  Bytes memory(slice_decoder_bytes(limits));
+  Bytes memory(SliceDecoder::minimum_bytes(limits));
   RowLog log(true);
   log.set_width(limits.width);
   SliceDecoder decoder;

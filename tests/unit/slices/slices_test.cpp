@@ -49,25 +49,26 @@ BitVolume ball(uint32_t size) {
 template <class Coder>
 void tell_key_slice(Coder& coder, BitVolume& volume) {
   const Limits limits{volume.width, volume.height};
-  Bytes memory(slice_decoder_bytes(limits));
+  Bytes memory(SliceDecoder::minimum_bytes(limits));
   Arena arena({memory.data(), memory.size()});
-  trace::BitRows rows;
-  rows.start(arena, limits, slices::rows_kept(limits.height, false));
+  detail::trace::BitRows rows;
+  rows.start(arena, limits, detail::slices::rows_kept(limits.height, false));
   rows.clear();
-  slices::SliceModel model;
-  Bytes probabilities(slices::SliceModel::bytes_for(false) + Arena::alignment);
+  detail::slices::SliceModel model;
+  Bytes probabilities(detail::slices::SliceModel::bytes_for(false) + Arena::alignment);
   Arena of_model({probabilities.data(), probabilities.size()});
   model.start(of_model, false);
-  model.begin(slices::SliceKind::key);
+  model.begin(detail::slices::SliceKind::key);
   for (uint32_t y = 0; y < volume.height; ++y) {
     Bytes bits((volume.width + 7) / 8);
     uint8_t* const first = &volume.on[size_t{y} * volume.width];
     for (uint32_t x = 0; x < volume.width; ++x)
       bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | first[x] << x % 8);
     rows.append_bits(bits.data());
-    coder.code_bit(model[slices::context::note], false);
-    slices::RowCode row;
-    const auto before = slices::rows_before(rows, volume.height, slices::SliceKind::key);
+    coder.code_bit(model[detail::slices::context::note], false);
+    detail::slices::RowCode row;
+    const auto before =
+        detail::slices::rows_before(rows, volume.height, detail::slices::SliceKind::key);
     row.begin(rows.arriving(), before, volume.width);
     while (!row.is_done() && row.step(coder, model)) continue;
     row.complete(rows.words());
@@ -79,7 +80,7 @@ void tell_key_slice(Coder& coder, BitVolume& volume) {
 
 struct Device {
   explicit Device(const Limits& limits, KeySlices key_slices = {}, size_t bytes_a_time = 0)
-      : memory(slice_encoder_bytes(limits, key_slices)), line(bytes_a_time) {
+      : memory(SliceEncoder::minimum_bytes(limits, key_slices)), line(bytes_a_time) {
     StreamHeader header;
     header.width = limits.width;
     header.height = limits.height;
@@ -161,7 +162,7 @@ TEST_CASE("what was flushed has arrived, row for row") {
   Device device({20, 20});
   RowLog log(false);
   SliceDecoder decoder;
-  Bytes memory(slice_decoder_bytes({20, 20}));
+  Bytes memory(SliceDecoder::minimum_bytes({20, 20}));
   reference::require_ok(decoder.start({memory.data(), memory.size()}, make_row_sink(log)));
   size_t sent = 0;
   for (uint32_t row = 0; row < 60; ++row) {
@@ -182,17 +183,17 @@ TEST_CASE("bits under which all bytes may yet be changed by a carry come through
   for (uint32_t seed = 1; seed < 20; ++seed) {
     BitVolume noise = reference::random({300, 12, 1}, 128, seed);
     Bytes number(2000);
-    slices::RowWriter written{RangeEncoder(number.data(), number.size())};
+    detail::slices::RowWriter written{RangeEncoder(number.data(), number.size())};
     tell_key_slice(written, noise);
     const auto noisy = static_cast<std::ptrdiff_t>(written.range.final_bytes());
     std::fill(number.begin() + noisy, number.end(), uint8_t{0});
     BitVolume volume({300, 36, 1});
-    slices::RowReader read{RangeDecoder(number.data(), number.size())};
+    detail::slices::RowReader read{RangeDecoder(number.data(), number.size())};
     tell_key_slice(read, volume);
     REQUIRE(std::equal(noise.on.begin(), noise.on.begin() + 3000, volume.on.begin()));
     for (const Bytes& frame : frames_of(encode_slices(volume))) {
       const uint8_t kind = packet_of(frame).kind;
-      if (kind >= 16 && (kind & wire::SliceBits::cut) != 0) ++cuts;
+      if (kind >= 16 && (kind & detail::wire::SliceBits::cut) != 0) ++cuts;
     }
     check_round_trip(volume);
     check_round_trip(volume, {{1}, 1, 1});
@@ -205,7 +206,7 @@ TEST_CASE("samples are compared with the threshold of the header, at a stride") 
   header.width = 40;
   header.height = 2;
   header.thresholds[0] = -5;
-  Bytes memory(slice_encoder_bytes({40, 2}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({40, 2}, {}));
   Line line;
   SliceEncoder encoder;
   reference::require_ok(encoder.start(header, {}, {memory.data(), memory.size()}, line.output()));
@@ -355,10 +356,10 @@ TEST_CASE("a header comes again after 64 packets, but none behind the trailer") 
     const std::vector<Bytes> frames = frames_of(encode_slices(volume, plan));
     size_t headers = 0;
     for (const Bytes& frame : frames)
-      if (packet_of(frame).is(wire::PacketKind::header)) ++headers;
+      if (packet_of(frame).is(detail::wire::PacketKind::header)) ++headers;
     CHECK(headers == (packets < 64 ? 1 : 2));
     CHECK(frames.size() == headers + packets + 1);
-    CHECK(packet_of(frames.back()).is(wire::PacketKind::slices_trailer));
+    CHECK(packet_of(frames.back()).is(detail::wire::PacketKind::slices_trailer));
   }
 }
 
@@ -370,16 +371,16 @@ TEST_CASE("a run that would be longer than its row is none") {
       const BitVolume volume({width, 1, 1});
       std::vector<Bytes> frames = frames_of(encode_slices(volume));
       Packet packet = packet_of(frames[1]);
-      reference::Block block(slices::SliceModel::bytes_for(false) + Arena::alignment);
+      reference::Block block(detail::slices::SliceModel::bytes_for(false) + Arena::alignment);
       Arena arena(block.memory());
-      slices::SliceModel model;
+      detail::slices::SliceModel model;
       model.start(arena, false);
-      model.begin(slices::SliceKind::key);
-      packet.payload.resize(wire::max_payload);
-      slices::RowWriter code{RangeEncoder(&packet.payload[4], 200)};
-      code.code_bit(model[slices::context::note], false);
+      model.begin(detail::slices::SliceKind::key);
+      packet.payload.resize(detail::wire::max_payload);
+      detail::slices::RowWriter code{RangeEncoder(&packet.payload[4], 200)};
+      code.code_bit(model[detail::slices::context::note], false);
       const uint32_t bits_of_width = width == 3 ? 2 : 3;
-      code.code_bit(model[slices::context::run + 2 * (bits_of_width - 1) + 1], false);
+      code.code_bit(model[detail::slices::context::run + 2 * (bits_of_width - 1) + 1], false);
       code.number(bits_of_width, length);
       code.number(32, 0x5A5A5A5A);
       packet.payload.resize(4 + code.range.finish());
@@ -402,7 +403,7 @@ TEST_CASE("to another output the next slice goes as a key slice, and those after
   Bytes keys;  // the first of them stood in a packet that was not sent yet
   for (const Bytes& frame : frames_of(other.bytes)) {
     const Packet packet = packet_of(frame);
-    if (packet.kind >= 16 && (packet.kind & wire::SliceBits::key) != 0)
+    if (packet.kind >= 16 && (packet.kind & detail::wire::SliceBits::key) != 0)
       keys.push_back(packet.payload[0]);
   }
   CHECK(keys == Bytes{0, 4});
@@ -429,7 +430,7 @@ TEST_CASE("what the encoder cannot do it refuses, and says why") {
   StreamHeader header;
   header.width = 8;
   header.height = 3;
-  Bytes memory(slice_encoder_bytes({8, 3}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({8, 3}, {}));
   CHECK(encoder.start(StreamHeader{}, {}, {memory.data(), memory.size()}, line.output()) ==
         Status::bad_limits);
   CHECK(encoder.start(header, {}, {memory.data(), memory.size()}, {}) == Status::bad_sink);
@@ -460,11 +461,11 @@ TEST_CASE("what the decoder cannot do it refuses, and says why") {
 
 TEST_CASE("where every slice is a key slice four rows of bits are all that is kept") {
   constexpr size_t rest = 548 + 3 + 2 * red_zone_bytes;
-  CHECK(slice_encoder_bytes({256, 256}, {1}) == 5 * 9 * 4 + rest);
-  CHECK(slice_encoder_bytes({256, 256}, {2}) == 259 * 9 * 4 + rest);
-  CHECK(slice_encoder_bytes({256, 1}, {0}) == 5 * 9 * 4 + rest);
+  CHECK(SliceEncoder::minimum_bytes({256, 256}, {1}) == 5 * 9 * 4 + rest);
+  CHECK(SliceEncoder::minimum_bytes({256, 256}, {2}) == 259 * 9 * 4 + rest);
+  CHECK(SliceEncoder::minimum_bytes({256, 1}, {0}) == 5 * 9 * 4 + rest);
   // A decoder does not know, and hands out a row of bits.
-  CHECK(slice_decoder_bytes({256, 256}) == 259 * 9 * 4 + rest + 32 + red_zone_bytes);
+  CHECK(SliceDecoder::minimum_bytes({256, 256}) == 259 * 9 * 4 + rest + 32 + red_zone_bytes);
 }
 
 TEST_CASE("streams of slices are as short as documented") {
@@ -518,7 +519,7 @@ Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, KeySlice
                       bool skips = false, size_t bytes_a_time = 0) {
   Line line(bytes_a_time);
   const Limits limits{header.width, header.height};
-  reference::Block block(slice_encoder_bytes(limits, key_slices, header.surface_count));
+  reference::Block block(SliceEncoder::minimum_bytes(limits, key_slices, header.surface_count));
   SliceEncoder encoder;
   reference::require_ok(encoder.start(header, key_slices, block.memory(), line.output()));
   for (uint32_t row = 0; row < header.height * header.depth; ++row) {
@@ -571,7 +572,7 @@ TEST_CASE("several surfaces come through one stream, each as it would alone") {
 TEST_CASE("rows of bits are those of all surfaces, one behind the other") {
   const StreamHeader header = header_of_surfaces({10, 1, 1}, {1, 1, 1});
   Line line;
-  reference::Block block(slice_encoder_bytes({10, 1}, {}, 3));
+  reference::Block block(SliceEncoder::minimum_bytes({10, 1}, {}, 3));
   SliceEncoder encoder;
   reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
   const uint8_t bits[] = {0x81, 1, 0xFF, 3, 0, 2};
@@ -587,7 +588,7 @@ TEST_CASE("rows of bits are those of all surfaces, one behind the other") {
 TEST_CASE("rows of bits that fill their bytes stand behind each other without a gap") {
   const StreamHeader header = header_of_surfaces({16, 1, 1}, {1, 1});
   Line line;
-  reference::Block block(slice_encoder_bytes({16, 1}, {}, 2));
+  reference::Block block(SliceEncoder::minimum_bytes({16, 1}, {}, 2));
   SliceEncoder encoder;
   reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
   const uint8_t bits[] = {0xFF, 0, 0, 0xFF, 0x55};
@@ -630,10 +631,10 @@ namespace {
 template <class Coder>
 void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& rows) {
   const Limits limits{header.width, header.height};
-  reference::Block block(slice_encoder_bytes(limits, {}, header.surface_count));
+  reference::Block block(SliceEncoder::minimum_bytes(limits, {}, header.surface_count));
   Arena arena(block.memory());
-  slices::Surfaces surfaces;
-  surfaces.start(arena, header, slices::rows_kept(limits.height, false));
+  detail::slices::Surfaces surfaces;
+  surfaces.start(arena, header, detail::slices::rows_kept(limits.height, false));
   surfaces.clear();
   surfaces.begin_key_slice();
   for (Bytes& bits : rows) {
@@ -641,7 +642,7 @@ void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& row
     uint8_t* place = bits.data();
     for (uint32_t surface = 0; surface < surfaces.count(); ++surface) {
       surfaces[surface].rows.append_bits(place);
-      slices::RowCode row;
+      detail::slices::RowCode row;
       surfaces.begin_row(row, surface, header.width);
       while (!row.is_done() && row.step(coder, surfaces[surface].model)) continue;
       row.complete(surfaces.rows().words());
@@ -661,12 +662,12 @@ std::vector<Bytes> rows_on_the_edge(const StreamHeader& header, uint32_t seed) {
   for (Bytes& row : rows)
     for (uint8_t& byte : row) byte = chance.byte();
   Bytes number(8000);
-  slices::RowWriter written{RangeEncoder(number.data(), number.size())};
+  detail::slices::RowWriter written{RangeEncoder(number.data(), number.size())};
   tell_rows(written, header, rows);
   REQUIRE(written.range.final_bytes() > 600);
   std::fill(number.begin() + 230, number.end(), uint8_t{0});
   for (Bytes& row : rows) std::fill(row.begin(), row.end(), uint8_t{0});
-  slices::RowReader read{RangeDecoder(number.data(), number.size())};
+  detail::slices::RowReader read{RangeDecoder(number.data(), number.size())};
   tell_rows(read, header, rows);
   return rows;
 }
@@ -684,7 +685,7 @@ TEST_CASE("codes are cut wherever a carry may come, between rows or within one o
         const std::vector<Bytes> rows = rows_on_the_edge(header, seed);
         Line line;
         reference::Block block(
-            slice_encoder_bytes({size.width, size.height}, {}, header.surface_count));
+            SliceEncoder::minimum_bytes({size.width, size.height}, {}, header.surface_count));
         SliceEncoder encoder;
         reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
         for (const Bytes& row : rows) reference::require_ok(encoder.push_bits(row.data()).status);
@@ -692,8 +693,8 @@ TEST_CASE("codes are cut wherever a carry may come, between rows or within one o
         const std::vector<Bytes> frames = frames_of(line.bytes);
         for (size_t i = 1; i + 2 < frames.size(); ++i) {
           const uint8_t kind = packet_of(frames[i]).kind;
-          if (kind < 16 || (kind & wire::SliceBits::last) == 0) continue;
-          ++((kind & wire::SliceBits::cut) != 0 ? within : between);
+          if (kind < 16 || (kind & detail::wire::SliceBits::last) == 0) continue;
+          ++((kind & detail::wire::SliceBits::cut) != 0 ? within : between);
         }
         const ReceivedRows received =
             decode_slices(line.bytes, size, 0, false, header.surface_count);
@@ -741,7 +742,7 @@ TEST_CASE("a surface decoder takes the surface of its channel out of several") {
 
 TEST_CASE("a scan that ends on a busy line is over once it has been resumed") {
   Line line(1);
-  reference::Block block(slice_encoder_bytes({9, 2}, {}));
+  reference::Block block(SliceEncoder::minimum_bytes({9, 2}, {}));
   SliceEncoder encoder;
   const StreamHeader header = header_of_surfaces({9, 2, 1}, {1});
   reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
@@ -778,7 +779,7 @@ struct BrokenLine {
 
 TEST_CASE("a scan that has ended takes no record, though the line still waits for its end") {
   BrokenLine line;
-  reference::Block block(slice_encoder_bytes({9, 1}, {}));
+  reference::Block block(SliceEncoder::minimum_bytes({9, 1}, {}));
   SliceEncoder encoder;
   const StreamHeader header = header_of_surfaces({9, 1, 1}, {1});
   reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
@@ -800,7 +801,7 @@ TEST_CASE("a scan may end while its last row waits for the line, and not while a
       CAPTURE(skips);
       // With every key slice a packet ends, which this line does not take.
       BrokenLine line;
-      reference::Block block(slice_encoder_bytes({9, height}, {1}));
+      reference::Block block(SliceEncoder::minimum_bytes({9, height}, {1}));
       SliceEncoder encoder;
       const StreamHeader header = header_of_surfaces({9, height, 2}, {1});
       reference::require_ok(encoder.start(header, {1}, block.memory(), line.output()));
@@ -834,7 +835,7 @@ TEST_CASE("a scan that begins anew has nothing of the one before, wherever that 
   // The line breaks off in one packet after another, most of which end within a row.
   for (size_t room = 0; room < 1500; room += 125) {
     CAPTURE(room);
-    reference::Block block(slice_encoder_bytes({41, 17}, key_slices, 3));
+    reference::Block block(SliceEncoder::minimum_bytes({41, 17}, key_slices, 3));
     BrokenLine broken{room};
     SliceEncoder encoder;
     reference::require_ok(encoder.start(header, key_slices, block.memory(), broken.output()));
@@ -874,7 +875,7 @@ TEST_CASE("a row that never came waits for the line before anything is told of i
   for (const uint32_t skipped : full) {
     CAPTURE(skipped);
     BrokenLine line{100000};
-    reference::Block block(slice_encoder_bytes(limits, {}));
+    reference::Block block(SliceEncoder::minimum_bytes(limits, {}));
     SliceEncoder encoder;
     reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
     reference::require_ok(encoder.push(volume.on.data(), skipped).status);

@@ -80,7 +80,7 @@ TEST_CASE("a surface decoder that was refused memory is started again without it
 
 TEST_CASE("memory for the rows alone is too little, at the end as well") {
   const Bytes slices = encode_slices(volume());
-  Bytes memory(slice_decoder_bytes(limits));
+  Bytes memory(SliceDecoder::minimum_bytes(limits));
   SurfaceDecoder decoder;
   EventLog log;
   reference::require_ok(decoder.start({memory.data(), memory.size()}, make_sink(log)));
@@ -153,10 +153,10 @@ TEST_CASE("where a scan ends its surface is closed, whatever the trailer says") 
       CAPTURE(is_abandoned);
       std::vector<Bytes> frames(whole.begin(), whole.begin() + 1 + rows / 4);
       Packet trailer = packet_of(whole.back());
-      REQUIRE(trailer.is(wire::PacketKind::slices_trailer));
+      REQUIRE(trailer.is(detail::wire::PacketKind::slices_trailer));
       trailer.number = static_cast<uint8_t>(frames.size());
       trailer.payload[4] = is_abandoned;  // behind the slices
-      wire::put_long(trailer.payload.data() + 4 + 1, rows);
+      detail::wire::put_long(trailer.payload.data() + 4 + 1, rows);
       frames.push_back(frame_of(trailer));
       BitVolume scanned({12, 8, 2});
       std::copy_n(volume().on.begin(), rows * 12, scanned.on.begin());
@@ -184,7 +184,7 @@ std::vector<Bytes> frames_with_skips(const Scan& scan) {
   header.thresholds[0] = 100;
   header.surface_count = static_cast<uint8_t>(scan.surfaces);
   header.thresholds[1] = 180;
-  Bytes memory(slice_encoder_bytes({scan.width, 8}, {1}, scan.surfaces));
+  Bytes memory(SliceEncoder::minimum_bytes({scan.width, 8}, {1}, scan.surfaces));
   Line line;
   SliceEncoder encoder;
   reference::require_ok(encoder.start(header, {1}, {memory.data(), memory.size()}, line.output()));
@@ -222,7 +222,8 @@ Events swept(const Bytes& stream, const Scan& scan, uint8_t channel) {
   } sweep{channel};
   EventLog log;
   const Limits size{scan.width, 8};
-  Bytes memory(minimum_bytes<uint32_t>(size) + 100000), rows(slice_decoder_bytes(size, 2));
+  Bytes memory(Extractor32::minimum_bytes(size) + 100000),
+      rows(SliceDecoder::minimum_bytes(size, 2));
   reference::require_ok(
       sweep.extractor.start(size, 1, {memory.data(), memory.size()}, make_sink(log)));
   SliceDecoder decoder;

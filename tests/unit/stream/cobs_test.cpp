@@ -16,14 +16,14 @@ namespace {
 Bytes stuffed(const Bytes& plain) {
   Bytes frame(plain.size() + 2, 0xEE);
   std::copy(plain.begin(), plain.end(), frame.begin() + 1);
-  const size_t length = cobs::stuff(frame.data(), plain.size());
+  const size_t length = detail::cobs::stuff(frame.data(), plain.size());
   REQUIRE(length == frame.size());
   return frame;
 }
 
 Bytes unstuffed(Bytes frame) {
   frame.pop_back();
-  const size_t count = cobs::unstuff(frame.data(), frame.size());
+  const size_t count = detail::cobs::unstuff(frame.data(), frame.size());
   if (count == 0) return {};
   return {frame.begin() + 1, frame.begin() + 1 + static_cast<std::ptrdiff_t>(count)};
 }
@@ -47,7 +47,7 @@ TEST_CASE("frames of the paper's examples are stuffed as the paper does") {
 
 TEST_CASE("frames of every length come back: without zeros, all zeros, random, sparse") {
   Chance chance(1);
-  for (size_t count = 0; count <= cobs::max_plain; ++count) {
+  for (size_t count = 0; count <= detail::cobs::max_plain; ++count) {
     CAPTURE(count);
     Bytes counting(count), random(count), sparse(count);
     for (size_t i = 0; i < count; ++i) {
@@ -63,22 +63,24 @@ TEST_CASE("frames of every length come back: without zeros, all zeros, random, s
 }
 
 TEST_CASE("a zero at any place of a full frame comes back") {
-  for (size_t place = 0; place < cobs::max_plain; ++place) {
+  for (size_t place = 0; place < detail::cobs::max_plain; ++place) {
     CAPTURE(place);
-    Bytes plain(cobs::max_plain, 7);
+    Bytes plain(detail::cobs::max_plain, 7);
     plain[place] = 0;
     check_round_trip(plain);
   }
 }
 
 TEST_CASE("a full frame without zeros has one byte more, and no byte of 255 inside it") {
-  const Bytes frame = stuffed(Bytes(cobs::max_plain, 7));
+  const Bytes frame = stuffed(Bytes(detail::cobs::max_plain, 7));
   CHECK(frame.size() == 256);
   CHECK(frame[0] == 255);
 }
 
 TEST_CASE("bytes that are no frame give nothing") {
-  const auto count_of = [](Bytes bytes) { return cobs::unstuff(bytes.data(), bytes.size()); };
+  const auto count_of = [](Bytes bytes) {
+    return detail::cobs::unstuff(bytes.data(), bytes.size());
+  };
   CHECK(count_of({}) == 0);
   CHECK(count_of({1}) == 0);
   CHECK(count_of({3, 5}) == 0);        // points beyond the end
@@ -95,7 +97,7 @@ TEST_CASE("any bytes are unstuffed within their block") {
     const uint32_t most = 1 + chance.below(256);
     Bytes bytes(count);
     for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(chance.below(most));
-    const size_t plain = cobs::unstuff(bytes.data(), count);
+    const size_t plain = detail::cobs::unstuff(bytes.data(), count);
     CHECK_LE(plain, count > 0 ? count - 1 : 0);
     frames += plain > 0;
   }

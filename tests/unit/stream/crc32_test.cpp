@@ -57,8 +57,8 @@ TEST_CASE("the checksum is known at compile time") {
 }
 
 TEST_CASE("with the table, four bits at a time, the checksum is the same") {
-  discmc::derive::Crc32Table<4> table{};
-  table = discmc::derive::crc32_table<4>();  // at run time, unlike an initialisation
+  discmc::detail::derive::Crc32Table<4> table{};
+  table = discmc::detail::derive::crc32_table<4>();  // at run time, unlike an initialisation
   for (size_t count = 0; count < 300; ++count) {
     uint32_t crc = 0xFFFFFFFF;
     for (const uint8_t byte : pattern(count)) {

@@ -6,10 +6,10 @@
 using namespace discmc;
 using namespace discmc::test;
 using Kind = Event::Kind;
-using stream::Record;
-using stream::RecordKind;
-using wire::PacketKind;
-namespace rows = stream::rows;
+using detail::stream::Record;
+using detail::stream::RecordKind;
+using detail::wire::PacketKind;
+namespace rows = detail::stream::rows;
 
 namespace {
 
@@ -32,7 +32,7 @@ Bytes header_after(uint32_t packets, uint64_t pieces) {
   header.number = static_cast<uint8_t>(packets);
   header.pieces = static_cast<uint16_t>(pieces);
   uint8_t* const counts = header.payload.data() + header.payload.size() - 12;
-  wire::put_long(wire::put(counts, packets, 4), pieces);
+  detail::wire::put_long(detail::wire::put(counts, packets, 4), pieces);
   return frame_of(header);
 }
 
@@ -483,7 +483,7 @@ TEST_CASE("a trailer that tells of fewer regions than came counts none of them a
   Packet trailer = packet_of(frames[2]);
   trailer.pieces = 0;
   // After the slices, the flag and three totals.
-  wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 0);
+  detail::wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 0);
   frames[2] = frame_of(trailer);
   const StreamReport report = decode(joined(frames)).report;
   CHECK(report.has_trailer);
@@ -628,13 +628,13 @@ TEST_CASE("who hears no header tells a packet that comes again all the same") {
 
 TEST_CASE("the shortest and the longest of packets are packets, a longer one is none") {
   const uint8_t unknown_kind = 9;
-  for (const size_t bytes : {size_t{0}, wire::max_payload - 1, wire::max_payload}) {
+  for (const size_t bytes : {size_t{0}, detail::wire::max_payload - 1, detail::wire::max_payload}) {
     const StreamReport report = decode(frame_of({unknown_kind, 0, 0, Bytes(bytes, 0x33)})).report;
     CHECK(report.packets == 1);
     CHECK(report.damaged_packets == 0);
   }
   for (const size_t more : {1U, 2U, 3U, 300U}) {
-    Bytes frame = frame_of({unknown_kind, 0, 0, Bytes(wire::max_payload, 0x33)});
+    Bytes frame = frame_of({unknown_kind, 0, 0, Bytes(detail::wire::max_payload, 0x33)});
     frame.insert(frame.end() - 1, more, 0x33);
     const StreamReport report = decode(frame).report;
     CHECK(report.packets == 0);
@@ -809,12 +809,13 @@ TEST_CASE("headers that make no sense are no headers") {
     CHECK(arrival.report.packets + arrival.report.damaged_packets == 1);
     return !arrival.report.has_header && arrival.report.damaged_packets == 1;
   };
-  CHECK(without_header(0, 'd', wire::header_payload));
-  CHECK(without_header(4, 0, wire::header_payload));     // width 0
-  CHECK(without_header(5, 0x80, wire::header_payload));  // width above the limit
-  CHECK(without_header(6, 0, wire::header_payload));     // height 0
-  CHECK(without_header(99, 0, wire::header_payload - 1));
-  CHECK_FALSE(without_header(99, 0, wire::header_payload + 5));  // a later version may say more
+  CHECK(without_header(0, 'd', detail::wire::header_payload));
+  CHECK(without_header(4, 0, detail::wire::header_payload));     // width 0
+  CHECK(without_header(5, 0x80, detail::wire::header_payload));  // width above the limit
+  CHECK(without_header(6, 0, detail::wire::header_payload));     // height 0
+  CHECK(without_header(99, 0, detail::wire::header_payload - 1));
+  CHECK_FALSE(
+      without_header(99, 0, detail::wire::header_payload + 5));  // a later version may say more
 }
 
 TEST_CASE("what a longer header says behind its end counts for nothing") {
@@ -832,7 +833,7 @@ TEST_CASE("a trailer that is too short is none; one that tells of more regions c
   Packet trailer = packet_of(frames[2]);
   for (const uint32_t lost : {0U, 3U, 0x7FFFU, 0x8000U, 0x8001U, 65536U, 1000000U}) {
     // After the slices, the flag and three totals.
-    wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 1 + lost);
+    detail::wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 1 + lost);
     trailer.pieces = static_cast<uint16_t>(1 + lost);
     const StreamReport report = decode(joined({frames[0], frames[1], frame_of(trailer)})).report;
     CHECK(report.has_trailer);
@@ -856,8 +857,8 @@ TEST_CASE("packets of unknown kinds are skipped and lose nothing") {
     if (number > 0) frames.push_back(frame_of(stranger));
     if (number > 0) ++number;
     packet.number = number++;
-    if (packet.is(wire::PacketKind::trailer))
-      wire::put(&*packet.payload.end() - 4, digest_of(frames), 4);
+    if (packet.is(detail::wire::PacketKind::trailer))
+      detail::wire::put(&*packet.payload.end() - 4, digest_of(frames), 4);
     frames.push_back(frame_of(packet));
   }
   const Received arrival = decode(joined(frames));
@@ -977,16 +978,16 @@ TEST_CASE("records that break the grammar are refused") {
     check_unreadable([&](auto& model) {  // a length of a square that is too long
       begin_ring(model, corners_of_square);
       model.two_lengths(first == 0 ? 12 : 3);
-      model.length(rows::longer, 0, stream::max_compact_length - 2);
+      model.length(rows::longer, 0, detail::stream::max_compact_length - 2);
     });
   check_unreadable([](auto& model) {  // of a trapezoid, whose last two would not be
     begin_ring(model, corners_symbol(3, 1, 1));
     model.two_lengths(12);
-    model.length(rows::longer, 0, stream::max_compact_length - 2);
+    model.length(rows::longer, 0, detail::stream::max_compact_length - 2);
   });
   check_unreadable([](auto& model) {  // the length of a triangle too long
     begin_ring(model, corners_of_triangle);
-    model.length(rows::lengths, 0, stream::max_compact_length + 1);
+    model.length(rows::lengths, 0, detail::stream::max_compact_length + 1);
   });
   for (const uint32_t corners : {corners_symbol(1, 3, 2), corners_symbol(2, 1, 2)})
     check_unreadable([&](auto& model) {  // rings of four that their last two runs cannot close
@@ -995,19 +996,19 @@ TEST_CASE("records that break the grammar are refused") {
     });
   check_unreadable([](auto& model) {  // run by run, one too long
     begin_ring(model);
-    model.length(rows::lengths, 0, stream::max_compact_length + 1);
+    model.length(rows::lengths, 0, detail::stream::max_compact_length + 1);
     model.is_last_run(true);
   });
   check_unreadable([](auto& model) {  // and a further one
     begin_ring(model);
     model.length(rows::lengths, 0, 1);
     model.is_last_run(false);
-    tell_long_run(model, 2, stream::max_compact_length + 1);
+    tell_long_run(model, 2, detail::stream::max_compact_length + 1);
     model.is_last_run(true);
   });
   check_unreadable([](auto& model) {  // whose last one would not be
     begin_ring(model);
-    tell_runs(model, {{0, 1}, {4, stream::max_compact_length + 1}});
+    tell_runs(model, {{0, 1}, {4, detail::stream::max_compact_length + 1}});
   });
   check_unreadable([](auto& model) {  // runs from whose end no run leads back
     begin_ring(model);
@@ -1019,7 +1020,7 @@ TEST_CASE("records that break the grammar are refused") {
   });
   check_unreadable([](auto& model) {  // a last run that would be too long
     begin_ring(model);
-    tell_runs(model, {{0, stream::max_compact_length}, {2, 1}, {6, 1}, {0, 1}});
+    tell_runs(model, {{0, detail::stream::max_compact_length}, {2, 1}, {6, 1}, {0, 1}});
   });
 }
 
@@ -1077,7 +1078,7 @@ TEST_CASE("a part of another incidence or kind does not go on with what is open"
 }
 
 TEST_CASE("two runs there and back are told in full up to the longest compact run") {
-  for (const uint32_t length : {1U, stream::max_compact_length}) {
+  for (const uint32_t length : {1U, detail::stream::max_compact_length}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_ring(model);
       tell_runs(model, {{0, length}});
@@ -1106,16 +1107,16 @@ TEST_CASE("a ring of four corners is told by its turns and two lengths, one of t
   const Received arrival = decode(stream_of({payload_of([](auto& model) {
     begin_ring(model, corners_of_square);
     model.two_lengths(4 * 3 + 1);  // four links or more, then two
-    model.length(rows::longer, 0, stream::max_compact_length - 3);
+    model.length(rows::longer, 0, detail::stream::max_compact_length - 3);
     begin_ring(model, corners_of_triangle);
     model.length(rows::lengths, 0, 5);
   })}));
   const Events expected = Script()
                               .region(up)
                               .ring({1, 0, 0})
-                              .run(0, stream::max_compact_length)
+                              .run(0, detail::stream::max_compact_length)
                               .run(2, 2)
-                              .run(4, stream::max_compact_length)
+                              .run(4, detail::stream::max_compact_length)
                               .run(6, 2)
                               .region_end()
                               .region(up)
@@ -1161,8 +1162,8 @@ TEST_CASE("a stream whose trailer counts another number of fragments is not comp
   REQUIRE(decode(joined(frames)).report.is_complete());
   Packet trailer = packet_of(frames.back());
   // After the slices and the flag; a region in the place of the fragment.
-  wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 1);
-  wire::put_long(trailer.payload.data() + 4 + 1 + 6 * 8, 0);
+  detail::wire::put_long(trailer.payload.data() + 4 + 1 + 3 * 8, 1);
+  detail::wire::put_long(trailer.payload.data() + 4 + 1 + 6 * 8, 0);
   frames.back() = frame_of(trailer);
   const StreamReport report = decode(joined(frames)).report;
   CHECK(report.lost_pieces == 0);

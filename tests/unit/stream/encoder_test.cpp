@@ -12,7 +12,7 @@
 using namespace discmc;
 using namespace discmc::test;
 using Kind = Event::Kind;
-using wire::PacketKind;
+using detail::wire::PacketKind;
 
 namespace {
 
@@ -115,7 +115,7 @@ TEST_CASE("every packet is numbered, short enough, and counts the pieces before 
     const std::vector<Events> brought = events_by_frame(frames);
     size_t pieces = 0;
     for (size_t i = 0; i < frames.size(); ++i) {
-      CHECK(frames[i].size() <= wire::max_frame);
+      CHECK(frames[i].size() <= detail::wire::max_frame);
       const Packet packet = packet_of(frames[i]);
       CHECK(packet.number == static_cast<uint8_t>(i));
       CHECK(packet.pieces == static_cast<uint16_t>(pieces));
@@ -135,7 +135,7 @@ TEST_CASE("packets are nearly full") {
       bytes += packet.payload.size();
       ++records;
     }
-  CHECK(bytes > (records - 1) * (wire::max_payload - 60));
+  CHECK(bytes > (records - 1) * (detail::wire::max_payload - 60));
 }
 
 TEST_CASE("the header comes again after every 64 packets of records, with the counts so far") {
@@ -143,10 +143,11 @@ TEST_CASE("the header comes again after every 64 packets of records, with the co
   REQUIRE(packets.size() > 200);
   for (size_t i = 0; i + 1 < packets.size(); ++i) {
     CAPTURE(i);
-    REQUIRE(packets[i].is(PacketKind::header) == (i % (wire::header_interval + 1) == 0));
+    REQUIRE(packets[i].is(PacketKind::header) == (i % (detail::wire::header_interval + 1) == 0));
     if (!packets[i].is(PacketKind::header)) continue;
-    CHECK(packets[i].payload.size() == wire::header_payload);
-    wire::ByteReader counts(packets[i].payload.data() + wire::header_payload - 12, 12);
+    CHECK(packets[i].payload.size() == detail::wire::header_payload);
+    detail::wire::ByteReader counts(packets[i].payload.data() + detail::wire::header_payload - 12,
+                                    12);
     CHECK(counts.get(4) == i);
     CHECK(counts.get(8) == packets[i].pieces);
   }
@@ -159,7 +160,8 @@ TEST_CASE("a flush hands over what is there, once") {
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   CHECK(encoder.flush() == Status::ok);
   const size_t header = line.bytes.size();
-  CHECK(header == wire::header_payload + wire::packet_head + wire::packet_tail + 2);
+  CHECK(header ==
+        detail::wire::header_payload + detail::wire::packet_head + detail::wire::packet_tail + 2);
   CHECK(encoder.flush() == Status::ok);
   CHECK(line.bytes.size() == header);
   uint64_t regions = 0;
@@ -374,7 +376,7 @@ TEST_CASE("records of every length end a packet at every fill without overrunnin
       }
       const Events events = script.finish().events;
       const Bytes stream = encode(events);
-      for (const Bytes& frame : frames_of(stream)) REQUIRE(frame.size() <= wire::max_frame);
+      for (const Bytes& frame : frames_of(stream)) REQUIRE(frame.size() <= detail::wire::max_frame);
       CHECK(decode(stream).events == events);
     }
 }
@@ -456,8 +458,8 @@ TEST_CASE("an encoder that is not started takes nothing") {
 }
 
 TEST_CASE("a ring may begin wherever a record is nearly full") {
-  constexpr uint32_t most = stream::Record::max_words;
-  for (uint32_t runs = most - 2 * stream::Record::ring_words; runs <= most; ++runs) {
+  constexpr uint32_t most = detail::stream::Record::max_words;
+  for (uint32_t runs = most - 2 * detail::stream::Record::ring_words; runs <= most; ++runs) {
     Script script;
     script.region(up).ring({1, 0, 0});
     for (uint32_t i = 0; i < runs; ++i) script.run(i % 2 == 0 ? 0 : 2, 1);

@@ -10,7 +10,7 @@
 #include "oracle/table_statements.hpp"
 
 using namespace discmc;
-using namespace discmc::stream;
+using namespace discmc::detail::stream;
 using test::Bytes;
 using test::Chance;
 
@@ -105,7 +105,7 @@ TEST_CASE("rows of shares fill their table, and every symbol that there is has a
 }
 
 TEST_CASE("the shares are those of version 1") {
-  CHECK(wire::version == 1);
+  CHECK(detail::wire::version == 1);
   CHECK(reference::broken(reference::model_table()) == nullptr);
 }
 

@@ -12,7 +12,7 @@
 using namespace discmc;
 using namespace discmc::test;
 using Kind = Event::Kind;
-using wire::PacketKind;
+using detail::wire::PacketKind;
 
 namespace {
 
@@ -218,10 +218,10 @@ TEST_CASE("a packet that says it holds whole regions, but not how many, is damag
 }
 
 TEST_CASE("a packet of another encoder that cannot be sent is refused") {
-  const KeptPacket longest{Bytes(wire::max_whole_regions), 0xFFFF, true};
+  const KeptPacket longest{Bytes(detail::wire::max_whole_regions), 0xFFFF, true};
   KeptPacket too_long = longest, too_many = longest;
   too_long.payload.push_back(0);
-  const KeptPacket longest_part{Bytes(wire::max_payload), 1, false};
+  const KeptPacket longest_part{Bytes(detail::wire::max_payload), 1, false};
   KeptPacket too_long_part = longest_part;
   too_long_part.payload.push_back(0);
   ++too_many.pieces;
@@ -233,7 +233,7 @@ TEST_CASE("a packet of another encoder that cannot be sent is refused") {
   CHECK(append(encoder, too_long_part) == Status::bad_record);
   const size_t bytes_before = line.bytes.size();
   CHECK(append(encoder, longest_part) == Status::ok);
-  CHECK(line.bytes.size() > bytes_before + wire::max_payload);  // at once
+  CHECK(line.bytes.size() > bytes_before + detail::wire::max_payload);  // at once
   CHECK(append(encoder, too_many) == Status::bad_record);
   const Events events = small_regions(1);
   REQUIRE(encoder.take(events.front().event()) == SinkResult::accepted);

@@ -19,15 +19,17 @@ constexpr uint32_t boundary_widths[] = {1,  2,  3,  27, 28, 29, 30, 31, 32, 33, 
                                         61, 62, 63, 88, 89, 90, 91, 92, 93, 119, 120, 121, 150};
 
 // Bit rows in memory of exactly their size.
-struct Rows : trace::BitRows {
+struct Rows : detail::trace::BitRows {
   std::vector<uint32_t> memory;
 
   explicit Rows(const Limits& limits)
-      : memory(trace::bit_row_bytes(limits.width, trace::swept_rows(limits.height)) / 4,
-               0xDEADBEEF) {
+      : memory(
+            detail::trace::bit_row_bytes(limits.width, detail::trace::swept_rows(limits.height)) /
+                4,
+            0xDEADBEEF) {
     // The vector is aligned, so what the arena sets aside for that is not needed.
     Arena arena({memory.data(), sizeof(uint32_t) * memory.size() + Arena::alignment - 1});
-    start(arena, limits, trace::swept_rows(limits.height));
+    start(arena, limits, detail::trace::swept_rows(limits.height));
     REQUIRE_FALSE(arena.is_exhausted());
     clear();
   }
@@ -40,7 +42,7 @@ void check_row(const uint32_t* row, uint32_t width, IsOn is_on) {
   bool is_any_on = false;
   for (uint32_t x = 0; x < width; ++x) is_any_on = is_any_on || is_on(static_cast<int32_t>(x));
   CHECK((row[0] & 1) == (is_any_on ? 1 : 0));
-  for (uint32_t bit = 1; bit < 32 * trace::row_words(width); ++bit) {
+  for (uint32_t bit = 1; bit < 32 * detail::trace::row_words(width); ++bit) {
     const int32_t x = static_cast<int32_t>(bit / 32 * 30 + bit % 32) - 2;
     const bool expected = x >= 0 && x < static_cast<int32_t>(width) && is_on(x);
     if ((row[bit / 32] >> bit % 32 & 1) != expected)
@@ -67,7 +69,7 @@ void check_comparison(const std::vector<Sample>& samples, int32_t threshold) {
 }
 
 void check_around(const Rows& rows, const BitVolume& volume, int32_t y, int32_t z) {
-  trace::RowBlock block;
+  detail::trace::RowBlock block;
   rows.find_around(y, block);
   for (int32_t k = 0; k < 3; ++k)
     for (int32_t j = 0; j < 3; ++j)
@@ -137,7 +139,7 @@ TEST_CASE("rows that have not arrived are off") {
     if (rows.rows() == 3) rows.next_slice();
     rows.append(on.data(), 40, 1, 1);
     rows.next_row();
-    trace::RowBlock block;
+    detail::trace::RowBlock block;
     rows.find_around(static_cast<int32_t>(rows.rows()) - 1, block);
     CHECK(is_on(block.row[2][1]));
     CHECK_FALSE(is_on(block.row[2][2]));
@@ -333,7 +335,7 @@ TEST_CASE("a row is written as the bits that it was made of, and those beyond it
     Rows rows(limits);
     std::vector<uint8_t> bits((width + 7) / 8, 0xFF), written(bits.size() + 1, 0x5A);
     // Around it there are rows that are on.
-    for (uint32_t row = 0; row < trace::swept_rows(limits.height) + 2; ++row) {
+    for (uint32_t row = 0; row < detail::trace::swept_rows(limits.height) + 2; ++row) {
       rows.append_bits(bits.data());
       rows.next_row();
     }

@@ -37,7 +37,7 @@ template <class Features>
 Events events_of(const BitVolume& volume, const Capacities& capacities,
                  Border border = Border::closed) {
   const Limits limits = limits_of(volume, border);
-  Block block(bytes_for<uint16_t>(limits, capacities));
+  Block block(Extractor16::bytes_for(limits, capacities));
   EventLog log;
   Extractor<uint16_t, Features> extractor;
   require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
@@ -67,7 +67,7 @@ Events without_totals(Events events) {
 
 template <class Features>
 Status status_of_start(const Limits& limits) {
-  Block block(minimum_bytes<uint16_t>(limits));
+  Block block(Extractor16::minimum_bytes(limits));
   EventLog log;
   Extractor<uint16_t, Features> extractor;
   return extractor.start(limits, 1, block.memory(), make_sink(log));

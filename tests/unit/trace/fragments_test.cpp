@@ -21,12 +21,12 @@ Statistics scanned(const BitVolume& volume, uint32_t slots) {
 }  // namespace
 
 TEST_CASE("a side is cut when its ends are 4,080 places apart, whichever comes first") {
-  constexpr trace::Place places = 1U << trace::place_bits;
-  for (const trace::Place from : {0U, 5U, 4100U, 8191U})
-    for (trace::Place distance = 0; distance < 4100; ++distance) {
-      const trace::Place to = (from + distance) % places;
-      if (trace::is_longest_side(from, to) != (distance >= 4080)) FAIL(distance);
-      if (trace::is_longest_side(to, from) != (distance >= 4080)) FAIL(distance);
+  constexpr detail::trace::Place places = 1U << detail::trace::place_bits;
+  for (const detail::trace::Place from : {0U, 5U, 4100U, 8191U})
+    for (detail::trace::Place distance = 0; distance < 4100; ++distance) {
+      const detail::trace::Place to = (from + distance) % places;
+      if (detail::trace::is_longest_side(from, to) != (distance >= 4080)) FAIL(distance);
+      if (detail::trace::is_longest_side(to, from) != (distance >= 4080)) FAIL(distance);
     }
 }
 

@@ -44,7 +44,8 @@ TEST_CASE("in planes of every direction a hole goes to the ring around it") {
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
     if (incidence == no_incidence) continue;
     for (const uint32_t noise : {10U, 40U}) {
-      const BitVolume volume = half_space({11, 11, 11}, normal(incidence), noise, incidence);
+      const BitVolume volume =
+          half_space({11, 11, 11}, incidence_normal(incidence), noise, incidence);
       const Collector swept = scan<uint16_t>(volume);
       CAPTURE(incidence);
       CHECK(unlike_with_either(volume) == "");
@@ -65,7 +66,7 @@ TEST_CASE("a hole goes to the ring around it, not to one whose oblique side pass
                              Known{{8, 3, 10}, 1, 9, 5385}, Known{{9, 4, 10}, 1, 21, 8506},
                              Known{{8, 4, 7}, 6, 22, 7486}, Known{{9, 7, 7}, 6, 39, 3648}}) {
     const BitVolume volume =
-        half_space(known.size, normal(known.incidence), known.noise, known.seed);
+        half_space(known.size, incidence_normal(known.incidence), known.noise, known.seed);
     CAPTURE(known.seed);
     CHECK(unlike_with_either(volume) == "");
   }
@@ -88,9 +89,9 @@ TEST_CASE("a hole goes to its own ring, whatever its slot has been used for") {
 
 TEST_CASE_TEMPLATE("a hole is found by its plane, and when no ring comes, at last", Index, uint16_t,
                    uint32_t) {
-  using Holes = trace::Holes<Index, NoNormal>;
+  using Holes = detail::trace::Holes<Index, NoNormal>;
   typename Holes::Slots slots;
-  trace::Slot<Index, NoNormal> memory[300];
+  detail::trace::Slot<Index, NoNormal> memory[300];
   Index heads[16];
   slots.start(memory, 300);
   slots.clear();
@@ -98,17 +99,17 @@ TEST_CASE_TEMPLATE("a hole is found by its plane, and when no ring comes, at las
   holes.start(heads);
   holes.clear();
   const Incidence incidence = 22;
-  trace::Outgoing<Index> ring;
-  ring.kind = trace::Outgoing<Index>::Kind::fragment;
+  detail::trace::Outgoing<Index> ring;
+  ring.kind = detail::trace::Outgoing<Index>::Kind::fragment;
   ring.incidence = incidence;
   const auto is_on = [&](int32_t z) { return holes.has_any(slots, incidence, {4, 1, z}); };
   for (int32_t z = 0; z < 40; ++z) {
     CHECK(!is_on(z));
     ring.start = {2, 1, z};
-    typename trace::RunLists<Index, NoNormal>::Entry run;
-    run.run = trace::short_run(0, 1);
+    typename detail::trace::RunLists<Index, NoNormal>::Entry run;
+    run.run = detail::trace::short_run(0, 1);
     ring.last = no_slot;
-    trace::RunLists<Index, NoNormal>::append(slots, ring.last, run);
+    detail::trace::RunLists<Index, NoNormal>::append(slots, ring.last, run);
     holes.keep(slots, ring);
     CHECK(is_on(z));
   }
@@ -153,7 +154,7 @@ TEST_CASE("the peak counts the holes that waited at once, and begins anew with a
   BitVolume plate = box({13, 7, 3}, {0, 0, 1}, {12, 6, 1});
   for (const int64_t x : {2, 6, 10}) plate.on[plate.index(x, 2, 1)] = 0;
   const Limits limits = limits_of(plate, Border::closed);
-  Block block(bytes_for<uint16_t>(limits, ample));
+  Block block(Extractor16::bytes_for(limits, ample));
   EventLog log;
   Extractor16 extractor;
   require_ok(extractor.start(limits, ample, 1, block.memory(), make_sink(log)));
@@ -226,7 +227,7 @@ Events slab_events(const BitVolume& volume, const Slab& slab, const Capacities& 
   EventLog log([&](uint64_t offer) { return refuses && offer >= refused; });
   Limits limits = limits_of(volume, Border::closed);
   limits.slab = slab;
-  Block block(bytes_for<uint16_t>(limits, capacities));
+  Block block(Extractor16::bytes_for(limits, capacities));
   Extractor16 extractor;
   require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
   push_all(extractor, volume.on);
@@ -240,7 +241,7 @@ Events slab_events(const BitVolume& volume, const Slab& slab, const Capacities& 
 }  // namespace
 
 TEST_CASE("a hole whose ring has gone out loose before it follows at the end of its slab") {
-  const BitVolume volume = half_space({15, 11, 4}, normal(18), 27, 1079688895);
+  const BitVolume volume = half_space({15, 11, 4}, incidence_normal(18), 27, 1079688895);
   BitVolume upper({15, 11, 2});
   std::copy_n(&volume.on[volume.index(0, 0, 2)], upper.voxels(), upper.on.begin());
   const Slab below{0, false, true}, above{3, true, false};

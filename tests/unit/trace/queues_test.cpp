@@ -50,10 +50,10 @@ class Ends {
   uint32_t in_use() const { return pool_.in_use(); }
 
  private:
-  trace::Slot<Index, NoNormal> memory_[slots];
-  trace::Queue<Index> heads_[trace::queue_count];
-  Pool<trace::Slot<Index, NoNormal>, Index> pool_;
-  trace::Queues<Index, NoNormal> queues_;
+  detail::trace::Slot<Index, NoNormal> memory_[slots];
+  detail::trace::Queue<Index> heads_[detail::trace::queue_count];
+  Pool<detail::trace::Slot<Index, NoNormal>, Index> pool_;
+  detail::trace::Queues<Index, NoNormal> queues_;
 };
 
 }  // namespace
@@ -93,8 +93,8 @@ TEST_CASE("no vertex has two passes that come, or two that go, by one queue") {
   for (int axis = 0; axis < 3; ++axis)
     for (const bool is_on : {false, true})
       for (uint32_t lines = 0; lines < 1U << 16; ++lines) {
-        trace::PassList passes;
-        derive_passes(trace::EdgeLines{axis, is_on, lines}, 0, passes);
+        detail::trace::PassList passes;
+        derive_passes(detail::trace::EdgeLines{axis, is_on, lines}, 0, passes);
         most = std::max<uint32_t>(most, passes.count);
         for (uint32_t i = 0; i < passes.count; ++i)
           for (uint32_t j = 0; j < i; ++j)
@@ -102,5 +102,5 @@ TEST_CASE("no vertex has two passes that come, or two that go, by one queue") {
                 passes.pass[i].in == passes.pass[j].in || passes.pass[i].out == passes.pass[j].out;
       }
   CHECK(recurrences == 0);
-  CHECK(most == trace::PassList::most);
+  CHECK(most == detail::trace::PassList::most);
 }

@@ -23,11 +23,11 @@ bool is_top(const Vertex& came, const Vertex& goes) {
 TEST_CASE("at no vertex has a plane two tops") {
   uint32_t neighbourhoods = 0, tops = 0, most = 0;
   for (int axis = 0; axis < 3; ++axis)
-    for_each_neighbourhood(axis, [&](const trace::PassList& passes) {
+    for_each_neighbourhood(axis, [&](const detail::trace::PassList& passes) {
       ++neighbourhoods;
       uint32_t tops_of[incidence_codes] = {};
       for (int i = 0; i < passes.count; ++i) {
-        const trace::Pass& pass = passes.pass[i];
+        const detail::trace::Pass& pass = passes.pass[i];
         if (!is_top(link_vector(pass.incoming), link_vector(pass.first))) continue;
         ++tops;
         most = std::max(most, ++tops_of[pass.incidence]);
@@ -40,7 +40,7 @@ TEST_CASE("at no vertex has a plane two tops") {
 
 TEST_CASE("at no centroid does an incidence come twice") {
   for (unsigned configuration = 0; configuration < 256; ++configuration) {
-    const Loops loops = derive::loops(static_cast<Configuration>(configuration));
+    const Loops loops = detail::derive::loops(static_cast<Configuration>(configuration));
     for (int n = 0; n < loops.count; ++n) {
       const LoopFacets facets = facets_of(loops.loop[n]);
       if (!facets.is_fan) continue;

@@ -10,13 +10,13 @@ using namespace discmc;
 
 namespace {
 
-using Lists = trace::RunLists<uint16_t, NoNormal>;
-using Cursor = trace::RunCursor<uint16_t, NoNormal>;
+using Lists = detail::trace::RunLists<uint16_t, NoNormal>;
+using Cursor = detail::trace::RunCursor<uint16_t, NoNormal>;
 
 struct Pooled {
   static constexpr uint32_t capacity = 200;
 
-  std::vector<trace::Slot<uint16_t, NoNormal>> memory{capacity};
+  std::vector<detail::trace::Slot<uint16_t, NoNormal>> memory{capacity};
   Lists::Slots slots;
 
   Pooled() {
@@ -28,13 +28,13 @@ struct Pooled {
 // A list, and what must be in it.
 struct List {
   uint16_t last = no_slot;
-  std::deque<trace::ShortRun> runs;
+  std::deque<detail::trace::ShortRun> runs;
 
-  void append(Pooled& pooled, trace::ShortRun run) {
+  void append(Pooled& pooled, detail::trace::ShortRun run) {
     Lists::append(pooled.slots, last, entry_of(run));
     runs.push_back(run);
   }
-  void prepend(Pooled& pooled, trace::ShortRun run) {
+  void prepend(Pooled& pooled, detail::trace::ShortRun run) {
     Lists::prepend(pooled.slots, last, entry_of(run));
     runs.push_front(run);
   }
@@ -44,7 +44,7 @@ struct List {
     CHECK(Lists::last_run(pooled.slots, last) == runs.back());
     const Cursor begin(pooled.slots, last);
     Cursor cursor = begin;
-    for (const trace::ShortRun run : runs) {
+    for (const detail::trace::ShortRun run : runs) {
       CHECK(cursor.run(pooled.slots) == run);
       cursor.advance(pooled.slots);
     }
@@ -52,7 +52,7 @@ struct List {
   }
 
  private:
-  static Lists::Entry entry_of(trace::ShortRun run) {
+  static Lists::Entry entry_of(detail::trace::ShortRun run) {
     Lists::Entry entry;
     entry.run = run;
     return entry;
@@ -63,8 +63,8 @@ struct List {
 List list_of(Pooled& pooled, uint32_t appended, uint32_t prepended) {
   List list;
   for (uint32_t i = 1; i <= appended || i <= prepended; ++i) {
-    if (i <= appended) list.append(pooled, trace::short_run(1, i));
-    if (i <= prepended) list.prepend(pooled, trace::short_run(2, i));
+    if (i <= appended) list.append(pooled, detail::trace::short_run(1, i));
+    if (i <= prepended) list.prepend(pooled, detail::trace::short_run(2, i));
   }
   return list;
 }
@@ -81,8 +81,8 @@ TEST_CASE(
     list.last = Lists::concatenate(pooled.slots, list.last, after.last);
     list.runs.insert(list.runs.end(), after.runs.begin(), after.runs.end());
     list.check(pooled);
-    list.append(pooled, trace::short_run(3, 1));
-    list.prepend(pooled, trace::short_run(3, 2));
+    list.append(pooled, detail::trace::short_run(3, 1));
+    list.prepend(pooled, detail::trace::short_run(3, 2));
     list.check(pooled);
   }
 }

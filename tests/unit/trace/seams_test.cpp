@@ -59,7 +59,7 @@ TEST_CASE("a slab without a slice of its own has no surface, however full its co
       limits.slab.first = continues_below ? 7 : 0;
       limits.slab.continues_below = continues_below;
       limits.slab.continues_above = true;
-      Block block(bytes_for<uint16_t>(limits, ample));
+      Block block(Extractor16::bytes_for(limits, ample));
       EventLog log;
       Extractor16 extractor;
       require_ok(extractor.start(limits, ample, 1, block.memory(), make_sink(log)));

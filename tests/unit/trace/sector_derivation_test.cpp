@@ -12,7 +12,7 @@
 
 #include "oracle/sector_statements.hpp"
 
-namespace discmc::trace {
+namespace discmc::detail::trace {
 namespace {
 
 TEST_CASE("the table of sectors is right when it is derived at run time") {
@@ -50,4 +50,4 @@ TEST_CASE("the edges of a cell have the same numbers when they are derived at ru
 }
 
 }  // namespace
-}  // namespace discmc::trace
+}  // namespace discmc::detail::trace
