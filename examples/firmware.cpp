@@ -19,7 +19,7 @@ static size_t uart_write(void*, const uint8_t* bytes, size_t count) {
 
 static uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // of a ball, densest in its middle
   const Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
-  return static_cast<uint8_t>(255 - 85 * dot(v, v) / ((size - 1) * (size - 1)));
+  return static_cast<uint8_t>(255 - 85 * dot_product(v, v) / ((size - 1) * (size - 1)));
 }
 
 static bool succeeds(Status status) {

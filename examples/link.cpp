@@ -157,7 +157,7 @@ bool write_place() {
 
 uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // of a ball, densest in its middle
   const discmc::Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
-  return static_cast<uint8_t>(255 - discmc::dot(v, v) / 26);
+  return static_cast<uint8_t>(255 - discmc::dot_product(v, v) / 26);
 }
 
 bool scans(uint16_t number) {

@@ -32,7 +32,7 @@ void make_row(bool is_ball, uint32_t number) {
   const auto z = static_cast<int32_t>(number / limits.height);
   for (int32_t x = 0; x < size; ++x) {
     const Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
-    row[x] = is_ball ? static_cast<uint8_t>(255 - dot(v, v) / 26) : 0;
+    row[x] = is_ball ? static_cast<uint8_t>(255 - dot_product(v, v) / 26) : 0;
   }
 }
 

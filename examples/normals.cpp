@@ -25,7 +25,7 @@ static Status begin(const ByteOutput& output) {
 
 static uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // of a ball, densest in its middle
   const Vertex v{2 * x - size + 1, 2 * y - size + 1, 4 * z - 2 * size + 2};
-  const int32_t fall = dot(v, v) / 26;
+  const int32_t fall = dot_product(v, v) / 26;
   return static_cast<uint8_t>(fall < 255 ? 255 - fall : 0);
 }
 

@@ -111,7 +111,7 @@ namespace {
 std::uint8_t sample_at(std::int32_t x, std::int32_t y, std::int32_t z) {
   constexpr std::int32_t size = sensor_pixels;
   const discmc::Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
-  return static_cast<std::uint8_t>(255 - dot(v, v) / 26);
+  return static_cast<std::uint8_t>(255 - dot_product(v, v) / 26);
 }
 
 // A thread that reads one row at a time, and stops with the program.

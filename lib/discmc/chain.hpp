@@ -122,7 +122,7 @@ constexpr bool is_run_of(Incidence incidence, Run run) {
 /// The end of a run that starts at `from`. Limit: is_run_of(incidence, run).
 constexpr Vertex after_run(Incidence incidence, const Vertex& from, Run run) {
   Vertex to = from;
-  move(to, incidence, run.direction(), run.length());
+  translate(to, incidence, run.direction(), run.length());
   return to;
 }
 

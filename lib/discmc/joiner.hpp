@@ -27,7 +27,7 @@
 namespace discmc {
 
 /// Adds the totals of one scan to `sum`, for example those of each slab of a volume.
-void add(Statistics& sum, const Statistics& other);
+void add_totals(Statistics& sum, const Statistics& other);
 
 /// The order of the incoming events.
 enum class InputOrder : uint8_t {

@@ -41,7 +41,7 @@ constexpr Vertex operator-(const Vertex& a) {
   return {-a.x, -a.y, -a.z};
 }
 /// Moves v along a vector this many times. Coordinates wrap.
-constexpr void move(Vertex& v, const Vertex& step, uint32_t times) {
+constexpr void translate(Vertex& v, const Vertex& step, uint32_t times) {
   const auto add = [times](int32_t& coordinate, int32_t by) {
     coordinate =
         static_cast<int32_t>(static_cast<uint32_t>(coordinate) + static_cast<uint32_t>(by) * times);
@@ -50,7 +50,7 @@ constexpr void move(Vertex& v, const Vertex& step, uint32_t times) {
   add(v.y, step.y);
   add(v.z, step.z);
 }
-constexpr int32_t dot(const Vertex& a, const Vertex& b) {
+constexpr int32_t dot_product(const Vertex& a, const Vertex& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 constexpr Vertex cross(const Vertex& a, const Vertex& b) {
@@ -124,9 +124,9 @@ constexpr Link next_link(const LinkTable& table, const Vertex& normal, Link from
   Link best = link_codes;
   for (Link link = 0; link < link_codes; ++link) {
     const Vertex candidate = link_vector(table, link);
-    if (dot(candidate, normal) != 0) continue;
-    if (dot(cross(link_vector(table, from), candidate), normal) <= 0) continue;
-    if (best == link_codes || dot(cross(candidate, link_vector(table, best)), normal) > 0)
+    if (dot_product(candidate, normal) != 0) continue;
+    if (dot_product(cross(link_vector(table, from), candidate), normal) <= 0) continue;
+    if (best == link_codes || dot_product(cross(candidate, link_vector(table, best)), normal) > 0)
       best = link;
   }
   return best;
@@ -135,7 +135,7 @@ constexpr Link next_link(const LinkTable& table, const Vertex& normal, Link from
 constexpr void add_plane(LinkTable& table, Incidence incidence) {
   const Vertex n = incidence_normal(incidence);
   Link first = 0;
-  while (dot(link_vector(table, first), n) != 0) ++first;
+  while (dot_product(link_vector(table, first), n) != 0) ++first;
   uint8_t half = 0;
   for (Link link = first; link != opposite_link(first); link = next_link(table, n, link))
     table.link[incidence][half++] = link;
@@ -164,23 +164,27 @@ constexpr LinkTable link_table() {
 
 }  // namespace detail::derive
 
-inline constexpr LinkTable links = detail::derive::link_table();
+namespace detail {
+
+inline constexpr LinkTable link_table = derive::link_table();
+
+}  // namespace detail
 
 /// The number of directions in the planes of an incidence: 8 in axis planes, 4 in diagonal
 /// planes, 6 in corner planes.
 constexpr uint8_t direction_count(Incidence incidence) {
-  return links.direction_count[incidence];
+  return detail::link_table.direction_count[incidence];
 }
 
 /// The vector of a link. Units: half-steps.
 constexpr Vertex link_vector(Link link) {
-  return detail::derive::link_vector(links, link);
+  return detail::derive::link_vector(detail::link_table, link);
 }
 
 /// The link of a direction in the planes of an incidence.
 constexpr Link link_of(Incidence incidence, Direction direction) {
   const int half = direction_count(incidence) / 2;
-  const Link* first_half = links.link[incidence];
+  const Link* first_half = detail::link_table.link[incidence];
   return direction < half ? first_half[direction] : opposite_link(first_half[direction - half]);
 }
 
@@ -188,15 +192,16 @@ constexpr Link link_of(Incidence incidence, Direction direction) {
 constexpr Direction direction_of(Incidence incidence, Link link) {
   const int half = direction_count(incidence) / 2;
   for (int i = 0; i < half; ++i) {
-    if (links.link[incidence][i] == link) return static_cast<Direction>(i);
-    if (links.link[incidence][i] == opposite_link(link)) return static_cast<Direction>(i + half);
+    if (detail::link_table.link[incidence][i] == link) return static_cast<Direction>(i);
+    if (detail::link_table.link[incidence][i] == opposite_link(link))
+      return static_cast<Direction>(i + half);
   }
   return no_direction;
 }
 
 /// As above, for a link vector. Cost: a search, so not per run.
 constexpr Direction direction_of(Incidence incidence, const Vertex& vector) {
-  return direction_of(incidence, detail::derive::link_of(links, vector));
+  return direction_of(incidence, detail::derive::link_of(detail::link_table, vector));
 }
 
 /// The vector of a direction in the planes of an incidence. Units: half-steps.
@@ -205,11 +210,11 @@ constexpr Vertex direction_vector(Incidence incidence, Direction direction) {
 }
 
 /// Moves v this many times along a link or a direction; 0 - n moves back n times. Coordinates wrap.
-constexpr void move(Vertex& v, Link link, uint32_t times) {
-  move(v, link_vector(link), times);
+constexpr void translate(Vertex& v, Link link, uint32_t times) {
+  translate(v, link_vector(link), times);
 }
-constexpr void move(Vertex& v, Incidence incidence, Direction direction, uint32_t times) {
-  move(v, link_of(incidence, direction), times);
+constexpr void translate(Vertex& v, Incidence incidence, Direction direction, uint32_t times) {
+  translate(v, link_of(incidence, direction), times);
 }
 
 /// The opposite direction.

@@ -83,7 +83,7 @@ UnitNormal unit_normal(OctahedralNormal normal);
 constexpr LongVector area_vector(Incidence incidence, int64_t twice_area) {
   const Vertex n = incidence_normal(incidence);
   // twice_area contains the length of n as a factor, and n does too: 6 / |n|^2 removes both.
-  const int64_t length = twice_area * (6 / dot(n, n));
+  const int64_t length = twice_area * (6 / dot_product(n, n));
   return {n.x * length, n.y * length, n.z * length};
 }
 

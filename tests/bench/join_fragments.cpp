@@ -30,7 +30,7 @@ Vertex corner(std::uint64_t square, unsigned side) {
   Vertex vertex{static_cast<std::int32_t>(4 * (square % columns)),
                 static_cast<std::int32_t>(4 * (square / columns % columns)),
                 static_cast<std::int32_t>(2 * (square / squares_on_plane))};
-  for (unsigned i = 0; i < side; ++i) move(vertex, upwards, direction_of_side(i), 1);
+  for (unsigned i = 0; i < side; ++i) translate(vertex, upwards, direction_of_side(i), 1);
   return vertex;
 }
 

@@ -74,7 +74,8 @@ inline std::vector<Vertex> every_vertex(const Ring& corners) {
 // Six times the signed volume between the origin and the ring's surface.
 inline std::int64_t six_volumes(const Ring& ring) {
   std::int64_t sum = 0;
-  for (std::size_t i = 2; i < ring.size(); ++i) sum += dot(ring[0], cross(ring[i - 1], ring[i]));
+  for (std::size_t i = 2; i < ring.size(); ++i)
+    sum += dot_product(ring[0], cross(ring[i - 1], ring[i]));
   return sum;
 }
 
@@ -100,7 +101,7 @@ inline Polygons polygon(const Vertex& normal, std::vector<Corners> rings) {
   for (Corners& ring : rings) {
     std::int64_t area = 0;
     for (std::size_t i = 2; i < ring.size(); ++i)
-      area += dot(normal, cross(ring[i - 1] - ring[0], ring[i] - ring[0]));
+      area += dot_product(normal, cross(ring[i - 1] - ring[0], ring[i] - ring[0]));
     if ((area > 0) != (&ring == &rings[0])) std::reverse(ring.begin(), ring.end());
   }
   return polygon_of(discmc::incidence_of(normal), rings);

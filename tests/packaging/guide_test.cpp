@@ -37,7 +37,7 @@ struct Ball {
     const auto y = static_cast<int32_t>(number % size), z = static_cast<int32_t>(number / size);
     for (int32_t x = 0; x < static_cast<int32_t>(size); ++x) {
       const Vertex v{2 * x - middle, 2 * y - middle, 2 * z - middle};
-      const double sample = 255 - dot(v, v) / 4 + noise * deviation(random);
+      const double sample = 255 - dot_product(v, v) / 4 + noise * deviation(random);
       row[x] = static_cast<uint8_t>(std::clamp(sample, 0.0, 255.0));
     }
     return row;

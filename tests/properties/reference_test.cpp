@@ -82,7 +82,7 @@ PlaneAreas areas_of(const std::vector<Region>& regions) {
   PlaneAreas areas;
   for (const Region& region : regions)
     for (const Ring& ring : region.rings)
-      areas[{region.incidence, dot(incidence_normal(region.incidence), ring[0])}] +=
+      areas[{region.incidence, dot_product(incidence_normal(region.incidence), ring[0])}] +=
           signed_area(region.incidence, ring);
   return areas;
 }
@@ -97,7 +97,8 @@ PlaneAreas areas_of_facets(const BitVolume& volume, bool closed) {
       for (int p = 0; p < points.count; ++p)
         ring.push_back(cell + cell + position(points.point[p]));
       const Incidence incidence = incidence_of(facet);
-      areas[{incidence, dot(incidence_normal(incidence), ring[0])}] += signed_area(incidence, ring);
+      areas[{incidence, dot_product(incidence_normal(incidence), ring[0])}] +=
+          signed_area(incidence, ring);
     }
   });
   return areas;
@@ -110,10 +111,10 @@ bool is_simple(Ring ring) {
 
 bool is_flat(const Region& region) {
   const Vertex n = incidence_normal(region.incidence);
-  const int32_t plane = dot(n, region.rings[0][0]);
+  const int32_t plane = dot_product(n, region.rings[0][0]);
   for (const Ring& ring : region.rings)
     for (const Vertex& vertex : ring)
-      if (dot(n, vertex) != plane) return false;
+      if (dot_product(n, vertex) != plane) return false;
   return true;
 }
 

@@ -49,7 +49,7 @@ bool meets(const Polygon& facet, const Vertex& n, const Vertex& v, const Vertex&
   std::vector<Line> sides;
   for (std::size_t i = 0; i < facet.size(); ++i) {
     const Vertex side = facet[(i + 1) % facet.size()] - facet[i];
-    sides.push_back({dot(n, cross(side, v - facet[i])), dot(n, cross(side, way))});
+    sides.push_back({dot_product(n, cross(side, v - facet[i])), dot_product(n, cross(side, way))});
   }
   const auto holds = [&sides](int32_t above, int32_t below) {
     for (const Line& side : sides)
@@ -85,7 +85,7 @@ bool has_way_out(const std::vector<Polygon>& plane, const Vertex& n, const Verte
     for (int y = -longest; y <= longest; ++y)
       for (int x = -longest; x <= longest; ++x) {
         const Vertex way{2 * x, 2 * y, 2 * z};
-        if (precedes({0, 0, 0}, way) && dot(way, n) == 0 && leads_out(plane, n, v, way))
+        if (precedes({0, 0, 0}, way) && dot_product(way, n) == 0 && leads_out(plane, n, v, way))
           return true;
       }
   return false;
@@ -102,7 +102,7 @@ TEST_CASE("a straight way leads from each midpoint out of all facets of its plan
     for (const Vertex v : {Vertex{1, 0, 0}, Vertex{0, 1, 0}, Vertex{0, 0, 1}}) {
       std::vector<Polygon> plane;
       for (const Polygon& facet : facets)
-        if (dot(n, facet[0]) == dot(n, v)) plane.push_back(facet);
+        if (dot_product(n, facet[0]) == dot_product(n, v)) plane.push_back(facet);
       if (plane.empty()) continue;
       INFO(n.x, " ", n.y, " ", n.z, " from ", v.x, " ", v.y, " ", v.z);
       CHECK(has_way_out(plane, n, v));

@@ -9,7 +9,7 @@ using namespace discmc;
 using namespace discmc::reference;
 
 TEST_CASE("links are numbered in order, and the directions of a plane go round") {
-  CHECK(broken(links) == nullptr);
+  CHECK(broken(detail::link_table) == nullptr);
 }
 
 TEST_CASE("the facets of every configuration fill its loops, and are counted right") {

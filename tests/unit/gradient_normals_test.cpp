@@ -169,7 +169,7 @@ TEST_CASE("every corner of a ball's polygons has a normal that points outside") 
     for (int32_t y = 0; y < extent; ++y)
       for (int32_t x = 0; x < extent; ++x) {
         const Vertex v{2 * x - extent + 1, 2 * y - extent + 1, 2 * z - extent + 1};
-        ball.samples.push_back(static_cast<uint8_t>(std::max(0, 255 - dot(v, v) / 4)));
+        ball.samples.push_back(static_cast<uint8_t>(std::max(0, 255 - dot_product(v, v) / 4)));
       }
   const Events events =
       events_of<uint32_t, WithNormals<uint8_t>>(ball, {180, Border::closed, ample});

@@ -9,7 +9,7 @@ using namespace discmc;
 namespace {
 
 int squared_length(const Vertex& vector) {
-  return dot(vector, vector);
+  return dot_product(vector, vector);
 }
 
 int odd_coordinates(const Vertex& vector) {
@@ -47,9 +47,9 @@ TEST_CASE("vectors add, subtract, and multiply as vectors do") {
   CHECK(Vertex{1, 2, 3} != Vertex{1, 2, 4});
   CHECK(Vertex{1, 2, 3} != Vertex{1, 4, 3});
   CHECK(Vertex{1, 2, 3} != Vertex{4, 2, 3});
-  CHECK(dot(a, b) == 4);
+  CHECK(dot_product(a, b) == 4);
   CHECK(cross(a, b) == Vertex{-27, -18, -3});
-  CHECK(dot(cross(a, b), a) == 0);
+  CHECK(dot_product(cross(a, b), a) == 0);
 }
 
 TEST_CASE("an incidence and its normal name each other, and opposites are opposite") {
@@ -77,7 +77,7 @@ TEST_CASE("the links are 12 diagonals and 6 axis vectors of length 2, all differ
     const Vertex vector = link_vector(link);
     diagonals += squared_length(vector) == 2 && odd_coordinates(vector) == 2;
     axes += squared_length(vector) == 4 && odd_coordinates(vector) == 0;
-    CHECK(detail::derive::link_of(links, vector) == link);
+    CHECK(detail::derive::link_of(detail::link_table, vector) == link);
   }
   CHECK(diagonals == 12);
   CHECK(axes == 6);
@@ -96,9 +96,9 @@ TEST_CASE("the opposite of a link is opposite") {
 }
 
 TEST_CASE("no link has a vector that is none") {
-  CHECK(detail::derive::link_of(links, {0, 0, 0}) == link_codes);
-  CHECK(detail::derive::link_of(links, {1, 1, 1}) == link_codes);
-  CHECK(detail::derive::link_of(links, {2, 2, 0}) == link_codes);
+  CHECK(detail::derive::link_of(detail::link_table, {0, 0, 0}) == link_codes);
+  CHECK(detail::derive::link_of(detail::link_table, {1, 1, 1}) == link_codes);
+  CHECK(detail::derive::link_of(detail::link_table, {2, 2, 0}) == link_codes);
 }
 
 TEST_CASE("axis planes have 8 directions, diagonal planes 4, corner planes 6") {
@@ -113,7 +113,7 @@ TEST_CASE("the directions of an incidence are the links in its planes, each once
   for_each_incidence([](Incidence incidence) {
     for (Link link = 0; link < link_codes; ++link) {
       const Direction direction = direction_of(incidence, link);
-      const bool in_plane = dot(link_vector(link), incidence_normal(incidence)) == 0;
+      const bool in_plane = dot_product(link_vector(link), incidence_normal(incidence)) == 0;
       CHECK((direction != no_direction) == in_plane);
       if (!in_plane) continue;
       CHECK(direction < direction_count(incidence));
@@ -131,8 +131,8 @@ TEST_CASE("directions go round counter-clockwise seen from the tip of the normal
       // The first half of the round from here is on the left, the second half on the right.
       for (int steps = 1; steps < count; ++steps) {
         const auto other = static_cast<Direction>((direction + steps) % count);
-        const int side =
-            dot(cross(here, direction_vector(incidence, other)), incidence_normal(incidence));
+        const int side = dot_product(cross(here, direction_vector(incidence, other)),
+                                     incidence_normal(incidence));
         CHECK((side > 0) == (2 * steps < count));
         CHECK((side == 0) == (2 * steps == count));
       }
@@ -160,8 +160,9 @@ TEST_CASE("a turn leads from one direction to the other, by the shorter way") {
 
 TEST_CASE("a turn is positive where the second direction is on the left of the first") {
   for_each_turn([](Incidence incidence, Direction from, Direction to) {
-    const int side = dot(cross(direction_vector(incidence, from), direction_vector(incidence, to)),
-                         incidence_normal(incidence));
+    const int side =
+        dot_product(cross(direction_vector(incidence, from), direction_vector(incidence, to)),
+                    incidence_normal(incidence));
     const int turned = turn(incidence, from, to);
     CHECK((turned > 0) == (side > 0));
     CHECK((turned == 0) == (from == to));
@@ -194,10 +195,11 @@ TEST_CASE("the links are the same when they are derived at run time") {
   LinkTable derived{};
   derived = detail::derive::link_table();  // what is initialised the compiler would work out
   for (Link link = 0; link < link_codes; ++link)
-    CHECK(detail::derive::link_of(derived, detail::derive::link_vector(links, link)) == link);
+    CHECK(detail::derive::link_of(derived, detail::derive::link_vector(detail::link_table, link)) ==
+          link);
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
-    CHECK(derived.direction_count[incidence] == links.direction_count[incidence]);
+    CHECK(derived.direction_count[incidence] == detail::link_table.direction_count[incidence]);
     for (int i = 0; i < max_directions / 2; ++i)
-      CHECK(derived.link[incidence][i] == links.link[incidence][i]);
+      CHECK(derived.link[incidence][i] == detail::link_table.link[incidence][i]);
   }
 }

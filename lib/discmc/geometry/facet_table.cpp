@@ -13,12 +13,12 @@ constexpr bool contains(const FacetRing& ring, CellPoint point) {
 
 constexpr Shape ring_shape(Incidence incidence, const FacetRing& ring) {
   const Vertex n = incidence_normal(incidence);
-  const Shape side = dot(n, position(ring.point[0]) - position(centroid)) > 0 ? 1 : 0;
+  const Shape side = dot_product(n, position(ring.point[0]) - position(centroid)) > 0 ? 1 : 0;
   if (!contains(ring, centroid)) return side;
   // A fan's triangle is listed centroid first, so its outer link runs from point 1 to point 2.
   const Direction outer =
       direction_of(incidence, position(ring.point[2]) - position(ring.point[1]));
-  return static_cast<Shape>(dot(n, n) == 1 ? outer / 2 : 2 + outer);
+  return static_cast<Shape>(dot_product(n, n) == 1 ? outer / 2 : 2 + outer);
 }
 
 struct FacetList {
@@ -69,8 +69,8 @@ constexpr int six_volumes(const FacetRing& ring) {
   int sum = 0;
   const Vertex a = position(ring.point[0]) - position(centroid);
   for (int i = 2; i < ring.count; ++i)
-    sum += dot(a, cross(position(ring.point[i - 1]) - position(centroid),
-                        position(ring.point[i]) - position(centroid)));
+    sum += dot_product(a, cross(position(ring.point[i - 1]) - position(centroid),
+                                position(ring.point[i]) - position(centroid)));
   return sum;
 }
 
@@ -114,7 +114,7 @@ constexpr int configurations_with(int facets) {
 constexpr bool occurs(int squared_length, int times) {
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
     const Vertex n = incidence_normal(incidence);
-    if (dot(n, n) != squared_length) continue;
+    if (dot_product(n, n) != squared_length) continue;
     int count = 0;
     for (const Facet facet : derived.table.facet) count += incidence_of(facet) == incidence;
     if (count != times) return false;

@@ -33,7 +33,7 @@ constexpr LoopFacets facets_of(const Loop& loop) {
   LoopFacets facets{loop, false, {}};
   const Incidence whole = incidence_of_facet(facets.at(0), facets.at(1), facets.at(2));
   const Vertex n = incidence_normal(whole);
-  const bool is_rectangle = loop.count == 4 && dot(n, n) == 2;
+  const bool is_rectangle = loop.count == 4 && dot_product(n, n) == 2;
   facets.is_fan = loop.count != 3 && !is_rectangle;
   for (int i = 0; i < loop.count; ++i)
     facets.incidence[i] =

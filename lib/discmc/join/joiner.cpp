@@ -2,7 +2,7 @@
 
 namespace discmc {
 
-void add(Statistics& sum, const Statistics& other) {
+void add_totals(Statistics& sum, const Statistics& other) {
   sum.cells += other.cells;
   sum.facets += other.facets;
   sum.classic_triangles += other.classic_triangles;
@@ -144,7 +144,7 @@ bool Joiner::take_finish(const Event& event) {
     has_finish_ = true;
     was_abandoned_ = was_abandoned_ || event.abandoned;
     slices_ += event.slice;
-    if (event.statistics != nullptr) add(totals_, *event.statistics);
+    if (event.statistics != nullptr) add_totals(totals_, *event.statistics);
   }
   return order_ == InputOrder::any || end();
 }

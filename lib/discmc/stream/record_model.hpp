@@ -109,7 +109,7 @@ constexpr bool are_parallel(uint32_t directions, uint32_t a, uint32_t b) {
 /// number of directions if that is direction 0.
 constexpr uint32_t first_back(Incidence incidence) {
   const uint32_t half = direction_count(incidence) / 2U;
-  const Link* const first_half = links.link[incidence];
+  const Link* const first_half = detail::link_table.link[incidence];
   // Links of the second half are opposite to those of the first, and direction 0 leads back.
   uint32_t forth = half;
   while (first_half[forth - 1] >= link_codes / 2) --forth;
@@ -198,7 +198,7 @@ class RecordModel {
   uint32_t is_level() const {
     const uint32_t half = directions() / 2;
     const uint32_t link =
-        links.link[incidence_][direction_ < half ? direction_ : direction_ - half];
+        detail::link_table.link[incidence_][direction_ < half ? direction_ : direction_ - half];
     return link - 5 < 8 ? 1 : 0;
   }
   uint32_t turn_to(Direction direction) const {

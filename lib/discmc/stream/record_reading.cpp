@@ -153,10 +153,10 @@ bool read_fragment(ReadingModel& model, Record& record, RecordKind kind) {
   if (!read_runs(model, record, model.chain_direction(0), Run::max_length)) return false;
   if (is_backwards) {
     record.incoming = model.chain_direction(0);
-    move(start, incidence, Run::from_code(record.word[Record::ring_words]).direction(), 1);
+    translate(start, incidence, Run::from_code(record.word[Record::ring_words]).direction(), 1);
     for (uint32_t i = Record::ring_words; i < record.count; ++i) {
       const Run run = Run::from_code(record.word[i]);
-      move(start, incidence, run.direction(), 0U - run.length());
+      translate(start, incidence, run.direction(), 0U - run.length());
     }
     record.reverse_runs();
   }

@@ -51,9 +51,9 @@ bool is_nearer_at_end(const Record& record, const Vertex& before, Vertex& vertex
   Run run;
   for (uint32_t i = Record::ring_words; i < record.count; ++i) {
     run = Run::from_code(record.word[i]);
-    move(end, record.incidence, run.direction(), run.length());
+    translate(end, record.incidence, run.direction(), run.length());
   }
-  move(end, record.incidence, run.direction(), 0U - 1);
+  translate(end, record.incidence, run.direction(), 0U - 1);
   const bool is_nearer = cost_of_vertex(end, before) < cost_of_vertex(start, before);
   vertex = is_nearer ? end : start;
   return is_nearer;

@@ -144,7 +144,7 @@ void Delivery<Index, Normal, holes_wait>::begin_ring(const Slots& slots) {
       first_ = cursor;
       event_.incoming_direction = before;
     }
-    move(way, incidence, direction, length_of(run));
+    translate(way, incidence, direction, length_of(run));
     before = direction;
     cursor.advance(slots);
   } while (cursor != end);

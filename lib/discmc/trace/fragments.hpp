@@ -108,7 +108,7 @@ class Fragments {
   void cut_at(const Pass& pass, const Vertex& vertex, bool ends);
 
   /// Moves a vertex by a link.
-  DISCMC_NOINLINE static void follow(Vertex& vertex, Link link) { move(vertex, link, 1); }
+  DISCMC_NOINLINE static void follow(Vertex& vertex, Link link) { translate(vertex, link, 1); }
   /// The vertex that a chain comes to.
   static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
     Vertex next = vertex;
@@ -147,7 +147,7 @@ class Fragments {
   // Where the side begins that a chain leaves along.
   static Vertex last_corner(const Pass& pass, const Vertex& vertex) {
     Vertex corner = vertex;
-    if (pass.turns_at_centroid()) move(corner, pass.first, 1);
+    if (pass.turns_at_centroid()) translate(corner, pass.first, 1);
     return corner;
   }
 
@@ -394,13 +394,13 @@ void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Inde
   if (!is_closed && !is_loose_piece && !should_send(list, list_after))
     return connect(first_end, last_end, Lists::concatenate(slots_, list, list_after));
   Vertex corner = last_corner(pass, vertex);
-  move(corner, pass.second, links_between(place_of(corner), after.place(), pass.second));
+  translate(corner, pass.second, links_between(place_of(corner), after.place(), pass.second));
   if (is_closed) {
     put_out(Outgoing<Index>::Kind::ring, pass.incidence, list, corner);
     return;
   }
   if (is_prepended)
-    move(corner, pass.second, 0 - length_of(run.run));
+    translate(corner, pass.second, 0 - length_of(run.run));
   else
     move_to_begin(corner, pass.incidence, list);
   send(pass, first_end, last_end, Lists::concatenate(slots_, list, list_after), corner);
@@ -482,7 +482,7 @@ void Fragments<Index, Normal>::move_to_begin(Vertex& at, Incidence incidence, In
   RunCursor<Index, Normal> cursor = first;
   do {
     const ShortRun run = cursor.run(slots_);
-    move(at, incidence, direction_of(run), 0 - length_of(run));
+    translate(at, incidence, direction_of(run), 0 - length_of(run));
     cursor.advance(slots_);
   } while (cursor != first);
 }

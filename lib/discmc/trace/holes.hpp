@@ -167,7 +167,7 @@ typename Holes<Index, Normal>::Extent Holes<Index, Normal>::extent_of(const Slot
   Cursor cursor = begin;
   do {
     const ShortRun run = cursor.run(slots);
-    move(at, ring.incidence, direction_of(run), length_of(run));
+    translate(at, ring.incidence, direction_of(run), length_of(run));
     widen(extent.low.x, extent.high.x, at.x);
     widen(extent.low.y, extent.high.y, at.y);
     widen(extent.low.z, extent.high.z, at.z);
@@ -187,7 +187,7 @@ bool Holes<Index, Normal>::surrounds(const Slots& slots, const Outgoing<Index>& 
   const int v = n.z != 0 ? 1 : 2;
   const int u = n.z != 0 || n.y != 0 ? 0 : 1;
   const auto step = [&](Direction direction) {
-    return links.vector[link_of(ring.incidence, direction)];
+    return detail::link_table.vector[link_of(ring.incidence, direction)];
   };
   // From the hole's start: the middle is half of this, in half-steps; and the ring's vertex.
   const int8_t* const link = step(first);

@@ -142,7 +142,8 @@ constexpr CellEdge own_edge(int axis, int quadrant) {
 }
 
 constexpr Link link_inwards(CellEdge edge) {
-  return discmc::detail::derive::link_of(links, position(centroid) - position(edges.point[edge]));
+  return discmc::detail::derive::link_of(detail::link_table,
+                                         position(centroid) - position(edges.point[edge]));
 }
 
 // Numbers queues, those within a slice first.
@@ -242,7 +243,7 @@ constexpr void add_face_ways(SectorTable& table, QueueNumbers& numbers) {
           const Vertex there = here + vector;
           const bool is_ahead = is_visited_before(here, there);
           if (is_ahead != (pass == 0)) continue;
-          const Link link = discmc::detail::derive::link_of(links, vector);
+          const Link link = discmc::detail::derive::link_of(detail::link_table, vector);
           const auto queue = static_cast<uint8_t>(
               is_ahead
                   ? numbers.take(2, is_in_next_slice(here, there))

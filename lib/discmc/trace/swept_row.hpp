@@ -108,13 +108,13 @@ class SweepCounts {
   }
   /// Moves what is whole to the statistics.
   void add_to(Statistics& statistics) {
-    move(cells_, CountParts::cell, statistics.cells);
-    move(facets_, CountParts::facet, statistics.facets);
-    move(triangles_, CountParts::triangle, statistics.classic_triangles);
+    translate(cells_, CountParts::cell, statistics.cells);
+    translate(facets_, CountParts::facet, statistics.facets);
+    translate(triangles_, CountParts::triangle, statistics.classic_triangles);
   }
 
  private:
-  static void move(uint32_t& parts, uint32_t parts_of_one, uint64_t& total) {
+  static void translate(uint32_t& parts, uint32_t parts_of_one, uint64_t& total) {
     if constexpr (has_division) {
       total += parts / parts_of_one;
       parts %= parts_of_one;

@@ -90,7 +90,7 @@ class PartSurface {
       end_ = event.start;
     } else if (fragment_ && event.kind == Event::Kind::run) {
       last_ = event.run.direction();
-      move(end_, fragment_->incidence, last_, event.run.length());
+      translate(end_, fragment_->incidence, last_, event.run.length());
     } else if (fragment_ && event.kind == Event::Kind::fragment_end) {
       if (end_ == fragment_->start && last_ == fragment_->incoming_direction)
         ring_planes_.insert(plane_of(fragment_->incidence, end_));

@@ -39,7 +39,7 @@ struct Front {
 CornerCode seam_corner(const Node& node) {
   const CornerCode behind(node.corner_behind());
   Vertex at = behind.vertex();
-  if (is_centroid(at)) move(at, behind.onwards(), 1);
+  if (is_centroid(at)) translate(at, behind.onwards(), 1);
   return CornerCode(CornerCode::position(at) |
                     uint64_t{behind.incidence()} << CornerCode::incidence_shift |
                     CornerCode::links(CornerCode::beyond_seam, behind.onwards()));
@@ -88,7 +88,7 @@ uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link 
   const Vertex step = link_vector(ahead);
   const uint32_t passed = may_turn ? 0 : front.links_passed(vertex, step);
   sides.add_side(sides.direction(side), passed);
-  move(vertex, ahead, passed);
+  translate(vertex, ahead, passed);
   const uint32_t end = slots.take();
   slots[end].end.side = detail::trace::Side(sides.direction(side), detail::trace::place_of(vertex));
   slots[end].end.mate = end;  // until it has one

@@ -133,7 +133,7 @@ void SurfaceBuilder::add_corners(const Chain& chain) {
   for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
     if (at->run.direction() != before) corners_.push_back(vertex);
     before = at->run.direction();
-    move(vertex, incidence_, before, at->run.length());
+    translate(vertex, incidence_, before, at->run.length());
   }
 }
 
@@ -151,7 +151,7 @@ void SurfaceBuilder::collect_ends(const Chain& chain) {
   for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
     if (at == chain.begin || at->run.direction() != before) ends_.push_back(vertex);
     before = at->run.direction();
-    move(vertex, incidence_, before, at->run.length());
+    translate(vertex, incidence_, before, at->run.length());
   }
 }
 
@@ -290,7 +290,7 @@ void SurfaceBuilder::keep_normals(const Chain& chain) {
   Vertex vertex = chain.start;
   for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
     if (!at->normal.is_none()) surface_.normals.emplace(vertex, at->normal);
-    move(vertex, incidence_, at->run.direction(), at->run.length());
+    translate(vertex, incidence_, at->run.direction(), at->run.length());
   }
 }
 

@@ -39,7 +39,7 @@ TEST_CASE("links are counted between any two corners of a side") {
     for (const uint32_t length : {1U, 2U, 255U, 8191U, 16000U}) {
       const Vertex from{33000, 33000, 33000};
       Vertex to = from;
-      move(to, link, length);
+      translate(to, link, length);
       CHECK(links_between(corner(from, link), corner(to, 0)) == length);
     }
 }

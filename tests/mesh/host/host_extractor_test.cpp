@@ -303,7 +303,7 @@ std::vector<Region> regions_among(const Events& events) {
       const Ring side = vertices_of(incidence, at, {event.run});
       Ring& ring = regions.back().rings.back();
       ring.insert(ring.end(), side.begin(), side.end());
-      move(at, incidence, event.run.direction(), event.run.length());
+      translate(at, incidence, event.run.direction(), event.run.length());
     }
   }
   return canonical(std::move(regions));

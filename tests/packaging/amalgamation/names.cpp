@@ -25,7 +25,7 @@ static const int version = 7;
 int main() {
   const discmc::Run run = discmc::Run::straight(3, 5);
   if (run.length() != c(Run{5})) return 1;
-  if (version(Event{detail::wire::version}) != 7) return 2;
+  if (version(Event{wire::version}) != 7) return 2;
   return discmc_packed_bytes(DISCMC_RAW10, 5) == discmc::packed_bytes(discmc::Packing::raw10, 5)
              ? 0
              : 3;

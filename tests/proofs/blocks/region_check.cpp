@@ -87,7 +87,7 @@ void RegionCheck::add_run(Run run) {
   require(run.direction() < direction_count(incidence_), "a run of no links");
   const Link link = link_of(incidence_, run.direction());
   const Vertex moment = cross(Lattice::vertex(at_), link_vector(link));
-  area_ += static_cast<int32_t>(run.length()) * dot(incidence_normal(incidence_), moment);
+  area_ += static_cast<int32_t>(run.length()) * dot_product(incidence_normal(incidence_), moment);
   for (uint32_t i = 0; i < run.length(); ++i) {
     const Lattice::Step& step = lattice_.step(at_, link);
     require(step.to >= 0, "a ring leaves the block");

@@ -24,7 +24,7 @@ constexpr Limits ball{48, 48};
 inline uint8_t inside_ball(int32_t x, int32_t y, int32_t z) {
   constexpr int32_t size = ball.width;
   const Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
-  return static_cast<uint8_t>(255 - dot(v, v) / 26);
+  return static_cast<uint8_t>(255 - dot_product(v, v) / 26);
 }
 
 /// The rows of such a volume, one after the other.

@@ -25,7 +25,7 @@ using Volume = int32_t (*)(Voxel);
 
 int32_t ball(Voxel v) {
   const Vertex from_centre{2 * v.x - 8, 2 * v.y - 5, 2 * v.z - 3};
-  return dot(from_centre, from_centre) <= 49 ? 200 : 20;
+  return dot_product(from_centre, from_centre) <= 49 ? 200 : 20;
 }
 
 // Blocks, and a corner cut off at a slant.

@@ -131,7 +131,7 @@ Tally mutate_all(const Table& right, const Field (&all)[fields]) {
 
 int main() {
   uint64_t survivors = 0;
-  survivors += mutate_all(links, link_fields).survivors;
+  survivors += mutate_all(detail::link_table, link_fields).survivors;
   survivors += mutate_all(facet_tables(), facet_fields).survivors;
   survivors += mutate_all(sector_table, sector_fields).survivors;
   survivors += mutate_all(model_table(), model_fields).survivors;

@@ -107,7 +107,7 @@ class Surface {
     else
       turn(last_, run.direction(), at_);
     last_ = run.direction();
-    move(at_, incidence_, last_, run.length());
+    translate(at_, incidence_, last_, run.length());
   }
 
   // What a ring is: its corners.

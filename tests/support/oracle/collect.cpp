@@ -113,7 +113,7 @@ void Collector::begin_ring(const Event& event) {
   require(event.hole == !region_.rings.empty(), "the outer ring is not the first, or not alone");
   require((event.start.x + event.start.y + event.start.z) % 2 != 0,
           "a ring starts off the lattice");
-  const int32_t plane = dot(incidence_normal(region_.incidence), event.start);
+  const int32_t plane = dot_product(incidence_normal(region_.incidence), event.start);
   require(region_.rings.empty() || plane == plane_, "a ring on another plane than its region");
   plane_ = plane;
   start_ = event.start;

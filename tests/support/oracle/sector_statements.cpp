@@ -93,7 +93,7 @@ struct Quadrant {
 
   // Whether a point lies on the face between the vertex and a line.
   bool is_on_face(const Vertex& point, int i) const {
-    return dot(along(axis, 0, line(i).v, line(i).u), point - vertex()) == 0;
+    return dot_product(along(axis, 0, line(i).v, line(i).u), point - vertex()) == 0;
   }
 };
 

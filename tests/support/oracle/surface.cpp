@@ -38,13 +38,13 @@ void add_ring(Surface& surface, Incidence incidence, const Ring& ring) {
   for (size_t i = 0; i < ring.size(); ++i)
     links += link_hash(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
   const int64_t area = signed_area(incidence, ring);
-  const int64_t offset = dot(incidence_normal(incidence), ring[0]);
+  const int64_t offset = dot_product(incidence_normal(incidence), ring[0]);
   surface.boundary += of_incidence(links, incidence);
   surface.open_links += links;
   surface.areas +=
       static_cast<uint64_t>(area) * mix(mix(static_cast<uint64_t>(offset)) ^ incidence);
   surface.six_volumes +=
-      area / dot(incidence_normal(incidence), incidence_normal(incidence)) * offset;
+      area / dot_product(incidence_normal(incidence), incidence_normal(incidence)) * offset;
 }
 
 Ring ring_of(const Vertex& cell, Facet facet) {

@@ -56,7 +56,7 @@ bool is_incidence(int code) {
 }
 
 int squared_length(const Vertex& vector) {
-  return dot(vector, vector);
+  return dot_product(vector, vector);
 }
 
 bool is_surface_point(CellPoint point) {
@@ -108,14 +108,14 @@ bool counts_directions(const LinkTable& links) {
 bool turns_counter_clockwise(const LinkTable& links, Incidence incidence) {
   const Vertex n = incidence_normal(incidence);
   const Link* half = links.link[incidence];
-  if (half[0] >= link_codes || dot(detail::derive::link_vector(links, half[0]), n) != 0)
+  if (half[0] >= link_codes || dot_product(detail::derive::link_vector(links, half[0]), n) != 0)
     return false;
   for (int i = 1; i < links.direction_count[incidence] / 2; ++i) {
     if (half[i] >= link_codes) return false;
     const Vertex vector = detail::derive::link_vector(links, half[i]);
-    if (dot(vector, n) != 0) return false;
+    if (dot_product(vector, n) != 0) return false;
     for (int earlier = 0; earlier < i; ++earlier)
-      if (dot(cross(detail::derive::link_vector(links, half[earlier]), vector), n) <= 0)
+      if (dot_product(cross(detail::derive::link_vector(links, half[earlier]), vector), n) <= 0)
         return false;
   }
   return true;
@@ -123,7 +123,7 @@ bool turns_counter_clockwise(const LinkTable& links, Incidence incidence) {
 
 bool begins_with_lowest(const LinkTable& links, Incidence incidence) {
   for (Link link = 0; link < links.link[incidence][0]; ++link)
-    if (dot(detail::derive::link_vector(links, link), incidence_normal(incidence)) == 0)
+    if (dot_product(detail::derive::link_vector(links, link), incidence_normal(incidence)) == 0)
       return false;
   return true;
 }
@@ -161,7 +161,7 @@ bool lies_as_its_code_says(const FacetRing& ring, Facet facet) {
     const Vertex a = position(ring.point[i]);
     const Vertex b = position(ring.point[(i + 1) % ring.count]);
     const Vertex c = position(ring.point[(i + 2) % ring.count]);
-    if (dot(n, b - a) != 0 || dot(n, cross(b - a, c - b)) <= 0) return false;
+    if (dot_product(n, b - a) != 0 || dot_product(n, cross(b - a, c - b)) <= 0) return false;
   }
   return true;
 }
@@ -202,8 +202,8 @@ int enclosed(const FacetTables& facets, int configuration) {
   for (int i = facets.table.first[configuration]; i < facets.table.first[configuration + 1]; ++i) {
     const FacetRing& ring = facets.rings.ring[facets.table.facet[i]];
     for (int p = 2; p < ring.count; ++p)
-      sum +=
-          dot(position(ring.point[0]), cross(position(ring.point[p - 1]), position(ring.point[p])));
+      sum += dot_product(position(ring.point[0]),
+                         cross(position(ring.point[p - 1]), position(ring.point[p])));
   }
   return sum;
 }

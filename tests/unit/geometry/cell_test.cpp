@@ -83,7 +83,7 @@ std::vector<int> corners_on_left(int face, const LoopLink& link) {
   const Vertex along = position(link.to) - from;
   std::vector<int> left;
   for (const int corner : detail::derive::face_corners(face).corner)
-    if (dot(cross(along, detail::derive::corner_position(corner) - from), inward(face)) > 0)
+    if (dot_product(cross(along, detail::derive::corner_position(corner) - from), inward(face)) > 0)
       left.push_back(corner);
   return left;
 }
@@ -155,7 +155,7 @@ TEST_CASE("a face's four corners lie on it, counter-clockwise seen from inside t
       const Vertex before = detail::derive::corner_position(ring.corner[i]);
       const Vertex here = detail::derive::corner_position(ring.corner[(i + 1) % 4]);
       const Vertex after = detail::derive::corner_position(ring.corner[(i + 2) % 4]);
-      CHECK(dot(inward(face), here) == plane);
+      CHECK(dot_product(inward(face), here) == plane);
       CHECK(cross(here - before, after - here) ==
             inward(face) + inward(face) + inward(face) + inward(face));
     }
@@ -172,8 +172,8 @@ TEST_CASE("two edge midpoints share one face or none, and face_of tells which") 
       int count = 0;
       for (int face = 0; face < faces; ++face) {
         const int32_t plane = face < 3 ? 0 : -2;
-        if (dot(inward(face), position(from)) != plane) continue;
-        if (dot(inward(face), position(to)) != plane) continue;
+        if (dot_product(inward(face), position(from)) != plane) continue;
+        if (dot_product(inward(face), position(to)) != plane) continue;
         shared = face;
         ++count;
       }
@@ -203,7 +203,8 @@ TEST_CASE("every link of a loop lies on a face and is a link of the lattice") {
   for_each_configuration([](Configuration configuration) {
     for (const LoopLink& link : loop_links(configuration)) {
       CHECK(face_of(link.from, link.to) < faces);
-      CHECK(detail::derive::link_of(links, position(link.to) - position(link.from)) < link_codes);
+      CHECK(detail::derive::link_of(detail::link_table, position(link.to) - position(link.from)) <
+            link_codes);
     }
   });
 }

@@ -130,7 +130,7 @@ int six_volumes(Facet facet) {
   const std::vector<CellPoint> ring = ring_of(facet);
   int sum = 0;
   for (size_t i = 2; i < ring.size(); ++i)
-    sum += dot(position(ring[0]), cross(position(ring[i - 1]), position(ring[i])));
+    sum += dot_product(position(ring[0]), cross(position(ring[i - 1]), position(ring[i])));
   return sum;
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("every axis incidence occurs 44 times, every diagonal one 5, every cor
   CHECK(times.size() == 26);
   constexpr int expected[] = {0, 44, 5, 93};
   for (const auto& [incidence, count] : times)
-    CHECK(count == expected[dot(incidence_normal(incidence), incidence_normal(incidence))]);
+    CHECK(count == expected[dot_product(incidence_normal(incidence), incidence_normal(incidence))]);
 }
 
 TEST_CASE("an incidence has 4 shapes on an axis, 2 on a diagonal, 8 on a corner") {
@@ -163,7 +163,7 @@ TEST_CASE("an incidence has 4 shapes on an axis, 2 on a diagonal, 8 on a corner"
   constexpr int expected[] = {0, 4, 2, 8};
   CHECK(shapes.size() == 26);
   for (const auto& [incidence, count] : shapes)
-    CHECK(count == expected[dot(incidence_normal(incidence), incidence_normal(incidence))]);
+    CHECK(count == expected[dot_product(incidence_normal(incidence), incidence_normal(incidence))]);
 }
 
 TEST_CASE("a facet's code is its incidence and its shape") {
@@ -204,8 +204,8 @@ TEST_CASE("a facet is flat and convex, its ring counter-clockwise seen from the 
       const Vertex here = position(ring[i]);
       const Vertex next = position(ring[(i + 1) % ring.size()]);
       const Vertex after = position(ring[(i + 2) % ring.size()]);
-      CHECK(dot(n, next - here) == 0);
-      CHECK(dot(n, cross(next - here, after - next)) > 0);
+      CHECK(dot_product(n, next - here) == 0);
+      CHECK(dot_product(n, cross(next - here, after - next)) > 0);
     }
   });
 }
@@ -215,13 +215,13 @@ TEST_CASE("a facet is what its incidence says: right triangle, rectangle, equila
     std::multiset<int> squared_lengths;
     for (const auto& [from, to] : links_of(facet)) {
       const Vertex link = position(to) - position(from);
-      CHECK(detail::derive::link_of(links, link) < link_codes);
-      squared_lengths.insert(dot(link, link));
+      CHECK(detail::derive::link_of(detail::link_table, link) < link_codes);
+      squared_lengths.insert(dot_product(link, link));
     }
     const Vertex n = incidence_normal(incidence_of(facet));
-    if (dot(n, n) == 1) CHECK(squared_lengths == std::multiset<int>{2, 2, 4});
-    if (dot(n, n) == 2) CHECK(squared_lengths == std::multiset<int>{2, 2, 4, 4});
-    if (dot(n, n) == 3) CHECK(squared_lengths == std::multiset<int>{2, 2, 2});
+    if (dot_product(n, n) == 1) CHECK(squared_lengths == std::multiset<int>{2, 2, 4});
+    if (dot_product(n, n) == 2) CHECK(squared_lengths == std::multiset<int>{2, 2, 4, 4});
+    if (dot_product(n, n) == 3) CHECK(squared_lengths == std::multiset<int>{2, 2, 2});
   });
 }
 
@@ -232,13 +232,13 @@ TEST_CASE("shapes are numbered as promised") {
     const Shape shape = shape_of(facet);
     if (!has_centroid(facet)) {
       // On the on side of the centroid the plane cuts off what the normal points away from.
-      CHECK(shape == (dot(n, position(ring_of(facet)[0]) - middle) < 0 ? 0 : 1));
+      CHECK(shape == (dot_product(n, position(ring_of(facet)[0]) - middle) < 0 ? 0 : 1));
       return;
     }
     CHECK(ring_of(facet)[0] == centroid);
     const Vertex outer = position(ring_of(facet)[2]) - position(ring_of(facet)[1]);
     const Direction direction = direction_of(incidence, outer);
-    CHECK(shape == (dot(n, n) == 1 ? direction / 2 : 2 + direction));
+    CHECK(shape == (dot_product(n, n) == 1 ? direction / 2 : 2 + direction));
   });
 }
 
@@ -249,7 +249,7 @@ TEST_CASE("normals point from on to off, at every edge of the cell that a facet 
         if (point == centroid) continue;
         const Vertex midpoint = position(point);
         CHECK(end_is_on(c, midpoint, true) != end_is_on(c, midpoint, false));
-        CHECK(dot(incidence_normal(incidence_of(facet)), towards_off(c, midpoint)) > 0);
+        CHECK(dot_product(incidence_normal(incidence_of(facet)), towards_off(c, midpoint)) > 0);
       }
   });
 }

@@ -37,7 +37,7 @@ TEST_CASE("the vertices of a plane have one offset, and those beside it another"
   for_each_incidence([](Incidence incidence) {
     const Vertex vertex{3, -4, 12};
     const int32_t offset = plane_offset(incidence, vertex);
-    CHECK(offset == dot(incidence_normal(incidence), vertex));
+    CHECK(offset == dot_product(incidence_normal(incidence), vertex));
     for (Direction direction = 0; direction < direction_count(incidence); ++direction)
       CHECK(plane_offset(incidence, vertex + direction_vector(incidence, direction)) == offset);
     CHECK(plane_offset(incidence, vertex + incidence_normal(incidence)) != offset);

@@ -56,7 +56,7 @@ bool is_left_of_all(Incidence incidence, Vertex at, const std::vector<Run>& runs
   for (const Run run : runs) {
     const Vertex step = direction_vector(incidence, run.direction());
     const Vertex to_point = eighths - Vertex{8 * at.x, 8 * at.y, 8 * at.z};
-    if (dot(cross(step, to_point), incidence_normal(incidence)) <= 0) return false;
+    if (dot_product(cross(step, to_point), incidence_normal(incidence)) <= 0) return false;
     at = after_run(incidence, at, run);
   }
   return true;
@@ -84,7 +84,8 @@ Ring any_ring(Chance& chance) {
   Ring ring{incidences[chance.below(4)], {0, 0, 0}, 0};
   const auto count = static_cast<uint32_t>(direction_count(ring.incidence));
   for (int i = 0; i < 2; ++i)
-    move(ring.start, ring.incidence, static_cast<Direction>(chance.below(count)), chance.below(9));
+    translate(ring.start, ring.incidence, static_cast<Direction>(chance.below(count)),
+              chance.below(9));
   ring.start = ring.start + Vertex{0, 0, static_cast<int32_t>(chance.below(2))};
   ring.first = static_cast<Direction>(chance.below(count));
   return ring;

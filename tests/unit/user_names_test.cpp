@@ -1,0 +1,16 @@
+// A program may use the whole namespace beside short names of its own.
+#include <discmc/discmc.h>
+#include <doctest/doctest.h>
+
+#include <discmc/discmc.hpp>
+
+static int slices = 1, stream = 2, trace = 3, join = 4, wire = 5, links = 6, move = 7, add = 8, dot = 9,
+    normal = 10, derive = 11, sizing = 12;
+
+using namespace discmc;
+
+TEST_CASE("names of a program are not ambiguous after using namespace discmc") {
+  CHECK(slices + stream + trace + join + wire + links + move + add + dot + normal + derive +
+            sizing ==
+        78);
+}
