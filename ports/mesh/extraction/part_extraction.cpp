@@ -304,7 +304,7 @@ class Parts {
       return;
     }
     for (std::size_t i = 0; i < sums_.size(); ++i) {
-      discmc::add(sums_[i].statistics, extractions[i].statistics);
+      discmc::add_totals(sums_[i].statistics, extractions[i].statistics);
       sums_[i].voxels += extractions[i].voxels;
       sums_[i].not_numbers += extractions[i].not_numbers;
       sums_[i].is_full = sums_[i].is_full && extractions[i].is_full;
