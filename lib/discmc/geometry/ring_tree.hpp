@@ -58,6 +58,9 @@ class RingSide {
   constexpr int64_t end_line() const { return end_line_; }
   /// Where it crosses one of them.
   constexpr int64_t crossing(int64_t line) const { return low_.u + slope_ * (line - low_.v); }
+  /// Where it is half an eighth above a line, in sixteenths of a half-step: there two sides that
+  /// meet on the line are apart.
+  constexpr int64_t crossing_above(int64_t line) const { return 2 * crossing(line) + slope_; }
   /// Whether it is crossed towards larger u from its right to its left: into an outer ring, and out
   /// of a hole.
   constexpr bool leads_left() const { return leads_left_; }
@@ -122,7 +125,7 @@ class RingTree {
   }
 
   /// Calls visit(ring, crossing) for the ring behind a side of another ring, on each line that the
-  /// side crosses. at: a vertex of the plane.
+  /// side crosses: RingSide::crossing_above(). at: a vertex of the plane.
   template <class Visit>
   void cross(const Rings& rings, Incidence incidence, const Vertex& at, const RingSide& side,
              Visit visit) const {
@@ -132,9 +135,8 @@ class RingTree {
       if (ring == no_slot || !is_on(rings, ring, plane)) return;
       line = point(rings, ring).v;
       if (line >= side.end_line()) return;
-      const int64_t crossing = side.crossing(line);
-      ring = first_on_line(rings, plane, {crossing, line});
-      if (ring != no_slot) visit(ring, crossing);
+      ring = first_on_line(rings, plane, {side.crossing(line), line});
+      if (ring != no_slot) visit(ring, side.crossing_above(line));
     }
   }
 
