@@ -106,6 +106,7 @@ TEST_CASE("hardly a byte is left over by the default capacities") {
     const Capacities capacities = default_capacities<uint16_t>(small, bytes);
     const uint64_t left = bytes - bytes_for<uint16_t>(small, capacities);
     CHECK(left < 8 + Arena::alignment);
+    CHECK(capacities.holes == capacities.slots / 16);
   }
 }
 

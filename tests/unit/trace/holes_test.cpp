@@ -143,6 +143,28 @@ TEST_CASE_TEMPLATE("a hole is found by its plane, and when no ring comes, at las
   }
 }
 
+TEST_CASE("a hole in a tree keeps its plane, its first direction and a note") {
+  trace::Hole<uint32_t> hole{};
+  // Twice eight half-steps along a row of the widest volume, and half an eighth.
+  constexpr int32_t last = 16 * 65531 + 1;
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
+    for (Direction first = 0; first < max_directions; ++first)
+      for (const int32_t crossing : {-17, 0, 1, last}) {
+        hole.set(incidence, first);
+        CHECK_FALSE(hole.is_noted());
+        for (const bool leads_inside : {false, true}) {
+          hole.set_note(crossing, leads_inside);
+          CHECK(hole.is_noted());
+          CHECK(hole.leads_inside() == leads_inside);
+          CHECK(hole.crossing() == crossing);
+        }
+        hole.clear_note();
+        CHECK_FALSE(hole.is_noted());
+        CHECK(hole.incidence() == incidence);
+        CHECK(hole.first() == first);
+      }
+}
+
 TEST_CASE("of many holes on a plane each ring takes its own") {
   // A plate with holes, islands in the holes, holes in the islands; slots at an angle across it,
   // with thin islands in them; and teeth along two of its sides.
