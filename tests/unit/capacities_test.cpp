@@ -108,6 +108,7 @@ TEST_CASE("hardly a byte is left over by the default capacities") {
     const Capacities capacities = Extractor16::default_capacities(small, bytes);
     const uint64_t left = bytes - Extractor16::bytes_for(small, capacities);
     CHECK(left < 8 + Arena::alignment);
+    CHECK(capacities.holes == capacities.slots / 16);
   }
 }
 

@@ -41,32 +41,36 @@ constexpr ProjectedPoint point_beside(Incidence incidence, const Vertex& start, 
 /// lower end, and not the line at its upper end: where two sides meet on a line, one crosses.
 class RingSide {
  public:
-  constexpr RingSide(Incidence incidence, const Vertex& from, Run run) {
+  RingSide(Incidence incidence, const Vertex& from, Run run) {
     const Vertex link = direction_vector(incidence, run.direction());
     const ProjectedPoint step = projected(incidence, link);
     const ProjectedPoint begin = projected(incidence, from);
     const ProjectedPoint end = projected(incidence, after_run(incidence, from, run));
-    const ProjectedPoint& low = begin.v < end.v ? begin : end;
-    low_ = {8 * low.u, 8 * low.v};
+    first_line_ = 8 * (begin.v < end.v ? begin.v : end.v);
     end_line_ = 8 * (begin.v < end.v ? end.v : begin.v);
-    slope_ = step.u == 0 || step.v == 0 ? 0 : (step.u > 0) == (step.v > 0) ? 1 : -1;
-    leads_left_ = projected(incidence, cross(incidence_normal(incidence), link)).u > 0;
+    slope_ = static_cast<int32_t>(step.u * step.v);  // steps along both are by one each
+    on_line_0_ = 8 * (begin.u - slope_ * begin.v);
+    leads_left_ = projected(incidence, cross(normal(incidence), link)).u > 0;
   }
 
   /// The lines that it crosses: from the first one on, those before the end.
-  constexpr int64_t first_line() const { return low_.v; }
-  constexpr int64_t end_line() const { return end_line_; }
+  int64_t first_line() const { return first_line_; }
+  int64_t end_line() const { return end_line_; }
   /// Where it crosses one of them.
-  constexpr int64_t crossing(int64_t line) const { return low_.u + slope_ * (line - low_.v); }
+  int64_t crossing(int64_t line) const { return on_line_0_ + slope_ * line; }
+  /// Where it is half an eighth above a line, in sixteenths of a half-step: there two sides that
+  /// meet on the line are apart.
+  int64_t crossing_above(int64_t line) const { return 2 * crossing(line) + slope_; }
   /// Whether it is crossed towards larger u from its right to its left: into an outer ring, and out
   /// of a hole.
-  constexpr bool leads_left() const { return leads_left_; }
+  bool leads_left() const { return leads_left_; }
 
  private:
-  ProjectedPoint low_{0, 0};
-  int64_t end_line_ = 0;
-  int8_t slope_ = 0;
-  bool leads_left_ = false;
+  int64_t first_line_;
+  int64_t end_line_;
+  int64_t on_line_0_;  // where it would cross that
+  int32_t slope_;
+  bool leads_left_;
 };
 
 /// Its look-ups are not inlined: they are called from many places, and seldom.
@@ -76,8 +80,6 @@ class RingSide {
 template <class Rings>
 class RingTree {
  public:
-  void clear() { tree_.clear(); }
-  bool is_empty() const { return tree_.is_empty(); }
   /// One of the rings, or no_slot.
   uint32_t any() const { return tree_.root(); }
 
@@ -116,13 +118,17 @@ class RingTree {
       if (ring == no_slot || !is_on(rings, ring, plane)) return false;
       const ProjectedPoint found = point(rings, ring);
       if (found.v > high.v) return false;
-      if (found.u >= low.u && found.u <= high.u) return true;
-      line = found.u < low.u ? found.v : found.v + 1;
+      if (found.u > high.u)
+        line = found.v + 1;
+      else if (found.u < low.u)
+        line = found.v;
+      else
+        return true;
     }
   }
 
   /// Calls visit(ring, crossing) for the ring behind a side of another ring, on each line that the
-  /// side crosses. at: a vertex of the plane.
+  /// side crosses: RingSide::crossing_above(). at: a vertex of the plane.
   template <class Visit>
   void cross(const Rings& rings, Incidence incidence, const Vertex& at, const RingSide& side,
              Visit visit) const {
@@ -132,9 +138,8 @@ class RingTree {
       if (ring == no_slot || !is_on(rings, ring, plane)) return;
       line = point(rings, ring).v;
       if (line >= side.end_line()) return;
-      const int64_t crossing = side.crossing(line);
-      ring = first_on_line(rings, plane, {crossing, line});
-      if (ring != no_slot) visit(ring, crossing);
+      ring = first_on_line(rings, plane, {side.crossing(line), line});
+      if (ring != no_slot) visit(ring, side.crossing_above(line));
     }
   }
 
@@ -152,7 +157,8 @@ class RingTree {
       const Plane plane = plane_of(rings, other);
       const ProjectedPoint at = point(rings, other);
       if (is_behind(rings, ring, plane, {at.u + 1, at.v})) return false;
-      return !is_behind(rings, ring, plane, at) || ring < other;  // rings of chance may be equal
+      // Rings of chance may be equal: without an order of them the tree would be deep.
+      return !is_behind(rings, ring, plane, at) || ring < other;
     }
   };
 
@@ -175,7 +181,7 @@ class RingTree {
     const int32_t offset = plane_offset(incidence, rings.start(ring));
     if (offset != plane.offset) return offset > plane.offset;
     const ProjectedPoint own = point(rings, ring);
-    return own.v != at.v ? own.v > at.v : own.u >= at.u;
+    return own.v > at.v || (own.v == at.v && own.u >= at.u);
   }
   DISCMC_NOINLINE uint32_t first_from(const Rings& rings, const Plane& plane,
                                       const ProjectedPoint& at) const {

@@ -16,14 +16,11 @@ namespace discmc {
 template <class Nodes>
 class Treap {
  public:
-  void clear() { root_ = no_slot; }
-  bool is_empty() const { return root_ == no_slot; }
   uint32_t root() const { return root_; }
 
   void insert(const Nodes& nodes, uint32_t node) {
     uint32_t* link = &root_;
-    while (*link != no_slot && priority(*link) > priority(node))
-      link = &towards(nodes, node, *link);
+    while (priority(*link) > priority(node)) link = &towards(nodes, node, *link);
     // What lies below is divided: nodes before the new one, and nodes after it.
     uint32_t rest = *link;
     *link = node;
@@ -48,14 +45,14 @@ class Treap {
     uint32_t* link = &root_;
     while (*link != node) link = &towards(nodes, node, *link);
     uint32_t before = nodes.left(node), after = nodes.right(node);
-    while (before != no_slot && after != no_slot) {
+    while (before != after) {  // until both are no_slot
       const bool is_before = priority(before) > priority(after);
       uint32_t& upper = is_before ? before : after;
       *link = upper;
       link = &(is_before ? nodes.right(upper) : nodes.left(upper));
       upper = *link;
     }
-    *link = before != no_slot ? before : after;
+    *link = no_slot;
   }
 
   /// The first node for which is_behind(node) is true, or no_slot. is_behind: false for the first
@@ -78,17 +75,21 @@ class Treap {
     uint32_t node = root_;
     while (node != no_slot) {
       const int32_t found = order(node);
-      if (found == 0) return node;
-      node = found < 0 ? nodes.right(node) : nodes.left(node);
+      if (found > 0)
+        node = nodes.left(node);
+      else if (found < 0)
+        node = nodes.right(node);
+      else
+        break;
     }
-    return no_slot;
+    return node;
   }
 
  private:
   static uint32_t& towards(const Nodes& nodes, uint32_t node, uint32_t from) {
     return nodes.precedes(node, from) ? nodes.left(from) : nodes.right(from);
   }
-  // No two numbers have the same one: every step can be undone.
+  // No two numbers have the same one, as every step can be undone; that of no_slot is the least, 0.
   static uint32_t priority(uint32_t node) {
     node = (node ^ node >> 16) * 0x85EBCA6BU;
     node = (node ^ node >> 13) * 0xC2B2AE35U;

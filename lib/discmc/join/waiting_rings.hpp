@@ -12,12 +12,7 @@ namespace discmc::detail::join {
 /// that has rings.
 class WaitingRings {
  public:
-  void clear() {
-    places_.clear();
-    outers_.clear();
-    first_noted_ = no_chain;
-    unsorted_outers_ = 0;
-  }
+  void clear() { *this = WaitingRings(); }
 
   void insert(HeldChains& chains, uint32_t ring);
   /// Limit: the ring has no note.
@@ -36,7 +31,7 @@ class WaitingRings {
   template <class Visit>
   void settle(HeldChains& chains, bool is_left, Visit visit);
   void forget_notes(HeldChains& chains) {
-    settle(chains, true, [](uint32_t) {});
+    while (first_noted_ != no_chain) forget_first_note(chains);
   }
 
   /// Removes an outer ring, or returns no_chain. On a plane, inner rings come first. Limit: no ring
@@ -44,6 +39,12 @@ class WaitingRings {
   uint32_t take_outer(HeldChains& chains);
 
  private:
+  void forget_first_note(HeldChains& chains) {
+    HeldChain& chain = chains[first_noted_];
+    first_noted_ = chain.next_noted;
+    chain.clear(HeldChain::noted | HeldChain::leads_left);
+  }
+
   struct Nodes {
     HeldChains& chains;
     Incidence incidence(uint32_t ring) const { return chains[ring].incidence; }
@@ -58,7 +59,7 @@ class WaitingRings {
   struct Lowest : Nodes {
     bool precedes(uint32_t ring, uint32_t other) const {
       const int32_t high = chains[ring].high, other_high = chains[other].high;
-      return high != other_high ? high < other_high : ring < other;
+      return high < other_high || (high == other_high && ring < other);
     }
   };
 
@@ -80,10 +81,8 @@ void WaitingRings::settle(HeldChains& chains, bool is_left, Visit visit) {
   }
   while (first_noted_ != no_chain) {
     const uint32_t ring = first_noted_;
-    HeldChain& chain = chains[ring];
-    const bool is_wanted = chain.has(HeldChain::leads_left) == is_left;
-    first_noted_ = chain.next_noted;
-    chain.clear(HeldChain::noted | HeldChain::leads_left);
+    const bool is_wanted = chains[ring].has(HeldChain::leads_left) == is_left;
+    forget_first_note(chains);
     if (is_wanted) visit(ring);
   }
 }

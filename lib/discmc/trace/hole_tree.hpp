@@ -17,11 +17,7 @@ class Holes<uint32_t, Normal> {
   static constexpr uint32_t slots_each = 2;
 
   void start(uint32_t* /*heads*/) {}
-  void clear() {
-    waiting_.clear();
-    marked_.clear();
-    count_ = peak_ = number_ = 0;
-  }
+  void clear() { *this = Holes(); }
 
   uint32_t count() const { return count_; }
   uint32_t peak() const { return peak_; }
@@ -155,7 +151,6 @@ uint32_t Holes<uint32_t, Normal>::mark_inside(Slots& slots, const Ring& ring) {
     uint32_t inside = index;
     do {
       const uint32_t next = waiting_.next_on_line(Nodes{slots}, inside);
-      slots[inside].hole.clear_note();
       mark_one(slots, inside);
       ++marked;
       inside = next;

@@ -33,6 +33,8 @@ DECLARATIONS = {Kind.VAR_DECL, Kind.FIELD_DECL, Kind.PARM_DECL}
 # What is a constant of the program's text, or never evaluated.
 UNTOUCHED = {Kind.ENUM_DECL, Kind.STATIC_ASSERT, Kind.TEMPLATE_NON_TYPE_PARAMETER,
              Kind.TYPE_ALIAS_DECL, Kind.TYPEDEF_DECL, Kind.CXX_UNARY_EXPR, Kind.USING_DECLARATION}
+# Calls that do nothing without an address sanitizer (checks.hpp).
+CHECKS = ('poison(', 'unpoison(')
 
 
 @dataclass
@@ -126,7 +128,8 @@ class Instrumenter:
     # ---- the walk ----
 
     def visit(self, cursor, constant):
-        if cursor.kind in UNTOUCHED or self.is_constant_variable(cursor):
+        if (cursor.kind in UNTOUCHED or self.is_constant_variable(cursor)
+                or self.is_check(cursor)):
             return
         if cursor.kind in FUNCTIONS:
             head = self.text[cursor.extent.start.offset:cursor.location.offset]
@@ -163,6 +166,9 @@ class Instrumenter:
         head = self.text[cursor.extent.start.offset:cursor.location.offset].split()
         return 'constexpr' in head or is_global and 'const' in head
 
+    def is_check(self, cursor):
+        return self.text.startswith(CHECKS, cursor.extent.start.offset)
+
     def last_before(self, cursor):
         return self.text[:cursor.extent.start.offset].rstrip()[-1:]
 
@@ -183,7 +189,8 @@ class Instrumenter:
                   Kind.CXX_FOR_RANGE_STMT: children[-1:], Kind.DO_STMT: children[:1],
                   Kind.CASE_STMT: children[1:], Kind.DEFAULT_STMT: children}
         for child in bodies.get(cursor.kind, []):
-            if child.kind.is_expression() and self.is_new(child, 'statement'):
+            if (child.kind.is_expression() and not self.is_check(child)
+                    and self.is_new(child, 'statement')):
                 start = child.extent.start.offset
                 number = self.mutant(start, f'without: {self.text_of(child)}', constant)
                 self.before(start, f'if (mutation::skips({number})) {{}} else ')

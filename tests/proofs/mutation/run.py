@@ -1,4 +1,4 @@
-"""scripts/check/mutate: breaks the library in one place after another and counts what its tests catch.
+"""scripts/check/mutate: breaks the code in one place after another and counts what its tests catch.
 
 The mutants are all in one program (instrument.py), which the environment tells the active one. Of
 each only the test cases that reach it are run, until one fails: first those that caught others of
@@ -21,6 +21,7 @@ from pathlib import Path
 import instrument
 
 ROOT = Path(__file__).resolve().parents[3]
+MUTATED = ('lib/discmc', 'ports/mesh/host')
 BUILD = ROOT / 'build' / 'mutation'
 PROGRAM = BUILD / 'mutants'
 RESULTS = BUILD / 'results.tsv'
@@ -32,13 +33,13 @@ MEMORY = 2 << 30  # bytes that a mutant may take
 # ---- the program that holds the mutants ----
 
 def write_copy(refused):
-    """The library with its mutants, in the build folder; a file that is as it was is left alone."""
+    """The code with its mutants, in the build folder; a file that is as it was is left alone."""
     numbers = itertools.count(1)
     mutants, targets = [], set()
-    for path in sorted((ROOT / 'lib' / 'discmc').rglob('*.*')):
+    for path in sorted(path for folder in MUTATED for path in (ROOT / folder).rglob('*.*')):
         text = path.read_text()
         if path.suffix in ('.cpp', '.hpp'):
-            flags = ['-x', 'c++', '-std=c++17', f'-I{ROOT}/lib']
+            flags = ['-x', 'c++', '-std=c++17', f'-I{ROOT}/lib', f'-I{ROOT}/ports/mesh']
             file = instrument.Instrumenter(path, flags, lambda: next(numbers), refused[path.name])
             mutants += file.mutants
             text = file.rewritten()
@@ -47,9 +48,10 @@ def write_copy(refused):
         target.parent.mkdir(parents=True, exist_ok=True)
         if not target.exists() or target.read_text() != text:
             target.write_text(text)
-    for path in (BUILD / 'lib').rglob('*.*'):
-        if path not in targets:
-            path.unlink()
+    for folder in MUTATED:
+        for path in (BUILD / folder).rglob('*.*'):
+            if path not in targets:
+                path.unlink()
     return mutants
 
 
@@ -64,7 +66,8 @@ def build():
                                stdout=subprocess.PIPE, text=True)
         if ninja.returncode == 0:
             return mutants, sum(len(lines) for lines in refused.values())
-        found = re.findall(r'lib/discmc/(?:\w+/)*(\w+\.[ch]pp):(\d+):\d+: error', ninja.stdout)
+        found = re.findall(rf'(?:{"|".join(MUTATED)})/(?:\w+/)*(\w+\.[ch]pp):(\d+):\d+: error',
+                           ninja.stdout)
         found = {(file, int(line)) for file, line in found if int(line) not in refused[file]}
         if not found:
             sys.exit(ninja.stdout[-4000:] + '\nmutate: this does not build, whatever is left out')
@@ -240,10 +243,11 @@ def arguments():
     parser = argparse.ArgumentParser(
         prog='scripts/check/mutate', description=__doc__.splitlines()[0].partition(': ')[2],
         epilog=f'Fails when a mutant is neither caught nor explained in '
-        f'tests/proofs/mutation/{EQUIVALENT.name}. All of them take two cores an hour and a half, '
+        f'tests/proofs/mutation/{EQUIVALENT.name}. All of them take two cores two hours, '
         'most of it for those that survive.')
     parser.add_argument('files', nargs='*', metavar='FILE', default=['*'],
-                        help='of lib/discmc, as holes.hpp or "*.hpp"; all when none is named')
+                        help='of lib/discmc and ports/mesh/host, as holes.hpp or "*.hpp"; all when '
+                        'none is named')
     parser.add_argument('--share', default='1/1', metavar='1/N', help='every N-th mutant alone')
     parser.add_argument('--slowest', type=int, default=1, metavar='SECONDS',
                         help='test cases that take longer are left out (1)')
@@ -263,7 +267,7 @@ def main():
     chosen = [mutant for mutant in mutants if any(fnmatch(mutant.file, f) for f in given.files)]
     chosen = chosen[::int(given.share[2:])]
     if not chosen:
-        sys.exit(f'mutate: no mutants in {" ".join(given.files)}: name files of lib/discmc')
+        sys.exit(f'mutate: no mutants in {" ".join(given.files)}: name files of {" or ".join(MUTATED)}')
     print(f'mutate: {len(chosen)} of {whole} mutants; {refused_lines} lines were refused')
     listed = explained()
     results = run(chosen, measured_cases(given.slowest), listed, given.resume)

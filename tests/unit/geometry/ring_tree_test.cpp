@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -91,14 +92,15 @@ Ring any_ring(Chance& chance) {
   return ring;
 }
 
-// The tree's links are its own, so they may change.
+// The tree's links are its own, so they may change. To touch number 0 fails, as no ring has it.
 struct Rings {
-  std::vector<Ring> ring{1};  // none has number 0
+  std::vector<Ring> ring{1};
   mutable std::map<uint32_t, std::pair<uint32_t, uint32_t>> links;
 
-  Incidence incidence(uint32_t i) const { return ring[i].incidence; }
-  Vertex start(uint32_t i) const { return ring[i].start; }
-  Direction first(uint32_t i) const { return ring[i].first; }
+  const Ring& at(uint32_t i) const { return i == no_slot ? throw std::out_of_range("0") : ring[i]; }
+  Incidence incidence(uint32_t i) const { return at(i).incidence; }
+  Vertex start(uint32_t i) const { return at(i).start; }
+  Direction first(uint32_t i) const { return at(i).first; }
   uint32_t& left(uint32_t i) const { return links[i].first; }
   uint32_t& right(uint32_t i) const { return links[i].second; }
 };
@@ -189,7 +191,9 @@ TEST_CASE("a tree finds rings by plane, by line and behind a place, as a search 
   for (int step = 0; step < 3000; ++step) {
     if (inside.size() < 40 || chance.below(2) == 0) {
       const auto ring = static_cast<uint32_t>(rings.ring.size());
-      rings.ring.push_back(any_ring(chance));
+      // Some rings are equal.
+      rings.ring.push_back(chance.below(4) == 0 && !inside.empty() ? rings.ring[inside.back()]
+                                                                   : any_ring(chance));
       tree.insert(rings, ring);
       inside.push_back(ring);
     } else {
@@ -219,7 +223,7 @@ TEST_CASE("a tree finds rings by plane, by line and behind a place, as a search 
     std::map<int64_t, uint32_t> found, expected;  // by line
     tree.cross(rings, probe.incidence, probe.start, side, [&](uint32_t ring, int64_t crossing) {
       const int64_t line = point_of(rings.ring[ring]).v;
-      CHECK(crossing == side.crossing(line));
+      CHECK(crossing == side.crossing_above(line));
       CHECK(found.emplace(line, ring).second);
     });
     for (const uint32_t ring : inside) {
@@ -233,28 +237,54 @@ TEST_CASE("a tree finds rings by plane, by line and behind a place, as a search 
         first->second = ring;
     }
     REQUIRE(found == expected);
+
+    const uint32_t ring = inside[chance.below(static_cast<uint32_t>(inside.size()))];
+    const auto behind = [&](uint32_t other) {
+      const ProjectedPoint own = point_of(rings.ring[ring]), point = point_of(rings.ring[other]);
+      const bool is_behind = are_on_one_plane(rings.ring[ring], rings.ring[other]) &&
+                             point.v == own.v && point.u > own.u;
+      return std::make_pair(is_behind ? point.u : INT64_MAX, other);
+    };
+    const uint32_t next =
+        *std::min_element(inside.begin(), inside.end(),
+                          [&](uint32_t a, uint32_t b) { return behind(a) < behind(b); });
+    REQUIRE(tree.next_on_line(rings, ring) == (behind(next).first < INT64_MAX ? next : no_slot));
   }
 }
 
-TEST_CASE("a tree of rings in order is hardly deeper than one of rings by chance") {
-  Rings rings;
-  RingTree<Rings> tree;
+TEST_CASE("two sides that begin at one vertex are apart just above it") {
   const Incidence up = incidence_of({0, 0, 1});
-  constexpr uint32_t count = 20000;
-  for (uint32_t i = 0; i < count; ++i) {
-    rings.ring.push_back(
-        {up, {static_cast<int32_t>(2 * (i % 100)), static_cast<int32_t>(i / 100), 1}, 0});
-    tree.insert(rings, static_cast<uint32_t>(rings.ring.size() - 1));
+  const Vertex corner{5, 7, 1};
+  const auto crossing_above = [&](const Vertex& link) {
+    const RingSide side(up, corner, Run::straight(direction_of(up, link), 3));
+    CHECK(side.crossing(8 * 7) == 8 * 5);
+    return side.crossing_above(8 * 7);
+  };
+  CHECK(crossing_above({-1, 1, 0}) == 16 * 5 - 1);
+  CHECK(crossing_above({0, 2, 0}) == 16 * 5);
+  CHECK(crossing_above({1, 1, 0}) == 16 * 5 + 1);
+}
+
+TEST_CASE("a tree of rings in order, or of equal rings, is hardly deeper than one by chance") {
+  for (const int32_t step : {0, 1}) {
+    Rings rings;
+    RingTree<Rings> tree;
+    const Incidence up = incidence_of({0, 0, 1});
+    constexpr int32_t count = 20000;
+    for (int32_t i = 0; i < count; ++i) {
+      rings.ring.push_back({up, {2 * (i % 100) * step, i / 100 * step, 1}, 0});
+      tree.insert(rings, static_cast<uint32_t>(rings.ring.size() - 1));
+    }
+    uint32_t deepest = 0;
+    std::vector<std::pair<uint32_t, uint32_t>> open{{tree.any(), 1}};
+    while (!open.empty()) {
+      const auto [ring, depth] = open.back();
+      open.pop_back();
+      if (ring == no_slot) continue;
+      deepest = std::max(deepest, depth);
+      open.push_back({rings.left(ring), depth + 1});
+      open.push_back({rings.right(ring), depth + 1});
+    }
+    CHECK(deepest < 50);  // 15 at the least
   }
-  uint32_t deepest = 0;
-  std::vector<std::pair<uint32_t, uint32_t>> open{{tree.any(), 1}};
-  while (!open.empty()) {
-    const auto [ring, depth] = open.back();
-    open.pop_back();
-    if (ring == no_slot) continue;
-    deepest = std::max(deepest, depth);
-    open.push_back({rings.left(ring), depth + 1});
-    open.push_back({rings.right(ring), depth + 1});
-  }
-  CHECK(deepest < 50);  // 15 at the least
 }

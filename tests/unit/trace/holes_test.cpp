@@ -72,6 +72,20 @@ TEST_CASE("a hole goes to the ring around it, not to one whose oblique side pass
   }
 }
 
+TEST_CASE("a hole goes to its own ring, although a corner of another is on its line") {
+  // A face behind the picture has an island in a hole; another hole waits to the right of the
+  // corner where two oblique sides of the island meet.
+  const char* const picture[] = {
+      "......#..###..", "....#########.", "..####.##...##", ".###..........", "##.........#..",
+      ".##.......###.", "..##..#..#####", "...##.##.#####", "....###...###.", ".....#.....#.."};
+  BitVolume volume({14, 2, 10});
+  for (int64_t z = 0; z < 10; ++z)
+    for (int64_t x = 0; x < 14; ++x) volume.on[volume.index(x, 1, z)] = picture[z][x] == '#';
+  for (const auto& [x, z] : {std::pair{6, 6}, {11, 6}, {11, 7}})
+    volume.on[volume.index(x, 0, z)] = 1;
+  CHECK(unlike_with_either(volume) == "");
+}
+
 TEST_CASE("a hole goes to its own ring, whatever its slot has been used for") {
   // Behind noise, pairs of plates side by side, of which one closes while the other's hole waits.
   const BitVolume noise = random({40, 36, 2}, 128, 8);
@@ -103,6 +117,7 @@ TEST_CASE_TEMPLATE("a hole is found by its plane, and when no ring comes, at las
   ring.kind = detail::trace::Outgoing<Index>::Kind::fragment;
   ring.incidence = incidence;
   const auto is_on = [&](int32_t z) { return holes.has_any(slots, incidence, {4, 1, z}); };
+  constexpr uint32_t slots_each_hole = Holes::slots_each + 1;  // and its run
   for (int32_t z = 0; z < 40; ++z) {
     CHECK(!is_on(z));
     ring.start = {2, 1, z};
@@ -116,13 +131,39 @@ TEST_CASE_TEMPLATE("a hole is found by its plane, and when no ring comes, at las
   for (uint32_t left = 40; left > 0; --left) {
     CHECK(holes.count() == left);
     Vertex start{};
+    ring.incidence = no_incidence;
     holes.any_plane(slots, ring.incidence, ring.start);
+    CHECK(ring.incidence == incidence);
     CHECK(is_on(ring.start.z));
     CHECK(holes.mark(slots, ring) == 1);
     holes.take(slots, ring.last, start);
+    trace::RunLists<Index, NoNormal>::give(slots, ring.last);
     CHECK(start == ring.start);
     CHECK(!is_on(start.z));
+    CHECK(slots.in_use() == (left - 1) * slots_each_hole);
   }
+}
+
+TEST_CASE("a hole in a tree keeps its plane, its first direction and a note") {
+  trace::Hole<uint32_t> hole{};
+  // Twice eight half-steps along a row of the widest volume, and half an eighth.
+  constexpr int32_t last = 16 * 65531 + 1;
+  for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
+    for (Direction first = 0; first < max_directions; ++first)
+      for (const int32_t crossing : {-17, 0, 1, last}) {
+        hole.set(incidence, first);
+        CHECK_FALSE(hole.is_noted());
+        for (const bool leads_inside : {false, true}) {
+          hole.set_note(crossing, leads_inside);
+          CHECK(hole.is_noted());
+          CHECK(hole.leads_inside() == leads_inside);
+          CHECK(hole.crossing() == crossing);
+        }
+        hole.clear_note();
+        CHECK_FALSE(hole.is_noted());
+        CHECK(hole.incidence() == incidence);
+        CHECK(hole.first() == first);
+      }
 }
 
 TEST_CASE("of many holes on a plane each ring takes its own") {
@@ -149,14 +190,15 @@ TEST_CASE("of many holes on a plane each ring takes its own") {
   CHECK(unlike_with_either(upright) == "");
 }
 
-TEST_CASE("the peak counts the holes that waited at once, and begins anew with a scan") {
+TEST_CASE_TEMPLATE("the peak counts the holes that waited at once, and begins anew with a scan",
+                   Index, uint16_t, uint32_t) {
   // Three holes in each of two faces of a plate.
   BitVolume plate = box({13, 7, 3}, {0, 0, 1}, {12, 6, 1});
   for (const int64_t x : {2, 6, 10}) plate.on[plate.index(x, 2, 1)] = 0;
   const Limits limits = limits_of(plate, Border::closed);
-  Block block(Extractor16::bytes_for(limits, ample));
+  Block block(bytes_for<Index>(limits, ample));
   EventLog log;
-  Extractor16 extractor;
+  Extractor<Index> extractor;
   require_ok(extractor.start(limits, ample, 1, block.memory(), make_sink(log)));
   push_all(extractor, plate.on);
   const uint32_t slots = extractor.peaks().slots;
