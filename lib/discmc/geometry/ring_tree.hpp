@@ -50,7 +50,7 @@ class RingSide {
     end_line_ = 8 * (begin.v < end.v ? end.v : begin.v);
     slope_ = static_cast<int32_t>(step.u * step.v);  // steps along both are by one each
     on_line_0_ = 8 * (begin.u - slope_ * begin.v);
-    leads_left_ = projected(incidence, cross(normal(incidence), link)).u > 0;
+    leads_left_ = projected(incidence, cross(incidence_normal(incidence), link)).u > 0;
   }
 
   /// The lines that it crosses: from the first one on, those before the end.

@@ -11,7 +11,7 @@
 #include "oracle/stream.hpp"
 
 using namespace discmc;
-using namespace discmc::join;
+using namespace discmc::detail::join;
 using test::Chance;
 
 namespace {
@@ -90,7 +90,7 @@ Vertex any_vertex(Incidence incidence, uint32_t extent, Chance& chance) {
   Vertex at{0, 0, static_cast<int32_t>(chance.below(2))};
   const auto count = static_cast<uint32_t>(direction_count(incidence));
   for (int i = 0; i < 3; ++i)
-    move(at, incidence, static_cast<Direction>(chance.below(count)), chance.below(extent));
+    translate(at, incidence, static_cast<Direction>(chance.below(count)), chance.below(extent));
   return at;
 }
 

@@ -137,7 +137,7 @@ TEST_CASE_TEMPLATE("a hole is found by its plane, and when no ring comes, at las
     CHECK(is_on(ring.start.z));
     CHECK(holes.mark(slots, ring) == 1);
     holes.take(slots, ring.last, start);
-    trace::RunLists<Index, NoNormal>::give(slots, ring.last);
+    detail::trace::RunLists<Index, NoNormal>::give(slots, ring.last);
     CHECK(start == ring.start);
     CHECK(!is_on(start.z));
     CHECK(slots.in_use() == (left - 1) * slots_each_hole);
@@ -145,7 +145,7 @@ TEST_CASE_TEMPLATE("a hole is found by its plane, and when no ring comes, at las
 }
 
 TEST_CASE("a hole in a tree keeps its plane, its first direction and a note") {
-  trace::Hole<uint32_t> hole{};
+  detail::trace::Hole<uint32_t> hole{};
   // Twice eight half-steps along a row of the widest volume, and half an eighth.
   constexpr int32_t last = 16 * 65531 + 1;
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence)
@@ -196,7 +196,7 @@ TEST_CASE_TEMPLATE("the peak counts the holes that waited at once, and begins an
   BitVolume plate = box({13, 7, 3}, {0, 0, 1}, {12, 6, 1});
   for (const int64_t x : {2, 6, 10}) plate.on[plate.index(x, 2, 1)] = 0;
   const Limits limits = limits_of(plate, Border::closed);
-  Block block(bytes_for<Index>(limits, ample));
+  Block block(Extractor<Index>::bytes_for(limits, ample));
   EventLog log;
   Extractor<Index> extractor;
   require_ok(extractor.start(limits, ample, 1, block.memory(), make_sink(log)));
