@@ -72,12 +72,11 @@ MeshPolygons polygons_of(const Surface& surface, const std::vector<Point>& verti
                          bool is_mirrored) {
   MeshPolygons all;
   const VertexNumbers numbers(surface.polygons);
-  for (const Vertex& corner : surface.polygons.corners())
-    all.corners.push_back(numbers.find(corner));
   for (const Polygon& polygon : surface.polygons) {
     const std::size_t outer = all.corner_begin.back();
     for (const Ring& ring : polygon.rings) {
       const std::size_t begin = all.corner_begin.back();
+      for (const Vertex& corner : ring) all.corners.push_back(numbers.find(corner));
       all.corner_begin.push_back(begin + ring.size());
       const auto first = all.corners.begin() + static_cast<std::ptrdiff_t>(begin);
       if (is_mirrored) std::reverse(first, first + static_cast<std::ptrdiff_t>(ring.size()));

@@ -8,13 +8,15 @@ namespace discmc::meshing {
 
 VertexNumbers::VertexNumbers(const Polygons& polygons) {
   Block* block = nullptr;  // of the last corner, and mostly of the next
-  for (const Vertex& corner : polygons.corners()) {
-    const Vertex origin = origin_of(corner);
-    if (block == nullptr || block->origin != origin) block = &block_at(origin);
-    block->bits[Block::row(corner)] |= Block::bit(corner);
-  }
+  for (const Polygon& polygon : polygons)
+    for (const Ring& ring : polygon.rings)
+      for (const Vertex& corner : ring) {
+        const Vertex origin = origin_of(corner);
+        if (block == nullptr || block->origin != origin) block = &block_at(origin);
+        block->bits[Block::row(corner)] |= Block::bit(corner);
+      }
   // Three polygons or more meet in a corner. What is reserved and not used costs nothing.
-  positions_.reserve(polygons.corners().size() / 3);
+  positions_.reserve(polygons.corner_count() / 3);
   for (Block& each : blocks_) number_block(each);
 }
 
