@@ -145,11 +145,18 @@ class Polygons {
     corners_.append(others.corners_.data(), others.corners_.size());
   }
 
+  /// Sorts polygons by the first corners of their outer rings, from below (precedes()), then by
+  /// their incidences and the other corners. Polygons without rings come first. Cost: none of the
+  /// corners is moved.
+  void sort();
+
  private:
   struct Record {
     std::uint32_t first_ring, rings;
     Incidence incidence;
   };
+
+  bool has_corners_before(const Record& a, const Record& b) const;
 
   Array<Record> records_;             // one a polygon
   Array<std::uint32_t> ring_begins_;  // in corners_; one more than rings

@@ -26,6 +26,11 @@ std::int32_t link_at(const Vertex& from, const Side& side, const Vertex& vertex)
   return is_between && after_links(from, side, link) == vertex ? link : 0;
 }
 
+template <class Iterator>
+void begin_at_last(Iterator begin, Iterator end) {
+  std::rotate(begin, std::max_element(begin, end, precedes), end);
+}
+
 // Whether the way through a vertex of a ring changes its direction there.
 bool turns(const Vertex* vertices, std::uint32_t count, std::uint32_t i) {
   const Vertex& before = vertices[i > 0 ? i - 1 : count - 1];
@@ -65,7 +70,9 @@ SinkResult SurfaceBuilder::take(const Event& event) {
     case Event::Kind::skipped:
     case Event::Kind::application:
     case Event::Kind::layer:
+      break;
     case Event::Kind::finish:
+      surface_.polygons.sort();
       break;
   }
   return SinkResult::accepted;
@@ -166,9 +173,11 @@ bool SurfaceBuilder::is_simple_in_window(const Chain& chain, std::size_t first_c
   return true;
 }
 
-// The corners since the last one are a simple ring.
+// The corners since the last one are a simple ring. It begins at its last vertex, as the rings of
+// an extractor do.
 void SurfaceBuilder::end_ring() {
   const std::size_t begin = simple_rings_.empty() ? 0 : simple_rings_.back().end;
+  begin_at_last(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end());
   simple_rings_.push_back({begin, corners_.size()});
 }
 
@@ -245,6 +254,7 @@ void SurfaceBuilder::add_simple_rings(const Chain& chain) {
   collect_ends(chain);
   if (!find_touches()) return end_ring();
   corners_.resize(first_corner);
+  begin_at_last(vertices_.begin(), vertices_.end());
   scratch_.resize(2 * vertices_.size());
   const auto add = [](void* context, const Vertex* vertices, std::uint32_t count) {
     auto& builder = *static_cast<SurfaceBuilder*>(context);
@@ -270,6 +280,16 @@ bool SurfaceBuilder::put_outer_first() {
   if (outer == simple_rings_.end()) return false;
   std::iter_swap(simple_rings_.begin(), outer);
   return true;
+}
+
+// By their corners, so that it does not count in which order they were closed.
+void SurfaceBuilder::sort_holes() {
+  if (simple_rings_.size() < 3) return;
+  std::sort(simple_rings_.begin() + 1, simple_rings_.end(), [this](const Span& a, const Span& b) {
+    const Ring one = simple_ring(a), other = simple_ring(b);
+    return std::lexicographical_compare(one.begin(), one.end(), other.begin(), other.end(),
+                                        precedes);
+  });
 }
 
 void SurfaceBuilder::end_region() {
@@ -317,6 +337,7 @@ void SurfaceBuilder::count_region() {
 }
 
 void SurfaceBuilder::keep_region() {
+  sort_holes();
   surface_.polygons.add_polygon(incidence_);
   for (const Span& span : simple_rings_) surface_.polygons.add_ring(simple_ring(span));
   for (std::size_t i = 0; i < rings_.size(); ++i) keep_normals(i);

@@ -33,7 +33,8 @@ class SurfaceBuilder {
   /// Adds what another has kept, behind its own. Limit: both keep the same.
   void append(SurfaceBuilder&& other);
 
-  /// What has been delivered so far; spacing_mm is for the caller to set.
+  /// What has been delivered so far; spacing_mm is for the caller to set. A `finish` event sorts
+  /// the polygons: they do not depend on how the scan was divided, nor does their order.
   Surface& surface() { return surface_; }
   const Surface& surface() const { return surface_; }
   /// Limit: Kept::counts.
@@ -75,6 +76,7 @@ class SurfaceBuilder {
   void add_touches_of(const Vertex& from, const Side& side);
   Ring simple_ring(const Span& span) const;
   bool put_outer_first();
+  void sort_holes();
   void keep_region();
   void keep_normals(std::size_t ring);
   void count_region();
