@@ -52,8 +52,7 @@ TEST_CASE("of no polygons there is nothing") {
   CHECK(none.empty());
   CHECK(none.size() == 0);
   CHECK(met(none).incidences.empty());
-  CHECK(none.corners().empty());
-  CHECK(none.first_corner(0) == 0);
+  CHECK(none.corner_count() == 0);
 }
 
 TEST_CASE("a polygon has the rings that were added to it, in their order") {
@@ -78,7 +77,7 @@ TEST_CASE("what is appended comes behind, and polygons without rings keep their 
   const Met all = met(polygons);
   CHECK(all.incidences == std::vector<Incidence>{down, up, up, down});
   CHECK(all.rings == std::vector<std::vector<Corners>>{{hole}, {}, {square, hole}, {square}});
-  CHECK(all.corners == polygons.corners());
+  CHECK(all.corners.size() == polygons.corner_count());
 }
 
 TEST_CASE("a polygon of others is added with all its rings") {
@@ -90,14 +89,4 @@ TEST_CASE("a polygon of others is added with all its rings") {
   const Met all = met(polygons);
   CHECK(all.incidences == std::vector<Incidence>{down, up});
   CHECK(all.rings == std::vector<std::vector<Corners>>{{square}, {square, hole}});
-}
-
-TEST_CASE("the corners of a polygon begin at its first, among those of all") {
-  Polygons polygons = square_with_hole();
-  polygons.append(polygon_of(up, {}));
-  polygons.append(polygon_of(down, {hole}));
-  const std::size_t firsts[] = {0, 7, 7, 10};
-  for (std::size_t place = 0; place < 4; ++place)
-    CHECK(polygons.first_corner(place) == firsts[place]);
-  CHECK(polygons[2].rings[0].data() == polygons.corners().data() + 7);
 }

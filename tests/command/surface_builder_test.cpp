@@ -123,7 +123,7 @@ TEST_CASE("a region becomes a polygon with the corners of its rings") {
   const Polygon polygon = builder.surface().polygons[0];
   REQUIRE(polygon.rings.size() == 1);
   CHECK(polygon.incidence == up);
-  CHECK(rings_of(polygon)[0] == Corners{{1, 0, 0}, {7, 0, 0}, {7, 4, 0}, {1, 4, 0}});
+  CHECK(rings_of(polygon)[0] == Corners{{7, 4, 0}, {1, 4, 0}, {1, 0, 0}, {7, 0, 0}});
   CHECK(area(polygon) == 2 * 6 * 4);
 }
 
@@ -159,7 +159,7 @@ TEST_CASE(
   const SurfaceBuilder builder = build(events);
   REQUIRE(builder.surface().polygons.size() == 1);
   CHECK(rings_of(builder.surface().polygons[0])[0] ==
-        Corners{{5, 0, 0}, {5, 4, 0}, {-1, 4, 0}, {-1, 0, 0}});
+        Corners{{5, 4, 0}, {-1, 4, 0}, {-1, 0, 0}, {5, 0, 0}});
 }
 
 TEST_CASE("a ring that turns to the left alone but goes round twice is no polygon of its own") {
@@ -240,8 +240,8 @@ TEST_CASE("a ring of more links than any memory holds is split where it touches 
   const Vertex left = {1 + 2 * half, 0, 0}, tip = {7 + 2 * half, 6, 0},
                right = {13 + 2 * half, 0, 0};
   CHECK(rings_of(builder.surface().polygons[0]) ==
-        std::vector<Corners>{{tip, right, {13 + 4 * half, 0, 0}, {13 + 4 * half, 6, 0}},
-                             {{1, 0, 0}, left, tip, {1, 6, 0}}});
+        std::vector<Corners>{{tip, {1, 6, 0}, {1, 0, 0}, left},
+                             {{13 + 4 * half, 6, 0}, tip, right, {13 + 4 * half, 0, 0}}});
 }
 
 TEST_CASE("what is only counted is counted as what is kept") {
@@ -275,4 +275,19 @@ TEST_CASE("what is only counted is counted as what is kept") {
   CHECK(counts.three == by_corners[3]);
   CHECK(counts.four == by_corners[4]);
   CHECK(counts.more == regions - by_corners[3] - by_corners[4]);
+}
+
+TEST_CASE("polygons are sorted by their last vertices, from below") {
+  discmc::meshing::Polygons polygons;
+  const std::vector<Corners> rings = {{{7, 4, 8}, {1, 4, 8}, {1, 0, 8}},
+                                      {{9, 4, 0}, {1, 4, 0}, {1, 0, 0}},
+                                      {{7, 4, 0}, {1, 4, 0}, {1, 0, 0}},
+                                      {{1, 2, -1}, {1, 1, -1}, {1, 0, -1}}};
+  for (const Corners& ring : rings) {
+    polygons.add_polygon(discmc::incidence_of({0, 0, 1}));
+    polygons.add_ring({ring.data(), ring.data() + ring.size()});
+  }
+  polygons.sort();
+  const std::size_t order[] = {3, 2, 1, 0};
+  for (std::size_t i = 0; i < 4; ++i) CHECK(rings_of(polygons[i])[0] == rings[order[i]]);
 }

@@ -1,59 +1,92 @@
-// Numbers of lattice positions: the same one by one and by several jobs.
+// Numbers of lattice vertices: one for each, in any order, of all corners at once or one by one.
 #include "meshes/vertex_numbers.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 #include <vector>
+
+#include "hand_made.hpp"
 
 namespace {
 
 using discmc::Vertex;
 using discmc::meshing::VertexNumbers;
 
-// By slices, more or less, and many of them several times; slices so far apart, too, that they
-// share a table.
-std::vector<Vertex> some_positions() {
-  std::minstd_rand random(1);
-  std::vector<Vertex> positions;
-  for (int i = 0; i < 20000; ++i) {
+// With an odd sum, in blocks that lie beside each other and far apart, many of them several times.
+std::vector<Vertex> some_vertices(std::uint32_t seed) {
+  std::minstd_rand random(seed);
+  std::vector<Vertex> vertices;
+  for (std::int32_t i = 0; i < 20000; ++i) {
     const auto below = [&random](std::uint32_t end) {
       return static_cast<std::int32_t>(random() % end);
     };
-    positions.push_back({below(6), below(6), i / 100 + below(40) - 1 + 8192 * below(2)});
+    Vertex vertex = {below(30) - 1, below(30) - 9, i / 100 + below(40) - 1};
+    if (below(8) == 0) vertex.z = 2000000000 + below(8);
+    if ((vertex.x + vertex.y + vertex.z) % 2 == 0) ++vertex.x;
+    vertices.push_back(vertex);
   }
-  return positions;
+  return vertices;
+}
+
+bool is_below(const Vertex& a, const Vertex& b) {
+  return discmc::precedes(a, b);
+}
+
+// Whether each of the vertices has one number, and nothing else has.
+void check_numbers(const VertexNumbers& numbers, std::vector<Vertex> vertices) {
+  std::sort(vertices.begin(), vertices.end(), is_below);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::vector<Vertex> numbered = numbers.positions();
+  bool are_found = true;
+  for (std::uint32_t i = 0; i < numbered.size(); ++i) {
+    const Vertex &at = numbered[i], beside = {at.x + 2, at.y, at.z};
+    are_found = are_found && numbers.find(at) == i;
+    if (!std::binary_search(vertices.begin(), vertices.end(), beside, is_below))
+      are_found = are_found && numbers.find(beside) == VertexNumbers::none;
+  }
+  CHECK(are_found);
+  std::sort(numbered.begin(), numbered.end(), is_below);
+  CHECK(numbered == vertices);
 }
 
 }  // namespace
 
-TEST_CASE("positions are numbered in the order in which they come first") {
+TEST_CASE("vertices that are added are numbered in the order in which they come first") {
   VertexNumbers numbers;
-  CHECK(numbers.find({1, 2, 3}) == VertexNumbers::none);
-  CHECK(numbers.add({1, 2, 3}) == 0);
-  CHECK(numbers.add({-1, 2, -1}) == 1);
-  CHECK(numbers.add({1, 2, 3}) == 0);
-  CHECK(numbers.find({-1, 2, -1}) == 1);
-  CHECK(numbers.find({-1, 2, 3}) == VertexNumbers::none);
-  CHECK(numbers.positions() == std::vector<Vertex>{{1, 2, 3}, {-1, 2, -1}});
+  CHECK(numbers.find({1, 2, 4}) == VertexNumbers::none);
+  CHECK(numbers.add({1, 2, 4}) == 0);
+  CHECK(numbers.add({-1, 3, -1}) == 1);
+  CHECK(numbers.add({1, 2, 2}) == 2);
+  CHECK(numbers.add({1, 2, 4}) == 0);
+  CHECK(numbers.find({-1, 3, -1}) == 1);
+  CHECK(numbers.find({-1, 2, 4}) == VertexNumbers::none);
+  CHECK(numbers.positions() == std::vector<Vertex>{{1, 2, 4}, {-1, 3, -1}, {1, 2, 2}});
 }
 
-TEST_CASE("all at once get the same numbers by however many jobs") {
-  const std::vector<Vertex> positions = some_positions();
-  VertexNumbers one_by_one;
-  std::vector<std::uint32_t> expected;
-  for (const Vertex& position : positions) expected.push_back(one_by_one.add(position));
-  for (const unsigned jobs : {1U, 2U, 3U, 20U}) {
-    CAPTURE(jobs);
-    VertexNumbers numbers;
-    CHECK(numbers.add_all(positions, jobs) == expected);
-    CHECK(numbers.positions() == one_by_one.positions());
-    bool are_found = true;
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      are_found = are_found && numbers.find(positions[i]) == expected[i];
-    CHECK(are_found);
-    const auto next = static_cast<std::uint32_t>(numbers.positions().size());
-    CHECK(numbers.add({99, 99, 99}) == next);
+TEST_CASE(
+    "the corners of polygons have a number for each vertex, and keep it when more are added") {
+  std::vector<Vertex> vertices = some_vertices(1);
+  VertexNumbers numbers(hand_made::polygon({0, 0, 1}, {vertices}));
+  check_numbers(numbers, vertices);
+  const std::vector<Vertex> before = numbers.positions();
+  for (const Vertex& vertex : some_vertices(2)) {
+    const std::uint32_t number = numbers.add(vertex);
+    REQUIRE(numbers.positions()[number] == vertex);
+    vertices.push_back(vertex);
   }
+  check_numbers(numbers, vertices);
+  CHECK(numbers.positions().size() > before.size());
+  CHECK(std::vector<Vertex>(
+            numbers.positions().begin(),
+            numbers.positions().begin() + static_cast<std::ptrdiff_t>(before.size())) == before);
+}
+
+TEST_CASE("vertices are numbered block by block, and in a block by z, y and x") {
+  const VertexNumbers numbers(
+      hand_made::polygon({0, 0, 1}, {{{9, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {15, 7, 7}}}));
+  CHECK(numbers.positions() ==
+        std::vector<Vertex>{{9, 0, 0}, {15, 7, 7}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
 }

@@ -25,7 +25,8 @@ std::vector<SurfaceRequest> requests_of(const std::vector<NamedSelection>& selec
   std::vector<SurfaceRequest> requests;
   for (std::size_t i = 0; i < selections.size(); ++i)
     requests.push_back({selections[i].selection, make_sink(*receivers[i]), nullptr,
-                        receivers[i]->builder(), receivers[i]->encoder()});
+                        receivers[i]->builder(), receivers[i]->encoder(),
+                        make_region_receiver(*receivers[i])});
   return requests;
 }
 

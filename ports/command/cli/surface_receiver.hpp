@@ -58,6 +58,12 @@ class SurfaceReceiver {
     return builds_ ? surface_.take(event) : SinkResult::accepted;
   }
 
+  /// Takes a region in place of its events, unless they are to be encoded.
+  SinkResult take_region(const WholeRegion& region) {
+    if (encodes_ || !builds_) return SinkResult::busy;
+    return surface_.take_region(region);
+  }
+
   /// The bytes of the stream; 0 without one.
   std::uint64_t stream_bytes() const { return encodes_ ? encoder_.bytes() : 0; }
   /// Accepts regions instead of their events; null if regions are not kept.

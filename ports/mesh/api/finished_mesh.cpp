@@ -10,10 +10,10 @@
 #include "jobs/processors.hpp"
 #include "meshes/decimation.hpp"
 #include "meshes/mesh_simplifier.hpp"
-#include "meshes/numbered_corners.hpp"
 #include "meshes/placing.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
+#include "meshes/vertex_numbers.hpp"
 #include "samples/sample_bounds.hpp"
 
 namespace discmc::meshing {
@@ -67,15 +67,16 @@ void add_normals(const Surface& surface, FaceMesh& mesh, const MeshOptions& opti
   for (Point& normal : mesh.normals) normal = unit_or_zero(normal);  // some have 15 bits
 }
 
-// vertices: of the mesh, in the order of number_corners().
+// vertices: of the mesh, by their VertexNumbers.
 MeshPolygons polygons_of(const Surface& surface, const std::vector<Point>& vertices,
-                         bool is_mirrored, unsigned threads) {
+                         bool is_mirrored) {
   MeshPolygons all;
-  all.corners = number_corners(surface.polygons, threads).numbers;
+  const VertexNumbers numbers(surface.polygons);
   for (const Polygon& polygon : surface.polygons) {
     const std::size_t outer = all.corner_begin.back();
     for (const Ring& ring : polygon.rings) {
       const std::size_t begin = all.corner_begin.back();
+      for (const Vertex& corner : ring) all.corners.push_back(numbers.find(corner));
       all.corner_begin.push_back(begin + ring.size());
       const auto first = all.corners.begin() + static_cast<std::ptrdiff_t>(begin);
       if (is_mirrored) std::reverse(first, first + static_cast<std::ptrdiff_t>(ring.size()));
@@ -171,8 +172,7 @@ Mesh finished_mesh(Surface& surface, const Crossings* crossings, const MeshOptio
   mesh.triangles.resize(faces.face_count());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     std::copy_n(faces.face(i), 3, mesh.triangles[i].begin());
-  if (options.polygons)
-    mesh.polygons = polygons_of(surface, mesh.vertices, place.is_mirrored, threads);
+  if (options.polygons) mesh.polygons = polygons_of(surface, mesh.vertices, place.is_mirrored);
   return mesh;
 }
 

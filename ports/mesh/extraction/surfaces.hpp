@@ -34,7 +34,8 @@ struct SurfaceOptions {
   /// Only these slices of the volume, if given. What crosses its seams are loose fragments. Slices
   /// behind it are not read. Limit: its depth is the volume's.
   std::optional<SlabRange> slab{};
-  /// If set, extracts the volume in parts, this many at once. Limit: not with slices or crossings.
+  /// If set, extracts the volume in parts, this many at once; or in one sweep, if that gives the
+  /// same with one job. Limit: not with slices or crossings.
   std::optional<unsigned> jobs{};
   /// The first arena of a part; a part that needs more gets more. 0: a generous one. Units: bytes.
   std::uint64_t memory = 0;
@@ -70,7 +71,8 @@ struct SurfaceRequest {
   /// Owner: the caller.
   SurfaceBuilder* builder = nullptr;
   Encoder* encoder = nullptr;
-  /// Is offered regions before the sink receives their events, if it is there.
+  /// Is offered regions before the sink receives their events, if it is there. In parts, the
+  /// builder gets them.
   RegionReceiver regions{};
 };
 

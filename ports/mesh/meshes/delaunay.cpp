@@ -23,26 +23,35 @@ std::uint32_t& start_of(std::vector<Triangle>& triangles, std::uint32_t side) {
 
 }  // namespace
 
+// Whether the angles at c and d, over the edge from a to b, are more than half a turn together.
+// Exact up to 2^12 between points.
 bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
                   const PlanePoint& d) {
-  constexpr double doubt = 1e-14;  // more than what rounding could make of it
-  double determinant = 0, magnitude = 0;
-  const auto add = [&](const PlanePoint& lifted, const PlanePoint& from, const PlanePoint& to) {
-    const auto u = static_cast<double>(lifted.u - d.u), v = static_cast<double>(lifted.v - d.v);
-    const double one = static_cast<double>(from.u - d.u) * static_cast<double>(to.v - d.v);
-    const double other = static_cast<double>(to.u - d.u) * static_cast<double>(from.v - d.v);
-    determinant += (u * u + v * v) * (one - other);
-    magnitude += (u * u + v * v) * (std::abs(one) + std::abs(other));
+  constexpr double doubt = 1e-15;  // more than what rounding could make of it
+  const auto cosine = [&](const PlanePoint& apex) {
+    return static_cast<double>((a.u - apex.u) * (b.u - apex.u) + (a.v - apex.v) * (b.v - apex.v));
   };
-  add(a, b, c);
-  add(b, c, a);
-  add(c, a, b);
-  return determinant > doubt * magnitude;
+  const double cosine_c = cosine(c), cosine_d = cosine(d);
+  if (cosine_c >= 0 && cosine_d >= 0) return false;
+  const double one = static_cast<double>(doubled_area(c, a, b)) * cosine_d;
+  const double other = static_cast<double>(doubled_area(d, b, a)) * cosine_c;
+  return one + other < -doubt * (std::abs(one) + std::abs(other));
 }
 
 void DelaunayFlips::improve(const std::vector<PlanePoint>& points,
                             std::vector<Triangle>& triangles) {
   pair_sides(triangles);
+  flip_all(points, triangles);
+}
+
+void DelaunayFlips::improve(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
+                            const std::vector<Side>& pairs) {
+  twins_ = pairs;
+  flip_all(points, triangles);
+}
+
+void DelaunayFlips::flip_all(const std::vector<PlanePoint>& points,
+                             std::vector<Triangle>& triangles) {
   changed_.clear();
   waiting_.clear();
   for (Side side = 0; side < twins_.size(); ++side)
@@ -94,9 +103,9 @@ void DelaunayFlips::flip_waiting(const std::vector<PlanePoint>& points,
     waiting_.pop_back();
     const Side twin = twins_[side];
     if (twin == no_side) continue;
-    const Triangle& triangle = triangles[side / 3];
-    if (is_in_circle(points[triangle[0]], points[triangle[1]], points[triangle[2]],
-                     points[start_of(triangles, previous(twin))])) {
+    const auto point_of = [&](Side from) { return points[start_of(triangles, from)]; };
+    if (is_in_circle(point_of(side), point_of(twin), point_of(previous(side)),
+                     point_of(previous(twin)))) {
       flip(triangles, side);
       --flips;
     }

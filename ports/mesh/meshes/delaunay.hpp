@@ -22,7 +22,7 @@ inline std::int64_t doubled_area(const PlanePoint& a, const PlanePoint& b, const
 }
 
 /// Whether d lies inside the circle around a, b and c, which are in counter-clockwise order. False
-/// when in doubt, so that flips come to an end.
+/// when in doubt, so that flips come to an end. Limit: c and d lie on two sides of the line a b.
 bool is_in_circle(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c,
                   const PlanePoint& d);
 
@@ -33,9 +33,16 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// that it sees. Keeps its memory from one call to the next.
 class DelaunayFlips {
  public:
+  /// Side i of triangle t goes from its corner i to the next one and has the number 3 t + i.
+  using Side = std::uint32_t;
+  static constexpr Side no_side = 0xFFFFFFFFu;
+
   /// triangles: counter-clockwise, none without area; two that share an edge have the same two
   /// points there.
   void improve(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles);
+  /// The same if it is known of every side which is the other one between the same points.
+  void improve(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
+               const std::vector<Side>& pairs);
 
   /// Adds the last of the points to the triangles, as the last call left them. triangle: the place
   /// of one that the point lies in, or on an edge that it shares.
@@ -51,10 +58,7 @@ class DelaunayFlips {
   }
 
  private:
-  // Side i of triangle t goes from its corner i to the next one and has the number 3 t + i.
-  using Side = std::uint32_t;
-  static constexpr Side no_side = 0xFFFFFFFFu;
-
+  void flip_all(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles);
   void pair_sides(const std::vector<Triangle>& triangles);
   void flip_waiting(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles);
   void link(Side a, Side b);

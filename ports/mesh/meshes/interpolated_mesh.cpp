@@ -16,12 +16,11 @@ namespace {
 
 class InterpolatedMesh {
  public:
-  InterpolatedMesh(const Surface& surface, NumberedCorners corners, const MeshingOptions& options)
+  InterpolatedMesh(const Surface& surface, VertexNumbers vertices, const MeshingOptions& options)
       : surface_(surface),
         is_mirrored_(is_mirrored(surface.spacing_mm)),
-        corners_(std::move(corners)),
-        outline_(corners_.vertices, true),
-        triangulator_(corners_.vertices),
+        vertices_(std::move(vertices)),
+        outline_(vertices_, true),
         refinement_(*options.crossings, options.tolerance),
         check_(options.check) {
     number_what_sides_need();
@@ -29,8 +28,8 @@ class InterpolatedMesh {
 
   FaceMesh build() {
     mesh_.spacing_mm = surface_.spacing_mm;
-    mesh_.lattice.reserve(corners_.vertices.positions().size());
-    mesh_.vertices_mm.reserve(corners_.vertices.positions().size());
+    mesh_.lattice.reserve(vertices_.positions().size());
+    mesh_.vertices_mm.reserve(vertices_.positions().size());
     place_vertices();
     reserve_faces(mesh_, mesh_.lattice.size());
     for_each_polygon([this](std::uint32_t polygon) { add_polygon(polygon); });
@@ -41,7 +40,7 @@ class InterpolatedMesh {
  private:
   // Those that are new.
   void place_vertices() {
-    const std::vector<Vertex>& positions = corners_.vertices.positions();
+    const std::vector<Vertex>& positions = vertices_.positions();
     for (std::size_t i = mesh_.lattice.size(); i < positions.size(); ++i) {
       moved_.push_back(refinement_.moved(positions[i]));
       mesh_.lattice.push_back(positions[i]);
@@ -54,7 +53,7 @@ class InterpolatedMesh {
   void for_each_polygon(Call call) {
     for (std::size_t block = 0; block < block_count(surface_.polygons); ++block) {
       if (check_) check_();
-      meshing::for_each_polygon(surface_, corners_, block, outline_, call);
+      meshing::for_each_polygon(surface_, block, outline_, call);
     }
   }
 
@@ -64,27 +63,27 @@ class InterpolatedMesh {
     FaceList faces(mesh_.face_count());
     std::iota(faces.begin(), faces.end(), 0U);
     for (;;) {
-      const std::size_t vertices = corners_.vertices.positions().size();
+      const std::size_t vertices = vertices_.positions().size();
       std::vector<bool> is_outdated(surface_.polygons.size());
       for (const auto& pair : intersecting_faces(mesh_, faces, check_))
         for (const std::uint32_t face : pair)
           if (number_crossings(face)) is_outdated[mesh_.polygons[face]] = true;
-      if (corners_.vertices.positions().size() == vertices) return;
+      if (vertices_.positions().size() == vertices) return;
       faces = near_faces(mesh_, renewed_faces(is_outdated, vertices));
     }
   }
 
   // Whether there are new ones in the face or on its sides.
   bool number_crossings(std::size_t face) {
-    const std::size_t vertices = corners_.vertices.positions().size();
+    const std::size_t vertices = vertices_.positions().size();
     const Incidence incidence = surface_.polygons[mesh_.polygons[face]].incidence;
     const std::uint32_t* corners = mesh_.face(face);
     const LatticePlane plane(mesh_.lattice[corners[0]], incidence);
     std::array<PlanePoint, 3> points;
     for (std::size_t i = 0; i < 3; ++i)
       points[i] = plane.at(mesh_.lattice[corners[is_mirrored_ ? 2 - i : i]]);
-    Refinement::add_crossings(plane, points, corners_.vertices);
-    return corners_.vertices.positions().size() > vertices;
+    Refinement::add_crossings(plane, points, vertices_);
+    return vertices_.positions().size() > vertices;
   }
 
   // Replaces triangles of an outdated polygon, or of one with a new vertex on a side.
@@ -123,7 +122,7 @@ class InterpolatedMesh {
       for (const Ring& ring : polygon.rings)
         for (std::size_t i = 0; i < ring.size(); ++i)
           add_what_sides_need(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0], needed);
-    for (const Vertex& vertex : needed) corners_.vertices.add(vertex);
+    for (const Vertex& vertex : needed) vertices_.add(vertex);
   }
 
   // Between two corners: from each junction to the next.
@@ -133,7 +132,7 @@ class InterpolatedMesh {
     for (std::int32_t i = 1; i <= side.links; ++i) {
       const Vertex vertex = side_.back() + side.link;
       side_.push_back(vertex);
-      if (corners_.vertices.find(vertex) == VertexNumbers::none) continue;
+      if (vertices_.find(vertex) == VertexNumbers::none) continue;
       if (precedes(side_.back(), side_.front())) std::reverse(side_.begin(), side_.end());
       for (const std::size_t place : refinement_.needed(side_)) needed.push_back(side_[place]);
       side_ = {vertex};
@@ -156,9 +155,9 @@ class InterpolatedMesh {
     refined_.moved.clear();
     for (const std::uint32_t number : numbers) refined_.moved.push_back(moved_[number]);
     refined_.triangles = triangles;
-    refinement_.refine(plane, corners_.vertices, refined_);
+    refinement_.refine(plane, vertices_, refined_);
     for (std::size_t i = numbers.size(); i < refined_.points.size(); ++i)
-      numbers.push_back(corners_.vertices.add(plane.vertex(refined_.points[i])));
+      numbers.push_back(vertices_.add(plane.vertex(refined_.points[i])));
     place_vertices();
     for (const Triangle& triangle : refined_.triangles) {
       std::array<std::uint32_t, 3> corners;
@@ -175,7 +174,7 @@ class InterpolatedMesh {
 
   const Surface& surface_;
   bool is_mirrored_;
-  NumberedCorners corners_;
+  VertexNumbers vertices_;
   Outline outline_;  // of the polygon under way
   OutlineTriangulator triangulator_;
   Refinement refinement_;
@@ -188,9 +187,9 @@ class InterpolatedMesh {
 
 }  // namespace
 
-FaceMesh interpolated_mesh(const Surface& surface, NumberedCorners corners,
+FaceMesh interpolated_mesh(const Surface& surface, VertexNumbers vertices,
                            const MeshingOptions& options) {
-  return InterpolatedMesh(surface, std::move(corners), options).build();
+  return InterpolatedMesh(surface, std::move(vertices), options).build();
 }
 
 }  // namespace discmc::meshing

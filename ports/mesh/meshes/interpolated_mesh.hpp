@@ -3,12 +3,12 @@
 #define DISCMC_MESH_MESHES_INTERPOLATED_MESH_HPP
 
 #include "mesh.hpp"
-#include "numbered_corners.hpp"
+#include "vertex_numbers.hpp"
 
 namespace discmc::meshing {
 
-/// As build_mesh(). corners: of the surface. Limit: the options have crossings.
-FaceMesh interpolated_mesh(const Surface& surface, NumberedCorners corners,
+/// As build_mesh(). vertices: of its polygons. Limit: the options have crossings.
+FaceMesh interpolated_mesh(const Surface& surface, VertexNumbers vertices,
                            const MeshingOptions& options);
 
 }  // namespace discmc::meshing

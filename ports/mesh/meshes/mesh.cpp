@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "interpolated_mesh.hpp"
-#include "numbered_corners.hpp"
 #include "plane_mesh.hpp"
+#include "vertex_numbers.hpp"
 
 namespace discmc::meshing {
 
@@ -17,9 +17,9 @@ FaceMesh build_mesh(const Surface& surface, const MeshingOptions& options) {
   const bool are_conforming_triangles = options.conforming && options.faces == Faces::triangles;
   if (options.crossings != nullptr && !are_conforming_triangles)
     throw std::invalid_argument("an interpolated mesh is one of conforming triangles");
-  NumberedCorners corners = number_corners(surface.polygons, options.jobs);
-  return options.crossings == nullptr ? plane_mesh(surface, std::move(corners), options)
-                                      : interpolated_mesh(surface, std::move(corners), options);
+  VertexNumbers vertices(surface.polygons);
+  return options.crossings == nullptr ? plane_mesh(surface, std::move(vertices), options)
+                                      : interpolated_mesh(surface, std::move(vertices), options);
 }
 
 Point outward_normal(Incidence incidence, const Point& spacing_mm) {

@@ -2,6 +2,7 @@
 #ifndef DISCMC_MESH_MESHES_OUTLINE_HPP
 #define DISCMC_MESH_MESHES_OUTLINE_HPP
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,34 +11,32 @@
 
 #include "lattice_plane.hpp"
 #include "mesh.hpp"
-#include "numbered_corners.hpp"
 #include "triangulate.hpp"
+#include "vertex_numbers.hpp"
 
 namespace discmc::meshing {
 
 /// The corners and junctions of a polygon, ring after ring.
 class Outline {
  public:
-  Outline(const VertexNumbers& vertices, bool has_junctions)
-      : vertices_(vertices), has_junctions_(has_junctions) {}
+  Outline(const VertexNumbers& all, bool has_junctions)
+      : all_(all), has_junctions_(has_junctions) {}
 
-  // number: of the polygon's first corner, before those of the others.
-  void follow(const Polygon& polygon, const std::uint32_t* number) {
+  void follow(const Polygon& polygon) {
+    vertices.clear();
     numbers.clear();
     ring_ends.clear();
-    for (const Ring& ring : polygon.rings) {
-      add_ring(ring, number);
-      number += ring.size();
-    }
+    for (const Ring& ring : polygon.rings) add_ring(ring);
   }
 
-  std::vector<std::uint32_t> numbers;
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> numbers;  // of the vertices
   std::vector<std::uint32_t> ring_ends;
 
  private:
-  void add_ring(const Ring& ring, const std::uint32_t* number) {
+  void add_ring(const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      numbers.push_back(number[i]);
+      add_if_numbered(ring[i]);
       if (has_junctions_) add_junctions(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
     }
     ring_ends.push_back(static_cast<std::uint32_t>(numbers.size()));
@@ -50,23 +49,43 @@ class Outline {
     Vertex vertex = from;
     for (std::int32_t i = 1; i < side.links; ++i) {
       vertex = vertex + side.link;
-      const std::uint32_t number = vertices_.find(vertex);
-      if (number != VertexNumbers::none) numbers.push_back(number);
+      add_if_numbered(vertex);
     }
   }
 
-  const VertexNumbers& vertices_;
+  void add_if_numbered(const Vertex& vertex) {
+    const std::uint32_t number = all_.find(vertex);
+    if (number == VertexNumbers::none) return;
+    vertices.push_back(vertex);
+    numbers.push_back(number);
+  }
+
+  const VertexNumbers& all_;
   bool has_junctions_;
 };
 
+/// Places in Surface::polygons.
+struct PolygonSpan {
+  std::size_t first, end;
+};
+
+/// Polygons are worked on in blocks, as many of them at once as there are jobs.
+constexpr std::size_t polygons_a_block = 1 << 14;
+
+inline std::size_t block_count(const Polygons& polygons) {
+  return (polygons.size() + polygons_a_block - 1) / polygons_a_block;
+}
+inline PolygonSpan block_of(const Polygons& polygons, std::size_t block) {
+  const std::size_t first = block * polygons_a_block;
+  return {first, std::min(first + polygons_a_block, polygons.size())};
+}
+
 /// Calls for every polygon of a block with its number, when its outline has been followed.
 template <class Call>
-void for_each_polygon(const Surface& surface, const NumberedCorners& corners, std::size_t block,
-                      Outline& outline, Call call) {
-  const Polygons& polygons = surface.polygons;
-  const PolygonSpan span = block_of(polygons, block);
+void for_each_polygon(const Surface& surface, std::size_t block, Outline& outline, Call call) {
+  const PolygonSpan span = block_of(surface.polygons, block);
   for (std::size_t i = span.first; i < span.end; ++i) {
-    outline.follow(polygons[i], corners.numbers.data() + polygons.first_corner(i));
+    outline.follow(surface.polygons[i]);
     call(static_cast<std::uint32_t>(i));
   }
 }
@@ -79,16 +98,12 @@ inline bool is_mirrored(const Point& spacing) {
 /// Triangles over the corners and junctions of a polygon.
 class OutlineTriangulator {
  public:
-  explicit OutlineTriangulator(const VertexNumbers& vertices) : vertices_(vertices) {}
-
-  // By places in the numbers of the outline. Throws std::invalid_argument where there are none.
+  // By places in the outline. Throws std::invalid_argument where there are none.
   const std::vector<Triangle>& triangulate(const Outline& outline, Incidence incidence) {
-    if (outline.numbers.empty()) throw std::invalid_argument("no corners");
-    const std::vector<Vertex>& positions = vertices_.positions();
-    plane_.emplace(positions[outline.numbers[0]], incidence);
+    if (outline.vertices.empty()) throw std::invalid_argument("no corners");
+    plane_.emplace(outline.vertices[0], incidence);
     points_.clear();
-    for (const std::uint32_t number : outline.numbers)
-      points_.push_back(plane_->at(positions[number]));
+    for (const Vertex& vertex : outline.vertices) points_.push_back(plane_->at(vertex));
     return triangulator_.triangulate(points_, outline.ring_ends);
   }
 
@@ -97,7 +112,6 @@ class OutlineTriangulator {
   const std::vector<PlanePoint>& points() const { return points_; }
 
  private:
-  const VertexNumbers& vertices_;
   std::optional<LatticePlane> plane_;
   std::vector<PlanePoint> points_;
   Triangulator triangulator_;

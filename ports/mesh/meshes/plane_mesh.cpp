@@ -30,17 +30,15 @@ void append_faces(FaceMesh& mesh, const FaceMesh& part) {
 // Makes faces in the planes of the polygons.
 class PlaneFaces {
  public:
-  PlaneFaces(const Surface& surface, const NumberedCorners& corners, const MeshingOptions& options)
+  PlaneFaces(const Surface& surface, const VertexNumbers& vertices, const MeshingOptions& options)
       : surface_(surface),
-        corners_(corners),
         faces_(options.faces),
         is_mirrored_(is_mirrored(surface.spacing_mm)),
-        outline_(corners.vertices, options.conforming),
-        triangulator_(corners.vertices) {}
+        outline_(vertices, options.conforming) {}
 
   // Those of a block of polygons. mesh: gets them behind its own.
   void add_block(std::size_t block, FaceMesh& mesh) {
-    for_each_polygon(surface_, corners_, block, outline_,
+    for_each_polygon(surface_, block, outline_,
                      [&](std::uint32_t polygon) { add_polygon(polygon, mesh); });
   }
 
@@ -76,15 +74,13 @@ class PlaneFaces {
   }
 
   const Surface& surface_;
-  const NumberedCorners& corners_;
   Faces faces_;
   bool is_mirrored_;
   Outline outline_;
   OutlineTriangulator triangulator_;
 };
 
-void place_vertices(const NumberedCorners& corners, FaceMesh& mesh) {
-  const std::vector<Vertex>& positions = corners.vertices.positions();
+void place_vertices(const std::vector<Vertex>& positions, FaceMesh& mesh) {
   mesh.vertices_mm.reserve(positions.size());
   for (const Vertex& vertex : positions)
     mesh.vertices_mm.push_back(in_mm(point_of(vertex), mesh.spacing_mm));
@@ -92,11 +88,10 @@ void place_vertices(const NumberedCorners& corners, FaceMesh& mesh) {
 
 }  // namespace
 
-FaceMesh plane_mesh(const Surface& surface, NumberedCorners corners,
-                    const MeshingOptions& options) {
+FaceMesh plane_mesh(const Surface& surface, VertexNumbers vertices, const MeshingOptions& options) {
   FaceMesh mesh;
   mesh.spacing_mm = surface.spacing_mm;
-  reserve_faces(mesh, corners.vertices.positions().size());
+  reserve_faces(mesh, vertices.positions().size());
   struct Block {
     std::unique_ptr<PlaneFaces> faces;
     FaceMesh part;
@@ -105,18 +100,18 @@ FaceMesh plane_mesh(const Surface& surface, NumberedCorners corners,
   run_in_order<Block>(
       options.jobs, 1 + block_count(surface.polygons),
       [&](std::size_t, Block& block) {
-        if (!block.faces) block.faces = std::make_unique<PlaneFaces>(surface, corners, options);
+        if (!block.faces) block.faces = std::make_unique<PlaneFaces>(surface, vertices, options);
         block.part = {};
       },
       [&](std::size_t number, Block& block) {
-        if (number == 0) return place_vertices(corners, mesh);
+        if (number == 0) return place_vertices(vertices.positions(), mesh);
         block.faces->add_block(number - 1, block.part);
       },
       [&](std::size_t, Block& block) {
         if (options.check) options.check();
         append_faces(mesh, block.part);
       });
-  mesh.lattice = std::move(corners.vertices).positions();
+  mesh.lattice = std::move(vertices).positions();
   return mesh;
 }
 

@@ -3,12 +3,12 @@
 #define DISCMC_MESH_MESHES_PLANE_MESH_HPP
 
 #include "mesh.hpp"
-#include "numbered_corners.hpp"
+#include "vertex_numbers.hpp"
 
 namespace discmc::meshing {
 
-/// As build_mesh(). corners: of the surface. Limit: nothing is interpolated.
-FaceMesh plane_mesh(const Surface& surface, NumberedCorners corners, const MeshingOptions& options);
+/// As build_mesh(). vertices: of its polygons. Limit: nothing is interpolated.
+FaceMesh plane_mesh(const Surface& surface, VertexNumbers vertices, const MeshingOptions& options);
 
 }  // namespace discmc::meshing
 

@@ -27,6 +27,11 @@ const std::vector<Triangle>& Triangulator::triangulate(
   require_in_range(points);
   triangles_.clear();
   if (ring_ends.size() == 1 && cut_small(points)) return triangles_;
+  if (ring_ends.size() == 1 && ears_.cut(points, triangles_, pairs_)) {
+    flips_.improve(points, triangles_, pairs_);
+    return triangles_;
+  }
+  triangles_.clear();
   sort_points(points);
   add_edges(ring_ends);
   nodes_.clear();
@@ -50,7 +55,7 @@ bool Triangulator::cut_small(const std::vector<PlanePoint>& points) {
   } else if (points.size() == 4) {
     const bool is_first = is_triangle(0, 1, 2) && is_triangle(0, 2, 3);
     const bool is_second = is_triangle(0, 1, 3) && is_triangle(1, 2, 3);
-    if (is_first && !(is_second && is_in_circle(points[0], points[1], points[2], points[3])))
+    if (is_first && !(is_second && is_in_circle(points[2], points[0], points[1], points[3])))
       triangles_ = {{0, 1, 2}, {0, 2, 3}};
     else if (is_second)
       triangles_ = {{0, 1, 3}, {1, 2, 3}};

@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "delaunay.hpp"
+#include "ears.hpp"
 
 namespace discmc::meshing {
 
 /// Triangulates one polygon after the other, in memory that it keeps.
 ///
-/// A sweep over the points, from left to right, after S. Hertel and K. Mehlhorn, Fast Triangulation
-/// of Simple Polygons, 1983; then edges are flipped until the triangles are Delaunay's. All
-/// decisions of the sweep are exact.
+/// Cuts ears off a single ring of few points. All else is triangulated by a sweep over the points,
+/// from left to right, after S. Hertel and K. Mehlhorn, Fast Triangulation of Simple Polygons,
+/// 1983. Then edges are flipped until the triangles are Delaunay's. All decisions but on flips are
+/// exact.
 class Triangulator {
  public:
   /// Triangulates the polygon that rings bound. points: ring after ring, the outer ring
@@ -83,6 +85,8 @@ class Triangulator {
   std::vector<Edge> leaving_;       // those that continue from a point, from bottom to top
   std::vector<Node> nodes_;
   std::vector<Triangle> triangles_;
+  Ears ears_;
+  std::vector<std::uint32_t> pairs_;  // of sides, as ears have them
   DelaunayFlips flips_;
 };
 

@@ -1,57 +1,80 @@
 #include "vertex_numbers.hpp"
 
-#include "jobs/ordered_pipeline.hpp"
+#include <algorithm>
+
+#include <discmc/compiler.hpp>
 
 namespace discmc::meshing {
 
-// Each job numbers a share of its own; then the shares are joined.
-std::vector<std::uint32_t> VertexNumbers::add_all(const std::vector<Vertex>& positions,
-                                                  unsigned jobs) {
-  constexpr std::size_t min_share = 1 << 12;
-  const std::size_t shares = std::clamp<std::size_t>(positions.size() / min_share, 1, jobs);
-  std::vector<VertexNumbers> others(shares - 1);
-  std::vector<std::uint32_t> numbers(positions.size());
-  const auto for_each_of = [&](std::size_t share, auto call) {
-    const std::size_t end = positions.size() * (share + 1) / shares;
-    for (std::size_t i = positions.size() * share / shares; i < end; ++i) call(i);
-  };
+VertexNumbers::VertexNumbers(const Polygons& polygons) {
+  Block* block = nullptr;  // of the last corner, and mostly of the next
+  for (const Polygon& polygon : polygons)
+    for (const Ring& ring : polygon.rings)
+      for (const Vertex& corner : ring) {
+        const Vertex origin = origin_of(corner);
+        if (block == nullptr || block->origin != origin) block = &block_at(origin);
+        block->bits[Block::row(corner)] |= Block::bit(corner);
+      }
   // Three polygons or more meet in a corner. What is reserved and not used costs nothing.
-  positions_.reserve(positions.size() / 3);
-  run_in_any_order(jobs, shares, [&](std::size_t share) {
-    VertexNumbers& own = share == 0 ? *this : others[share - 1];
-    for_each_of(share, [&](std::size_t i) { numbers[i] = own.add(positions[i]); });
-  });
-  std::vector<std::vector<std::uint32_t>> numbers_here;
-  numbers_here.reserve(others.size());
-  for (VertexNumbers& other : others) numbers_here.push_back(join(std::move(other)));
-  run_in_any_order(jobs, others.size(), [&](std::size_t other) {
-    for_each_of(other + 1, [&](std::size_t i) { numbers[i] = numbers_here[other][numbers[i]]; });
-  });
-  return numbers;
+  positions_.reserve(polygons.corner_count() / 3);
+  for (Block& each : blocks_) number_block(each);
 }
 
-// Polygons come by slices, so most tables are of one of the two alone, and what they hold need not
-// be looked up.
-std::vector<std::uint32_t> VertexNumbers::join(VertexNumbers&& other) {
-  std::vector<bool> has_own(table_count);
-  for (std::size_t i = 0; i < table_count; ++i) has_own[i] = !tables_[i].empty();
-  std::vector<std::uint32_t> numbers_here;
-  numbers_here.reserve(other.positions_.size());
-  for (const Vertex& position : other.positions_) {
-    if (has_own[table_of(position)]) {
-      numbers_here.push_back(add(position));
-    } else {
-      numbers_here.push_back(static_cast<std::uint32_t>(positions_.size()));
-      positions_.push_back(position);
+std::uint32_t VertexNumbers::add(const Vertex& vertex) {
+  Block& block = block_at(origin_of(vertex));
+  if (block.has(vertex)) return number(block, vertex);
+  if (block.list == none) list_numbers(block);
+  const auto next = static_cast<std::uint32_t>(positions_.size());
+  std::vector<std::uint32_t>& numbers = numbers_[block.list];
+  numbers.insert(numbers.begin() + block.rank(vertex), next);
+  block.bits[Block::row(vertex)] |= Block::bit(vertex);
+  block.count_rows();
+  positions_.push_back(vertex);
+  return next;
+}
+
+void VertexNumbers::Block::count_rows() {
+  std::uint32_t count = 0;
+  for (std::size_t row = 0; row < 8; ++row) {
+    before[row] = static_cast<std::uint8_t>(count);
+    count += count_of(bits[row]);
+  }
+}
+
+VertexNumbers::Block& VertexNumbers::block_at(const Vertex& origin) {
+  if (2 * blocks_.size() >= slots_.size()) grow();
+  std::uint32_t& place = slots_[slot_of(origin)];
+  if (place == none) {
+    place = static_cast<std::uint32_t>(blocks_.size());
+    blocks_.emplace_back().origin = origin;
+  }
+  return blocks_[place];
+}
+
+void VertexNumbers::grow() {
+  constexpr std::size_t least = 64;
+  slots_.assign(std::max(least, 2 * slots_.size()), none);
+  for (std::size_t place = 0; place < blocks_.size(); ++place)
+    slots_[slot_of(blocks_[place].origin)] = static_cast<std::uint32_t>(place);
+}
+
+void VertexNumbers::number_block(Block& block) {
+  block.first = static_cast<std::uint32_t>(positions_.size());
+  block.count_rows();
+  for (std::int32_t z = 0; z < 8; ++z)
+    for (std::uint32_t left = block.bits[z]; left != 0; left &= left - 1) {
+      const auto bit = static_cast<std::int32_t>(trailing_zeros(left));
+      const std::int32_t y = bit >> 2, x = (bit & 3) << 1;
+      positions_.push_back(block.origin + Vertex{x + ((y + z + 1) & 1), y, z});
     }
-  }
-  for (std::size_t i = 0; i < table_count; ++i) {
-    if (has_own[i]) continue;
-    tables_[i] = std::move(other.tables_[i]);
-    tables_[i].renumber(numbers_here);
-  }
-  other = {};
-  return numbers_here;
+}
+
+void VertexNumbers::list_numbers(Block& block) {
+  std::uint32_t count = 0;
+  for (const std::uint32_t row : block.bits) count += count_of(row);
+  block.list = static_cast<std::uint32_t>(numbers_.size());
+  std::vector<std::uint32_t>& numbers = numbers_.emplace_back();
+  for (std::uint32_t i = 0; i < count; ++i) numbers.push_back(block.first + i);
 }
 
 }  // namespace discmc::meshing

@@ -2,7 +2,6 @@
 #ifndef DISCMC_MESH_MESHES_VERTEX_NUMBERS_HPP
 #define DISCMC_MESH_MESHES_VERTEX_NUMBERS_HPP
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -10,32 +9,30 @@
 
 #include <discmc/lattice.hpp>
 
+#include "surface/polygons.hpp"
+
 namespace discmc::meshing {
 
-/// Gives positions numbers from zero on, in the order in which they come. Hash tables with open
-/// addressing, half full at most, one for every few slices: polygons come by slices, and what is
-/// looked up next is mostly where the last was, in memory that is at hand.
+/// Gives vertices numbers from zero on. The lattice is divided into blocks of 8 x 8 x 8 points, and
+/// a block has a bit for each vertex in it: the number of a vertex is that of the block's first
+/// one and the count of bits before its own. Blocks without a vertex take no memory.
+/// Limit: vertices of the lattice, which have an odd coordinate sum.
 class VertexNumbers {
  public:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
-  VertexNumbers() : tables_(table_count) {}
+  VertexNumbers() = default;
+  /// Numbers all corners of polygons: block by block, in the order in which polygons come to them.
+  explicit VertexNumbers(const Polygons& polygons);
 
-  /// The number of a position, a new one where it has none.
-  std::uint32_t add(const Vertex& position) {
-    const auto next = static_cast<std::uint32_t>(positions_.size());
-    const std::uint32_t number = tables_[table_of(position)].add(position, next, positions_);
-    if (number == next) positions_.push_back(position);
-    return number;
-  }
+  /// The number of a vertex, the next one if it has none.
+  std::uint32_t add(const Vertex& vertex);
 
-  /// The numbers of many positions, as add() of one after the other gives them, by `jobs` threads
-  /// at once. Limit: nothing has a number yet.
-  std::vector<std::uint32_t> add_all(const std::vector<Vertex>& positions, unsigned jobs);
-
-  /// The number of a position, or none.
-  std::uint32_t find(const Vertex& position) const {
-    return tables_[table_of(position)].find(position, positions_);
+  /// The number of a vertex, or none.
+  std::uint32_t find(const Vertex& vertex) const {
+    if (slots_.empty()) return none;
+    const std::uint32_t place = slots_[slot_of(origin_of(vertex))];
+    return place != none && blocks_[place].has(vertex) ? number(blocks_[place], vertex) : none;
   }
 
   /// By their numbers.
@@ -43,66 +40,59 @@ class VertexNumbers {
   std::vector<Vertex> positions() && { return std::move(positions_); }
 
  private:
-  static constexpr std::size_t table_count = 1024;
-
-  class Table {
-   public:
-    bool empty() const { return slots_.empty(); }
-    // next: the number of a new one. positions: by their numbers.
-    std::uint32_t add(const Vertex& position, std::uint32_t next,
-                      const std::vector<Vertex>& positions) {
-      if (2 * used_ >= slots_.size()) grow(positions);
-      std::uint32_t& slot = slots_[slot_of(position, positions)];
-      if (slot != none) return slot;
-      ++used_;
-      return slot = next;
+  struct Block {
+    static std::uint32_t row(const Vertex& vertex) {
+      return static_cast<std::uint32_t>(vertex.z & 7);
     }
-    std::uint32_t find(const Vertex& position, const std::vector<Vertex>& positions) const {
-      return empty() ? none : slots_[slot_of(position, positions)];
-    }
-    // numbers: by those that there are.
-    void renumber(const std::vector<std::uint32_t>& numbers) {
-      for (std::uint32_t& slot : slots_)
-        if (slot != none) slot = numbers[slot];
+    static std::uint32_t bit(const Vertex& vertex) {
+      return std::uint32_t{1} << ((vertex.y & 7) << 2 | (vertex.x & 7) >> 1);
     }
 
-   private:
-    // The slot of the position, occupied or free.
-    std::size_t slot_of(const Vertex& position, const std::vector<Vertex>& positions) const {
-      const std::size_t mask = slots_.size() - 1;
-      std::size_t slot = hash(position) & mask;
-      while (slots_[slot] != none && positions[slots_[slot]] != position) slot = (slot + 1) & mask;
-      return slot;
+    bool has(const Vertex& vertex) const { return (bits[row(vertex)] & bit(vertex)) != 0; }
+    /// How many vertices of the block come before this one.
+    std::uint32_t rank(const Vertex& vertex) const {
+      return before[row(vertex)] + count_of(bits[row(vertex)] & (bit(vertex) - 1));
     }
-    void grow(const std::vector<Vertex>& positions) {
-      constexpr std::size_t least = 64;
-      const std::vector<std::uint32_t> before = std::move(slots_);
-      slots_.assign(std::max(least, 2 * before.size()), none);
-      for (const std::uint32_t number : before)
-        if (number != none) slots_[slot_of(positions[number], positions)] = number;
-    }
+    void count_rows();
 
-    std::vector<std::uint32_t> slots_;  // numbers; a power of two
-    std::size_t used_ = 0;
+    Vertex origin;
+    std::uint32_t first = 0;      ///< the number of its first vertex
+    std::uint32_t list = none;    ///< if vertices were added later: numbers_[list] has the numbers
+    std::uint8_t before[8] = {};  ///< vertices in the rows before
+    std::uint32_t bits[8] = {};   ///< by z, then y, then x
   };
 
-  // Adds those of another. Returns their numbers, by those that they have there.
-  std::vector<std::uint32_t> join(VertexNumbers&& other);
-
-  // Slices far apart may share a table.
-  static std::size_t table_of(const Vertex& position) {
-    constexpr int half_steps = 3;  // to the power of two
-    return static_cast<std::uint32_t>(position.z >> half_steps) % table_count;
+  static std::uint32_t count_of(std::uint32_t bits) {
+    bits -= bits >> 1 & 0x55555555u;
+    bits = (bits & 0x33333333u) + (bits >> 2 & 0x33333333u);
+    return ((bits + (bits >> 4)) & 0x0F0F0F0Fu) * 0x01010101u >> 24;
+  }
+  static Vertex origin_of(const Vertex& vertex) {
+    return {vertex.x & ~7, vertex.y & ~7, vertex.z & ~7};
+  }
+  std::uint32_t number(const Block& block, const Vertex& vertex) const {
+    const std::uint32_t rank = block.rank(vertex);
+    return block.list == none ? block.first + rank : numbers_[block.list][rank];
   }
 
-  static std::uint64_t hash(const Vertex& position) {
-    std::uint64_t mixed = 0;
-    for (const std::int32_t coordinate : {position.x, position.y, position.z})
-      mixed = (mixed ^ static_cast<std::uint32_t>(coordinate)) * 0x9E3779B97F4A7C15u;
-    return mixed >> 32;
+  // The slot of the block, occupied or free.
+  std::size_t slot_of(const Vertex& origin) const {
+    const std::uint64_t hash = static_cast<std::uint32_t>(origin.x) * 0x9E3779B97F4A7C15u +
+                               static_cast<std::uint32_t>(origin.y) * 0xC2B2AE3D27D4EB4Fu +
+                               static_cast<std::uint32_t>(origin.z) * 0x165667B19E3779F9u;
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = hash >> 32 & mask;
+    while (slots_[slot] != none && blocks_[slots_[slot]].origin != origin) slot = (slot + 1) & mask;
+    return slot;
   }
+  Block& block_at(const Vertex& origin);
+  void grow();
+  void number_block(Block& block);
+  void list_numbers(Block& block);
 
-  std::vector<Table> tables_;
+  std::vector<std::uint32_t> slots_;  // places of blocks, by a hash; half are free at least
+  std::vector<Block> blocks_;
+  std::vector<std::vector<std::uint32_t>> numbers_;
   std::vector<Vertex> positions_;
 };
 

@@ -6,9 +6,10 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <discmc/lattice.hpp>
+
+#include "array.hpp"
 
 namespace discmc::meshing {
 
@@ -99,32 +100,31 @@ class Polygons {
     std::size_t place_;
   };
 
+  Polygons() { ring_begins_.push_back(0); }
+
   Iterator begin() const { return {*this, 0}; }
   Iterator end() const { return {*this, size()}; }
-  std::size_t size() const { return incidences_.size(); }
-  bool empty() const { return incidences_.empty(); }
+  std::size_t size() const { return records_.size(); }
+  bool empty() const { return records_.empty(); }
   Polygon operator[](std::size_t place) const {
-    const std::uint32_t* begins = ring_begins_.data() + polygon_begins_[place];
-    return {incidences_[place],
-            {corners_.data(), begins, polygon_begins_[place + 1] - polygon_begins_[place]}};
+    const Record& record = records_[place];
+    return {record.incidence,
+            {corners_.data(), ring_begins_.data() + record.first_ring, record.rings}};
   }
 
-  /// The corners of all rings, in order.
-  const std::vector<Vertex>& corners() const { return corners_; }
-  /// Where the corners of a polygon begin; for place size(), where they end.
-  std::size_t first_corner(std::size_t place) const { return ring_begins_[polygon_begins_[place]]; }
+  /// How many corners all rings have.
+  std::size_t corner_count() const { return corners_.size(); }
 
   /// Adds a polygon that has no ring yet.
   void add_polygon(Incidence incidence) {
-    incidences_.push_back(incidence);
-    polygon_begins_.push_back(polygon_begins_.back());
+    records_.push_back({static_cast<std::uint32_t>(ring_begins_.size() - 1), 0, incidence});
   }
-  /// Adds a ring to the last polygon. ring: none of these polygons.
+  /// Adds a ring to the last polygon, since it was added. ring: none of these polygons.
   void add_ring(const Ring& ring) {
     require_numbers_for(corners_.size() + ring.size());
-    corners_.insert(corners_.end(), ring.begin(), ring.end());
+    corners_.append(ring.data(), ring.size());
     ring_begins_.push_back(static_cast<std::uint32_t>(corners_.size()));
-    ++polygon_begins_.back();
+    ++records_.back().rings;
   }
   /// Adds one of others.
   void push_back(const Polygon& polygon) {
@@ -134,27 +134,33 @@ class Polygons {
   /// Adds all of others.
   void append(const Polygons& others) {
     require_numbers_for(corners_.size() + others.corners_.size());
-    append_begins(polygon_begins_, others.polygon_begins_);
-    append_begins(ring_begins_, others.ring_begins_);
-    incidences_.insert(incidences_.end(), others.incidences_.begin(), others.incidences_.end());
-    corners_.insert(corners_.end(), others.corners_.begin(), others.corners_.end());
+    const auto first_ring = static_cast<std::uint32_t>(ring_begins_.size() - 1);
+    const auto first_corner = static_cast<std::uint32_t>(corners_.size());
+    for (Record record : others.records_) {
+      record.first_ring += first_ring;
+      records_.push_back(record);
+    }
+    for (std::size_t ring = 1; ring < others.ring_begins_.size(); ++ring)
+      ring_begins_.push_back(first_corner + others.ring_begins_[ring]);
+    corners_.append(others.corners_.data(), others.corners_.size());
   }
+
+  /// Sorts polygons by the first corners of their outer rings, from below (precedes()), then by
+  /// their incidences and the other corners. Polygons without rings come first. Cost: none of the
+  /// corners is moved.
+  void sort();
 
  private:
-  using Begins = std::vector<std::uint32_t>;
+  struct Record {
+    std::uint32_t first_ring, rings;
+    Incidence incidence;
+  };
 
-  // The first begins where the last ends.
-  static void append_begins(Begins& begins, const Begins& others) {
-    const std::size_t kept = begins.size();
-    const std::uint32_t end = begins.back();
-    begins.insert(begins.end(), others.begin() + 1, others.end());
-    for (std::size_t i = kept; i < begins.size(); ++i) begins[i] += end;
-  }
+  bool has_corners_before(const Record& a, const Record& b) const;
 
-  std::vector<Incidence> incidences_;
-  Begins polygon_begins_{0};  // in ring_begins_; one more than polygons
-  Begins ring_begins_{0};     // in corners_; one more than rings
-  std::vector<Vertex> corners_;
+  Array<Record> records_;             // one a polygon
+  Array<std::uint32_t> ring_begins_;  // in corners_; one more than rings
+  Array<Vertex> corners_;
 };
 
 }  // namespace discmc::meshing

@@ -26,6 +26,11 @@ std::int32_t link_at(const Vertex& from, const Side& side, const Vertex& vertex)
   return is_between && after_links(from, side, link) == vertex ? link : 0;
 }
 
+template <class Iterator>
+void begin_at_last(Iterator begin, Iterator end) {
+  std::rotate(begin, std::max_element(begin, end, precedes), end);
+}
+
 // Whether the way through a vertex of a ring changes its direction there.
 bool turns(const Vertex* vertices, std::uint32_t count, std::uint32_t i) {
   const Vertex& before = vertices[i > 0 ? i - 1 : count - 1];
@@ -41,12 +46,15 @@ SinkResult SurfaceBuilder::take(const Event& event) {
       incidence_ = event.incidence;
       rings_.clear();
       runs_.clear();
+      normals_.clear();
       break;
     case Event::Kind::ring:
       rings_.push_back({event.start, runs_.size()});
       break;
     case Event::Kind::run:
-      if (!rings_.empty()) runs_.push_back({event.run, event.normal});
+      if (rings_.empty()) break;
+      runs_.push_back(event.run);
+      normals_.push_back(event.normal);
       break;
     case Event::Kind::region_end:
       end_region();
@@ -62,7 +70,9 @@ SinkResult SurfaceBuilder::take(const Event& event) {
     case Event::Kind::skipped:
     case Event::Kind::application:
     case Event::Kind::layer:
+      break;
     case Event::Kind::finish:
+      surface_.polygons.sort();
       break;
   }
   return SinkResult::accepted;
@@ -70,10 +80,10 @@ SinkResult SurfaceBuilder::take(const Event& event) {
 
 void SurfaceBuilder::take_region(const WholeRegion& region) {
   incidence_ = region.incidence;
-  rings_.assign(1, {region.start, 0});
-  runs_.clear();
-  for (std::uint32_t i = 0; i < region.count; ++i) runs_.push_back({region.runs[i], {}});
-  end_region();
+  rings_.clear();
+  begin_polygon();
+  add_simple_rings({region.start, region.runs, region.runs + region.count});
+  end_polygon();
 }
 
 void SurfaceBuilder::append(SurfaceBuilder&& other) {
@@ -96,9 +106,9 @@ bool SurfaceBuilder::is_sound(const Chain& chain) const {
     return std::min({x, y, z}) >= least && std::max({x, y, z}) <= most;
   };
   bool is_always_inside = is_inside();
-  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
-    const Vertex step = direction_vector(incidence_, at->run.direction());
-    const std::int64_t length = at->run.length();
+  for (const Run* run = chain.begin; run != chain.end; ++run) {
+    const Vertex step = direction_vector(incidence_, run->direction());
+    const std::int64_t length = run->length();
     x += step.x * length;
     y += step.y * length;
     z += step.z * length;
@@ -107,39 +117,67 @@ bool SurfaceBuilder::is_sound(const Chain& chain) const {
   return is_always_inside && x == chain.start.x && y == chain.start.y && z == chain.start.z;
 }
 
-// Whether a closed chain turns to one side only, and once round. Most do, and are simple.
-bool SurfaceBuilder::is_convex(const Chain& chain) const {
+// Returns whether the ring turns to one side only, and once round. Most do, and are simple.
+bool SurfaceBuilder::add_corners(const Chain& chain) {
   if (chain.begin == chain.end) return false;
   const int round = direction_count(incidence_);
   int left = 0, right = 0;
-  Direction before = chain.end[-1].run.direction();
-  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
-    const Direction direction = at->run.direction();
-    const int turn = direction - before + (direction < before ? round : 0);
-    if (2 * turn == round) return false;
-    if (2 * turn < round)
-      left += turn;
-    else
-      right += round - turn;
+  Vertex vertex = chain.start;
+  Direction before = chain.end[-1].direction();
+  for (const Run* run = chain.begin; run != chain.end; ++run) {
+    const Direction direction = run->direction();
+    if (direction != before) {
+      const int turn = direction - before + (direction < before ? round : 0);
+      if (2 * turn < round)
+        left += turn;
+      else
+        right += 2 * turn == round ? round : round - turn;  // back: no such ring is simple
+      corners_.push_back(vertex);
+    }
     before = direction;
+    move(vertex, incidence_, direction, run->length());
   }
   return left + right == round && (left == 0 || right == 0);
 }
 
-void SurfaceBuilder::add_corners(const Chain& chain) {
-  if (chain.begin == chain.end) return;
-  Vertex vertex = chain.start;
-  Direction before = chain.end[-1].run.direction();
-  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
-    if (at->run.direction() != before) corners_.push_back(vertex);
-    before = at->run.direction();
-    translate(vertex, incidence_, before, at->run.length());
+// Whether a ring meets no vertex twice: by a bit for each vertex of a window around it. Rings that
+// are larger are not looked at.
+bool SurfaceBuilder::is_simple_in_window(const Chain& chain, std::size_t first_corner) const {
+  constexpr std::int64_t size = 64;
+  const Vertex out = normal(incidence_);
+  const int left_out = out.z != 0 ? 2 : out.y != 0 ? 1 : 0;
+  const int u_axis = (left_out + 1) % 3, v_axis = (left_out + 2) % 3;
+  std::int64_t u_least = component(chain.start, u_axis), v_least = component(chain.start, v_axis);
+  std::int64_t u = u_least, v = v_least, u_most = u, v_most = v;
+  for (std::size_t i = first_corner; i < corners_.size(); ++i) {
+    const std::int64_t corner_u = component(corners_[i], u_axis);
+    const std::int64_t corner_v = component(corners_[i], v_axis);
+    u_least = std::min(u_least, corner_u);
+    u_most = std::max(u_most, corner_u);
+    v_least = std::min(v_least, corner_v);
+    v_most = std::max(v_most, corner_v);
   }
+  if (u_most - u_least >= size || v_most - v_least >= size) return false;
+  std::uint64_t rows[size] = {};
+  for (const Run* run = chain.begin; run != chain.end; ++run) {
+    const Vertex step = direction_vector(incidence_, run->direction());
+    for (std::uint32_t left = run->length(); left > 0; --left) {
+      u += component(step, u_axis);
+      v += component(step, v_axis);
+      std::uint64_t& row = rows[v - v_least];
+      const std::uint64_t bit = std::uint64_t{1} << (u - u_least);
+      if ((row & bit) != 0) return false;
+      row |= bit;
+    }
+  }
+  return true;
 }
 
-// The corners since the last one are a simple ring.
+// The corners since the last one are a simple ring. It begins at its last vertex, as the rings of
+// an extractor do.
 void SurfaceBuilder::end_ring() {
   const std::size_t begin = simple_rings_.empty() ? 0 : simple_rings_.back().end;
+  begin_at_last(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end());
   simple_rings_.push_back({begin, corners_.size()});
 }
 
@@ -147,11 +185,11 @@ void SurfaceBuilder::collect_ends(const Chain& chain) {
   ends_.clear();
   if (chain.begin == chain.end) return;
   Vertex vertex = chain.start;
-  Direction before = chain.end[-1].run.direction();
-  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
-    if (at == chain.begin || at->run.direction() != before) ends_.push_back(vertex);
-    before = at->run.direction();
-    translate(vertex, incidence_, before, at->run.length());
+  Direction before = chain.end[-1].direction();
+  for (const Run* run = chain.begin; run != chain.end; ++run) {
+    if (run == chain.begin || run->direction() != before) ends_.push_back(vertex);
+    before = run->direction();
+    move(vertex, incidence_, before, run->length());
   }
 }
 
@@ -211,13 +249,12 @@ void SurfaceBuilder::add_touches_of(const Vertex& from, const Side& side) {
 }
 
 void SurfaceBuilder::add_simple_rings(const Chain& chain) {
-  const auto add_whole = [&] {
-    add_corners(chain);
-    end_ring();
-  };
-  if (is_convex(chain)) return add_whole();
+  const std::size_t first_corner = corners_.size();
+  if (add_corners(chain) || is_simple_in_window(chain, first_corner)) return end_ring();
   collect_ends(chain);
-  if (!find_touches()) return add_whole();
+  if (!find_touches()) return end_ring();
+  corners_.resize(first_corner);
+  begin_at_last(vertices_.begin(), vertices_.end());
   scratch_.resize(2 * vertices_.size());
   const auto add = [](void* context, const Vertex* vertices, std::uint32_t count) {
     auto& builder = *static_cast<SurfaceBuilder*>(context);
@@ -245,20 +282,38 @@ bool SurfaceBuilder::put_outer_first() {
   return true;
 }
 
+// By their corners, so that it does not count in which order they were closed.
+void SurfaceBuilder::sort_holes() {
+  if (simple_rings_.size() < 3) return;
+  std::sort(simple_rings_.begin() + 1, simple_rings_.end(), [this](const Span& a, const Span& b) {
+    const Ring one = simple_ring(a), other = simple_ring(b);
+    return std::lexicographical_compare(one.begin(), one.end(), other.begin(), other.end(),
+                                        precedes);
+  });
+}
+
 void SurfaceBuilder::end_region() {
+  begin_polygon();
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
+    const Chain ring = chain(i);
+    if (!is_sound(ring)) {
+      ++incomplete_regions_;
+      return;
+    }
+    add_simple_rings(ring);
+  }
+  end_polygon();
+}
+
+void SurfaceBuilder::begin_polygon() {
   simple_rings_.clear();
   corners_.clear();
-  bool is_whole = true;
-  for (std::size_t i = 0; i < rings_.size() && is_whole; ++i) {
-    const Chain ring = chain(i);
-    is_whole = is_sound(ring);
-    if (is_whole) add_simple_rings(ring);
-  }
-  if (!is_whole || !put_outer_first()) {
+}
+
+void SurfaceBuilder::end_polygon() {
+  if (!put_outer_first())
     ++incomplete_regions_;
-    return;
-  }
-  if (kept_ == Kept::polygons)
+  else if (kept_ == Kept::polygons)
     keep_region();
   else
     count_region();
@@ -276,21 +331,25 @@ void SurfaceBuilder::count_region() {
       counts_.links += static_cast<std::uint64_t>(
           side_between(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]).links);
   }
-  for (const PlacedRun& each : runs_)
-    if (!each.normal.is_none()) ++counts_.normals;
+  if (rings_.empty()) return;  // no events, no normals
+  for (const OctahedralNormal& each : normals_)
+    if (!each.is_none()) ++counts_.normals;
 }
 
 void SurfaceBuilder::keep_region() {
+  sort_holes();
   surface_.polygons.add_polygon(incidence_);
   for (const Span& span : simple_rings_) surface_.polygons.add_ring(simple_ring(span));
-  for (std::size_t i = 0; i < rings_.size(); ++i) keep_normals(chain(i));
+  for (std::size_t i = 0; i < rings_.size(); ++i) keep_normals(i);
 }
 
-void SurfaceBuilder::keep_normals(const Chain& chain) {
-  Vertex vertex = chain.start;
-  for (const PlacedRun* at = chain.begin; at != chain.end; ++at) {
-    if (!at->normal.is_none()) surface_.normals.emplace(vertex, at->normal);
-    translate(vertex, incidence_, at->run.direction(), at->run.length());
+void SurfaceBuilder::keep_normals(std::size_t ring) {
+  const Chain runs = chain(ring);
+  const OctahedralNormal* normal = normals_.data() + rings_[ring].first_run;
+  Vertex vertex = runs.start;
+  for (const Run* run = runs.begin; run != runs.end; ++run, ++normal) {
+    if (!normal->is_none()) surface_.normals.emplace(vertex, *normal);
+    move(vertex, incidence_, run->direction(), run->length());
   }
 }
 

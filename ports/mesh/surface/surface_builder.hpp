@@ -33,7 +33,8 @@ class SurfaceBuilder {
   /// Adds what another has kept, behind its own. Limit: both keep the same.
   void append(SurfaceBuilder&& other);
 
-  /// What has been delivered so far; spacing_mm is for the caller to set.
+  /// What has been delivered so far; spacing_mm is for the caller to set. A `finish` event sorts
+  /// the polygons: they do not depend on how the scan was divided, nor does their order.
   Surface& surface() { return surface_; }
   const Surface& surface() const { return surface_; }
   /// Limit: Kept::counts.
@@ -43,11 +44,6 @@ class SurfaceBuilder {
   std::uint64_t incomplete_regions() const { return incomplete_regions_; }
 
  private:
-  // A run and the normal where it starts.
-  struct PlacedRun {
-    Run run;
-    OctahedralNormal normal;
-  };
   struct OpenRing {
     Vertex start;
     std::size_t first_run;
@@ -55,8 +51,8 @@ class SurfaceBuilder {
   // A ring of the region under way, by its runs.
   struct Chain {
     Vertex start;
-    const PlacedRun* begin;
-    const PlacedRun* end;
+    const Run* begin;
+    const Run* end;
   };
 
   // A simple ring of the region under way, by its corners.
@@ -65,10 +61,12 @@ class SurfaceBuilder {
   };
 
   void end_region();
+  void begin_polygon();
+  void end_polygon();
   Chain chain(std::size_t ring) const;
   bool is_sound(const Chain& chain) const;
-  bool is_convex(const Chain& chain) const;
-  void add_corners(const Chain& chain);
+  bool add_corners(const Chain& chain);
+  bool is_simple_in_window(const Chain& chain, std::size_t first_corner) const;
   void end_ring();
   void add_simple_rings(const Chain& chain);
   void collect_ends(const Chain& chain);
@@ -78,8 +76,9 @@ class SurfaceBuilder {
   void add_touches_of(const Vertex& from, const Side& side);
   Ring simple_ring(const Span& span) const;
   bool put_outer_first();
+  void sort_holes();
   void keep_region();
-  void keep_normals(const Chain& chain);
+  void keep_normals(std::size_t ring);
   void count_region();
 
   Kept kept_;
@@ -89,7 +88,8 @@ class SurfaceBuilder {
   Incidence incidence_ = no_incidence;
   // The region under way.
   std::vector<OpenRing> rings_;
-  std::vector<PlacedRun> runs_;
+  std::vector<Run> runs_;
+  std::vector<OctahedralNormal> normals_;  // where the runs start
   std::vector<Span> simple_rings_;
   std::vector<Vertex> corners_;
   // Buffers of one ring; here to keep the memory.

@@ -1,0 +1,129 @@
+#include "ears.hpp"
+
+#include <algorithm>
+
+namespace discmc::meshing {
+namespace {
+
+bool are_apart(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
+  return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
+}
+
+// Whether two sides have a point in common.
+bool meet(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d) {
+  if (are_apart(a.u, b.u, c.u, d.u) || are_apart(a.v, b.v, c.v, d.v)) return false;
+  const auto on_both_sides = [](std::int64_t one, std::int64_t other) {
+    return !((one > 0 && other > 0) || (one < 0 && other < 0));
+  };
+  return on_both_sides(doubled_area(a, b, c), doubled_area(a, b, d)) &&
+         on_both_sides(doubled_area(c, d, a), doubled_area(c, d, b));
+}
+
+// Whether sides meet neighbours only. Limit: those do so in one point.
+bool is_simple(const std::vector<PlanePoint>& points) {
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i + 2 < count; ++i)
+    for (std::size_t j = i + 2; j < count - (i == 0 ? 1 : 0); ++j)
+      if (meet(points[i], points[i + 1], points[j], points[j + 1 < count ? j + 1 : 0]))
+        return false;
+  return true;
+}
+
+// Whether a ring that never turns to the right goes round once: then it turns upwards once.
+bool goes_round_once(const std::vector<PlanePoint>& points) {
+  const auto rise_to = [&points](std::size_t i) {
+    return points[i].v - points[i > 0 ? i - 1 : points.size() - 1].v;
+  };
+  bool goes_down = false;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (rise_to(i) != 0) goes_down = rise_to(i) < 0;
+  int turns = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (rise_to(i) == 0) continue;
+    if (goes_down && rise_to(i) > 0) ++turns;
+    goes_down = rise_to(i) < 0;
+  }
+  return turns == 1;
+}
+
+}  // namespace
+
+bool Ears::cut(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
+               std::vector<std::uint32_t>& pairs) {
+  if (points.size() < 3 || points.size() > max_points) return false;
+  link_all(points);
+  if (blockers_ == 0 ? !goes_round_once(points) : !is_simple(points)) return false;
+  triangles.clear();
+  pairs.clear();
+  std::uint32_t at = 0;
+  for (std::uint32_t tries = 0; left_ > 3;) {
+    if (blocks_[at] || !is_ear(points, at)) {
+      if (++tries > left_) return false;
+      at = next_[at];
+      continue;
+    }
+    tries = 0;
+    const std::uint32_t before = previous_[at], after = next_[at];
+    cut_off(at, triangles, pairs);
+    update(points, before);
+    update(points, after);
+    at = next_[after];  // ears beside each other make slivers
+  }
+  if (is_flat_or_reflex(points, at)) return false;
+  cut_off(at, triangles, pairs);
+  return true;
+}
+
+void Ears::link_all(const std::vector<PlanePoint>& points) {
+  left_ = static_cast<std::uint32_t>(points.size());
+  for (std::uint32_t i = 0; i < left_; ++i) {
+    next_[i] = i + 1 < left_ ? i + 1 : 0;
+    previous_[i] = i > 0 ? i - 1 : left_ - 1;
+    inner_[i] = DelaunayFlips::no_side;
+  }
+  blockers_ = 0;
+  for (std::uint32_t i = 0; i < left_; ++i) {
+    blocks_[i] = is_flat_or_reflex(points, i);
+    blockers_ += blocks_[i] ? 1 : 0;
+  }
+}
+
+bool Ears::is_flat_or_reflex(const std::vector<PlanePoint>& points, std::uint32_t at) const {
+  return doubled_area(points[previous_[at]], points[at], points[next_[at]]) <= 0;
+}
+
+bool Ears::is_ear(const std::vector<PlanePoint>& points, std::uint32_t at) const {
+  if (blockers_ == 0) return true;
+  const PlanePoint &a = points[previous_[at]], &b = points[at], &c = points[next_[at]];
+  for (std::uint32_t i = next_[next_[at]]; i != previous_[at]; i = next_[i])
+    if (blocks_[i] && doubled_area(a, b, points[i]) >= 0 && doubled_area(b, c, points[i]) >= 0 &&
+        doubled_area(c, a, points[i]) >= 0)
+      return false;
+  return true;
+}
+
+// The triangle's third side becomes the one from the point before to the point after.
+void Ears::cut_off(std::uint32_t at, std::vector<Triangle>& triangles,
+                   std::vector<std::uint32_t>& pairs) {
+  const std::uint32_t before = previous_[at], after = next_[at];
+  const auto side = static_cast<std::uint32_t>(3 * triangles.size());
+  triangles.push_back({before, at, after});
+  const std::uint32_t last = left_ == 3 ? inner_[after] : DelaunayFlips::no_side;
+  for (const std::uint32_t pair : {inner_[before], inner_[at], last}) {
+    if (pair != DelaunayFlips::no_side) pairs[pair] = static_cast<std::uint32_t>(pairs.size());
+    pairs.push_back(pair);
+  }
+  inner_[before] = side + 2;
+  next_[before] = after;
+  previous_[after] = before;
+  --left_;
+}
+
+// A point that blocks may do so no longer when a neighbour is cut off; none begins to.
+void Ears::update(const std::vector<PlanePoint>& points, std::uint32_t at) {
+  if (!blocks_[at] || is_flat_or_reflex(points, at)) return;
+  blocks_[at] = false;
+  --blockers_;
+}
+
+}  // namespace discmc::meshing
