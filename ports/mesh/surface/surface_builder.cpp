@@ -135,7 +135,7 @@ bool SurfaceBuilder::add_corners(const Chain& chain) {
       corners_.push_back(vertex);
     }
     before = direction;
-    move(vertex, incidence_, direction, run->length());
+    translate(vertex, incidence_, direction, run->length());
   }
   return left + right == round && (left == 0 || right == 0);
 }
@@ -144,7 +144,7 @@ bool SurfaceBuilder::add_corners(const Chain& chain) {
 // are larger are not looked at.
 bool SurfaceBuilder::is_simple_in_window(const Chain& chain, std::size_t first_corner) const {
   constexpr std::int64_t size = 64;
-  const Vertex out = normal(incidence_);
+  const Vertex out = incidence_normal(incidence_);
   const int left_out = out.z != 0 ? 2 : out.y != 0 ? 1 : 0;
   const int u_axis = (left_out + 1) % 3, v_axis = (left_out + 2) % 3;
   std::int64_t u_least = component(chain.start, u_axis), v_least = component(chain.start, v_axis);
@@ -189,7 +189,7 @@ void SurfaceBuilder::collect_ends(const Chain& chain) {
   for (const Run* run = chain.begin; run != chain.end; ++run) {
     if (run == chain.begin || run->direction() != before) ends_.push_back(vertex);
     before = run->direction();
-    move(vertex, incidence_, before, run->length());
+    translate(vertex, incidence_, before, run->length());
   }
 }
 
@@ -349,7 +349,7 @@ void SurfaceBuilder::keep_normals(std::size_t ring) {
   Vertex vertex = runs.start;
   for (const Run* run = runs.begin; run != runs.end; ++run, ++normal) {
     if (!normal->is_none()) surface_.normals.emplace(vertex, *normal);
-    move(vertex, incidence_, run->direction(), run->length());
+    translate(vertex, incidence_, run->direction(), run->length());
   }
 }
 
