@@ -10,10 +10,10 @@
 
 #include <discmc/limits.hpp>
 
+#include "decimation/decimation.hpp"
 #include "discmc/mesh.hpp"
 #include "extraction/selection.hpp"
 #include "mesh_files/file_mesh.hpp"
-#include "meshes/decimation.hpp"
 #include "meshes/mesh.hpp"
 #include "meshing.hpp"
 #include "pictures/srgb.hpp"

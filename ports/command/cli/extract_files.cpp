@@ -11,7 +11,6 @@
 #include "mesh_files/file_format.hpp"
 #include "mesh_files/mesh_files.hpp"
 #include "mesh_output.hpp"
-#include "meshes/mesh_simplifier.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "volume_input.hpp"
@@ -60,7 +59,6 @@ MeshingOptions options_of(const ExtractArguments& arguments, const SurfaceOutput
 }  // namespace
 
 MeshFiles::MeshFiles(const ExtractArguments& arguments) : arguments_(arguments) {
-  if (arguments.decimation.is_wanted()) require_simplifier();
   require_no_terminal(arguments.output);
   const FilePattern pattern(arguments.output);
   if (pattern.has_name())
@@ -107,7 +105,7 @@ MeshSummary MeshFiles::write(const SurfaceOutput& output, OutputFile& file) cons
     write_to(file, [&](std::ostream& out) { write_jsonl(output.surface, out); });
   } else {
     summary = {};
-    FileMesh mesh = mesh_of(output, summary);
+    FileMesh mesh = mesh_of(output);
     if (traits_of(format).holds_measures) mesh.name = output.selection.name;
     summarize(mesh, summary);
     if (format == Format::obj && mesh.colour && !is_standard_output(output.file)) {
@@ -122,7 +120,7 @@ MeshSummary MeshFiles::write(const SurfaceOutput& output, OutputFile& file) cons
 
 MeshSummary MeshFiles::keep(const SurfaceOutput& output) {
   MeshSummary summary;
-  meshes_.push_back(mesh_of(output, summary));
+  meshes_.push_back(mesh_of(output));
   meshes_.back().name = output.selection.name;
   summarize(meshes_.back(), summary);
   return summary;
@@ -138,10 +136,10 @@ void MeshFiles::finish() {
   if (!arguments_.quiet) print_file(arguments_.output, table_stream(arguments_.output));
 }
 
-FileMesh MeshFiles::mesh_of(const SurfaceOutput& output, MeshSummary& summary) const {
+FileMesh MeshFiles::mesh_of(const SurfaceOutput& output) const {
   FileMesh mesh = triangulated(output.surface, options_of(arguments_, output));
   note_left_out(output.title, output.surface, mesh);
-  summary.unchanged_bodies = decimate_noted(output.title, arguments_.decimation, mesh);
+  decimate_noted(output.title, arguments_.decimation, mesh);
   add_normals(arguments_, output.selection.selection, output.surface, mesh);
   place_in_file(mesh, placement_, arguments_.size);
   mesh.colour = output.selection.colour;

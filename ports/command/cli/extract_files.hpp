@@ -52,7 +52,7 @@ class MeshFiles {
   MeshSummary write_alone(const SurfaceOutput& output);
   MeshSummary keep(const SurfaceOutput& output);
   // Adds to the summary what only the making of the mesh shows.
-  FileMesh mesh_of(const SurfaceOutput& output, MeshSummary& summary) const;
+  FileMesh mesh_of(const SurfaceOutput& output) const;
   void summarize(const FileMesh& mesh, MeshSummary& summary) const;
 
   const ExtractArguments& arguments_;

@@ -13,8 +13,7 @@
 // MeshReceiver the bytes of a device. Link discmc::mesh. In C: discmc/mesh.h.
 //
 // Errors: std::invalid_argument names the value and the remedy; std::length_error: more than 2^32
-// corners; Cancelled: MeshOptions::progress returned false; std::runtime_error: decimation in a
-// build without meshoptimizer; what a callback throws.
+// corners; Cancelled: MeshOptions::progress returned false; what a callback throws.
 #ifndef DISCMC_MESH_HPP
 #define DISCMC_MESH_HPP
 
@@ -143,8 +142,10 @@ struct MeshOptions {
   /// interpolates. The largest spacing removes the steps of voxels. 0: none. Units: as spacing.
   /// Limit: one level.
   double smoothing = 0;
-  /// Decimates to about this many triangles, or until the quadric error exceeds max_error,
-  /// whichever comes first; 0: not. Needs meshoptimizer. Units: as spacing.
+  /// Decimates to this many triangles, or as far as max_error allows, whichever comes first; 0:
+  /// not. Bodies keep their volumes. More triangles are left if fewer would cross, or lose a body
+  /// or an opening. max_error: from the vertices of the whole mesh to the decimated one, and back
+  /// from its vertices and the middles of its edges and triangles. Units: as spacing.
   std::uint64_t triangles = 0;
   double max_error = 0;
   Normals normals = Normals::none;
