@@ -78,7 +78,8 @@ TEST_CASE("a mesh that is not closed encloses nothing, and an empty one has no e
   write_csv({&mesh}, csv);
   CHECK(csv.str().find("\n\"open, \"\"cut\"\"\",,") != std::string::npos);
   write_json({&mesh}, json);
-  CHECK(json.str().find(R"("name": "open, \"cut\"", "volume_mm3": null, "area_mm2": )") !=
+  CHECK(json.str().find(
+            R"("name": "open, \"cut\"", "voxels": null, "volume_mm3": null, "area_mm2": )") !=
         std::string::npos);
   const FileMesh none;
   write_json({&none}, empty);
@@ -96,7 +97,7 @@ TEST_CASE("extract and decode write measures in place of meshes, a line per labe
   const std::string labels = "v.raw --dims 30,20,20 --type u8 -q --labels all ";
   workshop.done("extract " + labels + "-o v.csv");
   const std::string table = workshop.read("v.csv");
-  CHECK(table.rfind("name,volume_mm3,area_mm2,bodies,cavities,min_x_mm,", 0) == 0);
+  CHECK(table.rfind("name,voxels,volume_mm3,area_mm2,bodies,cavities,min_x_mm,", 0) == 0);
   CHECK(command_tests::contains(table, "\n1,"));
   CHECK(command_tests::contains(table, "\n2,"));
   workshop.done("extract " + labels + "--largest 1 -o v.json");
@@ -104,4 +105,35 @@ TEST_CASE("extract and decode write measures in place of meshes, a line per labe
   workshop.done("extract v.raw --dims 30,20,20 --type u8 -q --iso 1 -o v.dmc");
   workshop.done("decode v.dmc -o decoded.csv");
   CHECK(command_tests::contains(workshop.read("decoded.csv"), ",2,1,"));
+}
+
+TEST_CASE("--bodies writes a row for each body with its cavities and voxels, the largest first") {
+  const command_tests::Workshop workshop;
+  std::string bytes(20 * 12 * 12, '\0');
+  const auto put = [&](int first, int end, char value) {
+    for (int z = first; z < end; ++z)
+      for (int y = first; y < end; ++y)
+        for (int x = first; x < end; ++x)
+          bytes[static_cast<std::size_t>((z * 12 + y) * 20 + x)] = value;
+  };
+  put(1, 11, 1);
+  put(3, 9, 0);
+  put(5, 7, 1);
+  bytes[static_cast<std::size_t>((4 * 12 + 4) * 20 + 16)] = 1;
+  workshop.write("v.raw", bytes);
+  const std::string extract = "extract v.raw --dims 20,12,12 --spacing 2,1,1 --type u8 --iso 1 -q ";
+  workshop.done(extract + "-o all.csv");
+  CHECK(command_tests::contains(workshop.read("all.csv"), "\n1,793,"));
+  workshop.done(extract + "--bodies -o bodies.csv");
+  const std::string rows = workshop.read("bodies.csv");
+  CHECK(command_tests::contains(rows, "name,voxels,volume_mm3"));
+  CHECK(command_tests::contains(rows, "\n1 1,784,"));
+  CHECK(command_tests::contains(rows, "\n1 2,8,"));
+  CHECK(command_tests::contains(rows, "\n1 3,1,"));
+  workshop.done(extract + "--bodies --largest 1 -o one.json");
+  CHECK(command_tests::contains(workshop.read("one.json"), "\"voxels\": 784"));
+  CHECK(command_tests::contains(workshop.run(extract + "--bodies -o v.stl").error,
+                                "only in .csv and .json"));
+  CHECK(command_tests::contains(workshop.run(extract + "--bodies --border open -o v.csv").error,
+                                "leave out --bodies"));
 }

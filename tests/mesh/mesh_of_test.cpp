@@ -187,3 +187,22 @@ TEST_CASE("gradient normals of infinite samples and levels are unit vectors") {
     for (const auto& normal : mesh_of(samples, {4, 4, 4}, level, options).normals)
       CHECK(dot(normal, normal) == doctest::Approx(1));
 }
+
+TEST_CASE(
+    "a Gaussian far wider than the array leaves a closed mesh with the volume of the voxels") {
+  const auto array = ball<std::uint8_t>();
+  std::vector<std::uint8_t> mask;
+  double voxels = 0;
+  for (const auto& sample : array.samples) {
+    mask.push_back(sample >= ball_level ? 1 : 0);
+    voxels += mask.back();
+  }
+  for (const double deviation : {1.0, 30.0, 1e4, 1e6}) {
+    MeshOptions options;
+    options.smoothing = deviation;
+    const MeshMeasures measures = measures_of(mesh_of(mask, array.extents(), 1, options));
+    CHECK(measures.is_closed);
+    CHECK(measures.bodies == 1);
+    CHECK(measures.volume == doctest::Approx(voxels).epsilon(0.01));
+  }
+}

@@ -80,6 +80,7 @@ struct ExtractArguments {
   std::optional<unsigned> jobs;  ///< parts at once; else all cores for a mesh, one for a stream
   MeshingOptions mesh{true, Faces::triangles};
   ComponentChoice components;
+  bool lists_bodies = false;       ///< measures have a row for each body
   Decimation decimation;           ///< of each mesh
   std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
   MeshSize size;

@@ -141,6 +141,9 @@ SweepPlace sweep_place(const MeshOptions& options, const AxisOrder& order) {
 void check_options(const MeshOptions& options) {
   require_number("tolerance", options.tolerance);
   require_number("smoothing", options.smoothing);
+  constexpr double widest = 1e6;
+  if (options.smoothing > widest)
+    refuse("smoothing is " + text_of(options.smoothing) + "; give 0 to 1e6");
   require_number("max_error", options.max_error);
   if (options.polygons && (decimation_of(options).is_wanted() || is_interpolated(options)))
     refuse(

@@ -92,8 +92,9 @@ void add_mesh_options(CLI::App& app, MeshingOptions& mesh) {
 
 void add_component_options(CLI::App& app, ComponentChoice& components) {
   app.option_defaults()->group(mesh_group);
-  app.add_option("--largest", components.largest,
-                 "keep the N bodies and cavities that enclose the most volume (default: all)")
+  app.add_option(
+         "--largest", components.largest,
+         "keep the N bodies that enclose the most volume, with their cavities (default: all)")
       ->check(whole_from(1))
       ->option_text("N");
   app.add_option("--min-volume", components.min_volume_mm3,
