@@ -123,6 +123,12 @@ Smoothed smoothed(const BitVolume& volume, const Point& spacing_mm, double devia
   return result;
 }
 
+// Whatever the names and colours in the files.
+bool same_mesh(const std::string& obj, const std::string& other) {
+  const FileMesh a = command_tests::mesh_of_obj(obj), b = command_tests::mesh_of_obj(other);
+  return a.vertices_mm == b.vertices_mm && a.corners == b.corners;
+}
+
 // Bodies and cavities, and the Euler number.
 std::pair<std::size_t, std::int64_t> topology_of(const FaceMesh& mesh) {
   Sets pieces = connected_faces(sorted_edges(mesh), mesh.face_count());
@@ -319,7 +325,7 @@ TEST_CASE("--smooth takes a mask, a label and a threshold, and gives triangles")
        {"--iso 1 --smooth 3", "--label 2 --smooth auto", "--range 1..9 --smooth 3.0",
         "--iso 1 --smooth auto --surface interpolated"}) {
     workshop.done(volume + same + " -o same.obj");
-    CHECK(workshop.read("same.obj") == workshop.read("auto.obj"));
+    CHECK(same_mesh(workshop.read("same.obj"), workshop.read("auto.obj")));
   }
   workshop.done(volume + "--iso 1 --smooth auto --surface merged -o merged.obj");
   CHECK(roundness_of(command_tests::mesh_of_obj(workshop.read("merged.obj"))).mean_degrees > 10);
@@ -487,8 +493,8 @@ TEST_CASE("--smooth with --labels writes a smooth mesh of each") {
   workshop.done(extract + "--label 2 -o label.obj");
   const FileMesh one = command_tests::mesh_of_obj(workshop.read("2.obj"));
   const FileMesh same = command_tests::mesh_of_obj(workshop.read("label.obj"));
-  CHECK(workshop.read("2.obj") == workshop.read("label.obj"));
+  CHECK(same_mesh(workshop.read("2.obj"), workshop.read("label.obj")));
   workshop.done(extract + "--labels 1,3 -o all.glb");
   workshop.done(extract + "--labels 2 -o '{name}-alone.obj'");
-  CHECK(workshop.read("2-alone.obj") == workshop.read("label.obj"));
+  CHECK(same_mesh(workshop.read("2-alone.obj"), workshop.read("label.obj")));
 }
