@@ -27,18 +27,18 @@ std::vector<Field> fields_of(const FileMesh& mesh) {
     if (!measures.enclosed) return std::nullopt;
     return decimal((*measures.enclosed).*member);
   };
-  std::vector<Field> fields = {
-      {"voxels", mesh.voxels ? std::optional(std::to_string(*mesh.voxels)) : std::nullopt},
-      {"volume_mm3", enclosed(&Enclosed::volume_mm3)},
-      {"area_mm2", decimal(measures.area_mm2)},
-      {"bodies", enclosed(&Enclosed::bodies)},
-      {"cavities", enclosed(&Enclosed::cavities)}};
+  std::vector<Field> fields = {{"volume_mm3", enclosed(&Enclosed::volume_mm3)},
+                               {"area_mm2", decimal(measures.area_mm2)},
+                               {"bodies", enclosed(&Enclosed::bodies)},
+                               {"cavities", enclosed(&Enclosed::cavities)}};
   const bool has_extent = mesh.face_count() > 0;
   add_point(fields, "min", has_extent ? std::optional(measures.min_mm) : std::nullopt);
   add_point(fields, "max", has_extent ? std::optional(measures.max_mm) : std::nullopt);
   add_point(
       fields, "centre",
       has_extent && measures.enclosed ? std::optional(measures.enclosed->centre_mm) : std::nullopt);
+  fields.emplace_back("voxels",
+                      mesh.voxels ? std::optional(std::to_string(*mesh.voxels)) : std::nullopt);
   return fields;
 }
 
