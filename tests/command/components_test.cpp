@@ -89,6 +89,47 @@ TEST_CASE("polygons hang together by a link of their sides, wherever on them it 
   CHECK(components(surface).size() == 2);
 }
 
+TEST_CASE("--largest keeps a body with its own cavities, and no body that lies in one") {
+  BitVolume volume({40, 20, 20});
+  put_box(volume, {1, 1, 1}, {18, 18, 18}, 1);
+  put_box(volume, {3, 3, 3}, {16, 16, 16}, 0);
+  put_box(volume, {6, 6, 6}, {13, 13, 13}, 1);
+  put_box(volume, {8, 8, 8}, {11, 11, 11}, 0);
+  put_box(volume, {22, 4, 4}, {32, 14, 14}, 1);
+  put_box(volume, {24, 6, 6}, {30, 12, 12}, 0);
+  const auto volumes = [](const Surface& surface) {
+    std::vector<double> sorted;
+    for (const Component& component : components(surface)) sorted.push_back(component.volume_mm3);
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  };
+  const auto kept = [&](const discmc::meshing::ComponentChoice& choice) {
+    Surface surface = surface_of(volume);
+    keep_components(surface, choice);
+    return volumes(surface);
+  };
+  const auto is = [](const std::vector<double>& found, const std::vector<double>& expected) {
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == doctest::Approx(expected[i]));
+  };
+  const double outer = volume_of_box(18, 18, 18), right = volume_of_box(11, 11, 11),
+               inner = volume_of_box(8, 8, 8);
+  const std::vector<double> first = kept({1}), second = kept({2}), all = kept({3});
+  CHECK(first.size() == 2);
+  CHECK(first[1] == doctest::Approx(outer));
+  CHECK(second.size() == 4);
+  CHECK(second[2] == doctest::Approx(right));
+  CHECK(all.size() == 6);
+  CHECK(all[3] == doctest::Approx(inner));
+  is(kept({1, 0, true}), {outer});
+  const std::vector<Surface> each = bodies(surface_of(volume));
+  REQUIRE(each.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(volumes(each[i]).size() == 2);
+  CHECK(volumes(each[0])[1] == doctest::Approx(outer));
+  CHECK(volumes(each[2])[1] == doctest::Approx(inner));
+  CHECK(volumes(each[2])[0] == doctest::Approx(all[2]));
+}
+
 TEST_CASE("the largest are kept, and those that enclose enough") {
   BitVolume volume({20, 20, 20});
   put_box(volume, {1, 1, 1}, {4, 4, 4}, 1);

@@ -1,19 +1,22 @@
 // Meshes with fewer triangles: extract --triangles and --max-error.
-#include "meshes/decimation.hpp"
+#include "decimation/decimation.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <set>
+#include <map>
+#include <numeric>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "command.hpp"
-#include "meshes/mesh_simplifier.hpp"
+#include "meshes/intersections.hpp"
+#include "meshes/mesh_edges.hpp"
 #include "meshes/surface_distance.hpp"
 #include "sampled_field.hpp"
-#include "surface/components.hpp"
 
 namespace {
 
@@ -21,18 +24,13 @@ using namespace sampled_field;
 using command_tests::contains;
 using command_tests::volume_of;
 
-bool lacks_simplifier() {
-  try {
-    require_simplifier();
-    return false;
-  } catch (const std::runtime_error&) {
-    MESSAGE("no meshoptimizer: meshes are not decimated");
-    return true;
-  }
+FaceMesh all_triangles(const Field& field, Border border = Border::closed) {
+  return interpolated(extracted(field, SampleType::u8, {1, 1, 1}, border), 0);
 }
 
-FileMesh all_triangles(const Field& field, Border border = Border::closed) {
-  return interpolated(extracted(field, SampleType::u8, {1, 1, 1}, border), 0);
+FaceMesh decimated(FaceMesh mesh, const Decimation& decimation) {
+  decimate(mesh, decimation);
+  return mesh;
 }
 
 // Smooth, and of many bodies, cavities and handles.
@@ -51,116 +49,207 @@ Field cloud(Size size, std::uint32_t seed) {
   });
 }
 
-// Of their coordinates.
-std::set<Point> places(const FileMesh& mesh) {
-  return {mesh.vertices_mm.begin(), mesh.vertices_mm.end()};
+// Two sheets that are 2 voxels apart, with many handles.
+Field gyroid(std::uint32_t size) {
+  return field_of({size, size, size}, [](double x, double y, double z) {
+    const double u = x / 2.4, v = y / 2.4, w = z / 2.4;
+    return level + 30 * (0.45 - std::fabs(std::sin(u) * std::cos(v) + std::sin(v) * std::cos(w) +
+                                          std::sin(w) * std::cos(u)));
+  });
+}
+
+std::size_t crossing_pairs(const FaceMesh& mesh) {
+  FaceList all(mesh.face_count());
+  std::iota(all.begin(), all.end(), 0U);
+  return intersecting_faces(mesh, all).size();
+}
+
+// Of each body and cavity, the least first.
+std::vector<double> volumes_of(const FaceMesh& mesh) {
+  Sets pieces = connected_faces(sorted_edges(mesh), mesh.face_count());
+  std::map<std::uint32_t, double> volumes;
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    const std::uint32_t* const corners = mesh.face(face);
+    const auto at = [&](std::size_t i) { return mesh.vertices_mm[corners[i]]; };
+    volumes[pieces.name(face)] += dot(at(0), cross(at(1), at(2))) / 6;
+  }
+  std::vector<double> sorted;
+  for (const auto& each : volumes) sorted.push_back(each.second);
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+void check_bodies(const FaceMesh& before, const FaceMesh& after) {
+  const std::vector<double> expected = volumes_of(before), found = volumes_of(after);
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    CHECK(std::fabs(found[i] - expected[i]) < 1e-5 * std::fabs(expected[i]) + 1e-4);
 }
 
 }  // namespace
 
-TEST_CASE("a decimated ball has the triangles that were asked for, and stays a ball") {
-  if (lacks_simplifier()) return;
-  const FileMesh before = all_triangles(ball(40, 16, 4));
-  FileMesh mesh = before;
-  const DecimatedBodies bodies = decimate(mesh, {1000});
-  CHECK(bodies.all == 1);
-  CHECK(bodies.unchanged == 0);
-  CHECK(mesh.face_count() <= 1000);
-  CHECK(mesh.face_count() > 950);
+TEST_CASE("a decimated ball has the triangles that were asked for, its volume and its shape") {
+  const FaceMesh before = all_triangles(ball(40, 16, 4));
+  const FaceMesh mesh = decimated(before, {1000});
+  CHECK(mesh.face_count() == 1000);
   CHECK(check_mesh(mesh).closed());
+  CHECK(crossing_pairs(mesh) == 0);
   CHECK(mesh.lattice.size() == mesh.vertices_mm.size());
-  CHECK(volume_of(mesh) == doctest::Approx(volume_of(before)).epsilon(0.01));
-  CHECK(distances(before, mesh).mean < 0.06);
-  const std::set<Point> all = places(before);
-  for (const Point& vertex : mesh.vertices_mm) CHECK(all.count(vertex) == 1);
+  CHECK(volume_of(mesh) == doctest::Approx(volume_of(before)).epsilon(1e-6));
+  CHECK(distances(before, mesh).mean < 0.025);
+  CHECK(distances(before, mesh).largest < 0.2);
 }
 
-TEST_CASE("a larger error leaves fewer triangles, and the smallest that is given ends it") {
-  if (lacks_simplifier()) return;
-  const FileMesh before = all_triangles(ball(40, 16, 4));
-  std::size_t faces = before.face_count();
-  for (const double error : {0.01, 0.03, 0.1}) {
-    FileMesh mesh = before;
-    decimate(mesh, {0, error});
-    CHECK(mesh.face_count() < faces);
-    CHECK(distances(before, mesh).mean < error);
-    faces = mesh.face_count();
+TEST_CASE("a larger --max-error never leaves more triangles, and bounds the distance both ways") {
+  for (const Field& field : {ball(40, 16, 4), gyroid(24), cloud({20, 20, 20}, 5)}) {
+    const FaceMesh before = all_triangles(field);
+    std::size_t faces = before.face_count();
+    for (const double error :
+         {0.02, 0.05, 0.07, 0.1, 0.15, 0.3, 0.5, 0.8, 1.0, 1.5, 2.0, 3.0, 1e9}) {
+      const FaceMesh mesh = decimated(before, {0, error});
+      CHECK(mesh.face_count() <= faces);
+      CHECK(check_mesh(mesh).closed());
+      faces = mesh.face_count();
+      if (error > 0.5) continue;
+      CHECK(distances(before, mesh).largest < 2.5 * error);
+      CHECK(distances(mesh, before).largest < 2.5 * error);
+    }
+    CHECK(faces < before.face_count() / 10);
   }
-  FileMesh mesh = before;
-  decimate(mesh, {10, 0.1});
-  CHECK(mesh.face_count() == doctest::Approx(static_cast<double>(faces)).epsilon(0.02));
+}
+
+TEST_CASE("--triangles is reached to one triangle, and fewer triangles are farther away") {
+  const FaceMesh before = all_triangles(gyroid(24));
+  double mean = 0;
+  for (const std::uint64_t triangles : {8000U, 4000U, 2001U, 1000U, 600U}) {
+    const FaceMesh mesh = decimated(before, {triangles});
+    CHECK(mesh.face_count() <= triangles);
+    CHECK(mesh.face_count() + 1 >= triangles);
+    CHECK(crossing_pairs(mesh) == 0);
+    CHECK(distances(before, mesh).mean > mean);
+    mean = distances(before, mesh).mean;
+  }
+}
+
+TEST_CASE("of --triangles and --max-error the one that is reached first ends the decimation") {
+  const FaceMesh before = all_triangles(ball(40, 16, 4));
+  const std::size_t by_error = decimated(before, {0, 0.1}).face_count();
+  CHECK(decimated(before, {10, 0.1}).face_count() == by_error);
+  CHECK(decimated(before, {2 * by_error, 0.1}).face_count() == 2 * by_error);
+  CHECK(decimated(before, {before.face_count() + 1}).corners == before.corners);
 }
 
 TEST_CASE(
-    "more triangles than there are change nothing, and an error beyond the body leaves little") {
-  if (lacks_simplifier()) return;
-  const FileMesh before = all_triangles(ball(40, 16, 4));
-  FileMesh mesh = before;
-  decimate(mesh, {before.face_count() + 1});
-  CHECK(mesh.corners.size() == before.corners.size());
-  decimate(mesh, {0, 1000});
-  CHECK(mesh.face_count() < 100);
-  CHECK(check_mesh(mesh).closed());
-}
-
-TEST_CASE("whatever is decimated stays closed, and no body or cavity goes") {
-  if (lacks_simplifier()) return;
+    "whatever is decimated stays closed and free of crossings, and each body keeps its volume") {
   for (std::uint32_t seed = 1; seed <= 3; ++seed) {
-    const Field field = cloud({24, 24, 24}, seed);
-    const Extracted of = extracted(field);
-    const std::size_t parts = components(of.surface).size();
-    for (const std::uint64_t triangles : {2000U, 6000U}) {
-      FileMesh mesh = interpolated(of, 0);
-      const std::size_t before = mesh.face_count();
-      const DecimatedBodies bodies = decimate(mesh, {triangles});
-      CHECK(bodies.all == parts);
+    const FaceMesh before = all_triangles(cloud({24, 24, 24}, seed));
+    for (const std::uint64_t triangles : {1U, 1000U, 3000U}) {
+      const FaceMesh mesh = decimated(before, {triangles});
       CHECK(check_mesh(mesh).closed());
-      CHECK(mesh.face_count() < before);
+      CHECK(crossing_pairs(mesh) <= crossing_pairs(before));
+      check_bodies(before, mesh);
+      CHECK(mesh.face_count() < before.face_count() / 4);
     }
   }
 }
 
-TEST_CASE("a body that would go stays as it was") {
-  if (lacks_simplifier()) return;
+TEST_CASE("few triangles remain of a body, and none of its small neighbours goes") {
   Field field = ball(30, 9, 4);
   field.samples[(3 * 30 + 3) * 30 + 3] = 100;
-  const FileMesh before = all_triangles(field);
-  FileMesh mesh = before;
-  const DecimatedBodies bodies = decimate(mesh, {100});
-  CHECK(bodies.all == 2);
-  CHECK(bodies.unchanged == 1);
-  CHECK(check_mesh(mesh).closed());
-  const std::set<Point> left = places(mesh);
-  for (const Point& vertex : before.vertices_mm)
-    if (vertex[0] < 5) CHECK(left.count(vertex) == 1);
+  const FaceMesh before = all_triangles(field);
+  const FaceMesh mesh = decimated(before, {4});
+  CHECK(mesh.face_count() <= 2 * 8);
+  check_bodies(before, mesh);
 }
 
-TEST_CASE("a mesh of many faces without area stays as it was") {
-  if (lacks_simplifier()) return;
-  FileMesh mesh = all_triangles(ball(40, 16, 4));
+TEST_CASE("a coarse body does not swallow a small one beside it") {
+  Field field = ball(40, 14, 4);
+  const auto outside = [](double x, double y, double z) {
+    return std::hypot(x - 19.5, y - 19.5, z - 19.5);
+  };
+  for (const int x : {4, 35})
+    field.samples[static_cast<std::size_t>((19 * 40 + 19) * 40 + x)] = 100;
+  const FaceMesh before = all_triangles(field);
+  const FaceMesh mesh = decimated(before, {20});
+  CHECK(crossing_pairs(mesh) == 0);
+  check_bodies(before, mesh);
+  // Each small body is seen whole from the middle of the large one: a ray meets the large one once.
+  for (const Point& vertex : mesh.vertices_mm) {
+    if (outside(vertex[0], vertex[1], vertex[2]) < 14.9 || std::fabs(vertex[1] - 19) > 1) continue;
+    double angle = 0;
+    for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+      std::array<Point, 3> to;
+      std::array<double, 3> length;
+      bool is_its_own = false;
+      for (std::size_t i = 0; i < 3; ++i) {
+        to[i] = difference(mesh.vertices_mm[mesh.face(face)[i]], vertex);
+        length[i] = std::hypot(to[i][0], to[i][1], to[i][2]);
+        is_its_own |= length[i] < 2;
+      }
+      if (is_its_own) continue;
+      angle += 2 * std::atan2(dot(to[0], cross(to[1], to[2])),
+                              length[0] * length[1] * length[2] + dot(to[0], to[1]) * length[2] +
+                                  dot(to[1], to[2]) * length[0] + dot(to[2], to[0]) * length[1]);
+    }
+    CHECK(std::fabs(angle) < 1);
+  }
+}
+
+TEST_CASE("the long thin triangles of a merged surface are decimated without crossings") {
+  for (const Field& field : {ball(40, 18, 4), gyroid(24)}) {
+    const FaceMesh before = build_mesh(extracted(field).surface, {true, Faces::triangles});
+    const FaceMesh mesh = decimated(before, {400});
+    CHECK(mesh.face_count() <= 400);
+    CHECK(mesh.face_count() >= 399);
+    CHECK(check_mesh(mesh).closed());
+    CHECK(crossing_pairs(mesh) == 0);
+    check_bodies(before, mesh);
+  }
+}
+
+TEST_CASE("faces without area go, and the mesh stays closed") {
+  FaceMesh mesh = all_triangles(ball(40, 16, 4));
   for (Point& vertex : mesh.vertices_mm) vertex[0] = 8 * std::floor(vertex[0] / 8);
-  const std::vector<std::uint32_t> corners = mesh.corners;
-  const DecimatedBodies bodies = decimate(mesh, {1000, 1});
-  CHECK(bodies.unchanged == bodies.all);
-  CHECK(mesh.corners == corners);
+  const std::size_t before = mesh.face_count();
+  decimate(mesh, {1000});
+  CHECK(mesh.face_count() < before);
+  const MeshReport report = check_mesh(mesh);
+  CHECK(report.open_edges + report.non_manifold_edges + report.wrongly_oriented == 0);
 }
 
-TEST_CASE("the border of an open mesh keeps its edges") {
-  if (lacks_simplifier()) return;
+TEST_CASE("a plane border stays plane, open and manifold, with fewer edges") {
   const Field field = field_of({20, 20, 20}, [](double x, double y, double z) {
     return level + 4 * (8 - std::hypot(x - 9.5, y - 9.5, z - 1));
   });
-  const FileMesh before = all_triangles(field, Border::open);
-  FileMesh mesh = before;
-  decimate(mesh, {150});
-  CHECK(mesh.face_count() < before.face_count() / 3);
-  CHECK(check_mesh(before).open_edges > 0);
-  CHECK(check_mesh(mesh).open_edges == check_mesh(before).open_edges);
-  CHECK(check_mesh(mesh).non_manifold_edges == 0);
+  const FaceMesh before = all_triangles(field, Border::open);
+  const FaceMesh mesh = decimated(before, {150});
+  CHECK(mesh.face_count() <= 150);
+  CHECK(mesh.face_count() >= 148);
+  const std::vector<FaceEdge> edges = sorted_edges(mesh);
+  for_each_edge(edges, [&](const FaceEdge* uses, std::size_t count) {
+    CHECK(count <= 2);
+    if (count == 2) return;
+    CHECK(mesh.vertices_mm[uses->low][2] == 0);
+    CHECK(mesh.vertices_mm[uses->high][2] == 0);
+  });
+  CHECK(check_mesh(mesh).open_edges > 6);
+  CHECK(check_mesh(mesh).open_edges < check_mesh(before).open_edges);
+  CHECK(distances(before, mesh).largest < 0.6);
+}
+
+TEST_CASE("decimation does not depend on the unit, and ends when a check throws") {
+  const Extracted in_mm = extracted(ball(24, 9, 4));
+  const Extracted in_metres = extracted(ball(24, 9, 4), SampleType::u8, {1e-6, 1e-6, 1e-6});
+  const FaceMesh mesh = decimated(interpolated(in_mm, 0), {200});
+  const FaceMesh small = decimated(interpolated(in_metres, 0), {200});
+  CHECK(small.face_count() == mesh.face_count());
+  CHECK(volume_of(small) == doctest::Approx(1e-18 * volume_of(mesh)).epsilon(1e-4));
+  FaceMesh stopped = all_triangles(gyroid(24));
+  CHECK_THROWS_AS(decimate(stopped, {100}, [] { throw std::runtime_error("stop"); }),
+                  std::runtime_error);
 }
 
 TEST_CASE("--triangles and --max-error write decimated meshes, interpolated before") {
-  if (lacks_simplifier()) return;
   const command_tests::Workshop workshop;
   std::string bytes;
   for (const int sample : ball(40, 16, 4).samples) bytes += static_cast<char>(sample);
@@ -172,10 +261,10 @@ TEST_CASE("--triangles and --max-error write decimated meshes, interpolated befo
   CHECK(mesh.face_count() <= 1000);
   CHECK(check_mesh(mesh).closed());
   CHECK(mesh.normals.size() == mesh.vertices_mm.size());
-  for (const std::string same : {"--triangles 1000 --surface interpolated --tolerance 0"}) {
-    workshop.done(extract + same + " --normals gradient -o same.ply");
-    CHECK(workshop.read("same.ply") == workshop.read("v.ply"));
-  }
+  workshop.done(
+      extract +
+      "--triangles 1000 --surface interpolated --tolerance 0 --normals gradient -o same.ply");
+  CHECK(workshop.read("same.ply") == workshop.read("v.ply"));
   workshop.done(extract + "--triangles 1000 --surface merged --normals surface -o merged.ply");
   CHECK(check_mesh(command_tests::mesh_of_ply(workshop.read("merged.ply"))).closed());
   workshop.done(extract + "--max-error 0.1 -o v.csv");
@@ -200,7 +289,6 @@ TEST_CASE("--triangles and --max-error write decimated meshes, interpolated befo
 }
 
 TEST_CASE("a note about a label that cannot be decimated further has the name of the label") {
-  if (lacks_simplifier()) return;
   const command_tests::Workshop workshop;
   std::string bytes(12 * 12 * 12, '\0');
   for (const int at : {2, 5, 8})
@@ -210,5 +298,6 @@ TEST_CASE("a note about a label that cannot be decimated further has the name of
   const auto result = workshop.run(
       "extract v.raw --dims 12,12,12 --type u8 --labels all --label-table table.txt --triangles 9 "
       "-o v.glb");
-  CHECK(contains(result.error, "v.raw: label 3 (seeds): --triangles 9: "));
+  CHECK(contains(result.error, "v.raw: label 3 (seeds): --triangles 9: the mesh has "));
+  CHECK(contains(result.error, "bodies or openings would be lost"));
 }

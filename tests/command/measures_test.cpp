@@ -105,3 +105,42 @@ TEST_CASE("extract and decode write measures in place of meshes, a line per labe
   workshop.done("decode v.dmc -o decoded.csv");
   CHECK(command_tests::contains(workshop.read("decoded.csv"), ",2,1,"));
 }
+
+// The last column of the row with a name.
+static std::string voxels_of(const std::string& rows, const std::string& name) {
+  const std::size_t begin = rows.find("\n" + name + ",");
+  if (begin == std::string::npos) return {};
+  const std::string row = rows.substr(begin + 1, rows.find('\n', begin + 1) - begin - 1);
+  return row.substr(row.rfind(',') + 1);
+}
+
+TEST_CASE("--bodies writes a row for each body with its cavities and voxels, the largest first") {
+  const command_tests::Workshop workshop;
+  std::string bytes(20 * 12 * 12, '\0');
+  const auto put = [&](int first, int end, char value) {
+    for (int z = first; z < end; ++z)
+      for (int y = first; y < end; ++y)
+        for (int x = first; x < end; ++x)
+          bytes[static_cast<std::size_t>((z * 12 + y) * 20 + x)] = value;
+  };
+  put(1, 11, 1);
+  put(3, 9, 0);
+  put(5, 7, 1);
+  bytes[static_cast<std::size_t>((4 * 12 + 4) * 20 + 16)] = 1;
+  workshop.write("v.raw", bytes);
+  const std::string extract = "extract v.raw --dims 20,12,12 --spacing 2,1,1 --type u8 --iso 1 -q ";
+  workshop.done(extract + "-o all.csv");
+  CHECK(command_tests::contains(workshop.read("all.csv"), ",793\n"));
+  workshop.done(extract + "--bodies -o bodies.csv");
+  const std::string rows = workshop.read("bodies.csv");
+  CHECK(command_tests::contains(rows, ",centre_z_mm,voxels\n"));
+  CHECK(voxels_of(rows, "1 1") == "784");
+  CHECK(voxels_of(rows, "1 2") == "8");
+  CHECK(voxels_of(rows, "1 3") == "1");
+  workshop.done(extract + "--bodies --largest 1 -o one.json");
+  CHECK(command_tests::contains(workshop.read("one.json"), "\"voxels\": 784"));
+  CHECK(command_tests::contains(workshop.run(extract + "--bodies -o v.stl").error,
+                                "only in .csv and .json"));
+  CHECK(command_tests::contains(workshop.run(extract + "--bodies --border open -o v.csv").error,
+                                "leave out --bodies"));
+}

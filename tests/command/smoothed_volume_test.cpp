@@ -5,11 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "command.hpp"
+#include "mask_shapes.hpp"
+#include "meshes/intersections.hpp"
 #include "meshes/mesh.hpp"
+#include "meshes/mesh_edges.hpp"
 #include "sampled_field.hpp"
+#include "smoothing/kept_volumes.hpp"
 #include "smoothing/smoothed_labels.hpp"
 
 namespace {
@@ -84,6 +91,18 @@ void check_distances(const BitVolume& volume, const Point& spacing_mm, double li
   CHECK(farthest_off < 1e-4);
 }
 
+// Of a volume that is not yet read.
+FaceMesh mesh_of(SmoothedVolume& volume, double deviation_mm, double tolerance) {
+  SurfaceBuilder builder;
+  CrossingFinder finder(volume.info(), {0}, {0, 0, 0}, true);
+  extract(volume, {{0}, Border::closed}, {{{0}, discmc::make_sink(builder), &finder}});
+  Surface& surface = builder.surface();
+  surface.spacing_mm = volume.info().spacing_mm;
+  keep_volumes({{&surface, &finder.crossings()}},
+               SmoothedVolume::keeping(volume.info(), deviation_mm, tolerance, Border::closed));
+  return build_mesh(surface, {true, Faces::triangles, &finder.crossings(), tolerance});
+}
+
 struct Smoothed {
   std::vector<float> samples;
   FileMesh mesh;
@@ -100,12 +119,47 @@ Smoothed smoothed(const BitVolume& volume, const Point& spacing_mm, double devia
 
   SampleReader again(volume, spacing_mm);
   SmoothedVolume source(again, {bit_threshold}, nullptr, deviation_mm);
-  SurfaceBuilder builder;
-  CrossingFinder finder(source.info(), {0});
-  extract(source, {{0}, Border::closed}, {{{0}, discmc::make_sink(builder), &finder}});
-  builder.surface().spacing_mm = spacing_mm;
-  result.mesh = build_mesh(builder.surface(), {true, Faces::triangles, &finder.crossings(), 0.05});
+  result.mesh = mesh_of(source, deviation_mm, 0.05);
   return result;
+}
+
+// Whatever the names and colours in the files.
+bool same_mesh(const std::string& obj, const std::string& other) {
+  const FileMesh a = command_tests::mesh_of_obj(obj), b = command_tests::mesh_of_obj(other);
+  return a.vertices_mm == b.vertices_mm && a.corners == b.corners;
+}
+
+// Bodies and cavities, and the Euler number.
+std::pair<std::size_t, std::int64_t> topology_of(const FaceMesh& mesh) {
+  Sets pieces = connected_faces(sorted_edges(mesh), mesh.face_count());
+  std::set<std::uint32_t> names;
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) names.insert(pieces.name(face));
+  const std::set<std::uint32_t> used(mesh.corners.begin(), mesh.corners.end());
+  return {names.size(), static_cast<std::int64_t>(used.size()) -
+                            static_cast<std::int64_t>(mesh.face_count() / 2)};
+}
+
+std::size_t crossing_pairs(const FaceMesh& mesh) {
+  FaceList all(mesh.face_count());
+  std::iota(all.begin(), all.end(), 0U);
+  return intersecting_faces(mesh, all).size();
+}
+
+// Between the faces' normals and those of the shape, by area.
+double mean_degrees(const FaceMesh& mesh, const mask_shapes::Shape& shape) {
+  double sum = 0, all = 0;
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    Point centre{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        centre[axis] += mesh.vertices_mm[mesh.face(face)[i]][axis] / 3;
+    const Point normal = unit_or_zero(shape.normal(centre)), area = area_vector(mesh, face);
+    const double size = std::sqrt(dot(area, area));
+    if (normal == Point{} || !(size > 0)) continue;
+    sum += size * std::acos(std::clamp(dot(normal, area) / size, -1.0, 1.0));
+    all += size;
+  }
+  return sum / all * 180 / std::acos(-1.0);
 }
 
 // A ball of radius 20 mm in voxels that are longer along z, and its middle.
@@ -213,6 +267,29 @@ TEST_CASE("a blur spreads a voxel as the Gaussian has it") {
   CHECK(sum == doctest::Approx(1));
 }
 
+TEST_CASE("smoothing keeps the volume and the topology of every shape, and no triangles cross") {
+  for (const mask_shapes::Shape& shape : mask_shapes::all()) {
+    CAPTURE(shape.name);
+    const Size size{shape.dims[0], shape.dims[1], shape.dims[2]};
+    SampleReader mask(size, shape.samples, shape.spacing_mm);
+    SurfaceBuilder steps;
+    extract(mask, {{1}, Border::closed}, {{{1}, discmc::make_sink(steps)}});
+    steps.surface().spacing_mm = shape.spacing_mm;
+    SampleReader again(size, shape.samples, shape.spacing_mm);
+    const double deviation_mm = steps_mm(again.info());
+    SmoothedVolume smooth(again, {1}, nullptr, deviation_mm);
+    const FaceMesh mesh = mesh_of(smooth, deviation_mm, 0.05);
+    CHECK(check_mesh(mesh).closed());
+    CHECK(topology_of(mesh) == topology_of(build_mesh(steps.surface(), {true, Faces::triangles})));
+    CHECK(volume_of(mesh) == doctest::Approx(shape.volume_mm3()).epsilon(0.005));
+    CHECK(crossing_pairs(mesh) == 0);
+    if (shape.name == "ball 10") CHECK(mean_degrees(mesh, shape) < 3.2);
+    if (shape.name == "slope") CHECK(mean_degrees(mesh, shape) < 5.3);
+    if (shape.name == "ball of long voxels 15") CHECK(mean_degrees(mesh, shape) < 3.5);
+    if (shape.name == "rod of long voxels") CHECK(mean_degrees(mesh, shape) < 15);
+  }
+}
+
 TEST_CASE("a smoothed ball of voxels is round, also where voxels are three times as long") {
   const BitVolume ball = ball_of_long_voxels();
   const Roundness round = roundness_of(smoothed(ball, long_voxels, 3).mesh);
@@ -224,19 +301,10 @@ TEST_CASE("a smoothed ball of voxels is round, also where voxels are three times
             .epsilon(0.012));
 }
 
-TEST_CASE("parts of two voxels stay, and flat faces lie where they were") {
-  const std::vector<BitVolume> parts = {with_box({40, 40, 12}, {5, 5, 5}, {34, 34, 6}),
-                                        with_box({40, 12, 12}, {5, 5, 5}, {34, 6, 6})};
-  for (const BitVolume& part : parts) {
-    const std::vector<float> samples = smoothed(part, {1, 1, 1}, 1).samples;
-    for (std::uint32_t z = 0; z < part.depth; ++z)
-      for (std::uint32_t y = 0; y < part.height; ++y)
-        for (std::uint32_t x = 0; x < part.width; ++x) {
-          if (x < 8 || x > 31 || (part.height > 12 && (y < 8 || y > 31))) continue;
-          const bool is_on = samples[part.index(x, y, z)] >= 0;
-          CHECK(is_on == part.at(x, y, z));
-        }
-  }
+TEST_CASE("every voxel stays on its side of the smooth surface, and flat faces where they were") {
+  const BitVolume ball = ball_of_long_voxels();
+  const std::vector<float> all = smoothed(ball, long_voxels, 3).samples;
+  for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] * (ball.on[i] != 0 ? 1 : -1) >= 0.05F);
   const BitVolume block = with_box({30, 30, 30}, {6, 6, 6}, {23, 23, 23});
   const std::vector<float> samples = smoothed(block, {1, 1, 1}, 1).samples;
   CHECK(samples[block.index(15, 15, 6)] == doctest::Approx(0.5).epsilon(0.01));
@@ -257,7 +325,7 @@ TEST_CASE("--smooth takes a mask, a label and a threshold, and gives triangles")
        {"--iso 1 --smooth 3", "--label 2 --smooth auto", "--range 1..9 --smooth 3.0",
         "--iso 1 --smooth auto --surface interpolated"}) {
     workshop.done(volume + same + " -o same.obj");
-    CHECK(workshop.read("same.obj") == workshop.read("auto.obj"));
+    CHECK(same_mesh(workshop.read("same.obj"), workshop.read("auto.obj")));
   }
   workshop.done(volume + "--iso 1 --smooth auto --surface merged -o merged.obj");
   CHECK(roundness_of(command_tests::mesh_of_obj(workshop.read("merged.obj"))).mean_degrees > 10);
@@ -302,8 +370,9 @@ TEST_CASE("labels are smoothed one by one, and keep their volumes") {
   const std::vector<int> samples = parts_of_a_ball(extent);
   SampleReader reader({48, 48, 48}, samples);
   std::vector<std::size_t> progress;
-  const std::vector<SmoothedLabel> labels = smoothed_labels(
-      reader, {}, 1, [&](std::size_t done, std::size_t all) { progress.push_back(all - done); });
+  const std::vector<SmoothedLabel> labels =
+      smoothed_labels(reader, {}, 1, 0.05,
+                      [&](std::size_t done, std::size_t all) { progress.push_back(all - done); });
   REQUIRE(labels.size() == 3);
   CHECK(progress == std::vector<std::size_t>{2, 1, 0});
   double all = 0;
@@ -319,18 +388,52 @@ TEST_CASE("labels are smoothed one by one, and keep their volumes") {
                    .epsilon(0.01));
 }
 
+TEST_CASE(
+    "small labels keep their volumes, alone, beside others, inside others and in long voxels") {
+  for (const Point& spacing : {Point{1, 1, 1}, Point{0.8, 0.8, 3}}) {
+    std::vector<int> samples(40 * 30 * 24);
+    const auto put = [&](int label, const std::array<int, 3>& first,
+                         const std::array<int, 3>& end) {
+      for (int z = first[2]; z < end[2]; ++z)
+        for (int y = first[1]; y < end[1]; ++y)
+          for (int x = first[0]; x < end[0]; ++x)
+            samples[static_cast<std::size_t>((z * 30 + y) * 40 + x)] = label;
+    };
+    put(1, {4, 4, 4}, {20, 24, 18});
+    put(2, {20, 6, 6}, {28, 14, 12});    // beside 1
+    put(3, {10, 10, 10}, {12, 12, 12});  // inside 1
+    put(4, {33, 4, 4}, {34, 5, 5});
+    put(5, {32, 12, 8}, {35, 15, 11});
+    put(6, {31, 22, 6}, {36, 27, 7});
+    put(7, {20, 14, 6}, {28, 20, 12});  // beside 1 and 2
+    SampleReader reader({40, 30, 24}, samples, spacing);
+    const std::vector<SmoothedLabel> labels =
+        smoothed_labels(reader, {}, steps_mm(reader.info()), 0.05, {});
+    REQUIRE(labels.size() == 7);
+    for (const SmoothedLabel& label : labels) {
+      CAPTURE(label.surface.label.text());
+      const FaceMesh mesh = build_mesh(
+          label.surface.surface, {true, Faces::triangles, &label.crossings.crossings(), 0.05});
+      CHECK(check_mesh(mesh).closed());
+      CHECK(volume_of(mesh) == doctest::Approx(static_cast<double>(label.surface.voxels) *
+                                               spacing[0] * spacing[1] * spacing[2])
+                                   .epsilon(0.01));
+    }
+  }
+}
+
 TEST_CASE("samples are no labels to smooth, and progress is told as they are read") {
   std::vector<int> samples(max_scattered_labels + 2);
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<int>(i);
   SampleReader scattered({max_scattered_labels + 2, 1, 1}, samples, {1, 1, 1}, SampleType::u16);
-  CHECK_THROWS_WITH_AS(smoothed_labels(scattered, {}, 1, {}),
+  CHECK_THROWS_WITH_AS(smoothed_labels(scattered, {}, 1, 0.05, {}),
                        doctest::Contains("more than 1024 values up to slice 0"),
                        std::invalid_argument);
   SampleReader few({1, 1, 4}, {0, 1, 1, 0});
   LabelOptions options;
   std::vector<std::uint32_t> told;
   options.progress = [&told](std::uint32_t slices) { told.push_back(slices); };
-  smoothed_labels(few, options, 1, {});
+  smoothed_labels(few, options, 1, 0.05, {});
   CHECK(told == std::vector<std::uint32_t>{1, 2, 3, 4});
 }
 
@@ -341,7 +444,7 @@ TEST_CASE("values that lie far apart are labels, as many as there are") {
     samples.insert(samples.end(), {i + 1, 0, 0, 0});
   SampleReader reader({1, 1, static_cast<std::uint32_t>(samples.size())}, samples, {1, 1, 1},
                       SampleType::u16);
-  CHECK(smoothed_labels(reader, {}, 0.3, {}).size() == 2 * max_scattered_labels);
+  CHECK(smoothed_labels(reader, {}, 0.3, 0.05, {}).size() == 2 * max_scattered_labels);
 }
 
 TEST_CASE("a label in its box is smoothed as in the whole volume") {
@@ -349,7 +452,7 @@ TEST_CASE("a label in its box is smoothed as in the whole volume") {
   std::vector<int> samples;
   for (const std::uint8_t on : block.on) samples.push_back(7 * on);
   SampleReader reader({40, 30, 20}, samples);
-  const std::vector<SmoothedLabel> labels = smoothed_labels(reader, {}, 1, {});
+  const std::vector<SmoothedLabel> labels = smoothed_labels(reader, {}, 1, 0.05, {});
   REQUIRE(labels.size() == 1);
   const FileMesh of_box = build_mesh(
       labels[0].surface.surface, {true, Faces::triangles, &labels[0].crossings.crossings(), 0.05});
@@ -366,7 +469,7 @@ TEST_CASE("labels that are side by side share their smoothed surface") {
   std::vector<int> samples;
   for (int i = 0; i < 30 * 20 * 20; ++i) samples.push_back(i % 30 < 17 ? 4 : 9);
   SampleReader reader({30, 20, 20}, samples);
-  const std::vector<SmoothedLabel> labels = smoothed_labels(reader, {}, 1, {});
+  const std::vector<SmoothedLabel> labels = smoothed_labels(reader, {}, 1, 0.05, {});
   REQUIRE(labels.size() == 2);
   for (const SmoothedLabel& label : labels) {
     const FileMesh mesh = build_mesh(label.surface.surface,
@@ -374,7 +477,7 @@ TEST_CASE("labels that are side by side share their smoothed surface") {
     double nearest_to_seam = 100;
     for (const Point& vertex : mesh.vertices_mm)
       nearest_to_seam = std::min(nearest_to_seam, std::fabs(vertex[0] - 16.5));
-    CHECK(nearest_to_seam < 1e-3);
+    CHECK(nearest_to_seam < 5e-3);  // voxels
     CHECK(volume_of(mesh) == doctest::Approx((label.surface.label == 4 ? 17 : 13) * 400)
                                  .epsilon(0.006));  // edges are cut
   }
@@ -390,6 +493,8 @@ TEST_CASE("--smooth with --labels writes a smooth mesh of each") {
   workshop.done(extract + "--label 2 -o label.obj");
   const FileMesh one = command_tests::mesh_of_obj(workshop.read("2.obj"));
   const FileMesh same = command_tests::mesh_of_obj(workshop.read("label.obj"));
-  CHECK(volume_of(one) == doctest::Approx(volume_of(same)).epsilon(1e-5));
+  CHECK(same_mesh(workshop.read("2.obj"), workshop.read("label.obj")));
   workshop.done(extract + "--labels 1,3 -o all.glb");
+  workshop.done(extract + "--labels 2 -o '{name}-alone.obj'");
+  CHECK(same_mesh(workshop.read("2-alone.obj"), workshop.read("label.obj")));
 }

@@ -75,6 +75,7 @@ TEST_CASE("options out of range are named") {
             "origin of the placement is 0, 2e+09, 0; give coordinates of -1e9 to 1e9"));
   CHECK(has(refusal([](auto& options) { options.tolerance = -1; }), "tolerance is -1"));
   CHECK(has(refusal([](auto& options) { options.smoothing = std::nan(""); }), "smoothing is nan"));
+  CHECK(has(refusal([](auto& options) { options.smoothing = 2e6; }), "smoothing is 2000000; give"));
   CHECK(has(
       refusal([](auto& options) { options.max_error = std::numeric_limits<double>::infinity(); }),
       "max_error is inf"));

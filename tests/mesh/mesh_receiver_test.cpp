@@ -216,3 +216,21 @@ TEST_CASE("a push without bytes keeps the mesh of the scan that has ended") {
   CHECK(receiver.has_ended());
   check_complete(receiver);
 }
+
+TEST_CASE("a receiver that was moved from says so, and one that was moved to goes on") {
+  const Bytes bytes = region_stream();
+  MeshReceiver receiver;
+  CHECK(receiver.push(bytes.data(), bytes.size() / 2) == bytes.size() / 2);
+  MeshReceiver other = std::move(receiver);
+  CHECK_THROWS_AS((void)receiver.push(bytes.data(), bytes.size()), std::logic_error);
+  CHECK_THROWS_AS(receiver.finish(), std::logic_error);
+  CHECK_THROWS_AS((void)receiver.has_ended(), std::logic_error);
+  CHECK_THROWS_AS((void)receiver.report(), std::logic_error);
+  CHECK_THROWS_AS((void)receiver.header(), std::logic_error);
+  CHECK_THROWS_AS((void)receiver.polygon_count(), std::logic_error);
+  CHECK_THROWS_WITH_AS((void)receiver.mesh(), "the receiver was moved from; construct another",
+                       std::logic_error);
+  CHECK(!other.has_ended());
+  receiver = MeshReceiver();
+  CHECK(receiver.polygon_count() == 0);
+}

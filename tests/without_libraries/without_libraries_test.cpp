@@ -3,7 +3,6 @@
 
 #include "command/volume_files.hpp"
 #include "mesh_files/mesh_reader.hpp"
-#include "meshes/mesh_simplifier.hpp"
 
 namespace {
 
@@ -26,8 +25,6 @@ TEST_CASE("a file that needs a library is refused by the name of the library") {
   check_refusal(refusal(folder.write("series.zip", "PK\3\4")), "built without libarchive");
   CHECK_THROWS_WITH(discmc::command::read_meshes("a.stl"),
                     doctest::Contains("built without Assimp; install"));
-  CHECK_THROWS_WITH(discmc::meshing::require_simplifier(),
-                    doctest::Contains("built without meshoptimizer; install"));
 }
 
 TEST_CASE("what needs no library is read") {

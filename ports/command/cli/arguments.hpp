@@ -10,10 +10,10 @@
 
 #include <discmc/limits.hpp>
 
+#include "decimation/decimation.hpp"
 #include "discmc/mesh.hpp"
 #include "extraction/selection.hpp"
 #include "mesh_files/file_mesh.hpp"
-#include "meshes/decimation.hpp"
 #include "meshes/mesh.hpp"
 #include "meshing.hpp"
 #include "pictures/srgb.hpp"
@@ -80,6 +80,7 @@ struct ExtractArguments {
   std::optional<unsigned> jobs;  ///< parts at once; else all cores for a mesh, one for a stream
   MeshingOptions mesh{true, Faces::triangles};
   ComponentChoice components;
+  bool lists_bodies = false;       ///< measures have a row for each body
   Decimation decimation;           ///< of each mesh
   std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
   MeshSize size;

@@ -7,8 +7,10 @@
 #include "empty_surface.hpp"
 #include "jobs/processors.hpp"
 #include "mesh_files/file_format.hpp"
+#include "segmentation.hpp"
 #include "text/message.hpp"
 #include "thresholds.hpp"
+#include "volumes/byte_source.hpp"
 
 namespace discmc::command {
 
@@ -47,8 +49,29 @@ void check_surfaces(const ExtractArguments& arguments, const std::vector<Extract
                   extractions[i]);
 }
 
+namespace {
+
+// Whether --label names one label whose walls are smoothed: they depend on the labels beside it,
+// and are the same as with --labels.
+bool is_smoothed_label(const ExtractArguments& arguments) {
+  const VolumeArguments& reading = arguments.reading;
+  if (!reading.selects_labels() || !reading.smooth_mm || !arguments.interpolates ||
+      reading.close_mm > 0 || is_read_once(arguments.volume))
+    return false;
+  const Segmentation segmentation(arguments.volume, reading);
+  const LabelSet set = segmentation.names().together(reading.selections[0].given).set;
+  return set.size() == 1 && set.begin()->second.size() == 1;
+}
+
+}  // namespace
+
 int run_extract(const ExtractArguments& arguments) {
   if (!arguments.labels.empty()) return extract_label_meshes(arguments);
+  if (is_smoothed_label(arguments)) {
+    ExtractArguments alone = arguments;
+    alone.labels = arguments.reading.selections[0].given;
+    return extract_label_meshes(alone);
+  }
   ExtractArguments found = arguments;
   found.reading.selections = with_thresholds(arguments.volume, arguments.reading);
   return format_of(found.output) == Format::stream ? extract_stream(found) : extract_meshes(found);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -11,9 +12,9 @@
 #include "mesh_files/file_format.hpp"
 #include "mesh_files/mesh_files.hpp"
 #include "mesh_output.hpp"
-#include "meshes/mesh_simplifier.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
+#include "surface/polygon_crossings.hpp"
 #include "volume_input.hpp"
 
 namespace discmc::command {
@@ -50,6 +51,18 @@ void write_obj_and_mtl(const FileMesh& mesh, const std::string& name, unsigned j
   beside.commit();
 }
 
+Meshes pointers_to(const std::vector<FileMesh>& meshes) {
+  Meshes pointers;
+  for (const FileMesh& mesh : meshes) pointers.push_back(&mesh);
+  return pointers;
+}
+
+std::int64_t count_voxels(const Surface& surface) {
+  std::int64_t voxels = 0;
+  for (const Polygon& polygon : surface.polygons) voxels += enclosed_voxels(polygon);
+  return voxels;
+}
+
 MeshingOptions options_of(const ExtractArguments& arguments, const SurfaceOutput& output) {
   MeshingOptions options = arguments.mesh;
   options.crossings = output.crossings;
@@ -60,7 +73,6 @@ MeshingOptions options_of(const ExtractArguments& arguments, const SurfaceOutput
 }  // namespace
 
 MeshFiles::MeshFiles(const ExtractArguments& arguments) : arguments_(arguments) {
-  if (arguments.decimation.is_wanted()) require_simplifier();
   require_no_terminal(arguments.output);
   const FilePattern pattern(arguments.output);
   if (pattern.has_name())
@@ -71,7 +83,9 @@ MeshFiles::MeshFiles(const ExtractArguments& arguments) : arguments_(arguments) 
 
 std::vector<std::string> MeshFiles::names_for(const std::vector<NamedSelection>& selections) {
   const FilePattern pattern(arguments_.output);
-  are_one_ = !pattern.has_name() && (!arguments_.labels.empty() || selections.size() > 1);
+  are_one_ =
+      !pattern.has_name() && (selections.size() > 1 ||
+                              (!arguments_.labels.empty() && !arguments_.reading.selects_labels()));
   if (!pattern.has_name()) return std::vector<std::string>(selections.size(), arguments_.output);
   std::vector<std::string> names;
   const bool is_obj = format_of(arguments_.output) == Format::obj;
@@ -106,54 +120,81 @@ MeshSummary MeshFiles::write(const SurfaceOutput& output, OutputFile& file) cons
   if (format == Format::jsonl) {
     write_to(file, [&](std::ostream& out) { write_jsonl(output.surface, out); });
   } else {
-    summary = {};
-    FileMesh mesh = mesh_of(output, summary);
-    if (traits_of(format).holds_measures) mesh.name = output.selection.name;
-    summarize(mesh, summary);
+    const std::vector<FileMesh> meshes = meshes_of(output);
+    summary = summary_of(meshes);
+    const FileMesh& mesh = meshes[0];
     if (format == Format::obj && mesh.colour && !is_standard_output(output.file)) {
       write_obj_and_mtl(mesh, output.file, jobs_of(arguments_), file);
       return summary;
     }
-    write_to(file, [&](std::ostream& out) { write_mesh(mesh, format, out, jobs_of(arguments_)); });
+    write_to(file, [&](std::ostream& out) {
+      if (arguments_.lists_bodies)
+        write_meshes(pointers_to(meshes), format, out);
+      else
+        write_mesh(mesh, format, out, jobs_of(arguments_));
+    });
   }
   file.commit();
   return summary;
 }
 
 MeshSummary MeshFiles::keep(const SurfaceOutput& output) {
-  MeshSummary summary;
-  meshes_.push_back(mesh_of(output, summary));
-  meshes_.back().name = output.selection.name;
-  summarize(meshes_.back(), summary);
+  std::vector<FileMesh> meshes = meshes_of(output);
+  const MeshSummary summary = summary_of(meshes);
+  std::move(meshes.begin(), meshes.end(), std::back_inserter(meshes_));
   return summary;
 }
 
 void MeshFiles::finish() {
   if (!are_one_) return;
-  Meshes meshes;
-  for (const FileMesh& mesh : meshes_) meshes.push_back(&mesh);
-  write_to(*file_,
-           [&](std::ostream& out) { write_meshes(meshes, format_of(arguments_.output), out); });
+  write_to(*file_, [&](std::ostream& out) {
+    write_meshes(pointers_to(meshes_), format_of(arguments_.output), out);
+  });
   file_->commit();
   if (!arguments_.quiet) print_file(arguments_.output, table_stream(arguments_.output));
 }
 
-FileMesh MeshFiles::mesh_of(const SurfaceOutput& output, MeshSummary& summary) const {
+// One, or one for each body.
+std::vector<FileMesh> MeshFiles::meshes_of(const SurfaceOutput& output) const {
+  std::vector<FileMesh> meshes;
+  if (!arguments_.lists_bodies) {
+    meshes.push_back(mesh_of(output));
+    return meshes;
+  }
+  for (Surface& body : bodies(output.surface)) {
+    SurfaceOutput alone{body, output.selection, output.file, output.title, output.crossings};
+    meshes.push_back(mesh_of(alone));
+    meshes.back().name += (meshes.back().name.empty() ? "" : " ") + std::to_string(meshes.size());
+  }
+  if (meshes.empty()) meshes.push_back(mesh_of(output));
+  return meshes;
+}
+
+FileMesh MeshFiles::mesh_of(const SurfaceOutput& output) const {
   FileMesh mesh = triangulated(output.surface, options_of(arguments_, output));
   note_left_out(output.title, output.surface, mesh);
-  summary.unchanged_bodies = decimate_noted(output.title, arguments_.decimation, mesh);
+  decimate_noted(output.title, arguments_.decimation, mesh);
   add_normals(arguments_, output.selection.selection, output.surface, mesh);
   place_in_file(mesh, placement_, arguments_.size);
   mesh.colour = output.selection.colour;
   note_rounding(output.file, mesh);
+  const FormatTraits& traits = traits_of(format_of(output.file));
+  if (are_one_ || traits.holds_measures) mesh.name = output.selection.name;
+  if (traits.holds_measures && arguments_.reading.border == Border::closed)
+    mesh.voxels = count_voxels(output.surface);
   return mesh;
 }
 
-void MeshFiles::summarize(const FileMesh& mesh, MeshSummary& summary) const {
-  summary.faces = arguments_.mesh.faces == Faces::triangles ? "triangles" : "polygons";
-  summary.face_count = mesh.face_count();
-  summary.vertex_count = mesh.vertices_mm.size();
-  if (!arguments_.quiet) summary.is_closed = is_closed_in(arguments_.output, mesh);
+MeshSummary MeshFiles::summary_of(const std::vector<FileMesh>& meshes) const {
+  MeshSummary summary{arguments_.mesh.faces == Faces::triangles ? "triangles" : "polygons"};
+  bool is_closed = true;
+  for (const FileMesh& mesh : meshes) {
+    summary.face_count += mesh.face_count();
+    summary.vertex_count += mesh.vertices_mm.size();
+    is_closed = is_closed && (arguments_.quiet || is_closed_in(arguments_.output, mesh));
+  }
+  if (!arguments_.quiet) summary.is_closed = is_closed;
+  return summary;
 }
 
 }  // namespace discmc::command

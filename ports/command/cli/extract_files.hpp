@@ -51,9 +51,9 @@ class MeshFiles {
   MeshSummary write(const SurfaceOutput& output, OutputFile& file) const;
   MeshSummary write_alone(const SurfaceOutput& output);
   MeshSummary keep(const SurfaceOutput& output);
-  // Adds to the summary what only the making of the mesh shows.
-  FileMesh mesh_of(const SurfaceOutput& output, MeshSummary& summary) const;
-  void summarize(const FileMesh& mesh, MeshSummary& summary) const;
+  std::vector<FileMesh> meshes_of(const SurfaceOutput& output) const;
+  FileMesh mesh_of(const SurfaceOutput& output) const;
+  MeshSummary summary_of(const std::vector<FileMesh>& meshes) const;
 
   const ExtractArguments& arguments_;
   std::optional<VolumePlacement> placement_;

@@ -74,14 +74,14 @@ std::vector<FoundLabel> extracted_labels(VolumeReader& volume, const LabelOption
 }
 
 std::vector<FoundLabel> smoothed_labels_of(VolumeReader& volume, const LabelOptions& options,
-                                           double deviation_mm) {
+                                           double deviation_mm, double tolerance) {
   std::optional<Progress> progress;
   const auto show = [&progress](std::size_t done, std::size_t all) {
     if (!progress) progress.emplace("smoothing", all);
     progress->show(done);
   };
   std::vector<FoundLabel> found;
-  for (SmoothedLabel& label : smoothed_labels(volume, options, deviation_mm, show))
+  for (SmoothedLabel& label : smoothed_labels(volume, options, deviation_mm, tolerance, show))
     found.push_back({std::move(label.surface), {}, std::move(label.crossings)});
   return found;
 }
@@ -95,7 +95,7 @@ std::vector<FoundLabel> surfaces_of(VolumeReader& volume, const ExtractArguments
                              std::move(chosen),
                              [&progress](std::uint32_t slices) { progress.show(slices); }};
   try {
-    return deviation ? smoothed_labels_of(volume, options, *deviation)
+    return deviation ? smoothed_labels_of(volume, options, *deviation, arguments.mesh.tolerance)
                      : extracted_labels(volume, options);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(name_for_people(arguments.volume) + ": " + error.what());

@@ -36,10 +36,10 @@ int extract_meshes(ExtractArguments arguments) {
   std::vector<CrossingFinder> finders;
   if (arguments.interpolates)
     for (const NamedSelection& each : taken)
-      finders.emplace_back(mended.samples().info(), each.selection);
+      finders.emplace_back(mended.samples().info(), each.selection, Vertex{0, 0, 0},
+                           mended.deviation_mm().has_value());
   for (std::size_t i = 0; i < finders.size(); ++i) requests[i].crossings = &finders[i];
   const std::vector<Extraction> extractions = extract(mended.samples(), options, requests);
-  mended.note_lost_parts(arguments.volume);
   note_not_numbers(arguments,
                    mended.is_changed() ? mended.not_numbers() : extractions[0].not_numbers);
   if (arguments.interpolates && !mended.is_changed() && volume->has_two_values())
@@ -52,6 +52,12 @@ int extract_meshes(ExtractArguments arguments) {
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     Surface& surface = receivers[i]->surface();
     surface.spacing_mm = info.spacing_mm;
+    if (mended.deviation_mm() && arguments.interpolates) {
+      const Progress smoothing("smoothing");
+      keep_volumes({{&surface, &finders[i].crossings()}},
+                   SmoothedVolume::keeping(info, *mended.deviation_mm(), arguments.mesh.tolerance,
+                                           arguments.reading.border));
+    }
     const std::string title =
         name_for_people(arguments.volume) + (names.size() > 1 ? ": " + selections[i].name : "");
     keep_chosen(title, arguments.components, surface);

@@ -97,6 +97,18 @@ void check_smoothing(const ExtractArguments& arguments) {
     throw CLI::ValidationError("--smooth", "cannot be combined with --median; leave one out");
 }
 
+void check_bodies(const ExtractArguments& arguments) {
+  if (!arguments.lists_bodies) return;
+  if (!traits_of(format_of(arguments.output)).holds_measures)
+    throw CLI::ValidationError(
+        "--bodies",
+        "holds measures only in .csv and .json; write one of them, or leave it "
+        "out");
+  if (arguments.reading.border == Border::open)
+    throw CLI::ValidationError(
+        "--border", "an open surface encloses no bodies; leave out --bodies, or --border open");
+}
+
 void check_closing(const ExtractArguments& arguments) {
   if (arguments.reading.close_mm == 0) return;
   if (arguments.reading.selections.size() > 1 || !arguments.labels.empty())
@@ -212,6 +224,7 @@ void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_output(arguments.output);
   check_faces(arguments.mesh.faces, arguments.output);
   check_components(arguments.components, arguments.output);
+  check_bodies(arguments);
   check_cleaning(arguments);
   check_mask(arguments);
   check_label_options(arguments.labels, arguments.reading);
@@ -255,7 +268,8 @@ void add_smoothing_option(CLI::App& app, ExtractArguments& arguments) {
          "--smooth",
          [&arguments](const std::string& text) { arguments.reading.smooth_mm = deviation(text); },
          "smooth the voxel steps of a mask or label by a Gaussian with a standard deviation of MM "
-         "millimetres; auto: the largest distance between voxels")
+         "millimetres, keeping the volume of each body; auto: 1.5 voxels, or the largest distance "
+         "between voxels if the distances differ")
       ->check(CLI::Validator(
           [](std::string& text) {
             return deviation(text) ? std::string()
@@ -337,6 +351,8 @@ Command add_extract(CLI::App& app) {
       ->option_text("N");
   add_mesh_options(*extract, arguments->mesh);
   add_component_options(*extract, arguments->components);
+  extract->add_flag("--bodies", arguments->lists_bodies,
+                    "write the measures of each body, with its cavities, the largest first");
   add_space_option(*extract, arguments->space);
   add_size_options(*extract, arguments->size);
   add_interpolation_options(*extract, arguments->interpolates, arguments->mesh.tolerance);

@@ -123,7 +123,6 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   stream.extractions = extract(samples, options, requests_of(selections, stream.receivers));
   stream.slice_bytes = output.bytes();
   stream.slice_memory = slices.memory();
-  mended.note_lost_parts(arguments.volume);
   note_not_numbers(arguments,
                    mended.is_changed() ? mended.not_numbers() : stream.extractions[0].not_numbers);
   if (!options.slab) check_surfaces(arguments, stream.extractions, *volume);

@@ -101,22 +101,17 @@ void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface
                           " bodies and cavities are kept");
 }
 
-std::uint64_t decimate_noted(const std::string& name, const Decimation& decimation,
-                             FileMesh& mesh) {
-  if (!decimation.is_wanted()) return 0;
+void decimate_noted(const std::string& name, const Decimation& decimation, FileMesh& mesh) {
+  if (!decimation.is_wanted()) return;
   const Progress progress("decimating");
-  const DecimatedBodies bodies = decimate(mesh, decimation);
-  if (bodies.unchanged > 0)
-    print_message(name, std::to_string(bodies.unchanged) + " of " + std::to_string(bodies.all) +
-                            " bodies keep all their triangles, as their decimated meshes would not "
-                            "be closed");
-  if (decimation.triangles > 0 &&
-      mesh.face_count() > decimation.triangles + decimation.triangles / 10)
-    print_message(name, "--triangles " + std::to_string(decimation.triangles) + ": " +
-                            "the mesh has " + std::to_string(mesh.face_count()) +
-                            " triangles, because fewer would open it" +
-                            (decimation.max_error_mm > 0 ? ", or exceed --max-error" : ""));
-  return bodies.unchanged;
+  decimate(mesh, decimation);
+  if (decimation.triangles == 0 || mesh.face_count() <= decimation.triangles) return;
+  print_message(name, "--triangles " + std::to_string(decimation.triangles) + ": the mesh has " +
+                          std::to_string(mesh.face_count()) +
+                          (decimation.max_error_mm > 0
+                               ? " triangles, because fewer would exceed --max-error"
+                               : " triangles, because with fewer bodies or openings would be lost, "
+                                 "or triangles would cross"));
 }
 
 void add_gradient_normals(SliceReader& volume, FileMesh& mesh) {

@@ -10,7 +10,6 @@
 #include "arguments.hpp"
 #include "files/output_file.hpp"
 #include "mesh_files/file_mesh.hpp"
-#include "meshes/decimation.hpp"
 #include "meshing.hpp"
 #include "surface/components.hpp"
 #include "surface/surface.hpp"
@@ -48,9 +47,8 @@ void note_left_out(const std::string& input, const Surface& surface, const FileM
 /// the volume or stream, and of the surface if there are several.
 void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface);
 
-/// Decimates a mesh, and reports which bodies keep all their triangles. name: as keep_chosen().
-/// Returns how many do.
-std::uint64_t decimate_noted(const std::string& name, const Decimation& decimation, FileMesh& mesh);
+/// Decimates a mesh, and reports if more triangles are left than asked for. name: as keep_chosen().
+void decimate_noted(const std::string& name, const Decimation& decimation, FileMesh& mesh);
 
 /// A second pass over the volume of a mesh.
 void add_gradient_normals(SliceReader& volume, FileMesh& mesh);

@@ -106,7 +106,6 @@ void print_mesh_table(const MeshSummary& mesh, const Extraction& extraction, std
       "classic Marching Cubes: " + grouped(extraction.statistics.classic_triangles) + " triangles");
   if (mesh.vertex_count > 0) row(out, "vertices", grouped(mesh.vertex_count));
   if (mesh.is_closed) row(out, "closed", *mesh.is_closed ? "yes" : "no");
-  if (mesh.unchanged_bodies > 0) row(out, "bodies not decimated", grouped(mesh.unchanged_bodies));
   print_memory(extraction, out);
 }
 

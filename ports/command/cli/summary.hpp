@@ -31,9 +31,8 @@ void print_file(const std::string& file, std::ostream& out);
 struct MeshSummary {
   std::string faces;  ///< what they are: triangles, or polygons
   std::uint64_t face_count = 0;
-  std::uint64_t vertex_count = 0;      ///< 0 where the format does not number them
-  std::optional<bool> is_closed{};     ///< if it was checked
-  std::uint64_t unchanged_bodies = 0;  ///< when the others were decimated
+  std::uint64_t vertex_count = 0;   ///< 0 where the format does not number them
+  std::optional<bool> is_closed{};  ///< if it was checked
 };
 
 /// The same in lines, for people.

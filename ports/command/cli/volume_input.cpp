@@ -146,7 +146,7 @@ MendedVolume::MendedVolume(const VolumeArguments& arguments, VolumeReader& volum
   }
   if (const auto deviation = smoothing_mm(arguments, volume.info())) {
     const auto [selection, mask] = selected(0);
-    deviation_mm_ = *deviation;
+    deviation_mm_ = deviation;
     smooth_ = std::make_unique<SmoothedVolume>(samples(), selection, mask, *deviation);
   }
 }
@@ -158,19 +158,6 @@ SliceReader& MendedVolume::samples() const {
 
 std::uint64_t MendedVolume::not_numbers() const {
   return closed_ ? closed_->not_numbers() : smooth_->not_numbers();
-}
-
-void MendedVolume::note_lost_parts(const std::string& path) const {
-  if (!smooth_ || smooth_->selected_voxels() == 0) return;
-  const auto before = static_cast<double>(smooth_->selected_voxels());
-  const auto after = static_cast<double>(smooth_->smooth_voxels());
-  constexpr double usual = 0.03;
-  if (std::fabs(after / before - 1) <= usual) return;
-  print_message(path, "--smooth " + value_text(deviation_mm_) +
-                          " mm changes the number of voxels inside from " +
-                          std::to_string(smooth_->selected_voxels()) + " to " +
-                          std::to_string(smooth_->smooth_voxels()) +
-                          ", so thin parts or gaps are lost; give a smaller --smooth");
 }
 
 ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress& progress,

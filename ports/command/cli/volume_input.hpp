@@ -70,14 +70,14 @@ class MendedVolume {
   bool is_changed() const { return closed_ || smooth_; }
   /// Limit: is_changed().
   std::uint64_t not_numbers() const;
-  /// Prints a note if --smooth has changed much of what is inside. Limit: the samples were read.
-  void note_lost_parts(const std::string& path) const;
+  /// Of --smooth, if it is given.
+  const std::optional<double>& deviation_mm() const { return deviation_mm_; }
 
  private:
   VolumeReader& volume_;
   std::unique_ptr<ClosedVolume> closed_;
   std::unique_ptr<SmoothedVolume> smooth_;
-  double deviation_mm_ = 0;
+  std::optional<double> deviation_mm_;
 };
 
 /// At the first threshold. progress, mask: have to live as long as the options are in use.

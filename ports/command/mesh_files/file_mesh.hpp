@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_MESH_FILES_FILE_MESH_HPP
 #define DISCMC_COMMAND_MESH_FILES_FILE_MESH_HPP
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@ struct FileMesh : FaceMesh {
 
   std::optional<Srgb> colour;            ///< of all of it, where one was given
   std::string name;                      ///< in a file that holds several
+  std::optional<std::int64_t> voxels;    ///< inside the surface, where they were counted
   Space space = Space::scanner;          ///< of the coordinates
   MeshUnit unit = MeshUnit::millimetre;  ///< of all lengths, once resize() has changed it
 };

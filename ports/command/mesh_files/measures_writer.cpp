@@ -37,6 +37,8 @@ std::vector<Field> fields_of(const FileMesh& mesh) {
   add_point(
       fields, "centre",
       has_extent && measures.enclosed ? std::optional(measures.enclosed->centre_mm) : std::nullopt);
+  fields.emplace_back("voxels",
+                      mesh.voxels ? std::optional(std::to_string(*mesh.voxels)) : std::nullopt);
   return fields;
 }
 

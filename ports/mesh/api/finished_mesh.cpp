@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
+#include "decimation/decimation.hpp"
 #include "extraction/narrowed_volume.hpp"
 #include "jobs/processors.hpp"
-#include "meshes/decimation.hpp"
-#include "meshes/mesh_simplifier.hpp"
+#include "meshes/numbered_corners.hpp"
 #include "meshes/placing.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
@@ -143,8 +143,10 @@ SweepPlace sweep_place(const MeshOptions& options, const AxisOrder& order) {
 void check_options(const MeshOptions& options) {
   require_number("tolerance", options.tolerance);
   require_number("smoothing", options.smoothing);
+  constexpr double widest = 1e6;
+  if (options.smoothing > widest)
+    refuse("smoothing is " + text_of(options.smoothing) + "; give 0 to 1e6");
   require_number("max_error", options.max_error);
-  if (decimation_of(options).is_wanted()) require_simplifier();
   if (options.polygons && (decimation_of(options).is_wanted() || is_interpolated(options)))
     refuse(
         "polygons are those of the midpoint surface: leave out interpolation, smoothing "
@@ -159,10 +161,8 @@ Mesh finished_mesh(Surface& surface, const Crossings* crossings, const MeshOptio
   FaceMesh faces =
       build_mesh(surface, {true, Faces::triangles, crossings, options.tolerance, threads,
                            [&options] { report(options, "triangulating", 0, 0); }});
-  if (decimation_of(options).is_wanted()) {
-    report(options, "decimating", 0, 0);
-    decimate(faces, decimation_of(options));
-  }
+  if (decimation_of(options).is_wanted())
+    decimate(faces, decimation_of(options), [&options] { report(options, "decimating", 0, 0); });
   add_normals(surface, faces, options, level, open_again);
   if (place.placement) meshing::place(faces, *place.placement);
 

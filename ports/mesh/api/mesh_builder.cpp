@@ -10,6 +10,7 @@
 #include "extraction/selection.hpp"
 #include "finished_mesh.hpp"
 #include "host/host_scan.hpp"
+#include "owned_state.hpp"
 #include "surface/joined_surface.hpp"
 
 namespace discmc {
@@ -78,12 +79,7 @@ class MeshBuilder::State {
 
 namespace {
 
-template <class State>
-State& require_state(const std::unique_ptr<State>& state) {
-  if (!state)
-    throw std::logic_error("the builder has finished, or was moved from; construct another");
-  return *state;
-}
+constexpr char no_builder[] = "the builder has finished, or was moved from; construct another";
 
 }  // namespace
 
@@ -95,10 +91,10 @@ MeshBuilder::MeshBuilder(MeshBuilder&&) noexcept = default;
 MeshBuilder& MeshBuilder::operator=(MeshBuilder&&) noexcept = default;
 
 void MeshBuilder::add_slice(const void* samples, SampleType type) {
-  require_state(state_).add(samples, type);
+  require_state(state_, no_builder).add(samples, type);
 }
 Mesh MeshBuilder::finish() {
-  require_state(state_);
+  require_state(state_, no_builder);
   return std::exchange(state_, nullptr)->finish();
 }
 

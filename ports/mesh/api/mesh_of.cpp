@@ -105,6 +105,15 @@ LabelOptions label_options(const SampleGrid& info, const MeshOptions& options,
   return wanted;
 }
 
+void keep_volume(JoinedSurface& surface, CrossingFinder& crossings, const SampleGrid& info,
+                 const MeshOptions& options, const SweepPlace& place) {
+  surface.surface().spacing_mm = place.spacing;
+  VolumeKeeping keeping =
+      SmoothedVolume::keeping(info, options.smoothing, options.tolerance, options.border);
+  keeping.check = [&options] { report(options, "smoothing", 0, 0); };
+  keep_volumes({{&surface.surface(), &crossings.crossings()}}, keeping);
+}
+
 }  // namespace
 
 std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& levels,
@@ -134,7 +143,8 @@ std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& le
     requests.push_back({selection, make_sink(surface), nullptr, &surface.builder(), nullptr,
                         make_region_receiver(surface)});
     if (!is_interpolated(options)) continue;
-    crossings.push_back(std::make_unique<CrossingFinder>(volume.info(), selection));
+    crossings.push_back(std::make_unique<CrossingFinder>(volume.info(), selection, Vertex{0, 0, 0},
+                                                         smoothed != nullptr));
     requests.back().crossings = crossings.back().get();
   }
   if (!requests.empty())
@@ -143,6 +153,7 @@ std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& le
   std::vector<Mesh> meshes;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     surfaces[i]->finish();
+    if (smoothed) keep_volume(*surfaces[i], *crossings[i], volume.info(), options, place);
     meshes.push_back(finished_mesh(
         surfaces[i]->surface(), crossings.empty() ? nullptr : &crossings[i]->crossings(), options,
         place, selections[i].low,
@@ -173,7 +184,7 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
   std::vector<LabelledSurface> found;
   if (options.smoothing > 0)
     smoothed = smoothed_labels(
-        array, wanted, options.smoothing,
+        array, wanted, options.smoothing, options.tolerance,
         [&](std::size_t done, std::size_t all) { report(options, "smoothing", done, all); });
   else
     found = extract_labels(array, wanted);

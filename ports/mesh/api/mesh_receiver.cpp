@@ -4,6 +4,7 @@
 
 #include "discmc/mesh.hpp"
 #include "finished_mesh.hpp"
+#include "owned_state.hpp"
 #include "samples/spacing.hpp"
 #include "streams/stream_reader.hpp"
 #include "surface/joined_surface.hpp"
@@ -114,6 +115,12 @@ class MeshReceiver::State {
   bool has_ended_ = false;
 };
 
+namespace {
+
+constexpr char no_receiver[] = "the receiver was moved from; construct another";
+
+}  // namespace
+
 MeshReceiver::MeshReceiver(std::optional<std::uint8_t> channel)
     : state_(std::make_unique<State>(channel.value_or(any_channel))) {}
 MeshReceiver::~MeshReceiver() = default;
@@ -121,25 +128,25 @@ MeshReceiver::MeshReceiver(MeshReceiver&&) noexcept = default;
 MeshReceiver& MeshReceiver::operator=(MeshReceiver&&) noexcept = default;
 
 std::size_t MeshReceiver::push(const std::uint8_t* bytes, std::size_t count) {
-  return state_->push(bytes, count);
+  return require_state(state_, no_receiver).push(bytes, count);
 }
 void MeshReceiver::finish() {
-  state_->finish();
+  require_state(state_, no_receiver).finish();
 }
 bool MeshReceiver::has_ended() const {
-  return state_->has_ended();
+  return require_state(state_, no_receiver).has_ended();
 }
 StreamReport MeshReceiver::report() const {
-  return state_->report();
+  return require_state(state_, no_receiver).report();
 }
 const StreamHeader& MeshReceiver::header() const {
-  return state_->reader().header();
+  return require_state(state_, no_receiver).reader().header();
 }
 Mesh MeshReceiver::mesh(MeshOptions options) const {
-  return state_->mesh(std::move(options));
+  return require_state(state_, no_receiver).mesh(std::move(options));
 }
 std::size_t MeshReceiver::polygon_count() const {
-  return state_->builder().surface().polygons.size();
+  return require_state(state_, no_receiver).builder().surface().polygons.size();
 }
 
 }  // namespace discmc

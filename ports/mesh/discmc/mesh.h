@@ -67,8 +67,8 @@ typedef struct discmc_mesh_options {
   double tolerance;        /* of interpolation. Units: voxels. 0: 0.05 */
   double smoothing;        /* the deviation of a Gaussian that smooths a mask or a label. 0: none.
                               Units: as spacing */
-  uint64_t triangles;      /* decimates to about this many triangles, or until the quadric error */
-  double max_error;        /* exceeds max_error, whichever comes first. 0: not. Units: as spacing */
+  uint64_t triangles;      /* decimates to this many triangles, or as far as the meshes stay */
+  double max_error;        /* within max_error, whichever comes first. 0: not. Units: as spacing */
   int32_t normals;         /* DISCMC_NORMALS_... */
   int32_t polygons;        /* 1: also the polygons. Limit: not interpolated, not decimated */
   int32_t threads;         /* 0 or 1: one; -1: as many as there are processors */
@@ -85,7 +85,7 @@ enum {
   DISCMC_MESH_TOO_LARGE,    /* more than 2^32 corners */
   DISCMC_MESH_NO_MEMORY,
   DISCMC_MESH_CANCELLED, /* progress returned 0 */
-  DISCMC_MESH_FAILED     /* for example decimation in a build without meshoptimizer */
+  DISCMC_MESH_FAILED     /* any other exception, with its text in the message */
 };
 
 /* Owner of the arrays: the mesh, until it is freed. */

@@ -13,8 +13,7 @@
 // MeshReceiver the bytes of a device. Link discmc::mesh. In C: discmc/mesh.h.
 //
 // Errors: std::invalid_argument names the value and the remedy; std::length_error: more than 2^32
-// corners; Cancelled: MeshOptions::progress returned false; std::runtime_error: decimation in a
-// build without meshoptimizer; what a callback throws.
+// corners; Cancelled: MeshOptions::progress returned false; what a callback throws.
 #ifndef DISCMC_MESH_HPP
 #define DISCMC_MESH_HPP
 
@@ -135,16 +134,21 @@ struct MeshOptions {
   std::optional<std::array<std::array<double, 4>, 3>> placement{};
   /// closed: everything outside the array is outside the surface. open: the surface ends there.
   Border border = Border::closed;
-  /// Moves vertices to where the samples cross the level, linearly interpolated. Sides and
-  /// triangles are split where the crossings are farther from the mesh than the tolerance.
+  /// Moves vertices to where the samples cross the level, linearly interpolated. Whole numbers
+  /// cross at level - 0.5: a sample equal to the level is inside, and the one below it outside.
+  /// Sides and triangles are split where the crossings are farther from the mesh than the
+  /// tolerance.
   bool interpolates = false;
   double tolerance = 0.05;  ///< Units: voxels
-  /// Smooths a mask or a label by a Gaussian of this deviation, which keeps its volume; implies
-  /// interpolates. The largest spacing removes the steps of voxels. 0: none. Units: as spacing.
-  /// Limit: one level.
+  /// Smooths a mask or a label by a Gaussian of this deviation; implies interpolates. Each body
+  /// keeps the volume of its voxels, and every voxel its side, unless the border is open. 1.5
+  /// voxels remove the steps, or the largest spacing if the spacings differ. 0: none. Units: as
+  /// spacing. Limit: one level; at most 1e6.
   double smoothing = 0;
-  /// Decimates to about this many triangles, or until the quadric error exceeds max_error,
-  /// whichever comes first; 0: not. Needs meshoptimizer. Units: as spacing.
+  /// Decimates to this many triangles, or as far as max_error allows, whichever comes first; 0:
+  /// not. Bodies keep their volumes. More triangles are left if fewer would cross, or lose a body
+  /// or an opening. max_error: from the vertices of the whole mesh to the decimated one, and back
+  /// from its vertices and the middles of its edges and triangles. Units: as spacing.
   std::uint64_t triangles = 0;
   double max_error = 0;
   Normals normals = Normals::none;
@@ -206,7 +210,8 @@ struct LabelMesh {
 /// The surfaces of all labels but 0 in one pass, the least first; or only of those given.
 /// Neighbours share their walls exactly. Limit: samples of whole numbers, at most 65,536 labels, or
 /// 1,024 if most voxels have no neighbour of their label; normals from the surface alone; with
-/// interpolates only by smoothing. Smoothing holds the array once more.
+/// interpolates only by smoothing. Smoothing holds the array once more, and the meshes of all
+/// labels; the mesh of a label does not depend on which others are given.
 [[nodiscard]] std::vector<LabelMesh> label_meshes(const Samples& samples,
                                                   const MeshOptions& options = {},
                                                   const std::vector<std::int64_t>& labels = {});
@@ -250,7 +255,8 @@ class MeshBuilder {
   std::unique_ptr<State> state_;
 };
 
-/// Receives the streams of a device, scan after scan, of either kind. Any bytes are safe.
+/// Receives the streams of a device, scan after scan, of either kind. Any bytes are safe. A
+/// receiver that was moved from throws std::logic_error.
 class MeshReceiver {
  public:
   /// channel: of the surface; by default the first that arrives.

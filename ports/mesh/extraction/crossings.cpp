@@ -61,6 +61,15 @@ const Crossings::Crossing* Crossings::crossing_of(const Vertex& middle) const {
   return found != end && found->x == x ? found : nullptr;
 }
 
+std::optional<Crossings::Place> Crossings::find(const Vertex& middle) const {
+  const Vertex at = middle - first_;
+  const Crossing* const crossing = crossing_of(at);
+  if (crossing == nullptr) return std::nullopt;
+  const std::size_t axis = (at.x & 1) != 0 ? 0 : (at.y & 1) != 0 ? 1 : 2;
+  return Place{static_cast<std::uint8_t>(axis),
+               static_cast<std::uint32_t>(crossing - along_[axis].crossings.data())};
+}
+
 // From a corner inside the volume on to the others, across the edges between them.
 Configuration Crossings::configuration_around(const Vertex& centroid) const {
   unsigned base = 0;
@@ -128,7 +137,7 @@ class CrossingFinder::Slices {
   virtual ~Slices() = default;
 
   virtual void add(const void* samples, const std::uint8_t* mask) = 0;
-  const Crossings& crossings() const { return crossings_; }
+  Crossings& crossings() { return crossings_; }
 
  protected:
   Crossings crossings_;
@@ -137,8 +146,9 @@ class CrossingFinder::Slices {
 template <class Sample>
 class CrossingFinder::SlicesOf final : public Slices {
  public:
-  SlicesOf(const SampleGrid& info, const Selection& selection, const Vertex& first)
+  SlicesOf(const SampleGrid& info, const Selection& selection, const Vertex& first, bool keeps_ends)
       : Slices(info, first),
+        keeps_ends_(keeps_ends),
         selector_(info, selection),
         width_(info.dims[0]),
         height_(info.dims[1]),
@@ -211,6 +221,10 @@ class CrossingFinder::SlicesOf final : public Slices {
         const bool falls = (bits[i] >> bit & 1) != 0;
         const float at = falls ? crossing(from[x], to[x]) : 2 - crossing(to[x], from[x]);
         crossings.push_back({static_cast<std::uint16_t>(x), falls, at});
+        if (keeps_ends_)
+          crossings_.along_[axis].ends.push_back(
+              {static_cast<float>(static_cast<double>(from[x]) - low_level_),
+               static_cast<float>(static_cast<double>(to[x]) - low_level_)});
       }
     }
     end_row(axis);
@@ -230,6 +244,7 @@ class CrossingFinder::SlicesOf final : public Slices {
     return static_cast<float>(std::clamp(at, Crossings::margin, 2 - Crossings::margin));
   }
 
+  bool keeps_ends_;
   SliceSelector selector_;
   std::uint32_t width_, height_;
   std::size_t row_bytes_;
@@ -240,9 +255,9 @@ class CrossingFinder::SlicesOf final : public Slices {
 };
 
 CrossingFinder::CrossingFinder(const SampleGrid& info, const Selection& selection,
-                               const Vertex& first)
+                               const Vertex& first, bool keeps_ends)
     : slices_(with_sample_type(info.type, [&](auto type) -> std::unique_ptr<Slices> {
-        return std::make_unique<SlicesOf<decltype(type)>>(info, selection, first);
+        return std::make_unique<SlicesOf<decltype(type)>>(info, selection, first, keeps_ends);
       })) {}
 
 CrossingFinder::CrossingFinder(CrossingFinder&&) noexcept = default;
@@ -254,6 +269,9 @@ void CrossingFinder::add_slice(const void* samples, const std::uint8_t* mask) {
 }
 
 const Crossings& CrossingFinder::crossings() const {
+  return slices_->crossings();
+}
+Crossings& CrossingFinder::crossings() {
   return slices_->crossings();
 }
 

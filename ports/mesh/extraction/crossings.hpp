@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <discmc/geometry/cell.hpp>
@@ -16,9 +17,19 @@
 
 namespace discmc::meshing {
 
-/// The crossings of a volume. Memory: eight bytes for each, and for each row of an axis.
+/// The crossings of a volume. Memory: eight bytes for each, and for each row of an axis; eight more
+/// for each with ends.
 class Crossings {
  public:
+  /// The samples of both voxels of an edge, less the level.
+  struct Ends {
+    float begin, end;
+  };
+  /// A crossing, by its axis and its place in the order of the edges.
+  struct Place {
+    std::uint8_t axis;
+    std::uint32_t number;
+  };
   /// How near a crossing comes to a voxel. So two of them never meet there. Units: half-steps.
   static constexpr double margin = 1.0 / 64;
 
@@ -31,6 +42,19 @@ class Crossings {
   /// outside the volume or its mask, or a sample is not finite, the crossing is in the middle.
   /// Units: half-steps.
   Point interpolated(const Vertex& vertex) const;
+
+  /// The crossing at the middle of an edge, if there is one.
+  std::optional<Place> find(const Vertex& middle) const;
+  /// How many there are along an axis.
+  std::size_t count(std::size_t axis) const { return along_[axis].crossings.size(); }
+  /// Whether the edge begins on, and ends off.
+  bool falls(Place place) const { return along_[place.axis].crossings[place.number].falls; }
+  /// Limit: of a finder that keeps the ends.
+  Ends& ends(Place place) { return along_[place.axis].ends[place.number]; }
+  /// Moves a crossing to where the line between two ends meets zero. Limit: their signs differ.
+  void move(Place place, Ends ends) {
+    along_[place.axis].crossings[place.number].at = 2 * (ends.begin / (ends.begin - ends.end));
+  }
 
  private:
   friend class CrossingFinder;
@@ -45,6 +69,7 @@ class Crossings {
   struct Rows {
     std::vector<std::size_t> begin{0};
     std::vector<Crossing> crossings;
+    std::vector<Ends> ends{};  // as many, or none
   };
 
   Point in_volume(const Vertex& vertex) const;
@@ -61,9 +86,9 @@ class Crossings {
 /// Finds the crossings, slice by slice. Holds one slice.
 class CrossingFinder {
  public:
-  /// first: as Crossings.
+  /// first: as Crossings. keeps_ends: for Crossings::ends().
   CrossingFinder(const SampleGrid& info, const Selection& selection,
-                 const Vertex& first = {0, 0, 0});
+                 const Vertex& first = {0, 0, 0}, bool keeps_ends = false);
   CrossingFinder(CrossingFinder&&) noexcept;
   CrossingFinder& operator=(CrossingFinder&&) noexcept;
   ~CrossingFinder();
@@ -75,6 +100,7 @@ class CrossingFinder {
 
   /// What was found, after the last slice. Owner: the finder.
   const Crossings& crossings() const;
+  Crossings& crossings();
 
  private:
   class Slices;

@@ -41,9 +41,11 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
   for (const Box& box : boxes)
     order.push_back(std::uint64_t{place_on_curve(box, all)} << 32 | order.size());
   std::sort(order.begin(), order.end());
+  slots_.resize(boxes.size());
   places_.reserve(boxes.size());
   boxes_.reserve(boxes.size());
   for (const std::uint64_t each : order) {
+    slots_[static_cast<std::uint32_t>(each)] = static_cast<std::uint32_t>(places_.size());
     places_.push_back(static_cast<std::uint32_t>(each));
     boxes_.push_back(boxes[places_.back()]);
   }
@@ -58,25 +60,17 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
   }
 }
 
-bool BoxTree::is_near(const Box& box) const {
-  std::array<std::size_t, max_waiting> waiting;
-  std::size_t count = 0;
-  const auto add_if_near = [&](std::size_t node) {
-    waiting[count] = node;
-    count += nodes_[node].overlaps(box);
-  };
-  add_if_near(1);
-  while (count > 0) {
-    const std::size_t node = waiting[--count];
-    if (node < leaves_) {
-      add_if_near(2 * node);
-      add_if_near(2 * node + 1);
-      continue;
-    }
-    for (std::size_t i = begin_of(node); i < end_of(node); ++i)
-      if (boxes_[i].overlaps(box)) return true;
+void BoxTree::replace(std::uint32_t place, const Box& box) {
+  const std::size_t slot = slots_[place];
+  boxes_[slot] = box;
+  std::size_t node = leaves_ + slot / leaf_size;
+  Box all;
+  for (std::size_t i = begin_of(node); i < end_of(node); ++i) all.include(boxes_[i]);
+  for (; !(nodes_[node] == all); node /= 2) {
+    nodes_[node] = all;
+    if (node == 1) return;
+    all.include(nodes_[node ^ 1]);
   }
-  return false;
 }
 
 }  // namespace discmc::meshing

@@ -18,6 +18,11 @@ namespace discmc::meshing {
 /// The three corners of a triangle.
 using Corners = std::array<Point, 3>;
 
+/// A vector along the normal of a triangle, twice as long as the triangle is large.
+inline Point doubled_area(const Corners& triangle) {
+  return cross(difference(triangle[1], triangle[0]), difference(triangle[2], triangle[0]));
+}
+
 /// A box along the axes; empty at first. Its bounds are rounded outwards.
 struct Box {
   Box() = default;
@@ -50,13 +55,14 @@ struct Box {
     return result;
   }
   double squared_distance(const Point& point) const;
+  bool operator==(const Box& other) const { return low == other.low && high == other.high; }
 
   std::array<float, 3> low{infinity, infinity, infinity};
   std::array<float, 3> high{-infinity, -infinity, -infinity};
 };
 
 /// A binary tree of boxes, in which those near to each other are mostly together.
-/// Memory: 40 to 52 bytes a box. Time: n log n to build for n boxes.
+/// Memory: 44 to 56 bytes a box. Time: n log n to build for n boxes.
 class BoxTree {
  public:
   /// Limit: fewer than 2^32.
@@ -98,8 +104,34 @@ class BoxTree {
     return std::max(std::sqrt(nearest), enough);
   }
 
-  /// Whether one of the boxes overlaps this one.
-  bool is_near(const Box& box) const;
+  /// Calls with the places of boxes that may overlap this one, until a call returns true. Returns
+  /// whether one did.
+  template <class Call>
+  bool any_near(const Box& box, Call call) const {
+    std::array<std::size_t, max_waiting> waiting;
+    std::size_t count = 0;
+    const auto add_if_near = [&](std::size_t node) {
+      waiting[count] = node;
+      count += nodes_[node].overlaps(box);
+    };
+    add_if_near(1);
+    while (count > 0) {
+      const std::size_t node = waiting[--count];
+      if (node < leaves_) {
+        add_if_near(2 * node);
+        add_if_near(2 * node + 1);
+        continue;
+      }
+      for (std::size_t i = begin_of(node); i < end_of(node); ++i)
+        if (boxes_[i].overlaps(box) && call(places_[i])) return true;
+    }
+    return false;
+  }
+
+  /// Replaces a box. The tree answers the slower the farther boxes move.
+  void replace(std::uint32_t place, const Box& box);
+  /// Where a box was when the tree was built: near boxes have near numbers, from 0 on.
+  std::uint32_t order_of(std::uint32_t place) const { return slots_[place]; }
 
   /// Calls with the places of two boxes in what was given, once for any two that overlap.
   template <class Call>
@@ -147,6 +179,7 @@ class BoxTree {
   }
 
   std::vector<std::uint32_t> places_;  // along a curve through space
+  std::vector<std::uint32_t> slots_;   // of each place, where it is in places_
   std::vector<Box> boxes_;             // one a place
   std::size_t leaves_ = 1;
   std::vector<Box> nodes_;  // node i has the children 2 i and 2 i + 1; the leaves are the last ones

@@ -47,7 +47,7 @@ struct FaceMesh {
   std::vector<Point> vertices_mm;          ///< one for each corner of the surface, and more of an
                                            ///< interpolated one
   std::vector<Vertex> lattice;             ///< one a vertex: its position before it was moved, if
-                                           ///< it was; none in other meshes
+                                           ///< it was; the cell of a decimated one; none in others
   std::vector<std::uint32_t> corners;      ///< vertex numbers, face after face
   std::vector<std::size_t> face_begin{0};  ///< face f: corners face_begin[f] to face_begin[f + 1]
   /// One a face; none where faces lie in any plane, or the mesh has been placed.

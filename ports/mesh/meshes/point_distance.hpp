@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 
 #include "surface/point.hpp"
 
@@ -22,20 +21,34 @@ inline double squared_distance(const Point& point, const std::array<Point, 2>& s
   return dot(rest, rest);
 }
 
+/// By the region of the plane that the point is above: of a corner, of a side, or of the triangle
+/// itself (C. Ericson, Real-Time Collision Detection, 2005).
 inline double squared_distance(const Point& point, const std::array<Point, 3>& triangle) {
-  const Point normal =
-      cross(difference(triangle[1], triangle[0]), difference(triangle[2], triangle[0]));
-  const double squared_area = dot(normal, normal);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::array<Point, 2> side = {triangle[i], triangle[(i + 1) % 3]};
-    const Point inwards = cross(normal, difference(side[1], side[0]));
-    if (squared_area > 0 && dot(inwards, difference(point, side[0])) >= 0) continue;
-    nearest = std::min(nearest, squared_distance(point, side));
-  }
-  if (nearest < std::numeric_limits<double>::infinity()) return nearest;
-  const double height = dot(normal, difference(point, triangle[0]));
-  return height * height / squared_area;
+  const auto& [a, b, c] = triangle;
+  const Point ab = difference(b, a), ac = difference(c, a), from_a = difference(point, a);
+  const double ab_a = dot(ab, from_a), ac_a = dot(ac, from_a);
+  if (ab_a <= 0 && ac_a <= 0) return dot(from_a, from_a);
+  const Point from_b = difference(point, b);
+  const double ab_b = dot(ab, from_b), ac_b = dot(ac, from_b);
+  if (ab_b >= 0 && ac_b <= ab_b) return dot(from_b, from_b);
+  const double beyond_ab = ab_a * ac_b - ab_b * ac_a;
+  if (beyond_ab <= 0 && ab_a >= 0 && ab_b <= 0)
+    return squared_distance(point, std::array<Point, 2>{a, b});
+  const Point from_c = difference(point, c);
+  const double ab_c = dot(ab, from_c), ac_c = dot(ac, from_c);
+  if (ac_c >= 0 && ab_c <= ac_c) return dot(from_c, from_c);
+  const double beyond_ac = ab_c * ac_a - ab_a * ac_c;
+  if (beyond_ac <= 0 && ac_a >= 0 && ac_c <= 0)
+    return squared_distance(point, std::array<Point, 2>{a, c});
+  const double beyond_bc = ab_b * ac_c - ab_c * ac_b;
+  if (beyond_bc <= 0 && ac_b >= ab_b && ab_c >= ac_c)
+    return squared_distance(point, std::array<Point, 2>{b, c});
+  const Point normal = cross(ab, ac);
+  const double height = dot(normal, from_a), squared_area = dot(normal, normal);
+  if (squared_area > 0) return height * height / squared_area;
+  return std::min({squared_distance(point, std::array<Point, 2>{a, b}),
+                   squared_distance(point, std::array<Point, 2>{a, c}),
+                   squared_distance(point, std::array<Point, 2>{b, c})});
 }
 
 }  // namespace discmc::meshing

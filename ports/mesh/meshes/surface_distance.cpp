@@ -30,8 +30,7 @@ std::vector<Corners> triangles_of(const FaceMesh& mesh, const Point& unit) {
 }
 
 double area(const Corners& triangle) {
-  const Point doubled =
-      cross(difference(triangle[1], triangle[0]), difference(triangle[2], triangle[0]));
+  const Point doubled = doubled_area(triangle);
   return std::hypot(doubled[0], doubled[1], doubled[2]) / 2;
 }
 

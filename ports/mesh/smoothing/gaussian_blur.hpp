@@ -20,7 +20,9 @@ class GaussianBlur {
   /// Writes the next slice, blurred.
   void next(float* blurred);
   /// The slice that next() has blurred, as it was.
-  const float* sharp() const { return window_.at(next_ - 1); }
+  const float* sharp() const { return sharp(next_ - 1); }
+  /// An earlier one. Limit: at most three deviations before the last that was blurred.
+  const float* sharp(std::uint32_t z) const { return window_.at(z); }
 
  private:
   // Weights of the voxel itself, and of those at each distance in steps.

@@ -89,8 +89,12 @@ class MovingSink {
 template <class Sample>
 class LabelSmoother {
  public:
-  LabelSmoother(SliceReader& volume, const LabelOptions& options, double deviation_mm)
-      : info_(volume.info()), options_(options), deviation_mm_(deviation_mm) {
+  LabelSmoother(SliceReader& volume, const LabelOptions& options, double deviation_mm,
+                double tolerance)
+      : info_(volume.info()),
+        options_(options),
+        deviation_mm_(deviation_mm),
+        tolerance_(tolerance) {
     const std::size_t slice = std::size_t{info_.dims[0]} * info_.dims[1];
     samples_.resize(slice * info_.dims[2]);
     for (std::uint32_t z = 0; z < info_.dims[2]; ++z) {
@@ -107,6 +111,13 @@ class LabelSmoother {
       all.push_back(smoothed(label, box));
       if (progress) progress(all.size(), boxes_.size());
     }
+    keep_all_volumes(all);
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [this](const SmoothedLabel& label) {
+                               return options_.chosen &&
+                                      options_.chosen->count(label.surface.label) == 0;
+                             }),
+              all.end());
     return all;
   }
 
@@ -116,7 +127,7 @@ class LabelSmoother {
       const Sample* row = samples_.data() + (std::size_t{z} * info_.dims[1] + y) * info_.dims[0];
       for (std::uint32_t x = 0, end = 0; x < info_.dims[0]; x = end) {
         for (end = x + 1; end < info_.dims[0] && row[end] == row[x];) ++end;
-        if (!options_.takes(row[x])) continue;
+        if (row[x] == 0) continue;
         boxes_[row[x]].add({x, y, z}, end);
         scatter_.add(end - x);
       }
@@ -141,7 +152,7 @@ class LabelSmoother {
     };
     const Vertex first = {half_steps(wide.first[0]), half_steps(wide.first[1]),
                           half_steps(wide.first[2])};
-    CrossingFinder crossings(smooth.info(), {0}, first);
+    CrossingFinder crossings(smooth.info(), {0}, first, true);
     JoinedSurface joined;
     MovingSink moving(make_sink(joined), first);
     SurfaceOptions options;
@@ -151,9 +162,30 @@ class LabelSmoother {
     return {{label, box.voxels, std::move(joined.surface())}, std::move(crossings)};
   }
 
+  // Also of labels that are not chosen: they have a part in the walls.
+  void keep_all_volumes(std::vector<SmoothedLabel>& all) const {
+    std::map<Sample, std::size_t> places;
+    for (const auto& each : boxes_) places.emplace(each.first, places.size());
+    VolumeKeeping keeping =
+        SmoothedVolume::keeping(info_, deviation_mm_, tolerance_, options_.border);
+    keeping.surface_of = [&](const Vertex& voxel) {
+      const auto at = [](std::int32_t half_steps) {
+        return static_cast<std::size_t>(half_steps / 2);
+      };
+      const Sample sample =
+          samples_[(at(voxel.z) * info_.dims[1] + at(voxel.y)) * info_.dims[0] + at(voxel.x)];
+      const auto found = places.find(sample);
+      return found == places.end() ? VolumeKeeping::none : found->second;
+    };
+    std::vector<SmoothSurface> surfaces;
+    for (SmoothedLabel& each : all)
+      surfaces.push_back({&each.surface.surface, &each.crossings.crossings()});
+    keep_volumes(surfaces, keeping);
+  }
+
   const SampleGrid& info_;
   const LabelOptions& options_;
-  double deviation_mm_;
+  double deviation_mm_, tolerance_;
   std::vector<Sample> samples_;
   std::map<Sample, Box> boxes_;
   ValueScatter scatter_;
@@ -162,11 +194,12 @@ class LabelSmoother {
 }  // namespace
 
 std::vector<SmoothedLabel> smoothed_labels(
-    SliceReader& volume, const LabelOptions& options, double deviation_mm,
+    SliceReader& volume, const LabelOptions& options, double deviation_mm, double tolerance,
     const std::function<void(std::size_t done, std::size_t all)>& progress) {
   std::vector<SmoothedLabel> labels;
   with_whole_type(volume.info().type, [&](auto type) {
-    labels = LabelSmoother<decltype(type)>(volume, options, deviation_mm).smoothed(progress);
+    labels =
+        LabelSmoother<decltype(type)>(volume, options, deviation_mm, tolerance).smoothed(progress);
   });
   return labels;
 }

@@ -17,14 +17,15 @@ struct SmoothedLabel {
   CrossingFinder crossings;  ///< of the surface
 };
 
-/// As extract_labels(), each label smoothed as SmoothedVolume does it. If two labels meet, and
-/// no third is near, their surfaces are the same. Along the lines where three meet, narrow gaps and
-/// overlaps are left. progress: called with how many labels are done, and with their number; that
-/// of the options is called before, after every slice that is read.
-/// Limit: takes no majority.
-/// Cost: memory of the volume, and of the box of a label; time of the boxes.
+/// As extract_labels(), each label smoothed as SmoothedVolume does it. Labels that meet share their
+/// surface, also where three meet, and keep_volumes() keeps the volume of each body. The mesh of a
+/// label does not depend on which others are chosen. progress: called with how many labels are
+/// done, and with their number; that of the options is called before, after every slice that is
+/// read. tolerance: as VolumeKeeping. Limit: takes no majority.
+/// Cost: memory of the volume, of the box of a label, and of the meshes of all labels; all labels
+/// are smoothed, chosen or not.
 std::vector<SmoothedLabel> smoothed_labels(
-    SliceReader& volume, const LabelOptions& options, double deviation_mm,
+    SliceReader& volume, const LabelOptions& options, double deviation_mm, double tolerance,
     const std::function<void(std::size_t done, std::size_t all)>& progress);
 
 }  // namespace discmc::meshing

@@ -25,6 +25,16 @@ SmoothedVolume::SmoothedVolume(SliceReader& volume, const Selection& selection, 
       once_(grid_of(info_), deviation_mm, [this](float* slice) { distance_.next(slice); }),
       twice_(grid_of(info_), deviation_mm, [this](float* slice) { once_.next(slice); }) {}
 
+VolumeKeeping SmoothedVolume::keeping(const SampleGrid& info, double deviation_mm, double tolerance,
+                                      Border border) {
+  VolumeKeeping keeping;
+  keeping.tolerance = tolerance;
+  keeping.least_mm = least_distance_mm(info);
+  keeping.farthest_mm = 2 * limit_mm(info, deviation_mm);
+  keeping.is_closed = border == Border::closed;
+  return keeping;
+}
+
 // One more, whose distance is the limit as that of all beyond.
 std::array<std::uint32_t, 3> SmoothedVolume::reach(const SampleGrid& info, double deviation_mm) {
   auto voxels = meshing::reach(grid_of(info), limit_mm(info, deviation_mm));
@@ -32,29 +42,37 @@ std::array<std::uint32_t, 3> SmoothedVolume::reach(const SampleGrid& info, doubl
   return voxels;
 }
 
+// Three deviations after the slice, the first blur still holds its distances.
 void SmoothedVolume::read_slice(void* samples) {
   auto* result = static_cast<float*>(samples);
   twice_.next(result);
   const float* once = twice_.sharp();
+  const float* distances = once_.sharp(slices_++);
+  const auto least = static_cast<float>(least_distance_mm(info_));
   for (std::size_t i = 0; i < std::size_t{info_.dims[0]} * info_.dims[1]; ++i) {
-    result[i] = 2 * once[i] - result[i];
-    smooth_voxels_ += result[i] >= 0 ? 1 : 0;
+    const float smooth = 2 * once[i] - result[i];
+    result[i] = distances[i] > 0 ? std::max(smooth, least) : std::min(smooth, -least);
   }
 }
 
 void SmoothedVolume::read_mask(float* mask) {
   const std::uint8_t* row = selected_.next_slice();
   for (std::uint32_t y = 0; y < info_.dims[1]; ++y, row += bit_row_bytes(info_.dims[0]))
-    for (std::uint32_t x = 0; x < info_.dims[0]; ++x) {
-      const unsigned is_on = unsigned{row[x / 8]} >> x % 8 & 1U;
-      *mask++ = static_cast<float>(is_on);
-      selected_voxels_ += is_on;
-    }
+    for (std::uint32_t x = 0; x < info_.dims[0]; ++x)
+      *mask++ = static_cast<float>(unsigned{row[x / 8]} >> x % 8 & 1U);
 }
 
 double steps_mm(const SampleGrid& info) {
   const auto distances = info.distances_mm();
-  return *std::max_element(distances.begin(), distances.end());
+  const auto [least, most] = std::minmax_element(distances.begin(), distances.end());
+  constexpr double equal = 1.01, of_equal = 1.5;
+  return *most <= equal * *least ? of_equal * *most : *most;
+}
+
+double least_distance_mm(const SampleGrid& info) {
+  constexpr double voxels = 0.05;
+  const auto distances = info.distances_mm();
+  return voxels * *std::min_element(distances.begin(), distances.end());
 }
 
 }  // namespace discmc::meshing

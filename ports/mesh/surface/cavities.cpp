@@ -4,14 +4,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
 namespace discmc::meshing {
 namespace {
 
-// From a point of each body a ray leaves along x. The body lies in a cavity if the ray leaves
-// cavities more often than it enters any.
+// From a point of a component a ray leaves along x. A body lies in a cavity if the ray leaves
+// cavities more often than it enters any, and a cavity in a body likewise.
 //
 // All coordinates are doubled, and a ray is a little beyond its integers: more along x than along
 // y, and more along y than along z. So it meets no vertex and no side.
@@ -30,11 +32,13 @@ struct Start {
   }
 };
 
-// Where a line meets a polygon of a cavity: 1 if a ray along x leaves the cavity there, else -1.
+// Where a line meets a polygon: 1 if a ray along x comes to the inside of the surface there, which
+// is out of a cavity, else -1.
 struct Meeting {
   std::size_t line;
   Doubled x;
-  int leaves;
+  int enters;
+  std::size_t component;
 
   bool operator<(const Meeting& other) const {
     return std::tie(line, other.x) < std::tie(other.line, x);
@@ -60,8 +64,8 @@ class Rays {
   }
 
   // Where lines meet a polygon. Cost: the sides, once per line of another z, and the meetings.
-  void meet(const Polygon& polygon) {
-    const Vertex n = incidence_normal(polygon.incidence);
+  void meet(const Polygon& polygon, std::size_t component) {
+    const Vertex n = normal(polygon.incidence);
     if (n.x == 0) return;
     crossings_.clear();
     for (const Ring& ring : polygon.rings)
@@ -72,24 +76,23 @@ class Rays {
     for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
       const std::size_t end = line_from(crossings_[i + 1]);
       for (std::size_t line = line_from(crossings_[i]); line < end; ++line)
-        meetings_.push_back({line, x_of(polygon.rings[0][0], n, lines_[line]), n.x < 0 ? 1 : -1});
+        meetings_.push_back(
+            {line, x_of(polygon.rings[0][0], n, lines_[line]), n.x < 0 ? 1 : -1, component});
     }
   }
 
-  // Calls call(component) for each ray that leaves cavities more often.
+  // Calls call(component of the ray, meeting) for all that a ray meets.
   template <class Call>
-  void for_each_inside(const Call& call) {
+  void for_each_meeting(const Call& call) {
     std::sort(meetings_.begin(), meetings_.end());
+    auto first = meetings_.cbegin();  // of the line
     std::size_t line = 0;
-    auto meeting = meetings_.cbegin();
-    int leaves = 0;
     for (const Start& start : starts_) {
-      if (lines_[line] != start.line) ++line, leaves = 0;
-      while (meeting != meetings_.cend() && meeting->line < line) ++meeting;
-      for (; meeting != meetings_.cend() && meeting->line == line && meeting->x > start.x;
-           ++meeting)
-        leaves += meeting->leaves;
-      if (leaves > 0) call(start.component);
+      while (lines_[line] != start.line) ++line;
+      while (first != meetings_.cend() && first->line < line) ++first;
+      for (auto meeting = first;
+           meeting != meetings_.cend() && meeting->line == line && meeting->x > start.x; ++meeting)
+        call(start.component, *meeting);
     }
   }
 
@@ -127,25 +130,56 @@ class Rays {
   std::vector<Meeting> meetings_;
 };
 
+bool is_cavity(const Component& component) {
+  return component.volume_mm3 < 0;
+}
+
+// From all cavities, or from all bodies, to the polygons of the others.
+Rays rays_between(const Surface& surface, const std::vector<Component>& components,
+                  bool from_cavities) {
+  std::vector<Start> starts;
+  for (std::size_t i = 0; i < components.size(); ++i)
+    if (is_cavity(components[i]) == from_cavities)
+      starts.push_back(start_of(surface, components[i], i));
+  Rays rays(std::move(starts));
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    if (is_cavity(components[i]) == from_cavities) continue;
+    for (const std::uint32_t polygon : components[i].polygons)
+      rays.meet(surface.polygons[polygon], i);
+  }
+  return rays;
+}
+
 }  // namespace
 
 void fill_cavities(const Surface& surface, std::vector<Component>& components) {
-  const auto is_cavity = [](const Component& component) { return component.volume_mm3 < 0; };
-  std::vector<Start> starts;
-  for (std::size_t i = 0; i < components.size(); ++i)
-    if (!is_cavity(components[i])) starts.push_back(start_of(surface, components[i], i));
-  Rays rays(std::move(starts));
-  std::vector<bool> is_filled(components.size());
-  for (std::size_t i = 0; i < components.size(); ++i) {
-    is_filled[i] = is_cavity(components[i]);
-    if (!is_filled[i]) continue;
-    for (const std::uint32_t polygon : components[i].polygons) rays.meet(surface.polygons[polygon]);
-  }
-  rays.for_each_inside([&](std::size_t component) { is_filled[component] = true; });
+  std::vector<int> left(components.size());  // cavities
+  rays_between(surface, components, false)
+      .for_each_meeting([&](std::size_t body, const Meeting& met) { left[body] += met.enters; });
   std::size_t number = 0;
   components.erase(std::remove_if(components.begin(), components.end(),
-                                  [&](const Component&) { return is_filled[number++]; }),
+                                  [&](const Component& component) {
+                                    return left[number++] > 0 || is_cavity(component);
+                                  }),
                    components.end());
+}
+
+std::vector<std::size_t> bodies_of(const Surface& surface,
+                                   const std::vector<Component>& components) {
+  std::map<std::pair<std::size_t, std::size_t>, int> left;  // of a cavity and a body
+  rays_between(surface, components, true)
+      .for_each_meeting([&](std::size_t cavity, const Meeting& met) {
+        left[{cavity, met.component}] -= met.enters;
+      });
+  std::vector<std::size_t> bodies(components.size());
+  std::iota(bodies.begin(), bodies.end(), std::size_t{0});
+  for (const auto& [pair, count] : left) {
+    if (count <= 0) continue;
+    std::size_t& body = bodies[pair.first];
+    if (body == pair.first || components[pair.second].volume_mm3 < components[body].volume_mm3)
+      body = pair.second;
+  }
+  return bodies;
 }
 
 }  // namespace discmc::meshing

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -123,29 +124,68 @@ std::vector<Component> components(const Surface& surface) {
   return found;
 }
 
+namespace {
+
+double size_of(const Component& component) {
+  return std::fabs(component.volume_mm3);
+}
+
+Surface surface_of(const Surface& all, const std::vector<Component>& components) {
+  std::vector<std::uint32_t> stay;
+  for (const Component& component : components)
+    stay.insert(stay.end(), component.polygons.begin(), component.polygons.end());
+  std::sort(stay.begin(), stay.end());
+  Surface surface;
+  surface.spacing_mm = all.spacing_mm;
+  for (const std::uint32_t polygon : stay) surface.polygons.push_back(all.polygons[polygon]);
+  return surface;
+}
+
+// Each body with its cavities, the largest body first.
+std::vector<std::vector<Component>> grouped(const Surface& surface,
+                                            std::vector<Component> components) {
+  const std::vector<std::size_t> body_of = bodies_of(surface, components);
+  std::vector<std::size_t> bodies;
+  for (std::size_t i = 0; i < body_of.size(); ++i)
+    if (body_of[i] == i) bodies.push_back(i);
+  std::stable_sort(bodies.begin(), bodies.end(), [&](std::size_t a, std::size_t b) {
+    return size_of(components[a]) > size_of(components[b]);
+  });
+  std::vector<std::size_t> place(components.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) place[bodies[i]] = i;
+  std::vector<std::vector<Component>> groups(bodies.size());
+  for (const std::size_t body : bodies) groups[place[body]].push_back(std::move(components[body]));
+  for (std::size_t i = 0; i < body_of.size(); ++i)
+    if (body_of[i] != i) groups[place[body_of[i]]].push_back(std::move(components[i]));
+  return groups;
+}
+
+}  // namespace
+
 ComponentCounts keep_components(Surface& surface, const ComponentChoice& choice) {
   std::vector<Component> kept = components(surface);
   const std::uint64_t found = kept.size();
   if (choice.fills) fill_cavities(surface, kept);
-  const auto size = [](const Component& component) { return std::fabs(component.volume_mm3); };
   kept.erase(std::remove_if(kept.begin(), kept.end(),
                             [&](const Component& component) {
-                              return size(component) < choice.min_volume_mm3;
+                              return size_of(component) < choice.min_volume_mm3;
                             }),
              kept.end());
-  if (choice.largest > 0 && kept.size() > choice.largest) {
-    std::stable_sort(kept.begin(), kept.end(),
-                     [&](const Component& a, const Component& b) { return size(a) > size(b); });
-    kept.resize(choice.largest);
+  if (choice.largest > 0) {
+    std::vector<std::vector<Component>> groups = grouped(surface, std::exchange(kept, {}));
+    groups.resize(std::min<std::uint64_t>(groups.size(), choice.largest));
+    for (std::vector<Component>& group : groups)
+      std::move(group.begin(), group.end(), std::back_inserter(kept));
   }
-  std::vector<std::uint32_t> stay;
-  for (const Component& component : kept)
-    stay.insert(stay.end(), component.polygons.begin(), component.polygons.end());
-  std::sort(stay.begin(), stay.end());
-  Polygons polygons;
-  for (const std::uint32_t polygon : stay) polygons.push_back(surface.polygons[polygon]);
-  surface.polygons = std::move(polygons);
+  surface.polygons = surface_of(surface, kept).polygons;
   return {found, kept.size()};
+}
+
+std::vector<Surface> bodies(const Surface& surface) {
+  std::vector<Surface> bodies;
+  for (const std::vector<Component>& group : grouped(surface, components(surface)))
+    bodies.push_back(surface_of(surface, group));
+  return bodies;
 }
 
 }  // namespace discmc::meshing

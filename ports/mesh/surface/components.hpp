@@ -21,7 +21,8 @@ std::vector<Component> components(const Surface& surface);
 
 /// Which components are kept.
 struct ComponentChoice {
-  std::uint64_t largest = 0;  ///< the number kept, by enclosed volume; 0: all
+  std::uint64_t largest = 0;  ///< the number of bodies kept, with their cavities, by the volume
+                              ///< that their outer surface encloses; 0: all
   double min_volume_mm3 = 0;  ///< those that enclose less go
   bool fills = false;         ///< cavities go first, with the bodies inside them
 
@@ -35,6 +36,9 @@ struct ComponentCounts {
 
 /// Takes away what is not chosen; what is kept stays in its order. Limit: a closed surface.
 ComponentCounts keep_components(Surface& surface, const ComponentChoice& choice);
+
+/// A surface for each body of a closed surface, with its cavities, the largest first.
+std::vector<Surface> bodies(const Surface& surface);
 
 }  // namespace discmc::meshing
 

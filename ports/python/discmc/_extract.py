@@ -75,11 +75,12 @@ def extract(
         the array to coordinates.
     border: 'closed', or 'open' if the surface ends at the outermost voxels.
     interpolate: moves vertices from halfway between voxels to where the samples cross the level, and
-        splits triangles that are farther than tolerance (in voxels) from the crossings.
+        splits triangles that are farther than tolerance (in voxels) from the crossings. Whole
+        numbers cross at level - 0.5.
     smoothing: of a mask, the standard deviation of a Gaussian, in the unit of the spacing. It
-        implies interpolate.
-    triangles, max_error: decimates to about this many triangles, or to this error in the unit of the
-        spacing, whichever comes first.
+        implies interpolate. Each body keeps the volume of its voxels.
+    triangles, max_error: decimates to this many triangles, or as far as both meshes stay within
+        this distance in the unit of the spacing, whichever comes first.
     normals: 'surface' for those of the polygons, 'gradient' for those of the samples.
     polygons: fills Mesh.polygons.
     threads: 0 for one per processor.

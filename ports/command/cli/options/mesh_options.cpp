@@ -92,8 +92,9 @@ void add_mesh_options(CLI::App& app, MeshingOptions& mesh) {
 
 void add_component_options(CLI::App& app, ComponentChoice& components) {
   app.option_defaults()->group(mesh_group);
-  app.add_option("--largest", components.largest,
-                 "keep the N bodies and cavities that enclose the most volume (default: all)")
+  app.add_option(
+         "--largest", components.largest,
+         "keep the N bodies that enclose the most volume, with their cavities (default: all)")
       ->check(whole_from(1))
       ->option_text("N");
   app.add_option("--min-volume", components.min_volume_mm3,
@@ -191,14 +192,15 @@ void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolera
 
 void add_decimation_options(CLI::App& app, Decimation& decimation) {
   app.option_defaults()->group(mesh_group);
-  app.add_option("--triangles", decimation.triangles,
-                 "decimate each mesh to about N triangles; closed meshes stay closed (default: all "
-                 "triangles)")
+  app.add_option(
+         "--triangles", decimation.triangles,
+         "decimate each mesh to N triangles; closed meshes stay closed, and bodies keep their "
+         "volumes (default: all triangles)")
       ->check(whole_from(4))
       ->option_text("N");
   app.add_option("--max-error", decimation.max_error_mm,
-                 "decimate each mesh until its estimated error is MM millimetres; the mean "
-                 "distance is up to about MM / 4, the largest distance up to about 3 MM")
+                 "decimate each mesh as far as its vertices and middles stay within MM millimetres "
+                 "of the original, and the vertices of the original within MM of it")
       ->check(accepted([](double length) { return length > 0; }, "millimetres above 0"))
       ->option_text("MM");
 }

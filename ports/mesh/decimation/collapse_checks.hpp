@@ -1,0 +1,20 @@
+// Whether the surface is as good after a collapse as before.
+#ifndef DISCMC_MESH_DECIMATION_COLLAPSE_CHECKS_HPP
+#define DISCMC_MESH_DECIMATION_COLLAPSE_CHECKS_HPP
+
+#include "collapsing_mesh.hpp"
+#include "meshes/box_tree.hpp"
+
+namespace discmc::meshing {
+
+/// Whether no triangle turns over, and none gets an angle below 5 degrees unless one had a smaller
+/// one.
+bool keeps_shape(const Collapse& collapse, const CollapsingMesh& mesh);
+
+/// Whether no triangle that moves goes through another, and no other body gets from one side of the
+/// surface to the other. tree: of the triangles of the mesh.
+bool keeps_apart(const Collapse& collapse, const CollapsingMesh& mesh, const BoxTree& tree);
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,111 @@
+#include "decimation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "decimation_step.hpp"
+#include "distance_bound.hpp"
+
+namespace discmc::meshing {
+namespace {
+
+constexpr double first_distance = 0.05;  // Units: the least spacing
+constexpr double least_part = 1e-6;      // of the extent of the mesh, if there is no spacing
+
+double least_spacing(const FaceMesh& mesh) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const double along : mesh.spacing_mm) least = std::min(least, std::fabs(along));
+  return least;
+}
+
+// Beyond it a distance bounds nothing.
+double extent(const std::vector<Point>& points) {
+  Point least = points[0], most = points[0];
+  for (const Point& point : points)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      least[axis] = std::min(least[axis], point[axis]);
+      most[axis] = std::max(most[axis], point[axis]);
+    }
+  return 2 * std::hypot(most[0] - least[0], most[1] - least[1], most[2] - least[2]);
+}
+
+std::vector<Triangle> triangles_of(const FaceMesh& mesh) {
+  std::vector<Triangle> triangles(mesh.face_count());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    std::copy_n(mesh.face(i), 3, triangles[i].begin());
+  return triangles;
+}
+
+// The step that gets below the number of triangles is done again, in one order, up to it.
+DecimatedSurface decimated(const FaceMesh& mesh, const Decimation& decimation,
+                           const std::function<void()>& check) {
+  const OriginalSurface original(mesh.vertices_mm, triangles_of(mesh));
+  DecimatedSurface surface{
+      mesh.vertices_mm, triangles_of(mesh), {mesh.vertices_mm.size(), mesh.face_count()}};
+  const double farthest = extent(mesh.vertices_mm);
+  const double last =
+      decimation.max_error_mm > 0 ? std::min(decimation.max_error_mm, farthest) : farthest;
+  double distance = std::max(first_distance * least_spacing(mesh), least_part * farthest);
+  while (surface.triangles.size() > decimation.triangles) {
+    distance = std::min(distance, last);
+    DecimationStep step(surface, original, distance, decimation.triangles, check);
+    step.collapse_in_blocks();
+    DecimatedSurface next = step.result();
+    if (next.triangles.size() <= decimation.triangles) {
+      DecimationStep again(surface, original, distance, decimation.triangles, check);
+      again.collapse_all();
+      return again.result();
+    }
+    surface = std::move(next);
+    if (distance >= last) break;
+    distance *= 2;
+  }
+  return surface;
+}
+
+// The centre of the cell of voxels around a point, within the lattice of the original mesh: there
+// the samples have a gradient.
+Vertex cell_centre(const Point& point, const Point& spacing, const std::array<Vertex, 2>& lattice) {
+  const auto centre = [&](std::size_t axis, std::int32_t least, std::int32_t most) {
+    const auto cell = static_cast<std::int32_t>(std::floor(point[axis] / spacing[axis]));
+    return std::max(least | 1, std::min(2 * cell + 1, (most - 1) | 1));
+  };
+  return {centre(0, lattice[0].x, lattice[1].x), centre(1, lattice[0].y, lattice[1].y),
+          centre(2, lattice[0].z, lattice[1].z)};
+}
+
+std::array<Vertex, 2> extent_of(const std::vector<Vertex>& lattice) {
+  std::array<Vertex, 2> ends = {lattice[0], lattice[0]};
+  for (const Vertex& each : lattice) {
+    ends[0] = {std::min(ends[0].x, each.x), std::min(ends[0].y, each.y),
+               std::min(ends[0].z, each.z)};
+    ends[1] = {std::max(ends[1].x, each.x), std::max(ends[1].y, each.y),
+               std::max(ends[1].z, each.z)};
+  }
+  return ends;
+}
+
+}  // namespace
+
+void decimate(FaceMesh& mesh, const Decimation& decimation, const std::function<void()>& check) {
+  if (mesh.face_count() == 0) return;
+  DecimatedSurface surface = decimated(mesh, decimation, check);
+  mesh.vertices_mm = std::move(surface.points);
+  mesh.corners.clear();
+  for (const Triangle& triangle : surface.triangles)
+    mesh.corners.insert(mesh.corners.end(), triangle.begin(), triangle.end());
+  mesh.face_begin.resize(surface.triangles.size() + 1);
+  mesh.incidences.clear();
+  mesh.polygons.clear();
+  if (mesh.lattice.empty()) return;
+  const std::array<Vertex, 2> ends = extent_of(mesh.lattice);
+  mesh.lattice.clear();
+  for (const Point& point : mesh.vertices_mm)
+    mesh.lattice.push_back(cell_centre(point, mesh.spacing_mm, ends));
+}
+
+}  // namespace discmc::meshing

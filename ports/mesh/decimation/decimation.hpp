@@ -1,0 +1,33 @@
+// Fewer triangles for a mesh of a surface.
+#ifndef DISCMC_MESH_DECIMATION_DECIMATION_HPP
+#define DISCMC_MESH_DECIMATION_DECIMATION_HPP
+
+#include <cstdint>
+#include <functional>
+
+#include "meshes/mesh.hpp"
+
+namespace discmc::meshing {
+
+/// How far a mesh is decimated. If both are given, whichever is reached first ends it.
+struct Decimation {
+  std::uint64_t triangles = 0;  ///< that are left, or one less; 0: as few as the distance allows
+  /// Between both meshes, measured both ways: from every vertex of the original mesh, and from the
+  /// vertices, the middles of edges and of triangles of the decimated one; 0: any.
+  double max_error_mm = 0;
+
+  bool is_wanted() const { return triangles > 0 || max_error_mm > 0; }
+};
+
+/// Collapses edges in the order of their costs while a bound of the distance doubles, from 1/20 of
+/// a voxel. More triangles than asked for are left if each further collapse would remove a body, a
+/// cavity or a handle, or let triangles go through each other or turn over. A closed mesh stays
+/// closed, each body keeps its volume, and triangles go through each other only where they did. The
+/// border of an open mesh loses vertices, but no vertex of a border moves. Vertices get new places.
+/// Limit: triangles. check: called now and then; what it throws ends the call. Time: n log n.
+void decimate(FaceMesh& mesh, const Decimation& decimation,
+              const std::function<void()>& check = {});
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,51 @@
+// Where the vertex goes that replaces an edge, and what that costs.
+#ifndef DISCMC_MESH_DECIMATION_EDGE_PLACING_HPP
+#define DISCMC_MESH_DECIMATION_EDGE_PLACING_HPP
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "collapsing_mesh.hpp"
+#include "surface/point.hpp"
+
+namespace discmc::meshing {
+
+/// The squared distances of a vertex from the planes of the triangles around both ends of an edge,
+/// weighted by area (M. Garland and P. Heckbert, 1997), are least where the vertex is placed, among
+/// all places that keep the enclosed volume (P. Lindstrom and G. Turk, 1998). The triangles are
+/// those of now; nothing is kept of earlier ones.
+class EdgePlacing {
+ public:
+  explicit EdgePlacing(const CollapsingMesh& mesh);
+
+  struct Place {
+    Point at;
+    double cost;
+  };
+  /// Nothing if the volume would only be kept far from the edge. An edge with one end on a border
+  /// goes to that end, an edge of a border to one of its ends: so a plane border stays plane.
+  std::optional<Place> place(std::uint32_t a, std::uint32_t b) const;
+
+  /// After the triangles around the vertex have changed.
+  void update(std::uint32_t vertex);
+
+ private:
+  using Symmetric = std::array<double, 6>;  // xx, xy, xz, yy, yz, zz
+
+  // Of the triangles around a vertex, which is a point of their planes.
+  struct Sums {
+    Symmetric quadric{};
+    Point doubled_area{};
+  };
+
+  void add_border(std::uint32_t vertex, Sums& sums) const;
+
+  const CollapsingMesh& mesh_;
+  std::vector<Sums> sums_;
+};
+
+}  // namespace discmc::meshing
+
+#endif

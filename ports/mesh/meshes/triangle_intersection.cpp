@@ -1,0 +1,73 @@
+#include "triangle_intersection.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace discmc::meshing {
+namespace {
+
+// Whether the line through two points on different sides of a triangle's plane meets the triangle.
+bool meets(const Point& begin, const Point& end, const Corners& triangle) {
+  int least = 0, most = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int side =
+        TriangleNormal({begin, end, triangle[i]}).side_of(begin, triangle[(i + 1) % 3]);
+    least = std::min(least, side);
+    most = std::max(most, side);
+    if (least < 0 && most > 0) return false;
+  }
+  return true;
+}
+
+// For each of the three vertices of a triangle, whether another triangle has it, too.
+using Shared = std::array<bool, 3>;
+
+// The side of a plane that each of the three is on.
+using Sides = std::array<int, 3>;
+
+// Whether all that are not shared are on one side. As Box::overlaps() without branches.
+bool are_apart(const Sides& sides, const Shared& shared) {
+  int not_above = 0, not_below = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    not_above += !shared[i] * (sides[i] <= 0);
+    not_below += !shared[i] * (sides[i] >= 0);
+  }
+  return not_above == 0 || not_below == 0;
+}
+
+Sides sides_of(const Corners& corners, const PlacedTriangle& plane) {
+  const Point& origin = plane.corners[0];
+  return {plane.normal.side_of(origin, corners[0]), plane.normal.side_of(origin, corners[1]),
+          plane.normal.side_of(origin, corners[2])};
+}
+
+// Whether an edge of a that has no vertex of b meets b.
+bool goes_through(const Corners& a, const Sides& sides, const Shared& shared, const Corners& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    if (shared[i] || shared[next] || sides[i] == sides[next]) continue;
+    if (meets(a[i], a[next], b)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool intersect(const PlacedTriangle& a, const PlacedTriangle& b) {
+  Shared of_a{}, of_b{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const bool is_same = a.numbers[i] == b.numbers[j];
+      of_a[i] |= is_same;
+      of_b[j] |= is_same;
+    }
+  const Sides sides_of_a = sides_of(a.corners, b);
+  if (are_apart(sides_of_a, of_a)) return false;
+  const Sides sides_of_b = sides_of(b.corners, a);
+  if (are_apart(sides_of_b, of_b)) return false;
+  return goes_through(a.corners, sides_of_a, of_a, b.corners) ||
+         goes_through(b.corners, sides_of_b, of_b, a.corners);
+}
+
+}  // namespace discmc::meshing

@@ -1,0 +1,54 @@
+// Whether two triangles of a mesh go through each other.
+#ifndef DISCMC_MESH_MESHES_TRIANGLE_INTERSECTION_HPP
+#define DISCMC_MESH_MESHES_TRIANGLE_INTERSECTION_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include "box_tree.hpp"
+#include "surface/point.hpp"
+
+namespace discmc::meshing {
+
+/// The normal of a triangle.
+class TriangleNormal {
+ public:
+  explicit TriangleNormal(const Corners& triangle)
+      : normal_(doubled_area(triangle)), squared_length_(dot(normal_, normal_)) {}
+
+  /// The side that a point is on of the plane through the origin: 1, -1, or 0 for in the plane, but
+  /// for what rounding leaves unsure.
+  int side_of(const Point& origin, const Point& point) const {
+    const Point away = difference(point, origin);
+    const double height = dot(normal_, away);
+    constexpr double unsure = 1e-20;
+    const int is_sure = height * height > unsure * squared_length_ * dot(away, away);
+    return is_sure * ((height > 0) - (height < 0));
+  }
+
+ private:
+  Point normal_;
+  double squared_length_;
+};
+
+/// A triangle of a mesh: the numbers of its vertices, and where they are.
+struct PlacedTriangle {
+  const std::uint32_t* numbers;
+  Corners corners;
+  TriangleNormal normal;
+};
+
+/// How many vertices two triangles share.
+inline unsigned count_shared(const std::uint32_t* a, const std::uint32_t* b) {
+  unsigned count = 0;
+  for (std::size_t i = 0; i < 3; ++i) count += a[i] == b[0] || a[i] == b[1] || a[i] == b[2];
+  return count;
+}
+
+/// Whether two triangles have more points in common than a vertex that they share. False if they
+/// lie in one plane. Limit: no shared edge.
+bool intersect(const PlacedTriangle& a, const PlacedTriangle& b);
+
+}  // namespace discmc::meshing
+
+#endif

@@ -1,0 +1,243 @@
+#include "kept_volumes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "meshes/mesh.hpp"
+#include "meshes/outline.hpp"
+#include "surface/components.hpp"
+#include "surface/polygon_crossings.hpp"
+
+namespace discmc::meshing {
+namespace {
+
+using Place = Crossings::Place;
+using Ends = Crossings::Ends;
+
+constexpr std::uint32_t no_piece = ~0U;
+constexpr double accuracy = 5e-4;  // of a volume
+constexpr unsigned max_rounds = 25;
+
+// A body or a cavity: a component of a surface.
+struct Piece {
+  struct Edge {
+    Place place;
+    std::uint32_t rival;  // the piece on its other side, or no_piece
+  };
+
+  std::size_t surface;
+  double volume_mm3;    // to be kept; negative of a cavity
+  double shift_mm = 0;  // outwards
+  std::vector<Edge> edges{};
+  std::vector<std::uint32_t> vertices{};  // of the mesh of the surface
+  std::vector<std::uint32_t> faces{};
+};
+
+// Where an edge ends that is off.
+Vertex off_voxel(const Vertex& middle, Place place, bool falls) {
+  std::array<std::int32_t, 3> at = {middle.x, middle.y, middle.z};
+  at[place.axis] += falls ? 1 : -1;
+  return {at[0], at[1], at[2]};
+}
+
+class VolumeKeeper {
+ public:
+  VolumeKeeper(const std::vector<SmoothSurface>& surfaces, const VolumeKeeping& keeping)
+      : surfaces_(surfaces), keeping_(keeping), of_surface_(surfaces.size()) {
+    for (std::size_t i = 0; i < surfaces.size(); ++i) find_pieces(i);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) find_edges(i);
+    for (const Piece& piece : pieces_) move_crossings(piece);
+  }
+
+  // A mesh that leaves out crossings leaves out others when they have moved.
+  void keep() {
+    constexpr unsigned max_meshes = 3;
+    for (unsigned meshes = 0; meshes < max_meshes; ++meshes) {
+      for (std::size_t i = 0; i < surfaces_.size(); ++i) add_mesh(i);
+      const bool is_kept = balance();
+      for (const Piece& piece : pieces_) move_crossings(piece);
+      if (is_kept) return;
+    }
+  }
+
+ private:
+  // Of a surface.
+  struct Parts {
+    std::vector<std::uint32_t> of_polygon;                  // pieces
+    std::array<std::vector<std::uint32_t>, 3> of_crossing;  // pieces, by axis
+    FaceMesh mesh;
+  };
+
+  template <class Call>
+  void for_each_place(std::size_t number, std::uint32_t polygon, Call call) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for_each_crossing(surfaces_[number].surface->polygons[polygon], axis,
+                        [&](const Vertex& middle) {
+                          if (const auto place = surfaces_[number].crossings->find(middle))
+                            call(*place, middle);
+                        });
+  }
+
+  void find_pieces(std::size_t number) {
+    const Surface& surface = *surfaces_[number].surface;
+    Parts& parts = of_surface_[number];
+    parts.of_polygon.resize(surface.polygons.size());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      parts.of_crossing[axis].resize(surfaces_[number].crossings->count(axis));
+    const Point& spacing = surface.spacing_mm;
+    for (const Component& component : components(surface)) {
+      const auto name = static_cast<std::uint32_t>(pieces_.size());
+      std::int64_t voxels = 0;
+      for (const std::uint32_t polygon : component.polygons) {
+        voxels += enclosed_voxels(surface.polygons[polygon]);
+        parts.of_polygon[polygon] = name;
+        for_each_place(number, polygon, [&](Place place, const Vertex&) {
+          parts.of_crossing[place.axis][place.number] = name;
+        });
+      }
+      pieces_.push_back(
+          {number, static_cast<double>(voxels) * std::fabs(spacing[0] * spacing[1] * spacing[2])});
+    }
+  }
+
+  // Of two surfaces the first one that has an edge sets the ends of both.
+  void find_edges(std::size_t number) {
+    Crossings& crossings = *surfaces_[number].crossings;
+    const Parts& parts = of_surface_[number];
+    for (std::uint32_t polygon = 0; polygon < parts.of_polygon.size(); ++polygon)
+      for_each_place(number, polygon, [&](Place place, const Vertex& middle) {
+        std::uint32_t rival = no_piece;
+        const std::size_t other = surface_beyond(number, middle, place);
+        if (other != VolumeKeeping::none) {
+          const auto there = surfaces_[other].crossings->find(middle);
+          rival = of_surface_[other].of_crossing[there->axis][there->number];
+          if (number < other)
+            share(crossings.ends(place), surfaces_[other].crossings->ends(*there));
+        }
+        pieces_[parts.of_polygon[polygon]].edges.push_back({place, rival});
+      });
+  }
+
+  std::size_t surface_beyond(std::size_t number, const Vertex& middle, Place place) const {
+    if (!keeping_.surface_of) return VolumeKeeping::none;
+    return keeping_.surface_of(off_voxel(middle, place, surfaces_[number].crossings->falls(place)));
+  }
+
+  static void share(Ends& one, Ends& other) {
+    one = {one.begin - other.begin, one.end - other.end};
+    other = {-one.begin, -one.end};
+  }
+
+  void move_crossings(const Piece& piece) {
+    Crossings& crossings = *surfaces_[piece.surface].crossings;
+    const auto least = static_cast<float>(keeping_.least_mm);
+    for (const Piece::Edge& edge : piece.edges) {
+      const double rival = edge.rival == no_piece ? 0 : pieces_[edge.rival].shift_mm;
+      const auto shift = static_cast<float>(piece.shift_mm - rival);
+      const Ends ends = crossings.ends(edge.place);
+      if (crossings.falls(edge.place))
+        crossings.move(edge.place,
+                       {std::max(ends.begin + shift, least), std::min(ends.end + shift, -least)});
+      else
+        crossings.move(edge.place,
+                       {std::min(ends.begin + shift, -least), std::max(ends.end + shift, least)});
+    }
+  }
+
+  void add_mesh(std::size_t number) {
+    Parts& parts = of_surface_[number];
+    parts.mesh =
+        build_mesh(*surfaces_[number].surface,
+                   {true, Faces::triangles, surfaces_[number].crossings, keeping_.tolerance});
+    for (Piece& piece : pieces_) {
+      if (piece.surface != number) continue;
+      piece.faces.clear();
+      piece.vertices.clear();
+    }
+    std::vector<bool> is_seen(parts.mesh.vertices_mm.size());
+    for (std::uint32_t face = 0; face < parts.mesh.face_count(); ++face) {
+      Piece& piece = pieces_[parts.of_polygon[parts.mesh.polygons[face]]];
+      piece.faces.push_back(face);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t vertex = parts.mesh.face(face)[i];
+        if (!is_seen[vertex]) piece.vertices.push_back(vertex);
+        is_seen[vertex] = true;
+      }
+    }
+  }
+
+  // With the shift of now, how much the piece encloses.
+  double enclosed_mm3(const Piece& piece) {
+    move_crossings(piece);
+    FaceMesh& mesh = of_surface_[piece.surface].mesh;
+    const Crossings& crossings = *surfaces_[piece.surface].crossings;
+    for (const std::uint32_t vertex : piece.vertices)
+      mesh.vertices_mm[vertex] =
+          in_mm(crossings.interpolated(mesh.lattice[vertex]), mesh.spacing_mm);
+    const Point& apex = mesh.vertices_mm[piece.vertices[0]];  // near, so that little is rounded
+    double six = 0;
+    for (const std::uint32_t face : piece.faces) {
+      const std::uint32_t* const corners = mesh.face(face);
+      const auto at = [&](std::size_t i) { return difference(mesh.vertices_mm[corners[i]], apex); };
+      six += dot(at(0), cross(at(1), at(2)));
+    }
+    return six / 6;
+  }
+
+  // Whether all volumes were kept before. What one piece gains its rival loses, so each goes half
+  // of its way at a time. If there is not enough for all, all lack the same.
+  bool balance() {
+    const bool is_one = surfaces_.size() == 1;
+    for (unsigned round = 0; round < max_rounds; ++round) {
+      std::vector<double> wanted;
+      for (Piece& piece : pieces_) wanted.push_back(shift_to_keep(piece));
+      bool is_kept = true;
+      for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        double& shift = pieces_[i].shift_mm;
+        is_kept &= shift == wanted[i];
+        shift = is_one ? wanted[i] : (shift + wanted[i]) / 2;
+      }
+      if (is_kept) return round == 0;
+      if (is_one) return false;
+    }
+    return false;
+  }
+
+  // By secants, halving where they lead too far. Returns the shift of now if it is good enough.
+  double shift_to_keep(Piece& piece) {
+    if (keeping_.check) keeping_.check();
+    const double start = piece.shift_mm;
+    if (piece.faces.empty()) return start;
+    const double closest = keeping_.least_mm / 1000;
+    const double enough = accuracy * std::fabs(piece.volume_mm3);
+    double low = -keeping_.farthest_mm, high = keeping_.farthest_mm, slope = 0;
+    double excess = enclosed_mm3(piece) - piece.volume_mm3;
+    while (std::fabs(excess) > enough && high - low > closest) {
+      (excess < 0 ? low : high) = piece.shift_mm;
+      double next = slope > 0 ? piece.shift_mm - excess / slope : (low + high) / 2;
+      if (!(next > low && next < high)) next = (low + high) / 2;
+      const double before = excess, moved = next - piece.shift_mm;
+      piece.shift_mm = next;
+      excess = enclosed_mm3(piece) - piece.volume_mm3;
+      slope = (excess - before) / moved;
+    }
+    return std::exchange(piece.shift_mm, start);
+  }
+
+  const std::vector<SmoothSurface>& surfaces_;
+  const VolumeKeeping& keeping_;
+  std::vector<Piece> pieces_;
+  std::vector<Parts> of_surface_;
+};
+
+}  // namespace
+
+void keep_volumes(const std::vector<SmoothSurface>& surfaces, const VolumeKeeping& keeping) {
+  VolumeKeeper keeper(surfaces, keeping);
+  if (keeping.is_closed) keeper.keep();
+}
+
+}  // namespace discmc::meshing

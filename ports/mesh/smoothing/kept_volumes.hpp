@@ -1,0 +1,40 @@
+// Smoothed surfaces that enclose the volumes of their voxels.
+#ifndef DISCMC_MESH_SMOOTHING_KEPT_VOLUMES_HPP
+#define DISCMC_MESH_SMOOTHING_KEPT_VOLUMES_HPP
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "extraction/crossings.hpp"
+#include "surface/surface.hpp"
+
+namespace discmc::meshing {
+
+/// A surface of SmoothedVolume. Its crossings keep their ends.
+struct SmoothSurface {
+  const Surface* surface;  ///< with its spacing
+  Crossings* crossings;
+};
+
+struct VolumeKeeping {
+  /// The surface inside which a voxel lies, given as Crossings are: half-steps; none beyond all.
+  std::function<std::size_t(const Vertex& voxel)> surface_of{};
+  double tolerance = 0;    ///< as MeshingOptions, of the meshes that enclose the volumes
+  double least_mm = 0;     ///< how near to a voxel the surface comes
+  double farthest_mm = 0;  ///< that a surface is moved
+  bool is_closed = true;   ///< otherwise nothing is moved to keep a volume
+  std::function<void()> check{};
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+};
+
+/// Moves the crossings of surfaces. If two surfaces meet, both get the crossing where their
+/// distances are equal. Then each body and each cavity is grown or shrunk evenly until it encloses
+/// the volume of its voxels. Cost: a mesh of each surface, all at once, and several passes over
+/// them.
+void keep_volumes(const std::vector<SmoothSurface>& surfaces, const VolumeKeeping& keeping);
+
+}  // namespace discmc::meshing
+
+#endif
