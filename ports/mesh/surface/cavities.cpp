@@ -65,7 +65,7 @@ class Rays {
 
   // Where lines meet a polygon. Cost: the sides, once per line of another z, and the meetings.
   void meet(const Polygon& polygon, std::size_t component) {
-    const Vertex n = normal(polygon.incidence);
+    const Vertex n = incidence_normal(polygon.incidence);
     if (n.x == 0) return;
     crossings_.clear();
     for (const Ring& ring : polygon.rings)

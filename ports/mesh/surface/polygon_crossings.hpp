@@ -28,7 +28,7 @@ void for_each_crossing(const Polygon& polygon, std::size_t axis, Call call) {
   const auto turned_back = [axis](const Turned& at) {
     return Vertex{at[(3 - axis) % 3], at[(4 - axis) % 3], at[(5 - axis) % 3]};
   };
-  const Turned n = turned(normal(polygon.incidence));
+  const Turned n = turned(incidence_normal(polygon.incidence));
   if (n[0] == 0) return;
 
   struct Meeting {  // of a line along the second axis with a side
@@ -64,7 +64,7 @@ void for_each_crossing(const Polygon& polygon, std::size_t axis, Call call) {
 /// what one polygon contributes.
 inline std::int64_t enclosed_voxels(const Polygon& polygon) {
   std::int64_t voxels = 0;
-  const bool is_end = normal(polygon.incidence).x > 0;
+  const bool is_end = incidence_normal(polygon.incidence).x > 0;
   for_each_crossing(polygon, 0, [&](const Vertex& middle) {
     const std::int64_t before = (std::int64_t{middle.x} + 1) / 2;
     voxels += is_end ? before : -before;
