@@ -156,4 +156,111 @@ TEST_CASE("a folder of one volume is that volume, and others are listed") {
   check_refusal(refusal(folder.path()), "the folder holds Bruker ParaVision, '2dseq'; convert it");
 }
 
+TEST_CASE("labels that no voxel has are noted, and those that shrinking loses") {
+  const Workshop workshop;
+  std::string samples(4 * 4 * 4, '\1');
+  samples[21] = 2;
+  workshop.write("v.raw", samples);
+  const std::string extract = "extract v.raw --dims 4,4,4 --type u8 ";
+  const auto absent = workshop.run(extract + "--label 1,7 -o v.stl");
+  CHECK(absent.code == 0);
+  CHECK(contains(absent.error, "no voxel has label 7\n"));
+  CHECK_FALSE(contains(workshop.run(extract + "--label 1,2 -o v.stl").error, "no voxel"));
+  CHECK(contains(workshop.run(extract + "--labels all --shrink 2 -o v.glb").error,
+                 "--shrink loses 2, the most frequent of no block"));
+}
+
+TEST_CASE("regions of nnU-Net are the unions of their labels") {
+  const Workshop workshop;
+  workshop.write("v.raw", std::string({1, 0, 2, 0, 3, 0, 0, 4}));
+  workshop.write("t.json",
+                 R"({"labels": {"background": 0, "all": [1, 2, 3], "core": [2, 3], "x": 3}})");
+  const auto result = workshop.run(
+      "extract v.raw --dims 8,1,1 --type u8 --labels all --label-table t.json -o '{name}.stl'");
+  CHECK(result.code == 0);
+  CHECK(contains(result.out, "  all.stl\n"));
+  CHECK(contains(result.out, "  core.stl\n"));
+  CHECK(contains(result.out, "  x.stl\n"));
+  CHECK(contains(result.out, "  4.stl\n"));
+  CHECK_FALSE(contains(result.out, "  1.stl\n"));
+  workshop.done("extract v.raw --dims 8,1,1 --type u8 --label 1,2,3 -q -o u.stl");
+  CHECK(workshop.read("all.stl") == workshop.read("u.stl"));
+}
+
+TEST_CASE("volumes of a file are no labels, and the refusal tells how they are extracted") {
+  const Workshop workshop;
+  workshop.write("v.nii", Nifti().dims({4, 2, 2, 2, 3}).file(std::string(24, '\1')));
+  check_failure(workshop.run("extract v.nii --labels all -o v.glb"), 1,
+                {"choose one with --frame N", "with --frame 0 to 2, each with --label 1"});
+}
+
+TEST_CASE("frames that are tracked in different poses are no slices") {
+  const Folder folder;
+  const auto sequence = [](const std::string& second) {
+    return metaimage(metaimage_u8 + "Seq_Frame0000_ProbeToTrackerTransform = 1 0 0 0\n" +
+                     "Seq_Frame0000_ProbeToTrackerTransformStatus = OK\n" +
+                     "Seq_Frame0001_ProbeToTrackerTransform = " + second +
+                     "\nElementDataFile = LOCAL\n") +
+           stored(SampleType::u8);
+  };
+  check_refusal(refusal(folder.write("a.mha", sequence("0.9 0.1 0 0"))), "VolumeReconstructor");
+  CHECK(open_volume(folder.write("b.mha", sequence("1 0 0 0")))->info().dims[2] == 4);
+}
+
+TEST_CASE("NRRD of four dimensions of space is volumes in time, as ITK writes it") {
+  const Folder folder;
+  const auto file = folder.write(
+      "v.nrrd", nrrd(nrrd_u8 + "space dimension: 4\nkinds: domain domain domain domain\n"
+                               "space directions: (2,0,0,0) (0,3,0,0) (0,0,4,0) (0,0,0,1)\n"
+                               "space origin: (5,6,7,0)\n",
+                     "2 2 2 2") +
+                    "\n" + std::string("abcdefghABCDEFGH"));
+  VolumeOptions options;
+  options.frame = 1;
+  const auto reader = open_volume(file, options);
+  CHECK(reader->info().spacing_mm == Spacing{2, 3, 4});
+  REQUIRE(reader->info().placement);
+  CHECK(reader->info().placement->origin_mm == Spacing{5, 6, 7});
+  CHECK(read_all(*reader)[0] == 'A');
+}
+
+TEST_CASE("the origin of SPM places Analyze, with x from right to left") {
+  const Folder folder;
+  Nifti header;
+  header.pair().real(80, 2).real(84, 3).real(88, 4);
+  header.integer(253, 2, 2).integer(255, 2, 3).integer(257, 2, 1);
+  std::string bytes = header.header();
+  bytes.replace(344, 4, 4, '\0');
+  folder.write("v.hdr", bytes);
+  const auto reader = open_volume(folder.write("v.img", stored(SampleType::u8)));
+  REQUIRE(reader->info().placement);
+  CHECK(reader->info().placement->space == discmc::Space::ras);
+  CHECK(reader->info().placement->origin_mm == Spacing{2, -6, 0});
+  CHECK(reader->info().placement->axes_mm[0] == Spacing{-2, 0, 0});
+  CHECK(noted(reader->info(), "the origin is SPM's"));
+}
+
+TEST_CASE("one distance is that of all axes") {
+  const Workshop workshop;
+  workshop.write("v.raw", std::string(8, '\1'));
+  CHECK(contains(workshop.done("info v.raw --dims 2,2,2 --type u8 --spacing 0.0025"),
+                 "spacing 0.0025 0.0025 0.0025\n"));
+  check_failure(workshop.run("info v.raw --dims 2,2,2 --type u8 --spacing 1,2"), 2,
+                {"2 distances are given; give one for all axes, or X,Y,Z"});
+}
+
+TEST_CASE("a path into a zip names one file of it, and leads nowhere else") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  if (workshop
+          .shell("mkdir s && cp v.nrrd s/a.nrrd && cp v.nrrd s/b.nrrd && "
+                 "python3 -m zipfile -c s.mrb s")
+          .code != 0)
+    return;
+  CHECK(contains(workshop.done("info s.mrb/s/b.nrrd"), "dimensions 5 3 4\n"));
+  check_failure(workshop.run("extract s.mrb --iso 1 -o v.stl"), 1,
+                {"several volumes: 2", "s.mrb/s/a.nrrd"});
+  check_failure(workshop.run("extract s.mrb/s/../../v.nrrd --iso 1 -o v.stl"), 1, {"leads out"});
+}
+
 }  // namespace

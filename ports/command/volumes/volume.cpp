@@ -286,9 +286,14 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
   return open_inner(folder, options);
 }
 
-void fail_frames(const std::filesystem::path& file, const VolumeInfo& info) {
+void fail_frames(const std::filesystem::path& file, const VolumeInfo& info,
+                 const VolumeOptions& options) {
   const std::string frames = std::to_string(info.frames);
   const std::string remedy = "choose one with --frame N, the first is 0";
+  if (info.labels.empty() && options.holds_labels)
+    fail(file, "the file holds " + frames + " volumes, and one is read at a time",
+         remedy + "; if each is the mask of a label, extract them with --frame 0 to " +
+             std::to_string(info.frames - 1) + ", each with --label 1");
   if (info.labels.empty())
     fail(file, "the file holds " + frames + " volumes, and one is read at a time", remedy);
   fail(file, "the file holds labels in " + frames + " volumes, and one is read at a time",
@@ -302,7 +307,7 @@ bool is_volume_name(const std::filesystem::path& file) {
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options) {
   auto volume = open_by_kind(file, options);
-  if (volume->info().frames > 1 && !options.frame) fail_frames(file, volume->info());
+  if (volume->info().frames > 1 && !options.frame) fail_frames(file, volume->info(), options);
   if (options.frame.value_or(0) >= volume->info().frames)
     fail(
         file,

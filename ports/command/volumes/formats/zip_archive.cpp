@@ -14,6 +14,7 @@
 #include "text/control_character.hpp"
 #include "volumes/archive_source.hpp"
 #include "volumes/formats/dicom/files.hpp"
+#include "volumes/formats/mask_files.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
 #include "volumes/formats/zarr/folder.hpp"
 #include "volumes/header_text.hpp"
@@ -91,7 +92,9 @@ std::unique_ptr<VolumeReader> open_inside(const std::filesystem::path& zip,
   const auto zarr = folder_of_zarr(folder);
   if (zarr) return open_zarr(*zarr, options);
   const auto dicom = dicom_files(folder);
-  return open_folder(dicom.empty() ? picture_folder(folder) : folder, dicom, options,
+  const auto pictures = picture_folder(folder);
+  const bool are_there = !picture_files(pictures).empty() || !mask_files(pictures).empty();
+  return open_folder(dicom.empty() && are_there ? pictures : folder, dicom, options,
                      "give a pattern, such as '" + (zip / "*.png").string() + "'");
 }
 

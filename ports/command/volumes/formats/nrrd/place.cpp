@@ -26,18 +26,19 @@ std::array<std::string, 3> units_of(std::string_view text) {
   return units;
 }
 
-// Parses "(x,y,z)", at most three numbers.
+// Parses "(x,y,z)"; of four numbers, as ITK writes volumes of several times, the last is of time.
 std::vector<double> vector_of(const std::filesystem::path& file, std::string_view name,
                               std::string_view text) {
   std::vector<double> numbers;
   const bool bracketed = text.size() >= 2 && text.front() == '(' && text.back() == ')';
-  while (bracketed && numbers.size() <= 3) {
+  while (bracketed && numbers.size() <= 4) {
     text.remove_prefix(1);
     const std::size_t end = text.find_first_of(",)");
     numbers.push_back(real(file, name, trimmed(text.substr(0, end))));
     text.remove_prefix(end);
     if (text.size() == 1) break;
   }
+  if (numbers.size() == 4) numbers.pop_back();
   if (numbers.empty() || numbers.size() > 3)
     fail(file,
          std::string(name) + " holds " + shown(text) + ", which is not a vector of up to three",
