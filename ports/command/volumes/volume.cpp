@@ -145,8 +145,10 @@ void require_named_content(const std::filesystem::path& file) {
 }
 
 void require_no_address(const std::filesystem::path& file) {
-  const std::size_t scheme = file.native().find("://");
-  if (scheme != std::string::npos && scheme > 1 && scheme < 8 && !is_pattern(file))
+  const std::string& text = file.native();
+  const std::size_t scheme = text.find("://");
+  const std::size_t letters = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789");
+  if (scheme != std::string::npos && scheme > 1 && scheme == letters)
     fail(file, "this is an address, and volumes are read from files",
          "download it first, e.g. with: curl -O ADDRESS");
 }
