@@ -27,8 +27,10 @@ std::array<std::string, 3> units_of(std::string_view text) {
 }
 
 // Parses "(x,y,z)"; of four numbers, as ITK writes volumes of several times, the last is of time.
-std::vector<double> vector_of(const std::filesystem::path& file, std::string_view name,
+std::vector<double> vector_of(const HeaderFields& fields, std::string_view name,
                               std::string_view text) {
+  const std::filesystem::path& file = fields.file();
+  const bool has_time = trimmed(fields.text("space dimension")) == "4";
   std::vector<double> numbers;
   const bool bracketed = text.size() >= 2 && text.front() == '(' && text.back() == ')';
   while (bracketed && numbers.size() <= 4) {
@@ -38,7 +40,7 @@ std::vector<double> vector_of(const std::filesystem::path& file, std::string_vie
     text.remove_prefix(end);
     if (text.size() == 1) break;
   }
-  if (numbers.size() == 4) numbers.pop_back();
+  if (has_time && numbers.size() == 4) numbers.pop_back();
   if (numbers.empty() || numbers.size() > 3)
     fail(file,
          std::string(name) + " holds " + shown(text) + ", which is not a vector of up to three",
@@ -66,7 +68,7 @@ Axes directions_of(const HeaderFields& fields) {
     const std::string_view word = text.substr(0, end == std::string_view::npos ? end : end + 1);
     text.remove_prefix(word.size());
     if (lower(trimmed(word)) == "none") fail_axis(fields, axis, "has no direction in space");
-    const auto numbers = vector_of(fields.file(), "space directions", trimmed(word));
+    const auto numbers = vector_of(fields, "space directions", trimmed(word));
     directions[axis] = {0, 0, 0};
     std::copy(numbers.begin(), numbers.end(), directions[axis].begin());
   }
@@ -154,7 +156,7 @@ DeclaredPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields) {
   else
     place.steps = directions_of(fields);
   if (const std::string_view origin = fields.text("space origin"); !origin.empty()) {
-    const auto numbers = vector_of(fields.file(), "space origin", origin);
+    const auto numbers = vector_of(fields, "space origin", origin);
     std::copy(numbers.begin(), numbers.end(), place.origin.begin());
   }
   if ((fields.has("axis mins") || fields.has("axis maxs")) &&
