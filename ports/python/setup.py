@@ -8,6 +8,7 @@ from pathlib import Path
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.sdist import sdist
 
 here = Path(__file__).resolve().parent
 
@@ -34,4 +35,10 @@ class CMakeBuild(build_ext):
             check=True)
 
 
-setup(ext_modules=[Extension("discmc._discmc", sources=[])], cmdclass={"build_ext": CMakeBuild})
+class NoSourceArchive(sdist):
+    def run(self) -> None:
+        raise SystemExit("the C++ sources are outside of this folder, so an sdist could not be built; "
+                         "build a wheel in a clone of the repository: pip wheel .")
+
+
+setup(ext_modules=[Extension("discmc._discmc", sources=[])], cmdclass={"build_ext": CMakeBuild, "sdist": NoSourceArchive})

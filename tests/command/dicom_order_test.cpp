@@ -191,7 +191,7 @@ TEST_CASE("slices that lie on no line are refused") {
     if (z == 2) place[0] += 0.4;
     put_at(data, place);
   });
-  check_refusal(refusal(slices.path()), "IM4 is shifted sideways by 0.4 mm against the line");
+  check_refusal(refusal(slices.path()), "is shifted sideways by 0.4 mm against IM");
 }
 
 TEST_CASE("slices that are a little aside are straight") {

@@ -261,4 +261,21 @@ TEST_CASE("segmentations beside an image are volumes of their own") {
   CHECK(open_volume(folder.path(), options)->info().format == "DICOM segmentation");
 }
 
+TEST_CASE("names in the character sets of Asia are UTF-8") {
+  const Folder folder;
+  const struct {
+    const char *set, *name, *utf8;
+  } cases[] = {{"\\ISO 2022 IR 87", "\x1b$B4NB!\x1b(B", "\xe8\x82\x9d\xe8\x87\x93"},
+               {"\\ISO 2022 IR 149", "\x1b$)C\xb0\xa3", "\xea\xb0\x84"},
+               {"\\ISO 2022 IR 58", "\x1b$)A\xb8\xce", "\xe8\x82\x9d"}};
+  for (const auto& each : cases) {
+    INFO(each.set);
+    Dataset data = segmentation("BINARY", {segment(1, each.name)}, {{1, 0, box(1, 3, 1, 3)}});
+    const auto reader =
+        open_volume(folder.write("a.dcm", data.text(0x00080005, "CS", each.set).file()));
+    REQUIRE(reader->info().labels.size() == 1);
+    CHECK(reader->info().labels[0].name == each.utf8);
+  }
+}
+
 }  // namespace

@@ -412,7 +412,7 @@ TEST_CASE("files that hold no image are skipped and counted") {
   CHECK(noted(reader->info(), "3 files without a volume's image are skipped"));
   CHECK(read_all(*reader) == values());
   check_refusal(refusal(files / "report.dcm"), "this is a DICOM file without an image");
-  check_refusal(refusal(files / "colour.dcm"), "this is a colour image");
+  check_refusal(refusal(files / "colour.dcm"), "the file holds 3 channels");
   check_refusal(refusal(series.path() / "reports"), "none of 2 DICOM files holds an image");
   const Folder empty;
   check_refusal(refusal(empty.path()), "holds no DICOM files and no pictures");

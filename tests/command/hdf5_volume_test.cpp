@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -443,6 +444,114 @@ TEST_CASE("a file that is cut off is refused, wherever it is cut") {
     const fs::path file = folder.write("cut.h5", bytes.substr(0, size));
     refusal(file);
   }
+}
+
+void write_numbers(const Hdf5Handle& object, const char* name, const std::vector<double>& numbers) {
+  const hsize_t count = numbers.size();
+  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Hdf5Handle attribute(
+      H5Acreate2(object.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
+  REQUIRE(H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, numbers.data()) >= 0);
+}
+
+// Coordinates of each axis, as NetCDF has them.
+struct Scale {
+  const char* name;
+  std::vector<double> coordinates;
+};
+
+void write_scales(const Hdf5Handle& file, const Hdf5Handle& dataset,
+                  const std::vector<Scale>& scales) {
+  std::vector<hobj_ref_t> references(scales.size());
+  std::vector<hvl_t> list;
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    const hsize_t count = scales[i].coordinates.size();
+    const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+    const Hdf5Handle scale(H5Dcreate2(file.id(), scales[i].name, H5T_NATIVE_DOUBLE, space.id(),
+                                      H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                           H5Dclose);
+    H5Dwrite(scale.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+             scales[i].coordinates.data());
+    H5Rcreate(&references[i], file.id(), scales[i].name, H5R_OBJECT, -1);
+    list.push_back({1, &references[i]});
+  }
+  const hsize_t count = list.size();
+  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Hdf5Handle type(H5Tvlen_create(H5T_STD_REF_OBJ), H5Tclose);
+  const Hdf5Handle attribute(
+      H5Acreate2(dataset.id(), "DIMENSION_LIST", type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose);
+  REQUIRE(H5Awrite(attribute.id(), type.id(), list.data()) >= 0);
+}
+
+TEST_CASE("axes are named and placed by the scales of NetCDF, whichever order they have") {
+  const Folder folder;
+  const fs::path file = folder.path() / "v.nc";
+  const std::vector<std::uint8_t> samples = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  {
+    const Hdf5Handle opened = new_file(file);
+    const Hdf5Handle dataset = new_dataset(opened, "density", {3, 2, 2}, no_creation());
+    H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
+    write_scales(opened, dataset, {{"lon", {5, 7, 9}}, {"lat", {50, 48.5}}, {"lev", {0, 4}}});
+  }
+  const auto reader = open_volume(file);
+  CHECK(reader->info().dims == std::array<std::uint32_t, 3>{3, 2, 2});
+  CHECK(reader->info().spacing_mm == std::array<double, 3>{2, -1.5, 4});
+  REQUIRE(reader->info().placement);
+  CHECK(reader->info().placement->origin_mm == std::array<double, 3>{5, 50, 0});
+  CHECK(read_all(*reader) == std::vector<double>{1, 5, 9, 3, 7, 11, 2, 6, 10, 4, 8, 12});
+}
+
+TEST_CASE("uneven coordinates are refused, unless distances are given") {
+  const Folder folder;
+  const fs::path file = folder.path() / "v.nc";
+  {
+    const Hdf5Handle opened = new_file(file);
+    const Hdf5Handle dataset = new_dataset(opened, "density", {3, 2, 2}, no_creation());
+    write_scales(opened, dataset, {{"lev", {0, 4, 9}}, {"lat", {0, 1}}, {"lon", {0, 1}}});
+  }
+  check_refusal(refusal(file), "the coordinates of the axis 'lev' are uneven, from 0 to 9");
+  VolumeOptions options;
+  options.spacing_mm = {1, 1, 2};
+  CHECK(open_volume(file, options)->info().spacing_mm == std::array<double, 3>{1, 1, 2});
+}
+
+TEST_CASE("values are scaled as NetCDF packs them, and the fill value is outside") {
+  const Folder folder;
+  const fs::path file = folder.path() / "v.nc";
+  const std::vector<std::uint8_t> samples = {10, 200, 255, 10};
+  {
+    const Hdf5Handle dataset = new_dataset(new_file(file), "density", {1, 2, 2}, no_creation());
+    H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
+    write_numbers(dataset, "scale_factor", {2});
+    write_numbers(dataset, "add_offset", {20});
+    write_numbers(dataset, "_FillValue", {255});
+  }
+  const auto reader = open_volume(file);
+  const auto values = read_all(*reader);
+  CHECK(reader->info().slope == 1);
+  CHECK(values[0] == 40);
+  CHECK(values[1] == 420);
+  CHECK(std::isnan(values[2]));
+  VolumeOptions options;
+  options.holds_labels = true;
+  CHECK(read_all(*open_volume(file, options))[2] == 530);
+}
+
+TEST_CASE("resolution and offset of CREMI are nanometres") {
+  const Folder folder;
+  const fs::path file = folder.path() / "v.h5";
+  {
+    const Hdf5Handle dataset = new_dataset(new_file(file), "labels", {4, 3, 5}, no_creation());
+    write_numbers(dataset, "resolution", {40, 4, 8});
+    write_numbers(dataset, "offset", {400, 0, 0});
+  }
+  const VolumeInfo info = open_volume(file)->info();
+  CHECK(info.spacing_mm[0] == doctest::Approx(8e-6));
+  CHECK(info.spacing_mm[2] == doctest::Approx(40e-6));
+  REQUIRE(info.placement);
+  CHECK(info.placement->origin_mm[2] == doctest::Approx(400e-6));
 }
 
 }  // namespace

@@ -358,8 +358,8 @@ TEST_CASE("labels that are asked for are there, or that is a failure") {
   workshop.done(named + "--label skin -q -o skin.stl");
   workshop.done(extract + "--label 2,9 -q -o union.stl");
   CHECK(workshop.read("skin.stl") == workshop.read("union.stl"));
-  check_failure(workshop.run(named + "--labels skin -o v.glb"), 1,
-                {"'skin' names 2 labels; give each by its number"});
+  workshop.done(named + "--labels skin -q -o 'region-{name}.stl'");
+  CHECK(workshop.read("region-skin.stl") == workshop.read("union.stl"));
   check_failure(workshop.run(extract + "--labels '' -o v.glb"), 2, {"no label is given"});
   check_failure(workshop.run(extract + "--label '' -o v.stl"), 2,
                 {"invalid value ''; expected a number or name"});

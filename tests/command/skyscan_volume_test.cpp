@@ -146,14 +146,16 @@ TEST_CASE("the spacing of slices is that of the reconstruction in SkyScan's log"
   CHECK(open_volume(scan.path(), {{}, Spacing{1, 2, 3}})->info().spacing_mm == Spacing{1, 2, 3});
 }
 
-TEST_CASE("a log of other slices, or without a size of pixels, is not used") {
+TEST_CASE(
+    "a log of other slices is not used, and one without a size of pixels gives that of the scan") {
   const SkyScan other("Result Image Width (pixels)=1000\r\nPixel Size (um)=12.50\r\n");
   CHECK(noted(open_volume(other.path())->info(),
               "'s_rec.log' describes slices of another size, and is not used"));
   CHECK(noted(open_volume(other.path())->info(), "no spacing given"));
   for (const SkyScan& none :
-       {SkyScan("Result Image Width (pixels)=3\r\n"), SkyScan("Pixel Size (um)=0\r\n")})
-    CHECK(noted(open_volume(none.path())->info(), "no spacing given"));
+       {SkyScan("Result Image Width (pixels)=3\r\nResult Image Height (pixels)=2\r\n"),
+        SkyScan("Pixel Size (um)=0\r\n")})
+    CHECK(open_volume(none.path())->info().spacing_mm[0] == doctest::Approx(0.0268));
   const SkyScan elsewhere("Pixel Size (um)=12.50\r\n", "other.log");
   CHECK(noted(open_volume(elsewhere.path())->info(), "no spacing given"));
 }

@@ -106,7 +106,7 @@ TEST_CASE("VTK's XML refuses by name what it does not take") {
         "'vtkLZ4DataCompressor'");
   check(vti("", whole, "><DataArray type=\"UInt8\" NumberOfComponents=\"3\" format=\"appended\"/>",
             appended),
-        "a voxel has '3' numbers");
+        "the file holds 3 channels");
   check(vti("", whole, "><DataArray type=\"String\" format=\"appended\"/>", appended), "'String'");
   check(vti("", whole, points, "<AppendedData encoding=\"raw\">x"), "does not begin with _");
   check(vti("", whole, "><DataArray type=\"UInt8\" format=\"binary\">PAAAAD!A", ""),

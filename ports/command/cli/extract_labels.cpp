@@ -24,6 +24,7 @@
 #include "smoothing/smoothed_labels.hpp"
 #include "text/message.hpp"
 #include "volume_input.hpp"
+#include "volumes/filters/label_bits.hpp"
 #include "volumes/filters/mask_volume.hpp"
 
 namespace discmc::command {
@@ -36,13 +37,18 @@ struct FoundLabel {
   std::optional<CrossingFinder> crossings{};  // of a smoothed one
 };
 
-// The labels that are asked for, by their layers; for `all`, layers without labels.
-using Chosen = std::map<std::uint32_t, std::optional<std::set<LabelValue>>>;
+// The labels that are asked for, by their layers; for `all`, layers without labels. Regions are
+// surfaces of several labels.
+struct Chosen {
+  std::map<std::uint32_t, std::optional<std::set<LabelValue>>> labels;
+  std::vector<NamedLabels> regions;
+};
 
 Chosen chosen_labels(const ExtractArguments& arguments, const LabelNames& names) {
   Chosen chosen;
   if (arguments.labels == "all") {
-    for (const std::uint32_t layer : names.layers()) chosen[layer];
+    for (const std::uint32_t layer : names.layers()) chosen.labels[layer];
+    chosen.regions = names.regions();
     return chosen;
   }
   std::vector<NamedLabels> labels;
@@ -53,13 +59,12 @@ Chosen chosen_labels(const ExtractArguments& arguments, const LabelNames& names)
   }
   for (const NamedLabels& each : labels)
     for (const auto& [layer, values] : each.set) {
-      auto& of_layer = chosen[layer];
+      if (values.size() > 1) {
+        chosen.regions.push_back(each);
+        continue;
+      }
+      auto& of_layer = chosen.labels[layer];
       if (values.empty()) continue;  // a mask, which has one label
-      if (values.size() > 1)
-        throw std::invalid_argument(name_for_people(arguments.volume) + ": '" + each.name +
-                                    "' names " + std::to_string(values.size()) +
-                                    " labels; give each by its number, or " +
-                                    "all as one surface with --label");
       if (!of_layer) of_layer.emplace();
       of_layer->insert(values[0]);
     }
@@ -126,12 +131,47 @@ NamedSelection selection_of(const LabelNames& names, std::uint32_t layer, LabelV
   return selection;
 }
 
-// Reads each layer once. Returns labels in the order of the layers, then of their values.
+// Whether a label is in a region, and has no name of its own.
+bool is_only_in_region(const std::vector<NamedLabels>& regions, std::uint32_t layer,
+                       const FoundLabel& label) {
+  if (label.name.name != label.name.given) return false;
+  return std::any_of(regions.begin(), regions.end(), [&](const NamedLabels& region) {
+    const auto found = region.set.find(layer);
+    return found != region.set.end() &&
+           std::count(found->second.begin(), found->second.end(), label.surface.label) > 0;
+  });
+}
+
+// Reads the layers of a region once more.
+void add_region(const ExtractArguments& arguments, Segmentation& segmentation,
+                const NamedLabels& region, std::vector<FoundLabel>& found,
+                std::vector<std::string>& missing) {
+  std::map<std::uint32_t, std::unique_ptr<VolumeReader>> layers;
+  for (const auto& [layer, values] : region.set) layers.emplace(layer, segmentation.open(layer));
+  std::unique_ptr<VolumeReader> volume = label_bits(std::move(layers), {region.set});
+  if (auto mask = open_noted_mask(arguments.reading, volume->info()))
+    volume = masked(std::move(volume), std::move(mask));
+  auto surfaces = surfaces_of(*volume, arguments, std::set<LabelValue>{1});
+  if (surfaces.empty()) missing.push_back("region '" + region.name + "'");
+  for (FoundLabel& each : surfaces) {
+    each.surface.label = region.set.begin()->second[0];
+    each.name = {{}, each.surface.label.text()};
+    each.name.name = region.name;
+    each.name.colour = region.colour ? region.colour : label_colour(each.surface.label.rounded());
+    found.push_back(std::move(each));
+  }
+}
+
+// Reads each layer once, but for regions. Returns labels in the order of the layers, then of their
+// values.
 std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentation& segmentation) {
   const LabelNames& names = segmentation.names();
   std::vector<FoundLabel> found;
   std::vector<std::string> missing;
-  for (const auto& [layer, chosen] : chosen_labels(arguments, names)) {
+  const Chosen all = chosen_labels(arguments, names);
+  for (const NamedLabels& region : all.regions)
+    add_region(arguments, segmentation, region, found, missing);
+  for (const auto& [layer, chosen] : all.labels) {
     std::unique_ptr<VolumeReader> volume = segmentation.open(layer);
     if (auto mask = open_noted_mask(arguments.reading, volume->info()))
       volume = masked(std::move(volume), std::move(mask));
@@ -146,6 +186,7 @@ std::vector<FoundLabel> find_labels(const ExtractArguments& arguments, Segmentat
       missing.push_back(names.named(layer, 1).name);
     for (FoundLabel& each : surfaces) {
       each.name = selection_of(names, layer, each.surface.label);
+      if (is_only_in_region(all.regions, layer, each)) continue;
       found.push_back(std::move(each));
     }
   }

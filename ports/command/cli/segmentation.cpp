@@ -84,7 +84,7 @@ std::unique_ptr<VolumeReader> open_labels(Segmentation& segmentation, const std:
     sets.push_back(std::move(labels.set));
   }
   for (auto& [layer, volume] : layers) volume = segmentation.open(layer);
-  return label_bits(std::move(layers), sets);
+  return noted(path, label_bits(std::move(layers), sets));
 }
 
 }  // namespace discmc::command

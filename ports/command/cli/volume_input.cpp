@@ -89,7 +89,7 @@ std::unique_ptr<VolumeReader> open_layer(const std::string& path, const VolumeOp
   if (options.frame || info.frames == 1 || !info.labels.empty()) return volume;
   // The reader may list the choices.
   if (!is_read_once(path)) open_volume(path, options);
-  fail_frames(path, info);
+  fail_frames(path, info, options);
 }
 
 std::unique_ptr<MeasuredVolume> open_measured(const std::string& path, VolumeArguments& arguments) {

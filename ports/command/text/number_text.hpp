@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_TEXT_NUMBER_TEXT_HPP
 #define DISCMC_COMMAND_TEXT_NUMBER_TEXT_HPP
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <system_error>
 
 #include "text/whole_number.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 
@@ -29,6 +31,12 @@ inline std::optional<double> decimal_number(std::string_view text) {
 inline std::optional<double> finite_number(std::string_view text) {
   const auto value = decimal_number(text);
   return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+/// The same, with blanks around it, and with a comma for the point as some write it.
+inline std::optional<double> decimal(std::string text) {
+  std::replace(text.begin(), text.end(), ',', '.');
+  return finite_number(trimmed(text));
 }
 
 /// The number in six digits at most, for people.

@@ -1,9 +1,12 @@
 #include "array_layout.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "text/number_text.hpp"
+#include "text/words.hpp"
 #include "volume_error.hpp"
 #include "volumes/filters/turned_volume.hpp"
 
@@ -162,6 +165,39 @@ ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, cons
   go_to(layout, array, 't', options.frame.value_or(0));
   go_to(layout, array, 'c', options.channel.value_or(0));
   return layout;
+}
+
+char axis_letter(std::string_view name) {
+  constexpr std::pair<char, std::array<std::string_view, 9>> letters[] = {
+      {'x', {"x", "lon", "longitude", "easting", "column", "columns", "width", "i"}},
+      {'y', {"y", "lat", "latitude", "northing", "row", "rows", "height", "j"}},
+      {'z', {"z", "lev", "level", "depth", "altitude", "alt", "plane", "slice", "k"}},
+      {'t', {"t", "time", "frame"}},
+      {'c', {"c", "channel", "band", "channels"}}};
+  const std::string plain = lower(name);
+  for (const auto& [letter, names] : letters)
+    if (!plain.empty() && std::find(names.begin(), names.end(), plain) != names.end())
+      return letter;
+  return '?';
+}
+
+void take_coordinates(DeclaredPlace& place, std::size_t axis, const std::string& file,
+                      const std::string& name, const std::vector<double>& coordinates,
+                      const VolumeOptions& options) {
+  if (coordinates.size() < 2) return;
+  const auto steps = static_cast<double>(coordinates.size() - 1);
+  const double step = (coordinates.back() - coordinates.front()) / steps;
+  constexpr double share = 1e-2;  // of a step, of what is rounded
+  for (std::size_t i = 0; i < coordinates.size() && !options.spacing_mm; ++i)
+    if (!(std::fabs(coordinates.front() + static_cast<double>(i) * step - coordinates[i]) <=
+          share * std::fabs(step)))
+      fail(file,
+           "the coordinates of the axis " + shown(name) + " are uneven, from " +
+               short_number(coordinates.front()) + " to " + short_number(coordinates.back()),
+           "resample the volume to even steps, or give their distances with --spacing");
+  if (step == 0) return;
+  place.spacing[axis] = step;
+  place.origin[axis] = coordinates.front();
 }
 
 std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,

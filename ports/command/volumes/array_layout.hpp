@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "declared_place.hpp"
 #include "volume.hpp"
 #include "volume_stream.hpp"
 
@@ -46,6 +47,16 @@ struct ArrayLayout {
 /// where the letters are not those of the axes, and where of several channels none is chosen.
 ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, const ArrayShape& shape,
                        const VolumeOptions& options);
+
+/// Returns the letter of an axis by the name that people give it, "lon" or "depth"; '?' if that is
+/// of none.
+char axis_letter(std::string_view name);
+
+/// Takes the coordinates of voxels along an axis, x, y or z, as spacing and origin of a place.
+/// Throws where they are uneven, unless the user gives a spacing. name: of the axis, for people.
+void take_coordinates(DeclaredPlace& place, std::size_t axis, const std::string& file,
+                      const std::string& name, const std::vector<double>& coordinates,
+                      const VolumeOptions& options);
 
 /// The volume of an array whose first sample is next in the stream. In memory are the slices of all
 /// channels; where z is not the slowest of its axes, the volume.

@@ -12,7 +12,7 @@
 
 namespace discmc::command {
 
-/// Bytes that files of a format have at an offset.
+/// Bytes that files of a format have at an offset, or anywhere among the first.
 struct Magic {
   std::size_t offset;
   std::string_view bytes;

@@ -128,6 +128,13 @@ NamedLabels LabelNames::together(const std::string& list) const {
   return all;
 }
 
+std::vector<NamedLabels> LabelNames::regions() const {
+  std::vector<NamedLabels> regions;
+  for (const LabelDescription& each : table_)
+    if (each.values.size() > 1) regions.push_back(labels_of(each));
+  return regions;
+}
+
 NamedLabels LabelNames::named(std::uint32_t layer, LabelValue value) const {
   std::vector<std::size_t> found;
   if (const auto masks = masks_.find(layer); masks != masks_.end()) found = masks->second;

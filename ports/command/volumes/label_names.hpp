@@ -40,6 +40,9 @@ class LabelNames {
   /// its name where there are several.
   NamedLabels together(const std::string& list) const;
 
+  /// The regions of the table: those of several labels.
+  std::vector<NamedLabels> regions() const;
+
   /// What a label is called, and its colour. A value that several labels have, or none, is called
   /// by its number.
   NamedLabels named(std::uint32_t layer, LabelValue value) const;

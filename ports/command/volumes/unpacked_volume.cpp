@@ -42,7 +42,7 @@ class UnpackedVolume final : public VolumeReader {
       const std::filesystem::path inner =
           std::filesystem::path(error.file()).lexically_relative(folder_.path());
       const bool is_inside = !inner.empty() && *inner.begin() != "..";
-      fail(is_inside ? named(inner).string() : error.file(), error.fault(),
+      fail(is_inside ? named(inner).string() : error.file(), in_packed(error.fault()),
            in_packed(error.remedy()));
     }
   }

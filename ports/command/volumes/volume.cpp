@@ -8,8 +8,10 @@
 #include <system_error>
 #include <utility>
 
+#include "array_name.hpp"
 #include "format_list.hpp"
 #include "other_kinds.hpp"
+#include "text/control_character.hpp"
 #include "text/words.hpp"
 #include "unpacked_volume.hpp"
 #include "volumes/filters/cropped_volume.hpp"
@@ -50,15 +52,24 @@ std::vector<std::filesystem::path> files_of_pattern(const std::filesystem::path&
 std::unique_ptr<VolumeReader> open_by_kind(const std::filesystem::path& file,
                                            const VolumeOptions& options);
 
+// With their folders, to be given instead.
+std::string list_of(std::vector<std::filesystem::path> files) {
+  sort_naturally(files);
+  constexpr std::size_t max_listed = 10;
+  std::string text = std::to_string(files.size()) + ", such as ";
+  for (std::size_t i = 0; i < std::min(files.size(), max_listed); ++i)
+    text += (i > 0 ? ", " : "") + without_control(files[i].string());
+  return text;
+}
+
 // Masks are labels. For what takes none, one of the files is to be named.
 std::unique_ptr<VolumeReader> open_requested_masks(const std::filesystem::path& source,
                                                    const std::vector<std::filesystem::path>& files,
-                                                   const VolumeOptions& options) {
-  const bool are_requested = options.holds_labels || options.frame;
-  if (are_requested && files.size() > 1) return open_masks(source, files, options);
-  if (are_requested) return open_by_kind(files[0], options);
-  const std::string count = std::to_string(files.size());
-  fail(source, "several volumes: " + count + ", such as " + shown(files[0].filename().string()),
+                                                   const VolumeOptions& options,
+                                                   const std::vector<std::string>& notes = {}) {
+  if (files.size() == 1) return open_by_kind(files[0], options);
+  if (options.holds_labels || options.frame) return open_masks(source, files, options, notes);
+  fail(source, "several volumes: " + list_of(files),
        "name one file, or read each file as a label with --labels all or --label NAME");
 }
 
@@ -123,8 +134,28 @@ std::unique_ptr<VolumeReader> open_stream(ByteStream stream, const VolumeFormat&
   return format.open_file(stream.file(), options);
 }
 
+// The first bytes of a file that is there, by which it may be another than its name says.
+void require_named_content(const std::filesystem::path& file) {
+  const std::filesystem::path path = array_name(file).file;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return;
+  ByteStream stream(path);
+  const VolumeFormat* const format = format_of_head(stream.peek(magic_bytes));
+  if (format != nullptr && !is_read(*format)) fail_unread(file, format);
+}
+
+void require_no_address(const std::filesystem::path& file) {
+  const std::string& text = file.native();
+  const std::size_t scheme = text.find("://");
+  const std::size_t letters = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789");
+  if (scheme != std::string::npos && scheme > 1 && scheme == letters)
+    fail(file, "this is an address, and volumes are read from files",
+         "download it first, e.g. with: curl -O ADDRESS");
+}
+
 std::unique_ptr<VolumeReader> open_by_kind(const std::filesystem::path& file,
                                            const VolumeOptions& options) {
+  require_no_address(file);
   if (options.layout) {
     require_headerless_name(file);
     return open_raw(ByteStream(file), options);
@@ -135,10 +166,13 @@ std::unique_ptr<VolumeReader> open_by_kind(const std::filesystem::path& file,
     if (format != nullptr && !is_read(*format)) fail_unread(file, format);
     return open_folder(file, dicom_files(file), options, "give a pattern, such as '*.png'");
   }
-  if (is_pattern(file))
-    return archive_of(file) ? open_zip(file, options) : open_pattern(file, options);
-  if (format != nullptr && format->open_file != nullptr && !packing_of_name(file))
+  if (const auto archive = archive_of(file); archive && *archive != file)
+    return open_zip(file, options);
+  if (is_pattern(file)) return open_pattern(file, options);
+  if (format != nullptr && format->open_file != nullptr && !packing_of_name(file)) {
+    require_named_content(file);
     return format->open_file(file, options);
+  }
 
   ByteStream stream = open_content(file);
   const VolumeFormat* const of_head = format_of_head(stream.peek(magic_bytes));
@@ -172,8 +206,34 @@ void require_used(const std::filesystem::path& file, const VolumeOptions& option
 std::vector<std::string> notes_of_left_out(const std::vector<std::filesystem::path>& pictures,
                                            const std::string& remedy) {
   if (pictures.empty()) return {};
-  return {"pictures beside the DICOM files are left out: " + std::to_string(pictures.size()) +
+  return {"pictures beside the volumes are left out: " + std::to_string(pictures.size()) +
           ", such as " + shown(pictures[0].filename().string()) + "; to read them, " + remedy};
+}
+
+// Opens the only volume in folders of a folder, or lists what is there.
+std::unique_ptr<VolumeReader> open_inner(const std::filesystem::path& folder,
+                                         const VolumeOptions& options) {
+  const auto files = files_in(folder);
+  std::vector<std::filesystem::path> volumes;
+  for (const auto& file : files) {
+    const VolumeFormat* const format = format_of_name(file);
+    if (format != nullptr && is_read(*format) && format->name != "zip" && !is_picture_name(file))
+      volumes.push_back(file);
+  }
+  if (volumes.size() == 1) return open_by_kind(volumes[0], options);
+  if (volumes.size() > 1)
+    fail(folder, "several volumes in folders: " + list_of(volumes), "name one file");
+  for (const auto& file : files) {
+    ByteStream stream(file);
+    const VolumeFormat* format = format_of_head(stream.peek(magic_bytes));
+    if (format == nullptr) format = format_of_name(file);
+    if (format == nullptr || (is_read(*format) && format->name != "zip")) continue;
+    fail(folder,
+         "the folder holds " + std::string(format->name) + ", " + shown(file.filename().string()),
+         format->name == "zip" ? "unpack it, and give the folder" : std::string(format->remedy));
+  }
+  fail(folder, "the folder holds no DICOM files and no pictures",
+       "name a file, or the folder of a series");
 }
 
 std::string text_of_dead(const std::vector<std::filesystem::path>& links) {
@@ -218,17 +278,24 @@ std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,
       fail(error.file(), error.fault() + " (" + dead + ")", error.remedy());
     }
   }
-  if (!pictures.empty()) return open_pictures(folder, pictures, options);
   const auto masks = mask_files(folder);
-  if (!masks.empty()) return open_requested_masks(folder, masks, options);
+  if (!pictures.empty() && (masks.empty() || pictures.size() > masks.size()))
+    return open_pictures(folder, pictures, options);
+  if (!masks.empty())
+    return open_requested_masks(folder, masks, options,
+                                notes_of_left_out(pictures, remedy_of_pictures));
   if (!dead.empty()) fail(folder, dead, "copy the files that they should lead to");
-  fail(folder, "the folder holds no DICOM files and no pictures",
-       "name a file, or the folder of a series");
+  return open_inner(folder, options);
 }
 
-void fail_frames(const std::filesystem::path& file, const VolumeInfo& info) {
+void fail_frames(const std::filesystem::path& file, const VolumeInfo& info,
+                 const VolumeOptions& options) {
   const std::string frames = std::to_string(info.frames);
   const std::string remedy = "choose one with --frame N, the first is 0";
+  if (info.labels.empty() && options.holds_labels)
+    fail(file, "the file holds " + frames + " volumes, and one is read at a time",
+         remedy + "; if each is the mask of a label, extract them with --frame 0 to " +
+             std::to_string(info.frames - 1) + ", each with --label 1");
   if (info.labels.empty())
     fail(file, "the file holds " + frames + " volumes, and one is read at a time", remedy);
   fail(file, "the file holds labels in " + frames + " volumes, and one is read at a time",
@@ -242,7 +309,7 @@ bool is_volume_name(const std::filesystem::path& file) {
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options) {
   auto volume = open_by_kind(file, options);
-  if (volume->info().frames > 1 && !options.frame) fail_frames(file, volume->info());
+  if (volume->info().frames > 1 && !options.frame) fail_frames(file, volume->info(), options);
   if (options.frame.value_or(0) >= volume->info().frames)
     fail(
         file,

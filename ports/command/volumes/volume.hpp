@@ -96,7 +96,8 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options = {});
 
 /// Throws the refusal of a file with several volumes of which none is chosen.
-[[noreturn]] void fail_frames(const std::filesystem::path& file, const VolumeInfo& info);
+[[noreturn]] void fail_frames(const std::filesystem::path& file, const VolumeInfo& info,
+                              const VolumeOptions& options);
 
 }  // namespace discmc::command
 

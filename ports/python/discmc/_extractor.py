@@ -70,6 +70,7 @@ class Extractor:
         if max(abs(distance) for distance in distances) > 2147:
             raise ValueError(f"spacing is {distances}; give at most 2147 mm, as a stream holds it")
         self._encodes = encode
+        self._size = (height, width)
         self._scan = _discmc.start(
             width, height, level, memory, is_open, choice("index_bits", index_bits, {16: 16, 32: 32}),
             encode, distances, scan, channel)
@@ -81,7 +82,13 @@ class Extractor:
 
     def push(self, samples: ArrayLike) -> None:
         """Accepts samples of uint8, uint16 or int16: a part of a row, a row, an image, a volume."""
-        self._scan.push(np.ascontiguousarray(samples))
+        array = np.ascontiguousarray(samples)
+        inner = array.shape[1:] if array.ndim == 2 else array.shape[-2:]
+        if array.ndim > 1 and inner != self._size[-len(inner):]:
+            raise ValueError(
+                f"the samples have the shape {array.shape}; a slice has {self._size[0]} rows of "
+                f"{self._size[1]}, the last axis along x")
+        self._scan.push(array)
 
     def skip_row(self, repeat: bool = False) -> None:
         """Replaces a missing row by voxels outside, or by the row before."""

@@ -10,6 +10,7 @@
 #include "options.hpp"
 #include "samples/sample_type.hpp"
 #include "volumes/volume.hpp"
+#include "volumes/volume_error.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -61,11 +62,23 @@ const char* name_of(const VolumeInfo& info) {
   return info.placement->space == Space::lps ? "lps" : "ras";
 }
 
+// As Python's own functions, if there is no such file.
+std::unique_ptr<VolumeReader> opened(const fs::path& file, const command::VolumeOptions& options) {
+  try {
+    return command::open_volume(file, options);
+  } catch (const command::VolumeError& error) {
+    if (error.fault() != "there is no such file") throw;
+    const py::gil_scoped_acquire interpreter;
+    PyErr_SetString(PyExc_FileNotFoundError, error.what());
+    throw py::error_already_set();
+  }
+}
+
 py::dict read_volume(const fs::path& file, const command::VolumeOptions& options) {
   std::unique_ptr<VolumeReader> reader;
   {
     const py::gil_scoped_release others_run;
-    reader = command::open_volume(file, options);
+    reader = opened(file, options);
   }
   const VolumeInfo& info = reader->info();
   py::array array(type_of(info.type),

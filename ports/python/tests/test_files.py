@@ -106,3 +106,9 @@ def test_other_libraries_get_the_mesh(ball):
                 convert()
         else:
             assert convert().volume == pytest.approx(mesh.volume, rel=1e-4)
+
+
+@needs_files
+def test_missing_file(tmp_path):
+    with pytest.raises(FileNotFoundError, match="there is no such file"):
+        discmc.read(tmp_path / "nofile.nrrd")

@@ -83,6 +83,8 @@ def test_refused_settings(images):
         scanner(index_bits=8)
     with pytest.raises(TypeError, match="float64.*uint8"):
         scanner().push(images.astype(float))
+    with pytest.raises(ValueError, match="rows of .*the last axis along x"):
+        scanner().push(np.zeros((WIDTH, HEIGHT), np.uint8))
     with pytest.raises(ValueError, match="encode=True"):
         scanner().encoded()
     with pytest.raises(ValueError, match="spacing is .*; give at most 2147"):

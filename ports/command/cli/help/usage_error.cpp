@@ -142,9 +142,15 @@ std::string unknown_command(const std::string& argument, const CLI::App& app) {
 // A surplus file is often meant as the output.
 std::string surplus(const std::string& argument, const CLI::App& app) {
   const CLI::Option* output = app.get_option_no_throw("--output");
-  const bool has_output = output == nullptr || output->count() > 0;
-  return "'" + argument + "' is an unexpected argument; " +
-         (has_output ? "leave it out" : "name the output with -o " + argument);
+  const std::string extension = std::filesystem::path(argument).extension().string();
+  const bool is_volume = extension == ".gz" || extension == ".nii" || extension == ".nrrd" ||
+                         extension == ".mha" || extension == ".dcm" || extension == ".png";
+  std::string remedy = "leave it out";
+  if (is_volume)
+    remedy = "give several volumes as one pattern in quotes, as in 'FOLDER/*" + extension + "'";
+  else if (output != nullptr && output->count() == 0)
+    remedy = "name the output with -o " + argument;
+  return "'" + argument + "' is an unexpected argument; " + remedy;
 }
 
 // Empty if an app has all its arguments.

@@ -139,11 +139,17 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
   app.add_option_function<std::vector<double>>(
          "--spacing",
          [&options](const std::vector<double>& spacing) {
-           std::copy_n(spacing.begin(), 3, options.spacing_mm.emplace().begin());
+           if (spacing.size() == 2)
+             throw CLI::ValidationError("--spacing",
+                                        "2 distances are given; give one for all axes, or X,Y,Z");
+           auto& distances = options.spacing_mm.emplace();
+           distances.fill(spacing[0]);
+           std::copy(spacing.begin(), spacing.end(), distances.begin());
          },
-         "distances between voxels in millimetres (default: those in the file, otherwise 1)")
+         "distances between voxels in millimetres, or one for all axes (default: those in the "
+         "file, otherwise 1)")
       ->delimiter(',')
-      ->expected(3)
+      ->expected(1, 3)
       ->option_text("X,Y,Z")
       ->check(usable_spacing());
   app.add_option("--series", options.series,

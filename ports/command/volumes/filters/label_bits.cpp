@@ -1,6 +1,7 @@
 #include "label_bits.hpp"
 
 #include <algorithm>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -18,18 +19,24 @@ class LayerBits {
       if (found == sets[i].end()) continue;
       const std::uint64_t bit = std::uint64_t{1} << i;
       if (found->second.empty()) bits_of_others_ |= bit;
-      for (const LabelValue value : found->second) bits_[value] |= bit;
+      for (const LabelValue value : found->second) bits_[value].bits |= bit;
     }
-    bits_.emplace(0, 0);
-    for (auto& [value, bits] : bits_)
-      if (value != LabelValue(0)) bits |= bits_of_others_;
+    bits_.emplace(0, Bits{});
+    for (auto& [value, each] : bits_)
+      if (value != LabelValue(0)) each.bits |= bits_of_others_;
+  }
+
+  /// Adds the labels that no voxel had, ", 5, 7".
+  void list_missing(std::string& text) const {
+    for (const auto& [value, each] : bits_)
+      if (!each.is_found && value != LabelValue(0)) text += ", " + value.text();
   }
 
   const VolumeInfo& info() const { return volume_->info(); }
 
   /// Adds the bits of the next slice to those of other layers.
-  template <class Bits>
-  void add_slice(Bits* bits) {
+  template <class Whole>
+  void add_slice(Whole* bits) {
     volume_->read_slice(slice_.data());
     with_whole_type(info().type, [&](auto typed) {
       using Sample = decltype(typed);
@@ -38,21 +45,28 @@ class LayerBits {
       for (std::size_t i = 0; i < slice_.size() / sizeof(Sample); ++i) {
         // Neighbours are mostly alike.
         if (i == 0 || sample[i] != sample[i - 1]) on = bits_of(sample[i]);
-        bits[i] = static_cast<Bits>(bits[i] | on);
+        bits[i] = static_cast<Whole>(bits[i] | on);
       }
     });
   }
   void skip_slice() { volume_->skip_slice(); }
 
  private:
-  std::uint64_t bits_of(LabelValue value) const {
+  struct Bits {
+    std::uint64_t bits = 0;
+    bool is_found = false;
+  };
+
+  std::uint64_t bits_of(LabelValue value) {
     const auto found = bits_.find(value);
-    return found == bits_.end() ? bits_of_others_ : found->second;
+    if (found == bits_.end()) return bits_of_others_;
+    found->second.is_found = true;
+    return found->second.bits;
   }
 
   std::unique_ptr<VolumeReader> volume_;
   std::vector<std::uint8_t> slice_;
-  std::map<LabelValue, std::uint64_t> bits_;
+  std::map<LabelValue, Bits> bits_;
   std::uint64_t bits_of_others_ = 0;
 };
 
@@ -80,6 +94,10 @@ class LabelBits final : public VolumeReader {
         for (LayerBits& layer : layers_) layer.add_slice(bits);
       }
     });
+    if (++read_ < info_.dims[2]) return;
+    std::string missing;
+    for (const LayerBits& layer : layers_) layer.list_missing(missing);
+    if (!missing.empty()) note(info_, "no voxel has label " + missing.substr(2));
   }
 
   void skip_slice() override {
@@ -89,6 +107,7 @@ class LabelBits final : public VolumeReader {
  private:
   std::vector<LayerBits> layers_;
   VolumeInfo info_;
+  std::uint32_t read_ = 0;  // slices that were not skipped
 };
 
 }  // namespace

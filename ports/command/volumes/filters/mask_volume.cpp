@@ -10,6 +10,7 @@
 
 #include "cropped_volume.hpp"
 #include "shrunk_volume.hpp"
+#include "turned_volume.hpp"
 #include "volumes/format_list.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_filter.hpp"
@@ -44,70 +45,6 @@ class Mask final : public VolumeFilter {
 
  private:
   std::vector<std::uint8_t> slice_;
-};
-
-// A mask whose axes are put in the order and direction of another volume.
-class TurnedMask final : public VolumeFilter {
- public:
-  TurnedMask(std::filesystem::path file, std::unique_ptr<VolumeReader> mask, const AxesMatch& match)
-      : VolumeFilter(std::move(mask)),
-        file_(std::move(file)),
-        is_slice_by_slice_(match[2].axis == 2 && !match[2].is_reversed) {
-    const VolumeInfo& of = volume().info();
-    const VolumePlacement from = of.placement.value_or(along_coordinates(of.spacing_mm));
-    const std::array<std::ptrdiff_t, 3> steps = {1, static_cast<std::ptrdiff_t>(of.dims[0]),
-                                                 static_cast<std::ptrdiff_t>(of.slice_bytes())};
-    VolumePlacement to = from;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [axis, is_reversed] = match[i];
-      const double sign = is_reversed ? -1 : 1;
-      const std::uint32_t last = of.dims[axis] - 1;
-      own_info().dims[i] = of.dims[axis];
-      own_info().spacing_mm[i] = sign * of.spacing_mm[axis];
-      steps_[i] = is_reversed ? -steps[axis] : steps[axis];
-      if (is_reversed) first_ += last * steps[axis];
-      for (std::size_t j = 0; j < 3; ++j) {
-        to.axes_mm[i][j] = sign * from.axes_mm[axis][j];
-        if (is_reversed) to.origin_mm[j] += last * from.axes_mm[axis][j];
-      }
-    }
-    own_info().placement = to;
-    add_note("the axes are turned to those of the volume");
-  }
-
-  void read_slice(void* samples) override {
-    require_slice_left(file_, next_, info().dims[2]);
-    if (is_slice_by_slice_ || next_ == 0) read_mask();
-    auto* out = static_cast<std::uint8_t*>(samples);
-    const std::ptrdiff_t slice = first_ + (is_slice_by_slice_ ? 0 : next_ * steps_[2]);
-    for (std::uint32_t y = 0; y < info().dims[1]; ++y)
-      for (std::uint32_t x = 0; x < info().dims[0]; ++x)
-        *out++ = slices_[static_cast<std::size_t>(slice + y * steps_[1] + x * steps_[0])];
-    ++next_;
-  }
-
-  // Some slices of the volume are in no slice of the mask alone.
-  void skip_slice() override {
-    std::vector<std::uint8_t> dropped(info().slice_bytes());
-    read_slice(dropped.data());
-  }
-
- private:
-  void read_mask() {
-    const VolumeInfo& of = volume().info();
-    const std::uint32_t count = is_slice_by_slice_ ? 1 : of.dims[2];
-    for (std::uint32_t z = 0; z < count; ++z) {
-      slices_.resize(of.slice_bytes() * (z + 1));  // no more than has come
-      volume().read_slice(&slices_[of.slice_bytes() * z]);
-    }
-  }
-
-  std::filesystem::path file_;
-  bool is_slice_by_slice_;
-  std::vector<std::uint8_t> slices_;       // of the mask: one, or all
-  std::array<std::ptrdiff_t, 3> steps_{};  // in it, from a voxel to the next along x, y and z
-  std::ptrdiff_t first_ = 0;               // voxel (0, 0, 0)
-  std::uint32_t next_ = 0;
 };
 
 class MaskedLabels final : public VolumeFilter {
@@ -169,7 +106,7 @@ std::unique_ptr<VolumeReader> open_mask(const std::filesystem::path& file,
          "store the mask in a file of its own");
   mask = std::make_unique<Mask>(std::move(mask));
   const AxesMatch match = matching_axes(volume, mask->info());
-  if (!is_same(match)) mask = std::make_unique<TurnedMask>(file, std::move(mask), match);
+  if (!is_same(match)) mask = turned_to(match, std::move(mask), file);
   const auto whole = volume.whole_dims.value_or(volume.dims);
   if (mask->info().dims != whole)
     fail(file,

@@ -5,6 +5,8 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -24,6 +26,8 @@ class Blocks {
 
   virtual void add_slice(const void* samples) = 0;
   virtual void take_values(void* samples) = 0;
+  /// The values that no block has kept, ", 5, 7".
+  virtual std::string lost() const { return {}; }
 };
 
 // How blocks divide a slice.
@@ -111,15 +115,27 @@ class MostFrequent final : public Blocks {
   void add_slice(const void* samples) override {
     const auto* first = static_cast<const Sample*>(samples);
     slices_.insert(slices_.end(), first, first + slice_samples());
+    if constexpr (!std::is_floating_point_v<Sample>)
+      for (std::size_t i = 0; i < slice_samples(); ++i)
+        if (i == 0 || first[i] != first[i - 1]) kept_.emplace(first[i], false);
   }
   void take_values(void* samples) override {
     auto* value = static_cast<Sample*>(samples);
     for (std::uint32_t y = 0; y < division_.voxels[1]; y += division_.extent)
       for (std::uint32_t x = 0; x < division_.voxels[0]; x += division_.extent) {
         collect(x, y);
-        *value++ = most_frequent();
+        *value = most_frequent();
+        if constexpr (!std::is_floating_point_v<Sample>) kept_[*value] = true;
+        ++value;
       }
     slices_.clear();
+  }
+
+  std::string lost() const override {
+    std::string text;
+    for (const auto& [value, is_kept] : kept_)
+      if (!is_kept) text += ", " + std::to_string(value);
+    return text;
   }
 
  private:
@@ -161,6 +177,7 @@ class MostFrequent final : public Blocks {
   Division division_;
   std::vector<Sample> slices_;          // of the layer
   std::vector<Sample> block_, sorted_;  // the one under way
+  std::map<Sample, bool> kept_;         // of labels
 };
 
 std::unique_ptr<Blocks> blocks_of(SampleType type, const Division& division, BlockValue value) {
@@ -190,6 +207,9 @@ class ShrunkVolume final : public VolumeFilter {
       blocks_->add_slice(slice_.data());
     }
     blocks_->take_values(samples);
+    const std::string lost = read_ < volume().info().dims[2] ? std::string() : blocks_->lost();
+    if (!lost.empty())
+      add_note("--shrink loses " + lost.substr(2) + ", the most frequent of no block");
   }
 
   void skip_slice() override {

@@ -103,7 +103,83 @@ class TurnedVolume final : public VolumeFilter {
   std::uint32_t next_ = 0;
 };
 
+class VolumeTurnedTo final : public VolumeFilter {
+ public:
+  VolumeTurnedTo(const AxesMatch& match, std::unique_ptr<VolumeReader> of,
+                 std::filesystem::path file)
+      : VolumeFilter(std::move(of)),
+        file_(std::move(file)),
+        is_slice_by_slice_(match[2].axis == 2 && !match[2].is_reversed) {
+    const VolumeInfo& from = volume().info();
+    const VolumePlacement place = from.placement.value_or(along_coordinates(from.spacing_mm));
+    const std::array<std::ptrdiff_t, 3> steps = {
+        1, static_cast<std::ptrdiff_t>(from.dims[0]),
+        static_cast<std::ptrdiff_t>(std::uint64_t{from.dims[0]} * from.dims[1])};
+    VolumePlacement to = place;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [axis, is_reversed] = match[i];
+      const double sign = is_reversed ? -1 : 1;
+      const std::uint32_t last = from.dims[axis] - 1;
+      own_info().dims[i] = from.dims[axis];
+      own_info().spacing_mm[i] = sign * from.spacing_mm[axis];
+      steps_[i] = is_reversed ? -steps[axis] : steps[axis];
+      if (is_reversed) first_ += last * steps[axis];
+      for (std::size_t j = 0; j < 3; ++j) {
+        to.axes_mm[i][j] = sign * place.axes_mm[axis][j];
+        if (is_reversed) to.origin_mm[j] += last * place.axes_mm[axis][j];
+      }
+    }
+    // What reads by slices alone has no use for those behind.
+    if (is_slice_by_slice_) steps_[2] = 0;
+    own_info().placement = to;
+    add_note("the axes are turned to those of the other volume");
+  }
+
+  void read_slice(void* samples) override {
+    require_slice_left(file_, next_, info().dims[2]);
+    if (is_slice_by_slice_ || next_ == 0) read_slices();
+    auto* out = static_cast<unsigned char*>(samples);
+    const std::size_t size = sample_bytes(info().type);
+    const std::ptrdiff_t slice = first_ + next_ * steps_[2];
+    for (std::uint32_t y = 0; y < info().dims[1]; ++y)
+      for (std::uint32_t x = 0; x < info().dims[0]; ++x, out += size)
+        std::memcpy(
+            out, &slices_[static_cast<std::size_t>(slice + y * steps_[1] + x * steps_[0]) * size],
+            size);
+    ++next_;
+  }
+
+  // Some slices are in no slice of the stored volume alone.
+  void skip_slice() override {
+    Bytes dropped(info().slice_bytes());
+    read_slice(dropped.data());
+  }
+
+ private:
+  void read_slices() {
+    const VolumeInfo& of = volume().info();
+    const std::uint32_t count = is_slice_by_slice_ ? 1 : of.dims[2];
+    for (std::uint32_t z = 0; z < count; ++z) {
+      slices_.resize(of.slice_bytes() * (z + 1));  // no more than has come
+      volume().read_slice(&slices_[of.slice_bytes() * z]);
+    }
+  }
+
+  std::filesystem::path file_;
+  bool is_slice_by_slice_;
+  Bytes slices_;                           // as stored: one, or all
+  std::array<std::ptrdiff_t, 3> steps_{};  // in them, from a voxel to the next along x, y and z
+  std::ptrdiff_t first_ = 0;               // voxel (0, 0, 0)
+  std::uint32_t next_ = 0;
+};
+
 }  // namespace
+
+std::unique_ptr<VolumeReader> turned_to(const AxesMatch& match,
+                                        std::unique_ptr<VolumeReader> volume,
+                                        const std::filesystem::path& file) {
+  return std::make_unique<VolumeTurnedTo>(match, std::move(volume), file);
+}
 
 std::unique_ptr<VolumeReader> turned(VolumeInfo info, std::unique_ptr<VolumeReader> blocks,
                                      const BlockLayout& layout, const std::filesystem::path& file) {

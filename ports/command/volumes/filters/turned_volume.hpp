@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "volumes/volume_offset.hpp"
 #include "volumes/volume_reader.hpp"
 
 namespace discmc::command {
@@ -25,6 +26,12 @@ struct BlockLayout {
 /// held; otherwise all that the volume has of them. file: for errors.
 std::unique_ptr<VolumeReader> turned(VolumeInfo info, std::unique_ptr<VolumeReader> blocks,
                                      const BlockLayout& layout, const std::filesystem::path& file);
+
+/// Puts the axes of a volume in the order and direction of another one, with a note. In memory is a
+/// slice, or the volume where its slices lie in another direction.
+std::unique_ptr<VolumeReader> turned_to(const AxesMatch& match,
+                                        std::unique_ptr<VolumeReader> volume,
+                                        const std::filesystem::path& file);
 
 }  // namespace discmc::command
 

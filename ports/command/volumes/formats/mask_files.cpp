@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "text/words.hpp"
+#include "volumes/filters/turned_volume.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
 #include "volumes/packing.hpp"
 #include "volumes/volume_error.hpp"
@@ -29,9 +30,11 @@ std::optional<std::string> mask_name(const std::filesystem::path& file) {
 // Labels of which there must be one.
 class Mask final : public VolumeFilter {
  public:
-  Mask(std::filesystem::path file, std::unique_ptr<VolumeReader> labels, VolumeInfo info)
+  Mask(std::filesystem::path file, std::unique_ptr<VolumeReader> labels, VolumeInfo info,
+       const std::vector<std::string>& notes)
       : VolumeFilter(std::move(labels)), file_(std::move(file)) {
     own_info() = std::move(info);
+    for (const std::string& each : notes) add_note(each);
   }
 
   void read_slice(void* samples) override {
@@ -87,7 +90,8 @@ std::vector<std::filesystem::path> mask_files(const std::filesystem::path& folde
 
 std::unique_ptr<VolumeReader> open_masks(const std::filesystem::path& source,
                                          std::vector<std::filesystem::path> files,
-                                         const VolumeOptions& options) {
+                                         const VolumeOptions& options,
+                                         const std::vector<std::string>& notes) {
   sort_naturally(files);
   const std::uint32_t number = options.frame.value_or(0);
   if (number >= files.size())
@@ -98,15 +102,19 @@ std::unique_ptr<VolumeReader> open_masks(const std::filesystem::path& source,
   VolumeOptions of_one;
   of_one.holds_labels = options.holds_labels;
   auto volume = open_volume(files[number], of_one);
+  if (number > 0) {
+    const auto first = open_volume(files[0], of_one);
+    const AxesMatch match = matching_axes(first->info(), volume->info());
+    if (!is_same(match)) volume = turned_to(match, std::move(volume), files[number]);
+    require_same_place(files[number], volume->info(), files[0], first->info());
+  }
   VolumeInfo info = volume->info();
-  if (number > 0)
-    require_same_place(files[number], info, files[0], open_volume(files[0], of_one)->info());
   info.frames = files.size();
   info.labels.clear();
   for (std::size_t i = 0; i < files.size(); ++i)
     info.labels.push_back({*mask_name(files[i]), {}, {}, static_cast<std::uint32_t>(i)});
   info.format += ", " + std::to_string(files.size()) + " files";
-  return std::make_unique<Mask>(files[number], std::move(volume), std::move(info));
+  return std::make_unique<Mask>(files[number], std::move(volume), std::move(info), notes);
 }
 
 }  // namespace discmc::command

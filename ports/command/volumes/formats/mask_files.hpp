@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "volumes/volume.hpp"
@@ -19,10 +20,11 @@ std::vector<std::filesystem::path> mask_files(const std::filesystem::path& folde
 /// Volumes of the same extents at the same place, in the natural order of names: options.frame is
 /// the number of one. Each is all of a label, which has the name of the file; if options state
 /// that they hold labels, a file with two values but 0 is refused as it is read. source: what was
-/// named.
+/// named. notes: added to those of the volume.
 std::unique_ptr<VolumeReader> open_masks(const std::filesystem::path& source,
                                          std::vector<std::filesystem::path> files,
-                                         const VolumeOptions& options);
+                                         const VolumeOptions& options,
+                                         const std::vector<std::string>& notes = {});
 
 }  // namespace discmc::command
 

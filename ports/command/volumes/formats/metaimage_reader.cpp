@@ -2,6 +2,7 @@
 // ITK or VTK, so its lines of "key = value" are parsed here.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "text/words.hpp"
@@ -15,8 +16,23 @@
 namespace discmc::command {
 namespace {
 
+// The frames of a tracked sequence of Plus, each with a pose of its own, are no parallel slices.
+void require_untracked(const HeaderFields& fields, const std::string& name,
+                       std::map<std::string, std::string>& poses) {
+  constexpr std::string_view begin = "Seq_Frame", end = "Transform";
+  const std::size_t number = begin.size() + 4;
+  if (name.rfind(begin, 0) != 0 || name.size() < number + end.size() ||
+      name.compare(name.size() - end.size(), end.size(), end) != 0)
+    return;
+  const auto pose = poses.emplace(name.substr(number), fields.text(name)).first;
+  if (pose->second != fields.text(name))
+    fail(fields.file(), "this is a tracked sequence, whose frames lie in different poses",
+         "reconstruct the volume, e.g. with VolumeReconstructor of the Plus toolkit");
+}
+
 HeaderFields read_header(ByteStream& stream) {
   HeaderFields fields(stream.file());
+  std::map<std::string, std::string> poses;
   while (!fields.has("ElementDataFile")) {
     const auto line = stream.read_line();
     if (!line)
@@ -28,7 +44,9 @@ HeaderFields read_header(ByteStream& stream) {
     if (equals == std::string_view::npos)
       fail(stream.file(), "the header line " + shown(*line) + " has no equals sign",
            "check that it is a MetaImage file");
-    fields.add(std::string(trimmed(text.substr(0, equals))), trimmed(text.substr(equals + 1)));
+    const std::string name(trimmed(text.substr(0, equals)));
+    fields.add(name, trimmed(text.substr(equals + 1)));
+    require_untracked(fields, name, poses);
   }
   return fields;
 }

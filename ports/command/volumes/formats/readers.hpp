@@ -30,6 +30,8 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
 std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_mgh(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_mrc(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_cube(ByteStream stream, const VolumeOptions& options);
+std::unique_ptr<VolumeReader> open_described(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const VolumeOptions& options);
 /// source: what was named, of which these are the DICOM files. notes: of its other content, printed

@@ -7,6 +7,7 @@
 
 #include "text/words.hpp"
 #include "volumes/declared_place.hpp"
+#include "volumes/filters/component_volume.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_text.hpp"
 
@@ -237,9 +238,8 @@ bool go_to_array(ByteStream& stream, const Head& head) {
 std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
   const Head head(stream);
-  const std::string_view components = head.array().attribute("NumberOfComponents").as_string("1");
-  if (components != "1")
-    fail(file, "a voxel has " + shown(components) + " numbers", "give a volume of one");
+  const std::int64_t components = integer(
+      file, "NumberOfComponents", head.array().attribute("NumberOfComponents").as_string("1"));
   const std::string_view compressor = head.root().attribute("compressor").value();
   if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
     fail(file, "samples of " + shown(compressor) + " are not supported",
@@ -248,6 +248,8 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
   VolumeInfo info;
   info.type = sample_type(file, head.array().attribute("type").value());
   set_geometry(info, file, head, options);
+  set_channels(info, file, static_cast<std::uint64_t>(std::max<std::int64_t>(1, components)),
+               options.channel);
   note_arrays(info, head);
   const std::string_view order = head.root().attribute("byte_order").value();
   if (order != "LittleEndian" && order != "BigEndian")
@@ -262,14 +264,16 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
     if (go_to_array(stream, head)) stream.decode(base64_decoded);
     Blocks blocks(stream, head, big_endian);
     if (compressor.empty())
-      blocks.go_to_samples(bytes_of_all(info));
+      blocks.go_to_samples(info.channels * bytes_of_all(info));
     else
-      blocks.go_to_compressed_samples(bytes_of_all(info));
+      blocks.go_to_compressed_samples(info.channels * bytes_of_all(info));
   }
   // The length of the array is stored, and elements follow it.
   const auto no_note = [](ByteStream&) { return std::string(); };
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian, std::nullopt,
-                                       no_note);
+  return channel_of(file, std::move(info), options.channel, [&](VolumeInfo all) {
+    return std::make_unique<SliceStream>(std::move(all), std::move(stream), big_endian,
+                                         std::nullopt, no_note);
+  });
 }
 #else
 std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions&) {

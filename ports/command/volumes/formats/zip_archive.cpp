@@ -14,8 +14,10 @@
 #include "text/control_character.hpp"
 #include "volumes/archive_source.hpp"
 #include "volumes/formats/dicom/files.hpp"
+#include "volumes/formats/mask_files.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
 #include "volumes/formats/zarr/folder.hpp"
+#include "volumes/header_text.hpp"
 #include "volumes/unpacked_volume.hpp"
 #endif
 
@@ -90,8 +92,18 @@ std::unique_ptr<VolumeReader> open_inside(const std::filesystem::path& zip,
   const auto zarr = folder_of_zarr(folder);
   if (zarr) return open_zarr(*zarr, options);
   const auto dicom = dicom_files(folder);
-  return open_folder(dicom.empty() ? picture_folder(folder) : folder, dicom, options,
+  const auto pictures = picture_folder(folder);
+  const bool are_there = !picture_files(pictures).empty() || !mask_files(pictures).empty();
+  return open_folder(dicom.empty() && are_there ? pictures : folder, dicom, options,
                      "give a pattern, such as '" + (zip / "*.png").string() + "'");
+}
+
+// Without what is done to any volume, once.
+VolumeOptions whole(VolumeOptions options) {
+  options.crop.reset();
+  options.shrink = 1;
+  options.holds_labels = false;
+  return options;
 }
 
 }  // namespace
@@ -101,8 +113,13 @@ std::unique_ptr<VolumeReader> open_zip(const std::filesystem::path& file,
   const auto zip = archive_of(file);
   return unpacked_volume(*zip, "zip", [&](const std::filesystem::path& folder) {
     unpack(*zip, folder);
-    return *zip == file ? open_inside(*zip, folder, options)
-                        : open_pattern(folder / file.lexically_relative(*zip), options);
+    if (*zip == file) return open_inside(*zip, folder, options);
+    const std::filesystem::path inner = file.lexically_relative(*zip);
+    if (leads_out(inner.native()))
+      fail(file, "the name leads out of the archive", "name a file in it");
+    const bool is_pattern = inner.native().find_first_of("*?[") != std::string::npos;
+    return is_pattern ? open_pattern(folder / inner, options)
+                      : open_volume(folder / inner, whole(options));
   });
 }
 #else

@@ -43,15 +43,17 @@ std::optional<std::array<double, count>> reals_of(DcmElement* element) {
 inline std::string text_of(DcmItem& item, const DcmTagKey& key) {
   return text_of(element_of(item, key));
 }
+
+/// Returns a name as UTF-8, also from the character sets of Asia that DCMTK does not convert.
+/// dataset: that names its character set.
+std::string name_in(DcmItem& dataset, DcmItem& item, const DcmTagKey& key);
+
 inline std::optional<double> real_of(DcmItem& item, const DcmTagKey& key, unsigned long index = 0) {
   return real_of(element_of(item, key), index);
 }
 
 /// Returns a whole number of 16 bits.
 std::optional<std::uint32_t> whole_of(DcmItem& item, const DcmTagKey& key);
-
-/// Returns the number of a decimal text, in which a comma may replace the point.
-std::optional<double> decimal(std::string text);
 
 /// The attributes of a frame of a file.
 class Attributes {

@@ -93,13 +93,13 @@ double half_a_decimal(const std::vector<double>& numbers) {
   return 0;
 }
 
-std::optional<EvenSlices> slices_by_distances(const std::vector<double>& along, OddDistance& odd) {
-  constexpr double tolerance = 0.02;  // of the distance
+std::optional<EvenSlices> slices_by_distances(const std::vector<double>& along, double tolerance,
+                                              OddDistance& odd) {
   const std::vector<double> steps = distances_of(along);
   std::vector<double> sorted = steps;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
-  const auto is_even = [median = *middle](double distance) {
+  const auto is_even = [median = *middle, tolerance](double distance) {
     return std::fabs(distance - median) <= tolerance * median;
   };
   // The mean of them, as what is rounded adds up over a gap.

@@ -32,6 +32,9 @@ double farthest_off(const std::vector<double>& along, const EvenSlices& slices);
 /// thousandths; otherwise 0.
 double half_a_decimal(const std::vector<double>& numbers);
 
+/// Distances that differ by this share of them are the same.
+constexpr double same_distance = 0.02;
+
 /// A distance that is no multiple of the others.
 struct OddDistance {
   double step = 0;
@@ -39,8 +42,9 @@ struct OddDistance {
 };
 
 /// Returns even slices by their distances alone, each of which is a step, or several where slices
-/// are missing, but for a fiftieth. odd: where there are none, why.
-std::optional<EvenSlices> slices_by_distances(const std::vector<double>& along, OddDistance& odd);
+/// are missing. tolerance: as a share of it. odd: where there are none, why.
+std::optional<EvenSlices> slices_by_distances(const std::vector<double>& along, double tolerance,
+                                              OddDistance& odd);
 
 }  // namespace discmc::command
 

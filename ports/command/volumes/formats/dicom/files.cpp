@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -99,13 +100,19 @@ bool has_dicom_name(const std::filesystem::path& file) {
   return extension == ".dcm" || extension == ".ima";
 }
 
-std::vector<Path> dicom_files(const Path& folder) {
+std::vector<Path> files_in(const Path& folder) {
   std::vector<Path> files;
   for_each_entry(folder, [&](const std::filesystem::directory_entry& entry) {
     std::error_code unknown;
-    if (entry.is_regular_file(unknown) && is_dicom(entry.path())) files.push_back(entry.path());
+    if (entry.is_regular_file(unknown)) files.push_back(entry.path());
   });
   std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::vector<Path> dicom_files(const Path& folder) {
+  std::vector<Path> files = files_in(folder);
+  files.erase(std::remove_if(files.begin(), files.end(), std::not_fn(is_dicom)), files.end());
   return files;
 }
 

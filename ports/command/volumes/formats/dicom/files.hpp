@@ -18,8 +18,11 @@ bool is_dicom_head(std::string_view head);
 /// Whether a file is named as DICOM files are.
 bool has_dicom_name(const std::filesystem::path& file);
 
-/// Returns the DICOM files of a folder and of all folders in it, packed ones too, by their names.
-/// Those whose names begin with a dot are left out.
+/// Returns the files of a folder and of all folders in it, by their names. Those whose names begin
+/// with a dot are left out.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
+
+/// The same of DICOM files, packed ones too.
 std::vector<std::filesystem::path> dicom_files(const std::filesystem::path& folder);
 
 /// The same of links that lead nowhere.

@@ -1,19 +1,15 @@
 #include "frames.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "attributes.hpp"
+#include "stack.hpp"
 #include "text/number_text.hpp"
 #include "vectors.hpp"
 
 namespace discmc::command {
 namespace {
-
-// Whether a functional group has the positions, and not the file as a whole.
-bool have_own_positions(DcmItem& dataset) {
-  return Attributes(dataset, 0)
-             .grouped_element(DCM_PlanePositionSequence, DCM_ImagePositionPatient) != nullptr;
-}
 
 void note_times(DcmItem& dataset, DicomImage& image) {
   DcmTagKey key = DCM_UndefinedTagKey;
@@ -23,6 +19,22 @@ void note_times(DcmItem& dataset, DicomImage& image) {
     return;
   if (key == DCM_FrameTime || key == DCM_FrameTimeVector)
     image.notes.emplace_back("the frames have times (FrameTime), and are read as slices");
+}
+
+// Whether all frames have one position, and nothing tells that they are of several times: as some
+// programs write slices of the eye.
+bool are_in_one_place(const DicomImage& image, const std::vector<DicomFrame>& frames) {
+  if (image.segments) return false;
+  return std::all_of(frames.begin(), frames.end(), [&](const DicomFrame& frame) {
+    if (!frame.place || frame.place->position != frames[0].place->position ||
+        !have_one_direction(frame, frames[0]))
+      return false;
+    for (std::size_t kind = 0; kind < trait_count(); ++kind)
+      if (!is_for_programs(kind) &&
+          trait_of(frame.traits, kind) != trait_of(frames[0].traits, kind))
+        return false;
+    return true;
+  });
 }
 
 }  // namespace
@@ -42,13 +54,21 @@ void place_by_steps(DicomImage& image, std::vector<DicomFrame>& frames,
                                     : "as SpacingBetweenSlices and SliceThickness are missing"));
 }
 
+bool have_own_positions(DcmItem& dataset) {
+  const Attributes first(dataset, 0);
+  return first.grouped_element(DCM_PlanePositionSequence, DCM_ImagePositionPatient) != nullptr ||
+         first.grouped_element(DCM_PlanePositionVolumeSequence, DCM_ImagePositionVolume) != nullptr;
+}
+
 NoSlices place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
   if (image.modality == "NM") return place_nuclear(dataset, image, frames);
   if (image.modality == "RTDOSE") scale_dose(dataset, image, frames);
   if (real_of(dataset, DCM_GridFrameOffsetVector)) return place_by_offsets(dataset, frames);
   if (frames.size() == 1) return {};
   note_times(dataset, image);
-  if (!frames.front().place || have_own_positions(dataset)) return {};
+  const bool is_one_place =
+      frames.front().place && (!have_own_positions(dataset) || are_in_one_place(image, frames));
+  if (!is_one_place) return {};
   std::vector<std::uint32_t> slices(frames.size());
   std::iota(slices.begin(), slices.end(), 0U);
   place_by_steps(image, frames, slices);

@@ -12,6 +12,9 @@ class DcmItem;
 
 namespace discmc::command {
 
+/// Whether functional groups have the positions, and not the file as a whole.
+bool have_own_positions(DcmItem& dataset);
+
 /// Moves the frames of a file to where each lies, if the file has one place for all of them. Adds
 /// to the notes of the image what was assumed. Returns why that cannot be, or nothing.
 NoSlices place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);

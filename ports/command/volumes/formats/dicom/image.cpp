@@ -5,7 +5,9 @@
 
 #include "attributes.hpp"
 #include "frames.hpp"
+#include "instead.hpp"
 #include "mosaic.hpp"
+#include "text/number_text.hpp"
 #include "vectors.hpp"
 #include "volumes/volume_error.hpp"
 
@@ -23,14 +25,21 @@ std::optional<Vector> direction(const std::array<double, 6>& orientation, std::s
   return vector;
 }
 
+// Returns whether an element has the distances of voxels.
+bool take_spacing(DcmElement* element, const char* name, DicomFrame& frame) {
+  const auto spacing = reals_of<2>(element);
+  if (!spacing || !((*spacing)[0] > 0 && (*spacing)[1] > 0)) return false;
+  frame.spacing_mm = {(*spacing)[1], (*spacing)[0]};
+  frame.spacing_name = name;
+  return true;
+}
+
 void set_spacing(DcmItem& dataset, const Attributes& attributes, DicomFrame& frame) {
-  auto spacing = reals_of<2>(attributes.element(DCM_PixelMeasuresSequence, DCM_PixelSpacing));
-  frame.spacing_name = "PixelSpacing";
-  if (!spacing) {
-    spacing = reals_of<2>(element_of(dataset, DCM_ImagerPixelSpacing));
-    frame.spacing_name = spacing ? "ImagerPixelSpacing" : nullptr;
-  }
-  if (spacing) frame.spacing_mm = {(*spacing)[1], (*spacing)[0]};
+  take_spacing(attributes.element(DCM_PixelMeasuresSequence, DCM_PixelSpacing), "PixelSpacing",
+               frame) ||
+      take_spacing(element_of(dataset, DCM_ImagerPixelSpacing), "ImagerPixelSpacing", frame) ||
+      take_spacing(element_of(dataset, DCM_NominalScannedPixelSpacing),
+                   "NominalScannedPixelSpacing", frame);
   for (const auto& [key, name] : {std::pair(DCM_SpacingBetweenSlices, "SpacingBetweenSlices"),
                                   std::pair(DCM_SliceThickness, "SliceThickness")}) {
     const auto distance = real_of(attributes.element(DCM_PixelMeasuresSequence, key));
@@ -73,6 +82,13 @@ DicomFrame frame(DcmItem& dataset, const std::shared_ptr<const DicomImage>& imag
   frame.place = place_of(
       reals_of<3>(attributes.element(DCM_PlanePositionSequence, DCM_ImagePositionPatient)),
       reals_of<6>(attributes.element(DCM_PlaneOrientationSequence, DCM_ImageOrientationPatient)));
+  if (!frame.place) {
+    frame.place = place_of(
+        reals_of<3>(attributes.element(DCM_PlanePositionVolumeSequence, DCM_ImagePositionVolume)),
+        reals_of<6>(
+            attributes.element(DCM_PlaneOrientationVolumeSequence, DCM_ImageOrientationVolume)));
+    if (frame.place) frame.place->is_of_patient = false;
+  }
   set_spacing(dataset, attributes, frame);
   set_scale(attributes, frame);
   frame.traits = traits_of(dataset, attributes, number);
@@ -107,6 +123,10 @@ NoSlices check_decimals(DcmItem& dataset, DicomImage& image) {
                 "correct it, e.g. with: dcmodify -m " + std::string(DcmTag(key).getTagName()) +
                     "=VALUE FILE"};
   }
+  const auto spacing = reals_of<2>(attributes.element(decimals[0].first, decimals[0].second));
+  if (spacing && !((*spacing)[0] > 0 && (*spacing)[1] > 0))
+    image.notes.push_back("PixelSpacing is " + short_number((*spacing)[0]) + " by " +
+                          short_number((*spacing)[1]) + " and is ignored");
   if (have_commas) image.notes.emplace_back("decimal commas are read as points");
   return {};
 }
@@ -124,8 +144,12 @@ std::optional<std::int32_t> padding_of(DcmItem& dataset, bool is_signed) {
 
 // Returns what the samples are instead of grey values, or nothing.
 NoSlices set_samples(DcmItem& dataset, DicomImage& image) {
-  if (whole_of(dataset, DCM_SamplesPerPixel).value_or(1) != 1) return {"a colour image"};
   const std::string photometric = text_of(dataset, DCM_PhotometricInterpretation);
+  image.channels = whole_of(dataset, DCM_SamplesPerPixel).value_or(1);
+  image.is_planar = whole_of(dataset, DCM_PlanarConfiguration) == 1U;
+  const bool is_read = image.channels == 3 && image.compression.empty() &&
+                       (photometric == "RGB" || photometric == "YBR_FULL");
+  if (image.channels != 1 && !is_read) return {"a colour image"};
   const bool are_numbers = image.segments && image.segments->kind == DicomSegments::Kind::numbers;
   if (photometric.rfind("PALETTE", 0) == 0 && !are_numbers) return {"a colour image"};
   image.is_inverted = photometric == "MONOCHROME1";
@@ -165,15 +189,16 @@ bool is_ascii(const std::string& text) {
 
 // The names of a series and of segments as UTF-8, where DCMTK was built with what converts them.
 void set_encoding(DcmDataset& dataset) {
-  const bool has_names =
-      dataset.tagExists(DCM_SegmentSequence) || !is_ascii(text_of(dataset, DCM_SeriesDescription));
+  const bool has_names = dataset.tagExists(DCM_SegmentSequence) ||
+                         dataset.tagExists(DCM_StructureSetROISequence) ||
+                         !is_ascii(text_of(dataset, DCM_SeriesDescription));
   if (has_names) dataset.convertToUTF8();
 }
 
 void set_names(DcmItem& dataset, DicomImage& image) {
   image.series = text_of(dataset, DCM_SeriesInstanceUID);
   image.instance = text_of(dataset, DCM_SOPInstanceUID);
-  image.description = text_of(dataset, DCM_SeriesDescription);
+  image.description = name_in(dataset, dataset, DCM_SeriesDescription);
   image.modality = text_of(dataset, DCM_Modality);
   image.is_parametric_map = text_of(dataset, DCM_SOPClassUID) == UID_ParametricMapStorage;
   Sint32 number = 0;
@@ -208,7 +233,8 @@ NoSlices set_frames(DcmDataset& dataset, const std::shared_ptr<DicomImage>& imag
   for (Sint32 i = 0; i < count; ++i)
     frames.push_back(frame(dataset, image, static_cast<std::uint32_t>(i)));
   drop_slopes_of_zero(*image, frames);
-  if (is_mosaic(dataset)) return unfold_mosaic(dataset, *image, frames);
+  if (!have_own_positions(dataset) && is_mosaic(dataset))
+    return unfold_mosaic(dataset, *image, frames);
   return place_frames(dataset, *image, frames);
 }
 
@@ -229,14 +255,14 @@ NoSlices read_image(DcmDataset& dataset, const std::shared_ptr<DicomImage>& imag
                     std::vector<DicomFrame>& frames) {
   image->rows = whole_of(dataset, DCM_Rows).value_or(0);
   image->columns = whole_of(dataset, DCM_Columns).value_or(0);
-  if (image->rows == 0 || image->columns == 0) return {"a DICOM file without an image"};
   set_encoding(dataset);
+  if (image->rows == 0 || image->columns == 0) return without_image(dataset);
+  const E_TransferSyntax syntax = dataset.getOriginalXfer();
+  if (is_encapsulated(syntax)) image->compression = DcmXfer(syntax).getXferName();
   if (dataset.tagExists(DCM_SegmentationType)) image->segments = segments_of(dataset);
   for (const auto& step : {set_samples, check_decimals})
     if (NoSlices instead = step(dataset, *image)) return instead;
   set_names(dataset, *image);
-  const E_TransferSyntax syntax = dataset.getOriginalXfer();
-  if (is_encapsulated(syntax)) image->compression = DcmXfer(syntax).getXferName();
   return set_frames(dataset, image, frames);
 }
 
@@ -244,7 +270,7 @@ NoSlices read_image(DcmDataset& dataset, const std::shared_ptr<DicomImage>& imag
 
 std::uint64_t picture_bytes(const DicomImage& image) {
   const std::uint64_t across = image.mosaic ? image.mosaic->across : 1;
-  const std::uint64_t samples = across * image.columns * across * image.rows;
+  const std::uint64_t samples = across * image.columns * across * image.rows * image.channels;
   return image.is_of_bits ? (samples + 7) / 8 : samples * sample_bytes(image.type);
 }
 
@@ -265,6 +291,8 @@ Vector normal_of(const DicomPlace& place) {
 
 DicomContent dicom_content(const std::filesystem::path& file) {
   DicomContent content;
+  content.instead = foreign_content(file);
+  if (content.instead) return content;
   auto opened = open_dicom_file(file, Pixels::left_out);
   if (!opened) {
     content.instead.what =
@@ -276,6 +304,8 @@ DicomContent dicom_content(const std::filesystem::path& file) {
   if (content.instead) return content;
   const auto image = std::make_shared<DicomImage>();
   image->file = file;
+  if (contradicts_header(*opened))
+    image->notes.emplace_back("the transfer syntax in the header is wrong; the content is used");
   content.instead = read_image(*opened->getDataset(), image, content.frames);
   if (content.instead) content.frames.clear();
   return content;

@@ -36,6 +36,9 @@ struct DicomImage {
   /// The extents of a slice.
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
+  /// The samples of a voxel, side by side: 3 of colours. Planar: those of a channel side by side.
+  std::uint32_t channels = 1;
+  bool is_planar = false;
   /// The type of a sample, as wide as it is stored.
   SampleType type = SampleType::u8;
   /// The bits of a whole number, and the place of the highest. Limit: those of the type.
@@ -65,6 +68,7 @@ struct DicomPlace {
   std::array<double, 3> position{};  ///< of the centre of the first voxel
   std::array<double, 3> along_row{};
   std::array<double, 3> along_column{};
+  bool is_of_patient = true;  ///< otherwise in a space of the scanner, as of ultrasound
 };
 
 /// Returns the place by a position and the directions of a row and a column; nothing where one is

@@ -9,6 +9,7 @@
 
 #include "attributes.hpp"
 #include "csa_header.hpp"
+#include "text/number_text.hpp"
 #include "vectors.hpp"
 
 namespace discmc::command {

@@ -122,7 +122,8 @@ void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::option
     if (name.empty())
       note(info, "no PixelSpacing, 1 mm assumed");
     else if (name != "PixelSpacing")
-      note(info, "no PixelSpacing, " + name + " is used, the spacing at the detector");
+      note(info, "no PixelSpacing, " + name + " is used" +
+                     (name == "ImagerPixelSpacing" ? ", the spacing at the detector" : ""));
     if (distance == 0) note(info, "no SpacingBetweenSlices or SliceThickness, 1 mm assumed");
   }
   const auto or_one = [](double length) { return length == 0 ? 1 : length; };
@@ -130,7 +131,7 @@ void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::option
   place.set_unit("mm");
   place.spacing = {or_one(first.spacing_mm[0]), or_one(first.spacing_mm[1]), or_one(distance)};
   if (line) {
-    place.space = Space::lps;
+    place.space = first.place->is_of_patient ? Space::lps : Space::scanner;
     place.origin = line->origin;
     const Vector across =
         distance == 0 ? normal_of(*first.place) : sum({}, 1 / distance, line->step);

@@ -194,7 +194,16 @@ void DicomPixels::read(const DicomFrame& frame, void* samples) {
   }
   if (!image.mosaic || !is_decoded_) decode(picture);
   is_decoded_ = true;
-  const std::size_t row = std::size_t{image.columns} * sample_bytes(image.type);
+  const std::size_t sample = sample_bytes(image.type);
+  const std::size_t row = std::size_t{image.columns} * image.channels * sample;
+  if (image.is_planar && image.channels > 1) {
+    const std::size_t count = std::size_t{image.columns} * image.rows;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t channel = 0; channel < image.channels; ++channel)
+        std::memcpy(static_cast<unsigned char*>(samples) + (i * image.channels + channel) * sample,
+                    decoded_.data() + (channel * count + i) * sample, sample);
+    return;
+  }
   if (!image.mosaic) {
     std::memcpy(samples, decoded_.data(), image.rows * row);
     return;

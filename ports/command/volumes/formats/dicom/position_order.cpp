@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -28,6 +29,26 @@ class Along {
   Vector normal_;
 };
 
+// Refuses slices in one place. kept: those before `frame`, with the one in its place at the end.
+[[noreturn]] void fail_in_one_place(const Path& source, const Frames& stack, const Frames& kept,
+                                    const DicomFrame& frame, const Along& along) {
+  std::map<double, std::size_t> places;  // in thousandths of a millimetre
+  for (const DicomFrame& each : stack) ++places[std::round(1000 * along(each))];
+  std::vector<double> twice;
+  for (const auto& [place, count] : places)
+    if (count > 1) twice.push_back(place / 1000);
+  const bool is_one_file = frame.image == kept.back().image;
+  fail(source,
+       "two slices at " + short_number(along(frame)) + " mm differ: " + name_of(kept.back()) +
+           " and " + name_of(frame) + ", and no attribute separates their volumes; " +
+           std::to_string(twice.size()) + " of " + std::to_string(places.size()) +
+           " places hold several slices, from " + short_number(twice.front()) + " to " +
+           short_number(twice.back()) + " mm",
+       is_one_file ? "read the frames in their order with --order instance, or split the file"
+                   : "give a pattern of the files of one volume, such as 'FOLDER/a*', or move " +
+                         name_of(frame) + " away");
+}
+
 // Drops frames that are there twice. Returns how many.
 std::size_t drop_duplicates(const Path& source, Frames& stack, const Along& along,
                             const SamePixels& same_pixels) {
@@ -42,10 +63,7 @@ std::size_t drop_duplicates(const Path& source, Frames& stack, const Along& alon
                                 frame.image->instance == kept.back().image->instance &&
                                 frame.number == kept.back().number;
     if (!is_same_object && !same_pixels(frame, kept.back()))
-      fail(source,
-           "two slices at " + short_number(along(frame)) + " mm differ: " + name_of(kept.back()) +
-               " and " + name_of(frame) + ", and no attribute separates their volumes",
-           "give a pattern of the files of one volume, such as 'FOLDER/a*'");
+      fail_in_one_place(source, stack, kept, frame, along);
   }
   const std::size_t dropped = stack.size() - kept.size();
   stack = std::move(kept);
@@ -90,12 +108,17 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const Frames& stack
                        const std::vector<double>& along) {
   OddDistance odd;
   const double rounding = along_normal_of(stack, rounding_of(stack));
-  auto slices = slices_by_distances(along, odd);
+  auto slices = slices_by_distances(along, same_distance, odd);
   if (!slices) {
     slices = rounded_slices(along, std::fabs(stack[0].slice_spacing_mm), rounding);
     if (slices)
       note(info, "the positions are rounded, slices assumed to be " + short_number(slices->step) +
                      " mm apart");
+  }
+  constexpr double max_jitter = 0.1;  // of a step
+  if (!slices) {
+    slices = slices_by_distances(along, max_jitter, odd);
+    if (slices && slices->numbers.back() + 1 != along.size()) slices.reset();  // not beside gaps
   }
   if (!slices) {
     const DicomFrame& before = stack[odd.slice];
@@ -108,8 +131,8 @@ EvenSlices even_slices(const Path& source, VolumeInfo& info, const Frames& stack
          "resample the series to even distances, e.g. with 3D Slicer or dcm2niix");
   }
   const double off = farthest_off(along, *slices);
-  constexpr double max_share = 0.25, share_to_note = 0.02;
-  if (off > std::max(rounding, share_to_note * slices->step))
+  constexpr double max_share = 0.25;
+  if (off > std::max(rounding, same_distance * slices->step))
     note(info, "slices lie up to " + short_number(off) + " mm from their place at even distances");
   if (off > max_share * slices->step)
     fail(source,
@@ -128,25 +151,35 @@ Vector step_of(const Path& source, VolumeInfo& info, const Frames& stack,
     const Vector way = sum(stack[i].place->position, -1, first);
     return sum(way, -dot(way, normal), normal);
   };
-  constexpr double least_mm = 0.001, share = 0.1, straight_share = 0.02;  // of a voxel
+  constexpr double least_mm = 0.001, share = 0.25, straight_share = 0.02;  // of a voxel
   const double voxel = std::min(stack[0].spacing_mm[0], stack[0].spacing_mm[1]);
   // That of a position, and of the two that the line goes through.
   const double rounding = std::max(least_mm, 2 * length(rounding_of(stack)));
   const auto last = static_cast<double>(slices.numbers.back());
   const Vector shift = sum({}, 1 / last, aside(stack.size() - 1));
-  bool is_straight = true;
+  double most_aside = 0, most_off = 0, most_jump = 0;
+  std::size_t after_jump = 1;
   for (std::size_t i = 0; i < stack.size(); ++i) {
-    const auto number = static_cast<double>(slices.numbers[i]);
-    is_straight = is_straight && length(aside(i)) <= std::max(rounding, straight_share * voxel);
-    const double off = length(sum(aside(i), -number, shift));
-    if (off > std::max(rounding, share * voxel))
-      fail(source,
-           name_of(stack[i]) + " is shifted sideways by " + short_number(off) +
-               " mm against the line of the others",
-           "resample the series to a straight line, e.g. with 3D Slicer");
+    most_aside = std::max(most_aside, length(aside(i)));
+    most_off =
+        std::max(most_off, length(sum(aside(i), -static_cast<double>(slices.numbers[i]), shift)));
+    const double jump = i == 0 ? 0 : length(sum(aside(i), -1, aside(i - 1)));
+    if (jump > most_jump) after_jump = i;
+    most_jump = std::max(most_jump, jump);
   }
   const Vector straight = sum({}, slices.step, normal);
-  if (is_straight) return straight;
+  if (most_aside <= std::max(rounding, straight_share * voxel)) return straight;
+  const double allowed = std::max(rounding, share * voxel);
+  if (most_aside <= allowed && most_off > std::max(rounding, straight_share * voxel)) {
+    note(info, "slices lie up to " + short_number(most_aside) + " mm aside of a straight line");
+    return straight;
+  }
+  if (most_off > allowed)
+    fail(source,
+         "the slices are not on one line: " + name_of(stack[after_jump]) +
+             " is shifted sideways by " + short_number(most_jump) + " mm against " +
+             name_of(stack[after_jump - 1]),
+         "resample the series to a straight line, e.g. with 3D Slicer");
   constexpr double degrees = 180 / 3.14159265358979323846;
   note(info, "each slice is shifted by " + short_number(length(shift)) +
                  " mm against the one before it, as by a gantry tilted by " +

@@ -13,6 +13,7 @@
 #include "pixels.hpp"
 #include "segmentation.hpp"
 #include "stack.hpp"
+#include "volumes/filters/component_volume.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/packing.hpp"
 #include "volumes/unpacked_volume.hpp"
@@ -108,9 +109,21 @@ Found find_frames(const std::vector<std::filesystem::path>& files) {
   return found;
 }
 
+// Colours beside grey values are pictures of a screen, unless a channel is asked for.
+void choose_colours(Found& found, bool are_asked_for) {
+  const auto is_asked_for = [&](const DicomFrame& frame) {
+    return (frame.image->channels > 1) == are_asked_for;
+  };
+  const auto others = std::stable_partition(found.frames.begin(), found.frames.end(), is_asked_for);
+  if (others == found.frames.begin() || others == found.frames.end()) return;
+  found.skipped += static_cast<std::size_t>(found.frames.end() - others);
+  if (!found.instead) found.instead = {are_asked_for ? "a grey image" : "a colour image"};
+  found.frames.erase(others, found.frames.end());
+}
+
 bool have_same_pixels(const DicomFrame& a, const DicomFrame& b) {
-  const std::size_t bytes =
-      std::size_t{a.image->columns} * a.image->rows * sample_bytes(a.image->type);
+  const std::size_t bytes = std::size_t{a.image->columns} * a.image->rows * a.image->channels *
+                            sample_bytes(a.image->type);
   std::vector<unsigned char> of_a(bytes);
   std::vector<unsigned char> of_b(bytes);
   require_possible(*a.image);
@@ -146,7 +159,10 @@ std::unique_ptr<VolumeReader> open_stack(const std::filesystem::path& source,
   order_stack(source, frames, have_same_pixels, options, info);
   info.frames = chosen.among;
   if (frames.size() == 1) note(info, "this is one slice; for a whole series, give its folder");
-  return std::make_unique<DicomVolume>(source, std::move(info), std::move(frames));
+  set_channels(info, source, stack.image().channels, options.channel, {"red", "green", "blue"});
+  return channel_of(source, std::move(info), options.channel, [&](VolumeInfo all) {
+    return std::make_unique<DicomVolume>(source, std::move(all), std::move(frames));
+  });
 }
 
 void require_file(const std::filesystem::path& file) {
@@ -190,13 +206,14 @@ std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
     return unpacked_volume(source, name(*packing_of_name(*packed)), [&](const auto& folder) {
       return open_dicom(source, unpacked_files(source, files, folder), options, notes);
     });
-  const Found found = find_frames(files);
+  Found found = find_frames(files);
   if (found.is_directory && files.size() == 1) {
     const auto folder = std::filesystem::absolute(files[0]).parent_path();
     const auto beside = dicom_files(folder);
     if (beside.size() > 1) return open_dicom(source, beside, options, notes);
   }
   if (found.frames.empty()) fail_empty(source, found, files.size());
+  choose_colours(found, options.channel.has_value());
   const DicomSorting sorting = {options.order == SliceOrder::position, options.merges_series};
   const std::vector<DicomStack> stacks = dicom_stacks(found.frames, sorting);
   std::vector<std::string> all_notes = notes;

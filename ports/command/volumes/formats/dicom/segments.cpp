@@ -61,7 +61,7 @@ DicomSegments segments_of(DcmItem& dataset) {
   for (signed long i = 0; dataset.findAndGetSequenceItem(DCM_SegmentSequence, segment, i).good();
        ++i)
     if (const auto number = whole_of(*segment, DCM_SegmentNumber))
-      segments.all[*number] = {text_of(*segment, DCM_SegmentLabel), colour(*segment)};
+      segments.all[*number] = {name_in(dataset, *segment, DCM_SegmentLabel), colour(*segment)};
   return segments;
 }
 

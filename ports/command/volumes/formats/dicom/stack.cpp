@@ -7,7 +7,9 @@
 #include <tuple>
 #include <utility>
 
+#include "distances.hpp"
 #include "separation.hpp"
+#include "text/number_text.hpp"
 #include "vectors.hpp"
 
 namespace discmc::command {
@@ -19,7 +21,7 @@ using Frames = std::vector<DicomFrame>;
 auto kind_of(const DicomFrame& frame, bool merges_series) {
   const DicomImage& image = *frame.image;
   return std::tuple(image.segments ? &image : nullptr, merges_series ? std::string() : image.series,
-                    image.columns, image.rows, image.type);
+                    image.columns, image.rows, image.channels, image.type);
 }
 
 // In the order of their first frames.
@@ -41,21 +43,55 @@ std::vector<Frames> by_kind(const Frames& frames, bool merges_series) {
   return groups;
 }
 
-// What frames of one volume have in common in any case.
-std::vector<std::string> traits_of_volume(const DicomFrame& frame) {
-  std::vector<std::string> values;
-  for (std::size_t kind = 0; kind < trait_count(); ++kind)
-    if (is_of_volume(kind)) values.push_back(trait_of(frame.traits, kind));
-  return values;
+// Whether more than two frames all differ in a trait.
+bool is_of_its_own(const Frames& frames, std::size_t kind) {
+  std::set<std::string> values;
+  for (const DicomFrame& frame : frames) values.insert(trait_of(frame.traits, kind));
+  return values.size() > 2 && values.size() == frames.size();
 }
 
-std::vector<Frames> by_traits_of_volume(const Frames& frames) {
+// The frames by the traits whose kinds are asked for.
+template <class IsAsked>
+std::vector<Frames> by_traits(const Frames& frames, IsAsked is_asked) {
+  std::vector<std::size_t> kinds;
+  for (std::size_t kind = 0; kind < trait_count(); ++kind)
+    if (is_asked(kind) && !(is_uid(kind) && is_of_its_own(frames, kind))) kinds.push_back(kind);
   std::map<std::vector<std::string>, Frames> groups;
-  for (const DicomFrame& frame : frames) groups[traits_of_volume(frame)].push_back(frame);
+  for (const DicomFrame& frame : frames) {
+    std::vector<std::string> values;
+    for (const std::size_t kind : kinds) values.push_back(trait_of(frame.traits, kind));
+    groups[values].push_back(frame);
+  }
   std::vector<Frames> result;
   result.reserve(groups.size());
   for (auto& [traits, group] : groups) result.push_back(std::move(group));
   return result;
+}
+
+// Whether the frames lie one step from each other on one line, none of them twice.
+bool are_even(Frames frames) {
+  if (frames.size() < 3 || !frames[0].place) return false;
+  const Vector normal = normal_of(*frames[0].place);
+  const auto along_of = [&](const DicomFrame& frame) { return dot(frame.place->position, normal); };
+  std::sort(frames.begin(), frames.end(),
+            [&](const DicomFrame& a, const DicomFrame& b) { return along_of(a) < along_of(b); });
+  std::vector<double> along;
+  for (const DicomFrame& frame : frames) {
+    along.push_back(along_of(frame));
+    const Vector way = sum(frame.place->position, -1, frames[0].place->position);
+    const Vector aside = sum(way, -dot(way, normal), normal);
+    if (length(aside) > 0.1 * std::min(frame.spacing_mm[0], frame.spacing_mm[1])) return false;
+  }
+  OddDistance odd;
+  const auto slices = slices_by_distances(along, same_distance, odd);
+  return slices && slices->step > 0 && slices->numbers.back() == frames.size() - 1;
+}
+
+// Stacks that are acquired in turn may be one volume.
+std::vector<Frames> by_stack(const Frames& frames) {
+  auto groups = by_traits(frames, is_of_stack);
+  if (groups.size() > 1 && are_even(frames)) return {frames};
+  return groups;
 }
 
 // ---- what distinguishes stacks of one series ----
@@ -76,12 +112,42 @@ std::vector<std::size_t> distinguishing(const Siblings& stacks) {
   constexpr std::size_t most = 3;
   std::vector<std::size_t> kinds;
   for (std::size_t kind = 0; kind < trait_count() && kinds.size() < most; ++kind) {
-    if (!kinds.empty() && is_for_programs(kind)) break;
+    if (!kinds.empty() && is_for_programs(kind)) continue;
     std::set<std::string> values;
     for (const DicomStack* stack : stacks) values.insert(common_trait(stack->frames, kind));
     if (values.size() > 1) kinds.push_back(kind);
   }
   return kinds;
+}
+
+std::string vector_text(const Vector& vector) {
+  std::string text;
+  for (const double component : vector) text += ' ' + short_number(component + 0.0);  // never -0
+  return text;
+}
+
+// Where the slices lie along their normal.
+std::string extent_of(const DicomStack& stack) {
+  if (!stack.frames[0].place || stack.image().segments) return {};
+  const Vector normal = normal_of(*stack.frames[0].place);
+  std::vector<double> along;
+  for (const DicomFrame& frame : stack.frames)
+    along.push_back(dot(frame.place->position, normal) + 0.0);
+  const auto [least, most] = std::minmax_element(along.begin(), along.end());
+  return ", at " + short_number(*least) + (*least < *most ? " to " + short_number(*most) : "") +
+         " mm";
+}
+
+std::string direction_of(const DicomStack& stack) {
+  return stack.frames[0].place ? ", across" + vector_text(normal_of(*stack.frames[0].place)) : "";
+}
+
+template <class Text>
+void distinguish_by(const Siblings& stacks, Text text) {
+  std::set<std::string> texts;
+  for (const DicomStack* stack : stacks) texts.insert(text(*stack));
+  if (texts.size() < 2) return;
+  for (DicomStack* stack : stacks) stack->distinction += text(*stack);
 }
 
 void distinguish(const Siblings& stacks) {
@@ -90,6 +156,8 @@ void distinguish(const Siblings& stacks) {
     for (DicomStack* stack : stacks)
       if (const std::string value = common_trait(stack->frames, kind); !value.empty())
         stack->distinction += ", " + trait_text(kind, value);
+  distinguish_by(stacks, direction_of);
+  distinguish_by(stacks, extent_of);
 }
 
 void distinguish_all(std::vector<DicomStack>& stacks) {
@@ -123,9 +191,10 @@ std::vector<DicomStack> dicom_stacks(const std::vector<DicomFrame>& frames,
                                      const DicomSorting& sorting) {
   std::vector<DicomStack> stacks;
   for (const Frames& of_kind : by_kind(frames, sorting.merges_series))
-    for (const Frames& alike : by_traits_of_volume(of_kind))
-      for (SeparatedFrames& volume : volumes_of(alike, sorting.is_by_position))
-        stacks.push_back({std::move(volume.frames), {}, std::move(volume.order)});
+    for (const Frames& alike : by_traits(of_kind, is_of_volume))
+      for (const Frames& stack : by_stack(alike))
+        for (SeparatedFrames& volume : volumes_of(stack, sorting.is_by_position))
+          stacks.push_back({std::move(volume.frames), {}, std::move(volume.order)});
   std::stable_sort(stacks.begin(), stacks.end(), [](const DicomStack& a, const DicomStack& b) {
     const auto key = [](const DicomStack& stack) {
       return std::tie(stack.image().series_number, stack.image().series);

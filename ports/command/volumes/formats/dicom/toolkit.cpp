@@ -16,6 +16,7 @@ void set_up() {
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
   DJDecoderRegistration::registerCodecs();
   DJLSDecoderRegistration::registerCodecs();
+  dcmEnableUnknownVRConversion.set(OFTrue);  // PS3.5 6.2.2: of UN, that of the dictionary
 }
 
 // What is deflated is not seen by is_nested_within().
@@ -88,11 +89,26 @@ std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file
   if (!is_nested_within(max_nested, file) || is_deflated(file)) return nullptr;
   constexpr Uint32 max_read_at_once = 4096;
   const DcmTagKey first_of_pixels(0x7fe0, 0);
-  auto opened = std::make_unique<DcmFileFormat>();
-  const OFCondition result = opened->loadFileUntilTag(
-      file.c_str(), EXS_Unknown, EGL_noChange, max_read_at_once, ERM_autoDetect,
-      pixels == Pixels::left_out ? first_of_pixels : DCM_UndefinedTagKey);
-  return result.good() ? std::move(opened) : nullptr;
+  const auto load = [&]() -> std::unique_ptr<DcmFileFormat> {
+    auto opened = std::make_unique<DcmFileFormat>();
+    const OFCondition result = opened->loadFileUntilTag(
+        file.c_str(), EXS_Unknown, EGL_noChange, max_read_at_once, ERM_autoDetect,
+        pixels == Pixels::left_out ? first_of_pixels : DCM_UndefinedTagKey);
+    return result.good() ? std::move(opened) : nullptr;
+  };
+  auto opened = load();
+  if (opened && opened->getDataset()->tagExists(DCM_SOPClassUID)) return opened;
+  // The header may be wrong about the byte order, or whether kinds of values are stored.
+  dcmAutoDetectDatasetXfer.set(OFTrue);
+  auto by_content = load();
+  dcmAutoDetectDatasetXfer.set(OFFalse);
+  return by_content ? std::move(by_content) : std::move(opened);
+}
+
+bool contradicts_header(DcmFileFormat& file) {
+  OFString named;
+  return file.getMetaInfo()->findAndGetOFString(DCM_TransferSyntaxUID, named).good() &&
+         DcmXfer(named.c_str()).getXfer() != file.getDataset()->getOriginalXfer();
 }
 
 }  // namespace discmc::command

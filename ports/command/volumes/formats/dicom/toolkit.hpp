@@ -23,6 +23,9 @@ enum class Pixels { left_out, included };
 /// is no DICOM file, a damaged one, or deflated as a whole.
 std::unique_ptr<DcmFileFormat> open_dicom_file(const std::filesystem::path& file, Pixels pixels);
 
+/// Whether the elements are stored otherwise than the file's header names.
+bool contradicts_header(DcmFileFormat& file);
+
 /// Whether pixel data of a transfer syntax, by its UID, is read. Limit: after open_dicom_file().
 bool can_decode(const std::string& transfer_syntax);
 

@@ -23,23 +23,27 @@ struct Kind {
   const char* name;
   const char* unit;
   Form form;
-  enum class Use { volume, part, programs } use;
+  enum class Use { volume, stack, part, programs } use;
   DcmTagKey group;  ///< the functional group of files of many frames
   DcmTagKey key;
 };
 
 const DcmTagKey none = DCM_UndefinedTagKey;
-constexpr auto volume = Kind::Use::volume, part = Kind::Use::part, programs = Kind::Use::programs;
+constexpr auto volume = Kind::Use::volume, stack = Kind::Use::stack, part = Kind::Use::part,
+               programs = Kind::Use::programs;
 
 // In the order in which they separate volumes.
 const Kind kinds[] = {
+    {"patient", "", Form::text, volume, none, DCM_PatientID},
+    {"study", "", Form::uid, volume, none, DCM_StudyInstanceUID},
+    {"frame of reference", "", Form::uid, volume, none, DCM_FrameOfReferenceUID},
     {"kernel", "", Form::text, volume, DCM_CTReconstructionSequence, DCM_ConvolutionKernel},
     {"image type", "", Form::image_type, volume, none, DCM_ImageType},
     {"frame type", "", Form::image_type, volume, DCM_MRImageFrameTypeSequence, DCM_FrameType},
     {"frame type", "", Form::image_type, volume, DCM_CTImageFrameTypeSequence, DCM_FrameType},
     {"frame type", "", Form::image_type, volume, DCM_PETFrameTypeSequence, DCM_FrameType},
     {"component", "", Form::text, volume, DCM_MRImageFrameTypeSequence, DCM_ComplexImageComponent},
-    {"stack", "", Form::text, volume, DCM_FrameContentSequence, DCM_StackID},
+    {"stack", "", Form::text, stack, DCM_FrameContentSequence, DCM_StackID},
     {"energy window", "", Form::vector, part, none, DCM_EnergyWindowVector},
     {"detector", "", Form::vector, part, none, DCM_DetectorVector},
     {"phase", "", Form::vector, part, none, DCM_PhaseVector},
@@ -49,6 +53,9 @@ const Kind kinds[] = {
     {"temporal position", "", Form::number, part, none, DCM_TemporalPositionIdentifier},
     {"temporal position", "", Form::number, part, DCM_FrameContentSequence,
      DCM_TemporalPositionIndex},
+    {"time", " ms", Form::number, part, DCM_TemporalPositionSequence,
+     DCM_TemporalPositionTimeOffset},
+    {"label or control", "", Form::text, part, DCM_MRArterialSpinLabelingSequence, DCM_ASLContext},
     {"echo time", " ms", Form::number, part, none, DCM_EchoTime},
     {"echo time", " ms", Form::number, part, DCM_MREchoSequence, DCM_EffectiveEchoTime},
     {"b-value", " s/mm2", Form::number, part, DCM_MRDiffusionSequence, DCM_DiffusionBValue},
@@ -119,13 +126,21 @@ bool is_of_volume(std::size_t kind) {
   return kinds[kind].use == Kind::Use::volume;
 }
 
+bool is_of_stack(std::size_t kind) {
+  return kinds[kind].use == Kind::Use::stack;
+}
+
+bool is_uid(std::size_t kind) {
+  return kinds[kind].form == Form::uid;
+}
+
 bool is_for_programs(std::size_t kind) {
-  return kinds[kind].use == Kind::Use::programs;
+  return kinds[kind].use == Kind::Use::programs || is_uid(kind);
 }
 
 bool has_order(std::size_t kind) {
   const Form form = kinds[kind].form;
-  return form != Form::uid && form != Form::gradient && !is_of_volume(kind);
+  return form != Form::uid && form != Form::gradient && !is_of_volume(kind) && !is_of_stack(kind);
 }
 
 const std::string& trait_of(const DicomTraits& traits, std::size_t kind) {

@@ -28,6 +28,12 @@ std::size_t trait_count();
 /// be, as slices are acquired one after the other.
 bool is_of_volume(std::size_t kind);
 
+/// Whether frames that differ in it are of one volume only if their slices interleave evenly.
+bool is_of_stack(std::size_t kind);
+
+/// Whether it is a UID, which some programs make anew for every slice.
+bool is_uid(std::size_t kind);
+
 /// Whether the value is of little use to people, as a UID.
 bool is_for_programs(std::size_t kind);
 

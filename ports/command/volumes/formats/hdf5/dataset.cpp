@@ -191,36 +191,6 @@ void Hdf5Dataset::expect(const Hdf5Handle& file, const Hdf5Region& region) {
   dataset_ = {H5Dopen2(file.id(), description_.path.c_str(), access.id()), H5Dclose};
 }
 
-std::optional<std::string> Hdf5Dataset::text(const char* attribute) const {
-  if (H5Aexists(dataset_.id(), attribute) <= 0) return std::nullopt;
-  const Hdf5Handle opened(H5Aopen(dataset_.id(), attribute, H5P_DEFAULT), H5Aclose);
-  const Hdf5Handle type(H5Aget_type(opened.id()), H5Tclose);
-  const Hdf5Handle space(H5Aget_space(opened.id()), H5Sclose);
-  if (H5Tget_class(type.id()) != H5T_STRING || H5Sget_simple_extent_npoints(space.id()) != 1)
-    return std::nullopt;
-  if (H5Tis_variable_str(type.id()) <= 0) {
-    std::string text(H5Tget_size(type.id()), '\0');
-    if (H5Aread(opened.id(), type.id(), text.data()) < 0) return std::nullopt;
-    return text.substr(0, text.find('\0'));
-  }
-  char* text = nullptr;
-  if (H5Aread(opened.id(), type.id(), &text) < 0 || text == nullptr) return std::nullopt;
-  std::string copy = text;
-  H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, &text);
-  return copy;
-}
-
-std::optional<std::array<double, 3>> Hdf5Dataset::element_size_um() const {
-  if (H5Aexists(dataset_.id(), "element_size_um") <= 0) return std::nullopt;
-  const Hdf5Handle attribute(H5Aopen(dataset_.id(), "element_size_um", H5P_DEFAULT), H5Aclose);
-  const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
-  std::array<double, 3> size{};
-  if (H5Sget_simple_extent_npoints(space.id()) != 3 ||
-      H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, size.data()) < 0)
-    return std::nullopt;
-  return size;
-}
-
 bool Hdf5Dataset::read(const Hdf5Region& first, const Hdf5Region& count, void* samples) const {
   be_silent();  // slices are read by one thread or another
   const Hdf5Handle space = space_of(dataset_);

@@ -2,7 +2,6 @@
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_DATASET_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_DATASET_HPP
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -49,11 +48,8 @@ class Hdf5Dataset {
   bool is_virtual() const { return is_virtual_; }
   /// That it is in, which is another one behind an external link.
   const std::filesystem::path& file() const { return file_; }
-  /// Its attribute `element_size_um`, along the three axes of space as they are stored, if there is
-  /// one. Units: micrometres.
-  std::optional<std::array<double, 3>> element_size_um() const;
-  /// An attribute that is a text.
-  std::optional<std::string> text(const char* attribute) const;
+  /// For its attributes.
+  const Hdf5Handle& handle() const { return dataset_; }
 
   /// Keeps all chunks that a region with this extent along each axis goes through, so that each
   /// is unpacked once where such regions are read in their order. file: that it was opened from.

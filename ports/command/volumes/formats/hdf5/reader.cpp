@@ -4,12 +4,14 @@
 #include <string_view>
 #include <utility>
 
+#include "axes.hpp"
 #include "dataset.hpp"
 #include "links.hpp"
 #include "text/control_character.hpp"
 #include "volumes/array_layout.hpp"
 #include "volumes/array_name.hpp"
 #include "volumes/declared_place.hpp"
+#include "volumes/filters/fill_value.hpp"
 #include "volumes/filters/turned_volume.hpp"
 #include "volumes/formats/readers.hpp"
 
@@ -114,7 +116,7 @@ std::string path_of(const std::filesystem::path& name, const Hdf5Handle& file,
 std::string letters_of(const Hdf5Dataset& dataset) {
   std::string letters;
 #ifdef DISCMC_WITH_JSON
-  const auto tags = nlohmann::json::parse(dataset.text("axistags").value_or(""), nullptr, false);
+  const auto tags = nlohmann::json::parse(text_of(dataset.handle(), "axistags"), nullptr, false);
   if (!tags.is_object() || !tags.contains("axes")) return letters;
   for (const auto& axis : tags["axes"]) {
     const auto key = axis.is_object() ? axis.value("key", nlohmann::json()) : nlohmann::json();
@@ -124,6 +126,17 @@ std::string letters_of(const Hdf5Dataset& dataset) {
                         letters.find_first_not_of("tczyx") == std::string::npos;
   if (!are_axes) letters.clear();
 #endif
+  return letters;
+}
+
+// By the names of all axes, if each is known and none is twice.
+std::string letters_of(const std::vector<Hdf5Axis>& axes) {
+  std::string letters;
+  for (const Hdf5Axis& axis : axes) {
+    const char letter = axis_letter(axis.name);
+    if (letter == '?' || letters.find(letter) != std::string::npos) return {};
+    letters += letter;
+  }
   return letters;
 }
 
@@ -139,14 +152,56 @@ void require_possible(const std::filesystem::path& file, const VolumeInfo& info)
          "export or copy the file again");
 }
 
-// The attribute is for the three axes of space as they are stored; an image may lack the first.
-DeclaredPlace place_of(const Hdf5Dataset& dataset, const ArrayLayout& layout) {
-  DeclaredPlace place;
-  place.set_unit("um");
-  const auto size = dataset.element_size_um();
+// Attributes for the three axes of space as they are stored; an image may lack the first.
+void take_sizes(DeclaredPlace& place, const ArrayLayout& layout, const std::vector<double>& sizes,
+                const std::vector<double>& offsets, const char* unit) {
+  if (sizes.size() != 3) return;
+  place.set_unit(unit);
   const std::string order = layout.order();
-  for (std::size_t i = 0; size && i < order.size(); ++i)
-    place.spacing[static_cast<std::size_t>(order[i] - 'x')] = (*size)[3 - order.size() + i];
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto axis = static_cast<std::size_t>(order[i] - 'x');
+    place.spacing[axis] = sizes[3 - order.size() + i];
+    if (offsets.size() == 3) place.origin[axis] = offsets[3 - order.size() + i];
+  }
+}
+
+// DREAM.3D keeps the geometry in a group of its own, with x first and without a unit.
+void take_geometry(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path) {
+  constexpr std::string_view containers = "/DataContainers/";
+  const std::size_t end = path.find('/', containers.size());
+  if (path.compare(0, containers.size(), containers) != 0 || end == std::string::npos) return;
+  const std::string geometry = path.substr(0, end) + "/_SIMPL_GEOMETRY/";
+  for (const char* const name : {"SPACING", "ORIGIN"}) {
+    const Hdf5Handle dataset(H5Dopen2(file.id(), (geometry + name).c_str(), H5P_DEFAULT), H5Dclose);
+    const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
+    std::array<double, 3> numbers{};
+    if (!dataset || H5Sget_simple_extent_npoints(space.id()) != 3 ||
+        H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0)
+      return;
+    if (name[0] == 'O')
+      place.origin = numbers;
+    else
+      std::copy(numbers.begin(), numbers.end(), place.spacing.begin());
+  }
+}
+
+DeclaredPlace place_of(VolumeInfo& info, const std::filesystem::path& name, const Hdf5Handle& file,
+                       const Hdf5Dataset& dataset, const std::vector<Hdf5Axis>& axes,
+                       const ArrayLayout& layout, const VolumeOptions& options) {
+  const Hdf5Handle& handle = dataset.handle();
+  DeclaredPlace place;
+  take_geometry(place, file, dataset.description().path);
+  take_sizes(place, layout, numbers_of(handle, "element_size_um"), {}, "um");
+  const auto resolution = numbers_of(handle, "resolution");
+  if (resolution.size() == 3) note(info, "resolution and offset are read as nm, as CREMI has them");
+  take_sizes(place, layout, resolution, numbers_of(handle, "offset"), "nm");
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!layout.axes[i] || *layout.axes[i] >= axes.size()) continue;
+    const Hdf5Axis& axis = axes[*layout.axes[i]];
+    if (axis.coordinates.size() != layout.sizes[*layout.axes[i]]) continue;
+    place.axis_units[i] = place.space_units[i] = axis.unit;
+    take_coordinates(place, i, name, axis.name, axis.coordinates, options);
+  }
   return place;
 }
 
@@ -194,13 +249,24 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
   info.format = "HDF5, " + without_control(dataset.description().path) + ", " + dataset.storage();
   if (!contents.dead_links.empty())
     note(info, "links that lead nowhere: " + list_of(contents.dead_links));
+  const auto axes = axes_of(dataset.handle(), dataset.description().sizes.size());
+  std::string letters = letters_of(dataset);
+  if (letters.empty()) letters = letters_of(axes);
   const ArrayLayout layout =
-      take_array(info, name, {dataset.description().sizes, letters_of(dataset)}, options);
-  if (dataset.text("MATLAB_class") && options.axes.empty())
+      take_array(info, name, {dataset.description().sizes, letters}, options);
+  if (!text_of(dataset.handle(), "MATLAB_class").empty() && options.axes.empty())
     note(info, "an array of MATLAB: its first index is read as x; if it is y, give --axes zxy");
   if (!dataset.is_virtual()) require_possible(dataset.file(), info);
-  set_place(info, place_of(dataset, layout), options);
-  return volume_of(name, std::move(info), std::move(dataset), file, layout);
+  set_place(info, place_of(info, name, file, dataset, axes, layout, options), options);
+  const auto number = [&dataset](const char* attribute) {
+    const auto numbers = numbers_of(dataset.handle(), attribute);
+    return numbers.size() == 1 ? std::optional(numbers[0]) : std::nullopt;
+  };
+  // As NetCDF and xarray pack values.
+  set_scale(info, name, number("scale_factor").value_or(1), number("add_offset").value_or(0));
+  const auto fill = options.holds_labels ? std::nullopt : number("_FillValue");
+  auto volume = volume_of(name, std::move(info), std::move(dataset), file, layout);
+  return fill ? without_fill(std::move(volume), *fill) : std::move(volume);
 }
 
 }  // namespace discmc::command

@@ -51,6 +51,7 @@ struct Header {
   std::string format;
   bool one_file = false;
   bool big_endian = false;
+  std::array<int, 3> origin{};  ///< SPM's, all 0 where there is none
 };
 
 template <class Field>
@@ -155,7 +156,17 @@ Header read_header(ByteStream& stream) {
   header.one_file = NIFTI_ONEFILE(fields);
   const bool is_analyze = NIFTI_VERSION(fields) != 1;
   header.format = is_analyze ? "Analyze 7.5" : "NIfTI-1";
-  if (is_analyze) drop_what_analyze_has_not(header.fields);
+  if (!is_analyze) return header;
+  drop_what_analyze_has_not(header.fields);
+  // SPM has its origin, a voxel counted from 1, over fields of NIfTI.
+  constexpr std::size_t originator_at = 253;
+  std::array<std::int16_t, 3> originator{};
+  std::memcpy(originator.data(), reinterpret_cast<const char*>(&fields) + originator_at,
+              sizeof originator);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_turned) turn(originator[i]);
+    header.origin[i] = originator[i];
+  }
   return header;
 }
 
@@ -242,6 +253,20 @@ void note_mirrored(VolumeInfo& info, const nifti_2_header& header, const Declare
     note(info, "the qform is mirrored against the sform, and ignored; check which side is left");
 }
 
+// As SPM and nibabel read it: x runs from right to left.
+bool take_origin(VolumeInfo& info, const Header& header, DeclaredPlace& place) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (header.origin[i] < 1 || header.origin[i] > static_cast<int>(info.dims[i])) return false;
+  place.space = Space::ras;
+  Axes& steps = place.steps.emplace();
+  for (std::size_t i = 0; i < 3; ++i) {
+    steps[i][i] = place.spacing[i].value_or(1) * (i == 0 ? -1 : 1);
+    place.origin[i] = (1 - header.origin[i]) * steps[i][i];
+  }
+  note(info, "the origin is SPM's, and x runs from right to left as SPM reads Analyze");
+  return true;
+}
+
 void set_geometry(VolumeInfo& info, const Header& whole, const VolumeOptions& options) {
   const nifti_2_header& header = whole.fields;
   DeclaredPlace place;
@@ -258,6 +283,7 @@ void set_geometry(VolumeInfo& info, const Header& whole, const VolumeOptions& op
     is_placed = take(qform_of(header), place);
     if (!is_placed) note(info, "the qform spans no space, and is ignored");
   }
+  if (!is_placed) is_placed = take_origin(info, whole, place);
   if (!is_placed) note(info, "no orientation (sform, qform); left and right are unknown");
   set_place(info, place, options);
 }

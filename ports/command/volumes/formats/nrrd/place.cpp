@@ -26,18 +26,21 @@ std::array<std::string, 3> units_of(std::string_view text) {
   return units;
 }
 
-// Parses "(x,y,z)", at most three numbers.
-std::vector<double> vector_of(const std::filesystem::path& file, std::string_view name,
+// Parses "(x,y,z)"; of four numbers, as ITK writes volumes of several times, the last is of time.
+std::vector<double> vector_of(const HeaderFields& fields, std::string_view name,
                               std::string_view text) {
+  const std::filesystem::path& file = fields.file();
+  const bool has_time = trimmed(fields.text("space dimension")) == "4";
   std::vector<double> numbers;
   const bool bracketed = text.size() >= 2 && text.front() == '(' && text.back() == ')';
-  while (bracketed && numbers.size() <= 3) {
+  while (bracketed && numbers.size() <= 4) {
     text.remove_prefix(1);
     const std::size_t end = text.find_first_of(",)");
     numbers.push_back(real(file, name, trimmed(text.substr(0, end))));
     text.remove_prefix(end);
     if (text.size() == 1) break;
   }
+  if (has_time && numbers.size() == 4) numbers.pop_back();
   if (numbers.empty() || numbers.size() > 3)
     fail(file,
          std::string(name) + " holds " + shown(text) + ", which is not a vector of up to three",
@@ -65,7 +68,7 @@ Axes directions_of(const HeaderFields& fields) {
     const std::string_view word = text.substr(0, end == std::string_view::npos ? end : end + 1);
     text.remove_prefix(word.size());
     if (lower(trimmed(word)) == "none") fail_axis(fields, axis, "has no direction in space");
-    const auto numbers = vector_of(fields.file(), "space directions", trimmed(word));
+    const auto numbers = vector_of(fields, "space directions", trimmed(word));
     directions[axis] = {0, 0, 0};
     std::copy(numbers.begin(), numbers.end(), directions[axis].begin());
   }
@@ -153,7 +156,7 @@ DeclaredPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields) {
   else
     place.steps = directions_of(fields);
   if (const std::string_view origin = fields.text("space origin"); !origin.empty()) {
-    const auto numbers = vector_of(fields.file(), "space origin", origin);
+    const auto numbers = vector_of(fields, "space origin", origin);
     std::copy(numbers.begin(), numbers.end(), place.origin.begin());
   }
   if ((fields.has("axis mins") || fields.has("axis maxs")) &&

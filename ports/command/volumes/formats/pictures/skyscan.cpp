@@ -15,15 +15,16 @@ bool begins_with(const std::string& text, const std::string& begin) {
   return text.rfind(begin, 0) == 0;
 }
 
-// The section [Reconstruction]: "key=value" a line.
-std::map<std::string, std::string> reconstruction(const std::filesystem::path& log) {
+// A section: "key=value" a line.
+std::map<std::string, std::string> section(const std::filesystem::path& log,
+                                           std::string_view name) {
   std::map<std::string, std::string> values;
   std::ifstream in(log);
   bool is_inside = false;
   for (std::string line; std::getline(in, line);) {
     const std::string_view text = trimmed(line);
     const std::size_t equals = text.find('=');
-    if (!text.empty() && text.front() == '[') is_inside = text == "[Reconstruction]";
+    if (!text.empty() && text.front() == '[') is_inside = text == name;
     if (is_inside && equals != std::string_view::npos)
       values.emplace(trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1)));
   }
@@ -31,11 +32,13 @@ std::map<std::string, std::string> reconstruction(const std::filesystem::path& l
 }
 
 std::optional<SkyScanLog> parsed(const std::filesystem::path& file) {
-  auto values = reconstruction(file);
+  auto values = section(file, "[Reconstruction]");
   constexpr double mm_of_um = 1e-3;
-  const auto pixel_um = finite_number(values["Pixel Size (um)"]);
+  auto pixel_um = decimal(values["Pixel Size (um)"]);
+  if (!(pixel_um > 0.0))
+    pixel_um = decimal(section(file, "[Acquisition]")["Image Pixel Size (um)"]);
   if (!pixel_um || *pixel_um <= 0) return std::nullopt;
-  const double step = finite_number(values["Section to Section Step"]).value_or(1);
+  const double step = decimal(values["Section to Section Step"]).value_or(1);
   SkyScanLog log;
   log.file = file;
   log.spacing_mm.fill(*pixel_um * mm_of_um);

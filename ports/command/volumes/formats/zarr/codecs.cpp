@@ -4,6 +4,7 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "volumes/packing.hpp"
@@ -103,6 +104,30 @@ std::optional<ZarrCodec> zarr_codec(std::string_view name) {
   for (const auto& [called, codec] : names)
     if (called == name) return codec;
   return std::nullopt;
+}
+
+void undo(const ZarrFilter& filter, ChunkBytes& bytes) {
+  if (const std::size_t size = filter.shuffled_bytes; size > 1) {
+    const ChunkBytes apart = bytes;
+    const std::size_t count = bytes.size() / size;  // what is left behind them is as it was
+    for (std::size_t i = 0; i < count * size; ++i) bytes[i] = apart[i % size * count + i / size];
+  }
+  if (!filter.delta) return;
+  with_sample_type(*filter.delta, [&](auto sample) {
+    using Sample = decltype(sample);
+    Sample sum{};
+    for (std::size_t at = 0; at + sizeof sample <= bytes.size(); at += sizeof sample) {
+      std::memcpy(&sample, &bytes[at], sizeof sample);
+      if constexpr (std::is_integral_v<Sample>) {
+        using Whole = std::make_unsigned_t<Sample>;
+        sum = static_cast<Sample>(
+            static_cast<Whole>(static_cast<Whole>(sum) + static_cast<Whole>(sample)));
+      } else {
+        sum += sample;
+      }
+      std::memcpy(&bytes[at], &sum, sizeof sum);
+    }
+  });
 }
 
 ChunkBytes decoded(const std::filesystem::path& chunk, ChunkBytes packed,

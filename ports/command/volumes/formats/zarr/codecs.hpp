@@ -9,6 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "meshing.hpp"
+#include "samples/sample_type.hpp"
+
 namespace discmc::command {
 
 enum class ZarrCodec : std::uint8_t { gzip, zlib, zstd, blosc, crc32c };
@@ -17,6 +20,15 @@ enum class ZarrCodec : std::uint8_t { gzip, zlib, zstd, blosc, crc32c };
 std::optional<ZarrCodec> zarr_codec(std::string_view name);
 
 using ChunkBytes = std::vector<unsigned char>;
+
+/// A filter of numcodecs that samples went through before they were packed.
+struct ZarrFilter {
+  std::size_t shuffled_bytes = 0;   ///< of an element whose bytes are apart; otherwise 0
+  std::optional<SampleType> delta;  ///< of samples that are differences to those before
+};
+
+/// Undoes a filter.
+void undo(const ZarrFilter& filter, ChunkBytes& bytes);
 
 /// Undoes codecs, of which the first was applied first. chunk: for errors. bytes: of the chunk
 /// before. Throws VolumeError if it has fewer, or is damaged.

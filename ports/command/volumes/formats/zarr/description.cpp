@@ -99,6 +99,22 @@ void add_codec(std::vector<ZarrCodec>& codecs, const Path& file, const std::stri
   codecs.push_back(*codec);
 }
 
+// Those that leave the type of the samples.
+void add_filter(ZarrDescription& array, const Path& file, const Json& filter, const Json& type) {
+  const std::string name = text_of(member(filter, "id"));
+  const Json& stored = member(filter, "astype");
+  const bool keeps_type = stored.is_null() || text_of(stored) == text_of(type);
+  const Json& size = member(filter, "elementsize");
+  const bool is_whole = !array.is_half && !array.big_endian;
+  if (name == "shuffle" && size.is_number_unsigned() && size > 0 && size <= 64)
+    array.filters.push_back({size.get<std::size_t>(), {}});
+  else if (name == "delta" && keeps_type && is_whole)
+    array.filters.push_back({0, array.type});
+  else if (name != "quantize" || !keeps_type)
+    fail(file, "its samples went through the filter " + shown(filter.dump()),
+         "write it again without filters, e.g. with zarr in Python");
+}
+
 ZarrDescription described_version_2(const ZarrNode& node) {
   const Json& json = node.array;
   ZarrDescription array;
@@ -110,10 +126,7 @@ ZarrDescription described_version_2(const ZarrNode& node) {
   array.order.resize(array.sizes.size());
   std::iota(array.order.begin(), array.order.end(), std::size_t{0});
   if (text_of(member(json, "order")) == "F") std::reverse(array.order.begin(), array.order.end());
-  const Json& filters = member(json, "filters");
-  if (filters.is_array() && !filters.empty())
-    fail(node.file, "its samples went through the filter " + shown(filters[0].dump()),
-         "write it again without filters, e.g. with zarr in Python");
+  for (const Json& filter : member(json, "filters")) add_filter(array, node.file, filter, type);
   const Json& compressor = member(json, "compressor");
   if (!compressor.is_null()) add_codec(array.codecs, node.file, text_of(member(compressor, "id")));
   if (text_of(member(json, "dimension_separator")) == "/") array.separator = '/';

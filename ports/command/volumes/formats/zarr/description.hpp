@@ -36,9 +36,10 @@ struct ZarrDescription {
   std::array<unsigned char, 8> fill{};  ///< a sample of `type`, for chunks that are not there
   std::vector<std::string> axis_names;  ///< one an axis, or none
 
-  PerAxis chunk;                   ///< sizes
-  std::vector<std::size_t> order;  ///< axes as a chunk has them, the slowest first
-  std::vector<ZarrCodec> codecs;   ///< in the order in which they were applied
+  PerAxis chunk;                    ///< sizes
+  std::vector<std::size_t> order;   ///< axes as a chunk has them, the slowest first
+  std::vector<ZarrCodec> codecs;    ///< in the order in which they were applied
+  std::vector<ZarrFilter> filters;  ///< before those, in their order
   std::optional<ZarrShard> shard;
   std::string prefix;    ///< of the names of files
   char separator = '.';  ///< in them

@@ -3,11 +3,14 @@
 #include "image.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <system_error>
 #include <utility>
 
 #include "folder.hpp"
 #include "text/control_character.hpp"
+#include "volumes/array_layout.hpp"
 #include "volumes/array_name.hpp"
 #include "volumes/header_text.hpp"
 #include "volumes/volume_error.hpp"
@@ -73,6 +76,41 @@ std::filesystem::path level_folder(const ZarrNode& image, const Json& dataset) {
   return beside(image.file, path);
 }
 
+// The names and colours of labels, which are listed apart.
+LabelTable labels_of(const Json& attributes) {
+  const Json& label = member(attributes, "image-label");
+  std::map<std::int64_t, LabelDescription> labels;
+  const auto described = [&labels](const Json& entry) -> LabelDescription* {
+    const Json& value = member(entry, "label-value");
+    if (!value.is_number_integer()) return nullptr;
+    LabelDescription& found = labels[value.get<std::int64_t>()];
+    found.values = {LabelValue(value.get<std::int64_t>())};
+    if (found.name.empty()) found.name = found.values[0].text();
+    return &found;
+  };
+  for (const Json& property : member(label, "properties"))
+    for (const char* key : {"name", "label", "class"})
+      if (const std::string name = text_of(member(property, key)); !name.empty())
+        if (LabelDescription* const found = described(property)) {
+          found->name = name;
+          break;
+        }
+  for (const Json& colour : member(label, "colors")) {
+    const Json& rgba = member(colour, "rgba");
+    std::array<std::uint8_t, 3> parts{};
+    bool is_colour = rgba.is_array() && rgba.size() >= 3;
+    for (std::size_t i = 0; i < 3 && is_colour; ++i) {
+      is_colour = rgba[i].is_number_integer() && rgba[i] >= 0 && rgba[i] <= 255;
+      if (is_colour) parts[i] = rgba[i].get<std::uint8_t>();
+    }
+    if (LabelDescription* const found = is_colour ? described(colour) : nullptr)
+      found->colour = Srgb{parts[0], parts[1], parts[2]};
+  }
+  LabelTable table;
+  for (auto& [value, each] : labels) table.push_back(std::move(each));
+  return table;
+}
+
 // level: the number of one that is asked for.
 ZarrImage image_at(const ZarrNode& node, const Json& multiscale,
                    std::optional<std::uint32_t> level) {
@@ -96,6 +134,7 @@ ZarrImage image_at(const ZarrNode& node, const Json& multiscale,
   constexpr const char* listed = "coordinateTransformations";
   const bool is_scaled = transform(image.axes, node.file, member(datasets[number], listed));
   image.has_scale = transform(image.axes, node.file, member(multiscale, listed)) || is_scaled;
+  image.labels = labels_of(node.attributes);
   for (const Json& channel : member(member(node.attributes, "omero"), "channels"))
     image.channels.push_back(text_of(member(channel, "label")));
   return image;
@@ -123,9 +162,16 @@ ZarrImage image_of_array(const ZarrNode& node, const std::filesystem::path& fold
   if (auto level = image_of_level(folder)) return std::move(*level);
   ZarrImage image;
   image.array = described(node);
+  const auto number = [&node](const char* name) {
+    const Json& value = member(node.attributes, name);
+    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+  };
+  image.slope = number("scale_factor").value_or(1);
+  image.intercept = number("add_offset").value_or(0);
+  image.fill = number("_FillValue");
   const auto& names = image.array.axis_names;
   for (const std::string& name : names)
-    if (name.size() == 1 && letter_of(name, "") == name[0]) image.axes.push_back({name[0]});
+    if (const char letter = axis_letter(name); letter != '?') image.axes.push_back({letter});
   if (image.axes.size() != image.array.sizes.size()) image.axes.clear();
   return image;
 }

@@ -20,9 +20,13 @@ struct ZarrAxis {
 };
 
 struct ZarrImage {
+  LabelTable labels;  ///< of an image of labels
   ZarrDescription array;
   std::vector<ZarrAxis> axes{};  ///< of the array; none if there is no description
   bool is_ome = false;
+  /// As xarray packs values, and its value of samples that are none.
+  double slope = 1, intercept = 0;
+  std::optional<double> fill{};
   bool has_scale = false;
   std::vector<std::string> channels{};  ///< their names, where there are any
   std::string level{};                  ///< for people, of several: "level 1 of 4"

@@ -13,6 +13,7 @@
 #include "image.hpp"
 #include "volumes/array_layout.hpp"
 #include "volumes/declared_place.hpp"
+#include "volumes/filters/fill_value.hpp"
 #include "volumes/formats/readers.hpp"
 
 namespace discmc::command {
@@ -182,6 +183,7 @@ std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path,
   ZarrImage image = read_zarr_image(folder, options);
   VolumeInfo info;
   info.type = image.array.type;
+  info.labels = std::move(image.labels);
   info.format = image.is_ome ? "OME-Zarr" : "Zarr";
   if (!image.level.empty()) info.format += ", " + image.level;
   const ArrayShape shape{image.array.sizes, letters_of(image), image.channels};
@@ -189,8 +191,12 @@ std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path,
   set_place(info, place_of(image, layout), options);
   require_few_chunks(folder, info, image.array.chunk, layout);
   require_possible(image.array.folder, info);
-  return std::make_unique<ZarrVolume>(folder, std::move(info), ZarrChunks(std::move(image.array)),
-                                      layout);
+  set_scale(info, folder, image.slope, image.intercept);
+  const std::optional<double> fill = image.fill;
+  std::unique_ptr<VolumeReader> volume = std::make_unique<ZarrVolume>(
+      folder, std::move(info), ZarrChunks(std::move(image.array)), layout);
+  if (!fill || options.holds_labels) return volume;
+  return without_fill(std::move(volume), *fill);
 }
 
 }  // namespace discmc::command

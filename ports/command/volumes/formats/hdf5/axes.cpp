@@ -1,0 +1,114 @@
+#include "axes.hpp"
+
+#include <cstddef>
+
+namespace discmc::command {
+namespace {
+
+// An attribute with its type and how many values it has.
+struct Attribute {
+  Hdf5Handle id, type, space;
+  std::size_t count = 0;
+
+  Attribute(const Hdf5Handle& object, const char* name)
+      : id(H5Aexists(object.id(), name) > 0 ? H5Aopen(object.id(), name, H5P_DEFAULT)
+                                            : H5I_INVALID_HID,
+           H5Aclose),
+        type(H5Aget_type(id.id()), H5Tclose),
+        space(H5Aget_space(id.id()), H5Sclose) {
+    constexpr hssize_t most = 4096;
+    const hssize_t points = id ? H5Sget_simple_extent_npoints(space.id()) : 0;
+    if (points > 0 && points <= most) count = static_cast<std::size_t>(points);
+  }
+};
+
+// Texts of any form; empty where the attribute has none.
+std::vector<std::string> texts_of(const Hdf5Handle& object, const char* name) {
+  const Attribute attribute(object, name);
+  constexpr std::size_t max_bytes = 1 << 20;
+  const std::size_t bytes = H5Tget_size(attribute.type.id());
+  if (attribute.count == 0 || H5Tget_class(attribute.type.id()) != H5T_STRING ||
+      bytes * attribute.count > max_bytes)
+    return {};
+  std::vector<std::string> texts;
+  if (H5Tis_variable_str(attribute.type.id()) > 0) {
+    std::vector<char*> read(attribute.count);
+    if (H5Aread(attribute.id.id(), attribute.type.id(), read.data()) < 0) return {};
+    for (const char* text : read) texts.emplace_back(text == nullptr ? "" : text);
+    H5Dvlen_reclaim(attribute.type.id(), attribute.space.id(), H5P_DEFAULT, read.data());
+    return texts;
+  }
+  std::string read(bytes * attribute.count, '\0');
+  if (H5Aread(attribute.id.id(), attribute.type.id(), read.data()) < 0) return {};
+  for (std::size_t i = 0; i < attribute.count; ++i)
+    texts.emplace_back(read.substr(i * bytes, bytes).c_str());
+  return texts;
+}
+
+std::vector<double> coordinates_of(const Hdf5Handle& scale) {
+  constexpr hssize_t most = 1 << 20;
+  // NetCDF writes a scale for an axis without coordinates, too.
+  if (text_of(scale, "NAME").rfind("This is a netCDF dimension but", 0) == 0) return {};
+  const Hdf5Handle space(H5Dget_space(scale.id()), H5Sclose);
+  const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+  if (H5Sget_simple_extent_ndims(space.id()) != 1 || count < 1 || count > most) return {};
+  std::vector<double> read(static_cast<std::size_t>(count));
+  if (H5Dread(scale.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.data()) < 0)
+    return {};
+  return read;
+}
+
+Hdf5Axis axis_of(const Hdf5Handle& scale) {
+  Hdf5Axis axis;
+  if (H5Iget_type(scale.id()) != H5I_DATASET) return axis;
+  char name[256] = {};
+  H5Iget_name(scale.id(), name, sizeof name);
+  axis.name = name;
+  axis.name.erase(0, axis.name.rfind('/') + 1);
+  const std::string letter = text_of(scale, "axis");
+  if (!letter.empty()) axis.name = letter;
+  axis.unit = text_of(scale, "units");
+  axis.coordinates = coordinates_of(scale);
+  return axis;
+}
+
+}  // namespace
+
+std::vector<double> numbers_of(const Hdf5Handle& object, const char* name) {
+  const Attribute attribute(object, name);
+  const H5T_class_t kind = H5Tget_class(attribute.type.id());
+  std::vector<double> numbers(attribute.count);
+  if ((kind != H5T_INTEGER && kind != H5T_FLOAT) ||
+      H5Aread(attribute.id.id(), H5T_NATIVE_DOUBLE, numbers.data()) < 0)
+    return {};
+  return numbers;
+}
+
+std::string text_of(const Hdf5Handle& object, const char* attribute) {
+  const auto texts = texts_of(object, attribute);
+  return texts.size() == 1 ? texts[0] : std::string();
+}
+
+std::vector<Hdf5Axis> axes_of(const Hdf5Handle& dataset, std::size_t count) {
+  std::vector<Hdf5Axis> axes(count);
+  const auto labels = texts_of(dataset, "DIMENSION_LABELS");
+  for (std::size_t i = 0; i < count && labels.size() == count; ++i) axes[i].name = labels[i];
+  const Attribute list(dataset, "DIMENSION_LIST");
+  const Hdf5Handle each(H5Tget_super(list.type.id()), H5Tclose);
+  if (list.count != count || H5Tget_class(list.type.id()) != H5T_VLEN ||
+      H5Tequal(each.id(), H5T_STD_REF_OBJ) <= 0)
+    return axes;
+  std::vector<hvl_t> references(count);
+  if (H5Aread(list.id.id(), list.type.id(), references.data()) < 0) return axes;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (references[i].len == 0) continue;
+    const std::string label = axes[i].name;
+    axes[i] = axis_of(
+        {H5Rdereference2(dataset.id(), H5P_DEFAULT, H5R_OBJECT, references[i].p), H5Oclose});
+    if (!label.empty()) axes[i].name = label;
+  }
+  H5Dvlen_reclaim(list.type.id(), list.space.id(), H5P_DEFAULT, references.data());
+  return axes;
+}
+
+}  // namespace discmc::command

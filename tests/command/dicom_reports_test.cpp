@@ -1,0 +1,270 @@
+// DICOM files as users reported them to other programs: several patients under one UID, stacks in
+// turn, spaces of ultrasound, contradicting headers.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "dicom_files.hpp"
+
+namespace {
+
+using namespace dicom_files;
+using namespace volume_files;
+using Spacing = std::array<double, 3>;
+
+constexpr std::uint32_t patient_id = 0x00100020, study = 0x0020000d,
+                        frame_of_reference = 0x00200052, pixel_spacing = 0x00280030;
+
+// All slices, changed by `change(data, z)`.
+template <class Change>
+void write_slices(const Folder& folder, const std::string& prefix, Change change) {
+  for (int z = 0; z < depth; ++z) {
+    Dataset data = slice(z, prefix + "." + std::to_string(z));
+    change(data, z);
+    folder.write(prefix + std::to_string(z), data.file());
+  }
+}
+
+// A file of frames in functional groups. add: what each frame has.
+template <class Add>
+Dataset enhanced(int count, Add add) {
+  Dataset measures, shared, orientation;
+  measures.text(pixel_spacing, "DS", "0.75\\0.5").text(0x00180050, "DS", "2.5");
+  orientation.text(0x00200037, "DS", "1\\0\\0\\0\\1\\0");
+  shared.sequence(0x00289110, {measures}).sequence(0x00209116, {orientation});
+  std::vector<Dataset> groups;
+  std::vector<std::int64_t> samples;
+  for (int i = 0; i < count; ++i) {
+    Dataset group;
+    const int z = add(group, i);
+    groups.push_back(group);
+    for (const std::int64_t value : slice_values(z)) samples.push_back(value);
+  }
+  Dataset data = image("9", "MR");
+  data.drop(pixel_spacing).sequence(0x52009229, {shared}).sequence(0x52009230, groups);
+  data.text(0x00280008, "IS", std::to_string(count));
+  return data.samples(samples, 16, true);
+}
+
+Dataset& place_frame(Dataset& group, int z) {
+  Dataset place;
+  place.text(0x00200032, "DS", decimals(position(z)));
+  return group.sequence(0x00209113, {place});
+}
+
+TEST_CASE("patients, studies and frames of reference under one UID are volumes of their own") {
+  for (const std::uint32_t tag : {patient_id, study, frame_of_reference}) {
+    INFO(tag);
+    const Folder folder;
+    for (const std::string of : {"1.1", "1.2"})
+      write_slices(folder, of, [&](Dataset& data, int z) {
+        put_at(data, {-10, -20, 100 + 2.5 * z + (of == "1.1" ? 0 : 1.25)});
+        data.text(tag, tag == patient_id ? "LO" : "UI", of);
+      });
+    check_refusal(refusal(folder.path()), "several volumes in one series");
+    check_refusal(refusal(folder.path()), "5 slices of 8 x 6");
+    VolumeOptions options;
+    options.merges_series = true;
+    check_refusal(refusal(folder.path(), options), "several volumes");
+    options.merges_series = false;
+    options.series = "2";
+    CHECK(read_all(*open_volume(folder.path(), options)) == as_read(volume_values()));
+  }
+}
+
+TEST_CASE("frames of reference that every slice has of its own separate nothing") {
+  const Folder folder;
+  write_slices(folder, "a", [](Dataset& data, int z) {
+    data.text(frame_of_reference, "UI", "1.9." + std::to_string(z));
+  });
+  CHECK(read_all(*open_volume(folder.path())) == as_read(volume_values()));
+}
+
+TEST_CASE("stacks acquired in turn are one volume, and stacks side by side are several") {
+  const Folder folder;
+  const auto stacks = [&](bool are_in_turn) {
+    return enhanced(depth,
+                    [are_in_turn](Dataset& group, int z) {
+                      Dataset content, place;
+                      content.text(0x00209056, "SH", std::to_string(are_in_turn ? z % 2 : z / 3));
+                      place.text(
+                          0x00200032, "DS",
+                          decimals({-10, -20, 100 + 2.5 * z + (are_in_turn || z < 3 ? 0 : 40)}));
+                      group.sequence(0x00209111, {content}).sequence(0x00209113, {place});
+                      return z;
+                    })
+        .file();
+  };
+  CHECK(read_all(*open_volume(folder.write("a.dcm", stacks(true)))) == as_read(volume_values()));
+  const std::string text = refusal(folder.write("b.dcm", stacks(false)));
+  check_refusal(text, "3 slices of 8 x 6, 'MR', stack '0', at 100 to 105 mm");
+  check_refusal(text, "2 slices of 8 x 6, 'MR', stack '1', at 147.5 to 150 mm");
+}
+
+TEST_CASE("labels and controls of spin labelling are volumes") {
+  const Folder folder;
+  const auto file =
+      folder.write("a.dcm", enhanced(2 * depth, [](Dataset& group, int i) {
+                              Dataset labelling;
+                              labelling.text(0x00189257, "CS", i < depth ? "LABEL" : "CONTROL");
+                              place_frame(group, i % depth).sequence(0x00189251, {labelling});
+                              return i % depth;
+                            }).file());
+  check_refusal(refusal(file), "label or control 'CONTROL'");
+  CHECK(read_all(*open_volume(file, {{}, {}, "2"})) == as_read(volume_values()));
+}
+
+TEST_CASE("volumes of ultrasound lie in their own space, whichever way their frames run") {
+  const Folder folder;
+  Dataset data = enhanced(depth, [](Dataset& group, int i) {
+    Dataset place, orientation;
+    place.real(0x00209301, {0, 0, 2.5 * (depth - 1 - i)});
+    orientation.real(0x00209302, {1, 0, 0, 0, 1, 0});
+    group.sequence(0x0020930e, {place}).sequence(0x0020930f, {orientation});
+    return depth - 1 - i;
+  });
+  const auto reader = open_volume(folder.write("a.dcm", data.file()));
+  CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
+  CHECK_FALSE(noted(reader->info(), "no positions"));
+  CHECK((!reader->info().placement || reader->info().placement->space == discmc::Space::scanner));
+  CHECK(read_all(*reader) == as_read(volume_values()));
+}
+
+TEST_CASE("MOSAIC in the image type is no mosaic where frames have positions") {
+  const Folder folder;
+  Dataset data = enhanced(depth, [](Dataset& group, int z) {
+    place_frame(group, z);
+    return z;
+  });
+  data.text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\M\\ND\\MOSAIC");
+  CHECK(read_all(*open_volume(folder.write("a.dcm", data.file()))) == as_read(volume_values()));
+}
+
+TEST_CASE("frames in one place are slices by their thickness if nothing tells them apart") {
+  const Folder folder;
+  const auto reader = open_volume(folder.write("a.dcm", enhanced(depth, [](Dataset& group, int z) {
+                                                          place_frame(group, 0);
+                                                          return z;
+                                                        }).file()));
+  CHECK(noted(reader->info(), "one position for all frames, read as slices 2.5 mm apart"));
+  CHECK(read_all(*reader) == as_read(volume_values()));
+}
+
+TEST_CASE("the scanned spacing replaces one that is missing, and 0 is none") {
+  const Folder scanned, zero;
+  write_slices(scanned, "a", [](Dataset& data, int) {
+    data.drop(pixel_spacing).text(0x00182010, "DS", "0.75\\0.5");
+  });
+  const auto reader = open_volume(scanned.path());
+  CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
+  CHECK(noted(reader->info(), "no PixelSpacing, NominalScannedPixelSpacing is used"));
+  for (const std::string none : {"0\\0", "-0.75\\-0.5"}) {
+    write_slices(zero, "a", [&](Dataset& data, int) { data.text(pixel_spacing, "DS", none); });
+    CHECK(noted(open_volume(zero.path())->info(), "PixelSpacing is "));
+    CHECK(noted(open_volume(zero.path())->info(), "1 mm assumed"));
+  }
+}
+
+TEST_CASE("slices that are a little off their places are read with a note") {
+  const Folder along, aside;
+  write_slices(along, "a", [](Dataset& data, int z) {
+    put_at(data, {-10, -20, 100 + 2.5 * z + (z == 2 ? 0.123 : 0)});
+  });
+  CHECK(noted(open_volume(along.path())->info(), "slices lie up to 0.123 mm from their place"));
+  write_slices(aside, "a", [](Dataset& data, int z) {
+    put_at(data, {-10 + (z == 2 ? 0.123 : 0), -20, 100 + 2.5 * z});
+  });
+  const auto reader = open_volume(aside.path());
+  CHECK(noted(reader->info(), "slices lie up to 0.123 mm aside of a straight line"));
+  check_places(reader->info(), {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
+}
+
+TEST_CASE("the refusal of a shift names the slices between which it is") {
+  const Folder folder;
+  write_slices(folder, "a", [](Dataset& data, int z) {
+    put_at(data, {z < 3 ? -10.0 : 0.0, -20, 100 + 2.5 * z});
+  });
+  check_refusal(refusal(folder.path()), "a3 is shifted sideways by 10 mm against a2");
+}
+
+TEST_CASE("the refusal of slices in one place tells how many places hold several") {
+  const Folder folder;
+  write_slices(folder, "a", [](Dataset&, int) {});
+  for (const int z : {1, 2}) {
+    Dataset other = slice(z + 1, "other" + std::to_string(z));
+    folder.write("other" + std::to_string(z),
+                 put_at(other, position(z)).text(0x00200013, "IS", "7").file());
+  }
+  check_refusal(refusal(folder.path()), "2 of 5 places hold several slices, from 102.5 to 105 mm");
+}
+
+TEST_CASE("elements of unknown kind are read by their tags") {
+  const Folder folder;
+  write_slices(folder, "a",
+               [](Dataset& data, int) { data.bytes(pixel_spacing, "UN", "0.75\\0.5"); });
+  CHECK(open_volume(folder.path())->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
+}
+
+TEST_CASE("content that contradicts the transfer syntax of the header is read with a note") {
+  const Folder folder;
+  for (int z = 0; z < depth; ++z)
+    folder.write("a" + std::to_string(z), slice(z).file(Order::little_endian, "1.2.840.10008.1.2"));
+  const auto reader = open_volume(folder.path());
+  CHECK(noted(reader->info(), "the transfer syntax in the header is wrong"));
+  CHECK(read_all(*reader) == as_read(volume_values()));
+}
+
+TEST_CASE("contours are named, with what makes masks of them") {
+  const Folder folder;
+  Dataset liver, data;
+  liver.text(0x30060026, "LO", "Liver");
+  data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.481.3").text(0x00080060, "CS", "RTSTRUCT");
+  data.sequence(0x30060020, {liver});
+  const std::string text = refusal(folder.write("a.dcm", data.file()));
+  check_refusal(text, "this is an RTSTRUCT, the contours 'Liver'");
+  check_refusal(text, "dcmrtstruct2nii");
+}
+
+TEST_CASE("what is named as DICOM and is another format is named") {
+  const Folder folder;
+  const std::string jpeg = "\xff\xd8\xff\xe0 JFIF";
+  check_refusal(refusal(folder.write("i.jpg.dcm", jpeg)), "this is JPEG, and not DICOM; rename it");
+  const std::string parts = "--bnd\r\nContent-Type: application/dicom\r\n\r\n";
+  check_refusal(refusal(folder.write("m.dcm", parts)), "this is a MIME message, as DICOMweb sends");
+}
+
+TEST_CASE("colours are read by channel, interleaved or planar, and left out beside grey slices") {
+  const Folder folder;
+  for (const std::uint64_t is_planar : {0U, 1U}) {
+    std::vector<std::int64_t> samples;
+    const std::size_t count = width * height;
+    for (std::size_t z = 0; z < depth; ++z)
+      for (std::size_t i = 0; i < 3 * count; ++i) {
+        const std::size_t voxel = is_planar == 1 ? i % count : i / 3;
+        const std::size_t channel = is_planar == 1 ? i / count : i % 3;
+        samples.push_back(
+            static_cast<std::int64_t>((7 * (z * count + voxel) + 50 * channel) % 256));
+      }
+    Dataset data = image("9", "US");
+    data.samples(samples, 8, false).whole(0x00280002, {3}).text(0x00280004, "CS", "RGB");
+    data.whole(0x00280006, {is_planar}).text(0x00280008, "IS", std::to_string(depth));
+    const auto file = folder.write("a.dcm", data.file());
+    check_refusal(refusal(file), "the file holds 3 channels ('red', 'green', 'blue')");
+    for (const std::uint32_t channel : {0U, 2U}) {
+      VolumeOptions options;
+      options.channel = channel;
+      const auto values = read_all(*open_volume(file, options));
+      REQUIRE(values.size() == depth * count);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        REQUIRE(values[i] == static_cast<double>((7 * i + 50 * channel) % 256));
+    }
+  }
+  write_slices(folder, "slice", [](Dataset&, int) {});
+  const auto reader = open_volume(folder.path());
+  CHECK(read_all(*reader) == as_read(volume_values()));
+  CHECK(noted(reader->info(), "such as a colour image"));
+}
+
+}  // namespace
