@@ -36,7 +36,8 @@ std::vector<PlanePoint> star(std::size_t points, std::minstd_rand& random) {
     // Along the boundary of a square, then nearer to the middle.
     const std::size_t side = 4 * i / points;
     const auto along = static_cast<std::int64_t>(4 * i % points);
-    const auto all = static_cast<std::int64_t>(points), part = 1 + static_cast<std::int64_t>(random() % 9);
+    const auto all = static_cast<std::int64_t>(points),
+               part = 1 + static_cast<std::int64_t>(random() % 9);
     const std::int64_t* const from = corner + 2 * side;
     const std::int64_t* const to = corner + 2 * ((side + 1) % 4);
     ring.push_back({((all - along) * from[0] + along * to[0]) / 100 * part,

@@ -4,8 +4,8 @@
 
 #include <discmc/discmc.hpp>
 
-static int slices = 1, stream = 2, trace = 3, join = 4, wire = 5, links = 6, move = 7, add = 8, dot = 9,
-    normal = 10, derive = 11, sizing = 12;
+static int slices = 1, stream = 2, trace = 3, join = 4, wire = 5, links = 6, move = 7, add = 8,
+           dot = 9, normal = 10, derive = 11, sizing = 12;
 
 using namespace discmc;
 

@@ -9,7 +9,6 @@
 #include "decimation/decimation.hpp"
 #include "extraction/narrowed_volume.hpp"
 #include "jobs/processors.hpp"
-#include "meshes/numbered_corners.hpp"
 #include "meshes/placing.hpp"
 #include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"

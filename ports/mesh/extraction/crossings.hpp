@@ -52,7 +52,7 @@ class Crossings {
   /// Limit: of a finder that keeps the ends.
   Ends& ends(Place place) { return along_[place.axis].ends[place.number]; }
   /// Moves a crossing to where the line between two ends meets zero. Limit: their signs differ.
-  void translate(Place place, Ends ends) {
+  void move(Place place, Ends ends) {
     along_[place.axis].crossings[place.number].at = 2 * (ends.begin / (ends.begin - ends.end));
   }
 
