@@ -14,7 +14,10 @@ namespace discmc::meshing {
 namespace {
 
 constexpr double first_distance = 0.05;  // Units: the least spacing
-constexpr double least_part = 1e-6;      // of the extent of the mesh, if there is no spacing
+// From step to step of the ramp. Every distance ends at a step, so that a larger distance continues
+// the mesh of a smaller one.
+const double ramp = std::sqrt(2.0);
+constexpr double least_part = 1e-6;  // of the extent of the mesh, if there is no spacing
 
 double least_spacing(const FaceMesh& mesh) {
   double least = std::numeric_limits<double>::infinity();
@@ -49,9 +52,9 @@ DecimatedSurface decimated(const FaceMesh& mesh, const Decimation& decimation,
   const double farthest = extent(mesh.vertices_mm);
   const double last =
       decimation.max_error_mm > 0 ? std::min(decimation.max_error_mm, farthest) : farthest;
-  double distance = std::max(first_distance * least_spacing(mesh), least_part * farthest);
-  while (surface.triangles.size() > decimation.triangles) {
-    distance = std::min(distance, last);
+  double distance =
+      std::min(std::max(first_distance * least_spacing(mesh), least_part * farthest), last);
+  for (; distance <= last && surface.triangles.size() > decimation.triangles; distance *= ramp) {
     DecimationStep step(surface, original, distance, decimation.triangles, check);
     step.collapse_in_blocks();
     DecimatedSurface next = step.result();
@@ -61,8 +64,6 @@ DecimatedSurface decimated(const FaceMesh& mesh, const Decimation& decimation,
       return again.result();
     }
     surface = std::move(next);
-    if (distance >= last) break;
-    distance *= 2;
   }
   return surface;
 }
