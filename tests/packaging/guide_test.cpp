@@ -76,7 +76,7 @@ Bytes stream_of(Ball ball) {
   return bytes;
 }
 
-// Of docs/regions-or-slices.md.
+// Of docs/quick-start.md.
 constexpr KeySlices key_slices{16};
 SliceEncoder slice_encoder;
 uint8_t slice_memory[slice_encoder_bytes(limits, key_slices)];
