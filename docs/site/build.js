@@ -29,8 +29,9 @@ function placeOf(path) {
   return path.endsWith('.md') ? path.replace(/\.md$/, '.html') : `${path}.html`;
 }
 
-/** What the menu leads to: the guide, as its index has it. */
-const guide = linksOf(read('docs/README.md')).filter(({ href }) => !isExternal(href))
+/** What the menu leads to: the entries of the guide's index. */
+const entries = read('docs/README.md').split('\n').filter((line) => line.startsWith('- ['));
+const guide = linksOf(entries.join('\n')).filter(({ href }) => !isExternal(href))
   .map(({ href, text }) => ({ place: placeOf(readmeOf(posix.join('docs', href))), text }));
 const menu = [{ place: 'index.html', text: 'Overview' }, { place: 'docs/index.html', text: 'Guide' },
   ...guide, { place: 'api/files.html', text: 'Reference' }];

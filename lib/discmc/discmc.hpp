@@ -13,10 +13,10 @@
 // its part. Programs on a PC that want meshes include mesh.hpp of the mesh library instead
 // (docs/cpp.md). Four documents belong to all:
 //
-//   docs/map.md       the way through the headers
-//   docs/concepts.md  the terms
-//   docs/statuses.md  the cause and the remedy of each Status
-//   docs/threads.md   what may be called from where
+//   docs/README.md     the way through the headers
+//   docs/concepts.md   the terms
+//   docs/statuses.md   the cause and the remedy of each Status
+//   docs/front-end.md  rows from the sensor, and what may be called from where
 //
 // Comments use five words:
 //

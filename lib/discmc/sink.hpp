@@ -177,7 +177,7 @@ struct Event {
 /// An extractor, decoder or joiner calls its sink's take() during its own calls, in the caller's
 /// thread. take() may block. It may call any other object, and queries of the sender such as
 /// slices(), but no function that changes or saves the sender. It must not throw: the library is
-/// compiled without exceptions. Nothing is locked (docs/threads.md).
+/// compiled without exceptions. Nothing is locked (docs/front-end.md).
 struct Sink {
   void* context = nullptr;
   SinkResult (*take)(void* context, const Event& event) = nullptr;

@@ -1,5 +1,5 @@
 // What noise adds to a stream, and what the stages before the extractor take away of it again: the
-// tables of docs/noise.md, on generated volumes.
+// table of docs/front-end.md, on generated volumes.
 //
 //   bench_noise
 

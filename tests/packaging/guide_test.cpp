@@ -76,7 +76,7 @@ Bytes stream_of(Ball ball) {
   return bytes;
 }
 
-// Of docs/regions-or-slices.md.
+// Of docs/quick-start.md.
 constexpr KeySlices key_slices{16};
 SliceEncoder slice_encoder;
 uint8_t slice_memory[SliceEncoder::minimum_bytes(limits, key_slices)];
@@ -88,7 +88,7 @@ bool begin_slices(const ByteOutput& output) {
   return slice_encoder.start(header, key_slices, memory_of(slice_memory), output) == Status::ok;
 }
 
-// Of docs/noise.md.
+// Of docs/front-end.md.
 MajorityFilter filter;
 uint8_t filter_memory[MajorityFilter::bytes_for(limits)];
 
@@ -103,7 +103,6 @@ bool finish_filtered(Extractor16& extractor) {
   return extractor.finish() == Status::ok;
 }
 
-// Of docs/front-end.md.
 constexpr uint32_t pixels = 640, rows_held = 4;
 alignas(32) uint8_t row_memory[RowRing::bytes_for(pixels * sizeof(uint16_t), rows_held)];
 RowRing ring;
@@ -202,6 +201,12 @@ bool finish_and_check() {
          joiner.report().short_of_memory == 0;
 }
 
+UnitNormal normal_of(const Event& run, Incidence incidence, const StreamHeader& header) {
+  if (!run.normal.is_none()) return unit_normal(run.normal);
+  const Vertex n = incidence_normal(incidence);
+  return unit_normal(weighted({n.x, n.y, n.z}, axis_weights(header.spacing_nm)));
+}
+
 // Of docs/power-failure.md.
 constexpr FlashGeometry flash_geometry{256, 4096, 32};  // bytes per page and sector, sectors
 constexpr uint32_t max_bytes = sizeof(Device);
@@ -249,13 +254,6 @@ Status end_scan(Device& device, CheckpointStore& store, const ByteOutput& output
   while (status == Status::suspended) status = device.extractor.resume();
   while (status == Status::ok && output.unsent(output.context) > 0) continue;  // or sleep
   return status == Status::ok ? complete(store, store.discard()) : status;
-}
-
-// Of docs/normals.md.
-UnitNormal normal_of(const Event& run, Incidence incidence, const StreamHeader& header) {
-  if (!run.normal.is_none()) return unit_normal(run.normal);
-  const Vertex n = incidence_normal(incidence);
-  return unit_normal(weighted({n.x, n.y, n.z}, axis_weights(header.spacing_nm)));
 }
 
 }  // namespace

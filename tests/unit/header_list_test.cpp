@@ -1,4 +1,4 @@
-// That docs/map.md, docs/statuses.md and discmc.hpp list everything they should.
+// That docs/README.md, docs/statuses.md and discmc.hpp list everything they should.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -37,7 +37,7 @@ std::set<std::string> included_by(const std::string& header) {
 }  // namespace
 
 TEST_CASE("the map of the library has every header that users include, and every room") {
-  const std::string map = text_of(fs::path(DISCMC_SOURCE_DIR) / "docs/map.md");
+  const std::string map = text_of(fs::path(DISCMC_SOURCE_DIR) / "docs/README.md");
   size_t headers = 0, rooms = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(library / "discmc")) {
     const std::string name = entry.path().filename().string();

@@ -240,7 +240,7 @@ void print_report(const VolumeBits& volume, const TuneArguments& arguments, cons
   }
   if (!trials.slices.empty()) print_slices(trials, device, out);
   out << "\nlink: time on the UART, 10 bits per byte. CPU: time of the library, with an error of "
-         "about a\nquarter, without wait states of the flash (docs/measure.md). rows/s: average "
+         "about a\nquarter, without wait states of the flash (docs/memory.md). rows/s: average "
          "sustainable\nrate; at worst: CPU-limited rate in the slowest slice.\n";
   print_all_code(volume, arguments, trials, device, out);
 }

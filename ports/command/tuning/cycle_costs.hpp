@@ -10,7 +10,7 @@
 namespace discmc::command {
 
 /// The costs of the library compiled with -Os. scripts/check/cycles measures and writes them, and
-/// prints their errors (docs/measure.md).
+/// prints their errors (lib/FOOTPRINT.md).
 enum class Core { cortex_m0plus, cortex_m4, cortex_m7 };
 
 /// Units: processor cycles, for each unit of DeviceWork.

@@ -1,10 +1,15 @@
 # page.awk RECORD PAGE: prints the page with what it shows of the record put between its marks
 #   <!-- footprint: NAME -->  and  <!-- end -->
+# With -v record=cycles the marks are <!-- cycles: NAME -->: a page may show two records.
 # NAME is a group of the record, which becomes a table, or `compilers`, `summary`, `requirements` or
 # `requirements of RAM`. The record has a figure per line: group, name, column, value, with tabs between
 # them; rows and columns of a table come in the order of their first mention.
 
-BEGIN { FS = "\t" }
+BEGIN {
+  FS = "\t"
+  if (!record) record = "footprint"
+  mark = "<!-- " record ": "
+}
 
 # 1234567.8 as 1,234,567.8
 function grouped(number,    whole, rest) {
@@ -123,10 +128,10 @@ FNR == NR {
 /^<!-- end -->$/ { inside = 0 }
 !inside { print }
 
-/^<!-- footprint: .* -->$/ {
+index($0, mark) == 1 && / -->$/ {
   inside = 1
   marks++
-  name = substr($0, 17, length($0) - 20)
+  name = substr($0, length(mark) + 1, length($0) - length(mark) - 4)
   if (name == "compilers") print "Compilers: " compilers "."
   else if (name == "summary") print_summary()
   else if (name == "requirements") print_requirements()
