@@ -9,7 +9,7 @@
 namespace discmc {
 namespace {
 
-TEST_CASE("the facet tables are the same when they are derived at run time") {
+TEST_CASE("facet tables derived at run time equal those of the compiler") {
   Derived again{};
   again = derive_all();  // what is initialised the compiler would work out
   for (int c = 0; c <= configurations; ++c) CHECK(again.table.first[c] == facet_table.first[c]);
@@ -26,7 +26,7 @@ TEST_CASE("the facet tables are the same when they are derived at run time") {
   }
 }
 
-TEST_CASE("what the tables are asserted to hold is counted right, and other counts are not held") {
+TEST_CASE("the checks of the facet tables count correctly and reject wrong counts") {
   CHECK(configurations_with(7) == 32);
   CHECK(configurations_with(8) == 0);
   CHECK(occurs(3, 93));

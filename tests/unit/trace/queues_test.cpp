@@ -58,7 +58,7 @@ class Ends {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("lost ends keep their places among others", Index, uint16_t, uint32_t) {
+TEST_CASE_TEMPLATE("lost ends keep their places among other ends", Index, uint16_t, uint32_t) {
   // More than two bytes count.
   for (const uint32_t many : {1U, 2U, 0xFFFFU, 0x10000U, 0x30001U}) {
     CAPTURE(many);
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("lost ends keep their places among others", Index, uint16_t, 
 }
 
 // Room for a batch of edges in every queue rests on it.
-TEST_CASE("no vertex has two passes that come, or two that go, by one queue") {
+TEST_CASE("each queue of a vertex has at most one incoming and one outgoing pass") {
   uint32_t most = 0, recurrences = 0;
   for (int axis = 0; axis < 3; ++axis)
     for (const bool is_on : {false, true})
