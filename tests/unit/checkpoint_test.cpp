@@ -1,4 +1,4 @@
-// Checkpoints: a scan that goes on after a power failure makes the stream of one that never failed.
+// Checkpoints: a scan resumed after a power failure makes the stream of an uninterrupted scan.
 #include <doctest/doctest.h>
 
 #include <cstring>

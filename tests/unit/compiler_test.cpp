@@ -1,4 +1,4 @@
-// What stands in for instructions that a processor or a compiler lacks.
+// The substitutes for instructions that a processor or a compiler lacks.
 #include <doctest/doctest.h>
 #include <discmc/compiler.hpp>
 #include <discmc/trace/threshold.hpp>

@@ -264,7 +264,7 @@ TEST_CASE("reset() at any point of a scan begins an independent new scan") {
 }
 
 TEST_CASE("reset() discards pending events and events that were sent early") {
-  // Takes so many events and then no more, until the next scan.
+  // Accepts `left` events, then refuses until the next scan.
   struct Gate {
     SinkResult take(const Event& event) {
       if (is_open || event.kind == Event::Kind::start) return log.take(event);

@@ -183,7 +183,7 @@ TEST_CASE("finish() in the middle of a slice is refused and changes nothing") {
   for (uint32_t i = 0; i < 18; ++i) {
     CHECK(extractor.finish() == (i == 0 || i == 9 ? Status::ok : Status::slice_in_progress));
     if (i == 0 || i == 9) {
-      // It did end there: begin again and go on where the samples were.
+      // The scan ended there: begin again and push the same samples.
       REQUIRE(collected(log.events).is_finished());
       log = EventLog();
       require_ok(extractor.reset());

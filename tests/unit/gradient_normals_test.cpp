@@ -330,7 +330,7 @@ TEST_CASE(
   const Size size{4, 3, 5};
   const Limits limits{size.width, size.height};
   const int32_t threshold = 100;
-  // So that every cell tells its normals when it is swept, and not when its neighbours are.
+  // The least memory, so that every cell sends its normals when it is swept.
   const Capacities least = minimum_capacities();
   for (uint32_t given = 1; given <= size.width * size.height * size.depth; ++given) {
     SampleVolume<uint8_t> volume = clouds<uint8_t>(size, given);

@@ -61,7 +61,7 @@ void check_window(Size size, uint32_t chunk, Chance& chance) {
       REQUIRE(window.push(volume.slice(z) + at, count) == Status::ok);
     }
     check_covered();
-    // All that lies below the slice before the last one is told by now.
+    // All vertices below the slice before the last are visited by now.
     REQUIRE((next == vertices.end() || next->z > 2 * static_cast<int32_t>(z) - 3));
   }
   window.end();

@@ -1,4 +1,4 @@
-// A sink that was not started is told as an error: "not now" would have its source wait for ever.
+// An unstarted sink is an error: if it were busy instead, its source would wait forever.
 #include <doctest/doctest.h>
 
 #include <discmc/joiner.hpp>
@@ -25,7 +25,7 @@ Bytes regions() {
   return encode(events_of(volume()), header_of(volume()));
 }
 
-// Whether the start fails whatever is pushed, and goes on once the encoder is started.
+// Checks that decoding fails at the start event, and continues once the encoder is started.
 template <class Decoding>
 void check_refusal(Decoding& decoder, Encoder& encoder, const Bytes& stream) {
   const Decoded first = decoder.push(stream.data(), stream.size());

@@ -12,7 +12,7 @@ namespace {
 
 using discmc::test::text_of;
 
-// The first version that follows some text in a file, which tells what versions stand behind.
+// The first version in a file that follows the given text.
 std::string version_after(const std::string& text, const std::string& path) {
   std::smatch found;
   const std::string all = text_of(path);

@@ -1,4 +1,4 @@
-// discmc.h is small, is C99 by itself, and what it says of its constants and sizes is true.
+// discmc.h is small, is C99 by itself, and its constants and sizes are right.
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-// A scan in C goes on from flash after a power failure, and the store does what it does in C++.
+// A scan in C continues from flash after a power failure, and the store works as in C++.
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 

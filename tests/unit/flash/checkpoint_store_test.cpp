@@ -194,7 +194,7 @@ TEST_CASE("after a power failure the checkpoint found is the newest or the one b
       REQUIRE(saved == std::count_if(complete.begin(), complete.end(),
                                      [cut](uint64_t steps) { return steps < cut; }));
       flash.power_on();
-      // Where only 1 bits were left to come, what was under way is whole.
+      // If only 1 bits were left to program, the interrupted checkpoint is whole.
       const uint32_t found = number_found(flash, saves);
       REQUIRE((found == saved || found + 1 == saved));
       REQUIRE_FALSE(flash.has_broken_rules);
@@ -566,7 +566,7 @@ TEST_CASE("the sequence number of a damaged checkpoint is not reused") {
     CHECK(keeper.store.sequence() == 2);
     REQUIRE(save(keeper, 3) == Status::ok);
     CHECK(keeper.store.sequence() == 4);
-    slot(flash, keeper.store.plan(), 1)[4] ^= 0x40;  // its number, so that nobody knows it
+    slot(flash, keeper.store.plan(), 1)[4] ^= 0x40;  // its number is unreadable
   }
   Keeper keeper(flash);
   CHECK(keeper.store.sequence() == 4);

@@ -205,7 +205,7 @@ TEST_CASE("any interleaving of writer and reader preserves the rows") {
 
 namespace {
 
-// In a ring of two so many rows came, and so many of them were passed.
+// The state of a ring of two rows: how many rows came and were passed.
 struct State {
   uint32_t came, passed;
 };

@@ -1,5 +1,5 @@
-// The derivation of the facet tables, which the compiler does, done once more at run time: so it is
-// the same wherever it is done, and the coverage of its source can be told.
+// The facet tables, which the compiler derives, derived again at run time. Both must be equal, and
+// the coverage of the source can be measured.
 //
 // The source is compiled in here; the library's object of it is then not linked.
 #include <discmc/geometry/facet_table.cpp>

@@ -306,7 +306,7 @@ TEST_CASE("the enclosed volume can be computed from the facets with any referenc
   });
 }
 
-TEST_CASE("a lone corner encloses a 48th, and the off side of a surface what the on side leaves") {
+TEST_CASE("both sides of a surface fill a cell of 48 units, except beside ambiguous faces") {
   CHECK(cell_facts.enclosed[0] == 0);
   CHECK(cell_facts.enclosed[1] == 1);
   for_each_configuration([](int c) {

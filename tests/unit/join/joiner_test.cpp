@@ -126,7 +126,7 @@ test::Script square_region(const Vertex& corner, uint32_t side) {
   return script;
 }
 
-// A corner moved inwards by so many links.
+// A corner moved inwards by a number of links.
 Vertex inwards(const Vertex& corner, int32_t links) {
   const Vertex diagonal = direction_vector(test::up, 0) + direction_vector(test::up, 2);
   return corner + Vertex{links * diagonal.x, links * diagonal.y, links * diagonal.z};

@@ -1,5 +1,5 @@
-// Checkpoints of a slice encoder: a scan that goes on after a power failure makes the stream of one
-// that never failed.
+// Checkpoints of a slice encoder: a scan resumed after a power failure makes the stream of an
+// uninterrupted scan.
 #include <doctest/doctest.h>
 
 #include <cstring>

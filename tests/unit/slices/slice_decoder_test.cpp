@@ -26,7 +26,7 @@ SlicePlan plan_of(uint8_t surfaces) {
   return plan;
 }
 
-// Codes told by hand, from the first row of a key slice on.
+// Codes written by hand, from the first row of a key slice on.
 class Code {
  public:
   explicit Code(uint8_t surfaces = 1) : memory_(slice_encoder_bytes(limits, {}, surfaces)) {
@@ -80,7 +80,7 @@ class Code {
     surfaces_.next_row();
     return *this;
   }
-  // A run that ends early is told to be as long as one that does not.
+  // A run that ends early is coded with the length of one that does not.
   Code& row_with_a_run_too_long() {
     writer_.code_bit(surfaces_.note(), false);
     writer_.code_bit(surfaces_[0].model[run_of_a_row], false);
@@ -88,7 +88,7 @@ class Code {
     return *this;
   }
   Bytes end() { return note(RowNote::end).finish(); }
-  // Ends a code without a word; the next one goes on.
+  // Ends a code without an end mark; the next code continues it.
   Bytes finish() {
     bytes_.resize(writer_.range.finish());
     const Bytes code = bytes_;
@@ -177,8 +177,8 @@ class Stream {
   uint32_t number_ = 0;
 };
 
-// That a packet, whole though it is, brings nothing and is told to be unreadable, that slices which
-// follow are left alone, and the next key slice is read all the same.
+// Checks that a whole but invalid packet delivers nothing and counts as unreadable. The slices
+// after it are ignored, and the next key slice is decoded.
 void check_unreadable(uint8_t bits, const std::vector<Bytes>& parts) {
   const ReceivedRows received = Stream()
                                     .slices(bits, parts)
@@ -262,7 +262,7 @@ TEST_CASE("a code continues a row only where the previous code was cut") {
   CHECK(received.rows[0].bits == voxels);
   CHECK(received.rows[2].bits == Bytes(size.width));
 
-  // No cut was where one is told, and the code has ended.
+  // The packet claims a cut, but the code has ended.
   const Bytes rows = Code().rows_off(2).end();
   const StreamReport uncut = Stream()
                                  .slices(of_cut, {key(0), rows, cut(1, 29)})
@@ -271,7 +271,7 @@ TEST_CASE("a code continues a row only where the previous code was cut") {
                                  .report;
   CHECK(uncut.rows == 2);
   CHECK(uncut.damaged_packets == 1);
-  // A code begins in the middle of a row that the one before has not told to its end.
+  // A code begins in the middle of a row that the previous code did not finish.
   Bytes dotted = Code().row(Bytes(5, 0x55)).end();
   REQUIRE(dotted.size() > 10);
   dotted.resize(8);

@@ -45,7 +45,7 @@ BitVolume ball(uint32_t size) {
   return reference::ball({size, size, size}, {middle, middle, middle}, middle * middle * 3 / 4);
 }
 
-// Tells the first slice of a volume, or reads it.
+// Encodes or decodes the first slice of a volume.
 template <class Coder>
 void tell_key_slice(Coder& coder, BitVolume& volume) {
   const Limits limits{volume.width, volume.height};
@@ -174,9 +174,8 @@ TEST_CASE("every row before a flush arrives") {
 }
 
 TEST_CASE("bits with a carry pending over all bytes are decoded unchanged") {
-  // Noise, and then what a decoder makes of zeros: the number that an encoder of these has is all
-  // the time just below one that ends in zeros, or at it. So its bytes are 255 or 0, and it knows
-  // which at the end.
+  // Noise, then the bits that a decoder reads from zeros. While these are encoded, the number stays
+  // at or just below one that ends in zeros. Its bytes are 255 or 0, decided by the last carry.
   uint32_t cuts = 0;
   for (uint32_t seed = 1; seed < 20; ++seed) {
     BitVolume noise = reference::random({300, 12, 1}, 128, seed);
@@ -462,7 +461,7 @@ TEST_CASE("with only key slices the encoder needs four rows of bits") {
   CHECK(slice_encoder_bytes({256, 256}, {1}) == 5 * 9 * 4 + rest);
   CHECK(slice_encoder_bytes({256, 256}, {2}) == 259 * 9 * 4 + rest);
   CHECK(slice_encoder_bytes({256, 1}, {0}) == 5 * 9 * 4 + rest);
-  // A decoder does not know, and hands out a row of bits.
+  // A decoder must expect other slices too, and delivers a row of bits.
   CHECK(slice_decoder_bytes({256, 256}) == 259 * 9 * 4 + rest + 32 + red_zone_bytes);
 }
 
@@ -625,7 +624,7 @@ TEST_CASE("a stream contains one to four surfaces, on channels up to 63") {
 
 namespace {
 
-// Tells rows of bits, those of all surfaces one behind the other, or reads them.
+// Encodes or decodes rows of bits, with all surfaces in sequence.
 template <class Coder>
 void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& rows) {
   const Limits limits{header.width, header.height};
@@ -651,8 +650,8 @@ void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& row
   }
 }
 
-// Noise, and then rows of whose number the encoder knows all the time only that it lies just below
-// one that ends in zeros, or at it.
+// Noise, then rows that keep a carry pending: the number of the encoder stays at or just below one
+// that ends in zeros.
 std::vector<Bytes> rows_on_the_edge(const StreamHeader& header, uint32_t seed) {
   Chance chance(seed);
   const size_t row_bytes = (header.width + 7) / 8 * header.surface_count;
@@ -755,7 +754,7 @@ TEST_CASE("a scan that ends on a busy line is complete after resume()") {
 
 namespace {
 
-// Takes so many bytes and no more, until there is room again.
+// Accepts `room` bytes and no more until there is room again.
 struct BrokenLine {
   size_t room = 0;
   Bytes bytes{};

@@ -1,4 +1,4 @@
-// The stuffing of frames: every length, every place of a zero, and bytes that nobody stuffed.
+// The stuffing of frames: every length, every position of a zero, and bytes that are not stuffed.
 #include <doctest/doctest.h>
 #include <discmc/stream/cobs.hpp>
 

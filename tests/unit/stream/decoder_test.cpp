@@ -26,7 +26,7 @@ Bytes stream_of(const std::vector<Bytes>& payloads) {
   return stream;
 }
 
-// The frame of a header that comes after so many packets and pieces.
+// The frame of a header that follows the given numbers of packets and pieces.
 Bytes header_after(uint32_t packets, uint64_t pieces) {
   Packet header = packet_of(stream_of({}));
   header.number = static_cast<uint8_t>(packets);
@@ -99,7 +99,7 @@ void tell_part(Model& model, const Part& part, const ToldRuns& runs) {
   tell_runs(model, runs);
 }
 
-// A region up to what tells its only ring; it begins with direction 0.
+// A region up to the data of its only ring, which begins with direction 0.
 template <class Model>
 void begin_ring(Model& model, uint32_t corners = 0, uint32_t from = 2) {
   model.record_kind(RecordKind::region);
@@ -161,13 +161,13 @@ void tell_unreadable(Model& model) {
   model.even(5, 31);
 }
 
-// A region across z that goes on in a packet to come.
+// A region across z that continues in a later packet.
 template <class Model>
 void tell_first_part(Model& model) {
   tell_part(model, {false, false, true}, {{0, 2}});
 }
 
-// What goes on with it, to its end.
+// The rest of that region.
 template <class Model>
 void tell_last_part(Model& model) {
   tell_part(model, {true, true, false}, {{2, 2}});
@@ -190,7 +190,7 @@ Bytes frame_at(uint32_t number, const Bytes& payload, uint16_t regions = 0) {
   return frame_of({records_kind, static_cast<uint8_t>(number), regions, payload});
 }
 
-// A payload of one part, told by hand and unreadable, between two marks.
+// A payload of one unreadable part, written by hand, between two marks.
 template <class Tell>
 void check_unreadable(Tell tell) {
   const Received arrival = decode(stream_of({payload_of([&](auto& model) {
@@ -560,7 +560,7 @@ TEST_CASE("a later header reports all packets and regions lost before it") {
 TEST_CASE(
     "a header that reports more lost packets ends the open region, unless a gap preceded the "
     "region") {
-  // Of 256 packets that are lost a short number says nothing, of 257 that one is missing.
+  // The number of a packet wraps at 256: a loss of 256 packets is invisible, one of 257 shows.
   for (const bool gap_is_seen : {false, true}) {
     const uint32_t number = gap_is_seen ? 258 : 257;
     const Received arrival =
@@ -815,7 +815,7 @@ TEST_CASE("headers with invalid values are refused") {
   CHECK(without_header(5, 0x80, wire::header_payload));  // width above the limit
   CHECK(without_header(6, 0, wire::header_payload));     // height 0
   CHECK(without_header(99, 0, wire::header_payload - 1));
-  CHECK_FALSE(without_header(99, 0, wire::header_payload + 5));  // a later version may say more
+  CHECK_FALSE(without_header(99, 0, wire::header_payload + 5));  // a later version may be longer
 }
 
 TEST_CASE("extra bytes at the end of a header are ignored") {
@@ -929,7 +929,7 @@ TEST_CASE("records that break the grammar are refused") {
       model.even(5, incidence);
     });
     for (const RecordKind kind : {RecordKind::region, RecordKind::holed, RecordKind::forwards})
-      check_unreadable([&](auto& model) {  // and what is told whole
+      check_unreadable([&](auto& model) {  // and whole records
         model.record_kind(kind);
         model.start({1, 1, 1});
         model.even(5, incidence);
@@ -1198,7 +1198,7 @@ TEST_CASE("a sink may refuse the last events of a stream repeatedly") {
     const Decoded decoded = decoder.push(stream.data(), stream.size());
     CHECK(decoded.bytes == stream.size());
     CHECK(decoded.status == (refusals == 0 ? Status::ok : Status::suspended));
-    // What push() did not get rid of, and the loss, which only the end tells.
+    // The events that push() could not deliver, and the loss, which only the end reveals.
     uint32_t calls = 1;
     while (decoder.finish() == Status::suspended) ++calls;
     CHECK(calls == (refusals == 0 ? 1 : 4 * refusals));

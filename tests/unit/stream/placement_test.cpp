@@ -1,4 +1,4 @@
-// Where a volume lies in space, as an application record.
+// The placement of a volume in space, as an application record.
 #include <doctest/doctest.h>
 
 #include <algorithm>

@@ -18,7 +18,7 @@ struct Decision {
 };
 using Decisions = std::vector<Decision>;
 
-// Bits that come up about as often as their probabilities say, or against them.
+// Bits that occur about as often as their probabilities predict, or the opposite.
 Decisions random_decisions(Chance& chance, size_t count, bool likely = true) {
   Decisions decisions(count);
   for (Decision& decision : decisions) {

@@ -1,4 +1,4 @@
-// The model of records: whatever is told in symbols comes back, at the ends of every range as well.
+// The model of records: all symbols are decoded unchanged, also at the ends of every range.
 #include <doctest/doctest.h>
 #include <discmc/stream/record_reading.hpp>
 #include <discmc/stream/record_writing.hpp>
@@ -369,7 +369,7 @@ TEST_CASE("the flags and incidence of a part are decoded unchanged") {
       expected);
 }
 
-// Backwards, a chain is told in the turns that it makes forwards.
+// A chain coded backwards uses the turns that it makes forwards.
 TEST_CASE("a chain coded backwards costs about as much as forwards") {
   const auto cost = [](RecordKind kind, const std::vector<Direction>& directions) {
     double bits = 0;
@@ -486,7 +486,7 @@ TEST_CASE("a ring with a half turn is not coded by its corners") {
 }
 
 TEST_CASE("a fragment is coded from its nearer end, by cost: slice 64, row 8, voxel 1") {
-  // A fragment that begins and ends so many voxels from the vertex before.
+  // A fragment that begins and ends at given distances in voxels from the previous vertex.
   const auto is_nearer = [](Vertex start, Vertex end) {
     const Vertex before{1, 100, 100};
     Record record;

@@ -1,5 +1,5 @@
-// Rows of bits against the definition: which bit stands for which voxel, copies and halo and all,
-// however the samples come, and what lies around a row while later ones overwrite the oldest.
+// Rows of bits against the definition: the bit of each voxel, its copies and the halo, for samples
+// in any portions. The rows around a row stay right while later rows overwrite the oldest.
 #include <doctest/doctest.h>
 #include <discmc/trace/bit_rows.hpp>
 
@@ -34,7 +34,7 @@ struct Rows : trace::BitRows {
 };
 
 // Compares all bits of a row: bit i of word k is column 30k - 1 + i, and voxel x is column x + 1.
-// The first bit says whether any is on.
+// The first bit is set if any voxel is on.
 template <class IsOn>
 void check_row(const uint32_t* row, uint32_t width, IsOn is_on) {
   bool is_any_on = false;

@@ -15,8 +15,8 @@ using namespace discmc::reference;
 
 namespace {
 
-// What lies on one side of a plane, but for some voxels: so the plane has rings and holes of many
-// shapes, rings within holes, and many a ring beside others.
+// The voxels on one side of a plane, except for some. The plane then has rings and holes of many
+// shapes, rings within holes, and rings beside others.
 BitVolume half_space(Size size, const Vertex& n, uint32_t noise, uint64_t seed) {
   BitVolume volume = random(size, noise, seed);
   const auto middle = [](uint32_t extent) { return static_cast<int32_t>(extent / 2); };

@@ -40,7 +40,7 @@ class Ends {
     if (end != no_slot) pool_.give(end);
     return end;
   }
-  // How many that were lost come out, before one that was not or at most so many.
+  // Pops lost ends up to the first other end, at most `most`. Returns their number.
   uint32_t pop_lost(uint32_t most) {
     uint32_t count = 0;
     while (count < most && queues_.pop(pool_, number) == no_slot) ++count;
