@@ -260,7 +260,7 @@ UnitNormal normal_of(const Event& run, Incidence incidence, const StreamHeader& 
 
 }  // namespace
 
-TEST_CASE("the guide's stream of slices makes the regions of the device's own") {
+TEST_CASE("the guide's stream of slices yields the regions of the device") {
   Bytes bytes;
   REQUIRE(begin_slices({&bytes, append}));
   Ball ball;
@@ -290,7 +290,7 @@ TEST_CASE("the guide's stream of slices makes the regions of the device's own") 
   CHECK(bytes.size() < regions.size() / 2);
 }
 
-TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a lost packet") {
+TEST_CASE("the guide's receiver joins fragments to whole regions and detects a lost packet") {
   // So little memory that the device sends fragments.
   static uint8_t memory[minimum_bytes<uint16_t>(limits) + 256];
   Bytes bytes;
@@ -320,7 +320,7 @@ TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a 
   CHECK_FALSE(finish_and_check());
 }
 
-TEST_CASE("the guide's filter takes away most of what noise adds to the stream") {
+TEST_CASE("the guide's filter removes most of the noise from the stream") {
   Ball noisy;
   noisy.noise = 20;
   Bytes bytes;
@@ -341,7 +341,7 @@ TEST_CASE("the guide's filter takes away most of what noise adds to the stream")
   CHECK(bytes.size() - clean < (stream_of(noisy).size() - clean) / 2);
 }
 
-TEST_CASE("the guide's normal is that of the run, or of its polygon in voxels that are not cubes") {
+TEST_CASE("the guide's normal is that of the run, or of its polygon for anisotropic voxels") {
   StreamHeader header;
   header.spacing_nm[0] = header.spacing_nm[1] = 500000;
   header.spacing_nm[2] = 1000000;
@@ -352,8 +352,7 @@ TEST_CASE("the guide's normal is that of the run, or of its polygon in voxels th
   CHECK(normal_of(run, incidence, header) == unit_normal(run.normal));
 }
 
-TEST_CASE(
-    "the guide's task pushes the rows that the guide's interrupt brings, and skips the lost ones") {
+TEST_CASE("the guide's task pushes the rows of the guide's interrupt and skips lost rows") {
   REQUIRE(ring.start(pixels * sizeof(uint16_t), rows_held, memory_of(row_memory)) == Status::ok);
   constexpr Limits row_limits{pixels, 1};
   static uint8_t memory[minimum_bytes<uint16_t>(row_limits) + 16 * 1024];
@@ -379,7 +378,7 @@ TEST_CASE(
   CHECK(extractor.statistics().skipped_rows == 3);
 }
 
-TEST_CASE("the guide's part of a volume, and its threshold for each row") {
+TEST_CASE("the guide's part of a volume and its threshold per row are extracted") {
   static uint8_t memory[minimum_bytes<uint16_t>(limits) + 16 * 1024];
   Bytes bytes;
   Encoder encoder;
@@ -410,7 +409,7 @@ TEST_CASE("the guide's part of a volume, and its threshold for each row") {
   CHECK(bytes == stream_of(ball));
 }
 
-TEST_CASE("the guide's recipe for power failures makes the stream of an uninterrupted scan") {
+TEST_CASE("the guide's recipe for power failures yields the stream of an uninterrupted scan") {
   Ball ball;
   const Bytes whole = stream_of(ball);
 
@@ -486,7 +485,7 @@ std::vector<std::string> blocks_of(const std::string& page) {
 
 }  // namespace
 
-TEST_CASE("the guide shows no code in C or C++ that is not built") {
+TEST_CASE("every C and C++ block of the guide is part of a built program") {
   std::vector<std::string> programs{lines_of(root / "tests/packaging/guide_test.cpp"),
                                     lines_of(root / "tests/packaging/mesh_guide_test.cpp")};
   for (const auto& file : std::filesystem::directory_iterator(root / "examples"))
