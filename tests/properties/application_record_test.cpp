@@ -32,7 +32,7 @@ void until_taken(Tell tell) {
   require_ok(status);
 }
 
-// What a slice's record holds: its number, so many times.
+// The bytes of a slice's record: its number, repeated.
 Bytes bytes_of_slice(uint32_t slice) {
   return Bytes(slice * 25, static_cast<uint8_t>(slice));
 }
@@ -82,7 +82,7 @@ Bytes slices_with_records(size_t bytes_a_time) {
   return line.bytes;
 }
 
-// Takes apart what a record says from the rest.
+// Separates application records from the other events.
 struct Records {
   SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::application)

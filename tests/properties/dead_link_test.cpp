@@ -1,4 +1,4 @@
-// A scan can go on though its link is dead, and its stream is there again when the link is.
+// A scan continues while its link is dead, and the stream resumes with the link.
 #include <doctest/doctest.h>
 
 #include "oracle/slice_stream.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 const BitVolume volume = reference::random({24, 20, 16}, 60, 5);
 
-// Takes so many bytes and then nothing, for good.
+// Accepts `left` bytes, then nothing.
 struct DyingLine {
   size_t left;
   Bytes bytes{};

@@ -1,4 +1,4 @@
-// The recorder of events: equal is what says the same, and what was refused comes again.
+// The recorder of events: how it compares events, and that refused events are offered again.
 #include "oracle/event_log.hpp"
 
 #include <doctest/doctest.h>

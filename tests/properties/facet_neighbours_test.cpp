@@ -65,7 +65,7 @@ bool share_face(int axis, int cell, int next) {
 }
 
 // The four cells around an edge of the lattice, the edge's midpoint in the middle. The edge runs
-// along `axis`; quadrant bits 0 and 1 tell on which side of it a cell lies on the other two axes.
+// along `axis`. Quadrant bits 0 and 1 are the side of a cell on the other two axes.
 struct AroundEdge {
   static constexpr int quadrants = 4;
   static constexpr int voxels = 18;  // 3 x 3 across, 2 along

@@ -1,5 +1,5 @@
-// Normals on the wire: what the encoder is told the decoder tells, and who does not want normals
-// reads the rest as before.
+// Normals on the wire: the decoder delivers the encoder's normals, and a receiver without normals
+// decodes the rest as before.
 #include <doctest/doctest.h>
 
 #include <discmc/gradient_normals.hpp>
@@ -36,7 +36,7 @@ Events pressed(const BitVolume& volume) {
   return events_of(volume, Capacities{200, 12}, {});
 }
 
-// A run of a ring that goes on to and fro.
+// A run of a ring that alternates between two directions.
 Run run_to_and_fro(uint32_t i) {
   return Run::straight(static_cast<Direction>(4 * (i % 2)), 1 + i / 2 % 5);
 }
@@ -77,7 +77,7 @@ void add_normals(Payload& payload, uint32_t type, const Bytes& bytes, uint32_t l
 
 using List = std::vector<std::vector<int>>;
 
-// Of the runs in packets of records with these payloads.
+// The normals of the runs in packets of records with these payloads.
 List normals_of(const std::vector<Bytes>& payloads) {
   Bytes stream = frames_of(encode({}))[0];
   uint8_t number = 0;

@@ -1,5 +1,5 @@
-// An output that fails, at any byte, once, twice or for good: while it takes nothing the scan
-// waits, and what leaves in the end is byte for byte what leaves without a fault.
+// An output that fails at any byte, once, twice or permanently: the scan waits, and the bytes of
+// the stream are the same as without a fault.
 #include <doctest/doctest.h>
 
 #include "oracle/stream_samples.hpp"
@@ -11,7 +11,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// Takes bytes up to each of its stops and no further, until it has been asked there so many times.
+// Accepts bytes up to each of its stops, then refuses a number of calls.
 class Stopping {
  public:
   static constexpr size_t for_ever = SIZE_MAX;
@@ -49,7 +49,7 @@ class Stopping {
 struct Scenario {
   BitVolume volume;
   Capacities capacities;
-  uint32_t refused_in = 0;  // of so many offers one is refused before the encoder sees it
+  uint32_t refused_in = 0;  // one offer in this many is refused before the encoder sees it
 };
 
 // A sink in front of the encoder, which may be busy as well.
@@ -79,7 +79,7 @@ class Device {
         extractor_.start(limits_, scenario.capacities, 1, block_.memory(), make_sink(gate_)));
   }
 
-  /// Goes on until `patience` calls in a row have come to nothing. True at the end.
+  /// Scans until `patience` calls in a row make no progress. True at the end.
   bool run(size_t patience) {
     const BitVolume& volume = scenario_.volume;
     const auto total = static_cast<uint32_t>(volume.voxels());

@@ -230,7 +230,7 @@ TEST_CASE("more memory never yields more loose fragments of a ball, and enough m
 
 TEST_CASE("a thousand layers need no more memory than the first ones, so nothing leaks") {
   for (uint64_t seed = 0; seed < 12; seed += step(3)) {
-    // A slice that is all off ends every region; else holes would gather in those that go on.
+    // A slice that is all off ends every region, so that no holes accumulate in open regions.
     BitVolume period = random({7, 8, 10}, 60 + 15 * static_cast<uint32_t>(seed), seed);
     std::fill_n(period.on.begin(), 7 * 8, uint8_t{0});
     BitVolume longer({7, 8, 1000});

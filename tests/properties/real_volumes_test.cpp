@@ -1,5 +1,5 @@
 // Real scans, where there are any: the environment variable DISCMC_DATA names a folder as
-// described_volumes.hpp describes it. Without it these tests say so and pass.
+// described_volumes.hpp describes it. Without it these tests print a message and pass.
 #include <doctest/doctest.h>
 
 #include <cstdlib>

@@ -12,7 +12,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// How the caller goes on after Status::suspended.
+// How the caller continues after Status::suspended.
 enum class Way : uint8_t {
   again,   ///< by the same call, with what is left of the samples
   resume,  ///< by resume() until it is ok, then by the same call
@@ -104,7 +104,7 @@ std::string difference(const Scenario& scenario, const EventLog& plain, EventLog
   }
 }
 
-// Takes so many events and none after them, until it is opened for another log.
+// Accepts a number of events, then refuses until it is opened for another log.
 struct Gate {
   EventLog* log;
   uint64_t left;

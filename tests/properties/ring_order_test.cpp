@@ -23,7 +23,7 @@ bool is_midpoint(const Vertex& v) {
   return is_even(v.x) + is_even(v.y) + is_even(v.z) == 2;
 }
 
-// All facets of an incidence whose cells are at most so many cells from the origin.
+// All facets of an incidence in the cells within a distance of the origin.
 std::vector<Polygon> facets_near(Incidence incidence, int cells) {
   std::vector<Polygon> facets;
   for (Shape shape = 0; shape < 8; ++shape) {

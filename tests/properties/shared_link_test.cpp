@@ -1,4 +1,4 @@
-// Streams that share a link are told apart, and what is not one stream never passes for one.
+// Streams that share a link are separated, and a mixture never passes for a single stream.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -112,7 +112,7 @@ TEST_CASE("two mixed scans with the same name never form a complete surface") {
     const std::vector<Bytes> a = frames_of(encode(events_of(one), header_of(one)));
     const std::vector<Bytes> b = frames_of(encode(events_of(other), header_of(other)));
     if (a.size() != b.size()) continue;
-    // Of every packet that of the one or of the other, but not all of one.
+    // Each packet is from either stream, but not all are from the same.
     Chance chance(seed);
     for (int tries = 0; tries < 50; ++tries) {
       std::vector<Bytes> frames;

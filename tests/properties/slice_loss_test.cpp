@@ -1,5 +1,4 @@
-// What a lossy link does to a stream of slices: every loss is told where it is, and no row is
-// wrong.
+// A stream of slices over a lossy link: every loss is reported in its place, and no row is wrong.
 #include <doctest/doctest.h>
 
 #include "oracle/slice_stream.hpp"
@@ -30,7 +29,7 @@ const Sent& sent_with_keys() {
   return sent;
 }
 
-// That every row told is right, in its order and in its place. Returns how many are not told.
+// Checks that every decoded row is right and in its place. Returns the number of missing rows.
 uint64_t check_told_rows(const BitVolume& volume, const ReceivedRows& received) {
   size_t next = 0, lost = 0;
   bool is_over = false;

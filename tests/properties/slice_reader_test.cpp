@@ -58,7 +58,7 @@ struct Scan {
   reference::Size size;
   std::vector<int32_t> thresholds;
   KeySlices key_slices;
-  uint32_t skip_every = 0;  // so many rows, in turn as off and as the row before; 0 none
+  uint32_t skip_every = 0;  // one row in this many, off or repeated in turn; 0 none
 };
 
 StreamHeader header_of(const Scan& scan) {

@@ -149,7 +149,7 @@ TEST_CASE("memory that is too small for a stream of slices is refused") {
     CHECK(decoder.push(stream.data(), 0).status == status);
     CHECK(log.events.empty() == !is_enough);
     if (is_enough) continue;
-    // With enough it goes on where it was.
+    // With enough memory it continues.
     Bytes enough(Receiver::minimum_bytes(limits));
     CHECK(decoder.give_memory({enough.data(), enough.size() - 1}) == Status::too_little_memory);
     CHECK(decoder.give_memory({enough.data(), enough.size()}) == Status::ok);

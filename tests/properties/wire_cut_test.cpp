@@ -14,9 +14,9 @@ using reference::Region;
 
 namespace {
 
-// Decodes a stream byte by byte, each out of a block of its own, so that address sanitizers see the
-// first byte beyond. Before every byte it calls check(bytes so far, events so far, the report of a
-// stream that ends there, and whether what was open there was told to be lost).
+// Decodes a stream byte by byte, each from a block of its own, so that address sanitizers detect
+// reads beyond. Before every byte it calls check() with the bytes and events so far, the report of
+// a stream that ends there, and whether an open piece was reported as lost.
 template <class Check>
 Events decode_cutting(const Bytes& stream, Check check) {
   EventLog log;

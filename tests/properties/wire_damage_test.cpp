@@ -13,8 +13,8 @@ using Kind = Event::Kind;
 
 namespace {
 
-// Decodes with the grammar checked, and encodes again what came of it: an encoder must take
-// whatever a decoder delivers, and tell it unchanged.
+// Decodes, checks the grammar, and encodes the result: an encoder must accept all events of a
+// decoder and encode them unchanged.
 Received survive(const Bytes& bytes, size_t portion = 0) {
   const Received arrival = decode(bytes, portion);
   const std::vector<Events> pieces = pieces_of(arrival.events);

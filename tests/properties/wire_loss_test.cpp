@@ -42,7 +42,7 @@ struct Sent {
   std::vector<Span> pieces;
 };
 
-// What must arrive of the frames kept, and what the report must say.
+// The events that must arrive from the frames kept, and the report.
 void check_arrival(const Sent& sent, const std::vector<bool>& is_kept, const Received& arrival) {
   std::vector<Events> expected;
   for (const Sent::Span& span : sent.pieces)
@@ -55,7 +55,7 @@ void check_arrival(const Sent& sent, const std::vector<bool>& is_kept, const Rec
   const auto kept = static_cast<uint64_t>(std::count(is_kept.begin(), is_kept.end(), true));
   CHECK(arrival.report.packets == kept);
   CHECK(arrival.report.is_complete() == (kept == is_kept.size()));
-  if (!is_kept.back()) return;  // nobody can tell what was to come
+  if (!is_kept.back()) return;  // later packets are unknown
   CHECK(arrival.report.lost_pieces == sent.pieces.size() - expected.size());
   if (arrival.report.has_header) CHECK(arrival.report.lost_packets == is_kept.size() - kept);
 }
@@ -287,7 +287,7 @@ TEST_CASE("two spliced streams yield regions of either, never a mixture") {
       std::vector<Bytes> frames(first.frames.begin(), end);
       frames.insert(frames.end(), second.frames.begin() + static_cast<std::ptrdiff_t>(from),
                     second.frames.end());
-      // A region in parts may be open at the cut; if the numbers go on there, nobody can tell.
+      // A region in parts may be open at the cut; if the numbers match there, the cut is invisible.
       if (static_cast<uint8_t>(from - cut) == 0) continue;
       for (const Events& piece : pieces_of(decode(joined(frames)).events))
         CHECK((is_known(first, piece) || is_known(second, piece)));
@@ -296,7 +296,7 @@ TEST_CASE("two spliced streams yield regions of either, never a mixture") {
 
 TEST_CASE(
     "two interleaved streams yield regions of either, and a complete result is all of one stream") {
-  // Regions within a packet each: of one in parts nobody can tell whose part comes next.
+  // Each region fits a packet: the owner of the next part of a region in parts is undefined.
   const Sample round = sample_of("", reference::ball({20, 20, 20}, {19, 19, 19}, 70));
   const Sample noise = sample_of("", reference::random({13, 11, 9}, 128, 1));
   const Sent first(round.events, round.header);

@@ -216,6 +216,6 @@ TEST_CASE("fields of one to eight bytes are read as written, with zeros beyond t
   CHECK(reader.get(4) == 0x89ABCDEF);
   CHECK(reader.get(8) == 0x0123456789ABCDEF);
   CHECK(reader.get(4) == 0);
-  const uint8_t three[] = {1, 2, 3, 0xFF};  // of which the reader knows two
+  const uint8_t three[] = {1, 2, 3, 0xFF};  // of which the reader may read two
   CHECK(wire::ByteReader(three, 2).get(4) == 0x0201);
 }
