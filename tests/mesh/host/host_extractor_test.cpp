@@ -1,4 +1,4 @@
-// An extractor for hosts says what any other says, wherever it hands its fragments over.
+// A host extractor sends the same events as other extractors, wherever it hands its fragments over.
 #include <doctest/doctest.h>
 
 #include "host/host_extractor.hpp"
@@ -27,7 +27,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// With so many slots chains are kept as nodes, and with a few more for a while.
+// The least slots with which chains are kept as nodes; a few more keep them for a while.
 constexpr uint32_t min_for_nodes = host::Chains::min_slots;
 constexpr Capacities much{min_for_nodes + 20000, 100};
 
@@ -68,7 +68,7 @@ EventLog scanned(Extractor& extractor, const BitVolume& volume, const Plan& plan
   return log;
 }
 
-// What any other extractor tells with as much memory as it likes.
+// The events of another extractor with ample memory.
 EventLog expected_of(const BitVolume& volume, const Plan& plan = {}) {
   Extractor32 extractor;
   return scanned(extractor, volume, plan, {1000000, 1000});
@@ -90,7 +90,7 @@ bool refuses_some(uint64_t offer) {
   return offer * 0x9E3779B97F4A7C15 >> 62 == 0;
 }
 
-// With so many slots in use they have been taken for queues and nodes.
+// The slots in use once queues and nodes have grown.
 template <class Extractor>
 bool has_kept_nodes(const Extractor& extractor) {
   return extractor.peaks().slots >= min_for_nodes / 4;
@@ -172,7 +172,7 @@ void put(BitVolume& volume, const BitVolume& part, uint32_t z) {
         volume.on[volume.index(x, y, z + i)] = part.at(x, y, i) ? 1 : 0;
 }
 
-// Scans with so many slots, and returns the totals. None of the events is looked at.
+// Scans with a number of slots and returns the totals. The events are ignored.
 template <class Extractor>
 Statistics totals_of(Extractor& extractor, const BitVolume& volume, uint32_t slots) {
   struct Taker {
@@ -188,7 +188,7 @@ Statistics totals_of(Extractor& extractor, const BitVolume& volume, uint32_t slo
   return extractor.statistics();
 }
 
-// Checks how many slots are in use: of so many beyond the least, and of one less.
+// Checks the slots in use, for a number of slots beyond the least, and for one less.
 struct Step {
   uint32_t beyond;  // with one less there are those in use that the step before has
   uint32_t in_use;
@@ -282,7 +282,7 @@ std::vector<std::vector<uint64_t>> parts_of(const EventLog& log, const SlabScan&
   return sorted_parts(log.events);
 }
 
-// Of a region or a loose fragment.
+// Whether an event belongs to a region or a loose fragment.
 bool is_piece(const RecordedEvent& event) {
   return !event.is(Event::Kind::start) && !event.is(Event::Kind::layer) &&
          !event.is(Event::Kind::finish);
@@ -508,7 +508,7 @@ TEST_CASE("long sides are handed over, too") {
 }
 
 TEST_CASE("long sides across all rows of a slice, above a row of noise, are handed over") {
-  // Of so many links that places are the same again, 8192 further on.
+  // The side is longer than the range of places, which repeat after 8192 links.
   constexpr uint32_t size = 2000;
   BitVolume slope({size, size, 1});
   for (int64_t y = 0; y < size; ++y)
@@ -526,8 +526,8 @@ TEST_CASE("long sides across all rows of a slice, above a row of noise, are hand
 }
 
 TEST_CASE("long sides that turn upwards at a centroid are handed over") {
-  // Of so many links that places are the same again, 8192 further on. The noise comes while the end
-  // of the side waits for the slice in which it turns.
+  // The side is longer than the range of places, which repeat after 8192 links. The noise comes
+  // while the end of the side waits for the slice in which it turns.
   constexpr uint32_t size = 850;
   HostExtractor extractor;
   Extractor32 other;
@@ -553,7 +553,7 @@ TEST_CASE("long sides that turn upwards at a centroid are handed over") {
 }
 
 TEST_CASE("long sides across all slices of a slab are handed over") {
-  // Of so many links that places are the same again, 8192 further on.
+  // The side is longer than the range of places, which repeat after 8192 links.
   constexpr uint32_t size = 2100;
   BitVolume slope({size, 1, size});
   for (int64_t z = 0; z < size; ++z)
@@ -692,7 +692,7 @@ TEST_CASE("holes of each slab are sent before the last fragment of the ring arou
 }
 
 TEST_CASE("slabs join to the whole for any handover and any mixture of extractors") {
-  // With so many slots fragments are handed over in the slice below, the first, a later one, or
+  // These numbers of slots hand fragments over in the slice below, the first, a later slice, or
   // not at all.
   constexpr uint32_t slots[] = {200, min_for_nodes, min_for_nodes + 2000, min_for_nodes + 10000,
                                 min_for_nodes + 30000};
