@@ -145,7 +145,7 @@ TEST_CASE("edges dropped by a full queue are counted for any pace, jitter and pa
     EdgeCounter counter;
     std::vector<std::size_t> rows;  // the edge that each row is taken for
     std::size_t row = 0;
-    // Up to 30 periods late, but never over a turn: there no clock can tell what happened.
+    // Up to 30 periods late, but never across a turn, where timestamps are ambiguous.
     for (std::uint64_t now = 0; !queue.is_over();) {
       now += period / 2;
       const std::size_t at = queue.arrived() % 90;
@@ -200,7 +200,7 @@ TEST_CASE("the row of a missed edge is skipped, and other rows keep their place"
     else
       stage.triggered.take(numbered_edge(i + 1));
   }
-  // The edges after the last one seen are missed without a trace: only the rows tell.
+  // The edges after the last received one are missed silently: only the rows show the loss.
   CHECK(stage.recording.scan.rows() == 997);
   CHECK(stage.triggered.missed() == missed.size() - 3);
   CHECK(stage.triggered.first_missed_row() == 0);
