@@ -1,5 +1,5 @@
-// The code that the guide shows: every block of it stands in a program that is built and run, here
-// or in examples/.
+// The code in the guide: every block is part of a program that is built and run, here or in
+// examples/.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -76,7 +76,7 @@ Bytes stream_of(Ball ball) {
   return bytes;
 }
 
-// Of docs/regions-or-slices.md.
+// From docs/regions-or-slices.md.
 constexpr KeySlices key_slices{16};
 SliceEncoder slice_encoder;
 uint8_t slice_memory[slice_encoder_bytes(limits, key_slices)];
@@ -88,7 +88,7 @@ bool begin_slices(const ByteOutput& output) {
   return slice_encoder.start(header, key_slices, memory_of(slice_memory), output) == Status::ok;
 }
 
-// Of docs/noise.md.
+// From docs/noise.md.
 MajorityFilter filter;
 uint8_t filter_memory[MajorityFilter::bytes_for(limits)];
 
@@ -103,7 +103,7 @@ bool finish_filtered(Extractor16& extractor) {
   return extractor.finish() == Status::ok;
 }
 
-// Of docs/front-end.md.
+// From docs/front-end.md.
 constexpr uint32_t pixels = 640, rows_held = 4;
 alignas(32) uint8_t row_memory[RowRing::bytes_for(pixels * sizeof(uint16_t), rows_held)];
 RowRing ring;
@@ -158,7 +158,7 @@ Status push_levelled(Extractor16& extractor, const uint8_t* row, int32_t thresho
   return extractor.push_bits(bits).status;
 }
 
-// Of docs/receiving.md.
+// From docs/receiving.md.
 struct Outlines {
   Incidence incidence = no_incidence;  // of the region or fragment: normal(incidence)
   Vertex corner{};
@@ -202,7 +202,7 @@ bool finish_and_check() {
          joiner.report().short_of_memory == 0;
 }
 
-// Of docs/power-failure.md.
+// From docs/power-failure.md.
 constexpr FlashGeometry flash_geometry{256, 4096, 32};  // bytes per page and sector, sectors
 constexpr uint32_t max_bytes = sizeof(Device);
 static_assert(store_plan(flash_geometry, max_bytes).is_valid(), "the flash is too small");
@@ -251,7 +251,7 @@ Status end_scan(Device& device, CheckpointStore& store, const ByteOutput& output
   return status == Status::ok ? complete(store, store.discard()) : status;
 }
 
-// Of docs/normals.md.
+// From docs/normals.md.
 UnitNormal normal_of(const Event& run, Incidence incidence, const StreamHeader& header) {
   if (!run.normal.is_none()) return unit_normal(run.normal);
   const Vertex n = normal(incidence);
