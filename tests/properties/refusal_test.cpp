@@ -1,5 +1,5 @@
-// A sink that says "not now" changes nothing: whichever offers it refuses, and however the caller
-// goes on, the events are the same.
+// A busy sink changes nothing: whichever offer it refuses, and however the caller continues, the
+// events are the same.
 #include <doctest/doctest.h>
 
 #include "oracle/event_log.hpp"
