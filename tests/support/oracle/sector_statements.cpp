@@ -218,7 +218,7 @@ bool points_where_headings_lie(const SectorTable& table) {
   return true;
 }
 
-// The start of the ray and the link along it.
+// The vector of a ray along its way.
 Vertex ray_vector(int axis, int quadrant, int way) {
   const Place across = ring[2 * quadrant];
   return way == trace::straight_way
