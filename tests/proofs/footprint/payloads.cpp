@@ -70,8 +70,8 @@ double lost_rows(const std::vector<Bytes>& frames, size_t lost, const BitVolume&
   return 100.0 * static_cast<double>(decoder.report().lost_rows) / (volume.height * volume.depth);
 }
 
-// The averages over packets other than headers and trailers. The work of regions is that of the
-// packet's records, and their sum is the work of the stream.
+// The share of the data that a lost packet costs, in percent, on average over packets other than
+// headers and trailers. A packet of regions costs only its own records.
 double mean_loss(const Bytes& stream, const BitVolume& volume) {
   const std::vector<Bytes> frames = test::frames_of(stream);
   double rows = 0;

@@ -1,7 +1,7 @@
 // How much work a row can ask for: counted, and compared with the bound of lib/DESIGN.md ("Work").
 //
 // The library is compiled so that every basic block that it executes calls the counter below. So
-// the counts are the same in every run, and the sources know nothing of them.
+// the counts are the same in every run, and the sources need no change.
 
 #include <charconv>
 #include <cinttypes>
