@@ -1,5 +1,5 @@
-// expected VOLUME STREAM: checks that a board's stream of a volume is complete and equals the
-// library's stream on this machine, with the limits and the memory of the board's scan.hpp.
+// expected VOLUME STREAM: checks that a board's stream of a volume is complete. It must also equal
+// the library's stream on this machine, with the limits and the memory of the board's scan.hpp.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
