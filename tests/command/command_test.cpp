@@ -70,7 +70,7 @@ TEST_CASE("decode writes the same files from a stream as extract does from the v
   }
 }
 
-TEST_CASE("what was written is told: the file, its bytes, its faces, and whether they are closed") {
+TEST_CASE("the output is reported: its file, bytes and faces, and whether the mesh is closed") {
   const Workshop workshop;
   workshop.write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
   BitVolume step = box({8, 8, 4}, {1, 1, 1}, {5, 5, 1});
@@ -92,8 +92,7 @@ TEST_CASE("what was written is told: the file, its bytes, its faces, and whether
   CHECK(workshop.done(extract + "-q -o v.stl").empty());
 }
 
-TEST_CASE(
-    "far from the origin STL is said to be coarse and open, and all else is as it should be") {
+TEST_CASE("STL far from the origin is reported as coarse and open, and other formats are not") {
   const Workshop workshop;
   const std::string near = "space: LPS\nspace directions: (0.1,0,0) (0,0.1,0) (0,0,0.1)\n";
   workshop.write("far.nrrd", small_ball(),
@@ -291,7 +290,7 @@ TEST_CASE("faces are triangles, and polygons where they are asked for and the fo
                     {"--faces", name, ".ply, .obj, .vtp or .jsonl"});
 }
 
-TEST_CASE("what a format cannot hold is refused by its name, also on standard output") {
+TEST_CASE("options that a format cannot hold are refused by name, also on standard output") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());
   const std::pair<std::string, std::string> wrong[] = {
@@ -462,7 +461,7 @@ TEST_CASE("wrong usage exits with 2") {
   }
 }
 
-TEST_CASE("wrong values are told with what is expected") {
+TEST_CASE("wrong values are reported with the expected ones") {
   const Workshop workshop;
   for (const char* memory : {"some", "3Q", "-5", "1.5M", ""})
     check_failure(workshop.run("extract v.nrrd --iso 1 --memory '" + std::string(memory) + "'"), 2,
@@ -473,7 +472,7 @@ TEST_CASE("wrong values are told with what is expected") {
                 {"--dims: invalid value '3,4'; expected X,Y,Z"});
 }
 
-TEST_CASE("a volume that cannot be read is told by its name, and nothing is written") {
+TEST_CASE("an unreadable volume is reported by name, and no file is written") {
   const Workshop workshop;
   workshop.write("block.nrrd", volume_files::nrrd("type: block\nencoding: raw\n") + "\n");
   workshop.write("empty.nrrd", "");
@@ -496,7 +495,7 @@ TEST_CASE("a volume that cannot be read is told by its name, and nothing is writ
   CHECK(workshop.names() == names);
 }
 
-TEST_CASE("samples that are not a number are off, and told") {
+TEST_CASE("samples that are not a number are off and reported") {
   const Workshop workshop;
   std::string samples = volume_files::stored(volume_files::SampleType::f32);
   const float nan = std::nanf("");

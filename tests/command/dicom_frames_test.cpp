@@ -23,7 +23,7 @@ Dataset cone_beam() {
   return put_at(data, position(0)).text(0x00180050, "DS", "2.5");
 }
 
-TEST_CASE("frames of one position lie one behind the other, and a note says so") {
+TEST_CASE("frames with a common position are read as consecutive slices with a note") {
   const Folder folder;
   const auto reader = open_volume(folder.write("v.dcm", cone_beam().file()));
   check_places(reader->info(), {-10, -20, 100}, along_axes);
@@ -40,7 +40,7 @@ TEST_CASE("the distance of slices counts more than their thickness") {
   CHECK(noted(reader->info(), "2 mm apart, by SpacingBetweenSlices"));
 }
 
-TEST_CASE("frames without any distance are 1 mm apart, and a note says so") {
+TEST_CASE("frames without any distance are 1 mm apart, with a note") {
   const Folder folder;
   const auto file = folder.write("v.dcm", cone_beam().drop(0x00180050).file());
   const auto reader = open_volume(file);
@@ -253,7 +253,7 @@ Dataset nuclear(const std::string& type = "RECON TOMO") {
       .sequence(0x00540022, {detector});
 }
 
-TEST_CASE("slices of nuclear medicine lie where the detector says, in the way of their distance") {
+TEST_CASE("slices of nuclear medicine are placed by the detector and the sign of their distance") {
   const Folder folder;
   Dataset data = nuclear();
   const auto reader = open_volume(folder.write("v.dcm", data.file()));
@@ -375,7 +375,7 @@ TEST_CASE("the header of a mosaic is found in whichever block it is") {
   CHECK(read_all(*open_volume(folder.write("v.dcm", data.file()))) == as_read(volume_values()));
 }
 
-TEST_CASE("a mosaic whose header does not tell how it lies is refused by its name") {
+TEST_CASE("a mosaic without a usable header is refused by name") {
   const Folder folder;
   const std::string whole = csa_header(csa_elements("1.0"), true);
   check_refusal(refusal(folder.write("v.dcm", mosaic("").file())),

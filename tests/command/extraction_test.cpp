@@ -78,7 +78,7 @@ std::string refusal(const BitVolume& volume, std::uint64_t memory) {
 
 }  // namespace
 
-TEST_CASE("sizes and progress are told") {
+TEST_CASE("sizes and progress are reported") {
   const BitVolume volume = ball({9, 8, 7}, {8, 7, 6}, 9);
   ExtractionOptions with_progress = options();
   std::vector<std::uint32_t> slices;
@@ -197,7 +197,7 @@ TEST_CASE("both widths of indices make the same surface") {
     }
 }
 
-TEST_CASE("the header of a stream tells the volume") {
+TEST_CASE("the header of a stream describes the volume") {
   const BitVolume volume({9, 8, 7});
   const SampleReader reader(volume, spacing_mm);
   const auto header = discmc::command::stream_header(reader.info(), options(Border::open));
@@ -211,7 +211,7 @@ TEST_CASE("the header of a stream tells the volume") {
   CHECK(header.border == Border::open);
 }
 
-TEST_CASE("a stream is of a volume of its extents and spacing, as far as it tells them") {
+TEST_CASE("a stream matches a volume if the given extents and spacing do") {
   const SampleReader reader(BitVolume({9, 8, 7}), spacing_mm);
   const auto header = discmc::command::stream_header(reader.info(), options());
   const auto complaint = [&reader](const discmc::StreamHeader& other) -> std::string {

@@ -30,7 +30,7 @@ TEST_CASE("a unit has its millimetres however it is spelled") {
     }
 }
 
-TEST_CASE("what is no length has no millimetres") {
+TEST_CASE("names that are no unit of length have no millimetres") {
   for (const std::string name : {"", "pixel", "s", "mms", "meter per second", "ms", "mi", "meter2"})
     CHECK_FALSE(millimetres_in(name));
 }

@@ -67,7 +67,7 @@ TEST_CASE("the manual has every option of every help in the section of its comma
   for (const std::string& option : options_of(help)) CHECK(contains(page, bold(option)));
 }
 
-TEST_CASE("the manual tells values, defaults, examples and exit codes") {
+TEST_CASE("the manual contains values, defaults, examples and exit codes") {
   const std::string page = Workshop().done("manual");
   for (const char* part :
        {"\\fIISO\\fR", "\\fBclosed\\fR|\\fBopen\\fR", "(default: closed)", "\n.SH EXIT STATUS\n",

@@ -93,7 +93,7 @@ TEST_CASE("a mask has the extents of the volume, not those of the part that is t
   }
 }
 
-TEST_CASE("a mask that lies elsewhere is found out, as far as both files tell") {
+TEST_CASE("a displaced mask is detected if both files have a placement") {
   const std::string directions = "space directions: (1,0,0) (0,2,0) (0,0,3)\n";
   const std::string lps = "space: LPS\n" + directions + "space origin: (10,20,30)\n";
   CHECK(offset(lps, lps) == 0);

@@ -245,7 +245,7 @@ TEST_CASE("formats without polygons refuse anything but triangles") {
     CHECK_THROWS_AS(write_mesh(build_mesh(octahedron()), format, out), std::invalid_argument);
 }
 
-TEST_CASE("a vertex without a normal has one in GLB, which knows no other") {
+TEST_CASE("a vertex without a normal has a default one in GLB") {
   FileMesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
   mesh.normals.assign(mesh.vertices_mm.size(), {1, 0, 0});
   mesh.normals[3] = {};
@@ -272,7 +272,7 @@ TEST_CASE("the colour of a mesh is kept by the formats that have one") {
   }
 }
 
-TEST_CASE("a mesh has the size and the unit that it was given, and says which") {
+TEST_CASE("a mesh is written in the given size and unit, and names them") {
   const FileMesh mesh = build_mesh(octahedron({1, 2, 3}), {true, Faces::triangles});
   struct Expected {
     MeshSize size;

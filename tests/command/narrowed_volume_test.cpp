@@ -65,7 +65,7 @@ TEST_CASE("a narrowed volume is on where the volume is, and in proportion") {
   }
 }
 
-TEST_CASE("what lies closer to iso than 16 bits tell is on its side all the same") {
+TEST_CASE("samples closer to iso than 16 bits resolve stay on their side") {
   const Folder folder;
   const auto volume = narrowed(
       opened(folder, SampleType::f32, floats({1e30F, -1e30F, 0.0F, -1e-30F, std::nanf("")})),

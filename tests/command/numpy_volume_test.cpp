@@ -148,7 +148,7 @@ TEST_CASE("axes of size 1 are dropped, wherever they are, with a note") {
   CHECK(open_volume(image)->info().dims == std::array<std::uint32_t, 3>{5, 12, 1});
 }
 
-TEST_CASE("of more axes a volume is chosen, or they are named; what does not fit is refused") {
+TEST_CASE("an array with more axes needs a frame or named axes, and unsuitable names are refused") {
   const Folder folder;
   const auto file = folder.write("a.npy", npy("<u2", shape_of("zyxc"), array_with("zyxc")));
   check_refusal(
@@ -170,7 +170,7 @@ TEST_CASE("of more axes a volume is chosen, or they are named; what does not fit
                 "more than a file can hold");
 }
 
-TEST_CASE("axes are not named of a format that says what they are") {
+TEST_CASE("--axes is refused for a format with fixed axes") {
   const Folder folder;
   const auto file = folder.write("a.nii", Nifti().file(stored(SampleType::u8)));
   check_refusal(refusal(file, with_axes("zyx")),

@@ -88,7 +88,7 @@ TEST_CASE("a file appears when it is complete and not before") {
   CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
 
-TEST_CASE("what is not committed leaves no trace, and the file of before as it was") {
+TEST_CASE("an uncommitted file leaves no trace and keeps the previous file") {
   const Folder folder;
   const auto path = folder.write("a.obj", "before");
   {

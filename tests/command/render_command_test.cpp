@@ -29,7 +29,7 @@ std::string picture(const Workshop& workshop, const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("a volume is drawn as its stream is that tells normals") {
+TEST_CASE("a volume is drawn like its stream with normals") {
   const Workshop workshop;
   write_volumes(workshop);
   workshop.done("extract v.nrrd --iso 100 --normals gradient -o told.dmc");
@@ -108,7 +108,7 @@ TEST_CASE("a picture can be taken from near, and of a place") {
   CHECK(contains(result.error, "behind the viewer"));
 }
 
-TEST_CASE("wrong usage of render is told, and nothing is written") {
+TEST_CASE("wrong usage of render is reported, and no file is written") {
   const Workshop workshop;
   write_volumes(workshop);
   const auto names = workshop.names();

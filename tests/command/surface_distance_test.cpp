@@ -103,7 +103,7 @@ TEST_CASE("the nearest triangle is found, wherever it is") {
   }
 }
 
-TEST_CASE("what is done of the points is told up to all of them") {
+TEST_CASE("progress is reported up to the number of points") {
   std::size_t last = 0;
   std::size_t calls = 0;
   const auto progress = [&](std::size_t done, std::size_t all) {

@@ -100,7 +100,7 @@ TEST_CASE("the normals of an interpolated ball are nearly its radii") {
   }
 }
 
-TEST_CASE("it makes no difference how a flat part is cut into triangles") {
+TEST_CASE("normals do not depend on the triangulation of a flat part") {
   FaceMesh mesh;  // a roof: a square that leans to the left, and one to the right
   mesh.vertices_mm = {{-1, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {0, 1, 1}, {1, 1, 0}};
   mesh.corners = {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};

@@ -266,7 +266,7 @@ TEST_CASE("points that would take any number of flips are triangulated all the s
   CHECK(triangulate(rings({ring})).size() == ring.size() - 2);
 }
 
-TEST_CASE("what bounds no polygon is refused") {
+TEST_CASE("rings that bound no polygon are refused") {
   const std::vector<PlanePoint> square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   CHECK(refusal({square}) == "accepted");
   CHECK(refusal({}) == "rings do not bound a polygon");

@@ -74,7 +74,7 @@ TEST_CASE("an option that is misspelt is answered with the nearest one of its co
              "See discmc --help.\n");
 }
 
-TEST_CASE("what other programs call a threshold is answered with --iso, where there is one") {
+TEST_CASE("other programs' names for the threshold are answered with --iso") {
   for (const std::string option : {"--threshold", "--isovalue", "-threshold"})
     check_said("extract v.nrrd " + option + " 300",
                "discmc: '" + option +
@@ -85,7 +85,7 @@ TEST_CASE("what other programs call a threshold is answered with --iso, where th
       "discmc: '--threshold' is not an option of info; leave it out\nSee discmc info --help.\n");
 }
 
-TEST_CASE("what would make a surface smooth is answered with the option that does so here") {
+TEST_CASE("other programs' names for smoothing are answered with the option of the command") {
   check_said("extract v.nrrd --iso 5 --smoothing",
              "discmc: '--smoothing' is not an option of extract; did you mean --smooth auto?\n"
              "See discmc extract --help.\n");
@@ -120,7 +120,7 @@ TEST_CASE("a value that is missing or no value of its option is answered with th
                  "invalid value '5x'; expected a finite number, auto, otsu, bone or skin\n"));
 }
 
-TEST_CASE("arguments too many and too few are told by name") {
+TEST_CASE("unexpected and missing arguments are reported by name") {
   check_said("info a.dmc b.dmc",
              "discmc: 'b.dmc' is an unexpected argument; leave it out\nSee discmc info --help.\n");
   check_said("extract v.nrrd out.stl",

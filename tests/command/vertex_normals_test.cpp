@@ -183,7 +183,7 @@ TEST_CASE("normals of a ball of radius 40 are within 3 degrees of its radii on a
   }
 }
 
-TEST_CASE("where the samples are level, and outside the volume, a vertex keeps its normal") {
+TEST_CASE("a vertex in level samples or outside the volume keeps its normal") {
   // Within a checkerboard central differences are zero; at its border they are not.
   const auto board = discmc::reference::checkerboard({6, 5, 4});
   SampleVolume<int> volume{{6, 5, 4}, {}};
@@ -219,7 +219,7 @@ TEST_CASE("a mesh without normals gets those of the gradient alone") {
   CHECK(compare_with_radii(mesh, 12).worst < 10);
 }
 
-TEST_CASE("the second pass tells of every slice") {
+TEST_CASE("the second pass reports progress after every slice") {
   const SampleVolume<int> volume = ramp_ball(12, 4, {32, 128, 255});
   FaceMesh mesh = build_mesh(polygons_of(volume, 128, {1, 1, 1}));
   SampleReader reader(volume.size, volume.samples);

@@ -128,7 +128,7 @@ TEST_CASE("the page of a mesh file has its faces, its names and its colours") {
   }
 }
 
-TEST_CASE("the browser that is set opens the page; without any, the user is told to") {
+TEST_CASE("$BROWSER opens the page, and without a browser its path is printed") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
   if (!has_page(workshop)) return;
@@ -144,7 +144,7 @@ TEST_CASE("the browser that is set opens the page; without any, the user is told
   CHECK(contains(none.error, "open other.html"));
 }
 
-TEST_CASE("view refuses what it would lose or leave out, and says what to give") {
+TEST_CASE("view refuses to overwrite files or ignore options, and names the remedy") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
   workshop.write("v.html", "precious");

@@ -272,7 +272,7 @@ TEST_CASE("means of whole numbers are exact, and a half goes to the greater one"
   CHECK(shrunk_block(std::vector<std::uint8_t>{255, 255, 255, 254}, SampleType::u8) == 255);
 }
 
-TEST_CASE("what is not a number counts in a block only where nothing else is there") {
+TEST_CASE("a block is not a number only if all its samples are") {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   constexpr double nan_f64 = std::numeric_limits<double>::quiet_NaN();
   using F32 = std::vector<float>;

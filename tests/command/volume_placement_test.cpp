@@ -66,7 +66,7 @@ void check_placement(const VolumeInfo& info, Space space, const Vector& origin, 
 
 }  // namespace
 
-TEST_CASE("NRRD tells its directions and origin in the space that it names") {
+TEST_CASE("NRRD's directions and origin are read in its space") {
   const Folder folder;
   const std::string turned =
       "space directions: (0,2,0) (-3,0,0) (0,0.6,0.8)\nspace origin: (10,-20,30.5)\n";
@@ -86,7 +86,7 @@ TEST_CASE("NRRD tells its directions and origin in the space that it names") {
   }
 }
 
-TEST_CASE("NRRD's left-handed spaces are told in right-handed ones") {
+TEST_CASE("NRRD's left-handed spaces are converted to right-handed ones") {
   const Folder folder;
   const std::string turned =
       "space directions: (0,2,0) (-3,0,0) (0,0,4)\nspace origin: (10,-20,30)\n";
@@ -138,7 +138,7 @@ TEST_CASE("NRRD's axis mins and maxs are the bounds of whole voxels, or their ou
                   Space::scanner, {-197.5, 3, 0.043}, {{{5, 0, 0}, {0, -3, 0}, {0, 0, 0.006}}});
 }
 
-TEST_CASE("NRRD's spacings and origin count more than axis mins and maxs, and a note tells") {
+TEST_CASE("NRRD's spacings and origin precede axis mins and maxs, with a note") {
   const Folder folder;
   const std::string bounds = "axis mins: 0 0 0\naxis maxs: 5 6 4\ncenters: cell cell cell\n";
   const VolumeInfo spaced = nrrd_info(folder, bounds + "spacings: 1 2 nan\n" + units_in_mm);
@@ -250,7 +250,7 @@ TEST_CASE("a negative distance in NIfTI is taken as positive, with a note") {
   CHECK(noted(info, "pixdim 2 is negative, and read as positive"));
 }
 
-TEST_CASE("MetaImage tells its unit, and the size of voxels where it tells no spacing") {
+TEST_CASE("MetaImage's unit is read, and its ElementSize if the spacing is missing") {
   const Folder folder;
   const std::string place = "ElementSpacing = 0.5 2 3\nOffset = 10 20 30\n";
   const VolumeInfo microns = metaimage_info(folder, "DistanceUnits = um\n" + place);
@@ -274,7 +274,7 @@ TEST_CASE("MetaImage's axes of negative spacing run backwards along their direct
       Space::lps, {0, 0, 0}, {{{0, 1, 0}, {-2, 0, 0}, {0, 0, 3}}});
 }
 
-TEST_CASE("MetaImage tells a row an axis and the origin, in LPS") {
+TEST_CASE("MetaImage's matrix has one axis per row, and its origin is in LPS") {
   const Folder folder;
   const std::string spacing = "ElementSpacing = 0.5 2 3\n";
   for (const std::string name : {"Offset", "Position", "Origin"}) {
