@@ -17,7 +17,7 @@ using volume_files::nrrd;
 
 struct Advice {
   std::string arguments;  // which fail
-  std::string advice;     // that is said
+  std::string advice;     // in the message
   std::string then;       // the arguments when it was followed
 };
 

@@ -1,4 +1,4 @@
-// The discmc command from end to end: what it reads, writes, says and returns.
+// The discmc command from end to end: what it reads, writes, prints and returns.
 #include "command.hpp"
 
 #include "oracle/surface.hpp"

@@ -1,4 +1,4 @@
-// DICOM files whose frames lie where the file as a whole says: cone beams, doses, nuclear medicine,
+// DICOM files with a common placement of their frames: cone beams, doses, nuclear medicine,
 // mosaics.
 #include <doctest/doctest.h>
 
@@ -334,7 +334,7 @@ Dataset mosaic(const std::string& header) {
         picture[static_cast<std::size_t>(row * across * width + column)] = value_at(x, y, z);
       }
   Dataset data = image("7", "MR");
-  // Of a picture of the whole size with the centre of the first slice.
+  // The position is that of a picture of the whole size around the centre of the first slice.
   put_at(data, {-10 - 0.5 * width, -20 - 0.75 * height, 100});
   data.text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\M\\ND\\MOSAIC").text(0x00180088, "DS", "2.5");
   data.whole(0x00280010, {across * height}).whole(0x00280011, {across * width});

@@ -1,4 +1,4 @@
-// Several volumes in one series of DICOM: times, echoes, phases, kernels, told apart and chosen.
+// Several volumes in one series of DICOM: times, echoes, phases, kernels, separated and chosen.
 #include <doctest/doctest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// Thresholds that leave no surface, or take the whole volume: said with what is there instead.
+// Thresholds that leave no surface, or select the whole volume: the message has the actual values.
 #include <doctest/doctest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// What discmc --help tells.
+// The output of discmc --help.
 #include "command.hpp"
 
 namespace {

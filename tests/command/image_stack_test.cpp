@@ -140,7 +140,7 @@ TEST_CASE("JPEG is read, a channel of it where it is of colours") {
   CHECK(near(read_all(*grey), 0) < 4);
   CHECK(near(read_all(*open_volume(files / "colours.jpg", of_channel(2))), 2) < 16);
   check_refusal(refusal(files / "colours.jpg"), "3 channels");
-  // Where it is cut off, the library would fill it up with grey.
+  // The library would fill a truncated picture with grey.
   const Folder folder;
   const std::string bytes = contents(files / "u8.jpg");
   for (const std::size_t cut : {2U, 10U, 60U})

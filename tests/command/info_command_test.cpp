@@ -1,4 +1,4 @@
-// discmc info of volumes, and how it tells them from streams.
+// discmc info of volumes, and how it distinguishes them from streams.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -19,7 +19,7 @@ const std::string directions =
 const std::string u8_file =
     nrrd(volume_files::nrrd_u8 + directions) + "\n" + stored(SampleType::u8);
 
-// Of two millimetres a voxel, as text.
+// A volume with voxels of two millimetres, as text.
 std::string text_volume(const std::string& type, const std::string& sizes,
                         const std::string& samples) {
   return nrrd("type: " + type + "\nencoding: ascii\nspacings: 2 2 2\n", sizes) + "\n" + samples;

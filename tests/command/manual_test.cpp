@@ -34,7 +34,7 @@ std::vector<std::string> commands_of(const std::string& help) {
   return names;
 }
 
-// Of a page of troff, where options are in bold and dashes are no hyphens.
+// An option in a page of troff, in bold and with dashes instead of hyphens.
 std::string bold(const std::string& text) {
   std::string troff = "\\fB";
   for (const char letter : text) troff += letter == '-' ? "\\-" : std::string(1, letter);

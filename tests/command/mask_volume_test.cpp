@@ -38,7 +38,7 @@ TEST_CASE("a mask is 1 where the value is a number that is not 0") {
   std::vector<double> all_but_first(60, 1);
   all_but_first[0] = 0;
   CHECK(mask_of(Nifti().file(stored(SampleType::u8))) == all_but_first);
-  // Of f32 sample 30 is 0; here two more are not a number.
+  // Sample 30 of f32 is 0; here two more are not a number.
   std::string samples = stored(SampleType::f32);
   samples.replace(4, 4, "\xff\xff\xff\x7f");
   samples.replace(8, 4, "\xff\xff\xff\xff");
@@ -63,7 +63,7 @@ TEST_CASE("a mask of several volumes is refused, whichever frame of the volume i
 }
 
 TEST_CASE("a mask is cropped as its volume is, and of a block has what most of it has") {
-  // Of labels, no two alike: in the second block 0 is the most frequent, but most of it is on.
+  // All labels differ: 0 is the most frequent in the second block, but most of the block is on.
   std::string labels = stored(SampleType::u8);
   for (const std::size_t off : {1U, 2U, 3U, 8U}) labels[off] = '\0';
   VolumeOptions options;
@@ -105,7 +105,7 @@ TEST_CASE("a displaced mask is detected if both files have a placement") {
                "space origin: (-10,-20,30)\n",
                lps) == 0);
   CHECK(offset("space: RAS\n" + directions + "space origin: (10,20,30)\n", lps) > 40);
-  // Where one of them does not know the patient there are the spacings.
+  // If one of them has no patient space, the spacings are compared.
   CHECK(offset("spacings: 1 2 3\n", lps) == 0);
   CHECK(offset("spacings: 1 2 4\n", lps) == 3);
   CHECK(offset("spacings: 1 2 4\n", "spacings: 1 2 3\n") == 3);

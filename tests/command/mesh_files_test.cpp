@@ -23,7 +23,7 @@ namespace {
 using namespace discmc::command;
 using namespace hand_made;
 
-// A stream that takes so many bytes and then no more.
+// A stream that accepts a number of bytes and then no more.
 class Full : public std::streambuf {
  public:
   explicit Full(std::streamsize room) : room_(room) {}

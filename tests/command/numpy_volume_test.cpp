@@ -13,7 +13,8 @@ namespace {
 
 using namespace volume_files;
 
-// Samples of u16 at all places of an array, the last index fastest, as value(index) tells.
+// Samples of u16 at all places of an array, the last index fastest, with the values of
+// value(index).
 template <class Value>
 std::string array_of(const std::vector<int>& sizes, Value value) {
   std::string bytes;
@@ -28,7 +29,7 @@ std::string array_of(const std::vector<int>& sizes, Value value) {
   return bytes;
 }
 
-// The volume of 5 x 3 x 4 voxels in which a sample tells where it is.
+// The volume of 5 x 3 x 4 voxels in which a sample encodes its position.
 int sample_of(int x, int y, int z) {
   return 1000 + 100 * z + 10 * y + x;
 }

@@ -48,7 +48,7 @@ std::filesystem::path only_file(const std::filesystem::path& folder) {
   return std::filesystem::directory_iterator(folder)->path();
 }
 
-// What is said of a file that cannot be written.
+// The error for a file that cannot be written.
 template <class Write>
 std::string complaint(Write write) {
   try {

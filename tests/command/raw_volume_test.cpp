@@ -1,4 +1,4 @@
-// Headerless samples: what the file is must agree with what the user says.
+// Headerless samples: the file must agree with the options.
 #include <doctest/doctest.h>
 
 #include <string>

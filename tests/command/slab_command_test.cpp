@@ -56,7 +56,7 @@ std::string write_slabs(const Workshop& workshop, int count, const std::string& 
   return names;
 }
 
-// Encodes a stream anew, as firmware does that does not know in advance how many slices will come.
+// Encodes a stream again, as firmware does without the number of slices in advance.
 class WithoutDepth {
  public:
   SinkResult take(const Event& event) {

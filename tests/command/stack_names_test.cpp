@@ -26,7 +26,7 @@ std::uint32_t slices(const fs::path& stack) {
   return open_volume(stack)->info().dims[2];
 }
 
-// What stands in quotes last.
+// The last text in quotes.
 std::string advised(const std::string& text) {
   const std::size_t end = text.rfind('\'');
   const std::size_t begin = text.rfind('\'', end - 1);
@@ -34,7 +34,7 @@ std::string advised(const std::string& text) {
   return text.substr(begin + 1, end - begin - 1);
 }
 
-// The refusal of a folder advises a pattern, and that has so many slices.
+// The refusal of a folder advises a pattern, which selects this number of slices.
 void check_advice(const std::vector<std::string>& names, const std::string& what,
                   const std::string& pattern, std::uint32_t expected) {
   const Pictures pictures(names);

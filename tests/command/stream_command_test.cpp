@@ -292,7 +292,7 @@ TEST_CASE("damaged bytes and packets end in an exit code and never in a crash") 
       CHECK(result.code < 4);
       CHECK(result.code != 2);
       CHECK((result.code == 0 || contains(result.error, "discmc: ")));
-      CHECK(!contains(result.error, "runtime error"));  // as sanitizers say it
+      CHECK(!contains(result.error, "runtime error"));  // of a sanitizer
       CHECK(!contains(result.error, "Sanitizer"));
     }
   }

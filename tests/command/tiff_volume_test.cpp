@@ -333,7 +333,7 @@ TEST_CASE("pages that ImageJ promises follow the one of the only directory, or a
                      .bytes());
   };
   const std::string two_pages("\1\1\2\2", 4);
-  // The directory stands behind the samples here, and is as long as some pages.
+  // The directory follows the samples here, and is as long as some pages.
   CHECK(pages_read(file("images=3\nslices=3\n", two_pages)) == Pages{0, 1, 2});
   CHECK(pages_read(file("images=3\nframes=3\nhyperstack=true\n", two_pages), chosen(2, {})) ==
         Pages{2});
@@ -409,7 +409,7 @@ TEST_CASE("tifffile's shape determines the axes, with or without letters") {
   check_refusal(refusal(file("{\"shape\": [4, 1, 2], \"axes\": \"TYX\"}")), "holds 4 volumes");
   check_refusal(refusal(file("{\"shape\": [4, 1, 2], \"axes\": \"CYX\"}")), "holds 4 channels");
   check_refusal(refusal(file("{\"shape\": [9, 1, 2]}")), "promises 9 planes");
-  // Of another file, from which a program has copied it.
+  // The metadata of another file, which a program has copied.
   CHECK(pages_read(file("{\"shape\": [9, 5, 5]}")) == Pages{0, 1, 2, 3});
   CHECK(pages_read(file("{\"shape\": 9}")) == Pages{0, 1, 2, 3});
 }

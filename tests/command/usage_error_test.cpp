@@ -1,11 +1,11 @@
-// What discmc says of a command line that it does not understand.
+// The messages of discmc for invalid command lines.
 #include "command.hpp"
 
 namespace {
 
 using namespace command_tests;
 
-// Usage, and the whole of what is said.
+// Arguments, and the whole message.
 void check_said(const std::string& arguments, const std::string& said) {
   const Result result = Workshop().run(arguments);
   INFO(arguments);
@@ -34,7 +34,7 @@ TEST_CASE("a command that is like none is answered with what there is") {
 TEST_CASE("a file in place of a command is answered with what to write, which works") {
   const Workshop workshop;
   workshop.write("scan.nrrd", discmc::reference::box({6, 5, 4}, {1, 1, 1}, {4, 3, 2}));
-  // What stands between `before` and a comma or the end of the line.
+  // The text between `before` and a comma or the end of the line.
   const auto advice = [&](const std::string& arguments, const std::string& before) {
     const Result result = workshop.run(arguments);
     INFO(result.error);

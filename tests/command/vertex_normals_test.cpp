@@ -25,7 +25,7 @@ using discmc::reference::Size;
 using discmc::test::Chance;
 using sample_reader::SampleReader;
 
-// Where axes run either way, and voxels are no cubes.
+// The spacings: axes in both directions, and anisotropic voxels.
 const std::vector<Point> all_signs = [] {
   std::vector<Point> result;
   for (const double x : {0.5, -0.5})

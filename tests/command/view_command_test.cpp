@@ -7,7 +7,7 @@ namespace {
 using namespace command_tests;
 using discmc::reference::ball;
 
-// Writes the file that a page has inside; says what the page calls it.
+// Writes the file embedded in a page, and returns its name in the page.
 std::string unpack(const Workshop& workshop, const std::string& page, const std::string& file) {
   const std::string text = workshop.read(page);
   const std::size_t element = text.find("id=\"data\" data-name=\"");
@@ -21,7 +21,7 @@ std::string unpack(const Workshop& workshop, const std::string& page, const std:
   return text.substr(name, text.find('"', name) - name);
 }
 
-// Whether there is a page; else the command says so.
+// Whether there is a page; otherwise checks the error of the command.
 bool has_page(const Workshop& workshop) {
   if (!discmc::command::page_template().empty()) return true;
   const Result result = workshop.run("view v.nrrd --no-open");

@@ -72,7 +72,7 @@ void check_places(const VolumeInfo& part, const VolumeInfo& whole, const Place& 
     CHECK(part.spacing_mm[axis] == doctest::Approx(step * whole.spacing_mm[axis]));
 }
 
-// Volumes that lie in every way: told nothing, mirrored, turned in a patient.
+// Volumes with all kinds of placement: none, mirrored, rotated in a patient.
 const std::vector<std::string> placements = {
     "", "spacings: 0.5 2 3\n", "space dimension: 3\nspace directions: (0.5,0,0) (0,-2,0) (0,0,3)\n",
     "space: LPS\nspace directions: (0,2,0) (-3,0,0) (0,0.6,0.8)\nspace origin: (10,-20,30.5)\n"};

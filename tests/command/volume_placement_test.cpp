@@ -1,4 +1,4 @@
-// Where a volume lies, as each format tells it.
+// The placement of a volume, in each format.
 #include "samples/volume_placement.hpp"
 
 #include <doctest/doctest.h>
@@ -34,7 +34,7 @@ VolumeInfo metaimage_info(const Folder& folder, const std::string& lines,
   return open_volume(folder.write("v.mha", header + u8))->info();
 }
 
-// Of voxels 0.5, 2 and 3 mm apart.
+// A volume with voxels 0.5, 2 and 3 mm apart.
 Nifti nifti_of_spacing() {
   return Nifti().real(80, 0.5F).real(84, 2).real(88, 3);
 }
@@ -43,7 +43,7 @@ VolumeInfo nifti_info(const Folder& folder, const Nifti& nifti) {
   return open_volume(folder.write("v.nii", nifti.file(u8)))->info();
 }
 
-// srow_x, srow_y and srow_z, with the code that says they count.
+// srow_x, srow_y and srow_z, with the code that makes them valid.
 Nifti with_sform(Nifti nifti, const std::vector<float>& rows) {
   nifti.integer(254, 2, 1);
   for (std::size_t i = 0; i < rows.size(); ++i) nifti.real(280 + 4 * i, rows[i]);
@@ -186,7 +186,7 @@ TEST_CASE("a space that NRRD does not have is noted") {
 
 TEST_CASE("NIfTI's sform is taken as it is, in RAS") {
   const Folder folder;
-  // Sheared, and longer than pixdim says.
+  // Sheared, and longer than in pixdim.
   const std::vector<float> rows = {0.4F, -1, 0.5F, -90, 0.3F, 1.5F, 0, 126.5F, 0, 0.25F, 3, -72};
   const Axes axes{{{0.4, 0.3, 0}, {-1, 1.5, 0.25}, {0.5, 0, 3}}};
   const VolumeInfo info = nifti_info(folder, with_sform(nifti_of_spacing(), rows));
@@ -286,7 +286,7 @@ TEST_CASE("MetaImage's matrix has one axis per row, and its origin is in LPS") {
     CHECK(info.notes.empty());
   }
   CHECK_FALSE(metaimage_info(folder, spacing).placement);
-  // Of two dimensions and of four the matrix has other sizes.
+  // The matrix has other sizes for two and four dimensions.
   check_placement(metaimage_info(folder, "TransformMatrix = 0 1 -1 0\nOffset = 1 2\n", "5 12"),
                   Space::lps, {1, 2, 0}, {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});
   check_placement(metaimage_info(folder,
