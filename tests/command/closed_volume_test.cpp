@@ -111,7 +111,7 @@ TEST_CASE("closing equals its definition for any spacing and width of a row") {
         expected(random({58, 4, 4}, 20, 4), {0.1, 1, 1}, 0.3));
 }
 
-TEST_CASE("--close joins what lies near, before it is smoothed") {
+TEST_CASE("--close joins nearby parts before they are smoothed") {
   using command_tests::contains;
   const command_tests::Workshop workshop;
   BitVolume volume({24, 12, 12});

@@ -153,7 +153,8 @@ TEST_CASE("outputs that cannot be written are refused before the volume is read"
   CHECK(workshop.names() == std::vector<std::string>{"cut.nrrd", "file", "folder.stl"});
 }
 
-TEST_CASE("a stream goes to standard output when no file is named, and the table elsewhere") {
+TEST_CASE(
+    "a stream without an output name is written to standard output, and the table elsewhere") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());
   CHECK(contains(workshop.done("extract v.nrrd --iso 100 -o v.dmc"), "classic Marching Cubes"));
@@ -261,7 +262,7 @@ TEST_CASE("without the vertices of neighbours meshes are smaller and enclose the
   }
 }
 
-TEST_CASE("faces are triangles, and polygons where they are asked for and the format holds them") {
+TEST_CASE("faces are triangles, and polygons on request if the format has them") {
   const Workshop workshop;
   const BitVolume volume = box({5, 5, 5}, {1, 1, 1}, {3, 3, 3});
   workshop.write("v.nrrd", volume);
@@ -583,7 +584,7 @@ TEST_CASE("a pipe that is named as the output stays one") {
   CHECK(result.out == workshop.read("v.dmc"));
 }
 
-TEST_CASE("a mesh goes to standard output by --format, as it would to a file") {
+TEST_CASE("a mesh is written to standard output with --format as to a file") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({12, 12, 12}, {11, 11, 11}, 60));
   for (const std::string format :

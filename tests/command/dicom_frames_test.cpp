@@ -59,7 +59,7 @@ TEST_CASE("frames that have times are taken as slices with a note") {
               "the frames have times (FrameTime), and are read as slices"));
 }
 
-TEST_CASE("frames that are not counted are left out with a note, and no count is one") {
+TEST_CASE("uncounted frames are ignored with a note, and a missing count means one frame") {
   const Folder folder;
   Dataset data = slice(0);
   data.samples(volume_values(), 16, true);
@@ -74,7 +74,7 @@ TEST_CASE("frames that are not counted are left out with a note, and no count is
   CHECK_FALSE(noted(whole->info(), "left out"));
 }
 
-TEST_CASE("a slope of 0 is none, with a note") {
+TEST_CASE("a slope of 0 is ignored with a note") {
   const Folder folder;
   const Dataset data = slice(0).text(0x00281053, "DS", "0").text(0x00281052, "DS", "7");
   const VolumeInfo info = open_volume(folder.write("v.dcm", data.file()))->info();
@@ -145,7 +145,7 @@ TEST_CASE("words of big-endian files that are called bytes are read in their ord
   CHECK(read_all(*open_volume(file)) == as_read(values));
 }
 
-TEST_CASE("the values of a map of parameters are those of the real world") {
+TEST_CASE("the values of a parametric map are real-world values") {
   const Folder folder;
   Dataset mapping;
   mapping.real(0x00409225, {0.25}).real(0x00409224, {-3});
@@ -275,7 +275,7 @@ TEST_CASE("slices of nuclear medicine are in the order of their numbers") {
   CHECK(read_all(*reader) == expected);
 }
 
-TEST_CASE("pictures of a gamma camera are refused by what they are") {
+TEST_CASE("pictures of a gamma camera are refused with their kind") {
   const Folder folder;
   for (const std::string type : {"STATIC", "TOMO", "WHOLE BODY"}) {
     const std::string text = refusal(folder.write("v.dcm", nuclear(type).file()));
@@ -366,7 +366,7 @@ TEST_CASE("slices of a mosaic follow the way of its header") {
   CHECK(read_all(*reader) == expected);
 }
 
-TEST_CASE("the header of a mosaic is found in whichever block it is") {
+TEST_CASE("the header of a mosaic is found in any block") {
   const Folder folder;
   Dataset data = mosaic("");
   data.text(0x00290010, "LO", "SIEMENS MEDCOM HEADER");

@@ -232,7 +232,7 @@ TEST_CASE("inseparable slices at the same position are refused with both files")
   CHECK(read_all(*open_volume(volumes.path() / "IM*1")) == as_read(numbered_values(1)));
 }
 
-TEST_CASE("copies of slices are none of another time") {
+TEST_CASE("copies of slices do not count as another time") {
   const Volumes volumes(2, [](Dataset& data, int number, int) {
     data.text(temporal_position, "IS", std::to_string(number + 1));
   });

@@ -82,7 +82,7 @@ TEST_CASE("a surface whose bodies are all too small is empty, too") {
   workshop.done(extract + " --allow-empty");
 }
 
-TEST_CASE("an empty surface is taken where it is meant") {
+TEST_CASE("an empty surface is accepted on request") {
   const Workshop workshop;
   workshop.write("v.nrrd", ramp);
   for (const std::string file : {"v.stl", "v.dmc", "v.png"}) {
@@ -201,7 +201,7 @@ TEST_CASE("a stream without polygons is decoded and drawn with a note") {
   }
 }
 
-TEST_CASE("values of a volume that is narrowed for its normals are those of the file") {
+TEST_CASE("messages about a volume narrowed for its normals print the values of the file") {
   const Workshop workshop;
   workshop.write(
       "v.nrrd",

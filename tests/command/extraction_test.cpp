@@ -109,7 +109,7 @@ TEST_CASE("thresholds beyond the samples make everything on or everything off") 
   CHECK(extracted(volume, none).surface.polygons.empty());
 }
 
-TEST_CASE("the default memory is enough, and no more of it is used than is given") {
+TEST_CASE("the default memory suffices, and a scan uses no more than its memory") {
   for (const BitVolume& volume : {checkerboard({20, 20, 6}), ball({30, 30, 30}, {29, 29, 29}, 196),
                                   discmc::reference::spiral({30, 30, 3})}) {
     const Extraction extraction = extracted(volume, options()).extraction;
@@ -158,7 +158,7 @@ TEST_CASE("too little memory is refused with the least that will do, which does"
   CHECK(regions_of(small.surface) == regions_of(extracted(volume, options()).surface));
 }
 
-TEST_CASE("capacities that are asked for are those of the scan, whatever they are") {
+TEST_CASE("the scan has exactly the requested capacities") {
   const BitVolume volume = discmc::reference::random({20, 20, 5}, 128, 3);
   const auto whole = regions_of(extracted(volume, options()).surface);
   for (const discmc::Capacities capacities :

@@ -109,7 +109,7 @@ TEST_CASE("a head is read up to its limit, and one that never ends is closed soo
   }
 }
 
-TEST_CASE("a client that goes away ends the wait for its request") {
+TEST_CASE("a client that disconnects ends the wait for its request") {
   const Client client;
   client.send("GET / HT");
   HttpConnection connection(dup(client.server()));

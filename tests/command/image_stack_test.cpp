@@ -126,7 +126,7 @@ TEST_CASE("a palette of greys is read as greys, and a palette of colours as indi
   CHECK(!noted(greys->info(), "palette"));
 }
 
-TEST_CASE("JPEG is read, a channel of it where it is of colours") {
+TEST_CASE("JPEG is read, and a channel of a colour JPEG") {
   const auto near = [](const std::vector<double>& read, int slice) {
     const std::vector<double> all = values(slice + 1, in_u8);
     double most = 0;
@@ -250,7 +250,7 @@ TEST_CASE("a folder with several kinds of pictures is refused with the remedy") 
                     (stack.path() / "*.png").string());
 }
 
-TEST_CASE("damaged pictures are refused, wherever they are cut") {
+TEST_CASE("truncated pictures are refused") {
   const Folder folder;
   for (const std::string name : {"stack/slice0.png", "u16.tif", "tiles.tif", "deflate.tif",
                                  "u8.jpg", "u8.bmp", "deep-tiles4.tif"}) {

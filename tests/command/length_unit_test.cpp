@@ -9,7 +9,7 @@
 
 using discmc::command::millimetres_in;
 
-TEST_CASE("a unit has its millimetres however it is spelled") {
+TEST_CASE("every spelling of a unit has the same millimetres") {
   const std::vector<std::pair<double, std::vector<std::string>>> units = {
       {1000, {"m", "M", "metre", "meters", "Metres"}},
       {100, {"dm", "decimeter"}},

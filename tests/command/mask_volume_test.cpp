@@ -77,7 +77,7 @@ TEST_CASE("a mask is cropped as its volume is, and of a block has what most of i
   CHECK(mask_of(Nifti().file(labels), options) == std::vector<double>{0, 1});
 }
 
-TEST_CASE("a mask has the extents of the volume, not those of the part that is taken") {
+TEST_CASE("a mask must have the extents of the whole volume, even with --crop") {
   const Folder folder;
   const auto file = folder.write("m.nrrd", nrrd(nrrd_u8, "5 4 3") + "\n" + stored(SampleType::u8));
   VolumeOptions options;
@@ -120,7 +120,7 @@ TEST_CASE("another spacing is that of the mask, too") {
   CHECK(offset_mm(open_mask(file, options, volume)->info(), volume) == 0);
 }
 
-TEST_CASE("axes that are named are those of a mask that names none itself") {
+TEST_CASE("named axes apply to a mask that has no axes of its own") {
   const Folder folder;
   const std::string header =
       std::string("\x93NUMPY\1\0\x4a\0", 10) +

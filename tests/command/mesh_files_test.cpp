@@ -181,7 +181,7 @@ TEST_CASE("an STL file reads back, with unit normals that look outside") {
   }
 }
 
-TEST_CASE("far from the origin every format but STL keeps the vertices apart, and where they are") {
+TEST_CASE("every format but STL keeps vertices far from the origin separate and in place") {
   FileMesh mesh = build_mesh(pitted_block({{0, 0}, {2, 2}}), {true, Faces::triangles});
   place(mesh, {discmc::Space::lps, {5e6, -7e6, 6e6}, {{{0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}}}});
   mesh.spacing_mm = {0.1, 0.1, 0.1};

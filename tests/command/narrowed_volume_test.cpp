@@ -35,7 +35,7 @@ std::unique_ptr<VolumeReader> opened(const Folder& folder, SampleType type,
 
 }  // namespace
 
-TEST_CASE("the bounds are those of the finite samples") {
+TEST_CASE("the bounds of a volume are those of its finite samples") {
   const Folder folder;
   const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
   const auto bounds = sample_bounds(

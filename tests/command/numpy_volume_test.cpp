@@ -136,7 +136,7 @@ TEST_CASE("slices of a turned volume are skipped as others are") {
   }
 }
 
-TEST_CASE("axes of size 1 are dropped, wherever they are, with a note") {
+TEST_CASE("axes of size 1 are dropped at any position, with a note") {
   const Folder folder;
   for (const std::string shape :
        {"1, 4, 3, 5", "4, 3, 5, 1", "1, 4, 3, 5, 1", "1, 1, 4, 3, 5", "4, 1, 3, 5"}) {

@@ -321,7 +321,7 @@ TEST_CASE("a picture that fails leaves what has its name as it was") {
   CHECK(workshop.done("render v.dmc -o - --size 9,9").substr(1, 3) == "PNG");
 }
 
-TEST_CASE("a stream whose first header comes late is packed anew with all its regions") {
+TEST_CASE("a stream with a late first header is re-encoded with all its regions") {
   const Workshop workshop;
   auto frames = discmc::test::frames_of(bytes_of(write_stream(workshop, "v.dmc")));
   std::swap(frames[0], frames[1]);

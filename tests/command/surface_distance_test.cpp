@@ -85,7 +85,7 @@ TEST_CASE("distances are in units of their own along each axis") {
   CHECK(in_voxels.mean == doctest::Approx(1.5));
 }
 
-TEST_CASE("the nearest triangle is found, wherever it is") {
+TEST_CASE("the nearest triangle is found at any position") {
   const FaceMesh to = ball();
   discmc::test::Chance chance(9);
   for (int i = 0; i < 30; ++i) {

@@ -444,7 +444,7 @@ TEST_CASE("smaller copies among the pages, and within them, are left out with a 
   CHECK(noted(info, "usually smaller copies, are left out: 2"));
 }
 
-TEST_CASE("bytes behind the only page are noted, unless they may well be metadata") {
+TEST_CASE("bytes behind the only page are noted, unless they may be metadata") {
   const auto notes_much = [](std::size_t behind) {
     Tiff tiff;
     tiff.page(256, 256, std::string(65536, 'a')).behind(std::string(behind, 'b'));

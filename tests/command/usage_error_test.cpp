@@ -24,7 +24,7 @@ TEST_CASE("a command that is misspelt is answered with the nearest one") {
   check_said("reader v.dmc", "discmc: 'reader' is not a command; did you mean render" + end);
 }
 
-TEST_CASE("a command that is like none is answered with what there is") {
+TEST_CASE("an unknown command without a similar one is answered with the list of commands") {
   const std::string all = "give one of extract, view, info, render";
   CHECK(contains(Workshop().run("frobnicate v.nrrd").error,
                  "discmc: 'frobnicate' is not a command; " + all));
@@ -97,7 +97,7 @@ TEST_CASE("other programs' names for smoothing are answered with the option of t
              "See discmc decode --help.\n");
 }
 
-TEST_CASE("an option that is like none is answered without a guess") {
+TEST_CASE("an unknown option without a similar one is answered without a guess") {
   check_said("info v.dmc --zoom 5",
              "discmc: '--zoom' is not an option of info; leave it out\nSee discmc info --help.\n");
   check_said("--iso 5 extract v.nrrd",

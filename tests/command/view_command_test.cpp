@@ -67,7 +67,7 @@ TEST_CASE("the page of a threshold has the slices of its surface alone") {
   CHECK_FALSE(contains(workshop.shell("ls").out, "none.html"));
 }
 
-TEST_CASE("the page of a stream has its bytes, also those of a damaged one") {
+TEST_CASE("the page of a stream contains its bytes, even those of a damaged stream") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
   if (!has_page(workshop)) return;

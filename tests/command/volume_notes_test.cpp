@@ -84,7 +84,7 @@ TEST_CASE("a spacing that is given leaves no note of a missing one") {
             .empty());
 }
 
-TEST_CASE("bytes behind the samples are noted, packed ones when they are reached") {
+TEST_CASE("bytes behind the samples are noted, and compressed ones once they are reached") {
   const Folder folder;
   const std::string behind = " bytes after the samples are left out; check the sizes";
   const std::string head = nrrd(nrrd_u8 + "spacings: 1 1 1\n" + units_in_mm);

@@ -152,7 +152,7 @@ TEST_CASE("slices behind the part are not read") {
   check_refusal(refusal(file, with_crop({}, {{{}, {}, {1, 3}}})), "14 bytes of it are missing");
 }
 
-TEST_CASE("the voxels of a part lie where they lie in the volume") {
+TEST_CASE("the voxels of a part keep their position in space") {
   const Folder folder;
   for (const std::string& lines : placements) {
     INFO(lines);
@@ -252,7 +252,7 @@ TEST_CASE("a device that picks or takes means has the voxels of --crop and --shr
   }
 }
 
-TEST_CASE("means of whole numbers are exact, and a half goes to the greater one") {
+TEST_CASE("means of integers are exact, and halves are rounded up") {
   constexpr auto most = std::numeric_limits<std::uint64_t>::max();
   constexpr auto least = std::numeric_limits<std::int64_t>::min();
   using U64 = std::vector<std::uint64_t>;
@@ -298,7 +298,7 @@ TEST_CASE("a block of labels becomes the most frequent one, of several the first
   CHECK(label({40000, 40000, 40000, 40000, 40000, 40000, 40000, 40000}) == 40000);
 }
 
-TEST_CASE("labels of blocks are those of their own voxels, also where a block is cut off") {
+TEST_CASE("the labels of blocks are those of their own voxels, even in partial blocks") {
   const Folder folder;
   // Blocks of 2 x 2 x 2 with a label each, their number, and one voxel of another.
   const Dims size = {5, 3, 3};

@@ -101,7 +101,7 @@ TEST_CASE("NRRD's left-handed spaces are converted to right-handed ones") {
   CHECK(noted(info, "x of the left-handed space '3D-left-handed' negated"));
 }
 
-TEST_CASE("NRRD's units are those of the coordinates of space") {
+TEST_CASE("NRRD's units are those of the space coordinates") {
   const Folder folder;
   check_placement(nrrd_info(folder,
                             "space: LPS\nspace units: \"cm\" \"mm\" \"um\"\n"
@@ -162,7 +162,7 @@ TEST_CASE("NRRD's thicknesses stand in for a spacing that is missing") {
         std::vector<std::string>{"no spacing of axis 3 given, its thickness is used"});
 }
 
-TEST_CASE("units are noted where they are not known") {
+TEST_CASE("unknown units are noted") {
   const Folder folder;
   const VolumeInfo nrrd = nrrd_info(folder, "spacings: 1 2 3\nunits: mm furlong \"\"\n");
   CHECK(noted(nrrd, "unit 'furlong' is unknown, mm assumed"));
@@ -184,7 +184,7 @@ TEST_CASE("a space that NRRD does not have is noted") {
     CHECK(nrrd_info(folder, "space: " + space + "\n" + steps).notes.empty());
 }
 
-TEST_CASE("NIfTI's sform is taken as it is, in RAS") {
+TEST_CASE("NIfTI's sform is used unchanged, in RAS") {
   const Folder folder;
   // Sheared, and longer than in pixdim.
   const std::vector<float> rows = {0.4F, -1, 0.5F, -90, 0.3F, 1.5F, 0, 126.5F, 0, 0.25F, 3, -72};
@@ -298,7 +298,7 @@ TEST_CASE("MetaImage's matrix has one axis per row, and its origin is in LPS") {
               "TransformMatrix of 4 numbers is ignored"));
 }
 
-TEST_CASE("MetaImage's letters are noted where they contradict the matrix") {
+TEST_CASE("MetaImage's letters are noted if they contradict the matrix") {
   const Folder folder;
   const std::string matrix = "ElementSpacing = 1 1 1\nTransformMatrix = 1 0 0 0 -1 0 0 0 1\n";
   CHECK(metaimage_info(folder, matrix + "AnatomicalOrientation = RPI\n").notes.empty());

@@ -99,7 +99,7 @@ TEST_CASE("values that are no labels are refused with their slice") {
   refused({std::numeric_limits<float>::infinity()}, "the value inf");
 }
 
-TEST_CASE("whole numbers stay as they are") {
+TEST_CASE("integers are unchanged") {
   for (const auto& [called, type] : discmc::command::sample_types) {
     if (discmc::meshing::is_floating(type)) continue;
     RawLayout layout;

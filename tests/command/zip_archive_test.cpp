@@ -83,7 +83,7 @@ std::string refusal_of(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("a zip is read like the folder that was packed, wherever its names lead") {
+TEST_CASE("a zip is read like the folder that was packed, for any names in it") {
   const TemporaryFiles temporary;
   for (const fs::path& packed : {files / "dicom/series", files / "pictures/stack"})
     for (const std::string prefix : {"", "study/a/", "/", "../../"}) {
@@ -159,7 +159,7 @@ TEST_CASE("nothing is left of a zip when a signal ends the program, and two may 
   CHECK(temporary.folders_of_zips() == 0);
 }
 
-TEST_CASE("errors name the archive, and the member where it is one's") {
+TEST_CASE("errors name the archive, and its member if one is concerned") {
   Members members = members_of(files / "dicom/series", "series/");
   REQUIRE(members.size() == 5);
   Members fewer = members;
