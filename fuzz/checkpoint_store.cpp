@@ -1,6 +1,6 @@
-// Fuzz target. The promise: whatever lies in a flash, and whenever its power or a call fails, a
-// store keeps to the rules of flash, and what it reads back is what was saved: the newest whole
-// checkpoint, as long as nobody else wrote.
+// Fuzz target. A store obeys the rules of flash for any contents of it, and for any failure of the
+// power or a call. It reads back the newest whole checkpoint as saved, unless another program wrote
+// to the flash.
 //
 //   fuzz_checkpoint_store -max_len=400 corpus/checkpoint_store      with libFuzzer
 //   fuzz_checkpoint_store corpus/checkpoint_store                   with replay_main.cpp
@@ -22,7 +22,7 @@ namespace {
 constexpr uint32_t max_bytes = 600;
 constexpr FlashGeometry geometries[] = {{16, 64, 25}, {64, 256, 7}, {32, 2048, 2}, {256, 1024, 3}};
 
-/// Bytes that tell their number.
+/// Contents that contain their number.
 std::vector<uint8_t> contents_of(uint32_t number, uint32_t count) {
   std::vector<uint8_t> bytes(count);
   for (uint32_t i = 0; i < count; ++i)
@@ -130,7 +130,7 @@ class Caller {
     for (uint32_t steps = input_.below(8); steps > 0 && status == Status::suspended; --steps)
       status = store_.resume();
     if (status == Status::ok) note_saved();
-    // Its part goes, so it must not go on.
+    // Its part is about to vanish, so the save must end.
     if (status == Status::suspended) (void)store_.restore(&part, 0);
   }
 

@@ -1,7 +1,6 @@
-// Fuzz target. The promise: whatever is called, in whatever order and with whatever memory, samples
-// and sink, every call comes to the status that the headers give it, nothing is touched but the
-// memory given, the events keep to their grammar, and the surface of a scan that ends is that of
-// the rows it was given.
+// Fuzz target. For any order of calls, and any memory, samples and sink, every call returns the
+// status that the headers specify. Only the given memory is written, and the events follow their
+// grammar. The surface of a finished scan is that of its rows.
 //
 //   fuzz_extractor_api -max_len=600 corpus/extractor_api      with libFuzzer
 //   fuzz_extractor_api corpus/extractor_api                   with replay_main.cpp
@@ -104,7 +103,7 @@ Sample sample_of(bool on, int32_t threshold, uint32_t noise) {
   return static_cast<Sample>(first_on - 1 - int64_t{noise} % (first_on - least));
 }
 
-/// Calls an extractor and holds what it does against what the headers say it does.
+/// Calls an extractor and compares its behaviour with that in the headers.
 template <class Index>
 class Caller {
  public:
@@ -211,7 +210,7 @@ class Caller {
     const uint32_t kind = input_.below(8);
     if (kind == 0) return capacities;
     if (kind == 1) {
-      // Of no use: too few, or more than an index counts.
+      // Invalid: too few slots, or more than an index counts.
       capacities.slots = input_.below(2) != 0 ? capacities.slots - 1 : UINT32_MAX - input_.byte();
       return capacities;
     }
@@ -258,7 +257,7 @@ class Caller {
     for (uint32_t i = 0; i < count; i += 8) {
       const uint32_t bits = input_.byte();
       for (uint32_t k = i; k < i + 8 && k < count; ++k) {
-        // Where the threshold is out of the type's reach all samples are on, or all off.
+        // If the threshold is outside the range of the type, all samples are on, or all off.
         const bool reaches = threshold_ <= int64_t{std::numeric_limits<Sample>::max()};
         const bool misses = threshold_ > int64_t{std::numeric_limits<Sample>::min()};
         const uint32_t bit = stride == 0 ? bits & 1 : bits >> (k - i) & 1;
@@ -346,7 +345,7 @@ class Caller {
     if (on_.size() > before) ++skipped_;
   }
 
-  // ---- going on and ending ----
+  // ---- resuming and ending ----
 
   void resume() {
     const Status status = extractor_.resume();
@@ -404,7 +403,7 @@ class Caller {
     if (state_ != State::idle) look();
   }
 
-  // The scan goes on in another object and in other memory, which has the bytes in use alone.
+  // The scan continues in another object and in other memory, which has only the bytes in use.
   void fail_power() {
     Memory parts[2];
     const Status expected = state_ == State::idle ? Status::not_started
@@ -452,7 +451,7 @@ class Caller {
     require(place_ == nullptr || place_->is_intact(), "a write before the memory");
   }
 
-  // What an extractor tells of itself.
+  // The queries of an extractor.
   void look() const {
     const Peaks most = extractor_.peaks();
     const Capacities& room = extractor_.capacities();

@@ -1,5 +1,5 @@
-// Fuzz target. The promise: a scan that makes normals tells what one without tells, whatever rows
-// are missing, whatever its memory and its sink; and every normal is that of a second pass.
+// Fuzz target. A scan with normals sends the same surface as a scan without, for any missing rows,
+// memory and sink. Every normal is that of a second pass.
 //
 //   fuzz_gradient_normals -max_len=400 corpus/gradient_normals    with libFuzzer
 //   fuzz_gradient_normals corpus/gradient_normals                 with replay_main.cpp

@@ -1,7 +1,7 @@
-// Fuzz target. The promise: the rings of any small surface, cut anywhere and dealt as a sweep or
-// several slabs send them or in any order, are joined to its regions; what little memory passes on,
-// another joiner joins; where fragments are lost, the regions that lost none are right; and neither
-// refusals nor any events at all do harm.
+// Fuzz target. The rings of any small surface, cut anywhere, are joined to its regions: in the
+// order of a sweep, of several slabs, or in any order. A second joiner joins the fragments that a
+// first with little memory passed on. If fragments are lost, all other regions are right. Neither
+// refusals nor invalid events do harm.
 //
 //   fuzz_joiner -max_len=300 corpus/joiner      with libFuzzer
 //   fuzz_joiner corpus/joiner                   with replay_main.cpp
@@ -51,7 +51,7 @@ void read_scenario(Input& input, Scenario& scenario) {
   scenario.chance = test::Chance(input.word());
 }
 
-// As it may be in the order that the plan tells.
+// The pieces in an order that the plan allows.
 Pieces dealt(const Pieces& pieces, const Scenario& scenario) {
   if (scenario.plan.order == InputOrder::sweep) return pieces;
   if (scenario.cuts.slab > 0) return interleaved(pieces, scenario.cuts.below);

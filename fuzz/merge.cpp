@@ -1,8 +1,8 @@
-// Fuzz target. The promise: any small volume, fed in any portions, in any memory, to a sink that
-// refuses as it likes, gives the regions of the paper's Merge, once loose fragments are joined;
-// nothing is loose in the memory of the worst case; neither index width, portions, refusals nor a
-// host show, nor does a host in slabs of a large volume; and the rings come apart into simple ones
-// of the same area. The voxels are those of the input, or of a generated shape.
+// Fuzz target. Any small volume yields the regions of the paper's Merge once loose fragments are
+// joined, for any portions, memory and refusals. In the memory of the worst case no fragment is
+// loose. Index width, portions, refusals and a host extractor, also in slabs, do not change the
+// result. The rings split into simple rings of the same area. The voxels are those of the input, or
+// of a generated shape.
 //
 //   fuzz_merge -max_len=400 corpus/merge      with libFuzzer
 //   fuzz_merge corpus/merge                   with replay_main.cpp
@@ -174,7 +174,7 @@ class Feeder {
 
   void end() {
     for (bool is_first = true;; is_first = false) {
-      // Once it is under way an ending goes on by any call.
+      // Once an ending has begun, any call continues it.
       const Status status = !is_first && scenario_.chunk % 2 == 0 ? extractor_.resume()
                             : scenario_.is_abandoned              ? extractor_.abandon()
                                                                   : extractor_.finish();

@@ -1,4 +1,4 @@
-// How a fuzz target says that a promise is broken.
+// How a fuzz target reports a violation.
 #ifndef DISCMC_FUZZ_REQUIRE_HPP
 #define DISCMC_FUZZ_REQUIRE_HPP
 

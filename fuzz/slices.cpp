@@ -1,7 +1,7 @@
-// Fuzz target. The promises of streams of slices: any small volume comes through, whatever
-// portions, key slices, flushes, refusals and power failures there are; of packets that are lost,
-// damaged or made up under a correct checksum rows come out in their order, each once, and those
-// that are there but for made-up ones are right; nothing faults or goes on for ever.
+// Fuzz target. A stream of slices transmits any small volume unchanged, for any portions, key
+// slices, flushes, refusals and power failures. After lost, damaged or forged packets the rows
+// still arrive in order and once each. All rows are right if no packet is forged. Decoding never
+// faults and always ends.
 //
 //   fuzz_slices -max_len=600 corpus/slices      with libFuzzer
 //   fuzz_slices corpus/slices                   with replay_main.cpp

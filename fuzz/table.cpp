@@ -115,7 +115,7 @@ FacetsByLink facets_by_link(const BitVolume& block) {
   return facets;
 }
 
-// The plane of a facet goes on in at most the facet that across_edge() names.
+// The plane of a facet continues at most in the facet that across_edge() names.
 void check_continuation(const FacetsByLink& facets, const Vertex& cell, Facet facet) {
   const std::vector<UnitLink> own = links_of(cell, facet_rings.ring[facet]);
   for (size_t edge = 0; edge < own.size(); ++edge) {

@@ -1,6 +1,6 @@
-// Fuzz target. The promise: any bytes as any of the formats, or as headerless samples, in one
-// file or two, compressed or not, end in a VolumeError that names the file and the remedy, or in a
-// volume within the limits of volume.hpp, the same at every reading.
+// Fuzz target. Any bytes are read as any of the formats, or as headerless samples, in one file or
+// two, compressed or not. The result is a VolumeError that names the file and the remedy, or a
+// volume within the limits of volume.hpp. Every reading has the same result.
 //
 //   fuzz_volume_readers -max_len=1500 -dict=volume_readers.dict corpus/volume_readers
 //   fuzz_volume_readers corpus/volume_readers                      with replay_main.cpp
@@ -145,7 +145,7 @@ Bytes joined(Bytes head, const Bytes& tail) {
   return head;
 }
 
-/// What is told of one opening, to compare with another.
+/// The result of one opening, to compare with another.
 struct Reading {
   VolumeInfo info;
   Bytes samples;
@@ -170,9 +170,9 @@ void check_info(const VolumeInfo& info, size_t file_bytes) {
   require(info.slope > 0 && std::isfinite(info.slope), "a slope of no use");
   require(std::isfinite(info.intercept), "an intercept of no use");
   require(!info.format.empty(), "a format without a name");
-  // Text of a byte and a blank may stand for a sample of eight. Other packings than gzip have no
-  // such bound, nor has a zip of pictures, and a list may name a file as often as it has lines:
-  // what is there is read before it is believed. Zarr has its own.
+  // A sample of eight bytes may be two characters of text. Only gzip has such a bound: other
+  // packings and zips of pictures have none, and a list may name a file once per line. These are
+  // read before their size is believed. Zarr has its own bound.
   constexpr size_t max_inflation = 16384;
   const char* const unbounded[] = {"bzip2",    "xz",    "zstd", "lz4",
                                    "detached", ", zip", "npz",  "Zarr"};

@@ -1,7 +1,7 @@
-// Fuzz target. The promise: on any bytes, as they are and as packets under a correct checksum, so
-// that the decoder of regions sees hostile bits, nothing faults or goes on for ever, the events
-// keep to their grammar, portions and refusals do not show, and an encoder takes whatever comes
-// out.
+// Fuzz target. The decoder accepts any bytes, as they are and as packets under a correct checksum,
+// so that the decoder of regions receives hostile bits. It never faults and always ends, and the
+// events follow their grammar. Portions and refusals do not change the events. An encoder accepts
+// all of them.
 //
 //   fuzz_wire_decode -max_len=1200 corpus/wire_decode      with libFuzzer
 //   fuzz_wire_decode corpus/wire_decode                    with replay_main.cpp
@@ -21,7 +21,7 @@ Bytes framed(const uint8_t* data, size_t size) {
     Packet packet;
     const size_t left = size - at - 4;
     const size_t count = data[at] < left ? data[at] : left;
-    // Mostly what an encoder would say of a packet, so that its records are looked at.
+    // Mostly the packet kind of an encoder, so that the records are decoded.
     packet.kind = data[at + 1] < 192 ? 2 : data[at + 1] % 8;
     packet.number = static_cast<uint8_t>(data[at + 2] + (at + 1) / 64);
     packet.pieces = data[at + 3];

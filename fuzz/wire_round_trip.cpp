@@ -1,6 +1,6 @@
-// Fuzz target. The promise: any small volume in any memory, and any script of events within the
-// limits of the format, with normals or without, comes through the stream; with losses what arrives
-// is a part of what was sent, and what is missing is counted.
+// Fuzz target. Any small volume in any memory, and any script of events within the limits of the
+// format, is decoded unchanged, with normals or without. After losses the events that arrive are a
+// part of those sent, and the missing ones are counted.
 //
 //   fuzz_wire_round_trip -max_len=400 corpus/wire_round_trip      with libFuzzer
 //   fuzz_wire_round_trip corpus/wire_round_trip                   with replay_main.cpp

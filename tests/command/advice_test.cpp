@@ -17,7 +17,7 @@ using volume_files::nrrd;
 
 struct Advice {
   std::string arguments;  // which fail
-  std::string advice;     // that is said
+  std::string advice;     // in the message
   std::string then;       // the arguments when it was followed
 };
 
@@ -71,7 +71,7 @@ void write_inputs(const Workshop& workshop) {
 
 }  // namespace
 
-TEST_CASE("what is advised of inputs works") {
+TEST_CASE("the advice for inputs works") {
   const Workshop workshop;
   write_inputs(workshop);
   const std::string out = " -q -o out.stl";
@@ -129,7 +129,7 @@ TEST_CASE("what is advised of inputs works") {
                  "can be read only once; store it in a file"));
 }
 
-TEST_CASE("what is advised of volumes in files works") {
+TEST_CASE("the advice for volumes in files works") {
   const Workshop workshop;
   write_inputs(workshop);
   workshop.write("colours.nrrd",
@@ -185,7 +185,7 @@ TEST_CASE("what is advised of volumes in files works") {
                            "extract masks/both.nii --labels all -q -o out.glb"}});
 }
 
-TEST_CASE("what is advised of options works") {
+TEST_CASE("the advice for options works") {
   const Workshop workshop;
   write_inputs(workshop);
   const std::string iso = "extract v.nrrd --iso 100 -q ";
@@ -291,7 +291,7 @@ TEST_CASE("what is advised of options works") {
   workshop.done(iso + "-o 'none/{name}.stl'");
 }
 
-TEST_CASE("what is advised of pages works") {
+TEST_CASE("the advice for pages works") {
   if (discmc::command::page_template().empty()) return;
   const Workshop workshop;
   write_inputs(workshop);

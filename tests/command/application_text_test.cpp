@@ -24,7 +24,7 @@ TEST_CASE("a record is its kind, its place and its bytes") {
   CHECK(text(ApplicationRecord{9, 1, 2, nullptr, 0}) == "kind 9, slice 1, row 2: 0 bytes");
 }
 
-TEST_CASE("a placement is told in millimetres, to the nanometre") {
+TEST_CASE("a placement is printed in millimetres with all nanometres") {
   Placement placement;
   placement.axes_nm[0][0] = -1500000;
   placement.axes_nm[1][1] = 1;
@@ -41,7 +41,7 @@ TEST_CASE("a placement is told in millimetres, to the nanometre") {
   CHECK(text_of(placement).find("placement in LPS") != std::string::npos);
 }
 
-TEST_CASE("a record of a placement's kind that holds none is told by its bytes") {
+TEST_CASE("an invalid record of a placement's kind is printed as bytes") {
   const uint8_t bytes[] = {1};
   CHECK(text(ApplicationRecord{Placement::record_kind, 0, 0, bytes, 1}) ==
         "kind 240, slice 0, row 0: 1 byte 01");

@@ -63,7 +63,7 @@ TEST_CASE("each of several surfaces has normals of its own") {
   }
 }
 
-TEST_CASE("who asks for no channel gets the first, and is told of the others") {
+TEST_CASE("without --channel the first channel is decoded, and a note lists the others") {
   const Workshop workshop;
   workshop.write("v.raw", cone(16));
   workshop.done("extract " + volume + "--iso 20 --iso 40 -o all.dmc");
@@ -78,7 +78,7 @@ TEST_CASE("who asks for no channel gets the first, and is told of the others") {
   CHECK(contains(none.error, "no such surface; choose one of scan 0 channel 0 (threshold 20), "));
 }
 
-TEST_CASE("streams of two scans on one link are told apart") {
+TEST_CASE("streams of two scans on one link are separated") {
   const Workshop workshop;
   workshop.write("v.raw", cone(16));
   workshop.done("extract " + volume + "--iso 20 --scan 1 -o one.dmc");
@@ -113,7 +113,7 @@ TEST_CASE("streams that one scan number and one channel begin are listed by all 
   CHECK(contains(list, "surface scan 0 channel 1 threshold 40\n"));
 }
 
-TEST_CASE("a stream of slices tells what its encoder took, and takes no other memory") {
+TEST_CASE("extract prints the encoder's memory for a stream of slices, and no arena") {
   const Workshop workshop;
   workshop.write("v.raw", cone(16));
   const std::string extract = "extract " + volume + "--iso 20 --wire slices -o s.dmc";

@@ -117,7 +117,7 @@ void check_classic(const Field& field, Border border) {
 
 }  // namespace
 
-TEST_CASE("classic Marching Cubes is closed, manifold, and as large as the statistics say") {
+TEST_CASE("classic Marching Cubes is closed, manifold, and as large as the statistics") {
   for (const Border border : {Border::closed, Border::open}) {
     check_classic(ramp({14, 12, 13}, 4.3), border);
     check_classic(bits(discmc::reference::checkerboard({6, 5, 4})), border);

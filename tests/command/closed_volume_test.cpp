@@ -97,7 +97,7 @@ std::vector<std::uint8_t> expected(const BitVolume& volume, const Point& spacing
 
 }  // namespace
 
-TEST_CASE("closing is what its definition says, whatever the spacing and the width of a row") {
+TEST_CASE("closing equals its definition for any spacing and width of a row") {
   using discmc::reference::random;
   for (const double radius : {0.5, 1.0, 1.5, 2.3, 3.0}) {
     CHECK(closed(random({13, 9, 8}, 40, 1), {1, 1, 1}, radius) ==
@@ -111,7 +111,7 @@ TEST_CASE("closing is what its definition says, whatever the spacing and the wid
         expected(random({58, 4, 4}, 20, 4), {0.1, 1, 1}, 0.3));
 }
 
-TEST_CASE("--close joins what lies near, before it is smoothed") {
+TEST_CASE("--close joins nearby parts before they are smoothed") {
   using command_tests::contains;
   const command_tests::Workshop workshop;
   BitVolume volume({24, 12, 12});

@@ -48,7 +48,7 @@ std::set<std::uint32_t> tiff_compressions() {
   return all;
 }
 
-// What is said of a file, empty if it is read to its end.
+// The error of reading a file, empty if it is read to its end.
 std::string refusal_of(const fs::path& file, const VolumeOptions& options = {}) {
   try {
     read_all(*open_volume(file, options));

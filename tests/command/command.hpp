@@ -60,7 +60,7 @@ class Workshop {
   /// Runs the command with arguments as a shell splits them.
   Result run(const std::string& arguments) const { return shell("\"$discmc\" " + arguments); }
 
-  /// The same where it must succeed; returns what it said on standard output.
+  /// The same for a run that must succeed; returns its standard output.
   std::string done(const std::string& arguments) const {
     const Result result = run(arguments);
     INFO(arguments, "\n", result.error);
@@ -152,7 +152,7 @@ class Taker {
       value |= std::uint32_t{static_cast<unsigned char>(bytes_[at_++])} << 8 * i;
     return value;
   }
-  /// Of 32-bit floats.
+  /// With samples of 32-bit floats.
   Point point() {
     Point point{};
     for (double& coordinate : point) {
@@ -259,7 +259,7 @@ inline double volume_of(const FileMesh& mesh) {
   return sum / 6;
 }
 
-/// The command says all of these on standard error, and nothing on standard output.
+/// The command prints all of these on standard error, and nothing on standard output.
 inline void check_failure(const Result& result, int code, const std::vector<std::string>& parts) {
   INFO(result.error);
   CHECK(result.code == code);

@@ -1,4 +1,4 @@
-// The discmc command from end to end: what it reads, writes, says and returns.
+// The discmc command from end to end: what it reads, writes, prints and returns.
 #include "command.hpp"
 
 #include "oracle/surface.hpp"
@@ -70,7 +70,7 @@ TEST_CASE("decode writes the same files from a stream as extract does from the v
   }
 }
 
-TEST_CASE("what was written is told: the file, its bytes, its faces, and whether they are closed") {
+TEST_CASE("the output is reported: its file, bytes and faces, and whether the mesh is closed") {
   const Workshop workshop;
   workshop.write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
   BitVolume step = box({8, 8, 4}, {1, 1, 1}, {5, 5, 1});
@@ -92,8 +92,7 @@ TEST_CASE("what was written is told: the file, its bytes, its faces, and whether
   CHECK(workshop.done(extract + "-q -o v.stl").empty());
 }
 
-TEST_CASE(
-    "far from the origin STL is said to be coarse and open, and all else is as it should be") {
+TEST_CASE("STL far from the origin is reported as coarse and open, and other formats are not") {
   const Workshop workshop;
   const std::string near = "space: LPS\nspace directions: (0.1,0,0) (0,0.1,0) (0,0,0.1)\n";
   workshop.write("far.nrrd", small_ball(),
@@ -154,7 +153,8 @@ TEST_CASE("outputs that cannot be written are refused before the volume is read"
   CHECK(workshop.names() == std::vector<std::string>{"cut.nrrd", "file", "folder.stl"});
 }
 
-TEST_CASE("a stream goes to standard output when no file is named, and the table elsewhere") {
+TEST_CASE(
+    "a stream without an output name is written to standard output, and the table elsewhere") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());
   CHECK(contains(workshop.done("extract v.nrrd --iso 100 -o v.dmc"), "classic Marching Cubes"));
@@ -262,7 +262,7 @@ TEST_CASE("without the vertices of neighbours meshes are smaller and enclose the
   }
 }
 
-TEST_CASE("faces are triangles, and polygons where they are asked for and the format holds them") {
+TEST_CASE("faces are triangles, and polygons on request if the format has them") {
   const Workshop workshop;
   const BitVolume volume = box({5, 5, 5}, {1, 1, 1}, {3, 3, 3});
   workshop.write("v.nrrd", volume);
@@ -291,7 +291,7 @@ TEST_CASE("faces are triangles, and polygons where they are asked for and the fo
                     {"--faces", name, ".ply, .obj, .vtp or .jsonl"});
 }
 
-TEST_CASE("what a format cannot hold is refused by its name, also on standard output") {
+TEST_CASE("options that a format cannot hold are refused by name, also on standard output") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());
   const std::pair<std::string, std::string> wrong[] = {
@@ -462,7 +462,7 @@ TEST_CASE("wrong usage exits with 2") {
   }
 }
 
-TEST_CASE("wrong values are told with what is expected") {
+TEST_CASE("wrong values are reported with the expected ones") {
   const Workshop workshop;
   for (const char* memory : {"some", "3Q", "-5", "1.5M", ""})
     check_failure(workshop.run("extract v.nrrd --iso 1 --memory '" + std::string(memory) + "'"), 2,
@@ -473,7 +473,7 @@ TEST_CASE("wrong values are told with what is expected") {
                 {"--dims: invalid value '3,4'; expected X,Y,Z"});
 }
 
-TEST_CASE("a volume that cannot be read is told by its name, and nothing is written") {
+TEST_CASE("an unreadable volume is reported by name, and no file is written") {
   const Workshop workshop;
   workshop.write("block.nrrd", volume_files::nrrd("type: block\nencoding: raw\n") + "\n");
   workshop.write("empty.nrrd", "");
@@ -496,7 +496,7 @@ TEST_CASE("a volume that cannot be read is told by its name, and nothing is writ
   CHECK(workshop.names() == names);
 }
 
-TEST_CASE("samples that are not a number are off, and told") {
+TEST_CASE("samples that are not a number are off and reported") {
   const Workshop workshop;
   std::string samples = volume_files::stored(volume_files::SampleType::f32);
   const float nan = std::nanf("");
@@ -584,7 +584,7 @@ TEST_CASE("a pipe that is named as the output stays one") {
   CHECK(result.out == workshop.read("v.dmc"));
 }
 
-TEST_CASE("a mesh goes to standard output by --format, as it would to a file") {
+TEST_CASE("a mesh is written to standard output with --format as to a file") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({12, 12, 12}, {11, 11, 11}, 60));
   for (const std::string format :

@@ -93,7 +93,7 @@ TEST_CASE("meshes that discmc writes are those that it reads") {
   }
 }
 
-TEST_CASE("what cannot be compared is refused by its name") {
+TEST_CASE("inputs that cannot be compared are refused by name") {
   const Workshop workshop;
   const auto ball = discmc::reference::ball({9, 9, 9}, {8, 8, 8}, 40);
   workshop.write("v.nrrd", ball);
@@ -108,7 +108,7 @@ TEST_CASE("what cannot be compared is refused by its name") {
   check_failure(workshop.run("compare v.dmc"), 2, {"B"});
 }
 
-TEST_CASE("a mesh that has no distance, or is not read, is refused before anything is told") {
+TEST_CASE("a mesh without distances or in an unsupported format is refused before any output") {
   const Workshop workshop;
   workshop.write("square.obj", square(0));
   workshop.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");

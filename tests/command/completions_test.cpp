@@ -75,7 +75,7 @@ TEST_CASE("the completions of each shell are a script that it takes") {
   }
 }
 
-TEST_CASE("zsh is told the values, files and texts of options") {
+TEST_CASE("zsh completes the values, files and texts of options") {
   const std::string script = Workshop().done("completions zsh");
   CHECK(script.rfind("#compdef discmc\n", 0) == 0);
   CHECK(contains(script, "'extract:Extract the surface of a volume as a mesh or a stream'"));

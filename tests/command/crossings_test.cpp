@@ -111,7 +111,7 @@ TEST_CASE("crossings are the same whatever the type of the samples") {
   }
 }
 
-TEST_CASE("of a range it is the end that is crossed") {
+TEST_CASE("a range is crossed at its nearer end") {
   VolumeInfo info;
   info.dims = {4, 1, 1};
   const std::uint8_t samples[] = {0, 20, 100, 20};
@@ -135,7 +135,8 @@ TEST_CASE("beside a voxel that the mask puts off the crossing is in the middle")
   check_near(finder.crossings().interpolated({7, 0, 0}), {6 + 2 * 50.5 / 80, 0, 0});
 }
 
-TEST_CASE("what is not finite is crossed in the middle, and what is outside") {
+TEST_CASE(
+    "an edge to a sample that is not finite, or outside the volume, is crossed in the middle") {
   VolumeInfo info;
   info.dims = {7, 1, 1};
   info.type = SampleType::f32;

@@ -59,8 +59,8 @@ class Dataset {
     elements_[tag] = {"SQ", {}, 1, {}, items};
     return *this;
   }
-  /// Samples of `bits` bits, 8 or more; the extents and the rest of what tells them are set, too.
-  /// As words of 16 bits, unless another vr is asked for.
+  /// Samples of `bits` bits, 8 or more; the extents and the other attributes of the format are set,
+  /// too. As words of 16 bits, unless another vr is asked for.
   Dataset& samples(const std::vector<std::int64_t>& values, std::size_t bits, bool is_signed,
                    const std::string& vr = "") {
     describe_samples(bits, is_signed);

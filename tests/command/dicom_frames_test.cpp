@@ -1,4 +1,4 @@
-// DICOM files whose frames lie where the file as a whole says: cone beams, doses, nuclear medicine,
+// DICOM files with a common placement of their frames: cone beams, doses, nuclear medicine,
 // mosaics.
 #include <doctest/doctest.h>
 
@@ -23,7 +23,7 @@ Dataset cone_beam() {
   return put_at(data, position(0)).text(0x00180050, "DS", "2.5");
 }
 
-TEST_CASE("frames of one position lie one behind the other, and a note says so") {
+TEST_CASE("frames with a common position are read as consecutive slices with a note") {
   const Folder folder;
   const auto reader = open_volume(folder.write("v.dcm", cone_beam().file()));
   check_places(reader->info(), {-10, -20, 100}, along_axes);
@@ -40,7 +40,7 @@ TEST_CASE("the distance of slices counts more than their thickness") {
   CHECK(noted(reader->info(), "2 mm apart, by SpacingBetweenSlices"));
 }
 
-TEST_CASE("frames without any distance are 1 mm apart, and a note says so") {
+TEST_CASE("frames without any distance are 1 mm apart, with a note") {
   const Folder folder;
   const auto file = folder.write("v.dcm", cone_beam().drop(0x00180050).file());
   const auto reader = open_volume(file);
@@ -59,7 +59,7 @@ TEST_CASE("frames that have times are taken as slices with a note") {
               "the frames have times (FrameTime), and are read as slices"));
 }
 
-TEST_CASE("frames that are not counted are left out with a note, and no count is one") {
+TEST_CASE("uncounted frames are ignored with a note, and a missing count means one frame") {
   const Folder folder;
   Dataset data = slice(0);
   data.samples(volume_values(), 16, true);
@@ -74,7 +74,7 @@ TEST_CASE("frames that are not counted are left out with a note, and no count is
   CHECK_FALSE(noted(whole->info(), "left out"));
 }
 
-TEST_CASE("a slope of 0 is none, with a note") {
+TEST_CASE("a slope of 0 is ignored with a note") {
   const Folder folder;
   const Dataset data = slice(0).text(0x00281053, "DS", "0").text(0x00281052, "DS", "7");
   const VolumeInfo info = open_volume(folder.write("v.dcm", data.file()))->info();
@@ -145,7 +145,7 @@ TEST_CASE("words of big-endian files that are called bytes are read in their ord
   CHECK(read_all(*open_volume(file)) == as_read(values));
 }
 
-TEST_CASE("the values of a map of parameters are those of the real world") {
+TEST_CASE("the values of a parametric map are real-world values") {
   const Folder folder;
   Dataset mapping;
   mapping.real(0x00409225, {0.25}).real(0x00409224, {-3});
@@ -253,7 +253,7 @@ Dataset nuclear(const std::string& type = "RECON TOMO") {
       .sequence(0x00540022, {detector});
 }
 
-TEST_CASE("slices of nuclear medicine lie where the detector says, in the way of their distance") {
+TEST_CASE("slices of nuclear medicine are placed by the detector and the sign of their distance") {
   const Folder folder;
   Dataset data = nuclear();
   const auto reader = open_volume(folder.write("v.dcm", data.file()));
@@ -275,7 +275,7 @@ TEST_CASE("slices of nuclear medicine are in the order of their numbers") {
   CHECK(read_all(*reader) == expected);
 }
 
-TEST_CASE("pictures of a gamma camera are refused by what they are") {
+TEST_CASE("pictures of a gamma camera are refused with their kind") {
   const Folder folder;
   for (const std::string type : {"STATIC", "TOMO", "WHOLE BODY"}) {
     const std::string text = refusal(folder.write("v.dcm", nuclear(type).file()));
@@ -334,7 +334,7 @@ Dataset mosaic(const std::string& header) {
         picture[static_cast<std::size_t>(row * across * width + column)] = value_at(x, y, z);
       }
   Dataset data = image("7", "MR");
-  // Of a picture of the whole size with the centre of the first slice.
+  // The position is that of a picture of the whole size around the centre of the first slice.
   put_at(data, {-10 - 0.5 * width, -20 - 0.75 * height, 100});
   data.text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\M\\ND\\MOSAIC").text(0x00180088, "DS", "2.5");
   data.whole(0x00280010, {across * height}).whole(0x00280011, {across * width});
@@ -366,7 +366,7 @@ TEST_CASE("slices of a mosaic follow the way of its header") {
   CHECK(read_all(*reader) == expected);
 }
 
-TEST_CASE("the header of a mosaic is found in whichever block it is") {
+TEST_CASE("the header of a mosaic is found in any block") {
   const Folder folder;
   Dataset data = mosaic("");
   data.text(0x00290010, "LO", "SIEMENS MEDCOM HEADER");
@@ -375,7 +375,7 @@ TEST_CASE("the header of a mosaic is found in whichever block it is") {
   CHECK(read_all(*open_volume(folder.write("v.dcm", data.file()))) == as_read(volume_values()));
 }
 
-TEST_CASE("a mosaic whose header does not tell how it lies is refused by its name") {
+TEST_CASE("a mosaic without a usable header is refused by name") {
   const Folder folder;
   const std::string whole = csa_header(csa_elements("1.0"), true);
   check_refusal(refusal(folder.write("v.dcm", mosaic("").file())),

@@ -74,7 +74,7 @@ std::string file(const Strings& fragments, const std::vector<std::uint64_t>& off
   return frames().fragments(fragments, offsets).file(Order::little_endian, rle_syntax);
 }
 
-// What is said of one slice with this RLE data.
+// The error of reading one slice with this RLE data.
 std::string refused(const std::string& data) {
   const Folder folder;
   return refusal(

@@ -1,4 +1,4 @@
-// Several volumes in one series of DICOM: times, echoes, phases, kernels, told apart and chosen.
+// Several volumes in one series of DICOM: times, echoes, phases, kernels, separated and chosen.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -102,7 +102,7 @@ TEST_CASE("kinds of images are kept apart by the third value of their type and t
   volumes.check_all(2);
 }
 
-TEST_CASE("times are told apart, and chosen as frames or from the list") {
+TEST_CASE("times are separated, and chosen by frame or from the list") {
   const Volumes volumes(3, [](Dataset& data, int number, int) {
     data.text(temporal_position, "IS", std::to_string(number + 1));
     data.text(trigger_time, "DS", std::to_string(9 * number));
@@ -147,7 +147,7 @@ TEST_CASE("values of echoes that differ in their rounding are one") {
   volumes.check_all(2);
 }
 
-TEST_CASE("echoes of several times are told apart by both") {
+TEST_CASE("echoes of several times are separated by both") {
   const Volumes volumes(4, [](Dataset& data, int number, int) {
     data.text(temporal_position, "IS", std::to_string(1 + number / 2));
     data.text(echo_time, "DS", std::to_string(5 + number % 2));
@@ -156,7 +156,7 @@ TEST_CASE("echoes of several times are told apart by both") {
   volumes.check_all(4);
 }
 
-TEST_CASE("directions of diffusion are told apart, of which the b-value has one or more") {
+TEST_CASE("directions of diffusion are separated, with one or more per b-value") {
   const Volumes volumes(4, [](Dataset& data, int number, int) {
     data.real(b_value, {number == 0 ? 0.0 : 1000.0});
     if (number > 0)
@@ -169,7 +169,7 @@ TEST_CASE("directions of diffusion are told apart, of which the b-value has one 
   CHECK(volumes.read_series("4") == as_read(numbered_values(1)));
 }
 
-TEST_CASE("slices that have times of their own are told apart by their order") {
+TEST_CASE("slices with individual times are separated by their order") {
   const Volumes volumes(2, [](Dataset& data, int number, int z) {
     data.text(trigger_time, "DS", std::to_string(100 * number + 7 * z % 5));
     data.text(instance_number, "IS", std::to_string(1 + number + 2 * z));
@@ -184,7 +184,7 @@ TEST_CASE("slices that have times of their own are told apart by their order") {
               "distinguished only by their order: number 2 by trigger time"));
 }
 
-TEST_CASE("without anything else the instance numbers tell the order") {
+TEST_CASE("instance numbers determine the order if nothing else does") {
   const Volumes volumes(3, [](Dataset& data, int number, int z) {
     data.text(instance_number, "IS", std::to_string(1 + 3 * z + number));
   });
@@ -192,7 +192,7 @@ TEST_CASE("without anything else the instance numbers tell the order") {
   volumes.check_all(3);
 }
 
-TEST_CASE("what differs between slices does not tell volumes apart, however many these are") {
+TEST_CASE("attributes that vary between slices do not separate volumes") {
   // Seven volumes of five slices: the values are fewer than the volumes.
   const Volumes volumes(7, [](Dataset& data, int number, int z) {
     data.text(inversion_time, "DS", std::to_string(100 + z));
@@ -203,7 +203,7 @@ TEST_CASE("what differs between slices does not tell volumes apart, however many
   volumes.check_all(7);
 }
 
-TEST_CASE("an order tells nothing where places have not as many slices each") {
+TEST_CASE("an order separates no volumes if positions have different numbers of slices") {
   const Volumes volumes(2, [](Dataset& data, int number, int z) {
     data.text(instance_number, "IS", std::to_string(1 + number + 2 * z));
   });
@@ -211,7 +211,7 @@ TEST_CASE("an order tells nothing where places have not as many slices each") {
   check_refusal(refusal(volumes.path()), "no attribute separates their volumes");
 }
 
-TEST_CASE("a volume of which a slice is missing is told apart, and refused alone") {
+TEST_CASE("a volume with a missing slice is separated, and refused alone") {
   const Volumes volumes(3, [](Dataset& data, int number, int) {
     data.text(temporal_position, "IS", std::to_string(number + 1));
   });
@@ -223,7 +223,7 @@ TEST_CASE("a volume of which a slice is missing is told apart, and refused alone
   check_refusal(refusal(volumes.path(), options), "1 slice is missing between");
 }
 
-TEST_CASE("slices in one place that nothing tells apart are refused with both") {
+TEST_CASE("inseparable slices at the same position are refused with both files") {
   const Volumes volumes(2, [](Dataset& data, int, int) { data.drop(instance_number); });
   const std::string text = refusal(volumes.path());
   check_refusal(text, "two slices at 100 mm differ: ");
@@ -232,7 +232,7 @@ TEST_CASE("slices in one place that nothing tells apart are refused with both") 
   CHECK(read_all(*open_volume(volumes.path() / "IM*1")) == as_read(numbered_values(1)));
 }
 
-TEST_CASE("copies of slices are none of another time") {
+TEST_CASE("copies of slices do not count as another time") {
   const Volumes volumes(2, [](Dataset& data, int number, int) {
     data.text(temporal_position, "IS", std::to_string(number + 1));
   });
@@ -264,7 +264,7 @@ Dataset enhanced() {
   return data.samples(samples, 16, true);
 }
 
-TEST_CASE("times in one file are told apart and chosen") {
+TEST_CASE("times in one file are separated and chosen") {
   const Folder folder;
   const auto file = folder.write("v.dcm", enhanced().file());
   check_refusal(refusal(file), "2: 5 slices of 8 x 6, 'MR', temporal position 2, UID");

@@ -1,4 +1,4 @@
-// Thresholds that leave no surface, or take the whole volume: said with what is there instead.
+// Thresholds that leave no surface, or select the whole volume: the message has the actual values.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -25,7 +25,7 @@ const std::string values =
 
 }  // namespace
 
-TEST_CASE("an empty surface is a failure that tells the values, and leaves no file") {
+TEST_CASE("an empty surface is an error with the range of values, and no file is written") {
   const Workshop workshop;
   workshop.write("v.nrrd", ramp);
   workshop.write("none.nrrd", nrrd(volume_files::nrrd_u8) + "\n" + std::string(60, '\0'));
@@ -62,7 +62,7 @@ TEST_CASE("an empty surface is a failure that tells the values, and leaves no fi
   CHECK(workshop.read("other.stl") == "before");
 }
 
-TEST_CASE("of several surfaces the empty one is told, and none is written") {
+TEST_CASE("an empty surface among several is reported, and no file is written") {
   const Workshop workshop;
   workshop.write("v.nrrd", ramp);
   for (const std::string file : {"'{name}.ply'", "v.dmc", "v.dmc --wire slices"})
@@ -82,7 +82,7 @@ TEST_CASE("a surface whose bodies are all too small is empty, too") {
   workshop.done(extract + " --allow-empty");
 }
 
-TEST_CASE("an empty surface is taken where it is meant") {
+TEST_CASE("an empty surface is accepted on request") {
   const Workshop workshop;
   workshop.write("v.nrrd", ramp);
   for (const std::string file : {"v.stl", "v.dmc", "v.png"}) {
@@ -106,7 +106,7 @@ TEST_CASE("an empty surface of a pipe is a failure, too") {
   CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
 }
 
-TEST_CASE("a surface that is the box of the volume is taken, and said to be one") {
+TEST_CASE("a surface equal to the box of the volume is written with a note") {
   const Workshop workshop;
   workshop.write("v.nrrd", ramp);
   workshop.write("four.nrrd", nrrd(volume_files::nrrd_u8) + "\n" + std::string(60, '\4'));
@@ -129,7 +129,7 @@ TEST_CASE("a surface that is the box of the volume is taken, and said to be one"
   CHECK(contains(piped.error, "standard input: every voxel reaches -2000"));
 }
 
-TEST_CASE("what fills the volume after the median, or by infinite values, is told as that") {
+TEST_CASE("a volume filled by the median or by infinite values is reported as such") {
   const Workshop workshop;
   const auto write = [&](const std::string& name, const std::string& sample, int hole) {
     std::string samples;
@@ -167,7 +167,7 @@ TEST_CASE("what fills the volume after the median, or by infinite values, is tol
                    "hole.nrrd: after --median every voxel reaches 5, so the surface is the box"));
 }
 
-TEST_CASE("an empty surface of a volume without numbers says so") {
+TEST_CASE("an empty surface of a volume without numbers is reported") {
   const Workshop workshop;
   workshop.write(
       "v.nrrd",
@@ -201,7 +201,7 @@ TEST_CASE("a stream without polygons is decoded and drawn with a note") {
   }
 }
 
-TEST_CASE("values of a volume that is narrowed for its normals are those of the file") {
+TEST_CASE("messages about a volume narrowed for its normals print the values of the file") {
   const Workshop workshop;
   workshop.write(
       "v.nrrd",

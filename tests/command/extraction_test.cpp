@@ -78,7 +78,7 @@ std::string refusal(const BitVolume& volume, std::uint64_t memory) {
 
 }  // namespace
 
-TEST_CASE("sizes and progress are told") {
+TEST_CASE("sizes and progress are reported") {
   const BitVolume volume = ball({9, 8, 7}, {8, 7, 6}, 9);
   ExtractionOptions with_progress = options();
   std::vector<std::uint32_t> slices;
@@ -109,7 +109,7 @@ TEST_CASE("thresholds beyond the samples make everything on or everything off") 
   CHECK(extracted(volume, none).surface.polygons.empty());
 }
 
-TEST_CASE("the default memory is enough, and no more of it is used than is given") {
+TEST_CASE("the default memory suffices, and a scan uses no more than its memory") {
   for (const BitVolume& volume : {checkerboard({20, 20, 6}), ball({30, 30, 30}, {29, 29, 29}, 196),
                                   discmc::reference::spiral({30, 30, 3})}) {
     const Extraction extraction = extracted(volume, options()).extraction;
@@ -158,7 +158,7 @@ TEST_CASE("too little memory is refused with the least that will do, which does"
   CHECK(regions_of(small.surface) == regions_of(extracted(volume, options()).surface));
 }
 
-TEST_CASE("capacities that are asked for are those of the scan, whatever they are") {
+TEST_CASE("the scan has exactly the requested capacities") {
   const BitVolume volume = discmc::reference::random({20, 20, 5}, 128, 3);
   const auto whole = regions_of(extracted(volume, options()).surface);
   for (const discmc::Capacities capacities :
@@ -197,7 +197,7 @@ TEST_CASE("both widths of indices make the same surface") {
     }
 }
 
-TEST_CASE("the header of a stream tells the volume") {
+TEST_CASE("the header of a stream describes the volume") {
   const BitVolume volume({9, 8, 7});
   const SampleReader reader(volume, spacing_mm);
   const auto header = discmc::command::stream_header(reader.info(), options(Border::open));
@@ -211,7 +211,7 @@ TEST_CASE("the header of a stream tells the volume") {
   CHECK(header.border == Border::open);
 }
 
-TEST_CASE("a stream is of a volume of its extents and spacing, as far as it tells them") {
+TEST_CASE("a stream matches a volume if the given extents and spacing do") {
   const SampleReader reader(BitVolume({9, 8, 7}), spacing_mm);
   const auto header = discmc::command::stream_header(reader.info(), options());
   const auto complaint = [&reader](const discmc::StreamHeader& other) -> std::string {

@@ -9,7 +9,7 @@
 using discmc::command::Format;
 using discmc::command::format_of;
 
-TEST_CASE("an output's format is told by its extension") {
+TEST_CASE("the extension of an output selects its format") {
   CHECK(format_of("a.dmc") == Format::stream);
   CHECK(format_of("-") == Format::stream);
   CHECK(format_of("a.stl.obj") == Format::obj);
@@ -19,7 +19,7 @@ TEST_CASE("an output's format is told by its extension") {
   CHECK(format_of("A.STL") == Format::stl);
 }
 
-TEST_CASE("an unknown extension is refused by name, and those that are known are told") {
+TEST_CASE("an unknown extension is refused by name with the supported ones") {
   for (const char* name : {"a.vtk", "a", "a.", "folder.stl/a", "a.stl.gz", "--", ".obj"}) {
     INFO(name);
     CHECK_THROWS_WITH_AS(format_of(name), doctest::Contains((std::string(name) + ": ").c_str()),

@@ -1,4 +1,4 @@
-// What discmc --help tells.
+// The output of discmc --help.
 #include "command.hpp"
 
 namespace {
@@ -41,7 +41,7 @@ TEST_CASE("help is also a command") {
   CHECK(Workshop().done("help extract") == help_of("extract"));
 }
 
-TEST_CASE("help tells what an option is when it is not given, and which are required") {
+TEST_CASE("help prints defaults and required options") {
   const std::string extract = help_of("extract");
   CHECK(contains(extract, "(default: closed)"));
   CHECK(contains(extract, "(default: 0)"));

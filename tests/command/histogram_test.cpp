@@ -82,7 +82,7 @@ TEST_CASE("all samples of 16 bits have bins of their own") {
   }
 }
 
-TEST_CASE("what is no finite number is counted apart, and there is one zero") {
+TEST_CASE("non-finite values are counted separately, and both zeros together") {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Histogram histogram =

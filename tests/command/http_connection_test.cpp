@@ -61,7 +61,7 @@ Exchange exchange(const std::string& bytes, std::size_t piece = std::string::npo
 
 }  // namespace
 
-TEST_CASE("of a request, the method, the path, the host and a range are read") {
+TEST_CASE("the method, path, host and range of a request are parsed") {
   const HttpRequest request = parse_request(
       "GET /data?x=1 HTTP/1.1\r\nAccept: */*\r\nhOST:\t localhost:8000 \r\nrange: bytes=1-2\r\n");
   CHECK(request.status == 200);
@@ -73,7 +73,7 @@ TEST_CASE("of a request, the method, the path, the host and a range are read") {
   CHECK(parse_request("GET / HTTP/1.1").host.empty());
 }
 
-TEST_CASE("what is no request of HTTP/1, and what names two hosts, is refused") {
+TEST_CASE("invalid HTTP/1 requests, and requests with two hosts, are refused") {
   for (const std::string_view head : {"", "GET", "GET /", "GET / HTTP/2.0", "GET  / HTTP/1.1",
                                       "Host: localhost\r\nGET / HTTP/1.1",
                                       "GET / HTTP/1.1\r\nHost: localhost\r\nHost: evil.example"}) {
@@ -109,7 +109,7 @@ TEST_CASE("a head is read up to its limit, and one that never ends is closed soo
   }
 }
 
-TEST_CASE("a client that goes away ends the wait for its request") {
+TEST_CASE("a client that disconnects ends the wait for its request") {
   const Client client;
   client.send("GET / HT");
   HttpConnection connection(dup(client.server()));

@@ -82,7 +82,7 @@ TEST_CASE("pages of TIFF are slices, of every sample type and layout") {
   }
 }
 
-TEST_CASE("spacing is that which ImageJ tells, and that which is given") {
+TEST_CASE("the spacing is that of ImageJ or of the options") {
   CHECK(open_volume(files / "imagej.tif")->info().spacing_mm == Spacing{0.5, 0.25, 2.5});
   CHECK(open_volume(files / "imagej.tif", {{}, Spacing{1, 2, 3}})->info().spacing_mm ==
         Spacing{1, 2, 3});
@@ -101,7 +101,7 @@ VolumeOptions of_channel(std::uint32_t channel) {
   return options;
 }
 
-TEST_CASE("of a colour picture a channel is chosen, as the refusal says") {
+TEST_CASE("a channel of a colour picture is chosen as the refusal advises") {
   check_refusal(refusal(files / "rgb.png"),
                 "the file holds 3 channels ('red', 'green', 'blue'), and one is read at a time; "
                 "choose one with --channel N, the first is 0");
@@ -120,13 +120,13 @@ TEST_CASE("of a colour picture a channel is chosen, as the refusal says") {
     }
 }
 
-TEST_CASE("a palette of greys stands for them, and one of colours for their numbers") {
+TEST_CASE("a palette of greys is read as greys, and a palette of colours as indices") {
   const auto greys = open_volume(files / "palette.png");
   CHECK(read_all(*greys) == values(1, in_u8));
   CHECK(!noted(greys->info(), "palette"));
 }
 
-TEST_CASE("JPEG is read, a channel of it where it is of colours") {
+TEST_CASE("JPEG is read, and a channel of a colour JPEG") {
   const auto near = [](const std::vector<double>& read, int slice) {
     const std::vector<double> all = values(slice + 1, in_u8);
     double most = 0;
@@ -140,7 +140,7 @@ TEST_CASE("JPEG is read, a channel of it where it is of colours") {
   CHECK(near(read_all(*grey), 0) < 4);
   CHECK(near(read_all(*open_volume(files / "colours.jpg", of_channel(2))), 2) < 16);
   check_refusal(refusal(files / "colours.jpg"), "3 channels");
-  // Where it is cut off, the library would fill it up with grey.
+  // The library would fill a truncated picture with grey.
   const Folder folder;
   const std::string bytes = contents(files / "u8.jpg");
   for (const std::size_t cut : {2U, 10U, 60U})
@@ -148,7 +148,7 @@ TEST_CASE("JPEG is read, a channel of it where it is of colours") {
                   "the JPEG file is damaged (Premature end of JPEG file)");
 }
 
-TEST_CASE("a picture is what its first bytes say, whatever its name") {
+TEST_CASE("a picture is recognized by its first bytes under any name") {
   const Folder folder;
   for (const std::string name : {"u8.png", "u8.tif", "u8.jpg", "u8.bmp"}) {
     const std::string bytes = contents(files / name);
@@ -198,7 +198,7 @@ TEST_CASE("a number that is missing among the names is refused with its place") 
   check_refusal(text, "--allow-gaps");
 }
 
-TEST_CASE("with gaps allowed the nearest slice stands for one that is missing, and a note tells") {
+TEST_CASE("with gaps allowed the nearest slice replaces a missing one, with a note") {
   const NumberedStack stack({8, 9, 11, 12, 13, 16});
   const auto reader = open_volume(stack.path(), with_gaps_allowed());
   CHECK(noted(reader->info(), "3 slices are missing, the largest of 2 gaps between a2_13.png and"));
@@ -227,7 +227,7 @@ TEST_CASE("names with even steps, two numbers, or numbers that count nothing hav
   CHECK(open_volume(two_numbers.path())->info().dims[2] == 4);
 }
 
-TEST_CASE("where more is missing than is there, that is refused with the largest gap") {
+TEST_CASE("more missing than present slices are refused with the largest gap") {
   const NumberedStack stack({1, 2, 3, 5, 900});
   for (const VolumeOptions& options : {VolumeOptions{}, with_gaps_allowed()})
     check_refusal(refusal(stack.path(), options),
@@ -235,7 +235,7 @@ TEST_CASE("where more is missing than is there, that is refused with the largest
                   "which is too many to fill");
 }
 
-TEST_CASE("what is of several kinds is refused with the remedy, and not left out") {
+TEST_CASE("a folder with several kinds of pictures is refused with the remedy") {
   const NumberedStack stack({1, 2});
   stack.write("a.tif", contents(files / "u16.tif"));
   check_refusal(refusal(stack.path()),
@@ -250,7 +250,7 @@ TEST_CASE("what is of several kinds is refused with the remedy, and not left out
                     (stack.path() / "*.png").string());
 }
 
-TEST_CASE("damaged pictures are refused, wherever they are cut") {
+TEST_CASE("truncated pictures are refused") {
   const Folder folder;
   for (const std::string name : {"stack/slice0.png", "u16.tif", "tiles.tif", "deflate.tif",
                                  "u8.jpg", "u8.bmp", "deep-tiles4.tif"}) {

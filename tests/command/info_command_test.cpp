@@ -1,4 +1,4 @@
-// discmc info of volumes, and how it tells them from streams.
+// discmc info of volumes, and how it distinguishes them from streams.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -19,7 +19,7 @@ const std::string directions =
 const std::string u8_file =
     nrrd(volume_files::nrrd_u8 + directions) + "\n" + stored(SampleType::u8);
 
-// Of two millimetres a voxel, as text.
+// A volume with voxels of two millimetres, as text.
 std::string text_volume(const std::string& type, const std::string& sizes,
                         const std::string& samples) {
   return nrrd("type: " + type + "\nencoding: ascii\nspacings: 2 2 2\n", sizes) + "\n" + samples;
@@ -31,7 +31,7 @@ bool has_line(const std::string& text, const std::string& line) {
 
 }  // namespace
 
-TEST_CASE("info tells what the file of a volume says, and what its values are") {
+TEST_CASE("info prints the header and the statistics of a volume") {
   const Workshop workshop;
   workshop.write("v.nrrd", u8_file);
   const std::string info = workshop.done("info v.nrrd");
@@ -47,7 +47,7 @@ TEST_CASE("info tells what the file of a volume says, and what its values are") 
     CHECK(has_line(info, line));
 }
 
-TEST_CASE("a stream and the volume that it was made of tell their place alike") {
+TEST_CASE("a stream and its volume have the same placement") {
   const Workshop workshop;
   workshop.write("v.nrrd", u8_file);
   workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
@@ -83,7 +83,7 @@ TEST_CASE("the histogram counts every voxel once, within 80 columns") {
   CHECK(found.back() == std::array<double, 3>{900, 90000, 99});
 }
 
-TEST_CASE("few values are told each by itself, and as labels where they are whole") {
+TEST_CASE("a few distinct values are listed individually, and as labels if they are integers") {
   const Workshop workshop;
   workshop.write("v.nrrd", text_volume("short", "2 2 2", "0 0 0 0 0 5 5 12"));
   const std::string info = workshop.done("info v.nrrd");
@@ -119,7 +119,7 @@ TEST_CASE("info proposes Otsu's threshold, and those of tissue for Hounsfield un
   if (dicom.code == 0) CHECK(contains(dicom.out, " bone: "));  // where it is built with DICOM
 }
 
-TEST_CASE("a volume without numbers has no values to tell") {
+TEST_CASE("info of a volume without finite values prints no values") {
   const Workshop workshop;
   workshop.write("v.nrrd", text_volume("float", "2 1 2", "nan inf nan nan"));
   const std::string info = workshop.done("info v.nrrd");
@@ -146,7 +146,8 @@ TEST_CASE("values at the ends of 64-bit floating point have a histogram, too") {
   CHECK(has_line(workshop.done("info v.nrrd"), "mean 9.3750000125e+307"));
 }
 
-TEST_CASE("what has no telling name is a volume by its first bytes, and else a stream") {
+TEST_CASE(
+    "a file without a known extension is recognized by its first bytes, else it is a stream") {
   const Workshop workshop;
   workshop.write("v.nrrd", u8_file);
   workshop.write("v.raw", stored(SampleType::u8));
@@ -192,7 +193,7 @@ TEST_CASE("info refuses options of the other kind, and what is neither") {
   CHECK(workshop.run("info short.nrrd").code == 1);
 }
 
-TEST_CASE("a spacing that is given is not said to be missing") {
+TEST_CASE("a given spacing is not reported as missing") {
   const Workshop workshop;
   workshop.write("v.nrrd", volume_files::nrrd(volume_files::nrrd_u8) + "\n" +
                                volume_files::stored(volume_files::SampleType::u8));

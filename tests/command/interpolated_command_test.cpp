@@ -45,7 +45,7 @@ TEST_CASE("an interpolated surface is written as the mesh that it is") {
   CHECK(workshop.read("default.obj") == workshop.read("merged.obj"));
 }
 
-TEST_CASE("a mask, between whose two values nothing is to interpolate, is told with what to do") {
+TEST_CASE("a mask with two values is reported as unsuitable for interpolation, with the remedy") {
   const Workshop workshop;
   write_ball(workshop);
   std::string mask = workshop.read("v.raw");

@@ -59,7 +59,7 @@ constexpr double margin = Crossings::margin / 2 + 1e-6;
 
 }  // namespace
 
-TEST_CASE("no crossing is farther from an interpolated mesh than the tolerance, whatever it is") {
+TEST_CASE("every crossing is within the tolerance of the interpolated mesh") {
   for (const Field& field : {ball(13, 5.3), ball(14, 6, 3), noise({8, 7, 6}, 4)}) {
     const Extracted of = extracted(field);
     std::size_t faces = std::numeric_limits<std::size_t>::max();
@@ -127,7 +127,7 @@ TEST_CASE("a slope is exact, from the triangles of its terraces") {
   CHECK(on_slope > 20);
 }
 
-TEST_CASE("on the walls around a volume vertices stay where they are") {
+TEST_CASE("vertices on the walls of the volume are not moved") {
   const Extracted of = extracted(ball(9, 6));
   const FileMesh mesh = interpolated(of, 0.05);
   std::size_t on_walls = 0;
@@ -145,7 +145,7 @@ TEST_CASE("on the walls around a volume vertices stay where they are") {
   CHECK(on_walls > 20);
 }
 
-TEST_CASE("an open surface ends where the volume does, and its sides match all the same") {
+TEST_CASE("an open surface ends at the volume's border, and its sides match") {
   const Field field = ball(12, 7);
   const FileMesh mesh =
       interpolated(extracted(field, SampleType::u8, {1, 1, 1}, Border::open), 0.02);

@@ -52,7 +52,7 @@ TEST_CASE("two triangles go through each other where an edge of one meets the ot
   CHECK(goes_through_floor({1, -1, -1}, {1, -1, 1}, {1, 9, 0}));
 }
 
-TEST_CASE("they do not where they miss each other or lie in one plane") {
+TEST_CASE("triangles that miss each other or are coplanar do not intersect") {
   CHECK_FALSE(goes_through_floor({1, 1, 0.01}, {2, 1, 1}, {1, 2, 1}));
   CHECK_FALSE(goes_through_floor({3, 3, -1}, {3, 3, 1}, {9, 9, 0}));
   CHECK_FALSE(goes_through_floor({-1, -1, -1}, {-1, -1, 1}, {9, -2, 0}));
@@ -60,7 +60,7 @@ TEST_CASE("they do not where they miss each other or lie in one plane") {
   CHECK_FALSE(goes_through_floor({5, 5, 0}, {6, 5, 0}, {5, 6, 0}));
 }
 
-TEST_CASE("what two triangles share does not count, what they do beside it does") {
+TEST_CASE("shared edges and vertices are no intersections, but other contacts are") {
   const std::vector<Point> vertices = {{0, 0, 0}, {4, 0, 0},  {0, 4, 0},  {4, 4, 1},
                                        {1, 1, 1}, {1, 1, -1}, {-1, -1, 1}};
   CHECK(intersections_of(mesh_of(vertices, {0, 1, 2, 2, 1, 3})).empty());

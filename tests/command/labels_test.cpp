@@ -97,7 +97,7 @@ TEST_CASE("voxels are counted, and 0 is the background") {
   CHECK(extracted({0, 0}, {2, 1, 1}).empty());
 }
 
-TEST_CASE("of chosen labels the others cost nothing") {
+TEST_CASE("a few labels can be chosen among more scattered ones than the limit") {
   std::vector<int> samples;
   for (int i = 0; i < 4 * static_cast<int>(max_scattered_labels); ++i) samples.push_back(i);
   LabelOptions options;
@@ -111,7 +111,7 @@ TEST_CASE("of chosen labels the others cost nothing") {
   CHECK(extracted({1, 2}, {2, 1, 1}, options).empty());
 }
 
-TEST_CASE("labels of 64 bits are told apart by their last one") {
+TEST_CASE("labels of 64 bits are distinguished to their last bit") {
   struct Ids final : discmc::command::VolumeReader {
     discmc::command::VolumeInfo told;
     const discmc::command::VolumeInfo& info() const override { return told; }
@@ -129,7 +129,7 @@ TEST_CASE("labels of 64 bits are told apart by their last one") {
   CHECK(labels[2].label.text() == "18446744073709551615");
 }
 
-TEST_CASE("progress is told after every slice") {
+TEST_CASE("progress is reported after every slice") {
   SampleReader reader(size, labels(0));
   std::vector<std::uint32_t> told;
   extract_labels(

@@ -9,7 +9,7 @@
 
 using discmc::command::millimetres_in;
 
-TEST_CASE("a unit has its millimetres however it is spelled") {
+TEST_CASE("every spelling of a unit has the same millimetres") {
   const std::vector<std::pair<double, std::vector<std::string>>> units = {
       {1000, {"m", "M", "metre", "meters", "Metres"}},
       {100, {"dm", "decimeter"}},
@@ -30,7 +30,7 @@ TEST_CASE("a unit has its millimetres however it is spelled") {
     }
 }
 
-TEST_CASE("what is no length has no millimetres") {
+TEST_CASE("names that are no unit of length have no millimetres") {
   for (const std::string name : {"", "pixel", "s", "mms", "meter per second", "ms", "mi", "meter2"})
     CHECK_FALSE(millimetres_in(name));
 }

@@ -67,7 +67,7 @@ TEST_CASE("a reader that is gone is not waited for, nor the end of the pipe") {
   CHECK_THROWS_AS(live.copy_to(out), std::ios_base::failure);
 }
 
-TEST_CASE("what cannot be opened is refused by its name") {
+TEST_CASE("a file that cannot be opened is refused by name") {
   CHECK_THROWS_WITH(LiveFile("missing/pipe"),
                     doctest::Contains("missing/pipe: there is no such file; check the name"));
 }

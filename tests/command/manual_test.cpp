@@ -34,7 +34,7 @@ std::vector<std::string> commands_of(const std::string& help) {
   return names;
 }
 
-// Of a page of troff, where options are in bold and dashes are no hyphens.
+// An option in a page of troff, in bold and with dashes instead of hyphens.
 std::string bold(const std::string& text) {
   std::string troff = "\\fB";
   for (const char letter : text) troff += letter == '-' ? "\\-" : std::string(1, letter);
@@ -67,7 +67,7 @@ TEST_CASE("the manual has every option of every help in the section of its comma
   for (const std::string& option : options_of(help)) CHECK(contains(page, bold(option)));
 }
 
-TEST_CASE("the manual tells values, defaults, examples and exit codes") {
+TEST_CASE("the manual contains values, defaults, examples and exit codes") {
   const std::string page = Workshop().done("manual");
   for (const char* part :
        {"\\fIISO\\fR", "\\fBclosed\\fR|\\fBopen\\fR", "(default: closed)", "\n.SH EXIT STATUS\n",

@@ -65,7 +65,7 @@ TEST_CASE("all labels with a mask are as many meshes as if each were asked for w
     CHECK(workshop.read("all-" + label) == workshop.read("one-" + label));
   const std::string refused = "extract v.nrrd --labels all --mask m.nrrd -o '{name}.stl' ";
   check_failure(workshop.run(refused + "--median 3"), 2, {"grow labels over the mask"});
-  // Values from 1 on: what is masked becomes 0, which no sample stands for.
+  // Values from 1 on: what is masked becomes 0, which no sample has.
   std::string samples = masked.samples;
   const auto nifti = [] { return volume_files::Nifti().dims({3, 9, 8, 7}); };
   for (char& sample : samples) sample = static_cast<char>(sample - 1);
@@ -88,7 +88,7 @@ TEST_CASE("all labels with a mask are as many meshes as if each were asked for w
   CHECK(workshop.shell("ls 255-*").out == "255--1.stl\n255--2.stl\n255--3.stl\n");
 }
 
-TEST_CASE("what the mask has as 0 is off, whatever is selected") {
+TEST_CASE("voxels outside the mask are off for any selection") {
   const Workshop workshop;
   const Masked masked(workshop);
   workshop.write("least.raw", masked.with_value(0));
@@ -165,7 +165,7 @@ TEST_CASE("an interpolated surface is flat where the mask ends, and where it was
   CHECK(flat > 4);
 }
 
-TEST_CASE("a mask that does not fit is refused, and one that lies elsewhere told") {
+TEST_CASE("a mask of another size is refused, and a displaced mask is reported") {
   const Workshop workshop;
   const Masked masked(workshop);
   workshop.write("other.nrrd", nrrd_of(masked.mask, "7 8 9"));

@@ -38,7 +38,7 @@ TEST_CASE("a mask is 1 where the value is a number that is not 0") {
   std::vector<double> all_but_first(60, 1);
   all_but_first[0] = 0;
   CHECK(mask_of(Nifti().file(stored(SampleType::u8))) == all_but_first);
-  // Of f32 sample 30 is 0; here two more are not a number.
+  // Sample 30 of f32 is 0; here two more are not a number.
   std::string samples = stored(SampleType::f32);
   samples.replace(4, 4, "\xff\xff\xff\x7f");
   samples.replace(8, 4, "\xff\xff\xff\xff");
@@ -63,7 +63,7 @@ TEST_CASE("a mask of several volumes is refused, whichever frame of the volume i
 }
 
 TEST_CASE("a mask is cropped as its volume is, and of a block has what most of it has") {
-  // Of labels, no two alike: in the second block 0 is the most frequent, but most of it is on.
+  // All labels differ: 0 is the most frequent in the second block, but most of the block is on.
   std::string labels = stored(SampleType::u8);
   for (const std::size_t off : {1U, 2U, 3U, 8U}) labels[off] = '\0';
   VolumeOptions options;
@@ -77,7 +77,7 @@ TEST_CASE("a mask is cropped as its volume is, and of a block has what most of i
   CHECK(mask_of(Nifti().file(labels), options) == std::vector<double>{0, 1});
 }
 
-TEST_CASE("a mask has the extents of the volume, not those of the part that is taken") {
+TEST_CASE("a mask must have the extents of the whole volume, even with --crop") {
   const Folder folder;
   const auto file = folder.write("m.nrrd", nrrd(nrrd_u8, "5 4 3") + "\n" + stored(SampleType::u8));
   VolumeOptions options;
@@ -93,7 +93,7 @@ TEST_CASE("a mask has the extents of the volume, not those of the part that is t
   }
 }
 
-TEST_CASE("a mask that lies elsewhere is found out, as far as both files tell") {
+TEST_CASE("a displaced mask is detected if both files have a placement") {
   const std::string directions = "space directions: (1,0,0) (0,2,0) (0,0,3)\n";
   const std::string lps = "space: LPS\n" + directions + "space origin: (10,20,30)\n";
   CHECK(offset(lps, lps) == 0);
@@ -105,7 +105,7 @@ TEST_CASE("a mask that lies elsewhere is found out, as far as both files tell") 
                "space origin: (-10,-20,30)\n",
                lps) == 0);
   CHECK(offset("space: RAS\n" + directions + "space origin: (10,20,30)\n", lps) > 40);
-  // Where one of them does not know the patient there are the spacings.
+  // If one of them has no patient space, the spacings are compared.
   CHECK(offset("spacings: 1 2 3\n", lps) == 0);
   CHECK(offset("spacings: 1 2 4\n", lps) == 3);
   CHECK(offset("spacings: 1 2 4\n", "spacings: 1 2 3\n") == 3);
@@ -120,7 +120,7 @@ TEST_CASE("another spacing is that of the mask, too") {
   CHECK(offset_mm(open_mask(file, options, volume)->info(), volume) == 0);
 }
 
-TEST_CASE("axes that are named are those of a mask that names none itself") {
+TEST_CASE("named axes apply to a mask that has no axes of its own") {
   const Folder folder;
   const std::string header =
       std::string("\x93NUMPY\1\0\x4a\0", 10) +

@@ -23,7 +23,7 @@ namespace {
 using namespace discmc::command;
 using namespace hand_made;
 
-// A stream that takes so many bytes and then no more.
+// A stream that accepts a number of bytes and then no more.
 class Full : public std::streambuf {
  public:
   explicit Full(std::streamsize room) : room_(room) {}
@@ -181,7 +181,7 @@ TEST_CASE("an STL file reads back, with unit normals that look outside") {
   }
 }
 
-TEST_CASE("far from the origin every format but STL keeps the vertices apart, and where they are") {
+TEST_CASE("every format but STL keeps vertices far from the origin separate and in place") {
   FileMesh mesh = build_mesh(pitted_block({{0, 0}, {2, 2}}), {true, Faces::triangles});
   place(mesh, {discmc::Space::lps, {5e6, -7e6, 6e6}, {{{0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}}}});
   mesh.spacing_mm = {0.1, 0.1, 0.1};
@@ -245,7 +245,7 @@ TEST_CASE("formats without polygons refuse anything but triangles") {
     CHECK_THROWS_AS(write_mesh(build_mesh(octahedron()), format, out), std::invalid_argument);
 }
 
-TEST_CASE("a vertex without a normal has one in GLB, which knows no other") {
+TEST_CASE("a vertex without a normal has a default one in GLB") {
   FileMesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
   mesh.normals.assign(mesh.vertices_mm.size(), {1, 0, 0});
   mesh.normals[3] = {};
@@ -272,7 +272,7 @@ TEST_CASE("the colour of a mesh is kept by the formats that have one") {
   }
 }
 
-TEST_CASE("a mesh has the size and the unit that it was given, and says which") {
+TEST_CASE("a mesh is written in the given size and unit, and names them") {
   const FileMesh mesh = build_mesh(octahedron({1, 2, 3}), {true, Faces::triangles});
   struct Expected {
     MeshSize size;

@@ -282,7 +282,7 @@ FileMesh mesh_of_glb(const std::string& bytes) {
 }
 
 std::vector<FileMesh> meshes_of_3mf(const std::string& bytes) {
-  CHECK(Taker(bytes, 4).integer(2) <= 20);  // the release of ZIP that a reader has to know: 2.0
+  CHECK(Taker(bytes, 4).integer(2) <= 20);  // the release of ZIP that a reader must support: 2.0
   const auto files = files_in(bytes);
   REQUIRE(files.count("[Content_Types].xml") == 1);
   REQUIRE(files.count("_rels/.rels") == 1);

@@ -194,7 +194,7 @@ TEST_CASE("without conforming a hole may touch the inside of a straight side") {
   CHECK(six_volumes(mesh) == static_cast<double>(hand_made::six_volumes(surface)));
 }
 
-TEST_CASE("polygons that are none are left out, and the others are not") {
+TEST_CASE("invalid polygons are skipped, and valid ones are kept") {
   const Surface whole = box_with_hole();
   CHECK(build_mesh(whole, {true, Faces::triangles}).left_out.empty());
   // change(rings): of this polygon.

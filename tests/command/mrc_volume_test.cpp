@@ -75,7 +75,7 @@ TEST_CASE("every mode of real numbers is read in both byte orders, others are re
   check_refusal(refusal(folder.write("a.mrc", Map().mode(101).file(i8))), "newstack -mode 2");
 }
 
-TEST_CASE("files without a stamp tell their byte order by small numbers") {
+TEST_CASE("small numbers determine the byte order of files without a stamp") {
   const Folder folder;
   for (const bool big_endian : {false, true})
     for (const std::int32_t mode : {0, 1}) {
@@ -107,7 +107,7 @@ TEST_CASE("the spacing is that of the cell, and an angstrom is written as a mill
   CHECK(noted(none->info(), "no spacing given, 1 mm assumed"));
 }
 
-TEST_CASE("the origin is told, or else as many steps away as the first column, row and section") {
+TEST_CASE("the origin is that of the header, or of the first column, row and section") {
   const Folder folder;
   const auto told = open_volume(
       folder.write("a.mrc", Map().reals(196, {7, 8, 9}).numbers(16, {1, 1, 1}).file(i8)));

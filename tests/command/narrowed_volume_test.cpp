@@ -35,7 +35,7 @@ std::unique_ptr<VolumeReader> opened(const Folder& folder, SampleType type,
 
 }  // namespace
 
-TEST_CASE("the bounds are those of the finite samples") {
+TEST_CASE("the bounds of a volume are those of its finite samples") {
   const Folder folder;
   const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
   const auto bounds = sample_bounds(
@@ -65,7 +65,7 @@ TEST_CASE("a narrowed volume is on where the volume is, and in proportion") {
   }
 }
 
-TEST_CASE("what lies closer to iso than 16 bits tell is on its side all the same") {
+TEST_CASE("samples closer to iso than 16 bits resolve stay on their side") {
   const Folder folder;
   const auto volume = narrowed(
       opened(folder, SampleType::f32, floats({1e30F, -1e30F, 0.0F, -1e-30F, std::nanf("")})),

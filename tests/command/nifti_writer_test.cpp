@@ -72,7 +72,7 @@ TEST_CASE("samples of any type are the same in the file") {
   }
 }
 
-TEST_CASE("the file tells the scale of its values and the spacing") {
+TEST_CASE("the file contains the scale of its values and the spacing") {
   const volume_files::Folder folder;
   VolumeInfo info = small_volume();
   info.slope = 0.1;

@@ -35,7 +35,7 @@ inline discmc::meshing::Surface surface_of(discmc::command::VolumeReader& volume
   return builder.surface();
 }
 
-/// What is compared: vertices with a gradient of at least so many samples a voxel.
+/// What is compared: vertices with a gradient of at least a number of samples per voxel.
 constexpr double steep = 8;
 
 struct NormalAngles {

@@ -51,7 +51,7 @@ TEST_CASE("the notes of a mask are printed, too") {
                  "discmc: m.nrrd: no spacing given, 1 mm assumed\n"));
 }
 
-TEST_CASE("what is found behind the last slice is printed") {
+TEST_CASE("bytes behind the last slice are reported") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81));
   workshop.write("w.nrrd.gz", volume_files::gzip(workshop.read("v.nrrd") + "behind"));

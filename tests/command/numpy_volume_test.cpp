@@ -13,7 +13,8 @@ namespace {
 
 using namespace volume_files;
 
-// Samples of u16 at all places of an array, the last index fastest, as value(index) tells.
+// Samples of u16 at all places of an array, the last index fastest, with the values of
+// value(index).
 template <class Value>
 std::string array_of(const std::vector<int>& sizes, Value value) {
   std::string bytes;
@@ -28,7 +29,7 @@ std::string array_of(const std::vector<int>& sizes, Value value) {
   return bytes;
 }
 
-// The volume of 5 x 3 x 4 voxels in which a sample tells where it is.
+// The volume of 5 x 3 x 4 voxels in which a sample encodes its position.
 int sample_of(int x, int y, int z) {
   return 1000 + 100 * z + 10 * y + x;
 }
@@ -135,7 +136,7 @@ TEST_CASE("slices of a turned volume are skipped as others are") {
   }
 }
 
-TEST_CASE("axes of size 1 are dropped, wherever they are, with a note") {
+TEST_CASE("axes of size 1 are dropped at any position, with a note") {
   const Folder folder;
   for (const std::string shape :
        {"1, 4, 3, 5", "4, 3, 5, 1", "1, 4, 3, 5, 1", "1, 1, 4, 3, 5", "4, 1, 3, 5"}) {
@@ -148,7 +149,7 @@ TEST_CASE("axes of size 1 are dropped, wherever they are, with a note") {
   CHECK(open_volume(image)->info().dims == std::array<std::uint32_t, 3>{5, 12, 1});
 }
 
-TEST_CASE("of more axes a volume is chosen, or they are named; what does not fit is refused") {
+TEST_CASE("an array with more axes needs a frame or named axes, and unsuitable names are refused") {
   const Folder folder;
   const auto file = folder.write("a.npy", npy("<u2", shape_of("zyxc"), array_with("zyxc")));
   check_refusal(
@@ -170,7 +171,7 @@ TEST_CASE("of more axes a volume is chosen, or they are named; what does not fit
                 "more than a file can hold");
 }
 
-TEST_CASE("axes are not named of a format that says what they are") {
+TEST_CASE("--axes is refused for a format with fixed axes") {
   const Folder folder;
   const auto file = folder.write("a.nii", Nifti().file(stored(SampleType::u8)));
   check_refusal(refusal(file, with_axes("zyx")),

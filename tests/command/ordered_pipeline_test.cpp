@@ -79,7 +79,7 @@ TEST_CASE("one job is the thread that asks") {
       [](std::size_t, int&) {});
 }
 
-TEST_CASE("what a step throws is thrown, and nothing behind it is taken") {
+TEST_CASE("an exception of a step is rethrown, and later items are not taken") {
   for (const unsigned jobs : {1U, 4U})
     for (const std::string step : {"fill", "work", "take"}) {
       CAPTURE(step);

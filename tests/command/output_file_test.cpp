@@ -48,7 +48,7 @@ std::filesystem::path only_file(const std::filesystem::path& folder) {
   return std::filesystem::directory_iterator(folder)->path();
 }
 
-// What is said of a file that cannot be written.
+// The error for a file that cannot be written.
 template <class Write>
 std::string complaint(Write write) {
   try {
@@ -73,7 +73,7 @@ extern "C" int fsync(int descriptor) {
   return errno == 0 ? 0 : -1;
 }
 
-TEST_CASE("a file appears when it is complete and not before") {
+TEST_CASE("a file appears only once it is complete") {
   const Folder folder;
   const auto path = folder.path() / "a.obj";
   {
@@ -88,7 +88,7 @@ TEST_CASE("a file appears when it is complete and not before") {
   CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
 
-TEST_CASE("what is not committed leaves no trace, and the file of before as it was") {
+TEST_CASE("an uncommitted file leaves no trace and keeps the previous file") {
   const Folder folder;
   const auto path = folder.write("a.obj", "before");
   {
@@ -103,7 +103,7 @@ TEST_CASE("what is not committed leaves no trace, and the file of before as it w
   CHECK(contents(path) == "after");
 }
 
-TEST_CASE("two outputs of one name each write their own file, whose name none foresees") {
+TEST_CASE("two outputs of the same name write separate files with unpredictable names") {
   const Folder folder;
   const auto path = folder.path() / "a.obj";
   OutputFile first(path);
@@ -133,7 +133,7 @@ TEST_CASE("a link that waits under the name of a process is not followed") {
   CHECK(std::filesystem::is_symlink(link));
 }
 
-TEST_CASE("the file is on the disk before it has its name, and its name before it is done") {
+TEST_CASE("the file is synced before its renaming, and the folder after it") {
   const Folder folder;
   const auto path = folder.path() / "a.obj";
   const SyncsWatched watched(path);

@@ -59,7 +59,7 @@ TEST_CASE("a volume is unpacked by the ending of its name, and by its first byte
   }
 }
 
-TEST_CASE("what a library reads from files alone is unpacked for it, and removed") {
+TEST_CASE("a compressed file for a library that reads only files is unpacked temporarily") {
   const Folder folder;
   const std::pair<const char*, const char*> cases[] = {{"hdf5/u8-little.h5", "HDF5, /volume, raw"},
                                                        {"npz/u8-little.npz", "NumPy, npz"}};
@@ -102,7 +102,7 @@ TEST_CASE("both files of a pair may be packed, each in its way") {
   check_volume(folder.path() / "a.img.bz2", SampleType::u8, "NIfTI-1 pair, bzip2");
 }
 
-TEST_CASE("what is packed and cut off, or has another byte, is refused") {
+TEST_CASE("compressed files that are truncated or damaged are refused") {
   const Folder folder;
   const std::string nii = Nifti().file(stored(SampleType::u8));
   for (const Way& way : ways) {

@@ -78,7 +78,7 @@ FileMesh obj_in(const Workshop& workshop, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("what is made of a part is what a file of the part alone gives") {
+TEST_CASE("the results of a part equal those of a file with only the part") {
   const Workshop workshop;
   write_volumes(workshop);
   const std::vector<std::string> surfaces = {
@@ -185,7 +185,7 @@ TEST_CASE("a surface is compared with the same part of a volume") {
   CHECK(largest("") > 2);
 }
 
-TEST_CASE("what is behind a part is not taken from a pipe") {
+TEST_CASE("bytes behind a part are not read from a pipe") {
   const Workshop workshop;
   write_volumes(workshop);
   workshop.done("extract v.raw --iso 1000 -o file.jsonl" + layout + crop);

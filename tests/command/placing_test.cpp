@@ -170,7 +170,7 @@ TEST_CASE("in the space of voxels a mesh is at index times spacing") {
   check_vertices(mesh_in(workshop, "v.ply"), at_voxels);
 }
 
-TEST_CASE("a volume in scanner space is placed as it says, and in no patient's space") {
+TEST_CASE("a volume in scanner space keeps its placement and has no patient space") {
   const Workshop workshop;
   workshop.write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
                  "space dimension: 3\nspace origin: (10,20,30)\n"
@@ -190,7 +190,7 @@ TEST_CASE("a volume in scanner space is placed as it says, and in no patient's s
     CHECK(workshop.run("extract v.nrrd --iso 100 --space voxel -o " + output).code == 2);
 }
 
-TEST_CASE("info tells the placement") {
+TEST_CASE("info prints the placement") {
   const Workshop workshop;
   workshop.write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
                  "space: LAS\nspace origin: (10,-20.125,30)\n"
@@ -226,7 +226,7 @@ TEST_CASE("a stream whose placement mirrors what its spacing does not looks outs
           doctest::Approx(0.5));
 }
 
-TEST_CASE("a placement in a stream that spans no space is dropped, and that is said") {
+TEST_CASE("a degenerate placement in a stream is ignored with a note") {
   const Workshop workshop;
   workshop.write("v.dmc", stream_with({}));
   const Result result = workshop.run("decode v.dmc -o v.obj");

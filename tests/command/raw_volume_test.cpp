@@ -1,4 +1,4 @@
-// Headerless samples: what the file is must agree with what the user says.
+// Headerless samples: the file must agree with the options.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -21,7 +21,7 @@ VolumeOptions layout_of(SampleType type, std::uint64_t skipped_bytes = 0) {
 
 }  // namespace
 
-TEST_CASE("a file that is longer or shorter than its dimensions and type say is refused") {
+TEST_CASE("a file longer or shorter than its dimensions and type is refused") {
   const Folder folder;
   const std::string i16 = stored(SampleType::i16);
   const auto check = [&](const std::string& bytes, const std::string& part) {
@@ -51,7 +51,7 @@ TEST_CASE("the type or the number of slices that fits the length is proposed") {
   check(150, "has 120; give --dims 5,3,5, which fits the length");
 }
 
-TEST_CASE("what stands before headerless samples is skipped where that is asked") {
+TEST_CASE("bytes before headerless samples are skipped on request") {
   const Folder folder;
   const std::string i16 = stored(SampleType::i16);
   const auto file = folder.write("v.raw", "a header of some program" + i16);

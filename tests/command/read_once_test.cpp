@@ -77,7 +77,7 @@ TEST_CASE("standard input gives the stream and the picture that the file gives")
   CHECK(workshop.read("piped.png") == workshop.read("file.png"));
 }
 
-TEST_CASE("what takes a second pass is refused before the first, and surplus samples after it") {
+TEST_CASE("options with a second pass are refused before reading, and surplus samples after it") {
   const Workshop workshop;
   workshop.write("v.nrrd", nrrd_file);
   workshop.write("v.raw", u8 + "x");

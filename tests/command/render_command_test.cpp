@@ -29,7 +29,7 @@ std::string picture(const Workshop& workshop, const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("a volume is drawn as its stream is that tells normals") {
+TEST_CASE("a volume is drawn like its stream with normals") {
   const Workshop workshop;
   write_volumes(workshop);
   workshop.done("extract v.nrrd --iso 100 --normals gradient -o told.dmc");
@@ -45,7 +45,7 @@ TEST_CASE("a volume is drawn as its stream is that tells normals") {
   CHECK(picture(workshop, "v.nrrd --iso 100 --capacities 20,0 --edges") == outlined);
 }
 
-TEST_CASE("a volume of any name is one when it has a threshold, and a stream otherwise") {
+TEST_CASE("a file of any name is a volume if a threshold is given, and a stream otherwise") {
   const Workshop workshop;
   write_volumes(workshop);
   workshop.shell("cp v.raw samples; cp v.nrrd headed; cp v.dmc stream");
@@ -75,7 +75,7 @@ TEST_CASE("classic Marching Cubes has a picture of its own") {
   CHECK(classic == picture(workshop, "v.raw --iso 100 --classic" + raw_layout));
 }
 
-TEST_CASE("values above a range or a label are not drawn, however it is shaded") {
+TEST_CASE("values above a range or a label are not drawn with any shading") {
   const Workshop workshop;
   std::string one, both;
   for (int i = 0; i < 12 * 12 * 12; ++i) {
@@ -108,7 +108,7 @@ TEST_CASE("a picture can be taken from near, and of a place") {
   CHECK(contains(result.error, "behind the viewer"));
 }
 
-TEST_CASE("wrong usage of render is told, and nothing is written") {
+TEST_CASE("wrong usage of render is reported, and no file is written") {
   const Workshop workshop;
   write_volumes(workshop);
   const auto names = workshop.names();

@@ -18,7 +18,7 @@ const std::string ramp = "extract v.raw --dims 5,3,4 --type u8 ";
 
 }  // namespace
 
-TEST_CASE("a range selects what lies between its ends, and they do too") {
+TEST_CASE("a range includes both ends") {
   const Workshop workshop;
   workshop.write("v.raw", volume_files::stored(volume_files::SampleType::u8));
   // The voxels from 8 to 236 less those from 104 on are those from 8 to 100.
@@ -59,7 +59,7 @@ TEST_CASE("several surfaces are as many meshes, with their names") {
   CHECK(workshop.read("v0..5.ply") == workshop.read("alone.ply"));
 }
 
-TEST_CASE("a range goes into streams of both kinds") {
+TEST_CASE("a range is encoded in streams of both kinds") {
   const Workshop workshop;
   workshop.write("v.raw", volume_files::stored(volume_files::SampleType::u8));
   workshop.done(ramp + "--range 8..100 -o v.jsonl");

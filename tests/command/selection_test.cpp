@@ -110,7 +110,7 @@ TEST_CASE("bits are of the samples in order, and unused ones are off") {
         std::vector<int>{0, 1, 1, 1, 0, 1, 1, 0, 0, 0});
 }
 
-TEST_CASE("what is not a number is off, and counted") {
+TEST_CASE("samples that are not a number are off and counted") {
   const float nan = std::nanf("");
   const std::vector<float> samples = {nan, 1, -1, nan, std::numeric_limits<float>::infinity()};
   CHECK(selected(SampleType::f32, samples, {0}) == std::vector<int>{0, 1, 0, 0, 1});

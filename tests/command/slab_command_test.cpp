@@ -56,7 +56,7 @@ std::string write_slabs(const Workshop& workshop, int count, const std::string& 
   return names;
 }
 
-// Encodes a stream anew, as firmware does that does not know in advance how many slices will come.
+// Encodes a stream again, as firmware does without the number of slices in advance.
 class WithoutDepth {
  public:
   SinkResult take(const Event& event) {
@@ -151,7 +151,7 @@ TEST_CASE("slabs may be joined by and by, and one that is missing is named") {
   CHECK_FALSE(contains(workshop.done("info all.dmc"), "slab"));
 }
 
-TEST_CASE("what a join says that it wrote is so, also where a slab broke off") {
+TEST_CASE("the report of a join matches its output, also with a truncated slab") {
   const Workshop workshop;
   workshop.write("v.raw", rough_samples(13, 11, 9));
   write_slabs(workshop, 3);
@@ -231,7 +231,7 @@ TEST_CASE("a slab that there is not is refused, with what to give") {
   CHECK(workshop.names() == std::vector<std::string>{"v.raw"});
 }
 
-TEST_CASE("join takes any number of streams, and says so") {
+TEST_CASE("help and completions of join accept any number of streams") {
   const Workshop workshop;
   CHECK(contains(workshop.done("join --help"), "discmc join [OPTIONS] -o FILE STREAM..."));
   CHECK(contains(workshop.done("completions zsh"), "'*:FILE:_files'"));

@@ -23,7 +23,7 @@ Pairs pairs(const std::vector<SlabRange>& ranges) {
 
 }  // namespace
 
-TEST_CASE("slabs in any order become the whole volume, and what is missing until then is told") {
+TEST_CASE("slabs in any order complete the volume, and missing slices are listed until then") {
   const SlabRange slabs[] = {{0, 3, 10}, {3, 1, 10}, {4, 4, 10}, {8, 2, 10}};
   int order[] = {0, 1, 2, 3};
   do {
@@ -46,7 +46,7 @@ TEST_CASE("slabs in any order become the whole volume, and what is missing until
   } while (std::next_permutation(order, order + 4));
 }
 
-TEST_CASE("slices that come twice are told, and not taken") {
+TEST_CASE("repeated slices are reported and not added") {
   SlabRanges ranges;
   ranges.add({2, 4, 10});
   for (const auto& [range, twice] : {std::pair{SlabRange{0, 3, 10}, std::pair{2U, 3U}},

@@ -1,4 +1,4 @@
-// The joiner that goes on in a file: what comes out does not depend on its memory.
+// The joiner that spills to a file: its output does not depend on its memory.
 #include "streams/spilling_joiner.hpp"
 
 #include <doctest/doctest.h>
@@ -57,7 +57,7 @@ std::vector<discmc::reference::Region> regions_of(const Events& events) {
   return hand_made::regions_of(builder.surface());
 }
 
-// Where runs begin, with their normals, in an order that does not depend on the regions'.
+// The starts of runs with their normals, in an order independent of the regions.
 auto normals_of(const Events& events) {
   std::vector<std::tuple<int, int, int, int, int>> normals;
   discmc::test::for_each_start(

@@ -26,7 +26,7 @@ std::uint32_t slices(const fs::path& stack) {
   return open_volume(stack)->info().dims[2];
 }
 
-// What stands in quotes last.
+// The last text in quotes.
 std::string advised(const std::string& text) {
   const std::size_t end = text.rfind('\'');
   const std::size_t begin = text.rfind('\'', end - 1);
@@ -34,7 +34,7 @@ std::string advised(const std::string& text) {
   return text.substr(begin + 1, end - begin - 1);
 }
 
-// The refusal of a folder advises a pattern, and that has so many slices.
+// The refusal of a folder advises a pattern, which selects this number of slices.
 void check_advice(const std::vector<std::string>& names, const std::string& what,
                   const std::string& pattern, std::uint32_t expected) {
   const Pictures pictures(names);
@@ -84,7 +84,7 @@ TEST_CASE("a pattern is advised also where names have the signs of one") {
   CHECK(slices(advised(text)) == 2);
 }
 
-TEST_CASE("without a pattern of one stack the refusal says to copy it") {
+TEST_CASE("if no pattern selects a stack, the refusal advises a folder of its own") {
   check_refusal(refusal(Pictures({"a1b.png", "a2b.png", "a1b1b.png"}).path()),
                 "copy the pictures of one stack into a folder of their own");
 }
@@ -109,7 +109,7 @@ TEST_CASE("names without one order are refused") {
                 "two pictures have the same number");
 }
 
-TEST_CASE("what systems keep beside files is no slice") {
+TEST_CASE("hidden and system files are not slices") {
   const Pictures pictures({"s1.png", "s2.png", "s3.png"});
   for (const std::string name : {"._s2.png", ".DS_Store", "Thumbs.db", "desktop.ini"})
     pictures.write(name, "of the system");

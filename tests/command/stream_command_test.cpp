@@ -43,7 +43,7 @@ void check_size(const std::string& png, std::uint32_t width, std::uint32_t heigh
 
 }  // namespace
 
-TEST_CASE("what is no stream is refused by the name of the command that takes it") {
+TEST_CASE("a file that is no stream is refused with the command that reads it") {
   const Workshop workshop;
   write_stream(workshop, "v.dmc");
   workshop.done("decode v.dmc -o v.stl");
@@ -59,7 +59,7 @@ TEST_CASE("what is no stream is refused by the name of the command that takes it
     CHECK(contains(refusal(arguments), "v.stl: this is a mesh, not a stream; only discmc compare"));
 }
 
-TEST_CASE("a stream of another version is refused by its version, wherever its header stands") {
+TEST_CASE("a stream of another version is refused with its version, even after lost packets") {
   const Workshop workshop;
   const Bytes stream = bytes_of(write_stream(workshop, "v.dmc"));
   for (const std::uint8_t version : Bytes{0, 2, 99}) {
@@ -81,7 +81,7 @@ TEST_CASE("a stream of another version is refused by its version, wherever its h
   }
 }
 
-TEST_CASE("info tells one key and value a line") {
+TEST_CASE("info prints a key and value per line") {
   const Workshop workshop;
   const std::string stream = write_stream(workshop, "v.dmc");
   auto info = workshop.info("v.dmc");
@@ -138,7 +138,7 @@ TEST_CASE("decode, info and render read standard input, pipes too") {
   CHECK(workshop.read("piped.stl") == workshop.read("v.stl"));
 }
 
-TEST_CASE("a stream of slices is taken as one of regions is, without being told") {
+TEST_CASE("streams of slices and of regions are recognized automatically") {
   const Workshop workshop;
   const std::string regions = write_stream(workshop, "v.dmc");
   workshop.done("extract v.nrrd --iso 100 --wire slices -o s.dmc");
@@ -158,7 +158,7 @@ TEST_CASE("a stream of slices is taken as one of regions is, without being told"
     CHECK(of_slices[key] == of_regions[key]);
 }
 
-TEST_CASE("of a stream of slices that has lost a packet the other slices are used") {
+TEST_CASE("a stream of slices with a lost packet yields the other slices") {
   const Workshop workshop;
   write_stream(workshop, "v.dmc");
   workshop.done("extract v.nrrd --iso 100 --wire slices --key-slices 5 -o s.dmc");
@@ -176,7 +176,7 @@ TEST_CASE("of a stream of slices that has lost a packet the other slices are use
   CHECK(result.out.find("slices") != std::string::npos);
 }
 
-TEST_CASE("a stream that says that more rows were lost than a scan has is refused") {
+TEST_CASE("a stream that claims more lost rows than a scan can have is refused") {
   const Workshop workshop;
   workshop.write("v.dmc", text_of(discmc::test::lost_slices({1, 1, 2000})));
   CHECK(workshop.run("info v.dmc").code == 3);
@@ -207,7 +207,7 @@ TEST_CASE("render draws a picture of the size asked for") {
   }
 }
 
-TEST_CASE("of an incomplete stream all that is whole is used, and the exit code is 3") {
+TEST_CASE("an incomplete stream yields all whole regions, and the exit code is 3") {
   const Workshop workshop;
   const auto frames = discmc::test::frames_of(bytes_of(write_stream(workshop, "v.dmc")));
   REQUIRE(frames.size() > 5);
@@ -241,7 +241,7 @@ TEST_CASE("of an incomplete stream all that is whole is used, and the exit code 
   }
 }
 
-TEST_CASE("what is no stream is refused by its name, and nothing is written") {
+TEST_CASE("noise and empty files are refused by name, and no file is written") {
   const Workshop workshop;
   std::string noise;
   discmc::test::Chance chance(3);
@@ -292,7 +292,7 @@ TEST_CASE("damaged bytes and packets end in an exit code and never in a crash") 
       CHECK(result.code < 4);
       CHECK(result.code != 2);
       CHECK((result.code == 0 || contains(result.error, "discmc: ")));
-      CHECK(!contains(result.error, "runtime error"));  // as sanitizers say it
+      CHECK(!contains(result.error, "runtime error"));  // of a sanitizer
       CHECK(!contains(result.error, "Sanitizer"));
     }
   }
@@ -321,7 +321,7 @@ TEST_CASE("a picture that fails leaves what has its name as it was") {
   CHECK(workshop.done("render v.dmc -o - --size 9,9").substr(1, 3) == "PNG");
 }
 
-TEST_CASE("a stream whose first header comes late is packed anew with all its regions") {
+TEST_CASE("a stream with a late first header is re-encoded with all its regions") {
   const Workshop workshop;
   auto frames = discmc::test::frames_of(bytes_of(write_stream(workshop, "v.dmc")));
   std::swap(frames[0], frames[1]);
@@ -333,7 +333,7 @@ TEST_CASE("a stream whose first header comes late is packed anew with all its re
   CHECK(workshop.read("late.jsonl") == workshop.read("anew.jsonl"));
 }
 
-TEST_CASE("what cannot be said is a failure") {
+TEST_CASE("a failure to write the output is an error") {
   const Workshop workshop;
   write_stream(workshop, "v.dmc");
   if (workshop.shell("test -c /dev/full").code != 0) return;
@@ -360,7 +360,7 @@ TEST_CASE("info lists application records and a placement, in words") {
   CHECK(contains(info, "RAS"));
 }
 
-TEST_CASE("a polygon that is none costs that polygon, and is told") {
+TEST_CASE("an invalid polygon is skipped and reported") {
   using Kind = discmc::Event::Kind;
   discmc::test::Line line;
   discmc::Encoder encoder;
@@ -396,7 +396,7 @@ TEST_CASE("a polygon that is none costs that polygon, and is told") {
   CHECK(workshop.read("c.stl").size() == 84 + 8 * 50);
 }
 
-TEST_CASE("two scans of one number that are mixed are told, with a remedy") {
+TEST_CASE("two mixed scans of the same number are reported with a remedy") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81));
   workshop.done("extract v.nrrd --iso 100 --wire slices -o a.dmc");

@@ -85,7 +85,7 @@ TEST_CASE("distances are in units of their own along each axis") {
   CHECK(in_voxels.mean == doctest::Approx(1.5));
 }
 
-TEST_CASE("the nearest triangle is found, wherever it is") {
+TEST_CASE("the nearest triangle is found at any position") {
   const FaceMesh to = ball();
   discmc::test::Chance chance(9);
   for (int i = 0; i < 30; ++i) {
@@ -103,7 +103,7 @@ TEST_CASE("the nearest triangle is found, wherever it is") {
   }
 }
 
-TEST_CASE("what is done of the points is told up to all of them") {
+TEST_CASE("progress is reported up to the number of points") {
   std::size_t last = 0;
   std::size_t calls = 0;
   const auto progress = [&](std::size_t done, std::size_t all) {

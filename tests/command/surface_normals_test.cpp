@@ -38,7 +38,7 @@ FaceMesh soup_of(const FaceMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("the normals of an octahedron are its axes, whichever way they run") {
+TEST_CASE("the normals of an octahedron are its axes in both directions") {
   for (const double x : {0.5, -0.5})
     for (const double y : {1.0, -1.0})
       for (const double z : {3.0, -3.0}) {
@@ -50,7 +50,7 @@ TEST_CASE("the normals of an octahedron are its axes, whichever way they run") {
       }
 }
 
-TEST_CASE("the normals of a ball are near its radii, however it is stretched and mirrored") {
+TEST_CASE("the normals of a ball are close to its radii under any stretching and mirroring") {
   const auto volume = ball({50, 50, 50}, {49, 49, 49}, 400);
   for (const Point& spacing : {Point{1, 1, 1}, {-1, 1, 1}, {1, -1, -1}, {0.8, -1.2, 1}}) {
     const FaceMesh mesh = merged_mesh(volume, Faces::triangles, spacing);
@@ -100,7 +100,7 @@ TEST_CASE("the normals of an interpolated ball are nearly its radii") {
   }
 }
 
-TEST_CASE("it makes no difference how a flat part is cut into triangles") {
+TEST_CASE("normals do not depend on the triangulation of a flat part") {
   FaceMesh mesh;  // a roof: a square that leans to the left, and one to the right
   mesh.vertices_mm = {{-1, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {0, 1, 1}, {1, 1, 0}};
   mesh.corners = {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};

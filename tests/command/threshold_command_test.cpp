@@ -25,7 +25,7 @@ const std::string mri = head("0 10 40 500 600 ");
 
 }  // namespace
 
-TEST_CASE("a threshold by name gives the surface of its number, and is told") {
+TEST_CASE("a named threshold yields the surface of its number, and is reported") {
   const Workshop workshop;
   workshop.write("ct.nrrd", ct);
   workshop.write("mri.nrrd", mri);
@@ -45,7 +45,7 @@ TEST_CASE("a threshold by name gives the surface of its number, and is told") {
   }
 }
 
-TEST_CASE("padding that Otsu's threshold leaves out is told") {
+TEST_CASE("padding excluded from Otsu's threshold is reported") {
   const Workshop workshop;
   workshop.write("ct.nrrd", head("-2000 -2000 -1000 40 900 "));
   const Result otsu = workshop.run("extract ct.nrrd --iso otsu -q -o v.stl");

@@ -120,7 +120,7 @@ TEST_CASE("pages without directories, blocks of slices, bits, halves and palette
   CHECK(read_all(*halves) == read_all(*open_volume(files / "f32.tif")));
 }
 
-TEST_CASE("of colours a channel is chosen") {
+TEST_CASE("a channel of a colour TIFF is chosen") {
   for (const std::string name : {"colours.tif", "planar-colours.tif"}) {
     INFO(name);
     check_refusal(refusal(files / name), "3 channels ('red', 'green', 'blue')");
@@ -244,7 +244,7 @@ class OmeSet : public Folder {
   static std::string name(int z) { return "b" + std::to_string(7 - z) + ".ome.tif"; }
 };
 
-TEST_CASE("a file of a set of OME-TIFF stands for the set") {
+TEST_CASE("a file of an OME-TIFF set opens the whole set") {
   for (const bool has_companion : {false, true}) {
     const OmeSet set(has_companion);
     CHECK(pages_read(set.path() / OmeSet::name(1)) == Pages{0, 1, 2});
@@ -333,7 +333,7 @@ TEST_CASE("pages that ImageJ promises follow the one of the only directory, or a
                      .bytes());
   };
   const std::string two_pages("\1\1\2\2", 4);
-  // The directory stands behind the samples here, and is as long as some pages.
+  // The directory follows the samples here, and is as long as some pages.
   CHECK(pages_read(file("images=3\nslices=3\n", two_pages)) == Pages{0, 1, 2});
   CHECK(pages_read(file("images=3\nframes=3\nhyperstack=true\n", two_pages), chosen(2, {})) ==
         Pages{2});
@@ -361,7 +361,7 @@ VolumeOptions with_axes(const std::string& axes, VolumeOptions options = {}) {
   return options;
 }
 
-TEST_CASE("axes that are given say what the pages are, as the refusal of one slice each says") {
+TEST_CASE("--axes names the axis of the pages, as the refusal of single slices advises") {
   const Folder folder;
   for (const std::string stack : {"channels=4\n", "frames=4\n", "channels=2\nframes=2\n"}) {
     const fs::path file =
@@ -394,7 +394,7 @@ TEST_CASE("ImageJ's straight line makes values of samples, and its origin places
 
 // ---- tifffile ----
 
-TEST_CASE("tifffile's shape tells which axis is which, by letters or without") {
+TEST_CASE("tifffile's shape determines the axes, with or without letters") {
   const Folder folder;
   const auto file = [&folder](const std::string& description) {
     return folder.write("v.tif", numbered(4, description).bytes());
@@ -409,7 +409,7 @@ TEST_CASE("tifffile's shape tells which axis is which, by letters or without") {
   check_refusal(refusal(file("{\"shape\": [4, 1, 2], \"axes\": \"TYX\"}")), "holds 4 volumes");
   check_refusal(refusal(file("{\"shape\": [4, 1, 2], \"axes\": \"CYX\"}")), "holds 4 channels");
   check_refusal(refusal(file("{\"shape\": [9, 1, 2]}")), "promises 9 planes");
-  // Of another file, from which a program has copied it.
+  // The metadata of another file, which a program has copied.
   CHECK(pages_read(file("{\"shape\": [9, 5, 5]}")) == Pages{0, 1, 2, 3});
   CHECK(pages_read(file("{\"shape\": 9}")) == Pages{0, 1, 2, 3});
 }
@@ -444,7 +444,7 @@ TEST_CASE("smaller copies among the pages, and within them, are left out with a 
   CHECK(noted(info, "usually smaller copies, are left out: 2"));
 }
 
-TEST_CASE("bytes behind the only page are noted, unless they may well be metadata") {
+TEST_CASE("bytes behind the only page are noted, unless they may be metadata") {
   const auto notes_much = [](std::size_t behind) {
     Tiff tiff;
     tiff.page(256, 256, std::string(65536, 'a')).behind(std::string(behind, 'b'));
@@ -521,7 +521,7 @@ TEST_CASE("samples packed in bits are unpacked, the highest bit first") {
   CHECK(values_of(12, "\xab\xc1\x23\xfe\xd0") == std::vector<double>{0xabc, 0x123, 0xfed});
 }
 
-TEST_CASE("a palette of greys stands for them") {
+TEST_CASE("a palette of greys is read as greys") {
   std::vector<std::uint32_t> greys(768);
   for (std::uint32_t i = 0; i < 768; ++i) greys[i] = (255 - i % 256) * 257;
   const Folder folder;
@@ -541,7 +541,7 @@ TEST_CASE("a palette of greys stands for them") {
   CHECK(!noted(reader->info(), "palette"));
 }
 
-TEST_CASE("pages of ScanImage are slices only if it says so, or the user") {
+TEST_CASE("pages of ScanImage are slices only by its metadata or on request") {
   const Folder folder;
   constexpr std::uint16_t software = 305;
   const auto write = [&](const std::string& slices) {
@@ -558,7 +558,7 @@ TEST_CASE("pages of ScanImage are slices only if it says so, or the user") {
   CHECK(open_volume(write("4"))->info().dims[2] == 4);
 }
 
-TEST_CASE("what is laid out or stored in other ways is refused by its name") {
+TEST_CASE("TIFF variants with another layout or encoding are refused by name") {
   const auto refusal_with = [](const Tags& more) {
     const Folder folder;
     return refusal(folder.write("v.tif", numbered(2, "", more).bytes()));

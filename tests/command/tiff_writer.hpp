@@ -53,7 +53,7 @@ class Tiff {
     return *this;
   }
 
-  /// What no directory tells of.
+  /// Bytes outside every directory.
   Tiff& behind(const std::string& bytes) {
     append(bytes);
     return *this;

@@ -198,7 +198,7 @@ TEST_CASE("holes may touch each other and the rim, also inside a side") {
   check_contract(rings({{{0, 0}, {6, 0}, {12, 0}, {12, 12}, {0, 12}}, low}));
 }
 
-TEST_CASE("any pattern of squares is triangulated, however it is sheared") {
+TEST_CASE("any pattern of squares is triangulated under any shear") {
   std::minstd_rand random(1);
   for (int round = 0; round < 400; ++round) {
     const std::size_t width = 1 + random() % 9, height = 1 + random() % 9;
@@ -259,14 +259,14 @@ TEST_CASE("the farthest points are exact") {
   CHECK(area == 8 * far * far);
 }
 
-TEST_CASE("points that would take any number of flips are triangulated all the same") {
+TEST_CASE("points that would need any number of flips are triangulated") {
   std::vector<PlanePoint> ring;
   for (std::int64_t i = -20000; i <= 20000; ++i) ring.push_back({i, -i * i / 64 - 1});
   for (std::int64_t i = 20000; i >= -20000; --i) ring.push_back({i, i * i / 64 + 1});
   CHECK(triangulate(rings({ring})).size() == ring.size() - 2);
 }
 
-TEST_CASE("what bounds no polygon is refused") {
+TEST_CASE("rings that bound no polygon are refused") {
   const std::vector<PlanePoint> square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   CHECK(refusal({square}) == "accepted");
   CHECK(refusal({}) == "rings do not bound a polygon");

@@ -1,11 +1,11 @@
-// What discmc says of a command line that it does not understand.
+// The messages of discmc for invalid command lines.
 #include "command.hpp"
 
 namespace {
 
 using namespace command_tests;
 
-// Usage, and the whole of what is said.
+// Arguments, and the whole message.
 void check_said(const std::string& arguments, const std::string& said) {
   const Result result = Workshop().run(arguments);
   INFO(arguments);
@@ -24,7 +24,7 @@ TEST_CASE("a command that is misspelt is answered with the nearest one") {
   check_said("reader v.dmc", "discmc: 'reader' is not a command; did you mean render" + end);
 }
 
-TEST_CASE("a command that is like none is answered with what there is") {
+TEST_CASE("an unknown command without a similar one is answered with the list of commands") {
   const std::string all = "give one of extract, view, info, render";
   CHECK(contains(Workshop().run("frobnicate v.nrrd").error,
                  "discmc: 'frobnicate' is not a command; " + all));
@@ -34,7 +34,7 @@ TEST_CASE("a command that is like none is answered with what there is") {
 TEST_CASE("a file in place of a command is answered with what to write, which works") {
   const Workshop workshop;
   workshop.write("scan.nrrd", discmc::reference::box({6, 5, 4}, {1, 1, 1}, {4, 3, 2}));
-  // What stands between `before` and a comma or the end of the line.
+  // The text between `before` and a comma or the end of the line.
   const auto advice = [&](const std::string& arguments, const std::string& before) {
     const Result result = workshop.run(arguments);
     INFO(result.error);
@@ -74,7 +74,7 @@ TEST_CASE("an option that is misspelt is answered with the nearest one of its co
              "See discmc --help.\n");
 }
 
-TEST_CASE("what other programs call a threshold is answered with --iso, where there is one") {
+TEST_CASE("other programs' names for the threshold are answered with --iso") {
   for (const std::string option : {"--threshold", "--isovalue", "-threshold"})
     check_said("extract v.nrrd " + option + " 300",
                "discmc: '" + option +
@@ -85,7 +85,7 @@ TEST_CASE("what other programs call a threshold is answered with --iso, where th
       "discmc: '--threshold' is not an option of info; leave it out\nSee discmc info --help.\n");
 }
 
-TEST_CASE("what would make a surface smooth is answered with the option that does so here") {
+TEST_CASE("other programs' names for smoothing are answered with the option of the command") {
   check_said("extract v.nrrd --iso 5 --smoothing",
              "discmc: '--smoothing' is not an option of extract; did you mean --smooth auto?\n"
              "See discmc extract --help.\n");
@@ -97,7 +97,7 @@ TEST_CASE("what would make a surface smooth is answered with the option that doe
              "See discmc decode --help.\n");
 }
 
-TEST_CASE("an option that is like none is answered without a guess") {
+TEST_CASE("an unknown option without a similar one is answered without a guess") {
   check_said("info v.dmc --zoom 5",
              "discmc: '--zoom' is not an option of info; leave it out\nSee discmc info --help.\n");
   check_said("--iso 5 extract v.nrrd",
@@ -120,7 +120,7 @@ TEST_CASE("a value that is missing or no value of its option is answered with th
                  "invalid value '5x'; expected a finite number, auto, otsu, bone or skin\n"));
 }
 
-TEST_CASE("arguments too many and too few are told by name") {
+TEST_CASE("unexpected and missing arguments are reported by name") {
   check_said("info a.dmc b.dmc",
              "discmc: 'b.dmc' is an unexpected argument; leave it out\nSee discmc info --help.\n");
   check_said("extract v.nrrd out.stl",

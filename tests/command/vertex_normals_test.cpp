@@ -25,7 +25,7 @@ using discmc::reference::Size;
 using discmc::test::Chance;
 using sample_reader::SampleReader;
 
-// Where axes run either way, and voxels are no cubes.
+// The spacings: axes in both directions, and anisotropic voxels.
 const std::vector<Point> all_signs = [] {
   std::vector<Point> result;
   for (const double x : {0.5, -0.5})
@@ -92,7 +92,7 @@ TEST_CASE("the vertices of a mesh have their positions on the lattice") {
   }
 }
 
-TEST_CASE("polygon normals of an octahedron are its axes, exactly, whichever way they run") {
+TEST_CASE("the polygon normals of an octahedron are exactly its axes in both directions") {
   for (const Point& spacing : all_signs) {
     const Surface surface = octahedron(spacing);
     FaceMesh mesh = build_mesh(surface);
@@ -102,7 +102,7 @@ TEST_CASE("polygon normals of an octahedron are its axes, exactly, whichever way
   }
 }
 
-TEST_CASE("a polygon counts by its area in space, without its holes, however it is cut") {
+TEST_CASE("a polygon is weighted by its area in space without holes, for any triangulation") {
   for (const Point& spacing : all_signs)
     for (const Faces faces : {Faces::polygons, Faces::triangles}) {
       const Surface surface = box_with_hole(spacing);
@@ -183,7 +183,7 @@ TEST_CASE("normals of a ball of radius 40 are within 3 degrees of its radii on a
   }
 }
 
-TEST_CASE("where the samples are level, and outside the volume, a vertex keeps its normal") {
+TEST_CASE("a vertex in level samples or outside the volume keeps its normal") {
   // Within a checkerboard central differences are zero; at its border they are not.
   const auto board = discmc::reference::checkerboard({6, 5, 4});
   SampleVolume<int> volume{{6, 5, 4}, {}};
@@ -211,7 +211,7 @@ TEST_CASE("where the samples are level, and outside the volume, a vertex keeps i
   CHECK(steep_vertices > 0);
 }
 
-TEST_CASE("a mesh without normals gets those of the gradient alone") {
+TEST_CASE("a mesh without normals is given those of the gradient alone") {
   const SampleVolume<int> volume = ramp_ball(12, 4, {32, 128, 255});
   FaceMesh mesh = build_mesh(polygons_of(volume, 128, {1, 1, 1}));
   set_gradient_normals_of(volume, SampleType::u8, mesh);
@@ -219,7 +219,7 @@ TEST_CASE("a mesh without normals gets those of the gradient alone") {
   CHECK(compare_with_radii(mesh, 12).worst < 10);
 }
 
-TEST_CASE("the second pass tells of every slice") {
+TEST_CASE("the second pass reports progress after every slice") {
   const SampleVolume<int> volume = ramp_ball(12, 4, {32, 128, 255});
   FaceMesh mesh = build_mesh(polygons_of(volume, 128, {1, 1, 1}));
   SampleReader reader(volume.size, volume.samples);

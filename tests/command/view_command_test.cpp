@@ -7,7 +7,7 @@ namespace {
 using namespace command_tests;
 using discmc::reference::ball;
 
-// Writes the file that a page has inside; says what the page calls it.
+// Writes the file embedded in a page, and returns its name in the page.
 std::string unpack(const Workshop& workshop, const std::string& page, const std::string& file) {
   const std::string text = workshop.read(page);
   const std::size_t element = text.find("id=\"data\" data-name=\"");
@@ -21,7 +21,7 @@ std::string unpack(const Workshop& workshop, const std::string& page, const std:
   return text.substr(name, text.find('"', name) - name);
 }
 
-// Whether there is a page; else the command says so.
+// Whether there is a page; otherwise checks the error of the command.
 bool has_page(const Workshop& workshop) {
   if (!discmc::command::page_template().empty()) return true;
   const Result result = workshop.run("view v.nrrd --no-open");
@@ -67,7 +67,7 @@ TEST_CASE("the page of a threshold has the slices of its surface alone") {
   CHECK_FALSE(contains(workshop.shell("ls").out, "none.html"));
 }
 
-TEST_CASE("the page of a stream has its bytes, also those of a damaged one") {
+TEST_CASE("the page of a stream contains its bytes, even those of a damaged stream") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
   if (!has_page(workshop)) return;
@@ -128,7 +128,7 @@ TEST_CASE("the page of a mesh file has its faces, its names and its colours") {
   }
 }
 
-TEST_CASE("the browser that is set opens the page; without any, the user is told to") {
+TEST_CASE("$BROWSER opens the page, and without a browser its path is printed") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
   if (!has_page(workshop)) return;
@@ -144,7 +144,7 @@ TEST_CASE("the browser that is set opens the page; without any, the user is told
   CHECK(contains(none.error, "open other.html"));
 }
 
-TEST_CASE("view refuses what it would lose or leave out, and says what to give") {
+TEST_CASE("view refuses to overwrite files or ignore options, and names the remedy") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
   workshop.write("v.html", "precious");

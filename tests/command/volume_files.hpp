@@ -130,7 +130,7 @@ inline std::string metaimage(const std::string& lines, const std::string& sizes 
          "\n" + lines;
 }
 
-// Of the NumPy type descr, with the shape as Python writes it, without its parentheses.
+// A NumPy array of type descr; the shape is in Python's notation without parentheses.
 inline std::string npy(const std::string& descr, const std::string& shape,
                        const std::string& samples, bool is_fortran = false) {
   std::string header = "{'descr': '" + descr +

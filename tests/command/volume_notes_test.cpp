@@ -48,7 +48,7 @@ VolumeOptions raw_options() {
 
 }  // namespace
 
-TEST_CASE("a file of each format that tells no place has exactly these notes") {
+TEST_CASE("a file of each format without placement has exactly these notes") {
   const Folder folder;
   Nifti nifti;
   nifti.integer(123, 1, 0);
@@ -84,7 +84,7 @@ TEST_CASE("a spacing that is given leaves no note of a missing one") {
             .empty());
 }
 
-TEST_CASE("bytes behind the samples are noted, packed ones when they are reached") {
+TEST_CASE("bytes behind the samples are noted, and compressed ones once they are reached") {
   const Folder folder;
   const std::string behind = " bytes after the samples are left out; check the sizes";
   const std::string head = nrrd(nrrd_u8 + "spacings: 1 1 1\n" + units_in_mm);
@@ -101,7 +101,7 @@ TEST_CASE("bytes behind the samples are noted, packed ones when they are reached
   CHECK(notes_of(folder.write("v.nrrd.gz", gzip(head + "\n" + u8))).empty());
 }
 
-TEST_CASE("of a file of several volumes only what is behind the last one is noted") {
+TEST_CASE("surplus bytes of a file with several volumes are noted only behind the last one") {
   const Folder folder;
   VolumeOptions options;
   const std::string head = nrrd(nrrd_u8 + "spacings: 1 1 1 1\n" + units_in_mm, "5 3 4 2") + "\n";

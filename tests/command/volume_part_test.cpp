@@ -72,7 +72,7 @@ void check_places(const VolumeInfo& part, const VolumeInfo& whole, const Place& 
     CHECK(part.spacing_mm[axis] == doctest::Approx(step * whole.spacing_mm[axis]));
 }
 
-// Volumes that lie in every way: told nothing, mirrored, turned in a patient.
+// Volumes with all kinds of placement: none, mirrored, rotated in a patient.
 const std::vector<std::string> placements = {
     "", "spacings: 0.5 2 3\n", "space dimension: 3\nspace directions: (0.5,0,0) (0,-2,0) (0,0,3)\n",
     "space: LPS\nspace directions: (0,2,0) (-3,0,0) (0,0.6,0.8)\nspace origin: (10,-20,30.5)\n"};
@@ -152,7 +152,7 @@ TEST_CASE("slices behind the part are not read") {
   check_refusal(refusal(file, with_crop({}, {{{}, {}, {1, 3}}})), "14 bytes of it are missing");
 }
 
-TEST_CASE("the voxels of a part lie where they lie in the volume") {
+TEST_CASE("the voxels of a part keep their position in space") {
   const Folder folder;
   for (const std::string& lines : placements) {
     INFO(lines);
@@ -252,7 +252,7 @@ TEST_CASE("a device that picks or takes means has the voxels of --crop and --shr
   }
 }
 
-TEST_CASE("means of whole numbers are exact, and a half goes to the greater one") {
+TEST_CASE("means of integers are exact, and halves are rounded up") {
   constexpr auto most = std::numeric_limits<std::uint64_t>::max();
   constexpr auto least = std::numeric_limits<std::int64_t>::min();
   using U64 = std::vector<std::uint64_t>;
@@ -272,7 +272,7 @@ TEST_CASE("means of whole numbers are exact, and a half goes to the greater one"
   CHECK(shrunk_block(std::vector<std::uint8_t>{255, 255, 255, 254}, SampleType::u8) == 255);
 }
 
-TEST_CASE("what is not a number counts in a block only where nothing else is there") {
+TEST_CASE("a block is not a number only if all its samples are") {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   constexpr double nan_f64 = std::numeric_limits<double>::quiet_NaN();
   using F32 = std::vector<float>;
@@ -298,7 +298,7 @@ TEST_CASE("a block of labels becomes the most frequent one, of several the first
   CHECK(label({40000, 40000, 40000, 40000, 40000, 40000, 40000, 40000}) == 40000);
 }
 
-TEST_CASE("labels of blocks are those of their own voxels, also where a block is cut off") {
+TEST_CASE("the labels of blocks are those of their own voxels, even in partial blocks") {
   const Folder folder;
   // Blocks of 2 x 2 x 2 with a label each, their number, and one voxel of another.
   const Dims size = {5, 3, 3};

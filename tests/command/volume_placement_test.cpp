@@ -1,4 +1,4 @@
-// Where a volume lies, as each format tells it.
+// The placement of a volume, in each format.
 #include "samples/volume_placement.hpp"
 
 #include <doctest/doctest.h>
@@ -34,7 +34,7 @@ VolumeInfo metaimage_info(const Folder& folder, const std::string& lines,
   return open_volume(folder.write("v.mha", header + u8))->info();
 }
 
-// Of voxels 0.5, 2 and 3 mm apart.
+// A volume with voxels 0.5, 2 and 3 mm apart.
 Nifti nifti_of_spacing() {
   return Nifti().real(80, 0.5F).real(84, 2).real(88, 3);
 }
@@ -43,7 +43,7 @@ VolumeInfo nifti_info(const Folder& folder, const Nifti& nifti) {
   return open_volume(folder.write("v.nii", nifti.file(u8)))->info();
 }
 
-// srow_x, srow_y and srow_z, with the code that says they count.
+// srow_x, srow_y and srow_z, with the code that makes them valid.
 Nifti with_sform(Nifti nifti, const std::vector<float>& rows) {
   nifti.integer(254, 2, 1);
   for (std::size_t i = 0; i < rows.size(); ++i) nifti.real(280 + 4 * i, rows[i]);
@@ -66,7 +66,7 @@ void check_placement(const VolumeInfo& info, Space space, const Vector& origin, 
 
 }  // namespace
 
-TEST_CASE("NRRD tells its directions and origin in the space that it names") {
+TEST_CASE("NRRD's directions and origin are read in its space") {
   const Folder folder;
   const std::string turned =
       "space directions: (0,2,0) (-3,0,0) (0,0.6,0.8)\nspace origin: (10,-20,30.5)\n";
@@ -86,7 +86,7 @@ TEST_CASE("NRRD tells its directions and origin in the space that it names") {
   }
 }
 
-TEST_CASE("NRRD's left-handed spaces are told in right-handed ones") {
+TEST_CASE("NRRD's left-handed spaces are converted to right-handed ones") {
   const Folder folder;
   const std::string turned =
       "space directions: (0,2,0) (-3,0,0) (0,0,4)\nspace origin: (10,-20,30)\n";
@@ -101,7 +101,7 @@ TEST_CASE("NRRD's left-handed spaces are told in right-handed ones") {
   CHECK(noted(info, "x of the left-handed space '3D-left-handed' negated"));
 }
 
-TEST_CASE("NRRD's units are those of the coordinates of space") {
+TEST_CASE("NRRD's units are those of the space coordinates") {
   const Folder folder;
   check_placement(nrrd_info(folder,
                             "space: LPS\nspace units: \"cm\" \"mm\" \"um\"\n"
@@ -138,7 +138,7 @@ TEST_CASE("NRRD's axis mins and maxs are the bounds of whole voxels, or their ou
                   Space::scanner, {-197.5, 3, 0.043}, {{{5, 0, 0}, {0, -3, 0}, {0, 0, 0.006}}});
 }
 
-TEST_CASE("NRRD's spacings and origin count more than axis mins and maxs, and a note tells") {
+TEST_CASE("NRRD's spacings and origin precede axis mins and maxs, with a note") {
   const Folder folder;
   const std::string bounds = "axis mins: 0 0 0\naxis maxs: 5 6 4\ncenters: cell cell cell\n";
   const VolumeInfo spaced = nrrd_info(folder, bounds + "spacings: 1 2 nan\n" + units_in_mm);
@@ -162,7 +162,7 @@ TEST_CASE("NRRD's thicknesses stand in for a spacing that is missing") {
         std::vector<std::string>{"no spacing of axis 3 given, its thickness is used"});
 }
 
-TEST_CASE("units are noted where they are not known") {
+TEST_CASE("unknown units are noted") {
   const Folder folder;
   const VolumeInfo nrrd = nrrd_info(folder, "spacings: 1 2 3\nunits: mm furlong \"\"\n");
   CHECK(noted(nrrd, "unit 'furlong' is unknown, mm assumed"));
@@ -184,9 +184,9 @@ TEST_CASE("a space that NRRD does not have is noted") {
     CHECK(nrrd_info(folder, "space: " + space + "\n" + steps).notes.empty());
 }
 
-TEST_CASE("NIfTI's sform is taken as it is, in RAS") {
+TEST_CASE("NIfTI's sform is used unchanged, in RAS") {
   const Folder folder;
-  // Sheared, and longer than pixdim says.
+  // Sheared, and longer than in pixdim.
   const std::vector<float> rows = {0.4F, -1, 0.5F, -90, 0.3F, 1.5F, 0, 126.5F, 0, 0.25F, 3, -72};
   const Axes axes{{{0.4, 0.3, 0}, {-1, 1.5, 0.25}, {0.5, 0, 3}}};
   const VolumeInfo info = nifti_info(folder, with_sform(nifti_of_spacing(), rows));
@@ -250,7 +250,7 @@ TEST_CASE("a negative distance in NIfTI is taken as positive, with a note") {
   CHECK(noted(info, "pixdim 2 is negative, and read as positive"));
 }
 
-TEST_CASE("MetaImage tells its unit, and the size of voxels where it tells no spacing") {
+TEST_CASE("MetaImage's unit is read, and its ElementSize if the spacing is missing") {
   const Folder folder;
   const std::string place = "ElementSpacing = 0.5 2 3\nOffset = 10 20 30\n";
   const VolumeInfo microns = metaimage_info(folder, "DistanceUnits = um\n" + place);
@@ -274,7 +274,7 @@ TEST_CASE("MetaImage's axes of negative spacing run backwards along their direct
       Space::lps, {0, 0, 0}, {{{0, 1, 0}, {-2, 0, 0}, {0, 0, 3}}});
 }
 
-TEST_CASE("MetaImage tells a row an axis and the origin, in LPS") {
+TEST_CASE("MetaImage's matrix has one axis per row, and its origin is in LPS") {
   const Folder folder;
   const std::string spacing = "ElementSpacing = 0.5 2 3\n";
   for (const std::string name : {"Offset", "Position", "Origin"}) {
@@ -286,7 +286,7 @@ TEST_CASE("MetaImage tells a row an axis and the origin, in LPS") {
     CHECK(info.notes.empty());
   }
   CHECK_FALSE(metaimage_info(folder, spacing).placement);
-  // Of two dimensions and of four the matrix has other sizes.
+  // The matrix has other sizes for two and four dimensions.
   check_placement(metaimage_info(folder, "TransformMatrix = 0 1 -1 0\nOffset = 1 2\n", "5 12"),
                   Space::lps, {1, 2, 0}, {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});
   check_placement(metaimage_info(folder,
@@ -298,7 +298,7 @@ TEST_CASE("MetaImage tells a row an axis and the origin, in LPS") {
               "TransformMatrix of 4 numbers is ignored"));
 }
 
-TEST_CASE("MetaImage's letters are noted where they contradict the matrix") {
+TEST_CASE("MetaImage's letters are noted if they contradict the matrix") {
   const Folder folder;
   const std::string matrix = "ElementSpacing = 1 1 1\nTransformMatrix = 1 0 0 0 -1 0 0 0 1\n";
   CHECK(metaimage_info(folder, matrix + "AnatomicalOrientation = RPI\n").notes.empty());

@@ -60,7 +60,7 @@ std::string complaint(ThresholdRule rule, const VolumeStatistics& statistics) {
 
 }  // namespace
 
-TEST_CASE("percentiles are samples that so many do not exceed") {
+TEST_CASE("percentiles are samples not exceeded by the given share") {
   std::vector<int> samples;
   for (int i = 200; i > 0; --i) samples.push_back(i);
   const VolumeStatistics statistics = statistics_of(samples, SampleType::u8);
@@ -115,7 +115,7 @@ TEST_CASE("Otsu's threshold divides as no other does") {
   }
 }
 
-TEST_CASE("of thresholds that divide alike one has few digits") {
+TEST_CASE("the threshold with few digits is chosen among equivalent ones") {
   const auto between = [](double low, double high) {
     return *otsu_threshold(statistics_of({{low, 1}, {high, 1}}));
   };
@@ -128,7 +128,7 @@ TEST_CASE("of thresholds that divide alike one has few digits") {
   CHECK(!otsu_threshold(statistics_of({{7, 3}})));
 }
 
-TEST_CASE("what CT has outside of its circle does not move Otsu's threshold") {
+TEST_CASE("padding outside the scanned circle of CT does not move Otsu's threshold") {
   const std::vector<ValueCount> scanned = {{-1010, 30}, {-1000, 60}, {-990, 30}, {0, 20},
                                            {40, 90},    {60, 40},    {900, 10}};
   const auto with = [&](double padding, std::uint64_t count) {
@@ -160,7 +160,7 @@ TEST_CASE("what CT has outside of its circle does not move Otsu's threshold") {
   CHECK(!padding_value(told));
 }
 
-TEST_CASE("Hounsfield units are told by the file, or by values from air to bone") {
+TEST_CASE("Hounsfield units are detected by the file or by values from air to bone") {
   const VolumeStatistics ct = statistics_of({{-1000, 5}, {40, 5}, {900, 1}});
   const VolumeStatistics mri = statistics_of({{0, 5}, {40, 5}, {900, 1}});
   VolumeInfo told;
@@ -176,7 +176,7 @@ TEST_CASE("Hounsfield units are told by the file, or by values from air to bone"
   CHECK(otsu.iso == *otsu_threshold(mri));
 }
 
-TEST_CASE("a threshold that does not fit says what is there") {
+TEST_CASE("an unsuitable threshold is refused with the range of values") {
   const VolumeStatistics mri = statistics_of({{0, 5}, {900, 1}});
   CHECK(complaint(ThresholdRule::bone, mri) ==
         "--iso bone needs Hounsfield units, and the values are 0 to 900; give a number or --iso "
@@ -187,7 +187,7 @@ TEST_CASE("a threshold that does not fit says what is there") {
         "no value is finite, so there is no threshold; check the file");
 }
 
-TEST_CASE("a value is told by the digits that it has") {
+TEST_CASE("a value is printed with its own digits") {
   CHECK(value_text(300) == "300");
   CHECK(value_text(-1024.5) == "-1024.5");
   CHECK(value_text(static_cast<double>(0.1F)) == "0.1");

@@ -62,8 +62,7 @@ TEST_CASE("a raw layout keeps its spacing and is checked before anything is read
   check_refusal(refusal(file, {layout}), "dimension 2 has size 0");
 }
 
-TEST_CASE(
-    "a spacing that is given stands in place of the file's, whose axes keep their directions") {
+TEST_CASE("a given spacing replaces that of the file, and the axes keep their directions") {
   const Folder folder;
   const auto file = folder.write(
       "v.nrrd",
@@ -506,7 +505,7 @@ TEST_CASE("the stored threshold is reached exactly where the value reaches iso")
   CHECK(threshold(1, 0, std::nan("")) == INT32_MAX);
 }
 
-TEST_CASE("the volumes of DISCMC_DATA are what their descriptions say") {
+TEST_CASE("the volumes of DISCMC_DATA match their descriptions") {
   const char* folder = std::getenv("DISCMC_DATA");
   if (folder == nullptr || !fs::is_directory(folder)) return;
   for (const auto& entry : fs::directory_iterator(folder)) {

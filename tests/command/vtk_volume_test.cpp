@@ -39,7 +39,7 @@ TEST_CASE("VTK's samples may be scalars, colours or a field, and have a place") 
   CHECK(info.placement->origin_mm == std::array<double, 3>{7, 8, -9});
 }
 
-TEST_CASE("VTK's samples may be those of cells, whose centres are between points") {
+TEST_CASE("VTK's samples may be cell data, at the centres between points") {
   const Folder folder;
   const std::string cells =
       "DATASET STRUCTURED_POINTS\nDIMENSIONS 6 4 5\nSPACING 1 2 3\nORIGIN 7 8 -9\nCELL_DATA 60\n"
@@ -71,7 +71,7 @@ TEST_CASE("VTK's legacy format refuses by name what it does not take") {
   check("# vtk DataFile Version 3.0\n\nASCI\n", "third line is 'asci'");
 }
 
-TEST_CASE("an array of NumPy has x where it is stored side by side") {
+TEST_CASE("an array of NumPy has x along contiguous samples") {
   const Folder folder;
   const std::string c_order = "{'descr': '|u1', 'fortran_order': False, 'shape': (4, 3, 5), }\n";
   const std::string fortran = "{'descr': '|u1', 'fortran_order': True, 'shape': (5, 3, 4), }\n";

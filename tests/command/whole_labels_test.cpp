@@ -62,7 +62,7 @@ TEST_CASE("values within 0.01 of a whole number are that label, and counted") {
             "2 samples are not a number (NaN) and count as off"});
 }
 
-TEST_CASE("what rounding makes of a slope is no more than that") {
+TEST_CASE("rounding of the slope is tolerated, and larger deviations are not") {
   const Folder folder;
   std::string samples;
   for (const auto sample : std::initializer_list<std::int16_t>{0, 1, 2, 3})
@@ -99,7 +99,7 @@ TEST_CASE("values that are no labels are refused with their slice") {
   refused({std::numeric_limits<float>::infinity()}, "the value inf");
 }
 
-TEST_CASE("whole numbers stay as they are") {
+TEST_CASE("integers are unchanged") {
   for (const auto& [called, type] : discmc::command::sample_types) {
     if (discmc::meshing::is_floating(type)) continue;
     RawLayout layout;

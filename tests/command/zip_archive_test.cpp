@@ -83,7 +83,7 @@ std::string refusal_of(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("a zip is read like the folder that was packed, wherever its names lead") {
+TEST_CASE("a zip is read like the folder that was packed, for any names in it") {
   const TemporaryFiles temporary;
   for (const fs::path& packed : {files / "dicom/series", files / "pictures/stack"})
     for (const std::string prefix : {"", "study/a/", "/", "../../"}) {
@@ -104,7 +104,7 @@ TEST_CASE("a zip is read like the folder that was packed, wherever its names lea
   CHECK(temporary.folders_of_zips() == 0);
 }
 
-TEST_CASE("what else is in a zip is passed over, and names may be in any language") {
+TEST_CASE("other files in a zip are ignored, and names may be in any language") {
   const std::size_t slices = open_volume(files / "pictures/stack")->info().dims[2];
   for (const std::string folder : {"Sch\xC3\xA4"
                                    "del/",
@@ -129,7 +129,7 @@ TEST_CASE("what else is in a zip is passed over, and names may be in any languag
               "such as 'preview.png'; to read them, give a pattern, such as '"));
 }
 
-TEST_CASE("a pattern names files in a zip, as the refusal of two stacks in it says") {
+TEST_CASE("a pattern selects files in a zip, as the refusal of two stacks advises") {
   const std::string picture = contents(files / "pictures/u8.png");
   Members members;
   for (const std::string name : {"z0_c0.png", "z0_c1.png", "z1_c0.png", "z1_c1.png", "z2_c0.png"})
@@ -159,7 +159,7 @@ TEST_CASE("nothing is left of a zip when a signal ends the program, and two may 
   CHECK(temporary.folders_of_zips() == 0);
 }
 
-TEST_CASE("errors name the archive, and the member where it is one's") {
+TEST_CASE("errors name the archive, and its member if one is concerned") {
   Members members = members_of(files / "dicom/series", "series/");
   REQUIRE(members.size() == 5);
   Members fewer = members;

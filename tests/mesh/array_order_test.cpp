@@ -72,7 +72,7 @@ TEST_CASE("arrays in any order of axes, also backwards, have the same surface") 
   check_all_orders(ball<std::int16_t>(), ball_level, {});
 }
 
-TEST_CASE("arrays of double in any order of axes are interpolated alike") {
+TEST_CASE("arrays of double in any order of axes are interpolated equally") {
   const auto array = ball<double>();
   MeshOptions options;
   options.interpolates = true;
@@ -124,7 +124,7 @@ TEST_CASE("labels have the same measures in any order of axes") {
   }
 }
 
-TEST_CASE("an array that is longer than a slice can be is swept along its long axis") {
+TEST_CASE("an array longer than a slice is swept along its long axis") {
   std::vector<std::uint8_t> samples(40000, 0);
   samples[39999] = 1;
   const Mesh along_x = mesh_of(samples, {40000, 1, 1}, 1);
@@ -132,7 +132,7 @@ TEST_CASE("an array that is longer than a slice can be is swept along its long a
   CHECK(signed_volume(along_x) > 0);
 }
 
-TEST_CASE("the stride of an axis with one sample is never used") {
+TEST_CASE("the stride of an axis with a single sample is ignored") {
   const std::vector<int> samples(100, 1);
   constexpr auto most = std::numeric_limits<std::ptrdiff_t>::max();
   const Samples far(samples.data(), {10, 1, 10}, Strides{1, most, 10});

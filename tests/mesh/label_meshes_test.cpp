@@ -18,7 +18,7 @@ Array<std::int32_t> blocks() {
 
 }  // namespace
 
-TEST_CASE("each label has the mesh of its own mask, the least label first, without 0") {
+TEST_CASE("each label has the mesh of its own mask, in ascending order without label 0") {
   const auto array = blocks();
   const std::vector<LabelMesh> meshes = label_meshes(array.view());
   std::set<std::int32_t> labels(array.samples.begin(), array.samples.end());
@@ -56,7 +56,7 @@ TEST_CASE("neighbouring labels share the vertices of their wall exactly") {
   }
 }
 
-TEST_CASE("only the labels that are asked for are extracted, also 0 and those beyond 2^63") {
+TEST_CASE("only the requested labels are extracted, including 0 and those beyond 2^63") {
   const auto array = blocks();
   const auto meshes = label_meshes(array.view(), {}, {3, -1, 77});
   REQUIRE(meshes.size() >= 2);

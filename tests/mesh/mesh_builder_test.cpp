@@ -23,7 +23,7 @@ Mesh built(const Array<Sample>& array, const Level& level, const MeshOptions& op
 
 }  // namespace
 
-TEST_CASE("slices one by one make the mesh of the array") {
+TEST_CASE("slices added one by one yield the mesh of the array") {
   MeshOptions options;
   for (const auto& array : bit_volumes())
     CHECK(triangles_of(built(array, 1, options)) == triangles_of(mesh_of(array.view(), 1)));
@@ -36,7 +36,7 @@ TEST_CASE("slices one by one make the mesh of the array") {
         triangles_of(mesh_of(array.view(), level, options)));
 }
 
-TEST_CASE("a builder without slices makes an empty mesh") {
+TEST_CASE("a builder without slices yields an empty mesh") {
   CHECK(MeshBuilder(4, 5, 1).finish().triangles.empty());
 }
 

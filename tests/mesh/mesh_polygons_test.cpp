@@ -58,7 +58,7 @@ TEST_CASE("the polygons are plane, turn as their normals, and have the area of t
   check_polygons(mesh_of(ball<float>().view(), ball_level, options));
 }
 
-TEST_CASE("the faces of a box are eight-sided prisms' polygons, and one with a pit has a hole") {
+TEST_CASE("a box with a pit has a face with a hole") {
   auto array = array_of<std::uint8_t>({12, 12, 8}, [](auto x, auto y, auto z) {
     const bool in_pit = x >= 5 && x < 7 && y >= 5 && y < 7 && z >= 4;
     return x >= 1 && x < 11 && y >= 1 && y < 11 && z >= 1 && z < 7 && !in_pit ? 1 : 0;
@@ -73,7 +73,7 @@ TEST_CASE("the faces of a box are eight-sided prisms' polygons, and one with a p
   CHECK(with_hole == 1);
 }
 
-TEST_CASE("there are no polygons unless they are asked for") {
+TEST_CASE("polygons are returned only on request") {
   const Mesh mesh = mesh_of(ball<float>().view(), ball_level);
   CHECK(mesh.polygons.size() == 0);
   CHECK(mesh.polygons.ring_begin.size() == 1);

@@ -58,7 +58,7 @@ TEST_CASE("progress that returns false cancels at any call, in any number of thr
     }
 }
 
-TEST_CASE("what progress throws leaves the call unchanged") {
+TEST_CASE("exceptions of progress reach the caller unchanged") {
   struct Mine {};
   MeshOptions options;
   options.progress = [](const MeshProgress&) -> bool { throw Mine{}; };

@@ -41,7 +41,7 @@ void check_complete(const MeshReceiver& receiver) {
   CHECK(measures_of(mesh).is_closed);
 }
 
-// Pushes all bytes, so many at a time. Returns the number of scans that ended.
+// Pushes all bytes in portions. Returns the number of scans that ended.
 std::size_t push(MeshReceiver& receiver, const Bytes& bytes, std::size_t chunk) {
   std::size_t scans = 0;
   for (std::size_t at = 0; at < bytes.size();) {

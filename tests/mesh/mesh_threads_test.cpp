@@ -8,7 +8,7 @@
 using namespace discmc;
 using namespace mesh_tests;
 
-TEST_CASE("any number of threads makes the same vertices, polygons and number of triangles") {
+TEST_CASE("any number of threads yields the same vertices, polygons and number of triangles") {
   auto arrays = bit_volumes();
   arrays.push_back(array_of(discmc::reference::random({20, 20, 60}, 128, 9)));
   MeshOptions options;
@@ -28,7 +28,7 @@ TEST_CASE("any number of threads makes the same vertices, polygons and number of
   }
 }
 
-TEST_CASE("any number of threads interpolates alike") {
+TEST_CASE("any number of threads interpolates equally") {
   const auto array = ball<float>();
   MeshOptions options;
   options.interpolates = true;

@@ -20,8 +20,7 @@ std::array<double, 3> placed(const Matrix& matrix, const std::array<double, 3>& 
 
 }  // namespace
 
-TEST_CASE(
-    "the spacing scales the mesh, and a negative one mirrors it without turning it inside out") {
+TEST_CASE("the spacing scales the mesh, and a negative spacing mirrors it without inverting it") {
   const auto array = ball<float>();
   const double volume = measures_of(mesh_of(array.view(), ball_level)).volume;
   MeshOptions options;
@@ -35,7 +34,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a placement puts vertices, normals and polygons where its matrix says") {
+TEST_CASE("a placement transforms vertices, normals and polygons by its matrix") {
   const auto array = ball<float>();
   const Mesh lattice = mesh_of(array.view(), ball_level);
   const double c = 0.6, s = 0.8;  // a rotation about z

@@ -1,5 +1,5 @@
-// The code that the guide shows: every block of it stands in a program that is built and run, here
-// or in examples/.
+// The code in the guide: every block is part of a program that is built and run, here or in
+// examples/.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -88,7 +88,7 @@ bool begin_slices(const ByteOutput& output) {
   return slice_encoder.start(header, key_slices, memory_of(slice_memory), output) == Status::ok;
 }
 
-// Of docs/front-end.md.
+// From docs/front-end.md.
 MajorityFilter filter;
 uint8_t filter_memory[MajorityFilter::bytes_for(limits)];
 
@@ -157,7 +157,7 @@ Status push_levelled(Extractor16& extractor, const uint8_t* row, int32_t thresho
   return extractor.push_bits(bits).status;
 }
 
-// Of docs/receiving.md.
+// From docs/receiving.md.
 struct Outlines {
   Incidence incidence = no_incidence;  // of the region or fragment: incidence_normal(incidence)
   Vertex corner{};
@@ -207,7 +207,7 @@ UnitNormal normal_of(const Event& run, Incidence incidence, const StreamHeader& 
   return unit_normal(weighted({n.x, n.y, n.z}, axis_weights(header.spacing_nm)));
 }
 
-// Of docs/power-failure.md.
+// From docs/power-failure.md.
 constexpr FlashGeometry flash_geometry{256, 4096, 32};  // bytes per page and sector, sectors
 constexpr uint32_t max_bytes = sizeof(Device);
 static_assert(store_plan(flash_geometry, max_bytes).is_valid(), "the flash is too small");
@@ -258,7 +258,7 @@ Status end_scan(Device& device, CheckpointStore& store, const ByteOutput& output
 
 }  // namespace
 
-TEST_CASE("the guide's stream of slices makes the regions of the device's own") {
+TEST_CASE("the guide's stream of slices yields the regions of the device") {
   Bytes bytes;
   REQUIRE(begin_slices({&bytes, append}));
   Ball ball;
@@ -288,7 +288,7 @@ TEST_CASE("the guide's stream of slices makes the regions of the device's own") 
   CHECK(bytes.size() < regions.size() / 2);
 }
 
-TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a lost packet") {
+TEST_CASE("the guide's receiver joins fragments to whole regions and detects a lost packet") {
   // So little memory that the device sends fragments.
   static uint8_t memory[Extractor16::minimum_bytes(limits) + 256];
   Bytes bytes;
@@ -318,7 +318,7 @@ TEST_CASE("the guide's receiver joins fragments to whole regions, and notices a 
   CHECK_FALSE(finish_and_check());
 }
 
-TEST_CASE("the guide's filter takes away most of what noise adds to the stream") {
+TEST_CASE("the guide's filter removes most of the noise from the stream") {
   Ball noisy;
   noisy.noise = 20;
   Bytes bytes;
@@ -339,7 +339,7 @@ TEST_CASE("the guide's filter takes away most of what noise adds to the stream")
   CHECK(bytes.size() - clean < (stream_of(noisy).size() - clean) / 2);
 }
 
-TEST_CASE("the guide's normal is that of the run, or of its polygon in voxels that are not cubes") {
+TEST_CASE("the guide's normal is that of the run, or of its polygon for anisotropic voxels") {
   StreamHeader header;
   header.spacing_nm[0] = header.spacing_nm[1] = 500000;
   header.spacing_nm[2] = 1000000;
@@ -350,8 +350,7 @@ TEST_CASE("the guide's normal is that of the run, or of its polygon in voxels th
   CHECK(normal_of(run, incidence, header) == unit_normal(run.normal));
 }
 
-TEST_CASE(
-    "the guide's task pushes the rows that the guide's interrupt brings, and skips the lost ones") {
+TEST_CASE("the guide's task pushes the rows of the guide's interrupt and skips lost rows") {
   REQUIRE(ring.start(pixels * sizeof(uint16_t), rows_held, memory_of(row_memory)) == Status::ok);
   constexpr Limits row_limits{pixels, 1};
   static uint8_t memory[Extractor16::minimum_bytes(row_limits) + 16 * 1024];
@@ -377,7 +376,7 @@ TEST_CASE(
   CHECK(extractor.statistics().skipped_rows == 3);
 }
 
-TEST_CASE("the guide's part of a volume, and its threshold for each row") {
+TEST_CASE("the guide's part of a volume and its threshold per row are extracted") {
   static uint8_t memory[Extractor16::minimum_bytes(limits) + 16 * 1024];
   Bytes bytes;
   Encoder encoder;
@@ -408,7 +407,7 @@ TEST_CASE("the guide's part of a volume, and its threshold for each row") {
   CHECK(bytes == stream_of(ball));
 }
 
-TEST_CASE("the guide's recipe for power failures makes the stream of an uninterrupted scan") {
+TEST_CASE("the guide's recipe for power failures yields the stream of an uninterrupted scan") {
   Ball ball;
   const Bytes whole = stream_of(ball);
 
@@ -484,7 +483,7 @@ std::vector<std::string> blocks_of(const std::string& page) {
 
 }  // namespace
 
-TEST_CASE("the guide shows no code in C or C++ that is not built") {
+TEST_CASE("every C and C++ block of the guide is part of a built program") {
   std::vector<std::string> programs{lines_of(root / "tests/packaging/guide_test.cpp"),
                                     lines_of(root / "tests/packaging/mesh_guide_test.cpp")};
   for (const auto& file : std::filesystem::directory_iterator(root / "examples"))

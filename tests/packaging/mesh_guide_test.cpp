@@ -81,7 +81,7 @@ int slices_read = 0;
 
 }  // namespace
 
-TEST_CASE("the page on C++: options, strides and slices make meshes of the same ball") {
+TEST_CASE("the page on C++: options, strides and slices yield meshes of the same ball") {
   const std::vector<float> samples = ball();
   const double volume = measures_of(mesh_of(samples, {nx, ny, nz}, 500)).volume;
   const Mesh placed = placed_mesh(samples);

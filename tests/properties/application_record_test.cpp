@@ -32,7 +32,7 @@ void until_taken(Tell tell) {
   require_ok(status);
 }
 
-// What a slice's record holds: its number, so many times.
+// The bytes of a slice's record: its number, repeated.
 Bytes bytes_of_slice(uint32_t slice) {
   return Bytes(slice * 25, static_cast<uint8_t>(slice));
 }
@@ -82,7 +82,7 @@ Bytes slices_with_records(size_t bytes_a_time) {
   return line.bytes;
 }
 
-// Takes apart what a record says from the rest.
+// Separates application records from the other events.
 struct Records {
   SinkResult take(const Event& event) {
     if (event.kind == Event::Kind::application)
@@ -109,7 +109,7 @@ struct Records {
 
 }  // namespace
 
-TEST_CASE("records go with a stream of regions, and change nothing else") {
+TEST_CASE("records in a stream of regions arrive and change nothing else") {
   for (const size_t bytes_a_time : {size_t{0}, size_t{1}, size_t{50}}) {
     const Bytes stream = regions_with_records(bytes_a_time);
     Records received;
@@ -123,7 +123,7 @@ TEST_CASE("records go with a stream of regions, and change nothing else") {
   }
 }
 
-TEST_CASE("records go with a stream of slices, before the row that follows") {
+TEST_CASE("records in a stream of slices arrive before the following row") {
   for (const size_t bytes_a_time : {size_t{0}, size_t{1}, size_t{50}}) {
     const Bytes stream = slices_with_records(bytes_a_time);
     const ReceivedRows rows = decode_slices(stream, {volume.width, volume.height, 0});
@@ -147,7 +147,7 @@ TEST_CASE("records go with a stream of slices, before the row that follows") {
   }
 }
 
-TEST_CASE("a record in a stream of slices goes out at once, and says where the scan was") {
+TEST_CASE("a record in a stream of slices is sent at once, with the current slice and row") {
   Line line;
   Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
   SliceEncoder encoder;
@@ -167,7 +167,7 @@ TEST_CASE("a record in a stream of slices goes out at once, and says where the s
   CHECK(event.application->row == 3);
 }
 
-TEST_CASE("a row that follows a record is taken, though the record is on its way yet") {
+TEST_CASE("a row after a record is accepted even if the record is still being sent") {
   struct BusyLine {
     bool is_busy = false;
     static size_t write(void* context, const uint8_t*, size_t count) {
@@ -191,7 +191,7 @@ TEST_CASE("a row that follows a record is taken, though the record is on its way
   }
 }
 
-TEST_CASE("a record does not overtake what a busy sink has refused, in a stream of either kind") {
+TEST_CASE("a record waits behind a refused event, in streams of both kinds") {
   for (const Bytes& stream : {regions_with_records(0), slices_with_records(0)}) {
     EventLog idle, busy(reference::refuses_first);
     for (EventLog* log : {&idle, &busy}) {
@@ -217,7 +217,7 @@ TEST_CASE("a stream that is decoded and encoded again keeps its records") {
   CHECK(line.bytes == stream);
 }
 
-TEST_CASE("200 bytes are a record, 201 are none; none is told before a start, or in a region") {
+TEST_CASE("a record has at most 200 bytes, and is refused before a start or within a region") {
   const Bytes most(ApplicationRecord::max_bytes, 0), too_many(ApplicationRecord::max_bytes + 1, 0);
   Line line;
   Encoder encoder;
@@ -242,7 +242,7 @@ TEST_CASE("200 bytes are a record, 201 are none; none is told before a start, or
   CHECK(slices.write_record(record_of(most)) == Status::finished);
 }
 
-TEST_CASE("a record is refused as soon as the scan has ended, taken by the output or not") {
+TEST_CASE("a record is refused once the scan has ended, even if the output is busy") {
   const Bytes bytes(3, 7);
   for (const size_t bytes_a_time : {size_t{0}, size_t{1}}) {
     CAPTURE(bytes_a_time);
@@ -270,7 +270,7 @@ TEST_CASE("a record is refused as soon as the scan has ended, taken by the outpu
   }
 }
 
-TEST_CASE("a record of which nothing is said is all zeros; one whose packet is too short is none") {
+TEST_CASE("an unset record is all zeros, and a record in a too short packet is refused") {
   Line line;
   Encoder encoder;
   require_ok(begin_stream(encoder, any_header(), line.output()));

@@ -1,4 +1,4 @@
-// A scan can go on though its link is dead, and its stream is there again when the link is.
+// A scan continues while its link is dead, and the stream resumes with the link.
 #include <doctest/doctest.h>
 
 #include "oracle/slice_stream.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 const BitVolume volume = reference::random({24, 20, 16}, 60, 5);
 
-// Takes so many bytes and then nothing, for good.
+// Accepts `left` bytes, then nothing.
 struct DyingLine {
   size_t left;
   Bytes bytes{};
@@ -64,7 +64,7 @@ Bytes arrived(const DyingLine& dead, const Line& back) {
 
 }  // namespace
 
-TEST_CASE("a scan whose link dies goes on without it, or is abandoned, and counts what it drops") {
+TEST_CASE("a scan with a dead link continues or is abandoned, and counts the dropped bytes") {
   const uint64_t whole = encode(events_of(volume), header_of(volume)).size();
   for (const size_t dies_after : {size_t{0}, size_t{100}, size_t{1000}})
     for (const bool is_abandoned : {false, true}) {
@@ -86,7 +86,7 @@ TEST_CASE("a scan whose link dies goes on without it, or is abandoned, and count
     }
 }
 
-TEST_CASE("a stream of regions whose link comes back lacks what was dropped, and says how much") {
+TEST_CASE("a stream of regions reports its loss after the link recovers") {
   DyingLine dead{1500};
   Line back;
   RegionScan scan(dead);
@@ -107,7 +107,7 @@ TEST_CASE("a stream of regions whose link comes back lacks what was dropped, and
   CHECK(packet_of(frames_of(back.bytes)[1]).is(detail::wire::PacketKind::header));
 }
 
-TEST_CASE("a stream of slices whose link comes back goes on with a key slice") {
+TEST_CASE("a stream of slices continues with a key slice after the link recovers") {
   DyingLine dead{300};
   Line back;
   Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
@@ -135,7 +135,7 @@ TEST_CASE("a stream of slices whose link comes back goes on with a key slice") {
   CHECK(late.rows == last);
 }
 
-TEST_CASE("a receiver that comes between two packets has a header at once") {
+TEST_CASE("a receiver connected between two packets receives a header at once") {
   const uint32_t slice = volume.width * volume.height;
   Line before, after;
   Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
@@ -160,7 +160,7 @@ TEST_CASE("a receiver that comes between two packets has a header at once") {
   CHECK(late.repeated_packets == 0);
 }
 
-TEST_CASE("an output that comes before the stream does changes nothing") {
+TEST_CASE("a change of output before the stream begins changes nothing") {
   Line line;
   Encoder encoder;
   require_ok(encoder.start(header_of(volume).label(), line.output()));
@@ -175,7 +175,7 @@ TEST_CASE("an output that comes before the stream does changes nothing") {
   CHECK(line.bytes == encode(events_of(volume), header_of(volume)));
 }
 
-TEST_CASE("what is sealed goes to the new output, and the header behind it") {
+TEST_CASE("sealed bytes are sent to the new output, followed by a header") {
   DyingLine dead{SIZE_MAX};
   Line back;
   Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
@@ -193,7 +193,7 @@ TEST_CASE("what is sealed goes to the new output, and the header behind it") {
   CHECK(packet_of(frames[1]).is(detail::wire::PacketKind::header));
 }
 
-TEST_CASE("a zero ends a cut frame once, before the next stream that goes out") {
+TEST_CASE("a zero ends a cut frame once, before the next stream") {
   DyingLine line{3};
   Bytes memory(SliceEncoder::minimum_bytes({1, 1}, {}));
   SliceEncoder encoder;
@@ -211,7 +211,7 @@ TEST_CASE("a zero ends a cut frame once, before the next stream that goes out") 
   CHECK(line.bytes.size() == 4 + 2 * header);
 }
 
-TEST_CASE("a stream that is begun amid a frame of another is whole") {
+TEST_CASE("a stream that begins within a cut frame of another stream is complete") {
   const Bytes regions = encode(events_of(volume), header_of(volume));
   const Bytes slices = encode_slices(volume);
   for (const bool is_of_slices : {false, true}) {

@@ -1,4 +1,4 @@
-// The recorder of events: equal is what says the same, and what was refused comes again.
+// The recorder of events: how it compares events, and that refused events are offered again.
 #include "oracle/event_log.hpp"
 
 #include <doctest/doctest.h>
@@ -26,8 +26,7 @@ bool tells(Event::Kind kind, Change change) {
 
 }  // namespace
 
-TEST_CASE(
-    "events are equal when they say the same, whatever is in members that their kind has not") {
+TEST_CASE("events are equal if the members of their kind are equal") {
   using Kind = Event::Kind;
   const auto incidence = [](Event& event) { event.incidence = 3; };
   const auto hole = [](Event& event) { event.hole = true; };
@@ -58,7 +57,7 @@ TEST_CASE(
   CHECK_FALSE(tells(Kind::lost, incidence));
 }
 
-TEST_CASE("an event is recorded once, when it is taken") {
+TEST_CASE("an event is recorded once, when it is accepted") {
   EventLog log(refuses_first);
   const Event layer = event_of(Event::Kind::layer);
   for (int i = 0; i < 3; ++i) {
@@ -69,7 +68,7 @@ TEST_CASE("an event is recorded once, when it is taken") {
   CHECK(log.events == Events(3, RecordedEvent(layer)));
 }
 
-TEST_CASE("another event than the one refused is noticed") {
+TEST_CASE("an event that differs from the refused one is detected") {
   EventLog log(refuses_first);
   CHECK(log.take(event_of(Event::Kind::layer)) == SinkResult::busy);
   CHECK_THROWS_AS(log.take(event_of(Event::Kind::finish)), GrammarError);

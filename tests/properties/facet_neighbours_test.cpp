@@ -65,7 +65,7 @@ bool share_face(int axis, int cell, int next) {
 }
 
 // The four cells around an edge of the lattice, the edge's midpoint in the middle. The edge runs
-// along `axis`; quadrant bits 0 and 1 tell on which side of it a cell lies on the other two axes.
+// along `axis`. Quadrant bits 0 and 1 are the side of a cell on the other two axes.
 struct AroundEdge {
   static constexpr int quadrants = 4;
   static constexpr int voxels = 18;  // 3 x 3 across, 2 along
@@ -159,7 +159,7 @@ bool is_disc(const AroundEdge& around, const Steps& steps, uint32_t voxel_bits) 
 
 }  // namespace
 
-TEST_CASE("what lies across an edge lies on the same plane and meets it link against link") {
+TEST_CASE("the facet across an edge is in the same plane and shares the edge") {
   for_each_facet_edge([](Facet facet, int edge, const Vertex& from, const Vertex& to) {
     const Neighbour across = across_edge(facet, edge);
     CHECK(incidence_of(across.facet) == incidence_of(facet));
@@ -167,7 +167,7 @@ TEST_CASE("what lies across an edge lies on the same plane and meets it link aga
   });
 }
 
-TEST_CASE("what lies across an edge is unique, among all shapes in all cells near by") {
+TEST_CASE("the facet across an edge is unique among all shapes in nearby cells") {
   for_each_facet_edge([](Facet facet, int edge, const Vertex& from, const Vertex& to) {
     const Neighbour across = across_edge(facet, edge);
     int found = 0;
@@ -184,7 +184,7 @@ TEST_CASE("what lies across an edge is unique, among all shapes in all cells nea
   });
 }
 
-TEST_CASE("across the same edge again one is back") {
+TEST_CASE("crossing the same edge twice returns to the facet") {
   for_each_facet_edge([](Facet facet, int edge, const Vertex& from, const Vertex& to) {
     const Neighbour across = across_edge(facet, edge);
     const int same_edge = edge_between(across.facet, across.cell, to, from);
@@ -204,7 +204,7 @@ TEST_CASE("an edge inside a cell leads to the same cell, one on a face to the ce
   });
 }
 
-TEST_CASE("the facets of two cells that share a face meet on it link against link") {
+TEST_CASE("the facets of two cells that share a face have matching links on the face") {
   constexpr Vertex back[] = {{-2, 0, 0}, {0, -2, 0}, {0, 0, -2}};
   for (int axis = 0; axis < 3; ++axis) {
     CAPTURE(axis);

@@ -118,7 +118,7 @@ void press_all(Size size, uint64_t stride = 1) {
 
 }  // namespace
 
-TEST_CASE("every block of a row, a sheet or a cube of two voxels is swept as the paper merges it") {
+TEST_CASE("every block of a row, a sheet or a cube of two voxels is swept as in the paper") {
   check_all({1, 1, 1}, 1);
   check_all({1, 1, 5}, 1);
   check_all({1, 5, 1}, 1);
@@ -129,38 +129,38 @@ TEST_CASE("every block of a row, a sheet or a cube of two voxels is swept as the
   check_all({2, 2, 2}, 1);
 }
 
-TEST_CASE("every block of two cells is swept as the paper merges it") {
+TEST_CASE("every block of two cells is swept as in the paper") {
   check_all({2, 2, 3}, 3);
   check_all({2, 3, 2}, 3);
   check_all({3, 2, 2}, 3);
 }
 
-TEST_CASE("every block of 2 x 3 x 3 voxels is swept as the paper merges it") {
+TEST_CASE("every block of 2 x 3 x 3 voxels is swept as in the paper") {
   check_all({2, 3, 3}, 101, step(37));
 }
 
-TEST_CASE("every block of 3 x 2 x 3 voxels is swept as the paper merges it") {
+TEST_CASE("every block of 3 x 2 x 3 voxels is swept as in the paper") {
   check_all({3, 2, 3}, 101, step(37));
 }
 
-TEST_CASE("every block of 3 x 3 x 2 voxels is swept as the paper merges it") {
+TEST_CASE("every block of 3 x 3 x 2 voxels is swept as in the paper") {
   check_all({3, 3, 2}, 101, step(37));
 }
 
-TEST_CASE("every block of two cells in next to no memory comes out the same when it is joined") {
+TEST_CASE("every block of two cells in minimal memory is the same after joining") {
   press_all({2, 2, 2});
   press_all({2, 2, 3}, step(7));
   press_all({2, 3, 2}, step(7));
   press_all({3, 2, 2}, step(7));
 }
 
-TEST_CASE("so do larger blocks") {
+TEST_CASE("larger blocks in minimal memory are the same after joining") {
   press_all({2, 3, 3}, 101 * step(37));
   press_all({3, 2, 3}, 101 * step(37));
   press_all({3, 3, 2}, 101 * step(37));
 }
 
-TEST_CASE("a block of every kind of larger tiling is swept as the paper merges it") {
+TEST_CASE("a block of every kind of larger tiling is swept as in the paper") {
   for (uint64_t bits = 0; bits < 256; ++bits)
     for (const bool closed : {true, false}) {
       const BitVolume volume = tiling({5, 5, 5}, static_cast<Configuration>(bits));

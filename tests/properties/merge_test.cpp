@@ -120,7 +120,7 @@ void check_known(const BitVolume& volume, const Known& known) {
 
 }  // namespace
 
-TEST_CASE("shapes plain and hostile are swept as the paper merges them") {
+TEST_CASE("shapes plain and hostile are swept as in the paper") {
   for (const Named& shape : shapes())
     for (const bool closed : {true, false}) {
       CAPTURE(shape.name);
@@ -130,7 +130,7 @@ TEST_CASE("shapes plain and hostile are swept as the paper merges them") {
     }
 }
 
-TEST_CASE("thousands of small random volumes are swept as the paper merges them") {
+TEST_CASE("thousands of small random volumes are swept as in the paper") {
   for (uint64_t seed = 0; seed < 5000; seed += step(13))
     for (const bool closed : {true, false}) {
       const std::string fault = fault_of<uint16_t>(small_random(seed), closed);
@@ -140,7 +140,7 @@ TEST_CASE("thousands of small random volumes are swept as the paper merges them"
     }
 }
 
-TEST_CASE("every combination of sides from 1 to 6 voxels is swept as the paper merges it") {
+TEST_CASE("every combination of sides from 1 to 6 voxels is swept as in the paper") {
   for (uint32_t i = 0; i < 216; i += step(5))
     for (const uint32_t density : {90U, 180U, 256U})
       for (const bool closed : {true, false}) {
@@ -152,7 +152,7 @@ TEST_CASE("every combination of sides from 1 to 6 voxels is swept as the paper m
       }
 }
 
-TEST_CASE("the sign of a ring is right however often it winds") {
+TEST_CASE("the sign of a ring is right for any number of turns") {
   // More turns than the byte counts in which they are added up.
   for (const uint32_t side : {100U, 181U, 260U}) {
     const BitVolume volume = spiral({side, side, 1});
@@ -161,7 +161,7 @@ TEST_CASE("the sign of a ring is right however often it winds") {
   }
 }
 
-TEST_CASE("balls give the known counts") {
+TEST_CASE("balls have the known counts") {
   constexpr Size size{100, 100, 100};
   constexpr Vertex centre{100, 100, 100};
   check_known(ball(size, centre, 1004), {37784, 46040, 2422, 2466, 32880});
@@ -169,7 +169,7 @@ TEST_CASE("balls give the known counts") {
   check_known(ball(size, centre, 1002), {37784, 45944, 2328, 2374, 32208});
 }
 
-TEST_CASE("a ball of radius 120 between voxels gives the known counts") {
+TEST_CASE("a ball of radius 120 between voxels has the known counts") {
   check_known(ball({256, 256, 256}, {255, 255, 255}, 120 * 120),
               {542924, 663116, 37558, 37746, 484992});
 }
@@ -186,7 +186,7 @@ TEST_CASE("polygons and cells enclose the same volume") {
   }
 }
 
-TEST_CASE("the events depend on no index width and no capacity while nothing is loose") {
+TEST_CASE("events do not depend on index width and capacities while no fragment is loose") {
   for (const Named& shape : shapes())
     for (const Border border : {Border::closed, Border::open}) {
       constexpr Capacities more{ample.slots + 1777, ample.holes + 79};
@@ -227,7 +227,7 @@ TEST_CASE("the events of a volume are these, on every machine") {
   CHECK(hash_of(log) == 2843474493360604257ULL);
 }
 
-TEST_CASE("the rings of regions with many holes come in this order, on every machine") {
+TEST_CASE("the order of the rings of regions with many holes is the same on every machine") {
   const BitVolume volume = random({40, 40, 2}, 235, 3);
   const EventLog log = events_of(volume, Border::closed, ample, false);
   CHECK(hash_of(log) == 11100549875466600305ULL);

@@ -1,5 +1,5 @@
-// Normals on the wire: what the encoder is told the decoder tells, and who does not want normals
-// reads the rest as before.
+// Normals on the wire: the decoder delivers the encoder's normals, and a receiver without normals
+// decodes the rest as before.
 #include <doctest/doctest.h>
 
 #include <discmc/gradient_normals.hpp>
@@ -36,7 +36,7 @@ Events pressed(const BitVolume& volume) {
   return events_of(volume, Capacities{200, 12}, {});
 }
 
-// A run of a ring that goes on to and fro.
+// A run of a ring that alternates between two directions.
 Run run_to_and_fro(uint32_t i) {
   return Run::straight(static_cast<Direction>(4 * (i % 2)), 1 + i / 2 % 5);
 }
@@ -77,7 +77,7 @@ void add_normals(Payload& payload, uint32_t type, const Bytes& bytes, uint32_t l
 
 using List = std::vector<std::vector<int>>;
 
-// Of the runs in packets of records with these payloads.
+// The normals of the runs in packets of records with these payloads.
 List normals_of(const std::vector<Bytes>& payloads) {
   Bytes stream = frames_of(encode({}))[0];
   uint8_t number = 0;
@@ -92,7 +92,7 @@ List normals_of(const std::vector<Bytes>& payloads) {
 
 }  // namespace
 
-TEST_CASE("normals come through, whatever their differences, in whole regions and in parts") {
+TEST_CASE("normals are decoded unchanged for any differences, in whole regions and in parts") {
   Chance chance(5);
   const Events balls = events_of(ball({20, 20, 20}, {19, 19, 19}, 64));
   const Events noise = pressed(random({20, 16, 9}, 128, 6));
@@ -127,7 +127,7 @@ TEST_CASE("without normals both encoders write the same bytes") {
   CHECK(encode_normals(events) == encode(events));
 }
 
-TEST_CASE("an encoder without normals leaves them out, and nothing else") {
+TEST_CASE("an encoder without normals omits only the normals") {
   const Events plain = pressed(random({20, 16, 9}, 128, 10));
   const Events told = with_normals(plain, [](uint32_t i) {
     return OctahedralNormal{static_cast<uint8_t>(1 + i % 255), 77};
@@ -135,22 +135,22 @@ TEST_CASE("an encoder without normals leaves them out, and nothing else") {
   CHECK(encode(told) == encode(plain));
 }
 
-TEST_CASE("a normal belongs to the record after it and to no other") {
+TEST_CASE("a normal belongs only to the record after it") {
   Payload payload;
-  SUBCASE("told, then two regions") {
+  SUBCASE("normals, then two regions") {
     add_normals(payload, 1, {5, 6});  // differences of no bits
     add_region(payload);
     add_region(payload);
     CHECK(normals_of({payload.finish()}) == List{{5, 6}, {5, 6}, {0, 0}, {0, 0}});
   }
-  SUBCASE("a layer mark comes between") {
+  SUBCASE("a layer mark between normals and region") {
     add_normals(payload, 1, {5, 6});
     payload.model.record_kind(detail::stream::RecordKind::layer);
     payload.model.layer(3);
     add_region(payload);
     CHECK(normals_of({payload.finish()}) == List{{0, 0}, {0, 0}});
   }
-  SUBCASE("fewer than the region has runs, and an extension of another type") {
+  SUBCASE("fewer normals than runs, and an extension of another type") {
     add_normals(payload, 9, {5, 6});
     add_region(payload);
     add_normals(payload, 10, {1, 2, 3});
@@ -162,17 +162,17 @@ TEST_CASE("a normal belongs to the record after it and to no other") {
     CHECK(normals_of({payload.finish()}) ==
           List{{5, 6}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}});
   }
-  SUBCASE("differences of four bits, and more of them than runs") {
+  SUBCASE("differences of four bits, and more normals than runs") {
     add_normals(payload, 5, {100, 100, 0x21, 0xFF, 0xFF});  // +1 -1, then what no run has
     add_region(payload);
     CHECK(normals_of({payload.finish()}) == List{{100, 100}, {101, 99}});
   }
-  SUBCASE("none, whatever its second byte") {
+  SUBCASE("an empty list of normals, for any second byte") {
     add_normals(payload, 1, {0, 6});
     add_region(payload);
     CHECK(normals_of({payload.finish()}) == List{{0, 0}, {0, 0}});
   }
-  SUBCASE("more than a record has runs") {
+  SUBCASE("more normals than a record has runs") {
     Bytes bytes(200, 0xFF);
     bytes[0] = bytes[1] = 96;  // one less in each, so that the first that is too many is none
     add_normals(payload, 2, bytes);
@@ -184,7 +184,7 @@ TEST_CASE("a normal belongs to the record after it and to no other") {
     add_region(payload);
     CHECK(normals_of({payload.finish()}) == List{{0, 0}, {0, 0}});
   }
-  SUBCASE("told twice: the latter holds") {
+  SUBCASE("repeated normals: the later list counts") {
     add_normals(payload, 1, {1, 2});
     add_normals(payload, 1, {5, 6});
     add_region(payload);
@@ -198,7 +198,7 @@ TEST_CASE("a normal belongs to the record after it and to no other") {
   }
 }
 
-TEST_CASE("normals take as few bits as their largest difference, and no byte more") {
+TEST_CASE("normals use as few bits as their largest difference needs, without an extra byte") {
   Script script;
   Payload payload;
   std::vector<OctahedralNormal> normals;
@@ -217,7 +217,7 @@ TEST_CASE("normals take as few bits as their largest difference, and no byte mor
   CHECK(packet_of(frames_of(encode_normals(told))[1]).payload == payload.finish());
 }
 
-TEST_CASE("normals come through in records that no packet holds") {
+TEST_CASE("normals are decoded unchanged in records that exceed a packet") {
   Chance chance(13);
   const Events told = with_normals(monstrous_events(), [&](uint32_t) {
     return OctahedralNormal{static_cast<uint8_t>(1 + chance.below(255)), chance.byte()};
@@ -225,7 +225,7 @@ TEST_CASE("normals come through in records that no packet holds") {
   CHECK(decode(encode_normals(told)).events == told);
 }
 
-TEST_CASE("a stream of an extractor with normals comes through") {
+TEST_CASE("the stream of an extractor with normals is decoded unchanged") {
   const Limits limits{24, 20};
   const Capacities capacities{300, 20};
   Chance chance(12);

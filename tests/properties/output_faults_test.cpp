@@ -1,5 +1,5 @@
-// An output that fails, at any byte, once, twice or for good: while it takes nothing the scan
-// waits, and what leaves in the end is byte for byte what leaves without a fault.
+// An output that fails at any byte, once, twice or permanently: the scan waits, and the bytes of
+// the stream are the same as without a fault.
 #include <doctest/doctest.h>
 
 #include "oracle/stream_samples.hpp"
@@ -11,7 +11,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// Takes bytes up to each of its stops and no further, until it has been asked there so many times.
+// Accepts bytes up to each of its stops, then refuses a number of calls.
 class Stopping {
  public:
   static constexpr size_t for_ever = SIZE_MAX;
@@ -49,7 +49,7 @@ class Stopping {
 struct Scenario {
   BitVolume volume;
   Capacities capacities;
-  uint32_t refused_in = 0;  // of so many offers one is refused before the encoder sees it
+  uint32_t refused_in = 0;  // one offer in this many is refused before the encoder sees it
 };
 
 // A sink in front of the encoder, which may be busy as well.
@@ -79,7 +79,7 @@ class Device {
         extractor_.start(limits_, scenario.capacities, 1, block_.memory(), make_sink(gate_)));
   }
 
-  /// Goes on until `patience` calls in a row have come to nothing. True at the end.
+  /// Scans until `patience` calls in a row make no progress. True at the end.
   bool run(size_t patience) {
     const BitVolume& volume = scenario_.volume;
     const auto total = static_cast<uint32_t>(volume.voxels());
@@ -163,7 +163,7 @@ TEST_CASE("the streams of the scenarios are complete") {
   }
 }
 
-TEST_CASE("an output that fails once, at any byte, leaves the stream as it is") {
+TEST_CASE("an output that fails once at any byte leaves the stream unchanged") {
   for (const Sample& sample : short_samples()) {
     CAPTURE(sample.name);
     const Bytes whole = encode(sample.events, sample.header);
@@ -178,7 +178,8 @@ TEST_CASE("an output that fails once, at any byte, leaves the stream as it is") 
   }
 }
 
-TEST_CASE("an output that fails for good, at any byte, is waited for, and nothing is lost") {
+TEST_CASE(
+    "an output that fails permanently at any byte suspends the encoder, and no byte is lost") {
   for (const Sample& sample : short_samples()) {
     CAPTURE(sample.name);
     const Bytes whole = encode(sample.events, sample.header);
@@ -202,7 +203,8 @@ TEST_CASE("an output that fails for good, at any byte, is waited for, and nothin
   }
 }
 
-TEST_CASE("a scan short of memory whose output fails once, at any byte, gives the same stream") {
+TEST_CASE(
+    "an output that fails once at any byte leaves the stream of a scan short of memory unchanged") {
   for (const Scenario& scenario : scenarios()) {
     const Bytes whole = stream_of(scenario);
     for (size_t stop = 0; stop < whole.size(); stop += step(5)) {
@@ -212,7 +214,7 @@ TEST_CASE("a scan short of memory whose output fails once, at any byte, gives th
   }
 }
 
-TEST_CASE("an output that fails again while it catches up gives the same stream") {
+TEST_CASE("an output that fails repeatedly leaves the stream unchanged") {
   const Scenario scenario = scenarios()[1];
   const Bytes whole = stream_of(scenario);
   for (size_t stop = 0; stop < whole.size(); stop += step(13))
@@ -223,7 +225,7 @@ TEST_CASE("an output that fails again while it catches up gives the same stream"
     }
 }
 
-TEST_CASE("a scan whose output fails for good, at any byte, waits, goes on, or begins anew") {
+TEST_CASE("a scan with a dead output at any byte waits, and resumes or restarts") {
   for (const Scenario& scenario : scenarios()) {
     const Bytes whole = stream_of(scenario);
     for (size_t stop = 0; stop < whole.size(); stop += step(5)) {
@@ -250,7 +252,7 @@ TEST_CASE("a scan whose output fails for good, at any byte, waits, goes on, or b
   }
 }
 
-TEST_CASE("flushes between faults move the ends of packets and lose nothing") {
+TEST_CASE("flushes between faults move the ends of packets and lose no event") {
   for (const Sample& sample : short_samples()) {
     CAPTURE(sample.name);
     const size_t size = encode(sample.events, sample.header).size();

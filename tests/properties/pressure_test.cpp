@@ -119,7 +119,7 @@ constexpr uint32_t least = minimum_capacities().slots;
 
 }  // namespace
 
-TEST_CASE("at every number of slots from the least to what is needed the rings are the same") {
+TEST_CASE("the rings do not depend on the number of slots") {
   for_each_case([](const Pressed& pressed) {
     const uint32_t most = pressed.needed().slots + 10;
     for (uint32_t slots = least; slots <= most; slots += step(19)) {
@@ -132,7 +132,7 @@ TEST_CASE("at every number of slots from the least to what is needed the rings a
   });
 }
 
-TEST_CASE("whatever number of holes may wait, the rings are the same") {
+TEST_CASE("the rings do not depend on the number of waiting holes") {
   const BitVolume grid = tiling({13, 13, 3}, 15);
   BitVolume sieve({15, 15, 3});
   for (uint32_t y = 0; y < 15; ++y)
@@ -148,7 +148,7 @@ TEST_CASE("whatever number of holes may wait, the rings are the same") {
   }
 }
 
-TEST_CASE("every arena from the minimum to more than enough keeps the rings") {
+TEST_CASE("the rings are the same in any memory from the minimum to plenty") {
   for_each_case([](const Pressed& pressed) {
     const uint64_t narrow = Extractor16::minimum_bytes(pressed.limits());
     for (uint64_t extra = 0; extra < 12000; extra += step(23) * (1 + extra / 32)) {
@@ -161,14 +161,14 @@ TEST_CASE("every arena from the minimum to more than enough keeps the rings") {
   });
 }
 
-TEST_CASE("every single byte more than the minimum keeps the rings") {
+TEST_CASE("the rings are the same for every byte added to the minimum") {
   const Pressed pressed(random({7, 6, 5}, 120, 3), Border::closed);
   const uint64_t minimum = Extractor16::minimum_bytes(pressed.limits());
   for (uint64_t bytes = minimum; bytes < minimum + 3000; bytes += step(17))
     CHECK(pressed.fault<uint16_t>(bytes) == "");
 }
 
-TEST_CASE("as many slots as a scan has used are all that it needs") {
+TEST_CASE("the peaks of a scan suffice as capacities for the same scan") {
   for (const BitVolume& volume : small_volumes())
     for (const Border border : {Border::closed, Border::open}) {
       const Peaks needed = Pressed(volume, border).needed();
@@ -180,7 +180,7 @@ TEST_CASE("as many slots as a scan has used are all that it needs") {
     }
 }
 
-TEST_CASE("in the memory of the worst case nothing is loose") {
+TEST_CASE("the memory of the worst case keeps every region whole") {
   for (uint64_t seed = 0; seed < 200; seed += step(7)) {
     const BitVolume volume = random({1 + static_cast<uint32_t>(seed % 6), 4, 3}, 150, seed);
     for (const Border border : {Border::closed, Border::open}) {
@@ -215,7 +215,7 @@ TEST_CASE("slabs of any thickness, in any memory, join to the whole") {
   }
 }
 
-TEST_CASE("more memory never makes more loose fragments of a ball, and enough makes none") {
+TEST_CASE("more memory never yields more loose fragments of a ball, and enough memory none") {
   const BitVolume volume = ball({31, 31, 31}, {30, 30, 30}, 180);
   const Limits limits = limits_of(volume, Border::closed);
   size_t before = SIZE_MAX;
@@ -228,9 +228,9 @@ TEST_CASE("more memory never makes more loose fragments of a ball, and enough ma
   CHECK(before == 0);
 }
 
-TEST_CASE("a thousand layers need no more memory than the first ones: nothing leaks") {
+TEST_CASE("a thousand layers need no more memory than the first ones, so nothing leaks") {
   for (uint64_t seed = 0; seed < 12; seed += step(3)) {
-    // A slice that is all off ends every region; else holes would gather in those that go on.
+    // A slice that is all off ends every region, so that no holes accumulate in open regions.
     BitVolume period = random({7, 8, 10}, 60 + 15 * static_cast<uint32_t>(seed), seed);
     std::fill_n(period.on.begin(), 7 * 8, uint8_t{0});
     BitVolume longer({7, 8, 1000});

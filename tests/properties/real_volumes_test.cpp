@@ -1,5 +1,5 @@
 // Real scans, where there are any: the environment variable DISCMC_DATA names a folder as
-// described_volumes.hpp describes it. Without it these tests say so and pass.
+// described_volumes.hpp describes it. Without it these tests print a message and pass.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -109,7 +109,7 @@ constexpr Border borders[] = {Border::closed, Border::open};
 
 }  // namespace
 
-TEST_CASE("real volumes are swept as the paper merges them, at every threshold") {
+TEST_CASE("real volumes are swept as in the paper at every threshold") {
   for (const command::DescribedVolume& scan : scans())
     for (const int32_t threshold : scan.thresholds) {
       const BitVolume volume = read(scan.file, threshold);
@@ -125,7 +125,7 @@ TEST_CASE("real volumes are swept as the paper merges them, at every threshold")
     }
 }
 
-TEST_CASE("the CT head's skin gives the known counts, and nothing loose, in 96 KiB") {
+TEST_CASE("the CT head's skin in 96 KiB has the known counts and no loose fragments") {
   const fs::path file = ct_head();
   if (file.empty()) return;
   for (const Border border : borders) {
@@ -143,7 +143,7 @@ TEST_CASE("the CT head's skin gives the known counts, and nothing loose, in 96 K
   }
 }
 
-TEST_CASE("the CT head's skin takes few more bytes in little memory") {
+TEST_CASE("the CT head's skin needs few more bytes in little memory") {
   const fs::path file = ct_head();
   if (file.empty()) return;
   const BitVolume volume = read(file, skin);
@@ -158,7 +158,7 @@ TEST_CASE("the CT head's skin takes few more bytes in little memory") {
   CHECK(in(24) <= 2.6);
 }
 
-TEST_CASE("real volumes come out the same in any memory, once loose fragments are joined") {
+TEST_CASE("real volumes are the same in any memory after joining") {
   for (const command::DescribedVolume& scan : scans()) {
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);
@@ -191,7 +191,7 @@ TEST_CASE("slabs of real volumes join to the whole") {
   }
 }
 
-TEST_CASE("more memory makes no more loose fragments of a real volume, and hardly more bytes") {
+TEST_CASE("more memory yields no more loose fragments of a real volume and hardly more bytes") {
   for (const command::DescribedVolume& scan : scans()) {
     if (scan.thresholds.empty()) continue;
     const BitVolume volume = read(scan.file, scan.thresholds[0]);

@@ -41,14 +41,14 @@ void check_read(const Bytes& stream, const Events& events) {
 
 }  // namespace
 
-TEST_CASE("a reader of WIRE.md reads what the encoder was given") {
+TEST_CASE("the reader of WIRE.md decodes the encoder's events") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     check_read(encode(sample.events, sample.header), sample.events);
   }
 }
 
-TEST_CASE("it reads fragments from either end, in a packet with regions and in parts") {
+TEST_CASE("the reader of WIRE.md decodes fragments from either end, among regions and in parts") {
   Chance chance(3);
   Script script;
   for (uint32_t i = 0; i < 300; ++i) {
@@ -61,7 +61,7 @@ TEST_CASE("it reads fragments from either end, in a packet with regions and in p
   check_read(encode(script.events), script.events);
 }
 
-TEST_CASE("it reads the golden streams of regions") {
+TEST_CASE("the reader of WIRE.md decodes the golden streams of regions") {
   for (const char* name : {"single_voxel.dmc", "noise.dmc", "loose_fragments.dmc"}) {
     CAPTURE(name);
     const Bytes stream = golden(name);

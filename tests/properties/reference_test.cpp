@@ -156,7 +156,7 @@ TEST_CASE("a lone voxel is an octahedron of eight triangles") {
   CHECK(counted.six_volumes == 8);
 }
 
-TEST_CASE("a box has six faces, twelve edges and eight corners, a region each") {
+TEST_CASE("a box has 26 regions: six faces, twelve edges and eight corners") {
   const BitVolume volume = box({9, 9, 9}, {1, 1, 1}, {5, 6, 7});
   CHECK(std::count(volume.on.begin(), volume.on.end(), uint8_t{1}) == 5 * 6 * 7);
   const std::vector<Region> regions = merge(volume, true);
@@ -166,7 +166,7 @@ TEST_CASE("a box has six faces, twelve edges and eight corners, a region each") 
   CHECK(regions_of.size() == 26);
 }
 
-TEST_CASE("balls give the known counts, the first of them those of the paper's Table 1") {
+TEST_CASE("balls have the known counts, the first being those of the paper's Table 1") {
   constexpr Size size{100, 100, 100};
   constexpr Vertex centre{100, 100, 100};
   check_counts(ball(size, centre, 1004), known_counts(37784, 46040, 2422, 2466, 32880));
@@ -174,17 +174,17 @@ TEST_CASE("balls give the known counts, the first of them those of the paper's T
   check_counts(ball(size, centre, 1002), known_counts(37784, 45944, 2328, 2374, 32208));
 }
 
-TEST_CASE("a ball of radius 120 between voxels gives the known counts") {
+TEST_CASE("a ball of radius 120 between voxels has the known counts") {
   check_counts(ball({256, 256, 256}, {255, 255, 255}, 120 * 120),
                known_counts(542924, 663116, 37558, 37746, 484992));
 }
 
-TEST_CASE("every directed link of a closed surface cancels against its opposite") {
+TEST_CASE("each directed link of a closed surface cancels against its opposite") {
   for_each_volume(
       [](const BitVolume& volume) { CHECK(sum_of_links(merge(volume, true)).empty()); });
 }
 
-TEST_CASE("with an open border links are left over only where the volume ends") {
+TEST_CASE("unpaired links of an open border occur only at the ends of the volume") {
   for_each_volume([](const BitVolume& volume) {
     const auto on_border = [](int32_t a, int32_t b, uint32_t voxels) {
       return a == b && (a == 0 || a == 2 * static_cast<int32_t>(voxels) - 2);
@@ -224,7 +224,7 @@ TEST_CASE("a region is flat, its rings are simple, and only the first is counter
   });
 }
 
-TEST_CASE("a region is as large as it can be: none of its plane lies across its boundary") {
+TEST_CASE("a region is maximal: its plane does not continue across its boundary") {
   for_each_volume([](const BitVolume& volume) {
     std::map<Incidence, std::vector<Region>> by_incidence;
     for (const Region& region : merge(volume, true))
@@ -256,13 +256,14 @@ TEST_CASE("a closed border reaches from -1 to 2W-1, an open one from 0 to 2W-2")
   }
 }
 
-TEST_CASE("one slice has no surface with an open border, and a flat box with a closed one") {
+TEST_CASE(
+    "a single slice has a flat box as surface with a closed border, and none with an open one") {
   const BitVolume slice = box({6, 5, 1}, {0, 0, 0}, {5, 4, 0});
   CHECK(merge(slice, false).empty());
   CHECK(merge(slice, true).size() == 18);  // the sides are edges: too thin for a plane
 }
 
-TEST_CASE("a tunnel makes a hole in the two faces where it ends") {
+TEST_CASE("a tunnel makes a hole in the faces at both ends") {
   BitVolume volume = box({9, 9, 5}, {0, 0, 0}, {8, 8, 4});
   for (int64_t z = 0; z < 5; ++z)
     for (int64_t x = 3; x < 6; ++x) volume.on[volume.index(x, 4, z)] = 0;
@@ -271,7 +272,7 @@ TEST_CASE("a tunnel makes a hole in the two faces where it ends") {
   CHECK(with_hole == 2);
 }
 
-TEST_CASE("where a region touches itself its rings touch and stay simple") {
+TEST_CASE("the rings of a region that touches itself stay simple") {
   bool touches = false;
   for (uint64_t seed = 0; seed < 20; ++seed)
     for (const Region& region : merge(random({24, 24, 3}, 200, seed), true)) {
@@ -285,7 +286,7 @@ TEST_CASE("where a region touches itself its rings touch and stay simple") {
   CHECK_MESSAGE(touches, "the volumes are to show the case");
 }
 
-TEST_CASE("a spiral's top has a ring that follows the wall to its end and back") {
+TEST_CASE("a spiral's top has a ring along both sides of the wall") {
   const BitVolume volume = spiral({62, 62, 2});
   const auto wall = std::count(volume.on.begin(), volume.on.end(), uint8_t{1});
   size_t longest = 0;
@@ -303,7 +304,7 @@ TEST_CASE("volumes are the same on every machine") {
   CHECK(std::count(volume.on.begin(), volume.on.end(), uint8_t{1}) == 1589);
 }
 
-TEST_CASE("the canonical form forgets where rings start and in which order they come") {
+TEST_CASE("the canonical form ignores the starts and the order of rings") {
   const std::vector<Region> merged = merge(random({12, 12, 6}, 200, 7), true);
   const std::vector<Region> expected = canonical(merged);
   std::vector<Region> shuffled = merged;
@@ -317,7 +318,7 @@ TEST_CASE("the canonical form forgets where rings start and in which order they 
   CHECK(describe_difference(canonical(shuffled), expected) == "");
 }
 
-TEST_CASE("a difference is told by its first region") {
+TEST_CASE("a difference is described by its first region") {
   const std::vector<Region> voxel = canonical(merge(from_bits({1, 1, 1}, 1), true));
   std::vector<Region> other = voxel;
   other[3].rings[0][1].z = 77;
@@ -329,7 +330,7 @@ TEST_CASE("a difference is told by its first region") {
   CHECK(describe_difference(voxel, other).find("nothing more") != std::string::npos);
 }
 
-TEST_CASE("a table with one wrong facet is noticed") {
+TEST_CASE("a table with a single wrong facet is detected") {
   FacetTable wrong = facet_table;
   const int first = wrong.first[1];
   wrong.facet[first] = facet_of(incidence_of(wrong.facet[first]), 2);

@@ -1,5 +1,5 @@
-// A sink that says "not now" changes nothing: whichever offers it refuses, and however the caller
-// goes on, the events are the same.
+// A busy sink changes nothing: whichever offer it refuses, and however the caller continues, the
+// events are the same.
 #include <doctest/doctest.h>
 
 #include "oracle/event_log.hpp"
@@ -12,7 +12,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// How the caller goes on after Status::suspended.
+// How the caller continues after Status::suspended.
 enum class Way : uint8_t {
   again,   ///< by the same call, with what is left of the samples
   resume,  ///< by resume() until it is ok, then by the same call
@@ -104,7 +104,7 @@ std::string difference(const Scenario& scenario, const EventLog& plain, EventLog
   }
 }
 
-// Takes so many events and none after them, until it is opened for another log.
+// Accepts a number of events, then refuses until it is opened for another log.
 struct Gate {
   EventLog* log;
   uint64_t left;
@@ -237,7 +237,7 @@ Scenario pressed(uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("any one refusal changes nothing") {
+TEST_CASE("any single refusal changes no event") {
   for (const Border border : {Border::closed, Border::open}) {
     check_every_single_refusal(scenario_of(random({6, 5, 5}, 90, 1), border));
     check_every_single_refusal(scenario_of(checkerboard({5, 4, 4}), border));
@@ -247,12 +247,12 @@ TEST_CASE("any one refusal changes nothing") {
   }
 }
 
-TEST_CASE("any one refusal anywhere in a row of several words changes nothing") {
+TEST_CASE("any single refusal within a row of several words changes no event") {
   for (const Border border : {Border::closed, Border::open})
     check_every_single_refusal(scenario_of(random({99, 2, 2}, 8, 7), border));
 }
 
-TEST_CASE("any one refusal while fragments go out loose changes nothing") {
+TEST_CASE("any single refusal among loose fragments changes no event") {
   for (uint64_t seed = 0; seed < 14; ++seed) {
     const Scenario scenario = loose(seed, seed % 2 == 0 ? Border::closed : Border::open);
     CAPTURE(seed);
@@ -264,7 +264,7 @@ TEST_CASE("any one refusal while fragments go out loose changes nothing") {
   }
 }
 
-TEST_CASE("refusing everything once, again and again, or at random changes nothing") {
+TEST_CASE("refusing all offers once, repeatedly or at random changes no event") {
   for (const Border border : {Border::closed, Border::open})
     for (uint64_t seed = 0; seed < 6; ++seed) {
       CAPTURE(seed);
@@ -274,7 +274,7 @@ TEST_CASE("refusing everything once, again and again, or at random changes nothi
     }
 }
 
-TEST_CASE("a reset forgets whatever the sink has not taken") {
+TEST_CASE("reset() discards the events that the sink has not accepted") {
   for (const Scenario& scenario : {scenario_of(random({5, 5, 4}, 128, 3), Border::open),
                                    loose(4, Border::closed), pressed(7)}) {
     const EventLog plain = run<uint16_t>(scenario);
@@ -293,7 +293,7 @@ TEST_CASE("the rings are right after refusals, not only the same as without") {
   }
 }
 
-TEST_CASE("a scan abandoned anywhere, with any one refusal, is closed and told to be abandoned") {
+TEST_CASE("an abandoned scan with any single refusal is closed and reported as abandoned") {
   for (const Border border : {Border::closed, Border::open}) {
     Scenario scenario = scenario_of(random({3, 3, 3}, 140, 9), border);
     scenario.ending = Ending::abandon;
@@ -306,7 +306,7 @@ TEST_CASE("a scan abandoned anywhere, with any one refusal, is closed and told t
   }
 }
 
-TEST_CASE("an ending that was refused goes on with resume() alone, whatever was left of a push") {
+TEST_CASE("a refused ending continues with resume() alone, whatever remains of a push") {
   const BitVolume volume = box({2, 2, 2}, {0, 0, 0}, {1, 1, 1});
   for (const Ending ending : {Ending::finish, Ending::abandon})
     for (uint64_t k = 0; k < 200; ++k) {
@@ -329,7 +329,7 @@ TEST_CASE("an ending that was refused goes on with resume() alone, whatever was 
 }
 
 TEST_CASE(
-    "a sink that dies at any event is waited for, and nothing is lost; or the scan begins anew") {
+    "a sink that dies at any event suspends the scan, which resumes or restarts without loss") {
   for (uint64_t seed = 0; seed < 6; ++seed)
     for (const Scenario& scenario :
          {loose(seed, seed % 2 == 0 ? Border::closed : Border::open), pressed(5 * seed)}) {
@@ -342,7 +342,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a sink that never takes anything suspends for ever and loses nothing") {
+TEST_CASE("a sink that never accepts suspends the scan forever, and no event is lost") {
   bool is_busy = true;
   EventLog log([&](uint64_t) { return is_busy; });
   const BitVolume volume = checkerboard({5, 5, 2});

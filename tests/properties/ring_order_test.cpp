@@ -23,7 +23,7 @@ bool is_midpoint(const Vertex& v) {
   return is_even(v.x) + is_even(v.y) + is_even(v.z) == 2;
 }
 
-// All facets of an incidence whose cells are at most so many cells from the origin.
+// All facets of an incidence in the cells within a distance of the origin.
 std::vector<Polygon> facets_near(Incidence incidence, int cells) {
   std::vector<Polygon> facets;
   for (Shape shape = 0; shape < 8; ++shape) {
@@ -93,7 +93,7 @@ bool has_way_out(const std::vector<Polygon>& plane, const Vertex& n, const Verte
 
 }  // namespace
 
-TEST_CASE("a straight way leads from each midpoint out of all facets of its plane visited before") {
+TEST_CASE("a straight path from each midpoint leaves all facets of its plane visited before") {
   int planes = 0;
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
     if (incidence == no_incidence) continue;

@@ -1,4 +1,4 @@
-// Streams that share a link are told apart, and what is not one stream never passes for one.
+// Streams that share a link are separated, and a mixture never passes for a single stream.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -90,7 +90,7 @@ const BitVolume second_volume = reference::random({20, 20, 20}, 40, 2);
 
 }  // namespace
 
-TEST_CASE("of two mixed scans a decoder takes the one that comes first, whole") {
+TEST_CASE("a decoder receives the first of two mixed scans completely") {
   const Events first = events_of(first_volume);
   const Bytes link = mixed(encode(first, named(first_volume, 7, 0)),
                            encode(events_of(second_volume), named(second_volume, 8, 0)));
@@ -103,7 +103,7 @@ TEST_CASE("of two mixed scans a decoder takes the one that comes first, whole") 
   CHECK(received.report.repeated_packets == 0);
 }
 
-TEST_CASE("two mixed scans of one name never end as one complete surface") {
+TEST_CASE("two mixed scans with the same name never form a complete surface") {
   uint32_t mixtures = 0;
   for (uint32_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);
@@ -112,7 +112,7 @@ TEST_CASE("two mixed scans of one name never end as one complete surface") {
     const std::vector<Bytes> a = frames_of(encode(events_of(one), header_of(one)));
     const std::vector<Bytes> b = frames_of(encode(events_of(other), header_of(other)));
     if (a.size() != b.size()) continue;
-    // Of every packet that of the one or of the other, but not all of one.
+    // Each packet is from either stream, but not all are from the same.
     Chance chance(seed);
     for (int tries = 0; tries < 50; ++tries) {
       std::vector<Bytes> frames;
@@ -130,7 +130,7 @@ TEST_CASE("two mixed scans of one name never end as one complete surface") {
   CHECK(mixtures > 200);
 }
 
-TEST_CASE("where only the digest tells that a packet is another scan's, it does") {
+TEST_CASE("the digest detects packets of another scan even if all numbers match") {
   // The same but for one voxel in the middle: all numbers agree.
   BitVolume other = first_volume;
   other.on[other.voxels() / 2] ^= 1;
@@ -147,7 +147,7 @@ TEST_CASE("where only the digest tells that a packet is another scan's, it does"
   CHECK_FALSE(received.report.is_complete());
 }
 
-TEST_CASE("three channels of one link are told apart, whatever each of them holds") {
+TEST_CASE("three channels of one link are separated, for any kind of stream") {
   const BitVolume volumes[] = {first_volume, second_volume,
                                reference::ball({20, 20, 20}, {20, 20, 20}, 300)};
   const Bytes link = mixed(mixed(encode(events_of(volumes[0]), named(volumes[0], 7, 0)),
@@ -192,7 +192,7 @@ TEST_CASE("an encoder numbers the scans that follow its first") {
   }
 }
 
-TEST_CASE("a header says what the extractor was started with, and what the label adds") {
+TEST_CASE("the header contains the extractor's limits and threshold, and the label's values") {
   Line line;
   Encoder encoder;
   require_ok(encoder.start({5, {1000, -2000, 3000}, 77, 3}, line.output()));
@@ -219,7 +219,7 @@ TEST_CASE("a header says what the extractor was started with, and what the label
   CHECK(log.starts[0].scan == 77);
 }
 
-TEST_CASE("an extractor that knows the spacing says it once, for the stream as well") {
+TEST_CASE("the spacing of an extractor is also that of the stream") {
   using Normals = GradientNormals<uint8_t>;
   Line line;
   discmc::test::NormalEncoder encoder;
@@ -235,7 +235,7 @@ TEST_CASE("an extractor that knows the spacing says it once, for the stream as w
   CHECK(header.spacing_nm[2] == -3000);
 }
 
-TEST_CASE("several surfaces of one scan go over one link, frame by frame, whoever is busy") {
+TEST_CASE("several surfaces of a scan share a link frame by frame, even if the line is busy") {
   constexpr int32_t thresholds[] = {60, 90, 200};
   const reference::Size size{20, 16, 12};
   Bytes samples;
@@ -281,7 +281,7 @@ TEST_CASE("several surfaces of one scan go over one link, frame by frame, whoeve
   }
 }
 
-TEST_CASE("a group takes rows of bits and skips rows as its extractors do") {
+TEST_CASE("a group pushes rows of bits and skips rows like its extractors") {
   const Limits limits{9, 2};
   Bytes memory[2] = {Bytes(5000), Bytes(5000)};
   EventLog logs[2], alone[2];
@@ -314,7 +314,7 @@ TEST_CASE("a group takes rows of bits and skips rows as its extractors do") {
   }
 }
 
-TEST_CASE("a group takes samples at a stride, over many rows at once") {
+TEST_CASE("a group accepts samples at a stride, over many rows at once") {
   const BitVolume volume = reference::random({7, 5, 3}, 110, 5);
   Bytes apart(2 * volume.on.size());
   for (size_t i = 0; i < volume.on.size(); ++i) apart[2 * i] = volume.on[i];
@@ -331,7 +331,7 @@ TEST_CASE("a group takes samples at a stride, over many rows at once") {
   for (const EventLog& log : logs) CHECK(log.events == events_of(volume));
 }
 
-TEST_CASE("rows of bits that fill their bytes stand behind each other in a group, too") {
+TEST_CASE("rows of bits that fill their bytes are contiguous in a group, too") {
   Bytes memory[2] = {Bytes(5000), Bytes(5000)};
   EventLog logs[2];
   Extractor16 extractors[2];
@@ -346,7 +346,7 @@ TEST_CASE("rows of bits that fill their bytes stand behind each other in a group
   CHECK(logs[1].events == events_of(reference::from_bits({8, 1, 1}, 0xF8)));
 }
 
-TEST_CASE("a group waits for whoever is busy, and what it counts has gone to all") {
+TEST_CASE("a group waits for any busy sink, and counts only rows that all extractors accepted") {
   const Limits limits{9, 4};
   const BitVolume noise = reference::random({9, 4, 6}, 110, 4);
   for (const size_t busy : {size_t{0}, size_t{1}, size_t{2}}) {
@@ -404,7 +404,7 @@ TEST_CASE("encoders of a shared link that is not started are not started either"
   CHECK(encoder.start({}, link.output()) == Status::ok);
 }
 
-TEST_CASE("a shared link that is started anew sends nothing of before") {
+TEST_CASE("a restarted shared link sends no earlier bytes") {
   Line line;
   SharedOutput link;
   const ByteOutput dead{nullptr, [](void*, const uint8_t*, size_t) { return size_t{0}; }};

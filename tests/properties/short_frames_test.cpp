@@ -119,7 +119,7 @@ TEST_CASE("short frames carry all slices of several surfaces") {
     }
 }
 
-TEST_CASE("lengths of frames that ByteOutput does not allow are refused") {
+TEST_CASE("frame lengths outside the limits of ByteOutput are refused") {
   Line line;
   for (const uint16_t length : {uint16_t{1}, uint16_t{47}, uint16_t{257}, uint16_t{65535}}) {
     Encoder encoder;

@@ -1,5 +1,4 @@
-// What a lossy link does to a stream of slices: every loss is told where it is, and no row is
-// wrong.
+// A stream of slices over a lossy link: every loss is reported in its place, and no row is wrong.
 #include <doctest/doctest.h>
 
 #include "oracle/slice_stream.hpp"
@@ -30,7 +29,7 @@ const Sent& sent_with_keys() {
   return sent;
 }
 
-// That every row told is right, in its order and in its place. Returns how many are not told.
+// Checks that every decoded row is right and in its place. Returns the number of missing rows.
 uint64_t check_told_rows(const BitVolume& volume, const ReceivedRows& received) {
   size_t next = 0, lost = 0;
   bool is_over = false;
@@ -63,7 +62,7 @@ ReceivedRows arrive(const std::vector<Bytes>& frames) {
 
 }  // namespace
 
-TEST_CASE("a packet that is lost costs the rows up to the next key slice, and no other") {
+TEST_CASE("a lost packet costs only the rows up to the next key slice") {
   const Sent& sent = sent_with_keys();
   REQUIRE(sent.frames.size() > 20);
   for (size_t i = 1; i + 1 < sent.frames.size(); ++i) {
@@ -80,7 +79,7 @@ TEST_CASE("a packet that is lost costs the rows up to the next key slice, and no
   }
 }
 
-TEST_CASE("a loss of 256 packets up to a header is noticed, whatever was lost before") {
+TEST_CASE("a loss of 256 packets before a header is detected, even after other losses") {
   constexpr reference::Size small{40, 3, 200};
   const BitVolume volume = reference::random(small, 128, 3);
   SlicePlan plan{{1}};
@@ -114,7 +113,7 @@ TEST_CASE("a trailer that claims more rows than a scan can have is not believed"
   CHECK_FALSE(received.report.is_complete());
 }
 
-TEST_CASE("without key slices a packet that is lost costs all that follows") {
+TEST_CASE("a lost packet costs all later rows if the stream has no key slices") {
   const Sent sent(0);
   for (size_t i = 1; i + 1 < sent.frames.size(); i += 5) {
     std::vector<Bytes> frames = sent.frames;
@@ -125,7 +124,7 @@ TEST_CASE("without key slices a packet that is lost costs all that follows") {
   }
 }
 
-TEST_CASE("a listener that comes late hears all from the next key slice on") {
+TEST_CASE("a late receiver receives all rows from the next key slice on") {
   const Sent& sent = sent_with_keys();
   for (size_t first = 1; first + 2 < sent.frames.size(); first += 3) {
     CAPTURE(first);
@@ -139,7 +138,7 @@ TEST_CASE("a listener that comes late hears all from the next key slice on") {
   }
 }
 
-TEST_CASE("any mixture of losses leaves rows that are right") {
+TEST_CASE("any mixture of losses yields only right rows") {
   const Sent& sent = sent_with_keys();
   Chance chance(4);
   for (int round = 0; round < 300; ++round) {
@@ -154,7 +153,7 @@ TEST_CASE("any mixture of losses leaves rows that are right") {
   }
 }
 
-TEST_CASE("packets that come twice are taken once") {
+TEST_CASE("repeated packets of slices are decoded once") {
   const Sent& sent = sent_with_keys();
   for (const size_t back : {0U, 1U, 7U, 30U}) {
     std::vector<Bytes> frames;
@@ -169,7 +168,7 @@ TEST_CASE("packets that come twice are taken once") {
   }
 }
 
-TEST_CASE("of packets that change places the later one is kept") {
+TEST_CASE("the later of two swapped packets is decoded") {
   const Sent& sent = sent_with_keys();
   for (size_t i = 1; i + 2 < sent.frames.size(); ++i) {
     CAPTURE(i);
@@ -181,7 +180,7 @@ TEST_CASE("of packets that change places the later one is kept") {
   }
 }
 
-TEST_CASE("a stream that ends anywhere has told only rows that are right") {
+TEST_CASE("a stream truncated anywhere yields only right rows") {
   const Sent& sent = sent_with_keys();
   for (size_t bytes = 0; bytes < sent.stream.size(); bytes += bytes < 600 ? 1 : 37) {
     CAPTURE(bytes);
@@ -192,7 +191,7 @@ TEST_CASE("a stream that ends anywhere has told only rows that are right") {
   }
 }
 
-TEST_CASE("any one bit that is flipped costs a packet, or two, and no row is wrong") {
+TEST_CASE("a flipped bit costs one or two packets and yields no wrong row") {
   const BitVolume volume = reference::random({20, 6, 12}, 60, 9);
   const Bytes stream = encode_slices(volume, {{3}});
   uint32_t complete = 0;
@@ -208,7 +207,7 @@ TEST_CASE("any one bit that is flipped costs a packet, or two, and no row is wro
   CHECK(complete == 0);
 }
 
-TEST_CASE("packets that are whole but hold anything do no harm") {
+TEST_CASE("packets of random bytes under a correct checksum do no harm") {
   const Sent& sent = sent_with_keys();
   Chance chance(6);
   for (uint32_t round = 0; round < 2000; round += reference::step(5)) {
@@ -227,7 +226,7 @@ TEST_CASE("packets that are whole but hold anything do no harm") {
   }
 }
 
-TEST_CASE("a key slice is told by nothing that was lost, its first row among it") {
+TEST_CASE("a key slice and its first row are coded independently of earlier rows") {
   const BitVolume volume = reference::random({40, 1, 12}, 128, 3);
   Bytes memory(SliceEncoder::minimum_bytes({40, 1}, {2}));
   Line line;

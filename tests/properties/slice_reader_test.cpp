@@ -58,7 +58,7 @@ struct Scan {
   reference::Size size;
   std::vector<int32_t> thresholds;
   KeySlices key_slices;
-  uint32_t skip_every = 0;  // so many rows, in turn as off and as the row before; 0 none
+  uint32_t skip_every = 0;  // one row in this many, off or repeated in turn; 0 none
 };
 
 StreamHeader header_of(const Scan& scan) {
@@ -152,7 +152,7 @@ TEST_CASE("volumes of any width and height are read as WIRE.md specifies") {
           check_volume(reference::random({width, height, 3}, density, width), {{interval}});
 }
 
-TEST_CASE("surfaces, skipped rows and what was flushed are read as WIRE.md specifies") {
+TEST_CASE("surfaces, skipped rows and flushed rows are read as WIRE.md specifies") {
   for (const std::vector<int32_t>& thresholds :
        {std::vector<int32_t>{170}, {170, 173}, {190, 150, 0}, {180, 181, 300, 160}})
     for (const uint32_t interval : {0U, 1U, 3U})
@@ -179,29 +179,29 @@ TEST_CASE("a code with a header in it is read as WIRE.md specifies") {
   CHECK(told.long_codes == 1);
 }
 
-TEST_CASE("noise with key slices is encoded as it always was") {
+TEST_CASE("noise with key slices matches its golden stream") {
   const BitVolume volume = reference::random({24, 20, 12}, 100, 1994);
   const SlicesRead told = check_golden("slices_noise.dmc", encode_slices(volume, {{4}}));
   CHECK(told.on[0] == volume.on);
   CHECK(told.key_codes == 3);
 }
 
-TEST_CASE("three surfaces of one scan are encoded as they always were") {
+TEST_CASE("three surfaces of one scan match their golden stream") {
   check_golden("slices_surfaces.dmc", Scan{{40, 30, 12}, {150, 170, 155}, {6}, 0});
 }
 
-TEST_CASE("rows that never came are encoded as they always were") {
+TEST_CASE("skipped rows match their golden stream") {
   check_golden("slices_skipped.dmc", Scan{{33, 9, 12}, {170, 160}, {3}, 4});
 }
 
-TEST_CASE("a code of several packets is encoded as it always was") {
+TEST_CASE("a code of several packets matches its golden stream") {
   const BitVolume volume = reference::random({100, 60, 2}, 128, 1994);
   const SlicesRead told = check_golden("slices_long.dmc", encode_slices(volume));
   CHECK(told.on[0] == volume.on);
   CHECK(told.long_codes == 1);
 }
 
-TEST_CASE("codes that are cut within a row are encoded as they always were") {
+TEST_CASE("codes cut within a row match their golden stream") {
   const Bytes bytes = golden("slices_cut.dmc");
   const SlicesRead told = check_read(bytes);
   CHECK(told.cut_codes > 0);

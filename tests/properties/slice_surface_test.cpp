@@ -72,7 +72,7 @@ std::vector<BitVolume> volumes() {
 
 }  // namespace
 
-TEST_CASE("a stream of slices tells the events of an extractor that is given the same rows") {
+TEST_CASE("a stream of slices yields the events of an extractor with the same rows") {
   for (const BitVolume& volume : volumes())
     for (const Border border : {Border::closed, Border::open})
       for (const bool skips : {false, true})
@@ -104,7 +104,7 @@ TEST_CASE("a stream of regions is decoded as ever, without any memory") {
   CHECK(log.events == decode(stream).events);
 }
 
-TEST_CASE("the surface of a stream that has lost packets is closed, and what is lost is skipped") {
+TEST_CASE("the surface of a stream with lost packets is closed, and lost rows are skipped") {
   const BitVolume volume = reference::ball({40, 40, 40}, {39, 39, 39}, 300);
   const std::vector<Bytes> frames = frames_of(told(volume, Border::closed, false, 4));
   REQUIRE(frames.size() > 10);
@@ -149,7 +149,7 @@ TEST_CASE("memory that is too small for a stream of slices is refused") {
     CHECK(decoder.push(stream.data(), 0).status == status);
     CHECK(log.events.empty() == !is_enough);
     if (is_enough) continue;
-    // With enough it goes on where it was.
+    // With enough memory it continues.
     Bytes enough(Receiver::minimum_bytes(limits));
     CHECK(decoder.give_memory({enough.data(), enough.size() - 1}) == Status::too_little_memory);
     CHECK(decoder.give_memory({enough.data(), enough.size()}) == Status::ok);
@@ -163,7 +163,7 @@ TEST_CASE("memory that is too small for a stream of slices is refused") {
   CHECK(decoder.finish() == Status::not_started);
 }
 
-TEST_CASE("a call skips no more lost rows than it promises, whatever a stream claims") {
+TEST_CASE("a call skips at most max_skipped_rows rows, whatever the stream claims") {
   constexpr uint32_t most = SurfaceDecoder::max_skipped_rows;
   constexpr uint32_t rows = 2 * most + 100;
   const Bytes stream = lost_slices({3, 2, rows / 2});
@@ -189,7 +189,7 @@ TEST_CASE("a call skips no more lost rows than it promises, whatever a stream cl
   reference::require_ok(decoder.finish());
 }
 
-TEST_CASE("a stream that ends within its first packet has not begun, whatever follows") {
+TEST_CASE("a stream truncated within its first packet has no start, whatever follows") {
   const BitVolume volume = volumes()[0];
   const Bytes stream = told(volume, Border::closed, false, 0);
   EventLog log;
@@ -216,7 +216,7 @@ TEST_CASE("a stream that ends within its first packet has not begun, whatever fo
   CHECK(log.events == swept(volume, Border::closed, false));
 }
 
-TEST_CASE("memory that is given takes the place of what was too little, all of it") {
+TEST_CASE("give_memory() replaces the memory that was too small") {
   const BitVolume volume = volumes()[0];
   const Bytes stream = told(volume, Border::closed, false, 0);
   const Limits limits{volume.width, volume.height};
@@ -240,7 +240,7 @@ TEST_CASE("memory that is given takes the place of what was too little, all of i
   }
 }
 
-TEST_CASE("of a stream of slices without its end a refusal loses nothing") {
+TEST_CASE("refusals lose no event of a stream of slices without its end") {
   const BitVolume volume = reference::random({20, 10, 6}, 90, 2);
   const Limits limits{volume.width, volume.height};
   std::vector<Bytes> frames = frames_of(told(volume, Border::closed, false, 1));

@@ -12,10 +12,10 @@ TEST_CASE("links are numbered in order, and the directions of a plane go round")
   CHECK(broken(detail::link_table) == nullptr);
 }
 
-TEST_CASE("the facets of every configuration fill its loops, and are counted right") {
+TEST_CASE("the facets of every configuration fill its loops, and their counts are right") {
   CHECK(broken(facet_tables()) == nullptr);
 }
 
-TEST_CASE("a vertex sees the sectors of its four cells, and each kind of link has a queue") {
+TEST_CASE("a vertex has the sectors of its four cells, and each kind of link has a queue") {
   CHECK(broken(detail::trace::sector_table) == nullptr);
 }

@@ -14,9 +14,9 @@ using reference::Region;
 
 namespace {
 
-// Decodes a stream byte by byte, each out of a block of its own, so that address sanitizers see the
-// first byte beyond. Before every byte it calls check(bytes so far, events so far, the report of a
-// stream that ends there, and whether what was open there was told to be lost).
+// Decodes a stream byte by byte, each from a block of its own, so that address sanitizers detect
+// reads beyond. Before every byte it calls check() with the bytes and events so far, the report of
+// a stream that ends there, and whether an open piece was reported as lost.
 template <class Check>
 Events decode_cutting(const Bytes& stream, Check check) {
   EventLog log;
@@ -57,7 +57,7 @@ std::vector<size_t> regions_by_mark(const Collector& whole) {
 
 }  // namespace
 
-TEST_CASE("a stream that ends at any byte is not complete, and gives what was whole by then") {
+TEST_CASE("a stream truncated at any byte is incomplete and yields the pieces whole by then") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
@@ -85,7 +85,7 @@ TEST_CASE("a stream that ends at any byte is not complete, and gives what was wh
   }
 }
 
-TEST_CASE("a scan cut off at any byte leaves every region that ended below the last layer mark") {
+TEST_CASE("a scan cut off at any byte yields every region below the last layer mark") {
   size_t certain = 0;
   for (const Sample& sample : samples()) {
     if (sample.name == "monstrous records") continue;  // no surface

@@ -13,8 +13,8 @@ using Kind = Event::Kind;
 
 namespace {
 
-// Decodes with the grammar checked, and encodes again what came of it: an encoder must take
-// whatever a decoder delivers, and tell it unchanged.
+// Decodes, checks the grammar, and encodes the result: an encoder must accept all events of a
+// decoder and encode them unchanged.
 Received survive(const Bytes& bytes, size_t portion = 0) {
   const Received arrival = decode(bytes, portion);
   const std::vector<Events> pieces = pieces_of(arrival.events);
@@ -71,7 +71,7 @@ std::vector<Sample> small_samples() {
 
 }  // namespace
 
-TEST_CASE("a flipped bit anywhere is noticed, and costs only what was in its packet") {
+TEST_CASE("a flipped bit anywhere is detected and costs only its own packet") {
   for (const Sample& sample : small_samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
@@ -91,7 +91,7 @@ TEST_CASE("a flipped bit anywhere is noticed, and costs only what was in its pac
   }
 }
 
-TEST_CASE("a burst of errors anywhere is noticed") {
+TEST_CASE("a burst of errors anywhere is detected") {
   Chance chance(1);
   for (const Sample& sample : small_samples()) {
     CAPTURE(sample.name);
@@ -111,7 +111,7 @@ TEST_CASE("a burst of errors anywhere is noticed") {
   }
 }
 
-TEST_CASE("random bytes are no stream") {
+TEST_CASE("random bytes are rejected") {
   Chance chance(2);
   for (int round = 0; round < 2000; ++round) {
     const Received arrival = survive(random_bytes(chance, chance.below(1500)), chance.below(5));
@@ -120,7 +120,7 @@ TEST_CASE("random bytes are no stream") {
   }
 }
 
-TEST_CASE("random payloads under a correct checksum end, and break no rule") {
+TEST_CASE("random payloads under a correct checksum terminate and break no rule") {
   Chance chance(3);
   size_t events = 0;
   for (int round = 0; round < 1500; ++round) {
@@ -138,7 +138,7 @@ TEST_CASE("random payloads under a correct checksum end, and break no rule") {
   CHECK(events > 10000);
 }
 
-TEST_CASE("changed packets under a correct checksum end, and break no rule") {
+TEST_CASE("changed packets under a correct checksum terminate and break no rule") {
   Chance chance(4);
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
@@ -160,7 +160,7 @@ TEST_CASE("changed packets under a correct checksum end, and break no rule") {
   }
 }
 
-TEST_CASE("hostile payloads that cost next to nothing a decision still end") {
+TEST_CASE("hostile payloads with cheap decisions terminate") {
   Chance chance(5);
   for (int round = 0; round < 300; ++round) {
     // All ones or all zeros steer the decoder along the likeliest or least likely decisions.
@@ -171,7 +171,7 @@ TEST_CASE("hostile payloads that cost next to nothing a decision still end") {
   }
 }
 
-TEST_CASE("frames of every length with a correct checksum are safe, too long ones as well") {
+TEST_CASE("frames of every length with a correct checksum are safe, even too long ones") {
   Chance chance(6);
   for (size_t count = 0; count <= detail::wire::max_payload + 1; ++count)
     for (uint8_t kind = 0; kind < 5; ++kind) {

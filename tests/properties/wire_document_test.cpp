@@ -146,7 +146,7 @@ TEST_CASE("the symbols in WIRE.md are those of the first record and the first re
   CHECK(trace == words_of_block("symbols"));
 }
 
-TEST_CASE("the dump of slices in WIRE.md is the stream of its volume, behind the header") {
+TEST_CASE("the dump of slices in WIRE.md is the stream of its volume, after the header") {
   const std::vector<Bytes> frames = frames_of(encode_slices(two_slices()));
   REQUIRE(frames.size() == 3);
   CHECK(bytes_of_block("slices") == joined({frames[1], frames[2]}));
@@ -158,7 +158,7 @@ TEST_CASE("the dump of slices in WIRE.md is the stream of its volume, behind the
   CHECK(frame_of(header) == frames[0]);
 }
 
-TEST_CASE("the decisions of slices in WIRE.md are those of its volume, and give its voxels") {
+TEST_CASE("the decisions of slices in WIRE.md are those of its volume and yield its voxels") {
   const reference::BitVolume volume = two_slices();
   const Packet packet = packet_of(frames_of(encode_slices(volume))[1]);
   Bytes memory(SliceDecoder::minimum_bytes({4, 3}));

@@ -42,7 +42,7 @@ struct Sent {
   std::vector<Span> pieces;
 };
 
-// What must arrive of the frames kept, and what the report must say.
+// The events that must arrive from the frames kept, and the report.
 void check_arrival(const Sent& sent, const std::vector<bool>& is_kept, const Received& arrival) {
   std::vector<Events> expected;
   for (const Sent::Span& span : sent.pieces)
@@ -55,7 +55,7 @@ void check_arrival(const Sent& sent, const std::vector<bool>& is_kept, const Rec
   const auto kept = static_cast<uint64_t>(std::count(is_kept.begin(), is_kept.end(), true));
   CHECK(arrival.report.packets == kept);
   CHECK(arrival.report.is_complete() == (kept == is_kept.size()));
-  if (!is_kept.back()) return;  // nobody can tell what was to come
+  if (!is_kept.back()) return;  // later packets are unknown
   CHECK(arrival.report.lost_pieces == sent.pieces.size() - expected.size());
   if (arrival.report.has_header) CHECK(arrival.report.lost_packets == is_kept.size() - kept);
 }
@@ -120,7 +120,7 @@ const Sent& long_stream() {
 
 }  // namespace
 
-TEST_CASE("any one packet that is dropped is counted, and only what it held is missing") {
+TEST_CASE("a single lost packet is counted, and only its contents are missing") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const Sent sent(sample.events, sample.header);
@@ -130,7 +130,7 @@ TEST_CASE("any one packet that is dropped is counted, and only what it held is m
   }
 }
 
-TEST_CASE("any run of packets that is dropped in front of others is counted") {
+TEST_CASE("any run of lost packets before others is counted") {
   const Sent& sent = long_stream();
   const size_t total = sent.frames.size();
   REQUIRE(total > 600);
@@ -142,13 +142,13 @@ TEST_CASE("any run of packets that is dropped in front of others is counted") {
       check_without(sent, first, count);
 }
 
-TEST_CASE("packets that are dropped just before the trailer are counted up to 127 of them") {
+TEST_CASE("up to 127 packets lost before the trailer are counted") {
   const Sent& sent = long_stream();
   for (size_t count = 1; count < 128; count += 3 * reference::step(5))
     check_without(sent, sent.frames.size() - 1 - count, count);
 }
 
-TEST_CASE("of one huge region no 256 packets can be missing unnoticed") {
+TEST_CASE("a loss of 256 packets within a huge region is detected") {
   Script script;
   Chance chance(1);
   add_ragged_region(script, chance, 40000, 1000);
@@ -157,7 +157,7 @@ TEST_CASE("of one huge region no 256 packets can be missing unnoticed") {
   for (const size_t count : {256U, 257U, 300U, 512U}) check_without(sent, 67, count);
 }
 
-TEST_CASE("of more packets dropped before the trailer the pieces are still counted") {
+TEST_CASE("the pieces of packets lost before the trailer are counted") {
   const Sent& sent = long_stream();
   for (size_t count = 128; count < sent.frames.size() - 1; count += 13 * reference::step(3)) {
     std::vector<Bytes> kept(sent.frames.begin(),
@@ -171,7 +171,7 @@ TEST_CASE("of more packets dropped before the trailer the pieces are still count
   }
 }
 
-TEST_CASE("of any number of pieces lost before the trailer it tells exactly how many") {
+TEST_CASE("the trailer reports exactly the number of pieces lost before it") {
   std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
   REQUIRE(frames.size() == 2);
   for (const uint32_t regions : {0U, 1U, 32767U, 32768U, 40000U, 65535U, 65536U, 1000000U})
@@ -191,14 +191,14 @@ TEST_CASE("of any number of pieces lost before the trailer it tells exactly how 
     }
 }
 
-TEST_CASE("a listener that joins late knows what was before him") {
+TEST_CASE("a late receiver counts the packets and regions before its start") {
   const Sent& sent = long_stream();
   for (size_t first = 1; first + detail::wire::header_interval < sent.frames.size();
        first += 11 * reference::step(3))
     check_without(sent, 0, first);
 }
 
-TEST_CASE("a late listener hears all from the first packet on, whatever its count of pieces") {
+TEST_CASE("a late receiver decodes all packets from its first one, for any count of pieces") {
   const Sample sample = samples()[4];
   for (const uint32_t before : {1U, 32767U, 32768U, 65000U}) {
     CAPTURE(before);
@@ -229,7 +229,7 @@ TEST_CASE("any mixture of losses is counted") {
   }
 }
 
-TEST_CASE("packets that come twice are delivered once") {
+TEST_CASE("repeated packets are decoded once") {
   const Sent& sent = long_stream();
   const std::vector<bool> all(sent.frames.size(), true);
   for (const size_t back : {0U, 1U, 2U, 60U, 126U, 200U, 300U}) {
@@ -248,7 +248,7 @@ TEST_CASE("packets that come twice are delivered once") {
   }
 }
 
-TEST_CASE("of packets that change places the later one is kept, the other counted as lost") {
+TEST_CASE("the later of two swapped packets is decoded, and the other counts as lost") {
   const Sent& sent = long_stream();
   for (size_t apart = 1; apart < 100; apart += 14)
     for (size_t i = 1; i + apart + 1 < sent.frames.size(); i += 53 * reference::step(5)) {
@@ -267,7 +267,7 @@ TEST_CASE("of packets that change places the later one is kept, the other counte
     }
 }
 
-TEST_CASE("of a stream that is cut off and begun anew no region is delivered twice or wrong") {
+TEST_CASE("a stream cut off and restarted yields no region twice or wrong") {
   const Sent& sent = long_stream();
   for (size_t cut = 1; cut < sent.frames.size(); cut += 37 * reference::step(3)) {
     CAPTURE(cut);
@@ -278,7 +278,7 @@ TEST_CASE("of a stream that is cut off and begun anew no region is delivered twi
   }
 }
 
-TEST_CASE("two different streams spliced give regions of one or the other, never a mixture") {
+TEST_CASE("two spliced streams yield regions of either, never a mixture") {
   const Sent& first = long_stream();
   const Sent second(long_events(77));
   for (size_t cut = 1; cut < first.frames.size(); cut += 97)
@@ -287,7 +287,7 @@ TEST_CASE("two different streams spliced give regions of one or the other, never
       std::vector<Bytes> frames(first.frames.begin(), end);
       frames.insert(frames.end(), second.frames.begin() + static_cast<std::ptrdiff_t>(from),
                     second.frames.end());
-      // A region in parts may be open at the cut; if the numbers go on there, nobody can tell.
+      // A region in parts may be open at the cut; if the numbers match there, the cut is invisible.
       if (static_cast<uint8_t>(from - cut) == 0) continue;
       for (const Events& piece : pieces_of(decode(joined(frames)).events))
         CHECK((is_known(first, piece) || is_known(second, piece)));
@@ -295,8 +295,8 @@ TEST_CASE("two different streams spliced give regions of one or the other, never
 }
 
 TEST_CASE(
-    "two streams interleaved give regions of one or the other, and are complete as one alone") {
-  // Regions within a packet each: of one in parts nobody can tell whose part comes next.
+    "two interleaved streams yield regions of either, and a complete result is all of one stream") {
+  // Each region fits a packet: the owner of the next part of a region in parts is undefined.
   const Sample round = sample_of("", reference::ball({20, 20, 20}, {19, 19, 19}, 70));
   const Sample noise = sample_of("", reference::random({13, 11, 9}, 128, 1));
   const Sent first(round.events, round.header);

@@ -50,7 +50,7 @@ void check_golden(const char* name, const BitVolume& volume) {
 
 }  // namespace
 
-TEST_CASE("the samples hold everything that a stream can hold") {
+TEST_CASE("the samples cover everything that a stream can contain") {
   uint64_t fragments = 0, skipped = 0, holes = 0, longest_ring = 0, runs = 0;
   for (const Sample& sample : samples()) {
     fragments += count_of(sample.events, Kind::fragment);
@@ -69,7 +69,7 @@ TEST_CASE("the samples hold everything that a stream can hold") {
   CHECK(holes > 200);
 }
 
-TEST_CASE("what goes in comes out: every event, the header and the totals") {
+TEST_CASE("every event, the header and the totals are decoded unchanged") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
@@ -89,7 +89,7 @@ TEST_CASE("what goes in comes out: every event, the header and the totals") {
   }
 }
 
-TEST_CASE("encoding what was decoded gives the same bytes") {
+TEST_CASE("encoding the decoded events yields the same bytes") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
@@ -98,7 +98,7 @@ TEST_CASE("encoding what was decoded gives the same bytes") {
   }
 }
 
-TEST_CASE("the bytes do not depend on when and how much the output takes") {
+TEST_CASE("the bytes do not depend on the portions that the output accepts") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
@@ -109,7 +109,7 @@ TEST_CASE("the bytes do not depend on when and how much the output takes") {
   }
 }
 
-TEST_CASE("the events do not depend on the portions of the input, nor on when the sink refuses") {
+TEST_CASE("the events do not depend on the portions of the input or on refusals") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const Bytes stream = encode(sample.events, sample.header);
@@ -123,7 +123,7 @@ TEST_CASE("the events do not depend on the portions of the input, nor on when th
   }
 }
 
-TEST_CASE("random volumes in random memory come through") {
+TEST_CASE("random volumes in random memory are decoded unchanged") {
   Chance chance(1);
   for (int round = 0; round < 60; ++round) {
     CAPTURE(round);
@@ -142,7 +142,7 @@ TEST_CASE("random volumes in random memory come through") {
   }
 }
 
-TEST_CASE("headers at the ends of every field come back") {
+TEST_CASE("headers with extreme values in each field are decoded unchanged") {
   StreamHeader header = any_header();
   header.width = Limits::max_extent;
   header.height = 1;
@@ -158,14 +158,14 @@ TEST_CASE("headers at the ends of every field come back") {
   CHECK(equal(decode(encode(Script().finish().events, header)).header, header));
 }
 
-TEST_CASE("the ball of DESIGN.md takes at most 9,000 bytes") {
+TEST_CASE("the ball of DESIGN.md needs at most 9,000 bytes") {
   const BitVolume volume = reference::ball({100, 100, 100}, {100, 100, 100}, 1002);
   const Events events = events_of(volume);
   CHECK(count_of(events, Kind::region) == 2328);
   CHECK(encode(events, header_of(volume)).size() <= 9000);
 }
 
-TEST_CASE("rings begin where they take few bits: at their last vertex, a corner") {
+TEST_CASE("rings begin where the start is cheap to encode: at their last vertex, a corner") {
   Incidence incidence = no_incidence;
   Vertex start{0, 0, 0}, at{0, 0, 0};
   for (const RecordedEvent& recorded : events_of(golden_noise())) {
@@ -178,15 +178,15 @@ TEST_CASE("rings begin where they take few bits: at their last vertex, a corner"
   }
 }
 
-TEST_CASE("a single voxel is encoded as it always was") {
+TEST_CASE("a single voxel matches its golden stream") {
   check_golden("single_voxel.dmc", reference::from_bits({1, 1, 1}, 1));
 }
 
-TEST_CASE("a small random volume is encoded as it always was") {
+TEST_CASE("a small random volume matches its golden stream") {
   check_golden("noise.dmc", golden_noise());
 }
 
-TEST_CASE("loose fragments are encoded as they always were") {
+TEST_CASE("loose fragments match their golden stream") {
   const Events events = with_loose_fragments(events_of(golden_noise()), 3);
   CHECK(count_of(events, Kind::fragment) > 100);
   const Bytes bytes = golden("loose_fragments.dmc");
@@ -195,13 +195,13 @@ TEST_CASE("loose fragments are encoded as they always were") {
   CHECK(decode(bytes).events == events);
 }
 
-TEST_CASE("parts, fragments and marks are encoded as they always were") {
+TEST_CASE("parts, fragments and marks match their golden stream") {
   const Bytes stream = encode(monstrous_events());
   CHECK(stream.size() == 21928);
   CHECK(crc32(stream.data(), stream.size()) == 0x2124030A);
 }
 
-TEST_CASE("fields of one to eight bytes are read as they were written, and zeros beyond the end") {
+TEST_CASE("fields of one to eight bytes are read as written, with zeros beyond the end") {
   Bytes bytes(1 + 2 + 4 + 8);
   uint8_t* place = detail::wire::put(bytes.data(), 0xFE, 1);
   place = detail::wire::put(place, 0x1234, 2);
@@ -216,6 +216,6 @@ TEST_CASE("fields of one to eight bytes are read as they were written, and zeros
   CHECK(reader.get(4) == 0x89ABCDEF);
   CHECK(reader.get(8) == 0x0123456789ABCDEF);
   CHECK(reader.get(4) == 0);
-  const uint8_t three[] = {1, 2, 3, 0xFF};  // of which the reader knows two
+  const uint8_t three[] = {1, 2, 3, 0xFF};  // of which the reader may read two
   CHECK(detail::wire::ByteReader(three, 2).get(4) == 0x0201);
 }

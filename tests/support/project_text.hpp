@@ -1,4 +1,4 @@
-// Files of the project as text, for tests of what they say.
+// Files of the project as text, for tests of their contents.
 #ifndef DISCMC_TESTS_PROJECT_TEXT_HPP
 #define DISCMC_TESTS_PROJECT_TEXT_HPP
 

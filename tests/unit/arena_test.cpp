@@ -22,7 +22,7 @@ bool is_aligned(const void* place) {
 
 }  // namespace
 
-TEST_CASE("arrays follow each other, aligned, wherever the memory begins") {
+TEST_CASE("arrays are contiguous and aligned for any start of the memory") {
   alignas(8) uint8_t bytes[64 + 3 * red_zone_bytes] = {};
   for (size_t offset = 0; offset < 4; ++offset) {
     Arena arena({bytes + offset, sizeof bytes - offset});
@@ -40,8 +40,7 @@ TEST_CASE("arrays follow each other, aligned, wherever the memory begins") {
   }
 }
 
-TEST_CASE(
-    "what fits exactly is had, beside the three bytes set aside, wherever the memory begins") {
+TEST_CASE("an exact fit succeeds beside the three reserved bytes, for any start of the memory") {
   constexpr size_t needed = 16 + 3 * red_zone_bytes;
   alignas(4) uint8_t bytes[needed + 8] = {};
   for (size_t offset = 0; offset < 4; ++offset) {
@@ -57,7 +56,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("once something has not fitted nothing does") {
+TEST_CASE("after a failed allocation every further allocation fails") {
   alignas(4) uint8_t bytes[32 + red_zone_bytes] = {};
   for (const uint32_t count : {30U, UINT32_MAX}) {
     Arena arena(memory_of(bytes));
@@ -69,14 +68,14 @@ TEST_CASE("once something has not fitted nothing does") {
   }
 }
 
-TEST_CASE("an array of an odd number of bytes needs its padding too") {
+TEST_CASE("an array of an odd number of bytes is padded to the alignment") {
   alignas(4) uint8_t bytes[12 + 2 * red_zone_bytes] = {};
   Arena arena({bytes, 7 + 3 + 2 * red_zone_bytes});
   CHECK(arena.take<uint8_t>(4) != nullptr);
   CHECK(arena.take<uint8_t>(3) == nullptr);
 }
 
-TEST_CASE("too little memory to align, or none, gives nothing") {
+TEST_CASE("memory that is null or too small to align provides no array") {
   uint8_t bytes[8] = {};
   for (size_t size = 0; size < 3; ++size) {
     Arena arena({bytes + 1, size});
@@ -88,7 +87,7 @@ TEST_CASE("too little memory to align, or none, gives nothing") {
   CHECK(none.take<uint8_t>(1) == nullptr);
 }
 
-TEST_CASE("three bytes, the ones set aside, are memory that has room for nothing") {
+TEST_CASE("the three reserved bytes alone provide no array") {
   alignas(4) uint8_t bytes[4 + red_zone_bytes] = {};
   for (const size_t count : {3U, 4U}) {
     Arena arena({bytes, count + red_zone_bytes});
@@ -99,7 +98,7 @@ TEST_CASE("three bytes, the ones set aside, are memory that has room for nothing
   CHECK(Arena({bytes, 2}).is_exhausted());
 }
 
-TEST_CASE("the bytes of an array are rounded up to the alignment and do not wrap") {
+TEST_CASE("the size of an array is rounded up to the alignment without overflow") {
   CHECK(Arena::bytes_of(0, 12) == red_zone_bytes);
   CHECK(Arena::bytes_of(1, 1) == 4 + red_zone_bytes);
   CHECK(Arena::bytes_of(4, 1) == 4 + red_zone_bytes);
@@ -109,7 +108,7 @@ TEST_CASE("the bytes of an array are rounded up to the alignment and do not wrap
   static_assert(Arena::bytes_of(7, 2) == 16 + red_zone_bytes, "known at compile time");
 }
 
-TEST_CASE("arrays do not overlap and stay within the memory, whatever is taken") {
+TEST_CASE("arrays do not overlap and stay within the memory for any sequence of sizes") {
   uint32_t state = 1;
   const auto next = [&state](uint32_t limit) {
     state = state * 1664525 + 1013904223;
@@ -133,7 +132,7 @@ TEST_CASE("arrays do not overlap and stay within the memory, whatever is taken")
   }
 }
 
-TEST_CASE("memory_of() has all bytes of an array, whatever its items") {
+TEST_CASE("memory_of() covers all bytes of an array of any item type") {
   uint8_t bytes[7];
   uint32_t words[3];
   std::array<std::byte, 5> wrapped{};

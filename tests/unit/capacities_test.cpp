@@ -71,7 +71,7 @@ Status start_with(const Limits& limits, const Capacities& capacities, size_t byt
 
 }  // namespace
 
-TEST_CASE("memory whose size was known at compile time starts a scan") {
+TEST_CASE("memory of a size computed at compile time starts a scan") {
   reference::Collector collector;
   const Sink sink = collector.sink();
   Extractor16 extractor;
@@ -83,7 +83,7 @@ TEST_CASE("memory whose size was known at compile time starts a scan") {
         Status::ok);
 }
 
-TEST_CASE("the default capacities fit in the bytes given, whatever those and the limits are") {
+TEST_CASE("the default capacities fit in the given bytes for any limits") {
   for_each_limits([](const Limits& limits) {
     check_defaults_of_many_sizes<uint16_t>(limits);
     check_defaults_of_many_sizes<uint32_t>(limits);
@@ -102,7 +102,7 @@ TEST_CASE("the default capacities fit in every single number of bytes") {
     }
 }
 
-TEST_CASE("hardly a byte is left over by the default capacities") {
+TEST_CASE("the default capacities leave few bytes unused") {
   for (uint64_t extra = 0; extra < 5000; ++extra) {
     const uint64_t bytes = Extractor16::minimum_bytes(small) + extra;
     const Capacities capacities = Extractor16::default_capacities(small, bytes);
@@ -112,7 +112,7 @@ TEST_CASE("hardly a byte is left over by the default capacities") {
   }
 }
 
-TEST_CASE("fewer bytes than the minimum give the minimum") {
+TEST_CASE("less memory than the minimum yields the minimum capacities") {
   const Capacities least = minimum_capacities();
   for (const uint64_t bytes : {uint64_t{0}, uint64_t{1}, Extractor16::minimum_bytes(small)}) {
     CHECK(at_most(Extractor16::default_capacities(small, bytes), least));
@@ -120,7 +120,7 @@ TEST_CASE("fewer bytes than the minimum give the minimum") {
   }
 }
 
-TEST_CASE("exactly the bytes asked for are enough, wherever they begin, and one less is refused") {
+TEST_CASE("exactly bytes_for() bytes start a scan at any address, and one byte less is refused") {
   for (const uint32_t width : {1U, 2U, 31U, 32U, 64U})
     for (const uint32_t height : {1U, 2U, 9U})
       for (const Border border : {Border::closed, Border::open}) {
@@ -152,7 +152,7 @@ TEST_CASE("fewer slots than the minimum, or more than an index counts, are refus
   CHECK(start_with<uint16_t>(small, {least.slots - 1, 0}, 1 << 20) == Status::bad_capacities);
 }
 
-TEST_CASE("the minimum lies below the worst case, and more slices need no less") {
+TEST_CASE("the minimum lies below the worst case and does not grow with the number of slices") {
   for_each_limits([](const Limits& limits) {
     const Capacities one = worst_case_capacities(limits, 1);
     CHECK(at_most(minimum_capacities(), one));
@@ -164,7 +164,7 @@ TEST_CASE("the minimum lies below the worst case, and more slices need no less")
   });
 }
 
-TEST_CASE("the worst case is the greatest number from where it cannot be counted any more") {
+TEST_CASE("the worst case never shrinks with more slices and saturates at the greatest number") {
   constexpr Limits limits{1, 1};
   constexpr uint32_t slices =
       UINT32_MAX / detail::sizing::slots_per_cell / 4;  // of four cells each
@@ -177,7 +177,7 @@ TEST_CASE("the worst case is the greatest number from where it cannot be counted
   CHECK(at_most(worst_case_capacities(limits, UINT32_MAX), before));
 }
 
-TEST_CASE("a scan of 256 x 256 voxels works in 20 KiB, one of 64 x 64 in 2.5 KiB") {
+TEST_CASE("a scan of 256 x 256 voxels works in 20 KiB, and one of 64 x 64 in 2.5 KiB") {
   CHECK(Extractor16::minimum_bytes({256, 256}) <= 20 * 1024);
   CHECK(Extractor16::minimum_bytes({64, 64}) <= 2560);
 }

@@ -57,7 +57,7 @@ void for_each_incidence(Check check) {
 
 }  // namespace
 
-TEST_CASE("a run knows its direction and length, up to the longest") {
+TEST_CASE("a run stores its direction and length up to the longest run") {
   for (Direction direction = 0; direction < max_directions; ++direction)
     for (const uint32_t length : {1U, 2U, 1000U, Run::max_length}) {
       const Run run = Run::straight(direction, length);
@@ -70,7 +70,7 @@ TEST_CASE("a run knows its direction and length, up to the longest") {
   CHECK(Run().is_empty());
 }
 
-TEST_CASE("a run takes in another of its direction while its field has room") {
+TEST_CASE("a run merges with another run of its direction up to the maximal length") {
   Run run = Run::straight(3, 5);
   CHECK(run.absorb(Run::straight(3, 2)));
   CHECK(run == Run::straight(3, 7));
@@ -86,7 +86,7 @@ TEST_CASE("a run takes in another of its direction while its field has room") {
   CHECK(longest == Run::straight(7, Run::max_length));
 }
 
-TEST_CASE("an empty run does not swallow the first links of direction 0 of a chain") {
+TEST_CASE("an empty run does not absorb the first links of direction 0") {
   Run run;
   Run other = Run::straight(2, 4);
   CHECK_FALSE(run.absorb(other));
@@ -96,7 +96,7 @@ TEST_CASE("an empty run does not swallow the first links of direction 0 of a cha
   CHECK(run == Run::straight(0, 4));
 }
 
-TEST_CASE("there and back is closed, with no area; anything less is open") {
+TEST_CASE("a chain there and back is closed with no area, and a shorter one is open") {
   for_each_incidence([](Incidence incidence) {
     const int half = direction_count(incidence) / 2;
     for (int direction = 0; direction < half; ++direction) {
@@ -111,7 +111,9 @@ TEST_CASE("there and back is closed, with no area; anything less is open") {
   });
 }
 
-TEST_CASE("once round all directions of a plane encloses a positive area, the other way negative") {
+TEST_CASE(
+    "a counter-clockwise turn around a plane encloses a positive area, a clockwise one a "
+    "negative") {
   for_each_incidence([](Incidence incidence) {
     std::vector<Run> runs;
     for (int i = 0; i < direction_count(incidence); ++i)
@@ -125,7 +127,7 @@ TEST_CASE("once round all directions of a plane encloses a positive area, the ot
   });
 }
 
-TEST_CASE("the area is that of the vertices, wherever the chain starts") {
+TEST_CASE("the area of a closed chain does not depend on its start") {
   for_each_incidence([](Incidence incidence) {
     for (uint32_t seed = 0; seed < 200; ++seed) {
       const std::vector<Run> runs = closed_chain(incidence, seed);
@@ -136,7 +138,7 @@ TEST_CASE("the area is that of the vertices, wherever the chain starts") {
   });
 }
 
-TEST_CASE("reversal visits the same vertices from the end to the start, and twice is nothing") {
+TEST_CASE("a reversed chain visits the same vertices backwards, and reversing twice restores it") {
   for_each_incidence([](Incidence incidence) {
     for (uint32_t seed = 0; seed < 100; ++seed) {
       const std::vector<Run> all = closed_chain(incidence, seed);

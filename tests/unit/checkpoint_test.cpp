@@ -1,4 +1,4 @@
-// Checkpoints: a scan that goes on after a power failure makes the stream of one that never failed.
+// Checkpoints: a scan resumed after a power failure makes the stream of an uninterrupted scan.
 #include <doctest/doctest.h>
 
 #include <cstring>
@@ -39,16 +39,16 @@ void check_every_row(size_t most) {
 
 }  // namespace
 
-TEST_CASE("a scan goes on from a checkpoint at any row as if nothing had happened") {
+TEST_CASE("a checkpoint at any row continues the scan with the same bytes") {
   check_every_row<uint16_t>(SIZE_MAX);
   check_every_row<uint32_t>(SIZE_MAX);
 }
 
-TEST_CASE("so it does while the output lags behind") {
+TEST_CASE("a checkpoint at any row continues the scan while the output lags behind") {
   check_every_row<uint16_t>(5);
 }
 
-TEST_CASE("a scan that fails again and again, from checkpoint to checkpoint, comes out the same") {
+TEST_CASE("a scan restored from checkpoint after checkpoint makes the same stream") {
   for (const Scan& scan : scans()) {
     CAPTURE(scan.name);
     auto first = device_for<uint16_t>(scan);
@@ -73,7 +73,8 @@ TEST_CASE("a scan that fails again and again, from checkpoint to checkpoint, com
   }
 }
 
-TEST_CASE("whoever cannot go back hears packets again and loses none, wherever the power failed") {
+TEST_CASE(
+    "a receiver that cannot rewind counts repeated packets and loses none after a power failure") {
   const Scan scan{"noise", random({9, 9, 9}, 128, 3), Border::closed, 1 << 16};
   const Bytes whole = uninterrupted<uint16_t>(scan);
   const Received heard = decode(whole);
@@ -121,7 +122,7 @@ TEST_CASE("a checkpoint in the middle of a frame continues at the beginning of t
   CHECK(decode(line.bytes).events == Script().layer(0).events);
 }
 
-TEST_CASE("a torn checkpoint is found out, wherever it is torn") {
+TEST_CASE("a torn checkpoint is detected wherever the write stopped") {
   const Scan scan{"a ball", centred_ball(5), Border::closed, 300};
   auto device = device_for<uint16_t>(scan);
   device.start();
@@ -153,7 +154,7 @@ TEST_CASE("a torn checkpoint is found out, wherever it is torn") {
   }
 }
 
-TEST_CASE("a flipped bit in a checkpoint is found out, wherever it is") {
+TEST_CASE("a flipped bit anywhere in a checkpoint is detected") {
   const Scan scan{"a ball", centred_ball(4), Border::closed, 0};
   auto device = device_for<uint16_t>(scan);
   device.start();

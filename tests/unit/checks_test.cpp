@@ -40,7 +40,7 @@ constexpr Capacities some{2000, 100};
 
 }  // namespace
 
-TEST_CASE("arrays of an arena have nothing between them but a red zone") {
+TEST_CASE("only a red zone separates the arrays of an arena") {
   CHECK(Arena::bytes_of(5, 1) == 8 + red_zone_bytes);
   const std::unique_ptr<uint32_t[]> memory(new uint32_t[100]());
   Arena arena({memory.get(), 400});
@@ -125,7 +125,7 @@ struct HeapItems {
 
 }  // namespace
 
-TEST_CASE("free slots are poisoned: fresh ones, and those given back") {
+TEST_CASE("free slots are poisoned, both unused and released ones") {
   HeapItems heap(8);
   CHECK(heap.is_free(1));
   CHECK(heap.is_free(8));
@@ -144,7 +144,7 @@ TEST_CASE("free slots are poisoned: fresh ones, and those given back") {
   CHECK(!heap.is_free(8));
 }
 
-TEST_CASE("an arena hands out memory that another scan left poisoned") {
+TEST_CASE("an arena reuses memory that another scan left poisoned") {
   std::vector<uint8_t> memory(1000);
   poison(memory.data(), memory.size());
   Arena arena(Memory{memory.data(), memory.size()});
@@ -159,7 +159,7 @@ TEST_CASE("a red zone is poisoned in a checked build") {
   if (red_zone_bytes > 0) CHECK(is_fatal([first] { return sum_of(first, 16 + 8); }));
 }
 
-TEST_CASE("whoever breaks a limit of a pool is stopped") {
+TEST_CASE("misuse of a pool aborts, such as releasing a slot twice or reading a free slot") {
   HeapItems heap(8);
   Items& pool = heap.pool;
   for (int i = 0; i < 5; ++i) (void)pool.take();

@@ -1,4 +1,4 @@
-// What stands in for instructions that a processor or a compiler lacks.
+// The substitutes for instructions that a processor or a compiler lacks.
 #include <doctest/doctest.h>
 #include <discmc/compiler.hpp>
 #include <discmc/trace/threshold.hpp>
@@ -9,7 +9,7 @@ namespace {
 constexpr uint32_t patterns[] = {0, 1, 0x5A5A5A5A, 0xFFFFFFFF};
 }
 
-TEST_CASE("the zeros below the lowest bit are counted alike by the processor and by the table") {
+TEST_CASE("the processor and the table count the same trailing zeros") {
   for (uint32_t bit = 0; bit < 32; ++bit)
     for (const uint32_t above : patterns) {
       const uint32_t bits = (above << 1 | 1) << bit;
@@ -39,7 +39,7 @@ TEST_CASE("lanes are selected by comparing each as an unsigned number") {
   CHECK(select_lanes<16>(0x80000001, 0x7FFF0002, 0xAABBCCDD, 0x11223344) == 0xAABB3344);
 }
 
-TEST_CASE("a level is reached alike where lanes are selected and where they are added") {
+TEST_CASE("levels are reached equally whether lanes are selected or added") {
   constexpr uint32_t levels[] = {0, 1, 127, 128, 129, 255, 256};
   for (const uint32_t level : levels) {
     const detail::trace::LaneThreshold<8, true> selecting(level);

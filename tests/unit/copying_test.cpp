@@ -17,7 +17,7 @@ constexpr bool stays_where_it_is =
 
 }  // namespace
 
-TEST_CASE("what works in the caller's memory or points into itself stays where it is") {
+TEST_CASE("types that work in the caller's memory or point into themselves cannot be copied") {
   static_assert(stays_where_it_is<Extractor16> && stays_where_it_is<Extractor32> &&
                     stays_where_it_is<HostExtractor> &&
                     stays_where_it_is<NormalExtractor16<int16_t>>,

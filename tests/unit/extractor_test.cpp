@@ -88,7 +88,7 @@ std::vector<uint8_t> bits_of(const BitVolume& volume, size_t row) {
 
 }  // namespace
 
-TEST_CASE("portions of any size give the same events, one sample at a time too") {
+TEST_CASE("portions of any size, down to one sample, give the same events") {
   const BitVolume volume = random({33, 5, 4}, 120, 3);
   for (const Border border : {Border::closed, Border::open}) {
     const EventLog expected = plain_scan(volume, border);
@@ -102,7 +102,7 @@ TEST_CASE("portions of any size give the same events, one sample at a time too")
   }
 }
 
-TEST_CASE("every type of sample, at every stride, gives the same events") {
+TEST_CASE("every sample type and stride gives the same events") {
   check_samples<uint8_t>(1, 1, 0);
   check_samples<uint8_t>(255, 255, 254);
   check_samples<uint16_t>(256, 256, 255);
@@ -113,7 +113,7 @@ TEST_CASE("every type of sample, at every stride, gives the same events") {
   check_samples<int16_t>(0, 0, -1);
 }
 
-TEST_CASE("the last sample is the last that is read, whatever the stride") {
+TEST_CASE("push() reads nothing beyond the last sample for any stride") {
   // The end of a vector of exactly this size is what address sanitizers watch.
   const BitVolume volume = random({5, 3, 2}, 128, 1);
   for (uint32_t stride = 1; stride < 9; ++stride) {
@@ -128,7 +128,7 @@ TEST_CASE("the last sample is the last that is read, whatever the stride") {
   }
 }
 
-TEST_CASE("a threshold below the type's range has all voxels on, one above it none") {
+TEST_CASE("a threshold below the sample range switches all voxels on, and one above it none") {
   const Limits limits{3, 3, Border::closed};
   const std::vector<uint8_t> bytes(27, 0);
   const std::vector<uint8_t> full(27, 255);
@@ -147,7 +147,7 @@ TEST_CASE("a threshold below the type's range has all voxels on, one above it no
   CHECK(regions_at(65536, high, limits) == 0);
 }
 
-TEST_CASE("widths on either side of a word's end are swept as the paper merges them") {
+TEST_CASE("widths on either side of a word's end are swept as in the paper") {
   for (const uint32_t width : boundary_widths)
     for (const Border border : {Border::closed, Border::open})
       for (const uint32_t density : {60U, 128U, 256U}) {
@@ -160,7 +160,7 @@ TEST_CASE("widths on either side of a word's end are swept as the paper merges t
       }
 }
 
-TEST_CASE("rows of bits give the same events as samples, whatever the bits beyond the row") {
+TEST_CASE("rows of bits give the same events as samples, and bits beyond the row are ignored") {
   for (const uint32_t width : boundary_widths)
     for (const Border border : {Border::closed, Border::open}) {
       const BitVolume volume = random({width, 4, 3}, 140, width);
@@ -177,7 +177,7 @@ TEST_CASE("rows of bits give the same events as samples, whatever the bits beyon
     }
 }
 
-TEST_CASE("a skipped row is off or as the row before it, across slices too, and is told") {
+TEST_CASE("a skipped row is off or repeats the row before, across slices too, and is reported") {
   for (const uint32_t width : boundary_widths)
     for (uint32_t pattern = 0; pattern < 27; ++pattern) {
       BitVolume volume = random({width, 3, 3}, 130, pattern);
@@ -210,7 +210,7 @@ TEST_CASE("a skipped row is off or as the row before it, across slices too, and 
     }
 }
 
-TEST_CASE("a scan abandoned after any sample is the volume so far with the slice's rest off") {
+TEST_CASE("an abandoned scan has the surface of its samples with the rest of the slice off") {
   for (const Border border : {Border::closed, Border::open})
     for (const Size size : {Size{4, 3, 3}, Size{1, 1, 4}, Size{3, 1, 3}, Size{1, 4, 2}}) {
       const BitVolume whole = random(size, 170, size.width);
@@ -232,7 +232,7 @@ TEST_CASE("a scan abandoned after any sample is the volume so far with the slice
     }
 }
 
-TEST_CASE("reset begins the next scan as if nothing had been, wherever the last one was") {
+TEST_CASE("reset() at any point of a scan begins an independent new scan") {
   const BitVolume first = random({6, 5, 4}, 190, 1);
   const BitVolume second = random({6, 5, 4}, 90, 2);
   for (const Border border : {Border::closed, Border::open}) {
@@ -263,8 +263,8 @@ TEST_CASE("reset begins the next scan as if nothing had been, wherever the last 
   }
 }
 
-TEST_CASE("reset forgets what a sink has yet to take, and what has left early") {
-  // Takes so many events and then no more, until the next scan.
+TEST_CASE("reset() discards pending events and events that were sent early") {
+  // Accepts `left` events, then refuses until the next scan.
   struct Gate {
     SinkResult take(const Event& event) {
       if (is_open || event.kind == Event::Kind::start) return log.take(event);
@@ -297,7 +297,7 @@ TEST_CASE("reset forgets what a sink has yet to take, and what has left early") 
   }
 }
 
-TEST_CASE("a scan begins with what the extractor knows of it") {
+TEST_CASE("the start event contains the extractor's limits and threshold") {
   const Limits limits{7, 3, Border::open};
   Block block(Extractor16::minimum_bytes(limits));
   EventLog log;
@@ -314,7 +314,7 @@ TEST_CASE("a scan begins with what the extractor knows of it") {
   }
 }
 
-TEST_CASE("a scan does not begin if its sink has not started, and the memory is untouched") {
+TEST_CASE("a scan whose sink is not started does not begin and leaves the memory untouched") {
   struct Closed {
     SinkResult take(const Event&) {
       return is_closed ? SinkResult::not_started : SinkResult::accepted;

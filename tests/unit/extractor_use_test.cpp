@@ -77,12 +77,12 @@ void check_refused_starts() {
 
 }  // namespace
 
-TEST_CASE("a start that cannot be is refused, leaves the memory alone and starts nothing") {
+TEST_CASE("an invalid start() is refused and leaves the memory untouched") {
   check_refused_starts<uint16_t>();
   check_refused_starts<uint32_t>();
 }
 
-TEST_CASE("before start everything says not_started") {
+TEST_CASE("before start() every call returns not_started") {
   Extractor16 extractor;
   const uint8_t sample = 1;
   CHECK(extractor.push(&sample, 1).status == Status::not_started);
@@ -95,7 +95,7 @@ TEST_CASE("before start everything says not_started") {
   CHECK(extractor.reset() == Status::not_started);
 }
 
-TEST_CASE("after the end everything that gives says finished, and ending again is harmless") {
+TEST_CASE("after the end push() returns finished, and ending again has no effect") {
   for (const bool abandon : {false, true}) {
     EventLog log;
     Block block(1 << 14);
@@ -121,7 +121,7 @@ TEST_CASE("after the end everything that gives says finished, and ending again i
   }
 }
 
-TEST_CASE("a start that finds too little memory ends the scan before it") {
+TEST_CASE("a start() with too little memory ends the previous scan") {
   EventLog log;
   Block block(1 << 14);
   Extractor16 extractor;
@@ -132,7 +132,7 @@ TEST_CASE("a start that finds too little memory ends the scan before it") {
   CHECK(extractor.reset() == Status::not_started);
 }
 
-TEST_CASE("start() with a sink that has not started ends the scan; other errors do not") {
+TEST_CASE("start() with an unstarted sink ends the scan, and other errors keep it") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
   EventLog log;
   Block block(1 << 14), other(1 << 14);
@@ -154,7 +154,7 @@ TEST_CASE("start() with a sink that has not started ends the scan; other errors 
   CHECK(extractor.finish() == Status::not_started);
 }
 
-TEST_CASE("reset() changes nothing if the sink has not started") {
+TEST_CASE("reset() changes nothing if the sink is not started") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
   struct Once {
     SinkResult take(const Event& event) {
@@ -174,7 +174,7 @@ TEST_CASE("reset() changes nothing if the sink has not started") {
   CHECK(sink.log.events == events_of(volume).events);
 }
 
-TEST_CASE("finish in the middle of a slice is refused and changes nothing") {
+TEST_CASE("finish() in the middle of a slice is refused and changes nothing") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
   EventLog log;
   Block block(1 << 14);
@@ -183,7 +183,7 @@ TEST_CASE("finish in the middle of a slice is refused and changes nothing") {
   for (uint32_t i = 0; i < 18; ++i) {
     CHECK(extractor.finish() == (i == 0 || i == 9 ? Status::ok : Status::slice_in_progress));
     if (i == 0 || i == 9) {
-      // It did end there: begin again and go on where the samples were.
+      // The scan ended there: begin again and push the same samples.
       REQUIRE(collected(log.events).is_finished());
       log = EventLog();
       require_ok(extractor.reset());
@@ -197,7 +197,7 @@ TEST_CASE("finish in the middle of a slice is refused and changes nothing") {
   CHECK(log.events == events_of(volume).events);
 }
 
-TEST_CASE("a whole row in the middle of a row is refused and changes nothing") {
+TEST_CASE("push_bits() and skip_row() in the middle of a row are refused and change nothing") {
   const BitVolume volume = random({5, 3, 2}, 128, 4);
   EventLog log;
   Block block(1 << 14);
@@ -219,7 +219,7 @@ TEST_CASE("a whole row in the middle of a row is refused and changes nothing") {
   CHECK(log.events == events_of(volume).events);
 }
 
-TEST_CASE("a scan without slices is an empty one") {
+TEST_CASE("a scan without slices is empty") {
   for (const Border border : {Border::closed, Border::open})
     for (const Size size : {Size{1, 1, 0}, Size{5, 3, 0}}) {
       EventLog log;
@@ -233,7 +233,7 @@ TEST_CASE("a scan without slices is an empty one") {
     }
 }
 
-TEST_CASE("with an open border one voxel, row, column or slice has no surface") {
+TEST_CASE("a single voxel, row, column or slice with an open border has no surface") {
   for (const Size size : {Size{1, 1, 1}, Size{1, 1, 6}, Size{1, 6, 1}, Size{6, 1, 1}, Size{1, 5, 6},
                           Size{5, 1, 6}, Size{5, 6, 1}}) {
     const BitVolume volume = random(size, 128, 3);
@@ -244,7 +244,7 @@ TEST_CASE("with an open border one voxel, row, column or slice has no surface") 
   }
 }
 
-TEST_CASE("a hundred thousand thin slices end as they began") {
+TEST_CASE("100,000 thin slices end as they began") {
   for (const Border border : {Border::closed, Border::open})
     for (const Limits limits : {Limits{1, 1, border}, Limits{2, 2, border}, Limits{3, 1, border}}) {
       const uint32_t slice = limits.width * limits.height;
@@ -269,7 +269,7 @@ TEST_CASE("a hundred thousand thin slices end as they began") {
     }
 }
 
-TEST_CASE("a surface that lasts a hundred thousand slices comes out whole in a few bytes") {
+TEST_CASE("a surface across 100,000 slices needs only a few bytes") {
   const Limits limits{3, 3};
   EventLog log;
   Block block(Extractor16::minimum_bytes(limits) + 8000);
@@ -281,8 +281,7 @@ TEST_CASE("a surface that lasts a hundred thousand slices comes out whole in a f
   CHECK(collected(log.events).regions().size() == 26);
 }
 
-TEST_CASE(
-    "a slab says in the end how many slices are its own, and the slabs' sum is the volume's") {
+TEST_CASE("a slab's finish event counts its own slices, and the sum is the volume's depth") {
   const BitVolume volume = random({5, 5, 20}, 128, 3);
   struct Last {
     uint32_t slices = 0;
@@ -337,7 +336,7 @@ TEST_CASE("extractors of either index width work side by side") {
   CHECK(log_c.events == events_of(b).events);
 }
 
-TEST_CASE("memory that begins anywhere will do") {
+TEST_CASE("memory may begin at any address") {
   const BitVolume volume = random({9, 8, 7}, 100, 1);
   const Limits limits = limits_of(volume, Border::closed);
   const EventLog expected = events_of(volume);
@@ -354,7 +353,7 @@ TEST_CASE("memory that begins anywhere will do") {
   }
 }
 
-TEST_CASE("bytes_used() is what was ever used, and what lies beyond has not been touched") {
+TEST_CASE("bytes_used() is the high-water mark, and memory beyond it is untouched") {
   const BitVolume volume = random({9, 8, 7}, 100, 1);
   const Limits limits = limits_of(volume, Border::closed);
   const size_t bytes = Extractor16::bytes_for(limits, ample);
@@ -379,7 +378,7 @@ TEST_CASE("bytes_used() is what was ever used, and what lies beyond has not been
   CHECK(extractor.bytes_used() < used);
 }
 
-TEST_CASE("the peaks lie within the capacities, and are all that a scan needs") {
+TEST_CASE("the peaks lie within the capacities and suffice as capacities for the same scan") {
   for (uint64_t seed = 0; seed < 20; ++seed) {
     const BitVolume volume = random({12, 9, 7}, 60 + 10 * static_cast<uint32_t>(seed), seed);
     const Limits limits = limits_of(volume, Border::closed);
@@ -402,7 +401,7 @@ TEST_CASE("the peaks lie within the capacities, and are all that a scan needs") 
   }
 }
 
-TEST_CASE("a scanner's objects begin as zeros, so that static ones take no flash") {
+TEST_CASE("default-constructed objects are all zeros, so static ones need no flash") {
   CHECK(begins_as_zero<Extractor16>());
   CHECK(begins_as_zero<Encoder>());
 }

@@ -77,7 +77,7 @@ SampleVolume<Sample> clouds(Size size, uint64_t seed, uint32_t most = 255) {
 
 }  // namespace
 
-TEST_CASE("a scan with normals tells what one without tells, and the normals of a second pass") {
+TEST_CASE("a scan with normals sends the same surface, plus the normals of a second pass") {
   for (const Size size : {Size{1, 1, 1}, Size{2, 3, 1}, Size{1, 4, 5}, Size{7, 5, 6},
                           Size{16, 12, 9}, Size{33, 9, 7}})
     for (const Border border : {Border::closed, Border::open})
@@ -88,7 +88,8 @@ TEST_CASE("a scan with normals tells what one without tells, and the normals of 
       }
 }
 
-TEST_CASE("normals in a slab are those of the whole, where its samples are around them") {
+TEST_CASE(
+    "normals in a slab equal those of the whole scan if the surrounding samples are in the slab") {
   // Below and above the threshold's only samples there are slices enough for their normals.
   constexpr uint32_t width = 9, height = 8, margin = 4, first = 2;
   SampleVolume<uint8_t> volume = clouds<uint8_t>({width, height, 6 + 2 * margin}, 7);
@@ -112,7 +113,7 @@ TEST_CASE("normals in a slab are those of the whole, where its samples are aroun
   CHECK(regions_of(events_of<uint16_t, Normals>(volume, setting)) == whole);
 }
 
-TEST_CASE("normals do not depend on chunks, or on a sink that refuses") {
+TEST_CASE("normals do not depend on chunks or on a sink that refuses") {
   const Size size{9, 8, 7};
   const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 42);
   Setting setting{128, Border::closed, ample};
@@ -134,7 +135,7 @@ TEST_CASE("under pressure normals are right in loose fragments too") {
     }
 }
 
-TEST_CASE("a scan that begins anew knows nothing of the one before") {
+TEST_CASE("a new scan is independent of the previous one") {
   const SampleVolume<uint8_t> before = clouds<uint8_t>({11, 9, 3}, 1);
   const SampleVolume<uint8_t> volume = clouds<uint8_t>({7, 5, 6}, 2);
   const Setting setting{128, Border::closed, ample};
@@ -162,7 +163,7 @@ TEST_CASE("thresholds that all or no samples reach") {
     check_agreement(clouds<uint8_t>(size, 3), {threshold, Border::closed, ample});
 }
 
-TEST_CASE("every corner of a ball's polygons has a normal that points outside") {
+TEST_CASE("the normals at the corners of a ball point outwards") {
   const int32_t extent = 24;
   SampleVolume<uint8_t> ball{{extent, extent, extent}, {}};
   for (int32_t z = 0; z < extent; ++z)
@@ -188,8 +189,7 @@ TEST_CASE("every corner of a ball's polygons has a normal that points outside") 
   CHECK(starts > 1000);
 }
 
-TEST_CASE(
-    "a small scan with normals tells what one without tells, at open sides and at seams too") {
+TEST_CASE("a small scan with normals sends the same surface, also at open borders and seams") {
   constexpr Capacities few{500, 60};
   for (const uint32_t height : {1U, 2U, 4U})
     for (const Border border : {Border::closed, Border::open})
@@ -202,7 +202,7 @@ TEST_CASE(
       }
 }
 
-TEST_CASE("a slice is swept when a slice and a row behind it have come, out of four and six rows") {
+TEST_CASE("a slice is swept one slice and one row later, with four slices and six rows of memory") {
   using Normals = WithNormals<uint8_t>;
   const Limits limits{8, 3};
   CHECK(Normals::bytes_for(limits) == (4 * 3 + 6) * (8 + sizeof(uint16_t)) + 2 * red_zone_bytes);
@@ -289,7 +289,7 @@ SampleVolume<uint8_t> with_gaps(SampleVolume<uint8_t> volume, const std::vector<
 
 }  // namespace
 
-TEST_CASE("rows that are skipped, and slices that break off, are told as without normals") {
+TEST_CASE("skipped rows and unfinished slices with normals send the same surface as without") {
   for (uint64_t seed = 0; seed < 200; ++seed) {
     const Size size{1 + static_cast<uint32_t>(seed % 7), 1 + static_cast<uint32_t>(seed % 5),
                     1 + static_cast<uint32_t>(seed % 6)};
@@ -309,8 +309,7 @@ TEST_CASE("rows that are skipped, and slices that break off, are told as without
   }
 }
 
-TEST_CASE(
-    "where rows are skipped, normals are those of the rows that stand in, or of rows just off") {
+TEST_CASE("normals beside skipped rows are those of the substitutes, or of samples just off") {
   const Size size{5, 4, 6};
   for (uint64_t seed = 0; seed < 20; ++seed) {
     const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, seed);
@@ -326,11 +325,12 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("where a scan breaks off, normals are those of a slice whose rest is just off") {
+TEST_CASE(
+    "normals of an abandoned scan are those of a slice whose remaining samples are just off") {
   const Size size{4, 3, 5};
   const Limits limits{size.width, size.height};
   const int32_t threshold = 100;
-  // So that every cell tells its normals when it is swept, and not when its neighbours are.
+  // The least memory, so that every cell sends its normals when it is swept.
   const Capacities least = minimum_capacities();
   for (uint32_t given = 1; given <= size.width * size.height * size.depth; ++given) {
     SampleVolume<uint8_t> volume = clouds<uint8_t>(size, given);
@@ -348,7 +348,7 @@ TEST_CASE("where a scan breaks off, normals are those of a slice whose rest is j
   }
 }
 
-TEST_CASE("a scan with normals is saved between rows, and goes on with the same events") {
+TEST_CASE("a scan with normals is saved between rows and continues with the same events") {
   const Size size{8, 6, 5};
   const Limits limits{size.width, size.height};
   const SampleVolume<uint8_t> volume = clouds<uint8_t>(size, 9);
@@ -377,7 +377,7 @@ TEST_CASE("a scan with normals is saved between rows, and goes on with the same 
   }
 }
 
-TEST_CASE("a checkpoint of samples of another type is refused") {
+TEST_CASE("a checkpoint of another sample type is refused") {
   using Scan = NormalExtractor16<uint16_t>;
   using Other = NormalExtractor16<int16_t>;
   const Limits limits{8, 6};
@@ -394,7 +394,7 @@ TEST_CASE("a checkpoint of samples of another type is refused") {
   CHECK(scan.restore(block.memory(), make_sink(log)) == Status::ok);
 }
 
-TEST_CASE("memory for normals is asked for, and given back in bytes_used()") {
+TEST_CASE("memory for normals is required and counted in bytes_used()") {
   const Limits limits{16, 9};
   using Normals = WithNormals<uint16_t>;
   const size_t least = detail::sizing::minimum_bytes<uint16_t, Normals>(limits);

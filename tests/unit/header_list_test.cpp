@@ -36,7 +36,7 @@ std::set<std::string> included_by(const std::string& header) {
 
 }  // namespace
 
-TEST_CASE("the map of the library has every header that users include, and every room") {
+TEST_CASE("the map of the library lists every user header and every folder") {
   const std::string map = text_of(fs::path(DISCMC_SOURCE_DIR) / "docs/README.md");
   size_t headers = 0, rooms = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(library / "discmc")) {
@@ -54,7 +54,7 @@ TEST_CASE("the map of the library has every header that users include, and every
   CHECK(rooms > 5);
 }
 
-TEST_CASE("the page of statuses has every status of C++ and of C, with what to do") {
+TEST_CASE("the page of statuses lists every status of C++ and C with a remedy") {
   const std::string page = text_of(fs::path(DISCMC_SOURCE_DIR) / "docs/statuses.md");
   const auto check_all = [&page](const std::string& header, const std::string& first,
                                  const std::string& name) {

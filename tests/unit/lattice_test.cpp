@@ -37,7 +37,7 @@ void for_each_turn(Check check) {
 
 }  // namespace
 
-TEST_CASE("vectors add, subtract, and multiply as vectors do") {
+TEST_CASE("vectors add, subtract and multiply by component") {
   constexpr Vertex a{1, -2, 3};
   constexpr Vertex b{-4, 5, 6};
   CHECK(a + b == Vertex{-3, 3, 9});
@@ -52,7 +52,7 @@ TEST_CASE("vectors add, subtract, and multiply as vectors do") {
   CHECK(dot_product(cross(a, b), a) == 0);
 }
 
-TEST_CASE("an incidence and its normal name each other, and opposites are opposite") {
+TEST_CASE("incidences and normals convert both ways, and opposites are opposite") {
   CHECK(incidence_normal(no_incidence) == Vertex{0, 0, 0});
   for_each_incidence([](Incidence incidence) {
     CHECK(incidence_of(incidence_normal(incidence)) == incidence);
@@ -83,7 +83,7 @@ TEST_CASE("the links are 12 diagonals and 6 axis vectors of length 2, all differ
   CHECK(axes == 6);
 }
 
-TEST_CASE("a link keeps the parity of the coordinate sum, so that it joins vertices") {
+TEST_CASE("a link preserves the parity of the coordinate sum, so that it joins vertices") {
   for (Link link = 0; link < link_codes; ++link) {
     const Vertex vector = link_vector(link);
     CHECK((vector.x + vector.y + vector.z) % 2 == 0);
@@ -95,7 +95,7 @@ TEST_CASE("the opposite of a link is opposite") {
     CHECK(link_vector(opposite_link(link)) == -link_vector(link));
 }
 
-TEST_CASE("no link has a vector that is none") {
+TEST_CASE("every link has a vector") {
   CHECK(detail::derive::link_of(detail::link_table, {0, 0, 0}) == link_codes);
   CHECK(detail::derive::link_of(detail::link_table, {1, 1, 1}) == link_codes);
   CHECK(detail::derive::link_of(detail::link_table, {2, 2, 0}) == link_codes);
@@ -109,7 +109,7 @@ TEST_CASE("axis planes have 8 directions, diagonal planes 4, corner planes 6") {
   });
 }
 
-TEST_CASE("the directions of an incidence are the links in its planes, each once") {
+TEST_CASE("the directions of an incidence are the links in its planes, each of them once") {
   for_each_incidence([](Incidence incidence) {
     for (Link link = 0; link < link_codes; ++link) {
       const Direction direction = direction_of(incidence, link);
@@ -148,7 +148,7 @@ TEST_CASE("half a round on, a direction is opposite") {
   });
 }
 
-TEST_CASE("a turn leads from one direction to the other, by the shorter way") {
+TEST_CASE("a turn leads from one direction to another the shorter way") {
   for_each_turn([](Incidence incidence, Direction from, Direction to) {
     const int count = direction_count(incidence);
     const int turned = turn(incidence, from, to);
@@ -158,7 +158,7 @@ TEST_CASE("a turn leads from one direction to the other, by the shorter way") {
   });
 }
 
-TEST_CASE("a turn is positive where the second direction is on the left of the first") {
+TEST_CASE("a turn is positive if the second direction is to the left of the first") {
   for_each_turn([](Incidence incidence, Direction from, Direction to) {
     const int side =
         dot_product(cross(direction_vector(incidence, from), direction_vector(incidence, to)),
@@ -169,7 +169,7 @@ TEST_CASE("a turn is positive where the second direction is on the left of the f
   });
 }
 
-TEST_CASE("turning back is the opposite turn, but for the half turn, which is always negative") {
+TEST_CASE("turning back is the opposite turn, except for the half turn, which is always negative") {
   for_each_turn([](Incidence incidence, Direction from, Direction to) {
     const bool half = to == opposite_direction(incidence, from);
     const int turned = turn(incidence, from, to);
@@ -181,7 +181,7 @@ TEST_CASE("turning back is the opposite turn, but for the half turn, which is al
   });
 }
 
-TEST_CASE("seen from the other side of a plane the directions go round the other way") {
+TEST_CASE("the directions run the other way if the plane is seen from its other side") {
   for_each_turn([](Incidence incidence, Direction from, Direction to) {
     if (to == opposite_direction(incidence, from)) return;
     const auto there = [&](Direction direction) {
@@ -191,7 +191,7 @@ TEST_CASE("seen from the other side of a plane the directions go round the other
   });
 }
 
-TEST_CASE("the links are the same when they are derived at run time") {
+TEST_CASE("links derived at run time equal those of the compiler") {
   LinkTable derived{};
   derived = detail::derive::link_table();  // what is initialised the compiler would work out
   for (Link link = 0; link < link_codes; ++link)

@@ -52,7 +52,7 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
 
 }  // namespace
 
-TEST_CASE("a pool gives each slot once, and then none") {
+TEST_CASE("a pool provides each slot once, then no_slot") {
   std::vector<PooledSlot<uint16_t>> slots(5);
   Pool<PooledSlot<uint16_t>, uint16_t> pool;
   pool.start(slots.data(), 5);
@@ -69,7 +69,7 @@ TEST_CASE("a pool gives each slot once, and then none") {
   CHECK(pool.take() == no_slot);
 }
 
-TEST_CASE("the slot given back last is taken first") {
+TEST_CASE("the last released slot is reused first") {
   std::vector<PooledSlot<uint32_t>> slots(8);
   Pool<PooledSlot<uint32_t>, uint32_t> pool;
   pool.start(slots.data(), 8);
@@ -82,7 +82,7 @@ TEST_CASE("the slot given back last is taken first") {
   CHECK(pool.take() == 7);
 }
 
-TEST_CASE("clearing gives all slots back and forgets the peak") {
+TEST_CASE("clear() releases all slots and resets the peak") {
   std::vector<PooledSlot<uint16_t>> slots(4);
   Pool<PooledSlot<uint16_t>, uint16_t> pool;
   pool.start(slots.data(), 4);
@@ -97,7 +97,7 @@ TEST_CASE("clearing gives all slots back and forgets the peak") {
   CHECK(pool.take() == no_slot);
 }
 
-TEST_CASE("a pool without slots has none") {
+TEST_CASE("a pool without slots returns no_slot") {
   Pool<PooledSlot<uint16_t>, uint16_t> pool;
   CHECK(pool.take() == no_slot);
   pool.start(nullptr, 0);
@@ -107,7 +107,7 @@ TEST_CASE("a pool without slots has none") {
   CHECK(pool.peak() == 0);
 }
 
-TEST_CASE("index 0, which means none, is never given, and every other one is") {
+TEST_CASE("index 0 means no slot, and all other indices are used") {
   // As many slots as a 16-bit index can name.
   std::vector<PooledSlot<uint16_t>> slots(65535);
   Pool<PooledSlot<uint16_t>, uint16_t> pool;
@@ -117,14 +117,14 @@ TEST_CASE("index 0, which means none, is never given, and every other one is") {
   CHECK(pool.take() == no_slot);
 }
 
-TEST_CASE("whatever is taken and given, no slot is out twice and none is lost") {
+TEST_CASE("random operations never assign a slot twice or lose one") {
   for (const uint32_t capacity : {1U, 2U, 7U, 100U, 1000U}) {
     check_random_operations<uint16_t>(capacity, capacity);
     check_random_operations<uint32_t>(capacity, capacity + 1);
   }
 }
 
-TEST_CASE("a pool gives fresh slots side by side as long as there are so many") {
+TEST_CASE("a pool provides contiguous fresh slots while enough of them are unused") {
   std::vector<PooledSlot<uint16_t>> slots(10);
   Pool<PooledSlot<uint16_t>, uint16_t> pool;
   pool.start(slots.data(), 10);

@@ -61,7 +61,7 @@ void check_window(Size size, uint32_t chunk, Chance& chance) {
       REQUIRE(window.push(volume.slice(z) + at, count) == Status::ok);
     }
     check_covered();
-    // All that lies below the slice before the last one is told by now.
+    // All vertices below the slice before the last are visited by now.
     REQUIRE((next == vertices.end() || next->z > 2 * static_cast<int32_t>(z) - 3));
   }
   window.end();
@@ -72,7 +72,7 @@ void check_window(Size size, uint32_t chunk, Chance& chance) {
 
 }  // namespace
 
-TEST_CASE("at every vertex the samples fall as central differences say, one-sided at the border") {
+TEST_CASE("gradients are central differences at every vertex, and one-sided at the border") {
   Chance chance(11);
   for (uint32_t depth = 1; depth <= 6; ++depth)
     for (uint32_t height = 1; height <= 4; ++height)
@@ -105,7 +105,7 @@ TEST_CASE("a window covers a vertex until its slices have passed") {
   CHECK(block.is_intact());
 }
 
-TEST_CASE("rows of a slice that breaks off count where they are there") {
+TEST_CASE("the rows of an unfinished slice count for gradients") {
   const Limits limits{2, 2};
   Block block(SampleWindow<uint8_t>::bytes_for(limits));
   SampleWindow<uint8_t> window;
@@ -121,7 +121,7 @@ TEST_CASE("rows of a slice that breaks off count where they are there") {
   CHECK(window.negative_gradient({1, 0, 8}).z == 0);  // above the volume
 }
 
-TEST_CASE("a row is enough for a slice to be gone") {
+TEST_CASE("the first row of a new slice removes the oldest slice from the window") {
   const Limits limits{1, 2};
   Block block(SampleWindow<uint8_t>::bytes_for(limits));
   SampleWindow<uint8_t> window;
@@ -134,7 +134,7 @@ TEST_CASE("a row is enough for a slice to be gone") {
   CHECK(window.covers({0, 1, 4}));  // takes 1 to 3
 }
 
-TEST_CASE("a window that has ended is started again for another pass") {
+TEST_CASE("a window that has ended can be started again for another pass") {
   const Limits limits{2, 1};
   Block block(SampleWindow<uint8_t>::bytes_for(limits));
   SampleWindow<uint8_t> window;
@@ -148,7 +148,7 @@ TEST_CASE("a window that has ended is started again for another pass") {
   }
 }
 
-TEST_CASE("samples may lie apart") {
+TEST_CASE("samples may have a stride") {
   const Limits limits{2, 2};
   Block block(SampleWindow<uint8_t>::bytes_for(limits));
   SampleWindow<uint8_t> window;
@@ -163,7 +163,8 @@ TEST_CASE("samples may lie apart") {
   CHECK(down.z == 0);
 }
 
-TEST_CASE("a window refuses what it cannot hold, and touches nothing") {
+TEST_CASE(
+    "a window refuses invalid limits and too little memory, and leaves the memory untouched") {
   Block block(SampleWindow<uint16_t>::bytes_for({8, 8}));
   const Memory memory = block.memory();
   SampleWindow<uint16_t> window;

@@ -7,7 +7,7 @@
 
 using namespace discmc;
 
-TEST_CASE("every status has a text of its own, and another number none") {
+TEST_CASE("every status has a unique text, and other numbers are an unknown status") {
   std::set<std::string> texts;
   const auto last = static_cast<int>(Status::device_error);
   for (int i = 0; i <= last; ++i) texts.insert(to_string(static_cast<Status>(i)));

@@ -1,4 +1,4 @@
-// A sink that was not started is told as an error: "not now" would have its source wait for ever.
+// An unstarted sink is an error: if it were busy instead, its source would wait forever.
 #include <doctest/doctest.h>
 
 #include <discmc/joiner.hpp>
@@ -25,7 +25,7 @@ Bytes regions() {
   return encode(events_of(volume()), header_of(volume()));
 }
 
-// Whether the start fails whatever is pushed, and goes on once the encoder is started.
+// Checks that decoding fails at the start event, and continues once the encoder is started.
 template <class Decoding>
 void check_refusal(Decoding& decoder, Encoder& encoder, const Bytes& stream) {
   const Decoded first = decoder.push(stream.data(), stream.size());
@@ -42,7 +42,7 @@ void check_refusal(Decoding& decoder, Encoder& encoder, const Bytes& stream) {
 
 }  // namespace
 
-TEST_CASE("an extractor is not started before its encoder, nor with a joiner between them") {
+TEST_CASE("an extractor refuses an unstarted encoder, directly or behind a joiner") {
   Block block(Extractor16::minimum_bytes(limits));
   Extractor16 extractor;
   Encoder encoder;
@@ -55,14 +55,14 @@ TEST_CASE("an extractor is not started before its encoder, nor with a joiner bet
   CHECK(extractor.finish() == Status::not_started);
 }
 
-TEST_CASE("a decoder says that its encoder is not started, and goes on when it is") {
+TEST_CASE("a decoder reports an unstarted encoder and continues once it is started") {
   Encoder encoder;
   Decoder decoder;
   require_ok(decoder.start(make_sink(encoder)));
   check_refusal(decoder, encoder, regions());
 }
 
-TEST_CASE("a decoder says that its joiner, or the encoder behind that, is not started") {
+TEST_CASE("a decoder reports an unstarted joiner, or an unstarted encoder behind it") {
   Encoder encoder;
   Joiner joiner;
   Decoder decoder;
@@ -76,7 +76,7 @@ TEST_CASE("a decoder says that its joiner, or the encoder behind that, is not st
   check_refusal(decoder, encoder, stream);
 }
 
-TEST_CASE("a joiner says in the end that its sink is not started") {
+TEST_CASE("finish() of a joiner reports an unstarted sink") {
   struct Listener {
     SinkResult take(const Event& event) {
       return event.kind == Event::Kind::finish ? SinkResult::not_started : SinkResult::accepted;
@@ -90,7 +90,7 @@ TEST_CASE("a joiner says in the end that its sink is not started") {
   CHECK(joiner.finish() == Status::bad_sink);
 }
 
-TEST_CASE("a surface decoder says so of either kind of stream") {
+TEST_CASE("a surface decoder reports an unstarted encoder for both kinds of streams") {
   for (const Bytes& stream : {regions(), encode_slices(volume())}) {
     Bytes memory(Receiver::minimum_bytes(limits) + 20000);
     Encoder encoder;
@@ -100,7 +100,7 @@ TEST_CASE("a surface decoder says so of either kind of stream") {
   }
 }
 
-TEST_CASE("an encoder refuses what comes before the header of its stream") {
+TEST_CASE("an encoder refuses events before the header of their stream") {
   std::vector<Bytes> frames = frames_of(regions());
   REQUIRE(frames.size() > 2);
   frames.erase(frames.begin());

@@ -12,7 +12,7 @@ namespace {
 
 using discmc::test::text_of;
 
-// The first version that follows some text in a file, which tells what versions stand behind.
+// The first version in a file that follows the given text.
 std::string version_after(const std::string& text, const std::string& path) {
   std::smatch found;
   const std::string all = text_of(path);
@@ -22,7 +22,7 @@ std::string version_after(const std::string& text, const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("the version is that of its three numbers, of the library and of the headers") {
+TEST_CASE("the version consists of its three numbers, in the library and the headers") {
   const std::string version = DISCMC_VERSION_STRING;
   CHECK(version == std::to_string(DISCMC_VERSION_MAJOR) + "." +
                        std::to_string(DISCMC_VERSION_MINOR) + "." +
@@ -30,7 +30,7 @@ TEST_CASE("the version is that of its three numbers, of the library and of the h
   CHECK(version == discmc::version());
 }
 
-TEST_CASE("all files that name the version name this one") {
+TEST_CASE("all files contain the same version") {
   const std::string version = DISCMC_VERSION_STRING;
   CHECK(version_after("project\\(discmc\\s+VERSION ", "CMakeLists.txt") == version);
   CHECK(version_after("project\\(discmc\\s+VERSION ", "packaging/CMakeLists.txt") == version);

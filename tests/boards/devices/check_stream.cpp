@@ -1,4 +1,4 @@
-// Tells whether a stream is what its rows make, where those are skipped that it says are.
+// Checks that a stream matches its rows, except for the rows that it reports as skipped.
 //
 //   check_stream STREAM ROWS ROW_COUNT --dims X,Y,Z --threshold ...
 //

@@ -103,12 +103,12 @@ TEST_CASE("gaps in the numbers of edges are the missed edges") {
   CHECK(counter.missed_before(numbered_edge(7)) == 0);
 }
 
-TEST_CASE("edges that are missed before the first one seen count as well") {
+TEST_CASE("edges missed before the first received edge count as missed") {
   EdgeCounter counter;
   CHECK(counter.missed_before(numbered_edge(4)) == 3);
 }
 
-TEST_CASE("the numbers of edges may run over") {
+TEST_CASE("the numbers of edges may wrap") {
   EdgeCounter counter;
   (void)counter.missed_before(numbered_edge(0xFFFFFFFE));
   CHECK(counter.missed_before(numbered_edge(1)) == 2);
@@ -123,13 +123,13 @@ TEST_CASE("a long interval is a loss after a full queue, else a stage that stood
   CHECK(counter.long_intervals() == 1);
 }
 
-TEST_CASE("after a full queue an interval of one period is no loss") {
+TEST_CASE("an interval of one period after a full queue is no loss") {
   EdgeCounter counter;
   for (std::uint64_t i = 0; i < 16; ++i) (void)counter.missed_before(edge_at(i * 2 * ms));
   CHECK(counter.missed_before(edge_at(32 * ms, true)) == 0);
 }
 
-TEST_CASE("edges dropped by a full queue are counted, whatever the pace, its jitter, and pauses") {
+TEST_CASE("edges dropped by a full queue are counted for any pace, jitter and pauses") {
   Chance chance(1);
   for (int round = 0; round < 300; ++round) {
     const std::uint64_t period = 20'000 + chance.next() % (20 * ms);
@@ -145,7 +145,7 @@ TEST_CASE("edges dropped by a full queue are counted, whatever the pace, its jit
     EdgeCounter counter;
     std::vector<std::size_t> rows;  // the edge that each row is taken for
     std::size_t row = 0;
-    // Up to 30 periods late, but never over a turn: there no clock can tell what happened.
+    // Up to 30 periods late, but never across a turn, where timestamps are ambiguous.
     for (std::uint64_t now = 0; !queue.is_over();) {
       now += period / 2;
       const std::size_t at = queue.arrived() % 90;
@@ -159,7 +159,7 @@ TEST_CASE("edges dropped by a full queue are counted, whatever the pace, its jit
   }
 }
 
-TEST_CASE("a press is told when the button is let go, as brief or lengthy") {
+TEST_CASE("a press is reported on release, as brief or lengthy") {
   Button button;
   CHECK(button.take(true, 100 * ms) == Button::Press::none);
   CHECK(button.take(false, 300 * ms) == Button::Press::brief);
@@ -190,7 +190,7 @@ TEST_CASE("1,000 edges are 1,000 rows, and the scan ends") {
   CHECK(stage.stream() == expected_stream(plan, 1000));
 }
 
-TEST_CASE("the row of a missed edge is skipped, and no other row is shifted") {
+TEST_CASE("the row of a missed edge is skipped, and other rows keep their place") {
   const ScanPlan plan = plan_of(30, 20, 50);
   Stage stage(plan);
   std::set<std::uint32_t> missed;
@@ -200,7 +200,7 @@ TEST_CASE("the row of a missed edge is skipped, and no other row is shifted") {
     else
       stage.triggered.take(numbered_edge(i + 1));
   }
-  // The edges after the last one seen are missed without a trace: only the rows tell.
+  // The edges after the last received one are missed silently: only the rows show the loss.
   CHECK(stage.recording.scan.rows() == 997);
   CHECK(stage.triggered.missed() == missed.size() - 3);
   CHECK(stage.triggered.first_missed_row() == 0);
@@ -211,7 +211,7 @@ TEST_CASE("the row of a missed edge is skipped, and no other row is shifted") {
   CHECK(decode(stream).report.abandoned);
 }
 
-TEST_CASE("more missed edges than the scan has rows left end it") {
+TEST_CASE("more missed edges than remaining rows end the scan") {
   const ScanPlan plan = plan_of(10, 5, 4);
   Stage stage(plan);
   stage.edges(10);
@@ -240,7 +240,7 @@ TEST_CASE("a button starts, pauses and ends a scan, and edges in between are no 
   CHECK(stage.stream() == expected_stream(plan, 600));
 }
 
-TEST_CASE("an end-stop between slices leaves a whole stream, one within a slice an abandoned one") {
+TEST_CASE("an end-stop between slices completes the stream, and one within a slice abandons it") {
   const ScanPlan plan = plan_of(30, 20, 50);
   for (const std::uint32_t rows : {0U, 40U, 41U}) {
     CAPTURE(rows);
@@ -268,14 +268,14 @@ TEST_CASE("samples of 16 bits have their low byte first") {
   }
 }
 
-TEST_CASE("too little memory is refused with what is needed") {
+TEST_CASE("too little memory is refused with the required number of bytes") {
   ScanPlan plan = plan_of(30, 20, 50);
   plan.memory = 100;
   const std::string least = std::to_string(Extractor16::minimum_bytes({30, 20}));
   CHECK_THROWS_WITH_AS(Recording{plan}, doctest::Contains(least.c_str()), std::invalid_argument);
 }
 
-TEST_CASE("a file gives rows by their numbers, a pipe the next one") {
+TEST_CASE("a file returns rows by number, and a pipe the next row") {
   char name[] = "/tmp/discmc_rows_XXXXXX";
   REQUIRE(close(mkstemp(name)) == 0);
   std::ofstream(name) << "aabbccdd";

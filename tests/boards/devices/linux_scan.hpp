@@ -28,7 +28,7 @@ inline std::vector<Bytes> rows_of(const device::ScanPlan& plan) {
   return rows;
 }
 
-/// The stream of a scan of 8-bit samples that ends after so many rows, some of which are skipped.
+/// The stream of a scan of 8-bit samples that ends after a number of rows, some of them skipped.
 inline Bytes expected_stream(const device::ScanPlan& plan, std::uint32_t row_count,
                              const std::set<std::uint32_t>& skipped = {}) {
   const std::vector<Bytes> rows = rows_of(plan);

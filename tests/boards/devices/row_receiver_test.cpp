@@ -78,7 +78,7 @@ TEST_CASE("a scan of three rows arrives") {
   CHECK(device.receiver.number() == 3);
 }
 
-TEST_CASE("a row of every length that fits a frame arrives, and so does every number") {
+TEST_CASE("rows of any length that fits a frame arrive, with any number") {
   for (size_t count = 1; count <= row_frame::max_samples; ++count) {
     CAPTURE(count);
     const uint32_t number = static_cast<uint32_t>(count) * 17000000U;
@@ -96,7 +96,7 @@ TEST_CASE("a row of every length that fits a frame arrives, and so does every nu
   }
 }
 
-TEST_CASE("any wrong bit costs its own row and no other") {
+TEST_CASE("any wrong bit costs only its own row") {
   const Bytes good = row_frame_of(1);
   for (size_t place = 0; place < good.size(); ++place) {
     for (uint32_t bit = 0; bit < 8; ++bit) {
@@ -114,7 +114,7 @@ TEST_CASE("any wrong bit costs its own row and no other") {
   }
 }
 
-TEST_CASE("a frame that breaks off at any byte costs its own row and no other") {
+TEST_CASE("a frame truncated at any byte costs only its own row") {
   const Bytes whole = row_frame_of(1);
   for (size_t count = 0; count < whole.size(); ++count) {
     CAPTURE(count);
@@ -133,7 +133,7 @@ TEST_CASE("a frame that breaks off at any byte costs its own row and no other") 
   }
 }
 
-TEST_CASE("rows of another length are dropped, and leave the bytes beyond the half alone") {
+TEST_CASE("rows of another length are dropped without writing beyond the half") {
   for (const size_t count : {size_t{0}, row_bytes - 1, row_bytes + 1, row_frame::max_samples}) {
     CAPTURE(count);
     Device device = started();
@@ -150,7 +150,7 @@ TEST_CASE("frames longer than any frame are dropped") {
   device.take_row(0);
 }
 
-TEST_CASE("a row that comes again, or after a later one, is dropped; missing ones are not missed") {
+TEST_CASE("repeated and late rows are dropped, and gaps in the numbers are accepted") {
   Device device = started();
   device.take_row(5);
   CHECK(device.take(row_frame_of(5)) == Events{Event::dropped});
@@ -159,14 +159,14 @@ TEST_CASE("a row that comes again, or after a later one, is dropped; missing one
   device.take_row(1000);
 }
 
-TEST_CASE("after the highest number there is no next one") {
+TEST_CASE("the highest row number has no successor") {
   Device device = started();
   CHECK(device.take(row_frame_of(UINT32_MAX)) == Events{Event::dropped});
   device.take_row(UINT32_MAX - 1);
   CHECK(device.take(row_frame_of(0)) == Events{Event::dropped});
 }
 
-TEST_CASE("a row that finds no room at any of its samples is dropped, and writes no byte of it") {
+TEST_CASE("a row without room at any of its samples is dropped") {
   const Bytes bytes = row_frame_of(0);
   for (size_t place = 0; place < bytes.size(); ++place) {
     CAPTURE(place);
@@ -202,14 +202,14 @@ TEST_CASE("zeros and garbage between frames are no rows") {
   }
 }
 
-TEST_CASE("what comes before the start is of another scan and is passed over in silence") {
+TEST_CASE("frames before the start are ignored") {
   Device device;
   CHECK(device.take(joined({row_frame_of(7), {3, 1, 4, 1, 0}, frame(Kind::end, 8)})).empty());
   CHECK(device.take(start_frame()) == Events{Event::start});
   device.take_row(0);
 }
 
-TEST_CASE("a start may come again until a row has come, and after the end") {
+TEST_CASE("a start may be repeated until the first row, and after the end") {
   Device device = started();
   CHECK(device.take(start_frame()) == Events{Event::start});
   device.take_row(0);
@@ -220,13 +220,13 @@ TEST_CASE("a start may come again until a row has come, and after the end") {
   device.take_row(0);
 }
 
-TEST_CASE("a start for rows of another size is refused, and no row is taken after it") {
+TEST_CASE("a start for rows of another size is refused, and its rows are ignored") {
   Device device;
   CHECK(device.take(frame(Kind::start, row_bytes + 1)) == Events{Event::refused});
   CHECK(device.take(row_frame_of(0)).empty());
 }
 
-TEST_CASE("an end ends the scan once, and says how it ended") {
+TEST_CASE("the end of a scan is reported once, with its kind") {
   Device device = started();
   device.take_row(4);
   CHECK(device.take(frame(Kind::end, 4)) ==

@@ -1,5 +1,5 @@
-// expected VOLUME STREAM: whether a board's stream of a volume is, byte for byte, what the library
-// makes of it here with the limits and the memory of that board's scan.hpp, and complete.
+// expected VOLUME STREAM: checks that a board's stream of a volume is complete. It must also equal
+// the library's stream on this machine, with the limits and the memory of the board's scan.hpp.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

@@ -1,7 +1,7 @@
-// volume FILE: writes a volume to scan on a board, as that board's scan.hpp says.
+// volume FILE: writes a volume to scan on a board, of the size in the board's scan.hpp.
 //
-// A body with a tunnel that winds up through it, and some slices of noise in the middle: where the
-// surface is smooth regions leave whole, where it is not a small memory sends loose fragments.
+// The volume is a body with a winding tunnel, and some slices of noise in the middle. Regions of
+// the smooth surface are sent whole. In the noise a small memory sends loose fragments.
 #include <cstdint>
 #include <cstdio>
 #include <fstream>

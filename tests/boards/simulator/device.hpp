@@ -32,8 +32,7 @@ class Device {
 
   Simulation::Lines lines() const { return {*rows_, *stream_, monitor_.get()}; }
 
-  /// What is wrong with the end of the firmware; empty when it ended with this code, and when
-  /// nobody can know.
+  /// The fault at the end of the firmware; empty if it ended with this code or its end is unknown.
   std::string mistake(int expected_code) const;
 
   /// What the firmware printed, as far as QEMU is started here.

@@ -23,7 +23,7 @@ class Line {
   /// Waits until the device has called. Throws std::runtime_error when it does not.
   void connect(std::chrono::milliseconds patience);
 
-  /// To poll; negative once the device has hung up.
+  /// The descriptor to poll; negative once the device has hung up.
   int descriptor() const { return descriptor_; }
   bool is_open() const { return descriptor_ >= 0; }
 

@@ -11,7 +11,7 @@
 
 namespace discmc::simulator {
 
-/// Nothing is read from when the scan is at this row until the device has dropped so many frames.
+/// A pause of reading, from a row of the scan until the device has dropped a number of frames.
 struct HoldUp {
   std::uint32_t row, frames;
 };

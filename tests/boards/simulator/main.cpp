@@ -1,4 +1,4 @@
-// The scanner simulator: gives a device rows, takes its stream, and tells whether it is right.
+// The scanner simulator: sends rows to a device, receives its stream, and checks the stream.
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>

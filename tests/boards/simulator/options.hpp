@@ -1,4 +1,4 @@
-// What the command line says.
+// The options of the command line.
 #ifndef DISCMC_TESTS_SIMULATOR_OPTIONS_HPP
 #define DISCMC_TESTS_SIMULATOR_OPTIONS_HPP
 

@@ -13,7 +13,7 @@ namespace discmc::simulator {
 /// QEMU's process, which ends with the object at the latest.
 class Qemu {
  public:
-  /// Where QEMU calls, and where what the firmware prints goes.
+  /// The paths of the sockets to which QEMU connects, and of the file of the firmware's output.
   struct Files {
     std::string stream, rows, monitor, console;
   };

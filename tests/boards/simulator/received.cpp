@@ -8,7 +8,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// Where the first frame of the bytes comes again, looking from `from` on; the end when it does not.
+// The position from `from` on at which the first frame of the bytes is repeated, or the end.
 Bytes::const_iterator second_beginning(const Bytes& bytes, std::size_t from) {
   const auto end_of_frame = std::find(bytes.begin(), bytes.end(), 0);
   if (end_of_frame == bytes.end()) return bytes.end();

@@ -27,7 +27,7 @@ class ReceivedStream {
   const StreamReport& report() const { return decoder_.report(); }
   /// Every region below this slice is here.
   std::uint32_t final_slices() const { return final_slices_; }
-  /// The rows that never came, by their numbers over all slices, and what stands in for them.
+  /// The skipped rows, by their numbers over all slices, and their substitutes.
   const std::map<std::uint32_t, Substitute>& skipped() const { return skipped_; }
 
  private:

@@ -95,7 +95,7 @@ void Scanner::schedule(Clock::time_point now) {
   const auto most = behaviour_.jitter.count();
   const std::chrono::microseconds deviation(
       std::uniform_int_distribution<std::int64_t>(-most, most)(chance_));
-  // A scanner that waits for the device goes on from there; one that does not keeps its time.
+  // A scanner that waits for the device continues from there; otherwise it keeps its schedule.
   const auto from = behaviour_.waits_for_credit ? now : due_;
   const auto pause = behaviour_.pauses.find(row_);
   due_ = from + std::max(behaviour_.pace + deviation, std::chrono::microseconds{0});

@@ -1,4 +1,4 @@
-// The scanner: which frame goes on the line, and when.
+// The scanner: which frame it sends, and when.
 #ifndef DISCMC_TESTS_SIMULATOR_SCANNER_HPP
 #define DISCMC_TESTS_SIMULATOR_SCANNER_HPP
 
@@ -39,10 +39,10 @@ class Scanner {
   /// Takes an answer. Throws std::runtime_error when the device refuses the scan.
   void hear(std::uint8_t answer, Clock::time_point now);
 
-  /// The bytes that go on the line now; none when it is not yet time.
+  /// The bytes to send now; none if it is not yet time.
   std::vector<std::uint8_t> next(Clock::time_point now);
 
-  /// When next() has something to say, if no answer comes before.
+  /// The time of the next call of next(), unless an answer comes before.
   Clock::time_point due() const;
 
   bool is_scanning() const { return stage_ == Stage::scanning; }

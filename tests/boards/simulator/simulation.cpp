@@ -47,7 +47,7 @@ void Simulation::run() {
   if (is_terminal()) std::fputs("\r\033[K", stderr);
 }
 
-// Until there is something to read, or to say.
+// Waits until there is something to read or to send.
 void Simulation::wait(Clock::time_point now) {
   const auto reads_again = listener_.next() > now ? listener_.next() : Clock::time_point::max();
   const auto until = std::min({scanner_.due(), reads_again, now + longest_poll});
@@ -66,7 +66,7 @@ void Simulation::wait(Clock::time_point now) {
   ppoll(lines, std::size(lines), &limit, nullptr);
 }
 
-// What the device says of its rows, and what the monitor says, which is of no interest.
+// Reads the device's answers to rows, and discards the output of the monitor.
 void Simulation::hear(Clock::time_point now) {
   std::uint8_t bytes[256];
   if (lines_.monitor != nullptr) lines_.monitor->read(bytes, sizeof bytes);

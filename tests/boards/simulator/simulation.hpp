@@ -24,7 +24,7 @@ class Simulation {
   /// Owner: all belong to the caller and outlive the simulation.
   Simulation(const Rows& rows, const Options& options, const Lines& lines);
 
-  /// Scans until the trailer of the stream has come, and shows how it goes on standard error.
+  /// Scans until the trailer of the stream arrives, and prints the progress on standard error.
   /// Throws std::runtime_error when the device falls silent, hangs up or does not fit the volume,
   /// and when it is interrupted.
   void run();

@@ -12,10 +12,9 @@ namespace discmc::simulator {
 
 /// What is wrong, in sentences; empty when nothing is.
 ///
-/// The last stream has to be complete and equal, byte by byte, to an extraction in this process
-/// that skips the rows that the stream says were skipped; and those have to be the rows that the
-/// scanner did not send whole, and no others if it waited for the device. A stream that a reset
-/// broke off has to be the beginning of such a one.
+/// The last stream must be complete and equal, byte by byte, to an extraction in this process that
+/// skips the same rows. All rows that the scanner did not send whole must be skipped, and no others
+/// if it waited for the device. A stream cut off by a reset must be the beginning of such a stream.
 std::vector<std::string> mistakes(const Rows& rows, const Options& options,
                                   const Received& received);
 

@@ -17,7 +17,7 @@ CornerCode corner(const Vertex& at, Link onwards) {
 
 }  // namespace
 
-TEST_CASE("a corner tells what it was made of, wherever it is") {
+TEST_CASE("a corner code stores its members at any position") {
   for (const Vertex at : {Vertex{-1, -1, -1}, Vertex{0, 65531, 7}, Vertex{65531, -1, 65519}}) {
     const CornerCode code = corner(at, 5);
     CHECK(code.vertex() == at);
@@ -27,7 +27,7 @@ TEST_CASE("a corner tells what it was made of, wherever it is") {
   }
 }
 
-TEST_CASE("the order of corners is that of their vertices") {
+TEST_CASE("corners are ordered as their vertices") {
   const Vertex some[] = {{9, 9, -1}, {9, -1, 0}, {-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {-1, 1, 0}};
   for (const Vertex& a : some)
     for (const Vertex& b : some)

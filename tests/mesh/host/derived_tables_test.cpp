@@ -17,13 +17,13 @@ bool are_same(const Table& a, const Table& b) {
   return memcmp(&a, &b, sizeof a) == 0;
 }
 
-TEST_CASE("the table of rays is the same when it is derived at run time") {
+TEST_CASE("the table of rays derived at run time equals that of the compiler") {
   const auto table = std::make_unique<RayTable>();
   *table = derive_rays();
   CHECK(are_same(*table, ray_table));  // there are no gaps
 }
 
-TEST_CASE("what follows from the queue of a ray is the same when it is derived at run time") {
+TEST_CASE("the ends of rays derived at run time equal those of the compiler") {
   RayEnds ends{};
   ends = derive_ends();
   CHECK(are_same(ends.vertex, ray_ends.vertex));
@@ -39,7 +39,7 @@ TEST_CASE("what follows from the queue of a ray is the same when it is derived a
   CHECK(are_same(ends.code, ray_ends.code));
 }
 
-TEST_CASE("directions and turns are the same when they are derived at run time") {
+TEST_CASE("directions and turns derived at run time equal those of the compiler") {
   PlaneTable table{};
   table = derive_planes();
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
@@ -48,7 +48,7 @@ TEST_CASE("directions and turns are the same when they are derived at run time")
   }
 }
 
-TEST_CASE("how links are measured is the same when it is derived at run time") {
+TEST_CASE("link measures derived at run time equal those of the compiler") {
   LinkMeasures measures{};
   measures = derive::link_measures();
   CHECK(are_same(measures, link_measures));

@@ -27,7 +27,7 @@ detail::trace::SweptRow row_of(int32_t z) {
 
 }  // namespace
 
-TEST_CASE("a batch has edges of one slice: those of the next one wait until it is taken") {
+TEST_CASE("a batch contains edges of one slice, and edges of the next slice wait") {
   Edges edges;
   edges.clear();
   CHECK_FALSE(edges.collect(row_of(3)));

@@ -1,4 +1,4 @@
-// An extractor for hosts says what any other says, wherever it hands its fragments over.
+// A host extractor sends the same events as other extractors, wherever it hands its fragments over.
 #include <doctest/doctest.h>
 
 #include "host/host_extractor.hpp"
@@ -27,7 +27,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// With so many slots chains are kept as nodes, and with a few more for a while.
+// The least slots with which chains are kept as nodes; a few more keep them for a while.
 constexpr uint32_t min_for_nodes = host::Chains::min_slots;
 constexpr Capacities much{min_for_nodes + 20000, 100};
 
@@ -68,7 +68,7 @@ EventLog scanned(Extractor& extractor, const BitVolume& volume, const Plan& plan
   return log;
 }
 
-// What any other extractor tells with as much memory as it likes.
+// The events of another extractor with ample memory.
 EventLog expected_of(const BitVolume& volume, const Plan& plan = {}) {
   Extractor32 extractor;
   return scanned(extractor, volume, plan, {1000000, 1000});
@@ -90,7 +90,7 @@ bool refuses_some(uint64_t offer) {
   return offer * 0x9E3779B97F4A7C15 >> 62 == 0;
 }
 
-// With so many slots in use they have been taken for queues and nodes.
+// The slots in use once queues and nodes have grown.
 template <class Extractor>
 bool has_kept_nodes(const Extractor& extractor) {
   return extractor.peaks().slots >= min_for_nodes / 4;
@@ -172,7 +172,7 @@ void put(BitVolume& volume, const BitVolume& part, uint32_t z) {
         volume.on[volume.index(x, y, z + i)] = part.at(x, y, i) ? 1 : 0;
 }
 
-// Scans with so many slots, and returns the totals. None of the events is looked at.
+// Scans with a number of slots and returns the totals. The events are ignored.
 template <class Extractor>
 Statistics totals_of(Extractor& extractor, const BitVolume& volume, uint32_t slots) {
   struct Taker {
@@ -188,7 +188,7 @@ Statistics totals_of(Extractor& extractor, const BitVolume& volume, uint32_t slo
   return extractor.statistics();
 }
 
-// Checks how many slots are in use: of so many beyond the least, and of one less.
+// Checks the slots in use, for a number of slots beyond the least, and for one less.
 struct Step {
   uint32_t beyond;  // with one less there are those in use that the step before has
   uint32_t in_use;
@@ -282,7 +282,7 @@ std::vector<std::vector<uint64_t>> parts_of(const EventLog& log, const SlabScan&
   return sorted_parts(log.events);
 }
 
-// Of a region or a loose fragment.
+// Whether an event belongs to a region or a loose fragment.
 bool is_piece(const RecordedEvent& event) {
   return !event.is(Event::Kind::start) && !event.is(Event::Kind::layer) &&
          !event.is(Event::Kind::finish);
@@ -349,11 +349,11 @@ BitVolume slanting_plate_with_holes() {
 
 }  // namespace
 
-TEST_CASE("an extractor for hosts gives the events of any other, from scan to scan") {
+TEST_CASE("a host extractor sends the events of other extractors, scan after scan") {
   check_like_others();
 }
 
-TEST_CASE("a deep scan keeps its nodes in the memory of a shallow one") {
+TEST_CASE("a deep scan keeps its nodes in the memory of a shallow scan") {
   const Size size{100, 60, 4};
   const BitVolume slices = random(size, 70, 3);
   HostExtractor extractor;
@@ -370,22 +370,22 @@ TEST_CASE("a deep scan keeps its nodes in the memory of a shallow one") {
 }
 
 // What queues and nodes take shows in peaks() alone.
-TEST_CASE("more memory for nodes is taken in steps, each by whoever has just enough for it") {
+TEST_CASE("memory for nodes grows in steps, each if it just fits") {
   check_steps(box({5, 5, 5}, {1, 1, 1}, {3, 3, 3}), {{0, 33097}});
   check_steps(zigzag_columns({40, 40, 12}),
               {{0, 45385}, {10028, 45777}, {10224, 46169}, {36120, 70745}});
   check_steps(random({40, 40, 6}, 128, 3), {{0, 45385}, {36238, 69961}});
 }
 
-TEST_CASE("so it is the more open fragments there are") {
+TEST_CASE("memory grows in steps with more open fragments") {
   check_steps(zigzag_columns({40, 40, 20}), {{36120, 70745}, {137590, 119897}});
 }
 
-TEST_CASE("more memory for queues is taken in steps, too") {
+TEST_CASE("memory for queues grows in steps") {
   check_steps(columns({60, 60, 3}), {{0, 47737}, {144, 48129}, {340, 48737}, {4344, 49569}});
 }
 
-TEST_CASE("and it is taken for both, by noise or in turn") {
+TEST_CASE("memory for both nodes and queues grows with noise or in turn") {
   check_steps(random({60, 60, 6}, 128, 3), {{23992, 49060}});
   BitVolume both({60, 60, 16});
   put(both, columns({60, 60, 8}), 0);
@@ -394,7 +394,7 @@ TEST_CASE("and it is taken for both, by noise or in turn") {
 }
 
 // At an open border a chain goes along a link alone, where elsewhere another comes along it.
-TEST_CASE("queues have room where more chains go along a link than come along it") {
+TEST_CASE("queues have room if more chains leave along a link than arrive") {
   constexpr uint32_t teeth = 3000;
   const BitVolume saw = volume_of({4, 8 * teeth, 4}, shapes::Saw{});
   const Plan plan{Border::open, 0};
@@ -403,7 +403,7 @@ TEST_CASE("queues have room where more chains go along a link than come along it
   CHECK(has_kept_nodes(extractor));
 }
 
-TEST_CASE("whoever goes on with what was handed over has all the memory") {
+TEST_CASE("the scan after a handover has all the memory") {
   // Noise and columns for which places are made; and far above a slice that needs nearly all.
   BitVolume volume({241, 241, 7});
   put(volume, columns({60, 60, 2}), 0);
@@ -418,7 +418,7 @@ TEST_CASE("whoever goes on with what was handed over has all the memory") {
   CHECK(totals_of(extractor, volume, enough).fragments == 0);
 }
 
-TEST_CASE("rings of any length are found, however often they are walked along in vain") {
+TEST_CASE("rings of any length are found after many unsuccessful walks") {
   HostExtractor extractor;
   Extractor32 other;
   const auto check = [&](const BitVolume& volume) {
@@ -434,7 +434,7 @@ TEST_CASE("rings of any length are found, however often they are walked along in
   check(jagged_comb(3, 26));
 }
 
-TEST_CASE("rings are found, too, when nodes are copied after long walks in vain") {
+TEST_CASE("rings are found even if nodes are copied after long unsuccessful walks") {
   BitVolume plate({200, 200, 3});
   const BitVolume noise = random({200, 200, 2}, 190, 7);
   std::copy(noise.on.begin(), noise.on.end(), plate.on.begin());
@@ -444,7 +444,7 @@ TEST_CASE("rings are found, too, when nodes are copied after long walks in vain"
         scanned(other, plate, {}, {1000000, 10000}).events);
 }
 
-TEST_CASE("it does with too few slots to keep nodes, down to those for little") {
+TEST_CASE("a host extractor with too few slots for nodes sends the same events") {
   constexpr uint32_t slots[] = {60, 200, 1100, 3000, min_for_nodes - 1};
   for (size_t i = 0; i < std::size(slots); i += step(2)) check_like_others({slots[i], 10});
   HostExtractor extractor;
@@ -454,14 +454,14 @@ TEST_CASE("it does with too few slots to keep nodes, down to those for little") 
   CHECK(has_kept_nodes(extractor));
 }
 
-TEST_CASE("it does wherever the sink says not now") {
+TEST_CASE("a host extractor sends the same events to a busy sink") {
   for (const Capacities& capacities : {much, Capacities{1200, 10}}) {
     check_like_others(capacities, refuses_first);
     check_like_others(capacities, refuses_some);
   }
 }
 
-TEST_CASE("it does where one ring alone is refused, whole or behind any of its events") {
+TEST_CASE("a host extractor sends the same events if any single offer is refused") {
   // Two plates, one with a hole: rings with and without holes on their plane.
   BitVolume plates = box({9, 5, 5}, {0, 0, 1}, {8, 4, 1});
   plates.on[plates.index(2, 2, 1)] = 0;
@@ -476,7 +476,7 @@ TEST_CASE("it does where one ring alone is refused, whole or behind any of its e
   }
 }
 
-TEST_CASE("a region that is given whole is one that is left to the sink") {
+TEST_CASE("regions delivered whole equal those sent to the sink") {
   HostExtractor extractor;
   for (const BitVolume& volume : volumes()) {
     EventLog log;
@@ -492,7 +492,7 @@ TEST_CASE("a region that is given whole is one that is left to the sink") {
   }
 }
 
-TEST_CASE("it does wherever the fragments are handed over") {
+TEST_CASE("a host extractor sends the same events wherever fragments are handed over") {
   const BitVolume noise = random({150, 110, 4}, 60, 8);
   HandingOver closed(noise, Border::closed), open(noise, Border::open);
   for (uint32_t beyond = 0; beyond < 24000; beyond += 2000 * step(3)) {
@@ -507,8 +507,8 @@ TEST_CASE("long sides are handed over, too") {
   for (const uint32_t beyond : {0U, 2000U, 5000U, 10000U}) scan.check(beyond);
 }
 
-TEST_CASE("so are sides across all rows of a slice, above a row of noise") {
-  // Of so many links that places are the same again, 8192 further on.
+TEST_CASE("long sides across all rows of a slice, above a row of noise, are handed over") {
+  // The side is longer than the range of places, which repeat after 8192 links.
   constexpr uint32_t size = 2000;
   BitVolume slope({size, size, 1});
   for (int64_t y = 0; y < size; ++y)
@@ -525,9 +525,9 @@ TEST_CASE("so are sides across all rows of a slice, above a row of noise") {
   }
 }
 
-TEST_CASE("so are sides across a slice that turn upwards at their end, at a centroid") {
-  // Of so many links that places are the same again, 8192 further on. The noise comes while the end
-  // of the side waits for the slice in which it turns.
+TEST_CASE("long sides that turn upwards at a centroid are handed over") {
+  // The side is longer than the range of places, which repeat after 8192 links. The noise comes
+  // while the end of the side waits for the slice in which it turns.
   constexpr uint32_t size = 850;
   HostExtractor extractor;
   Extractor32 other;
@@ -552,8 +552,8 @@ TEST_CASE("so are sides across a slice that turn upwards at their end, at a cent
   }
 }
 
-TEST_CASE("so are sides across all slices of a slab") {
-  // Of so many links that places are the same again, 8192 further on.
+TEST_CASE("long sides across all slices of a slab are handed over") {
+  // The side is longer than the range of places, which repeat after 8192 links.
   constexpr uint32_t size = 2100;
   BitVolume slope({size, 1, size});
   for (int64_t z = 0; z < size; ++z)
@@ -567,12 +567,12 @@ TEST_CASE("so are sides across all slices of a slab") {
   }
 }
 
-TEST_CASE("the fragments are handed over where slices are too many for a corner's place") {
+TEST_CASE("fragments are handed over if the slices exceed the range of a corner code") {
   const BitVolume column = box({2, 1, 33000}, {0, 0, 0}, {0, 0, 32999});
   for (const Border border : {Border::closed, Border::open}) HandingOver(column, border).check(0);
 }
 
-TEST_CASE("a slab has the regions, the loose fragments and the counts of any other's") {
+TEST_CASE("a slab has the regions, loose fragments and counts of other extractors") {
   HostExtractor extractor;
   Extractor32 other;
   for (const BitVolume& volume : volumes_of_slabs())
@@ -591,7 +591,7 @@ TEST_CASE("a slab has the regions, the loose fragments and the counts of any oth
       }
 }
 
-TEST_CASE("a slab has them wherever its fragments are handed over") {
+TEST_CASE("a slab has the same parts wherever its fragments are handed over") {
   const BitVolume volume = random({70, 14, 6}, 128, 4);
   HostExtractor extractor;
   Extractor32 other;
@@ -607,7 +607,7 @@ TEST_CASE("a slab has them wherever its fragments are handed over") {
   }
 }
 
-TEST_CASE("and where slices are too many for a corner's place") {
+TEST_CASE("a slab has the same parts if the slices exceed the range of a corner code") {
   HostExtractor extractor;
   Extractor32 other;
   for (const BitVolume& volume : {random({20, 7, 12}, 128, 1), rough_columns({20, 7, 12})})
@@ -621,7 +621,7 @@ TEST_CASE("and where slices are too many for a corner's place") {
         }
 }
 
-TEST_CASE("and in the last slices that have numbers") {
+TEST_CASE("a slab has the same parts in the last numbered slices") {
   HostExtractor extractor;
   Extractor32 other;
   const BitVolume volume = random({20, 7, 12}, 128, 1);
@@ -631,7 +631,7 @@ TEST_CASE("and in the last slices that have numbers") {
   }
 }
 
-TEST_CASE("a slab has them, too, where its seam has as many passes as there are") {
+TEST_CASE("a slab has the same parts if its seam has the maximal number of passes") {
   const BitVolume volume = checkerboard({130, 5, 4});
   HostExtractor extractor;
   Extractor32 other;
@@ -639,7 +639,7 @@ TEST_CASE("a slab has them, too, where its seam has as many passes as there are"
   CHECK(parts_of(scan.by(extractor, much), scan) == parts_of(scan.by(other, much), scan));
 }
 
-TEST_CASE("from the last slab fragments go out in the order in which they were completed") {
+TEST_CASE("fragments of the last slab are sent in the order of their completion") {
   const auto fragments_of = [](const EventLog& log) {
     Events events;
     bool is_fragment = false;
@@ -671,7 +671,7 @@ TEST_CASE("from the last slab fragments go out in the order in which they were c
   }
 }
 
-TEST_CASE("in every slab holes go out before the last fragment of the ring around them") {
+TEST_CASE("holes of each slab are sent before the last fragment of the ring around them") {
   const BitVolume plate = slanting_plate_with_holes();
   const std::vector<Region> regions = collected(expected_of(plate, {}).events).regions();
   HostExtractor extractor;
@@ -691,8 +691,8 @@ TEST_CASE("in every slab holes go out before the last fragment of the ring aroun
   }
 }
 
-TEST_CASE("slabs join to the whole wherever their fragments are handed over, by whomever scanned") {
-  // With so many slots fragments are handed over in the slice below, the first, a later one, or
+TEST_CASE("slabs join to the whole for any handover and any mixture of extractors") {
+  // These numbers of slots hand fragments over in the slice below, the first, a later slice, or
   // not at all.
   constexpr uint32_t slots[] = {200, min_for_nodes, min_for_nodes + 2000, min_for_nodes + 10000,
                                 min_for_nodes + 30000};
@@ -735,8 +735,7 @@ TEST_CASE("slabs join to the whole wherever their fragments are handed over, by 
     }
 }
 
-TEST_CASE(
-    "a slab has them, too, where more chains cross a seam than queues have room for at first") {
+TEST_CASE("a slab has the same parts if the chains at a seam exceed the initial queues") {
   const BitVolume volume = columns({60, 60, 3});
   constexpr Capacities plenty{300000, 100};
   HostExtractor extractor;
@@ -747,7 +746,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a slab has them, too, where edges have several chains that cross a seam") {
+TEST_CASE("a slab has the same parts if edges have several chains across a seam") {
   const BitVolume grating = volume_of({60, 60, 3}, shapes::Bars{});
   constexpr Capacities plenty{3000000, 100};
   HostExtractor extractor;
@@ -756,7 +755,7 @@ TEST_CASE("a slab has them, too, where edges have several chains that cross a se
   CHECK(parts_of(scan.by(extractor, plenty), scan) == parts_of(scan.by(other, plenty), scan));
 }
 
-TEST_CASE("the corners of loose fragments that have gone out are used again") {
+TEST_CASE("the corners of sent loose fragments are reused") {
   HostExtractor extractor;
   const auto slots_used = [&](bool has_fragments) {
     BitVolume volume({30, 30, 9});
@@ -773,7 +772,7 @@ TEST_CASE("the corners of loose fragments that have gone out are used again") {
   CHECK(slots_used(true) < slots_used(false) + 1000);
 }
 
-TEST_CASE("slabs behind the slices that a corner's place has room for join to the whole") {
+TEST_CASE("slabs beyond the slice range of a corner code join to the whole") {
   constexpr uint32_t depth = 32790;
   BitVolume column({4, 3, depth});
   const BitVolume noise = random({4, 3, 60}, 90, 7);
@@ -791,7 +790,7 @@ TEST_CASE("slabs behind the slices that a corner's place has room for join to th
   }
 }
 
-TEST_CASE("a slab without a slice of its own has no surface, however many corners lie beneath it") {
+TEST_CASE("a slab without its own slice has no surface, for any corners beneath it") {
   const BitVolume noise = random({9, 9, 9}, 128, 5);
   HostExtractor extractor;
   for (const bool continues_above : {false, true}) {
@@ -807,8 +806,7 @@ TEST_CASE("a slab without a slice of its own has no surface, however many corner
   }
 }
 
-TEST_CASE(
-    "a slab abandoned after any sample, or with the sink not ready, has what any other's has") {
+TEST_CASE("an abandoned slab has the same parts after any sample, even with a busy sink") {
   const BitVolume volume = random({7, 6, 7}, 128, 4);
   const auto abandoned = [](auto& extractor, const SlabScan& scan, uint32_t samples,
                             const EventLog::Refuses& refuses) {
@@ -835,7 +833,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a slab goes on from a checkpoint in any of its slices, those of context included") {
+TEST_CASE("a slab continues from a checkpoint in any slice, context included") {
   const BitVolume volume = random({20, 20, 7}, 100, 3);
   const SlabScan scan{volume, Border::closed, 1, 6};
   HostExtractor extractor;
@@ -854,7 +852,7 @@ TEST_CASE("a slab goes on from a checkpoint in any of its slices, those of conte
   }
 }
 
-TEST_CASE("a scan that breaks off where the sink says not now leaves nothing to the next") {
+TEST_CASE("a scan after one that stopped at a busy sink starts afresh") {
   const BitVolume volume = random({70, 9, 5}, 100, 4);
   for (const Border border : {Border::closed, Border::open}) {
     Plan plan;
@@ -882,7 +880,7 @@ TEST_CASE("a scan that breaks off where the sink says not now leaves nothing to 
   }
 }
 
-TEST_CASE("a slab that breaks off above its last slice leaves nothing to the next") {
+TEST_CASE("a slab after one that stopped above its last slice starts afresh") {
   const BitVolume volume = random({20, 20, 9}, 100, 3);
   const SlabScan scan{volume, Border::closed, 2, 5};
   HostExtractor extractor;
@@ -898,7 +896,7 @@ TEST_CASE("a slab that breaks off above its last slice leaves nothing to the nex
   }
 }
 
-TEST_CASE("a checkpoint has the nodes") {
+TEST_CASE("a checkpoint contains the nodes") {
   const BitVolume volume = random({30, 30, 8}, 100, 4);
   const Limits limits = limits_of(volume, Border::closed);
   const auto slice = static_cast<uint32_t>(volume.width) * volume.height;
@@ -920,7 +918,7 @@ TEST_CASE("a checkpoint has the nodes") {
 
 // ---- the least room ----
 
-TEST_CASE("a host with the least room gives the events of any other") {
+TEST_CASE("a host extractor with the least room sends the events of other extractors") {
   LeastHost extractor;
   std::vector<BitVolume> all = volumes();
   all.push_back(volume_of({40, 30, 4}, shapes::Bars{2, 1, 1, 3}));
@@ -937,7 +935,8 @@ TEST_CASE("a host with the least room gives the events of any other") {
     }
 }
 
-TEST_CASE("a host with the least room gives the parts of structured volumes in slabs") {
+TEST_CASE(
+    "a host extractor with the least room has the same parts of structured volumes in slabs") {
   LeastHost extractor;
   Extractor32 other;
   std::vector<BitVolume> all = volumes_of_slabs();
@@ -962,7 +961,7 @@ TEST_CASE("a host with the least room gives the parts of structured volumes in s
       }
 }
 
-TEST_CASE("so does a host with any number of seats, wherever its queues become full") {
+TEST_CASE("a host extractor has the same parts for any size of its queues") {
   Extractor32 other;
   for (const uint32_t size : {20U, 40U, 60U}) {
     const BitVolume volume = volume_of({size, size, 3}, shapes::Bars{});
@@ -978,7 +977,7 @@ TEST_CASE("so does a host with any number of seats, wherever its queues become f
   }
 }
 
-TEST_CASE("a host with the least room hands its fragments over anywhere") {
+TEST_CASE("a host extractor with the least room hands fragments over at any point") {
   LeastHost extractor;
   Extractor32 other;
   const BitVolume noise = random({150, 60, 4}, 60, 8);

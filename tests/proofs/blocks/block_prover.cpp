@@ -9,14 +9,14 @@ namespace discmc::prove {
 
 namespace {
 
-// So many that nothing is ever sent for lack of them.
+// Enough slots that no fragment is ever sent for lack of them.
 constexpr Capacities capacities{512, 8};
 
 // The most that a block needs at once. A slot that is not given back is one more in some block.
 constexpr uint32_t max_slots = 112;
 
-// One block in so many shows that the reference is right: with the paper's Merge. A prime, so that
-// all values of all rows are among them.
+// The reference is compared with the paper's Merge for one block in this many: a prime, so that all
+// values of all rows occur.
 constexpr uint64_t sample = 4093;
 
 void require_ok(Status status) {

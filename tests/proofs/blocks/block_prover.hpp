@@ -1,8 +1,8 @@
 // Sweeps every block of 3 x 3 x 3 voxels that begins with a given slice, and checks each.
 //
-// Rows are taken as the digits of a number: before each row the extractor, its memory, the sink and
-// the reference are saved, and put back for the next value of that row. So every block is a whole
-// scan of its own, but work is shared by all blocks that begin alike.
+// Rows are the digits of a number. Before each row the extractor, its memory, the sink and the
+// reference are saved; the next value of the row begins from there. Every block is thus a whole
+// scan, but blocks with the same first rows share their work.
 #ifndef DISCMC_TESTS_BLOCKS_BLOCK_PROVER_HPP
 #define DISCMC_TESTS_BLOCKS_BLOCK_PROVER_HPP
 

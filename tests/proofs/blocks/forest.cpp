@@ -52,7 +52,7 @@ std::vector<Facet> facets_of(int configuration) {
           facet_table.facet + facet_table.first[configuration + 1]};
 }
 
-// Where a link's middle is, but for the coordinate that all links of the face have in common.
+// The middle of a link, without the coordinate that all links of the face share.
 uint8_t place_on(int face, const FacetLink& link) {
   Vertex middle = position(link.from) + position(link.to);
   if (face % 3 == 0) middle.x = 0;

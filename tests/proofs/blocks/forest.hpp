@@ -1,8 +1,8 @@
 // The regions of a small block straight from their definition: facets joined across shared edges.
 //
-// It is fast because what a cell adds is tabulated by configuration, and because cells can be taken
-// out again, last in first out: blocks that begin alike share the work on what they begin with. It
-// knows the facets of cells and nothing of sectors, passes and queues.
+// It is fast because the facets of a cell are tabulated by configuration, and because cells can be
+// removed, last in first out. Blocks with the same first cells share their work. The forest uses
+// the facets of cells, but no sectors, passes or queues.
 #ifndef DISCMC_TESTS_BLOCKS_FOREST_HPP
 #define DISCMC_TESTS_BLOCKS_FOREST_HPP
 
@@ -20,7 +20,7 @@ struct CellGroups {
 
   /// A link on a face, and the group that it bounds.
   struct FaceLink {
-    uint8_t place;  ///< where on the face; tells links apart for both cells at the face alike
+    uint8_t place;  ///< position on the face; identifies a link equally for both cells
     uint8_t group;
   };
 

@@ -182,7 +182,7 @@ class Proof {
     ended_.notify_one();
   }
 
-  // Says every ten seconds how far they are.
+  // Prints the progress every ten seconds.
   void wait() {
     std::unique_lock<std::mutex> lock(mutex_);
     while (!ended_.wait_for(lock, std::chrono::seconds(10), [this] { return running_ == 0; }))

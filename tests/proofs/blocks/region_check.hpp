@@ -35,11 +35,11 @@ class Lattice {
   std::vector<Step> steps_;  // by vertex and link
 };
 
-/// Checks that every ring is closed, lies where its hole flag says, and takes no directed link
-/// twice. Errors: take() throws std::runtime_error.
+/// Checks that every ring is closed, turns according to its hole flag, and uses each directed link
+/// once. Errors: take() throws std::runtime_error.
 class RegionCheck {
  public:
-  /// Of the regions taken so far; plain data.
+  /// The sums over the regions so far; plain data.
   struct Sum {
     uint64_t fingerprint = 0;                  ///< that of reference::fingerprint()
     uint32_t links = 0;                        ///< of all rings

@@ -1,6 +1,5 @@
-// The scans whose cycles are estimated, the same on every processor, and what a device does in
-// each: those of which the costs are fitted, and others that are told by them to see how far off
-// they are.
+// The scans whose cycles are estimated, the same on every processor, and the work of a device in
+// each. The costs are fitted to some of the scans, and checked against the others.
 //
 // Real scans come from files, where these are: head.raw, 256x256x113 samples of 16 bits, and
 // engine.raw, 256x256x128 of 8 bits.
@@ -84,7 +83,7 @@ struct Volume {
 
 struct Rows {
   uint64_t on = 0;     // voxels in them
-  uint64_t steps = 0;  // that slices tell of them
+  uint64_t steps = 0;  // that slices encode
 };
 
 template <class Sample>
@@ -118,7 +117,7 @@ static Rows count_rows(const Volume& volume, Source source) {
   return rows;
 }
 
-// As regions in an arena of so many bytes, then as slices. rows: makes the rows, from the first on.
+// Encodes regions in an arena of a size in bytes, then slices. rows: makes the rows in order.
 template <class Sample, class MakeRows>
 [[gnu::noinline]] static bool scan(const char* name, const Volume& volume, size_t arena,
                                    MakeRows rows) {

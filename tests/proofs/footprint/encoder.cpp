@@ -4,7 +4,7 @@
 
 using namespace discmc;
 
-// What a firmware knows at compile time.
+// The parameters of a firmware, fixed at compile time.
 constexpr Limits limits{64, 64};
 constexpr Capacities capacities = Extractor16::default_capacities(limits, 12 * 1024);
 

@@ -7,7 +7,7 @@ static SinkResult take(void*, const Event&) {
   return SinkResult::accepted;
 }
 
-// What a firmware knows at compile time.
+// The parameters of a firmware, fixed at compile time.
 constexpr Limits limits{64, 64};
 constexpr Capacities capacities = Extractor16::default_capacities(limits, 12 * 1024);
 

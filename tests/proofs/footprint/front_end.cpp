@@ -1,5 +1,5 @@
-// The work of the stages before the extractor whose instructions count_front_end counts. Each
-// report is what the count told before it is to be divided by: samples, voxels or rows.
+// The work of the stages before the extractor; count_front_end counts its instructions. Each report
+// is the divisor of the count before it: samples, voxels or rows.
 #include <board.hpp>
 #include <discmc/discmc.hpp>
 

@@ -11,7 +11,7 @@ struct Features : AllFeatures {
   static constexpr bool holes_wait = (LEFT_OUT & 8) == 0;
 };
 
-// What a firmware knows at compile time.
+// The parameters of a firmware, fixed at compile time.
 constexpr Limits limits{64, 64};
 constexpr Capacities capacities = Extractor16::default_capacities(limits, 12 * 1024);
 

@@ -1,5 +1,5 @@
-// The marks that the plugin looks for: the instructions between on and off are added up, and at
-// tell the sum is told and begins anew.
+// The marks for the plugin: it adds up the instructions between on and off, and at the mark `tell`
+// prints the sum and resets it.
 #ifndef DISCMC_TESTS_FOOTPRINT_MARKS_HPP
 #define DISCMC_TESTS_FOOTPRINT_MARKS_HPP
 

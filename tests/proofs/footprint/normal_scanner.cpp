@@ -1,11 +1,11 @@
-// Flash: a scanner of 8-bit samples that tells normals.
+// Flash: a scanner of 8-bit samples that sends normals.
 #include <discmc/encoder.hpp>
 #include <discmc/gradient_normals.hpp>
 
 using namespace discmc;
 using Scanner = NormalExtractor16<uint8_t>;
 
-// What a firmware knows at compile time.
+// The parameters of a firmware, fixed at compile time.
 constexpr Limits limits{64, 64};
 constexpr Capacities capacities =
     detail::sizing::default_capacities<uint16_t, GradientNormals<uint8_t>>(limits, 28 * 1024);

@@ -93,7 +93,7 @@ static bool tell_both(const char* name, const Volume& volume) {
 
 // ---- steps ----
 
-// The voxels and runs that are told of a volume.
+// The coded voxels and runs of a volume.
 template <class Rows>
 static uint32_t steps(const Volume& volume, Rows samples) {
   command::SliceSteps steps;

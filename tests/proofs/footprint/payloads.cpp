@@ -1,8 +1,8 @@
 // The bytes that volumes take as regions and as slices, and what a lost packet takes with it:
 //   payloads [FOLDER SAMPLES]
-// Prints a figure a line: group, name, column and value, with tabs between them. Of a folder with
-// cthead.nrrd and engine.nii.gz those, too; the samples of the first go to a file, for
-// payload_work.cpp.
+// Prints one figure per line: group, name, column and value, separated by tabs. Given a folder with
+// cthead.nrrd and engine.nii.gz it includes these, and writes the samples of the first to a file
+// for payload_work.cpp.
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -70,8 +70,8 @@ double lost_rows(const std::vector<Bytes>& frames, size_t lost, const BitVolume&
   return 100.0 * static_cast<double>(decoder.report().lost_rows) / (volume.height * volume.depth);
 }
 
-// Of each packet that is neither header nor trailer, on average. Of regions a packet takes what is
-// in it, and all of them have the whole.
+// The share of the data that a lost packet costs, in percent, on average over packets other than
+// headers and trailers. A packet of regions costs only its own records.
 double mean_loss(const Bytes& stream, const BitVolume& volume) {
   const std::vector<Bytes> frames = test::frames_of(stream);
   double rows = 0;

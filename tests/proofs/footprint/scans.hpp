@@ -57,7 +57,7 @@ bool push_rows(Scanner& scanner, const Limits& limits, uint32_t slices, Rows row
   return true;
 }
 
-/// The same, and of finish(); then their sum is told.
+/// Counts finish() too, then prints the sum.
 template <class Sample, class Scanner, class Rows>
 bool push_and_finish(Scanner& scanner, const Limits& limits, uint32_t slices, Rows rows) {
   if (!push_rows<Sample>(scanner, limits, slices, rows)) return false;

@@ -1,6 +1,6 @@
-// The unit tests with every mutant of the library in them. The environment says which is active
-// (MUTANT=17), and where to write how long it took and the numbers of those that were
-// evaluated (MUTANTS_REACHED=file).
+// The unit tests with every mutant of the library in them. The environment selects the active one
+// (MUTANT=17), and the file for the time and the numbers of the evaluated mutants
+// (MUTANTS_REACHED=file).
 #define DOCTEST_CONFIG_IMPLEMENT
 // A mutant that crashes is to die at once: doctest's handler may wait for ever for a lock of
 // malloc.

@@ -1,5 +1,5 @@
 // The library's output for a fixed set of volumes, in a few numbers that must be the same on every
-// machine (golden.txt): the events, the bytes of the streams, and the events that these decode to.
+// machine (golden.txt): events, bytes of the streams, and decoded events.
 //
 // It runs in 16 KiB of RAM without a C library: see scripts/check/portability.
 #include <board.hpp>
@@ -41,7 +41,7 @@ int32_t columns(Voxel v) {
   return (v.x + v.y) % 2 == 0 ? 255 : 0;
 }
 
-// Of all repetitions of one cell one with the most links.
+// A repetition of one cell, among those with the most links.
 int32_t tiling(Voxel v) {
   return (61 >> (v.x % 2 + 2 * (v.y % 2) + 4 * (v.z % 2)) & 1) != 0 ? 129 : 1;
 }
@@ -126,7 +126,7 @@ class EventHash {
         add(event.abandoned);
         for (const auto total : detail::wire::trailer_totals) add(event.statistics->*total);
         break;
-      case Event::Kind::start:  // an extractor knows less of it than a decoder
+      case Event::Kind::start:  // an extractor has less of the header than a decoder
         return SinkResult::accepted;
       case Event::Kind::region_end:
       case Event::Kind::fragment_end:

@@ -66,7 +66,7 @@ Scanner draw_scanner(uint32_t choice, const Below& below) {
   return choice < 4 ? of_all[choice] : static_cast<Scanner>(below(3));
 }
 
-// Where slabs end, ascending. thickness(rest) is how many of the rest of the slices the next has.
+// The ends of slabs, ascending. thickness(rest) is the number of slices of the next slab.
 template <class Thickness>
 std::vector<uint32_t> ends_of(const PlacedVolume& volume, Thickness thickness) {
   constexpr uint32_t max_slabs = 40;

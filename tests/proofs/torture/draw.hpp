@@ -1,4 +1,4 @@
-// What a seed stands for: a volume, and the ways in which it is scanned.
+// The test case of a seed: a volume, and the ways in which it is scanned.
 #ifndef DISCMC_TESTS_TORTURE_DRAW_HPP
 #define DISCMC_TESTS_TORTURE_DRAW_HPP
 

@@ -47,7 +47,7 @@ inline uint64_t bound(uint32_t width, const Asked& asked, uint64_t holes, uint64
   return is_portable ? blocks + blocks / 20 : blocks;
 }
 
-/// The same of a row whose voxels are told. Of a packet: its checksum, and moving into the next.
+/// The same per coded row. The work per packet is its checksum and the change to the next packet.
 struct SliceCost {
   static constexpr uint64_t row =
       2000;  ///< the first of a key slice, which forgets what was learnt

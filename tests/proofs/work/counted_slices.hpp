@@ -1,4 +1,4 @@
-// A scan whose slices are told, and whose work is counted, row by row.
+// A scan encoded as slices, whose work is counted row by row.
 #ifndef DISCMC_TESTS_WORK_COUNTED_SLICES_HPP
 #define DISCMC_TESTS_WORK_COUNTED_SLICES_HPP
 
@@ -18,8 +18,8 @@ struct SliceWork {
   double max_of_bound = 0;  ///< the greatest share of its bound that one took
 };
 
-/// Encodes a volume row by row, as so many surfaces that are all alike. Errors: throws what the
-/// encoder reports.
+/// Encodes a volume row by row, as a number of identical surfaces. Errors: throws what the encoder
+/// reports.
 inline SliceWork encode_slices(const reference::BitVolume& volume, KeySlices key_slices,
                                uint8_t surfaces) {
   StreamHeader header{volume.width, volume.height, volume.depth, {}, {1}, Border::closed};

@@ -1,7 +1,7 @@
 // How much work a row can ask for: counted, and compared with the bound of lib/DESIGN.md ("Work").
 //
 // The library is compiled so that every basic block that it executes calls the counter below. So
-// the counts are the same in every run, and the sources know nothing of them.
+// the counts are the same in every run, and the sources need no change.
 
 #include <charconv>
 #include <cinttypes>
@@ -51,7 +51,7 @@ BitVolume wall_on_teeth(Size size) {
   return volume;
 }
 
-// Every other voxel of a row, and nothing before it: all runs that are told end early.
+// Every other voxel of a row, with nothing before: all coded runs end early.
 BitVolume teeth_on_nothing(Size size) {
   BitVolume volume(size);
   const size_t first = volume.index(0, size.height - 1, size.depth - 1);

@@ -1,4 +1,4 @@
-// Does a sweep agree with the reference? Answers in words, so that a failed check tells the reason.
+// Compares a sweep with the reference. The results are text, so that a failed check prints why.
 #ifndef DISCMC_TESTS_ORACLE_AGREEMENT_HPP
 #define DISCMC_TESTS_ORACLE_AGREEMENT_HPP
 
@@ -47,8 +47,8 @@ inline std::string miscounted(const Collector& collector, const BitVolume& volum
   return statistics.classic_triangles == triangles ? "" : "other triangles counted";
 }
 
-/// Empty when the regions of a sweep, however cut, make up the surface of the volume: on every
-/// plane the same area and the same boundary, no link left over unless the border is open.
+/// Empty if the regions of a sweep, however cut, form the surface of the volume. Every plane must
+/// have the same area and boundary, and only open borders leave unpaired links.
 inline std::string unlike_surface(const std::vector<Region>& swept, const BitVolume& volume,
                                   bool closed) {
   const Surface surface = surface_of(swept);

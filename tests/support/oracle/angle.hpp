@@ -9,7 +9,7 @@
 
 namespace discmc::reference {
 
-/// Of any lengths. By the sine and the cosine, as neither alone is exact everywhere.
+/// The vectors may have any length. Uses sine and cosine, as neither alone is exact everywhere.
 /// Units: degrees.
 inline double degrees_between(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   const double sine =

@@ -1,4 +1,4 @@
-// A scan that is saved and goes on elsewhere.
+// A scan that is saved and continues in other memory.
 #ifndef DISCMC_TESTS_ORACLE_CHECKPOINTED_DEVICE_HPP
 #define DISCMC_TESTS_ORACLE_CHECKPOINTED_DEVICE_HPP
 

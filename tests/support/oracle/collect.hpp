@@ -1,4 +1,4 @@
-// A sink for tests: puts the regions of a scan together again and trusts nobody.
+// A sink for tests: assembles the regions of a scan and verifies everything.
 //
 // Every event is checked against the grammar of sink.hpp and against what the events before it
 // promised. Loose fragments are checked and kept, not joined (naive_join.hpp).
@@ -55,7 +55,7 @@ class Collector {
   const std::vector<SkippedRow>& skipped() const { return skipped_; }
   bool is_finished() const { return place_ == Place::over; }
   bool was_abandoned() const { return was_abandoned_; }
-  /// Of the finish event. Limit: is_finished().
+  /// The statistics of the finish event. Limit: is_finished().
   const Statistics& statistics() const { return statistics_; }
   /// In the order in which they came.
   const std::vector<Fragment>& loose() const { return loose_; }

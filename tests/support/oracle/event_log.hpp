@@ -21,8 +21,7 @@ inline std::array<uint64_t, 8> counts(const Statistics& s) {
           s.rings, s.links,  s.fragments,         s.skipped_rows};
 }
 
-/// Calls add(number) with what an event says: its kind, then the members that its kind names and no
-/// others.
+/// Calls add(number) with the contents of an event: its kind, then only the members of its kind.
 template <class Add>
 void for_each_number(const Event& event, Add add) {
   const auto add_all = [&](auto... values) { (add(static_cast<uint64_t>(values)), ...); };
@@ -64,7 +63,7 @@ void for_each_number(const Event& event, Add add) {
   }
 }
 
-/// An event as a value. Two are equal when they say the same.
+/// An event as a value. Two events are equal if their contents are.
 class RecordedEvent {
  public:
   explicit RecordedEvent(const Event& event) : event_(event) {
@@ -116,9 +115,9 @@ inline bool refuses_first(uint64_t offer) {
   return offer % 2 == 0;
 }
 
-/// Refuses an offer where `refuses(number of the offer)` says so, and records the others; of starts
-/// it takes all, and keeps what they say apart. Errors: throws GrammarError when a refused event is
-/// not what is offered next, or the events do not end.
+/// Refuses an offer if `refuses(number of the offer)`, and records the others. It accepts all
+/// starts, and stores their headers separately. Errors: throws GrammarError if another event
+/// follows a refused one, or if the events do not end.
 class EventLog {
  public:
   using Refuses = std::function<bool(uint64_t offer)>;

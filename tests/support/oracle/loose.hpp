@@ -20,7 +20,7 @@ struct Piece {
   size_t rank = 0;    ///< its place in a sweep
   size_t region = 0;  ///< what it belongs to
   size_t ring = 0;    ///< of the region, when it is a fragment
-  size_t place = 0;   ///< in the ring, of so many fragments
+  size_t place = 0;   ///< in the ring, among its fragments
   size_t places = 0;
   size_t stream = 0;
 

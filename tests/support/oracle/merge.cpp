@@ -108,9 +108,9 @@ std::vector<UnitLink> without_connecting_links(std::vector<UnitLink> stops) {
   return boundary;
 }
 
-// The place in `boundary`, which is sorted, of the link that a simple ring goes on with: the first
-// counter-clockwise from the way one came. boundary.size() if there is none, which no true table
-// brings about.
+// The position in the sorted `boundary` of the next link of a simple ring. It is the first one
+// counter-clockwise from the last link. Without any, returns boundary.size(), which only a wrong
+// table causes.
 size_t next_link(Incidence incidence, const std::vector<UnitLink>& boundary, const UnitLink& link) {
   const int directions = direction_count(incidence);
   const int way_back = direction_of(incidence, link.from - link.to);

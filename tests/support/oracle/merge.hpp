@@ -1,9 +1,9 @@
 // The reference: the paper's own Merge, over a whole volume in memory.
 //
-// Montani, Scateni, Scopigno, "Discretized Marching Cubes", IEEE Visualization 1994, figure 5: all
-// facets of the volume wait in hash tables, one an incidence; a facet taken out grows into a region
-// over a stack of edges; connecting links are removed; what is left is chained into rings. It is
-// written to be read beside the paper and shares nothing with the library's sweep but the table.
+// Montani, Scateni, Scopigno, "Discretized Marching Cubes", IEEE Visualization 1994, figure 5.
+// All facets of the volume wait in hash tables, one per incidence. A facet grows into a region over
+// a stack of edges. Connecting links are removed, and the remaining links are chained into rings.
+// The code follows the paper and shares only the table with the library's sweep.
 #ifndef DISCMC_TESTS_ORACLE_MERGE_HPP
 #define DISCMC_TESTS_ORACLE_MERGE_HPP
 

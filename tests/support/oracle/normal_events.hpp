@@ -20,7 +20,7 @@ struct ExtractorOf<Index, GradientNormals<Sample>> {
   using Type = NormalExtractor<Index, Sample>;
 };
 
-/// Of voxels that are no cubes; the y axis is mirrored.
+/// A spacing of anisotropic voxels with a mirrored y axis.
 constexpr int32_t uneven_spacing[3] = {700, -1000, 1500};
 
 /// Calls visit(vertex, normal, is_corner) where a run starts. The rest of a side, that a loose

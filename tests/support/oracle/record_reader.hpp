@@ -91,7 +91,7 @@ class RecordReader {
   void refill() {
     for (; range_ < 1 << 24; range_ *= 256) code_ = code_ * 256 + next_byte();
   }
-  // Row number `row` of those of so many symbols from `first` on.
+  // Row number `row` of a table that begins at `first`, with a number of symbols per row.
   uint64_t symbol(uint64_t first, uint64_t symbols, uint64_t row = 0) {
     const uint64_t unit = range_ / 256;
     for (uint64_t s = symbols; s-- > 0;) {

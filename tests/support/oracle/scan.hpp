@@ -16,8 +16,8 @@
 
 namespace discmc::reference {
 
-/// A block on the heap of exactly the bytes asked for, so that address sanitizers see the first
-/// byte beyond, or one with guard bytes either side, so that is_intact() does.
+/// A heap block of exactly the requested size, so that address sanitizers detect accesses beyond.
+/// Otherwise it has guard bytes on both sides, which is_intact() checks.
 class Block {
  public:
   enum class Kind : uint8_t { exact, guarded };
@@ -119,7 +119,7 @@ Collector scan(const BitVolume& volume, const Plan& plan = {}) {
   return collector;
 }
 
-/// Of the slab from a slice of a volume to before another.
+/// The limits of the slab from a slice of a volume to before another.
 inline Limits limits_of_slab(const BitVolume& volume, Border border, uint32_t first, uint32_t end) {
   Limits limits = limits_of(volume, border);
   limits.slab = {first, first > 0, end < volume.depth};

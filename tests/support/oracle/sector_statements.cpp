@@ -218,7 +218,7 @@ bool points_where_headings_lie(const SectorTable& table) {
   return true;
 }
 
-// Where the ray begins, and what it leads along.
+// The vector of a ray along its way.
 Vertex ray_vector(int axis, int quadrant, int way) {
   const Place across = ring[2 * quadrant];
   return way == detail::trace::straight_way
@@ -226,7 +226,7 @@ Vertex ray_vector(int axis, int quadrant, int way) {
              : along(axis, way == detail::trace::downward_way ? -1 : 1, across.u, across.v);
 }
 
-// A way holds nothing but what it tells.
+// A way has no other bits than those of its members.
 bool is_way(const Way& way, const Vertex& vector, bool is_ahead) {
   if (way.link() >= link_codes || link_vector(way.link()) != vector) return false;
   const Way told(way.link(), way.queue_out(), is_ahead);
@@ -306,8 +306,8 @@ bool sees_the_facets(const SectorTable& table) {
 
 // ---- queues ----
 
-// A kind of link, by its earlier vertex and the vectors from there to its later one and to the
-// centroid on the way (nought on a face); and the queue of the chains that go along it.
+// A kind of link and the queue of the chains along it. The kind is the earlier vertex with two
+// vectors: to the later vertex, and to the centroid in between (zero on a face).
 struct Kind {
   Vertex begin, vector, by;
   bool is_taken[2];  // by chains that go onwards, and back

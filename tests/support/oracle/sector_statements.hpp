@@ -1,6 +1,6 @@
-// What must hold of the table of the tracer, so that any wrong byte breaks it. The facets of a
-// cell are the authority: what a vertex sees of each of its four cells is looked up in the table of
-// facets, by geometry alone, with nothing of the code that derives the sectors.
+// The checks of the tracer's table, so that any wrong byte is detected. The facets of a cell are
+// the authority: the sectors of a vertex in its four cells are looked up in the table of facets.
+// This uses geometry alone, and none of the code that derives the sectors.
 #ifndef DISCMC_TESTS_ORACLE_SECTOR_STATEMENTS_HPP
 #define DISCMC_TESTS_ORACLE_SECTOR_STATEMENTS_HPP
 

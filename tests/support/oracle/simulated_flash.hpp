@@ -32,8 +32,8 @@ class SimulatedFlash {
 
   // ---- what fails ----
 
-  /// The power fails after so many steps: bytes programmed, and quarters of a block erased. What is
-  /// under way then is left with random bits.
+  /// The power fails after a number of steps: bytes programmed, and quarters of a block erased. An
+  /// interrupted step leaves random bits.
   void cut_after(uint64_t left) { steps_left_ = left; }
   void power_on() { cut_after(UINT64_MAX); }
   bool is_off() const { return steps_left_ == 0; }

@@ -142,7 +142,7 @@ class RangeRead {
 
 // ---- section 14: slices ----
 
-/// What a stream has told.
+/// The contents of a stream.
 struct SlicesRead {
   uint32_t width = 0;
   uint32_t height = 0;
@@ -156,8 +156,8 @@ struct SlicesRead {
   uint32_t key_codes = 0;   ///< that begin a key slice
   uint32_t long_codes = 0;  ///< that go through several packets
   uint32_t cut_codes = 0;
-  std::vector<uint32_t> notes;  ///< of each row: 0 told, 1 off, 2 the row before stands in
-  /// Of each surface all voxels that were told, in x, y, z order.
+  std::vector<uint32_t> notes;  ///< of each row: 0 coded, 1 off, 2 copy of the previous row
+  /// All coded voxels of each surface, in x, y, z order.
   std::array<std::vector<uint8_t>, 4> on;
 };
 

@@ -11,12 +11,12 @@
 
 namespace discmc::test {
 
-/// What happens while a volume is told.
+/// How a volume is encoded.
 struct SlicePlan {
   KeySlices key_slices{};
   uint32_t portion = 1000000;  ///< samples a push
   size_t bytes_a_time = 0;     ///< that the line takes: see Line
-  uint32_t flush_every = 0;    ///< so many rows; 0 never
+  uint32_t flush_every = 0;    ///< rows between flushes; 0 never
   bool fails = false;          ///< the power, after each flush and before the end
   uint8_t surface_count = 1;   ///< all the same
 };
@@ -38,7 +38,7 @@ void until_done(Call call) {
   reference::require_ok(status);
 }
 
-/// The encoder goes on from a checkpoint, in other memory of the same size.
+/// The encoder continues from a checkpoint, in other memory of the same size.
 inline void lose_power(SliceEncoder& encoder, reference::Block& memory, Line& line) {
   Memory parts[2];
   until_done([&] {
@@ -76,7 +76,7 @@ inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& 
   return line.bytes;
 }
 
-/// A stream that says that all its rows were lost.
+/// A stream that reports all its rows as lost.
 inline Bytes lost_slices(const reference::Size& size) {
   Line line;
   PacketWriter packets;
@@ -130,8 +130,8 @@ class RowLog {
   uint32_t width_ = 0;
 };
 
-/// Gives a decoder all bytes of a stream, so many at a time (0: all at once), and its end. Returns
-/// why it refused, or ok.
+/// Pushes all bytes of a stream in portions (0: all at once), and ends the stream. Returns the
+/// first error, or ok.
 template <class Decoding>
 Status push_stream(Decoding& decoder, const Bytes& bytes, size_t chunk) {
   for (size_t at = 0; at < bytes.size();) {
@@ -159,8 +159,8 @@ size_t push_until_done(Decoding& decoder, const Bytes& bytes) {
   return taken;
 }
 
-/// Decodes so many bytes at a time (0: all at once). Limit: the slices are as large as `size` says,
-/// or the status will tell that they are larger.
+/// Decodes in portions (0: all at once). Limit: the slices have the given size; larger slices
+/// return too_little_memory.
 inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& size, size_t chunk = 0,
                                   bool refuses = false, uint32_t surfaces = 1) {
   reference::Block block(SliceDecoder::minimum_bytes({size.width, size.height}, surfaces));

@@ -294,7 +294,7 @@ inline std::vector<Bytes> frames_of(const Bytes& stream) {
   return frames;
 }
 
-/// What a trailer behind these frames says of all packets.
+/// The digest of a trailer behind these frames.
 inline uint32_t digest_of(const std::vector<Bytes>& frames) {
   uint32_t digest = 0;
   for (Bytes frame : frames) {
@@ -323,7 +323,7 @@ inline Bytes with_version(uint8_t version, const Bytes& stream) {
 
 // ---- the model by hand ----
 
-/// The payload of a packet of records, told to the model by hand.
+/// The payload of a packet of records, written by hand with the model.
 class Payload {
  public:
   Payload()

@@ -145,7 +145,7 @@ inline reference::BitVolume sieve(uint32_t side) {
   return volume;
 }
 
-/// A scan in which rows do not come, and which is abandoned after so many rows (0: it is not).
+/// A scan with skipped rows that is abandoned after a number of rows (0: never).
 inline Events events_with_gaps(const reference::BitVolume& volume, uint32_t rows_until_abandoned) {
   const Limits limits = reference::limits_of(volume, Border::closed);
   reference::Block block(Extractor32::bytes_for(limits, reference::ample));

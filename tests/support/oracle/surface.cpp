@@ -14,7 +14,7 @@ uint64_t mix(uint64_t value) {
   return value ^ (value >> 31);
 }
 
-// The middle of a unit link in quarter-steps tells its axis too, but for the sign.
+// The middle of a unit link in quarter-steps also determines its axis, except for the sign.
 uint64_t link_hash(const Vertex& from, const Vertex& to) {
   const Vertex middle = from + to;
   const Vertex step = to - from;

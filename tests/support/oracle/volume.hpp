@@ -59,8 +59,8 @@ BitVolume volume_of(Size size, On on) {
   return volume;
 }
 
-/// Calls visit(cell, configuration) for every cell in the order of a sweep: from -1 to the last
-/// voxel when `closed` adds a halo of off voxels, else only those with eight voxels.
+/// Calls visit(cell, configuration) for every cell in the order of a sweep. If `closed` adds a halo
+/// of off voxels, cells range from -1 to the last voxel; otherwise only cells with eight voxels.
 template <typename Visit>
 void for_each_cell(const BitVolume& volume, bool closed, Visit visit) {
   const int32_t first = closed ? -1 : 0;
@@ -92,7 +92,7 @@ BitVolume columns(Size size);
 /// One cell's corners, repeated every two voxels along each axis.
 BitVolume tiling(Size size, Configuration configuration);
 
-/// Of all tilings one of those with the most links in its rings.
+/// A tiling among those with the most links in their rings.
 inline BitVolume tiling_61(Size size) {
   return tiling(size, 61);
 }

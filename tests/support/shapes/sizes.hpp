@@ -20,7 +20,7 @@ inline uint32_t draw_side(const Below& below) {
   return middle + below(5) - 2;
 }
 
-/// A size of about so many voxels, one or two of whose sides are wide.
+/// A size of about the given number of voxels, with one or two wide sides.
 inline reference::Size draw_wide_size(const Below& below, uint32_t voxels) {
   reference::Size size{draw_side(below), 0, 0};
   const uint32_t left = std::max(voxels / size.width, 6U);

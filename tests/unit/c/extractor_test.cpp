@@ -156,7 +156,7 @@ std::vector<uint8_t> bits_of(const std::vector<uint8_t>& samples) {
 
 }  // namespace
 
-TEST_CASE("plain kinds deliver what an Extractor16 delivers") {
+TEST_CASE("plain extractors in C deliver the events of an Extractor16") {
   for (const uint64_t spare : {uint64_t{0}, uint64_t{20000}}) {
     compare<Extractor16, uint8_t>(discmc_plain_u8, DISCMC_U8, make_samples<uint8_t>(), spare);
     compare<Extractor16, uint16_t>(discmc_plain_u16, DISCMC_U16, make_samples<uint16_t>(), spare);
@@ -166,13 +166,13 @@ TEST_CASE("plain kinds deliver what an Extractor16 delivers") {
   }
 }
 
-TEST_CASE("kinds with normals deliver what such extractors deliver") {
+TEST_CASE("extractors with normals in C deliver the events of those in C++") {
   compare_normals<uint8_t>(discmc_normals_u8, DISCMC_U8);
   compare_normals<uint16_t>(discmc_normals_u16, DISCMC_U16);
   compare_normals<int16_t>(discmc_normals_i16, DISCMC_I16);
 }
 
-TEST_CASE("a slab in C is one in C++") {
+TEST_CASE("a slab in C delivers the events of a slab in C++") {
   EventLog log, expected;
   Scan scan(discmc_plain_u8, 20000, log);
   scan.config.slab.first = 5;
@@ -188,7 +188,7 @@ TEST_CASE("a slab in C is one in C++") {
   CHECK(scan.info().slices == depth);
 }
 
-TEST_CASE("a slab in C accepts all slices up to the last number, and no more") {
+TEST_CASE("a slab in C accepts slices up to the last number and refuses further ones") {
   EventLog log;
   Scan scan(discmc_plain_u8, 200000, log);
   scan.config.limits = {1, 1, DISCMC_CLOSED};
@@ -244,7 +244,7 @@ TEST_CASE("an abandoned scan is closed") {
   CHECK(log.events.back().event().abandoned);
 }
 
-TEST_CASE("a scan begins anew where another was") {
+TEST_CASE("reset() in C begins a new scan at any point of the last one") {
   EventLog log, again;
   Scan scan(discmc_plain_u8, 20000, log);
   scan.start();
@@ -306,7 +306,7 @@ TEST_CASE("errors of extractors in C") {
           DISCMC_BAD_SAMPLES);
 }
 
-TEST_CASE("a checkpoint is restored whole, by its kind, or not at all") {
+TEST_CASE("a checkpoint in C is restored whole and only by its own kind of extractor") {
   EventLog log;
   Scan scan(discmc_plain_u8, 20000, log);
   scan.start();

@@ -1,4 +1,4 @@
-// discmc.h is small, is C99 by itself, and what it says of its constants and sizes is true.
+// discmc.h is small, is C99 by itself, and its constants and sizes are right.
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 
@@ -43,7 +43,7 @@ void check_size(uint64_t constant, uint64_t needed) {
 
 }  // namespace
 
-TEST_CASE("discmc.h is small enough to be read") {
+TEST_CASE("discmc.h has a limited number of lines") {
   const std::string header = text_of("lib/discmc/discmc.h");
   CHECK(std::count(header.begin(), header.end(), '\n') <= 550);
   const auto functions = all_matches(without_comments(header), "\\b(discmc_[a-z0-9_]+)\\(");
@@ -53,13 +53,13 @@ TEST_CASE("discmc.h is small enough to be read") {
   CHECK(macros.size() <= 1 + 10);  // the guard, and the sizes
 }
 
-TEST_CASE("every function of discmc.h has a comment, or shares that of the one before it") {
+TEST_CASE("every function of discmc.h has a comment or shares the preceding one") {
   const std::string header = text_of("lib/discmc/discmc.h");
   const std::regex bare("\n\n(?!/\\*|typedef|#|enum|extern)[^\n]*\\bdiscmc_[a-z0-9_]+\\(");
   CHECK(!std::regex_search(header, bare));
 }
 
-TEST_CASE("every status has a text of its own") {
+TEST_CASE("every status has a unique text") {
   std::set<std::string> texts;
   for (int status = DISCMC_OK; status <= DISCMC_NO_KIND; ++status)
     texts.insert(discmc_status_string(static_cast<discmc_status>(status)));
@@ -67,7 +67,7 @@ TEST_CASE("every status has a text of its own") {
   CHECK(texts.count(to_string(Status::device_error)) == 1);
 }
 
-TEST_CASE("the constants of sizes.h suffice, and are not much more") {
+TEST_CASE("the constants of sizes.h suffice and are close to the true sizes") {
   const discmc_extractor_kind* const plain[] = {&discmc_plain_bits, &discmc_plain_u8,
                                                 &discmc_plain_u16, &discmc_plain_i16};
   for (const uint32_t width : {1U, 29U, 30U, 31U, 64U, 256U, 32766U})
@@ -102,7 +102,7 @@ TEST_CASE("the constants of sizes.h suffice, and are not much more") {
     }
 }
 
-TEST_CASE("a config without slots needs the least memory, and bad ones need none") {
+TEST_CASE("a config without slots needs the minimum of memory, and invalid configs need none") {
   discmc_extractor_config config{};
   config.kind = &discmc_plain_u8;
   config.limits = {10, 10, DISCMC_CLOSED};
@@ -129,7 +129,7 @@ TEST_CASE("a config without slots needs the least memory, and bad ones need none
   CHECK(discmc_slice_encoder_bytes(&slices) == 0);
 }
 
-TEST_CASE("a sink in C finds the corners and normals of polygons") {
+TEST_CASE("a sink in C receives the corners and normals of polygons") {
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
     const discmc_vertex in_c = discmc_incidence_normal(incidence);
     CHECK(Vertex{in_c.x, in_c.y, in_c.z} == incidence_normal(incidence));

@@ -106,7 +106,7 @@ void compare(const Bytes& stream, uint32_t surfaces, uint8_t channel) {
 
 }  // namespace
 
-TEST_CASE("a receiver in C delivers what a Receiver of C++ delivers, of either stream") {
+TEST_CASE("a receiver in C delivers the events of a C++ Receiver for both kinds of streams") {
   compare(polygons(), 1, DISCMC_ANY_CHANNEL);
   compare(encoded_slices(1), 1, 0);
   compare(encoded_slices(3), 3, 1);
@@ -118,7 +118,7 @@ TEST_CASE("a receiver in C delivers what a Receiver of C++ delivers, of either s
   compare(cut, 1, 0);
 }
 
-TEST_CASE("a receiver without memory for slices gets it later, or none for polygons") {
+TEST_CASE("a receiver in C accepts memory for slices late and needs none for polygons") {
   const Bytes stream = encoded_slices(1);
   EventLog log, expected;
   ReceiverInC receiver(c_sink_to(log), discmc_receiver_bytes(nullptr, 0));
@@ -162,7 +162,7 @@ TEST_CASE("errors of receivers in C") {
   CHECK(refused.push(polygons(), 1000) == DISCMC_BAD_SINK);
 }
 
-TEST_CASE("a joiner behind a receiver delivers what a Joiner delivers") {
+TEST_CASE("a joiner behind a receiver in C delivers the events of a Joiner") {
   for (const uint32_t fragments : {1U, 500U}) {
     EventLog log(refuses_first), expected;
     Block memory(DISCMC_JOINER_BYTES(fragments));

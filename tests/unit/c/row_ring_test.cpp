@@ -12,7 +12,7 @@
 using namespace discmc;
 using discmc::reference::Block;
 
-TEST_CASE("rows go through a ring in C, lost ones in their place") {
+TEST_CASE("a ring in C passes rows in order and marks lost rows in their place") {
   constexpr uint32_t row_bytes = 37, rows = 3;
   Block block(DISCMC_ROW_RING_BYTES(row_bytes, rows));
   const discmc_row_ring_config config = {

@@ -159,7 +159,7 @@ TEST_CASE("slice encoders of every kind write the same bytes as in C++") {
   compare<uint8_t>(discmc_slices_bits, DISCMC_BITS, bits_of(make_samples<uint8_t>()));
 }
 
-TEST_CASE("a slice encoder drops its stream, and is abandoned, as in C++") {
+TEST_CASE("a slice encoder in C drops its stream and is abandoned as in C++") {
   Line line, cpp_line;
   Scan scan(discmc_slices_u8, line);
   scan.config.surface_count = 1;

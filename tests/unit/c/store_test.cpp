@@ -1,4 +1,4 @@
-// A scan in C goes on from flash after a power failure, and the store does what it does in C++.
+// A scan in C continues from flash after a power failure, and the store works as in C++.
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 
@@ -93,7 +93,7 @@ struct Device {
 
 }  // namespace
 
-TEST_CASE("a scan in C goes on from flash, byte for byte") {
+TEST_CASE("a scan in C continues from a checkpoint in flash with the same bytes") {
   const BitVolume volume = random({size, size, size}, 128, 1);
   Device whole;
   whole.start();
@@ -136,7 +136,7 @@ TEST_CASE("a scan in C goes on from flash, byte for byte") {
   CHECK(!flash.has_broken_rules);
 }
 
-TEST_CASE("the info of a store has the plan of C++") {
+TEST_CASE("the info of a store in C contains the plan of the C++ store") {
   for (const FlashGeometry& any : {geometry, FlashGeometry{256, 131072, 4}}) {
     SimulatedFlash flash(any);
     std::vector<uint8_t> memory(DISCMC_STORE_BYTES(any.program_bytes));

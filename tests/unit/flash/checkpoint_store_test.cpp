@@ -141,7 +141,7 @@ void put_slot(uint8_t* bytes, uint32_t sequence, Contents contents,
 
 }  // namespace
 
-TEST_CASE("what was saved is read back, the newest of any number of checkpoints") {
+TEST_CASE("the newest of any number of checkpoints is read back") {
   for (const Memories& memory : memories) {
     CAPTURE(memory.name);
     SimulatedFlash flash(memory.geometry, 1, memory.kind);
@@ -160,7 +160,7 @@ TEST_CASE("what was saved is read back, the newest of any number of checkpoints"
   }
 }
 
-TEST_CASE("a flash that is erased, full of zeros, or holds anything, holds no checkpoint") {
+TEST_CASE("a flash that is erased, full of zeros or random has no checkpoint") {
   for (const Memories& memory : memories) {
     SimulatedFlash flash(memory.geometry);
     CHECK(number_found(flash, 1) == UINT32_MAX);
@@ -171,8 +171,7 @@ TEST_CASE("a flash that is erased, full of zeros, or holds anything, holds no ch
   }
 }
 
-TEST_CASE(
-    "whenever the power fails, the checkpoint that is found is the newest or the one before") {
+TEST_CASE("after a power failure the checkpoint found is the newest or the one before") {
   constexpr uint32_t saves = 4;
   for (const Memories& memory : memories) {
     CAPTURE(memory.name);
@@ -195,7 +194,7 @@ TEST_CASE(
       REQUIRE(saved == std::count_if(complete.begin(), complete.end(),
                                      [cut](uint64_t steps) { return steps < cut; }));
       flash.power_on();
-      // Where only 1 bits were left to come, what was under way is whole.
+      // If only 1 bits were left to program, the interrupted checkpoint is whole.
       const uint32_t found = number_found(flash, saves);
       REQUIRE((found == saved || found + 1 == saved));
       REQUIRE_FALSE(flash.has_broken_rules);
@@ -203,8 +202,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "the power fails again and again, while anything is written or erased, and at last stays") {
+TEST_CASE("after repeated power failures the newest or the interrupted checkpoint is found") {
   for (const Memories& memory : memories) {
     CAPTURE(memory.name);
     SimulatedFlash flash(memory.geometry, 5, memory.kind);
@@ -230,7 +228,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a flipped bit in one checkpoint leaves the other") {
+TEST_CASE("a flipped bit in one checkpoint leaves the other readable") {
   const Memories& memory = memories[2];
   SimulatedFlash flash(memory.geometry);
   Keeper keeper(flash);
@@ -249,7 +247,7 @@ TEST_CASE("a flipped bit in one checkpoint leaves the other") {
   CHECK(number_found(flash, 2) == 1);
 }
 
-TEST_CASE("a scan goes on from flash with the same bytes, wherever the power failed") {
+TEST_CASE("a scan continues from flash with the same bytes after a power failure at any point") {
   const Scan scan{"a ball in too little memory", centred_ball(7), Border::closed, 200};
   const Bytes whole = uninterrupted<uint16_t>(scan);
   const FlashGeometry geometry{128, 1024, 8};
@@ -288,7 +286,7 @@ TEST_CASE("a scan goes on from flash with the same bytes, wherever the power fai
   CHECK(restored.size() == 5);
 }
 
-TEST_CASE("a call does one thing: it erases a block, or programs a unit") {
+TEST_CASE("each call erases one block or programs one unit") {
   for (const Memories& memory : memories) {
     CAPTURE(memory.name);
     SimulatedFlash flash(memory.geometry, 1, memory.kind);
@@ -315,7 +313,7 @@ TEST_CASE("a call does one thing: it erases a block, or programs a unit") {
   }
 }
 
-TEST_CASE("only what is in use is erased, and all blocks wear alike") {
+TEST_CASE("only the blocks in use are erased, and all blocks wear equally") {
   const FlashGeometry geometry{64, 256, 10};
   SimulatedFlash flash(geometry);
   Keeper keeper(flash);
@@ -339,7 +337,7 @@ TEST_CASE("only what is in use is erased, and all blocks wear alike") {
   }
 }
 
-TEST_CASE("what was erased ahead is not erased again") {
+TEST_CASE("blocks erased ahead are not erased again") {
   for (const Memories& memory : memories) {
     if (memory.kind == Kind::fram) continue;
     CAPTURE(memory.name);
@@ -366,7 +364,7 @@ TEST_CASE("what was erased ahead is not erased again") {
   }
 }
 
-TEST_CASE("blocks wear alike where every checkpoint follows a start") {
+TEST_CASE("blocks wear equally when every checkpoint follows a start") {
   const Memories& memory = memories[1];
   SimulatedFlash flash(memory.geometry);
   std::vector<uint8_t> all(max_bytes);
@@ -375,7 +373,7 @@ TEST_CASE("blocks wear alike where every checkpoint follows a start") {
   CHECK(flash.erasures == std::vector<uint32_t>{2, 2, 2, 2, 2, 2, 0});
 }
 
-TEST_CASE("the rest of the last unit that is programmed is ones, as if erased") {
+TEST_CASE("the rest of the last programmed unit is all ones") {
   const Memories& memory = memories[2];
   SimulatedFlash flash(memory.geometry);
   Keeper keeper(flash);
@@ -386,7 +384,7 @@ TEST_CASE("the rest of the last unit that is programmed is ones, as if erased") 
                     [](uint8_t byte) { return byte == 0xFF; }));
 }
 
-TEST_CASE("a store that is started with another flash forgets the first one") {
+TEST_CASE("a store restarted with another flash forgets the first flash") {
   for (const Memories& memory : memories) {
     CAPTURE(memory.name);
     SimulatedFlash first(memory.geometry, 1, memory.kind), other(memory.geometry, 2, memory.kind);
@@ -412,7 +410,7 @@ TEST_CASE("a store that is started with another flash forgets the first one") {
   }
 }
 
-TEST_CASE("after a start the next checkpoint goes where nothing was begun") {
+TEST_CASE("after a start the next checkpoint goes to an unused slot") {
   const Memories& memory = memories[3];
   SimulatedFlash flash(memory.geometry);
   for (uint32_t number = 0; number < 6; ++number) {
@@ -424,7 +422,7 @@ TEST_CASE("after a start the next checkpoint goes where nothing was begun") {
   CHECK_FALSE(flash.has_broken_rules);
 }
 
-TEST_CASE("a call of the device that fails is told, and costs no older checkpoint") {
+TEST_CASE("a failed device call is reported and preserves older checkpoints") {
   for (const Memories& memory : memories) {
     CAPTURE(memory.name);
     SimulatedFlash whole(memory.geometry, 3, memory.kind);
@@ -462,7 +460,7 @@ TEST_CASE("a call of the device that fails is told, and costs no older checkpoin
   }
 }
 
-TEST_CASE("a save that follows one that failed leaves the newest checkpoint until it is whole") {
+TEST_CASE("after a failed save the newest checkpoint stays until the next save is complete") {
   for (const Memories& memory : memories) {
     CAPTURE(memory.name);
     for (uint32_t saved = 1; saved <= 6; ++saved) {
@@ -484,7 +482,7 @@ TEST_CASE("a save that follows one that failed leaves the newest checkpoint unti
   }
 }
 
-TEST_CASE("a driver that says that it failed is believed, whatever it wrote") {
+TEST_CASE("an error of the driver is reported even if the data was written") {
   const Memories& memory = memories[2];
   SimulatedFlash flash(memory.geometry);
   FlashDevice device = flash.device();
@@ -499,7 +497,7 @@ TEST_CASE("a driver that says that it failed is believed, whatever it wrote") {
   CHECK(save(keeper, 0) == Status::device_error);
 }
 
-TEST_CASE("a unit that does not take what is programmed is found out, and other blocks are used") {
+TEST_CASE("a unit that fails to program is detected, and other blocks are used") {
   const FlashGeometry geometry{64, 512, 9};  // three slots
   SimulatedFlash flash(geometry);
   Keeper keeper(flash);
@@ -515,7 +513,7 @@ TEST_CASE("a unit that does not take what is programmed is found out, and other 
   CHECK_FALSE(flash.has_broken_rules);
 }
 
-TEST_CASE("a save that is broken off, by another or by reading, leaves the checkpoint before") {
+TEST_CASE("an interrupted save preserves the previous checkpoint") {
   for (const Memories& memory : memories) {
     CAPTURE(memory.name);
     SimulatedFlash flash(memory.geometry, 1, memory.kind);
@@ -540,7 +538,7 @@ TEST_CASE("a save that is broken off, by another or by reading, leaves the check
   }
 }
 
-TEST_CASE("numbers go on with 0 behind the last, and the newest stays the newest") {
+TEST_CASE("sequence numbers wrap from the last to 0, and the newest checkpoint is still found") {
   const Memories& memory = memories[1];
   SimulatedFlash flash(memory.geometry);
   const StorePlan plan = store_plan(memory.geometry, max_bytes);
@@ -555,7 +553,7 @@ TEST_CASE("numbers go on with 0 behind the last, and the newest stays the newest
   CHECK(number_found(flash, 8) == 7);
 }
 
-TEST_CASE("a number that a damaged checkpoint has is not given again") {
+TEST_CASE("the sequence number of a damaged checkpoint is not reused") {
   const Memories& memory = memories[1];
   SimulatedFlash flash(memory.geometry);
   {
@@ -568,7 +566,7 @@ TEST_CASE("a number that a damaged checkpoint has is not given again") {
     CHECK(keeper.store.sequence() == 2);
     REQUIRE(save(keeper, 3) == Status::ok);
     CHECK(keeper.store.sequence() == 4);
-    slot(flash, keeper.store.plan(), 1)[4] ^= 0x40;  // its number, so that nobody knows it
+    slot(flash, keeper.store.plan(), 1)[4] ^= 0x40;  // its number is unreadable
   }
   Keeper keeper(flash);
   CHECK(keeper.store.sequence() == 4);
@@ -576,7 +574,7 @@ TEST_CASE("a number that a damaged checkpoint has is not given again") {
   CHECK(keeper.store.sequence() == 5);
 }
 
-TEST_CASE("a head that is larger than a checkpoint may be is none") {
+TEST_CASE("a head with a size beyond the maximal checkpoint is ignored") {
   const Memories& memory = memories[2];
   SimulatedFlash flash(memory.geometry);
   const StorePlan plan = store_plan(memory.geometry, max_bytes);
@@ -585,7 +583,7 @@ TEST_CASE("a head that is larger than a checkpoint may be is none") {
   CHECK_FALSE(Keeper(flash, 918).store.has_checkpoint());
 }
 
-TEST_CASE("a head of another format is none") {
+TEST_CASE("a head of another format is ignored") {
   const Memories& memory = memories[2];
   SimulatedFlash flash(memory.geometry);
   const StorePlan plan = store_plan(memory.geometry, max_bytes);
@@ -593,7 +591,7 @@ TEST_CASE("a head of another format is none") {
   CHECK(number_found(flash, 1) == UINT32_MAX);
 }
 
-TEST_CASE("whatever numbers heads have, a start comes to an end") {
+TEST_CASE("start() terminates for any sequence numbers of the heads") {
   const FlashGeometry geometry{64, 2048, 4};
   SimulatedFlash flash(geometry);
   const StorePlan plan = store_plan(geometry, max_bytes);
@@ -606,7 +604,8 @@ TEST_CASE("whatever numbers heads have, a start comes to an end") {
   (void)number_found(flash, 4);
 }
 
-TEST_CASE("what a read cannot reach is passed over, and told where nothing else is found") {
+TEST_CASE(
+    "unreadable slots are skipped, and device_error is returned if no other checkpoint is found") {
   const Memories& memory = memories[2];
   SimulatedFlash flash(memory.geometry);
   {
@@ -625,7 +624,7 @@ TEST_CASE("what a read cannot reach is passed over, and told where nothing else 
   CHECK(Contents::of(keeper) == Contents(0));
 }
 
-TEST_CASE("parts are read back as they were saved, or not at all") {
+TEST_CASE("the parts of a checkpoint are restored as saved or not at all") {
   const Memories& memory = memories[2];
   SimulatedFlash flash(memory.geometry);
   Keeper keeper(flash);
@@ -691,7 +690,7 @@ TEST_CASE("a discarded checkpoint is never found again, whenever the power fails
   }
 }
 
-TEST_CASE("what cannot be started, saved or restored is refused") {
+TEST_CASE("invalid starts, saves and restores are refused") {
   const Memories& memory = memories[2];
   SimulatedFlash flash(memory.geometry);
   CheckpointStore store{};

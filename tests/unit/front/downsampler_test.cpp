@@ -77,7 +77,7 @@ void check(const Size& size, uint32_t extent) {
 
 }  // namespace
 
-TEST_CASE("blocks become their mean, the last ones of the voxels that are left") {
+TEST_CASE("blocks become their mean, and partial blocks the mean of their voxels") {
   for (const uint32_t extent : {1U, 2U, 3U, 5U, 16U})
     for (const uint32_t width : {1U, 2U, 7U, 16U, 17U})
       for (const uint32_t height : {1U, 3U, 6U})
@@ -96,7 +96,7 @@ TEST_CASE("the largest block of the largest samples does not overflow") {
   }
 }
 
-TEST_CASE("means that are started again amid a volume begin a new one") {
+TEST_CASE("a downsampler restarted in the middle of a volume begins a new one") {
   const Size size{5, 4, 3};
   const std::vector<uint8_t> samples = some_samples<uint8_t>(size, 1);
   Downsampler<uint8_t> fresh;
@@ -111,7 +111,7 @@ TEST_CASE("means that are started again amid a volume begin a new one") {
   }
 }
 
-TEST_CASE("means refuse what no extractor takes, blocks of no size, and too little memory") {
+TEST_CASE("a downsampler refuses invalid limits, empty blocks and too little memory") {
   Downsampler<uint16_t> means;
   const Limits limits{33, 4};
   Block block(Downsampler<uint16_t>::bytes_for(limits, 2) - 1);

@@ -74,7 +74,7 @@ BitVolume filtered(const BitVolume& volume) {
 
 }  // namespace
 
-TEST_CASE("a voxel is on where at least 14 of the 27 around it are, in volumes of every shape") {
+TEST_CASE("a voxel is on if at least 14 of its 27 neighbours are on, for any size") {
   std::uint32_t seed = 0;
   for (const std::uint32_t width : {1U, 2U, 7U, 8U, 31U, 32U, 33U, 64U, 70U})
     for (const std::uint32_t height : {1U, 2U, 5U})
@@ -85,7 +85,7 @@ TEST_CASE("a voxel is on where at least 14 of the 27 around it are, in volumes o
       }
 }
 
-TEST_CASE("walls, boxes and balls stay but for their edges, and specks go") {
+TEST_CASE("walls, boxes and balls survive except for their edges, and specks vanish") {
   const BitVolume all = discmc::reference::box({9, 8, 7}, {0, 0, 0}, {8, 7, 6});
   CHECK(filtered(all).on == all.on);
   const BitVolume half = discmc::reference::box({40, 8, 7}, {0, 0, 0}, {19, 7, 6});
@@ -95,7 +95,7 @@ TEST_CASE("walls, boxes and balls stay but for their edges, and specks go") {
   CHECK(std::count(filtered_speck.on.begin(), filtered_speck.on.end(), 1) == 0);
 }
 
-TEST_CASE("a filter refuses what no extractor takes, and too little memory") {
+TEST_CASE("a filter refuses invalid limits and too little memory") {
   MajorityFilter filter;
   const Limits limits{33, 4};
   Block block(MajorityFilter::bytes_for(limits) - 1);
@@ -118,7 +118,7 @@ TEST_CASE("a filter that is started again forgets everything") {
   }
 }
 
-TEST_CASE("a filter that is started again amid a volume, or behind one, begins a new one") {
+TEST_CASE("a filter restarted in the middle or at the end of a volume begins a new one") {
   const BitVolume volume = discmc::reference::random({10, 3, 4}, 128, 1);
   const Limits limits{10, 3};
   const std::uint8_t on[] = {0xFF, 0x03};
@@ -135,8 +135,7 @@ TEST_CASE("a filter that is started again amid a volume, or behind one, begins a
     }
 }
 
-TEST_CASE(
-    "a filter takes two slices and four rows, and writes nothing behind the row that is due") {
+TEST_CASE("a filter uses two slices and four rows of memory, and writes only the row that is due") {
   const Limits limits{33, 2};
   constexpr std::size_t row_bytes = 8;
   REQUIRE(MajorityFilter::bytes_for(limits) ==

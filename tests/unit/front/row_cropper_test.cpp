@@ -79,7 +79,7 @@ TEST_CASE("rows and samples are picked by range and step of each axis") {
       for (const CropRange& z : ranges) check(x, y, z);
 }
 
-TEST_CASE("a cropper goes on for as many slices as come, when no number is given") {
+TEST_CASE("a cropper without a number of slices accepts any number of them") {
   RowCropper cropper;
   REQUIRE(cropper.start({4, 2}, {}, {1}, {1, rest, 2}) == Status::ok);
   for (uint32_t row = 0; row < 1000; ++row) {
@@ -88,7 +88,7 @@ TEST_CASE("a cropper goes on for as many slices as come, when no number is given
   }
 }
 
-TEST_CASE("a cropper refuses what is not there; then nothing has changed") {
+TEST_CASE("a cropper refuses ranges outside the volume and then changes nothing") {
   RowCropper cropper;
   REQUIRE(cropper.start({4, 2}, {}, {}, {}) == Status::ok);
   const CropRange refused[] = {{4},    {5},    {4, rest, 2}, {0, 5},

@@ -75,7 +75,7 @@ struct Task {
 
 }  // namespace
 
-TEST_CASE("rows come out in their order, and lost ones in their place") {
+TEST_CASE("rows are read in order, and lost rows are marked in their place") {
   Ring ring(2);
   Task task;
   CHECK(ring.peek() == Next::none);
@@ -101,7 +101,7 @@ TEST_CASE("rows come out in their order, and lost ones in their place") {
   CHECK(ring.block.is_intact());
 }
 
-TEST_CASE("rows ahead of the next one are free as long as there is room for them") {
+TEST_CASE("rows ahead of the next one are free while the ring has room") {
   for (const uint32_t rows : {1U, 2U, 3U, 7U}) {
     Ring ring(rows);
     Task task;
@@ -130,14 +130,14 @@ TEST_CASE("rows ahead of the next one are free as long as there is room for them
   }
 }
 
-TEST_CASE("rows that lie one behind the other begin where the memory is aligned") {
+TEST_CASE("contiguous rows begin at aligned addresses") {
   alignas(32) static uint8_t memory[RowRing::bytes_for(64, 3)];
   RowRing ring;
   REQUIRE(ring.start(64, 3, memory_of(memory)) == Status::ok);
   for (uint32_t ahead = 0; ahead < 3; ++ahead) CHECK(ring.free_row(ahead) == memory + 64 * ahead);
 }
 
-TEST_CASE("a ring refuses no rows, empty ones, and too little memory; then nothing has changed") {
+TEST_CASE("a ring refuses zero rows, empty rows and too little memory, and then changes nothing") {
   Ring ring(3);
   CHECK(bring(ring));
   Block block(RowRing::bytes_for(row_bytes, 3) - 1);
@@ -153,7 +153,7 @@ TEST_CASE("a ring refuses no rows, empty ones, and too little memory; then nothi
   CHECK(ring.free_row(2) == nullptr);
 }
 
-TEST_CASE("a ring that is not started has no room, and nothing comes") {
+TEST_CASE("a ring that is not started has no room and no rows") {
   RowRing ring;
   CHECK(ring.free_row() == nullptr);
   CHECK(ring.peek() == Next::none);
@@ -175,7 +175,7 @@ TEST_CASE("a ring that is started again begins anew") {
   CHECK(task.is_right);
 }
 
-TEST_CASE("any order of what either side does gives the rows that came") {
+TEST_CASE("any interleaving of writer and reader preserves the rows") {
   test::Chance chance(7);
   for (const uint32_t rows : {1U, 2U, 3U, 5U, 8U}) {
     Ring ring(rows);
@@ -205,7 +205,7 @@ TEST_CASE("any order of what either side does gives the rows that came") {
 
 namespace {
 
-// In a ring of two so many rows came, and so many of them were passed.
+// The state of a ring of two rows: how many rows came and were passed.
 struct State {
   uint32_t came, passed;
 };
@@ -236,7 +236,7 @@ void check(Situation& situation) {
 
 }  // namespace
 
-TEST_CASE("an interrupt brings rows after any instruction of the task") {
+TEST_CASE("an interrupt after any instruction of the task delivers its rows") {
   if (!reference::can_single_step) return;
   for (const State& state : states)
     for (const uint32_t rows : {1U, 3U})
@@ -253,7 +253,8 @@ TEST_CASE("an interrupt brings rows after any instruction of the task") {
       }
 }
 
-TEST_CASE("a task that takes rows after any instruction of the interrupt finds those that came") {
+TEST_CASE(
+    "a task running after any instruction of the interrupt reads the rows that are complete") {
   if (!reference::can_single_step) return;
   for (const State& state : states)
     for (uint64_t at = 1;; ++at) {
@@ -273,7 +274,7 @@ TEST_CASE("a task that takes rows after any instruction of the interrupt finds t
 
 // ---- threads: also run by the thread sanitizer ----
 
-TEST_CASE("a second thread brings rows faster and slower than they are taken") {
+TEST_CASE("a second thread writes rows faster and slower than they are read") {
   constexpr uint32_t all = 5000;
   for (const uint32_t rows : {1U, 2U, 5U}) {
     Ring ring(rows);

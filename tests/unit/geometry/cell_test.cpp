@@ -121,7 +121,7 @@ void for_each_pair(int axis, Check check) {
 
 }  // namespace
 
-TEST_CASE("a point and its position name each other") {
+TEST_CASE("point numbers and positions convert both ways") {
   for (CellPoint point = 0; point < point_codes; ++point) CHECK(point_at(position(point)) == point);
   CHECK(point_at({2, 2, 2}) == point_codes - 1);
   CHECK(position(centroid) == Vertex{1, 1, 1});
@@ -162,7 +162,7 @@ TEST_CASE("a face's four corners lie on it, counter-clockwise seen from inside t
   }
 }
 
-TEST_CASE("two edge midpoints share one face or none, and face_of tells which") {
+TEST_CASE("face_of() returns the face that two edge midpoints share, if any") {
   for (const CellEdge& a : cell_edges())
     for (const CellEdge& b : cell_edges()) {
       const CellPoint from = detail::derive::midpoint(a.corner_a, a.corner_b);
@@ -190,7 +190,7 @@ TEST_CASE("a link to the centroid lies on no face") {
   }
 }
 
-TEST_CASE("the loops of a cell pass every crossing of its edges once, and nothing else") {
+TEST_CASE("the loops of a cell visit each crossing of its edges once") {
   for_each_configuration([](Configuration configuration) {
     std::multiset<CellPoint> passed;
     for (const LoopLink& link : loop_links(configuration)) passed.insert(link.from);
@@ -209,7 +209,7 @@ TEST_CASE("every link of a loop lies on a face and is a link of the lattice") {
   });
 }
 
-TEST_CASE("a loop has 3 to 7 links, a cell up to 4 loops; all of these occur") {
+TEST_CASE("a loop has 3 to 7 links and a cell up to 4 loops, and all of these occur") {
   std::set<int> lengths;
   std::set<int> loop_counts;
   for_each_configuration([&](Configuration configuration) {
@@ -221,7 +221,7 @@ TEST_CASE("a loop has 3 to 7 links, a cell up to 4 loops; all of these occur") {
   CHECK(loop_counts == std::set<int>{0, 1, 2, 3, 4});
 }
 
-TEST_CASE("a cell has at most 12 links on its faces, at most 6 of them on faces already visited") {
+TEST_CASE("a cell has at most 12 links on its faces and at most 6 on visited faces") {
   size_t most = 0;
   std::ptrdiff_t max_behind = 0;
   for_each_configuration([&](Configuration configuration) {
@@ -250,7 +250,7 @@ TEST_CASE("each link has on corners on its left and off corners on its right, se
   });
 }
 
-TEST_CASE("on an ambiguous face the on corners are separated: each is cut off by a link") {
+TEST_CASE("links separate the on corners of an ambiguous face") {
   int ambiguous = 0;
   for_each_configuration([&](Configuration configuration) {
     for (const LoopLink& link : loop_links(configuration)) {
@@ -280,7 +280,7 @@ TEST_CASE("two cells that share a face run through the same links on it, in oppo
   }
 }
 
-TEST_CASE("a cell turned or mirrored has its loops turned or mirrored") {
+TEST_CASE("loops follow the rotations and reflections of their cell") {
   const std::vector<CellSymmetry> symmetries = cell_symmetries();
   CHECK(symmetries.size() == 48);
   CHECK(std::count_if(symmetries.begin(), symmetries.end(),

@@ -1,5 +1,5 @@
-// The derivation of the facet tables, which the compiler does, done once more at run time: so it is
-// the same wherever it is done, and the coverage of its source can be told.
+// The facet tables, which the compiler derives, derived again at run time. Both must be equal, and
+// the coverage of the source can be measured.
 //
 // The source is compiled in here; the library's object of it is then not linked.
 #include <discmc/geometry/facet_table.cpp>
@@ -9,7 +9,7 @@
 namespace discmc {
 namespace {
 
-TEST_CASE("the facet tables are the same when they are derived at run time") {
+TEST_CASE("facet tables derived at run time equal those of the compiler") {
   Derived again{};
   again = derive_all();  // what is initialised the compiler would work out
   for (int c = 0; c <= configurations; ++c) CHECK(again.table.first[c] == facet_table.first[c]);
@@ -26,7 +26,7 @@ TEST_CASE("the facet tables are the same when they are derived at run time") {
   }
 }
 
-TEST_CASE("what the tables are asserted to hold is counted right, and other counts are not held") {
+TEST_CASE("the checks of the facet tables count correctly and reject wrong counts") {
   CHECK(configurations_with(7) == 32);
   CHECK(configurations_with(8) == 0);
   CHECK(occurs(3, 93));

@@ -136,7 +136,7 @@ int six_volumes(Facet facet) {
 
 }  // namespace
 
-TEST_CASE("1068 facets: 2/40/50/8/8/48/68/32 configurations have 0/1/2/3/4/5/6/7 of them") {
+TEST_CASE("1068 facets in total: 2/40/50/8/8/48/68/32 configurations have 0/1/2/3/4/5/6/7 facets") {
   std::array<int, 8> configurations_with{};
   CHECK(facet_table.first[0] == 0);
   for_each_configuration([&](int c) {
@@ -157,7 +157,7 @@ TEST_CASE("every axis incidence occurs 44 times, every diagonal one 5, every cor
     CHECK(count == expected[dot_product(incidence_normal(incidence), incidence_normal(incidence))]);
 }
 
-TEST_CASE("an incidence has 4 shapes on an axis, 2 on a diagonal, 8 on a corner") {
+TEST_CASE("axis incidences have 4 shapes, diagonal ones 2, corner ones 8") {
   std::map<Incidence, int> shapes;
   for_each_facet([&](Facet facet) { ++shapes[incidence_of(facet)]; });
   constexpr int expected[] = {0, 4, 2, 8};
@@ -166,7 +166,7 @@ TEST_CASE("an incidence has 4 shapes on an axis, 2 on a diagonal, 8 on a corner"
     CHECK(count == expected[dot_product(incidence_normal(incidence), incidence_normal(incidence))]);
 }
 
-TEST_CASE("a facet's code is its incidence and its shape") {
+TEST_CASE("a facet's code consists of its incidence and its shape") {
   for_each_facet([](Facet facet) {
     CHECK(facet_of(incidence_of(facet), shape_of(facet)) == facet);
     CHECK(incidence_of(facet) != no_incidence);
@@ -174,7 +174,7 @@ TEST_CASE("a facet's code is its incidence and its shape") {
   });
 }
 
-TEST_CASE("every facet of the table has a ring, and no two the same") {
+TEST_CASE("every facet of the table has a ring, and all rings differ") {
   std::set<std::vector<CellPoint>> rings;
   int count = 0;
   for_each_facet([&](Facet facet) {
@@ -210,7 +210,8 @@ TEST_CASE("a facet is flat and convex, its ring counter-clockwise seen from the 
   });
 }
 
-TEST_CASE("a facet is what its incidence says: right triangle, rectangle, equilateral triangle") {
+TEST_CASE(
+    "a facet's incidence determines its form: right triangle, rectangle or equilateral triangle") {
   for_each_facet([](Facet facet) {
     std::multiset<int> squared_lengths;
     for (const auto& [from, to] : links_of(facet)) {
@@ -269,7 +270,7 @@ TEST_CASE("inside a cell facets meet link against link, and only the loops are l
   });
 }
 
-TEST_CASE("at most one loop of a cell uses the centroid, and its fan goes round it once") {
+TEST_CASE("at most one loop per cell uses the centroid, and its fan turns around it once") {
   int fans = 0;
   for_each_configuration([&](int c) {
     LinkSet rim;
@@ -296,7 +297,7 @@ TEST_CASE("classic Marching Cubes makes two triangles less than a loop has links
   });
 }
 
-TEST_CASE("the enclosed volume follows from the facets by way of any point, say corner 0") {
+TEST_CASE("the enclosed volume can be computed from the facets with any reference point") {
   for_each_configuration([](int c) {
     int sum = 0;
     // The three faces at corner 0 have no height over it; the others have 2 half-steps.
@@ -306,7 +307,7 @@ TEST_CASE("the enclosed volume follows from the facets by way of any point, say 
   });
 }
 
-TEST_CASE("a lone corner encloses a 48th, and the off side of a surface what the on side leaves") {
+TEST_CASE("both sides of a surface fill a cell of 48 units, except beside ambiguous faces") {
   CHECK(cell_facts.enclosed[0] == 0);
   CHECK(cell_facts.enclosed[1] == 1);
   for_each_configuration([](int c) {
@@ -329,7 +330,7 @@ TEST_CASE("without an ambiguous face, on and off swapped turn every facet round"
   });
 }
 
-TEST_CASE("a cell turned or mirrored has its facets turned or mirrored") {
+TEST_CASE("facets follow the rotations and reflections of their cell") {
   for (const CellSymmetry& symmetry : cell_symmetries())
     for_each_configuration([&](int c) {
       std::set<Placed> moved;

@@ -53,7 +53,7 @@ bool is_zero(const LongVector& v) {
 
 }  // namespace
 
-TEST_CASE("a unit normal is at most 0.006 degrees from its direction, and of length one") {
+TEST_CASE("a unit normal deviates at most 0.006 degrees and has length one") {
   Chance chance(1);
   double worst = 0, worst_length = 0;
   const auto check = [&](const LongVector& v) {
@@ -86,18 +86,18 @@ TEST_CASE("axes are exact, and opposite directions have opposite normals") {
   }
 }
 
-TEST_CASE("vectors of one direction have one normal, twice as long or not") {
+TEST_CASE("vectors of the same direction have the same normal for any length") {
   CHECK(unit_normal(LongVector{1, 1, 1}) == unit_normal(LongVector{2, 2, 2}));
   CHECK(unit_normal(LongVector{1, -2, 3}) == unit_normal(LongVector{1 << 20, -(1 << 21), 3 << 20}));
 }
 
-TEST_CASE("a vector of no length has no normal") {
+TEST_CASE("a vector of length zero has no normal") {
   CHECK(unit_normal(LongVector{0, 0, 0}) == UnitNormal{0, 0, 0});
   CHECK(octahedral_normal({0, 0, 0}).is_none());
   CHECK(unit_normal(OctahedralNormal{0, 0}) == UnitNormal{0, 0, 0});
 }
 
-TEST_CASE("an octahedral normal is at most 0.96 degrees from its direction, half of them 0.33") {
+TEST_CASE("an octahedral normal deviates at most 0.96 degrees, and half of them 0.33") {
   Chance chance(3);
   std::vector<double> angles;
   for (int i = 0; i < 300000; ++i) {
@@ -113,8 +113,7 @@ TEST_CASE("an octahedral normal is at most 0.96 degrees from its direction, half
   CHECK(angles[angles.size() / 2] < 0.33);
 }
 
-TEST_CASE(
-    "the rim of the octahedron is of its upper half, and the lowest corner is folded to one") {
+TEST_CASE("the octahedron's rim belongs to its upper half, and its lowest corner is unique") {
   CHECK(octahedral_normal({0, 0, 1}) == OctahedralNormal{128, 128});
   CHECK(octahedral_normal({1, 0, 0}) == OctahedralNormal{255, 128});
   CHECK(octahedral_normal({1, 1, 0}) == OctahedralNormal{192, 192});  // folded it would be 191
@@ -122,7 +121,7 @@ TEST_CASE(
   CHECK(octahedral_normal({0, 0, -1}) == OctahedralNormal{255, 255});
 }
 
-TEST_CASE("every octahedral normal stands for a unit vector, and comes back") {
+TEST_CASE("every octahedral normal decodes to a unit vector and encodes back") {
   for (int u = 1; u < 256; ++u)
     for (int v = 1; v < 256; ++v) {
       const OctahedralNormal told{static_cast<uint8_t>(u), static_cast<uint8_t>(v)};
@@ -134,7 +133,7 @@ TEST_CASE("every octahedral normal stands for a unit vector, and comes back") {
     }
 }
 
-TEST_CASE("any two bytes are a normal or none") {
+TEST_CASE("any two bytes decode to a normal or to none") {
   for (int u = 0; u < 256; ++u)
     for (int v = 0; v < 256; ++v) {
       const UnitNormal n =
@@ -163,7 +162,7 @@ TEST_CASE("normals transform with the inverse of the spacing, mirrored axes incl
   CHECK(worst < 0.006);
 }
 
-TEST_CASE("the extreme spacings and vectors do not overflow") {
+TEST_CASE("extreme spacings and vectors do not overflow") {
   const int32_t most = INT32_MAX, least = INT32_MIN;
   const AxisWeights even = axis_weights({most, most, most});
   CHECK(even.x == even.y);
@@ -197,7 +196,7 @@ TEST_CASE("a vector below 2^31 is weighted exactly") {
   check({INT32_MAX, 1, -INT32_MAX}, {INT32_MAX, -INT32_MAX, INT32_MAX});
 }
 
-TEST_CASE("where a spacing is not known voxels are cubes") {
+TEST_CASE("without a spacing voxels are cubes") {
   const int32_t spacings[][3] = {{0, 7, 9}, {7, 0, 9}, {7, 9, 0}};
   for (const auto& spacing : spacings)
     CHECK(unit_normal(weighted({3, 4, 5}, axis_weights(spacing))) == unit_normal({3, 4, 5}));
@@ -236,7 +235,7 @@ TEST_CASE("the area vectors of a closed surface cancel each other") {
   CHECK(is_zero(sum));
 }
 
-TEST_CASE("area vectors have the length of the area, whatever the incidence") {
+TEST_CASE("area vectors have the length of the area for every incidence") {
   // A square of side 2, a rectangle of 2 by 2 sqrt(2), and a triangle of side sqrt(2).
   const LongVector axis = area_vector(incidence_of({0, 0, 1}), 2 * 4);
   const LongVector diagonal = area_vector(incidence_of({1, 1, 0}), 2 * 8);

@@ -16,7 +16,7 @@ void for_each_incidence(Visit visit) {
 
 }  // namespace
 
-TEST_CASE("a run leads where its links lead, and wraps") {
+TEST_CASE("a run ends where its links end, and coordinates wrap") {
   for_each_incidence([](Incidence incidence) {
     for (Direction direction = 0; direction < direction_count(incidence); ++direction) {
       Vertex at{7, -3, 100};
@@ -33,7 +33,7 @@ TEST_CASE("a run leads where its links lead, and wraps") {
   CHECK(at == Vertex{INT32_MAX - 16, 0, 0});
 }
 
-TEST_CASE("the vertices of a plane have one offset, and those beside it another") {
+TEST_CASE("the vertices of a plane share one offset, and neighbouring planes have another") {
   for_each_incidence([](Incidence incidence) {
     const Vertex vertex{3, -4, 12};
     const int32_t offset = plane_offset(incidence, vertex);
@@ -45,7 +45,7 @@ TEST_CASE("the vertices of a plane have one offset, and those beside it another"
   CHECK(plane_offset(incidence_of({1, 1, 1}), {INT32_MAX, INT32_MAX, INT32_MAX}) == INT32_MAX - 2);
 }
 
-TEST_CASE("runs are of a plane when their direction is and they have a length that runs can have") {
+TEST_CASE("a run is valid in a plane if its direction and length are") {
   const Incidence corner = incidence_of({1, 1, 1});
   CHECK(is_run_of(corner, Run::straight(5, 1)));
   CHECK_FALSE(is_run_of(corner, Run::straight(6, 1)));

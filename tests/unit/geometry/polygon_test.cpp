@@ -81,13 +81,13 @@ constexpr Incidence up = incidence_of(Vertex{0, 0, 1});
 
 }  // namespace
 
-TEST_CASE("a simple ring is handed over as it is") {
+TEST_CASE("a simple ring is delivered unchanged") {
   const Ring square = flat({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}});
   CHECK(split(square) == Rings{square});
   CHECK(split(flat({{0, 0}, {1, 0}, {0, 1}})) == Rings{flat({{0, 0}, {1, 0}, {0, 1}})});
 }
 
-TEST_CASE("a ring of two links, one or none is a slit and dropped") {
+TEST_CASE("a ring of at most two links is a slit and is dropped") {
   CHECK(split({}).empty());
   CHECK(split(flat({{0, 0}})).empty());
   CHECK(split(flat({{0, 0}, {1, 0}})).empty());
@@ -96,7 +96,7 @@ TEST_CASE("a ring of two links, one or none is a slit and dropped") {
   CHECK(split(flat({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {2, 0}, {1, 0}})).empty());
 }
 
-TEST_CASE("two loops that share a vertex come apart, wherever the ring starts") {
+TEST_CASE("two loops that share a vertex are separated for any start of the ring") {
   Ring eight = flat({{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}});
   const Rings expected = canonical(
       Rings{flat({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), flat({{1, 1}, {2, 1}, {2, 2}, {1, 2}})});
@@ -106,7 +106,7 @@ TEST_CASE("two loops that share a vertex come apart, wherever the ring starts") 
   }
 }
 
-TEST_CASE("a slit on a polygon goes, the polygon stays, wherever the ring starts") {
+TEST_CASE("a slit on a polygon is removed for any start of the ring") {
   Ring ring = flat({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {2, 1}, {2, 2}, {0, 2}});
   const Rings expected{flat({{0, 0}, {2, 0}, {2, 1}, {2, 2}, {0, 2}})};
   for (size_t i = 0; i < ring.size(); ++i) {
@@ -115,7 +115,7 @@ TEST_CASE("a slit on a polygon goes, the polygon stays, wherever the ring starts
   }
 }
 
-TEST_CASE("a slit that leads to a hole leaves an outer ring and a hole") {
+TEST_CASE("a slit to a hole is split into an outer ring and a hole") {
   const Ring ring =
       flat({{0, 0}, {9, 0}, {9, 9}, {6, 6}, {6, 3}, {3, 3}, {3, 6}, {6, 6}, {9, 9}, {0, 9}});
   const Rings rings = split(ring);
@@ -127,7 +127,7 @@ TEST_CASE("a slit that leads to a hole leaves an outer ring and a hole") {
   CHECK(std::max(areas[0], areas[1]) == 162);
 }
 
-TEST_CASE("a ring is split alike in planes across any axis") {
+TEST_CASE("a ring is split equally in planes across any axis") {
   for (uint32_t seed = 0; seed < 300; ++seed) {
     Ring ring = random_walk(seed, seed % 60, 7);
     const Rings expected = split(ring);
@@ -181,7 +181,7 @@ TEST_CASE("the sweep rings of a volume, whole or cut, split into the reference's
   }
 }
 
-TEST_CASE("a ring of half a million links, all in one line or all apart, is split in no time") {
+TEST_CASE("a ring of half a million links is split: a slit vanishes, and a simple ring stays") {
   constexpr uint32_t half = 250000;
   Ring line;
   for (int32_t x = 0; x < static_cast<int32_t>(half); ++x) line.push_back({x, 0, 0});
@@ -191,7 +191,7 @@ TEST_CASE("a ring of half a million links, all in one line or all apart, is spli
   CHECK(split(line) == Rings{line});
 }
 
-TEST_CASE("unfolding a chain gives a vertex for every link, the start first") {
+TEST_CASE("unfolding a chain yields a vertex per link, the start first") {
   const Run runs[] = {Run::straight(0, 3), Run::straight(2, 2), Run::straight(4, 3),
                       Run::straight(6, 2)};
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
@@ -213,7 +213,7 @@ TEST_CASE("unfolding a chain gives a vertex for every link, the start first") {
   CHECK(link_count(longest, 2) == 2 * uint64_t{Run::max_length});
 }
 
-TEST_CASE("a ring's area is exact from end to end of the coordinates") {
+TEST_CASE("the area of a ring is exact over the whole range of coordinates") {
   constexpr int32_t far = 65531;
   const Ring ring = {{-1, -1, 0}, {far, -1, 0}, {far, far, 0}, {-1, far, 0}};
   CHECK(twice_area(up, ring.data(), 4) == int64_t{2} * (far + 1) * (far + 1));
@@ -227,7 +227,7 @@ TEST_CASE("a ring's area is exact from end to end of the coordinates") {
   CHECK(twice_area(up, ring.data(), 2) == 0);
 }
 
-TEST_CASE("corners are where the links before and after differ, at the start too") {
+TEST_CASE("corners are the vertices between links of different directions, the start included") {
   const Ring square = flat({{1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}, {0, 0}});
   const bool expected[] = {false, true, false, true, false, true, false, true};
   for (uint32_t i = 0; i < 8; ++i) CHECK(is_corner(square.data(), 8, i) == expected[i]);
@@ -237,7 +237,7 @@ TEST_CASE("corners are where the links before and after differ, at the start too
   CHECK(corners == flat({{2, 0}, {2, 2}, {0, 2}, {0, 0}}));
 }
 
-TEST_CASE("keeping corners keeps what is asked for as well, and never a vertex too few") {
+TEST_CASE("keep_corners() keeps the requested vertices too") {
   for (uint32_t seed = 0; seed < 500; ++seed) {
     const Ring ring = random_walk(seed, seed % 40, 3);
     const auto count = static_cast<uint32_t>(ring.size());

@@ -123,7 +123,7 @@ TEST_CASE("the point beside a link lies left of it, in and near the plane") {
   });
 }
 
-TEST_CASE("the point beside a link is an eighth of a half-step left of its middle") {
+TEST_CASE("the point beside a link is an eighth of a half-step left of the link's middle") {
   const Vertex at{5, 6, 8};
   for_each_incidence([&](Incidence incidence) {
     for (Direction direction = 0; direction < direction_count(incidence); ++direction) {
@@ -138,8 +138,7 @@ TEST_CASE("the point beside a link is an eighth of a half-step left of its middl
   });
 }
 
-TEST_CASE(
-    "a ring has the points inside that are left of all its sides, on the ray of a vertex too") {
+TEST_CASE("a ring contains the points left of all its sides, even on the ray of a vertex") {
   Chance chance(1);
   for_each_incidence([&](Incidence incidence) {
     const Vertex start{1, -6, 4};
@@ -174,7 +173,7 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("the least and the greatest coordinates are compared as they are") {
+TEST_CASE("the crossing of a side is exact at the least and greatest coordinates") {
   const Incidence side = incidence_of({1, 0, 0});
   const Direction rise = direction_of(side, Vertex{0, 0, 2});
   const RingSide wall(side, {1, INT32_MAX, INT32_MIN}, Run::straight(rise, Run::max_length));
@@ -183,7 +182,7 @@ TEST_CASE("the least and the greatest coordinates are compared as they are") {
   CHECK(wall.crossing(wall.end_line() - 1) == 8 * int64_t{INT32_MAX});
 }
 
-TEST_CASE("a tree finds rings by plane, by line and behind a place, as a search of all does") {
+TEST_CASE("a tree finds rings by plane, line and position as an exhaustive search does") {
   Chance chance(3);
   Rings rings;
   RingTree<Rings> tree;

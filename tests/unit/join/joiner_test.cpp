@@ -126,7 +126,7 @@ test::Script square_region(const Vertex& corner, uint32_t side) {
   return script;
 }
 
-// A corner moved inwards by so many links.
+// A corner moved inwards by a number of links.
 Vertex inwards(const Vertex& corner, int32_t links) {
   const Vertex diagonal = direction_vector(test::up, 0) + direction_vector(test::up, 2);
   return corner + Vertex{links * diagonal.x, links * diagonal.y, links * diagonal.z};
@@ -175,7 +175,7 @@ TEST_CASE("the loose fragments of a sweep are joined to its regions") {
     }
 }
 
-TEST_CASE("so are fragments in any order") {
+TEST_CASE("loose fragments in any order are joined to the regions") {
   Chance chance(2);
   for (const Surface& surface : surfaces())
     for (int round = 0; round < 20; ++round) {
@@ -195,7 +195,7 @@ TEST_CASE("so are fragments in any order") {
     }
 }
 
-TEST_CASE("so are the streams of several slabs") {
+TEST_CASE("interleaved streams of several slabs are joined to the regions") {
   Chance chance(3);
   for (const Surface& surface : surfaces())
     for (const int32_t slab : {1, 2, 3, 7})
@@ -215,7 +215,7 @@ TEST_CASE("so are the streams of several slabs") {
       }
 }
 
-TEST_CASE("in the order of a sweep a region is there as soon as its last fragment is") {
+TEST_CASE("in sweep order a region is delivered as soon as its last fragment arrives") {
   Chance chance(5);
   const Surface& surface = surfaces()[0];
   const Pieces pieces = cut(surface.regions, cuts_of(chance, 100));
@@ -267,7 +267,7 @@ class Nest {
   Vertex corner_;
 };
 
-TEST_CASE("of rings within rings every region gets its own hole, whatever comes when or is lost") {
+TEST_CASE("nested rings are assigned the right holes in any order and despite losses") {
   constexpr int32_t none = -1;
   Chance chance(15);
   const Cuts cuts = cuts_of(chance);
@@ -299,7 +299,7 @@ TEST_CASE("of rings within rings every region gets its own hole, whatever comes 
         }
 }
 
-TEST_CASE("what was in its memory before does not matter to a joiner") {
+TEST_CASE("a joiner's result does not depend on the initial contents of its memory") {
   const Nest nest({1, 0, 0});
   const JoinCapacities capacities{10, 60};
   for (int filling = 0; filling < 256; ++filling) {
@@ -320,7 +320,7 @@ TEST_CASE("what was in its memory before does not matter to a joiner") {
 
 // ---- short memory ----
 
-TEST_CASE("what a joiner with too little memory passes on, another joins") {
+TEST_CASE("fragments passed on by a joiner with too little memory are joined by a second one") {
   Chance chance(6);
   for (const size_t index : {size_t{0}, size_t{1}, size_t{5}, size_t{7}}) {
     const Surface& surface = surfaces()[index];
@@ -345,7 +345,7 @@ TEST_CASE("what a joiner with too little memory passes on, another joins") {
   }
 }
 
-TEST_CASE("with any number of bytes from the least on") {
+TEST_CASE("more memory never makes a joiner pass on more fragments") {
   Chance chance(7);
   const Surface& surface = surfaces()[7];
   const Events events = events_of(cut(surface.regions, cuts_of(chance)));
@@ -364,7 +364,7 @@ TEST_CASE("with any number of bytes from the least on") {
   CHECK(passed_before == 0);
 }
 
-TEST_CASE("the marks tell what would have been enough") {
+TEST_CASE("the peaks of a joiner are the exact capacities that suffice") {
   Chance chance(8);
   for (const Surface& surface : surfaces()) {
     const Events events = events_of(cut(surface.regions, cuts_of(chance)));
@@ -403,7 +403,7 @@ void check_crowd(const Events& events, const JoinPlan& plan, uint64_t regions) {
 
 }  // namespace
 
-TEST_CASE("ends of fragments that crowd the table are a shortage as any other") {
+TEST_CASE("too many ends in one part of the table count as a shortage of memory") {
   const std::vector<Run> runs = square_runs(2);
   for (const auto& [crowds_start, crowds_end] :
        {std::pair{true, true}, {true, false}, {false, true}}) {
@@ -434,7 +434,7 @@ Joined joined_in_room_for_one(const Events& events) {
 
 }  // namespace
 
-TEST_CASE("holes that were taken leave no place behind") {
+TEST_CASE("holes release their memory once they are joined") {
   Events events;
   for (int32_t z = 0; z < 40; z += 2) {
     const Nest nest({1, 0, z});
@@ -446,7 +446,7 @@ TEST_CASE("holes that were taken leave no place behind") {
   CHECK(joined.report.rings == 20);
 }
 
-TEST_CASE("fragments that are lost leave no runs behind") {
+TEST_CASE("lost fragments release their runs") {
   Events events;
   for (int i = 0; i < 10; ++i) {
     append(events, fragment_of(test::up, {1, 0, 0}, 6, square_runs(2)));
@@ -458,7 +458,7 @@ TEST_CASE("fragments that are lost leave no runs behind") {
   CHECK(joined.report.regions == 1);
 }
 
-TEST_CASE("what cannot be joined may be left out") {
+TEST_CASE("fragments that cannot be joined can be dropped") {
   Chance chance(9);
   for (const Surface& surface : surfaces()) {
     const Events events = events_of(cut(surface.regions, cuts_of(chance)));
@@ -500,7 +500,7 @@ struct WholeRegions {
 
 }  // namespace
 
-TEST_CASE("a sink for whole regions gets those of the volume from an extractor short of memory") {
+TEST_CASE("a region sink receives the whole regions of an extractor short of memory") {
   for (const BitVolume& volume : {plate(13), random({9, 8, 7}, 128, 1), spiral({13, 13, 5})})
     for (const EventLog::Refuses& refuses : {EventLog::Refuses(), {refuses_first}}) {
       const WholeRegions got(volume, 100000, refuses);
@@ -511,14 +511,14 @@ TEST_CASE("a sink for whole regions gets those of the volume from an extractor s
     }
 }
 
-TEST_CASE("what does not fit its joiner such a sink lacks, and the report counts it") {
+TEST_CASE("a region sink misses the fragments that exceed its joiner, and the report counts them") {
   const BitVolume volume = random({9, 8, 7}, 128, 1);
   const WholeRegions got(volume, Joiner::minimum_bytes());
   CHECK(count(got.log.events, Kind::region) < merge(volume, true).size());
   CHECK(got.joiner.report().short_of_memory > 0);
 }
 
-TEST_CASE("such a sink has no function when its joiner has too little memory") {
+TEST_CASE("make_region_sink() returns no function if the joiner has too little memory") {
   EventLog log;
   Joiner joiner;
   Block room(Joiner::minimum_bytes() - 1);
@@ -528,7 +528,7 @@ TEST_CASE("such a sink has no function when its joiner has too little memory") {
 
 // ---- refusals ----
 
-TEST_CASE("a sink may refuse any event, and it does not show") {
+TEST_CASE("a sink that refuses any event receives the same events") {
   Chance chance(10);
   const Surface& surface = surfaces()[0];
   for (const InputOrder order : {InputOrder::sweep, InputOrder::any})
@@ -557,7 +557,8 @@ TEST_CASE("a sink may refuse any event, and it does not show") {
       }
 }
 
-TEST_CASE("what an event completes is delivered once it is taken, though the sink refuses") {
+TEST_CASE(
+    "completed regions are delivered once the event is accepted, even if the sink refuses first") {
   Chance chance(16);
   for (const JoinCapacities& capacities : {JoinCapacities{500, 5000}, {12, 100}, {1, 1}}) {
     const Events events = events_of(cut(surfaces()[1].regions, cuts_of(chance)));
@@ -604,7 +605,7 @@ size_t count_chains(const Pieces& left) {
 
 }  // namespace
 
-TEST_CASE("a region is right when all its fragments came, and what is left over is counted") {
+TEST_CASE("a region is right if all its fragments arrive, and the other fragments are counted") {
   Chance chance(11);
   for (const Surface& surface : surfaces())
     for (const InputOrder order : {InputOrder::sweep, InputOrder::any})
@@ -632,7 +633,7 @@ TEST_CASE("a region is right when all its fragments came, and what is left over 
       }
 }
 
-TEST_CASE("what is lost in the middle is forgotten, and the sink is told where it knows of it") {
+TEST_CASE("a fragment lost halfway is discarded, and the sink is informed if it received a part") {
   const test::Script whole = [] {
     test::Script script;
     script.region(test::up).square({1, 0, 0}, 3).region_end();
@@ -651,7 +652,7 @@ TEST_CASE("what is lost in the middle is forgotten, and the sink is told where i
   CHECK(joined.events == events);
 }
 
-TEST_CASE("what is lost of a fragment that is passed on, the sink is told") {
+TEST_CASE("the loss of a passed-on fragment is reported to the sink") {
   // Room for one run: everything is passed on.
   Events events = fragment_of(test::up, {1, 0, 0}, 6, square_runs(2));
   const Events lost = fragment_of(test::up, {7, 0, 0}, 6, {Run::straight(0, 3)});
@@ -666,7 +667,7 @@ TEST_CASE("what is lost of a fragment that is passed on, the sink is told") {
   CHECK(join_all(events, plan).events.empty());
 }
 
-TEST_CASE("a region of which something was lost takes no holes") {
+TEST_CASE("a region with a loss takes no holes") {
   const Nest nest({1, 0, 0});
   Events begun = nest.begin_region(0).lost().events;
   append(begun, test::Script().region(test::up).region_end().events);
@@ -676,7 +677,7 @@ TEST_CASE("a region of which something was lost takes no holes") {
   CHECK(join_all(events, {}).events == begun);
 }
 
-TEST_CASE("a region that is none leaves the holes of its plane where they are") {
+TEST_CASE("an invalid region leaves the waiting holes of its plane") {
   const Vertex diagonal = direction_vector(test::up, 0) + direction_vector(test::up, 2);
   const Events hole = fragment_of(
       test::up, Vertex{1, 0, 0} + diagonal + diagonal, 0,
@@ -703,7 +704,7 @@ TEST_CASE("a region that is none leaves the holes of its plane where they are") 
 
 // ---- the end ----
 
-TEST_CASE("the finish event counts what was delivered") {
+TEST_CASE("the finish event counts the delivered pieces") {
   Chance chance(12);
   const Surface& surface = surfaces()[0];
   for (const JoinPlan& plan : {JoinPlan{InputOrder::sweep, {500, 5000}},
@@ -730,7 +731,7 @@ TEST_CASE("the finish event counts what was delivered") {
   }
 }
 
-TEST_CASE("of several streams there is one finish event, and it comes last") {
+TEST_CASE("several streams end with a single finish event") {
   const Statistics one{1, 2, 3, 4, 5, 6, 7, 8}, two{10, 20, 30, 40, 50, 60, 70, 80};
   const Statistics sum{11, 22, 33, 44, 55, 66, 77, 88};
   JoinPlan plan;
@@ -748,7 +749,7 @@ TEST_CASE("of several streams there is one finish event, and it comes last") {
   CHECK(count(joined.events, Kind::finish) == 1);
 }
 
-TEST_CASE("loose fragments of a stream that broke off count as those of another") {
+TEST_CASE("loose fragments of an aborted stream count like those of others") {
   JoinPlan plan;
   plan.order = InputOrder::any;
   Events events = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
@@ -759,7 +760,7 @@ TEST_CASE("loose fragments of a stream that broke off count as those of another"
   CHECK(joined.events.back() == finish_of(expected, 3, false));
 }
 
-TEST_CASE("of several streams the first start is told, as soon as the sink takes it") {
+TEST_CASE("the first start of several streams is delivered once the sink accepts") {
   EventLog log;
   struct Late {
     SinkResult take(const Event& event) {
@@ -785,7 +786,7 @@ TEST_CASE("of several streams the first start is told, as soon as the sink takes
   CHECK(log.starts[0].scan == 0);
 }
 
-TEST_CASE("a finish event may come without statistics") {
+TEST_CASE("a finish event without statistics is accepted") {
   std::vector<uint8_t> memory(4000);
   EventLog log;
   Joiner joiner;
@@ -798,7 +799,7 @@ TEST_CASE("a finish event may come without statistics") {
   CHECK(log.events == Events{finish_of({}, 7, false)});
 }
 
-TEST_CASE("what follows a finish event begins with nothing, and with all that there is room for") {
+TEST_CASE("after a finish event the joiner is empty and has all of its memory") {
   const std::vector<Run> runs = square_runs(2);
   const Events half = fragment_of(test::up, {1, 0, 0}, 6, {runs[0], runs[1]});
   const Events rest = fragment_of(test::up, inwards({1, 0, 0}, 2), 2, {runs[2], runs[3]});
@@ -828,7 +829,7 @@ TEST_CASE("what follows a finish event begins with nothing, and with all that th
   CHECK(join_after_half(many, {2, 10}) == many);
 }
 
-TEST_CASE("a stream that breaks off is finished without a finish event") {
+TEST_CASE("a stream that breaks off ends without a finish event") {
   const Events events = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
   CHECK(join_all(events, {}).events == events);
   Events begun = events;
@@ -838,7 +839,7 @@ TEST_CASE("a stream that breaks off is finished without a finish event") {
 
 // ---- any events ----
 
-TEST_CASE("the second of two fragments that want one place is left over") {
+TEST_CASE("the second of two fragments with the same start or end is unmatched") {
   const Events first = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
   const Events same_start = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(2, 2)});
   const Events same_end =
@@ -854,7 +855,7 @@ TEST_CASE("the second of two fragments that want one place is left over") {
   }
 }
 
-TEST_CASE("what is no fragment is left out and counted") {
+TEST_CASE("invalid fragments are dropped and counted") {
   const std::vector<Events> none = {
       fragment_of(no_incidence, {1, 0, 0}, 0, {Run::straight(0, 1)}),
       fragment_of(27, {1, 0, 0}, 0, {Run::straight(0, 1)}),
@@ -875,7 +876,7 @@ TEST_CASE("what is no fragment is left out and counted") {
   }
 }
 
-TEST_CASE("a fragment without an end is forgotten, whatever comes in its place") {
+TEST_CASE("a fragment without an end is discarded when the next piece begins") {
   Events begun = fragment_of(test::up, {101, 0, 0}, 6, {Run::straight(0, 2)});
   begun.pop_back();
   const Events square = square_region({1, 0, 0}, 3).region_end().events;
@@ -890,7 +891,7 @@ TEST_CASE("a fragment without an end is forgotten, whatever comes in its place")
   }
 }
 
-TEST_CASE("an end without a beginning ends nothing") {
+TEST_CASE("an end without a beginning has no effect") {
   const RecordedEvent lost = test::Script().lost().events[0];
   Events events = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
   events.insert(events.end() - 1, lost);
@@ -905,7 +906,7 @@ TEST_CASE("an end without a beginning ends nothing") {
   CHECK(joined.report.received == 1);
 }
 
-TEST_CASE("a region in the middle of which a fragment comes leaves the holes for the next") {
+TEST_CASE("a region interrupted by a fragment leaves the holes for the next region") {
   const Nest nest({1, 0, 0});
   Events events = square_fragment(inwards({1, 0, 0}, 2), 2, true);
   append(events, nest.begin_region(0).events);
@@ -920,7 +921,7 @@ TEST_CASE("a region in the middle of which a fragment comes leaves the holes for
   CHECK(std::equal(first.begin(), first.end(), joined.events.begin()));
 }
 
-TEST_CASE("a region in the middle of which all ends takes no hole any more") {
+TEST_CASE("a region interrupted by the finish event takes no holes") {
   // The hole lies beside it, so that a ray meets two of its sides.
   const Events hole = square_fragment(inwards({1, 0, 0}, 2) + Vertex{-60, 0, 0}, 2, true);
   const Events whole = Nest({1, 0, 0}).region(0, false);
@@ -954,7 +955,7 @@ TEST_CASE("a ring that turns neither way is no region") {
   }
 }
 
-TEST_CASE("a long side is one run until it is longer than a run can be") {
+TEST_CASE("a long side is a single run up to the maximal length of a run") {
   constexpr uint32_t most = Run::max_length;
   const auto rings = [&](uint32_t before, uint32_t behind) {
     // A side in two, the rest of a triangle in one.
@@ -974,7 +975,7 @@ TEST_CASE("a long side is one run until it is longer than a run can be") {
   CHECK(rings(most - 7, 7).report.regions == 1);
 }
 
-TEST_CASE("coordinates wrap, wherever fragments start and however long they are") {
+TEST_CASE("coordinates wrap for any start and length of fragments") {
   Chance chance(13);
   for (int round = 0; round < 500; ++round) {
     Events events;
@@ -1005,7 +1006,7 @@ TEST_CASE("coordinates wrap, wherever fragments start and however long they are"
   }
 }
 
-TEST_CASE("events in no order that the grammar has do no harm") {
+TEST_CASE("events in an order outside the grammar do no harm") {
   Chance chance(14);
   for (int round = 0; round < 300; ++round) {
     const Surface& surface = surfaces()[static_cast<size_t>(round) % surfaces().size()];
@@ -1027,7 +1028,7 @@ TEST_CASE("events in no order that the grammar has do no harm") {
 
 // ---- the start ----
 
-TEST_CASE("what start() refuses leaves everything as it was") {
+TEST_CASE("a refused start() changes nothing") {
   std::vector<uint8_t> memory(4000, 0xA5);
   const Memory all{memory.data(), memory.size()};
   EventLog log, other;
@@ -1060,7 +1061,7 @@ TEST_CASE("what start() refuses leaves everything as it was") {
   CHECK(joiner.finish() == Status::ok);
 }
 
-TEST_CASE("a joiner that is started again has forgotten everything") {
+TEST_CASE("a joiner that is started again is empty") {
   std::vector<uint8_t> memory(4000, 0xA5);
   EventLog log;
   Joiner joiner;
@@ -1078,7 +1079,7 @@ TEST_CASE("a joiner that is started again has forgotten everything") {
   CHECK(log.events.empty());
 }
 
-TEST_CASE("the default split uses what there is, and no more") {
+TEST_CASE("the default split uses all of the memory and no more") {
   CHECK(Joiner::default_capacities(0).fragments == 1);
   for (const uint32_t fragments : {2U, 3U, 1000U}) {
     const uint64_t bytes = Joiner::bytes_for({fragments, 8 * fragments});

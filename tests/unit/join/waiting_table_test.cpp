@@ -60,7 +60,7 @@ WaitingKey key_at(uint32_t i) {
 
 }  // namespace
 
-TEST_CASE("what waits is found under its key, until it is removed") {
+TEST_CASE("an entry is found under its key until it is removed") {
   Table table(30);
   CHECK(table.find(key_at(1)) == 0);
   CHECK(table.insert(key_at(1)));
@@ -74,7 +74,7 @@ TEST_CASE("what waits is found under its key, until it is removed") {
   CHECK(table.find(key_at(2)) == 0);
 }
 
-TEST_CASE("every member of a key tells") {
+TEST_CASE("every member of a key counts for its hash and its comparison") {
   const WaitingKey key{{1, 2, 3}, 4, 5};
   Table table(100);
   REQUIRE(table.insert(key));
@@ -90,7 +90,7 @@ TEST_CASE("every member of a key tells") {
   }
 }
 
-TEST_CASE("a value is replaced under its own key alone, though another has the same") {
+TEST_CASE("replace() changes only the entry of its own key, even if another has the same value") {
   std::vector<uint32_t> hashes(8), values(8);
   WaitingTable table;
   table.start(hashes.data(), values.data(), 8);
@@ -109,7 +109,7 @@ TEST_CASE("a value is replaced under its own key alone, though another has the s
   }
 }
 
-TEST_CASE("a full table is a result, and changes nothing") {
+TEST_CASE("a full table refuses an insertion and keeps its entries") {
   for (const uint32_t buckets : {1U, 2U, 63U, 64U}) {
     Table table(buckets);
     for (uint32_t i = 0; i < buckets; ++i) CHECK(table.insert(key_at(i)));
@@ -121,7 +121,7 @@ TEST_CASE("a full table is a result, and changes nothing") {
   }
 }
 
-TEST_CASE("a full window is a result although the table has room, and no entry is lost") {
+TEST_CASE("a full window refuses an insertion although the table has room, and loses no entry") {
   constexpr uint32_t buckets = 1000;
   Table table(buckets);
   uint32_t refused = 0;
@@ -137,14 +137,14 @@ TEST_CASE("a full window is a result although the table has room, and no entry i
   for (const WaitingKey& key : kept) CHECK(table.find(key) != 0);
 }
 
-TEST_CASE("with the buckets for a number of entries so many find room") {
+TEST_CASE("buckets_for() provides enough buckets for the given number of entries") {
   for (const uint32_t entries : {2U, 10U, 30U, 1000U, 100000U}) {
     Table table(WaitingTable::buckets_for(entries));
     for (uint32_t i = 0; i < entries; ++i) REQUIRE(table.insert(key_at(i)));
   }
 }
 
-TEST_CASE("whatever is inserted and removed, what waits is what a list says") {
+TEST_CASE("the table equals a list under random insertions and removals") {
   Chance chance(1);
   for (const uint32_t buckets : {1U, 7U, 64U, 65U, 300U}) {
     Table table(buckets);
@@ -163,7 +163,7 @@ TEST_CASE("whatever is inserted and removed, what waits is what a list says") {
   }
 }
 
-TEST_CASE("of the values under one key the one that is named is replaced") {
+TEST_CASE("replace() changes the given value among several under one key") {
   Table table(30);
   const WaitingKey key = key_at(5);
   REQUIRE(table.table().insert(key, 1));
@@ -176,13 +176,13 @@ TEST_CASE("of the values under one key the one that is named is replaced") {
   CHECK(table.table().find(key, any_value) == 3);
 }
 
-TEST_CASE("a value is not found where its key is another, though of the same hash") {
+TEST_CASE("a value is not found under another key with the same hash") {
   Table table(30);
   REQUIRE(table.table().insert(key_at(5), 1));
   CHECK(table.table().find(key_at(5), [](uint32_t, const WaitingKey&) { return false; }) == 0);
 }
 
-TEST_CASE("keys are equal when all of them is") {
+TEST_CASE("keys are equal if all their members are equal") {
   const WaitingKey key{{1, 2, 4}, 3, 5};
   CHECK(key == WaitingKey{{1, 2, 4}, 3, 5});
   CHECK_FALSE(key == WaitingKey{{1, 2, 6}, 3, 5});

@@ -1,5 +1,5 @@
-// Checkpoints of a slice encoder: a scan that goes on after a power failure makes the stream of one
-// that never failed.
+// Checkpoints of a slice encoder: a scan resumed after a power failure makes the stream of an
+// uninterrupted scan.
 #include <doctest/doctest.h>
 
 #include <cstring>
@@ -100,7 +100,7 @@ void append(Bytes& stream, const Bytes& more) {
 
 }  // namespace
 
-TEST_CASE("slices go on from a checkpoint at any row as if nothing had happened") {
+TEST_CASE("a checkpoint at any row continues a stream of slices with the same bytes") {
   for (const BitVolume& volume : {noise(), smooth()})
     for (const DevicePlan& plan : plans) {
       CAPTURE(plan.name);
@@ -123,7 +123,7 @@ TEST_CASE("slices go on from a checkpoint at any row as if nothing had happened"
     }
 }
 
-TEST_CASE("a receiver that cannot go back hears packets of slices again and loses none") {
+TEST_CASE("a receiver that cannot rewind counts repeated packets of slices and loses none") {
   const BitVolume volume = smooth();
   const DevicePlan plan{"an output that lags behind", {3}, 1, 5};
   SliceDevice device(volume, plan), again(volume, plan);
@@ -154,7 +154,7 @@ TEST_CASE("a receiver that cannot go back hears packets of slices again and lose
   }
 }
 
-TEST_CASE("what was flushed, told and skipped before a checkpoint is not told again") {
+TEST_CASE("rows, records and skipped rows sent before a checkpoint are not repeated") {
   SliceDevice first(smooth(), plans[1]), second(smooth(), plans[1]);
   first.start();
   first.scan_to(50);
@@ -171,7 +171,7 @@ TEST_CASE("what was flushed, told and skipped before a checkpoint is not told ag
   CHECK(stream == first.store.bytes);
 }
 
-TEST_CASE("a flipped bit in a checkpoint of slices is found out, wherever it is") {
+TEST_CASE("a flipped bit anywhere in a checkpoint of slices is detected") {
   SliceDevice device(centred_ball(5), plans[3]), other(centred_ball(5), plans[3]);
   device.start();
   device.scan_to(12);
@@ -180,7 +180,7 @@ TEST_CASE("a flipped bit in a checkpoint of slices is found out, wherever it is"
   CHECK(other.restore(image) == Status::ok);
 }
 
-TEST_CASE("a finished scan of slices is restored as finished, and what had not gone out goes") {
+TEST_CASE("a finished scan of slices is restored as finished and sends its remaining bytes") {
   for (const bool goes_out : {true, false}) {
     CAPTURE(goes_out);
     SliceDevice device(smooth(), plans[0]), other(smooth(), plans[0]);

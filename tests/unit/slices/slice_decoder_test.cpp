@@ -26,7 +26,7 @@ SlicePlan plan_of(uint8_t surfaces) {
   return plan;
 }
 
-// Codes told by hand, from the first row of a key slice on.
+// Codes written by hand, from the first row of a key slice on.
 class Code {
  public:
   explicit Code(uint8_t surfaces = 1) : memory_(SliceEncoder::minimum_bytes(limits, {}, surfaces)) {
@@ -80,7 +80,7 @@ class Code {
     surfaces_.next_row();
     return *this;
   }
-  // A run that ends early is told to be as long as one that does not.
+  // A run that ends early is coded with the length of one that does not.
   Code& row_with_a_run_too_long() {
     writer_.code_bit(surfaces_.note(), false);
     writer_.code_bit(surfaces_[0].model[run_of_a_row], false);
@@ -88,7 +88,7 @@ class Code {
     return *this;
   }
   Bytes end() { return note(RowNote::end).finish(); }
-  // Ends a code without a word; the next one goes on.
+  // Ends a code without an end mark; the next code continues it.
   Bytes finish() {
     bytes_.resize(writer_.range.finish());
     const Bytes code = bytes_;
@@ -177,8 +177,8 @@ class Stream {
   uint32_t number_ = 0;
 };
 
-// That a packet, whole though it is, brings nothing and is told to be unreadable, that slices which
-// follow are left alone, and the next key slice is read all the same.
+// Checks that a whole but invalid packet delivers nothing and counts as unreadable. The slices
+// after it are ignored, and the next key slice is decoded.
 void check_unreadable(uint8_t bits, const std::vector<Bytes>& parts) {
   const ReceivedRows received = Stream()
                                     .slices(bits, parts)
@@ -197,7 +197,7 @@ void check_unreadable(uint8_t bits, const std::vector<Bytes>& parts) {
 
 }  // namespace
 
-TEST_CASE("a stream of slices told by hand is one") {
+TEST_CASE("a hand-coded stream of slices is decoded") {
   const ReceivedRows received =
       Stream().slices(of_key, {key(0), Code().rows_off(4).end()}).received();
   CHECK(received.report.damaged_packets == 0);
@@ -206,7 +206,7 @@ TEST_CASE("a stream of slices told by hand is one") {
   CHECK(received.rows[3].event.row == 0);
 }
 
-TEST_CASE("slices that no encoder tells are refused") {
+TEST_CASE("slices that no encoder produces are refused") {
   const Bytes code = Code().row(Bytes(5, 0x55)).rows_off(2).end();
   REQUIRE(code.size() > 6);
   check_unreadable(SliceBits::key | SliceBits::last, {key(0), code});  // not the first of its code
@@ -224,7 +224,7 @@ TEST_CASE("slices that no encoder tells are refused") {
     check_unreadable(of_key, {key(0), Code().note(note).end()});  // notes of no meaning
 }
 
-TEST_CASE("a code that does not say where it ends is refused there, and so is one that says more") {
+TEST_CASE("a code without an end, or with bytes after its end, is refused at that point") {
   const Bytes rows = Code().rows_off(2).finish();
   Bytes more = Code().rows_off(2).end();
   more.resize(more.size() + 8);
@@ -237,7 +237,7 @@ TEST_CASE("a code that does not say where it ends is refused there, and so is on
   CHECK(longer.damaged_packets == 1);
 }
 
-TEST_CASE("that a code breaks off is noticed soon") {
+TEST_CASE("a truncated code is detected soon") {
   const Bytes dotted = Code().row(Bytes(5, 0x55)).end();
   for (size_t bytes = 0; bytes + 1 < dotted.size(); ++bytes) {
     const Bytes part(dotted.begin(), dotted.begin() + static_cast<std::ptrdiff_t>(bytes));
@@ -247,7 +247,7 @@ TEST_CASE("that a code breaks off is noticed soon") {
   }
 }
 
-TEST_CASE("a code goes on where the one before was cut, and nowhere else") {
+TEST_CASE("a code continues a row only where the previous code was cut") {
   constexpr uint8_t of_cut = of_key | SliceBits::cut;
   const Bytes one_on{0, 4, 0, 0, 0};
   Code told;
@@ -262,7 +262,7 @@ TEST_CASE("a code goes on where the one before was cut, and nowhere else") {
   CHECK(received.rows[0].bits == voxels);
   CHECK(received.rows[2].bits == Bytes(size.width));
 
-  // No cut was where one is told, and the code has ended.
+  // The packet claims a cut, but the code has ended.
   const Bytes rows = Code().rows_off(2).end();
   const StreamReport uncut = Stream()
                                  .slices(of_cut, {key(0), rows, cut(1, 29)})
@@ -271,7 +271,7 @@ TEST_CASE("a code goes on where the one before was cut, and nowhere else") {
                                  .report;
   CHECK(uncut.rows == 2);
   CHECK(uncut.damaged_packets == 1);
-  // A code begins in the middle of a row that the one before has not told to its end.
+  // A code begins in the middle of a row that the previous code did not finish.
   Bytes dotted = Code().row(Bytes(5, 0x55)).end();
   REQUIRE(dotted.size() > 10);
   dotted.resize(8);
@@ -309,7 +309,7 @@ TEST_CASE("a code may be cut in the row of any surface") {
   }
 }
 
-TEST_CASE("what is lost behind a cut costs the rows up to the next key slice") {
+TEST_CASE("a loss behind a cut costs the rows up to the next key slice") {
   Code told;
   const Bytes begun = told.begin_row({0, 4, 0, 0, 0}).finish();
   const ReceivedRows received = Stream()
@@ -322,7 +322,7 @@ TEST_CASE("what is lost behind a cut costs the rows up to the next key slice") {
   CHECK(received.report.rows == 3);
 }
 
-TEST_CASE("a key slice that lies behind, or where rows of it have come, is refused") {
+TEST_CASE("a key slice before the current position, or amid its rows, is refused") {
   const ReceivedRows again = Stream()
                                  .slices(of_key, {key(0), Code().rows_off(3).end()})
                                  .slices(of_key, {key(0), Code().rows_off(3).end()})
@@ -342,7 +342,7 @@ TEST_CASE("a key slice that lies behind, or where rows of it have come, is refus
   }
 }
 
-TEST_CASE("a key slice may be as deep as a scan, and all that is before it is lost") {
+TEST_CASE("a key slice may have the last slice number, and all rows before it are lost") {
   const uint32_t slice = Limits::max_slices - 1;
   const ReceivedRows received =
       Stream().slices(of_key, {key(slice), Code().rows_off(1).end()}).received();
@@ -351,7 +351,7 @@ TEST_CASE("a key slice may be as deep as a scan, and all that is before it is lo
   CHECK(received.rows[1].event.slice == slice);
 }
 
-TEST_CASE("a trailer that tells of fewer rows than came counts none of them as lost") {
+TEST_CASE("a trailer that counts fewer rows than arrived reports none lost") {
   for (const uint64_t rows : {3U, 4U, 5U}) {
     const ReceivedRows received =
         Stream().slices(of_key, {key(0), Code().rows_off(4).end()}).trailer(rows).received();
@@ -398,7 +398,7 @@ TEST_CASE("a slice decoder that is started again forgets everything") {
     }
 }
 
-TEST_CASE("a slice decoder that is started again has neither a refusal nor a slice to go on from") {
+TEST_CASE("a restarted slice decoder forgets its refusal and its last slice") {
   const Bytes stream = Stream().slices(of_key, {key(0), Code().rows_off(3).end()}).bytes();
   const Bytes unheard = Stream().slices(whole_code, {Code().rows_off(3).end()}).bytes();
   Bytes memory(SliceDecoder::minimum_bytes(limits));
@@ -416,7 +416,7 @@ TEST_CASE("a slice decoder that is started again has neither a refusal nor a sli
   }
 }
 
-TEST_CASE("a packet may end after four bytes of a code, and the next one goes on") {
+TEST_CASE("a packet may end after four bytes of a code, and the next packet continues it") {
   const Bytes code = Code().row(Bytes(5, 0x55)).rows_off(2).end();
   const auto fifth = code.begin() + 4;
   const StreamReport report =
@@ -429,7 +429,7 @@ TEST_CASE("a packet may end after four bytes of a code, and the next one goes on
   CHECK(report.damaged_packets == 0);
 }
 
-TEST_CASE("what comes between a loss and the next key slice is left alone") {
+TEST_CASE("packets between a loss and the next key slice are ignored") {
   const StreamReport report = Stream()
                                   .slices(of_key, {key(0), Code().rows_off(3).end()})
                                   .lose_packets(1)
@@ -442,7 +442,7 @@ TEST_CASE("what comes between a loss and the next key slice is left alone") {
   CHECK(report.damaged_packets == 0);
 }
 
-TEST_CASE("after the trailer nothing is taken") {
+TEST_CASE("packets after the trailer are ignored") {
   const ReceivedRows received = Stream()
                                     .slices(of_key, {key(0), Code().rows_off(3).end()})
                                     .trailer(3)
@@ -454,7 +454,7 @@ TEST_CASE("after the trailer nothing is taken") {
   CHECK(received.rows.back().is(Kind::finish));
 }
 
-TEST_CASE("a sink may refuse a start, rows, losses and the end, and gets them again") {
+TEST_CASE("a sink may refuse starts, rows, losses and the end, and is offered them again") {
   const Bytes stream =
       Stream(2)
           .slices(of_key, {key(1), Code(2).rows_off(2).repeated_row().rows_off(2).end()})
@@ -501,7 +501,7 @@ TEST_CASE("a frame that is cut off at the end of a stream of slices is damaged")
   CHECK(decode_slices(stream, size).report.damaged_packets == 1);
 }
 
-TEST_CASE("a slice decoder needs as much memory as is said, whatever the width") {
+TEST_CASE("slice_decoder_bytes() is exactly enough for any width") {
   for (const uint32_t width : {1U, 8U, 9U, 64U, 65U, 1000U, 32766U}) {
     CAPTURE(width);
     const Bytes stream = encode_slices(reference::random({width, 2, 2}, 60, 3));
@@ -515,7 +515,7 @@ TEST_CASE("a slice decoder needs as much memory as is said, whatever the width")
   }
 }
 
-TEST_CASE("memory is given to a slice decoder that has too little, and to no other") {
+TEST_CASE("give_memory() succeeds only for a started slice decoder short of memory") {
   const Bytes stream = encode_slices(reference::random(size, 60, 3));
   Bytes memory(SliceDecoder::minimum_bytes(limits));
   const Memory all{memory.data(), memory.size()};
@@ -535,7 +535,7 @@ TEST_CASE("memory is given to a slice decoder that has too little, and to no oth
   CHECK(decoder.finish() == Status::ok);
 }
 
-TEST_CASE("of a stream of regions a slice decoder hands out nothing, and needs no memory") {
+TEST_CASE("a slice decoder ignores a stream of regions and needs no memory for it") {
   const BitVolume volume = reference::random(size, 60, 3);
   SliceDecoder decoder;
   RowLog log(false);
@@ -547,7 +547,7 @@ TEST_CASE("of a stream of regions a slice decoder hands out nothing, and needs n
   CHECK_FALSE(decoder.report().holds_slices);
 }
 
-TEST_CASE("half of the numbers that packets of slices have lie behind, and they begin anew") {
+TEST_CASE("packet numbers of slices wrap, and half of them count as repeated") {
   constexpr uint32_t half = 1U << 23;
   const Bytes code = Code().rows_off(1).end();
   for (const uint32_t lost : {0U, 1U, 255U, 256U, 65535U, 65536U, half - 1, half, 2 * half - 2}) {
@@ -567,7 +567,7 @@ TEST_CASE("half of the numbers that packets of slices have lie behind, and they 
   CHECK(stream.received().report.lost_packets == 5 * (half - 1));
 }
 
-TEST_CASE("a trailer of slices that is too short is none") {
+TEST_CASE("a trailer of slices that is too short is ignored") {
   const ReceivedRows received =
       Stream().add(detail::wire::PacketKind::slices_trailer, 0, Bytes(24)).received();
   CHECK_FALSE(received.report.has_trailer);
@@ -575,7 +575,7 @@ TEST_CASE("a trailer of slices that is too short is none") {
   CHECK(received.rows.empty());
 }
 
-TEST_CASE("where packets are missing the digest of a trailer says nothing") {
+TEST_CASE("missing packets disable the digest of the trailer") {
   for (const uint32_t lost : {0U, 1U, 300U}) {
     const StreamReport report = Stream().lose_packets(lost).trailer(0).received().report;
     CHECK(report.has_trailer);
@@ -584,7 +584,7 @@ TEST_CASE("where packets are missing the digest of a trailer says nothing") {
   }
 }
 
-TEST_CASE("the end of a stream that the sink refuses is told when the decoder is asked again") {
+TEST_CASE("a refused finish event is offered again") {
   const Bytes stream =
       Stream().slices(of_key, {key(0), Code().rows_off(3).end()}).trailer(3).bytes();
   Bytes memory(SliceDecoder::minimum_bytes(limits));

@@ -45,7 +45,7 @@ BitVolume ball(uint32_t size) {
   return reference::ball({size, size, size}, {middle, middle, middle}, middle * middle * 3 / 4);
 }
 
-// Tells the first slice of a volume, or reads it.
+// Encodes or decodes the first slice of a volume.
 template <class Coder>
 void tell_key_slice(Coder& coder, BitVolume& volume) {
   const Limits limits{volume.width, volume.height};
@@ -95,7 +95,7 @@ struct Device {
 
 }  // namespace
 
-TEST_CASE("all volumes of 3x3x2 voxels come through") {
+TEST_CASE("all volumes of 3x3x2 voxels are decoded unchanged") {
   BitVolume volume({3, 3, 2});
   uint32_t wrong = 0;
   for (uint32_t bits = 0; bits < 1U << 18; ++bits) {
@@ -108,7 +108,7 @@ TEST_CASE("all volumes of 3x3x2 voxels come through") {
   CHECK(wrong == 0);
 }
 
-TEST_CASE("volumes of any width and height come through") {
+TEST_CASE("volumes of any width and height are decoded unchanged") {
   for (uint32_t width = 1; width < 100; width += width < 35 ? 1 : 7)
     for (const uint32_t height : {1U, 2U, 3U, 4U, 9U})
       for (const uint32_t density : {2U, 40U, 128U, 250U})
@@ -116,7 +116,7 @@ TEST_CASE("volumes of any width and height come through") {
           check_round_trip(reference::random({width, height, 3}, density, width), {{interval}});
 }
 
-TEST_CASE("rows that are all off, all on or nearly so come through") {
+TEST_CASE("rows that are all off, all on or nearly so are decoded unchanged") {
   for (const uint32_t width : {1U, 29U, 30U, 31U, 59U, 60U, 100U, 1000U}) {
     BitVolume volume({width, 6, 4});
     check_round_trip(volume);
@@ -133,7 +133,7 @@ TEST_CASE("rows that are all off, all on or nearly so come through") {
   }
 }
 
-TEST_CASE("the stream does not depend on portions or on how busy the line is") {
+TEST_CASE("the stream does not depend on portions or on the speed of the line") {
   const BitVolume volume = reference::random({37, 11, 9}, 90, 5);
   for (const uint32_t interval : {0U, 1U, 4U}) {
     const Bytes stream = encode_slices(volume, {{interval}});
@@ -143,8 +143,7 @@ TEST_CASE("the stream does not depend on portions or on how busy the line is") {
   }
 }
 
-TEST_CASE(
-    "rows come out the same whatever bytes come at a time and however often they are refused") {
+TEST_CASE("decoded rows do not depend on portions or on refusals") {
   const BitVolume volume = reference::random({45, 9, 30}, 128, 6);
   const Bytes stream = encode_slices(volume, {{8}});
   for (const size_t chunk : {0U, 1U, 2U, 13U, 300U})
@@ -152,7 +151,7 @@ TEST_CASE(
       check_rows(volume, decode_slices(stream, {45, 9, 30}, chunk, refuses));
 }
 
-TEST_CASE("what was flushed has arrived, row for row") {
+TEST_CASE("every row before a flush arrives") {
   const BitVolume volume = ball(20);
   for (const uint32_t rows : {1U, 3U, 20U, 77U}) {
     SlicePlan plan{{5}};
@@ -175,10 +174,9 @@ TEST_CASE("what was flushed has arrived, row for row") {
   }
 }
 
-TEST_CASE("bits under which all bytes may yet be changed by a carry come through") {
-  // Noise, and then what a decoder makes of zeros: the number that an encoder of these has is all
-  // the time just below one that ends in zeros, or at it. So its bytes are 255 or 0, and it knows
-  // which at the end.
+TEST_CASE("bits with a carry pending over all bytes are decoded unchanged") {
+  // Noise, then the bits that a decoder reads from zeros. While these are encoded, the number stays
+  // at or just below one that ends in zeros. Its bytes are 255 or 0, decided by the last carry.
   uint32_t cuts = 0;
   for (uint32_t seed = 1; seed < 20; ++seed) {
     BitVolume noise = reference::random({300, 12, 1}, 128, seed);
@@ -226,7 +224,7 @@ TEST_CASE("samples are compared with the threshold of the header, at a stride") 
   }
 }
 
-TEST_CASE("a stride goes on from row to row") {
+TEST_CASE("a stride continues from row to row") {
   const BitVolume volume = reference::random({33, 5, 2}, 128, 11);
   std::vector<uint8_t> apart(3 * volume.on.size());
   for (size_t i = 0; i < volume.on.size(); ++i) apart[3 * i] = volume.on[i];
@@ -238,7 +236,7 @@ TEST_CASE("a stride goes on from row to row") {
   CHECK(device.line.bytes == other.line.bytes);
 }
 
-TEST_CASE("a row that never came says so, and what stands in for it") {
+TEST_CASE("a skipped row is reported with its substitute") {
   const BitVolume volume = reference::random({33, 5, 4}, 128, 7);
   for (const size_t bytes_a_time : {0U, 1U}) {
     Device device({33, 5}, {3}, bytes_a_time);
@@ -272,7 +270,7 @@ TEST_CASE("a row that never came says so, and what stands in for it") {
   }
 }
 
-TEST_CASE("a scan that is abandoned ends where it is") {
+TEST_CASE("an abandoned scan ends at its last row") {
   const BitVolume volume = ball(12);
   Device device({12, 12});
   push_rows(device.encoder, volume.on.data(), 12 * 30 + 5, 100);
@@ -291,7 +289,7 @@ TEST_CASE("a scan that is abandoned ends where it is") {
   CHECK(received.rows.back().event.slice == 3);
 }
 
-TEST_CASE("one row of a slice makes it one that was seen, no row does not") {
+TEST_CASE("a slice counts as seen with its first row") {
   const BitVolume volume = ball(12);
   for (const uint32_t rows : {0U, 1U, 12U, 13U}) {
     CAPTURE(rows);
@@ -304,7 +302,7 @@ TEST_CASE("one row of a slice makes it one that was seen, no row does not") {
   }
 }
 
-TEST_CASE("rows that never came fill packets like any other") {
+TEST_CASE("skipped rows fill packets like other rows") {
   const BitVolume volume = reference::random({3, 4000, 1}, 128, 12);
   for (const size_t bytes_a_time : {0U, 100U, 1000U}) {
     CAPTURE(bytes_a_time);
@@ -324,7 +322,7 @@ TEST_CASE("rows that never came fill packets like any other") {
   }
 }
 
-TEST_CASE("a push that need not wait has told its row, though the line was busy") {
+TEST_CASE("a push that is not suspended has encoded its row, even on a busy line") {
   // Rows that take several packets, and rows before each of which one ends.
   for (const reference::Size& size : {reference::Size{6000, 2, 3}, {30, 1, 50}}) {
     CAPTURE(size.width);
@@ -347,7 +345,7 @@ TEST_CASE("a push that need not wait has told its row, though the line was busy"
   }
 }
 
-TEST_CASE("a header comes again after 64 packets, but none behind the trailer") {
+TEST_CASE("a header is repeated after 64 packets, but not behind the trailer") {
   for (uint32_t packets = 62; packets < 67; ++packets) {
     CAPTURE(packets);
     const BitVolume volume({3, packets, 1});
@@ -363,7 +361,7 @@ TEST_CASE("a header comes again after 64 packets, but none behind the trailer") 
   }
 }
 
-TEST_CASE("a run that would be longer than its row is none") {
+TEST_CASE("a run longer than its row is refused") {
   for (const uint32_t width : {3U, 5U})
     for (uint32_t length = width; length < (width == 3 ? 4 : 8); ++length) {
       CAPTURE(width);
@@ -392,7 +390,7 @@ TEST_CASE("a run that would be longer than its row is none") {
     }
 }
 
-TEST_CASE("to another output the next slice goes as a key slice, and those after it do not") {
+TEST_CASE("after a change of output the next slice is a key slice, and only that one") {
   const BitVolume volume = ball(12);
   Device device({12, 12});
   push_rows(device.encoder, volume.on.data(), 144 * 3 + 30, 1000);
@@ -409,7 +407,7 @@ TEST_CASE("to another output the next slice goes as a key slice, and those after
   CHECK(keys == Bytes{0, 4});
 }
 
-TEST_CASE("what the encoder cannot do it refuses, and says why") {
+TEST_CASE("the encoder refuses invalid calls with a status") {
   Line line;
   SliceEncoder encoder;
   uint8_t samples[8] = {};
@@ -446,7 +444,7 @@ TEST_CASE("what the encoder cannot do it refuses, and says why") {
   CHECK(encoder.finish() == Status::slice_in_progress);
 }
 
-TEST_CASE("what the decoder cannot do it refuses, and says why") {
+TEST_CASE("the decoder refuses invalid calls with a status") {
   const BitVolume volume = ball(9);
   const Bytes stream = encode_slices(volume);
   SliceDecoder decoder;
@@ -459,12 +457,12 @@ TEST_CASE("what the decoder cannot do it refuses, and says why") {
   CHECK(decode_slices(with_version(99, stream), {9, 9, 9}).status == Status::wrong_version);
 }
 
-TEST_CASE("where every slice is a key slice four rows of bits are all that is kept") {
+TEST_CASE("with only key slices the encoder needs four rows of bits") {
   constexpr size_t rest = 548 + 3 + 2 * red_zone_bytes;
   CHECK(SliceEncoder::minimum_bytes({256, 256}, {1}) == 5 * 9 * 4 + rest);
   CHECK(SliceEncoder::minimum_bytes({256, 256}, {2}) == 259 * 9 * 4 + rest);
   CHECK(SliceEncoder::minimum_bytes({256, 1}, {0}) == 5 * 9 * 4 + rest);
-  // A decoder does not know, and hands out a row of bits.
+  // A decoder must expect other slices too, and delivers a row of bits.
   CHECK(SliceDecoder::minimum_bytes({256, 256}) == 259 * 9 * 4 + rest + 32 + red_zone_bytes);
 }
 
@@ -535,7 +533,7 @@ Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, KeySlice
 
 }  // namespace
 
-TEST_CASE("several surfaces come through one stream, each as it would alone") {
+TEST_CASE("several surfaces are decoded from one stream, each as if alone") {
   const reference::Size size{41, 17, 6};
   const Bytes samples = onion(size);
   for (const std::vector<int32_t>& thresholds :
@@ -569,7 +567,7 @@ TEST_CASE("several surfaces come through one stream, each as it would alone") {
       }
 }
 
-TEST_CASE("rows of bits are those of all surfaces, one behind the other") {
+TEST_CASE("rows of bits contain all surfaces in sequence") {
   const StreamHeader header = header_of_surfaces({10, 1, 1}, {1, 1, 1});
   Line line;
   reference::Block block(SliceEncoder::minimum_bytes({10, 1}, {}, 3));
@@ -585,7 +583,7 @@ TEST_CASE("rows of bits are those of all surfaces, one behind the other") {
   CHECK(received.rows[2].bits == Bytes{0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
 }
 
-TEST_CASE("rows of bits that fill their bytes stand behind each other without a gap") {
+TEST_CASE("rows of bits that fill their bytes are contiguous") {
   const StreamHeader header = header_of_surfaces({16, 1, 1}, {1, 1});
   Line line;
   reference::Block block(SliceEncoder::minimum_bytes({16, 1}, {}, 2));
@@ -600,7 +598,7 @@ TEST_CASE("rows of bits that fill their bytes stand behind each other without a 
   CHECK(received.rows[1].bits == Bytes{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1});
 }
 
-TEST_CASE("surfaces with thresholds close to each other take less together than alone") {
+TEST_CASE("surfaces with close thresholds need fewer bytes together than alone") {
   const reference::Size size{64, 64, 20};
   const Bytes samples = onion(size);
   const auto bytes = [&](const std::vector<int32_t>& thresholds) {
@@ -610,7 +608,7 @@ TEST_CASE("surfaces with thresholds close to each other take less together than 
   CHECK(bytes({60, 160}) * 100 < (bytes({60}) + bytes({160})) * 102);
 }
 
-TEST_CASE("a stream holds one to four surfaces, on channels up to 63") {
+TEST_CASE("a stream contains one to four surfaces, on channels up to 63") {
   Line line;
   Bytes memory(100000);
   const Memory all{memory.data(), memory.size()};
@@ -627,7 +625,7 @@ TEST_CASE("a stream holds one to four surfaces, on channels up to 63") {
 
 namespace {
 
-// Tells rows of bits, those of all surfaces one behind the other, or reads them.
+// Encodes or decodes rows of bits, with all surfaces in sequence.
 template <class Coder>
 void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& rows) {
   const Limits limits{header.width, header.height};
@@ -653,8 +651,8 @@ void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& row
   }
 }
 
-// Noise, and then rows of whose number the encoder knows all the time only that it lies just below
-// one that ends in zeros, or at it.
+// Noise, then rows that keep a carry pending: the number of the encoder stays at or just below one
+// that ends in zeros.
 std::vector<Bytes> rows_on_the_edge(const StreamHeader& header, uint32_t seed) {
   Chance chance(seed);
   const size_t row_bytes = (header.width + 7) / 8 * header.surface_count;
@@ -674,7 +672,7 @@ std::vector<Bytes> rows_on_the_edge(const StreamHeader& header, uint32_t seed) {
 
 }  // namespace
 
-TEST_CASE("codes are cut wherever a carry may come, between rows or within one of any surface") {
+TEST_CASE("codes are cut at any pending carry, between rows or within a row of any surface") {
   uint32_t within = 0, between = 0;
   for (const reference::Size& size : {reference::Size{2, 5000, 1}, {1, 7000, 1}, {40, 200, 1}})
     for (const std::vector<int32_t>& thresholds : {std::vector<int32_t>{1}, {1, 1, 1}})
@@ -714,7 +712,7 @@ TEST_CASE("codes are cut wherever a carry may come, between rows or within one o
   CHECK(between > 0);
 }
 
-TEST_CASE("a surface decoder takes the surface of its channel out of several") {
+TEST_CASE("a surface decoder selects the surface of its channel from several") {
   const reference::Size size{30, 20, 10};
   const Bytes samples = onion(size);
   const std::vector<int32_t> thresholds{90, 110, 170};
@@ -740,7 +738,7 @@ TEST_CASE("a surface decoder takes the surface of its channel out of several") {
   }
 }
 
-TEST_CASE("a scan that ends on a busy line is over once it has been resumed") {
+TEST_CASE("a scan that ends on a busy line is complete after resume()") {
   Line line(1);
   reference::Block block(SliceEncoder::minimum_bytes({9, 2}, {}));
   SliceEncoder encoder;
@@ -757,7 +755,7 @@ TEST_CASE("a scan that ends on a busy line is over once it has been resumed") {
 
 namespace {
 
-// Takes so many bytes and no more, until there is room again.
+// Accepts `room` bytes and no more until there is room again.
 struct BrokenLine {
   size_t room = 0;
   Bytes bytes{};
@@ -777,7 +775,7 @@ struct BrokenLine {
 
 }  // namespace
 
-TEST_CASE("a scan that has ended takes no record, though the line still waits for its end") {
+TEST_CASE("a finished scan refuses records, even while the line is busy") {
   BrokenLine line;
   reference::Block block(SliceEncoder::minimum_bytes({9, 1}, {}));
   SliceEncoder encoder;
@@ -793,7 +791,8 @@ TEST_CASE("a scan that has ended takes no record, though the line still waits fo
   CHECK(received.rows.size() == 1);
 }
 
-TEST_CASE("a scan may end while its last row waits for the line, and not while another does") {
+TEST_CASE(
+    "a scan can end while its last row waits for the line, but not while an earlier one does") {
   const uint8_t row[9] = {1, 0, 1};
   for (const uint32_t height : {1U, 2U})
     for (const bool skips : {false, true}) {
@@ -823,7 +822,7 @@ TEST_CASE("a scan may end while its last row waits for the line, and not while a
     }
 }
 
-TEST_CASE("a scan that begins anew has nothing of the one before, wherever that was") {
+TEST_CASE("a restarted scan is independent of the previous one, wherever that stopped") {
   const reference::Size size{41, 17, 6};
   Bytes samples;
   Chance chance(8);
@@ -858,7 +857,7 @@ TEST_CASE("a scan that begins anew has nothing of the one before, wherever that 
   }
 }
 
-TEST_CASE("a row that never came waits for the line before anything is told of it") {
+TEST_CASE("a skipped row waits for the line before its encoding begins") {
   constexpr uint32_t height = 8000;
   const BitVolume volume = reference::random({1, height, 1}, 128, 14);
   const StreamHeader header = header_of(volume);

@@ -68,7 +68,7 @@ TEST_CASE("a surface decoder that is started again forgets everything") {
     }
 }
 
-TEST_CASE("a surface decoder that was refused memory is started again without it") {
+TEST_CASE("a surface decoder that was refused memory can be restarted without memory") {
   const Bytes slices = encode_slices(volume());
   SurfaceDecoder decoder;
   EventLog log;
@@ -88,7 +88,7 @@ TEST_CASE("memory for the rows alone is too little, at the end as well") {
   CHECK(decoder.finish() == Status::too_little_memory);
 }
 
-TEST_CASE("a surface decoder that is started again amid rows that are lost has lost none") {
+TEST_CASE("a surface decoder restarted amid lost rows reports none of them") {
   struct Stubborn {
     SinkResult take(const Event& event) {
       const bool is_skipped = event.kind == Event::Kind::skipped;
@@ -109,7 +109,7 @@ TEST_CASE("a surface decoder that is started again amid rows that are lost has l
   CHECK(decoded(decoder, all, stream) == expected);
 }
 
-TEST_CASE("memory is given to a surface decoder that has too little, and to no other") {
+TEST_CASE("give_memory() succeeds only for a started surface decoder short of memory") {
   const Bytes stream = encode_slices(volume());
   Bytes memory(Receiver::minimum_bytes(limits));
   const Memory all{memory.data(), memory.size()};
@@ -131,7 +131,7 @@ TEST_CASE("memory is given to a surface decoder that has too little, and to no o
   CHECK(decoder.report().is_complete());
 }
 
-TEST_CASE("a version that is not known is refused at the byte that tells of it") {
+TEST_CASE("an unknown version is refused at the end of the header's frame") {
   const Bytes stream = with_version(3, regions());
   SurfaceDecoder decoder;
   EventLog log;
@@ -142,7 +142,7 @@ TEST_CASE("a version that is not known is refused at the byte that tells of it")
   CHECK(decoder.push(stream.data(), 1).bytes == 0);
 }
 
-TEST_CASE("where a scan ends its surface is closed, whatever the trailer says") {
+TEST_CASE("the surface is closed at the end of the scan, whatever the trailer contains") {
   SlicePlan plan;
   plan.flush_every = 4;
   const std::vector<Bytes> whole = frames_of(encode_slices(volume(), plan));
@@ -234,7 +234,7 @@ Events swept(const Bytes& stream, const Scan& scan, uint8_t channel) {
 
 }  // namespace
 
-TEST_CASE("rows that never came, or were lost, are skipped, of whatever surface, whoever is busy") {
+TEST_CASE("skipped and lost rows are skipped in any surface, even if the sink is busy") {
   for (const Scan& scan : {Scan{1, 1}, Scan{11, 1}, Scan{11, 2}}) {
     std::vector<Bytes> frames = frames_with_skips(scan);
     frames.erase(frames.begin() + 3);
@@ -257,7 +257,7 @@ TEST_CASE("rows that never came, or were lost, are skipped, of whatever surface,
   }
 }
 
-TEST_CASE("a surface decoder tells how many bytes it has taken, and looks at no others") {
+TEST_CASE("a surface decoder returns the number of bytes it consumed and reads no others") {
   const Bytes slices = encode_slices(volume());
   Bytes memory(Receiver::minimum_bytes(limits) + 100000);
   for (const Bytes& stream : {slices, regions()})
@@ -277,7 +277,7 @@ TEST_CASE("a surface decoder tells how many bytes it has taken, and looks at no 
     }
 }
 
-TEST_CASE("what the end of a scan brings is told before its stream is over, whoever is busy") {
+TEST_CASE("the last events arrive before the end of the stream, even if the sink is busy") {
   const Bytes stream = encode_slices(volume());
   Bytes memory(Receiver::minimum_bytes(limits) + 100000);
   EventLog log(reference::refuses_first);

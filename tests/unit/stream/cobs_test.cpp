@@ -1,4 +1,4 @@
-// The stuffing of frames: every length, every place of a zero, and bytes that nobody stuffed.
+// The stuffing of frames: every length, every position of a zero, and bytes that are not stuffed.
 #include <doctest/doctest.h>
 #include <discmc/stream/cobs.hpp>
 
@@ -37,7 +37,7 @@ void check_round_trip(const Bytes& plain) {
 
 }  // namespace
 
-TEST_CASE("frames of the paper's examples are stuffed as the paper does") {
+TEST_CASE("the examples of the COBS paper are encoded as in the paper") {
   CHECK(stuffed({}) == Bytes{1, 0});
   CHECK(stuffed({0}) == Bytes{1, 1, 0});
   CHECK(stuffed({0, 0}) == Bytes{1, 1, 1, 0});
@@ -45,7 +45,8 @@ TEST_CASE("frames of the paper's examples are stuffed as the paper does") {
   CHECK(stuffed({0x11, 0, 0, 0}) == Bytes{2, 0x11, 1, 1, 1, 0});
 }
 
-TEST_CASE("frames of every length come back: without zeros, all zeros, random, sparse") {
+TEST_CASE(
+    "frames of every length are decoded unchanged: without zeros, all zeros, random and sparse") {
   Chance chance(1);
   for (size_t count = 0; count <= detail::cobs::max_plain; ++count) {
     CAPTURE(count);
@@ -62,7 +63,7 @@ TEST_CASE("frames of every length come back: without zeros, all zeros, random, s
   }
 }
 
-TEST_CASE("a zero at any place of a full frame comes back") {
+TEST_CASE("a zero at any position of a full frame is decoded unchanged") {
   for (size_t place = 0; place < detail::cobs::max_plain; ++place) {
     CAPTURE(place);
     Bytes plain(detail::cobs::max_plain, 7);
@@ -71,13 +72,13 @@ TEST_CASE("a zero at any place of a full frame comes back") {
   }
 }
 
-TEST_CASE("a full frame without zeros has one byte more, and no byte of 255 inside it") {
+TEST_CASE("a full frame without zeros has one byte more, and no byte 255 inside") {
   const Bytes frame = stuffed(Bytes(detail::cobs::max_plain, 7));
   CHECK(frame.size() == 256);
   CHECK(frame[0] == 255);
 }
 
-TEST_CASE("bytes that are no frame give nothing") {
+TEST_CASE("invalid frames decode to nothing") {
   const auto count_of = [](Bytes bytes) {
     return detail::cobs::unstuff(bytes.data(), bytes.size());
   };
@@ -104,7 +105,7 @@ TEST_CASE("any bytes are unstuffed within their block") {
   CHECK(frames > 0);
 }
 
-TEST_CASE("bytes that unstuff are the frame of what they give") {
+TEST_CASE("bytes that can be decoded are the encoding of the result") {
   Chance chance(3);
   for (int round = 0; round < 20000; ++round) {
     Bytes frame(2 + chance.below(40));

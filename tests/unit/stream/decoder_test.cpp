@@ -26,7 +26,7 @@ Bytes stream_of(const std::vector<Bytes>& payloads) {
   return stream;
 }
 
-// The frame of a header that comes after so many packets and pieces.
+// The frame of a header that follows the given numbers of packets and pieces.
 Bytes header_after(uint32_t packets, uint64_t pieces) {
   Packet header = packet_of(stream_of({}));
   header.number = static_cast<uint8_t>(packets);
@@ -99,7 +99,7 @@ void tell_part(Model& model, const Part& part, const ToldRuns& runs) {
   tell_runs(model, runs);
 }
 
-// A region up to what tells its only ring; it begins with direction 0.
+// A region up to the data of its only ring, which begins with direction 0.
 template <class Model>
 void begin_ring(Model& model, uint32_t corners = 0, uint32_t from = 2) {
   model.record_kind(RecordKind::region);
@@ -161,13 +161,13 @@ void tell_unreadable(Model& model) {
   model.even(5, 31);
 }
 
-// A region across z that goes on in a packet to come.
+// A region across z that continues in a later packet.
 template <class Model>
 void tell_first_part(Model& model) {
   tell_part(model, {false, false, true}, {{0, 2}});
 }
 
-// What goes on with it, to its end.
+// The rest of that region.
 template <class Model>
 void tell_last_part(Model& model) {
   tell_part(model, {true, true, false}, {{2, 2}});
@@ -190,7 +190,7 @@ Bytes frame_at(uint32_t number, const Bytes& payload, uint16_t regions = 0) {
   return frame_of({records_kind, static_cast<uint8_t>(number), regions, payload});
 }
 
-// A payload of one part, told by hand and unreadable, between two marks.
+// A payload of one unreadable part, written by hand, between two marks.
 template <class Tell>
 void check_unreadable(Tell tell) {
   const Received arrival = decode(stream_of({payload_of([&](auto& model) {
@@ -231,7 +231,7 @@ TEST_CASE("a decoder that is started again forgets everything") {
   }
 }
 
-TEST_CASE("a decoder that is started again knows nothing of what it refused or had yet to tell") {
+TEST_CASE("a restarted decoder forgets refusals and pending events") {
   const Sample sample = samples()[2];
   const Bytes stream = encode(sample.events, sample.header);
   const Bytes unknown = with_version(3, stream_of({}));
@@ -258,7 +258,7 @@ TEST_CASE("a decoder that is started again knows nothing of what it refused or h
   CHECK(decoder.report().is_complete());
 }
 
-TEST_CASE("a decoder that is started again does not go on with a region, nor tells it lost") {
+TEST_CASE("a restarted decoder neither continues a region nor reports it as lost") {
   struct Taker {
     SinkResult take(const Event& event) {
       if (log.events.size() == most) return SinkResult::busy;
@@ -283,7 +283,7 @@ TEST_CASE("a decoder that is started again does not go on with a region, nor tel
   }
 }
 
-TEST_CASE("a decoder tells of the start of every stream, before all else, as soon as it is taken") {
+TEST_CASE("a decoder delivers the start of every stream first, once the sink accepts it") {
   const Bytes stream = stream_of({payload_of([](auto& model) { tell_layer(model, 4); })});
   struct Late {
     SinkResult take(const Event& event) {
@@ -311,7 +311,7 @@ TEST_CASE("a decoder tells of the start of every stream, before all else, as soo
   }
 }
 
-TEST_CASE("a start that is heard in the middle of a region is told behind it") {
+TEST_CASE("a start that arrives in the middle of a region is delivered after the region") {
   struct Listener {
     SinkResult take(const Event& event) {
       if (event.kind == Event::Kind::start) events_before_start = log.events.size();
@@ -330,7 +330,7 @@ TEST_CASE("a start that is heard in the middle of a region is told behind it") {
   CHECK(listener.events_before_start == listener.log.events.size());
 }
 
-TEST_CASE("a decoder that is started again takes a stream of any name, and counts it anew") {
+TEST_CASE("a restarted decoder accepts a stream of any channel and scan and counts anew") {
   StreamHeader header = any_header();
   header.scan = 7;
   header.channel = 2;
@@ -346,7 +346,7 @@ TEST_CASE("a decoder that is started again takes a stream of any name, and count
     }
 }
 
-TEST_CASE("of a version that is not known nothing is read, until the decoder is started again") {
+TEST_CASE("an unknown version stops the decoder until a restart") {
   const Bytes stream = encode(Script().layer(1).finish().events);
   const Bytes unknown = with_version(3, stream);
   EventLog log;
@@ -361,7 +361,7 @@ TEST_CASE("of a version that is not known nothing is read, until the decoder is 
   CHECK(decoder.report().is_complete());
 }
 
-TEST_CASE("packets of other channels and scans are left alone, and counted") {
+TEST_CASE("packets of other channels and scans are ignored and counted as foreign") {
   const auto frame = [](uint16_t scan, uint8_t channel) {
     Packet packet = packet_of(stream_of({}));
     packet.scan = scan;
@@ -383,7 +383,7 @@ TEST_CASE("packets of other channels and scans are left alone, and counted") {
   CHECK(decoder.header().scan == 9);
 }
 
-TEST_CASE("zeros between frames mean nothing, and a byte between two is a damaged frame") {
+TEST_CASE("zeros between frames are ignored, and a single byte between zeros is a damaged frame") {
   const uint8_t bytes[] = {0, 0, 1, 0, 0, 2};
   EventLog log;
   Decoder decoder;
@@ -394,7 +394,7 @@ TEST_CASE("zeros between frames mean nothing, and a byte between two is a damage
   CHECK(decoder.report().damaged_packets == 2);
 }
 
-TEST_CASE("a trailer whose digest is another says that streams are mixed, if nothing is lost") {
+TEST_CASE("a wrong digest in the trailer marks the stream as mixed, if no packet is lost") {
   for (const uint8_t lost : {uint8_t{0}, uint8_t{1}}) {
     std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
     Packet trailer = packet_of(frames.back());
@@ -408,7 +408,7 @@ TEST_CASE("a trailer whose digest is another says that streams are mixed, if not
   }
 }
 
-TEST_CASE("an application record says at which slice and row it was told") {
+TEST_CASE("an application record contains the slice and row of its writing") {
   Line line;
   Encoder encoder;
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
@@ -476,7 +476,7 @@ TEST_CASE("a lost region is counted when the next packet arrives, not by the tra
   CHECK(decode(heard).report.lost_pieces == 3);
 }
 
-TEST_CASE("a trailer that tells of fewer regions than came counts none of them as lost") {
+TEST_CASE("a trailer that counts fewer regions than arrived reports none lost") {
   const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
   std::vector<Bytes> frames = frames_of(encode(square));
   REQUIRE(frames.size() == 3);
@@ -502,7 +502,7 @@ TEST_CASE("a stream without a header is not complete, even if no number is missi
   CHECK_FALSE(report.is_complete());
 }
 
-TEST_CASE("a stream that has only begun is neither complete nor abandoned") {
+TEST_CASE("a stream with only a header is neither complete nor abandoned") {
   const StreamReport report = decode(stream_of({})).report;
   CHECK(report.has_header);
   CHECK(report.slices == 0);
@@ -523,14 +523,14 @@ TEST_CASE("a region may fill a record with parallelograms to the last word") {
   CHECK(arrival.report.damaged_packets == 0);
 }
 
-TEST_CASE("and with rings that are told by their corners") {
+TEST_CASE("a region may fill a record with corner-coded rings") {
   const Received arrival = decode(stream_of({payload_of(
       [](auto& model) { tell_squares(model, Record::max_words / (Record::ring_words + 4)); })}));
   CHECK(pieces_of(arrival.events).size() == 1);
   CHECK(arrival.report.damaged_packets == 0);
 }
 
-TEST_CASE("a header of another stream that lies behind does not replace the first") {
+TEST_CASE("a late header of another stream does not replace the first header") {
   StreamHeader other = any_header();
   other.width = 77;
   std::vector<Bytes> frames = frames_of(encode(Script().layer(0).finish().events));
@@ -541,7 +541,7 @@ TEST_CASE("a header of another stream that lies behind does not replace the firs
   CHECK(arrival.report.repeated_packets == 1);
 }
 
-TEST_CASE("a later header tells in full how many packets and regions came before it") {
+TEST_CASE("a later header reports all packets and regions lost before it") {
   struct Before {
     uint32_t packets, regions;
   };
@@ -558,8 +558,9 @@ TEST_CASE("a later header tells in full how many packets and regions came before
 }
 
 TEST_CASE(
-    "a header that tells of more lost packets ends what is open, unless a gap lay before it") {
-  // Of 256 packets that are lost a short number says nothing, of 257 that one is missing.
+    "a header that reports more lost packets ends the open region, unless a gap preceded the "
+    "region") {
+  // The number of a packet wraps at 256: a loss of 256 packets is invisible, one of 257 shows.
   for (const bool gap_is_seen : {false, true}) {
     const uint32_t number = gap_is_seen ? 258 : 257;
     const Received arrival =
@@ -575,7 +576,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a region goes on behind a header, whatever was missed before it began") {
+TEST_CASE("a region continues after a header, whatever was lost before the region began") {
   Decoder decoder;
   for (const uint32_t missed : {0U, 1U, 255U, 256U, 512U}) {
     CAPTURE(missed);
@@ -590,7 +591,7 @@ TEST_CASE("a region goes on behind a header, whatever was missed before it began
   }
 }
 
-TEST_CASE("a header that tells of a gap ends what is open, though a gap lay before it as well") {
+TEST_CASE("a header that reports a gap ends the open region, even after an earlier gap") {
   struct Gap {
     uint32_t packets;
     uint64_t regions;
@@ -607,7 +608,7 @@ TEST_CASE("a header that tells of a gap ends what is open, though a gap lay befo
   }
 }
 
-TEST_CASE("a header counts as lost what neither came before it nor was known to be lost") {
+TEST_CASE("a header counts as lost only regions that neither arrived nor were counted before") {
   const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
   const std::vector<Bytes> frames = frames_of(encode(square));
   for (const uint64_t before : {0U, 1U, 2U, 7U}) {
@@ -618,7 +619,7 @@ TEST_CASE("a header counts as lost what neither came before it nor was known to 
   }
 }
 
-TEST_CASE("who hears no header tells a packet that comes again all the same") {
+TEST_CASE("without a header, a repeated packet is still counted as repeated") {
   const Bytes frame = frame_at(200, payload_of([](auto& model) { tell_layer(model, 3); }));
   const Received arrival = decode(joined({frame, frame}));
   CHECK(arrival.events == Script().layer(3).events);
@@ -626,7 +627,7 @@ TEST_CASE("who hears no header tells a packet that comes again all the same") {
   CHECK(arrival.report.repeated_packets == 1);
 }
 
-TEST_CASE("the shortest and the longest of packets are packets, a longer one is none") {
+TEST_CASE("packets of minimal and maximal length are accepted, and longer ones are damaged") {
   const uint8_t unknown_kind = 9;
   for (const size_t bytes : {size_t{0}, detail::wire::max_payload - 1, detail::wire::max_payload}) {
     const StreamReport report = decode(frame_of({unknown_kind, 0, 0, Bytes(bytes, 0x33)})).report;
@@ -642,7 +643,7 @@ TEST_CASE("the shortest and the longest of packets are packets, a longer one is 
   }
 }
 
-TEST_CASE("a region does not go on behind a packet that cannot be read") {
+TEST_CASE("a region does not continue after an unreadable packet") {
   const Bytes unreadable = payload_of([](auto& model) { tell_unreadable(model); });
   CHECK(decode(stream_of({first_payload(), unreadable, last_payload()})).events ==
         first_part().lost().events);
@@ -666,7 +667,7 @@ TEST_CASE("the longest run is read, in parts and in a fragment") {
   CHECK(arrival.events == expected);
 }
 
-TEST_CASE("a fragment told from its end begins where its runs lead back to") {
+TEST_CASE("a fragment coded backwards begins where its runs lead back to") {
   CHECK(decode(stream_of({payload_of([](auto& model) {
           tell_fragment(model, 2, {{4, 10}, {6, 20}});
         })}))
@@ -700,7 +701,7 @@ TEST_CASE("a fragment may fill a record to the last word, and one run more is re
     }
 }
 
-TEST_CASE("a part whose beginning is lost counts, of a fragment as of a region") {
+TEST_CASE("a part without its beginning counts as lost, of a fragment as of a region") {
   for (const bool is_fragment : {false, true}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       tell_part(model, {true, true, false, is_fragment}, {{0, 2}});
@@ -710,7 +711,7 @@ TEST_CASE("a part whose beginning is lost counts, of a fragment as of a region")
   }
 }
 
-TEST_CASE("so does one of a fragment that follows another's, whatever directions that had") {
+TEST_CASE("a part without its beginning counts as lost after a fragment with other directions") {
   const Received arrival = decode(stream_of({payload_of([](auto& model) {
     tell_fragment(model, 7, {{0, 2}});
     tell_part(model, {true, true, false, true, incidence_of({1, 1, 0})}, {{0, 2}});
@@ -720,7 +721,7 @@ TEST_CASE("so does one of a fragment that follows another's, whatever directions
   CHECK(arrival.report.damaged_packets == 0);
 }
 
-TEST_CASE("what was whole before a cut is delivered, and the report says that the end is missing") {
+TEST_CASE("a truncated stream delivers its whole pieces, and the report lacks the end") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
@@ -751,7 +752,7 @@ TEST_CASE("what was whole before a cut is delivered, and the report says that th
   }
 }
 
-TEST_CASE("a frame too long at the end does not spoil a stream that follows all the same") {
+TEST_CASE("a too long frame at the end does not damage the next stream") {
   const Bytes noise(1000, 7);
   const Bytes stream = encode(Script().finish().events, any_header());
   EventLog log;
@@ -764,7 +765,7 @@ TEST_CASE("a frame too long at the end does not spoil a stream that follows all 
   CHECK(decoder.report().damaged_packets == 1);
 }
 
-TEST_CASE("noise before, between and after the frames does no harm") {
+TEST_CASE("noise before, between and after frames is ignored") {
   const Sample sample = samples()[4];
   Chance chance(1);
   Bytes noisy;
@@ -783,7 +784,7 @@ TEST_CASE("noise before, between and after the frames does no harm") {
   CHECK(arrival.report.damaged_packets == damaged);
 }
 
-TEST_CASE("an unknown version is told and nothing of it is delivered") {
+TEST_CASE("an unknown version is reported, and no event is delivered") {
   const Sample sample = samples()[2];
   for (const uint8_t version : Bytes{0, 2, 3, 255}) {
     std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
@@ -799,7 +800,7 @@ TEST_CASE("an unknown version is told and nothing of it is delivered") {
   }
 }
 
-TEST_CASE("headers that make no sense are no headers") {
+TEST_CASE("headers with invalid values are refused") {
   const Bytes frame = frames_of(encode(Script().finish().events)).front();
   const auto without_header = [&](size_t at, uint8_t value, size_t size) {
     Packet packet = packet_of(frame);
@@ -815,10 +816,10 @@ TEST_CASE("headers that make no sense are no headers") {
   CHECK(without_header(6, 0, detail::wire::header_payload));     // height 0
   CHECK(without_header(99, 0, detail::wire::header_payload - 1));
   CHECK_FALSE(
-      without_header(99, 0, detail::wire::header_payload + 5));  // a later version may say more
+      without_header(99, 0, detail::wire::header_payload + 5));  // a later version may be longer
 }
 
-TEST_CASE("what a longer header says behind its end counts for nothing") {
+TEST_CASE("extra bytes at the end of a header are ignored") {
   Packet packet = packet_of(stream_of({}));
   packet.payload.insert(packet.payload.end(), 5, 0xFF);
   const StreamReport report = decode(frame_of(packet)).report;
@@ -827,7 +828,7 @@ TEST_CASE("what a longer header says behind its end counts for nothing") {
   CHECK(report.lost_pieces == 0);
 }
 
-TEST_CASE("a trailer that is too short is none; one that tells of more regions counts these lost") {
+TEST_CASE("a short trailer is refused, and a trailer that counts more regions reports them lost") {
   const Events square = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
   const std::vector<Bytes> frames = frames_of(encode(square));
   Packet trailer = packet_of(frames[2]);
@@ -846,7 +847,7 @@ TEST_CASE("a trailer that is too short is none; one that tells of more regions c
   CHECK(report.damaged_packets == 1);
 }
 
-TEST_CASE("packets of unknown kinds are skipped and lose nothing") {
+TEST_CASE("packets of unknown kinds are skipped without loss") {
   const Sample sample = samples()[4];
   std::vector<Bytes> frames;
   uint8_t number = 0;
@@ -882,7 +883,7 @@ TEST_CASE("extension records are skipped") {
   CHECK(arrival.report.damaged_packets == 0);
 }
 
-TEST_CASE("a region in parts that are all there is delivered as one") {
+TEST_CASE("a region sent entirely in parts is delivered as a single region") {
   const Bytes first = payload_of([](auto& model) {
     tell_part(model, {false, false, true}, {{3, 70000}});
   });
@@ -903,7 +904,7 @@ TEST_CASE("a region in parts that are all there is delivered as one") {
   CHECK(decode(stream_of({first, first})).events.size() == 2 * broken.events.size());
 }
 
-TEST_CASE("a mark between parts ends what is open") {
+TEST_CASE("a layer mark between parts ends the open region") {
   const Bytes payload = payload_of([](auto& model) {
     tell_first_part(model);
     tell_layer(model, 9);
@@ -929,7 +930,7 @@ TEST_CASE("records that break the grammar are refused") {
       model.even(5, incidence);
     });
     for (const RecordKind kind : {RecordKind::region, RecordKind::holed, RecordKind::forwards})
-      check_unreadable([&](auto& model) {  // and what is told whole
+      check_unreadable([&](auto& model) {  // and whole records
         model.record_kind(kind);
         model.start({1, 1, 1});
         model.even(5, incidence);
@@ -1033,7 +1034,7 @@ TEST_CASE(
   CHECK_FALSE(decode(joined(frames)).report.is_complete());
 }
 
-TEST_CASE("a part that goes on with nothing ends what is open, and is all that is lost") {
+TEST_CASE("a part that continues nothing ends the open region, and both count as lost") {
   const auto tell_stray = [](auto& model) {
     tell_part(model, {true, true, false, false, incidence_of({1, 0, 0})}, {{0, 2}});
   };
@@ -1048,7 +1049,7 @@ TEST_CASE("a part that goes on with nothing ends what is open, and is all that i
   CHECK(arrival.report.damaged_packets == 0);
 }
 
-TEST_CASE("a stream in which a region is lost is not complete, though as many came as it counts") {
+TEST_CASE("a stream with a lost region is incomplete even if the total matches") {
   Events one = Script().region(up).square({1, 0, 0}, 2).region_end().finish().events;
   std::vector<Bytes> frames = frames_of(encode(one));
   Packet packet = packet_of(frames[1]);
@@ -1065,7 +1066,7 @@ TEST_CASE("a stream in which a region is lost is not complete, though as many ca
   CHECK_FALSE(report.is_complete());
 }
 
-TEST_CASE("a part of another incidence or kind does not go on with what is open") {
+TEST_CASE("a part of another incidence or kind does not continue the open piece") {
   for (const bool is_fragment : {false, true})
     for (const Incidence incidence : {up, Incidence{0}}) {
       if (!is_fragment && incidence == up) continue;
@@ -1077,7 +1078,7 @@ TEST_CASE("a part of another incidence or kind does not go on with what is open"
     }
 }
 
-TEST_CASE("two runs there and back are told in full up to the longest compact run") {
+TEST_CASE("two runs there and back are decoded up to the longest compact run") {
   for (const uint32_t length : {1U, detail::stream::max_compact_length}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       begin_ring(model);
@@ -1088,7 +1089,7 @@ TEST_CASE("two runs there and back are told in full up to the longest compact ru
   }
 }
 
-TEST_CASE("a ring as long as a record is delivered, and a longer one refused") {
+TEST_CASE("a ring as long as a record is delivered, and a longer ring is refused") {
   constexpr uint32_t longest = Record::max_words - Record::ring_words;
   for (const uint32_t count : {longest, longest + 1, longest + 2, longest + 4}) {
     ToldRuns runs;
@@ -1103,7 +1104,7 @@ TEST_CASE("a ring as long as a record is delivered, and a longer one refused") {
   }
 }
 
-TEST_CASE("a ring of four corners is told by its turns and two lengths, one of three by one") {
+TEST_CASE("a ring of four corners is coded by turns and two lengths, a triangle by one length") {
   const Received arrival = decode(stream_of({payload_of([](auto& model) {
     begin_ring(model, corners_of_square);
     model.two_lengths(4 * 3 + 1);  // four links or more, then two
@@ -1129,7 +1130,7 @@ TEST_CASE("a ring of four corners is told by its turns and two lengths, one of t
   CHECK(arrival.events == expected);
 }
 
-TEST_CASE("a fragment in parts goes on with its own parts, and with no other fragment's") {
+TEST_CASE("a fragment in parts continues only with parts of its own incidence") {
   for (const bool is_same : {true, false}) {
     const Received arrival = decode(stream_of({payload_of([&](auto& model) {
       tell_part(model, {false, false, true, true, up, 5}, {{0, 2}});
@@ -1147,7 +1148,7 @@ TEST_CASE("a fragment in parts goes on with its own parts, and with no other fra
   }
 }
 
-TEST_CASE("a fragment has no second ring, nor in a part that goes on") {
+TEST_CASE("a second ring in a fragment is refused, even in a continued part") {
   const Received arrival = decode(stream_of({payload_of([&](auto& model) {
     tell_part(model, {false, false, true, true, up, 5}, {{0, 2}});
     tell_part(model, {true, true, true, true}, {{2, 3}});
@@ -1156,7 +1157,7 @@ TEST_CASE("a fragment has no second ring, nor in a part that goes on") {
   CHECK(arrival.report.damaged_packets == 1);
 }
 
-TEST_CASE("a stream whose trailer counts another number of fragments is not complete") {
+TEST_CASE("a stream is incomplete if its trailer counts another number of fragments") {
   const Events one = Script().fragment(up, {1, 0, 0}, 2).run(2, 2).fragment_end().finish().events;
   std::vector<Bytes> frames = frames_of(encode(one));
   REQUIRE(decode(joined(frames)).report.is_complete());
@@ -1170,7 +1171,7 @@ TEST_CASE("a stream whose trailer counts another number of fragments is not comp
   CHECK_FALSE(report.is_complete());
 }
 
-TEST_CASE("a header that arrives behind its packets is the first all the same") {
+TEST_CASE("a header that arrives after its packets still counts as the first") {
   std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
   std::swap(frames[0], frames[1]);
   const Received arrival = decode(joined(frames));
@@ -1179,7 +1180,7 @@ TEST_CASE("a header that arrives behind its packets is the first all the same") 
   CHECK(arrival.header.width == any_header().width);
 }
 
-TEST_CASE("a sink may refuse what the end of a stream brings, as often as it likes") {
+TEST_CASE("a sink may refuse the last events of a stream repeatedly") {
   const Bytes stream = stream_of({first_payload()});
   for (const uint32_t refusals : {0U, 1U, 3U}) {
     struct Sullen {
@@ -1198,7 +1199,7 @@ TEST_CASE("a sink may refuse what the end of a stream brings, as often as it lik
     const Decoded decoded = decoder.push(stream.data(), stream.size());
     CHECK(decoded.bytes == stream.size());
     CHECK(decoded.status == (refusals == 0 ? Status::ok : Status::suspended));
-    // What push() did not get rid of, and the loss, which only the end tells.
+    // The events that push() could not deliver, and the loss, which only the end reveals.
     uint32_t calls = 1;
     while (decoder.finish() == Status::suspended) ++calls;
     CHECK(calls == (refusals == 0 ? 1 : 4 * refusals));
@@ -1206,7 +1207,7 @@ TEST_CASE("a sink may refuse what the end of a stream brings, as often as it lik
   }
 }
 
-TEST_CASE("a mark that the sink does not take is kept for it") {
+TEST_CASE("a layer mark that the sink refuses is offered again") {
   const Bytes stream = stream_of({payload_of([](auto& model) { tell_layer(model, 4); })});
   EventLog log(reference::refuses_first);
   Decoder decoder;
@@ -1217,7 +1218,7 @@ TEST_CASE("a mark that the sink does not take is kept for it") {
   CHECK(log.events == Script().layer(4).events);
 }
 
-TEST_CASE("a payload that ends before its records do is refused") {
+TEST_CASE("a payload that ends within a record is refused") {
   const Bytes whole = payload_of([](auto& model) {
     for (uint32_t slice = 0; slice < 100; ++slice) tell_layer(model, slice * 3);
   });
@@ -1229,7 +1230,7 @@ TEST_CASE("a payload that ends before its records do is refused") {
   }
 }
 
-TEST_CASE("a part may fill a record to the last word, and one word more is refused") {
+TEST_CASE("a part may fill a record to the last word, and a longer part is refused") {
   constexpr uint32_t most = Record::max_words - Record::ring_words;
   const auto tell_of = [](auto& model, uint32_t count) {
     ToldRuns runs;
@@ -1258,7 +1259,7 @@ TEST_CASE("a frame that is cut off at the end counts as damaged, once") {
   CHECK(decoder.report().has_header);
 }
 
-TEST_CASE("nothing is delivered after the trailer") {
+TEST_CASE("packets after the trailer are not delivered") {
   const Sample sample = samples()[4];
   const Bytes stream = encode(sample.events, sample.header);
   const Sample other = samples()[5];
@@ -1271,7 +1272,7 @@ TEST_CASE("nothing is delivered after the trailer") {
   CHECK(arrival.report.repeated_packets == frames_of(second).size());
 }
 
-TEST_CASE("a stream is complete when it has both ends and nothing is missing or unreadable") {
+TEST_CASE("is_complete() requires both ends and no lost or unreadable packet") {
   StreamReport whole{};
   whole.has_header = whole.has_trailer = true;
   whole.regions = whole.totals.regions = 7;

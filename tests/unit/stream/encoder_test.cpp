@@ -32,7 +32,7 @@ Events many_regions(uint32_t count, uint32_t runs = 60) {
 
 }  // namespace
 
-TEST_CASE("a stream that cannot be told is refused") {
+TEST_CASE("a stream with an invalid header or output is refused") {
   Line line;
   Encoder encoder;
   StreamHeader header = any_header();
@@ -54,7 +54,8 @@ TEST_CASE("a stream that cannot be told is refused") {
   CHECK(begin_stream(encoder, header, line.output()) == Status::ok);
 }
 
-TEST_CASE("what nobody has said of a scan is zero, and its label is what its header says") {
+TEST_CASE(
+    "headers and labels begin as zeros, and label() copies depth, scan and channel of the header") {
   const StreamHeader unsaid;
   CHECK(unsaid.width == 0);
   CHECK(unsaid.height == 0);
@@ -79,7 +80,8 @@ TEST_CASE("what nobody has said of a scan is zero, and its label is what its hea
   for (int axis = 0; axis < 3; ++axis) CHECK(label.spacing_nm[axis] == axis + 4);
 }
 
-TEST_CASE("a record is told between two pieces, also where the last one was lost or forgotten") {
+TEST_CASE(
+    "an application record is accepted between pieces, even after a lost or abandoned piece") {
   Event region{}, lost{};
   region.kind = Event::Kind::region;
   lost.kind = Event::Kind::lost;
@@ -95,12 +97,12 @@ TEST_CASE("a record is told between two pieces, also where the last one was lost
   CHECK(encoder.write_record({}) == Status::ok);
 }
 
-TEST_CASE("a ring of two runs, there and back, comes through") {
+TEST_CASE("a ring of two runs there and back is decoded unchanged") {
   const Events events = Script().region(up).ring({1, 0, 0}).run(0, 5).run(4, 5).region_end().events;
   CHECK(decode(encode(events)).events == events);
 }
 
-TEST_CASE("an event that a busy line refuses is told once") {
+TEST_CASE("an event that a busy line refuses is encoded once") {
   Script script;
   script.region(up).ring({1, 0, 0});
   for (uint32_t i = 0; i < 300; ++i) script.run(static_cast<Direction>(i % 8), 1 + i % 9);
@@ -108,7 +110,7 @@ TEST_CASE("an event that a busy line refuses is told once") {
   CHECK(encode(events, any_header(), 7) == encode(events));
 }
 
-TEST_CASE("every packet is numbered, short enough, and counts the pieces before it") {
+TEST_CASE("packets are numbered, limited in size, and count the pieces before them") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     const std::vector<Bytes> frames = frames_of(encode(sample.events, sample.header));
@@ -138,7 +140,7 @@ TEST_CASE("packets are nearly full") {
   CHECK(bytes > (records - 1) * (detail::wire::max_payload - 60));
 }
 
-TEST_CASE("the header comes again after every 64 packets of records, with the counts so far") {
+TEST_CASE("the header is repeated after every 64 packets of records with the current counts") {
   const std::vector<Packet> packets = packets_of(encode(many_regions(900)));
   REQUIRE(packets.size() > 200);
   for (size_t i = 0; i + 1 < packets.size(); ++i) {
@@ -153,7 +155,7 @@ TEST_CASE("the header comes again after every 64 packets of records, with the co
   }
 }
 
-TEST_CASE("a flush hands over what is there, once") {
+TEST_CASE("flush() sends the pending records once") {
   const Events events = many_regions(40);
   Line line;
   Encoder encoder;
@@ -175,12 +177,12 @@ TEST_CASE("a flush hands over what is there, once") {
   CHECK(decode(line.bytes).report.is_complete());
 }
 
-TEST_CASE("before a start there is nothing to flush") {
+TEST_CASE("flush() before start() has no effect") {
   Encoder encoder;
   CHECK(encoder.flush() == Status::ok);
 }
 
-TEST_CASE("a flush into a slow line goes on where it was") {
+TEST_CASE("a flush on a slow line continues where it stopped") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     Bytes fast;
@@ -201,7 +203,7 @@ TEST_CASE("a flush into a slow line goes on where it was") {
   }
 }
 
-TEST_CASE("a flush between the offers of an event leaves it whole") {
+TEST_CASE("a flush between the offers of an event keeps the event whole") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     Line line(40);
@@ -215,7 +217,7 @@ TEST_CASE("a flush between the offers of an event leaves it whole") {
   }
 }
 
-TEST_CASE("an output that takes nothing is asked, and nothing is lost") {
+TEST_CASE("an output without room is offered the bytes again, and none are lost") {
   size_t room = 0;
   Bytes bytes;
   struct Context {
@@ -243,7 +245,7 @@ TEST_CASE("an output that takes nothing is asked, and nothing is lost") {
   CHECK(bytes == encode(events));
 }
 
-TEST_CASE("the trailer is written once, however often the end is told") {
+TEST_CASE("the trailer is written once even if the finish event is repeated") {
   for (const size_t bytes_a_time : {0U, 1U}) {
     Line line(bytes_a_time);
     Encoder encoder;
@@ -256,7 +258,7 @@ TEST_CASE("the trailer is written once, however often the end is told") {
   }
 }
 
-TEST_CASE("a line that is never busy never makes an event wait") {
+TEST_CASE("a line that is never busy never suspends an event") {
   for (const Sample& sample : samples()) {
     CAPTURE(sample.name);
     Line line;
@@ -267,7 +269,7 @@ TEST_CASE("a line that is never busy never makes an event wait") {
   }
 }
 
-TEST_CASE("the trailer says with a byte of 1 that the scan was abandoned, else 0") {
+TEST_CASE("the trailer has an abandoned flag of 1 or 0") {
   for (const bool abandoned : {false, true}) {
     const RecordedEvent finish = Script().finish().events.front();
     Event event = finish.event();
@@ -303,7 +305,7 @@ TEST_CASE("an encoder that is started again begins a new stream") {
   }
 }
 
-TEST_CASE("a further scan begins when the line has taken all of the one before") {
+TEST_CASE("a further scan begins once the line has accepted all of the previous scan") {
   const Events events = Script().layer(0).finish().events;
   Line line(1);
   Encoder encoder;
@@ -321,7 +323,7 @@ TEST_CASE("a further scan begins when the line has taken all of the one before")
   CHECK(joined({encode({}), encode(events, header)}) == line.bytes);
 }
 
-TEST_CASE("the label's spacing is told where the scan itself knows of none, along any axis") {
+TEST_CASE("the label's spacing is sent if the scan has none along any axis") {
   const auto told = [](const StreamHeader& scan) {
     Line line;
     Encoder encoder;
@@ -343,7 +345,7 @@ TEST_CASE("the label's spacing is told where the scan itself knows of none, alon
   }
 }
 
-TEST_CASE("an encoder that is started again amid a region in parts tells the next one whole") {
+TEST_CASE("an encoder restarted amid a region in parts encodes the next region whole") {
   size_t room = frames_of(encode({})).front().size();  // for the header
   const ByteOutput narrow{&room, [](void* context, const uint8_t*, size_t count) {
                             size_t& left = *static_cast<size_t*>(context);
@@ -364,7 +366,7 @@ TEST_CASE("an encoder that is started again amid a region in parts tells the nex
   CHECK(line.bytes == encode(events));
 }
 
-TEST_CASE("records of every length end a packet at every fill without overrunning it") {
+TEST_CASE("records of every length end packets at every fill without exceeding them") {
   for (uint32_t lead = 0; lead < 90; ++lead)
     for (const bool is_fragment : {false, true}) {
       Script script;
@@ -381,8 +383,7 @@ TEST_CASE("records of every length end a packet at every fill without overrunnin
     }
 }
 
-TEST_CASE(
-    "a fragment is told in as few bytes from its end as from its start, when that is nearer") {
+TEST_CASE("a fragment near its end is coded backwards in as few bytes as one near its start") {
   const auto bytes = [](bool is_end_near) {
     Script script;
     const Vertex near{1, 0, 0}, far{1, 0, 60000};
@@ -396,7 +397,7 @@ TEST_CASE(
   CHECK(bytes(true) <= bytes(false) + 2);
 }
 
-TEST_CASE("rings of four runs come through that turn twice around, or begin within a side") {
+TEST_CASE("rings of four runs that wind twice or begin within a side are decoded unchanged") {
   Script script;
   script.region(up).ring({1, 0, 0}).run(0, 1).run(3, 3).run(6, 2).run(1, 1).region_end();
   script.region(up).ring({1, 0, 0}).run(0, 1).run(2, 2).run(5, 4).run(0, 1).region_end();
@@ -405,7 +406,7 @@ TEST_CASE("rings of four runs come through that turn twice around, or begin with
   CHECK(decode(encode(events)).events == events);
 }
 
-TEST_CASE("a fragment without runs does harm to nothing but its packet") {
+TEST_CASE("a fragment without runs damages only its own packet") {
   for (uint32_t follower = 0; follower < 100; ++follower) {
     Script script;
     script.fragment(up, {1, 0, 0}, 0).fragment_end();
@@ -417,7 +418,7 @@ TEST_CASE("a fragment without runs does harm to nothing but its packet") {
   }
 }
 
-TEST_CASE("a region without rings does no more harm") {
+TEST_CASE("a region without rings damages only its own packet") {
   for (uint32_t follower = 0; follower < 100; ++follower) {
     Script script;
     script.region(up).square({1, 0, 0}, 2).region_end();
@@ -432,7 +433,7 @@ TEST_CASE("a region without rings does no more harm") {
   }
 }
 
-TEST_CASE("a region that is lost before its end is told as lost, whatever follows") {
+TEST_CASE("a region lost before its end is reported as lost") {
   for (const uint32_t runs : {10U, 500U})
     for (int follower = 0; follower < 4; ++follower) {
       Chance chance(1);
@@ -450,14 +451,14 @@ TEST_CASE("a region that is lost before its end is told as lost, whatever follow
     }
 }
 
-TEST_CASE("an encoder that is not started takes nothing") {
+TEST_CASE("an encoder that is not started refuses events") {
   Encoder encoder;
   const Events events = Script().layer(1).region(up).square({1, 0, 0}, 2).region_end().events;
   for (const RecordedEvent& event : events)
     CHECK(encoder.take(event.event()) == SinkResult::not_started);
 }
 
-TEST_CASE("a ring may begin wherever a record is nearly full") {
+TEST_CASE("a ring may begin at any fill of a nearly full record") {
   constexpr uint32_t most = detail::stream::Record::max_words;
   for (uint32_t runs = most - 2 * detail::stream::Record::ring_words; runs <= most; ++runs) {
     Script script;
@@ -468,7 +469,7 @@ TEST_CASE("a ring may begin wherever a record is nearly full") {
   }
 }
 
-TEST_CASE("an event of a kind that there is not leaves nothing in the stream") {
+TEST_CASE("an event of an unknown kind is not encoded") {
   Event unknown{};
   unknown.kind = static_cast<Event::Kind>(200);
   Script script;
@@ -478,7 +479,7 @@ TEST_CASE("an event of a kind that there is not leaves nothing in the stream") {
   CHECK(encode(with_unknown) == encode(script.events));
 }
 
-TEST_CASE("nor does it end the region in which it comes") {
+TEST_CASE("an event of an unknown kind does not end the open region") {
   Event region{}, unknown{};
   region.kind = Event::Kind::region;
   unknown.kind = static_cast<Event::Kind>(200);
@@ -490,7 +491,7 @@ TEST_CASE("nor does it end the region in which it comes") {
   CHECK(encoder.write_record({}) == Status::suspended);
 }
 
-TEST_CASE("an encoder encodes normals after restore() if it is told to again") {
+TEST_CASE("an encoder encodes normals after restore() only if they are enabled again") {
   for (const bool with_normals : {true, false}) {
     Line whole, line;
     NormalEncoder first;
@@ -519,7 +520,7 @@ TEST_CASE("an encoder encodes normals after restore() if it is told to again") {
   }
 }
 
-TEST_CASE("a region whose first run is in no ring does harm to nothing but its packet") {
+TEST_CASE("a region with a run outside a ring damages only its own packet") {
   // The second would be a ring of its own, were its first words taken for a start.
   for (const Vertex& start : {Vertex{1, 0, 0}, Vertex{1, 0, 8}}) {
     Script script;

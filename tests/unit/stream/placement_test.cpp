@@ -1,4 +1,4 @@
-// Where a volume lies in space, as an application record.
+// The placement of a volume in space, as an application record.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ struct PlacementReceiver {
 
 }  // namespace
 
-TEST_CASE("a placement comes back from its record") {
+TEST_CASE("a placement is read back from its record") {
   for (const Space space : {Space::scanner, Space::lps, Space::ras}) {
     const Told told(any_placement(space));
     Placement read;
@@ -62,7 +62,7 @@ TEST_CASE("a placement comes back from its record") {
   }
 }
 
-TEST_CASE("the bytes of a placement are those of the page of the stream") {
+TEST_CASE("the bytes of a placement are as documented") {
   Placement placement;
   placement.axes_nm[0][0] = -1;
   placement.axes_nm[0][1] = 0x01020304;
@@ -89,7 +89,7 @@ TEST_CASE("the bytes of a placement are those of the page of the stream") {
   CHECK(bytes == expected);
 }
 
-TEST_CASE("a record of another kind, size or space is no placement, and nothing is written") {
+TEST_CASE("a record of another kind, size or space is not read as a placement") {
   const Told told(any_placement(Space::lps));
   const Placement before = any_placement(Space::ras);
   Placement read = before;
@@ -109,7 +109,7 @@ TEST_CASE("a record of another kind, size or space is no placement, and nothing 
   }
 }
 
-TEST_CASE("a placement comes through a stream") {
+TEST_CASE("a placement is received from a stream") {
   test::Line line;
   Encoder encoder;
   reference::require_ok(test::begin_stream(encoder, test::any_header(), line.output()));

@@ -18,7 +18,7 @@ struct Decision {
 };
 using Decisions = std::vector<Decision>;
 
-// Bits that come up about as often as their probabilities say, or against them.
+// Bits that occur about as often as their probabilities predict, or the opposite.
 Decisions random_decisions(Chance& chance, size_t count, bool likely = true) {
   Decisions decisions(count);
   for (Decision& decision : decisions) {
@@ -66,7 +66,8 @@ Decisions towards(const Bytes& target, size_t count, Probability one) {
 
 }  // namespace
 
-TEST_CASE("random bits under random probabilities come back, in as many bytes as announced") {
+TEST_CASE(
+    "random bits under random probabilities are decoded unchanged, and the size is as predicted") {
   Chance chance(1);
   for (int round = 0; round < 400; ++round) {
     CAPTURE(round);
@@ -93,12 +94,12 @@ TEST_CASE("the code is hardly longer than the information in the bits") {
   CHECK(static_cast<double>(encoded(decisions).size()) < bits / 8 * 1.0005 + 2);
 }
 
-TEST_CASE("no bits take no bytes") {
+TEST_CASE("an empty sequence has no bytes") {
   CHECK(encoded({}).empty());
   CHECK(encoded({{true, 255}}).empty());
 }
 
-TEST_CASE("a carry runs through any number of bytes of 255, or stops before them") {
+TEST_CASE("a carry propagates through any number of bytes 255 and may stop before them") {
   int longest = 0;
   for (size_t run = 0; run < 40; ++run)
     for (size_t lead = 0; lead < 3; ++lead)
@@ -126,7 +127,7 @@ TEST_CASE("a carry runs through any number of bytes of 255, or stops before them
   CHECK(longest > 30);
 }
 
-TEST_CASE("a carry that leaves a byte of 255 behind it reaches none of those that follow") {
+TEST_CASE("a carry that leaves a byte 255 does not propagate to later bytes") {
   // Found by a search: random bits hardly ever come to this.
   Decisions decisions = {{false, 125}, {true, 44},   {true, 89},  {true, 42},
                          {true, 199},  {false, 124}, {false, 255}};
@@ -135,7 +136,7 @@ TEST_CASE("a carry that leaves a byte of 255 behind it reaches none of those tha
   check_round_trip(decisions);
 }
 
-TEST_CASE("what is coded comes back where the range is the least that suffices") {
+TEST_CASE("bits are decoded unchanged if the range is minimal") {
   constexpr uint32_t least = 1U << 24;
   Chance chance(7);
   Decisions decisions;
@@ -155,7 +156,7 @@ TEST_CASE("what is coded comes back where the range is the least that suffices")
   check_round_trip(decisions);
 }
 
-TEST_CASE("so do symbols whose share leaves the least range that suffices") {
+TEST_CASE("symbols are decoded unchanged if their share leaves the minimal range") {
   // Found by a search: the fourth share leaves a range of exactly 2^24.
   const uint8_t share[] = {13, 109, 185, 64, 77, 200};
   const uint32_t symbol[] = {0, 0, 0, 0, 1, 1};
@@ -172,7 +173,7 @@ TEST_CASE("so do symbols whose share leaves the least range that suffices") {
   CHECK_FALSE(decoder.is_exhausted());
 }
 
-TEST_CASE("a first byte of 255 waits, and goes out whole") {
+TEST_CASE("a first byte of 255 waits for a carry and is written unchanged") {
   // Zeros of probability 1 / 256 climb to the very top of the range at once.
   Decisions decisions(40, {false, 255});
   const Bytes bytes = encoded(decisions);
@@ -180,7 +181,7 @@ TEST_CASE("a first byte of 255 waits, and goes out whole") {
   CHECK(wrong_bits(bytes, decisions) == 0);
 }
 
-TEST_CASE("a snapshot undoes all bits since, whatever they wrote") {
+TEST_CASE("restoring a snapshot undoes all later bits") {
   Chance chance(3);
   for (int round = 0; round < 300; ++round) {
     CAPTURE(round);
@@ -201,7 +202,7 @@ TEST_CASE("a snapshot undoes all bits since, whatever they wrote") {
   }
 }
 
-TEST_CASE("an exhausted buffer is told and never written beyond") {
+TEST_CASE("an exhausted buffer is reported, and no byte is written beyond it") {
   Chance chance(4);
   const Decisions decisions = random_decisions(chance, 400);
   const size_t needed = encoded(decisions).size();
@@ -217,7 +218,7 @@ TEST_CASE("an exhausted buffer is told and never written beyond") {
   }
 }
 
-TEST_CASE("size() never shrinks from one bit to the next by more than the closing byte") {
+TEST_CASE("size() never shrinks by more than the closing byte from one bit to the next") {
   Chance chance(5);
   Bytes bytes(1000);
   RangeEncoder encoder(bytes.data(), bytes.size());
@@ -259,7 +260,7 @@ TEST_CASE("a decoder is exhausted by the fifth byte beyond the end, and not by t
   }
 }
 
-TEST_CASE("a decoder says how many bytes it has not read, and has none beyond the end") {
+TEST_CASE("a decoder returns the number of unread bytes, which is zero beyond the end") {
   const Bytes bytes(9, 0xA5);
   RangeDecoder decoder(bytes.data(), bytes.size());
   size_t left = 5;
@@ -274,7 +275,7 @@ TEST_CASE("a decoder says how many bytes it has not read, and has none beyond th
   CHECK(left == 0);
 }
 
-TEST_CASE("any bytes decode without harm, beyond their end as well") {
+TEST_CASE("any bytes are decoded without harm, also beyond their end") {
   Chance chance(7);
   for (int round = 0; round < 300; ++round) {
     Bytes bytes(chance.below(12));

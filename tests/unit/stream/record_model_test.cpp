@@ -1,4 +1,4 @@
-// The model of records: whatever is told in symbols comes back, at the ends of every range as well.
+// The model of records: all symbols are decoded unchanged, also at the ends of every range.
 #include <doctest/doctest.h>
 #include <discmc/stream/record_reading.hpp>
 #include <discmc/stream/record_writing.hpp>
@@ -83,7 +83,7 @@ struct Meter {
 
 }  // namespace
 
-TEST_CASE("rows of shares fill their table, and every symbol that there is has a share") {
+TEST_CASE("rows of shares fill their table, and every valid symbol has a share") {
   uint32_t at = 0;
   for (const reference::SymbolRows& rows : reference::symbol_rows()) {
     CAPTURE(rows.name);
@@ -110,7 +110,7 @@ TEST_CASE("the shares are those of version 1") {
 }
 
 // Golden files hold few far steps: a symbol beyond the first ones of a number is seen here.
-TEST_CASE("steps and lengths of every size are told as version 1 tells them") {
+TEST_CASE("steps and lengths of every size are encoded as in version 1") {
   Bytes bytes(UINT16_MAX);
   WritingModel model({RangeEncoder(bytes.data(), bytes.size())});
   for_each_incidence([&](Incidence incidence) {
@@ -137,7 +137,7 @@ TEST_CASE("steps and lengths of every size are told as version 1 tells them") {
   CHECK(crc32(bytes.data(), bytes.size()) == 0xDF237477);
 }
 
-TEST_CASE("small steps, and every direction after every other, are told as version 1 tells them") {
+TEST_CASE("small steps, and all pairs of directions, are encoded as in version 1") {
   Bytes bytes(UINT16_MAX);
   WritingModel model({RangeEncoder(bytes.data(), bytes.size())});
   for_each_incidence([&](Incidence incidence) {
@@ -165,7 +165,7 @@ TEST_CASE("small steps, and every direction after every other, are told as versi
   CHECK(crc32(bytes.data(), bytes.size()) == 0x60131C2C);
 }
 
-TEST_CASE("numbers come back: 0, around every power of two, 2^32 - 2") {
+TEST_CASE("numbers are decoded unchanged: 0, around every power of two, 2^32 - 2") {
   const std::vector<uint32_t> values = numbers();
   check_round_trip(
       [&](auto& model, bool writes) {
@@ -176,14 +176,14 @@ TEST_CASE("numbers come back: 0, around every power of two, 2^32 - 2") {
       Values(values.begin(), values.end()));
 }
 
-TEST_CASE("a number is one symbol and at most 37 bits, whatever they are") {
+TEST_CASE("a number needs one symbol and at most 37 bits") {
   uint32_t bits = 0;
   RecordModel<Ones> model(Ones{&bits});
   CHECK(model.plain_number(0) == UINT32_MAX - 1);
   CHECK(bits == 5 + 32);
 }
 
-TEST_CASE("lengths come back in every class of planes and along every direction") {
+TEST_CASE("lengths are decoded unchanged in every class of planes and along every direction") {
   const std::vector<uint32_t> values = numbers();
   for_each_incidence([&](Incidence incidence) {
     Values expected;
@@ -203,7 +203,7 @@ TEST_CASE("lengths come back in every class of planes and along every direction"
   });
 }
 
-TEST_CASE("even bits come back") {
+TEST_CASE("even bits are decoded unchanged") {
   const Values expected{0, 255, 0x5A, 0, 1, 0x7FFFFFFF, 0x89ABCDEF};
   check_round_trip(
       [&](auto& model, bool writes) {
@@ -217,7 +217,7 @@ TEST_CASE("even bits come back") {
 }
 
 // On edges of the same voxel and of another one, and in its middle.
-TEST_CASE("every incidence comes back after every other, at every kind of vertex") {
+TEST_CASE("all pairs of incidences are decoded unchanged at every kind of vertex") {
   const Vertex vertices[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {3, 0, 0}, {2, 1, 0}};
   Values expected;
   for_each_incidence([&](Incidence a) {
@@ -238,7 +238,7 @@ TEST_CASE("every incidence comes back after every other, at every kind of vertex
       expected);
 }
 
-TEST_CASE("starts anywhere on the lattice come back, near and at the ends of 32 bits") {
+TEST_CASE("starts anywhere on the lattice are decoded unchanged, also at the ends of 32 bits") {
   Chance chance(1);
   const std::vector<int32_t> some = coordinates();
   const auto any = [&](int32_t near) {
@@ -267,7 +267,7 @@ TEST_CASE("starts anywhere on the lattice come back, near and at the ends of 32 
       expected);
 }
 
-TEST_CASE("directions come back after every other direction, in every kind of chain") {
+TEST_CASE("all pairs of directions are decoded unchanged in every kind of chain") {
   for_each_incidence([&](Incidence incidence) {
     const uint32_t count = direction_count(incidence);
     for (const RecordKind kind :
@@ -299,7 +299,7 @@ TEST_CASE("directions come back after every other direction, in every kind of ch
   });
 }
 
-TEST_CASE("kinds come back, in whatever state of the packet") {
+TEST_CASE("kinds are decoded unchanged in every state of the packet") {
   constexpr uint32_t kinds = rows::of_kinds;
   Values expected;
   for (uint32_t a = 0; a < kinds; ++a)
@@ -316,7 +316,7 @@ TEST_CASE("kinds come back, in whatever state of the packet") {
       expected);
 }
 
-TEST_CASE("what a ring is told by comes back") {
+TEST_CASE("the symbols of a ring are decoded unchanged") {
   for_each_incidence([&](Incidence incidence) {
     const uint32_t link_class = class_of(incidence);
     Values expected;
@@ -347,7 +347,7 @@ TEST_CASE("what a ring is told by comes back") {
   });
 }
 
-TEST_CASE("what a part is of comes back") {
+TEST_CASE("the flags and incidence of a part are decoded unchanged") {
   Values expected;
   for (int64_t flags = 0; flags < 16; ++flags)
     expected.insert(expected.end(), {flags & 1, flags >> 1 & 1, flags >> 2 & 1, flags >> 3, 26});
@@ -369,8 +369,8 @@ TEST_CASE("what a part is of comes back") {
       expected);
 }
 
-// Backwards, a chain is told in the turns that it makes forwards.
-TEST_CASE("a chain told backwards costs about what it costs forwards") {
+// A chain coded backwards uses the turns that it makes forwards.
+TEST_CASE("a chain coded backwards costs about as much as forwards") {
   const auto cost = [](RecordKind kind, const std::vector<Direction>& directions) {
     double bits = 0;
     RecordModel<Meter> model(Meter{&bits});
@@ -387,8 +387,7 @@ TEST_CASE("a chain told backwards costs about what it costs forwards") {
   CHECK(cost(RecordKind::forwards, {0, 1, 2, 3}) < cost(RecordKind::forwards, {3, 2, 1, 0}));
 }
 
-TEST_CASE(
-    "a ring is closed by any two directions and lengths that lead back, and by nothing else") {
+TEST_CASE("a ring is closed exactly by two directions and lengths that lead back") {
   Chance chance(2);
   int closed = 0;
   for (uint32_t link_class = 0; link_class < 3; ++link_class) {
@@ -424,7 +423,7 @@ TEST_CASE(
   CHECK_FALSE(close_ring(plane_steps_of(2)[0], plane_steps_of(2)[2], {1, 2}).is_valid);
 }
 
-TEST_CASE("a way along a direction is one run, and any other way is none") {
+TEST_CASE("a way along a direction is a single run, and any other way is empty") {
   for (uint32_t link_class = 0; link_class < 3; ++link_class) {
     const uint32_t count = 4 + 2 * link_class;
     const PlaneStep* const steps = plane_steps_of(link_class);
@@ -444,7 +443,7 @@ TEST_CASE("a way along a direction is one run, and any other way is none") {
 }
 
 // What plane steps close, closes in space, and the other way around.
-TEST_CASE("steps of a plane add up as its links do") {
+TEST_CASE("steps of a plane add up like its links") {
   for_each_incidence([&](Incidence incidence) {
     const PlaneStep* const steps = plane_steps_of(class_of(incidence));
     const uint32_t count = direction_count(incidence);
@@ -461,7 +460,7 @@ TEST_CASE("steps of a plane add up as its links do") {
   });
 }
 
-TEST_CASE("a ring's first direction leads back, and is the first that does") {
+TEST_CASE("a ring's first direction leads back and is the first that does") {
   for_each_incidence([&](Incidence incidence) {
     const auto leads_back = [&](uint32_t direction) {
       const Vertex v = direction_vector(
@@ -474,7 +473,7 @@ TEST_CASE("a ring's first direction leads back, and is the first that does") {
   });
 }
 
-TEST_CASE("a ring that turns by a half is not told by its corners") {
+TEST_CASE("a ring with a half turn is not coded by its corners") {
   const auto corners = [](const std::vector<Direction>& directions) {
     std::vector<uint32_t> runs;
     for (const Direction direction : directions) runs.push_back(Run::straight(direction, 1).code());
@@ -486,8 +485,8 @@ TEST_CASE("a ring that turns by a half is not told by its corners") {
     CHECK(corners(half) == 0);
 }
 
-TEST_CASE("a fragment is told from its end where that costs less: a slice 64, a row 8, a voxel 1") {
-  // A fragment that begins and ends so many voxels from the vertex before.
+TEST_CASE("a fragment is coded from its nearer end, by cost: slice 64, row 8, voxel 1") {
+  // A fragment that begins and ends at given distances in voxels from the previous vertex.
   const auto is_nearer = [](Vertex start, Vertex end) {
     const Vertex before{1, 100, 100};
     Record record;
@@ -515,7 +514,7 @@ TEST_CASE("a fragment is told from its end where that costs less: a slice 64, a 
   CHECK(is_nearer({0, 1, 0}, {7, 0, 0}));
 }
 
-TEST_CASE("a part without a run is one that no reader takes") {
+TEST_CASE("a part without a run is refused by the reader") {
   Record record;
   record.begin(no_incidence);
   record.add_ring({1, 0, 0});

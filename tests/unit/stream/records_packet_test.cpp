@@ -131,12 +131,12 @@ Events regions_among(const Events& events) {
 
 }  // namespace
 
-TEST_CASE("packets of another encoder are sent as they are, numbered and counted") {
+TEST_CASE("packets of another encoder are sent unchanged, numbered and counted") {
   for (const Events& events : {monstrous_events(), small_regions(1000)})
     CHECK(appended(packets_of(events, false), events.back().event()) == encode(events));
 }
 
-TEST_CASE("packets of whole regions hold the same, and stand behind what there was before") {
+TEST_CASE("packets of whole regions are decoded unchanged after earlier records") {
   const Events before = Script().region(up).square({1, 0, 0}, 3).region_end().events;
   const Events regions = small_regions(1000);
   Events all = before;
@@ -148,7 +148,7 @@ TEST_CASE("packets of whole regions hold the same, and stand behind what there w
   CHECK_FALSE(received.report.is_mixed);
 }
 
-TEST_CASE("a decoder passes packets of whole regions on, and decodes all others") {
+TEST_CASE("a decoder passes packets of whole regions on and decodes all others") {
   const Events fragments = Script().fragment(up, {1, 0, 0}, 6).run(0, 5).fragment_end().events;
   const Events regions = small_regions(1000);
   const KeptPackets packets = packets_of(regions);
@@ -167,7 +167,7 @@ TEST_CASE("a decoder passes packets of whole regions on, and decodes all others"
   CHECK(regions_among(none.events) == regions_among(regions));
 }
 
-TEST_CASE("what is lost among packets that are passed on is counted") {
+TEST_CASE("a lost packet among passed-on packets is counted") {
   const Events regions = small_regions(1000);
   const KeptPackets packets = packets_of(regions);
   std::vector<Bytes> frames = frames_of(appended(packets, regions.back().event()));
@@ -206,7 +206,7 @@ TEST_CASE("a region that breaks off before a packet that is passed on is lost") 
   CHECK(cut.events.at(cut.events_before[0] - 1).is(Kind::lost));
 }
 
-TEST_CASE("a packet that says it holds whole regions, but not how many, is damaged") {
+TEST_CASE("a packet of whole regions without their number is damaged") {
   const Events regions = small_regions(4);
   std::vector<Bytes> frames = frames_of(appended(packets_of(regions), regions.back().event()));
   Packet packet = packet_of(frames[1]);
@@ -217,7 +217,7 @@ TEST_CASE("a packet that says it holds whole regions, but not how many, is damag
   CHECK(damaged.report.damaged_packets == 1);
 }
 
-TEST_CASE("a packet of another encoder that cannot be sent is refused") {
+TEST_CASE("an invalid packet of another encoder is refused") {
   const KeptPacket longest{Bytes(detail::wire::max_whole_regions), 0xFFFF, true};
   KeptPacket too_long = longest, too_many = longest;
   too_long.payload.push_back(0);

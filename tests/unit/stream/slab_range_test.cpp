@@ -15,7 +15,7 @@ bool equal(const SlabRange& a, const SlabRange& b) {
 
 }  // namespace
 
-TEST_CASE("the range of a slab is told in the bytes that the page of the stream has") {
+TEST_CASE("the bytes of a slab range are as documented") {
   const SlabRange range{0x01020304, 5, 0xFFFFFFFF};
   uint8_t bytes[SlabRange::record_bytes];
   const ApplicationRecord record = record_of(range, bytes);
@@ -32,7 +32,7 @@ TEST_CASE("the range of a slab is told in the bytes that the page of the stream 
   CHECK(equal(SlabRange{}, {0, 0, 0}));
 }
 
-TEST_CASE("what is no range of slices in a volume is refused, and nothing is written") {
+TEST_CASE("an invalid range of slices is refused and not stored") {
   const SlabRange before{7, 8, 90};
   SlabRange read = before;
   const auto refuses = [&](const SlabRange& range, uint8_t kind = SlabRange::record_kind,

@@ -1,5 +1,5 @@
-// Rows of bits against the definition: which bit stands for which voxel, copies and halo and all,
-// however the samples come, and what lies around a row while later ones overwrite the oldest.
+// Rows of bits against the definition: the bit of each voxel, its copies and the halo, for samples
+// in any portions. The rows around a row stay right while later rows overwrite the oldest.
 #include <doctest/doctest.h>
 #include <discmc/trace/bit_rows.hpp>
 
@@ -36,7 +36,7 @@ struct Rows : detail::trace::BitRows {
 };
 
 // Compares all bits of a row: bit i of word k is column 30k - 1 + i, and voxel x is column x + 1.
-// The first bit says whether any is on.
+// The first bit is set if any voxel is on.
 template <class IsOn>
 void check_row(const uint32_t* row, uint32_t width, IsOn is_on) {
   bool is_any_on = false;
@@ -95,7 +95,7 @@ constexpr int32_t thresholds_at_ends[] = {
 
 }  // namespace
 
-TEST_CASE("a word holds 30 columns and a copy of the one before and the one after") {
+TEST_CASE("a word contains 30 columns and copies of both neighbours") {
   const std::vector<uint8_t> on(90, 1);
   Rows rows({90, 1, Border::closed});
   rows.append(on.data(), 90, 1, 1);
@@ -106,7 +106,7 @@ TEST_CASE("a word holds 30 columns and a copy of the one before and the one afte
   CHECK(rows.memory[3] == 0x00000003);  // columns 89 and 90, then the halo
 }
 
-TEST_CASE("the rows around every row are those of the volume, halo and all") {
+TEST_CASE("the rows around every row are those of the volume, with the border") {
   for (const uint32_t width : boundary_widths)
     for (const uint32_t height : {1U, 2U, 3U, 5U}) {
       const BitVolume volume = reference::random({width, height, 5}, 128, width * 8 + height);
@@ -148,7 +148,7 @@ TEST_CASE("rows that have not arrived are off") {
   }
 }
 
-TEST_CASE("a row of the greatest width") {
+TEST_CASE("the widest row is stored unchanged") {
   constexpr uint32_t width = Limits::max_extent;
   std::mt19937 random(1);
   std::vector<uint16_t> samples(width);
@@ -185,7 +185,7 @@ TEST_CASE("a row may arrive in any portions") {
     }
 }
 
-TEST_CASE("a row of bits is the same as its samples") {
+TEST_CASE("a row of bits equals its samples") {
   for (const uint32_t width : boundary_widths) {
     const BitVolume volume = reference::random({width, 1, 1}, 128, width);
     std::vector<uint8_t> bits((width + 7) / 8, 0);
@@ -199,7 +199,9 @@ TEST_CASE("a row of bits is the same as its samples") {
   }
 }
 
-TEST_CASE("fill_off keeps what has come, repeat takes the row before, of the last slice too") {
+TEST_CASE(
+    "fill_off() keeps the samples so far, and repeat() copies the previous row, across slices "
+    "too") {
   for (const uint32_t width : boundary_widths) {
     BitVolume volume = reference::random({width, 2, 2}, 160, width);
     Rows rows({width, 2, Border::closed});
@@ -226,7 +228,7 @@ TEST_CASE("fill_off keeps what has come, repeat takes the row before, of the las
   }
 }
 
-TEST_CASE("the very first row repeats the nothing before it, after clear too") {
+TEST_CASE("the first row repeats an empty row, also after clear()") {
   const std::vector<uint8_t> on(40, 1);
   const BitVolume off({40, 2, 1});
   Rows rows({40, 2, Border::closed});
@@ -247,7 +249,7 @@ TEST_CASE("the very first row repeats the nothing before it, after clear too") {
   }
 }
 
-TEST_CASE("every sample of 8 bits compares with every threshold, whatever lies beside it") {
+TEST_CASE("every 8-bit sample compares correctly with every threshold beside any neighbours") {
   for (int32_t threshold = -1; threshold <= 257; ++threshold)
     for (uint32_t lane = 0; lane < 4; ++lane)
       for (const uint8_t beside : {uint8_t{0}, uint8_t{255}}) {
@@ -271,8 +273,8 @@ TEST_CASE_TEMPLATE("samples of 16 bits compare with the thresholds at the ends o
         }
 }
 
-TEST_CASE_TEMPLATE("a row of equal samples is on as a whole or off as a whole", Sample, uint8_t,
-                   uint16_t, int16_t) {
+TEST_CASE_TEMPLATE("a row of equal samples is all on or all off", Sample, uint8_t, uint16_t,
+                   int16_t) {
   for (int32_t threshold = -1; threshold <= 257; ++threshold)
     for (int32_t value = 0; value < 256; ++value)
       check_comparison(std::vector<Sample>(64, static_cast<Sample>(value)), threshold);
@@ -281,7 +283,7 @@ TEST_CASE_TEMPLATE("a row of equal samples is on as a whole or off as a whole", 
       check_comparison(std::vector<Sample>(64, static_cast<Sample>(value)), threshold);
 }
 
-TEST_CASE_TEMPLATE("samples may lie anywhere in memory and go anywhere in a row", Sample, uint8_t,
+TEST_CASE_TEMPLATE("samples may have any address and start at any column", Sample, uint8_t,
                    uint16_t, int16_t) {
   constexpr uint32_t width = 200;
   std::mt19937 random(1);
@@ -316,7 +318,7 @@ TEST_CASE_TEMPLATE("samples may lie anywhere in memory and go anywhere in a row"
         }
 }
 
-TEST_CASE_TEMPLATE("a row ends where its samples do, though others that are off follow", Sample,
+TEST_CASE_TEMPLATE("a row ends at its last sample, even if samples that are off follow", Sample,
                    uint8_t, uint16_t, int16_t) {
   constexpr uint32_t width = 150;
   const std::vector<Sample> samples(2 * width, Sample{0});
@@ -327,7 +329,7 @@ TEST_CASE_TEMPLATE("a row ends where its samples do, though others that are off 
   }
 }
 
-TEST_CASE("a row is written as the bits that it was made of, and those beyond it are off") {
+TEST_CASE("a row is written as its bits, and the bits beyond its width are off") {
   for (const uint32_t width : boundary_widths) {
     CAPTURE(width);
     const Limits limits{width, 2, Border::closed};
@@ -349,7 +351,7 @@ TEST_CASE("a row is written as the bits that it was made of, and those beyond it
   }
 }
 
-TEST_CASE_TEMPLATE("one sample that is on is found in a short row, whatever lies before the row",
+TEST_CASE_TEMPLATE("a single sample that is on is found in a short row, whatever precedes the row",
                    Sample, uint8_t, uint16_t, int16_t) {
   constexpr uint32_t width = 31;
   for (uint32_t place = 0; place < width; ++place) {

@@ -92,7 +92,7 @@ TEST_CASE("extractors without borders, slabs or counts send the events of one wi
     }
 }
 
-TEST_CASE("without counts a scan has no cells, facets and triangles, and all other totals") {
+TEST_CASE("a scan without counts has no totals of cells, facets and triangles, but all others") {
   const BitVolume volume = random({20, 20, 9}, 100, 3);
   const Events events = events_of<WithoutCounts>(volume, ample);
   const Events all = events_of<AllFeatures>(volume, ample);
@@ -101,7 +101,7 @@ TEST_CASE("without counts a scan has no cells, facets and triangles, and all oth
   CHECK(counts(*events.back().event().statistics) == counts(expected));
 }
 
-TEST_CASE("holes that do not wait are loose rings, and a joiner gives them back to their regions") {
+TEST_CASE("holes that do not wait are sent as loose rings, and a joiner assigns them to regions") {
   size_t holes = 0;
   for (const BitVolume& volume : volumes())
     for (const uint32_t slots : {ample.slots, some_slots}) {

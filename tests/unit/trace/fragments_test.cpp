@@ -20,7 +20,7 @@ Statistics scanned(const BitVolume& volume, uint32_t slots) {
 
 }  // namespace
 
-TEST_CASE("a side is cut when its ends are 4,080 places apart, whichever comes first") {
+TEST_CASE("a side is cut if its ends are 4,080 places apart, in either order") {
   constexpr detail::trace::Place places = 1U << detail::trace::place_bits;
   for (const detail::trace::Place from : {0U, 5U, 4100U, 8191U})
     for (detail::trace::Place distance = 0; distance < 4100; ++distance) {
@@ -30,13 +30,13 @@ TEST_CASE("a side is cut when its ends are 4,080 places apart, whichever comes f
     }
 }
 
-TEST_CASE("while a thousand slots are left nothing goes out loose, however long a ring is") {
+TEST_CASE("a ring of any length stays whole while a thousand slots are left") {
   CHECK(scanned(spiral({200, 200, 1}), 2700).fragments == 0);
   CHECK(scanned(spiral({120, 120, 1}), 1778).fragments == 0);
   CHECK(scanned(spiral({120, 120, 1}), 1777).fragments > 0);
 }
 
-TEST_CASE("with so few slots so many regions stay whole") {
+TEST_CASE("the number of whole regions for a given number of slots is unchanged") {
   struct Known {
     uint32_t slots;
     uint64_t regions, fragments;

@@ -15,8 +15,8 @@ using namespace discmc::reference;
 
 namespace {
 
-// What lies on one side of a plane, but for some voxels: so the plane has rings and holes of many
-// shapes, rings within holes, and many a ring beside others.
+// The voxels on one side of a plane, except for some. The plane then has rings and holes of many
+// shapes, rings within holes, and rings beside others.
 BitVolume half_space(Size size, const Vertex& n, uint32_t noise, uint64_t seed) {
   BitVolume volume = random(size, noise, seed);
   const auto middle = [](uint32_t extent) { return static_cast<int32_t>(extent / 2); };
@@ -39,7 +39,7 @@ std::string unlike_with_either(const BitVolume& volume) {
 
 }  // namespace
 
-TEST_CASE("in planes of every direction a hole goes to the ring around it") {
+TEST_CASE("a hole is assigned to the ring around it in planes of every direction") {
   uint64_t holes = 0;
   for (Incidence incidence = 0; incidence < incidence_codes; ++incidence) {
     if (incidence == no_incidence) continue;
@@ -55,7 +55,7 @@ TEST_CASE("in planes of every direction a hole goes to the ring around it") {
   CHECK(holes > 200);
 }
 
-TEST_CASE("a hole goes to the ring around it, not to one whose oblique side passes close by") {
+TEST_CASE("a hole is assigned to the ring around it, not to a ring with an oblique side close by") {
   struct Known {
     Size size;
     Incidence incidence;
@@ -86,7 +86,7 @@ TEST_CASE("a hole goes to its own ring, although a corner of another is on its l
   CHECK(unlike_with_either(volume) == "");
 }
 
-TEST_CASE("a hole goes to its own ring, whatever its slot has been used for") {
+TEST_CASE("a hole is assigned to its own ring, even if its slot is reused") {
   // Behind noise, pairs of plates side by side, of which one closes while the other's hole waits.
   const BitVolume noise = random({40, 36, 2}, 128, 8);
   BitVolume volume({40, 36, 5});
@@ -101,8 +101,8 @@ TEST_CASE("a hole goes to its own ring, whatever its slot has been used for") {
   CHECK(unlike_with_either(volume) == "");
 }
 
-TEST_CASE_TEMPLATE("a hole is found by its plane, and when no ring comes, at last", Index, uint16_t,
-                   uint32_t) {
+TEST_CASE_TEMPLATE("a hole is found by its plane, and at the end if no ring encloses it", Index,
+                   uint16_t, uint32_t) {
   using Holes = detail::trace::Holes<Index, NoNormal>;
   typename Holes::Slots slots;
   detail::trace::Slot<Index, NoNormal> memory[300];
@@ -166,7 +166,7 @@ TEST_CASE("a hole in a tree keeps its plane, its first direction and a note") {
       }
 }
 
-TEST_CASE("of many holes on a plane each ring takes its own") {
+TEST_CASE("each ring on a plane takes its own holes from many") {
   // A plate with holes, islands in the holes, holes in the islands; slots at an angle across it,
   // with thin islands in them; and teeth along two of its sides.
   BitVolume plate({61, 47, 3});
@@ -190,8 +190,8 @@ TEST_CASE("of many holes on a plane each ring takes its own") {
   CHECK(unlike_with_either(upright) == "");
 }
 
-TEST_CASE_TEMPLATE("the peak counts the holes that waited at once, and begins anew with a scan",
-                   Index, uint16_t, uint32_t) {
+TEST_CASE_TEMPLATE("the peak counts the holes that wait at once, and each scan resets it", Index,
+                   uint16_t, uint32_t) {
   // Three holes in each of two faces of a plate.
   BitVolume plate = box({13, 7, 3}, {0, 0, 1}, {12, 6, 1});
   for (const int64_t x : {2, 6, 10}) plate.on[plate.index(x, 2, 1)] = 0;
@@ -218,7 +218,7 @@ TEST_CASE_TEMPLATE("the peak counts the holes that waited at once, and begins an
   CHECK(extractor.peaks().slots == slots);
 }
 
-TEST_CASE("however few slots or holes there may be, the rings of a sieve are the same") {
+TEST_CASE("the rings of a sieve do not depend on the number of slots or holes") {
   BitVolume sieve({9, 9, 3});
   for (int64_t y = 0; y < 9; ++y)
     for (int64_t x = 0; x < 9; ++x) sieve.on[sieve.index(x, y, 1)] = x % 3 != 1 || y % 2 != 1;
@@ -233,7 +233,7 @@ TEST_CASE("however few slots or holes there may be, the rings of a sieve are the
     }
 }
 
-TEST_CASE("a hole that goes out loose goes before the last piece of the ring around it") {
+TEST_CASE("a loose hole is sent before the last piece of the ring around it") {
   BitVolume volume = random({12, 14, 2}, 36, 11999326367699514143U);
   for (uint8_t& voxel : volume.on) voxel ^= 1;
   const std::vector<Region> merged = merge(volume, true);
@@ -282,7 +282,7 @@ Events slab_events(const BitVolume& volume, const Slab& slab, const Capacities& 
 
 }  // namespace
 
-TEST_CASE("a hole whose ring has gone out loose before it follows at the end of its slab") {
+TEST_CASE("a hole whose ring was sent loose before it follows at the end of the slab") {
   const BitVolume volume = half_space({15, 11, 4}, incidence_normal(18), 27, 1079688895);
   BitVolume upper({15, 11, 2});
   std::copy_n(&volume.on[volume.index(0, 0, 2)], upper.voxels(), upper.on.begin());

@@ -40,7 +40,7 @@ class Ends {
     if (end != no_slot) pool_.give(end);
     return end;
   }
-  // How many that were lost come out, before one that was not or at most so many.
+  // Pops lost ends up to the first other end, at most `most`. Returns their number.
   uint32_t pop_lost(uint32_t most) {
     uint32_t count = 0;
     while (count < most && queues_.pop(pool_, number) == no_slot) ++count;
@@ -58,7 +58,7 @@ class Ends {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("lost ends keep their places among others", Index, uint16_t, uint32_t) {
+TEST_CASE_TEMPLATE("lost ends keep their places among other ends", Index, uint16_t, uint32_t) {
   // More than two bytes count.
   for (const uint32_t many : {1U, 2U, 0xFFFFU, 0x10000U, 0x30001U}) {
     CAPTURE(many);
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("lost ends keep their places among others", Index, uint16_t, 
 }
 
 // Room for a batch of edges in every queue rests on it.
-TEST_CASE("no vertex has two passes that come, or two that go, by one queue") {
+TEST_CASE("each queue of a vertex has at most one incoming and one outgoing pass") {
   uint32_t most = 0, recurrences = 0;
   for (int axis = 0; axis < 3; ++axis)
     for (const bool is_on : {false, true})

@@ -71,8 +71,7 @@ List list_of(Pooled& pooled, uint32_t appended, uint32_t prepended) {
 
 }  // namespace
 
-TEST_CASE(
-    "runs that are put before others and behind them, and lists that are joined, keep order") {
+TEST_CASE("prepended and appended runs and joined lists keep their order") {
   for (uint32_t n = 0; n < 6 * 6 * 6 * 6; ++n) {
     Pooled pooled;
     List list = list_of(pooled, n % 6, n / 6 % 6);
@@ -87,7 +86,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a list has a slot for three runs that are put behind one another") {
+TEST_CASE("a slot stores three consecutive runs") {
   Pooled pooled;
   (void)list_of(pooled, 30, 0);
   CHECK(pooled.slots.in_use() == 10);
@@ -95,7 +94,7 @@ TEST_CASE("a list has a slot for three runs that are put behind one another") {
   CHECK(pooled.slots.in_use() == 20);
 }
 
-TEST_CASE("a list that is given back leaves nothing in use") {
+TEST_CASE("a released list leaves no slot in use") {
   for (uint32_t runs = 1; runs < 20; ++runs) {
     Pooled pooled;
     const List kept = list_of(pooled, 4, 0);
@@ -106,7 +105,7 @@ TEST_CASE("a list that is given back leaves nothing in use") {
   }
 }
 
-TEST_CASE("the slots of a list are counted as far as they are asked for") {
+TEST_CASE("the slots of a list are counted up to the requested number") {
   Pooled pooled;
   CHECK(Lists::slots_up_to(pooled.slots, no_slot, 5) == 0);
   for (const uint32_t slots : {1U, 2U, 7U}) {

@@ -21,7 +21,7 @@ bool adds_up(uint64_t sum, uint64_t whole, size_t slabs) {
 
 }  // namespace
 
-TEST_CASE("slabs join to the whole, and their counts add up to its, but for one a seam") {
+TEST_CASE("slabs join to the whole, and their counts add up except at seams") {
   for (uint64_t seed = 0; seed < 12; ++seed) {
     const BitVolume volume = random({9, 8, 6}, 20 + 18 * static_cast<uint32_t>(seed), seed);
     for (const Border border : {Border::closed, Border::open})
@@ -45,7 +45,7 @@ TEST_CASE("slabs join to the whole, and their counts add up to its, but for one 
   }
 }
 
-TEST_CASE("a slab without a slice of its own has no surface, however full its context is") {
+TEST_CASE("a slab without its own slice has no surface, for any context") {
   struct Place {  // the layer below the first slice of a closed border is not at a seam
     Border border;
     bool continues_below;
@@ -72,7 +72,7 @@ TEST_CASE("a slab without a slice of its own has no surface, however full its co
     }
 }
 
-TEST_CASE_TEMPLATE("a slab accepts all slices up to the last number, and no more", Scanner,
+TEST_CASE_TEMPLATE("a slab accepts slices up to the last number and refuses further ones", Scanner,
                    Extractor16, Extractor32, NormalExtractor16<uint8_t>, HostExtractor) {
   constexpr uint32_t slice = 3 * 2, own = 3;
   const std::vector<uint8_t> slices((own + 2) * slice, 1);

@@ -1,5 +1,5 @@
-// The derivation of the tracer's tables, which the compiler does, done once more at run time: so it
-// is the same wherever it is done, and the coverage of its source can be told.
+// The tracer's tables, which the compiler derives, derived again at run time. Both must be equal,
+// and the coverage of the source can be measured.
 //
 // The source is compiled in here; the library's object of it is then not linked.
 #include <discmc/trace/sector_table.cpp>
@@ -15,7 +15,7 @@
 namespace discmc::detail::trace {
 namespace {
 
-TEST_CASE("the table of sectors is right when it is derived at run time") {
+TEST_CASE("the sector table derived at run time is right") {
   SectorTable table{};
   table = derive::sector_table();  // what is initialised the compiler would work out
   CHECK(reference::broken(table) == nullptr);
@@ -27,20 +27,20 @@ TEST_CASE("the table of sectors is right when it is derived at run time") {
   CHECK(memcmp(table.part, sector_table.part, sizeof table.part) == 0);
 }
 
-TEST_CASE("the lines of a row are the same when they are derived at run time") {
+TEST_CASE("row lines derived at run time equal those of the compiler") {
   LineBits bits{};
   bits = derive::line_bits(6, 8, 2);
   for (int row = 0; row < 8; ++row) CHECK(bits.of[row] == lines_of_y[1].of[row]);
   CHECK(bits.of[7] == (1 << 12 | 1 << 4));
 }
 
-TEST_CASE("the steps of links are the same when they are derived at run time") {
+TEST_CASE("link steps derived at run time equal those of the compiler") {
   LinkSteps again{};
   again = derive::link_steps();
   CHECK(memcmp(&again, &link_steps, sizeof again) == 0);  // there are no gaps
 }
 
-TEST_CASE("the edges of a cell have the same numbers when they are derived at run time") {
+TEST_CASE("cell edge numbers derived at run time equal those of the compiler") {
   derive::EdgeNumbers again{};
   again = derive::number_edges();
   for (int i = 0; i < cell_edges; ++i) {

@@ -1,4 +1,4 @@
-// Ends after one loop(); the LED tells how it went.
+// Ends after one loop(); the LED shows the result.
 #include <sdk.h>
 
 #include "Arduino.h"
