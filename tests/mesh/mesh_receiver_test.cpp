@@ -217,7 +217,7 @@ TEST_CASE("a push without bytes keeps the mesh of the scan that has ended") {
   check_complete(receiver);
 }
 
-TEST_CASE("a receiver that was moved from says so, and one that was moved to goes on") {
+TEST_CASE("a moved-from receiver throws, and the moved-to receiver continues") {
   const Bytes bytes = region_stream();
   MeshReceiver receiver;
   CHECK(receiver.push(bytes.data(), bytes.size() / 2) == bytes.size() / 2);

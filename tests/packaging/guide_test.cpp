@@ -76,7 +76,7 @@ Bytes stream_of(Ball ball) {
   return bytes;
 }
 
-// Of docs/quick-start.md.
+// From docs/quick-start.md.
 constexpr KeySlices key_slices{16};
 SliceEncoder slice_encoder;
 uint8_t slice_memory[SliceEncoder::minimum_bytes(limits, key_slices)];

@@ -56,10 +56,10 @@ class RingSide {
   /// The lines that it crosses: from the first one on, those before the end.
   int64_t first_line() const { return first_line_; }
   int64_t end_line() const { return end_line_; }
-  /// Where it crosses one of them.
+  /// Its position on a line.
   int64_t crossing(int64_t line) const { return on_line_0_ + slope_ * line; }
-  /// Where it is half an eighth above a line, in sixteenths of a half-step: there two sides that
-  /// meet on the line are apart.
+  /// Its position half an eighth above a line, where two sides that meet on the line are apart.
+  /// Units: sixteenths of a half-step.
   int64_t crossing_above(int64_t line) const { return 2 * crossing(line) + slope_; }
   /// Whether it is crossed towards larger u from its right to its left: into an outer ring, and out
   /// of a hole.

@@ -20,11 +20,12 @@ struct Decimation {
 };
 
 /// Collapses edges in the order of their costs while a bound of the distance grows by steps of the
-/// root of 2, from 1/20 of a voxel. The last step is at most max_error_mm. More triangles than asked for are left if each further collapse would remove a body, a
-/// cavity or a handle, or let triangles go through each other or turn over. A closed mesh stays
-/// closed, each body keeps its volume, and triangles go through each other only where they did. The
-/// border of an open mesh loses vertices, but no vertex of a border moves. Vertices get new places.
-/// Limit: triangles. check: called now and then; what it throws ends the call. Time: n log n.
+/// root of 2, from 1/20 of a voxel. The last step is at most max_error_mm. More triangles than
+/// asked for are left if each further collapse would remove a body, a cavity or a handle, or let
+/// triangles go through each other or turn over. A closed mesh stays closed, each body keeps its
+/// volume, and triangles go through each other only where they did. The border of an open mesh
+/// loses vertices, but no vertex of a border moves. Vertices get new places. Limit: triangles.
+/// check: called now and then; what it throws ends the call. Time: n log n.
 void decimate(FaceMesh& mesh, const Decimation& decimation,
               const std::function<void()>& check = {});
 

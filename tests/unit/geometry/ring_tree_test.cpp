@@ -92,7 +92,7 @@ Ring any_ring(Chance& chance) {
   return ring;
 }
 
-// The tree's links are its own, so they may change. To touch number 0 fails, as no ring has it.
+// The tree's links are its own, so they may change. Access to number 0 fails, as no ring has it.
 struct Rings {
   std::vector<Ring> ring{1};
   mutable std::map<uint32_t, std::pair<uint32_t, uint32_t>> links;

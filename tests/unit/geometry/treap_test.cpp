@@ -14,7 +14,7 @@ using test::Chance;
 
 namespace {
 
-// Nodes 1, 1 + stride and so on, sorted by their keys. To touch no_slot fails.
+// Nodes 1, 1 + stride and so on, sorted by their keys. Access to no_slot fails.
 class Nodes {
  public:
   explicit Nodes(std::vector<int32_t> keys, uint32_t stride = 1)
@@ -57,7 +57,7 @@ std::vector<int32_t> shuffled_keys(uint32_t count, Chance& chance) {
 
 }  // namespace
 
-TEST_CASE("whatever is inserted and removed, a treap finds what a sorted list does") {
+TEST_CASE("after any insertions and removals, a treap finds what a sorted list does") {
   Chance chance(1);
   const Nodes nodes(shuffled_keys(60, chance));
   Tree tree;
