@@ -142,7 +142,7 @@ TEST_CASE("records, outputs and further scans are as in C++") {
 
   for (const bool drops : {true, false}) {
     discmc_encoder_set_output(
-        stream.encoder, drops ? discmc_byte_output{nullptr, nullptr} : in_c(other_line.output()));
+        stream.encoder, drops ? discmc_byte_output{} : in_c(other_line.output()));
     encoder.set_output(drops ? ByteOutput{} : other_cpp_line.output());
     take_all(stream.encoder, events(), drops ? 0 : 1000, drops ? 1000 : events().size());
     test::take_all(encoder, Events(events().begin() + (drops ? 0 : 1000),

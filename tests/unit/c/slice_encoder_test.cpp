@@ -172,7 +172,7 @@ TEST_CASE("a slice encoder in C drops its stream and is abandoned as in C++") {
   const auto samples = make_samples<uint8_t>();
   for (uint32_t row = 0; row < lost_row; ++row) {
     if (row == 10) {
-      discmc_slice_encoder_set_output(scan.encoder, {nullptr, nullptr});
+      discmc_slice_encoder_set_output(scan.encoder, {});
       encoder.set_output({});
     }
     if (row == 20) {
