@@ -15,7 +15,7 @@
 namespace {
 
 using discmc::RowEvent;
-namespace slices = discmc::slices;
+namespace slices = discmc::detail::slices;
 
 using Counts = std::array<std::array<double, 2>, detail::slices::context::count>;
 
