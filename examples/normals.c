@@ -41,7 +41,7 @@ static size_t write_all(void* context, const uint8_t* bytes, size_t count) {
 }
 
 int main(void) {
-  const discmc_byte_output output = {NULL, write_all};
+  const discmc_byte_output output = {.write = write_all};
   int good = start(output) == DISCMC_OK;
   int32_t i, x;
   for (i = 0; good && i < SIZE * SIZE; ++i) {

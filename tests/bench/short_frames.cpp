@@ -126,7 +126,7 @@ int main(int argc, char** argv) try {
   std::printf(
       "| max_frame | bytes, regions | polygons lost, %% | bytes, slices | rows lost, %% |\n");
   std::printf("|--:|--:|--:|--:|--:|\n");
-  for (const uint16_t max_frame : {256, 128, 96, 64, 48}) {
+  for (const uint16_t max_frame : std::initializer_list<uint16_t>{256, 128, 96, 64, 48}) {
     Bytes regions, slices;
     const std::string path = file.substr(0, colon);
     with_scanner_type(open_volume(path)->info().type, [&](auto type) {

@@ -17,7 +17,7 @@ namespace {
 using discmc::RowEvent;
 namespace slices = discmc::detail::slices;
 
-using Counts = std::array<std::array<double, 2>, detail::slices::context::count>;
+using Counts = std::array<std::array<double, 2>, slices::context::count>;
 
 // A model that counts: its probabilities stand for their contexts.
 struct CountingCoder {
@@ -33,17 +33,17 @@ struct CountingCoder {
 // Tells rows as they come, as those of one kind of slice.
 class Trainer {
  public:
-  Trainer(const discmc::Limits& limits, detail::slices::SliceKind kind)
+  Trainer(const discmc::Limits& limits, slices::SliceKind kind)
       : limits_(limits), kind_(kind), memory_(discmc::SliceDecoder::minimum_bytes(limits)) {
     discmc::Arena arena({memory_.data(), memory_.size()});
-    rows_.start(arena, limits, detail::slices::rows_kept(limits.height, false));
+    rows_.start(arena, limits, slices::rows_kept(limits.height, false));
     rows_.clear();
     model_.start(arena, false);
   }
 
   void take(const uint8_t* bits) {
     rows_.append_bits(bits);
-    if (kind_ == detail::slices::SliceKind::key || rows_.slices() > 0) count();
+    if (kind_ == slices::SliceKind::key || rows_.slices() > 0) count();
     rows_.next_row();
     if (rows_.rows() == limits_.height) rows_.next_slice();
   }
@@ -52,17 +52,16 @@ class Trainer {
  private:
   void count() {
     CountingCoder coder{&model_[0], &counts_};
-    detail::slices::RowCode row;
-    row.begin(rows_.arriving(), detail::slices::rows_before(rows_, limits_.height, kind_),
-              limits_.width);
+    slices::RowCode row;
+    row.begin(rows_.arriving(), slices::rows_before(rows_, limits_.height, kind_), limits_.width);
     while (!row.is_done()) row.step(coder, model_);
   }
 
   discmc::Limits limits_;
-  detail::slices::SliceKind kind_;
+  slices::SliceKind kind_;
   std::vector<uint8_t> memory_;
   discmc::detail::trace::BitRows rows_;
-  detail::slices::SliceModel model_;
+  slices::SliceModel model_;
   Counts counts_{};
 };
 
@@ -92,7 +91,7 @@ bool read_stream(const char* path, RowCollector& collector, discmc::Limits& limi
 
 void print(const char* name, const Counts& shares) {
   std::printf("    {  // %s\n", name);
-  for (size_t context = detail::slices::context::run; context < shares.size(); ++context) {
+  for (size_t context = slices::context::run; context < shares.size(); ++context) {
     const auto& share = shares[context];
     const double one = (share[1] + 1) / (share[0] + share[1] + 2);
     std::printf("%d, ", std::clamp(static_cast<int>(std::floor(256 * one)), 0, 255));
@@ -107,7 +106,7 @@ int main(int argument_count, char** arguments) {
     std::fprintf(stderr, "usage: train_slice_model STREAM.dmc...\n");
     return 2;
   }
-  for (const auto kind : {detail::slices::SliceKind::key, detail::slices::SliceKind::follows}) {
+  for (const auto kind : {slices::SliceKind::key, slices::SliceKind::follows}) {
     Counts shares{};
     for (int i = 1; i < argument_count; ++i) {
       RowCollector collector;
@@ -125,7 +124,7 @@ int main(int argument_count, char** arguments) {
         for (size_t bit = 0; bit < 2; ++bit)
           shares[context][bit] += trainer.counts()[context][bit] * decisions / all;
     }
-    print(kind == detail::slices::SliceKind::key ? "of key slices" : "of slices that follow others",
+    print(kind == slices::SliceKind::key ? "of key slices" : "of slices that follow others",
           shares);
   }
   return 0;

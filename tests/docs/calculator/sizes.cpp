@@ -2,7 +2,7 @@
 // then what calculator.js works out.
 #include <cstdint>
 #include <cstdio>
-#include <discmc/capacities.hpp>
+#include <discmc/extractor.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <initializer_list>
 
@@ -12,15 +12,15 @@ namespace {
 
 template <class Index>
 void print(const Limits& limits, std::uint64_t memory) {
-  const Capacities capacities = Extractor<Index>::default_capacities(limits, memory);
+  const Capacities capacities = discmc::Extractor<Index>::default_capacities(limits, memory);
   const std::uint64_t sizes[] = {limits.width,
                                  limits.height,
                                  memory,
                                  sizeof(Index),
-                                 Extractor<Index>::minimum_bytes(limits),
+                                 discmc::Extractor<Index>::minimum_bytes(limits),
                                  capacities.slots,
                                  capacities.holes,
-                                 Extractor<Index>::bytes_for(limits, capacities),
+                                 discmc::Extractor<Index>::bytes_for(limits, capacities),
                                  SliceEncoder::minimum_bytes(limits, {16}),
                                  SliceEncoder::minimum_bytes(limits, {1})};
   for (const std::uint64_t size : sizes)

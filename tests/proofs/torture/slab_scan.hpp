@@ -62,7 +62,7 @@ class SlabScan {
 
  private:
   Limits limits() const { return volume_.limits_of_slab(plan_.first, plan_.end); }
-  uint64_t bytes() const { return Extractor<Index>::bytes_for(limits(), plan_.capacities); }
+  uint64_t bytes() const { return Extractor::bytes_for(limits(), plan_.capacities); }
 
   static Extractor& extractor(uint32_t number) {
     static Extractor extractors[2];
