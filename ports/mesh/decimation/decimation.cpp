@@ -49,11 +49,11 @@ DecimatedSurface decimated(const FaceMesh& mesh, const Decimation& decimation,
   const OriginalSurface original(mesh.vertices_mm, triangles_of(mesh));
   DecimatedSurface surface{
       mesh.vertices_mm, triangles_of(mesh), {mesh.vertices_mm.size(), mesh.face_count()}};
-  const double farthest = extent(mesh.vertices_mm);
+  const double beyond_all = extent(mesh.vertices_mm);
   const double last =
-      decimation.max_error_mm > 0 ? std::min(decimation.max_error_mm, farthest) : farthest;
+      decimation.max_error_mm > 0 ? std::min(decimation.max_error_mm, beyond_all) : beyond_all;
   double distance =
-      std::min(std::max(first_distance * least_spacing(mesh), least_part * farthest), last);
+      std::min(std::max(first_distance * least_spacing(mesh), least_part * beyond_all), last);
   for (; distance <= last && surface.triangles.size() > decimation.triangles; distance *= ramp) {
     DecimationStep step(surface, original, distance, decimation.triangles, check);
     step.collapse_in_blocks();
