@@ -56,7 +56,7 @@ class Receiver {
   /// push the remaining bytes, which begin the next scan. A scan is over after its trailer. If its
   /// trailer is lost, it is over when a packet with another scan number arrives, and has no
   /// `finish` event. Packets of a scan that is over, such as those that a device repeats after a
-  /// power failure, are ignored.
+  /// power failure, are ignored until a stream begins anew.
   ///
   /// Status::suspended: the sink is busy, or more than max_skipped_rows lost rows are to be
   /// skipped. Errors: not_started; bad_sink (the sink has not started); wrong_version (no byte is

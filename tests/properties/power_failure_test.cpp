@@ -362,20 +362,24 @@ bool run(Device& device, Power& power, Radio& radio, Flash& flash) {
   return continues;
 }
 
-/// The events of the only scan that a receiver of a channel reports.
-Events events_on(uint8_t channel, const Bytes& received) {
+/// The events of each scan that a receiver of a channel reports.
+std::vector<Events> scans_on(uint8_t channel, const Bytes& received) {
+  std::vector<Events> scans;
   EventLog log;
   Bytes memory(Receiver::minimum_bytes(limits, 2) + 20000);
   Receiver receiver;
   reference::require_ok(receiver.start({memory.data(), memory.size()}, make_sink(log), channel));
-  const Decoded scan = receiver.push(received.data(), received.size());
-  REQUIRE(scan.status == Status::finished);
-  REQUIRE(receiver.report().has_trailer);
-  REQUIRE(receiver.report().lost_packets == 0);
-  const Decoded rest = receiver.push(received.data() + scan.bytes, received.size() - scan.bytes);
-  REQUIRE(rest.status == Status::ok);
+  for (size_t at = 0;;) {
+    const Decoded decoded = receiver.push(received.data() + at, received.size() - at);
+    at += decoded.bytes;
+    if (decoded.status != Status::finished) break;
+    REQUIRE(receiver.report().has_trailer);
+    REQUIRE(receiver.report().lost_packets == 0);
+    scans.push_back(std::move(log.events));
+    log.events.clear();
+  }
   REQUIRE_FALSE(receiver.report().has_header);
-  return log.events;
+  return scans;
 }
 
 template <class AnyDevice>
@@ -388,7 +392,7 @@ void check_every_failure(uint8_t surfaces, uint32_t stride) {
     run(*std::make_unique<AnyDevice>(), whole_power, whole, whole_flash);
     std::vector<Events> expected;
     for (uint8_t channel = 0; channel < surfaces; ++channel)
-      expected.push_back(events_on(channel, whole.received));
+      expected.push_back(scans_on(channel, whole.received).at(0));
     uint32_t continued = 0;
     for (uint64_t cut = 1; cut <= whole_power.events; cut += stride) {
       CAPTURE(cut);
@@ -401,8 +405,12 @@ void check_every_failure(uint8_t surfaces, uint32_t stride) {
       flash.power_on();
       radio.received.push_back(0);
       if (run(*std::make_unique<AnyDevice>(), power, radio, flash)) ++continued;
-      for (uint8_t channel = 0; channel < surfaces; ++channel)
-        REQUIRE(events_on(channel, radio.received) == expected[channel]);
+      // A failure after the end begins another scan, which is the same.
+      for (uint8_t channel = 0; channel < surfaces; ++channel) {
+        const std::vector<Events> scans = scans_on(channel, radio.received);
+        REQUIRE((scans.size() == 1 || scans.size() == 2));
+        for (const Events& scan : scans) REQUIRE(scan == expected[channel]);
+      }
       REQUIRE_FALSE(flash.has_broken_rules());
       // The scan is finished: the next power-on begins another.
       REQUIRE_FALSE(run(*std::make_unique<AnyDevice>(), power, radio, flash));

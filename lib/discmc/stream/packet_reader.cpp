@@ -35,6 +35,13 @@ HeaderPacket parse_header(detail::wire::ByteReader& reader, uint32_t tag) {
   return packet;
 }
 
+// Whether a header is the first packet of its stream.
+bool begins_stream(const uint8_t* payload, size_t bytes) {
+  constexpr size_t packets_before = detail::wire::header_payload - 8 - 4;
+  return bytes >= detail::wire::header_payload &&
+         detail::wire::ByteReader(payload + packets_before, 4).get(4) == 0;
+}
+
 }  // namespace
 
 void PacketReader::start(uint8_t channel) {
@@ -115,6 +122,9 @@ PacketReader::Completed PacketReader::open_packet(size_t bytes) {
   payload_bytes_ = checked - packet_tag - packet_head;
   const PacketKind kind = static_cast<PacketKind>(packet[0]);
   const auto tag = static_cast<uint32_t>(ByteReader(packet + checked - packet_tag, 3).get(3));
+  // A stream that begins is no repetition, even if it has the number of the scan before.
+  if (kind == PacketKind::header && begins_stream(payload(), payload_bytes_))
+    has_ended_tag_ = has_ended_tag_ && tag != ended_tag_;
   if (!adopt(tag)) {
     ++report_.foreign_packets;
     if (has_tag_ && is_on_channel(tag)) kept_bytes_ = bytes;

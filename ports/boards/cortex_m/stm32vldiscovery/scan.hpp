@@ -13,7 +13,7 @@ constexpr discmc::Limits limits{64, 64};
 constexpr uint32_t depth = 128;              // slices, for the header of the stream
 constexpr int32_t spacing_nm[] = {0, 0, 0};  // not known
 constexpr int32_t threshold = 100;
-constexpr size_t arena_bytes = 5296;
+constexpr size_t arena_bytes = 5272;
 
 }  // namespace scan
 
