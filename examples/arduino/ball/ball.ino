@@ -19,7 +19,7 @@ size_t write_to_serial(void*, const uint8_t* bytes, size_t count) {
 
 uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // replace by your sensor
   const Vertex v{2 * x - size + 1, 2 * y - size + 1, 2 * z - size + 1};
-  return static_cast<uint8_t>(255 - 85 * dot(v, v) / ((size - 1) * (size - 1)));
+  return static_cast<uint8_t>(255 - 85 * dot_product(v, v) / ((size - 1) * (size - 1)));
 }
 
 bool scan() {
