@@ -108,7 +108,7 @@ py::list to_python(const std::vector<Outline>& outlines) {
           *to++ = half_steps / 2.0;
       rings.append(ring);
     }
-    const Vertex normal = discmc::normal(outline.incidence);
+    const Vertex normal = discmc::incidence_normal(outline.incidence);
     polygons.append(py::make_tuple(py::make_tuple(normal.x, normal.y, normal.z), rings));
   }
   return polygons;
