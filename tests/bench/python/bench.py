@@ -5,7 +5,7 @@ usage: bench.py [FOLDER]; FOLDER has volumes, each with a JSON file of its name 
 
 Each call is in a process of its own, on one core, in turns. Seconds: processor time, which other programs
 change little; the least of the rounds. Memory: the peak during the call, above what the process had with the
-array.
+array. Distance: the mean, in voxels, from points of the mesh to vtkFlyingEdges3D's mesh of the padded array.
 """
 
 import json
@@ -16,6 +16,7 @@ import tempfile
 from pathlib import Path
 
 ROUNDS = 3
+POINTS = 20000  # of which the mean distance is measured
 
 
 def memory(field):
@@ -26,31 +27,36 @@ def memory(field):
     raise LookupError(field)
 
 
-# ---- Contenders: each imports what it needs, and returns a call, which returns its triangles.
+# ---- Contenders: each imports what it needs, and returns a call, which returns vertices and triangles. The
+# ---- coordinates of a vertex are in the order of the array's axes. Calls of labels return the number of triangles.
+
+
+def arrays_of(mesh):
+    return mesh.vertices, mesh.faces
 
 
 def extract(array, level):
     import discmc
 
-    return lambda: len(discmc.extract(array, level).faces)
+    return lambda: arrays_of(discmc.extract(array, level))
 
 
 def extract_interpolated(array, level):
     import discmc
 
-    return lambda: len(discmc.extract(array, level, interpolate=True).faces)
+    return lambda: arrays_of(discmc.extract(array, level, interpolate=True))
 
 
 def marching_cubes(array, level):
     import discmc
 
-    return lambda: len(discmc.marching_cubes(array, level)[1])
+    return lambda: discmc.marching_cubes(array, level)[:2]
 
 
 def scikit_image(array, level):
     from skimage.measure import marching_cubes as other
 
-    return lambda: len(other(array, level)[1])
+    return lambda: other(array, level)[:2]
 
 
 def vtk_image(array):
@@ -63,14 +69,14 @@ def vtk_image(array):
     return image
 
 
-def vtk_faces(algorithm):
-    """Runs it, and takes its points and triangles to NumPy."""
+def vtk_mesh(algorithm):
+    """Runs it, and converts its points and triangles to NumPy."""
     from vtkmodules.util import numpy_support
 
     algorithm.Update()
     output = algorithm.GetOutput()
-    numpy_support.vtk_to_numpy(output.GetPoints().GetData())
-    return len(numpy_support.vtk_to_numpy(output.GetPolys().GetConnectivityArray()).reshape(-1, 3))
+    points = numpy_support.vtk_to_numpy(output.GetPoints().GetData())[:, ::-1]
+    return points, numpy_support.vtk_to_numpy(output.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 
 
 def vtk_flying_edges(array, level):
@@ -81,7 +87,7 @@ def vtk_flying_edges(array, level):
         edges.SetInputData(vtk_image(array))
         edges.SetValue(0, level)
         edges.ComputeNormalsOff()
-        return vtk_faces(edges)
+        return vtk_mesh(edges)
 
     return call
 
@@ -89,7 +95,7 @@ def vtk_flying_edges(array, level):
 def pymcubes(array, level):
     import mcubes
 
-    return lambda: len(mcubes.marching_cubes(array, level)[1])
+    return lambda: mcubes.marching_cubes(array, level)
 
 
 def extract_labels(array, level):
@@ -108,7 +114,7 @@ def vtk_discrete_flying_edges(array, level):
         for place, label in enumerate(np.unique(array)[1:]):
             edges.SetValue(place, label)
         edges.ComputeNormalsOff()
-        return vtk_faces(edges)
+        return len(vtk_mesh(edges)[1])
 
     return call
 
@@ -147,8 +153,36 @@ OF_LABELS = {
 }
 
 
+def mean_distance(vertices, faces, array, level):
+    """The mean distance of points of the mesh to the surface of the samples, in voxels."""
+    import numpy as np
+    from vtkmodules.vtkCommonCore import mutable
+    from vtkmodules.vtkCommonDataModel import vtkCellLocator
+    from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+
+    edges = vtkFlyingEdges3D()
+    edges.SetInputData(vtk_image(np.pad(array, 1, constant_values=array.min())))
+    edges.SetValue(0, level)
+    edges.Update()
+    locator = vtkCellLocator()
+    locator.SetDataSet(edges.GetOutput())
+    locator.BuildLocator()
+
+    corners = vertices[faces].astype(float)
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    random = np.random.default_rng(1)
+    chosen = corners[random.choice(len(areas), POINTS, p=areas / areas.sum())]
+    points = np.einsum('ij,ijk->ik', random.dirichlet((1, 1, 1), POINTS), chosen) + 1
+    closest, cell, part, squared = [0, 0, 0], mutable(0), mutable(0), mutable(0.0)
+    distances = []
+    for point in points[:, ::-1]:
+        locator.FindClosestPoint(point, closest, cell, part, squared)
+        distances.append(squared.get() ** 0.5)
+    return float(np.mean(distances))
+
+
 def measure(name, file, level):
-    """Prints seconds, bytes and triangles of one call; nothing if its library is not installed."""
+    """Prints seconds, bytes, triangles and distance of one call; nothing if its library is not installed."""
     import numpy as np
 
     os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
@@ -166,9 +200,13 @@ def measure(name, file, level):
         peak.write('5')  # the peak from here on
     before = memory('VmRSS')
     begin = time.process_time()
-    triangles = call()
+    found = call()
     seconds = time.process_time() - begin
-    print(json.dumps([seconds, memory('VmHWM') - before, triangles]))
+    peak = memory('VmHWM') - before
+    if name in OF_LABELS:
+        print(json.dumps([seconds, peak, found, None]))
+    else:
+        print(json.dumps([seconds, peak, len(found[1]), mean_distance(*found, array, level)]))
 
 
 # ---- Volumes
@@ -195,7 +233,7 @@ def labelled(size, count):
 
 
 def volumes(folder):
-    """Name, array, thresholds; none of labels."""
+    """Name, array, levels; none of labels. Between whole numbers every program has the surface of the same voxels."""
     import numpy as np
 
     for file in sorted(Path(folder).glob('*.json')) if folder else []:
@@ -204,7 +242,7 @@ def volumes(folder):
         about = json.loads(file.read_text())
         array = np.ascontiguousarray(np.asarray(discmc.read(file.parent / about['file'])).T)
         if array.size > 2**20:
-            level = about['iso'][0]
+            level = about['iso'][0] - (0.5 if array.dtype.kind in 'iu' else 0)
             extents = ' x '.join(map(str, array.shape[::-1]))
             yield f'{about["name"]}, {extents} {array.dtype}, at {level}', array, [level]
     yield '300 labels, 256^3 uint16', labelled(256, 300), []
@@ -225,8 +263,8 @@ def run(file, level, names):
 
 
 def main(folder=None):
-    print('| volume | call | seconds | MB above the array | triangles |')
-    print('|---|---|--:|--:|--:|')
+    print('| volume | call | seconds | MB above the array | triangles | mean distance, voxels |')
+    print('|---|---|--:|--:|--:|--:|')
     import numpy as np
 
     with tempfile.TemporaryDirectory() as scratch:
@@ -237,7 +275,9 @@ def main(folder=None):
             for name, found in run(file, (levels or [0])[0], OF_LEVELS if levels else OF_LABELS).items():
                 seconds = min(each[0] for each in found)
                 megabytes = min(each[1] for each in found) / 1e6
-                print(f'| {title} | {name} | {seconds:.2f} | {megabytes:,.0f} | {found[0][2]:,} |', flush=True)
+                distance = '' if found[0][3] is None else f'{found[0][3]:.3f}'
+                print(f'| {title} | {name} | {seconds:.2f} | {megabytes:,.0f} | {found[0][2]:,} | {distance} |',
+                      flush=True)
                 title = ''
 
 
