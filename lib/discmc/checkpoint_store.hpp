@@ -65,8 +65,8 @@ struct FlashDevice {
 
 // ---- The store.
 
-/// The header of a checkpoint in flash. The lengths of the parts, their bytes and a checksum of
-/// everything follow it.
+/// The header of a checkpoint in flash. The lengths of the parts, their bytes and a checksum follow
+/// it: the CRC of lengths and bytes, continued from the checksum of the header.
 struct StoredHead {
   static constexpr uint32_t current_format = 0x32534344;  // "DCS2"
 

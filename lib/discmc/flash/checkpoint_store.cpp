@@ -159,6 +159,8 @@ void CheckpointStore::begin_pieces() {
 }
 
 // Copies the part of the pieces in one unit into the buffer or out of it. Null memory is skipped.
+// The checksum continues from that of the header. A CRC over the header with its own CRC would be
+// the same for every header, and a new header would make an older checkpoint behind it complete.
 void CheckpointStore::move_pieces(bool to_unit) {
   uint32_t done = 0;
   while (done < device_.geometry.program_bytes && pieces_.at < pieces_.count) {
@@ -176,7 +178,10 @@ void CheckpointStore::move_pieces(bool to_unit) {
       else
         outside = buffer_[done + i];
     }
-    if (!is_tail) pieces_.checksum = crc32(buffer_ + done, count, pieces_.checksum);
+    if (pieces_.at == 0)
+      pieces_.checksum = head_.checksum;
+    else if (!is_tail)
+      pieces_.checksum = crc32(buffer_ + done, count, pieces_.checksum);
     done += count;
     pieces_.offset += count;
     if (pieces_.offset < piece.bytes) continue;
