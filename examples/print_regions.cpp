@@ -52,6 +52,7 @@ class Printer {
       case Event::Kind::skipped:
       case Event::Kind::layer:
       case Event::Kind::application:
+      case Event::Kind::fractions:
       case Event::Kind::finish:
         break;
     }

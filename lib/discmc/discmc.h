@@ -141,7 +141,7 @@ enum { DISCMC_MAX_RECORD_BYTES = 200, DISCMC_FIRST_STANDARD_KIND = 240 };
 /* ---- events of extractors and receivers ---- */
 /* Events come in this order:
  *
- *   scan     = START { region | fragment | SKIPPED | LAYER | APPLICATION } FINISH
+ *   scan     = START { region | fragment | SKIPPED | LAYER | APPLICATION | FRACTIONS } FINISH
  *   region   = REGION { RING { RUN } } REGION_END       the outer ring first, then the holes
  *   fragment = FRAGMENT { RUN } FRAGMENT_END
  *
@@ -159,7 +159,8 @@ enum {
   DISCMC_LAYER,       /* slice: complete; regions that do not reach it have been delivered */
   DISCMC_APPLICATION, /* of.application; from receivers only */
   DISCMC_FINISH,      /* slice: the number of slices; abandoned, of.statistics */
-  DISCMC_LOST         /* discard the region or fragment that has begun; from receivers only */
+  DISCMC_LOST,        /* discard the region or fragment that has begun; from receivers only */
+  DISCMC_FRACTIONS    /* slice, row, of.fractions; from receivers only, before their vertices */
 };
 
 /* A point. Units: half-steps; voxel (i, j, k) lies at (2i, 2j, 2k). */
@@ -185,6 +186,7 @@ typedef struct discmc_stream_header {
   uint8_t channel; /* of the first surface */
   uint16_t scan;
   uint8_t surface_count; /* 1, or up to DISCMC_MAX_SURFACES in a stream of slices */
+  uint8_t levels;        /* of the fractions in a stream of slices: 2 or 4, or 0 without them */
 } discmc_stream_header;
 
 /* One event. Only the members that its kind names are valid. */
@@ -203,6 +205,9 @@ typedef struct discmc_event {
     const discmc_statistics* statistics;
     const discmc_stream_header* header;
     const discmc_application_record* application;
+    /* Per voxel, three bits each for the edges to the voxels before it along x, y and z: where the
+     * surface crosses, in eighths from the voxel before. 0: nowhere, or unknown: the middle. */
+    const uint16_t* fractions;
   } of; /* Owner: the sender; valid during the call */
 } discmc_event;
 
@@ -392,10 +397,10 @@ DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
                                                  const discmc_receiver_config* config);
 
 /* Accepts any bytes, any number at a time. DISCMC_FINISHED: a scan is over; the info describes it
- * until the next push() of the remaining bytes, which begin the next scan. If suspended, call push()
- * again with the remaining bytes, even if there are none. Errors: DISCMC_TOO_LITTLE_MEMORY (call
- * give_memory(), then push the rest), DISCMC_WRONG_VERSION (no byte is accepted until start()),
- * DISCMC_BAD_SINK. */
+ * until the next push() of the remaining bytes, which begin the next scan. If suspended, call
+ * push() again with the remaining bytes, even if there are none. Errors: DISCMC_TOO_LITTLE_MEMORY
+ * (call give_memory(), then push the rest), DISCMC_WRONG_VERSION (no byte is accepted until
+ * start()), DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_push_result discmc_receiver_push(discmc_receiver* receiver,
                                                      const uint8_t* bytes, size_t count);
 

@@ -34,6 +34,7 @@
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
+#include <discmc/fraction.hpp>
 #include <discmc/front/downsampler.hpp>
 #include <discmc/front/majority_filter.hpp>
 #include <discmc/front/packed_samples.hpp>

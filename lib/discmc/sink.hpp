@@ -3,13 +3,13 @@
 // A sink is a function with a context. It receives events in a fixed grammar and answers
 // `accepted`, `busy` or `not_started`. The next resume() offers a refused event again, unchanged.
 //
-//   scan     = start { region | fragment | skipped | layer | application } finish
+//   scan     = start { region | fragment | skipped | layer | application | fractions } finish
 //   region   = region { ring { run } } region_end         outer ring first, then the holes
 //   fragment = fragment { run } fragment_end              for lack of memory, or at a slab's seam
 //
-// Only decoders send `application`. A decoder may send `lost` instead of the rest of a region or
-// fragment. A truncated stream has no `finish`; a stream whose header is lost has its `start` late,
-// or none.
+// Only decoders send `application`, and only receivers `fractions`. A decoder may send `lost`
+// instead of the rest of a region or fragment. A truncated stream has no `finish`; a stream whose
+// header is lost has its `start` late, or none.
 //
 // All fragments are loose: pieces of a ring that were sent before the ring was closed. Fragment B
 // continues fragment A if three things match:
@@ -90,6 +90,7 @@ struct StreamHeader {
   uint16_t scan = 0;
   uint8_t surface_count = 1;  ///< on consecutive channels; Limit: 1 to max_surfaces in a stream of
                               ///< slices, else 1
+  uint8_t levels = 0;         ///< of the fractions in a stream of slices: 2 or 4; 0: it has none
 
   constexpr bool is_valid() const {
     return Limits{width, height, border}.is_valid() && surface_count >= 1 &&
@@ -150,6 +151,8 @@ struct Event {
     finish,        ///< the last event: slice (number of slices; of a slab, its own), abandoned,
                    ///< statistics
     lost,          ///< decoders only: part of the current region or fragment is lost; discard it
+    fractions,     ///< receivers only: where the surface crosses the edges of a row of voxels:
+                   ///< slice, row, fractions
   };
   Kind kind;
   Incidence incidence;
@@ -168,6 +171,7 @@ struct Event {
     const Statistics* statistics;
     const StreamHeader* header;  ///< of an extractor: without depth, scan and channel
     const ApplicationRecord* application;
+    const uint16_t* fractions;  ///< one entry per voxel of the row: fraction_of() in fraction.hpp
   };
 };
 

@@ -21,6 +21,7 @@ struct RowEvent {
   enum class Kind : uint8_t {
     start,        ///< the first event: header
     row,          ///< slice, row, channel, bits
+    fractions,    ///< before the row that has them: slice, row, channel, fractions
     skipped,      ///< a row that the encoder never received: slice, row, channel, repeated, and the
                   ///< bits that replace the row
     lost,         ///< rows of all surfaces that were lost in transit: count, and slice and row of
@@ -40,6 +41,7 @@ struct RowEvent {
     const uint8_t* bits;  ///< (width + 7) / 8 bytes, eight voxels per byte, the first in bit 0
     const StreamHeader* header;
     const ApplicationRecord* application;
+    const uint16_t* fractions;  ///< one entry per voxel: fraction_of() in fraction.hpp
   };
 };
 

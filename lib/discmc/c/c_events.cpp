@@ -23,7 +23,8 @@ static_assert(
         offsetof(StreamHeader, spacing_nm) == offsetof(discmc_stream_header, spacing_nm) &&
         offsetof(StreamHeader, thresholds) == offsetof(discmc_stream_header, thresholds) &&
         offsetof(StreamHeader, channel) == offsetof(discmc_stream_header, channel) &&
-        offsetof(StreamHeader, surface_count) == offsetof(discmc_stream_header, surface_count),
+        offsetof(StreamHeader, surface_count) == offsetof(discmc_stream_header, surface_count) &&
+        offsetof(StreamHeader, levels) == offsetof(discmc_stream_header, levels),
     "headers have one layout");
 static_assert(sizeof(ApplicationRecord) == sizeof(discmc_application_record) &&
                   offsetof(ApplicationRecord, row) == offsetof(discmc_application_record, row) &&
@@ -36,6 +37,7 @@ static_assert(DISCMC_DEVICE_ERROR == static_cast<int>(Status::device_error) &&
                   DISCMC_TOO_MANY_SLICES == static_cast<int>(Status::too_many_slices) &&
                   DISCMC_FINISHED == static_cast<int>(Status::finished) &&
                   DISCMC_LOST == static_cast<int>(Event::Kind::lost) &&
+                  DISCMC_FRACTIONS == static_cast<int>(Event::Kind::fractions) &&
                   DISCMC_SINK_NOT_STARTED == static_cast<int>(SinkResult::not_started) &&
                   DISCMC_OPEN == static_cast<int>(Border::open) &&
                   DISCMC_SUBSTITUTE_PREVIOUS_ROW == static_cast<int>(Substitute::previous_row) &&

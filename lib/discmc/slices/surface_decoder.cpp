@@ -114,18 +114,31 @@ SinkResult SurfaceDecoder::take(const RowEvent& event) {
       return skip(1, event.repeated ? Substitute::previous_row : Substitute::off);
     case RowEvent::Kind::lost:
       return skip(event.count, Substitute::off);
+    case RowEvent::Kind::fractions: {
+      if (event.channel != wanted_channel()) return SinkResult::accepted;
+      Event same{};
+      same.kind = Event::Kind::fractions;
+      same.slice = event.slice;
+      same.row = event.row;
+      same.fractions = event.fractions;
+      return pass_between(same);
+    }
     case RowEvent::Kind::application: {
-      // Events of the rows before come first, and a region is not interrupted.
-      if (extractor_.resume() == Status::suspended) return SinkResult::busy;
       Event same{};
       same.kind = Event::Kind::application;
       same.application = event.application;
-      return pass(same);
+      return pass_between(same);
     }
     case RowEvent::Kind::finish:
       break;
   }
   return end(event.abandoned);
+}
+
+// Passes an event that the extractor does not send. Events of the rows before come first, and a
+// region is not interrupted.
+SinkResult SurfaceDecoder::pass_between(const Event& event) {
+  return extractor_.resume() == Status::suspended ? SinkResult::busy : pass(event);
 }
 
 // Reduces the header of several surfaces to the wanted surface.

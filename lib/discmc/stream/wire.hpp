@@ -67,7 +67,7 @@ constexpr uint32_t tag_of(const StreamHeader& header) {
 }
 /// The header before a stream. All zero, so that a static encoder takes no flash.
 constexpr StreamHeader no_header() {
-  return {0, 0, 0, {}, {}, Border::closed, 0, 0, 0};
+  return {0, 0, 0, {}, {}, Border::closed, 0, 0, 0, 0};
 }
 
 constexpr uint8_t channel_in(uint32_t tag) {

@@ -70,6 +70,7 @@ SinkResult SurfaceBuilder::take(const Event& event) {
     case Event::Kind::skipped:
     case Event::Kind::application:
     case Event::Kind::layer:
+    case Event::Kind::fractions:
       break;
     case Event::Kind::finish:
       surface_.polygons.sort();

@@ -132,6 +132,7 @@ class EventHash {
       case Event::Kind::fragment_end:
       case Event::Kind::application:
       case Event::Kind::lost:
+      case Event::Kind::fractions:
         break;
     }
     ++events_;

@@ -95,6 +95,7 @@ SinkResult Collector::take(const Event& event) {
       break;
     case Event::Kind::application:
     case Event::Kind::lost:
+    case Event::Kind::fractions:
       require(false, "an extractor loses nothing, and knows of no other data");
   }
   return SinkResult::accepted;

@@ -59,6 +59,7 @@ void for_each_number(const Event& event, Add add) {
     case Event::Kind::region_end:
     case Event::Kind::fragment_end:
     case Event::Kind::lost:
+    case Event::Kind::fractions:
       return;
   }
 }
