@@ -21,7 +21,6 @@ uint32_t HeldChains::take(Incidence incidence, const Vertex& start, Direction in
   const uint32_t chain = chains_.take();
   if (chain == no_chain) return no_chain;
   HeldChain& taken = chains_[chain];
-  taken.next = taken.next_noted = no_chain;
   taken.first_run = taken.last_run = no_run;
   taken.start = taken.end = start;
   taken.high = INT32_MIN;
@@ -29,7 +28,6 @@ uint32_t HeldChains::take(Incidence incidence, const Vertex& start, Direction in
   taken.incoming = incoming;
   taken.turn = 0;
   taken.state = HeldChain::State::open;
-  widen(taken, start);
   return chain;
 }
 

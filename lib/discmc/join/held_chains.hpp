@@ -42,7 +42,7 @@ struct HeldChain {
     Vertex end;     ///< of an open chain
     RingNode node;  ///< of a ring
   };
-  int32_t high;         ///< its largest v (ring_tree.hpp)
+  int32_t high;         ///< the largest v of the ends of its runs (ring_tree.hpp)
   uint32_t next_noted;  ///< the next ring in the list of those with a note
   Incidence incidence;
   Direction incoming;  ///< the direction of the link that leads to its start

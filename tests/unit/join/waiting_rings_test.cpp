@@ -32,6 +32,20 @@ class Waiting {
     rings_.insert(held_, ring);
     return ring;
   }
+  /// The same ring, of two chains: the second has this many runs.
+  void insert_joined(Incidence incidence, Vertex at, const std::vector<Run>& runs, size_t count) {
+    const uint32_t ring = held_.take(incidence, at, runs.back().direction());
+    const size_t cut = runs.size() - count;
+    for (size_t i = 0; i < cut; ++i) {
+      held_.append(ring, runs[i], {});
+      at = after_run(incidence, at, runs[i]);
+    }
+    const uint32_t rest = held_.take(incidence, at, runs[cut - 1].direction());
+    for (size_t i = cut; i < runs.size(); ++i) held_.append(rest, runs[i], {});
+    held_.join(ring, rest);
+    held_.close(ring);
+    rings_.insert(held_, ring);
+  }
   void note(Incidence incidence, Vertex at, const std::vector<Run>& runs) {
     for (const Run run : runs) {
       rings_.note(held_, incidence, at, run);
@@ -92,6 +106,15 @@ Vertex any_vertex(Incidence incidence, uint32_t extent, Chance& chance) {
   for (int i = 0; i < 3; ++i)
     translate(at, incidence, static_cast<Direction>(chance.below(count)), chance.below(extent));
   return at;
+}
+
+int64_t highest(Incidence incidence, Vertex at, const std::vector<Run>& runs) {
+  int64_t height = projected(incidence, at).v;
+  for (const Run run : runs) {
+    at = after_run(incidence, at, run);
+    height = std::max(height, projected(incidence, at).v);
+  }
+  return height;
 }
 
 enum class Place { outside, inside, on_a_side };
@@ -171,6 +194,28 @@ TEST_CASE("outer rings are taken out from the lowest on, and those of one height
   CHECK(waiting.take_outers(40) == high);
   CHECK(waiting.take_outers(2) == std::vector<uint32_t>{highest, no_chain});
   CHECK(waiting.has_any(up, {0, 0, 1}));
+}
+
+TEST_CASE("outer rings are taken out from the lowest on, wherever they start and were joined") {
+  Chance chance(2);
+  for (int round = 0; round < 1000; ++round) {
+    Waiting waiting;
+    std::vector<int64_t> expected, heights;
+    Incidence incidence = 0;
+    do incidence = static_cast<Incidence>(chance.below(incidence_codes));
+    while (!is_incidence(incidence));
+    for (int i = 0; i < 8; ++i) {
+      Vertex at = any_vertex(incidence, 10, chance);
+      const std::vector<Run> ring = any_convex(incidence, chance);
+      const auto cuts = static_cast<uint32_t>(ring.size() - 1);
+      waiting.insert_joined(incidence, at, ring, 1 + chance.below(cuts));
+      expected.push_back(highest(incidence, at, ring));
+    }
+    for (const uint32_t ring : waiting.take_outers(8)) heights.push_back(expected[ring - 1]);
+    std::sort(expected.begin(), expected.end());
+    CAPTURE(round);
+    REQUIRE(heights == expected);
+  }
 }
 
 TEST_CASE("after clear() no ring waits") {
