@@ -2,8 +2,8 @@
 include(${CMAKE_CURRENT_LIST_DIR}/discmc-targets.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/discmc-firmware.cmake)
 
-# It is written in C++ but needs nothing of C++'s run-time library: who links it may speak any
-# language, and a program in C is linked as C.
+# It is written in C++ but needs nothing of C++'s run-time library. A program in any language links it, and a program in
+# C is linked as C.
 get_target_property(discmc_configurations discmc::discmc IMPORTED_CONFIGURATIONS)
 foreach(discmc_configuration IN LISTS discmc_configurations)
   set_property(TARGET discmc::discmc PROPERTY

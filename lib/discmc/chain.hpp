@@ -81,9 +81,9 @@ constexpr void reverse(Incidence incidence, Run* runs, uint32_t count) {
   }
 }
 
-/// Twice the area that a closed chain encloses, times the length of the incidence's normal (1, the
-/// square root of 2 or of 3): an exact integer. Positive for an outer ring, negative for a hole.
-/// Units: square half-steps. Limit: a ring of a scan; others may overflow.
+/// Twice the area of a closed chain, times the length of the incidence's normal (1, the square root
+/// of 2 or 3): an exact integer. Positive for an outer ring, negative for a hole. Units: square
+/// half-steps. Limit: a ring of a scan; others may overflow.
 constexpr int64_t twice_area(Incidence incidence, const Run* runs, uint32_t count) {
   const Vertex n = incidence_normal(incidence);
   int64_t sum = 0;

@@ -156,8 +156,8 @@ class CheckpointStore {
 
   /// Reads the newest checkpoint. parts: in number and order as at save(), each at least as large
   /// as it was; bytes beyond the saved ones stay unchanged. Cancels a save in progress. Errors:
-  /// not_started; bad_checkpoint (there is none; or a part is too small or not there, and nothing
-  /// is written; or it was damaged after start()); device_error. After damage or device_error the
+  /// not_started; device_error; bad_checkpoint (there is none; a part is too small or missing, and
+  /// nothing is written; or it was damaged after start()). After damage or device_error the
   /// contents of the parts are undefined. Cost: reads the checkpoint and computes its checksum.
   [[nodiscard]] Status restore(const Memory* parts, uint32_t count);
 

@@ -191,8 +191,8 @@ constexpr bool has_lane_selection = false;
 #endif
 
 /// A lane is an unsigned number of lane_bits bits. Selects for each lane of the word: the lane of
-/// `yes` if the lane of `a` is at least that of `b`, otherwise the lane of `no`. Limit: lane_bits
-/// is 8 or 16.
+/// `yes` if the lane of `a` is at least that of `b`, otherwise of `no`. Limit: lane_bits is 8 or
+/// 16.
 template <uint32_t lane_bits>
 uint32_t select_lanes(uint32_t a, uint32_t b, uint32_t yes, uint32_t no) {
 #if defined(DISCMC_HAS_LANE_SELECTION)

@@ -110,8 +110,8 @@ typedef struct discmc_push_result {
 
 /* The output of an encoder. write() accepts up to `count` bytes, valid during the call, and returns
  * how many: 0 if busy, or on an error. If the link is dead, call set_output(). unsent() returns how
- * many accepted bytes a power failure would still lose, such as those in the queue of a driver; it
- * is required for checkpoints alone. */
+ * many accepted bytes a power failure would still lose, such as those in a driver's queue. Only
+ * checkpoints require it. */
 typedef struct discmc_byte_output {
   void* context;
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
@@ -504,7 +504,7 @@ DISCMC_CHECK discmc_status discmc_store_save(discmc_store* store, const discmc_m
 DISCMC_CHECK discmc_status discmc_store_resume(discmc_store* store);
 enum { DISCMC_MAX_PARTS = 6 };
 
-/* Makes the newest checkpoint void: call it before the first row of a new scan, and after a scan
+/* Makes the newest checkpoint void. Call it before the first row of a new scan, and after a scan
  * whose last byte has left the output. Suspended and errors: as save(). */
 DISCMC_CHECK discmc_status discmc_store_discard(discmc_store* store);
 

@@ -62,12 +62,12 @@ class BasicExtractor {
   /// Begins a scan. All memory beyond the least becomes slots: see default_capacities().
   ///
   /// threshold: a voxel is on if its sample is >= threshold. memory: at least
-  /// minimum_bytes(limits), at any alignment; Owner: the caller, for as long as the scan
-  /// lasts. Status::suspended: the scan has begun, but the sink is busy. Errors: bad_limits (also
-  /// for limits that need an ability that Features lacks), too_little_memory, bad_sink (no
-  /// function, or the sink has not started, like an encoder before its start()). After an error the
-  /// memory is untouched; after too_little_memory, or if the sink has not started, the previous
-  /// scan has ended. Cost: clears about 150 words and one row of bits.
+  /// minimum_bytes(limits), at any alignment; Owner: the caller, for as long as the scan lasts.
+  /// Status::suspended: the scan has begun, but the sink is busy. Errors: bad_limits (also for
+  /// limits that Features excludes), too_little_memory, bad_sink (no function, or a sink that has
+  /// not started, like an encoder before its start()). After an error the memory is untouched;
+  /// after too_little_memory, or if the sink has not started, the previous scan has ended. Cost:
+  /// clears about 150 words and one row of bits.
   [[nodiscard]] Status start(const Limits& limits, int32_t threshold, Memory memory,
                              const Sink& sink) {
     return start(limits, default_capacities(limits, memory.bytes), threshold, memory, sink);

@@ -223,9 +223,9 @@ constexpr Direction opposite_direction(Incidence incidence, Direction direction)
   return static_cast<Direction>(direction < half ? direction + half : direction - half);
 }
 
-/// The turn from one direction to the next as a count of directions, from -n/2 (a half turn counts
-/// as negative) to n/2 - 1, where n is the incidence's direction_count. Counter-clockwise is
-/// positive.
+/// The turn from one direction to the next as a number of directions, counter-clockwise if
+/// positive. It is between -n/2 (also for a half turn) and n/2 - 1. Here n is the incidence's
+/// direction_count.
 constexpr int turn(Incidence incidence, Direction from, Direction to) {
   const int count = direction_count(incidence);
   const int difference = to - from;

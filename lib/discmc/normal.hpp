@@ -53,8 +53,8 @@ constexpr bool operator!=(const OctahedralNormal& a, const OctahedralNormal& b) 
 }
 
 /// The factors for the components of a normal if voxels are not cubes: 1 / spacing times a common
-/// factor, because normals transform with the inverse of the spacing. axis_weights() computes them.
-/// Limit: no factor is -2^31.
+/// factor. Normals transform with the inverse of the spacing. axis_weights() computes them. Limit:
+/// no factor is -2^31.
 struct AxisWeights {
   int32_t x = 1, y = 1, z = 1;
 };
@@ -77,9 +77,9 @@ OctahedralNormal octahedral_normal(const LongVector& direction);
 /// Decodes an octahedral normal. Any bytes are safe.
 UnitNormal unit_normal(OctahedralNormal normal);
 
-/// The contribution of a polygon to the normals of its vertices: a vector along the normal of the
-/// polygon, as long as twelve times the area. twice_area: the sum of twice_area() over all rings of
-/// the polygon (chain.hpp, polygon.hpp). Units: half-steps.
+/// The contribution of a polygon to the normals of its vertices: a vector along its normal, twelve
+/// times as long as its area. twice_area: the sum of twice_area() over all rings of the polygon
+/// (chain.hpp, polygon.hpp). Units: half-steps.
 constexpr LongVector area_vector(Incidence incidence, int64_t twice_area) {
   const Vertex n = incidence_normal(incidence);
   // twice_area contains the length of n as a factor, and n does too: 6 / |n|^2 removes both.

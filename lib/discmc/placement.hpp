@@ -28,7 +28,7 @@ enum class Space : uint8_t {
 ///
 /// The normals of a stream are corrected for the spacing in its header. Their component n points
 /// along voxel axis n, or against it if spacing_nm[n] of the header is negative. In space, the
-/// normal (x, y, z) is x d[0] + y d[1] + z d[2], where d[n] is axes_nm[n] scaled to length 1, and
+/// normal (x, y, z) is x d[0] + y d[1] + z d[2]. Here d[n] is axes_nm[n] scaled to length 1,
 /// negated if spacing_nm[n] is negative. Limit of this formula: the axes are perpendicular. Units:
 /// nanometres.
 struct Placement {
@@ -71,8 +71,8 @@ struct SlabRange {
 /// has returned ok.
 ApplicationRecord record_of(const SlabRange& range, uint8_t* bytes);
 
-/// Reads the range in a record. Returns false, and writes nothing, if the kind or the number of
-/// bytes does not match, if `slices` is 0, or if first + slices exceeds `depth`.
+/// Reads the range in a record. Returns false, and writes nothing, if the kind or number of bytes
+/// does not match, if `slices` is 0, or first + slices exceeds `depth`.
 [[nodiscard]] bool read_slab_range(const ApplicationRecord& record, SlabRange& range);
 
 }  // namespace discmc

@@ -50,8 +50,8 @@ bool is_corner(const Vertex* vertices, uint32_t count, uint32_t i);
 
 /// Keeps the corners of a ring, and every vertex for which keep(vertex) is true. Moves them to the
 /// front of `vertices`, in their order, and returns their number. A mesh has no T-junctions on two
-/// conditions: keep() is true wherever three or more boundary links of the surface end, and the
-/// triangulation drops no collinear points.
+/// conditions. keep() is true wherever three or more boundary links end, and the triangulation
+/// drops no collinear points.
 template <class Keep>
 uint32_t keep_corners(Vertex* vertices, uint32_t count, Keep keep);
 

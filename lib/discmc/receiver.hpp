@@ -5,10 +5,10 @@
 //   resume()                 after Status::suspended, when the sink is ready again
 //   finish()                 after the last byte, if the link ends
 //
-// From a stream of regions it decodes the events of the scan. From a stream of slices it extracts
-// the surface, as the device would have done: the events are those of an extractor that receives
-// the same rows, including skipped ones. Rows lost in transit count as skipped rows that are off.
-// So a closed border still has a closed surface, and `skipped` events locate the loss.
+// From a stream of regions it decodes the events of the scan. It extracts the surface from a stream
+// of slices, as the device would have done. The events are those of an extractor for the same rows,
+// including skipped ones. Rows lost in transit count as skipped rows that are off. So a closed
+// border still has a closed surface, and `skipped` events locate the loss.
 //
 // Any bytes are safe: a receiver never reads beyond its input, never writes beyond its object and
 // its memory, and allocates nothing. It delivers one surface. If a link has several, use one

@@ -72,8 +72,8 @@ class SampleWindow {
   void end() { is_ended_ = true; }
 
   /// Whether the window holds the samples for negative_gradient(vertex): the slices around the
-  /// vertex, and one more on either side, as far as the volume has them. False until they have
-  /// arrived, and again when they have left the window.
+  /// vertex, and one more on either side, as far as there are any. False until they have arrived,
+  /// and again when they have left the window.
   bool covers(const Vertex& vertex) const {
     const int64_t below = vertex.z < 4 ? 0 : vertex.z / 2 - 1;
     const int64_t above = (int64_t{vertex.z} + 1) / 2 + 1;
@@ -88,10 +88,10 @@ class SampleWindow {
   /// normal.hpp turn the result into a normal. vertex.z counts from the first slice that was
   /// pushed.
   ///
-  /// The result is the sum of central differences at the voxels around the vertex: two voxels for
-  /// the midpoint of a cell edge, eight for the centre of a cell. At the outermost voxels of the
-  /// volume the differences are one-sided. Units: sample values per voxel, times 4 at a midpoint
-  /// and 16 at a centre; below 2^21. Limit: covers(vertex). Cost: 12 or 48 samples.
+  /// The result is the sum of central differences at the voxels around the vertex. A midpoint of a
+  /// cell edge has two, a centre of a cell eight. At the outermost voxels of the volume the
+  /// differences are one-sided. Units: sample values per voxel, times 4 at a midpoint and 16 at a
+  /// centre; below 2^21. Limit: covers(vertex). Cost: 12 or 48 samples.
   LongVector negative_gradient(const Vertex& vertex) const {
     return rows_.negative_gradient(vertex);
   }

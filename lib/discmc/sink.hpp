@@ -23,10 +23,10 @@
 // joint is no corner. All loose fragments of a region's holes come before the outer ring of the
 // region, or before the last fragment of that ring.
 //
-// A sink that ignores the events from `fragment` to `fragment_end` receives an incomplete surface:
-// regions with a loose outer ring are missing, and other regions lack their loose holes.
-// Statistics::fragments counts the fragments. make_region_sink() in joiner.hpp joins them, and
-// sends whole regions to a sink.
+// A sink that ignores the events from `fragment` to `fragment_end` receives an incomplete surface.
+// It lacks regions with a loose outer ring, and the loose holes of others. Statistics::fragments
+// counts the fragments. make_region_sink() in joiner.hpp joins them, and sends whole regions to a
+// sink.
 #ifndef DISCMC_SINK_HPP
 #define DISCMC_SINK_HPP
 

@@ -8,9 +8,9 @@
 //
 // Each voxel is coded from its neighbours, with probabilities that adapt to the scan (WIRE.md,
 // "Slices"). For CT head (Stanford), a stream of slices has a tenth of the bytes of a stream of
-// regions, for less than a third of the instructions. But the receiver must extract the surface.
-// That takes up to twice the memory that an extractor on the device takes. A lost packet costs all
-// slices up to the next key slice.
+// regions, for a third of the instructions. But the receiver must extract the surface. That takes
+// up to twice the memory that an extractor on the device takes. A lost packet costs all slices up
+// to the next key slice.
 #ifndef DISCMC_SLICE_ENCODER_HPP
 #define DISCMC_SLICE_ENCODER_HPP
 
@@ -26,8 +26,8 @@ namespace discmc {
 
 // ---- The interval of key slices, and the memory of both ends.
 
-/// The interval of key slices. A key slice decodes without the slices before it, so a receiver
-/// starts at a key slice, and resumes at a key slice after a loss.
+/// The interval of key slices. A key slice decodes without the slices before it. A receiver starts
+/// at a key slice, and resumes at one after a loss.
 struct KeySlices {
   /// The number of slices from one key slice to the next; 0: only the first slice is a key slice. A
   /// lost packet costs the slices up to the next key slice: on average half of the interval.
@@ -103,7 +103,7 @@ class SliceEncoder {
   }
 
   /// Accepts a whole row that you thresholded. bits: (width + 7) / 8 bytes per surface, one surface
-  /// after another; eight voxels per byte, the first in bit 0; bits beyond the width are ignored.
+  /// after another. A byte has eight voxels, the first in bit 0; bits beyond the width are ignored.
   /// Owner: as of push().
   /// The row is accepted if PushResult::samples is the width, even with Status::suspended;
   /// otherwise samples is 0. Errors: as push(), row_in_progress.

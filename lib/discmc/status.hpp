@@ -11,7 +11,7 @@ namespace discmc {
 ///
 /// `ok` and `suspended` are not errors. After `suspended`, call resume() of the object until it
 /// returns another status, then the same function with what it has not accepted. After an error,
-/// the object continues as if the call had not been made, except that waiting events may have been
+/// the object continues as if the call had not been made. Exceptions: waiting events may have been
 /// delivered, and push() may have accepted some input. If an error changes more, the comment of the
 /// function states it.
 enum class Status : uint8_t {

@@ -1,5 +1,5 @@
-# What the toolchain files share: no operating system, no C library, small code, and the options of
-# the board's processor, so that the library is compiled for it as well.
+# Shared by the toolchain files: no operating system, no C library, small code. The options of the board's processor
+# apply to the library as well.
 set(DISCMC_BOARD "" CACHE STRING "The board to build firmware for: a folder with a board.cmake")
 file(GLOB discmc_board_dir ${CMAKE_CURRENT_LIST_DIR}/*/${DISCMC_BOARD}/board.cmake)
 if(NOT DISCMC_BOARD OR NOT discmc_board_dir)
@@ -8,7 +8,7 @@ endif()
 get_filename_component(discmc_board_dir ${discmc_board_dir} DIRECTORY)
 include(${discmc_board_dir}/board.cmake)
 
-# To try the compiler, CMake configures small projects of its own with this file.
+# CMake tries the compiler with small projects of its own, which read this file too.
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES DISCMC_BOARD)
 

@@ -45,8 +45,8 @@ struct KindObject {
   }
 };
 
-/// Returns the object of a config, or null if the memory has no room: one that was not started; or
-/// the one that was saved there, with a status.
+/// Returns the object of a config, or null if the memory has no room. The object is not started, or
+/// is the one saved there, with a status.
 KindObject* begin_kind_object(const discmc_memory& memory, const Kind& kind, Memory& rest);
 KindObject* saved_kind_object(const discmc_memory& memory, const Kind& kind, Memory& rest,
                               discmc_status& status);

@@ -1,5 +1,5 @@
-// A majority filter, as a stage before the extractor: a voxel is on if more than half of the 3 x 3
-// x 3 voxels around it are on. It removes noise and specks, and leaves walls in place.
+// A majority filter, as a stage before the extractor: it sets a voxel if most of the 27 voxels of
+// its 3 x 3 x 3 block are on. It removes noise and specks, and leaves walls in place.
 //
 //   filter.start(limits, memory);
 //   for each row of bits:

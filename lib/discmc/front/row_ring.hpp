@@ -67,8 +67,8 @@ class RowRing {
 
   // ---- the producer: an interrupt, or several that do not interrupt each other ----
 
-  /// Returns the row to fill next, or the row `ahead` rows later, for a DMA controller that is set
-  /// up early; null if there is no room. Limit: started.
+  /// Returns the row to fill next, or, for a DMA controller that is set up early, the row `ahead`
+  /// rows later. Null if there is no room. Limit: started.
   void* free_row(uint32_t ahead = 0) const;
 
   /// Marks the free row as filled. Limit: there is a free row.

@@ -1,8 +1,8 @@
-// The lookup table: the facets of each of the 256 configurations, one byte per facet.
-// A loop of three links is the corner triangle; a loop of four around one cell edge is the
-// rectangle; every other loop is a fan about the centroid. The compiler derives the table from this
-// rule, and static_asserts in facet_table.cpp compare it with known facts. Montani, Scateni,
-// Scopigno 1994, section 2 and figures 3 and 4.
+// The lookup table: the facets of each of the 256 configurations, one byte per facet. A loop of
+// three links is the corner triangle, and a loop of four around one cell edge the rectangle. Every
+// other loop is a fan about the centroid. The compiler derives the table from this rule, and
+// static_asserts in facet_table.cpp compare it with known facts. Montani, Scateni, Scopigno 1994,
+// section 2 and figures 3 and 4.
 #ifndef DISCMC_FACET_TABLE_HPP
 #define DISCMC_FACET_TABLE_HPP
 

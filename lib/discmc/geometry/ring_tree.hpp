@@ -38,7 +38,7 @@ constexpr ProjectedPoint point_beside(Incidence incidence, const Vertex& start, 
 }
 
 /// A side of a ring, in its plane. Units: eighths of a half-step. A side crosses the line at its
-/// lower end, and not the line at its upper end: where two sides meet on a line, one crosses.
+/// lower end, and not the line at its upper end. If two sides meet on a line, one crosses.
 class RingSide {
  public:
   RingSide(Incidence incidence, const Vertex& from, Run run) {

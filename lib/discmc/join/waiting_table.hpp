@@ -1,7 +1,7 @@
 // A fixed-capacity hash table with open addressing, for chains that wait for a partner at a place.
 // An entry lies within `window` buckets of its key's own bucket, or is not in the table. So a
-// removed entry needs no tombstone, a full window is a result ("no room"), and the cost of every
-// call is bounded for all keys.
+// removed entry needs no tombstone, a full window is a result ("no room"), and every call has a
+// bounded cost for all keys.
 #ifndef DISCMC_JOIN_WAITING_TABLE_HPP
 #define DISCMC_JOIN_WAITING_TABLE_HPP
 

@@ -4,8 +4,8 @@ namespace discmc::detail::slices {
 
 namespace {
 
-// Printed by train_slice_model (tests/bench) for streams of two balls (r^2 = 400 and 2,000), a
-// small CT head (at 500 and 1,150), a molecule and an MRI head (40). Units: 256ths that a bit is 1.
+// Printed by train_slice_model (tests/bench) for two balls (r^2 = 400 and 2,000), a small CT head
+// (500 and 1,150), a molecule and an MRI head (40). Units: 256ths that a bit is 1.
 // clang-format off
 constexpr uint8_t trained[2][context::count - context::run] = {
     {  // of key slices

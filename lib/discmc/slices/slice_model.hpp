@@ -1,7 +1,7 @@
-// The learnt model of slices: how likely a voxel differs from the one before it.
-// The neighbours of a voxel that are coded before it are compared with the voxel before it in its
-// row, so on and off are alike. They are in the row before and in the slice before. In a key slice,
-// which decodes alone, they are in the three rows before:
+// The learnt model of slices: how likely a voxel differs from the one before it. The neighbours
+// that are coded before a voxel are compared with the voxel before it in its row, so on and off are
+// alike. They are in the row before and in the slice before. In a key slice, which decodes alone,
+// they are in the three rows before:
 //
 //     slice before   . 7 .        row before     0 1 2       key slice   . 6 .
 //                    3 4 5        this row       = ?                     3 4 5

@@ -188,8 +188,8 @@ bool PacketReader::is_on_channel(uint32_t tag) const {
 }
 
 // Accepts a packet that is the next one or a later one, and notes a gap before it. A count of
-// pieces in the upper half of its range means an earlier packet; if the count is unchanged, so does
-// a number in the upper half.
+// pieces in the upper half of its range means an earlier packet. So does a number in the upper half
+// if the count is unchanged.
 bool PacketReader::accept_number(const uint8_t* packet) {
   if (detail::wire::is_of_slices(packet[0])) return accept_long_number(packet);
   const uint8_t number = packet[1];

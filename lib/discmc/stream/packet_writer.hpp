@@ -54,7 +54,7 @@ class PacketWriter {
   uint64_t bytes() const { return bytes_; }
 
   /// Whether a checkpoint is complete: ok if every accepted byte has left the output, suspended if
-  /// not yet, bad_sink if the output does not report it.
+  /// not yet, bad_sink if the output cannot report this.
   Status ready_for_checkpoint() const;
   /// After a checkpoint: continues at the beginning of the frame, on this output. Limit: the output
   /// has a function.

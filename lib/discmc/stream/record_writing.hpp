@@ -15,7 +15,7 @@ constexpr uint32_t length_in(uint32_t run) {
 }
 
 /// The number of runs of the ring whose first run is word `first`, if they are short and close the
-/// ring: then its last two lengths follow from the others. Otherwise 0.
+/// ring. Then its last two lengths follow from the others. Otherwise 0.
 uint32_t closed_runs(const Record& record, uint32_t first);
 
 /// The symbol of a ring of three or four corners, if each is a left turn of less than half a turn.

@@ -40,8 +40,8 @@ uint32_t* BitRows::row_before(uint32_t back) const {
   return ring_ + size_t{place} * words_;
 }
 
-// The place of a row that arrives still holds the oldest row, in use until the sweep has caught
-// up: it is wiped when the first sample comes, not before.
+// The place of an arriving row still holds the oldest row, in use until the sweep has caught up.
+// The first sample wipes it, not an earlier call.
 uint32_t* BitRows::arriving() {
   uint32_t* const words = row_before(0);
   const uint32_t* const end = words + words_;

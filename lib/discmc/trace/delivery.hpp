@@ -1,6 +1,6 @@
 // The tracer's side towards the sink: rings and loose fragments go out between two passes.
 //
-// Every event is made in one place, and what comes next is decided when the sink has taken it: so a
+// Every event is made in one place. When the sink has accepted it, what comes next is decided, so a
 // delivery may be suspended before any event.
 #ifndef DISCMC_TRACE_DELIVERY_HPP
 #define DISCMC_TRACE_DELIVERY_HPP

@@ -233,7 +233,7 @@ bool BasicExtractor<Index, Intake, Sweep>::is_last_slice() const {
 }
 
 // Rows of the slice that is swept whose neighbours are there. Those of a closed border begin with
-// the row before the first, in the slice before the first; those of a slab in the slice below it.
+// the row before the first, in the slice before the first. A slab begins in the slice below it.
 template <class Index, class Intake, class Sweep>
 uint32_t BasicExtractor<Index, Intake, Sweep>::ready_rows() const {
   const bool is_closed = !is_open();

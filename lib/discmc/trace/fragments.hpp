@@ -459,8 +459,8 @@ bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
   return Lists::slots_up_to(slots_, list, most) + Lists::slots_up_to(slots_, other, most) > most;
 }
 
-// Sends the runs of a fragment that has been lengthened at a vertex, if there are too many: at its
-// tail or its begin, the index.
+// Sends the runs of a fragment that was lengthened at a vertex, if there are too many: the index of
+// its tail or begin.
 template <class Index, class Normal>
 void Fragments<Index, Normal>::send_if_long(const Pass& pass, const Vertex& vertex, Index index,
                                             bool is_tail) {

@@ -19,8 +19,8 @@ class GradientNormals {
   static constexpr uint32_t type = sample_type<Sample>;
   using Normal = OctahedralNormal;
 
-  // The sweep may meet a corner at the centroid of a cell one slice later than the cell, and its
-  // normal needs one more slice and row on all sides.
+  // The sweep may meet a corner at the centroid of a cell one slice later than the cell. Its normal
+  // needs one more slice and row on all sides.
   static constexpr uint32_t ring_rows(const Limits& limits) { return 4 * limits.height + 6; }
   static constexpr uint64_t bytes_for(const Limits& limits) {
     return SampleRows<Sample>::bytes_for(limits, ring_rows(limits)) +

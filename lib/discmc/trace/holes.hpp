@@ -177,7 +177,7 @@ typename Holes<Index, Normal>::Extent Holes<Index, Normal>::extent_of(const Slot
 }
 
 // Whether an outer ring surrounds a hole of its plane that starts at a vertex in a direction. The
-// middle of the hole's first link lies on no other ring: so it lies inside if a ray from it crosses
+// middle of the hole's first link lies on no other ring. So it lies inside if a ray from it crosses
 // the ring an odd number of times. Seen along an axis that does not lie in the plane; only v may be
 // z, in which a ring may be long. Coordinates of a scan, relative to the hole, fit into 32 bits.
 template <class Index, class Normal>

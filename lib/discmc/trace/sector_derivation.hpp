@@ -19,8 +19,8 @@ constexpr Vertex quarter_turns(Vertex v, int count) {
 
 // ---- the order of visits ----
 
-// A vertex is visited with the voxel below it on its axis: voxels in the order z, y, x, and at each
-// its edges in the order x, y, z.
+// A vertex is visited with the voxel below it on its axis. Voxels come in the order z, y, x, and
+// the edges of each in the order x, y, z.
 constexpr bool is_visited_before(const Vertex& a, const Vertex& b) {
   const int by_voxel[] = {(a.z >> 1) - (b.z >> 1), (a.y >> 1) - (b.y >> 1), (a.x >> 1) - (b.x >> 1),
                           ((a.y & 1) + 2 * (a.z & 1)) - ((b.y & 1) + 2 * (b.z & 1))};

@@ -31,8 +31,8 @@ constexpr int cell_edges = 12;
 constexpr int quadrants = 4;
 constexpr uint8_t no_heading = 8;
 
-/// A cell at one of its vertices, turned to quadrant 0: the headings of its two sectors, and the
-/// ends of the chains along the spoke between them.
+/// A cell at one of its vertices, turned to quadrant 0: the headings of its sectors, and the chain
+/// ends along the spoke between them.
 struct CellAtVertex {
   /// Bits 0 to 3: the first sector of the quadrant; bits 4 to 7: the second. If they differ, the
   /// spoke is boundary.
@@ -78,8 +78,8 @@ class Way {
   uint8_t link_ = 0;
 };
 
-/// The ways of a quadrant: along its spoke by the edge where it leads (as in CellAtVertex), and on
-/// its face straight, down or up the axis.
+/// The ways of a quadrant: along its spoke by its edge (see CellAtVertex), and on its face
+/// straight, down or up the axis.
 constexpr int ways = cell_edges + 3;
 constexpr uint8_t straight_way = cell_edges, downward_way = cell_edges + 1,
                   upward_way = cell_edges + 2;

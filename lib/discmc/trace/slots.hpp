@@ -2,7 +2,7 @@
 //
 // A fragment is a piece of a chain whose two ends wait for later vertices. The chain leaves at the
 // tail of the fragment and arrives at its begin. The side in progress at either end has no length
-// yet: the end holds its direction, and the place where it starts (tail) or stops (begin). The
+// yet. The end holds its direction, and the place where it starts (tail) or stops (begin). The
 // sides between are runs, in a circular list of slots. The tail holds the last slot of the list; if
 // the tail is loose, the begin does. So a fragment of k corners has k - 1 runs.
 #ifndef DISCMC_TRACE_SLOTS_HPP

@@ -1,7 +1,7 @@
 // A row of voxels as a sweep sees it: the crossing edges along it, and what takes part around them.
 //
-// A vertex is visited with the voxel at the lower end of its edge: voxels as they come, and at each
-// its edges in the order of their axes.
+// A vertex is visited with the voxel at the lower end of its edge. Voxels are visited as they come,
+// and the edges of each in the order of their axes.
 #ifndef DISCMC_TRACE_SWEPT_ROW_HPP
 #define DISCMC_TRACE_SWEPT_ROW_HPP
 

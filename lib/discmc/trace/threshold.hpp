@@ -48,9 +48,9 @@ class LaneThreshold<lane_bits, false> : public LanesOf<lane_bits> {
       : flip_(level > Lanes::half ? ~uint32_t{0} : 0),
         addend_((level > Lanes::half ? level - Lanes::half : Lanes::half - level) * Lanes::ones) {}
 
-  /// A sample reaches a level of at most half if its top bit is set, or becomes set when half -
-  /// level is added to the other bits. There is no carry into the next lane. For higher levels the
-  /// complement is compared, and the result is complemented.
+  /// A sample reaches a level of at most half if its top bit is set, or becomes set by adding half
+  /// - level to the rest. There is no carry into the next lane. For higher levels the complement is
+  /// compared, and the result is complemented.
   uint32_t reached(uint32_t word) const {
     const uint32_t lanes = word ^ flip_;
     return ((lanes | ((lanes & ~Lanes::tops) + addend_)) ^ flip_) & Lanes::tops;

@@ -33,8 +33,7 @@ constexpr uintptr_t software = 1 << 3;       // of mie
 constexpr uintptr_t external = 1 << 11;      // of mie
 constexpr uintptr_t software_cause = 3;      // of mcause, in its low byte
 
-// Of pmpcfg0 and pmpaddr0: nothing is allowed, not even in machine mode, in 4096 bytes from here
-// on.
+// pmpcfg0 and pmpaddr0 allow nothing, not even in machine mode, in 4096 bytes from here on.
 constexpr uintptr_t locked_range = 0x98;
 constexpr uintptr_t range_of_4096 = 0x1FF;
 constexpr uintptr_t guard_bytes = 4096;

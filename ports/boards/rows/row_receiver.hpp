@@ -22,8 +22,8 @@ class RowReceiver {
   explicit constexpr RowReceiver(size_t row_bytes) : row_bytes_(row_bytes) {}
 
   /// Takes a byte from the line. row: where the samples of a row go, room for row_bytes; null when
-  /// there is none. It may come to be null or not at any byte, but while it is there it is the same
-  /// one until a row is in it.
+  /// there is none. The row may become null or not null at any byte. While it is not null, it stays
+  /// the same one until a row is in it.
   Event take(uint8_t byte, void* row) {
     switch (reader_.take(byte)) {
       case row_frame::Reader::Event::nothing:

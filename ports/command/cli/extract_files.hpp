@@ -37,8 +37,9 @@ class MeshFiles {
   /// Whether all meshes go into one file.
   bool are_one() const { return are_one_; }
 
-  /// The files of surfaces. No two are the same where each has its own, nor are their material
-  /// files: of equal names all but the first get what was given as well.
+  /// The files of surfaces. All names differ where each file has its own, and so do those of
+  /// material files. All files of an equal name but the first also get the selection in their
+  /// names.
   std::vector<std::string> names_for(const std::vector<NamedSelection>& selections);
 
   /// Writes the mesh of a surface, or keeps it for the file of all; the surface is then empty.

@@ -85,7 +85,7 @@ Command add_render(CLI::App& app) {
   render
       ->add_option("INPUT", arguments->input,
                    "a .dmc stream or a volume as for extract, where - reads standard input; or a "
-                   "mesh (.stl, .ply, .obj, .glb, .3mf), which is read from a file only")
+                   "file of a mesh (.stl, .ply, .obj, .glb, .3mf)")
       ->required();
   render
       ->add_option("-o,--output", arguments->output, "the PNG file to write; - is standard output")

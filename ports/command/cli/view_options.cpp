@@ -63,7 +63,7 @@ Command add_view(CLI::App& app) {
   CLI::App* view = app.add_subcommand("view", "Show a volume, a stream or a mesh in the browser");
   view->add_option("INPUT", arguments->input,
                    "a volume as for extract, or a .dmc stream, where - reads standard input; or a "
-                   "mesh (.stl, .ply, .obj, .glb, .3mf), which is read from a file only")
+                   "file of a mesh (.stl, .ply, .obj, .glb, .3mf)")
       ->required();
   view->add_option("-o,--output", arguments->output,
                    "the page to write (default: the name of the input with .html, in the current "

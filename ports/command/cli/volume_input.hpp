@@ -70,7 +70,7 @@ class MendedVolume {
   bool is_changed() const { return closed_ || smooth_; }
   /// Limit: is_changed().
   std::uint64_t not_numbers() const;
-  /// Of --smooth, if it is given.
+  /// The description of --smooth, if it is given.
   const std::optional<double>& deviation_mm() const { return deviation_mm_; }
 
  private:

@@ -9,11 +9,11 @@
 
 namespace discmc::command {
 
-/// Reads the volume to its end and makes triangles of the same topology as extract(): every loop of
-/// a cell is a fan over its edge crossings. These are interpolated between the two samples, at half
-/// a stored unit below the threshold; next to the halo of a closed border they are in the middle.
-/// Each triangle is a polygon of its own. options.memory has no meaning here.
-/// Throws VolumeError as the reader does.
+/// Reads the volume to its end and makes triangles of the same topology as extract(). Every loop of
+/// a cell is a fan over its edge crossings. Crossings are interpolated between the two samples, at
+/// half a stored unit below the threshold. Next to the halo of a closed border they are in the
+/// middle. Each triangle is a polygon of its own. options.memory has no meaning here. Throws
+/// VolumeError as the reader does.
 FaceMesh classic_mesh(VolumeReader& volume, const ExtractionOptions& options);
 
 }  // namespace discmc::command

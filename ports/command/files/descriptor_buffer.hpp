@@ -9,7 +9,8 @@
 namespace discmc::command {
 
 /// Writes to a descriptor of the system, which std::ofstream cannot be given. What is left in the
-/// buffer is written by a flush of the stream only. Errors: the stream turns bad, errno tells why.
+/// buffer is written by a flush of the stream only. Errors: the stream turns bad, and errno has the
+/// cause.
 class DescriptorBuffer final : public std::streambuf {
  public:
   explicit DescriptorBuffer(int descriptor);

@@ -53,8 +53,8 @@ std::string random_letters() {
   return letters;
 }
 
-// Creates a file beside the target, of a name that nobody foresees and nothing has, not even a
-// link: another process may write the same target, and others may write into the folder.
+// Creates a file beside the target, of an unforeseeable name that nothing has, not even a link.
+// Another process may write the same target, and others may write into the folder.
 int create_beside(const std::filesystem::path& target, mode_t mode,
                   std::filesystem::path& temporary) {
   constexpr int most_tries = 100;
@@ -67,7 +67,7 @@ int create_beside(const std::filesystem::path& target, mode_t mode,
   return descriptor;
 }
 
-// To the disk, so that it outlasts a power failure, where the file system can.
+// Writes to the disk, so that it outlasts a power failure, where the file system can.
 bool is_synced(int descriptor) {
   return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP;
 }

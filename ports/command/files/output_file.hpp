@@ -20,11 +20,11 @@ bool is_standard_output(const std::filesystem::path& path);
 /// What an output of this name is called in messages.
 std::string output_for_people(const std::filesystem::path& path);
 
-/// A file that appears under its name only when commit() is reached: whatever fails before, and a
-/// signal that ends the program, leaves no half-written file behind, and a power failure after
-/// commit() takes nothing away. Until then it lies beside its target under a random name. A link
-/// stays, and its target is written; a file that is replaced keeps its permissions. Standard
-/// output, pipes and devices are written in place. Limit: of several, a signal removes the last.
+/// A file that appears under its name only when commit() is reached. An earlier failure, or a
+/// signal that ends the program, leaves no half-written file. A power failure after commit() loses
+/// nothing. Until then it lies beside its target under a random name. A link stays, and its target
+/// is written; a file that is replaced keeps its permissions. Standard output, pipes and devices
+/// are written in place. Limit: of several, a signal removes the last.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);

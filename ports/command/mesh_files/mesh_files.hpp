@@ -46,11 +46,11 @@ void write_obj(const FileMesh& mesh, std::ostream& out, unsigned jobs = 1,
 /// The colour of a mesh, as OBJ has it in a file of its own.
 void write_mtl(const Srgb& colour, std::ostream& out);
 
-/// Binary glTF 2.0: coordinates as 32-bit floats in millimetres, seen from glb_origin(), under a
-/// node that moves them back, scales them to the metres of the format and turns z upwards, which
-/// there is y. Normals where the mesh has them; a material each, in the colour of the mesh if it
-/// has one. Each mesh that has faces has a node, with its name. Limit: triangles only, and 4 GiB;
-/// otherwise std::invalid_argument.
+/// Binary glTF 2.0: coordinates as 32-bit floats in millimetres, seen from glb_origin(). A node
+/// moves them back, scales them to metres, and turns z upwards, which is y in the format. Normals
+/// where the mesh has them; a material each, in the colour of the mesh if it has one. Each mesh
+/// that has faces has a node, with its name. Limit: triangles only, and 4 GiB; otherwise
+/// std::invalid_argument.
 void write_glb(const Meshes& meshes, std::ostream& out);
 
 /// The origin of coordinates, where that suits the floats of all meshes; else a vertex of them.

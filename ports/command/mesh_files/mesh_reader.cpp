@@ -23,7 +23,7 @@ std::string extension_of(const std::string& file) {
   return lower(std::filesystem::path(file).extension().string());
 }
 
-// Of other files Assimp makes up materials.
+// For other files, Assimp makes up materials.
 bool has_materials(const std::string& file) {
   const std::string extension = extension_of(file);
   return extension == ".glb" || extension == ".gltf" || extension == ".obj" || extension == ".3mf";
@@ -50,7 +50,7 @@ double srgb_of(double light) {
   return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
 }
 
-// Of all vertices, if it is the same.
+// The colour of all vertices, if it is the same.
 std::optional<Srgb> colour_of_vertices(const aiMesh& part) {
   const aiColor4D* colours = part.mColors[0];
   if (colours == nullptr ||

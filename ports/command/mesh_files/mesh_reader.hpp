@@ -10,12 +10,11 @@
 
 namespace discmc::command {
 
-/// Reads a file of any format that Assimp supports: vertices and triangles, each of which is a
-/// polygon of its own; coordinates as they are in the file; of glTF, which is in metres with y
-/// upwards, in millimetres with z upwards. One mesh per material, with its colour and, if there are
-/// several, its name. Throws std::runtime_error with the file's name: when it cannot be read, when
-/// it holds no triangle or a vertex that is not finite, and always where the program was built
-/// without Assimp.
+/// Reads a file of any format that Assimp supports: vertices and triangles, each a polygon of its
+/// own. Coordinates are as in the file, except those of glTF, which is in metres with y upwards:
+/// they become millimetres with z upwards. One mesh per material, with its colour and, if there are
+/// several, its name. Throws std::runtime_error with the file's name if it cannot be read, or has
+/// no triangle, or has a vertex that is not finite. Without Assimp, it always throws.
 std::vector<FileMesh> read_meshes(const std::string& file);
 
 }  // namespace discmc::command

@@ -36,7 +36,7 @@ void write_points(const std::string& name, int bits, const std::vector<Point>& p
               });
 }
 
-// Of every point the same, as VTK draws it without a table of colours.
+// Every point has the same value, as VTK draws it without a table of colours.
 void write_colour(const Srgb& colour, std::size_t points, std::ostream& out) {
   write_array("type=\"UInt8\" NumberOfComponents=\"3\" Name=\"Colors\"", 3 * points, out,
               [&](Writer& writer) {

@@ -21,8 +21,8 @@
 
 namespace discmc::command {
 
-/// The description in every file, in a comment or where its format has a place for text; the
-/// space as 3D Slicer reads and writes it.
+/// The description in every file, in a comment or where its format has a place for text. The space
+/// is as 3D Slicer reads and writes it.
 std::string header_text(const FileMesh& mesh);
 
 /// Throws std::invalid_argument where a face is no triangle. format: its name.

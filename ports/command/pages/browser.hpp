@@ -6,9 +6,8 @@
 
 namespace discmc::command {
 
-/// Opens a file or an address with the program that the environment variable BROWSER names, or else
-/// with the one that the desktop has for such files. Does not wait for it. Returns whether it was
-/// started.
+/// Opens a file or an address with the program in the environment variable BROWSER, or else with
+/// the desktop's program for such files. Does not wait for it. Returns whether it was started.
 bool open_in_browser(const std::string& page);
 
 }  // namespace discmc::command

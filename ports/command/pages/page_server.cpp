@@ -47,8 +47,8 @@ int status_of(const HttpRequest& request) {
   return request.path == "/" || request.path == "/data" ? ok : not_found;
 }
 
-// The lines before a body. Of a number of bytes that is not known beforehand, each piece tells its
-// own.
+// The lines before a body. If the number of bytes is not known beforehand, each piece begins with
+// its own.
 std::string head_of(int status, const char* type, std::optional<std::uint64_t> bytes) {
   return "HTTP/1.1 " + std::to_string(status) + (status == ok ? " OK" : " Refused") +
          "\r\nContent-Type: " + type +

@@ -9,8 +9,8 @@
 namespace discmc::command {
 
 /// The seven colours that people with any colour vision can distinguish (M. Okabe, K. Ito, Color
-/// Universal Design, 2008), then the same lighter, then darker: the numbers 1 to 21 have one each,
-/// and others that of the number 21 away. Limit: finite.
+/// Universal Design, 2008), then the same lighter, then darker. The numbers 1 to 21 have one each;
+/// number n + 21 has that of n. Limit: finite.
 inline Srgb label_colour(double number) {
   constexpr Srgb colours[] = {{230, 159, 0}, {86, 180, 233}, {0, 158, 115},  {240, 228, 66},
                               {0, 114, 178}, {213, 94, 0},   {204, 121, 167}};

@@ -18,9 +18,9 @@ enum class Projection { orthographic, perspective };
 
 enum class Shading {
   flat,  ///< every face in one colour, by its normal
-  /// The normals of the vertices are interpolated over the faces, but for those that lean away from
-  /// a face by more than 72 degrees: there is an edge, and the face has its own normal.
-  /// Limit: the mesh has triangles only, and normals.
+  /// The normals of the vertices are interpolated over the faces. A vertex normal more than 72
+  /// degrees from the face's marks an edge: there the face's own normal counts. Limit: the mesh has
+  /// triangles only, and normals.
   smooth,
 };
 

@@ -19,9 +19,9 @@ struct Axes {
   Point right, upward, towards;
 };
 
-/// A vertex in the picture: x to the right and y downwards in samples, and a nearness that grows
-/// towards the viewer and is linear over the picture of a plane. What is linear over a plane in
-/// space is, times the weight, linear over its picture.
+/// A vertex in the picture: x to the right and y downwards in samples, and a nearness. The nearness
+/// grows towards the viewer, and is linear over the picture of a plane. What is linear over a plane
+/// in space is, times the weight, linear over its picture.
 struct Projected {
   double x, y, nearness, weight;
 };

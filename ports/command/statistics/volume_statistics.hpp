@@ -46,9 +46,9 @@ VolumeStatistics volume_statistics(VolumeReader& volume,
 /// Limit: there are numbers; 0 < percent <= 100.
 double percentile(const VolumeStatistics& statistics, double percent);
 
-/// The value where nothing was scanned, outside the circle that CT reconstructs: the value that
-/// the file declares, if it occurs; or the least value, from -1000 down, if all others are
-/// far above, or if most values that may be air have it.
+/// The value where nothing was scanned, outside the circle that CT reconstructs. It is the value
+/// that the file declares, if it occurs. Otherwise it is the least value, from -1000 down, if all
+/// others are far above, or if most values that may be air have it.
 std::optional<double> padding_value(const VolumeStatistics& statistics);
 
 /// Otsu's threshold, without padding_value(): divides the values into the two groups whose means

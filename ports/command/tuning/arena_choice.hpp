@@ -14,9 +14,9 @@ namespace discmc::command {
 /// The most that 16-bit indices make use of. Units: bytes.
 std::uint64_t max_arena_bytes(const Limits& limits);
 
-/// The least arena with which nothing is sent loose, up to a step of 256 bytes; nothing where
-/// 16-bit indices cannot count the slots of any. plenty: the scan with memory for everything.
-/// done: is called after each of some scans.
+/// The least arena with which nothing is sent loose, up to a step of 256 bytes. Nothing if 16-bit
+/// indices cannot count the slots of any. plenty: the scan with memory for everything. done: is
+/// called after each of some scans.
 std::optional<Trial> min_without_loose_pieces(const VolumeBits& volume, const Trial& plenty,
                                               const std::function<void()>& done);
 

@@ -42,9 +42,9 @@ struct ArrayLayout {
 };
 
 /// Takes an array as a volume. Axes of size 1 are dropped, with a note, until as many are left as
-/// there are letters, else three. --axes overrides the letters in the file. Without letters, the
-/// three fastest axes are z, y and x, and those before them count volumes. Throws as set_dims(),
-/// where the letters are not those of the axes, and where of several channels none is chosen.
+/// there are letters, or else three. Without letters, the three fastest axes are z, y and x, and
+/// those before them count volumes. Throws as set_dims(), where the letters are not those of the
+/// axes, and where of several channels none is chosen.
 ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, const ArrayShape& shape,
                        const VolumeOptions& options);
 

@@ -20,9 +20,8 @@ struct DataFiles {
 /// Whether what a header names is several files: a LIST, or a pattern with a number.
 bool names_several_files(std::string_view text);
 
-/// The files that a header names, in the lines that follow or by a pattern such
-/// as "slice%03d.raw 1 4 1", whose last number is the step. field: the name of
-/// the field, for the VolumeError if the text is neither.
+/// The files that a header names, in the lines that follow or by a pattern and a step at its end:
+/// "slice%03d.raw 1 4 1". field: the name of the field, for the VolumeError if the text is neither.
 DataFiles data_files(ByteStream& header, std::string_view field, std::string_view text);
 
 /// The samples of all files, each with an equal share of the volumes. open returns a file at its

@@ -35,13 +35,13 @@ struct DeclaredPlace {
   }
 };
 
-/// Takes spacing and placement. Millimetres replace an unknown unit, 1 mm a
-/// spacing that is missing or of no use, the coordinates for such directions, and 0 for such an
-/// origin: each with a note. options: whose spacing_mm counts more than the file's.
+/// Takes spacing and placement. Replaces an unknown unit by millimetres, a missing or useless
+/// spacing by 1 mm, useless directions by the coordinates, a useless origin by 0. Each replacement
+/// has a note. options: whose spacing_mm counts more than the file's.
 ///
-/// The spacing gets the signs of the axes in right-handed coordinates: a surface by the spacing
-/// alone is turned and moved against the placed one, never mirrored. A placement that adds
-/// nothing to the spacing is dropped.
+/// The spacing gets the signs of the axes in right-handed coordinates. A surface by the spacing
+/// alone is turned and moved against the placed one, never mirrored. A placement that adds nothing
+/// to the spacing is dropped.
 void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options);
 
 }  // namespace discmc::command

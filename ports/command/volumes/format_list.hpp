@@ -35,8 +35,8 @@ inline bool is_read(const VolumeFormat& format) {
   return format.open_stream != nullptr || format.open_file != nullptr;
 }
 
-/// Returns the format that a file has by its name, which may be that of an array in it; a packed
-/// file has that of its content. Null if the name is of no format.
+/// Returns the format that a file has by its name, which may be that of an array in it. A packed
+/// file has the format of its content. Null if the name is of no format.
 const VolumeFormat* format_of_name(const std::filesystem::path& file);
 
 /// Returns the format that bytes begin like, or null. head: the first magic_bytes of them, fewer
@@ -49,8 +49,8 @@ bool names_no_axes(const std::filesystem::path& file);
 /// Units: bytes at the beginning of a file that identify its format.
 constexpr std::size_t magic_bytes = 348;
 
-/// Whether bytes begin like a file of a format with a header, or of one that is packed; of volumes
-/// that is, and streams never do.
+/// Whether bytes begin like a file of a volume format with a header, or like a packed file. Streams
+/// never do.
 bool is_volume_head(std::string_view head);
 
 }  // namespace discmc::command

@@ -8,9 +8,9 @@
 
 namespace discmc::command {
 
-/// Reads the object "labels" of nnU-Net's dataset.json: {"liver": 1, "kidney": [2, 3]}, or as its
-/// first version and the Medical Segmentation Decathlon have it, {"1": "liver"}. Throws VolumeError
-/// where the file is none of that.
+/// Reads the object "labels" of nnU-Net's dataset.json: {"liver": 1, "kidney": [2, 3]}. Its first
+/// version and the Medical Segmentation Decathlon have {"1": "liver"}. Throws VolumeError where the
+/// file is none of that.
 /// https://github.com/MIC-DKFZ/nnUNet/blob/master/documentation/dataset_format.md
 LabelTable read_label_json(const std::filesystem::path& file);
 

@@ -8,11 +8,11 @@
 
 namespace discmc::command {
 
-/// Reads a table of labels, as programs write them: lines of "INDEX NAME RED GREEN BLUE" (3D
-/// Slicer, FreeSurfer), of "INDEX RED GREEN BLUE ALPHA VISIBLE MESH "NAME"" (ITK-SNAP), or columns
-/// with heads: index, name and color between tabs (BIDS), LabelValue, Name, Color_R and so on
-/// between commas (3D Slicer); or a file of read_label_json(). Lines that are empty or begin with #
-/// are skipped. Throws VolumeError with the number of a line that is none of that.
+/// Reads a table of labels, as programs write them. Lines: "INDEX NAME RED GREEN BLUE" (3D Slicer,
+/// FreeSurfer), "INDEX RED GREEN BLUE ALPHA VISIBLE MESH "NAME"" (ITK-SNAP). Columns with heads:
+/// index, name, color between tabs (BIDS), or LabelValue, Name, Color_R ... between commas (3D
+/// Slicer). Also a file of read_label_json(). Lines that are empty or begin with # are skipped.
+/// Throws VolumeError with the number of a line that is none of that.
 LabelTable read_label_table(const std::filesystem::path& file);
 
 }  // namespace discmc::command

@@ -8,8 +8,8 @@
 
 namespace discmc::command {
 
-/// A folder of its own, removed at its end with all that is in it, and also when a signal ends the
-/// program: patients' data must not stay. A process that waits for that end removes it.
+/// A folder of its own, removed at its end with its contents, and also when a signal ends the
+/// program. Patients' data must not stay. A process that waits for that end removes it.
 class TemporaryFolder {
  public:
   /// Throws VolumeError where there can be none.

@@ -134,7 +134,7 @@ std::unique_ptr<VolumeReader> open_stream(ByteStream stream, const VolumeFormat&
   return format.open_file(stream.file(), options);
 }
 
-// The first bytes of a file that is there, by which it may be another than its name says.
+// The first bytes of an existing file, whose format may differ from its name's.
 void require_named_content(const std::filesystem::path& file) {
   const std::filesystem::path path = array_name(file).file;
   std::error_code ignored;

@@ -1,6 +1,6 @@
 // Volumes from files and pipes, slice by slice: the formats of README.md, and headerless samples.
 //
-// A reader holds a small buffer, never the volume; if the size of the file does not bound that of a
+// A reader holds a small buffer, never the volume. If the size of the file does not bound that of a
 // slice, it holds the first slice. Any bytes given as a file end in a volume or in a VolumeError,
 // which names the file, the fault and the remedy.
 #ifndef DISCMC_COMMAND_VOLUMES_VOLUME_HPP
@@ -85,13 +85,13 @@ struct VolumeOptions {
 /// Whether the name is that of a volume, by its extension; headerless ones may have any name.
 bool is_volume_name(const std::filesystem::path& file);
 
-/// Opens a volume: a file, a folder of DICOM, of pictures or of masks, files by a pattern with *, ?
-/// or [...], a pipe, or standard input by the name "-". With a layout the file is taken as
-/// headerless samples, inflated first when its name ends in .gz, and must hold the volume and
-/// nothing else; without one the format follows from the name, or else from the first bytes,
-/// inflated first where they are gzip. Throws VolumeError when the file cannot be opened, is in no
-/// known format, or holds what the command does not take. Nothing is allocated that depends on the
-/// sizes a file claims, and a file too short for its first slice is refused here.
+/// Opens a volume: a file, a folder of DICOM, pictures or masks, files by a pattern with *, ? or
+/// [...], a pipe, or "-" for standard input. With a layout the file has headerless samples and
+/// nothing else; if its name ends in .gz, it is inflated first. Without one the name decides the
+/// format, or else the first bytes, inflated first if they are gzip. Throws VolumeError when the
+/// file cannot be opened, is in no known format, or holds what the command does not take. Nothing
+/// is allocated that depends on the sizes a file claims, and a file too short for its first slice
+/// is refused here.
 std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                                           const VolumeOptions& options = {});
 

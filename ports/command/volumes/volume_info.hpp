@@ -61,7 +61,7 @@ void set_channels(VolumeInfo& info, const std::string& file, std::uint64_t chann
 /// slope is negative or either not finite.
 void set_scale(VolumeInfo& info, const std::string& file, double slope, double intercept);
 
-/// Takes a part of the volume, or makes its voxels larger: voxel (0, 0, 0) has its centre at
+/// Selects a part of the volume, or makes its voxels larger. Voxel (0, 0, 0) has its centre at
 /// `first`, and the next ones are `step` away. Every voxel then lies where it was. Units: voxels
 /// before. The file is for the VolumeError thrown where that is out of the range of a placement.
 void set_part(VolumeInfo& info, const std::string& file, const std::array<std::uint32_t, 3>& dims,

@@ -26,9 +26,9 @@ constexpr bool is_same(const AxesMatch& match) {
 /// and if one of them has no patient's space.
 AxesMatch matching_axes(const VolumeInfo& volume, const VolumeInfo& other);
 
-/// How far voxels of the same number lie apart at most, as far as the volumes declare; 0 if that is
-/// a tenth of a voxel or less. If one of them has no patient's space, only their spacings
-/// are compared. Units: millimetres. Limit: the same extents.
+/// The largest distance between voxels of the same number, as far as the volumes declare. 0 if it
+/// is a tenth of a voxel or less. If one of them has no patient's space, only their spacings are
+/// compared. Units: millimetres. Limit: the same extents.
 double offset_mm(const VolumeInfo& a, const VolumeInfo& b);
 
 }  // namespace discmc::command

@@ -11,9 +11,9 @@
 
 namespace discmc::command {
 
-/// One pass over a volume of a file. read_slice() and skip_slice() throw VolumeError when the data
-/// ends early (the text names the slice and how many bytes are missing), when compressed data is
-/// damaged, and after the last slice.
+/// One pass over a volume of a file. read_slice() and skip_slice() throw VolumeError if compressed
+/// data is damaged, after the last slice, and if the data ends early. The text then names the slice
+/// and the number of missing bytes.
 class VolumeReader : public SliceReader {
  public:
   const VolumeInfo& info() const override = 0;

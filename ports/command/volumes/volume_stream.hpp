@@ -102,8 +102,8 @@ using NoteOfRest = std::function<std::string(ByteStream&)>;
 class SliceStream final : public VolumeReader {
  public:
   /// The next sample of the stream is the first of the first volume in the file. frame: the volume
-  /// that is read. note_of_rest: asked when the last slice has been read; without it bytes behind
-  /// the last volume are noted, at once where the end of the file is known. Throws when the first
+  /// that is read. note_of_rest is asked when the last slice has been read. Without it bytes behind
+  /// the last volume are noted, at once if the end of the file is known. Throws when the first
   /// slice cannot be there.
   SliceStream(VolumeInfo info, ByteStream stream, bool big_endian,
               std::optional<std::uint32_t> frame = {}, NoteOfRest note_of_rest = {});

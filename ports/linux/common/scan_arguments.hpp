@@ -16,8 +16,8 @@ constexpr int exit_incomplete = 3;
 constexpr int exit_gone = 4;
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 all rows are in the stream, 1 failed, 2 wrong usage, 3 rows were skipped or the "
-    "scan ended early, 4 the device was removed during the scan. The stream is valid with 0, 3 and "
+    "Exit codes: 0 all rows are in the stream, 1 failed, 2 wrong usage, 3 skipped rows or an early "
+    "end, 4 device removed. The stream is valid with 0, 3 and "
     "4.";
 
 struct ScanArguments {

@@ -32,7 +32,7 @@ std::uint32_t EdgeCounter::missed_by_time(std::uint64_t interval, bool may_follo
   return 0;
 }
 
-// The mean of the intervals that are like the median one: a pause does not disturb it, and over
+// The mean of the intervals that are like the median one. A pause does not disturb it, and over
 // many periods it is more exact than the median.
 double EdgeCounter::period() const {
   std::vector<std::uint64_t> sorted(intervals_.begin(), intervals_.end());

@@ -1,10 +1,10 @@
 // How many edges of the sync line were missed.
 //
 // Where the kernel numbers the edges (libgpiod 2.x) a gap in the numbers is the answer, and exact.
-// Where it does not (1.x) it drops edges only while its queue is full, and after a full queue the
-// time since the edge before is divided by the period of the edges before that. The answer is right
-// while the stage keeps its pace to half a period over the gap. Other long intervals are no loss
-// but a stage that stood still; they are only counted.
+// If it does not (1.x) it drops edges only while its queue is full. After a full queue, the time
+// since the last edge is divided by the period of the edges before it. The answer is right while
+// the stage keeps its pace to half a period over the gap. Other long intervals are no loss but a
+// stage that stood still; they are only counted.
 #ifndef DISCMC_LINUX_GPIO_EDGE_COUNTER_HPP
 #define DISCMC_LINUX_GPIO_EDGE_COUNTER_HPP
 

@@ -1,7 +1,7 @@
 // The lines of a scanner on a GPIO chip, and their events from the kernel.
 //
-// libgpiod has two interfaces that have nothing in common; each has a file of its own behind this
-// one, line_events_v1.cpp and line_events_v2.cpp, of which CMake takes the one that fits.
+// libgpiod has two interfaces that have nothing in common. Each has a file of its own behind this
+// one, line_events_v1.cpp and line_events_v2.cpp; CMake compiles the one that fits.
 #ifndef DISCMC_LINUX_GPIO_LINE_EVENTS_HPP
 #define DISCMC_LINUX_GPIO_LINE_EVENTS_HPP
 

@@ -1,4 +1,4 @@
-// Line events by libgpiod 2.x: one queue for all lines, as large as the kernel makes it, and every
+// Line events by libgpiod 2.x: one queue for all lines, as large as the kernel makes it. Every
 // event has the number of its edge. While the queue is full the kernel drops the oldest event.
 #include <gpiod.h>
 

@@ -95,7 +95,7 @@ bool is_passed(const Point& point, const Collapse& collapse, const CollapsingMes
 }
 
 // Whether the triangles that move are a fan that is seen whole from one side, turning once around
-// its vertex: then none of them crosses another.
+// its vertex. Then none of them crosses another.
 bool is_simple_fan(const Collapse& collapse) {
   Point normal{};
   for (const Collapse::Moved& moved : collapse.moved) {

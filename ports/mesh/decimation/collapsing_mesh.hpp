@@ -80,8 +80,8 @@ class CollapsingMesh {
 
   /// Sets what a collapse would change.
   void describe(std::uint32_t kept, std::uint32_t gone, const Point& at, Collapse& collapse) const;
-  /// Whether the surface stays closed and manifold where it was: the ends of the edge have no more
-  /// neighbours in common than its triangles have corners (link condition, T. Dey et al., 1999).
+  /// Whether the surface stays closed and manifold where it was. The ends of the edge have no more
+  /// common neighbours than its triangles have corners (link condition, T. Dey et al., 1999).
   bool keeps_topology(const Collapse& collapse);
   void carry_out(const Collapse& collapse);
 

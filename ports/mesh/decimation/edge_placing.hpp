@@ -1,4 +1,4 @@
-// Where the vertex goes that replaces an edge, and what that costs.
+// The position of the vertex that replaces an edge, and its cost.
 #ifndef DISCMC_MESH_DECIMATION_EDGE_PLACING_HPP
 #define DISCMC_MESH_DECIMATION_EDGE_PLACING_HPP
 
@@ -25,7 +25,7 @@ class EdgePlacing {
     double cost;
   };
   /// Nothing if the volume would only be kept far from the edge. An edge with one end on a border
-  /// goes to that end, an edge of a border to one of its ends: so a plane border stays plane.
+  /// goes to that end, and an edge of a border to one of its ends. So a plane border stays plane.
   std::optional<Place> place(std::uint32_t a, std::uint32_t b) const;
 
   /// After the triangles around the vertex have changed.
@@ -34,7 +34,7 @@ class EdgePlacing {
  private:
   using Symmetric = std::array<double, 6>;  // xx, xy, xz, yy, yz, zz
 
-  // Of the triangles around a vertex, which is a point of their planes.
+  // The triangles around a vertex, which is a point of their planes.
   struct Sums {
     Symmetric quadric{};
     Point doubled_area{};

@@ -59,8 +59,8 @@ typedef struct discmc_mesh_options {
   /* Distances between voxels along x, y, z, in any unit, which is that of the mesh; negative if the
    * axis runs backwards. All 0: 1, 1, 1. Limit: 1e-6 to 1e6. */
   double spacing[3];
-  /* Null, or 3 rows of 4 numbers instead of the spacing: voxel (i, j, k) lies at row r, column 3,
-   * plus i, j, k times columns 0 to 2. */
+  /* Null, or 3 rows of 4 numbers instead of the spacing. Row r of voxel (i, j, k) is column 3 plus
+   * i, j, k times columns 0 to 2. */
   const double* placement;
   int32_t has_open_border; /* 0: the surface closes at the border of the array; 1: it ends there */
   int32_t interpolates;    /* 1: vertices lie where the samples cross the level */
@@ -72,7 +72,7 @@ typedef struct discmc_mesh_options {
   int32_t normals;         /* DISCMC_NORMALS_... */
   int32_t polygons;        /* 1: also the polygons. Limit: not interpolated, not decimated */
   int32_t threads;         /* 0 or 1: one; -1: as many as there are processors */
-  /* Null, or called in the calling thread with user; returns 0 to cancel the call. done and all
+  /* Null, or called in the calling thread with user. Return 0 to cancel the call. done and all
    * count slices; all is 0 if the step does not count. */
   int32_t (*progress)(void* user, const char* step, uint64_t done, uint64_t all);
   void* user;

@@ -129,8 +129,8 @@ struct MeshOptions {
   /// Distances between voxels along x, y and z, in any unit, which is that of the mesh. Negative if
   /// the axis runs backwards. Limit: 1e-6 to 1e6.
   std::array<double, 3> spacing{1, 1, 1};
-  /// The place of the volume, instead of the spacing: voxel (i, j, k) has its centre at row r,
-  /// column 3, plus i, j, k times columns 0 to 2.
+  /// The place of the volume, instead of the spacing. Row r of the centre of voxel (i, j, k) is
+  /// column 3 plus i, j, k times columns 0 to 2.
   std::optional<std::array<std::array<double, 4>, 3>> placement{};
   /// closed: everything outside the array is outside the surface. open: the surface ends there.
   Border border = Border::closed;
@@ -208,8 +208,8 @@ struct LabelMesh {
 };
 
 /// The surfaces of all labels but 0 in one pass, the least first; or only of those given.
-/// Neighbours share their walls exactly. Limit: samples of whole numbers, at most 65,536 labels, or
-/// 1,024 if most voxels have no neighbour of their label; normals from the surface alone; with
+/// Neighbours share their walls exactly. Limit: samples of whole numbers; at most 65,536 labels, or
+/// 1,024 if most voxels have no neighbour of their label. Normals come from the surface alone;
 /// interpolates only by smoothing. Smoothing holds the array once more, and the meshes of all
 /// labels; the mesh of a label does not depend on which others are given.
 [[nodiscard]] std::vector<LabelMesh> label_meshes(const Samples& samples,

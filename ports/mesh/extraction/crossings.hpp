@@ -37,7 +37,7 @@ class Crossings {
   Crossings(const std::array<std::uint32_t, 3>& dims, const Vertex& first)
       : dims_(dims), first_(first) {}
 
-  /// The point of the interpolated surface that replaces a vertex of the merged one: the crossing
+  /// The point of the interpolated surface that replaces a vertex of the merged one. The crossing
   /// of an edge replaces its middle, the mean of the crossings around it a centroid. If a voxel is
   /// outside the volume or its mask, or a sample is not finite, the crossing is in the middle.
   /// Units: half-steps.

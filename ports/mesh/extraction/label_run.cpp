@@ -10,7 +10,7 @@ namespace discmc::meshing {
 namespace {
 
 // Slices without a voxel that go before the first one with any. A run that does not begin at the
-// bottom of the volume is a slab: the slice below it and its own first one are empty, so nothing
+// bottom of the volume is a slab. The slice below it and its own first one are empty, so nothing
 // crosses its seam.
 std::uint32_t empty_slices_before(std::uint32_t first) {
   return std::min<std::uint32_t>(first, 2);

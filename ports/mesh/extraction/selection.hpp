@@ -32,8 +32,8 @@ struct SampleRange {
 };
 
 /// The stored samples whose values are selected: exactly those, whole numbers as with
-/// stored_threshold(). For floating point the ends of the selection are rounded to the samples'
-/// own type first, so that 0.35 selects a sample stored as 0.35 of 32 bits. Sample: any of
+/// stored_threshold(). For floating point the ends of the selection are rounded to the samples' own
+/// type first. So 0.35 selects a sample stored as 0.35 of 32 bits. Sample: any of
 /// with_sample_type().
 template <class Sample>
 SampleRange<Sample> selected_samples(const SampleGrid& info, const Selection& selection);

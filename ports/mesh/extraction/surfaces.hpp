@@ -66,9 +66,9 @@ struct SurfaceRequest {
   /// Receives the samples, if there is one. Owner: the caller.
   CrossingFinder* crossings = nullptr;
   /// If the volume is extracted in parts, these receive the regions that lie in one part, and the
-  /// sink the others: as polygons or counts, and encoded, in packets that a join passes on. Limit:
-  /// in parts there is one of the two; the sink starts the encoder, whose output accepts all.
-  /// Owner: the caller.
+  /// sink the others. Both are polygons or counts, and encoded, in packets that a join passes on.
+  /// Limit: in parts there is one of the two; the sink starts the encoder, whose output accepts
+  /// all. Owner: the caller.
   SurfaceBuilder* builder = nullptr;
   Encoder* encoder = nullptr;
   /// Is offered regions before the sink receives their events, if it is there. In parts, the

@@ -1,5 +1,5 @@
-// Chains leave as slots: rings and fragments that go out event by event, and all that are open
-// where firmware's sweep goes on.
+// Converts chains to slots: rings and fragments that are sent event by event, and all open chains
+// when the firmware's sweep continues.
 #include "chains.hpp"
 
 namespace discmc::host {

@@ -1,23 +1,23 @@
-// Chains as a host keeps them: a node for each vertex that they pass, linked in their direction.
+// The open chains of a host: a node for each vertex that a chain passes.
 //
-// Nodes are numbered as they come. What waits in a queue is the number of a node: the last one of a
-// fragment where tails wait, the first one where begins do. A pass is one node, which is linked
-// with those that it takes out of the queues; where the chain goes straight on what has waited
-// waits again, and there is none. So all passes are taken by the same instructions.
+// Nodes are numbered in the order in which they are made, and linked in the direction of the chain.
+// A queue holds numbers of nodes: a queue of tails the last node of each waiting fragment, a queue
+// of begins the first one. A pass makes one node, and links it with the nodes that it removes from
+// its two queues. If the chain is straight there, no node is made: what waited waits in the next
+// queue. All passes run the same instructions.
 //
-// A ring is closed by the last one of its nodes, which takes an end out of two queues, a join. From
-// a join the chain is followed as long as its nodes are older: a ring comes back to the join. A
-// walk in vain that was long leaves a node that names the end of it, so that none walks there
-// again.
+// A ring closes at the node that removes a fragment from both of its queues, a join. From there the
+// chain is followed while its nodes are older: the chain of a ring returns to the join. A long walk
+// that finds no ring leaves a node, a shortcut, that names its end. So no walk repeats it.
 //
-// When there is no room for nodes those of open fragments are copied to the other half of their
-// slots, fragment by fragment, without what is straight; the other nodes are forgotten.
+// When no room is left for nodes, the nodes of open fragments with a corner are copied to the other
+// half of their slots, fragment by fragment. All other nodes are forgotten.
 //
-// At the seam of a slab a chain that comes from beyond begins, and one that goes there ends, at a
-// node of which one end waits in a queue from which nothing is taken out. A fragment between two of
-// these is complete.
+// At the seam of a slab, chains from beyond it begin at a node, and chains that leave end at one.
+// One end of such a node waits in a queue of the seam, from which no pass removes it. A fragment
+// between two of these nodes is complete.
 //
-// Nodes and queues lie in the pool of slots: a checkpoint has them.
+// Nodes and queues are in the pool of slots, so a checkpoint contains them.
 #ifndef DISCMC_MESH_HOST_CHAINS_HPP
 #define DISCMC_MESH_HOST_CHAINS_HPP
 
@@ -27,16 +27,16 @@
 
 namespace discmc::host {
 
-/// With what chains begin, and how far a ring is walked before the slower way.
+/// The memory with which chains begin, and how far a ring is followed before the slower way.
 struct ChainRoom {
   static constexpr uint32_t seats_per_slot = sizeof(Node) / sizeof(uint32_t);
   // A pass is a node. It may be a join, which may leave a shortcut.
   static constexpr uint32_t max_joins = FoundPasses::max_passes;
   static constexpr uint32_t max_new = FoundPasses::max_passes + max_joins;
-  // In the queues of a seam, as one edge may have all its passes across it.
+  // Passes that cross a seam: one edge may have all its passes across it.
   static constexpr uint32_t max_across = Edges::max_at_seam * detail::trace::PassList::most;
-  // For handing over, slots are set aside: a node that waits at both its ends becomes two ends and,
-  // as both its sides may be long, up to eight slots of runs.
+  // Slots are set aside for handing over. A node that waits at both ends becomes two ends. Both of
+  // its sides may be long: up to eight slots of runs.
   static constexpr uint32_t slots_a_node = 10;
   static constexpr uint32_t runs_of_side =
       (2 * (Limits::max_extent + 1) + detail::trace::longest_short_run - 1) /
@@ -46,15 +46,15 @@ struct ChainRoom {
   static constexpr uint32_t max_corners = 512;
 
   uint32_t nodes = 4096;
-  /// Of each queue, and of the two of a seam: multiples of seats_per_slot. No power of two, so that
-  /// the first seats of queues do not share sets of a cache.
+  /// The seats of a queue, and of a queue of the seam: multiples of seats_per_slot. They are no
+  /// powers of two, so that the first seats of queues do not share sets of a cache.
   uint32_t seats = 4 * Edges::max_edges + 16;
   uint32_t seats_at_seam = 2 * max_across + 16;
-  /// Rings with as many corners are listed whole.
+  /// The corners of a ring are listed if they are at most this many.
   uint32_t corners = max_corners;
   uint32_t short_walk = 64;
 
-  /// What one batch of edges needs, so that all grows at once: for tests.
+  /// The room that one batch of edges needs, so that everything grows at once: for tests.
   static constexpr ChainRoom least() { return {max_new, Edges::max_edges, max_across, 1, 1}; }
 
   constexpr uint32_t seat_slots() const {
@@ -89,8 +89,8 @@ class Chains {
   /// Begins with slots that have just been cleared. False when they are fewer than the room's.
   bool start(Slots& slots);
 
-  /// Whether there is room for what max_edges bring, in the nodes under way. Limit, here and below:
-  /// no ring and no complete fragment is due.
+  /// Whether there is room for the passes of max_edges, in the nodes under way. Limit, here and
+  /// below: no ring and no complete fragment is due.
   bool has_room(Slots& slots) {
     DISCMC_LIMIT(joins_ == 0 && complete_ == 0);
     return (has_places() || find_places(slots)) && has_room_for(slots, 0);
@@ -99,11 +99,10 @@ class Chains {
   /// complete. Cost: copies all open fragments.
   bool make_room(Slots& slots);
 
-  /// Takes passes in. Limit: there is room.
+  /// Adds passes to the chains. Limit: there is room.
   void take(Slots& slots, const FoundPasses& passes, uint32_t edges);
 
-  /// Finds the next ring that was closed, in the order in which they were. False when there is
-  /// none.
+  /// Finds the next closed ring, in the order in which they were closed. False if there is none.
   bool find_ring(Slots& slots);
   /// Its corners in order, from any one of them on; none if they are more than max_corners.
   uint64_t* corners() { return corner_; }
@@ -133,8 +132,7 @@ class Chains {
     uint32_t first, slots;
   };
 
-  // Of slots, counted from the first, the number is that of a node less one, and the first is none
-  // that is ever read.
+  // Slot n, counted from 0, belongs to node n + 1. Slot 0 is never read.
   static Node* nodes(Slots& slots) { return reinterpret_cast<Node*>(&slots[1]); }
   static uint32_t* seats(Slots& slots) { return reinterpret_cast<uint32_t*>(&slots[1]); }
   uint32_t& front(uint32_t queue) { return queue < first_begins ? of_in_[queue] : of_out_[queue]; }
@@ -179,17 +177,17 @@ class Chains {
   bool comes_back(Slots& slots, uint32_t at);
 
   ChainRoom room_;
-  Area area_[2] = {};         // of nodes: they are in the first, and the other is free
+  Area area_[2] = {};         // nodes are in the first; the other is free
   uint32_t top_ = 0;          // behind the last node
-  uint32_t end_ = 0;          // before which it is to stay
-  uint32_t free_places_ = 0;  // no queue has fewer, but for those of a seam
+  uint32_t end_ = 0;          // the limit of top_
+  uint32_t free_places_ = 0;  // every queue has as many, except those of the seam
   uint32_t complete_ = 0;     // fragments between seams, the first ones of seam_begins
   uint32_t joins_ = 0;
   uint32_t next_join_ = 0;
   uint32_t ring_ = 0;
   uint32_t corner_count_ = 0;
-  // By queue: the seat that is next for passes that come along it, and for those that go. One is
-  // where an end is taken out, the other where one is put in.
+  // By queue: the next seat for chains that arrive along it, and for chains that leave. One seat is
+  // where an end is removed, the other where one is added.
   uint32_t of_in_[queue_codes] = {};
   uint32_t of_out_[queue_codes] = {};
   uint32_t first_seat_[queue_codes] = {};

@@ -7,13 +7,13 @@
 
 namespace discmc::host {
 
-/// From the lowest bit: the link by which the chain goes on (5 bits) and that by which it comes
-/// (5), its incidence (5); from bit 16 on x, y and z (16 each), each and one. So the order of
-/// numbers is the order z, y, x, and a vector is a number to be added.
+/// Bits 0-4: the link by which the chain leaves. 5-9: the link by which it arrives. 10-14: its
+/// incidence. 16-31: x + 1. 32-47: y + 1. 48-63: z + 1. So codes are in the order z, y, x, and
+/// adding a vector to a code moves the corner.
 class CornerCode {
  public:
-  /// Slices that fit, the row before the first one and what lies behind the last included: its
-  /// centroids, and the slice above a slab.
+  /// The slices that fit. One before the first fits as well, and behind the last its centroids and
+  /// the slice above a slab.
   static constexpr int32_t max_slices = 32760;
   static_assert(2 * (max_slices + 2) < 1 << 16 && 2 * Limits::max_extent + 1 < 1 << 16,
                 "each coordinate and one has 16 bits");
@@ -23,8 +23,7 @@ class CornerCode {
 
   constexpr explicit CornerCode(uint64_t bits) : bits_(bits) {}
 
-  /// What has to be added for links, an incidence, a vector; and the code of a vertex without
-  /// these.
+  /// The number to add for links, an incidence or a vector; and the code of a vertex alone.
   static constexpr uint64_t links(Link incoming, Link onwards) {
     return uint64_t{incoming} << 5 | onwards;
   }
@@ -52,8 +51,8 @@ class CornerCode {
   uint64_t bits_;
 };
 
-/// How to count links between two corners: from their bits from `shift` on, where what is above
-/// the lowest coordinate that changes is the same, and by how much a link changes it.
+/// How to count links between two corners. The bits from `shift` on hold a coordinate that
+/// changes; the bits above it are equal. A link changes it by 1 << halvings.
 struct LinkMeasure {
   uint8_t shift;
   uint8_t halvings;

@@ -17,10 +17,10 @@ uint64_t two_words(const uint32_t* words) {
   return words[0] | uint64_t{words[1]} << 32;
 }
 
-// Of the columns of two words, and of a row of two words.
+// The own columns of two words.
 constexpr uint64_t own_columns = detail::trace::own_columns * uint64_t{0x100000001};
 
-// Of a position, which may lie a column or a row before the first.
+// The slice of a position, which may lie a column or a row before the first.
 uint32_t slice_of(uint64_t position) {
   return static_cast<uint32_t>((position + CornerCode::vector({2, 2, 0})) >> 48);
 }

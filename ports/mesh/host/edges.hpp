@@ -1,7 +1,7 @@
 // The crossing edges of rows, collected, with the voxels around them.
 //
-// They are collected without a branch that depends on the surface, from one row after another of a
-// slice, until there are many: what is done to them is then done in loops that run long.
+// No branch of the collecting depends on the surface. Edges are collected from one row of a slice
+// after another until there are many, so that the loops over them are long.
 #ifndef DISCMC_MESH_HOST_EDGES_HPP
 #define DISCMC_MESH_HOST_EDGES_HPP
 
@@ -13,7 +13,7 @@ namespace discmc::host {
 /// An edge, and what is around it.
 struct Edge {
   uint64_t voxel;  ///< CornerCode::position() of the one at its lower end
-  uint32_t lines;  ///< of its axis, from bit 0 on; what stands above is of no use: see RayTable
+  uint32_t lines;  ///< of its axis, from bit 0 on (see RayTable); the bits above are unused
   uint32_t axis;   ///< and, from special_shift on, 0, or special and quadrants without a cell
 
   static constexpr uint32_t special_shift = 2;
@@ -25,13 +25,13 @@ struct Edge {
 class Edges {
  public:
   static constexpr uint32_t max_edges = 192;
-  /// Of those at a seam, which have twice as many passes.
+  /// Edges at a seam have twice as many passes.
   static constexpr uint32_t max_at_seam = max_edges / 2;
 
   void clear();
-  /// Collects those of a row, from where it was last left. False when the row has come to an end;
-  /// else there is no room for those of one more word, or those of another slice have to be taken
-  /// first.
+  /// Collects the edges of a row, from the word where it stopped. False at the end of the row. True
+  /// if those collected must be processed first: there is no room for one more word, or they belong
+  /// to another slice.
   bool collect(const detail::trace::SweptRow& row);
   /// Forgets those collected.
   void take_all() { count_ = 0; }
@@ -53,8 +53,8 @@ class Edges {
 
   uint32_t word_ = 0;
   uint32_t count_ = 0;
-  int32_t z_ = 0;                  // of those collected
-  Edge edge_[max_edges + 3] = {};  // those of the last voxel are written, be there any or none
+  int32_t z_ = 0;                  // the slice of those collected
+  Edge edge_[max_edges + 3] = {};  // three are written for each voxel, however many it has
 };
 
 }  // namespace discmc::host

@@ -11,8 +11,8 @@ namespace {
 
 constexpr uint32_t incidences = incidence_bits >> incidence_shift;
 
-// Adds the rays of a half to others, the first one if the sector before it differs: that is the
-// last one of a half that begins with another ray.
+// Adds the rays of a half: the first one only if its sector differs from the sector before, the
+// last one of the other half.
 DISCMC_ALWAYS_INLINE RayWord* add_half(RayWord* ray, const HalfRays& half, RayWord first,
                                        RayWord first_before) {
   const uint32_t differ = first >> incidence_shift ^ first_before >> HalfRays::last_shift;
@@ -52,7 +52,7 @@ void FoundPasses::find(const Edges& edges, detail::trace::SweepCounts& counts) {
     const uint32_t has_rays = ray != begin ? 1 : 0;
     *ray = *begin | repeated;
     ray += has_rays;
-    // Where the voxel is on chains come by the next ray, else they go by it.
+    // If the voxel is on, chains arrive along the next ray; otherwise they leave along it.
     *place = {edge.voxel, out_bits >> (lines >> (HalfRays::lines_bits - 3) & 8)};
     place += has_rays;
   }
@@ -67,7 +67,7 @@ void FoundPasses::find(const Edges& edges, detail::trace::SweepCounts& counts) {
 // Finds the passes at an edge around which cells are absent, or the ends at the seam of a slab.
 DISCMC_NOINLINE FoundPasses::Added FoundPasses::add_special(const Edge& edge, RayWord* ray,
                                                             Place* place) const {
-  // Lines 0 to 4 stand lowest, and 5 to 7 behind line 4 where it stands once more.
+  // Lines 0 to 4 are in the lowest bits. Line 4 is there once more, followed by 5 to 7.
   constexpr uint32_t first_lines = (1U << HalfRays::lines_bits) - 1;
   const uint32_t lines = (edge.lines & first_lines) |
                          (edge.lines >> (HalfRays::lines_bits + 3) & 63) << HalfRays::lines_bits;

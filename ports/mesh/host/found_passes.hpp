@@ -1,4 +1,4 @@
-// The passes at the edges that were collected: as the rays between which they lie.
+// The passes at the collected edges. A pass is found as the two rays between which it lies.
 #ifndef DISCMC_MESH_HOST_FOUND_PASSES_HPP
 #define DISCMC_MESH_HOST_FOUND_PASSES_HPP
 
@@ -12,7 +12,7 @@ class FoundPasses {
  public:
   static constexpr uint32_t max_passes = Edges::max_edges * detail::trace::PassList::most;
 
-  /// Finds those of some edges, and adds to the counts of cells.
+  /// Finds the passes of some edges, and adds to the counts of cells.
   void find(const Edges& edges, detail::trace::SweepCounts& counts);
 
   /// Calls visit(voxel, pass) for each: where the voxel at the lower end of its edge is.
@@ -31,8 +31,8 @@ class FoundPasses {
   // Set in the word behind the last ray of a vertex: the first once more.
   static constexpr uint32_t repeated = 1U << 31;
 
-  // Of the rays of a vertex: where it is, and which bits of a pass are those of the next ray:
-  // in_bits or out_bits, or none where each ray is a pass already.
+  // The voxel of a vertex, and the bits of its passes that come from the next ray: in_bits,
+  // out_bits, or none for special vertices.
   struct Place {
     uint64_t voxel;
     uint32_t of_next;

@@ -18,7 +18,7 @@ struct Node {
   static constexpr uint32_t no_node = UINT32_MAX;
   /// Added to the seat of a tail, while nodes are copied.
   static constexpr uint32_t waiting_tail = 1U << 31;
-  /// In place of a pass: the node names another in voxel_bits, up to which chains need not be
+  /// In place of a pass: a shortcut. Its voxel_bits name the node up to which the chain need not be
   /// followed again. It has no corner.
   static constexpr PassWord shortcut = 1U << 31 | pass_word(seam_tails, seam_begins, 0);
   static_assert(detail::sizing::max_slots<uint32_t> < waiting_tail,
@@ -43,8 +43,8 @@ struct Node {
   }
   uint64_t corner_behind() const { return plane() + ray_ends.centroid[out_of(pass)]; }
 
-  /// Writes down the corners: none, one or two, whatever it is by the same instructions. Returns
-  /// where the next one belongs. Limit: there is room for two.
+  /// Writes the corners, none to two, by the same instructions in all cases. Returns where the next
+  /// one belongs. Limit: there is room for two.
   DISCMC_ALWAYS_INLINE uint64_t* add_corners(uint64_t* corners) const {
     corners[0] = corner();
     corners += turns() ? 1 : 0;

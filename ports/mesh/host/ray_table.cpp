@@ -202,7 +202,8 @@ constexpr RayTable derive_rays() {
 }
 
 constexpr RayTable derived_rays = derive_rays();
-static_assert(derived_rays.rays[0][0][HalfRays::kinds - 1].first != 0, "there are so many kinds");
+static_assert(derived_rays.rays[0][0][HalfRays::kinds - 1].first != 0,
+              "kinds is the number of kinds");
 
 constexpr bool sums_have_room() {
   constexpr uint64_t field = (uint64_t{1} << PartSum::bits) - 1;

@@ -1,8 +1,8 @@
-// The rays at a vertex, looked up by the voxels around it, and what a pass along two rays is.
+// The rays at a vertex, looked up by the voxels around it, and the pass between two rays.
 //
-// The neighbourhood of a vertex is looked up by halves, of which there are few kinds. A half has
-// the rays between its sectors, and one where the halves meet, if the sectors on both sides differ.
-// Two queues, those of its rays, name a pass: a queue begins at one edge of a cell and ends at one.
+// The neighbourhood of a vertex is looked up by halves, of which there are few kinds. A half has a
+// ray between each two of its sectors, and one where the halves meet if the sectors there differ.
+// The queues of its two rays identify a pass: a queue leads from one edge of a cell to another.
 #ifndef DISCMC_MESH_HOST_RAY_TABLE_HPP
 #define DISCMC_MESH_HOST_RAY_TABLE_HPP
 
@@ -10,8 +10,8 @@
 
 namespace discmc::host {
 
-/// A queue as it is numbered here: those in which tails wait from 0 on, those in which begins do
-/// from first_begins on. The last one of either is that of ends at a seam, which no pass takes out.
+/// The number of a queue here: queues of tails from 0 on, queues of begins from first_begins on.
+/// The last queue of either kind holds the ends at a seam, which no pass removes.
 using QueueCode = uint8_t;
 
 constexpr uint32_t queues_each = detail::trace::queue_count / 2 + 1;
@@ -19,9 +19,9 @@ constexpr uint32_t first_begins = queues_each;
 constexpr uint32_t queue_codes = first_begins + queues_each;
 constexpr QueueCode seam_tails = queues_each - 1, seam_begins = queue_codes - 1;
 
-/// A ray: in bits 0 to 7 the queue of the chain that comes along it, in bits 8 to 15 that of the
-/// one that goes, from bit 16 on the incidence of the sector behind it. A pass, of the wedge
-/// between two rays, is the same: one of the queues is that of the next ray.
+/// A ray. Bits 0-7: the queue of the chain that arrives along it. 8-15: the queue of the chain that
+/// leaves along it. 16-20: the incidence of the sector behind it. A pass lies in the wedge between
+/// two rays and has the same bits, but one of its queues is that of the next ray.
 using RayWord = uint32_t;
 using PassWord = uint32_t;
 
@@ -61,10 +61,11 @@ struct HalfRays {
   static constexpr uint32_t places = 1U << (lines_bits + 1);
   static constexpr uint32_t kinds = 306;
 
-  /// Those behind the first face, in order; what stands behind the last of them is of no use.
+  /// The rays behind the first face, in order; the words after the last of them are unused.
   RayWord ray[3];
-  /// The one on the first face, if the sector before it has another incidence; from last_shift on
-  /// the incidence of the last sector of the half, from count_shift on how many rays follow.
+  /// The ray on the first face, which exists if the sector before it has another incidence. From
+  /// last_shift on: the incidence of the half's last sector. From count_shift on: how many rays
+  /// follow.
   RayWord first;
   static constexpr uint32_t last_shift = 21, count_shift = 26;
   static_assert(incidence_codes <= 1 << (count_shift - last_shift),
@@ -72,9 +73,9 @@ struct HalfRays {
 };
 
 struct RayTable {
-  /// What nine voxels of a slice contribute to the lines around the one in the middle: by
-  /// how far above the voxel it lies, from -1 on, and its voxels, bit x + 3 y. From the lowest bit,
-  /// for each axis: lines 0 to 4 (10 bits), whether the voxel is on (1), lines 4 to 7 and 0 (10).
+  /// What 3 x 3 voxels of a slice contribute to the lines around the middle voxel. By the height of
+  /// the slice above that voxel, plus 1, and by the voxels: bit x + 3 y. An axis has 21 bits, from
+  /// the lowest: lines 0 to 4 (10), the voxel (1), lines 4 to 7 and 0 (10).
   uint64_t lines[3][512];
   static constexpr uint32_t axis_bits = 2 * HalfRays::lines_bits + 1;
   static_assert(3 * axis_bits <= 64, "three axes fit");
@@ -84,13 +85,13 @@ struct RayTable {
     uint16_t rays;   ///< a place in `rays`
     uint16_t parts;  ///< a place in `parts`
   };
-  Kind kind[2][HalfRays::places];  ///< by half, and lines and voxel as they stand above
+  Kind kind[2][HalfRays::places];  ///< by half, and by lines and voxel, in the order above
 
   HalfRays rays[3][2][HalfRays::kinds];  ///< by axis and half
   uint64_t parts[120];                   ///< PartSum
 };
 
-/// What follows from the queue of a ray, for chains that come along it, and for those that leave.
+/// What follows from the queue of a ray, for chains that arrive along it and for chains that leave.
 struct RayEnds {
   /// From the voxel to the vertex, CornerCode::vector(), and `incoming` in its place.
   uint64_t vertex[queue_codes];
@@ -99,13 +100,13 @@ struct RayEnds {
 
   /// From the voxel to a corner at the centroid behind the vertex, with its links.
   uint64_t centroid[queue_codes];
-  Link first[queue_codes];           ///< by which it goes on, to the next vertex or to a centroid
+  Link first[queue_codes];           ///< by which it leaves, to the next vertex or a centroid
   uint8_t turns[queue_codes];        ///< 1 if there is a corner at that centroid, else 0
   uint32_t goes_ahead[queue_codes];  ///< all bits if the vertex after is visited later
 
-  /// Equal where the chain has no corner and one of its ends goes from queue to queue. A begin does
-  /// not, if there is a corner at the centroid before the vertex: it may wait for the next slice,
-  /// and the side up to there be of any length.
+  /// Equal if the chain has no corner, and one of its ends moves from queue to queue. A begin stays
+  /// if there is a corner at the centroid before the vertex. It may wait for the next slice, and
+  /// the side up to the centroid may have any length.
   uint32_t straight_in[queue_codes], straight_out[queue_codes];
 
   uint8_t number[queue_codes];                 ///< what the queue is in sector_table.hpp

@@ -147,8 +147,8 @@ bool Sweep::may_have_holes(CornerCode start) {
   return holes.count() > 0 && holes.has_any(slots(), start.incidence(), start.vertex());
 }
 
-// Makes runs of the corners of the ring that was found, twice over, and returns the first one: a
-// ring begins at its last vertex, as in Delivery, which is a corner.
+// Makes runs of the corners of the ring that was found, twice over. Returns the first run: a ring
+// begins at its last vertex, as in Delivery. This vertex is a corner.
 DISCMC_ALWAYS_INLINE const Run* Sweep::make_runs(uint32_t count, CornerCode& start,
                                                  uint64_t& links) {
   DISCMC_LIMIT(2 * count <= sizeof run_ / sizeof run_[0]);

@@ -1,7 +1,7 @@
 // The sweep of a host: faster, and with the same events, while there is memory to spare.
 //
-// Then chains are kept as nodes (chains.hpp). When too many slots would be in use they are handed
-// over to the sweep that firmware has, which goes on.
+// It keeps chains as nodes (chains.hpp). When too many slots would be in use, it hands them over to
+// the firmware's sweep, which continues.
 #ifndef DISCMC_MESH_HOST_SWEEP_HPP
 #define DISCMC_MESH_HOST_SWEEP_HPP
 
@@ -12,7 +12,7 @@
 
 namespace discmc::host {
 
-/// To an extractor what a detail::trace::Sweep is.
+/// Replaces detail::trace::Sweep in an extractor.
 class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
  public:
   using Features = AllFeatures;

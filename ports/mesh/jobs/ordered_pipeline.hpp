@@ -13,11 +13,11 @@
 
 namespace discmc::meshing {
 
-/// Items 0 to count - 1 pass three steps. fill(number, item) and take(number, item) are called in
-/// the order of the items, each by one thread at a time; work(number, item) by as many as there
-/// are jobs. Items are made once and used again, so that their memory stays: twice as many as jobs,
-/// or twice the count if that is less. What a step throws ends the pipeline, and is thrown. With
-/// one job no thread is started.
+/// Items 0 to count - 1 pass three steps. The steps fill(number, item) and take(number, item) are
+/// called in the order of the items, by one thread at a time. As many threads as there are jobs
+/// call work(number, item). Items are made once and used again, so that their memory stays: twice
+/// as many as jobs, or twice the count if that is less. What a step throws ends the pipeline, and
+/// is thrown. With one job no thread is started.
 template <class Item, class Fill, class Work, class Take>
 class OrderedPipeline {
  public:

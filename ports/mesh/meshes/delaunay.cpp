@@ -133,8 +133,8 @@ void DelaunayFlips::link(Side a, Side b) {
   if (b != no_side) twins_[b] = a;
 }
 
-// The other diagonal of the four points: of the triangles a b c and b a d, which share the side
-// a b, it makes a d c and d b c.
+// The other diagonal of the four points. The triangles a b c and b a d share the side a b; they
+// become a d c and d b c.
 void DelaunayFlips::flip(std::vector<Triangle>& triangles, Side side) {
   const Side twin = twins_[side];
   const Side outer[] = {twins_[next(twin)], twins_[previous(twin)], twins_[next(side)],

@@ -11,17 +11,17 @@
 namespace discmc::meshing {
 
 /// Cuts ears off a ring: triangles of three neighbouring points with no other point inside. It
-/// knows at once which triangles share a side. Time grows as the square of the points, so few
-/// points take less time than by a sweep, which sorts them.
-/// G. H. Meisters, Polygons have ears, 1975.
+/// finds at once which triangles share a side. Time grows as the square of the points, so few
+/// points take less time than by a sweep, which sorts them. G. H. Meisters, Polygons have ears,
+/// 1975.
 class Ears {
  public:
   static constexpr std::size_t max_points = 64;
 
   /// Whether the ring is one for ears: 3 to max_points points, counter-clockwise, whose sides meet
-  /// in their common points only. Then triangles and pairs are set: counter-clockwise triangles,
-  /// none without area, and of every side, as DelaunayFlips numbers them, the other one between
-  /// the same points.
+  /// in their common points only. Then triangles and pairs are set. Triangles are
+  /// counter-clockwise, and none has zero area. Each side, numbered as by DelaunayFlips, has the
+  /// other one between the same points.
   bool cut(const std::vector<PlanePoint>& points, std::vector<Triangle>& triangles,
            std::vector<std::uint32_t>& pairs);
 

@@ -34,7 +34,7 @@ void for_each_edge(const std::vector<FaceEdge>& edges, const Call& call) {
   }
 }
 
-/// Returns sets of faces that are connected by edges. edges: sorted_edges() of so many faces.
+/// Returns sets of faces that are connected by edges. edges: sorted_edges() of this many faces.
 Sets connected_faces(const std::vector<FaceEdge>& edges, std::size_t faces);
 
 }  // namespace discmc::meshing

@@ -42,7 +42,7 @@ class Outline {
     ring_ends.push_back(static_cast<std::uint32_t>(numbers.size()));
   }
 
-  // If three or more boundary links end in a vertex, some side ends there as well: a vertex that is
+  // If three or more boundary links end in a vertex, some side ends there as well. A vertex that is
   // a corner of no ring is no junction.
   void add_junctions(const Vertex& from, const Vertex& to) {
     const Side side = side_between(from, to);

@@ -7,9 +7,9 @@
 
 namespace discmc::meshing {
 
-/// Moves a mesh of build_mesh(), once, from where its spacing has it: vertices, normals (as planes
-/// go, so also by oblique axes), and the order of corners where the placement mirrors. A vertex
-/// (x, y, z), in half-steps, then lies at origin + (x axes[0] + y axes[1] + z axes[2]) / 2.
+/// Moves a mesh of build_mesh(), once, from where its spacing has it. This moves vertices and
+/// normals (as planes move, also by oblique axes), and reverses corners if the placement mirrors. A
+/// vertex (x, y, z), in half-steps, then lies at origin + (x axes[0] + y axes[1] + z axes[2]) / 2.
 /// Limit: is_usable(placement).
 void place(FaceMesh& mesh, const VolumePlacement& placement);
 

@@ -22,8 +22,8 @@ struct Distances {
 /// How many points of a mesh are measured, beside its vertices.
 constexpr std::size_t default_distance_samples = 200'000;
 
-/// The distances of the points of `from` from the faces of `to`. The mean and the percentile are
-/// of points spread evenly over the area, always the same ones; the largest is of these and of all
+/// The distances of the points of `from` from the faces of `to`. The mean and the percentile are of
+/// points spread evenly over the area, always the same ones. The largest is of these and of all
 /// vertices. unit: coordinates are divided by it, the spacing of a volume to measure in voxels.
 /// Limit: both have faces, and `from` has_area(); otherwise std::invalid_argument. Faces are taken
 /// as fans. Time: n log n for n faces, and so much for each point as there are faces near to it.

@@ -13,11 +13,11 @@ namespace discmc::meshing {
 ///
 /// For a merged mesh, which has incidences: the mean of the polygons that meet there, each by the
 /// root of its area. So large walls stay plain and the narrow facets between them are rounded, and
-/// still no large polygon of a curved surface outweighs all around it: on a ball of radius 40 they
-/// are 7.7 degrees away from the true ones in the mean, and would be 13.6 by the area itself.
+/// no large polygon of a curved surface outweighs all around it. On a ball of radius 40 the mean
+/// error is 7.7 degrees; by the area itself it would be 13.6.
 ///
-/// Of any other mesh: the mean of the triangles that meet there, each by its angle there, so that
-/// it makes no difference how a flat part is cut into triangles. Limit: triangles.
+/// For any other mesh it is the mean of the triangles that meet there, each by its angle. So it
+/// makes no difference how a flat part is cut into triangles. Limit: triangles.
 std::vector<Point> surface_normals(const FaceMesh& mesh);
 
 }  // namespace discmc::meshing

@@ -16,8 +16,8 @@ class TriangleNormal {
   explicit TriangleNormal(const Corners& triangle)
       : normal_(doubled_area(triangle)), squared_length_(dot(normal_, normal_)) {}
 
-  /// The side that a point is on of the plane through the origin: 1, -1, or 0 for in the plane, but
-  /// for what rounding leaves unsure.
+  /// The side of the plane through the origin that a point is on: 1, -1, or 0 for in the plane.
+  /// Rounding may leave it unsure.
   int side_of(const Point& origin, const Point& point) const {
     const Point away = difference(point, origin);
     const double height = dot(normal_, away);

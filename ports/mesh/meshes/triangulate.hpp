@@ -25,7 +25,7 @@ class Triangulator {
   /// have collinear points.
   ///
   /// Returns counter-clockwise triples of places in `points`, valid until the next call; of equal
-  /// points it may be the place of any. Every point is a corner of some triangle, no triangle has
+  /// points it may be the place of any. Every point is a corner of some triangle. No triangle has
   /// zero area or a point on one of its sides, and the areas add up to the polygon's exactly.
   /// Time: n log n for n points, beside the flips, and what moving an array of the edges costs that
   /// lie side by side.
@@ -41,8 +41,8 @@ class Triangulator {
     Rank left, right;
     bool is_floor;  // the inside is above it
   };
-  // What is inside between two edges that lie side by side, and to the right of the triangles cut
-  // so far, begins at a chain of points that leaves no triangle to cut.
+  // The inside between two edges that lie side by side, to the right of the triangles cut so far.
+  // It begins at a chain of points that leaves no triangle to cut.
   struct Node {
     Rank point;
     std::uint32_t below, above;  // the next nodes of the chain

@@ -12,8 +12,8 @@
 namespace discmc::meshing {
 
 /// Gives every vertex the mean of the polygons that have it for a corner or a junction, each by its
-/// area; zero where they cancel each other out. mesh: build_mesh() of the surface.
-/// Throws std::invalid_argument when the spacing is beyond what a stream can hold.
+/// area. Zero if they cancel each other out. mesh: build_mesh() of the surface. Throws
+/// std::invalid_argument when the spacing is beyond what a stream can hold.
 void set_polygon_normals(const Surface& surface, FaceMesh& mesh);
 
 /// Gives every vertex its normal in the scan or the stream. A vertex without one keeps the normal

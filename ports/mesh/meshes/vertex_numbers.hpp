@@ -14,8 +14,8 @@
 namespace discmc::meshing {
 
 /// Gives vertices numbers from zero on. The lattice is divided into blocks of 8 x 8 x 8 points, and
-/// a block has a bit for each vertex in it: the number of a vertex is that of the block's first
-/// one and the count of bits before its own. Blocks without a vertex take no memory.
+/// a block has a bit for each vertex in it. The number of a vertex is the number of the block's
+/// first vertex plus the count of bits before its own. Blocks without a vertex take no memory.
 /// Limit: vertices of the lattice, which have an odd coordinate sum.
 class VertexNumbers {
  public:

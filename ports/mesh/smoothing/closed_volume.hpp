@@ -13,8 +13,8 @@
 
 namespace discmc::meshing {
 
-/// The voxels that are selected, dilated by a ball and then eroded by it: 1, all others 0. Gaps in
-/// which the ball has no room are closed; nothing else changes, also at the ends of the volume, as
+/// The voxels that are selected, dilated by a ball and then eroded by it: 1, all others 0. Gaps
+/// without room for the ball are closed. Nothing else changes, also at the ends of the volume, as
 /// all beyond counts as off. Memory: as two of BitDilation.
 class ClosedVolume final : public SliceReader {
  public:

@@ -64,7 +64,7 @@ class VolumeKeeper {
   }
 
  private:
-  // Of a surface.
+  // The volumes of a surface.
   struct Parts {
     std::vector<std::uint32_t> of_polygon;                  // pieces
     std::array<std::vector<std::uint32_t>, 3> of_crossing;  // pieces, by axis
@@ -103,7 +103,7 @@ class VolumeKeeper {
     }
   }
 
-  // Of two surfaces the first one that has an edge sets the ends of both.
+  // The first of two surfaces with an edge sets the ends of both.
   void find_edges(std::size_t number) {
     Crossings& crossings = *surfaces_[number].crossings;
     const Parts& parts = of_surface_[number];

@@ -16,7 +16,7 @@ namespace {
 // cavities more often than it enters any, and a cavity in a body likewise.
 //
 // All coordinates are doubled, and a ray is a little beyond its integers: more along x than along
-// y, and more along y than along z. So it meets no vertex and no side.
+// y, and more along y than z. So it meets no vertex and no side.
 using Doubled = std::int64_t;
 
 // The line of a ray: z first.
@@ -32,8 +32,8 @@ struct Start {
   }
 };
 
-// Where a line meets a polygon: 1 if a ray along x comes to the inside of the surface there, which
-// is out of a cavity, else -1.
+// Where a line meets a polygon: 1 if a ray along x enters the inside of the surface there (out of a
+// cavity), else -1.
 struct Meeting {
   std::size_t line;
   Doubled x;

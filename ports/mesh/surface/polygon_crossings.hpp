@@ -16,7 +16,7 @@
 namespace discmc::meshing {
 
 /// Calls with the middle of each edge along an axis that crosses a polygon. An edge through a side
-/// or a corner crosses one of the polygons there: edges count as moved by very little across the
+/// or a corner crosses one of the polygons there. Edges count as moved by very little across the
 /// axis, more along the next axis than along the one after.
 template <class Call>
 void for_each_crossing(const Polygon& polygon, std::size_t axis, Call call) {

@@ -65,8 +65,8 @@ class Rings {
   std::size_t size_;
 };
 
-/// A region as rings in the plane of its incidence: the outer ring first, counter-clockwise seen
-/// from the tip of the normal, then the holes, clockwise. Rings may touch in a vertex; they never
+/// A region as rings in the plane of its incidence. The outer ring is first, counter-clockwise seen
+/// from the tip of the normal; the holes follow, clockwise. Rings may touch in a vertex; they never
 /// cross and never share a link. Owner: Polygons, until more are added.
 struct Polygon {
   discmc::Incidence incidence;

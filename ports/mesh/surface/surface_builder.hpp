@@ -17,8 +17,8 @@ enum class Kept { polygons, counts };
 
 /// Takes events of an extractor or a decoder and always answers "taken". Loose fragments are to be
 /// joined before.
-/// Memory: of one region at a time in proportion to its runs, not to its links, since a few bytes
-/// of a hostile stream can encode any number of these.
+/// Memory: one region at a time, in proportion to its runs, not to its links. A few bytes of a
+/// hostile stream can encode any number of links.
 /// Errors: take() and append() throw std::length_error beyond the limit of Polygons.
 class SurfaceBuilder {
  public:

@@ -141,8 +141,8 @@ TEST_CASE("records, outputs and further scans are as in C++") {
   CHECK(discmc_encoder_write_record(stream.encoder, &too_long) == DISCMC_BAD_RECORD);
 
   for (const bool drops : {true, false}) {
-    discmc_encoder_set_output(
-        stream.encoder, drops ? discmc_byte_output{} : in_c(other_line.output()));
+    discmc_encoder_set_output(stream.encoder,
+                              drops ? discmc_byte_output{} : in_c(other_line.output()));
     encoder.set_output(drops ? ByteOutput{} : other_cpp_line.output());
     take_all(stream.encoder, events(), drops ? 0 : 1000, drops ? 1000 : events().size());
     test::take_all(encoder, Events(events().begin() + (drops ? 0 : 1000),

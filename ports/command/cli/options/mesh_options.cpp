@@ -199,8 +199,8 @@ void add_decimation_options(CLI::App& app, Decimation& decimation) {
       ->check(whole_from(4))
       ->option_text("N");
   app.add_option("--max-error", decimation.max_error_mm,
-                 "decimate each mesh as far as its vertices and middles stay within MM millimetres "
-                 "of the original, and the vertices of the original within MM of it")
+                 "decimate each mesh. Its vertices and middles stay within MM millimetres of the "
+                 "original, and the vertices of the original within MM of it")
       ->check(accepted([](double length) { return length > 0; }, "millimetres above 0"))
       ->option_text("MM");
 }

@@ -104,7 +104,7 @@ void add_selection_options(CLI::App& app, std::vector<NamedSelection>& selection
   CLI::Option* label_option =
       add_selection_option(app, "--label", label, "N|NAME,...", "a number or name", selections,
                            "instead of --iso: a voxel is on if it has the label with this number "
-                           "or name; a list makes one surface: 5,6 or 'left lung,right lung'");
+                           "or name. A list makes one surface: 5,6 or 'left lung,right lung'");
   iso->excludes(between)->excludes(label_option);
   between->excludes(label_option);
 }

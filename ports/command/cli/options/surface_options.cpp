@@ -25,8 +25,8 @@ void add_label_options(CLI::App& app, std::string& labels, VolumeArguments& argu
     option->excludes(app.get_option(other));
   app.add_option("--label-table", arguments.label_table,
                  "read the names and colours of labels (no colours in .stl). A table of 3D Slicer, "
-                 "FreeSurfer, ITK-SNAP or BIDS, or dataset.json of nnU-Net (default: those in the "
-                 "file, as in .seg.nrrd; otherwise 21 colours by number)")
+                 "FreeSurfer, ITK-SNAP or BIDS, or dataset.json of nnU-Net. Default: those in the "
+                 "file, as in .seg.nrrd; otherwise 21 colours by number")
       ->option_text("FILE");
 }
 
@@ -51,7 +51,7 @@ void add_surface_options(CLI::App& app, VolumeArguments& arguments) {
       ->check(CLI::IsMember({3}))
       ->option_text("3");
   app.add_option("--mask", arguments.mask,
-                 "a volume with a header and the same extents: a voxel is off if its mask is 0. "
+                 "a volume with a header and the same extents. A voxel is off if its mask is 0. "
                  "--crop and --shrink apply to the mask, too")
       ->check(CLI::Validator(
           [](std::string& text) {

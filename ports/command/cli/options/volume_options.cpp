@@ -153,8 +153,8 @@ void add_volume_options(CLI::App& app, VolumeOptions& options) {
       ->option_text("X,Y,Z")
       ->check(usable_spacing());
   app.add_option("--series", options.series,
-                 "read this series or volume of several in DICOM: its number in the list that is "
-                 "printed without this option, or the UID of a series")
+                 "read this series or volume of several in DICOM: the UID of a series, or its "
+                 "number in the list printed without this option")
       ->option_text("SERIES");
   app.add_flag("--merge-series", options.merges_series,
                "read DICOM slices of several series as one volume, for files that each have a "

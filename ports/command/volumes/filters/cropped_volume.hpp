@@ -9,9 +9,9 @@
 
 namespace discmc::command {
 
-/// Slices before the part are skipped, those behind it are not read: what is missing or damaged
-/// there is not found, and whatever writes into a pipe finds it closed. Holds one slice of
-/// the volume. Throws a VolumeError where the part is not within the volume. file: for errors.
+/// Slices before the part are skipped, and those behind it are not read. Damage there is not found,
+/// and a program that writes into a pipe finds it closed. Holds one slice of the volume. Throws a
+/// VolumeError where the part is not within the volume. file: for errors.
 std::unique_ptr<VolumeReader> cropped(const std::filesystem::path& file,
                                       std::unique_ptr<VolumeReader> volume, const Crop& crop);
 

@@ -21,9 +21,9 @@ using LabelSet = std::map<std::uint32_t, std::vector<LabelValue>>;
 /// How many sets a volume has bits for.
 constexpr std::size_t max_label_sets = 64;
 
-/// Samples without sign, of which bit i is on where the voxel has a label of sets[i]; of the least
-/// type that has as many bits. layers: by their numbers, those of the sets; of whole_labels(), of
-/// the same extents. Limit: a layer or more, 1 to max_label_sets sets.
+/// Unsigned samples: bit i is on if the voxel has a label of sets[i]. The type is the smallest one
+/// with that many bits. layers: by their numbers, those of the sets; of whole_labels(), of the same
+/// extents. Limit: a layer or more, 1 to max_label_sets sets.
 std::unique_ptr<VolumeReader> label_bits(
     std::map<std::uint32_t, std::unique_ptr<VolumeReader>> layers,
     const std::vector<LabelSet>& sets);

@@ -41,8 +41,8 @@ struct Division {
   }
 };
 
-// The exact mean of whole numbers: counted from the least one, which makes all of them positive,
-// and added in halves of 32 bits, whose sums fit 64.
+// The exact mean of whole numbers. They are counted from the least one, which makes all of them
+// positive, and added in halves of 32 bits: the sums fit 64.
 template <class Sample, bool = std::is_floating_point_v<Sample>>
 class Mean {
  public:

@@ -10,9 +10,9 @@
 
 namespace discmc::command {
 
-/// Every block of extent x extent x extent voxels becomes a voxel in the middle of where it lies;
-/// the last blocks along an axis may hold fewer, and lie as if they were whole. NaN does not count,
-/// unless all samples of a block are NaN: then it is NaN.
+/// Every block of extent x extent x extent voxels becomes a voxel in the middle of the block. The
+/// last blocks along an axis may hold fewer, and are placed as if they were whole. NaN does not
+/// count, unless all samples of a block are NaN: then it is NaN.
 ///
 /// mean: of the block, in the samples' own type. For whole numbers it is exact and rounded to the
 /// nearest, halves up. Holds the sums of a slice of blocks.

@@ -15,10 +15,10 @@ namespace discmc::command {
 /// if there is none, or from 2^53 on, where double rounds some.
 std::optional<std::int64_t> nearest_label(double value);
 
-/// The volume with its values as samples: slope 1, intercept 0. Whole numbers that are values
-/// already stay as they are, up to all 64 bits; others become i64, each its nearest_label(), and
-/// what is not a number 0. Notes after the last slice count the rounded values and those that are
-/// no numbers. Throws VolumeError in read_slice() where a value is of no label. file: for errors.
+/// The volume with its values as samples: slope 1, intercept 0. Whole numbers stay as they are, up
+/// to all 64 bits. Others become i64, each its nearest_label(), and NaN becomes 0. Notes after the
+/// last slice count the rounded values and those that are no numbers. Throws VolumeError in
+/// read_slice() where a value is of no label. file: for errors.
 std::unique_ptr<VolumeReader> whole_labels(const std::filesystem::path& file,
                                            std::unique_ptr<VolumeReader> volume);
 

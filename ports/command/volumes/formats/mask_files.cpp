@@ -18,8 +18,8 @@
 namespace discmc::command {
 namespace {
 
-// The name without the ending of a mask, which is of a format that is one file; nothing where it
-// has none, or the file is hidden.
+// The name without the ending of a mask, for formats that are one file. Nothing if there is no such
+// ending, or if the file is hidden.
 std::optional<std::string> mask_name(const std::filesystem::path& file) {
   const std::filesystem::path bare = without_packing(file).filename();
   const std::string extension = lower(bare.extension().string());

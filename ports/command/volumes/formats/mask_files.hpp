@@ -18,8 +18,8 @@ bool is_mask_name(const std::filesystem::path& file);
 std::vector<std::filesystem::path> mask_files(const std::filesystem::path& folder);
 
 /// Volumes of the same extents at the same place, in the natural order of names: options.frame is
-/// the number of one. Each is all of a label, which has the name of the file; if options state
-/// that they hold labels, a file with two values but 0 is refused as it is read. source: what was
+/// the number of one. Each is all of a label, which has the name of the file. If options declare
+/// that they hold labels, a file with two values but 0 is refused when it is read. source: what was
 /// named. notes: added to those of the volume.
 std::unique_ptr<VolumeReader> open_masks(const std::filesystem::path& source,
                                          std::vector<std::filesystem::path> files,

@@ -1,5 +1,5 @@
 // MRC and CCP4 maps, https://www.ccpem.ac.uk/mrc_format/mrc2014.php: a header of 1024 bytes, an
-// extended one, and sections of rows of columns, each of which may run along x, y or z.
+// extended one, and sections of rows of columns. Each of these may run along x, y or z.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -145,8 +145,8 @@ Axes edges_of(const HeaderBytes& header) {
   return edges;
 }
 
-// Where the map is: at ORIGIN, or where that is 0 as many steps away as the first column, row and
-// section are from those of the cell.
+// Where the map is: at ORIGIN. If that is 0, the first column, row and section count steps from
+// those of the cell.
 DeclaredPlace place_of(VolumeInfo& info, const HeaderBytes& header,
                        const std::array<std::size_t, 3>& axes) {
   DeclaredPlace place;

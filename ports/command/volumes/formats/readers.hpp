@@ -4,9 +4,9 @@
 //   declares, or throws the reason; it prints each assumption as a note.
 //
 // So it accounts for all that it has not used, such as axes, pages, bytes behind the samples, and
-// fields that change their meaning. What readers share does its part: set_dims() and set_place()
-// note what they drop or assume, SliceStream what follows the samples, VolumeError names the
-// file, the fault and the remedy.
+// fields that change their meaning. Shared functions do a part of it. set_dims() and set_place()
+// note what they drop or assume, SliceStream what follows the samples; VolumeError names the file,
+// the fault and the remedy.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_READERS_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_READERS_HPP
 

@@ -60,8 +60,8 @@ class Attributes {
  public:
   Attributes(DcmItem& dataset, std::uint32_t frame);
 
-  /// Returns the element in a functional group of the frame, in that of all frames, or of the file,
-  /// in this order; nullptr where none has it.
+  /// Returns the element in a functional group of the frame, or of all frames, or in the file, in
+  /// this order. Null if none has it.
   DcmElement* element(const DcmTagKey& group, const DcmTagKey& key) const;
 
   /// The same, but for the file.

@@ -54,7 +54,7 @@ std::optional<Element> take_element(Taker& taker) {
   return Element{text(*name), *values, *items};
 }
 
-// The second of four numbers before an item is its length; in the older kind the first, which
+// The second of four numbers before an item is its length. In the older kind it is the first, which
 // counts the items of the first element in.
 std::optional<std::string_view> take_item(Taker& taker, bool is_newer, std::uint32_t excess) {
   const auto first = taker.number();

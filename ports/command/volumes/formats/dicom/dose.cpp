@@ -20,7 +20,7 @@ void scale_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& fr
 }
 
 // The offsets are ways along the normal from the position of the first frame, which has 0, or z in
-// the patient's space, which begin with that of the position (DICOM PS3.3 C.8.8.3.2).
+// the patient's space. The latter begin with that of the position (DICOM PS3.3 C.8.8.3.2).
 NoSlices place_by_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames) {
   const auto first = real_of(dataset, DCM_GridFrameOffsetVector);
   if (!first || !frames.front().place) return {};

@@ -21,8 +21,8 @@ void note_times(DcmItem& dataset, DicomImage& image) {
     image.notes.emplace_back("the frames have times (FrameTime), and are read as slices");
 }
 
-// Whether all frames have one position, and nothing tells that they are of several times: as some
-// programs write slices of the eye.
+// Whether all frames have one position, and no attribute gives them several times, as some programs
+// write slices of the eye.
 bool are_in_one_place(const DicomImage& image, const std::vector<DicomFrame>& frames) {
   if (image.segments) return false;
   return std::all_of(frames.begin(), frames.end(), [&](const DicomFrame& frame) {

@@ -8,7 +8,7 @@ void Overlaps::start_slice(std::size_t voxels) {
   slice_.assign(voxels, 0);
 }
 
-// Of a set of segments and one more.
+// The sets of a set of segments and one more.
 std::uint32_t Overlaps::number_with(std::uint32_t before, std::uint32_t segment) {
   Set set = sets_[before];
   for (const std::uint32_t other : set) {

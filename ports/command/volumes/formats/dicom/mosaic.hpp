@@ -14,13 +14,13 @@ namespace discmc::command {
 /// Whether a file holds such a picture, or that of United Imaging, which is alike.
 bool is_mosaic(DcmItem& dataset);
 
-/// Makes the one frame of a mosaic the frames of its slices, each where it lies, and takes the
-/// extents of a slice into the image. Returns why that cannot be, or nothing.
+/// Replaces the one frame of a mosaic by the frames of its slices, each in its place, and its
+/// extents by a slice's. Returns why that cannot be, or nothing.
 ///
-/// The slices lie in rows, in the smallest square that holds them. The position in such a
-/// file is that of a picture as large as the mosaic with the same centre as the first slice;
-/// the way to the next slice is that of SliceNormalVector in the CSA header (nibabel's "Siemens
-/// mosaic format" and dcm2niix describe it alike).
+/// The slices lie in rows, in the smallest square that holds them. The position in such a file
+/// belongs to a picture as large as the mosaic with the centre of the first slice.
+/// SliceNormalVector in the CSA header is the direction to the next slice (nibabel's "Siemens
+/// mosaic format" and dcm2niix agree).
 NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
 
 }  // namespace discmc::command

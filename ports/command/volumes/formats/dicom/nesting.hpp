@@ -8,8 +8,8 @@
 namespace discmc::command {
 
 /// Whether no item of a sequence is within more than `most` others. DCMTK reads every level with a
-/// call in the one around it, and has no limit of its own: a small file could use up the stack.
-/// By the bytes of items alone, without regard to what is around them.
+/// call in the one around it, without a limit of its own. A small file could use up the stack. By
+/// the bytes of items alone, without regard to what is around them.
 bool is_nested_within(std::uint32_t most, const std::filesystem::path& file);
 
 }  // namespace discmc::command

@@ -20,9 +20,9 @@ void set_slice_line(VolumeInfo& info, const DicomFrame& first, const std::option
 /// Whether one slope and intercept is of all frames.
 bool have_one_scale(const std::vector<DicomFrame>& stack);
 
-/// Puts the frames in the order of their positions, each position once, or in the order that the
-/// options ask for, and adds to the info what volume they are. Throws VolumeError where slices are
-/// missing and gaps are not allowed, are not as far from each other everywhere, or not on one line.
+/// Orders the frames by position, each position once, or as the options ask. Adds to the info what
+/// volume they are. Throws VolumeError where slices are missing and gaps are not allowed, are not
+/// as far from each other everywhere, or not on one line.
 void order_stack(const std::filesystem::path& source, std::vector<DicomFrame>& stack,
                  const SamePixels& same_pixels, const VolumeOptions& options, VolumeInfo& info);
 

@@ -44,7 +44,7 @@ DcmElement& pixel_element(DcmDataset& dataset, const StoredPicture& picture) {
   return *element;
 }
 
-// Of a mosaic, that of all of it.
+// For a mosaic, the extents of all of it.
 PictureSize stored_size(const DicomImage& image) {
   const std::uint32_t across = image.mosaic ? image.mosaic->across : 1;
   return {across * image.columns, across * image.rows,

@@ -23,7 +23,7 @@ class DicomPixels {
   DicomPixels();
   ~DicomPixels();
 
-  /// Writes the samples as they are stored, in native byte order; bits beyond those of a sample,
+  /// Writes the samples as they are stored, in native byte order. Bits beyond those of a sample,
   /// such as overlays, are cleared, or copies of its sign. Size: of samples, that of the frame.
   /// Throws VolumeError when they are not there or damaged.
   void read(const DicomFrame& frame, void* samples);

@@ -1,6 +1,6 @@
 // Pixels in RLE: a segment of PackBits for each byte of a sample (DICOM PS3.5, annex G).
 //
-// Not by DCMTK: version 3.6.7 reads beyond a fragment whose header says so.
+// DCMTK does not decode it here: version 3.6.7 reads beyond a fragment if its header asks for that.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_RLE_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_RLE_HPP
 

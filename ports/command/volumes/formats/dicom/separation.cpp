@@ -62,7 +62,7 @@ struct TraitOrder {
   }
 };
 
-// The groups by a trait of volumes: one that has no more values than there are slices in a place,
+// The groups by a trait of volumes. The trait has no more values than there are slices in a place,
 // and leaves fewer of them there. Traits of slices, such as the time of each, are none.
 std::vector<Group> groups_of_trait(const Group& group, std::size_t most, std::size_t kind) {
   std::map<std::string, Group, TraitOrder> groups;

@@ -74,7 +74,7 @@ bool is_decoded_here(E_TransferSyntax syntax) {
 }
 
 bool can_decode(const std::string& transfer_syntax) {
-  // JPIP: the pixels are on a server. DCMTK knows the last two since 3.6.8.
+  // JPIP: the pixels are on a server. DCMTK supports the last two since 3.6.8.
   for (const char* const number : {"94", "95", "204", "205"})
     if (transfer_syntax == std::string("1.2.840.10008.1.2.4.") + number) return false;
   const E_TransferSyntax syntax = DcmXfer(transfer_syntax.c_str()).getXfer();

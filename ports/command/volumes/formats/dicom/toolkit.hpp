@@ -1,8 +1,8 @@
 // DCMTK, set up for the readers: with its decoders, and silent.
 //
-// DCMTK and not GDCM, which is lighter and decodes JPEG 2000 itself: GDCM 3.0 allocates what a
-// length in a file claims, up to 4 GiB, and Debian's has assertions that end the program on damaged
-// files.
+// This uses DCMTK, although GDCM is lighter and decodes JPEG 2000 itself. GDCM 3.0 allocates what a
+// length in a file claims, up to 4 GiB. Debian's build has assertions that end the program on
+// damaged files.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_TOOLKIT_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_TOOLKIT_HPP
 

@@ -24,8 +24,8 @@ using DicomTraits = std::vector<DicomTrait>;
 
 std::size_t trait_count();
 
-/// Whether frames that differ in it are never of one volume, as of two kernels; those of others may
-/// be, as slices are acquired one after the other.
+/// Whether frames with different values are never of one volume, as with two kernels. Frames of
+/// other traits may be, as slices are acquired one after the other.
 bool is_of_volume(std::size_t kind);
 
 /// Whether frames that differ in it are of one volume only if their slices interleave evenly.

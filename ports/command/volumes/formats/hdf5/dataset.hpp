@@ -21,8 +21,8 @@ struct Hdf5Description {
   std::optional<SampleType> type;   ///< nothing where it holds no single numbers
 };
 
-/// How files are opened: HDF5 1.14.4 and newer refuse numbers of less than half the bits that they
-/// have room for, such as 12 bits in 32, unless they are asked not to.
+/// How files are opened. HDF5 1.14.4 and newer refuse numbers of less than half the bits that they
+/// have room for (12 in 32) unless asked not to.
 Hdf5Handle file_access();
 
 /// Returns the file, open for reading. Throws VolumeError.
@@ -51,8 +51,8 @@ class Hdf5Dataset {
   /// For its attributes.
   const Hdf5Handle& handle() const { return dataset_; }
 
-  /// Keeps all chunks that a region with this extent along each axis goes through, so that each
-  /// is unpacked once where such regions are read in their order. file: that it was opened from.
+  /// Keeps all chunks that a region with this extent along each axis crosses. Each chunk is
+  /// unpacked once if such regions are read in their order. file: that it was opened from.
   void expect(const Hdf5Handle& file, const Hdf5Region& region);
 
   /// Reads a region with this extent along each axis. Size: its samples of the type. Returns

@@ -39,9 +39,9 @@ std::size_t hand_over(const Unpacked& unpacked, std::size_t* room, void** buffer
 }
 
 // LZF, http://oldhome.schmorp.de/marc/liblzf.html: a byte n below 32 is followed by n + 1 literal
-// bytes; others repeat earlier bytes, their upper three bits encoding
-// how many, and their lower five with the next byte how far back. Calls take(bytes, count)
-// for literal bytes and repeat(distance, count). Returns whether all was well.
+// bytes. Others repeat earlier bytes. Their upper three bits encode how many, their lower five and
+// the next byte how far back. Calls take(bytes, count) for literal bytes and repeat(distance,
+// count). Returns whether all was well.
 template <class Take, class Repeat>
 bool read_lzf(const unsigned char* in, std::size_t bytes, Take take, Repeat repeat) {
   const unsigned char* const end = in + bytes;

@@ -13,8 +13,8 @@ namespace discmc::command {
 /// Returns the file that an object is in: another one than was opened where a link leads there.
 std::filesystem::path file_of(const Hdf5Handle& dataset);
 
-/// Returns the name of a file that a virtual dataset takes samples from, and that is not there: the
-/// library has its fill value for them, and no error. Patterns of names are not looked at.
+/// Returns the name of a missing file that a virtual dataset takes samples from. The library reads
+/// its fill value for them, and reports no error. Patterns of names are not looked at.
 std::optional<std::string> missing_source(const Hdf5Handle& dataset);
 
 }  // namespace discmc::command

@@ -9,7 +9,7 @@
 
 namespace discmc::command {
 
-/// Reads the extensions behind a header, up to `end`, and adds the labels in them: of Connectome
+/// Reads the extensions behind a header, up to `end`, and adds their labels: those of Connectome
 /// Workbench and Caret, whose XML TotalSegmentator writes as well. What is of no use is left, and
 /// so is an extension that does not fit. stream: right behind the header; is then anywhere up to
 /// the end. Units: bytes of the stream.

@@ -1,7 +1,7 @@
 // NRRD0001 to NRRD0005, https://teem.sourceforge.net/nrrd/format.html.
 //
-// The header is parsed here and not by libteem, whose parser (1.12) hands the name in "data file:"
-// to sprintf as a format: "%99999d" writes past its heap block before any check could help.
+// The header is parsed here and not by libteem. Its parser (1.12) hands the name in "data file:" to
+// sprintf as a format: "%99999d" writes past its heap block.
 #include <algorithm>
 #include <utility>
 

@@ -36,8 +36,8 @@ std::vector<std::filesystem::path> picture_files(const std::filesystem::path& fo
 /// Orders by names in which numbers count as such: slice2 before slice10.
 void sort_naturally(std::vector<std::filesystem::path>& files);
 
-/// Returns where names are missing, of files in their natural order: those that are alike but for
-/// one number that grows by even steps, and in places by a multiple of them. Other numbers count
+/// Returns where names are missing in a natural order of files. The names are alike but for one
+/// number that grows by even steps, and in places by a multiple of them. Other numbers count
 /// nothing, and leave no gaps.
 std::vector<Gap> gaps_of_names(const std::vector<std::filesystem::path>& files);
 

@@ -20,8 +20,8 @@ struct Stack {
   PictureHeader header;       ///< of the first picture
 };
 
-/// Returns the pictures of the volume that is asked for, all alike, and takes the numbers of frames
-/// and channels and the notes of its files. source: what was named. Throws VolumeError. Limit: one
+/// Returns the pictures of the volume that is asked for, all alike. Sets the numbers of frames and
+/// channels, and the notes of its files. source: what was named. Throws VolumeError. Limit: one
 /// file or more, in their order.
 Stack stack_of(const std::filesystem::path& source, const std::vector<std::filesystem::path>& files,
                const VolumeOptions& options, VolumeInfo& info);

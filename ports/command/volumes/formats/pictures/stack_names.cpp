@@ -86,7 +86,7 @@ bool has_even_steps(const Names& names, std::size_t place) {
                      [&steps](std::uint64_t step) { return step == steps[1]; });
 }
 
-// Whether what counts the files grows with the names, or falls; else one of them has to count
+// Whether what counts the files grows with the names, or falls. Otherwise one of them must count
 // evenly, as dates and the like beside it do not.
 bool is_one_order(const Names& names, const Count& count) {
   const auto is_in_order = [&names](std::size_t place) {

@@ -7,9 +7,9 @@
 
 namespace discmc::command {
 
-/// Throws where the names are those of several stacks, with a pattern of one of them: where they
-/// differ in more than their numbers, and where no number counts the files by itself. source: what
-/// was named. files: in natural order.
+/// Throws if the names belong to several stacks, with a pattern of one of them. They do if they
+/// differ in more than their numbers, or if no number counts the files by itself. source: what was
+/// named. files: in natural order.
 void require_one_stack(const std::filesystem::path& source,
                        const std::vector<std::filesystem::path>& files);
 

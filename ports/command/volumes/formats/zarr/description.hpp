@@ -48,8 +48,8 @@ struct ZarrDescription {
   std::size_t chunk_bytes() const;
 };
 
-/// Throws VolumeError where the array is none of numbers, or packed in a way that is not read, and
-/// where no chunk of it is there.
+/// Throws VolumeError if the array has no numbers, is packed in a way that is not read, or has none
+/// of its chunks.
 ZarrDescription described(const ZarrNode& node);
 
 }  // namespace discmc::command

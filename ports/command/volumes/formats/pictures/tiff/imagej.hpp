@@ -22,8 +22,8 @@ struct TiffFacts {
 /// Whether a description is of ImageJ.
 bool is_imagej(std::string_view description);
 
-/// Returns the stack that it describes, which may have more planes than the file has pages: above
-/// 4 GB ImageJ writes one page, and the others behind it.
+/// Returns the stack that it describes, which may have more planes than the file has pages. Above 4
+/// GB ImageJ writes one page, and the others behind it.
 Hyperstack imagej_stack(const TiffFacts& facts, std::string_view description);
 
 }  // namespace discmc::command
