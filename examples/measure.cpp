@@ -1,9 +1,9 @@
 // Firmware that measures the library on your board: cycles per row, voxel and active cell.
 //
 // It scans a built-in phantom, as regions and as slices, and sends a figure per line by the UART.
-// docs/porting.md explains the figures and the conditions. Build it as ports/boards/README.md
-// builds scanner.cpp. The counter is that of the processor: DWT on Cortex-M3, M4, M7 and M33,
-// SysTick on M0 and M0+, mcycle on RISC-V.
+// The page docs/porting.md explains the figures and the conditions. Build it as
+// ports/boards/README.md builds scanner.cpp. The counter is that of the processor: DWT on
+// Cortex-M3, M4, M7 and M33, SysTick on M0 and M0+, mcycle on RISC-V.
 #include <board.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>

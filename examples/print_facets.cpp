@@ -1,5 +1,5 @@
-// Prints the lookup table: any configuration as a cell, its loops and its facets, the way figures 3
-// and 4 of the paper show them (Montani, Scateni, Scopigno 1994).
+// Prints the lookup table: a configuration as a cell, its loops and its facets. Figures 3 and 4 of
+// the paper (Montani, Scateni, Scopigno 1994) show them in the same way.
 //
 //   print_facets 61
 //   print_facets 0x3D 0xC2

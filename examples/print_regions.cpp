@@ -1,6 +1,6 @@
-// Prints a stream of regions or slices as text, one line per region: its normal, then each ring
-// with its start and its runs, the outer ring first. A run is a direction in the region's plane and
-// a length. Coordinates are in half-steps: voxel (i, j, k) is at (2i, 2j, 2k).
+// Prints a stream of regions or slices as text, one line per region: its normal, then each ring,
+// the outer one first. A ring has its start and its runs. A run is a direction in the region's
+// plane and a length. Coordinates are in half-steps: voxel (i, j, k) is at (2i, 2j, 2k).
 //
 //   firmware | print_regions
 //   ( 0 -1 -1)  from (42 36 9): 3x1 0x2 1x1 2x2

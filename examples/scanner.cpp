@@ -1,8 +1,8 @@
 // A scanner's firmware for any board: rows arrive by interrupt, the surface leaves by the UART.
 //
-// ports/boards/board.hpp separates it from the board; the board's scan.hpp describes the scan.
-// ports/boards/README.md shows how to build it, docs/porting.md how to bring it to a board of your
-// own.
+// The interface ports/boards/board.hpp separates it from the board; the board's scan.hpp describes
+// the scan. How to build it is in ports/boards/README.md, and how to bring it to a board of your
+// own in docs/porting.md.
 #include <board.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>

@@ -1,7 +1,7 @@
-// Fuzz target. The rings of any small surface, cut anywhere, are joined to its regions: in the
-// order of a sweep, of several slabs, or in any order. A second joiner joins the fragments that a
-// first with little memory passed on. If fragments are lost, all other regions are right. Neither
-// refusals nor invalid events do harm.
+// Fuzz target. The rings of any small surface, cut anywhere, are joined to its regions. They come
+// in the order of a sweep, of several slabs, or in any order. A second joiner joins the fragments
+// that a first with little memory passed on. If fragments are lost, all other regions are right.
+// Neither refusals nor invalid events do harm.
 //
 //   fuzz_joiner -max_len=300 corpus/joiner      with libFuzzer
 //   fuzz_joiner corpus/joiner                   with replay_main.cpp

@@ -1,7 +1,7 @@
-// build.js FOLDER FRAME: writes the guide as a site into one folder, and into another the head and the
-// foot of the pages of the reference. Begins
-// with README.md and docs/README.md, and makes a page of every file of the repository that a link
-// leads to: of Markdown what it says, of a folder its README.md or what is in it, of sources their text.
+// build.js FOLDER FRAME: writes the guide as a site into FOLDER, and the head and the foot of the pages of the
+// reference into FRAME. Begins with README.md and docs/README.md, and makes a page of every file of the repository that
+// a link leads to. A page has the prose of a Markdown file, the README.md or contents of a folder, or the text of a
+// source.
 import {
   copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync,
 } from 'node:fs';
@@ -70,7 +70,7 @@ function htmlOf(place, { title, headings, body }) {
       ? `<ul>${headings.map(({ anchor, text }) => itemOf(`#${anchor}`, text)).join('')}</ul>` : '';
     return itemOf(`${up}${entry.place}`, entry.text, here ? ' class="here"' : '', sections);
   });
-  // The menu stands below the text where there is no room beside it.
+  // The menu is below the text if there is no room beside it.
   return `${headOf(title === 'discmc' ? title : `${escaped(title)} · discmc`, up,
     '<a class="menu" href="#menu">Contents</a>')}<main>
 ${withCalculator(body)}</main>

@@ -2,7 +2,7 @@
 #   the one at its top is of the file;
 #   in C those before a declaration and behind a member are documentation, too;
 #   a comment before several declarations in a row, without an empty line between, is of them all.
-# What is indented in a comment is a drawing or code. Lines move: what Doxygen tells of one stands a few above.
+# What is indented in a comment is a drawing or code. Lines move: what Doxygen reports at a line belongs a few above.
 
 function is_c() { return FILENAME ~ /[.]h$/ }
 
@@ -26,7 +26,7 @@ function end_head() {
   head = 0
 }
 
-# What stands between two empty lines. Declarations end at the left margin.
+# The text between two empty lines. Declarations end at the left margin.
 function print_paragraph(    i, is_told_once) {
   is_told_once = declarations > 1 && paragraph[0] ~ /^\/\*\*/
   if (is_told_once) print "/** @{ */"

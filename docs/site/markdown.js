@@ -16,7 +16,7 @@ const anchorOf = (heading) =>
   heading.toLowerCase().replace(/[^\p{L}\p{N}\-_ ]/gu, '').replaceAll(' ', '-');
 
 /**
- * A page of a Markdown file. rewrite(href) says where a link leads.
+ * A page of a Markdown file. The function rewrite(href) returns where a link leads.
  * @returns {{title: string, headings: {anchor: string, text: string}[], body: string}}
  *   headings: those of the second level
  */

@@ -11,7 +11,7 @@ TaskHandle_t xTaskCreateStatic(TaskFunction_t function, const char* name, std::u
                                void* argument, UBaseType_t priority, StackType_t* stack,
                                StaticTask_t* task);
 
-/// Of the calling task only, as its last act.
+/// Call it in the task itself only, as its last act.
 void vTaskDelete(TaskHandle_t task);
 
 /// Runs the task; returns when it has deleted itself, which FreeRTOS never does. Limit: one task.

@@ -37,7 +37,7 @@ class CMakeBuild(build_ext):
 
 class NoSourceArchive(sdist):
     def run(self) -> None:
-        raise SystemExit("the C++ sources are outside of this folder, so an sdist could not be built; "
+        raise SystemExit("an sdist cannot be built, as the C++ sources are outside of this folder; "
                          "build a wheel in a clone of the repository: pip wheel .")
 
 

@@ -79,7 +79,11 @@ def code_comments(text):
         if mark != last_mark or line != next_line or mark == '/*' or before.strip():
             pieces.append((line, None))
         for offset, body in enumerate(comment[len(mark):].removesuffix('*/').split('\n')):
-            pieces.append((line + offset, piece_of(re.sub(r'^\s*\*', '', body) if offset else body)))
+            body = re.sub(r'^\s*\*', '', body)
+            if re.match(r'\s*@\w', body):
+                pieces.append((line + offset, None))
+                body = re.sub(r'@\w+ (\{.*\})?', '', body)
+            pieces.append((line + offset, piece_of(body)))
             next_line = line + offset + 1
         last_mark = mark
     yield from paragraphs(pieces)
@@ -96,6 +100,8 @@ def hash_comments(text):
         if follows_code:
             pieces.append((number, None))
         pieces.append((number, piece_of(line[found.end():]) if found else None))
+        if follows_code:
+            pieces.append((number, None))
     yield from paragraphs(pieces)
 
 
@@ -161,7 +167,7 @@ def titles(text):
 
 
 def prose_of(path, text):
-    """Yields (line, prose, kind) of all that a file says, by its name and first line."""
+    """Yields (line, prose, kind) of the prose of a file; its name and first line decide how it is read."""
     is_test = path.startswith(('tests/', 'fuzz/', 'ports/python/tests/'))
     if path.endswith('.md'):
         yield from markdown(text)

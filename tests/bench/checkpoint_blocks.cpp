@@ -35,7 +35,7 @@ Exit status: 0, or 1 if a file could not be read or scanned, or 2 for wrong argu
 constexpr uint32_t block_bytes[] = {256, 1024, 4096};
 constexpr size_t sizes = std::size(block_bytes);
 
-/// Two slots that are written in turn, every so many rows.
+/// Two slots that are written in turn, each time after a number of rows.
 class Slots {
  public:
   explicit Slots(uint64_t rows) : rows_(rows) {}

@@ -1,5 +1,5 @@
-// Writes a volume of any size to the standard output, u8 samples row by row: a ball full of tunnels
-// (a gyroid) with noise, as a foam in a micro-CT looks. scripts/tools/bench-large takes it.
+// Writes a volume of any size to the standard output, u8 samples row by row. It is a ball full of
+// tunnels (a gyroid) with noise, like a foam in a micro-CT. scripts/tools/bench-large uses it.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

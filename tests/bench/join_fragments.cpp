@@ -1,6 +1,6 @@
-// Joins many loose fragments in little memory: squares on thousands of planes, a fragment a side,
-// the first sides of all squares before the second ones, so that nothing closes before the last
-// quarter comes. scripts/tools/bench-large runs it.
+// Joins many loose fragments in little memory: squares on thousands of planes, one fragment per
+// side. The first sides of all squares come before the second ones, so no square closes before the
+// last quarter. scripts/tools/bench-large runs it.
 #include <sys/resource.h>
 
 #include <chrono>

@@ -1,8 +1,8 @@
 // Prints the shares of shares.cpp, trained on the streams named on the command line:
 //   train_record_model STREAM.dmc...
-// Every stream counts the same, however long, so that no single scan sets the tone. Take streams of
-// scans with memory to spare, which hold regions, and of scans in little memory, which hold loose
-// fragments too; of volumes, and of balls, whose regions are smaller.
+// Every stream counts the same, whatever its length, so that no single scan dominates. Use streams
+// of scans in ample memory, which hold regions, and in little memory, which hold loose fragments,
+// too. Use streams of volumes, and of balls, whose regions are smaller.
 #include <discmc/decoder.hpp>
 #include <discmc/stream/record_writing.hpp>
 
@@ -80,7 +80,7 @@ class Trainer {
     model_.record_kind(RecordKind::end);
     model_ = Model({&counts_});
   }
-  // What a region has told that then turned out not to be closed is forgotten.
+  // A region that turns out not to be closed is forgotten.
   bool encode_whole() {
     const Counts counts = counts_;
     const Model model = model_;

@@ -30,7 +30,7 @@ struct CountingCoder {
   uint32_t number(uint32_t, uint32_t value) { return value; }
 };
 
-// Tells rows as they come, as those of one kind of slice.
+// Encodes rows in their order, as rows of one kind of slice.
 class Trainer {
  public:
   Trainer(const discmc::Limits& limits, slices::SliceKind kind)

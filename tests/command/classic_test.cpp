@@ -79,7 +79,7 @@ Extraction extraction(const Field& field, Border border) {
 }
 
 // A vertex lies strictly between an on and an off voxel, where the line through their samples
-// passes the level; next to the halo in the middle.
+// passes the level. Next to the halo it is in the middle.
 void check_vertex(const Field& field, const Point& vertex) {
   constexpr double level = 99.5;
   int low[3], high[3], broken = 0;

@@ -1,4 +1,4 @@
-// The table of containers and sample types in the manual of the command: every cell is a file that
+// The table of containers and sample types in the manual of the command. Every cell is a file that
 // an independent program wrote (volumes/write_volumes.py), and holds the same volume.
 #include <doctest/doctest.h>
 

@@ -64,7 +64,7 @@ std::size_t crossing_pairs(const FaceMesh& mesh) {
   return intersecting_faces(mesh, all).size();
 }
 
-// Of each body and cavity, the least first.
+// The figures of all bodies and cavities, the least first.
 std::vector<double> volumes_of(const FaceMesh& mesh) {
   Sets pieces = connected_faces(sorted_edges(mesh), mesh.face_count());
   std::map<std::uint32_t, double> volumes;
@@ -137,7 +137,7 @@ TEST_CASE("--triangles is reached to one triangle, and fewer triangles are farth
   }
 }
 
-TEST_CASE("of --triangles and --max-error the one that is reached first ends the decimation") {
+TEST_CASE("--triangles or --max-error, whichever is reached first, ends the decimation") {
   const FaceMesh before = all_triangles(ball(40, 16, 4));
   const std::size_t by_error = decimated(before, {0, 0.1}).face_count();
   CHECK(decimated(before, {10, 0.1}).face_count() == by_error);
@@ -145,8 +145,7 @@ TEST_CASE("of --triangles and --max-error the one that is reached first ends the
   CHECK(decimated(before, {before.face_count() + 1}).corners == before.corners);
 }
 
-TEST_CASE(
-    "whatever is decimated stays closed and free of crossings, and each body keeps its volume") {
+TEST_CASE("a decimated mesh stays closed and free of crossings, and each body keeps its volume") {
   for (std::uint32_t seed = 1; seed <= 3; ++seed) {
     const FaceMesh before = all_triangles(cloud({24, 24, 24}, seed));
     for (const std::uint64_t triangles : {1U, 1000U, 3000U}) {

@@ -1,4 +1,4 @@
-// Folders of real volumes: beside each volume is a JSON file of the same name that gives "file"
+// Folders of real volumes. Beside each volume is a JSON file of the same name that gives "file"
 // and "iso", a list of thresholds on stored samples.
 #ifndef DISCMC_TESTS_COMMAND_DESCRIBED_VOLUMES_HPP
 #define DISCMC_TESTS_COMMAND_DESCRIBED_VOLUMES_HPP

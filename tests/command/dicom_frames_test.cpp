@@ -296,8 +296,8 @@ std::string word(std::size_t value) {
 
 using CsaElements = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-// As scanners write it: every element with six items, or with none; the older kind counts those of
-// the first element into the lengths, and has no name.
+// As scanners write it: every element has six items or none. The older kind counts those of the
+// first element into the lengths, and has no name.
 std::string csa_header(const CsaElements& elements, bool is_newer) {
   std::string bytes = (is_newer ? "SV10\4\3\2\1" : "") + word(elements.size()) + word(77);
   const std::size_t of_first = elements[0].second.empty() ? 0 : 6;

@@ -1,5 +1,5 @@
-// The slices of DICOM in their order: rounded positions, tilted gantries, none at all, and what the
-// user says.
+// The slices of DICOM in their order: rounded positions, tilted gantries, none at all, and those
+// that the user gives.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -79,7 +79,7 @@ TEST_CASE("positions that are rounded lie on a line, whichever way it goes") {
   CHECK(std::fabs(reader->info().spacing_mm[2]) == doctest::Approx(2.5).epsilon(0.02));
 }
 
-TEST_CASE("a step that is told but does not fit is not taken") {
+TEST_CASE("a step in the file that does not fit the positions is ignored") {
   const Folder folder;
   for (int z = 0; z < 16; ++z) {
     Dataset data = slice(z % depth, std::to_string(z));
@@ -108,7 +108,7 @@ TEST_CASE("uneven positions of more digits are no rounded ones") {
   check_refusal(refusal(along_z({100, 101, 102.2, 103, 104}).path()), "1 mm apart, but 1.2 mm");
 }
 
-// So many slices, one 2.476 mm behind the other, of the second half 2.524 mm.
+// `count` slices, 2.476 mm apart in the first half, and 2.524 mm in the second.
 std::string folder_of_growing(const Folder& folder, int count) {
   double place = 100;
   for (int z = 0; z < count; ++z) {
@@ -120,7 +120,7 @@ std::string folder_of_growing(const Folder& folder, int count) {
   return folder.path();
 }
 
-TEST_CASE("slices that are off even distances are told, and refused from a quarter of a step on") {
+TEST_CASE("uneven distances of slices are noted, and refused from a quarter of a step on") {
   const Folder few, some, many;
   CHECK(
       !noted(open_volume(folder_of_growing(few, 4))->info(), "from their place at even distances"));
@@ -128,7 +128,7 @@ TEST_CASE("slices that are off even distances are told, and refused from a quart
   check_refusal(refusal(folder_of_growing(many, 60)), "mm everywhere, slices would be 0.7");
 }
 
-TEST_CASE("a tilted gantry shears the volume as its slices lie, and a note says so") {
+TEST_CASE("a tilted gantry shears the volume as its slices lie, with a note") {
   const double tilt = 15 * std::acos(-1.0) / 180;
   const Slices slices([&](Dataset& data, int z) {
     put_at(data, position(z), {1, 0, 0, 0, std::cos(tilt), -std::sin(tilt)});
@@ -206,7 +206,7 @@ TEST_CASE("slices that are a little aside are straight") {
 
 // ---- decimals ----
 
-TEST_CASE("a comma in decimals is a point, and a note says so") {
+TEST_CASE("a comma in decimals is a point, with a note") {
   const Slices slices([](Dataset& data, int z) {
     data.text(0x00280030, "DS", "0,75\\0,5");
     data.text(0x00200032, "DS", "-10,0\\-20,0\\" + std::to_string(1000 + 25 * z).insert(3, ","));
@@ -217,7 +217,7 @@ TEST_CASE("a comma in decimals is a point, and a note says so") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("what is no number is refused by the name of its element") {
+TEST_CASE("a text in place of a number is refused by the name of its element") {
   const Folder folder;
   Dataset data = slice(0);
   const auto file = folder.write("v.dcm", data.text(0x00280030, "DS", "0.75;0.5").file());
@@ -226,7 +226,7 @@ TEST_CASE("what is no number is refused by the name of its element") {
   check_refusal(text, "dcmodify -m PixelSpacing=VALUE FILE");
 }
 
-TEST_CASE("a spacing that is missing is told by its name") {
+TEST_CASE("a missing spacing is named") {
   const Slices slices([](Dataset& data, int) { data.drop(0x00280030); });
   const auto reader = open_volume(slices.path());
   CHECK(reader->info().spacing_mm == Spacing{1, 1, 2.5});
@@ -238,7 +238,7 @@ TEST_CASE("a spacing that is missing is told by its name") {
   CHECK(noted(stand_in->info(), "no PixelSpacing, ImagerPixelSpacing is used"));
 }
 
-// ---- as the user says ----
+// ---- as the user gives it ----
 
 VolumeOptions ordered(SliceOrder order) {
   VolumeOptions options;
@@ -385,7 +385,7 @@ TEST_CASE("slices that are packed one by one are read") {
   CHECK(contains(refusal(folder.path()), "IM2.dcm"));
 }
 
-TEST_CASE("links that lead nowhere are told") {
+TEST_CASE("links that lead nowhere are named") {
   const Slices slices([](Dataset&, int) {});
   fs::create_symlink("/nowhere/IM9", slices.path() / "IM9");
   const auto reader = open_volume(slices.path());
@@ -412,7 +412,7 @@ TEST_CASE("files whose names begin with a dot are none of the volume") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("the value where nothing was scanned is told, with sign or without") {
+TEST_CASE("padding is reported as a value, with sign or without") {
   const Folder folder;
   const auto told = [&](Dataset data) {
     data.text(0x00281052, "DS", "-1024").text(0x00281053, "DS", "2");

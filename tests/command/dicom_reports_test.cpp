@@ -142,7 +142,7 @@ TEST_CASE("MOSAIC in the image type is no mosaic where frames have positions") {
   CHECK(read_all(*open_volume(folder.write("a.dcm", data.file()))) == as_read(volume_values()));
 }
 
-TEST_CASE("frames in one place are slices by their thickness if nothing tells them apart") {
+TEST_CASE("frames in one place are slices by their thickness if all else is equal") {
   const Folder folder;
   const auto reader = open_volume(folder.write("a.dcm", enhanced(depth, [](Dataset& group, int z) {
                                                           place_frame(group, 0);
@@ -189,7 +189,7 @@ TEST_CASE("the refusal of a shift names the slices between which it is") {
   check_refusal(refusal(folder.path()), "a3 is shifted sideways by 10 mm against a2");
 }
 
-TEST_CASE("the refusal of slices in one place tells how many places hold several") {
+TEST_CASE("the refusal of slices in one place counts the places that hold several") {
   const Folder folder;
   write_slices(folder, "a", [](Dataset&, int) {});
   for (const int z : {1, 2}) {
@@ -227,7 +227,7 @@ TEST_CASE("contours are named, with what makes masks of them") {
   check_refusal(text, "dcmrtstruct2nii");
 }
 
-TEST_CASE("what is named as DICOM and is another format is named") {
+TEST_CASE("a file named as DICOM that has another format is refused with that format") {
   const Folder folder;
   const std::string jpeg = "\xff\xd8\xff\xe0 JFIF";
   check_refusal(refusal(folder.write("i.jpg.dcm", jpeg)), "this is JPEG, and not DICOM; rename it");

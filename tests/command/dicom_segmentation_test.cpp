@@ -43,7 +43,7 @@ Dataset segment(std::uint64_t number, const std::string& name,
   return data;
 }
 
-// A segmentation of frames, of which none tells more than its place and its segment.
+// A segmentation whose frames have only their place and their segment.
 Dataset segmentation(const std::string& type, const std::vector<Dataset>& segments,
                      const std::vector<SegmentFrame>& frames) {
   Dataset measures, orientation, shared;
@@ -162,7 +162,7 @@ TEST_CASE("segments that overlap are in several volumes, each with its names") {
   CHECK(read_all(*reader) == slices_of({box(2, 5, 2, 5, 2)}));
 }
 
-TEST_CASE("segments are in one volume where the file says that none overlap") {
+TEST_CASE("segments are in one volume if the file states that none overlap") {
   const Folder folder;
   Dataset data =
       segmentation("BINARY", liver_and_spleen, {{1, 0, box(0, 3, 0, 3)}, {2, 0, box(2, 5, 2, 5)}});
@@ -187,7 +187,7 @@ TEST_CASE("segments that lie beside each other in other slices do not overlap") 
   CHECK(layers.at(4) == 0);
 }
 
-TEST_CASE("fractions of at least a half are of a segment, and a note says so") {
+TEST_CASE("fractions of at least a half are of a segment, with a note") {
   const Folder folder;
   Voxels fractions(voxels_of_slice, 0);
   fractions[3] = 99;

@@ -221,7 +221,7 @@ TEST_CASE("JPEG of another size, or of other samples, than the file declares is 
   check_refusal(refusal(folder.write("v.dcm", colours)), "has 3 components; expected 1");
 }
 
-TEST_CASE("what is deflated as a whole is refused with the remedy") {
+TEST_CASE("a deflated file is refused with the remedy") {
   check_refusal(refusal(files / "deflated.dcm"),
                 "deflated as a whole (inflate it with dcmconv +te)");
 }
@@ -230,7 +230,7 @@ TEST_CASE("bits above those of a sample are none of its value") {
   CHECK(read_all(*open_volume(files / "packed")) == values());
 }
 
-TEST_CASE("where slope and intercept differ between slices, the values are read") {
+TEST_CASE("values are read if slope and intercept differ between slices") {
   const auto reader = open_volume(files / "scaled");
   CHECK(reader->info().type == SampleType::f32);
   CHECK(reader->info().slope == 1);
@@ -254,7 +254,7 @@ TEST_CASE("a missing slice is refused with its place") {
                 "2 slices are missing between 100 mm (slice0) and 107.5 mm (slice1)");
 }
 
-TEST_CASE("with gaps allowed the nearest slice stands for one that is missing, and a note tells") {
+TEST_CASE("with gaps allowed the nearest slice replaces a missing one, with a note") {
   VolumeOptions options;
   options.allow_gaps = true;
   const Series series;
@@ -274,7 +274,7 @@ TEST_CASE("with gaps allowed the nearest slice stands for one that is missing, a
   check_refusal(refusal(series.path(), options), "too many to fill");
 }
 
-TEST_CASE("a frame stands for one that is missing, however it is compressed") {
+TEST_CASE("a frame replaces a missing one in every compression") {
   const Folder folder;
   VolumeOptions options;
   options.allow_gaps = true;
@@ -321,11 +321,11 @@ TEST_CASE("a slice that is there twice counts once, and another in its place is 
   check_refusal(refusal(series.path()), "two slices at 102.5 mm differ: ");
 }
 
-TEST_CASE("of several series one is chosen by its number or UID") {
+TEST_CASE("one of several series is chosen by its number or UID") {
   const Series series;
   const std::string uid = "1.2.826.0.1.3680043.10.1.1";
   const std::string other = "1.2.826.0.1.3680043.10.1.2";
-  // The first time in the SOPInstanceUIDs: those go on behind.
+  // Only the first occurrence in the SOPInstanceUIDs, which continue behind.
   for (int z = 0; z < depth; ++z) {
     std::string bytes = slice(z);
     for (std::size_t at = bytes.find(uid); at != std::string::npos; at = bytes.find(uid, at))
@@ -352,7 +352,7 @@ TEST_CASE("of several series one is chosen by its number or UID") {
   check_refusal(refusal(nrrd_file, {{}, {}, "1"}), "leave out --series");
 }
 
-TEST_CASE("of several volumes in one series one is chosen by its number, not by the UID") {
+TEST_CASE("one of several volumes in a series is chosen by its number, not by the UID") {
   const Series series;
   series.put(0, replaced(slice(0), orientation, "-1.00\\0.000\\0.000\\0.000\\1.000\\0.000"));
   const std::string uid = "1.2.826.0.1.3680043.10.1.1";
@@ -369,7 +369,7 @@ TEST_CASE("of several volumes in one series one is chosen by its number, not by 
         depth);
 }
 
-TEST_CASE("a slice without position in a series is told") {
+TEST_CASE("a slice without position in a series is named") {
   const Series series;
   series.put(2, replaced(slice(2), "-10.000\\-20.000\\" + place(2), "                       "));
   const std::string text = refusal(series.path());
@@ -378,7 +378,7 @@ TEST_CASE("a slice without position in a series is told") {
   check_refusal(text, "4 slices of 8 x 6, 'CT'");
 }
 
-TEST_CASE("pictures beside DICOM are left out, and a note tells") {
+TEST_CASE("pictures beside DICOM are left out, with a note") {
   const Series series;
   series.write("preview.png", "of the first slice");
   const auto reader = open_volume(series.path());

@@ -78,7 +78,7 @@ void check(const std::vector<PlanePoint>& ring, const Cut& cut) {
 
 }  // namespace
 
-TEST_CASE("a simple ring is cut in triangles that know their neighbours") {
+TEST_CASE("a simple ring is cut in triangles that name their neighbours") {
   std::minstd_rand random(1);
   for (std::size_t points = 5; points <= Ears::max_points; ++points)
     for (int round = 0; round < 20; ++round) {

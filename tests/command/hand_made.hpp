@@ -173,7 +173,7 @@ inline Surface pitted_block(const std::vector<Pit>& pits) {
   return surface;
 }
 
-// A box with half of its front wall leaning back: the straight front side of the bottom belongs to
+// A box with half of its front wall leaning back. The straight front side of the bottom belongs to
 // two walls, so that it has a T-junction at (5, 0, 0).
 inline Surface leaning_wall() {
   Surface surface{{2, 2, 2}, {}};
@@ -191,7 +191,7 @@ inline Surface leaning_wall() {
   return surface;
 }
 
-// A level strip with a saw-tooth side: one polygon of so many corners, an odd number, open.
+// A level strip with a saw-tooth side: one open polygon with `count` corners, an odd number.
 inline Surface saw(int count) {
   const int last = count - 3;
   std::vector<Vertex> corners;

@@ -98,7 +98,7 @@ TEST_CASE("the only array of three dimensions is the volume, whatever lies besid
                "HDF5, /exchange/data, shuffle, gzip, fletcher32");
 }
 
-TEST_CASE("of several arrays one is chosen by its name behind that of the file") {
+TEST_CASE("one of several arrays is chosen by its name behind that of the file") {
   check_refusal(refusal(several), "holds 3 arrays: /scan/half (5 x 3 x 4), /scan/truth");
   check_volume(several + ":/scan/u8", SampleType::u8, "HDF5, /scan/u8, raw");
   check_volume(several + ":/scan/half", SampleType::f32, "HDF5, /scan/half, raw");
@@ -125,13 +125,13 @@ TEST_CASE("a file whose name has a colon is taken as it is called") {
   check_volume(file.string() + ":/volume", SampleType::u8, "HDF5, /volume, raw");
 }
 
-TEST_CASE("the first bytes tell HDF5") {
+TEST_CASE("HDF5 is recognized by its first bytes") {
   const Folder folder;
   const std::string bytes = contents(files / "hdf5/u8-little.h5");
   check_volume(folder.write("volume", bytes), SampleType::u8, "HDF5, /volume, raw");
 }
 
-TEST_CASE("what cannot be unpacked or has scales of its own is refused with the remedy") {
+TEST_CASE("an array that cannot be unpacked or has scales of its own is refused with the remedy") {
   const fs::path packed = files / "hdf5_arrays/packed.h5";
   check_refusal(refusal(packed), "packed by the filter 32008 of HDF5, which is not installed");
   check_refusal(refusal(packed), "h5py.File('" + packed.string() + "')['/volume'][()]");
@@ -139,7 +139,7 @@ TEST_CASE("what cannot be unpacked or has scales of its own is refused with the 
 }
 
 // Where Python has the two modules: on Debian python3-hdf5plugin and hdf5-filter-plugin.
-TEST_CASE("what the remedy says unpacks the array, so that it is read") {
+TEST_CASE("the command in the remedy unpacks the array, so that it is read") {
   const command_tests::Workshop workshop;
   if (workshop.shell("/usr/bin/python3 -c 'import h5py, hdf5plugin'").code != 0) {
     MESSAGE("not run: this Python has no h5py or no hdf5plugin");
@@ -171,7 +171,7 @@ TEST_CASE("what the remedy says unpacks the array, so that it is read") {
                "HDF5, /volume, raw");
 }
 
-TEST_CASE("what a remedy repeats of a file's names is nothing that a shell would run") {
+TEST_CASE("names of a file in a remedy are quoted, so that a shell runs none") {
   const Folder folder;
   const fs::path file = folder.path() / "names.h5";
   {
@@ -280,7 +280,7 @@ TEST_CASE("axes that are named are read by slices or, where these lie apart, by 
     }
 }
 
-TEST_CASE("of an array of MATLAB it is said which index is taken for x") {
+TEST_CASE("a note names the index that is x in an array of MATLAB") {
   const Folder folder;
   const fs::path file = folder.path() / "volume.mat";
   {
@@ -363,7 +363,7 @@ TEST_CASE("a virtual array is read from other files, and refused where one is no
   check_refusal(refusal(folder.path() / "missing.h5"), "the file 'none.h5', which is missing");
 }
 
-TEST_CASE("how large a slice can be is told by the file that it is in, behind a link") {
+TEST_CASE("the limit of a slice is that of the file that holds it, behind a link") {
   const Folder folder;
   {
     const Hdf5Handle packed = chunks_of({1, 4000, 4000});
@@ -381,7 +381,7 @@ TEST_CASE("how large a slice can be is told by the file that it is in, behind a 
   CHECK(slice.back() == 7);
 }
 
-TEST_CASE("chunks too many to be kept are no reason to say that there is no array") {
+TEST_CASE("an array with too many chunks to be kept is still listed") {
   const Folder folder;
   new_dataset(new_file(folder.path() / "chunks.h5"), "volume", {3, 32766, 32766},
               chunks_of({1, 1, 1}));
@@ -400,7 +400,7 @@ TEST_CASE("names with control characters are shown without") {
   check_refusal(refusal(file), "/a_[31m (5 x 3 x 4), /b");
 }
 
-TEST_CASE("the library tells no errors of its own, whichever thread reads") {
+TEST_CASE("the library prints no errors of its own, in any thread") {
   const auto reader = open_volume(files / "hdf5/u8-little.h5");
   std::thread([&reader] {
     std::uint8_t slice[15];

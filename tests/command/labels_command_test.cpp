@@ -162,7 +162,7 @@ TEST_CASE("segments that overlap are read from all layers, as 3D Slicer writes t
   CHECK(layer("Skin") == alone("w.raw", "1"));
   CHECK(layer("skin") == alone("w.raw", "1"));
   CHECK(layer("9") == alone("v.raw", "9"));
-  // Where the file says that it is.
+  // In the place that the file gives.
   const FileMesh skin = mesh_of_ply(workshop.read("Skin.ply"));
   for (const Point& vertex : skin.vertices_mm) CHECK(vertex[2] >= 39);
   std::string both = volume;
@@ -174,13 +174,13 @@ TEST_CASE("segments that overlap are read from all layers, as 3D Slicer writes t
   CHECK(workshop.read("some-Skin.ply") == workshop.read("Skin.ply"));
   CHECK(workshop.read("some-Tee_th.ply") == workshop.read("Tee_th.ply"));
   CHECK(workshop.read("some-Bone.ply").empty());
-  // Of one layer as before.
+  // One layer is read as before.
   CHECK(contains(workshop.done("extract layers.seg.nrrd --labels all --frame 1 -o 'f-{name}.ply'"),
                  "f-Skin.ply"));
   CHECK(workshop.read("f-Bone.ply").empty());
 }
 
-TEST_CASE("layers are told, and refused where one is not enough") {
+TEST_CASE("layers are listed, and refused if one is not enough") {
   const Workshop workshop;
   workshop.write("layers.seg.nrrd", layered());
   const std::string info = workshop.done("info layers.seg.nrrd");
@@ -267,7 +267,7 @@ TEST_CASE("a file of NIfTI names its labels itself, as TotalSegmentator writes i
       CHECK(workshop.read("v.stl") == workshop.read("w.stl"));
       CHECK(contains(workshop.done("info v.nii"), "label 2 right lung\n"));
     }
-  // What is no such extension tells nothing, and the samples are where they were.
+  // Another extension is ignored, and the samples are where they were.
   std::string cut = nifti(false, {{0, xml}});
   cut[352] = '\x7f';
   cut[354] = '\x7f';
@@ -367,7 +367,7 @@ TEST_CASE("labels that are asked for are there, or that is a failure") {
                 {"v.raw: no voxel has label 7; list the labels with discmc info"});
 }
 
-TEST_CASE("labels that are floating point are rounded, and that is told") {
+TEST_CASE("floating-point labels are rounded, with a note") {
   const Workshop workshop;
   std::string samples;
   for (const char label : volume) {
@@ -391,7 +391,7 @@ TEST_CASE("labels that are floating point are rounded, and that is told") {
                  "proposal --label N: one of 1 2 9\n"));
 }
 
-TEST_CASE("ids of 64 bits are told apart, and no threshold is made of them") {
+TEST_CASE("ids of 64 bits are distinguished, and no threshold is made of them") {
   const Workshop workshop;
   std::string samples;
   for (const char label : volume) {
@@ -469,7 +469,7 @@ TEST_CASE("a file of a format that holds several has all meshes, with their name
                   {"--output", "{name}", ".glb or .3mf"});
 }
 
-TEST_CASE("a label without a surface is told, and has no file unless that is allowed") {
+TEST_CASE("a label without a surface is named, and has no file unless that is allowed") {
   const Workshop workshop;
   workshop.write("v.raw", volume);
   for (const std::string cleaning : {"--median 3", "--min-volume 4"}) {
@@ -497,7 +497,7 @@ TEST_CASE("objects without triangles are in no file that holds several") {
   }
 }
 
-TEST_CASE("what a choice takes from a label is said with its name") {
+TEST_CASE("a note names the label that loses voxels to a choice") {
   const Workshop workshop;
   workshop.write("v.raw", volume);
   workshop.write("table.txt", "1 bone 1 2 3\n2 skin 4 5 6\n");

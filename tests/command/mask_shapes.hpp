@@ -25,8 +25,8 @@ struct Shape {
   std::array<std::uint32_t, 3> dims;
   Point spacing_mm;
   std::vector<int> samples;  ///< 1 inside, 0 outside
-  /// Of the exact shape: along the normal at a point near its surface; empty if none is known, zero
-  /// where there is none.
+  /// The exact shape's vector along the normal at a point near its surface. Empty if none is known,
+  /// zero where there is none.
   std::function<Point(const Point&)> normal{};
 
   double volume_mm3() const {

@@ -154,7 +154,7 @@ TEST_CASE("normals point outside and faces look there, whichever way the axes ru
           CHECK(volume_of(mesh) > 0);
           double worst = 0;
           for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-            // Of an ellipsoid: planes transform by the inverse of the spacing.
+            // The normal of an ellipsoid: planes transform by the inverse of the spacing.
             const Point& at = mesh.vertices_mm[i];
             const Point out = {(at[0] / x - 7.5) / x, (at[1] / y - 7.5) / y, (at[2] / z - 7.5) / z};
             worst = std::max(worst, degrees_between(mesh.normals[i], out));
@@ -164,7 +164,7 @@ TEST_CASE("normals point outside and faces look there, whichever way the axes ru
       }
 }
 
-TEST_CASE("what has no normals of vertices is refused before anything is read") {
+TEST_CASE("a format without normals of vertices is refused before anything is read") {
   const Workshop workshop;
   for (const std::string& source : sources) {
     const std::string normals = " --normals " + source;
@@ -213,7 +213,7 @@ TEST_CASE("a stream without normals asks for its volume, and only for its own") 
                 {"turned.nrrd", "0.5,1,2 mm", "0.5,-1,2 mm"});
 }
 
-TEST_CASE("normals that a stream tells are those of its volume, in two bytes each") {
+TEST_CASE("normals in a stream are those of its volume, in two bytes each") {
   const Workshop workshop;
   write_ball(workshop);
   workshop.write("told.dmc", stream_with_normals());
@@ -234,7 +234,7 @@ TEST_CASE("normals that a stream tells are those of its volume, in two bytes eac
   }
 }
 
-TEST_CASE("extract writes the normals that a device tells, and decode keeps them in a stream") {
+TEST_CASE("extract writes the normals that a device sends, and decode keeps them in a stream") {
   const Workshop workshop;
   write_ball(workshop);
   workshop.done("extract v.nrrd --iso 1000 --normals gradient -o told.dmc");

@@ -75,7 +75,7 @@ int largest_difference(const Picture& a, const Picture& b) {
   return largest;
 }
 
-// The ball with the normals that it stands for.
+// The ball with the normals of the sphere.
 FaceMesh with_radii(FaceMesh mesh, const Point& signs) {
   const Point centre = {15.5 * signs[0], 15.5 * signs[1], 15.5 * signs[2]};
   for (std::size_t i = 0; i < mesh.normals.size(); ++i)
@@ -145,7 +145,7 @@ TEST_CASE("a plane polygon of any shape is filled, and nothing else") {
   }
 }
 
-TEST_CASE("what is nearer hides what is farther, whatever the order of the faces") {
+TEST_CASE("near faces hide far ones, in any order of the faces") {
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     PictureOptions options = from_above(80);
     options.from = {-1, -1.5, 1.2};
@@ -155,7 +155,7 @@ TEST_CASE("what is nearer hides what is farther, whatever the order of the faces
     const Picture picture = draw(build_mesh(surface), options);
     surface.polygons = only(surface.polygons, {9, 8, 7, 6, 5, 4, 3, 2, 1, 0});
     CHECK(draw(build_mesh(surface), options).pixels == picture.pixels);
-    // Of a closed surface the inside is never seen: without the walls that look away, the
+    // The inside of a closed surface is never seen: without the walls that look away, the
     // picture stays the same.
     Surface seen = surface;
     seen.polygons = {};

@@ -47,7 +47,7 @@ Met met(const Polygons& polygons) {
 
 }  // namespace
 
-TEST_CASE("of no polygons there is nothing") {
+TEST_CASE("an empty list of polygons has no rings and no corners") {
   const Polygons none;
   CHECK(none.empty());
   CHECK(none.size() == 0);
@@ -67,7 +67,7 @@ TEST_CASE("a polygon has the rings that were added to it, in their order") {
   CHECK(rings_of(polygon) == std::vector<Corners>{square, hole});
 }
 
-TEST_CASE("what is appended comes behind, and polygons without rings keep their places") {
+TEST_CASE("append() adds polygons at the end, and polygons without rings keep their places") {
   Polygons polygons = polygon_of(down, {hole});
   polygons.append(polygon_of(up, {}));
   Polygons more = square_with_hole();

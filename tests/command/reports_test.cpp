@@ -187,7 +187,7 @@ TEST_CASE("regions of nnU-Net are the unions of their labels") {
   CHECK(workshop.read("all.stl") == workshop.read("u.stl"));
 }
 
-TEST_CASE("volumes of a file are no labels, and the refusal tells how they are extracted") {
+TEST_CASE("volumes of a file are no labels, and the refusal names the way to extract them") {
   const Workshop workshop;
   workshop.write("v.nii", Nifti().dims({4, 2, 2, 2, 3}).file(std::string(24, '\1')));
   check_failure(workshop.run("extract v.nii --labels all -o v.glb"), 1,

@@ -56,7 +56,7 @@ std::string write_slabs(const Workshop& workshop, int count, const std::string& 
   return names;
 }
 
-// Encodes a stream again, as firmware does without the number of slices in advance.
+// Encodes a stream again, as firmware does if the number of slices is not known in advance.
 class WithoutDepth {
  public:
   SinkResult take(const Event& event) {

@@ -91,7 +91,7 @@ void check_distances(const BitVolume& volume, const Point& spacing_mm, double li
   CHECK(farthest_off < 1e-4);
 }
 
-// Of a volume that is not yet read.
+// Options of a volume that is not yet read.
 FaceMesh mesh_of(SmoothedVolume& volume, double deviation_mm, double tolerance) {
   SurfaceBuilder builder;
   CrossingFinder finder(volume.info(), {0}, {0, 0, 0}, true);
@@ -422,7 +422,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("samples are no labels to smooth, and progress is told as they are read") {
+TEST_CASE("samples are no labels to smooth, and progress is reported as they are read") {
   std::vector<int> samples(max_scattered_labels + 2);
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<int>(i);
   SampleReader scattered({max_scattered_labels + 2, 1, 1}, samples, {1, 1, 1}, SampleType::u16);

@@ -138,7 +138,7 @@ TEST_CASE("regions and fragments that the decoder reports lost are forgotten") {
   add_region(rest, {rectangle()}, {1, 0, 4});
   const SurfaceBuilder builder = build(events);
   check_same(builder, build(rest));
-  CHECK(builder.incomplete_regions() == 1);  // the fragment, which nobody joined
+  CHECK(builder.incomplete_regions() == 1);  // the fragment that was not joined
 }
 
 TEST_CASE("slits are dropped, and a ring that is nothing else is no region") {
@@ -244,7 +244,7 @@ TEST_CASE("a ring of more links than any memory holds is split where it touches 
                              {{13 + 4 * half, 6, 0}, tip, right, {13 + 4 * half, 0, 0}}});
 }
 
-TEST_CASE("what is only counted is counted as what is kept") {
+TEST_CASE("regions that are only counted give the figures of regions that are kept") {
   Events events;
   for (const auto& one : events_of(discmc::reference::random({16, 16, 16}, 200, 5)))
     events.push_back(one.event());

@@ -38,7 +38,7 @@ std::vector<std::string> words_of(const std::string& text, const std::string& be
   return {};
 }
 
-// What stands below a heading, to the next one.
+// The text below a heading, to the next one.
 std::string code_of(const std::string& report, const std::string& heading) {
   const std::size_t at = report.find("---- " + heading + " ----\n");
   REQUIRE(at != std::string::npos);
@@ -48,7 +48,7 @@ std::string code_of(const std::string& report, const std::string& heading) {
 
 }  // namespace
 
-TEST_CASE("tune tells the stream that extract makes in the same memory") {
+TEST_CASE("tune predicts the stream that extract makes in the same memory") {
   const Workshop workshop;
   write_ball(workshop);
   const std::string report = workshop.done("tune v.nrrd --iso 100 --memory 2K --baud 9600");
@@ -63,7 +63,9 @@ TEST_CASE("tune tells the stream that extract makes in the same memory") {
         doctest::Approx(static_cast<double>(bytes) * 10 / 9600).epsilon(0.01));
 }
 
-TEST_CASE("with the least that tune says nothing is loose, and with 256 bytes less something is") {
+TEST_CASE(
+    "with the least memory that tune prints nothing is loose, and with 256 bytes less something "
+    "is") {
   const Workshop workshop;
   write_ball(workshop);
   const auto words = words_of(workshop.done("tune v.nrrd --iso 100"), "  no fragments from   ");
@@ -108,7 +110,7 @@ TEST_CASE("the code that tune prints compiles, in C++ and in C") {
   }
 }
 
-TEST_CASE("the code that tune prints says what of the surface is not in it") {
+TEST_CASE("the code that tune prints names the parts of the surface that it lacks") {
   const Workshop workshop;
   write_ball(workshop);
   const auto code = [&](const std::string& options, const char* heading) {
@@ -121,7 +123,7 @@ TEST_CASE("the code that tune prints says what of the surface is not in it") {
   }
 }
 
-TEST_CASE("the code that tune prints says for which value of the file its threshold stands") {
+TEST_CASE("the code that tune prints names the value of the file that its threshold is") {
   const Workshop workshop;
   write_ball(workshop);
   const auto samples = volume_files::stored(volume_files::SampleType::u8);
@@ -133,7 +135,7 @@ TEST_CASE("the code that tune prints says for which value of the file its thresh
   CHECK(!contains(workshop.done("tune v.nrrd --iso 100"), "of the stored samples"));
 }
 
-TEST_CASE("tune tells the threshold that a rule has found") {
+TEST_CASE("tune prints the threshold that a rule has found") {
   const Workshop workshop;
   write_ball(workshop);
   const Result result = workshop.run("tune v.nrrd --iso otsu");

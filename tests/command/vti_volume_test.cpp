@@ -25,7 +25,7 @@ const std::string appended = "<AppendedData encoding=\"raw\">\n _???" + length +
 
 }  // namespace
 
-TEST_CASE("of several arrays in VTK's XML the one that is said to be the scalars is read") {
+TEST_CASE("the array named as the scalars is read from several in VTK's XML") {
   const Folder folder;
   const std::string first =
       "<DataArray type=\"Int16\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";

@@ -1,5 +1,5 @@
 // Zarr and OME-Zarr: which array is the volume, how it lies, and how its chunks are stored.
-// container_table_test has the files of zarr in Python and of zarrita.
+// The files of zarr in Python and of zarrita are in container_table_test.
 #include <archive.h>
 #include <archive_entry.h>
 #include <doctest/doctest.h>
@@ -63,8 +63,7 @@ void write_image(const fs::path& folder, const std::string& axes, const std::str
 
 const std::string u8 = stored(SampleType::u8);
 
-TEST_CASE(
-    "of several levels the finest is read, or the one that is asked for, with its own scale") {
+TEST_CASE("the finest of several levels is read, or a chosen one, with its own scale") {
   const Folder folder;
   const fs::path image = folder.path() / "image.ome.zarr";
   write_image(image, zyx_axes,
@@ -279,7 +278,7 @@ TEST_CASE("a zip of Zarr is read like its folder") {
   }
 }
 
-TEST_CASE("what is packed or filtered in another way is refused by its name") {
+TEST_CASE("an unsupported compressor or filter is refused by its name") {
   const Folder folder;
   const fs::path array = folder.path() / "array.zarr";
   const auto refusal_of = [&](const std::string& members) {
@@ -351,7 +350,7 @@ std::string array_json(const std::string& grid, const std::string& codecs,
 
 const std::string bytes_codec = R"({"name": "bytes", "configuration": {"endian": "little"}})";
 
-// A shard of 2 x 1 x 1 chunks of 2 x 3 x 5 samples: the slices 0 and 1, and those from 2 on.
+// A shard of 2 x 1 x 1 chunks of 2 x 3 x 5 samples: slices 0 and 1, and slices from 2 on.
 std::string shard(bool has_first, bool has_index_at_start, bool has_checksum) {
   const std::string first = has_first ? u8.substr(0, 30) : "", second = u8.substr(30);
   const std::size_t index_bytes = 32 + (has_checksum ? 4 : 0);

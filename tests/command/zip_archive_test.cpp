@@ -149,7 +149,7 @@ TEST_CASE("nothing is left of a zip when a signal ends the program, and two may 
                     command = std::string("'") + DISCMC_COMMAND + "' ",
                     place = "cd '" + folder.path().string() + "' && ";
   folder.write("study.zip", packed);
-  // Stopped at the opening of its output, a pipe that nobody reads, with the archive unpacked.
+  // Stopped at the opening of its output, a pipe without a reader, with the archive unpacked.
   const std::string stopped = place + "mkfifo v.stl && { timeout -s KILL 2 " + command +
                               "extract study.zip --iso=-1000 -q -o v.stl; sleep 1; }";
   CHECK(std::system(stopped.c_str()) == 0);

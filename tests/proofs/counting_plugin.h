@@ -1,7 +1,7 @@
 /* What the plugins for QEMU share that count between marks of a program. A plugin has functions
- *   on, off, tell   which are called where the program reaches its marks
+ *   on, off, report   which are called where the program reaches its marks
  *   translated      which is called for every block of instructions, and calls watch_marks()
- * and is loaded with -plugin FILE.so,on=ADDRESS,off=ADDRESS,tell=ADDRESS,out=FILE. */
+ * and is loaded with -plugin FILE.so,on=ADDRESS,off=ADDRESS,report=ADDRESS,out=FILE. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,7 +29,7 @@ EXPORT int qemu_plugin_version = 1;
 
 static void on(unsigned int cpu, void *data);
 static void off(unsigned int cpu, void *data);
-static void tell(unsigned int cpu, void *data);
+static void report(unsigned int cpu, void *data);
 static void translated(uint64_t id, struct qemu_plugin_tb *block);
 
 static FILE *out;
@@ -38,7 +38,7 @@ static struct {
   const char *name;
   executed_cb reached;
   uint64_t address;
-} marks[] = {{"on=", on, 0}, {"off=", off, 0}, {"tell=", tell, 0}};
+} marks[] = {{"on=", on, 0}, {"off=", off, 0}, {"report=", report, 0}};
 enum { mark_count = sizeof marks / sizeof marks[0] };
 
 static void watch_marks(struct qemu_plugin_insn *instruction) {

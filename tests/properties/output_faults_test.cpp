@@ -1,4 +1,4 @@
-// An output that fails at any byte, once, twice or permanently: the scan waits, and the bytes of
+// An output that fails at any byte, once, twice or permanently. The scan waits, and the bytes of
 // the stream are the same as without a fault.
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-// No polygon is lost if the power fails, whatever the output queues: the recipe of
+// No polygon is lost if the power fails, whatever the output queues. It is the recipe of
 // docs/power-failure.md in C++ and in C, with both encoders and with two surfaces.
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>

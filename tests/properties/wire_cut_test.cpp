@@ -1,5 +1,5 @@
-// A stream that ends at any byte, as when the power fails: what was certain by then is there, and
-// nothing else is taken for it.
+// A stream that ends at any byte, as in a power failure. All that was certain by then is there, and
+// nothing else.
 #include <doctest/doctest.h>
 
 #include <cstring>
@@ -15,8 +15,8 @@ using reference::Region;
 namespace {
 
 // Decodes a stream byte by byte, each from a block of its own, so that address sanitizers detect
-// reads beyond. Before every byte it calls check() with the bytes and events so far, the report of
-// a stream that ends there, and whether an open piece was reported as lost.
+// reads beyond. Before every byte it calls check(). Arguments: the bytes and events so far, the
+// report of a stream that ends there, and whether an open piece was reported as lost.
 template <class Check>
 Events decode_cutting(const Bytes& stream, Check check) {
   EventLog log;

@@ -1,4 +1,4 @@
-// What a discmc says that was built without a library, and what it reads all the same.
+// The messages of a discmc that was built without a library, and the files that it still reads.
 #include <doctest/doctest.h>
 
 #include "command/volume_files.hpp"
@@ -27,7 +27,7 @@ TEST_CASE("a file that needs a library is refused by the name of the library") {
                     doctest::Contains("built without Assimp; install"));
 }
 
-TEST_CASE("what needs no library is read") {
+TEST_CASE("formats that need no library are read") {
   check_volume(files / "nrrd/u16-little.nrrd", SampleType::u16, "NRRD, raw");
   CHECK(open_volume(files / "pictures/stack")->info().format == "PNG");
 }

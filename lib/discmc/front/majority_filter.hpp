@@ -1,4 +1,4 @@
-// A majority filter, as a stage before the extractor: it sets a voxel if most of the 27 voxels of
+// A majority filter, as a stage before the extractor. It sets a voxel if most of the 27 voxels of
 // its 3 x 3 x 3 block are on. It removes noise and specks, and leaves walls in place.
 //
 //   filter.start(limits, memory);

@@ -1,9 +1,12 @@
 // The grammar of a packet of records: the symbols of regions, loose fragments and marks.
-// The same functions encode and decode. A writing Coder writes the argument of symbol(row, symbol)
-// and returns it. A reading Coder ignores the argument and returns the symbol that it reads.
-// even(bits, value) works likewise. Each function returns what was coded. The probabilities of
-// symbols are rows of shares (shares.hpp), found by training. They do not adapt, so every packet
-// decodes alone.
+//
+// The same functions encode and decode, and each returns what was coded. A writing Coder writes the
+// argument of symbol(row, symbol) and returns it. A reading Coder ignores the argument and returns
+// the symbol that it reads. even(bits, value) works likewise, with all values equally likely.
+//
+// A row is a distribution of symbols, trained on scans (shares.hpp). The model selects it by what
+// it coded before: the last vertex, incidence and direction. Rows do not adapt, and every packet
+// begins with the same state, so every packet decodes alone.
 #ifndef DISCMC_STREAM_RECORD_MODEL_HPP
 #define DISCMC_STREAM_RECORD_MODEL_HPP
 
@@ -99,12 +102,6 @@ constexpr uint32_t turn_between(uint32_t directions, uint32_t from, uint32_t to)
   return to - from + (to < from ? directions : 0);
 }
 
-/// Whether two directions are equal or opposite.
-constexpr bool are_parallel(uint32_t directions, uint32_t a, uint32_t b) {
-  const uint32_t turn = turn_between(directions, a, b);
-  return turn == 0 || 2 * turn == directions;
-}
-
 /// The first, counter-clockwise, of the directions that lead back in the order z, y, x. Returns the
 /// number of directions if that is direction 0.
 constexpr uint32_t first_back(Incidence incidence) {
@@ -178,7 +175,7 @@ class RecordModel {
     return symbol(rows::is_last + 4 * chain_ + 2 * is_level(), is_last ? 1 : 0) != 0;
   }
 
-  /// The kind of a part, and whether it begins a ring. Returns the latter.
+  /// Codes the header of a part, and sets it in the record. Returns whether the part begins a ring.
   bool part(Record& record, bool begins_ring);
 
   uint32_t link_class() const { return link_class_; }

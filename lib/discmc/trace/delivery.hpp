@@ -1,7 +1,13 @@
-// The tracer's side towards the sink: rings and loose fragments go out between two passes.
+// Sends rings and loose fragments to the sink as events, between two passes.
 //
-// Every event is made in one place. When the sink has accepted it, what comes next is decided, so a
-// delivery may be suspended before any event.
+//   outgoing     events
+//   outer ring   region, ring, its runs; for each hole inside: ring, its runs; region_end
+//   fragment     fragment, its runs, fragment_end; marked holes before it, as fragments
+//   hole         none yet: it waits in Holes for the ring around it
+//
+// A ring is a hole if it turns right at its first vertex. If too many holes wait, it goes out as a
+// fragment. settle() offers one event to the sink. When the sink has accepted it, go_on() selects
+// the next one. So a busy sink may suspend the delivery before any event.
 #ifndef DISCMC_TRACE_DELIVERY_HPP
 #define DISCMC_TRACE_DELIVERY_HPP
 

@@ -1,4 +1,18 @@
-// Fragments grow at the vertices that chains pass, join, and close to rings.
+// The open chains: fragments grow at the vertices that chains pass, join, and close to rings.
+//
+// A pass is the way of one chain through one vertex. An end of a fragment waits in the queue of the
+// link that leads on from it. If the sweep has visited a neighbour, an end waits for the pass: a
+// tail in queue `in`, or a begin in queue `out`. A neighbour that it has not visited is ahead:
+//
+//   arrives from   leaves to   take()
+//   visited        ahead       lengthens the tail, which waits again
+//   ahead          visited     lengthens the begin, which waits again
+//   ahead          ahead       begins a fragment, whose two ends wait
+//   visited        visited     joins two fragments, or closes a ring if they are one
+//
+// Only a corner adds a run to the fragment. If few slots are free, long fragments leave early. If
+// an end finds no slot to wait in, it is lost: its fragment has a loose end. A ring, or a fragment
+// with two loose ends, is outgoing() until Delivery has sent it.
 #ifndef DISCMC_TRACE_FRAGMENTS_HPP
 #define DISCMC_TRACE_FRAGMENTS_HPP
 

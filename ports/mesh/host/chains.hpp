@@ -1,17 +1,19 @@
-// The open chains of a host: a node for each vertex that a chain passes.
+// The open chains of the extractor for PCs: linked nodes, where firmware has fragments of runs.
 //
-// Nodes are numbered in the order in which they are made, and linked in the direction of the chain.
-// A queue holds numbers of nodes: a queue of tails the last node of each waiting fragment, a queue
-// of begins the first one. A pass makes one node, and links it with the nodes that it removes from
-// its two queues. If the chain is straight there, no node is made: what waited waits in the next
-// queue. All passes run the same instructions.
+// A node is a vertex that a chain passes. Nodes are numbered in the order in which they are made,
+// and linked in the direction of the chain. A fragment is a piece of a chain. Both its
+// ends wait: its last node in a queue of tails, its first node in a queue of begins. A pass makes
+// one node, and links it with the nodes that it removes from its two queues. If the chain is
+// straight there, no node is made: the node that waited moves to the next queue. All passes run the
+// same instructions, so no branch depends on the surface.
 //
-// A ring closes at the node that removes a fragment from both of its queues, a join. From there the
-// chain is followed while its nodes are older: the chain of a ring returns to the join. A long walk
-// that finds no ring leaves a node, a shortcut, that names its end. So no walk repeats it.
+// A join is a node that removes an end from both of its queues. It either connects two fragments or
+// closes a ring. find_ring() follows the chain from the join while its nodes are older: the chain
+// of a ring returns to the join. A long walk that finds no ring adds a shortcut, a node that names
+// the end of the walk. So no walk is repeated.
 //
-// When no room is left for nodes, the nodes of open fragments with a corner are copied to the other
-// half of their slots, fragment by fragment. All other nodes are forgotten.
+// Nodes are never removed one by one. When their area is full, copy_open() copies the nodes of open
+// fragments to a second area, without those that have no corner. All other nodes are forgotten.
 //
 // At the seam of a slab, chains from beyond it begin at a node, and chains that leave end at one.
 // One end of such a node waits in a queue of the seam, from which no pass removes it. A fragment

@@ -28,11 +28,11 @@ def marching_cubes(
     """The interpolated surface with the arguments and results of skimage.measure.marching_cubes().
 
     Returns verts, faces, normals and values. The surface is open where the volume ends, as in
-    scikit-image. Flat parts have fewer and larger triangles: each crossing of the level is at most
+    scikit-image. Flat parts have fewer and larger triangles. Each crossing of the level is at most
     `tolerance` voxels from the mesh, and on it with a tolerance of 0.
 
     Other than in scikit-image, a sample equal to the level is inside, no axis needs two samples, and
-    samples keep their precision. mask, and another method than 'lewiner', raise ValueError.
+    samples keep their precision. Errors: ValueError for a mask, and for a method but 'lewiner'.
     """
     if mask is not None:
         raise ValueError(

@@ -18,9 +18,9 @@ Rings = list["NDArray[np.uint32]"]
 
 
 class Polygons(Sequence[Rings]):
-    """Merged polygons. polygons[i] is a list of rings, which are arrays of vertex numbers: the outer
-    ring counter-clockwise seen from outside, then the holes, clockwise. polygons.normals has a unit
-    vector for each."""
+    """Merged polygons. Each one, polygons[i], is a list of rings, which are arrays of vertex numbers.
+    The outer ring is first, counter-clockwise seen from outside; the holes follow, clockwise.
+    The array polygons.normals has a unit vector for each polygon."""
 
     def __init__(self, data: _discmc.MeshData) -> None:
         self._ring_begin = data.ring_begin

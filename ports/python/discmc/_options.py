@@ -67,7 +67,7 @@ def triple(name: str, value: ArrayLike) -> tuple[float, float, float]:
 
 
 def matrix(placement: ArrayLike) -> list[list[float]]:
-    """Three rows of four numbers. The fourth row of an affine matrix says nothing."""
+    """Three rows of four numbers. The fourth row of an affine matrix is dropped."""
     rows = np.asarray(placement, dtype=float)
     if rows.shape == (4, 4) and np.array_equal(rows[3], (0, 0, 0, 1)):
         rows = rows[:3]

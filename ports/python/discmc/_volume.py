@@ -32,7 +32,7 @@ class Volume:
     space: str
     """'lps' or 'ras' for the coordinates of a patient, else 'scanner'."""
     units: str
-    """Of lengths: 'mm'."""
+    """The unit of lengths: 'mm'."""
     format: str
     notes: tuple[str, ...]
 

@@ -18,8 +18,8 @@ struct Range {
   std::ptrdiff_t first, last;
 };
 
-// The first and last cell along an axis that touch the vertex: cell c lies between samples c and
-// c + 1. A vertex on a sample, as far as rounding tells, touches two.
+// The first and last cell along an axis that touch the vertex: cell c lies between samples c and c
+// + 1. A vertex on a sample, as far as rounding shows, touches two.
 Range cells_around(double coordinate, std::int64_t extent) {
   const double nearest = std::round(coordinate);
   const bool is_on_sample = std::abs(coordinate - nearest) < 1e-6;

@@ -17,9 +17,9 @@
 
 namespace discmc::python {
 
-/// Runs the library in a thread of its own, so that the calling thread, which alone receives
-/// signals in Python, can look for Ctrl-C and call the user's progress at any time. Neither thread
-/// holds the interpreter in between.
+/// Runs the library in a thread of its own. The calling thread, which alone receives signals in
+/// Python, looks for Ctrl-C and calls the user's progress at any time. Neither thread holds the
+/// interpreter in between.
 class Watch {
  public:
   explicit Watch(const Options& options) : options_(options) {}

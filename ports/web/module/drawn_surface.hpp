@@ -27,7 +27,7 @@ struct DrawnVertex {
 static_assert(sizeof(DrawnVertex) == 8, "the page reads them so");
 
 /// Vertices on straight sides where other polygons end are kept, so the triangles have no
-/// T-junctions: no pixel shows through, and meshes of them are closed.
+/// T-junctions. No pixel shows through, and meshes of them are closed.
 class DrawnSurface {
  public:
   /// is_hostile: polygons may be none that a sweep makes; those that cannot be triangulated are
@@ -57,7 +57,7 @@ class DrawnSurface {
   std::vector<std::uint32_t> triangle_ends_;
   std::vector<std::uint32_t> edges_;
   std::uint32_t left_out_ = 0;
-  // Of the polygon under way.
+  // The polygon under way.
   std::uint32_t number_ = 0;
   std::uint32_t first_vertex_ = 0;
   std::vector<meshing::PlanePoint> points_;

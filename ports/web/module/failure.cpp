@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <exception>
 
-// Of the page: page/module.js.
+// A function of the page: page/module.js.
 __attribute__((import_module("page"), import_name("fail"))) extern "C" [[noreturn]] void page_fail(
     const char* text);
 __attribute__((import_module("page"), import_name("attempt"))) extern "C" int page_attempt(

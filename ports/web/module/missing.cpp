@@ -40,7 +40,7 @@ class Link {
   bool is_turned_ = false;
 };
 
-// Of each link how many polygons more have it forwards than backwards; none that is even.
+// For each link, how many polygons more have it forwards than backwards. Links with 0 are left out.
 using Balance = std::unordered_map<std::uint64_t, int>;
 
 void add_link(const Link& link, Balance& balance) {

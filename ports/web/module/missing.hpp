@@ -1,4 +1,4 @@
-// Where something of a surface is missing, as lines and as slices.
+// The missing places of a surface, as lines and as slices.
 #ifndef DISCMC_WEB_MISSING_HPP
 #define DISCMC_WEB_MISSING_HPP
 

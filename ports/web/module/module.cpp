@@ -207,9 +207,8 @@ EXPORT(stream) const Bytes* stream() {
   return bytes_of(state().scan.stream);
 }
 
-/// The voxels of a plane across an axis (0, 1, 2), a byte each: of their values those from dark to
-/// bright in steps 0 to 127, and 128 more where the voxel is on. Rows along the first of the other
-/// two axes.
+/// The voxels of a plane across an axis (0, 1, 2), a byte each. Values from dark to bright become
+/// steps 0 to 127; a voxel that is on has 128 more. Rows along the first of the other two axes.
 EXPORT(picture)
 const Bytes* picture(std::uint32_t axis, std::uint32_t place, double dark, double bright) {
   const MemoryVolume& volume = *state().volume;
@@ -235,7 +234,7 @@ const Bytes* picture(std::uint32_t axis, std::uint32_t place, double dark, doubl
   return bytes_of(picture);
 }
 
-/// Of a link with several surfaces that one; negative: the first.
+/// In a link with several surfaces, this one; negative: the first.
 EXPORT(new_stream) void new_stream(std::int32_t scan, std::int32_t channel) {
   meshing::StreamChoice choice;
   if (scan >= 0) choice.scan = static_cast<std::uint16_t>(scan);

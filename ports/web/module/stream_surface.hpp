@@ -15,7 +15,7 @@
 
 namespace discmc::web {
 
-/// Of a stream of either kind; of a link with several, one surface.
+/// The surface of a stream of either kind; of a link with several surfaces, one.
 class StreamSurface {
  public:
   explicit StreamSurface(const meshing::StreamChoice& choice);
@@ -29,12 +29,12 @@ class StreamSurface {
   void finish();
 
   const meshing::StreamReader& reader() const { return reader_; }
-  /// Where the volume lies, if the stream has a placement.
+  /// The place of the volume, if the stream has a placement.
   const std::optional<Placement>& placement() const { return placement_; }
   /// Regions that came in pieces of which some did not are among the lost ones.
   StreamReport report() const;
   const meshing::Polygons& polygons() const { return surface_.surface().polygons; }
-  /// Where rows never came, and at the end, after finish(), where polygons are missing.
+  /// The places of missing rows, and at the end, after finish(), of missing polygons.
   Missing missing(bool is_end) const;
 
  private:

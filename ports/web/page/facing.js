@@ -12,7 +12,7 @@ export function facing(planes, ends, eye, halves) {
   const parts = [];
   planes.forEach((plane, incidence) => {
     const [begin, end] = [incidence > 0 ? ends[incidence - 1] : 0, ends[incidence]];
-    // Of the eye over such a plane through the corner of the space that lies lowest.
+    // The value of the eye over such a plane through the lowest corner of the space.
     const height = plane.reduce((sum, part, i) => sum + part * eye[i] + Math.abs(part) * halves[i], 0);
     if (begin === end || height <= 0) return;
     const last = parts[parts.length - 1];

@@ -132,8 +132,8 @@ export class Module {
     return this.streamState();
   }
   /**
-   * What of it is missing: lines around that, six numbers of 16 bits each, in half-steps, and the
-   * slices from the first to the last of each part.
+   * What of it is missing: lines around that, six numbers of 16 bits each, in half-steps, and the first and last slices
+   * of each part.
    * @param {boolean} isEnd whether no more comes
    */
   missing(isEnd) {

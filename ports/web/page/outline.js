@@ -14,7 +14,7 @@ export function outline(picture, width, height, piece) {
     for (let x = -1; x < width; ++x) {
       const a = isOn(x, y), b = isOn(x + 1, y), c = isOn(x, y + 1), d = isOn(x + 1, y + 1);
       if (a === b && c === d && a === c) continue;
-      // Of diagonal neighbours that are on, each is cut off by itself.
+      // Diagonal neighbours that are on are each cut off by themselves.
       const near = [x + 0.5, y], right = [x + 1, y + 0.5], far = [x + 0.5, y + 1], left = [x, y + 0.5];
       const join = (/** @type {number[]} */ from, /** @type {number[]} */ to) =>
         piece(from[0], from[1], to[0], to[1]);

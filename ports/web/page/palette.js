@@ -11,5 +11,5 @@ export const yellow = '#f0e442';
 export const vermilion = '#d55e00';
 export const purple = '#cc79a7';
 
-/** Of a surface of one colour. */
+/** The colour of a surface of one colour. */
 export const bone = '#e0ba92';

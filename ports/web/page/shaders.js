@@ -1,8 +1,8 @@
 // What the graphics card does with surfaces and lines.
 
 /**
- * A vertex of polygons is four 16-bit numbers that are fetched as fractions of this, which cards do
- * at once: its place in half-steps, and its incidence with 256 times its colour number.
+ * A vertex of polygons is four 16-bit numbers, fetched as fractions of this, which cards do at once. They are its place
+ * in half-steps, and its incidence with 256 times its colour number.
  */
 export const vertexUnit = 32767;
 const unpacking = `
@@ -14,8 +14,8 @@ int incidence() { return look() & 255; }
 int colourNumber() { return look() >> 8; }
 `;
 
-// Where the inside is seen, what lies beyond a cut is left out. Of closed surfaces that are not cut
-// only the outside is: without code for the rest they are drawn faster.
+// If the inside is seen, what lies beyond a cut is left out. Only the outside of closed surfaces without a cut is
+// drawn: without code for the rest they are drawn faster.
 const cutting = (/** @type {boolean} */ isOpen) => (isOpen ? `
 uniform vec4 cut;          // half-steps
 in vec3 place;
@@ -25,8 +25,8 @@ void leaveOut() {
 void leaveOut() {}`);
 
 /**
- * Of merged polygons, each flat: what light falls on a plane is the same all over it, so it comes
- * with the incidence. Nothing is left to do for a pixel.
+ * For merged polygons, each flat. The light on a plane is the same all over it, so it comes with the incidence. Nothing
+ * is left to do for a pixel.
  */
 export const flatVertex = (/** @type {boolean} */ isOpen) => `#version 300 es
 precision highp float;
@@ -68,7 +68,7 @@ vec3 lit(vec3 base, vec3 normal, bool isInside) {
 }
 `;
 
-/** Of merged polygons, smooth by their packed normals. */
+/** For merged polygons, smooth by their packed normals. */
 export const smoothVertex = `#version 300 es
 precision highp float;
 ${unpacking}
@@ -123,7 +123,7 @@ vec3 normalOfTriangle(vec3 seen) {
   return gl_FrontFacing ? towards : -towards;
 }`;
 
-/** Of a mesh, in half-steps; with its normals, or each triangle flat. */
+/** For a mesh, in half-steps; with its normals, or each triangle flat. */
 export const meshVertex = `#version 300 es
 precision highp float;
 in vec3 position, normal;
@@ -153,7 +153,7 @@ void main() {
   pixel = vec4(lit(base, hasNormal ? smoothly : flatly, !gl_FrontFacing), 1.0);
 }`;
 
-/** Of triangles that are each flat, in millimetres. */
+/** For triangles that are each flat, in millimetres. */
 export const classicVertex = `#version 300 es
 precision highp float;
 in vec3 position;
@@ -189,14 +189,14 @@ void main() {
   place = position${toHalfSteps};
   gl_Position = toClip * vec4(position, 1.0);
 }`;
-/** Of polygons; of a mesh; and of what is in millimetres. */
+/** For polygons; for a mesh; and for vertices in millimetres. */
 export const edgeVertex = lines(` * ${vertexUnit}.0`);
 export const meshEdgeVertex = lines('');
 export const lineVertex = lines(' * toPlace');
 
 /**
- * Of lines of some width, each a strip of two triangles: `corner` is the number of its end, and on
- * which side. In half-steps.
+ * For lines of some width, each a strip of two triangles: `corner` is the number of its end, and on which side. In
+ * half-steps.
  */
 export const wideLineVertex = `#version 300 es
 precision highp float;

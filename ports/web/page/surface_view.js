@@ -7,7 +7,7 @@ import * as palette from './palette.js';
 import * as shaders from './shaders.js';
 import { record } from './timing.js';
 
-/** Of polygons, so that neighbours differ. */
+/** The offset of polygons, so that neighbours differ. */
 const tints = [palette.bone, palette.skyBlue, palette.orange, palette.green, palette.yellow, palette.purple,
   palette.vermilion].map(palette.rgb);
 const noTints = tints.map(() => [1, 1, 1]);
@@ -64,7 +64,7 @@ export class SurfaceView {
   }
 
   makePrograms() {
-    /** Of all programs; see shaders.js. */
+    /** The uniforms of all programs; see shaders.js. */
     this.uniforms ??= {
       toClip: { value: new Mat4() },
       toView: { value: new Array(9).fill(0) },
@@ -381,7 +381,7 @@ export class SurfaceView {
       this.surface?.geometry.setDrawRange(begin, end - begin);
       show(this.surface, surface);
     }));
-    // Where voxels are small in the picture their many edges are fainter, so that they leave light.
+    // If voxels are small in the picture their many edges are fainter, so that they leave light.
     const pixels = Math.min(part, height) / scale / this.camera.millimetres();
     this.edgeLine.value[3] = Math.min(0.9, 0.12 * pixels * this.detail());
     if (this.hasEdges && this.isMesh && this.surface)

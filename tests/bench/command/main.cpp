@@ -1,5 +1,5 @@
-// Runs the command discmc and vtk_stl in turns, from raw volumes to STL files, and prints their
-// processor time and peak memory side by side; scripts/tools/bench-command builds and runs it.
+// Runs the command discmc and vtk_stl in turns, from raw volumes to STL files. Prints their
+// processor time and peak memory side by side. scripts/tools/bench-command builds and runs it.
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -11,8 +11,8 @@
 
 namespace discmc::bench {
 
-/// A program and its settings, with a volume before it in the form that it takes, all on one thread
-/// and with an open border, unless it says otherwise.
+/// A program and its settings, with a volume in the form that it reads. Unless noted, it runs on
+/// one thread and leaves the border open.
 struct Contender {
   std::string name;
   std::string unit;  ///< of what run() returns
@@ -28,8 +28,8 @@ std::vector<Contender> discmc_contenders(const Volume& volume);
 /// VTK's FlyingEdges3D: interpolated triangles that share vertices, without normals or scalars.
 Contender flying_edges(const Volume& volume);
 
-/// VTK's DiscreteFlyingEdges3D, triangles with vertices in the middle of edges as discmc's are, and
-/// DecimatePro, which merges what lies within 0.1 voxels of a plane: here, what is coplanar.
+/// VTK's DiscreteFlyingEdges3D, whose vertices are in the middle of edges as discmc's are. Then
+/// DecimatePro merges all within 0.1 voxels of a plane: here, coplanar triangles.
 Contender decimated(const Volume& volume);
 
 /// The same triangles simplified by meshoptimizer, with the same tolerance.
@@ -46,8 +46,8 @@ Contender plain_pass(const Volume& volume);
 /// all of them.
 Contender vector_pass(const Volume& volume);
 
-/// For as long as the program runs: all of them work on one thread, and memory that is freed stays
-/// with the process, so that what is timed are they and not the page faults of their results.
+/// While it exists, all contenders work on one thread, and the process keeps memory that is freed.
+/// So the time is their own, without the page faults of their results.
 void settle();
 
 /// The versions of what is linked, as a sentence's part.

@@ -27,7 +27,7 @@ struct Measurement {
 };
 
 /// Runs each once to warm up and then all in turns, so that a slow spell of the machine hits them
-/// alike: 5 rounds, or more, up to 25, until a second has passed.
+/// alike. There are at least 5 rounds, and up to 25 until a second has passed.
 std::vector<Result> measure(const std::vector<Contender>& contenders);
 
 }  // namespace discmc::bench

@@ -9,7 +9,7 @@ namespace discmc::bench {
 
 namespace {
 
-// Below that many a volume says more about what a call costs than about cells.
+// With fewer cells the figure would show the cost of a call, not of cells.
 constexpr uint64_t many_cells = 50'000;
 
 using Cells = std::vector<std::string>;  // of a table's row

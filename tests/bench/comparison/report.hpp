@@ -8,10 +8,10 @@
 
 namespace discmc::bench {
 
-/// Where a contender stands among the results of a surface, the simplifiers last.
+/// The row of a contender in the table of a surface; simplifiers are last.
 enum Place : size_t { counting, polygons, stream, flying_edges_3d, first_simplifier };
 
-/// Where a contender stands among the results of an empty volume.
+/// The row of a contender in the table of an empty volume.
 enum PlaceOfEmpty : size_t { empty_plain_pass, empty_vector_pass, empty_counting };
 
 /// Nanoseconds an active cell; how many times as long the others take, with geometric means; and

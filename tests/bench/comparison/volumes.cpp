@@ -27,8 +27,8 @@ uint8_t clamped(double sample) {
   return static_cast<uint8_t>(std::clamp(sample, 0.0, 255.0));
 }
 
-// Each sample becomes the sum of the five around it along one axis; the volume goes on
-// periodically. distance: between neighbours along the axis, in samples.
+// Each sample becomes the sum of the five around it along one axis; the volume
+// continues periodically. distance: between neighbours along the axis, in samples.
 void add_neighbours(std::vector<uint16_t>& samples, size_t distance, size_t extent) {
   const std::vector<uint16_t> old = samples;
   for (size_t i = 0; i < samples.size(); ++i) {

@@ -1,5 +1,5 @@
-// write_metaimage FOLDER: writes what write_volumes.py cannot of MetaImage, by MetaIO itself, the
-// library of its authors that ITK and VTK have: 64-bit whole numbers, the other byte order, text.
+// write_metaimage FOLDER: writes MetaImage files that write_volumes.py cannot write: 64-bit whole
+// numbers, the other byte order, text. It uses MetaIO, the library of the authors in ITK and VTK.
 //
 // On Debian, with libvtk9-dev:
 //   g++ -I/usr/include/vtk-9.1 write_metaimage.cpp -lvtkmetaio-9.1 -lvtksys-9.1 -o write_metaimage

@@ -271,7 +271,7 @@ def write_tiff():
                              photometric='minisblack', byteorder='>' if order == 'big' else '<')
 
 
-# HDF5, by h5py. What it tells of a voxel is along z, y and x, in micrometres.
+# HDF5, by h5py. Its sizes of a voxel are along z, y and x, in micrometres.
 def hdf5_file(name, folder='hdf5'):
     return h5py.File(path(folder, name), 'w')
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # rank.sh VOLUME OPTION...: what a rank of an MPI program does. It extracts its slab into the working
-# folder, which all ranks share, and the slabs are joined in a tree: those of ranks 0 and 1, and of 2
-# and 3, then both. joined.dmc is that of all. No message is needed: a stream appears under its name
+# folder, which all ranks share. The slabs are joined in a tree: those of ranks 0 and 1, and of 2 and 3,
+# then both. The stream of all is joined.dmc. No message is needed: a stream appears under its name
 # when it is complete.
 set -euo pipefail
 rank=$OMPI_COMM_WORLD_RANK

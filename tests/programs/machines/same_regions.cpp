@@ -1,5 +1,5 @@
-// Whether two streams have the same polygons, ring for ring: same_regions A.dmc B.dmc. Says where
-// they differ; the exit code is 1 then, and 2 where a stream cannot be read.
+// Whether two streams have the same polygons, ring for ring: same_regions A.dmc B.dmc. Prints the
+// difference; the exit code is 1 then, and 2 if a stream cannot be read.
 #include <cstdio>
 #include <exception>
 #include <fstream>

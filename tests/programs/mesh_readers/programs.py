@@ -36,7 +36,7 @@ def vtk(file):
     reader = readers[os.path.splitext(file)[1]]()
     reader.SetFileName(file)
     if file.endswith(".glb"):
-        reader.ApplyDeformationsToGeometryOn()  # what the nodes tell
+        reader.ApplyDeformationsToGeometryOn()  # the transforms of nodes
         parts = library.vtkCompositeDataGeometryFilter()
         parts.SetInputConnection(reader.GetOutputPort())
         reader = parts
@@ -56,7 +56,7 @@ def assimp(file):
 def open3d(file):
     import open3d as library
     mesh = library.io.read_triangle_mesh(file)
-    unit = 0.001 if file.endswith(".glb") else 1  # it leaves out what the nodes tell
+    unit = 0.001 if file.endswith(".glb") else 1  # it ignores the transforms of nodes
     return figures(unit * numpy.asarray(mesh.vertices), mesh.triangles)
 
 

@@ -7,7 +7,7 @@ import numpy
 @dataclasses.dataclass
 class Case:
     file: str  # or folder, as it is given to discmc
-    values: numpy.ndarray  # by x, y and z; as they are told by the file, its slope and intercept
+    values: numpy.ndarray  # by x, y and z; with the slope and intercept of the file
     place: numpy.ndarray  # 4 x 4: from the number of a voxel to millimetres
     # What the millimetres are: "lps"; "scanner", of no known direction; "voxel", from the first voxel on.
     space: str = "voxel"

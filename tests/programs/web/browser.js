@@ -8,7 +8,7 @@ import { inOrder } from './command.js';
 const require = createRequire(new URL('../../../ports/web/', import.meta.url));
 const { chromium } = require('playwright-core');
 
-// Without a graphics card the browser fetches every picture from where it is drawn, and says so.
+// Without a graphics card the browser copies every picture from where it is drawn, and warns of it.
 const ofSoftware = /GPU stall due to ReadPixels/;
 
 /** @returns {Promise<import('playwright-core').Browser>} */
@@ -79,7 +79,7 @@ export async function saved(page, kind) {
 export const shownPolygons = async (page) =>
   inOrder(readFileSync((await saved(page, 'jsonl')).path, 'utf8'));
 
-/** Waits until what is told of a stream begins with these words. */
+/** Waits until the text about a stream begins with these words. */
 export const streamTells = (page, words) => page.waitForFunction((wanted) =>
   document.querySelector('#stream-text').textContent.startsWith(wanted), words);
 

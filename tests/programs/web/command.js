@@ -19,7 +19,7 @@ export const served = (context, ...words) =>
   servedBy(context, process.env.DISCMC_COMMAND, 'view', ...words, '--serve', '--no-open');
 
 /**
- * A program that serves the page, once it does: its address, its standard input, and end(), which
+ * A program that serves the page, once it does: its address, its standard input, and end(). The latter
  * ends it as Ctrl-C does, and returns its exit code. context: of the test, at whose end it is gone.
  */
 export async function servedBy(context, program, ...words) {

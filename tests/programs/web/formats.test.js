@@ -12,7 +12,7 @@ import { nrrdOf, roughBall } from './ball.js';
 const folder = workFolder(after);
 const volumes = new URL('../../command/volumes/', import.meta.url).pathname;
 
-// That of a file, as the command tells it.
+// The description of a file, as the command prints it.
 function assertSpacing(spacing, path) {
   const told = /^spacing (.*)$/m.exec(command('info', path).toString())[1].split(' ').map(Number);
   spacing.forEach((step, axis) =>

@@ -439,7 +439,7 @@ async function extentOf(page) {
 test('a head stands upright, however its slices lie', async () => {
   const { page } = await openPage(browser, { viewport: small });
   const samples = new Int16Array(12 * 12 * 12).fill(0);
-  // A rod along the voxels' x, y or z, which the header says is towards the head.
+  // A rod along the voxels' x, y or z, which is towards the head by the header.
   for (const axis of [0, 1, 2]) {
     samples.forEach((_, i) => {
       const at = [i % 12, Math.floor(i / 12) % 12, Math.floor(i / 144)];

@@ -1,5 +1,5 @@
-// Makes the first picture of the README: the page with a scan, smooth on the left, and on the right
-// with the edges of the merged polygons. Needs the environment of the tests (CMakeLists.txt).
+// Makes the first picture of the README: the page with a scan. It is smooth on the left, and has the
+// edges of the merged polygons on the right. Needs the environment of the tests (CMakeLists.txt).
 //   node picture.js PAGE.html PICTURE.png      a page that `discmc view` has made of a CT
 import { writeFileSync } from 'node:fs';
 import { now, openPage, rested, shown, startBrowser } from './browser.js';

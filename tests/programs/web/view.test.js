@@ -17,7 +17,7 @@ let browser;
 before(async () => (browser = await startBrowser()));
 after(() => browser.close());
 
-/** Opens the page that the command makes; returns what it says is open, and its polygons. */
+/** Opens the page that the command makes; returns its name of the open file, and its polygons. */
 async function viewed(...words) {
   command('view', ...words, '-o', path, '--no-open');
   const { page, complaints } = await openPage(browser, { path });

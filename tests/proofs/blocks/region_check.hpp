@@ -1,5 +1,5 @@
-// A sink that checks the surface of a small block as it comes, and sums it up in a few words that
-// can be saved and put back.
+// A sink that checks the surface of a small block event by event. It sums the surface up in a few
+// words, which can be saved and restored.
 #ifndef DISCMC_TESTS_BLOCKS_REGION_CHECK_HPP
 #define DISCMC_TESTS_BLOCKS_REGION_CHECK_HPP
 

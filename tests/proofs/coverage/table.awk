@@ -1,6 +1,6 @@
-# The table of scripts/check/coverage from what is explained (unreached.txt) and what `llvm-cov show` says:
-# lines and branches by file, and below it every line and every way of a branch that was never taken.
-# A branch is taken when it is in any instantiation of its template. Exit code 1 when something was
+# The table of scripts/check/coverage, from explanations (unreached.txt) and the output of `llvm-cov show`:
+# lines and branches by file. Below it is every line and every way of a branch that was never taken.
+# A branch is taken if it is in any instantiation of its template. The exit code is 1 if something was
 # not taken that is not explained, or was taken that is.
 
 FNR == NR {

@@ -1,9 +1,10 @@
 /* A plugin for QEMU that counts how often each block of instructions runs between two marks of the
- * program, and how often it is left by a branch that is taken:
- *   -plugin count_blocks.so,on=ADDRESS,off=ADDRESS,tell=ADDRESS,out=FILE
- * Whenever `tell` is reached, a line goes to the file for each block that ran in the stretches from
- * `on` to `off`: its first address, how many instructions it has, how often it ran, and how often it
- * was left for elsewhere than the one behind. The word `end` ends them, and the counts begin anew. */
+ * program. It also counts how often the block is left by a branch that is taken.
+ *   -plugin count_blocks.so,on=ADDRESS,off=ADDRESS,report=ADDRESS,out=FILE
+ * Whenever `report` is reached, the file gets a line for each block that ran in the stretches from
+ * `on` to `off`. Its fields: first address, number of instructions, how often the block ran, and how
+ * often another block than the one behind came next. The word `end` ends them, and the counts begin
+ * anew. */
 #include "../counting_plugin.h"
 
 struct block {
@@ -26,7 +27,7 @@ static void on(unsigned int cpu, void *data) {
   last = 0;
 }
 static void off(unsigned int cpu, void *data) { counts = 0; }
-static void tell(unsigned int cpu, void *data) {
+static void report(unsigned int cpu, void *data) {
   for (struct block *block = blocks; block; block = block->next) {
     if (block->runs)
       fprintf(out, "%llx %llu %llu %llu\n", (unsigned long long)block->begin,

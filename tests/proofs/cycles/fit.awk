@@ -1,10 +1,10 @@
-# fit.awk -v core=NAME SCANS: from the lines of scans.awk what a unit of work costs, as regions and as
-# slices, and how far off the scans are that were not fitted. A figure a line: group, name, column,
-# value, with tabs between them.
+# fit.awk -v core=NAME SCANS: prints the cost of a unit of work, as regions and as slices, from the
+# lines of scans.awk. Also prints the errors of the scans that were not fitted. A figure a line: group,
+# name, column, value, with tabs between them.
 #
-# What is paid for every voxel and row comes from the scans without a surface alone, so that it is right
-# for rows of any width; a voxel that is on costs slices as much more as regions. The rest by least squares of relative errors, so that a small scan counts as
-# much as a large one. A term whose cost would be negative is left out, and the others are fitted anew.
+# The cost of every voxel and row comes from the scans without a surface alone, so that it is right for
+# rows of any width. A voxel that is on costs slices as much more as regions. The rest is fitted by least
+# squares of relative errors, so that a small scan counts as much as a large one. A term whose cost would be negative is left out, and the others are fitted anew.
 
 BEGIN {
   OFS = "\t"
@@ -92,7 +92,7 @@ function error_of(payload, n,    t, sum) {
 
 function absolute(value) { return value < 0 ? -value : value }
 
-function tell(payload,    t, n, error, worst) {
+function report(payload,    t, n, error, worst) {
   fit(payload)
   for (t = 1; t <= terms; t++) print "Costs of " payload, term[t], core, sprintf("%.4g", cost[t])
   for (n = 1; n <= scans[payload]; n++) {
@@ -104,6 +104,6 @@ function tell(payload,    t, n, error, worst) {
 }
 
 END {
-  tell("regions")
-  tell("slices")
+  report("regions")
+  report("slices")
 }

@@ -7,7 +7,7 @@ BEGIN { FS = "\t" }
 function is_branch(name) {
   return name ~ /^(b|bl|bx|blx)$/ || name ~ /^b(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)$/
 }
-# In an IT block; its model of the Cortex-M7 does not know IT itself.
+# In an IT block; its model of the Cortex-M7 lacks IT itself.
 function unconditional(name) {
   sub(/(eq|ne|cs|cc|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)$/, "", name)
   return name

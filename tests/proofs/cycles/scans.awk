@@ -1,7 +1,10 @@
-# scans.awk -v taken=CYCLES WORK COSTS COUNTS: what each scan did and took, a line each: its name, regions
-# or slices, voxels of 8 and of 16 bits, those that are on, rows, cells, steps, bytes, cycles, instructions. Of WORK the scans
-# in their order, of COSTS the cycles of a block, of COUNTS how often it ran. taken: that a branch which
-# is taken adds.
+# scans.awk -v taken=CYCLES WORK COSTS COUNTS: prints the work and the cost of each scan. A line has:
+# name, regions or slices, voxels of 8 and of 16 bits, voxels that are on, rows, cells, steps, bytes,
+# cycles, instructions.
+#   WORK    the scans in their order
+#   COSTS   the cycles of each block
+#   COUNTS  how often each block ran
+#   taken   the cycles that a branch adds if it is taken
 
 FILENAME == ARGV[1] {
   if ($1 ~ /^(fit|test|real)_/) name = $1 ($1 == "real_CT_head" ? "_(Stanford)" : "")

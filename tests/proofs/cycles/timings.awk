@@ -1,10 +1,11 @@
 # timings.awk -v core=NAME DISASSEMBLY COUNTS: the cycles of each block that ran, on a Cortex-M0+ or a
-# Cortex-M4 without wait states: its first address, how many instructions it has, its cycles. What a
-# branch that is taken adds is not in them: see `taken` of scripts/check/cycles.
+# Cortex-M4 without wait states. A line has: first address, number of instructions, cycles. A branch that
+# is taken adds cycles that are not included: see `taken` of scripts/check/cycles.
 #
-# The tables are in the Technical Reference Manuals of Arm, "Instruction set summary": DDI 0484 for the
-# Cortex-M0+ (table 3-1; with the fast multiplier), DDI 0439 for the Cortex-M4 (table 3-1, and "Load/store
-# timings"). A division is taken at 7 cycles of 2 to 12. Not told apart: an address that depends on the
+# The tables are in the Technical Reference Manuals of Arm, "Instruction set summary":
+#   Cortex-M0+  DDI 0484, table 3-1; with the fast multiplier
+#   Cortex-M4   DDI 0439, table 3-1, and "Load/store timings"
+# A division counts as 7 cycles of 2 to 12. Not distinguished: an address that depends on the
 # instruction before, which costs a Cortex-M4 a cycle more, and skipped instructions of an IT block.
 
 BEGIN { FS = "\t" }

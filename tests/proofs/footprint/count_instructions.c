@@ -1,14 +1,14 @@
 /* A plugin for QEMU that counts instructions between two marks of the program, all of them exactly:
- *   -plugin count_instructions.so,on=ADDRESS,off=ADDRESS,tell=ADDRESS,out=FILE
- * Whenever `tell` is reached, the sum of all stretches from `on` to `off` is written to the file, a
- * line each, and the sum begins anew. */
+ *   -plugin count_instructions.so,on=ADDRESS,off=ADDRESS,report=ADDRESS,out=FILE
+ * Whenever `report` is reached, the sum of all stretches from `on` to `off` becomes a line of the file,
+ * and the sum begins anew. */
 #include "../counting_plugin.h"
 
 static uint64_t executed, executed_at_on, sum;
 
 static void on(unsigned int cpu, void *data) { executed_at_on = executed; }
 static void off(unsigned int cpu, void *data) { sum += executed - executed_at_on; }
-static void tell(unsigned int cpu, void *data) {
+static void report(unsigned int cpu, void *data) {
   fprintf(out, "%llu\n", (unsigned long long)sum);
   fflush(out);
   sum = 0;

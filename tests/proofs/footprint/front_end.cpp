@@ -32,7 +32,7 @@ void count(const char* name, uint32_t units, uint32_t times, Work work) {
     work();
     count_off();
   }
-  count_tell();
+  count_report();
   board::report(name, units * times);
 }
 

@@ -15,4 +15,4 @@ void board::stop(bool succeeded) {
 
 void count_on() {}
 void count_off() {}
-void count_tell() {}
+void count_report() {}

@@ -1,5 +1,5 @@
-# Instructions a voxel, an active cell and a link, from what the counted work (work.cpp) says of
-# itself and what was counted, in the order in which it tells.
+# Instructions per voxel, active cell and link. Reads the figures that the counted work (work.cpp)
+# prints, and the counts in the same order.
 
 NF == 2 { of[$1] = $2 }
 NF == 1 { count[++counts] = $1 }

@@ -1,12 +1,12 @@
-// The marks for the plugin: it adds up the instructions between on and off, and at the mark `tell`
-// prints the sum and resets it.
+// The marks for the plugin: it adds up the instructions between on and off, and at the mark
+// `report` prints the sum and resets it.
 #ifndef DISCMC_TESTS_FOOTPRINT_MARKS_HPP
 #define DISCMC_TESTS_FOOTPRINT_MARKS_HPP
 
 extern "C" {
 void count_on();
 void count_off();
-void count_tell();
+void count_report();
 }
 
 #endif

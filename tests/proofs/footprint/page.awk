@@ -3,7 +3,7 @@
 # With -v record=cycles the marks are <!-- cycles: NAME -->: a page may show two records.
 # NAME is a group of the record, which becomes a table, or `compilers`, `summary`, `requirements` or
 # `requirements of RAM`. The record has a figure per line: group, name, column, value, with tabs between
-# them; rows and columns of a table come in the order of their first mention.
+# them. Rows and columns of a table come in the order of their first mention.
 
 BEGIN {
   FS = "\t"

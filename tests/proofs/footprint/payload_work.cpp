@@ -1,7 +1,7 @@
-// What regions and slices cost beside each other, in volumes that take a larger board than
-// work.cpp: the work whose instructions are counted, and what came of it.
+// The work of regions and of slices side by side, whose instructions are counted, and its results.
+// The volumes need a larger board than those of work.cpp.
 //
-// The CT head is read from the file volume.raw, rows of 256 samples of 16 bits; without it, the
+// The CT head is read from the file volume.raw, rows of 256 samples of 16 bits. Without it, the
 // rest is done.
 #include <board.hpp>
 #include <discmc/encoder.hpp>

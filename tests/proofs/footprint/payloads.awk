@@ -1,5 +1,5 @@
-# The figures by which regions and slices are compared on a target, of those that it has already and
-# of payload_work.cpp: what that says of itself, and what was counted, in the order in which it tells.
+# The figures by which regions and slices are compared on a target. Reads the figures that exist
+# already, the output of payload_work.cpp, and its counts in the same order.
 
 BEGIN {
   OFS = "\t"

@@ -64,7 +64,7 @@ bool push_and_finish(Scanner& scanner, const Limits& limits, uint32_t slices, Ro
   count_on();
   const Status status = scanner.finish();
   count_off();
-  count_tell();
+  count_report();
   return status == Status::ok;
 }
 

@@ -1,5 +1,5 @@
-# Of the stack of all functions (call_graph.awk) and their names (c++filt -p) that of the public
-# ones, the deepest of those that share a name. Fails when one of them is not there.
+# Selects the stack of the public functions from that of all functions (call_graph.awk) and their names
+# (c++filt -p). Functions that share a name count as the deepest of them. Fails if one is missing.
 
 function want(class, names,    count, name, i) {
   count = split(names, name, " ")

@@ -24,6 +24,6 @@ void source::on_interrupt() {}
 [[gnu::noinline]] void count_off() {
   __asm__ volatile("nop");
 }
-[[gnu::noinline]] void count_tell() {
+[[gnu::noinline]] void count_report() {
   __asm__ volatile("nop; nop");
 }

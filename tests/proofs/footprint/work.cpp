@@ -1,5 +1,5 @@
-// The work whose instructions are counted, the same on every target and on the host, and what came
-// of it, in words that must be the same everywhere.
+// The work whose instructions are counted, the same on every target and on the host. Its results
+// are printed, and must be the same everywhere.
 #include <board.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
@@ -30,10 +30,10 @@ static void report(const char* name, uint64_t value) {
 }
 
 template <class Sample, class Scanner>
-static bool push_and_tell(Scanner& scanner, const Limits& limits, uint32_t slices,
-                          uint8_t (*sample)(int32_t, int32_t, int32_t)) {
+static bool push_and_report(Scanner& scanner, const Limits& limits, uint32_t slices,
+                            uint8_t (*sample)(int32_t, int32_t, int32_t)) {
   if (!push_rows<Sample>(scanner, limits, slices, RowsOf{sample, limits})) return false;
-  count_tell();
+  count_report();
   return scanner.finish() == Status::ok;
 }
 
@@ -41,14 +41,14 @@ template <class Sample>
 static bool scan(const Limits& limits, uint32_t slices,
                  uint8_t (*sample)(int32_t, int32_t, int32_t), const Sink& sink) {
   return extractor.start(limits, threshold, memory_of(memory), sink) == Status::ok &&
-         push_and_tell<Sample>(extractor, limits, slices, sample);
+         push_and_report<Sample>(extractor, limits, slices, sample);
 }
 
 static bool tell_slices(const Limits& limits, uint32_t slices,
                         uint8_t (*sample)(int32_t, int32_t, int32_t)) {
   const StreamHeader header{limits.width, limits.height, slices, {}, threshold};
   return slice_encoder.start(header, {}, memory_of(memory), {nullptr, take_bytes}) == Status::ok &&
-         push_and_tell<uint8_t>(slice_encoder, limits, slices, sample);
+         push_and_report<uint8_t>(slice_encoder, limits, slices, sample);
 }
 
 // ---- normals ----
@@ -84,7 +84,7 @@ static bool count_normals(Normal (*make)(const LongVector&), int32_t z) {
       count_off();
       good = good && normal != Normal{};
     }
-  count_tell();
+  count_report();
   return good;
 }
 

@@ -40,7 +40,7 @@ CHECKS = ('poison(', 'unpoison(')
 @dataclass
 class Mutant:
     id: int
-    site: int  # the first mutant of the same operator: what the program tells to be reached
+    site: int  # the first mutant of the same operator: the program reports it as reached
     file: str
     line: int
     source: str  # the line without its comment, spaces as one
@@ -107,8 +107,8 @@ class Instrumenter:
                        for begin, last in self.macros)
         return not in_macro and self.text.count('\n', 0, start) + 1 not in self.refused
 
-    # An outer expression is visited before what is in it: so its text comes first where both begin,
-    # and last where both end; what ends comes before what begins.
+    # An outer expression is visited before its parts. So its text comes first where both begin, and
+    # last where both end. At one place, ends come before beginnings.
     def before(self, offset, text):
         self.edits.append((offset, (1, len(self.edits)), 0, text))
 
@@ -230,7 +230,7 @@ class Instrumenter:
         if not found or not self.is_new(cursor, 'operator'):
             return
         operator = found.group(1)
-        if operator in ('&&', '||'):  # one side or the other has no say
+        if operator in ('&&', '||'):  # one side or the other is ignored
             neutral = 'true' if operator == '&&' else 'false'
             self.forced(left, (neutral,), constant)
             self.forced(right, (neutral,), constant)

@@ -9,7 +9,7 @@ constexpr unsigned most = 1 << 16;
 inline unsigned active = 0;            // from the environment, by main.cpp
 inline unsigned char reached[most]{};  // by mutant: whether it was evaluated
 
-/// Returns 0 if the code at hand runs unchanged, or n if the n-th of its mutants is active; the
+/// Returns 0 if the code at hand runs unchanged, or n if the n-th of its mutants is active. The
 /// argument is the number of the first. Compile-time evaluation is never mutated.
 [[gnu::always_inline]] constexpr unsigned chosen(unsigned first) {
   if (__builtin_is_constant_evaluated()) return 0;

@@ -1,6 +1,6 @@
 # Reads GCC's call graphs (-fcallgraph-info=su) of several files as one. Fails on recursion and on a
-# frame without a bound, else prints of every function the bytes of stack that it takes at most, with
-# all that it calls, and its name as the linker knows it.
+# frame without a bound. Otherwise prints the largest stack of every function in bytes, with all that it
+# calls, and its name for the linker.
 #
 # What is called by a pointer, as a sink is, counts as nothing, or as the bytes given with
 # -v called_by_pointer=BYTES. The helpers of libgcc and the memory functions, whose frames are not

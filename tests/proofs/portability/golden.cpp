@@ -1,5 +1,5 @@
-// The library's output for a fixed set of volumes, in a few numbers that must be the same on every
-// machine (golden.txt): events, bytes of the streams, and decoded events.
+// The library's output for a fixed set of volumes, in a few numbers: events, bytes of the streams,
+// and decoded events. They must be the same on every machine (golden.txt).
 //
 // It runs in 16 KiB of RAM without a C library: see scripts/check/portability.
 #include <board.hpp>

@@ -1,5 +1,5 @@
-# Where golden.cpp has to tell the same; read by scripts with `source`. A platform is a compiler and
-# a machine.
+# The platforms on which golden.cpp must print the same; scripts read it with `source`. A platform is a
+# compiler and a machine.
 
 source "$(dirname "${BASH_SOURCE[0]}")/../../../scripts/tools/clang.sh"
 
@@ -25,8 +25,8 @@ declare -A remark=(
 option_sets=(-O0 '-O2 -fsigned-char' '-O2 -funsigned-char' -O3 -Os)
 
 # use_platform COMPILER MACHINE: sets `compile`, the compiler with the options of the machine, and
-# `emulator`, what runs its programs; for firmware also `board`, a folder of ports/boards/, and the bounds
-# of its memories.
+# `emulator`, which runs its programs. For firmware it also sets `board`, a folder of ports/boards/, and
+# the bounds of its memories.
 use_platform() {
   local family=$1
   compile=() emulator=() board=

@@ -1,7 +1,7 @@
-// Changes every byte of every derived table to every other value, one at a time, and requires that
-// the statements about the tables (oracle/*_statements.hpp, which properties/tables_test.cpp
-// asserts) notice. What they need not notice is listed below, with the reason. Prints a line a
-// field and a line a statement; exit code 1 for a survivor. Under an address sanitizer one value
+// Changes every byte of every derived table to every other value, one at a time. The statements
+// about the tables (oracle/*_statements.hpp, which properties/tables_test.cpp asserts) must detect
+// it. Exceptions are listed below, with the reason. Prints a line per field and per statement. The
+// exit code is 1 for a survivor. Under an address sanitizer one value
 // in 37.
 #include <cinttypes>
 #include <cstddef>

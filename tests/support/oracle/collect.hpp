@@ -110,7 +110,7 @@ class Collector {
 /// The vertices where the links of runs start.
 Ring vertices_of(Incidence incidence, Vertex vertex, const std::vector<Run>& runs);
 
-/// The simple rings of regions with sweep rings: every ring is split where a vertex recurs, rings
+/// The simple rings of regions with sweep rings. Every ring is split where a vertex recurs, rings
 /// of two links are dropped, and the outer ring comes first.
 std::vector<Region> simple_rings(const std::vector<Region>& regions);
 

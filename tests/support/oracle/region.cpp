@@ -17,8 +17,8 @@ bool region_before(const Region& a, const Region& b) {
                                       b.rings.end(), ring_before);
 }
 
-// A vertex may come twice in a ring of a sweep, a directed link never: the smallest vertex and,
-// where it comes twice, the smaller vertex after it decide.
+// A vertex may come twice in a ring of a sweep, a directed link never. So the ring begins at its
+// smallest vertex; if that comes twice, the smaller vertex after it decides.
 void rotate_to_smallest(Ring& ring) {
   size_t smallest = 0;
   for (size_t i = 1; i < ring.size(); ++i) {

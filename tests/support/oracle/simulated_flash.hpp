@@ -10,8 +10,8 @@
 
 namespace discmc::reference {
 
-/// Bits go from 1 to 0 when they are programmed, units of a block in their order and each once, and
-/// come back to 1 when the block is erased. At first there is anything in it.
+/// Programming sets bits from 1 to 0; the units of a block are programmed in order, each once.
+/// Erasing the block sets its bits to 1. The first contents are arbitrary.
 class SimulatedFlash {
  public:
   enum class Kind : uint8_t { flash, fram };

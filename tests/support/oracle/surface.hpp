@@ -31,8 +31,8 @@ Surface surface_of(const std::vector<Region>& regions);
 /// The same, summed over the facets of a volume's cells.
 Surface surface_of_cells(const BitVolume& volume, bool closed);
 
-/// What the hashes are sums of: a pseudo-random number for a directed link, which its opposite
-/// cancels, and the same for a link on a plane of an incidence.
+/// The summand of the hashes: a pseudo-random number for a directed link, which its opposite
+/// cancels. The second function has the number of a link on a plane of an incidence.
 uint64_t link_hash(const Vertex& from, const Vertex& to);
 uint64_t of_incidence(uint64_t link, Incidence incidence);
 

@@ -187,8 +187,8 @@ int classic_triangles(int configuration) {
   return triangles;
 }
 
-// In 48ths of a cell: pyramids with their tips at corner 0, over the facets and over the on parts
-// of the three faces that do not meet there.
+// The volume as a sum of pyramids with their tips at corner 0. Their bases are the facets and the
+// on parts of the three faces that do not meet there. Units: 48ths of a cell.
 int enclosed(const FacetTables& facets, int configuration) {
   constexpr int twice_on_area[] = {0, 1, 4, 7, 8};
   int sum = 0;

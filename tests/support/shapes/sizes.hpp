@@ -1,5 +1,5 @@
-// Sizes at which something changes: rows of few voxels, rows of words of 30 columns around every
-// power of two, and runs as long as the limits allow.
+// Sizes at which something changes: rows of few voxels, and runs as long as the limits allow. Rows
+// also have sizes around powers of two in words of 30 columns.
 #ifndef DISCMC_TESTS_SHAPES_SIZES_HPP
 #define DISCMC_TESTS_SHAPES_SIZES_HPP
 

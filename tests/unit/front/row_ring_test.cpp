@@ -1,5 +1,5 @@
-// The ring of rows beside a list of what came, one thread after the other; with an interrupt after
-// every instruction of the other side; and with a second thread.
+// The ring of rows beside a list of the rows that came. One thread after the other; with an
+// interrupt after every instruction of the other side; and with a second thread.
 #include <discmc/front/row_ring.hpp>
 
 #include <doctest/doctest.h>

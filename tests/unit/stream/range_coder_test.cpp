@@ -55,8 +55,8 @@ void check_round_trip(const Decisions& decisions) {
   CHECK(wrong_bits(encoded(decisions), decisions) == 0);
 }
 
-// Bits chosen so that the code stays as close below `target` as it can: what follows decides late
-// whether a carry runs through all of it.
+// Bits chosen so that the code stays as close below `target` as it can. Later bits decide whether a
+// carry runs through all of it.
 Decisions towards(const Bytes& target, size_t count, Probability one) {
   RangeDecoder decoder(target.data(), target.size());
   Decisions decisions(count);

@@ -81,8 +81,8 @@ void check_around(const Rows& rows, const BitVolume& volume, int32_t y, int32_t 
   CHECK(rows.is_off_around(y) == is_off);
 }
 
-// The rows that can be swept now that `count` rows of slice z are there, and could not before:
-// around older ones rows are being overwritten.
+// The rows that the newest of `count` rows of slice z makes ready for the sweep. Around older ones,
+// rows are being overwritten.
 void check_newest(const Rows& rows, const BitVolume& volume, uint32_t count, int32_t z) {
   const auto newest = static_cast<int32_t>(count) - 2;
   check_around(rows, volume, newest, z - 1);

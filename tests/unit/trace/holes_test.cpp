@@ -73,7 +73,7 @@ TEST_CASE("a hole is assigned to the ring around it, not to a ring with an obliq
 }
 
 TEST_CASE("a hole goes to its own ring, although a corner of another is on its line") {
-  // A face behind the picture has an island in a hole; another hole waits to the right of the
+  // A face behind the picture has an island in a hole. Another hole waits to the right of the
   // corner where two oblique sides of the island meet.
   const char* const picture[] = {
       "......#..###..", "....#########.", "..####.##...##", ".###..........", "##.........#..",
@@ -167,8 +167,8 @@ TEST_CASE("a hole in a tree keeps its plane, its first direction and a note") {
 }
 
 TEST_CASE("each ring on a plane takes its own holes from many") {
-  // A plate with holes, islands in the holes, holes in the islands; slots at an angle across it,
-  // with thin islands in them; and teeth along two of its sides.
+  // A plate with holes, islands in the holes, holes in the islands. It has slots at an angle across
+  // it, with thin islands in them, and teeth along two of its sides.
   BitVolume plate({61, 47, 3});
   for (int64_t y = 1; y < 46; ++y)
     for (int64_t x = 1; x < 60; ++x) {

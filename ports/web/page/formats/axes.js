@@ -1,5 +1,5 @@
-// How the axes of a volume lie in space: which run backwards, as the command decides it, so that no
-// shape is mirrored; and which way is up.
+// The axes of a volume in space: which run backwards, so that no shape is mirrored, and which way is up. The command
+// decides alike.
 import { cross, dot, unit } from '../vectors.js';
 
 /**

@@ -27,7 +27,7 @@ export const isDicom = (head) => asText(head.subarray(128, 132)) === 'DICM';
  */
 
 /**
- * Of several series that with the most images.
+ * If there are several series, it reads the one with the most images.
  * @param {File[]} files
  * @returns {Promise<{name: string, info: any, data: ByteSource}>}
  */

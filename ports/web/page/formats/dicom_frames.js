@@ -1,4 +1,4 @@
-// Where in a DICOM file the pixels of its frames are, and how they are unpacked.
+// Finds where in a DICOM file the pixels of its frames are, and how they are unpacked.
 import { Decoder } from 'jpeg-lossless-decoder-js';
 
 /** @typedef {{begin: number, end: number}} Part of a file */

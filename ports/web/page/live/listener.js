@@ -16,7 +16,7 @@ export class Listener {
   }
 
   /**
-   * To the end of the bytes, or until leave().
+   * Reads to the end of the bytes, or until leave().
    * @param {AsyncIterable<Uint8Array>} source
    * @param {(arrived: {stream: any, surface: any}, isEnd: boolean) => void} show
    */

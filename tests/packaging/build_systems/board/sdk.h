@@ -1,4 +1,4 @@
-/* What the stand-ins for SDKs have to say to the board. */
+/* The functions of the board that the stand-ins for SDKs call. */
 #ifndef DISCMC_TESTS_SDK_H
 #define DISCMC_TESTS_SDK_H
 

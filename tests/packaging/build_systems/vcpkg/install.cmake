@@ -1,5 +1,6 @@
-# Stands in for `vcpkg install`: cmake -DPORT_DIR=... -DROOT=... -P install.cmake
-# Runs the portfile in script mode with the variables that vcpkg's documentation names, does what its
+# A stand-in for `vcpkg install`.
+#   cmake -DPORT_DIR=... -DROOT=... -P install.cmake
+# Runs the portfile in script mode with the variables that vcpkg's documentation names. Does what its
 # helpers do, checks what vcpkg checks after a build, and installs to ROOT/installed/TRIPLET. Both
 # configurations are compiled with -O0, to be quick.
 cmake_minimum_required(VERSION 3.21)
@@ -59,8 +60,8 @@ function(vcpkg_cmake_install)
   endforeach()
 endfunction()
 
-# Moves the config files to share/, with the targets of the debug build beside them, and corrects the
-# prefix that they compute from where they lie.
+# Moves the config files to share/, with the targets of the debug build beside them. Corrects the
+# prefix that they compute from their folder.
 function(vcpkg_cmake_config_fixup)
   needs(vcpkg-cmake-config)
   cmake_parse_arguments(arg "" "PACKAGE_NAME;CONFIG_PATH" "" ${ARGN})

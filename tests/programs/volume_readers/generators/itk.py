@@ -138,7 +138,7 @@ def metaimage_header(random, folder):
     values, iso = samples(random, dims(random), dtype)
     bytes_, order = stored(random, values)
     kind = str(random.choice(["binary", "compressed", "text"]))
-    if kind == "text":  # of which ITK swaps the bytes as well, if it is told to
+    if kind == "text":  # ITK swaps the bytes of text as well, if it swaps
         bytes_, order = text_of(values), "<"
     directions = rotation(random)
     fields = ["NDims = 3", f"{random.choice(['Offset', 'Position', 'Origin'])} = "

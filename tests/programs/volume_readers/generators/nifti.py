@@ -56,7 +56,7 @@ def nifti(random, folder):
     image.header.set_xyzt_units(str(random.choice(list(MILLIMETRES))))
     slope, intercept = 1.0, 0.0
     if random.random() < 0.4:
-        # Of few bits: discmc reads the decimal number that a float stands for, nibabel the float.
+        # Few bits: discmc reads the decimal number that a float was made from, nibabel the float.
         slope, intercept = float(random.integers(1, 200)) / 64, float(random.integers(-1024, 9))
         image.header.set_slope_inter(slope, intercept)
     nibabel.save(image, file)

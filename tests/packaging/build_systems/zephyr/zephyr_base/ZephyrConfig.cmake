@@ -1,6 +1,6 @@
-# Stands in for Zephyr's CMake package. As there:
+# A stand-in for Zephyr's CMake package. As there:
 #   - find_package(Zephyr) comes before project(), names the compilers and makes the target app
-#   - a module is a folder with zephyr/module.yml, which says where its CMakeLists.txt and Kconfig are
+#   - a module is a folder with zephyr/module.yml, which names the folders of its CMakeLists.txt and Kconfig
 #   - Kconfig reads prj.conf; what it assigns in vain ends the build
 #   - zephyr_library_named() begins a library that the functions zephyr_library_*() add to; all are
 #     linked whole into zephyr.elf, and all see zephyr_interface's include directories
@@ -13,7 +13,7 @@ set(CMAKE_C_FLAGS_INIT @${BOARD_SDK}/compile)
 set(CMAKE_CXX_FLAGS_INIT @${BOARD_SDK}/compile)
 project(Zephyr-Kernel LANGUAGES C CXX)
 
-# What a module's module.yml says after `key:`.
+# The value after `key:` in a module's module.yml.
 function(module_value module key result)
   file(STRINGS ${module}/zephyr/module.yml line REGEX "^ *${key}: ")
   string(REGEX REPLACE "^ *${key}: *" "" value "${line}")

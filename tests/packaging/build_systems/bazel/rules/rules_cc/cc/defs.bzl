@@ -1,4 +1,4 @@
-# Of rules_cc what Bazel 4 has inside.
+# The part of rules_cc that is inside Bazel 4.
 cc_binary = native.cc_binary
 cc_import = native.cc_import
 cc_library = native.cc_library

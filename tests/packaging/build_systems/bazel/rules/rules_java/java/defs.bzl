@@ -1,4 +1,4 @@
-# Of rules_java what Bazel 4 has inside; nothing here is Java, but its own packages ask for them.
+# The part of rules_java that is inside Bazel 4. Its own packages ask for them; nothing here is Java.
 java_binary = native.java_binary
 java_import = native.java_import
 java_library = native.java_library

@@ -1,4 +1,4 @@
-# Stands in for ESP-IDF's build system. What it does with components is done as there:
+# A stand-in for ESP-IDF's build system. What it does with components is done as there:
 #   - the dependencies in the manifests (idf_component.yml) of `main` name components with a path
 #   - each component's CMakeLists.txt is first read by `cmake -P`, where idf_component_register()
 #     notes the requirements and returns; project() and targets are not to be had there

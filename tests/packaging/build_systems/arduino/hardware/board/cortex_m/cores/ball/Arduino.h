@@ -1,5 +1,5 @@
-// As much of Arduino's core as a sketch uses here, with the macros of Arduino's cores for AVR and SAM,
-// which a library's headers must endure.
+// The part of Arduino's core that a sketch uses here. It has the macros of Arduino's cores for AVR and
+// SAM, with which a library's headers must compile.
 #pragma once
 
 #include <stddef.h>
