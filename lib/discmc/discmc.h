@@ -205,8 +205,9 @@ typedef struct discmc_event {
     const discmc_statistics* statistics;
     const discmc_stream_header* header;
     const discmc_application_record* application;
-    /* Per voxel, three bits each for the edges to the voxels before it along x, y and z: where the
-     * surface crosses, in eighths from the voxel before. 0: nowhere, or unknown: the middle. */
+    /* Per voxel, three bits each for the edges to the voxels before it along x, y and z. They hold
+     * where the surface crosses, in eighths from the voxel before. 0: nowhere, or unknown: the
+     * middle. */
     const uint16_t* fractions;
   } of; /* Owner: the sender; valid during the call */
 } discmc_event;

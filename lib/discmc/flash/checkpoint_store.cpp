@@ -160,7 +160,7 @@ void CheckpointStore::begin_pieces() {
 
 // Copies the part of the pieces in one unit into the buffer or out of it. Null memory is skipped.
 // The checksum continues from that of the header. A CRC over the header with its own CRC would be
-// the same for every header, and a new header would make an older checkpoint behind it complete.
+// the same for every header. Then a new header would complete an older checkpoint behind it.
 void CheckpointStore::move_pieces(bool to_unit) {
   uint32_t done = 0;
   while (done < device_.geometry.program_bytes && pieces_.at < pieces_.count) {
