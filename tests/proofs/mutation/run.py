@@ -1,7 +1,7 @@
 """scripts/check/mutate: breaks the code in one place after another and counts what its tests catch.
 
-The mutants are all in one program (instrument.py), which the environment tells the active one. Of
-each only the test cases that reach it are run, until one fails: first those that caught others of
+The mutants are all in one program (instrument.py); the environment names the active one. For each,
+only the test cases that reach it are run, until one fails: first those that caught others of
 the same file, then the quickest.
 """
 import argparse
@@ -25,7 +25,7 @@ MUTATED = ('lib/discmc', 'ports/mesh/host')
 BUILD = ROOT / 'build' / 'mutation'
 PROGRAM = BUILD / 'mutants'
 RESULTS = BUILD / 'results.tsv'
-EQUIVALENT = Path(__file__).with_name('equivalent.txt')
+SURVIVORS = Path(__file__).with_name('survivors.txt')
 BATCH = 0.05  # s of test cases that run in one process
 MEMORY = 2 << 30  # bytes that a mutant may take
 
@@ -160,11 +160,9 @@ def known_results():
     return {key: result for result, key in lines}
 
 
-def run(mutants, cases, listed, resume):
+def run(mutants, cases, resume):
     known = known_results() if resume else {}
-    results = {mutant.key(): known[mutant.key()] for mutant in mutants
-               if known.get(mutant.key()) == 'killed'
-               or mutant.key() in known and mutant.key() in listed}
+    results = {mutant.key(): 'killed' for mutant in mutants if known.get(mutant.key()) == 'killed'}
     # Survivors take the longest: so they are asked again last.
     left = sorted((mutant for mutant in mutants if mutant.key() not in results),
                   key=lambda mutant: mutant.key() in known)
@@ -188,63 +186,61 @@ def run(mutants, cases, listed, resume):
 
 # ---- the report ----
 
-def explained():
-    """What equivalent.txt lists: lines that name mutants, with an indented reason after a group."""
-    lines = EQUIVALENT.read_text().splitlines() if EQUIVALENT.exists() else []
-    return {line for line in lines if line and not line.startswith((' ', '#'))}
+def recorded():
+    """The number of survivors by file: survivors.txt has a line per file, which names the reasons."""
+    lines = (line.split(maxsplit=2) for line in SURVIVORS.read_text().splitlines())
+    counts = {}
+    for file, count, reasons in (line for line in lines if line and not line[0].startswith('#')):
+        counts[file] = int(count)
+        if sum(int(reason.split()[1]) for reason in reasons.split(',')) != counts[file]:
+            sys.exit(f'mutate: {SURVIVORS.name}: the reasons of {file} do not add up to {count}')
+    return counts
 
 
 def share(part, whole):
     return 100 * part / whole if whole else 100.0
 
 
-def report(mutants, results, listed):
+def report(mutants, results):
     """The table."""
     rows = defaultdict(lambda: defaultdict(int))
     for mutant in mutants:
-        result = results[mutant.key()]
-        if result in ('survived', 'unreached') and mutant.key() in listed:
-            result = 'explained'
         for row in (mutant.file, 'all'):
-            rows[row][result] += 1
-    columns = ('killed', 'survived', 'unreached', 'explained', 'constant')
-    print(f'\n{"":24}{"mutants":>9}', *(f'{name:>10}' for name in columns),
-          '  caught  explained too')
+            rows[row][results[mutant.key()]] += 1
+    columns = ('killed', 'survived', 'unreached', 'constant')
+    print(f'\n{"":24}{"mutants":>9}', *(f'{name:>10}' for name in columns), '  caught')
     for name in sorted(rows, key=lambda name: (name == 'all', name)):
         row = rows[name]
         whole = sum(row.values()) - row['constant']
         print(f'{name:24}{sum(row.values()):9}', *(f'{row[column]:10}' for column in columns),
-              f'{share(row["killed"], whole):7.1f}%',
-              f'{share(row["killed"] + row["explained"], whole):13.1f}%')
+              f'{share(row["killed"], whole):7.1f}%')
 
 
-def survivors(mutants, results, listed):
-    """Neither caught nor listed."""
-    found = [mutant for mutant in mutants if mutant.key() not in listed
-             and results[mutant.key()] in ('survived', 'unreached')]
-    for mutant in found:
-        print(f'{mutant.file}:{mutant.line}: {results[mutant.key()]}: '
-              f'{mutant.source} | {mutant.change}')
-    return found
-
-
-def stale_entries(mutants, results, listed, is_whole):
-    """Listed, but caught; and, where every mutant was asked, listed but not there."""
-    stale = {key for key in listed if results.get(key) in ('killed', 'constant')}
-    if is_whole:
-        stale |= listed - {mutant.key() for mutant in mutants}
-    for key in sorted(stale):
-        print(f'mutate: {EQUIVALENT.name} lists what is caught or is not there: {key}',
-              file=sys.stderr)
-    return stale
+def agrees(mutants, results, is_sample, all_files):
+    """Prints the survivors, and each file that has more of them than recorded, or fewer."""
+    found = defaultdict(int)
+    for mutant in mutants:
+        if results[mutant.key()] in ('survived', 'unreached'):
+            found[mutant.file] += 1
+            print(f'{mutant.file}:{mutant.line}: {results[mutant.key()]}: '
+                  f'{mutant.source} | {mutant.change}')
+    counts = recorded()
+    wrong = [file for file in {mutant.file for mutant in mutants}
+             if found[file] > counts.get(file, 0)
+             or not is_sample and found[file] < counts.get(file, 0)]
+    wrong += [file for file in counts if file not in all_files]
+    for file in sorted(wrong):
+        print(f'mutate: {SURVIVORS.name} has {counts.get(file, 0)} survivors of {file}; '
+              f'found {found[file]}', file=sys.stderr)
+    return not wrong
 
 
 def arguments():
     parser = argparse.ArgumentParser(
         prog='scripts/check/mutate', description=__doc__.splitlines()[0].partition(': ')[2],
-        epilog=f'Fails when a mutant is neither caught nor explained in '
-        f'tests/proofs/mutation/{EQUIVALENT.name}. All of them take two cores two hours, '
-        'most of it for those that survive.')
+        epilog='Fails if a file has another number of survivors than '
+        f'tests/proofs/mutation/{SURVIVORS.name}; a sample fails only if it has more. All mutants '
+        'take two cores two hours, most of it for those that survive.')
     parser.add_argument('files', nargs='*', metavar='FILE', default=['*'],
                         help='of lib/discmc and ports/mesh/host, as holes.hpp or "*.hpp"; all when '
                         'none is named')
@@ -252,8 +248,8 @@ def arguments():
     parser.add_argument('--slowest', type=int, default=1, metavar='SECONDS',
                         help='test cases that take longer are left out (1)')
     parser.add_argument('--resume', action='store_true',
-                        help='what was caught before, or survived as explained, is not run '
-                        'again: after an interruption, or when tests were added')
+                        help='mutants that were caught before are not run again: after an '
+                        'interruption, or when tests were added')
     given = parser.parse_args()
     if not re.fullmatch(r'1/[1-9]\d*', given.share):
         parser.error(f'--share {given.share}: give 1/10 for every tenth mutant')
@@ -269,12 +265,10 @@ def main():
     if not chosen:
         sys.exit(f'mutate: no mutants in {" ".join(given.files)}: name files of {" or ".join(MUTATED)}')
     print(f'mutate: {len(chosen)} of {whole} mutants; {refused_lines} lines were refused')
-    listed = explained()
-    results = run(chosen, measured_cases(given.slowest), listed, given.resume)
-    unexplained = survivors(chosen, results, listed)
-    report(chosen, results, listed)
-    stale = stale_entries(chosen, results, listed, len(chosen) == whole)
-    sys.exit(1 if unexplained or stale else 0)
+    results = run(chosen, measured_cases(given.slowest), given.resume)
+    is_right = agrees(chosen, results, given.share != '1/1', {mutant.file for mutant in mutants})
+    report(chosen, results)
+    sys.exit(0 if is_right else 1)
 
 
 main()
