@@ -15,7 +15,7 @@ static uint8_t channel = DISCMC_ANY_CHANNEL;
 
 /* What arrived of a scan. */
 static unsigned regions, corners, lost_rows, milliseconds;
-static int32_t lowest_z;
+static int32_t min_z;
 static int has_finish;
 
 static discmc_sink_result take(void* context, const discmc_event* event) {
@@ -33,7 +33,7 @@ static discmc_sink_result take(void* context, const discmc_event* event) {
     case DISCMC_RUN: { /* from this corner to the next */
       const discmc_vertex run = discmc_run_vector(incidence, event->run);
       ++corners;
-      if (corner.z < lowest_z) lowest_z = corner.z;
+      if (corner.z < min_z) min_z = corner.z;
       corner.x += run.x;
       corner.y += run.y;
       corner.z += run.z;
@@ -65,7 +65,7 @@ static discmc_status begin_scan(void) {
       .sink = {NULL, take},
   };
   regions = corners = lost_rows = milliseconds = 0;
-  lowest_z = INT32_MAX;
+  min_z = INT32_MAX;
   has_finish = 0;
   return discmc_joiner_start(&joiner, &joining);
 }
@@ -83,7 +83,7 @@ static discmc_status start(void) {
 static void print_scan(void) {
   const discmc_receiver_info info = discmc_receiver_get_info(receiver);
   printf("scan %u, %s: %u regions, %u corners, from z %.1f", info.header.scan,
-         info.holds_slices ? "slices" : "polygons", regions, corners, (double)lowest_z / 2);
+         info.holds_slices ? "slices" : "polygons", regions, corners, (double)min_z / 2);
   if (info.is_complete && has_finish) printf("; complete");
   if (lost_rows > 0) printf("; %u rows lost", lost_rows);
   if (milliseconds > 0) printf("; at %u ms", milliseconds);

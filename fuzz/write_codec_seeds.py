@@ -127,7 +127,7 @@ def write_hostile_rle(folder, u8, u16):
             "offsets_out_of_order": [rle([run, run], [66, 64])],
             "no_segments": [rle([run], [], 0)],
             "many_segments": [rle([run], None, 16)],
-            "most_segments": [rle([run], None, 0xffffffff)],
+            "max_segments": [rle([run], None, 0xffffffff)],
             "too_short": [rle([bytes([257 - 40, 7])])],
             "too_long": [rle([run + run])],
             "cut_run": [rle([bytes([128, 257 - WIDTH * HEIGHT])])],

@@ -68,7 +68,7 @@ Picture from_side(const FaceMesh& mesh, const Point& from, Shading shading, int 
   return draw(mesh, options);
 }
 
-int largest_difference(const Picture& a, const Picture& b) {
+int max_difference(const Picture& a, const Picture& b) {
   int largest = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i)
     largest = std::max(largest, std::abs(a.pixels[i] - b.pixels.at(i)));
@@ -280,11 +280,11 @@ TEST_CASE("a face keeps its own normal where that of a vertex leans too far away
   mesh.normals.assign(mesh.vertices_mm.size(), {0, 0, 1});  // as at the wall of a volume
   const Point side = {-1, -1.5, 0.8};
   const Picture flat = from_side(mesh, side, Shading::flat);
-  CHECK(largest_difference(from_side(mesh, side, Shading::smooth), flat) <= 1);
+  CHECK(max_difference(from_side(mesh, side, Shading::smooth), flat) <= 1);
   mesh.normals.assign(mesh.vertices_mm.size(), {});  // there is none
-  CHECK(largest_difference(from_side(mesh, side, Shading::smooth), flat) <= 1);
+  CHECK(max_difference(from_side(mesh, side, Shading::smooth), flat) <= 1);
   mesh.normals.assign(mesh.vertices_mm.size(), unit_or_zero({-1, -1, 1}));
-  CHECK(largest_difference(from_side(mesh, side, Shading::smooth), flat) > 20);
+  CHECK(max_difference(from_side(mesh, side, Shading::smooth), flat) > 20);
 }
 
 TEST_CASE("normals are interpolated in space and not in the picture") {

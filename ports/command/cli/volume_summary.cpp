@@ -177,7 +177,7 @@ void print_volume_statistics(const VolumeInfo& info, const VolumeStatistics& sta
     out << "note no value is finite; check the file\n";
     return;
   }
-  const std::vector<ValueCount> ends = {{statistics.least, 0, statistics.least_whole},
+  const std::vector<ValueCount> ends = {{statistics.least, 0, statistics.min_whole},
                                         {statistics.greatest, 0, statistics.greatest_whole}};
   out << "range " << text_of(statistics, ends[0]) << ' ' << text_of(statistics, ends[1]) << '\n'
       << "mean " << value_text(statistics.mean) << '\n';

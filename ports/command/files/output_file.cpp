@@ -57,9 +57,9 @@ std::string random_letters() {
 // Another process may write the same target, and others may write into the folder.
 int create_beside(const std::filesystem::path& target, mode_t mode,
                   std::filesystem::path& temporary) {
-  constexpr int most_tries = 100;
+  constexpr int max_tries = 100;
   int descriptor = -1;
-  for (int i = 0; i < most_tries && descriptor < 0 && (i == 0 || errno == EEXIST); ++i) {
+  for (int i = 0; i < max_tries && descriptor < 0 && (i == 0 || errno == EEXIST); ++i) {
     temporary = target;
     temporary += ".part" + random_letters();
     descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);

@@ -9,7 +9,7 @@
 namespace discmc::command {
 namespace {
 
-double least_spacing_mm(const FileMesh& mesh) {
+double min_spacing_mm(const FileMesh& mesh) {
   double least = std::numeric_limits<double>::infinity();
   for (const double spacing : mesh.spacing_mm) least = std::min(least, std::fabs(spacing));
   return least;
@@ -28,7 +28,7 @@ double float_step_mm(const FileMesh& mesh, const Point& origin) {
 
 bool suits_floats(const FileMesh& mesh, const Point& origin) {
   constexpr double steps = 500;  // in a voxel: rounding moves by half a step
-  return steps * float_step_mm(mesh, origin) <= least_spacing_mm(mesh);
+  return steps * float_step_mm(mesh, origin) <= min_spacing_mm(mesh);
 }
 
 std::size_t count_float_places(const FileMesh& mesh, const Point& origin) {

@@ -42,7 +42,7 @@ class Histogram {
   double greatest() const;
   double mean() const;
   /// The first two exactly. Limit: samples are whole numbers.
-  LabelValue least_whole() const { return whole_of(min_key_); }
+  LabelValue min_whole() const { return whole_of(min_key_); }
   LabelValue greatest_whole() const { return whole_of(greatest_key_); }
 
   std::uint64_t finite() const { return finite_; }

@@ -49,7 +49,7 @@ VolumeStatistics volume_statistics(VolumeReader& volume,
     statistics.counts.push_back({value(bin.sample), bin.count, bin.whole});
   statistics.declared_padding = info.padding;
   statistics.are_whole = !is_floating(info.type) && info.slope == 1 && info.intercept == 0;
-  statistics.least_whole = histogram.least_whole();
+  statistics.min_whole = histogram.min_whole();
   statistics.greatest_whole = histogram.greatest_whole();
   statistics.is_exact = histogram.is_exact();
   return statistics;
@@ -72,16 +72,15 @@ std::optional<double> padding_value(const VolumeStatistics& statistics) {
   });
   if (padding != counts.end()) return padding->value;
   // Units: Hounsfield, of what may be air and is not; none beyond is a number that CT writes.
-  constexpr double most_air = -500, least_air = -1024, least_ever = -4096, most_padding = -1000;
-  constexpr double least_bone = 300, gap = 200, share = 0.05;
-  if (counts.size() < 3 || counts[0].value > most_padding || counts[0].value < least_ever ||
-      counts.back().value < least_bone)
+  constexpr double max_air = -500, min_air = -1024, least_ever = -4096, max_padding = -1000;
+  constexpr double min_bone = 300, gap = 200, share = 0.05;
+  if (counts.size() < 3 || counts[0].value > max_padding || counts[0].value < least_ever ||
+      counts.back().value < min_bone)
     return std::nullopt;
-  if (counts[0].value < least_air && counts[1].value - counts[0].value >= gap)
-    return counts[0].value;
+  if (counts[0].value < min_air && counts[1].value - counts[0].value >= gap) return counts[0].value;
   double air = 0;
   std::uint64_t most = 0;
-  for (std::size_t i = 1; i < counts.size() && counts[i].value <= most_air; ++i) {
+  for (std::size_t i = 1; i < counts.size() && counts[i].value <= max_air; ++i) {
     air += static_cast<double>(counts[i].count);
     most = std::max(most, counts[i].count);
   }

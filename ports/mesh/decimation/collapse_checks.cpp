@@ -9,10 +9,10 @@
 namespace discmc::meshing {
 namespace {
 
-constexpr double least_turn = 0.2;                // cosine between a normal before and after
+constexpr double min_turn = 0.2;                  // cosine between a normal before and after
 constexpr double thinnest = 0.99619469809174555;  // cosine of 5 degrees
 constexpr double folded = 0.9998;                 // cosine between two triangles at an edge
-constexpr double least_height = 1e-12;            // of a triangle, against its sides
+constexpr double min_height = 1e-12;              // of a triangle, against its sides
 
 // The cosine of the smallest angle; 1 without area.
 double thinness(const Corners& triangle) {
@@ -42,11 +42,11 @@ bool turns_over(const Corners& before, const Corners& after) {
   const double old_square = dot(old_area, old_area), new_square = dot(new_area, new_area);
   const auto has_area = [](double square, const Corners& triangle) {
     const double extent = squared_extent(triangle);
-    return square > least_height * least_height * extent * extent;
+    return square > min_height * min_height * extent * extent;
   };
   if (!has_area(new_square, after)) return true;
   return has_area(old_square, before) &&
-         dot(old_area, new_area) < least_turn * std::sqrt(old_square * new_square);
+         dot(old_area, new_area) < min_turn * std::sqrt(old_square * new_square);
 }
 
 // Whether two triangles that share an edge lie on each other.

@@ -17,9 +17,9 @@ constexpr double first_distance = 0.05;  // Units: the least spacing
 // From step to step of the ramp. Every distance ends at a step, so that a larger distance continues
 // the mesh of a smaller one.
 const double ramp = std::sqrt(2.0);
-constexpr double least_part = 1e-6;  // of the extent of the mesh, if there is no spacing
+constexpr double min_part = 1e-6;  // of the extent of the mesh, if there is no spacing
 
-double least_spacing(const FaceMesh& mesh) {
+double min_spacing(const FaceMesh& mesh) {
   double least = std::numeric_limits<double>::infinity();
   for (const double along : mesh.spacing_mm) least = std::min(least, std::fabs(along));
   return least;
@@ -53,7 +53,7 @@ DecimatedSurface decimated(const FaceMesh& mesh, const Decimation& decimation,
   const double last =
       decimation.max_error_mm > 0 ? std::min(decimation.max_error_mm, beyond_all) : beyond_all;
   double distance =
-      std::min(std::max(first_distance * least_spacing(mesh), least_part * beyond_all), last);
+      std::min(std::max(first_distance * min_spacing(mesh), min_part * beyond_all), last);
   for (; distance <= last && surface.triangles.size() > decimation.triangles; distance *= ramp) {
     DecimationStep step(surface, original, distance, decimation.triangles, check);
     step.collapse_in_blocks();

@@ -151,8 +151,8 @@ void DecimationStep::carry_out() {
 }
 
 void DecimationStep::drop_outdated() {
-  constexpr std::size_t most_a_triangle = 12, few = 1000;
-  if (heap_.size() <= most_a_triangle * mesh_.triangle_count() + few) return;
+  constexpr std::size_t max_per_triangle = 12, few = 1000;
+  if (heap_.size() <= max_per_triangle * mesh_.triangle_count() + few) return;
   heap_.erase(std::remove_if(heap_.begin(), heap_.end(),
                              [this](const Entry& entry) { return !is_current(entry); }),
               heap_.end());

@@ -22,7 +22,7 @@ bool repeats_a_vertex(const std::uint32_t* face, std::size_t count) {
 }
 
 // Twice the area against the square of the extent: rounding in millimetres stays far below.
-constexpr double smallest_relative_area = 1e-12;
+constexpr double min_relative_area = 1e-12;
 
 bool has_area(const FaceMesh& mesh, const std::uint32_t* face, std::size_t count) {
   Point area{};
@@ -39,7 +39,7 @@ bool has_area(const FaceMesh& mesh, const std::uint32_t* face, std::size_t count
     area[1] += a[2] * b[0] - a[0] * b[2];
     area[2] += a[0] * b[1] - a[1] * b[0];
   }
-  return std::hypot(area[0], area[1], area[2]) > smallest_relative_area * extent * extent;
+  return std::hypot(area[0], area[1], area[2]) > min_relative_area * extent * extent;
 }
 
 }  // namespace

@@ -18,15 +18,15 @@ namespace {
 // Only the ratios count, so short and long spacings are scaled to where nanometres are exact enough
 // and fit.
 Point scaled(Point spacing_mm) {
-  constexpr double least_mm = 0.01, most_mm = 2000, nanometre = 1e-6;
+  constexpr double min_mm = 0.01, max_mm = 2000, nanometre = 1e-6;
   double shortest = std::fabs(spacing_mm[0]), longest = shortest;
   for (const double along : spacing_mm) {
     shortest = std::min(shortest, std::fabs(along));
     longest = std::max(longest, std::fabs(along));
   }
-  if (shortest == 0 || (shortest >= least_mm && longest <= most_mm)) return spacing_mm;
+  if (shortest == 0 || (shortest >= min_mm && longest <= max_mm)) return spacing_mm;
   for (double& along : spacing_mm)
-    along = std::copysign(std::max(std::fabs(along) / longest * most_mm, nanometre), along);
+    along = std::copysign(std::max(std::fabs(along) / longest * max_mm, nanometre), along);
   return spacing_mm;
 }
 

@@ -133,7 +133,7 @@ class VolumeKeeper {
 
   void move_crossings(const Piece& piece) {
     Crossings& crossings = *surfaces_[piece.surface].crossings;
-    const auto least = static_cast<float>(keeping_.least_mm);
+    const auto least = static_cast<float>(keeping_.min_mm);
     for (const Piece::Edge& edge : piece.edges) {
       const double rival = edge.rival == no_piece ? 0 : pieces_[edge.rival].shift_mm;
       const auto shift = static_cast<float>(piece.shift_mm - rival);
@@ -211,7 +211,7 @@ class VolumeKeeper {
     if (keeping_.check) keeping_.check();
     const double start = piece.shift_mm;
     if (piece.faces.empty()) return start;
-    const double closest = keeping_.least_mm / 1000;
+    const double closest = keeping_.min_mm / 1000;
     const double enough = accuracy * std::fabs(piece.volume_mm3);
     double low = -keeping_.farthest_mm, high = keeping_.farthest_mm, slope = 0;
     double excess = enclosed_mm3(piece) - piece.volume_mm3;

@@ -21,7 +21,7 @@ struct VolumeKeeping {
   /// The surface inside which a voxel lies, given as Crossings are: half-steps; none beyond all.
   std::function<std::size_t(const Vertex& voxel)> surface_of{};
   double tolerance = 0;    ///< as MeshingOptions, of the meshes that enclose the volumes
-  double least_mm = 0;     ///< how near to a voxel the surface comes
+  double min_mm = 0;       ///< how near to a voxel the surface comes
   double farthest_mm = 0;  ///< that a surface is moved
   bool is_closed = true;   ///< otherwise nothing is moved to keep a volume
   std::function<void()> check{};

@@ -29,7 +29,7 @@ VolumeKeeping SmoothedVolume::keeping(const SampleGrid& info, double deviation_m
                                       Border border) {
   VolumeKeeping keeping;
   keeping.tolerance = tolerance;
-  keeping.least_mm = least_distance_mm(info);
+  keeping.min_mm = min_distance_mm(info);
   keeping.farthest_mm = 2 * limit_mm(info, deviation_mm);
   keeping.is_closed = border == Border::closed;
   return keeping;
@@ -48,7 +48,7 @@ void SmoothedVolume::read_slice(void* samples) {
   twice_.next(result);
   const float* once = twice_.sharp();
   const float* distances = once_.sharp(slices_++);
-  const auto least = static_cast<float>(least_distance_mm(info_));
+  const auto least = static_cast<float>(min_distance_mm(info_));
   for (std::size_t i = 0; i < std::size_t{info_.dims[0]} * info_.dims[1]; ++i) {
     const float smooth = 2 * once[i] - result[i];
     result[i] = distances[i] > 0 ? std::max(smooth, least) : std::min(smooth, -least);
@@ -69,7 +69,7 @@ double steps_mm(const SampleGrid& info) {
   return *most <= equal * *least ? of_equal * *most : *most;
 }
 
-double least_distance_mm(const SampleGrid& info) {
+double min_distance_mm(const SampleGrid& info) {
   constexpr double voxels = 0.05;
   const auto distances = info.distances_mm();
   return voxels * *std::min_element(distances.begin(), distances.end());

@@ -19,7 +19,7 @@ namespace discmc::meshing {
 /// The voxels that are selected, as samples: the distance to their surface, smoothed, positive
 /// inside. The smooth surface is that of threshold 0. A blur G draws a bent surface inwards, and
 /// 2G - GG, which is taken here, to the next order does not. Every voxel keeps its side of the
-/// surface, by least_distance_mm(): no part, gap or tunnel is lost. keep_volumes() then moves the
+/// surface, by min_distance_mm(): no part, gap or tunnel is lost. keep_volumes() then moves the
 /// surface to keep the volume of each body. Units: millimetres.
 ///
 /// Memory: about 36 slices of float for a deviation of one slice.
@@ -56,7 +56,7 @@ class SmoothedVolume final : public SliceReader {
 double steps_mm(const SampleGrid& info);
 
 /// How near the smooth surface comes to a voxel: 1/20 of the least distance between voxels.
-double least_distance_mm(const SampleGrid& info);
+double min_distance_mm(const SampleGrid& info);
 
 }  // namespace discmc::meshing
 

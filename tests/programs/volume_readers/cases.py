@@ -50,9 +50,9 @@ def samples(random, shape, dtype, limits=None):
     on = body(random, shape)
     if dtype.kind == "f":
         low, high = sorted(random.normal(0, 10.0 ** random.integers(-3, 4), 2))
-        least_inside, most_outside = 0.4 * low + 0.6 * high, 0.6 * low + 0.4 * high
-        noise = numpy.where(on, random.uniform(least_inside, high, shape),
-                            random.uniform(low, most_outside, shape)).astype(dtype)
+        min_inside, max_outside = 0.4 * low + 0.6 * high, 0.6 * low + 0.4 * high
+        noise = numpy.where(on, random.uniform(min_inside, high, shape),
+                            random.uniform(low, max_outside, shape)).astype(dtype)
     else:
         # double counts whole numbers up to 2^53.
         least, most = limits or (max(numpy.iinfo(dtype).min, -2 ** 40),

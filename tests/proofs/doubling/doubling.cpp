@@ -27,7 +27,7 @@ Exit status: 0, or 1 if a part grows by more than 2.3 per doubling of work, or 2
 that is not understood.
 )";
 
-constexpr double most_growth = 2.3;  // per doubling of work
+constexpr double max_growth = 2.3;  // per doubling of work
 constexpr int sizes = 2;
 
 constexpr const char* part_names[] = {"extractor", "encoder", "decoder", "joiner"};
@@ -52,7 +52,7 @@ bool check(const Family& family, const Pipeline& pipeline, const Efforts (&effor
     const Effort &before = efforts[0].of[part], &after = efforts[1].of[part];
     if (before.work == 0) continue;
     const double grows = growth(before, after);
-    const bool is_bad = grows > most_growth && !is_small(after);
+    const bool is_bad = grows > max_growth && !is_small(after);
     holds = holds && !is_bad;
     if (!is_bad && !prints_all) continue;
     std::printf("%-26s %-22s %-9s %5.2f%s", family.name, pipeline.name, part_names[part], grows,

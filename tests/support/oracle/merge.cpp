@@ -115,15 +115,15 @@ size_t next_link(Incidence incidence, const std::vector<UnitLink>& boundary, con
   const int directions = direction_count(incidence);
   const int way_back = direction_of(incidence, link.from - link.to);
   size_t next = boundary.size();
-  int smallest_turn = directions;
+  int min_turn = directions;
   auto candidate = std::lower_bound(
       boundary.begin(), boundary.end(), link.to,
       [](const UnitLink& other, const Vertex& vertex) { return before(other.from, vertex); });
   for (; candidate != boundary.end() && candidate->from == link.to; ++candidate) {
     const int direction = direction_of(incidence, candidate->to - candidate->from);
     const int turn = (direction - way_back + directions) % directions;
-    if (turn >= smallest_turn) continue;
-    smallest_turn = turn;
+    if (turn >= min_turn) continue;
+    min_turn = turn;
     next = static_cast<size_t>(candidate - boundary.begin());
   }
   return next;

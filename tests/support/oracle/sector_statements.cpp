@@ -74,15 +74,15 @@ struct Quadrant {
   int axis, number;
 
   const Place& line(int i) const { return ring[(2 * number + i) % 8]; }
-  int lowest_u() const { return std::min({0, line(0).u, line(1).u, line(2).u}); }
-  int lowest_v() const { return std::min({0, line(0).v, line(1).v, line(2).v}); }
-  Vertex vertex() const { return along(axis, 1, -2 * lowest_u(), -2 * lowest_v()); }
+  int min_u() const { return std::min({0, line(0).u, line(1).u, line(2).u}); }
+  int min_v() const { return std::min({0, line(0).v, line(1).v, line(2).v}); }
+  Vertex vertex() const { return along(axis, 1, -2 * min_u(), -2 * min_v()); }
 
   Configuration configuration(int lower_is_on, int lines) const {
     unsigned bits = 0;
     const auto add = [&](const Place& place, int on) {
       for (int end = 0; end < 2; ++end) {
-        const Vertex corner = along(axis, end, place.u - lowest_u(), place.v - lowest_v());
+        const Vertex corner = along(axis, end, place.u - min_u(), place.v - min_v());
         if ((on >> end & 1) != 0) bits |= 1U << (corner.x + 2 * corner.y + 4 * corner.z);
       }
     };
@@ -175,7 +175,7 @@ CellEdge edge_in(const Quadrant& quadrant, CellEdge named) {
   const Place& v = quadrant.line(2);  // and the second
   const int at_u = at.y * u.u + at.z * v.u, at_v = at.y * u.v + at.z * v.v;
   return edge_at(
-      along(quadrant.axis, at.x, at_u - 2 * quadrant.lowest_u(), at_v - 2 * quadrant.lowest_v()));
+      along(quadrant.axis, at.x, at_u - 2 * quadrant.min_u(), at_v - 2 * quadrant.min_v()));
 }
 
 // [from][to]: whether chains go from one edge of a cell by its centroid to another.

@@ -24,8 +24,8 @@ inline uint32_t draw_side(const Below& below) {
 inline reference::Size draw_wide_size(const Below& below, uint32_t voxels) {
   reference::Size size{draw_side(below), 0, 0};
   const uint32_t left = std::max(voxels / size.width, 6U);
-  const uint32_t most_slices = below(2) == 0 ? 4 : 40;
-  size.depth = 2 + below(std::min(left / 2, most_slices));
+  const uint32_t max_slices = below(2) == 0 ? 4 : 40;
+  size.depth = 2 + below(std::min(left / 2, max_slices));
   size.height = std::min(left / size.depth + 1, below(2) == 0 ? 60 : draw_side(below));
   if (below(4) == 0) std::swap(size.width, size.height);
   return size;

@@ -66,8 +66,8 @@ class WholeLabels final : public VolumeFilter {
     was_rounded_ = off > noticed;
     if (!was_rounded_) return *label;
     ++rounded_;
-    if (off > most_off_) {
-      most_off_ = off;
+    if (off > max_off_) {
+      max_off_ = off;
       farthest_ = value;
     }
     return *label;
@@ -88,16 +88,16 @@ class WholeLabels final : public VolumeFilter {
   std::uint32_t slices_ = 0;  // read so far
   std::uint64_t rounded_ = 0, not_numbers_ = 0;
   bool was_rounded_ = false;  // the last value
-  double most_off_ = 0, farthest_ = 0;
+  double max_off_ = 0, farthest_ = 0;
 };
 
 }  // namespace
 
 std::optional<std::int64_t> nearest_label(double value) {
-  constexpr double most_off = 0.01;
+  constexpr double max_off = 0.01;
   constexpr double end = 0x1p53;
   const double whole = std::round(value);
-  if (!(std::fabs(value - whole) <= most_off) || !(std::fabs(whole) < end)) return std::nullopt;
+  if (!(std::fabs(value - whole) <= max_off) || !(std::fabs(whole) < end)) return std::nullopt;
   return static_cast<std::int64_t>(whole);
 }
 

@@ -71,13 +71,13 @@ std::optional<std::string_view> take_item(Taker& taker, bool is_newer, std::uint
 }  // namespace
 
 CsaHeader read_csa_header(std::string_view bytes) {
-  constexpr std::uint32_t most_elements = 1000;
+  constexpr std::uint32_t max_elements = 1000;
   const bool is_newer = bytes.substr(0, 4) == "SV10";
   if (is_newer) bytes.remove_prefix(std::min<std::size_t>(8, bytes.size()));
   Taker taker(bytes);
   CsaHeader header;
   const auto elements = taker.number();
-  if (!elements || *elements > most_elements || !taker.number()) return header;
+  if (!elements || *elements > max_elements || !taker.number()) return header;
   std::uint32_t excess = 0;
   for (std::uint32_t i = 0; i < *elements; ++i) {
     const auto element = take_element(taker);

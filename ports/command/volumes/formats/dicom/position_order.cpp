@@ -151,33 +151,33 @@ Vector step_of(const Path& source, VolumeInfo& info, const Frames& stack,
     const Vector way = sum(stack[i].place->position, -1, first);
     return sum(way, -dot(way, normal), normal);
   };
-  constexpr double least_mm = 0.001, share = 0.25, straight_share = 0.02;  // of a voxel
+  constexpr double min_mm = 0.001, share = 0.25, straight_share = 0.02;  // of a voxel
   const double voxel = std::min(stack[0].spacing_mm[0], stack[0].spacing_mm[1]);
   // That of a position, and of the two that the line goes through.
-  const double rounding = std::max(least_mm, 2 * length(rounding_of(stack)));
+  const double rounding = std::max(min_mm, 2 * length(rounding_of(stack)));
   const auto last = static_cast<double>(slices.numbers.back());
   const Vector shift = sum({}, 1 / last, aside(stack.size() - 1));
-  double most_aside = 0, most_off = 0, most_jump = 0;
+  double max_aside = 0, max_off = 0, max_jump = 0;
   std::size_t after_jump = 1;
   for (std::size_t i = 0; i < stack.size(); ++i) {
-    most_aside = std::max(most_aside, length(aside(i)));
-    most_off =
-        std::max(most_off, length(sum(aside(i), -static_cast<double>(slices.numbers[i]), shift)));
+    max_aside = std::max(max_aside, length(aside(i)));
+    max_off =
+        std::max(max_off, length(sum(aside(i), -static_cast<double>(slices.numbers[i]), shift)));
     const double jump = i == 0 ? 0 : length(sum(aside(i), -1, aside(i - 1)));
-    if (jump > most_jump) after_jump = i;
-    most_jump = std::max(most_jump, jump);
+    if (jump > max_jump) after_jump = i;
+    max_jump = std::max(max_jump, jump);
   }
   const Vector straight = sum({}, slices.step, normal);
-  if (most_aside <= std::max(rounding, straight_share * voxel)) return straight;
+  if (max_aside <= std::max(rounding, straight_share * voxel)) return straight;
   const double allowed = std::max(rounding, share * voxel);
-  if (most_aside <= allowed && most_off > std::max(rounding, straight_share * voxel)) {
-    note(info, "slices lie up to " + short_number(most_aside) + " mm aside of a straight line");
+  if (max_aside <= allowed && max_off > std::max(rounding, straight_share * voxel)) {
+    note(info, "slices lie up to " + short_number(max_aside) + " mm aside of a straight line");
     return straight;
   }
-  if (most_off > allowed)
+  if (max_off > allowed)
     fail(source,
          "the slices are not on one line: " + name_of(stack[after_jump]) +
-             " is shifted sideways by " + short_number(most_jump) + " mm against " +
+             " is shifted sideways by " + short_number(max_jump) + " mm against " +
              name_of(stack[after_jump - 1]),
          "resample the series to a straight line, e.g. with 3D Slicer");
   constexpr double degrees = 180 / 3.14159265358979323846;

@@ -51,7 +51,7 @@ std::vector<std::size_t> counts_of_places(const Group& group) {
   return result;
 }
 
-std::size_t most_in_a_place(const Group& group) {
+std::size_t max_in_a_place(const Group& group) {
   const auto counts = counts_of_places(group);
   return *std::max_element(counts.begin(), counts.end());
 }
@@ -73,7 +73,7 @@ std::vector<Group> groups_of_trait(const Group& group, std::size_t most, std::si
   if (groups.size() < 2) return {};
   std::vector<Group> result;
   for (auto& [value, of_value] : groups) {
-    if (most_in_a_place(of_value) == most) return {};
+    if (max_in_a_place(of_value) == most) return {};
     result.push_back(std::move(of_value));
   }
   return result;
@@ -115,7 +115,7 @@ void add_by_order(const Group& group, std::vector<SeparatedFrames>& parts) {
 }
 
 void separate(const Group& group, std::vector<SeparatedFrames>& parts) {
-  const std::size_t most = most_in_a_place(group);
+  const std::size_t most = max_in_a_place(group);
   if (most == 1) {
     parts.push_back(frames_of(group));
     return;
@@ -132,7 +132,7 @@ void separate(const Group& group, std::vector<SeparatedFrames>& parts) {
 
 std::vector<SeparatedFrames> separated(const std::vector<DicomFrame>& frames) {
   Group group = placed(frames);
-  if (most_in_a_place(group) == 1) return {{frames, {}}};
+  if (max_in_a_place(group) == 1) return {{frames, {}}};
   drop_copies(group);
   std::vector<SeparatedFrames> parts;
   separate(group, parts);

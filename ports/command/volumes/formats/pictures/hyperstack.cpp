@@ -28,15 +28,15 @@ std::string range(std::uint64_t first, std::uint64_t count) {
 
 // "0 to 2 'left', 3 'right'", of the first stacks.
 std::string list_of(const std::vector<Hyperstack>& stacks) {
-  constexpr std::size_t most_listed = 6;
+  constexpr std::size_t max_listed = 6;
   std::string list;
   std::uint64_t first = 0;
-  for (std::size_t i = 0; i < stacks.size() && i < most_listed; ++i) {
+  for (std::size_t i = 0; i < stacks.size() && i < max_listed; ++i) {
     list +=
         (i == 0 ? "" : ", ") + range(first, stacks[i].frames.size) + ' ' + shown(stacks[i].name);
     first += stacks[i].frames.size;
   }
-  return list + (stacks.size() > most_listed ? ", ..." : "");
+  return list + (stacks.size() > max_listed ? ", ..." : "");
 }
 
 std::string description_of(const std::vector<Hyperstack>& stacks) {
