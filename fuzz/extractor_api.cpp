@@ -435,7 +435,7 @@ class Caller {
 
   void check_scan() const {
     const Collector& collector = listener_.collector();
-    const bool closed = limits_.border == Border::closed;
+    const bool is_closed = limits_.border == Border::closed;
     const auto depth = static_cast<uint32_t>((on_.size() + slice() - 1) / slice());
     BitVolume volume({limits_.width, limits_.height, depth});
     std::copy(on_.begin(), on_.end(), volume.on.begin());
@@ -443,7 +443,7 @@ class Caller {
     require(collector.layers().size() == depth, "another number of slices");
     require(collector.skipped().size() == skipped_, "another number of skipped rows");
     require(collector.statistics().skipped_rows == skipped_, "skipped rows are counted wrong");
-    const std::string unlike = unlike_joined({collector}, merge(volume, closed));
+    const std::string unlike = unlike_joined({collector}, merge(volume, is_closed));
     require(unlike.empty(), unlike.c_str());
   }
 

@@ -311,13 +311,13 @@ void check_rings(const Events& events) {
 }
 
 void check_surface(const Scenario& scenario, const Collector& collector) {
-  const bool closed = scenario.limits.border == Border::closed;
+  const bool is_closed = scenario.limits.border == Border::closed;
   require(collector.was_abandoned() == scenario.is_abandoned, "the sink is told another ending");
   require(collector.layers().size() == scenario.volume.depth, "another number of slices");
   require(collector.split_sides() == 0, "a straight side in more runs than it needs");
-  const std::string miscount = miscounted(collector, scenario.volume, closed);
+  const std::string miscount = miscounted(collector, scenario.volume, is_closed);
   require(miscount.empty(), miscount.c_str());
-  const std::vector<Region> merged = merge(scenario.volume, closed);
+  const std::vector<Region> merged = merge(scenario.volume, is_closed);
   const std::string unlike = scenario.has_all_memory
                                  ? unlike_regions(collector.regions(), canonical(merged))
                                  : unlike_joined({collector}, merged);

@@ -32,9 +32,9 @@ bool operator<(const UnitLink& a, const UnitLink& b) {
 class LinkSum {
  public:
   void add(const UnitLink& link) {
-    const bool forwards = before(link.from, link.to);
-    const auto entry = sum_.try_emplace(forwards ? link : UnitLink{link.to, link.from}, 0).first;
-    entry->second += forwards ? 1 : -1;
+    const bool is_forward = before(link.from, link.to);
+    const auto entry = sum_.try_emplace(is_forward ? link : UnitLink{link.to, link.from}, 0).first;
+    entry->second += is_forward ? 1 : -1;
     if (entry->second == 0) sum_.erase(entry);
   }
   const std::map<UnitLink, int>& sum() const { return sum_; }

@@ -375,8 +375,8 @@ TEST_CASE("an invalid polygon is skipped and reported") {
   event.incidence = discmc::incidence_of({0, 0, 1});
   event.start = {3, 2, 0};
   tell(Kind::region);
-  for (const bool hole : {false, true}) {  // the same square twice
-    event.hole = hole;
+  for (const bool is_hole : {false, true}) {  // the same square twice
+    event.hole = is_hole;
     tell(Kind::ring);
     for (int side = 0; side < 4; ++side) {
       event.run = discmc::Run::straight(static_cast<discmc::Direction>((6 + 2 * side) % 8), 1);

@@ -82,8 +82,9 @@ void check_along(const Point& normal, const Point& direction) {
 }  // namespace
 
 TEST_CASE("the vertices of a mesh have their positions on the lattice") {
-  for (const bool conforming : {true, false}) {
-    const FaceMesh mesh = build_mesh(box_with_hole({0.5, -2, 3}), {conforming, Faces::triangles});
+  for (const bool is_conforming : {true, false}) {
+    const FaceMesh mesh =
+        build_mesh(box_with_hole({0.5, -2, 3}), {is_conforming, Faces::triangles});
     REQUIRE(mesh.lattice.size() == mesh.vertices_mm.size());
     for (std::size_t i = 0; i < mesh.lattice.size(); ++i) {
       const Vertex& at = mesh.lattice[i];
@@ -123,8 +124,8 @@ TEST_CASE("polygon normals are the sum of the areas that meet, whatever the surf
   Chance chance(21);
   for (const Point& spacing : all_signs) {
     const Surface surface = polygons_of(noise({7, 6, 8}, 0, 255, chance), 128, spacing);
-    for (const bool conforming : {true, false}) {
-      FaceMesh mesh = build_mesh(surface, {conforming, Faces::polygons});
+    for (const bool is_conforming : {true, false}) {
+      FaceMesh mesh = build_mesh(surface, {is_conforming, Faces::polygons});
       set_polygon_normals(surface, mesh);
       std::vector<std::set<std::uint32_t>> polygons(mesh.lattice.size());
       for (std::size_t face = 0; face < mesh.face_count(); ++face)

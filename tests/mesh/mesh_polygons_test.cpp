@@ -60,8 +60,8 @@ TEST_CASE("the polygons are plane, turn as their normals, and have the area of t
 
 TEST_CASE("a box with a pit has a face with a hole") {
   auto array = array_of<std::uint8_t>({12, 12, 8}, [](auto x, auto y, auto z) {
-    const bool in_pit = x >= 5 && x < 7 && y >= 5 && y < 7 && z >= 4;
-    return x >= 1 && x < 11 && y >= 1 && y < 11 && z >= 1 && z < 7 && !in_pit ? 1 : 0;
+    const bool is_in_pit = x >= 5 && x < 7 && y >= 5 && y < 7 && z >= 4;
+    return x >= 1 && x < 11 && y >= 1 && y < 11 && z >= 1 && z < 7 && !is_in_pit ? 1 : 0;
   });
   MeshOptions options;
   options.polygons = true;

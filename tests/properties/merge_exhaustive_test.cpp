@@ -20,8 +20,8 @@ namespace {
 // One extractor for all the blocks of a size: reset() is part of what is tested.
 class BlockScanner {
  public:
-  BlockScanner(Size size, bool closed, const Capacities& capacities)
-      : limits_{size.width, size.height, closed ? Border::closed : Border::open},
+  BlockScanner(Size size, bool is_closed, const Capacities& capacities)
+      : limits_{size.width, size.height, is_closed ? Border::closed : Border::open},
         memory_(Extractor16::bytes_for(limits_, capacities)) {
     require_ok(extractor_.start(limits_, capacities, 1, memory_.memory(), make_sink(collector_)));
   }
@@ -63,28 +63,28 @@ std::string for_each_block(Size size, uint64_t stride, Check check) {
 }
 
 // A description of the first block with other regions than the definition demands, or nothing.
-std::string sweep_all(Size size, bool closed, uint64_t sample, uint64_t stride = 1) {
-  BlockScanner scanner(size, closed, plenty);
+std::string sweep_all(Size size, bool is_closed, uint64_t sample, uint64_t stride = 1) {
+  BlockScanner scanner(size, is_closed, plenty);
   const std::string fault =
       for_each_block(size, stride, [&](uint64_t number, const BitVolume& volume) -> std::string {
         const Collector& swept = scanner.scan(volume);
         if (!swept.loose().empty()) return "loose fragments, with memory left";
-        if (fingerprint(swept.regions()) != fingerprint_of_cells(volume, closed))
-          return "other regions: " + unlike_merge(swept.regions(), volume, closed);
-        if (closed && surface_of(swept.regions()).open_links != 0) return "not closed";
-        return number % sample == 0 ? unlike_merge(swept.regions(), volume, closed) : "";
+        if (fingerprint(swept.regions()) != fingerprint_of_cells(volume, is_closed))
+          return "other regions: " + unlike_merge(swept.regions(), volume, is_closed);
+        if (is_closed && surface_of(swept.regions()).open_links != 0) return "not closed";
+        return number % sample == 0 ? unlike_merge(swept.regions(), volume, is_closed) : "";
       });
   return scanner.is_intact() ? fault : "a write outside the arena";
 }
 
 // The same of the first block whose loose fragments do not join to the regions that come out in
 // plenty of memory. Every number of slots from the least to `most` has its turn.
-std::string press_all(Size size, bool closed, uint32_t most, uint64_t stride) {
-  BlockScanner scanner(size, closed, plenty);
+std::string press_all(Size size, bool is_closed, uint32_t most, uint64_t stride) {
+  BlockScanner scanner(size, is_closed, plenty);
   std::vector<std::unique_ptr<BlockScanner>> loose;
   for (uint32_t slots = minimum_capacities().slots; slots <= most; ++slots) {
     const Capacities few{slots, slots / 8};
-    loose.push_back(std::make_unique<BlockScanner>(size, closed, few));
+    loose.push_back(std::make_unique<BlockScanner>(size, is_closed, few));
   }
   return for_each_block(size, stride, [&](uint64_t number, const BitVolume& volume) -> std::string {
     const std::vector<Region> whole = scanner.scan(volume).regions();
@@ -96,23 +96,23 @@ std::string press_all(Size size, bool closed, uint32_t most, uint64_t stride) {
 }
 
 void check_all(Size size, uint64_t sample, uint64_t stride = 1) {
-  for (const bool closed : {true, false}) {
+  for (const bool is_closed : {true, false}) {
     CAPTURE(size.width);
     CAPTURE(size.height);
     CAPTURE(size.depth);
-    CAPTURE(closed);
-    CHECK(sweep_all(size, closed, sample, stride) == "");
+    CAPTURE(is_closed);
+    CHECK(sweep_all(size, is_closed, sample, stride) == "");
   }
 }
 
 void press_all(Size size, uint64_t stride = 1) {
-  for (const bool closed : {true, false})
+  for (const bool is_closed : {true, false})
     for (const uint32_t most : {minimum_capacities().slots, 20U}) {
       CAPTURE(size.width);
       CAPTURE(size.height);
       CAPTURE(size.depth);
-      CAPTURE(closed);
-      CHECK(press_all(size, closed, most, stride) == "");
+      CAPTURE(is_closed);
+      CHECK(press_all(size, is_closed, most, stride) == "");
     }
 }
 
@@ -162,11 +162,11 @@ TEST_CASE("larger blocks in minimal memory are the same after joining") {
 
 TEST_CASE("a block of every kind of larger tiling is swept as in the paper") {
   for (uint64_t bits = 0; bits < 256; ++bits)
-    for (const bool closed : {true, false}) {
+    for (const bool is_closed : {true, false}) {
       const BitVolume volume = tiling({5, 5, 5}, static_cast<Configuration>(bits));
-      BlockScanner scanner({5, 5, 5}, closed, ample);
+      BlockScanner scanner({5, 5, 5}, is_closed, ample);
       CAPTURE(bits);
-      CAPTURE(closed);
-      CHECK(unlike_merge(scanner.scan(volume).regions(), volume, closed) == "");
+      CAPTURE(is_closed);
+      CHECK(unlike_merge(scanner.scan(volume).regions(), volume, is_closed) == "");
     }
 }

@@ -59,17 +59,17 @@ BitVolume small_random(uint64_t seed) {
 
 // What is wrong with a sweep with ample memory, or nothing.
 template <class Index>
-std::string fault_of(const BitVolume& volume, bool closed) {
+std::string fault_of(const BitVolume& volume, bool is_closed) {
   try {
-    const Plan plan{closed ? Border::closed : Border::open};
+    const Plan plan{is_closed ? Border::closed : Border::open};
     Collector collector;
     scan_into<Index>(collector, volume, plan, ample);
     if (!collector.loose().empty()) return "loose fragments, with memory left";
     if (collector.split_sides() != 0) return "a straight side in more runs than it needs";
-    const std::string miscount = miscounted(collector, volume, closed);
+    const std::string miscount = miscounted(collector, volume, is_closed);
     if (!miscount.empty()) return miscount;
-    const std::string difference = unlike_merge(collector.regions(), volume, closed);
-    return difference.empty() ? unlike_surface(collector.regions(), volume, closed) : difference;
+    const std::string difference = unlike_merge(collector.regions(), volume, is_closed);
+    return difference.empty() ? unlike_surface(collector.regions(), volume, is_closed) : difference;
   } catch (const std::exception& error) {
     return error.what();
   }
@@ -122,20 +122,20 @@ void check_known(const BitVolume& volume, const Known& known) {
 
 TEST_CASE("shapes plain and hostile are swept as in the paper") {
   for (const Named& shape : shapes())
-    for (const bool closed : {true, false}) {
+    for (const bool is_closed : {true, false}) {
       CAPTURE(shape.name);
-      CAPTURE(closed);
-      CHECK(fault_of<uint16_t>(shape.volume, closed) == "");
-      CHECK(fault_of<uint32_t>(shape.volume, closed) == "");
+      CAPTURE(is_closed);
+      CHECK(fault_of<uint16_t>(shape.volume, is_closed) == "");
+      CHECK(fault_of<uint32_t>(shape.volume, is_closed) == "");
     }
 }
 
 TEST_CASE("thousands of small random volumes are swept as in the paper") {
   for (uint64_t seed = 0; seed < 5000; seed += step(13))
-    for (const bool closed : {true, false}) {
-      const std::string fault = fault_of<uint16_t>(small_random(seed), closed);
+    for (const bool is_closed : {true, false}) {
+      const std::string fault = fault_of<uint16_t>(small_random(seed), is_closed);
       CAPTURE(seed);
-      CAPTURE(closed);
+      CAPTURE(is_closed);
       REQUIRE(fault == "");
     }
 }
@@ -143,12 +143,12 @@ TEST_CASE("thousands of small random volumes are swept as in the paper") {
 TEST_CASE("every combination of sides from 1 to 6 voxels is swept as in the paper") {
   for (uint32_t i = 0; i < 216; i += step(5))
     for (const uint32_t density : {90U, 180U, 256U})
-      for (const bool closed : {true, false}) {
+      for (const bool is_closed : {true, false}) {
         const BitVolume volume = random({1 + i % 6, 1 + i / 6 % 6, 1 + i / 36}, density, i);
         CAPTURE(i);
         CAPTURE(density);
-        CAPTURE(closed);
-        CHECK(fault_of<uint16_t>(volume, closed) == "");
+        CAPTURE(is_closed);
+        CHECK(fault_of<uint16_t>(volume, is_closed) == "");
       }
 }
 

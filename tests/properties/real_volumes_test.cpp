@@ -114,13 +114,13 @@ TEST_CASE("real volumes are swept as in the paper at every threshold") {
     for (const int32_t threshold : scan.thresholds) {
       const BitVolume volume = read(scan.file, threshold);
       for (const Border border : borders) {
-        const bool closed = border == Border::closed;
+        const bool is_closed = border == Border::closed;
         CAPTURE(scan.file.string());
         CAPTURE(threshold);
         const Collector collector = sweep<uint32_t>(scan.file, threshold, border, 64 << 20);
         CHECK(collector.loose().empty());
-        CHECK(unlike_merge(collector.regions(), volume, closed) == "");
-        CHECK(miscounted(collector, volume, closed) == "");
+        CHECK(unlike_merge(collector.regions(), volume, is_closed) == "");
+        CHECK(miscounted(collector, volume, is_closed) == "");
       }
     }
 }
@@ -129,17 +129,17 @@ TEST_CASE("the CT head's skin in 96 KiB has the known counts and no loose fragme
   const fs::path file = ct_head();
   if (file.empty()) return;
   for (const Border border : borders) {
-    const bool closed = border == Border::closed;
+    const bool is_closed = border == Border::closed;
     const Collector collector = sweep<uint16_t>(file, skin, border, 96 * kib - sizeof(Extractor16));
     CHECK(collector.loose().empty());
     const Statistics& statistics = collector.statistics();
-    CHECK(statistics.classic_triangles == (closed ? 633688 : 608680));
-    CHECK(statistics.facets == (closed ? 848514 : 804551));
-    CHECK(statistics.regions == (closed ? 62384 : 61407));
-    CHECK(statistics.links == (closed ? 600778 : 592106));
+    CHECK(statistics.classic_triangles == (is_closed ? 633688 : 608680));
+    CHECK(statistics.facets == (is_closed ? 848514 : 804551));
+    CHECK(statistics.regions == (is_closed ? 62384 : 61407));
+    CHECK(statistics.links == (is_closed ? 600778 : 592106));
     size_t rings = 0;
     for (const Region& region : simple_rings(collector.regions())) rings += region.rings.size();
-    CHECK(rings == (closed ? 62465 : 61486));
+    CHECK(rings == (is_closed ? 62465 : 61486));
   }
 }
 

@@ -61,9 +61,10 @@ struct LinkBefore {
 using LinkSum = std::map<std::pair<Vertex, Vertex>, int, LinkBefore>;
 
 void add_link(LinkSum& sum, const Vertex& from, const Vertex& to) {
-  const bool forwards = before(from, to);
-  const auto entry = sum.try_emplace(forwards ? std::pair(from, to) : std::pair(to, from), 0).first;
-  entry->second += forwards ? 1 : -1;
+  const bool is_forward = before(from, to);
+  const auto entry =
+      sum.try_emplace(is_forward ? std::pair(from, to) : std::pair(to, from), 0).first;
+  entry->second += is_forward ? 1 : -1;
   if (entry->second == 0) sum.erase(entry);
 }
 
@@ -87,9 +88,9 @@ PlaneAreas areas_of(const std::vector<Region>& regions) {
   return areas;
 }
 
-PlaneAreas areas_of_facets(const BitVolume& volume, bool closed) {
+PlaneAreas areas_of_facets(const BitVolume& volume, bool is_closed) {
   PlaneAreas areas;
-  for_each_cell(volume, closed, [&](const Vertex& cell, Configuration configuration) {
+  for_each_cell(volume, is_closed, [&](const Vertex& cell, Configuration configuration) {
     for (int i = facet_table.first[configuration]; i < facet_table.first[configuration + 1]; ++i) {
       const Facet facet = facet_table.facet[i];
       const FacetRing& points = facet_rings.ring[facet];
@@ -208,8 +209,8 @@ TEST_CASE("polygons and cells enclose the same volume") {
 
 TEST_CASE("merging keeps the area on every plane") {
   for_each_volume([](const BitVolume& volume) {
-    for (const bool closed : {true, false})
-      CHECK(areas_of(merge(volume, closed)) == areas_of_facets(volume, closed));
+    for (const bool is_closed : {true, false})
+      CHECK(areas_of(merge(volume, is_closed)) == areas_of_facets(volume, is_closed));
   });
 }
 
@@ -241,18 +242,18 @@ TEST_CASE("a region is maximal: its plane does not continue across its boundary"
 
 TEST_CASE("a closed border reaches from -1 to 2W-1, an open one from 0 to 2W-2") {
   const BitVolume volume = checkerboard({7, 6, 5});
-  for (const bool closed : {true, false}) {
+  for (const bool is_closed : {true, false}) {
     Vertex least{99, 99, 99};
     Vertex greatest{-99, -99, -99};
-    for (const Region& region : merge(volume, closed))
+    for (const Region& region : merge(volume, is_closed))
       for (const Vertex& vertex : region.rings[0]) {
         least = {std::min(least.x, vertex.x), std::min(least.y, vertex.y),
                  std::min(least.z, vertex.z)};
         greatest = {std::max(greatest.x, vertex.x), std::max(greatest.y, vertex.y),
                     std::max(greatest.z, vertex.z)};
       }
-    CHECK(least == (closed ? Vertex{-1, -1, -1} : Vertex{0, 0, 0}));
-    CHECK(greatest == (closed ? Vertex{13, 11, 9} : Vertex{12, 10, 8}));
+    CHECK(least == (is_closed ? Vertex{-1, -1, -1} : Vertex{0, 0, 0}));
+    CHECK(greatest == (is_closed ? Vertex{13, 11, 9} : Vertex{12, 10, 8}));
   }
 }
 

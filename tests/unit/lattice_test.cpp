@@ -113,9 +113,9 @@ TEST_CASE("the directions of an incidence are the links in its planes, each of t
   for_each_incidence([](Incidence incidence) {
     for (Link link = 0; link < link_codes; ++link) {
       const Direction direction = direction_of(incidence, link);
-      const bool in_plane = dot_product(link_vector(link), incidence_normal(incidence)) == 0;
-      CHECK((direction != no_direction) == in_plane);
-      if (!in_plane) continue;
+      const bool is_in_plane = dot_product(link_vector(link), incidence_normal(incidence)) == 0;
+      CHECK((direction != no_direction) == is_in_plane);
+      if (!is_in_plane) continue;
       CHECK(direction < direction_count(incidence));
       CHECK(link_of(incidence, direction) == link);
       CHECK(direction_vector(incidence, direction) == link_vector(link));
@@ -171,10 +171,10 @@ TEST_CASE("a turn is positive if the second direction is to the left of the firs
 
 TEST_CASE("turning back is the opposite turn, except for the half turn, which is always negative") {
   for_each_turn([](Incidence incidence, Direction from, Direction to) {
-    const bool half = to == opposite_direction(incidence, from);
+    const bool is_half_turn = to == opposite_direction(incidence, from);
     const int turned = turn(incidence, from, to);
     const int back = turn(incidence, to, from);
-    if (half)
+    if (is_half_turn)
       CHECK((turned == -direction_count(incidence) / 2 && back == turned));
     else
       CHECK(back == -turned);

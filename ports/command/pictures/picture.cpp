@@ -124,7 +124,7 @@ constexpr std::uint32_t no_face = 0xFFFFFFFFu;
 struct Sample {
   float nearness = -std::numeric_limits<float>::infinity();
   std::uint32_t face = no_face;
-  bool inside = false;
+  bool is_inside = false;
 };
 
 // Fills plane polygons of any shape, one sample row after another, and keeps what is nearest.
@@ -152,7 +152,7 @@ class Canvas {
     if (std::abs(nz) < 1e-9) return;  // seen edge-on
     Sample sample;
     sample.face = face;
-    sample.inside = nz > 0;  // y points downwards
+    sample.is_inside = nz > 0;  // y points downwards
     find_crossings(outline);
     for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
       const int y = crossings_[i].first;
@@ -246,10 +246,10 @@ Picture develop(const Canvas& canvas, const FaceMesh& mesh, Shader& shader,
         Colour colour = {background, background, background};
         if (sample.face != no_face) {
           picture.shows_mesh = true;
-          colour = shader.colour(sample.face, sample.inside, x + 0.5, y + 0.5);
+          colour = shader.colour(sample.face, sample.is_inside, x + 0.5, y + 0.5);
         }
-        const bool dark = options.outlines && outlines.pass(x, y);
-        for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c] * (dark ? outline_light : 1);
+        const bool is_dark = options.outlines && outlines.pass(x, y);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c] * (is_dark ? outline_light : 1);
       }
       for (const float light : sum) {
         const float mean = std::min(light / samples, 1.0f);

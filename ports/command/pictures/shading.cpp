@@ -36,9 +36,9 @@ Shader::Shader(const FaceMesh& mesh, const std::vector<Projected>& vertices, con
       surface_(light_of(options.colour)),
       face_(mesh.face_count()) {}
 
-Colour Shader::colour(std::size_t face, bool inside, double x, double y) {
+Colour Shader::colour(std::size_t face, bool is_inside, double x, double y) {
   if (face != face_) take(face);
-  return light(shading_ == Shading::flat ? face_normal_ : normal_at(x, y), inside);
+  return light(shading_ == Shading::flat ? face_normal_ : normal_at(x, y), is_inside);
 }
 
 void Shader::take(std::size_t face) {
@@ -63,14 +63,14 @@ Point Shader::normal_at(double x, double y) const {
   return unit_or_zero(sum);
 }
 
-Colour Shader::light(const Point& normal, bool inside) const {
-  const double side = inside ? -1 : 1;
+Colour Shader::light(const Point& normal, bool is_inside) const {
+  const double side = is_inside ? -1 : 1;
   const Point seen = {side * dot(normal, axes_.right), side * dot(normal, axes_.upward),
                       side * dot(normal, axes_.towards)};
   const auto fill = static_cast<float>(0.14 + 0.08 * seen[1]);
   const auto light = static_cast<float>(0.28 * std::max(0.0, seen[2]) +
                                         0.74 * std::max(0.0, dot(seen, key_light_)));
-  const Colour tone = inside ? Colour{0.3f, 0.6f, 1.2f} : Colour{1, 1, 1};
+  const Colour tone = is_inside ? Colour{0.3f, 0.6f, 1.2f} : Colour{1, 1, 1};
   const Colour sky = {0.7f, 0.95f, 1.4f};  // a cool fill distinguishes shade from a dark colour
   Colour colour{};
   for (std::size_t i = 0; i < 3; ++i) colour[i] = surface_[i] * tone[i] * (fill * sky[i] + light);

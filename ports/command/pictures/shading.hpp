@@ -35,12 +35,12 @@ class Shader {
 
   /// The colour of a face at a place of the picture. inside: its back is what is seen.
   /// Cost: less when the face is that of the last call.
-  Colour colour(std::size_t face, bool inside, double x, double y);
+  Colour colour(std::size_t face, bool is_inside, double x, double y);
 
  private:
   void take(std::size_t face);
   Point normal_at(double x, double y) const;
-  Colour light(const Point& normal, bool inside) const;
+  Colour light(const Point& normal, bool is_inside) const;
 
   const FaceMesh& mesh_;
   const std::vector<Projected>& vertices_;

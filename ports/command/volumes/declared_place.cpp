@@ -131,13 +131,13 @@ Axes take_axes(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions
 Vector signs_of(const Axes& axes) {
   constexpr double mostly_along = 0.75;  // no other component can be larger
   Vector signs{};
-  bool near = true;
+  bool is_near = true;
   for (std::size_t i = 0; i < 3; ++i) {
     signs[i] = std::copysign(1.0, axes[i][i]);
-    near = near && std::fabs(axes[i][i]) > mostly_along * length(axes[i]);
+    is_near = is_near && std::fabs(axes[i][i]) > mostly_along * length(axes[i]);
   }
   const double hand = std::copysign(1.0, determinant(axes));
-  if (near && signs[0] * signs[1] * signs[2] == hand) return signs;
+  if (is_near && signs[0] * signs[1] * signs[2] == hand) return signs;
   return {1, 1, hand};
 }
 

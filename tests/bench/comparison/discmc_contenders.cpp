@@ -106,7 +106,7 @@ class Polygons {
     size_t first_ring;
   };
   struct Ring {
-    bool hole;
+    bool is_hole;
     size_t first_corner;
   };
   static constexpr Direction none = 8;

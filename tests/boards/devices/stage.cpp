@@ -35,11 +35,11 @@ void rest(int ms) {
   usleep(static_cast<useconds_t>(ms) * 1000);
 }
 
-void press(Offset line, bool level, int ms) {
+void press(Offset line, bool is_high, int ms) {
   rest(50);
-  pull(line, level);
+  pull(line, is_high);
   rest(ms);
-  pull(line, !level);
+  pull(line, !is_high);
   rest(50);
 }
 

@@ -32,9 +32,9 @@ constexpr bool is_on(std::int64_t x, std::int64_t y, std::int64_t z) {
   const std::int64_t u = 2000 * x / width - 1000;
   const std::int64_t v = 2000 * y / height - 1000;
   const std::int64_t w = 2000 * z / depth - 1000;
-  const bool in_body = square(u) + square(v) + square(w) / 2 < square(900);
-  const bool in_tunnel = square(u - w / 2) + square(v + w / 3) < square(250);
-  return in_body && !in_tunnel;
+  const bool is_in_body = square(u) + square(v) + square(w) / 2 < square(900);
+  const bool is_in_tunnel = square(u - w / 2) + square(v + w / 3) < square(250);
+  return is_in_body && !is_in_tunnel;
 }
 
 // At the threshold or a little above, or a little below.

@@ -88,23 +88,23 @@ void BlockProver::push_row(uint32_t row, uint32_t value) {
 void BlockProver::add_cells(uint32_t row) {
   const auto y = static_cast<int32_t>(row % side);
   const auto z = static_cast<int32_t>(row / side);
-  const bool closed = tables_.border == Border::closed;
-  const int32_t back = closed ? 0 : 1;  // an open volume's first row of cells needs two rows
+  const bool is_closed = tables_.border == Border::closed;
+  const int32_t back = is_closed ? 0 : 1;  // an open volume's first row of cells needs two rows
   if (y >= back && z >= back) add_cell_row(y - back, z - back);
-  if (closed && row % side == side - 1) add_cell_row(y + 1, z);
+  if (is_closed && row % side == side - 1) add_cell_row(y + 1, z);
 }
 
 // Cells are numbered from 0, also those of the halo.
 void BlockProver::add_cell_row(int32_t y, int32_t z) {
-  const bool closed = tables_.border == Border::closed;
-  const int32_t first = closed ? -1 : 0;
+  const bool is_closed = tables_.border == Border::closed;
+  const int32_t first = is_closed ? -1 : 0;
   const uint32_t around[] = {voxels(y + first, z + first), voxels(y + first + 1, z + first),
                              voxels(y + first, z + first + 1),
                              voxels(y + first + 1, z + first + 1)};
   for (int32_t x = 0; x < tables_.groups.side(); ++x) {
     uint32_t configuration = 0;
     for (int i = 0; i < 4; ++i)
-      configuration |= ((closed ? around[i] << 1 : around[i]) >> x & 3) << 2 * i;
+      configuration |= ((is_closed ? around[i] << 1 : around[i]) >> x & 3) << 2 * i;
     forest_.add(x, y, z, static_cast<Configuration>(configuration));
   }
 }
@@ -116,11 +116,11 @@ uint32_t BlockProver::voxels(int32_t y, int32_t z) const {
 }
 
 void BlockProver::check_block() {
-  const bool closed = tables_.border == Border::closed;
+  const bool is_closed = tables_.border == Border::closed;
   std::string what;
   try {
     require_ok(extractor_.finish());
-    if (closed)
+    if (is_closed)
       for (int32_t y = 0; y < tables_.groups.side(); ++y) add_cell_row(y, side);
     if (flaw() != nullptr) what = flaw();
   } catch (const std::runtime_error& error) {
@@ -131,7 +131,7 @@ void BlockProver::check_block() {
     ++proved_;
     return;
   }
-  throw Disproved((closed ? "closed border, block " : "open border, block ") +
+  throw Disproved((is_closed ? "closed border, block " : "open border, block ") +
                   std::to_string(block()) + ": " + what);
 }
 
@@ -147,9 +147,9 @@ const char* BlockProver::flaw() const {
 
 // The reference against the paper's Merge, which is written without regard to time.
 void BlockProver::check_reference() const {
-  const bool closed = tables_.border == Border::closed;
+  const bool is_closed = tables_.border == Border::closed;
   const reference::BitVolume volume = reference::from_bits({side, side, side}, block());
-  const std::vector<reference::Region> merged = reference::merge(volume, closed);
+  const std::vector<reference::Region> merged = reference::merge(volume, is_closed);
   if (reference::fingerprint(merged) != forest_.fingerprint() ||
       reference::link_count(merged) != forest_.links())
     throw Disproved("block " + std::to_string(block()) + ": the references differ");

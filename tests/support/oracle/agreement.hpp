@@ -29,14 +29,14 @@ inline std::string unlike_regions(const std::vector<Region>& swept,
 
 /// The same for the regions that the paper's Merge finds in a volume.
 inline std::string unlike_merge(const std::vector<Region>& swept, const BitVolume& volume,
-                                bool closed) {
-  return unlike_regions(swept, canonical(merge(volume, closed)));
+                                bool is_closed) {
+  return unlike_regions(swept, canonical(merge(volume, is_closed)));
 }
 
 /// Empty when the totals of cells, facets and triangles are those of the volume's cells.
-inline std::string miscounted(const Collector& collector, const BitVolume& volume, bool closed) {
+inline std::string miscounted(const Collector& collector, const BitVolume& volume, bool is_closed) {
   uint64_t cells = 0, facets = 0, triangles = 0;
-  for_each_cell(volume, closed, [&](const Vertex&, Configuration configuration) {
+  for_each_cell(volume, is_closed, [&](const Vertex&, Configuration configuration) {
     cells += cell_facts.facets[configuration] > 0;
     facets += cell_facts.facets[configuration];
     triangles += cell_facts.classic_triangles[configuration];
@@ -50,14 +50,14 @@ inline std::string miscounted(const Collector& collector, const BitVolume& volum
 /// Empty if the regions of a sweep, however cut, form the surface of the volume. Every plane must
 /// have the same area and boundary, and only open borders leave unpaired links.
 inline std::string unlike_surface(const std::vector<Region>& swept, const BitVolume& volume,
-                                  bool closed) {
+                                  bool is_closed) {
   const Surface surface = surface_of(swept);
-  const Surface expected = surface_of_cells(volume, closed);
+  const Surface expected = surface_of_cells(volume, is_closed);
   if (surface.areas != expected.areas) return "other areas on the planes";
   if (surface.open_links != expected.open_links) return "other links left over";
   if (surface.boundary != expected.boundary) return "other boundaries on the planes";
   if (surface.six_volumes != expected.six_volumes) return "another volume";
-  if (closed && surface.open_links != 0) return "a surface that is not closed";
+  if (is_closed && surface.open_links != 0) return "a surface that is not closed";
   for (const Region& region : simple_rings(swept))
     if (region.rings.empty() || signed_area(region.incidence, region.rings[0]) <= 0)
       return "a region without an outer ring";

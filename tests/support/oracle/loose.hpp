@@ -289,7 +289,7 @@ class Delivered {
       return;
     }
     require(piece_.empty() == is_begin, "a piece within another");
-    const bool in_region =
+    const bool is_in_region =
         is_begin ? recorded.is(Event::Kind::region) : piece_.front().is(Event::Kind::region);
     piece_.push_back(recorded);
     switch (event.kind) {
@@ -297,7 +297,7 @@ class Delivered {
         region_ = {event.incidence, {}};
         return;
       case Event::Kind::ring:
-        require(in_region && event.hole == !region_.rings.empty(), "a ring in the wrong place");
+        require(is_in_region && event.hole == !region_.rings.empty(), "a ring in the wrong place");
         end_ring();
         region_.rings.emplace_back();
         start_ = at_ = event.start;
@@ -309,12 +309,12 @@ class Delivered {
       case Event::Kind::run:
         return take_run(event);
       case Event::Kind::region_end:
-        require(in_region, "a fragment that ends as a region");
+        require(is_in_region, "a fragment that ends as a region");
         end_ring();
         regions.push_back(region_);
         break;
       case Event::Kind::fragment_end:
-        require(!in_region && !runs_.empty(), "no fragment, or an empty one");
+        require(!is_in_region && !runs_.empty(), "no fragment, or an empty one");
         runs_.clear();
         fragments.push_back({piece_});
         break;

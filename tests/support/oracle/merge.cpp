@@ -147,9 +147,9 @@ std::vector<Ring> chain(Incidence incidence, const std::vector<UnitLink>& bounda
   return rings;
 }
 
-HashTables load_tables(const BitVolume& volume, bool closed, const FacetTable& table) {
+HashTables load_tables(const BitVolume& volume, bool is_closed, const FacetTable& table) {
   HashTables tables;
-  for_each_cell(volume, closed, [&](const Vertex& cell, Configuration configuration) {
+  for_each_cell(volume, is_closed, [&](const Vertex& cell, Configuration configuration) {
     for (int i = table.first[configuration]; i < table.first[configuration + 1]; ++i)
       tables[incidence_of(table.facet[i])].insert({cell, table.facet[i]});
   });
@@ -158,8 +158,8 @@ HashTables load_tables(const BitVolume& volume, bool closed, const FacetTable& t
 
 }  // namespace
 
-std::vector<Region> merge(const BitVolume& volume, bool closed, const FacetTable& table) {
-  HashTables tables = load_tables(volume, closed, table);
+std::vector<Region> merge(const BitVolume& volume, bool is_closed, const FacetTable& table) {
+  HashTables tables = load_tables(volume, is_closed, table);
   std::vector<Region> regions;
   for (size_t i = 0; i < tables.size(); ++i) {
     const auto incidence = static_cast<Incidence>(i);

@@ -97,9 +97,9 @@ int64_t signed_area(Incidence incidence, const Ring& ring) {
   return area.x * n.x + area.y * n.y + area.z * n.z;
 }
 
-Counts counts(const BitVolume& volume, bool closed, const std::vector<Region>& regions) {
+Counts counts(const BitVolume& volume, bool is_closed, const std::vector<Region>& regions) {
   Counts counts{};
-  for_each_cell(volume, closed, [&](const Vertex&, Configuration configuration) {
+  for_each_cell(volume, is_closed, [&](const Vertex&, Configuration configuration) {
     counts.facets += cell_facts.facets[configuration];
     counts.classic_triangles += cell_facts.classic_triangles[configuration];
     counts.enclosed += cell_facts.enclosed[configuration];

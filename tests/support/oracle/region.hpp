@@ -55,7 +55,7 @@ struct Counts {
 
 /// A cell has eight cubic half-steps, so `enclosed` and `six_volumes` of a closed surface are equal
 /// numbers (a lone voxel: 8). With an open border only the other counts mean something.
-Counts counts(const BitVolume& volume, bool closed, const std::vector<Region>& regions);
+Counts counts(const BitVolume& volume, bool is_closed, const std::vector<Region>& regions);
 
 }  // namespace discmc::reference
 

@@ -199,13 +199,13 @@ inline std::vector<Events> pieces_of(const Events& events) {
   uint32_t directions = 0;
   for (const RecordedEvent& recorded : events) {
     const Event event = recorded.event();
-    const bool in_ring = place == Place::ring || place == Place::runs;
-    const bool in_fragment = place == Place::fragment || place == Place::fragment_runs;
+    const bool is_in_ring = place == Place::ring || place == Place::runs;
+    const bool is_in_fragment = place == Place::fragment || place == Place::fragment_runs;
     require(place != Place::over);
     if (recorded.is(Kind::run)) {
-      require(in_ring || in_fragment);
+      require(is_in_ring || is_in_fragment);
       require(event.run.length() > 0 && event.run.direction() < directions);
-      place = in_ring ? Place::runs : Place::fragment_runs;
+      place = is_in_ring ? Place::runs : Place::fragment_runs;
     } else if (recorded.is(Kind::ring)) {
       require(place == Place::region || place == Place::runs);
       require(event.hole == (place == Place::runs));

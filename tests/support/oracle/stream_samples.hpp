@@ -22,10 +22,10 @@ class Script {
     event.incidence = incidence;
     return add(event);
   }
-  Script& ring(Vertex start, bool hole = false) {
+  Script& ring(Vertex start, bool is_hole = false) {
     Event event = of(Event::Kind::ring);
     event.start = start;
-    event.hole = hole;
+    event.hole = is_hole;
     return add(event);
   }
   Script& run(Run run) {
@@ -70,10 +70,10 @@ class Script {
     return add(event);
   }
   /// A square of this side across z.
-  Script& square(Vertex corner, uint32_t side, bool hole = false) {
-    ring(corner, hole);
+  Script& square(Vertex corner, uint32_t side, bool is_hole = false) {
+    ring(corner, is_hole);
     for (uint32_t i = 0; i < 4; ++i)
-      run(static_cast<Direction>((hole ? 8 - 2 * i : 2 * i) % 8), side);
+      run(static_cast<Direction>((is_hole ? 8 - 2 * i : 2 * i) % 8), side);
     return *this;
   }
 

@@ -20,11 +20,11 @@ uint64_t link_hash(const Vertex& from, const Vertex& to) {
   const Vertex step = to - from;
   const auto bits = [](int32_t coordinate) { return static_cast<uint64_t>(coordinate + 4); };
   const uint64_t place = bits(middle.z) << 40 ^ bits(middle.y) << 20 ^ bits(middle.x);
-  const bool forwards = before(from, to);
-  const Vertex along = forwards ? step : -step;
+  const bool is_forward = before(from, to);
+  const Vertex along = is_forward ? step : -step;
   const uint64_t hash =
       mix(mix(place) ^ (bits(along.z) << 16 ^ bits(along.y) << 8 ^ bits(along.x)));
-  return forwards ? hash : 0 - hash;
+  return is_forward ? hash : 0 - hash;
 }
 
 uint64_t of_incidence(uint64_t link, Incidence incidence) {
@@ -57,10 +57,10 @@ Ring ring_of(const Vertex& cell, Facet facet) {
 // The facets of a small volume, and a union-find forest over them.
 class FacetForest {
  public:
-  FacetForest(const BitVolume& volume, bool closed)
+  FacetForest(const BitVolume& volume, bool is_closed)
       : columns_(volume.width + 1), rows_(volume.height + 1) {
     number_.resize(columns_ * rows_ * (volume.depth + 1) * facet_codes, 0);
-    for_each_cell(volume, closed, [&](const Vertex& cell, Configuration configuration) {
+    for_each_cell(volume, is_closed, [&](const Vertex& cell, Configuration configuration) {
       for (int i = facet_table.first[configuration]; i < facet_table.first[configuration + 1]; ++i)
         add(cell, facet_table.facet[i]);
     });
@@ -157,9 +157,9 @@ Surface surface_of(const std::vector<Region>& regions) {
   return surface;
 }
 
-Surface surface_of_cells(const BitVolume& volume, bool closed) {
+Surface surface_of_cells(const BitVolume& volume, bool is_closed) {
   Surface surface{};
-  for_each_cell(volume, closed, [&](const Vertex& cell, Configuration configuration) {
+  for_each_cell(volume, is_closed, [&](const Vertex& cell, Configuration configuration) {
     for (int i = facet_table.first[configuration]; i < facet_table.first[configuration + 1]; ++i) {
       const Facet facet = facet_table.facet[i];
       add_ring(surface, incidence_of(facet), ring_of(cell, facet));
@@ -178,8 +178,8 @@ uint64_t fingerprint(const std::vector<Region>& regions) {
   return sum;
 }
 
-uint64_t fingerprint_of_cells(const BitVolume& volume, bool closed) {
-  return FacetForest(volume, closed).fingerprint();
+uint64_t fingerprint_of_cells(const BitVolume& volume, bool is_closed) {
+  return FacetForest(volume, is_closed).fingerprint();
 }
 
 }  // namespace discmc::reference

@@ -29,7 +29,7 @@ inline bool operator!=(const Surface& a, const Surface& b) {
 Surface surface_of(const std::vector<Region>& regions);
 
 /// The same, summed over the facets of a volume's cells.
-Surface surface_of_cells(const BitVolume& volume, bool closed);
+Surface surface_of_cells(const BitVolume& volume, bool is_closed);
 
 /// The summand of the hashes: a pseudo-random number for a directed link, which its opposite
 /// cancels. The second function has the number of a link on a plane of an incidence.
@@ -45,7 +45,7 @@ uint64_t fingerprint(const std::vector<Region>& regions);
 
 /// The fingerprint of a volume's merged surface, straight from the definition of a region: facets
 /// joined across shared edges. For volumes of a few voxels; much quicker than merge().
-uint64_t fingerprint_of_cells(const BitVolume& volume, bool closed);
+uint64_t fingerprint_of_cells(const BitVolume& volume, bool is_closed);
 
 }  // namespace discmc::reference
 

@@ -61,8 +61,8 @@ int squared_length(const Vertex& vector) {
 
 bool is_surface_point(CellPoint point) {
   const Vertex p = position(point);
-  const bool inside = p.x <= 2 && p.y <= 2 && p.z <= 2;
-  return inside && (point == centroid || p.x % 2 + p.y % 2 + p.z % 2 == 1);
+  const bool is_inside = p.x <= 2 && p.y <= 2 && p.z <= 2;
+  return is_inside && (point == centroid || p.x % 2 + p.y % 2 + p.z % 2 == 1);
 }
 
 const Loops& loops_of(int configuration) {

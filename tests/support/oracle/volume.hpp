@@ -62,9 +62,11 @@ BitVolume volume_of(Size size, On on) {
 /// Calls visit(cell, configuration) for every cell in the order of a sweep. If `closed` adds a halo
 /// of off voxels, cells range from -1 to the last voxel; otherwise only cells with eight voxels.
 template <typename Visit>
-void for_each_cell(const BitVolume& volume, bool closed, Visit visit) {
-  const int32_t first = closed ? -1 : 0;
-  const auto end = [&](uint32_t voxels) { return static_cast<int32_t>(voxels) - (closed ? 0 : 1); };
+void for_each_cell(const BitVolume& volume, bool is_closed, Visit visit) {
+  const int32_t first = is_closed ? -1 : 0;
+  const auto end = [&](uint32_t voxels) {
+    return static_cast<int32_t>(voxels) - (is_closed ? 0 : 1);
+  };
   for (int32_t z = first; z < end(volume.depth); ++z)
     for (int32_t y = first; y < end(volume.height); ++y)
       for (int32_t x = first; x < end(volume.width); ++x) {

@@ -27,13 +27,13 @@ uint32_t counted(const CropRange& range, uint32_t extent) {
 }
 
 std::vector<uint8_t> picked_bits(const RowCropper& cropper, const uint8_t* on, uint32_t width,
-                                 bool in_place) {
+                                 bool is_in_place) {
   std::vector<uint8_t> bits((width + 7) / 8);
   for (uint32_t x = 0; x < width; ++x)
     bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | on[x] << x % 8);
   std::vector<uint8_t> picked((cropper.count() + 7) / 8, 0x5A);
-  cropper.crop_bits(bits.data(), in_place ? bits.data() : picked.data());
-  if (in_place) picked.assign(bits.begin(), bits.begin() + (cropper.count() + 7) / 8);
+  cropper.crop_bits(bits.data(), is_in_place ? bits.data() : picked.data());
+  if (is_in_place) picked.assign(bits.begin(), bits.begin() + (cropper.count() + 7) / 8);
   std::vector<uint8_t> voxels;
   for (uint32_t x = 0; x < 8 * picked.size(); ++x) voxels.push_back(picked[x / 8] >> x % 8 & 1);
   return voxels;

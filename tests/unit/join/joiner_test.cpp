@@ -54,8 +54,8 @@ struct Surface {
 const std::vector<Surface>& surfaces() {
   static const std::vector<Surface> all = [] {
     std::vector<Surface> made;
-    const auto add = [&](const char* name, const BitVolume& volume, bool closed = true) {
-      made.push_back({name, canonical(merge(volume, closed))});
+    const auto add = [&](const char* name, const BitVolume& volume, bool is_closed = true) {
+      made.push_back({name, canonical(merge(volume, is_closed))});
     };
     add("walls around walls", walls_around_walls(15, 2));
     add("a plate full of holes", plate(13));
@@ -111,9 +111,9 @@ std::vector<Run> square_runs(uint32_t side) {
 }
 
 // A square as one fragment, which is a ring already: an outer one, or the hole of the same shape.
-Events square_fragment(const Vertex& corner, uint32_t side, bool hole) {
+Events square_fragment(const Vertex& corner, uint32_t side, bool is_hole) {
   std::vector<Run> runs = square_runs(side);
-  if (!hole) return fragment_of(test::up, corner, 6, runs);
+  if (!is_hole) return fragment_of(test::up, corner, 6, runs);
   for (Run& run : runs)
     run = Run::straight(static_cast<Direction>((10 - run.direction()) % 8), side);
   return fragment_of(test::up, corner, 4, runs);

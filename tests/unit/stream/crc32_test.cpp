@@ -23,8 +23,8 @@ uint32_t by_definition(const std::vector<uint8_t>& bytes) {
   uint32_t remainder = 0xFFFFFFFF;
   for (const uint8_t byte : bytes)
     for (int bit = 0; bit < 8; ++bit) {
-      const bool odd = ((remainder ^ static_cast<uint32_t>(byte >> bit)) & 1) != 0;
-      remainder = remainder >> 1 ^ (odd ? 0xEDB88320U : 0U);
+      const bool is_odd = ((remainder ^ static_cast<uint32_t>(byte >> bit)) & 1) != 0;
+      remainder = remainder >> 1 ^ (is_odd ? 0xEDB88320U : 0U);
     }
   return remainder ^ 0xFFFFFFFF;
 }

@@ -19,11 +19,11 @@ struct Decision {
 using Decisions = std::vector<Decision>;
 
 // Bits that occur about as often as their probabilities predict, or the opposite.
-Decisions random_decisions(Chance& chance, size_t count, bool likely = true) {
+Decisions random_decisions(Chance& chance, size_t count, bool is_likely = true) {
   Decisions decisions(count);
   for (Decision& decision : decisions) {
     decision.one = static_cast<Probability>(1 + chance.below(255));
-    decision.bit = (chance.below(256) < decision.one) == likely;
+    decision.bit = (chance.below(256) < decision.one) == is_likely;
   }
   return decisions;
 }
