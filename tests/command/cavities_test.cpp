@@ -45,7 +45,7 @@ BitVolume block() {
 
 }  // namespace
 
-TEST_CASE("a cavity is filled with all that is in it") {
+TEST_CASE("a filled cavity loses the bodies inside it") {
   const double whole = components(surface_of(block())).at(0).volume_mm3;
   BitVolume volume = block();
   put_box(volume, {4, 4, 4}, {15, 15, 15}, 0);

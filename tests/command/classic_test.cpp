@@ -144,7 +144,7 @@ TEST_CASE("classic Marching Cubes finds the ball that the samples stand for") {
           doctest::Approx(radius + 0.5 / 6).epsilon(0.02));
 }
 
-TEST_CASE("its triangles look outside whichever way the axes run") {
+TEST_CASE("triangles of Marching Cubes face outside for axes in either direction") {
   const Field field = ramp({16, 14, 15}, 5);
   const double expected = volume_of(classic(field));
   CHECK(expected == doctest::Approx(4.19 * 5.1 * 5.1 * 5.1).epsilon(0.05));

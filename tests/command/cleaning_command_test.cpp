@@ -87,7 +87,7 @@ TEST_CASE("cleaning that makes no sense is refused") {
                 {"--median", "--normals"});
 }
 
-TEST_CASE("counts and volumes that are none are refused with what is wanted") {
+TEST_CASE("invalid counts and volumes are refused with the expected form") {
   const Workshop workshop;
   for (const std::string none : {"0", "2.5", "abc", "-1"})
     command_tests::check_failure(workshop.run("extract v.nrrd --iso 1 -o v.stl --largest=" + none),

@@ -170,7 +170,7 @@ TEST_CASE(
   CHECK(quiet.error.empty());
 }
 
-TEST_CASE("meshes are closed and exact whatever the volume and the format") {
+TEST_CASE("meshes are closed and exact for every volume and format") {
   const Workshop workshop;
   const bool has_admesh = workshop.shell("command -v admesh").code == 0;
   const Size size = {9, 8, 7};
@@ -208,7 +208,7 @@ TEST_CASE("an open border leaves the surface open where the volume ends") {
   CHECK(workshop.info("v.dmc")["regions"] == "26");
 }
 
-TEST_CASE("vertices are in millimetres, and faces look outside whichever way the axes run") {
+TEST_CASE("vertices are in millimetres, and faces look outside for axes in either direction") {
   const Workshop workshop;
   const BitVolume volume = box({5, 5, 5}, {1, 2, 1}, {3, 2, 3});
   for (const std::string signs : {"1 1 1", "-1 1 1", "-1 -1 1", "-1 -1 -1"}) {
@@ -337,7 +337,7 @@ TEST_CASE("headerless samples of either byte order give the same stream") {
   CHECK(workshop.info("big.dmc")["spacing"] == "-0.5 1 2.25");
 }
 
-TEST_CASE("a surface of nothing is valid in every format") {
+TEST_CASE("an empty surface is valid in every format") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());
   for (const std::string iso : {"201", "1e9", "1e30"}) {
@@ -574,7 +574,7 @@ TEST_CASE("a run that is ended by a signal leaves no file") {
   CHECK(workshop.names() == std::vector<std::string>{"v.raw"});
 }
 
-TEST_CASE("a pipe that is named as the output stays one") {
+TEST_CASE("a pipe named as the output stays a pipe") {
   const Workshop workshop;
   workshop.write("v.nrrd", small_ball());
   workshop.done("extract v.nrrd --iso 100 -o v.dmc");

@@ -64,7 +64,7 @@ TEST_CASE("fish completes commands, options, and the words that a value can be")
   CHECK(fish_offers("completions ") == "bash fish zsh ");
 }
 
-TEST_CASE("the completions of each shell are a script that it takes") {
+TEST_CASE("each shell accepts its completions as a script") {
   for (const std::string shell : {"bash", "zsh", "fish"}) {
     if (!has(shell)) continue;
     INFO(shell);
@@ -86,7 +86,7 @@ TEST_CASE("zsh completes the values, files and texts of options") {
   CHECK(contains(script, "'1:FILE:_files'"));
 }
 
-TEST_CASE("no text of the command line is taken for a part of a script") {
+TEST_CASE("text of the command line is quoted in scripts") {
   const std::string text = "it's [a] volume: $HOME `ls`; and more";
   discmc::command::CommandOutline program{"it", text, {}, {}, {}, "", ""};
   program.groups = {{"Options", {{{"-o"}, "", {}, text, false, false}}}};

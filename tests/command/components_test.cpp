@@ -51,7 +51,7 @@ TEST_CASE("a voxel alone encloses an octahedron of a sixth of its volume") {
   CHECK(volume_of_box(1, 1, 1) == doctest::Approx(0.5 * 2 * 3 / 6));
 }
 
-TEST_CASE("bodies apart are components, and a cavity is one that encloses less than nothing") {
+TEST_CASE("separate bodies are components, and a cavity is a component of negative volume") {
   BitVolume volume({20, 20, 20});
   put_box(volume, {2, 2, 2}, {10, 10, 10}, 1);
   put_box(volume, {5, 5, 5}, {6, 6, 6}, 0);
@@ -76,7 +76,7 @@ TEST_CASE("bodies that touch in the middle of a cell alone are apart") {
   CHECK(components(surface_of(volume)).size() == 2);
 }
 
-TEST_CASE("polygons hang together by a link of their sides, wherever on them it lies") {
+TEST_CASE("polygons are connected if their sides share a link") {
   using hand_made::polygon;
   Surface surface{{1, 1, 1}, polygon({0, 0, 1}, {{{1, 0, 0}, {9, 0, 0}, {9, 8, 0}, {1, 8, 0}}})};
   const auto add_triangle = [&surface](std::int32_t x) {

@@ -96,7 +96,7 @@ TEST_CASE("a centroid is moved to the mean of the crossings around it, at the bo
   CHECK(counts == std::set<std::size_t>{4, 5, 6, 7});
 }
 
-TEST_CASE("crossings are the same whatever the type of the samples") {
+TEST_CASE("crossings do not depend on the type of the samples") {
   const Field field = noise({9, 5, 4}, 3);
   const Extracted of_bytes = extracted(field);
   for (const auto& called : sample_types) {
@@ -122,7 +122,7 @@ TEST_CASE("a range is crossed at its nearer end") {
   check_near(finder.crossings().interpolated({5, 0, 0}), {4 + 2 * 40.5 / 80, 0, 0});
 }
 
-TEST_CASE("beside a voxel that the mask puts off the crossing is in the middle") {
+TEST_CASE("an edge to a voxel that the mask excludes is crossed in the middle") {
   VolumeInfo info;
   info.dims = {5, 1, 1};
   const std::uint8_t samples[] = {100, 80, 20, 100, 20};
@@ -151,7 +151,7 @@ TEST_CASE(
   check_near(finder.crossings().interpolated({0, 1, 0}), {0, 1, 0});
 }
 
-TEST_CASE("a crossing keeps off the voxels, where others might be as well") {
+TEST_CASE("a crossing keeps a distance from the voxels") {
   VolumeInfo info;
   info.dims = {3, 1, 1};
   info.type = SampleType::f64;

@@ -158,7 +158,7 @@ TEST_CASE("a decimated mesh stays closed and free of crossings, and each body ke
   }
 }
 
-TEST_CASE("few triangles remain of a body, and none of its small neighbours goes") {
+TEST_CASE("a body is decimated to few triangles, and its small neighbours stay") {
   Field field = ball(30, 9, 4);
   field.samples[(3 * 30 + 3) * 30 + 3] = 100;
   const FaceMesh before = all_triangles(field);
@@ -212,7 +212,7 @@ TEST_CASE("the long thin triangles of a merged surface are decimated without cro
   }
 }
 
-TEST_CASE("faces without area go, and the mesh stays closed") {
+TEST_CASE("faces without area are removed, and the mesh stays closed") {
   FaceMesh mesh = all_triangles(ball(40, 16, 4));
   for (Point& vertex : mesh.vertices_mm) vertex[0] = 8 * std::floor(vertex[0] / 8);
   const std::size_t before = mesh.face_count();

@@ -37,7 +37,7 @@ Slices along_z(const std::vector<double>& places) {
   });
 }
 
-TEST_CASE("files without a preamble are found among others, whatever their names") {
+TEST_CASE("files without a preamble are found among others by their contents") {
   const Folder folder;
   for (int z = 0; z < depth; ++z) folder.write("IM" + std::to_string(z), slice(z).encoded());
   folder.write("notes", "not of the series, but in its folder");
@@ -68,7 +68,7 @@ TEST_CASE("positions that are rounded to tenths have one step within the roundin
     }
 }
 
-TEST_CASE("positions that are rounded lie on a line, whichever way it goes") {
+TEST_CASE("rounded positions lie on a line in any direction") {
   const std::vector<double> orientation = {0.36, 0.48, -0.8, -0.8, 0.6, 0};
   const Slices slices([&](Dataset& data, int z) {
     std::vector<double> place = {-10 + 0.48 * 2.5 * z, -20 + 0.64 * 2.5 * z, 0.6 * 2.5 * z};
@@ -246,7 +246,7 @@ VolumeOptions ordered(SliceOrder order) {
   return options;
 }
 
-TEST_CASE("slices without positions are in the order of their numbers when that is asked for") {
+TEST_CASE("slices without positions are sorted by their numbers on request") {
   const Slices slices([](Dataset& data, int) {
     data.drop(0x00200032).drop(0x00200037).text(0x00180050, "DS", "2.5");
   });
@@ -303,7 +303,7 @@ TEST_CASE("slices without numbers or with the same are refused, and put in order
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("positions that are all the same give way to the order that is asked for") {
+TEST_CASE("a requested order replaces positions that are all equal") {
   const Slices slices(
       [](Dataset& data, int) { put_at(data, position(0)).text(0x00180050, "DS", "2.5"); });
   const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
@@ -311,7 +311,7 @@ TEST_CASE("positions that are all the same give way to the order that is asked f
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("slices with a UID each are one volume when that is asked for") {
+TEST_CASE("slices with a UID each are one volume on request") {
   const Slices slices(
       [](Dataset& data, int z) { data.text(0x0020000e, "UI", "1.2.3.77." + std::to_string(z)); });
   const std::string text = refusal(slices.path());
@@ -401,7 +401,7 @@ TEST_CASE("links that lead nowhere are named") {
   check_refusal(refusal(dead.path() / "none.dcm"), "there is no such file");
 }
 
-TEST_CASE("files whose names begin with a dot are none of the volume") {
+TEST_CASE("files whose names begin with a dot are ignored") {
   const Slices slices([](Dataset&, int) {});
   slices.write("._IM0", "\0\5\26\7");
   slices.write("._IM0.dcm", "\0\5\26\7");

@@ -74,7 +74,7 @@ TEST_CASE("patients, studies and frames of reference under one UID are volumes o
   }
 }
 
-TEST_CASE("frames of reference that every slice has of its own separate nothing") {
+TEST_CASE("frames of reference that differ in every slice do not separate volumes") {
   const Folder folder;
   write_slices(folder, "a", [](Dataset& data, int z) {
     data.text(frame_of_reference, "UI", "1.9." + std::to_string(z));
@@ -116,7 +116,7 @@ TEST_CASE("labels and controls of spin labelling are volumes") {
   CHECK(read_all(*open_volume(file, {{}, {}, "2"})) == as_read(volume_values()));
 }
 
-TEST_CASE("volumes of ultrasound lie in their own space, whichever way their frames run") {
+TEST_CASE("volumes of ultrasound lie in their own space, with frames in either direction") {
   const Folder folder;
   Dataset data = enhanced(depth, [](Dataset& group, int i) {
     Dataset place, orientation;
@@ -152,7 +152,7 @@ TEST_CASE("frames in one place are slices by their thickness if all else is equa
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("the scanned spacing replaces one that is missing, and 0 is none") {
+TEST_CASE("the scanned spacing replaces a spacing that is missing or 0") {
   const Folder scanned, zero;
   write_slices(scanned, "a", [](Dataset& data, int) {
     data.drop(pixel_spacing).text(0x00182010, "DS", "0.75\\0.5");
@@ -181,7 +181,7 @@ TEST_CASE("slices that are a little off their places are read with a note") {
   check_places(reader->info(), {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
 }
 
-TEST_CASE("the refusal of a shift names the slices between which it is") {
+TEST_CASE("the refusal of a shift names the slices on both sides") {
   const Folder folder;
   write_slices(folder, "a", [](Dataset& data, int z) {
     put_at(data, {z < 3 ? -10.0 : 0.0, -20, 100 + 2.5 * z});
@@ -216,7 +216,7 @@ TEST_CASE("content that contradicts the transfer syntax of the header is read wi
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("contours are named, with what makes masks of them") {
+TEST_CASE("contours are refused with the program that converts them to masks") {
   const Folder folder;
   Dataset liver, data;
   liver.text(0x30060026, "LO", "Liver");

@@ -202,7 +202,7 @@ TEST_CASE("fractions of at least a half are of a segment, with a note") {
   CHECK(read_all(*reader) == slices_of({expected}));
 }
 
-TEST_CASE("a map of labels is read as it is, also with a palette") {
+TEST_CASE("a map of labels is read unchanged, also with a palette") {
   const Folder folder;
   Voxels labels = box(0, 3, 0, 3, 1);
   labels[20] = 2;
@@ -226,7 +226,7 @@ TEST_CASE("colours of segments are those of sRGB from which they were encoded") 
   CHECK(srgb_of_cielab({56638, 32897, 42532}) == Srgb{241, 214, 145});
 }
 
-TEST_CASE("names of segments are UTF-8, whatever the file has") {
+TEST_CASE("names of segments are converted to UTF-8") {
   const Folder folder;
   Dataset data = segmentation("BINARY",
                               {segment(1,
@@ -239,7 +239,7 @@ TEST_CASE("names of segments are UTF-8, whatever the file has") {
         "del");
 }
 
-TEST_CASE("a segmentation that lies nowhere or not evenly is refused") {
+TEST_CASE("a segmentation without positions or with uneven ones is refused") {
   const Folder folder;
   Dataset unplaced = segmentation("BINARY", {segment(1, "Liver")}, {{1, 0, box(0, 1, 0, 1)}});
   check_refusal(refusal(folder.write("v.dcm", unplaced.drop(0x52009229).file())),

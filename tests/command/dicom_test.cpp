@@ -128,7 +128,7 @@ TEST_CASE("frames of one file are in the order of their positions, in every tran
   }
 }
 
-TEST_CASE("JPEG with losses is near what it was, of 8 bits and of 12") {
+TEST_CASE("lossy JPEG of 8 and 12 bits is close to the original") {
   struct Case {
     std::string name;
     double factor;
@@ -226,7 +226,7 @@ TEST_CASE("a deflated file is refused with the remedy") {
                 "deflated as a whole (inflate it with dcmconv +te)");
 }
 
-TEST_CASE("bits above those of a sample are none of its value") {
+TEST_CASE("bits above the stored ones are ignored") {
   CHECK(read_all(*open_volume(files / "packed")) == values());
 }
 
@@ -254,7 +254,7 @@ TEST_CASE("a missing slice is refused with its place") {
                 "2 slices are missing between 100 mm (slice0) and 107.5 mm (slice1)");
 }
 
-TEST_CASE("with gaps allowed the nearest slice replaces a missing one, with a note") {
+TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, with a note") {
   VolumeOptions options;
   options.allow_gaps = true;
   const Series series;
@@ -308,7 +308,7 @@ TEST_CASE("a gap is a whole number of slices, however many are missing") {
   }
 }
 
-TEST_CASE("a slice that is there twice counts once, and another in its place is refused") {
+TEST_CASE("a repeated slice counts once, and another slice in its place is refused") {
   const Series series;
   series.write("copy", slice(1));
   const std::string uid = "1.2.826.0.1.3680043.10.1.1.2";
@@ -442,7 +442,7 @@ TEST_CASE("axes of the patient are those of the slices, and never mirrored") {
   CHECK(read_all(*reader) == expected);
 }
 
-TEST_CASE("damaged DICOM is refused, wherever it is cut") {
+TEST_CASE("DICOM truncated at any byte is refused") {
   const Folder folder;
   for (const std::string name : {"little.dcm", "u16-rle.dcm", "u16-jpeg.dcm", "u16-jpegls.dcm",
                                  "u16-j2k.dcm", "series/IM3"}) {

@@ -84,7 +84,7 @@ TEST_CASE("two kernels under one UID are two volumes, listed by their kernels") 
   volumes.check_all(2);
 }
 
-TEST_CASE("kernels are kept apart where their slices lie between each other") {
+TEST_CASE("kernels are separate volumes if their slices alternate") {
   const Volumes volumes(2, [](Dataset& data, int number, int z) {
     data.text(kernel, "SH", number == 0 ? "B30" : "B70");
     put_at(data, {-10, -20, 100 + 2.5 * z + 1.25 * number});
@@ -93,7 +93,7 @@ TEST_CASE("kernels are kept apart where their slices lie between each other") {
   CHECK(volumes.read_series("1") == as_read(numbered_values(0)));
 }
 
-TEST_CASE("kinds of images are kept apart by the third value of their type and those behind it") {
+TEST_CASE("images are separate volumes if their types differ from the third value on") {
   const Volumes volumes(2, [](Dataset& data, int number, int z) {
     const std::string origin = z % 2 == 0 ? "ORIGINAL" : "DERIVED";
     data.text(0x00080008, "CS", origin + (number == 0 ? "\\PRIMARY\\M\\ND" : "\\PRIMARY\\P\\ND"));

@@ -109,7 +109,7 @@ TEST_CASE("a ring that meets itself, or has another direction, has no ears") {
   CHECK_FALSE(cut({{0, 0}, {1, 0}}).is_cut);
 }
 
-TEST_CASE("a ring of more points than ears are fast for is left to others") {
+TEST_CASE("ear clipping refuses a ring of too many points") {
   std::minstd_rand random(1);
   CHECK(cut(star(Ears::max_points, random)).is_cut);
   CHECK_FALSE(cut(star(Ears::max_points + 1, random)).is_cut);

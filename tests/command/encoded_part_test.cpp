@@ -38,7 +38,7 @@ Script& add_small_regions(Script& script, Chance& chance, int count) {
 
 }  // namespace
 
-TEST_CASE("the regions of a part come through") {
+TEST_CASE("the regions of a part arrive unchanged") {
   Script script;
   Chance chance(5);
   add_small_regions(script, chance, 700);
@@ -51,8 +51,7 @@ TEST_CASE("a part without regions has no packets") {
   CHECK(frames_of(stream_of({})).size() == 2);
 }
 
-TEST_CASE(
-    "packets are of whole regions, unless a region goes through several or they are too long") {
+TEST_CASE("packets contain whole regions, unless a region is longer than a packet") {
   using Kind = discmc::Event::Kind;
   Script script;
   Chance chance(5);

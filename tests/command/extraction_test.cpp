@@ -134,7 +134,7 @@ TEST_CASE("a scan that measures no memory has the same events") {
     }
 }
 
-TEST_CASE("memory grows with what is under way and not with the surface") {
+TEST_CASE("memory grows with the open fragments, not with the surface") {
   const auto used = [](std::uint32_t depth) {
     const auto last = static_cast<std::int32_t>(depth) - 2;
     const BitVolume column = box({12, 12, depth}, {3, 3, 1}, {8, 8, last});

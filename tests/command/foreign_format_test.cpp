@@ -10,7 +10,7 @@ namespace {
 
 using namespace volume_files;
 
-TEST_CASE("a format that is not read is named with its converter, by name or by first bytes") {
+TEST_CASE("an unsupported format is named with its converter, by name or by first bytes") {
   const Folder folder;
   struct Case {
     const char* file;
@@ -45,7 +45,7 @@ TEST_CASE("a format that is not read is named with its converter, by name or by 
   }
 }
 
-TEST_CASE("the command takes such files for volumes, not for streams") {
+TEST_CASE("files of unsupported formats count as volumes, not as streams") {
   const command_tests::Workshop workshop;
   for (const std::string name : {"a.czi", "a.nd2", "a+orig.HEAD", "a.mgz", "a.npz", "a.mrc"}) {
     INFO(name);

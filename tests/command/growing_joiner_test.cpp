@@ -58,7 +58,7 @@ std::vector<discmc::reference::Region> regions_of(const Events& events) {
 
 }  // namespace
 
-TEST_CASE("with whatever memory it begins, a joiner that grows makes the regions") {
+TEST_CASE("a growing joiner joins all regions from any first memory") {
   const auto volume = discmc::reference::random({20, 20, 20}, 128, 5);
   const Events told = pieces();
   REQUIRE(count(told, Event::Kind::fragment) > 1000);
@@ -72,7 +72,7 @@ TEST_CASE("with whatever memory it begins, a joiner that grows makes the regions
   }
 }
 
-TEST_CASE("the totals are of what is delivered") {
+TEST_CASE("the totals count the delivered regions") {
   for (const std::uint64_t bytes : {discmc::Joiner::minimum_bytes(), GrowingJoiner::first_bytes}) {
     const Events events = joined(pieces(), bytes);
     REQUIRE(events.back().is(Event::Kind::finish));
@@ -83,7 +83,7 @@ TEST_CASE("the totals are of what is delivered") {
   }
 }
 
-TEST_CASE("a fragment without a partner stays loose, though a stream breaks off after it") {
+TEST_CASE("a fragment without a partner stays loose, also at the end of a truncated stream") {
   const Events alone = first_fragment();
   CHECK(joined(alone) == alone);
   Events twice = alone;

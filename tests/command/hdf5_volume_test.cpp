@@ -93,7 +93,7 @@ void write_counted(const fs::path& file) {
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
 const std::string several = files / "hdf5_arrays/several.hdf5";
 
-TEST_CASE("the only array of three dimensions is the volume, whatever lies beside it") {
+TEST_CASE("the only array of three dimensions is the volume") {
   check_volume(files / "hdf5/i16-big-gzip.h5", SampleType::i16,
                "HDF5, /exchange/data, shuffle, gzip, fletcher32");
 }
@@ -108,7 +108,7 @@ TEST_CASE("one of several arrays is chosen by its name behind that of the file")
     CHECK((truth == 0 || truth == 1));
 }
 
-TEST_CASE("a name behind that of a file which is no array of numbers is refused") {
+TEST_CASE("a name in a file that is no array of numbers is refused") {
   for (const std::string name : {"/scan/none", "/scan", "/scan/complex"})
     check_refusal(refusal(several + ":" + name),
                   "there is no array '" + name +
@@ -117,7 +117,7 @@ TEST_CASE("a name behind that of a file which is no array of numbers is refused"
   check_refusal(refusal(files / "none.h5"), "there is no such file");
 }
 
-TEST_CASE("a file whose name has a colon is taken as it is called") {
+TEST_CASE("a colon may be part of the name of a file") {
   const Folder folder;
   fs::create_directory(folder.path() / "a:");
   const fs::path file = folder.write("a:/volume.h5", contents(files / "hdf5/u8-little.h5"));
@@ -192,7 +192,7 @@ std::string lzf_of_runs() {
   return literal + again + run + far;
 }
 
-TEST_CASE("LZF is unpacked as h5py packs it, and refused where it is damaged") {
+TEST_CASE("LZF of h5py is unpacked, and damaged LZF is refused") {
   check_volume(files / "hdf5/i16-big-lzf.h5", SampleType::i16, "HDF5, /volume, shuffle, lzf");
   const Folder folder;
   const fs::path file = folder.path() / "lzf.h5";
@@ -244,7 +244,7 @@ TEST_CASE("axes that ilastik names are those") {
   CHECK_FALSE(noted(open_volume(file)->info(), "dropped"));
 }
 
-TEST_CASE("axes that are named are read by slices or, where these lie apart, by the slowest axis") {
+TEST_CASE("axes are named in any order, and samples keep their places") {
   const Folder folder;
   const fs::path file = folder.path() / "axes.h5";
   const std::vector<std::uint8_t> samples = [] {
@@ -307,7 +307,7 @@ TEST_CASE("a note names the index that is x in an array of MATLAB") {
   CHECK(noted(reader->info(), "its first index is read as x; if it is y, give --axes zxy"));
 }
 
-TEST_CASE("arrays that Imaris fills up are refused with what converts them") {
+TEST_CASE("padded arrays of Imaris are refused with a converter") {
   const Folder folder;
   const fs::path file = folder.path() / "a.h5";
   {
@@ -323,7 +323,7 @@ TEST_CASE("arrays that Imaris fills up are refused with what converts them") {
   check_refusal(refusal(file), "this is Imaris, which pads its arrays");
 }
 
-TEST_CASE("samples of fewer bits than they have room for are numbers as others are") {
+TEST_CASE("samples with fewer bits than their storage are read") {
   const Folder folder;
   const fs::path file = folder.path() / "bits.h5";
   const std::vector<std::uint32_t> samples = {0, 1, 77, 4095, 0, 2048, 300, 9};
@@ -353,7 +353,7 @@ TEST_CASE("bits of PyTables are truth values") {
   CHECK(read_all(*reader) == std::vector<double>(samples.begin(), samples.end()));
 }
 
-TEST_CASE("a virtual array is read from other files, and refused where one is not there") {
+TEST_CASE("a virtual array is read from other files, and refused if one is missing") {
   const Folder folder;
   folder.write("source.h5", contents(files / "hdf5/u8-little.h5"));
   write_virtual(folder.path() / "there.h5", "source.h5");
@@ -426,7 +426,7 @@ TEST_CASE("slices that are skipped are not those that are read") {
   }
 }
 
-TEST_CASE("a chunk is unpacked once, though several slices go through it") {
+TEST_CASE("a chunk of several slices is unpacked once") {
   const Folder folder;
   const fs::path file = folder.path() / "counted.h5";
   write_counted(file);
@@ -436,7 +436,7 @@ TEST_CASE("a chunk is unpacked once, though several slices go through it") {
   CHECK(unpacked_chunks == 8);
 }
 
-TEST_CASE("a file that is cut off is refused, wherever it is cut") {
+TEST_CASE("a file truncated at any byte is refused") {
   const Folder folder;
   const std::string bytes = contents(files / "hdf5/i16-big-gzip.h5");
   for (std::size_t size = 0; size < bytes.size(); size += 97) {
@@ -485,7 +485,7 @@ void write_scales(const Hdf5Handle& file, const Hdf5Handle& dataset,
   REQUIRE(H5Awrite(attribute.id(), type.id(), list.data()) >= 0);
 }
 
-TEST_CASE("axes are named and placed by the scales of NetCDF, whichever order they have") {
+TEST_CASE("axes are named and placed by the scales of NetCDF in any order") {
   const Folder folder;
   const fs::path file = folder.path() / "v.nc";
   const std::vector<std::uint8_t> samples = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};

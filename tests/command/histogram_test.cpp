@@ -121,7 +121,7 @@ TEST_CASE("more samples than bins share them with their neighbours") {
   CHECK(worst < 0.001);
 }
 
-TEST_CASE("an outlier takes nothing from the others") {
+TEST_CASE("an outlier does not coarsen the other bins") {
   std::vector<std::int64_t> samples;
   for (int i = 0; i < 60000; ++i) samples.push_back(i);
   samples.push_back(std::numeric_limits<std::int64_t>::max());

@@ -82,7 +82,7 @@ TEST_CASE("invalid HTTP/1 requests, and requests with two hosts, are refused") {
   }
 }
 
-TEST_CASE("a request is read to its empty line, in whatever pieces it comes") {
+TEST_CASE("a request is read to its empty line, in pieces of any size") {
   const std::string bytes = "GET / HTTP/1.1\r\nHost: localhost\r\n\r\nRange: of the body\r\n\r\n";
   for (std::size_t piece = 1; piece <= bytes.size(); ++piece) {
     CAPTURE(piece);

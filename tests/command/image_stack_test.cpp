@@ -190,7 +190,7 @@ class NumberedStack : public Folder {
   }
 };
 
-TEST_CASE("a number that is missing among the names is refused with its place") {
+TEST_CASE("a missing number among the names is refused with its place") {
   const NumberedStack stack({8, 9, 10, 12, 13, 14, 17});
   const std::string text = refusal(stack.path());
   check_refusal(text,
@@ -213,7 +213,7 @@ TEST_CASE("with gaps allowed the nearest slice replaces a missing one, with a no
   CHECK(all == expected);
 }
 
-TEST_CASE("names with even steps, two numbers, or numbers that count nothing have no gaps") {
+TEST_CASE("names with even steps, two numbers, or constant numbers have no gaps") {
   for (const std::vector<int>& numbers :
        {std::vector<int>{0, 10, 20, 30}, {3, 9}, {17, 23, 31, 40, 45}}) {
     const NumberedStack stack(numbers);

@@ -177,7 +177,7 @@ TEST_CASE("a large input is replayed whole") {
   CHECK(contains(result.out, "\nhistogram          7          7           1 #\n"));
 }
 
-TEST_CASE("info refuses options of the other kind, and what is neither") {
+TEST_CASE("info refuses options of the other kind, and files of neither kind") {
   const Workshop workshop;
   workshop.write("v.nrrd", u8_file);
   workshop.write("nothing", "words");

@@ -26,7 +26,7 @@ void write_ball(const Workshop& workshop) {
 
 }  // namespace
 
-TEST_CASE("an interpolated surface is written as the mesh that it is") {
+TEST_CASE("an interpolated surface is written unchanged in every format") {
   const Workshop workshop;
   write_ball(workshop);
   for (const double tolerance : {0.05, 0.2}) {

@@ -76,7 +76,7 @@ TEST_CASE("every crossing is within the tolerance of the interpolated mesh") {
   }
 }
 
-TEST_CASE("an interpolated mesh is closed and has its outside outside, whichever way axes run") {
+TEST_CASE("an interpolated mesh is closed and faces outside for axes in either direction") {
   for (const Field& field : {ball(14, 5.2), ball(9, 5), noise({9, 8, 7}, 5)})
     for (const Point& spacing : {Point{1, 1, 1}, Point{0.5, -2, 3}, Point{-1, -1, -1}})
       for (const double tolerance : {0.0, 0.05, 0.25, 2.0}) {
@@ -88,7 +88,7 @@ TEST_CASE("an interpolated mesh is closed and has its outside outside, whichever
       }
 }
 
-TEST_CASE("triangles go through each other only where the interpolated surface does") {
+TEST_CASE("triangles intersect only where the interpolated surface does") {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const Extracted of = extracted(plate(seed));
     const std::size_t own = intersections_of(interpolated(of, 0));
@@ -102,7 +102,7 @@ TEST_CASE("triangles go through each other only where the interpolated surface d
   }
 }
 
-TEST_CASE("a ball gets its volume, from fewer triangles than Marching Cubes takes") {
+TEST_CASE("the mesh of a ball has its volume, with fewer triangles than Marching Cubes") {
   const Field field = ball(40, 16, 4);
   const FileMesh mesh = interpolated(extracted(field), 0.05);
   const double volume = 4.0 / 3 * std::acos(-1.0) * 16 * 16 * 16;
@@ -156,7 +156,7 @@ TEST_CASE("an open surface ends at the volume's border, and its sides match") {
     for (const double coordinate : at) CHECK((coordinate >= 0 && coordinate <= 11));
 }
 
-TEST_CASE("a volume in which nothing is on has no interpolated surface") {
+TEST_CASE("a volume without on voxels has no interpolated surface") {
   const Extracted of = extracted(field_of({3, 3, 3}, [](double, double, double) { return 0; }));
   CHECK(interpolated(of, 0.05).face_count() == 0);
 }

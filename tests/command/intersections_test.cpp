@@ -44,7 +44,7 @@ bool goes_through_floor(const Point& a, const Point& b, const Point& c) {
 
 }  // namespace
 
-TEST_CASE("two triangles go through each other where an edge of one meets the other") {
+TEST_CASE("two triangles intersect if an edge of one meets the other") {
   CHECK(goes_through_floor({1, 1, -1}, {1, 1, 1}, {9, 9, 0.5}));
   CHECK(goes_through_floor({-9, 1, 1}, {9, 1, 1}, {1, 1, -3}));
   CHECK(goes_through_floor({1, 1, 0}, {1, 1, 1}, {2, 1, 1}));

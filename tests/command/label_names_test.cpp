@@ -50,12 +50,12 @@ TEST_CASE("a list is of numbers and names, which may hold commas") {
         std::vector<LabelSet>{{{0, {720575940621039145}}}, {{0, {-3}}}});
 }
 
-TEST_CASE("case and underscores of a name do not matter where no other is meant") {
+TEST_CASE("case and underscores of a name are ignored if the name stays unique") {
   CHECK(names.each("right lung")[0].name == "Right_Lung");
   CHECK(names.each("LIVER")[0].set == LabelSet{{0, {1}}});
 }
 
-TEST_CASE("a label has its name and colour, several have what was given") {
+TEST_CASE("one label has its own name and colour, several have those given") {
   const NamedLabels liver = names.together("liver");
   CHECK(liver.name == "liver");
   CHECK(liver.colour == discmc::command::Srgb{1, 2, 3});
@@ -68,7 +68,7 @@ TEST_CASE("a label has its name and colour, several have what was given") {
   CHECK(masks.together("a,b").set == LabelSet{{0, {}}});
 }
 
-TEST_CASE("a value that several labels have, or none, is called by its number") {
+TEST_CASE("a value of several labels or of none is named by its number") {
   CHECK(names.named(0, 1).name == "liver");
   CHECK(names.named(0, 5).name == "5");
   CHECK(names.named(0, 2).name == "Right_Lung");

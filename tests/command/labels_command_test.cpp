@@ -116,7 +116,7 @@ TEST_CASE("OBJ meshes whose names differ in spaces alone have materials of their
   CHECK_FALSE(workshop.read("my bone.ply").empty());
 }
 
-TEST_CASE("segments of 3D Slicer name the meshes of labels where no table is given") {
+TEST_CASE("segments of 3D Slicer name the meshes of labels if no table is given") {
   const Workshop workshop;
   workshop.write("v.seg.nrrd",
                  "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 4 2 3\nencoding: raw\n"
@@ -221,7 +221,7 @@ TEST_CASE("before Slicer had labels every segment was a layer of its own") {
   CHECK(workshop.read("old.jsonl") == workshop.read("v.jsonl"));
 }
 
-TEST_CASE("a label that several segments share has none of their names") {
+TEST_CASE("a label that several segments share has no name") {
   const Workshop workshop;
   workshop.write("one.seg.nrrd",
                  "NRRD0005\ntype: uchar\nencoding: raw\ndimension: 3\nsizes: 4 2 3\n"
@@ -321,7 +321,7 @@ TEST_CASE("a folder or pattern of masks is a label a file, named after it") {
   check_failure(workshop.run("extract seg --label 1 -o v.glb"), 1, {"no label has the number 1"});
 }
 
-TEST_CASE("masks of other scans, and label maps, are none of a folder of masks") {
+TEST_CASE("masks of other scans, and label maps, are ignored in a folder of masks") {
   const Workshop workshop;
   REQUIRE(workshop.shell("mkdir seg").code == 0);
   const auto nifti = [] { return volume_files::Nifti().dims({3, 4, 2, 3}); };
@@ -340,7 +340,7 @@ TEST_CASE("masks of other scans, and label maps, are none of a folder of masks")
   CHECK(contains(workshop.done("extract seg --labels all -o v.glb"), "  9\n"));
 }
 
-TEST_CASE("labels that are asked for are there, or that is a failure") {
+TEST_CASE("a requested label that is missing is a failure") {
   const Workshop workshop;
   workshop.write("v.raw", volume);
   workshop.write("table.json", R"({"labels": {"background": 0, "bone": 1, "skin": [2, 9]}})");

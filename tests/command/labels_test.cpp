@@ -138,7 +138,7 @@ TEST_CASE("progress is reported after every slice") {
   CHECK(told.back() == size.depth);
 }
 
-TEST_CASE("as many labels as there are are taken where their voxels lie together") {
+TEST_CASE("any number of contiguous labels is extracted") {
   std::vector<int> samples;
   for (std::uint32_t i = 0; i < 4 * (max_scattered_labels + 500); ++i)
     samples.push_back(static_cast<int>(1 + i / 4));

@@ -56,7 +56,7 @@ TEST_CASE("every reader gets all, however late") {
   CHECK(late.str() == early.str());
 }
 
-TEST_CASE("a reader that is gone is not waited for, nor the end of the pipe") {
+TEST_CASE("serving does not wait for a closed reader or the end of the pipe") {
   Pipe pipe;
   LiveFile live(pipe.path());
   pipe.open();

@@ -78,7 +78,7 @@ TEST_CASE("the manual contains values, defaults, examples and exit codes") {
   }
 }
 
-TEST_CASE("no text of the command line is taken for a request of troff") {
+TEST_CASE("text of the command line is escaped for troff") {
   const auto line = [](const std::string& description) {
     discmc::command::CommandOutline program{"it", description, {}, {}, {}, "", ""};
     program.groups = {{"Options", {{{"-o"}, "", {}, description, false, false}}}};
@@ -96,7 +96,7 @@ TEST_CASE("no text of the command line is taken for a request of troff") {
   CHECK(line("--iso") == "\\-\\-iso");
 }
 
-TEST_CASE("programs that show manuals take the page without a warning") {
+TEST_CASE("programs that show manuals accept the page without a warning") {
   const Workshop workshop;
   if (has(workshop, "man")) {
     const Result shown = workshop.shell("\"$discmc\" manual | man -l --warnings -");

@@ -126,7 +126,7 @@ TEST_CASE("a mask is of streams of both kinds, of all surfaces and of pictures")
   workshop.done("render " + with_mask + "--size 64,64 --shade smooth -o smooth.png" + layout);
 }
 
-TEST_CASE("the filter of bits does not fill what the mask has as 0") {
+TEST_CASE("filters do not fill voxels outside the mask") {
   const Workshop workshop;
   const auto box = discmc::reference::box({12, 12, 12}, {2, 2, 2}, {9, 9, 9});
   workshop.write("v.nrrd", box);

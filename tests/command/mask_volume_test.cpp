@@ -34,7 +34,7 @@ double offset(const std::string& lines_of_mask, const std::string& lines_of_volu
 
 }  // namespace
 
-TEST_CASE("a mask is 1 where the value is a number that is not 0") {
+TEST_CASE("a mask selects values that are numbers other than 0") {
   std::vector<double> all_but_first(60, 1);
   all_but_first[0] = 0;
   CHECK(mask_of(Nifti().file(stored(SampleType::u8))) == all_but_first);
@@ -51,7 +51,7 @@ TEST_CASE("a mask is 1 where the value is a number that is not 0") {
   CHECK(mask_of(Nifti().scale(0.5F, -4).file(stored(SampleType::u8))) == all_but_third);
 }
 
-TEST_CASE("a mask of several volumes is refused, whichever frame of the volume is taken") {
+TEST_CASE("a mask of several volumes is refused for any frame of the volume") {
   const Folder folder;
   const auto mask = folder.write(
       "m.nii",
@@ -62,7 +62,7 @@ TEST_CASE("a mask of several volumes is refused, whichever frame of the volume i
                     doctest::Contains("the mask holds 2 volumes; store the mask in a file"));
 }
 
-TEST_CASE("a mask is cropped as its volume is, and of a block has what most of it has") {
+TEST_CASE("a mask is cropped like its volume, and shrinks by the majority of a block") {
   // All labels differ: 0 is the most frequent in the second block, but most of the block is on.
   std::string labels = stored(SampleType::u8);
   for (const std::size_t off : {1U, 2U, 3U, 8U}) labels[off] = '\0';

@@ -137,7 +137,7 @@ TEST_CASE("a PLY file reads back, its corners counted by a byte") {
   check_ply(build_mesh(saw(255)));
 }
 
-TEST_CASE("PLY refuses what a byte cannot count") {
+TEST_CASE("PLY refuses polygons with more corners than a byte can count") {
   FileMesh mesh = build_mesh(saw(255));
   mesh.corners.push_back(0);
   ++mesh.face_begin.back();
@@ -215,7 +215,7 @@ TEST_CASE("meshes of one GLB file that are far away are seen from one origin") {
   CHECK(last[1] == doctest::Approx(far.vertices_mm.back()[1]).epsilon(1e-12));
 }
 
-TEST_CASE("floats suit a mesh as far as their steps are fine beside its voxels") {
+TEST_CASE("floats are precise enough if their steps are small against voxels") {
   FileMesh mesh = build_mesh(octahedron(), {true, Faces::triangles});
   mesh.spacing_mm = {-1, 2, 3};
   for (const float distance : {1.0F, 1000.0F, 32767.9F, 32768.0F, 1e6F}) {
@@ -298,7 +298,7 @@ TEST_CASE("a mesh is written in the given size and unit, and names them") {
     }
 }
 
-TEST_CASE("base64 is that of RFC 4648, however the bytes come") {
+TEST_CASE("base64 is that of RFC 4648, for bytes in any portions") {
   const std::pair<const char*, const char*> vectors[] = {{"", ""},
                                                          {"f", "Zg=="},
                                                          {"fo", "Zm8="},

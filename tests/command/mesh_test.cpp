@@ -100,8 +100,7 @@ TEST_CASE("polygons with holes are triangulated, the others stay whole") {
   }
 }
 
-TEST_CASE(
-    "a polygon of more corners than a byte can count is triangulated, one of as many stays whole") {
+TEST_CASE("a polygon with more than 255 corners is triangulated, and one with 255 stays whole") {
   const FaceMesh whole = build_mesh(saw(255), {true, Faces::polygons});
   CHECK(whole.face_count() == 1);
   CHECK(whole.face_size(0) == 255);
@@ -111,7 +110,7 @@ TEST_CASE(
   CHECK(check_mesh(cut).open_edges == 257);
 }
 
-TEST_CASE("faces look outside whichever way the axes run") {
+TEST_CASE("faces look outside for axes in either direction") {
   for (const double x : {1.0, -1.0})
     for (const double y : {2.0, -2.0})
       for (const double z : {0.7, -0.7})
@@ -164,7 +163,7 @@ TEST_CASE("any choice of touching holes gives a closed mesh of the same volume")
   }
 }
 
-TEST_CASE("a conforming mesh keeps the vertices where other polygons' sides end") {
+TEST_CASE("a conforming mesh has a vertex where a side of another polygon ends") {
   const Surface surface = leaning_wall();
   check_closed_and_exact(surface);
   for (const Faces faces : both_kinds) {

@@ -50,7 +50,7 @@ TEST_CASE("the place is that of the header: the centre lies between the middle v
   CHECK(reader->info().notes.empty());
 }
 
-TEST_CASE("without a place FreeSurfer's own is taken, with a note") {
+TEST_CASE("the default place of FreeSurfer replaces a missing one, with a note") {
   const Folder folder;
   const auto reader = open_volume(folder.write("a.mgh", mgh(0, stored(SampleType::u8), {})));
   CHECK(noted(reader->info(), "no directions given, coronal slices of 1 mm assumed"));
@@ -72,7 +72,7 @@ TEST_CASE("every type of sample is read, or refused with the program that conver
                 "type 2 are not supported; convert it, e.g. with: mri_convert -odt float");
 }
 
-TEST_CASE("a frame is chosen, and what follows the samples is no surprise") {
+TEST_CASE("a frame is chosen, and bytes behind the samples leave no note") {
   const Folder folder;
   const std::string first(60, '\0');
   const std::string tags = "TR and commands";

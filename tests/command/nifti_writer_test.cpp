@@ -84,7 +84,7 @@ TEST_CASE("the file contains the scale of its values and the spacing") {
   CHECK(volume->info().spacing_mm == info.spacing_mm);
 }
 
-TEST_CASE("the volume lies in the file where it lay") {
+TEST_CASE("the file keeps the place of the volume") {
   const volume_files::Folder folder;
   VolumeInfo info = small_volume();
   for (const Space space : {Space::ras, Space::lps}) {

@@ -90,7 +90,7 @@ void check_refusal(const Workshop& workshop, int code, const std::string& argume
 
 }  // namespace
 
-TEST_CASE("decode gives the normals that extract gives") {
+TEST_CASE("decode and extract write the same normals") {
   const Workshop workshop;
   write_ball(workshop);
   for (const std::string& format : formats)
@@ -134,7 +134,7 @@ TEST_CASE("every format holds the same normals, and without a source there are n
     workshop.done("decode v.dmc --normals none -o none." + format);
 }
 
-TEST_CASE("normals point outside and faces look there, whichever way the axes run") {
+TEST_CASE("normals and faces point outside for axes in either direction") {
   const Workshop workshop;
   write_ball(workshop);
   for (const double x : {0.5, -0.5})
@@ -244,7 +244,7 @@ TEST_CASE("extract writes the normals that a device sends, and decode keeps them
   CHECK(workshop.read("told.dmc").size() > workshop.read("v.dmc").size());
 }
 
-TEST_CASE("without a surface there is nothing to have a normal") {
+TEST_CASE("an empty surface has no normals") {
   const Workshop workshop;
   write_ball(workshop);
   workshop.done("extract v.nrrd --iso 5000 --allow-empty -o none.dmc");

@@ -25,7 +25,7 @@ std::vector<std::size_t> numbers_below(std::size_t end) {
 
 }  // namespace
 
-TEST_CASE("items are filled and taken in order, whoever works on them") {
+TEST_CASE("items are filled and taken in order by any number of threads") {
   for (const unsigned jobs : {1U, 2U, 7U}) {
     CAPTURE(jobs);
     std::vector<std::size_t> filled, taken, results;
@@ -79,7 +79,7 @@ TEST_CASE("one job is the thread that asks") {
       [](std::size_t, int&) {});
 }
 
-TEST_CASE("an exception of a step is rethrown, and later items are not taken") {
+TEST_CASE("an exception of a step is rethrown, and later items are dropped") {
   for (const unsigned jobs : {1U, 4U})
     for (const std::string step : {"fill", "work", "take"}) {
       CAPTURE(step);

@@ -142,7 +142,7 @@ TEST_CASE("the file is synced before its renaming, and the folder after it") {
   CHECK(watched.done == std::vector<std::pair<bool, bool>>{{false, false}, {true, true}});
 }
 
-TEST_CASE("a disk that fails is reported, and a file system that syncs nothing is not") {
+TEST_CASE("a failing disk is reported, and a file system without sync is accepted") {
   const Folder folder;
   const auto path = folder.path() / "a.obj";
   SyncsWatched watched(path);
@@ -164,7 +164,7 @@ TEST_CASE("a disk that fails is reported, and a file system that syncs nothing i
   CHECK(only_file(folder.path()) == path);
 }
 
-TEST_CASE("a link stays one, and what it leads to is written") {
+TEST_CASE("a link stays a link, and its target is written") {
   const Folder folder;
   const auto file = folder.write("a.obj", "before");
   std::filesystem::create_directory(folder.path() / "links");
@@ -234,7 +234,7 @@ TEST_CASE("a stream that failed is not committed") {
   CHECK(std::filesystem::is_empty(folder.path()));
 }
 
-TEST_CASE("a folder that is not there, or is a file, is refused by name") {
+TEST_CASE("a missing folder, or a file in its place, is refused by name") {
   const Folder folder;
   const auto missing = folder.path() / "none", file = folder.write("a.obj", "");
   CHECK(complaint([&] { OutputFile output(missing / "b.obj"); }) ==

@@ -117,7 +117,7 @@ TEST_CASE("compressed files that are truncated or damaged are refused") {
   check_refusal(refusal(folder.write("changed.nii.bz2", bytes)), "the compressed data is damaged");
 }
 
-TEST_CASE("streams that are packed one behind the other are one") {
+TEST_CASE("concatenated packed streams are read as one") {
   const Folder folder;
   const std::string nii = Nifti().file(stored(SampleType::u8));
   for (const Way& way : ways) {

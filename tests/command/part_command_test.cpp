@@ -101,7 +101,7 @@ TEST_CASE("the results of a part equal those of a file with only the part") {
   }
 }
 
-TEST_CASE("a body lies where it lies in the whole volume, in meshes and through streams") {
+TEST_CASE("a part keeps its place in the whole volume, in meshes and through streams") {
   const Workshop workshop;
   workshop.write("turned.nrrd", turned + bytes_of(ball()));
   workshop.write("v.raw", bytes_of(ball()));

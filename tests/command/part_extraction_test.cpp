@@ -159,7 +159,7 @@ TEST_CASE("the regions of parts are those of one sweep, in an order without rega
     }
 }
 
-TEST_CASE("a part that memory is not enough for takes more, and gives the same") {
+TEST_CASE("a part that needs more memory gets it, with the same result") {
   const BitVolume volume = random({20, 20, 40}, 128, 5);
   ExtractionOptions options = options_with(Border::closed);
   options.jobs = 2;
@@ -181,7 +181,7 @@ TEST_CASE("the statistics of parts are those of one sweep, up to one a seam") {
   CHECK(parts.classic_triangles + seams >= whole.classic_triangles);
 }
 
-TEST_CASE("files are the same whatever the jobs") {
+TEST_CASE("files do not depend on the number of jobs") {
   const command_tests::Workshop workshop;
   std::string samples;
   std::uint32_t noise = 1;
@@ -238,7 +238,7 @@ TEST_CASE("a stream of parts holds the regions of one sweep") {
   }
 }
 
-TEST_CASE("a volume that ends early is refused as in one sweep, and nothing is left") {
+TEST_CASE("a truncated volume is refused as in one sweep, and no file is left") {
   const command_tests::Workshop workshop;
   workshop.write("v.nrrd",
                  "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 20 20 60\nencoding: raw\n\n" +

@@ -205,7 +205,7 @@ TEST_CASE("outlines follow the polygons and not their triangles, in either shade
   }
 }
 
-TEST_CASE("a ball is covered from all sides, and of its inside nothing is seen") {
+TEST_CASE("a ball is covered from all sides, and its inside is not visible") {
   const Point sides[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0},    {0, -1, 0},
                          {0, 0, 1}, {0, 0, -1}, {1, -2, 0.7}, {-1, -1, -1}};
   for (const Point& signs : signs_of_axes) {
@@ -229,7 +229,7 @@ TEST_CASE("a ball is covered from all sides, and of its inside nothing is seen")
   }
 }
 
-TEST_CASE("a smooth ball grows brighter towards the light, whichever way the axes run") {
+TEST_CASE("a smooth ball grows brighter towards the light, for axes in either direction") {
   for (const Point& signs : signs_of_axes) {
     const FaceMesh mesh = ball_mesh(signs);
     const FaceMesh exact = with_radii(mesh, signs);

@@ -96,7 +96,7 @@ std::string stream_with(const discmc::Placement& placement) {
 
 }  // namespace
 
-TEST_CASE("a mesh lies where NiBabel has the volume") {
+TEST_CASE("a mesh lies where NiBabel places the volume") {
   for (const Placed& volume : placed) {
     const Workshop workshop;
     copy_placed(workshop, volume.name);
@@ -211,7 +211,7 @@ TEST_CASE("info prints the placement") {
   CHECK(info.count("record") == 0);
 }
 
-TEST_CASE("a stream whose placement mirrors what its spacing does not looks outside") {
+TEST_CASE("faces look outside if the placement of a stream mirrors its axes") {
   discmc::Placement placement;
   placement.space = Space::lps;
   placement.axes_nm[0][1] = placement.axes_nm[1][0] = placement.axes_nm[2][2] = 1000000;

@@ -80,7 +80,7 @@ TEST_CASE("append() adds polygons at the end, and polygons without rings keep th
   CHECK(all.corners.size() == polygons.corner_count());
 }
 
-TEST_CASE("a polygon of others is added with all its rings") {
+TEST_CASE("a polygon of another list is added with all its rings") {
   Polygons others = square_with_hole();
   others.append(polygon_of(down, {square}));
   Polygons polygons;

@@ -45,7 +45,7 @@ TEST_CASE("a pipe is read as a file of its content is") {
   }
 }
 
-TEST_CASE("a pipe that claims a large volume takes memory for what it holds") {
+TEST_CASE("a pipe that claims a large volume needs memory only for its samples") {
   const Folder folder;
   const auto pipe = folder.path() / "pipe";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
@@ -56,7 +56,7 @@ TEST_CASE("a pipe that claims a large volume takes memory for what it holds") {
   writer.join();
 }
 
-TEST_CASE("standard input gives the stream and the picture that the file gives") {
+TEST_CASE("standard input and the file give the same stream and picture") {
   const Workshop workshop;
   workshop.write("v.nrrd", nrrd_file);
   workshop.write("v.raw", u8);

@@ -95,7 +95,7 @@ TEST_CASE("values above a range or a label are not drawn with any shading") {
                 {"--classic", "--label"});
 }
 
-TEST_CASE("a picture can be taken from near, and of a place") {
+TEST_CASE("a picture may be zoomed and show a given place") {
   const Workshop workshop;
   write_volumes(workshop);
   const std::string whole = picture(workshop, "v.dmc");
@@ -146,7 +146,7 @@ TEST_CASE("wrong usage of render is reported, and no file is written") {
   CHECK(workshop.names() == names);
 }
 
-TEST_CASE("a mesh that the command wrote is drawn as its surface is") {
+TEST_CASE("a mesh of the command is drawn like its surface") {
   const Workshop workshop;
   write_volumes(workshop);
   if (contains(workshop.run("compare v.dmc none.stl").error, "without Assimp")) return;
@@ -187,7 +187,7 @@ TEST_CASE("a table names and colours the labels that are drawn") {
                 {"--label-table", "add --label N or --labels all"});
 }
 
-TEST_CASE("a mesh file is drawn in the colours that it has") {
+TEST_CASE("a mesh file is drawn in its own colours") {
   const Workshop workshop;
   write_volumes(workshop);
   if (contains(workshop.run("compare v.dmc none.stl").error, "without Assimp")) return;
@@ -205,7 +205,7 @@ TEST_CASE("a mesh file is drawn in the colours that it has") {
   }
 }
 
-TEST_CASE("a mesh on standard input is refused, with what to do") {
+TEST_CASE("a mesh on standard input is refused with the remedy") {
   const Workshop workshop;
   write_volumes(workshop);
   workshop.done("extract v.nrrd --iso 100 -o v.stl");

@@ -44,7 +44,7 @@ TEST_CASE("formats are named by their first bytes, with a remedy") {
   check_refusal(refusal("https://example.org/v.nrrd"), "this is an address");
 }
 
-TEST_CASE("samples that a text beside them describes are read with their spacing") {
+TEST_CASE("samples with a describing text file are read with their spacing") {
   const Folder folder;
   folder.write("v.vol", stored(SampleType::u16));
   const auto vgi = folder.write("v.vgi",
@@ -207,7 +207,7 @@ TEST_CASE("frames that are tracked in different poses are no slices") {
   CHECK(open_volume(folder.write("b.mha", sequence("1 0 0 0")))->info().dims[2] == 4);
 }
 
-TEST_CASE("NRRD of four dimensions of space is volumes in time, as ITK writes it") {
+TEST_CASE("the fourth dimension of space in NRRD of ITK is time") {
   const Folder folder;
   const auto file = folder.write(
       "v.nrrd", nrrd(nrrd_u8 + "space dimension: 4\nkinds: domain domain domain domain\n"
@@ -240,7 +240,7 @@ TEST_CASE("the origin of SPM places Analyze, with x from right to left") {
   CHECK(noted(reader->info(), "the origin is SPM's"));
 }
 
-TEST_CASE("one distance is that of all axes") {
+TEST_CASE("a single distance holds for all axes") {
   const Workshop workshop;
   workshop.write("v.raw", std::string(8, '\1'));
   CHECK(contains(workshop.done("info v.raw --dims 2,2,2 --type u8 --spacing 0.0025"),

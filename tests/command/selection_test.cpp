@@ -101,7 +101,7 @@ TEST_CASE("a floating-point sample that is stored as the threshold is on") {
   CHECK(range<float>({0.35}, scaled(2, 0.15)).low == 0.1F);
 }
 
-TEST_CASE("bits are of the samples in order, and unused ones are off") {
+TEST_CASE("bits have the order of the samples, and unused ones are off") {
   const std::vector<std::int32_t> samples = {-5,    70000, 3, 4,     70001,
                                              69999, 70000, 0, 80000, -70000};
   CHECK(selected(SampleType::i32, samples, {70000}) ==

@@ -160,7 +160,7 @@ TEST_CASE(
   CHECK(noted(open_volume(elsewhere.path())->info(), "no spacing given"));
 }
 
-TEST_CASE("an overview is read where it is all that is named") {
+TEST_CASE("an overview is read if no slice is named") {
   const SkyScan scan("");
   CHECK(open_volume(scan.path() / "s_rec_spr.bmp")->info().dims[2] == 1);
 }

@@ -133,7 +133,7 @@ TEST_CASE("slabs of several parts, on several cores, are joined to the regions o
   }
 }
 
-TEST_CASE("slabs may be joined by and by, and one that is missing is named") {
+TEST_CASE("slabs may be joined step by step, and a missing one is named") {
   const Workshop workshop;
   workshop.write("v.raw", rough_samples(13, 11, 9));
   workshop.done(volume + "-o whole.dmc");
@@ -170,7 +170,7 @@ TEST_CASE("the report of a join matches its output, also with a truncated slab")
   }
 }
 
-TEST_CASE("the depth of a volume may stand in the records of its slabs alone") {
+TEST_CASE("the depth of a volume may be only in the records of its slabs") {
   const Workshop workshop;
   workshop.write("v.raw", rough_samples(13, 11, 9));
   workshop.done(volume + "-o whole.dmc");
@@ -212,7 +212,7 @@ TEST_CASE("streams that do not belong together are not joined, and nothing is wr
   refused("two.dmc", "channel 1 (threshold 20), and join accepts one surface per stream");
 }
 
-TEST_CASE("a slab that there is not is refused, with what to give") {
+TEST_CASE("an invalid slab is refused with the valid range") {
   const Workshop workshop;
   workshop.write("v.raw", rough_samples(13, 11, 9));
   const auto refused = [&](const std::string& options, int code, const std::string& part) {

@@ -222,7 +222,7 @@ BitVolume with_box(Size size, const Vertex& first, const Vertex& last) {
 
 }  // namespace
 
-TEST_CASE("the distance is that to the nearest midpoint, whatever the spacing and the limit") {
+TEST_CASE("the distance is that to the nearest midpoint, for any spacing and limit") {
   for (const double limit : {3.5, 100.0}) {
     check_distances(discmc::reference::random({9, 8, 7}, 128, 1), {1, 1, 1}, limit);
     check_distances(discmc::reference::random({9, 8, 7}, 10, 2), {0.7, 1.1, 2.5}, limit);
@@ -232,7 +232,7 @@ TEST_CASE("the distance is that to the nearest midpoint, whatever the spacing an
   }
 }
 
-TEST_CASE("a blur keeps a constant, and what rises evenly away from the ends") {
+TEST_CASE("a blur keeps constants, and ramps away from the ends") {
   const Grid grid{{24, 20, 22}, {1, 1, 2}};
   std::uint32_t z = 0;
   GaussianBlur blur(grid, 1.2, [&](float* slice) {
@@ -290,7 +290,7 @@ TEST_CASE("smoothing keeps the volume and the topology of every shape, and no tr
   }
 }
 
-TEST_CASE("a smoothed ball of voxels is round, also where voxels are three times as long") {
+TEST_CASE("a smoothed ball of voxels is round, also with voxels three times as long") {
   const BitVolume ball = ball_of_long_voxels();
   const Roundness round = roundness_of(smoothed(ball, long_voxels, 3).mesh);
   const double pi = std::acos(-1.0);
@@ -437,7 +437,7 @@ TEST_CASE("samples are no labels to smooth, and progress is reported as they are
   CHECK(told == std::vector<std::uint32_t>{1, 2, 3, 4});
 }
 
-TEST_CASE("values that lie far apart are labels, as many as there are") {
+TEST_CASE("any number of scattered values are labels") {
   // More than a slice may hold where they are scattered, but few near each other.
   std::vector<int> samples;
   for (int i = 0; i < 2 * static_cast<int>(max_scattered_labels); ++i)

@@ -92,7 +92,7 @@ TEST_CASE("the statistics of several streams through a file are their sum") {
   CHECK(joined(twice, 1).back() == joined(twice, plenty).back());
 }
 
-TEST_CASE("pieces without a partner come out loose, through a file as well") {
+TEST_CASE("pieces without a partner are delivered loose, through a file as well") {
   Events told = pieces();
   const auto is_fragment = [](const auto& one) { return one.is(Event::Kind::fragment); };
   const auto first = std::find_if(told.begin(), told.end(), is_fragment);
@@ -106,7 +106,7 @@ TEST_CASE("pieces without a partner come out loose, through a file as well") {
   CHECK(normals_of(spilled) == normals_of(in_memory));
 }
 
-TEST_CASE("a fragment that breaks off is lost alone, through a file as well") {
+TEST_CASE("only a fragment that breaks off is lost, through a file as well") {
   Events told = pieces();
   Event lost{};
   lost.kind = Event::Kind::lost;

@@ -311,7 +311,7 @@ TEST_CASE("every command has a help of its own") {
   CHECK(!workshop.done("--version").empty());
 }
 
-TEST_CASE("a picture that fails leaves what has its name as it was") {
+TEST_CASE("a failed picture leaves the existing file unchanged") {
   const Workshop workshop;
   write_stream(workshop, "v.dmc");
   workshop.shell("mkdir p.png");

@@ -151,8 +151,7 @@ TEST_CASE("slits are dropped, and a ring that is nothing else is no region") {
   CHECK(build(slit).surface().polygons.empty());
 }
 
-TEST_CASE(
-    "a side has its two corners, however many runs it comes in and wherever the ring starts") {
+TEST_CASE("a side has two corners, for any number of runs and any start of the ring") {
   Events events;
   add_region(events,
              {{run(east), run(east), run(north, 2), run(west, 3), run(south, 2), run(east)}});

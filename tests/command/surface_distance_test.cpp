@@ -43,7 +43,7 @@ FaceMesh ball() {
 
 }  // namespace
 
-TEST_CASE("a point is as far from a triangle as from its inside, its nearest side or corner") {
+TEST_CASE("the distance from a triangle is that to its inside, nearest side or corner") {
   const std::array<Point, 3> triangle = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
   CHECK(squared_distance({1, 1, 3}, triangle) == doctest::Approx(9));
   CHECK(squared_distance({1, 1, 0}, triangle) == doctest::Approx(0));
@@ -58,7 +58,7 @@ TEST_CASE("a point is as far from a triangle as from its inside, its nearest sid
   CHECK(squared_distance({3, 4, 0}, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}) == doctest::Approx(25));
 }
 
-TEST_CASE("a mesh is nowhere away from itself, and a moved square is as far as it was moved") {
+TEST_CASE("the distance of a mesh to itself is 0, and of a moved square the way it was moved") {
   const Distances none = distances(ball(), ball());
   CHECK(none.largest < 1e-7);
   const Distances lifted = distances(square(10, 0), square(10, 0.25));

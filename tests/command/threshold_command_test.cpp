@@ -67,7 +67,7 @@ TEST_CASE("named thresholds go beside numbers, and name their meshes") {
   CHECK(workshop.read("45.stl") != workshop.read("bone.stl"));
 }
 
-TEST_CASE("streams, pictures and comparisons take named thresholds") {
+TEST_CASE("streams, pictures and comparisons accept named thresholds") {
   const Workshop workshop;
   workshop.write("ct.nrrd", ct);
   workshop.done("extract ct.nrrd --iso skin -q -o skin.dmc");
@@ -80,7 +80,7 @@ TEST_CASE("streams, pictures and comparisons take named thresholds") {
         workshop.done("compare skin.dmc ct.nrrd --iso=-300"));
 }
 
-TEST_CASE("a named threshold is refused where it cannot be found") {
+TEST_CASE("a named threshold is refused if it cannot be found") {
   const Workshop workshop;
   workshop.write("ct.nrrd", ct);
   workshop.write("mri.nrrd", mri);
@@ -100,7 +100,7 @@ TEST_CASE("a named threshold is refused where it cannot be found") {
   CHECK(workshop.names() == names);
 }
 
-TEST_CASE("CT from DICOM is in Hounsfield units, whatever is in view") {
+TEST_CASE("CT from DICOM is in Hounsfield units, for any part of the body") {
   const Workshop workshop;
   const std::string series = DISCMC_SOURCE_DIR "/tests/command/volumes/dicom/u8.dcm";
   if (workshop.run("info " + series).code != 0) return;  // where it is built without DICOM

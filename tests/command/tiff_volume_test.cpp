@@ -150,7 +150,7 @@ std::string refusal_of(const std::string& xml, int pages = 4, const VolumeOption
   return refusal(folder.write("v.ome.tif", numbered(pages, xml).bytes()), options);
 }
 
-TEST_CASE("without a unit OME-XML is in micrometres, and what is no length is noted") {
+TEST_CASE("without a unit OME-XML is in micrometres, and an invalid length is noted") {
   const Folder folder;
   const auto info_of = [&folder](const std::string& sizes) {
     const auto xml = ome(image(four_slices + " " + sizes));
@@ -323,7 +323,7 @@ TEST_CASE("ImageJ's units are read as it writes them") {
   check_spacing(flat, {4, 4, 1});
 }
 
-TEST_CASE("pages that ImageJ promises follow the one of the only directory, or are missed") {
+TEST_CASE("pages behind the only directory of ImageJ are read, and missing ones reported") {
   const Folder folder;
   const auto file = [&folder](const std::string& promised, const std::string& behind) {
     return folder.write(
@@ -347,7 +347,7 @@ TEST_CASE("pages that ImageJ promises follow the one of the only directory, or a
                 "slices is '0'");
 }
 
-TEST_CASE("times of one slice are no slices") {
+TEST_CASE("points in time are not slices") {
   const Folder folder;
   const fs::path file =
       folder.write("v.tif", numbered(3, "ImageJ=1\nimages=3\nframes=3\n").bytes());

@@ -105,7 +105,7 @@ TEST_CASE("an unknown option without a similar one is answered without a guess")
              "name\nSee discmc extract --help.\n");
 }
 
-TEST_CASE("a value that is missing or no value of its option is answered with the form of it") {
+TEST_CASE("a missing or invalid value is answered with the expected form") {
   CHECK(contains(Workshop().run("extract v.raw --dims 1,2").error,
                  "--dims: invalid value '1,2'; expected X,Y,Z\n"));
   CHECK(contains(Workshop().run("extract v.raw --dims a,b,c").error,

@@ -120,7 +120,7 @@ TEST_CASE("a polygon is weighted by its area in space without holes, for any tri
     }
 }
 
-TEST_CASE("polygon normals are the sum of the areas that meet, whatever the surface") {
+TEST_CASE("polygon normals are the sum of the areas that meet, on any surface") {
   Chance chance(21);
   for (const Point& spacing : all_signs) {
     const Surface surface = polygons_of(noise({7, 6, 8}, 0, 255, chance), 128, spacing);
@@ -143,7 +143,7 @@ TEST_CASE("polygon normals are the sum of the areas that meet, whatever the surf
   }
 }
 
-TEST_CASE("gradient normals are at most 0.1 degree from double precision, whatever the samples") {
+TEST_CASE("gradient normals are at most 0.1 degree from double precision, for all samples") {
   struct Kind {
     SampleType type;
     int least, most;

@@ -170,7 +170,7 @@ TEST_CASE("view refuses to overwrite files or ignore options, and names the reme
   CHECK(workshop.read("v.html") == "precious");
 }
 
-TEST_CASE("a volume that no browser holds is refused, with what makes it smaller") {
+TEST_CASE("a volume too large for a browser is refused with the options that shrink it") {
   const Workshop workshop;
   workshop.write("zeros", "");
   const Result result = workshop.shell(

@@ -119,7 +119,7 @@ TEST_CASE("a crop keeps the voxels of its ranges, the ends too, of samples of ev
   }
 }
 
-TEST_CASE("an end that is left out is that of the volume") {
+TEST_CASE("an omitted end is that of the volume") {
   const Folder folder;
   const auto file = folder.write("v.raw", stored(SampleType::u8));
   const auto whole = read_all(*open_volume(file, options_of(SampleType::u8)));
@@ -132,7 +132,7 @@ TEST_CASE("an end that is left out is that of the volume") {
   CHECK(rest == std::vector<double>(whole.begin() + 30, whole.end()));
 }
 
-TEST_CASE("a part that is not within the volume is refused with what the volume has") {
+TEST_CASE("a part outside the volume is refused with the extents of the volume") {
   const Folder folder;
   const auto file = folder.write("v.raw", stored(SampleType::u8));
   const auto refused = [&](const Crop& crop) {
@@ -180,7 +180,7 @@ TEST_CASE("another spacing is that of the volume's own voxels") {
   check_places(open_volume(file, options)->info(), whole, {1.5, 1.5, 0.5}, 2);
 }
 
-TEST_CASE("a block becomes its mean, and of a block that is cut off the mean of what there is") {
+TEST_CASE("a block becomes the mean of its samples, also if the border cuts it") {
   const Folder folder;
   std::minstd_rand random(1);
   for (const auto& [called, type] : discmc::command::sample_types)
@@ -223,7 +223,7 @@ TEST_CASE("a block becomes its mean, and of a block that is cut off the mean of 
 }
 
 // The voxels of the same volume that a device takes.
-TEST_CASE("a device that picks or takes means has the voxels of --crop and --shrink") {
+TEST_CASE("a device that crops or averages has the voxels of --crop and --shrink") {
   using namespace discmc;
   const Folder folder;
   const auto file = folder.write("v.raw", stored(SampleType::i16));

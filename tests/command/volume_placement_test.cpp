@@ -153,7 +153,7 @@ TEST_CASE("NRRD's spacings and origin precede axis mins and maxs, with a note") 
   CHECK(noted(placed, "axis mins and axis maxs are ignored"));
 }
 
-TEST_CASE("NRRD's thicknesses stand in for a spacing that is missing") {
+TEST_CASE("NRRD's thicknesses replace a missing spacing") {
   const Folder folder;
   const VolumeInfo info =
       nrrd_info(folder, "spacings: 0.5 2 nan\nthicknesses: nan 9 3\n" + units_in_mm);
@@ -215,7 +215,7 @@ TEST_CASE("NIfTI's qform turns by its quaternion and flips z by qfac") {
   CHECK_FALSE(nifti_info(folder, nifti_of_spacing()).placement);
 }
 
-TEST_CASE("NIfTI's qform is taken where the sform spans no space, and nothing where neither does") {
+TEST_CASE("NIfTI's qform is read if the sform is singular, and neither if both are") {
   const Folder folder;
   Nifti nifti = nifti_of_spacing();
   nifti.integer(252, 2, 1).real(264, 0.70710678F).real(268, 7).real(272, -8).real(276, 9);

@@ -96,7 +96,7 @@ TEST_CASE("values are those that the file declares") {
   CHECK(percentile(statistics, 100) == -990);
 }
 
-TEST_CASE("Otsu's threshold divides as no other does") {
+TEST_CASE("Otsu's threshold has the largest variance between classes") {
   const std::vector<std::vector<ValueCount>> examples = {
       {{0, 10}, {1, 20}, {2, 5}, {7, 3}, {8, 9}, {9, 4}},
       {{-1024, 5000}, {-900, 100}, {0, 900}, {40, 2000}, {300, 80}, {1200, 150}},

@@ -215,7 +215,7 @@ TEST_CASE("colours of NIfTI and components of MetaImage are channels") {
   }
 }
 
-TEST_CASE("NRRD refuses by name what it does not take") {
+TEST_CASE("unsupported NRRD is refused by name") {
   const Folder folder;
   const std::vector<std::pair<std::string, std::string>> cases = {
       {nrrd("type: block\nencoding: raw\n\n"), "type 'block'"},
@@ -272,7 +272,7 @@ TEST_CASE("a fourth dimension of size 1 is dropped with a note in every format")
     CHECK(noted(open_volume(file)->info(), "dimension 4 of size 1 is dropped"));
 }
 
-TEST_CASE("axes behind the third that NIfTI gives no size are not there") {
+TEST_CASE("further axes of NIfTI without a size are ignored") {
   const Folder folder;
   check_volume(folder.write("v.nii", Nifti().dims({5, 5, 3, 4, 0, 0}).file(u8)), SampleType::u8,
                "NIfTI-1");
@@ -339,7 +339,7 @@ TEST_CASE("NIfTI gives scale and signed spacing") {
   CHECK(info(turned).spacing_mm == Spacing{0.5, 2, -3});
 }
 
-TEST_CASE("NIfTI refuses by name what it does not take") {
+TEST_CASE("unsupported NIfTI is refused by name") {
   const Folder folder;
   const auto check = [&](const std::string& bytes, const std::string& part) {
     check_refusal(refusal(folder.write("v.nii", bytes)), part);
@@ -409,7 +409,7 @@ TEST_CASE("MetaImage gives signed spacing and scale") {
   CHECK(scaled.intercept == -1024);
 }
 
-TEST_CASE("MetaImage refuses by name what it does not take") {
+TEST_CASE("unsupported MetaImage is refused by name") {
   const Folder folder;
   const auto check = [&](const std::string& lines, const std::string& part,
                          const std::string& sizes = "5 3 4") {

@@ -38,7 +38,7 @@ TEST_CASE("the array named as the scalars is read from several in VTK's XML") {
       SampleType::u8, "VTK XML, raw");
 }
 
-TEST_CASE("VTK's XML gives the place of the first voxel, whatever number it has") {
+TEST_CASE("VTK's XML gives the place of the first voxel, for any first number") {
   const Folder folder;
   std::string file =
       vti("", whole + " Origin=\"1 2 3\" Spacing=\"2 3 4\" Direction=\"0 -1 0 1 0 0 0 0 1\"",
@@ -91,7 +91,7 @@ TEST_CASE("in VTK's XML an axis of negative spacing runs backwards along its dir
                 "Direction is '1 0 0 1', which is not 9 numbers");
 }
 
-TEST_CASE("VTK's XML refuses by name what it does not take") {
+TEST_CASE("unsupported VTK XML is refused by name") {
   const Folder folder;
   const auto check = [&](const std::string& bytes, const std::string& part) {
     check_refusal(refusal(folder.write("v.vti", bytes)), part);

@@ -49,7 +49,7 @@ TEST_CASE("VTK's samples may be cell data, at the centres between points") {
   CHECK(open_volume(file)->info().placement->origin_mm == std::array<double, 3>{7.5, 9, -7.5});
 }
 
-TEST_CASE("VTK's legacy format refuses by name what it does not take") {
+TEST_CASE("unsupported legacy VTK is refused by name") {
   const Folder folder;
   const auto check = [&](const std::string& bytes, const std::string& part) {
     check_refusal(refusal(folder.write("v.vtk", bytes)), part);
@@ -83,7 +83,7 @@ TEST_CASE("an array of NumPy has x along contiguous samples") {
   CHECK(noted(open_volume(c_file)->info(), "no spacing given"));
 }
 
-TEST_CASE("NumPy refuses by name what it does not take") {
+TEST_CASE("unsupported NumPy is refused by name") {
   const Folder folder;
   const auto check = [&](const std::string& bytes, const std::string& part) {
     check_refusal(refusal(folder.write("v.npy", bytes)), part);

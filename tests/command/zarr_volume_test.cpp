@@ -115,7 +115,7 @@ TEST_CASE("a level whose slices are too large is passed over") {
   check_refusal(refusal(image, options), "size 40000, outside 1 to 32766");
 }
 
-TEST_CASE("scales and translations of a level and of all levels follow each other") {
+TEST_CASE("scales and translations of a level and of all levels are combined") {
   const Folder folder;
   const fs::path image = folder.path() / "image.zarr";
   write_image(
@@ -305,7 +305,7 @@ TEST_CASE("an unsupported compressor or filter is refused by its name") {
   check_refusal(refusal(array), "not a JSON object");
 }
 
-TEST_CASE("chunks that are cut off are refused, wherever they are cut") {
+TEST_CASE("chunks truncated at any byte are refused") {
   for (const std::string name : {"i16-big-chunks.zarr/0/0/0/0", "i16-big-zlib.zarr/0/0/0/0",
                                  "i16-big-zstd.zarr/0/0/0/0", "i16-big-gzip.zarr/0/0/0/0"}) {
     const Folder folder;

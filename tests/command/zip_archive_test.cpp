@@ -142,7 +142,7 @@ TEST_CASE("a pattern selects files in a zip, as the refusal of two stacks advise
   CHECK_THROWS_AS(open_volume(packed + "/none/*.png"), VolumeError);
 }
 
-TEST_CASE("nothing is left of a zip when a signal ends the program, and two may be open") {
+TEST_CASE("a signal removes the unpacked zip, and two may be open") {
   const TemporaryFiles temporary;
   const Folder folder;
   const std::string packed = zip(members_of(files / "dicom/series", "")),

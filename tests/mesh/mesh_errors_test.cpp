@@ -117,7 +117,7 @@ TEST_CASE("labels refuse samples with fractions, gradients, and interpolation wi
   CHECK(has(message_of([&] { return label_meshes({samples, {3, 3, 3}}, options); }), "smoothing"));
 }
 
-TEST_CASE("a builder refuses what needs the slices twice, other types, and wrong extents") {
+TEST_CASE("a builder refuses options that need the slices twice, other types, and wrong extents") {
   MeshOptions options;
   options.smoothing = 1;
   CHECK(has(message_of([&] { return MeshBuilder(3, 3, 1, options); }),

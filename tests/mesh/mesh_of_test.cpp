@@ -168,7 +168,7 @@ TEST_CASE("normals are unit vectors that point outwards, of the surface and of t
     }
 }
 
-TEST_CASE("smoothing by next to nothing keeps the mesh") {
+TEST_CASE("smoothing by a tiny distance keeps the mesh") {
   MeshOptions options;
   options.smoothing = 1e-300;
   const std::vector<int> samples(27, 1);

@@ -90,7 +90,7 @@ TEST_CASE("a stream of slices yields the events of an extractor with the same ro
         }
 }
 
-TEST_CASE("a stream of regions is decoded as ever, without any memory") {
+TEST_CASE("a surface decoder decodes a stream of regions without any memory") {
   const BitVolume volume = volumes()[0];
   const Events events = swept(volume, Border::closed, false);
   const Bytes stream = encode(events, header_of(volume));

@@ -8,7 +8,7 @@
 using namespace discmc;
 using namespace discmc::reference;
 
-TEST_CASE("links are numbered in order, and the directions of a plane go round") {
+TEST_CASE("links are numbered in order, and the directions of a plane counter-clockwise") {
   CHECK(broken(detail::link_table) == nullptr);
 }
 

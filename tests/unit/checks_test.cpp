@@ -51,7 +51,7 @@ TEST_CASE("only a red zone separates the arrays of an arena") {
 }
 
 TEST_CASE(
-    "the memory of a scan may be copied for a checkpoint, and is the caller's behind the end") {
+    "the memory of a scan may be copied for a checkpoint, and is free for use after the end") {
   const BitVolume volume = random({30, 20, 8}, 128, 3);
   const Limits limits = limits_of(volume, Border::closed);
   const std::vector<uint8_t> half(volume.on.begin(), volume.on.begin() + 4 * 600);
@@ -67,7 +67,7 @@ TEST_CASE(
   std::fill(memory.begin(), memory.end(), uint8_t{0});
 }
 
-TEST_CASE("the memory of a joiner is the caller's behind the end") {
+TEST_CASE("the memory of a joiner is free for use after the end") {
   const BitVolume volume = random({30, 20, 8}, 128, 3);
   std::vector<uint8_t> memory(1000000);
   EventLog log;

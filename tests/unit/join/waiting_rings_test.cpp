@@ -177,7 +177,7 @@ TEST_CASE("the rings inside an outer ring are found, and those around which a ho
   CHECK(insides > 1000);
 }
 
-TEST_CASE("outer rings are taken out from the lowest on, and those of one height as they came") {
+TEST_CASE("outer rings leave from the lowest on, and those of one height in their order") {
   Waiting waiting;
   std::vector<uint32_t> low, high;
   for (int32_t i = 0; i < 40; ++i) {
@@ -196,7 +196,7 @@ TEST_CASE("outer rings are taken out from the lowest on, and those of one height
   CHECK(waiting.has_any(up, {0, 0, 1}));
 }
 
-TEST_CASE("outer rings are taken out from the lowest on, wherever they start and were joined") {
+TEST_CASE("outer rings leave from the lowest on, for any start and any order of joining") {
   Chance chance(2);
   for (int round = 0; round < 1000; ++round) {
     Waiting waiting;

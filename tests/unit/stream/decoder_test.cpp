@@ -452,7 +452,7 @@ TEST_CASE("a decoder that is started again counts from the first packet on") {
   CHECK(decoder.report().repeated_packets == 0);
 }
 
-TEST_CASE("half of the counts of pieces, and of the numbers, lie behind") {
+TEST_CASE("counts of pieces and packet numbers wrap, and half of them lie behind") {
   const auto is_taken = [](uint8_t number, uint16_t pieces) {
     Bytes stream = stream_of({});
     const Bytes frame = frame_of({records_kind, number, pieces, payload_of([](auto&) {})});

@@ -423,7 +423,7 @@ TEST_CASE("a ring is closed exactly by two directions and lengths that lead back
   CHECK_FALSE(close_ring(plane_steps_of(2)[0], plane_steps_of(2)[2], {1, 2}).is_valid);
 }
 
-TEST_CASE("a way along a direction is a single run, and any other way is empty") {
+TEST_CASE("the way between two points is a run along a direction, or empty") {
   for (uint32_t link_class = 0; link_class < 3; ++link_class) {
     const uint32_t count = 4 + 2 * link_class;
     const PlaneStep* const steps = plane_steps_of(link_class);

@@ -72,7 +72,7 @@ TEST_CASE("a hole is assigned to the ring around it, not to a ring with an obliq
   }
 }
 
-TEST_CASE("a hole goes to its own ring, although a corner of another is on its line") {
+TEST_CASE("a hole belongs to its own ring, although a corner of another is on its line") {
   // A face behind the picture has an island in a hole. Another hole waits to the right of the
   // corner where two oblique sides of the island meet.
   const char* const picture[] = {
@@ -166,7 +166,7 @@ TEST_CASE("a hole in a tree keeps its plane, its first direction and a note") {
       }
 }
 
-TEST_CASE("each ring on a plane takes its own holes from many") {
+TEST_CASE("each ring on a plane gets its own holes from many") {
   // A plate with holes, islands in the holes, holes in the islands. It has slots at an angle across
   // it, with thin islands in them, and teeth along two of its sides.
   BitVolume plate({61, 47, 3});
