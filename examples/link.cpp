@@ -94,11 +94,11 @@ constexpr discmc::ByteOutput radio{nullptr, radio_write};
 
 constexpr discmc::Limits limits{size, size};
 // A slice has 30 bytes here, so a packet holds eight: a lost one costs hardly more than itself.
-constexpr discmc::KeySlices key_slices{8};
+constexpr uint32_t key_slice_interval = 8;
 
 // RAM without the stack: 3 KiB.
 discmc::SliceEncoder encoder;
-uint8_t memory[discmc::SliceEncoder::minimum_bytes(limits, key_slices, surfaces)];
+uint8_t memory[discmc::SliceEncoder::minimum_bytes({limits, {}, key_slice_interval, surfaces})];
 
 bool is_dropping = false;
 uint64_t dropped_from = 0;
@@ -161,14 +161,11 @@ uint8_t sample_at(int32_t x, int32_t y, int32_t z) {  // of a ball, densest in i
 }
 
 bool scans(uint16_t number) {
-  discmc::StreamHeader header;
-  header.width = header.height = header.depth = size;
-  header.scan = number;  // so that packets of two scans differ
-  header.thresholds[0] = thresholds[0];
-  header.surface_count = 2;
-  header.thresholds[1] = thresholds[1];
-  bool good = succeeds(encoder.start(header, key_slices, discmc::memory_of(memory), radio)) &&
-              write_place();
+  discmc::SliceEncoderConfig config{
+      limits, {thresholds[0], thresholds[1]}, key_slice_interval, surfaces};
+  config.label.depth = size;
+  config.label.scan = number;  // so that packets of two scans differ
+  bool good = succeeds(encoder.start(config, discmc::memory_of(memory), radio)) && write_place();
   for (int32_t z = 0; good && z < size; ++z) {
     radio_works = number != 1 || z < 16 || z >= 28;
     if (is_dropping && radio_works) take_up_again();

@@ -90,11 +90,8 @@ bool scan_regions(bool is_ball, Measured& measured) {
 }
 
 bool scan_slices(bool is_ball, Measured& measured) {
-  StreamHeader header;
-  header.width = limits.width;
-  header.height = limits.height;
-  header.thresholds[0] = threshold;
-  return slice_encoder.start(header, {}, memory_of(memory), {nullptr, take_all}) == Status::ok &&
+  return slice_encoder.start({limits, {threshold}}, memory_of(memory), {nullptr, take_all}) ==
+             Status::ok &&
          scan(slice_encoder, is_ball, measured);
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 SlicePlan read_plan(Input& input) {
   SlicePlan plan;
-  plan.key_slices.interval = input.below(5);
+  plan.key_slice_interval = input.below(5);
   plan.portion = 1 + input.byte();
   plan.bytes_a_time = input.below(20);
   const uint32_t flushing = input.below(72);

@@ -66,7 +66,7 @@ class SliceDecoder {
  public:
   /// The memory for slices of this size. Limit: valid limits.
   static constexpr uint64_t minimum_bytes(const Limits& limits, uint32_t surfaces = 1) {
-    return SliceEncoder::minimum_bytes(limits, {}, surfaces) +
+    return SliceEncoder::minimum_bytes({limits, {}, 0, static_cast<uint8_t>(surfaces)}) +
            Arena::bytes_of((limits.width + 7) / 8, sizeof(uint8_t));
   }
 

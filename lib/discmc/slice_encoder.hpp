@@ -1,7 +1,7 @@
 // The slice encoder: samples in, a stream of thresholded slices out. The receiver extracts the
 // surface.
 //
-//   start(header, key_slices, memory, output)
+//   start(config, memory, output)
 //   push(samples, count)      as often as samples arrive, any number at a time
 //   resume()                  after Status::suspended, when the output is ready again
 //   finish()                  after the last slice
@@ -24,13 +24,19 @@
 
 namespace discmc {
 
-// ---- The interval of key slices, and the memory of both ends.
-
-/// The interval of key slices. A key slice decodes without the slices before it. A receiver starts
-/// at a key slice, and resumes at one after a loss.
-struct KeySlices {
+/// A scan and its stream of slices, for SliceEncoder::start(). As constant expression it also sizes
+/// the memory:
+///
+///   constexpr SliceEncoderConfig config{limits, {threshold}, 16};
+///   static uint8_t memory[SliceEncoder::minimum_bytes(config)];
+struct SliceEncoderConfig {
+  Limits limits;  ///< Limit: the whole volume, no slab
+  /// Per surface: on if the sample is at least this. Put first the surface that most resembles the
+  /// others: its bits predict the bits of the others.
+  int32_t thresholds[StreamHeader::max_surfaces] = {};
   /// The number of slices from one key slice to the next; 0: only the first slice is a key slice. A
-  /// lost packet costs the slices up to the next key slice: on average half of the interval.
+  /// key slice decodes without the slices before it. A receiver starts at a key slice, and resumes
+  /// at one after a loss. A lost packet costs on average half of the interval.
   ///
   /// Choose the most slices that you can afford to lose, but at least as many as fit in one packet.
   /// A slice of CT head (Stanford) has about 200 bytes, so 16 slices are 13 packets. Key slices
@@ -40,12 +46,9 @@ struct KeySlices {
   ///   growth     4 %   8 %  16 %  62 %
   ///
   /// The interval 1 needs the least memory.
-  uint32_t interval = 0;
-
-  constexpr bool is_every_slice() const { return interval == 1; }
-  constexpr bool is_key(uint32_t slice) const {
-    return slice == 0 || (interval > 0 && slice % interval == 0);
-  }
+  uint32_t key_slice_interval = 0;
+  uint8_t surface_count = 1;  ///< on consecutive channels; Limit: 1 to StreamHeader::max_surfaces
+  StreamLabel label = {};     ///< as of an Encoder
 };
 
 namespace detail::slices {
@@ -58,9 +61,12 @@ constexpr uint64_t surface_bytes(const Limits& limits, uint32_t rows, uint32_t s
   return bytes;
 }
 
-}  // namespace detail::slices
+/// Whether the interval makes a slice a key slice.
+constexpr bool is_key_slice(uint32_t slice, uint32_t interval) {
+  return slice == 0 || (interval > 0 && slice % interval == 0);
+}
 
-// ---- The encoder.
+}  // namespace detail::slices
 
 /// Accepts the samples of a scan, and writes one stream with the bits of its surfaces. An encoder
 /// contains pointers to itself, so it is not copied.
@@ -69,22 +75,20 @@ class SliceEncoder {
   /// The memory of start(), which needs no more (FOOTPRINT.md has a table). The first surface needs
   /// 548 bytes, each further one 1,060. In addition each surface needs rows of bits: five if every
   /// slice is a key slice, otherwise the rows of a slice and three more. Limit: valid limits.
-  static constexpr uint64_t minimum_bytes(const Limits& limits, KeySlices key_slices,
-                                          uint32_t surfaces = 1) {
-    const uint32_t rows = detail::slices::rows_kept(limits.height, key_slices.is_every_slice());
-    return detail::slices::surface_bytes(limits, rows, surfaces) + Arena::alignment - 1;
+  static constexpr uint64_t minimum_bytes(const SliceEncoderConfig& config) {
+    const bool keeps_no_slice = config.key_slice_interval == 1;
+    const uint32_t rows = detail::slices::rows_kept(config.limits.height, keeps_no_slice);
+    return detail::slices::surface_bytes(config.limits, rows, config.surface_count) +
+           Arena::alignment - 1;
   }
 
   SliceEncoder() = default;
 
-  /// Begins a scan and its stream. header: width, height and thresholds are required; the stream
-  /// begins with the header. With several surfaces, each uses all samples. Put first the surface
-  /// that most resembles the others: its bits predict the bits of the others. memory: at least
-  /// minimum_bytes(limits, key_slices, header.surface_count); Owner: the caller, for as long as the
-  /// scan lasts. If a reset of the device may have cut off a frame, send a zero byte to the
-  /// link first: it ends that frame. Errors: bad_limits, bad_label, bad_sink (no write function),
-  /// too_little_memory.
-  [[nodiscard]] Status start(const StreamHeader& header, KeySlices key_slices, Memory memory,
+  /// Begins a scan and its stream, with the header of the stream. memory: at least
+  /// minimum_bytes(config); Owner: the caller, for as long as the scan lasts. If a reset of the
+  /// device may have cut off a frame, send a zero byte to the link first: it ends that frame.
+  /// Errors: bad_limits, bad_label, bad_sink (no write function), too_little_memory.
+  [[nodiscard]] Status start(const SliceEncoderConfig& config, Memory memory,
                              const ByteOutput& output);
 
   /// Accepts samples of consecutive voxels: x first, then y, then z. A call may begin and end
@@ -190,6 +194,9 @@ class SliceEncoder {
   bool encode_row();
   bool begin_row();
   bool encode_what_precedes();
+  uint32_t rows_kept() const {
+    return detail::slices::rows_kept(packets_.header().height, key_slice_interval_ == 1);
+  }
   bool is_at_key_slice() const;
   void encode_note(detail::slices::RowNote note);
   bool make_room();
@@ -205,11 +212,11 @@ class SliceEncoder {
   bool row_is_due_ = false;
   bool row_is_begun_ = false;
   bool code_is_open_ = false;
-  bool key_is_due_ = false;  // regardless of key_slices_
+  bool key_is_due_ = false;  // regardless of the interval
   bool is_abandoned_ = false;
   uint8_t packet_bits_ = 0;  // of the packet: see detail::wire::SliceBits
   uint8_t surface_ = 0;      // whose row is being coded
-  KeySlices key_slices_;
+  uint32_t key_slice_interval_ = 0;
   uint64_t encoded_rows_ = 0;
   uint64_t skipped_rows_ = 0;
   void* memory_ = nullptr;

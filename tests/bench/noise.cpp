@@ -54,9 +54,7 @@ Streams streams_of(const Rows& rows) {
   streams.polygons = extractor.statistics().regions;
 
   SliceEncoder slices;
-  StreamHeader header;
-  header.width = header.height = extent;
-  require(slices.start(header, KeySlices{0}, all, {&streams.slices, count_bytes}));
+  require(slices.start({{extent, extent}}, all, {&streams.slices, count_bytes}));
   for (const auto& row : rows) require(slices.push_bits(row.data()).status);
   require(slices.finish());
   return streams;

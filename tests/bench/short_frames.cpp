@@ -54,18 +54,14 @@ void scan(const std::string& path, int32_t threshold, uint16_t max_frame, Bytes&
   const auto reader = open_volume(path);
   const VolumeInfo& info = reader->info();
   const Limits limits{info.dims[0], info.dims[1]};
-  Bytes memory(96 * 1024), bits(SliceEncoder::minimum_bytes(limits, {16}));
+  const SliceEncoderConfig config{limits, {threshold}, 16};
+  Bytes memory(96 * 1024), bits(SliceEncoder::minimum_bytes(config));
   const auto extractor = std::make_unique<Extractor16>();
   Encoder encoder;
   SliceEncoder slice_encoder;
   check(encoder.start({info.dims[2]}, output_to(regions, max_frame)));
   check(extractor->start(limits, threshold, {memory.data(), memory.size()}, make_sink(encoder)));
-  StreamHeader header;
-  header.width = limits.width;
-  header.height = limits.height;
-  header.thresholds[0] = threshold;
-  check(
-      slice_encoder.start(header, {16}, {bits.data(), bits.size()}, output_to(slices, max_frame)));
+  check(slice_encoder.start(config, {bits.data(), bits.size()}, output_to(slices, max_frame)));
   std::vector<Sample> slice(info.slice_bytes() / sizeof(Sample));
   for (uint32_t z = 0; z < info.dims[2]; ++z) {
     reader->read_slice(slice.data());

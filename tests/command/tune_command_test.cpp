@@ -89,7 +89,7 @@ TEST_CASE("tune shows the kinds of stream that are asked for") {
   CHECK(!contains(regions, "Slices:"));
   const std::string slices = workshop.done("tune v.nrrd --iso 100 --wire slices");
   CHECK(!contains(slices, "Regions:"));
-  CHECK(contains(slices, with_commas(discmc::SliceEncoder::minimum_bytes(limits, {16}))));
+  CHECK(contains(slices, with_commas(discmc::SliceEncoder::minimum_bytes({limits, {}, 16}))));
 }
 
 TEST_CASE("the code that tune prints compiles, in C++ and in C") {

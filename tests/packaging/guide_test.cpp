@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "oracle/simulated_flash.hpp"
-
 using namespace discmc;
 
 namespace {
@@ -77,15 +76,12 @@ Bytes stream_of(Ball ball) {
 }
 
 // From docs/quick-start.md.
-constexpr KeySlices key_slices{16};
+constexpr SliceEncoderConfig config{limits, {threshold}, 16};
 SliceEncoder slice_encoder;
-uint8_t slice_memory[SliceEncoder::minimum_bytes(limits, key_slices)];
+uint8_t slice_memory[SliceEncoder::minimum_bytes(config)];
 
 bool begin_slices(const ByteOutput& output) {
-  StreamHeader header;
-  header.width = header.height = size;
-  header.thresholds[0] = threshold;
-  return slice_encoder.start(header, key_slices, memory_of(slice_memory), output) == Status::ok;
+  return slice_encoder.start(config, memory_of(slice_memory), output) == Status::ok;
 }
 
 // From docs/front-end.md.

@@ -3,6 +3,7 @@
 
 #include <discmc/receiver.hpp>
 
+#include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
 
@@ -67,9 +68,10 @@ Bytes regions_with_records(size_t bytes_a_time) {
 
 Bytes slices_with_records(size_t bytes_a_time) {
   Line line(bytes_a_time);
-  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
   SliceEncoder encoder;
-  require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, line.output()));
+  require_ok(encoder.start(test::slice_config(header_of(volume)), {memory.data(), memory.size()},
+                           line.output()));
   const uint32_t slice = volume.width * volume.height;
   for (uint32_t z = 0; z < volume.depth; ++z) {
     const Bytes bytes = bytes_of_slice(z);
@@ -149,9 +151,10 @@ TEST_CASE("records in a stream of slices arrive before the following row") {
 
 TEST_CASE("a record in a stream of slices is sent at once, with the current slice and row") {
   Line line;
-  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
   SliceEncoder encoder;
-  require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, line.output()));
+  require_ok(encoder.start(test::slice_config(header_of(volume)), {memory.data(), memory.size()},
+                           line.output()));
   require_ok(encoder.push(volume.on.data(), volume.width * (2 * volume.height + 3)).status);
   const Bytes bytes{1, 2, 3};
   require_ok(encoder.write_record(record_of(bytes, 7, 99, 99)));
@@ -174,9 +177,9 @@ TEST_CASE("a row after a record is accepted even if the record is still being se
       return static_cast<BusyLine*>(context)->is_busy ? 0 : count;
     }
   } line;
-  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
   SliceEncoder encoder;
-  require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()},
+  require_ok(encoder.start(test::slice_config(header_of(volume)), {memory.data(), memory.size()},
                            {&line, BusyLine::write}));
   require_ok(encoder.push(volume.on.data(), volume.width).status);
   for (uint32_t row = 1; row < volume.height; ++row) {
@@ -232,10 +235,11 @@ TEST_CASE("a record has at most 200 bytes, and is refused before a start or with
     REQUIRE(encoder.take(event.event()) == SinkResult::accepted);
   }
   require_ok(encoder.write_record(record_of(most)));
-  Bytes memory(SliceEncoder::minimum_bytes({1, 1}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
   SliceEncoder slices;
   CHECK(slices.write_record(record_of(most)) == Status::not_started);
-  require_ok(slices.start(any_header(), {}, {memory.data(), memory.size()}, line.output()));
+  require_ok(slices.start(test::slice_config(any_header()), {memory.data(), memory.size()},
+                          line.output()));
   CHECK(slices.write_record(record_of(too_many)) == Status::bad_record);
   require_ok(slices.write_record(record_of(most)));
   require_ok(slices.finish());
@@ -260,8 +264,9 @@ TEST_CASE("a record is refused once the scan has ended, even if the output is bu
 
     Line other(bytes_a_time);
     SliceEncoder slices;
-    Bytes memory(SliceEncoder::minimum_bytes({1, 1}, {}));
-    require_ok(slices.start(any_header(), {}, {memory.data(), memory.size()}, other.output()));
+    Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
+    require_ok(slices.start(test::slice_config(any_header()), {memory.data(), memory.size()},
+                            other.output()));
     (void)slices.finish();
     CHECK(slices.write_record(record_of(bytes)) == Status::finished);
     until_taken([&] { return slices.finish(); });

@@ -1,6 +1,7 @@
 // A scan continues while its link is dead, and the stream resumes with the link.
 #include <doctest/doctest.h>
 
+#include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
 
@@ -110,9 +111,10 @@ TEST_CASE("a stream of regions reports its loss after the link recovers") {
 TEST_CASE("a stream of slices continues with a key slice after the link recovers") {
   DyingLine dead{300};
   Line back;
-  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
   SliceEncoder encoder;
-  require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, dead.output()));
+  require_ok(encoder.start(test::slice_config(header_of(volume)), {memory.data(), memory.size()},
+                           dead.output()));
   uint32_t row = 0;
   REQUIRE(push_rows(encoder, row, all_rows) == Status::suspended);
   ++row;
@@ -138,9 +140,10 @@ TEST_CASE("a stream of slices continues with a key slice after the link recovers
 TEST_CASE("a receiver connected between two packets receives a header at once") {
   const uint32_t slice = volume.width * volume.height;
   Line before, after;
-  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
   SliceEncoder encoder;
-  require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, before.output()));
+  require_ok(encoder.start(test::slice_config(header_of(volume)), {memory.data(), memory.size()},
+                           before.output()));
   require_ok(encoder.push(volume.on.data(), slice).status);
   require_ok(encoder.flush());
   const uint64_t sent = encoder.bytes();
@@ -178,9 +181,10 @@ TEST_CASE("a change of output before the stream begins changes nothing") {
 TEST_CASE("sealed bytes are sent to the new output, followed by a header") {
   DyingLine dead{SIZE_MAX};
   Line back;
-  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
   SliceEncoder encoder;
-  require_ok(encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, dead.output()));
+  require_ok(encoder.start(test::slice_config(header_of(volume)), {memory.data(), memory.size()},
+                           dead.output()));
   require_ok(encoder.resume());
   dead.left = 0;
   const uint8_t bytes[] = {1, 2, 3};
@@ -195,7 +199,7 @@ TEST_CASE("sealed bytes are sent to the new output, followed by a header") {
 
 TEST_CASE("a zero ends a cut frame once, before the next stream") {
   DyingLine line{3};
-  Bytes memory(SliceEncoder::minimum_bytes({1, 1}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
   SliceEncoder encoder;
   const auto start = [&](const ByteOutput& output) {
     require_ok(encoder.start({1, 1}, {}, {memory.data(), memory.size()}, output));
@@ -226,11 +230,11 @@ TEST_CASE("a stream that begins within a cut frame of another stream is complete
       expected.insert(expected.end(), whole.begin(), whole.end());
       uint32_t row = 0;
       if (is_of_slices) {
-        Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
+        Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
         SliceEncoder encoder;
         for (const Status status : {Status::suspended, Status::ok}) {
-          require_ok(
-              encoder.start(header_of(volume), {}, {memory.data(), memory.size()}, line.output()));
+          require_ok(encoder.start(test::slice_config(header_of(volume)),
+                                   {memory.data(), memory.size()}, line.output()));
           CHECK(push_rows(encoder, row, all_rows) == status);
           row = 0;
           line.left = SIZE_MAX;

@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "oracle/simulated_flash.hpp"
+#include "oracle/slice_config.hpp"
 #include "oracle/stream.hpp"
 #include "oracle/thinned.hpp"
 
@@ -240,7 +241,7 @@ class SliceDevice : public Device {
     header.depth = size;
     header.surface_count = 2;
     std::copy_n(thresholds, 2, header.thresholds);
-    return encoder_.start(header, {4}, memory_of(memory_), output);
+    return encoder_.start(test::slice_config(header, 4), memory_of(memory_), output);
   }
   std::vector<Memory> memories() override { return {memory_of(encoder_), memory_of(memory_)}; }
   Status restore(const ByteOutput& output) override {
@@ -257,7 +258,7 @@ class SliceDevice : public Device {
 
  private:
   SliceEncoder encoder_;
-  uint8_t memory_[SliceEncoder::minimum_bytes(limits, {4}, 2)] = {};
+  uint8_t memory_[SliceEncoder::minimum_bytes({limits, {}, 4, 2})] = {};
 };
 
 class DeviceInC : public Device {

@@ -7,6 +7,7 @@
 #include <discmc/receiver.hpp>
 #include <discmc/surface_group.hpp>
 
+#include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
 
@@ -47,9 +48,10 @@ Received decode_channel(const Bytes& bytes, uint8_t channel) {
 
 Bytes slices_of(const StreamHeader& header, const BitVolume& volume) {
   Line line;
-  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
   SliceEncoder encoder;
-  require_ok(encoder.start(header, {}, {memory.data(), memory.size()}, line.output()));
+  require_ok(
+      encoder.start(test::slice_config(header), {memory.data(), memory.size()}, line.output()));
   require_ok(encoder.push(volume.on.data(), static_cast<uint32_t>(volume.voxels())).status);
   require_ok(encoder.finish());
   return line.bytes;

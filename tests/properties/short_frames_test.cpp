@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <discmc/receiver.hpp>
 
+#include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
 
@@ -101,11 +102,11 @@ TEST_CASE("short frames carry all slices of several surfaces") {
       StreamHeader header = header_of(volume);
       header.surface_count = 2;
       header.thresholds[1] = header.thresholds[0];
-      Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {interval}, 2));
+      Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}, {}, interval, 2}));
       Line line;
       SliceEncoder encoder;
-      require_ok(
-          encoder.start(header, {interval}, {memory.data(), memory.size()}, limited(line, length)));
+      require_ok(encoder.start(test::slice_config(header, interval), {memory.data(), memory.size()},
+                               limited(line, length)));
       require_ok(encoder.push(volume.on.data(), static_cast<uint32_t>(volume.voxels())).status);
       require_ok(encoder.finish());
       check_lengths(line.bytes, length);
@@ -126,9 +127,9 @@ TEST_CASE("frame lengths outside the limits of ByteOutput are refused") {
     CHECK(encoder.start({}, limited(line, length)) == Status::bad_sink);
     StreamHeader header;
     header.width = header.height = 4;
-    Bytes memory(SliceEncoder::minimum_bytes({4, 4}, {}));
+    Bytes memory(SliceEncoder::minimum_bytes({{4, 4}}));
     SliceEncoder slices;
-    CHECK(slices.start(header, {}, {memory.data(), memory.size()}, limited(line, length)) ==
-          Status::bad_sink);
+    CHECK(slices.start(test::slice_config(header), {memory.data(), memory.size()},
+                       limited(line, length)) == Status::bad_sink);
   }
 }

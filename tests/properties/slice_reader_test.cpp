@@ -1,6 +1,7 @@
 // Streams of slices as read by a reader that uses WIRE.md alone, and those that must decode for
 // ever.
 #include "oracle/slice_reader.hpp"
+#include "oracle/slice_config.hpp"
 
 #include <doctest/doctest.h>
 
@@ -48,7 +49,7 @@ SlicesRead check_read(const Bytes& stream) {
 void check_volume(const BitVolume& volume, const SlicePlan& plan) {
   CAPTURE(volume.width);
   CAPTURE(volume.height);
-  CAPTURE(plan.key_slices.interval);
+  CAPTURE(plan.key_slice_interval);
   CHECK(check_read(encode_slices(volume, plan)).on[0] == volume.on);
 }
 
@@ -57,7 +58,7 @@ void check_volume(const BitVolume& volume, const SlicePlan& plan) {
 struct Scan {
   reference::Size size;
   std::vector<int32_t> thresholds;
-  KeySlices key_slices;
+  uint32_t key_slice_interval;
   uint32_t skip_every = 0;  // one row in this many, off or repeated in turn; 0 none
 };
 
@@ -93,12 +94,12 @@ Bytes samples_of(const reference::Size& size) {
 Bytes encode(const Scan& scan) {
   const StreamHeader header = header_of(scan);
   const Bytes samples = samples_of(scan.size);
-  Bytes memory(SliceEncoder::minimum_bytes({header.width, header.height}, scan.key_slices,
-                                           header.surface_count));
+  Bytes memory(SliceEncoder::minimum_bytes(
+      {{header.width, header.height}, {}, scan.key_slice_interval, header.surface_count}));
   Line line;
   SliceEncoder encoder;
-  reference::require_ok(
-      encoder.start(header, scan.key_slices, {memory.data(), memory.size()}, line.output()));
+  reference::require_ok(encoder.start(test::slice_config(header, scan.key_slice_interval),
+                                      {memory.data(), memory.size()}, line.output()));
   for (uint32_t row = 0; row < header.height * header.depth; ++row) {
     const bool is_skipped = scan.skip_every > 0 && row % scan.skip_every == scan.skip_every - 1;
     const Substitute substitute = row % 2 == 0 ? Substitute::off : Substitute::previous_row;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <discmc/receiver.hpp>
 
+#include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 
 using namespace discmc;
@@ -57,9 +58,9 @@ Events swept(const BitVolume& volume, Border border, bool skips) {
 
 Bytes told(const BitVolume& volume, Border border, bool skips, uint32_t interval) {
   Line line;
-  Bytes memory(SliceEncoder::minimum_bytes({volume.width, volume.height}, {interval}));
+  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}, {}, interval}));
   SliceEncoder encoder;
-  reference::require_ok(encoder.start(header_of(volume, border), {interval},
+  reference::require_ok(encoder.start(test::slice_config(header_of(volume, border), interval),
                                       {memory.data(), memory.size()}, line.output()));
   scan(encoder, volume, skips);
   return line.bytes;

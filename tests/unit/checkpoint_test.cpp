@@ -6,6 +6,7 @@
 #include <set>
 
 #include "oracle/checkpointed_device.hpp"
+#include "oracle/slice_config.hpp"
 #include "oracle/stream_samples.hpp"
 #include "oracle/thinned.hpp"
 
@@ -240,8 +241,8 @@ TEST_CASE("save() of an encoder is suspended while its output has unsent bytes")
   header.width = 4;
   header.height = 1;
   SliceEncoder slices;
-  Block block(SliceEncoder::minimum_bytes({4, 1}, {}));
-  require_ok(slices.start(header, {}, block.memory(), radio.output()));
+  Block block(SliceEncoder::minimum_bytes({{4, 1}}));
+  require_ok(slices.start(test::slice_config(header), block.memory(), radio.output()));
   require_ok(slices.resume());
   CHECK(slices.save(parts) == Status::suspended);
   radio.queued = 0;
@@ -265,8 +266,8 @@ TEST_CASE("an output that does not report unsent bytes cannot be saved") {
   header.width = 4;
   header.height = 1;
   SliceEncoder slices;
-  Block block(SliceEncoder::minimum_bytes({4, 1}, {}));
-  require_ok(slices.start(header, {}, block.memory(), output));
+  Block block(SliceEncoder::minimum_bytes({{4, 1}}));
+  require_ok(slices.start(test::slice_config(header), block.memory(), output));
   CHECK(slices.save(parts) == Status::bad_sink);
 }
 

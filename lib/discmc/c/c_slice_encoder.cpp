@@ -19,26 +19,16 @@ namespace {
 static_assert(red_zone_bytes > 0 ||
                   DISCMC_SLICE_ENCODER_BYTES(31, 7, 2) >=
                       bytes_with_object(sizeof(discmc_slice_encoder),
-                                        SliceEncoder::minimum_bytes({31, 7}, {}, 2)),
+                                        SliceEncoder::minimum_bytes({{31, 7}, {}, 0, 2})),
               "the size in sizes.h suffices");
 
-uint8_t surface_count_of(const discmc_slice_encoder_config& config) {
-  return config.surface_count == 0 ? 1 : config.surface_count;
-}
-
-StreamHeader header_of(const discmc_slice_encoder_config& config) {
-  const discmc_stream_label& label = config.label;
-  StreamHeader header;
-  header.width = config.limits.width;
-  header.height = config.limits.height;
-  header.border = static_cast<Border>(config.limits.border);
-  header.depth = label.depth;
-  for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = label.spacing_nm[axis];
-  header.channel = label.channel;
-  header.scan = label.scan;
-  header.surface_count = surface_count_of(config);
-  for (int i = 0; i < StreamHeader::max_surfaces; ++i) header.thresholds[i] = config.thresholds[i];
-  return header;
+SliceEncoderConfig config_of(const discmc_slice_encoder_config& from) {
+  const int32_t(&thresholds)[StreamHeader::max_surfaces] = from.thresholds;
+  return {cpp(from.limits),
+          {thresholds[0], thresholds[1], thresholds[2], thresholds[3]},
+          from.key_slice_interval,
+          from.surface_count == 0 ? uint8_t{1} : from.surface_count,
+          cpp(from.label)};
 }
 
 template <class Sample>
@@ -52,19 +42,17 @@ constexpr discmc_slice_kind slice_kind = {
 extern "C" {
 
 uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config) {
-  const Limits limits = cpp(config->limits);
-  if (!limits.is_valid() || config->surface_count > StreamHeader::max_surfaces) return 0;
-  return bytes_with_object(
-      sizeof(discmc_slice_encoder),
-      SliceEncoder::minimum_bytes(limits, {config->key_slice_interval}, surface_count_of(*config)));
+  if (!cpp(config->limits).is_valid() || config->surface_count > StreamHeader::max_surfaces)
+    return 0;
+  return bytes_with_object(sizeof(discmc_slice_encoder),
+                           SliceEncoder::minimum_bytes(config_of(*config)));
 }
 
 discmc_status discmc_slice_encoder_start(discmc_slice_encoder** encoder,
                                          const discmc_slice_encoder_config* config) {
   return start<discmc_slice_encoder>(
       encoder, *config, [&](discmc_slice_encoder& object, Memory rest) {
-        return object.encoder.start(header_of(*config), {config->key_slice_interval}, rest,
-                                    cpp(config->output));
+        return object.encoder.start(config_of(*config), rest, cpp(config->output));
       });
 }
 discmc_status discmc_slice_encoder_restore(discmc_slice_encoder** encoder,

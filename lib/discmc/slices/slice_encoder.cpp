@@ -4,18 +4,32 @@ namespace discmc {
 
 using detail::slices::RowNote;
 
-Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Memory memory,
+static StreamHeader header_of(const SliceEncoderConfig& config) {
+  StreamHeader header;
+  header.width = config.limits.width;
+  header.height = config.limits.height;
+  header.depth = config.label.depth;
+  for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = config.label.spacing_nm[axis];
+  for (int surface = 0; surface < StreamHeader::max_surfaces; ++surface)
+    header.thresholds[surface] = config.thresholds[surface];
+  header.border = config.limits.border;
+  header.channel = config.label.channel;
+  header.scan = config.label.scan;
+  header.surface_count = config.surface_count;
+  return header;
+}
+
+Status SliceEncoder::start(const SliceEncoderConfig& config, Memory memory,
                            const ByteOutput& output) {
-  const Limits limits{header.width, header.height, header.border};
-  if (!limits.is_valid()) return Status::bad_limits;
+  const StreamHeader header = header_of(config);
+  if (!config.limits.is_valid()) return Status::bad_limits;
   if (!header.is_valid()) return Status::bad_label;
   if (!output.is_valid()) return Status::bad_sink;
-  if (memory.data == nullptr ||
-      memory.bytes < minimum_bytes(limits, key_slices, header.surface_count))
+  if (memory.data == nullptr || memory.bytes < minimum_bytes(config))
     return Status::too_little_memory;
   packets_.attach(output);
   packets_.begin_stream(header, detail::wire::HeaderFlags::slices);
-  key_slices_ = key_slices;
+  key_slice_interval_ = config.key_slice_interval;
   lay_out(memory);
   surfaces_.clear();
   state_ = State::scanning;
@@ -31,10 +45,8 @@ Status SliceEncoder::start(const StreamHeader& header, KeySlices key_slices, Mem
 }
 
 void SliceEncoder::lay_out(Memory memory) {
-  const StreamHeader& header = packets_.header();
   Arena arena(memory);
-  surfaces_.start(arena, header,
-                  detail::slices::rows_kept(header.height, key_slices_.is_every_slice()));
+  surfaces_.start(arena, packets_.header(), rows_kept());
   memory_ = memory.data;
 }
 
@@ -157,9 +169,9 @@ Status SliceEncoder::abandon() {
 
 size_t SliceEncoder::bytes_used() const {
   if (state_ == State::idle) return 0;
-  const StreamHeader& header = packets_.header();
-  const uint64_t bytes =
-      minimum_bytes({header.width, header.height}, key_slices_, header.surface_count);
+  const SliceEncoderConfig config{
+      limits(), {}, key_slice_interval_, packets_.header().surface_count};
+  const uint64_t bytes = minimum_bytes(config);
   return static_cast<size_t>(bytes);
 }
 
@@ -246,7 +258,8 @@ bool SliceEncoder::encode_what_precedes() {
 // Limit: between two rows.
 bool SliceEncoder::is_at_key_slice() const {
   DISCMC_LIMIT(!row_is_begun_);
-  return rows() == 0 && (key_is_due_ || key_slices_.is_key(slices()));
+  return rows() == 0 &&
+         (key_is_due_ || detail::slices::is_key_slice(slices(), key_slice_interval_));
 }
 
 void SliceEncoder::encode_note(RowNote note) {

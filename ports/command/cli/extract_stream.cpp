@@ -25,10 +25,9 @@ namespace {
 // Encodes the bits of a volume, in memory of its own.
 class SliceWriter {
  public:
-  void start(const StreamHeader& header, KeySlices key_slices, const ByteOutput& output) {
-    memory_.resize(SliceEncoder::minimum_bytes({header.width, header.height}, key_slices,
-                                               header.surface_count));
-    require(encoder_.start(header, key_slices, {memory_.data(), memory_.size()}, output));
+  void start(const SliceEncoderConfig& config, const ByteOutput& output) {
+    memory_.resize(SliceEncoder::minimum_bytes(config));
+    require(encoder_.start(config, {memory_.data(), memory_.size()}, output));
   }
   SliceEncoder& encoder() { return encoder_; }
   /// Units: bytes; 0 before a start.
@@ -40,14 +39,19 @@ class SliceWriter {
 };
 
 // The header of a stream of slices that holds all surfaces. header: what they share.
-StreamHeader header_of_all(StreamHeader header, const VolumeInfo& info,
-                           const std::vector<NamedSelection>& selections) {
-  header.surface_count = static_cast<std::uint8_t>(selections.size());
-  std::transform(selections.begin(), selections.end(), header.thresholds,
+SliceEncoderConfig config_of_all(const StreamHeader& header, std::uint32_t key_slice_interval,
+                                 const VolumeInfo& info,
+                                 const std::vector<NamedSelection>& selections) {
+  SliceEncoderConfig config{{header.width, header.height, header.border},
+                            {},
+                            key_slice_interval,
+                            static_cast<std::uint8_t>(selections.size()),
+                            header.label()};
+  std::transform(selections.begin(), selections.end(), config.thresholds,
                  [&info](const NamedSelection& surface) {
                    return stored_threshold(info, surface.selection.low);
                  });
-  return header;
+  return config;
 }
 
 // No two slabs differ by more than a slice.
@@ -106,7 +110,7 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   SliceWriter slices;
   SharedOutput link;
   if (arguments.wire == Wire::slices) {
-    slices.start(header_of_all(header, info, selections), {arguments.key_slices},
+    slices.start(config_of_all(header, arguments.key_slices, info, selections),
                  output.byte_output());
     write_placement(info.placement, slices.encoder());
     options.slices = &slices.encoder();

@@ -60,7 +60,7 @@ std::optional<std::uint64_t> given_arena(const VolumeArguments& arguments, const
   if (arguments.memory < least)
     throw std::invalid_argument(too_little_memory(arguments.memory, limits, least) +
                                 ", or send slices with --wire slices, which need " +
-                                std::to_string(SliceEncoder::minimum_bytes(limits, {1})) +
+                                std::to_string(SliceEncoder::minimum_bytes({limits, {}, 1})) +
                                 " bytes if every slice is a key slice");
   const std::uint64_t most = max_arena_bytes(limits);
   if (arguments.memory > most)

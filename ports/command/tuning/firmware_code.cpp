@@ -20,8 +20,9 @@ std::string threshold_text(std::int32_t threshold) {
 
 void write_cpp_memory(const FirmwareChoice& choice, std::ostream& out) {
   if (is_of_slices(choice)) {
-    out << "constexpr discmc::KeySlices key_slices{" << choice.key_slices << "};\n"
-        << "static uint8_t memory[discmc::SliceEncoder::minimum_bytes(limits, key_slices)];\n"
+    out << "constexpr discmc::SliceEncoderConfig config{limits, {threshold}, " << choice.key_slices
+        << "};\n"
+        << "static uint8_t memory[discmc::SliceEncoder::minimum_bytes(config)];\n"
         << "static discmc::SliceEncoder encoder;\n";
     return;
   }

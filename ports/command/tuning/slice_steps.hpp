@@ -11,14 +11,13 @@ namespace discmc::command {
 class SliceSteps {
  public:
   /// memory: SliceEncoder::minimum_bytes() of the limits; Owner: the caller.
-  void start(const Limits& limits, KeySlices key_slices, Memory memory) {
+  void start(const Limits& limits, uint32_t key_slice_interval, Memory memory) {
     discmc::Arena arena(memory);
     model_.start(arena, false);
-    rows_.start(arena, limits,
-                detail::slices::rows_kept(limits.height, key_slices.is_every_slice()));
+    rows_.start(arena, limits, detail::slices::rows_kept(limits.height, key_slice_interval == 1));
     rows_.clear();
     limits_ = limits;
-    key_slices_ = key_slices;
+    key_slice_interval_ = key_slice_interval;
   }
 
   /// Takes a row as SliceEncoder does.
@@ -41,8 +40,9 @@ class SliceSteps {
   };
 
   void count_row() {
-    const auto kind = key_slices_.is_key(rows_.slices()) ? detail::slices::SliceKind::key
-                                                         : detail::slices::SliceKind::follows;
+    const auto kind = detail::slices::is_key_slice(rows_.slices(), key_slice_interval_)
+                          ? detail::slices::SliceKind::key
+                          : detail::slices::SliceKind::follows;
     detail::slices::RowCode row;
     row.begin(rows_.arriving(), detail::slices::rows_before(rows_, limits_.height, kind),
               limits_.width);
@@ -55,7 +55,7 @@ class SliceSteps {
   detail::trace::BitRows rows_;
   detail::slices::SliceModel model_;
   Limits limits_{};
-  KeySlices key_slices_;
+  uint32_t key_slice_interval_ = 0;
   uint64_t count_ = 0;
 };
 

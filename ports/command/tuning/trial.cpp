@@ -38,11 +38,12 @@ void push_all(Scanner& scanner, const VolumeBits& volume, Call call) {
 }
 
 // Coded by the end of each slice, in all.
-std::vector<std::uint64_t> steps_by_slice(const VolumeBits& volume, KeySlices key_slices) {
-  const auto bytes = SliceEncoder::minimum_bytes(volume.limits(), key_slices);
+std::vector<std::uint64_t> steps_by_slice(const VolumeBits& volume,
+                                          const SliceEncoderConfig& config) {
+  const auto bytes = SliceEncoder::minimum_bytes(config);
   const auto memory = untouched(bytes);
   SliceSteps steps;
-  steps.start(volume.limits(), key_slices, {memory.get(), bytes});
+  steps.start(config.limits, config.key_slice_interval, {memory.get(), bytes});
   std::vector<std::uint64_t> counts;
   std::size_t row = 0;
   for (std::uint32_t z = 0; z < volume.slices(); ++z) {
@@ -87,13 +88,16 @@ Trial try_regions(const VolumeBits& volume, std::uint64_t arena_bytes) {
   return trial;
 }
 
-Trial try_slices(const VolumeBits& volume, KeySlices key_slices) {
+Trial try_slices(const VolumeBits& volume, std::uint32_t key_slice_interval) {
+  const StreamHeader header = volume.header();
+  const SliceEncoderConfig config{
+      volume.limits(), {header.thresholds[0]}, key_slice_interval, 1, header.label()};
   Trial trial;
-  trial.memory = SliceEncoder::minimum_bytes(volume.limits(), key_slices);
+  trial.memory = SliceEncoder::minimum_bytes(config);
   const auto memory = untouched(trial.memory);
   SliceEncoder encoder;
-  require(encoder.start(volume.header(), key_slices, {memory.get(), trial.memory}, nowhere));
-  const std::vector<std::uint64_t> steps = steps_by_slice(volume, key_slices);
+  require(encoder.start(config, {memory.get(), trial.memory}, nowhere));
+  const std::vector<std::uint64_t> steps = steps_by_slice(volume, config);
   push_all(encoder, volume, [&](std::uint32_t slices) {
     trial.slices.push_back(work_of(volume, slices, steps[slices - 1], encoder.bytes()));
   });

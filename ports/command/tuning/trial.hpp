@@ -32,7 +32,7 @@ template <class Index>
 Trial try_regions(const VolumeBits& volume, const Capacities& capacities);
 
 /// Slices, in the memory that their encoder takes.
-Trial try_slices(const VolumeBits& volume, KeySlices key_slices);
+Trial try_slices(const VolumeBits& volume, std::uint32_t key_slice_interval);
 
 }  // namespace discmc::command
 

@@ -56,11 +56,10 @@ DeviceScan scan_regions(const VoxelBits& bits, const StreamHeader& header, std::
 
 DeviceScan scan_slices(const VoxelBits& bits, const StreamHeader& header) {
   DeviceScan result;
-  constexpr KeySlices first_only{};
-  std::vector<std::uint8_t> memory(SliceEncoder::minimum_bytes(limits_of(header), first_only));
+  const SliceEncoderConfig config{limits_of(header), {header.thresholds[0]}, 0, 1, header.label()};
+  std::vector<std::uint8_t> memory(SliceEncoder::minimum_bytes(config));
   SliceEncoder encoder;
-  meshing::require(
-      encoder.start(header, first_only, {memory.data(), memory.size()}, output_to(result.stream)));
+  meshing::require(encoder.start(config, {memory.data(), memory.size()}, output_to(result.stream)));
   for (std::uint32_t row = 0; row < bits.rows(); ++row)
     meshing::require(encoder.push_bits(bits.row(row)).status);
   meshing::require(encoder.finish());

@@ -21,8 +21,8 @@ void print(const Limits& limits, std::uint64_t memory) {
                                  capacities.slots,
                                  capacities.holes,
                                  discmc::Extractor<Index>::bytes_for(limits, capacities),
-                                 SliceEncoder::minimum_bytes(limits, {16}),
-                                 SliceEncoder::minimum_bytes(limits, {1})};
+                                 SliceEncoder::minimum_bytes({limits, {}, 16}),
+                                 SliceEncoder::minimum_bytes({limits, {}, 1})};
   for (const std::uint64_t size : sizes)
     std::printf("%llu ", static_cast<unsigned long long>(size));
   std::printf("\n");

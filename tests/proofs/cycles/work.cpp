@@ -100,14 +100,14 @@ static void tell_work(const Volume& volume, uint64_t on, uint64_t cells, uint64_
   board::report("bytes", static_cast<uint32_t>(bytes));
 }
 
-constexpr KeySlices key_slices{16};
+constexpr uint32_t key_slice_interval = 16;
 
 template <class Sample, class Source>
 static Rows count_rows(const Volume& volume, Source source) {
   static Sample row[256];
   Rows rows;
   command::SliceSteps steps;
-  steps.start(volume.limits, key_slices, memory_of(memory));
+  steps.start(volume.limits, key_slice_interval, memory_of(memory));
   for (uint32_t i = 0; i < volume.limits.height * volume.slices; ++i) {
     source.read(row);
     steps.push(row, volume.threshold);
@@ -130,8 +130,9 @@ template <class Sample, class MakeRows>
   const Statistics statistics = extractor.statistics();
   tell_work<Sample>(volume, counted.on, statistics.cells, statistics.links, encoder.bytes());
   good = good &&
-         slice_encoder.start(volume.header(), key_slices, memory_of(memory),
-                             {nullptr, take_bytes}) == Status::ok &&
+         slice_encoder.start(
+             {volume.limits, {volume.threshold}, key_slice_interval, 1, volume.header().label()},
+             memory_of(memory), {nullptr, take_bytes}) == Status::ok &&
          push_and_finish<Sample>(slice_encoder, volume.limits, volume.slices, rows());
   tell_work<Sample>(volume, counted.on, 0, counted.steps, slice_encoder.bytes());
   return good;

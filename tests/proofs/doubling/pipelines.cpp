@@ -1,4 +1,5 @@
 #include "proofs/doubling/pipelines.hpp"
+#include "oracle/slice_config.hpp"
 
 #include <algorithm>
 #include <discmc/decoder.hpp>
@@ -206,9 +207,10 @@ class Sliced {
     const Limits limits{volume.width, volume.height};
     memory_.resize(SliceDecoder::minimum_bytes(limits));
     require_ok(decoder_.start({memory_.data(), memory_.size()}, make_row_sink(nowhere_)));
-    slices_.resize(SliceEncoder::minimum_bytes(limits, {}));
+    slices_.resize(SliceEncoder::minimum_bytes({limits}));
     const StreamHeader header{volume.width, volume.height, volume.depth, {}, {1}};
-    require_ok(encoder_.start(header, {}, {slices_.data(), slices_.size()}, output()));
+    require_ok(
+        encoder_.start(test::slice_config(header), {slices_.data(), slices_.size()}, output()));
   }
   void run(const BitVolume& volume) {
     const Running part(encoder);

@@ -74,10 +74,11 @@ static bool tell_regions(const char* name, const Volume& volume, Rows rows) {
 }
 
 template <class Sample, class Rows>
-static bool tell_slices(const char* name, const Volume& volume, KeySlices key_slices, Rows rows) {
-  const bool good = slice_encoder.start(volume.header(), key_slices, memory_of(memory),
-                                        {nullptr, take_bytes}) == Status::ok &&
-                    push_and_finish<Sample>(slice_encoder, volume.limits, volume.slices, rows);
+static bool tell_slices(const char* name, const Volume& volume, uint32_t interval, Rows rows) {
+  const bool good =
+      slice_encoder.start({volume.limits, {volume.threshold}, interval, 1, {volume.slices}},
+                          memory_of(memory), {nullptr, take_bytes}) == Status::ok &&
+      push_and_finish<Sample>(slice_encoder, volume.limits, volume.slices, rows);
   board::report(name, static_cast<uint32_t>(slice_encoder.bytes()));
   return good;
 }
@@ -86,9 +87,9 @@ static bool tell_slices(const char* name, const Volume& volume, KeySlices key_sl
 template <class Sample, class Rows>
 static bool tell_both(const char* name, const Volume& volume) {
   return tell_regions<Sample>(name, volume, Rows{}) &&
-         tell_slices<Sample>(name, volume, {0}, Rows{}) &&
-         tell_slices<Sample>(name, volume, {16}, Rows{}) &&
-         tell_slices<Sample>(name, volume, {1}, Rows{});
+         tell_slices<Sample>(name, volume, 0, Rows{}) &&
+         tell_slices<Sample>(name, volume, 16, Rows{}) &&
+         tell_slices<Sample>(name, volume, 1, Rows{});
 }
 
 // ---- steps ----
@@ -97,7 +98,7 @@ static bool tell_both(const char* name, const Volume& volume) {
 template <class Rows>
 static uint32_t steps(const Volume& volume, Rows samples) {
   command::SliceSteps steps;
-  steps.start(volume.limits, {0}, memory_of(memory));
+  steps.start(volume.limits, 0, memory_of(memory));
   for (uint32_t row = 0; row < volume.limits.height * volume.slices; ++row) {
     uint8_t samples_of_row[64];
     samples.read(samples_of_row);

@@ -11,13 +11,13 @@
 using namespace discmc;
 
 #define DISCMC_OBJECT(Class) uint8_t object_##Class[sizeof(Class)];
-#define DISCMC_ARENA(size)                                              \
-  uint8_t least_##size[Extractor16::minimum_bytes({size, size})];       \
-  uint8_t slices_##size[SliceEncoder::minimum_bytes({size, size}, {})]; \
-  uint8_t keys_##size[SliceEncoder::minimum_bytes({size, size}, {1})];
-#define DISCMC_SURFACES(count, size)                                                     \
-  uint8_t encoder##count##_##size[SliceEncoder::minimum_bytes({size, size}, {}, count)]; \
-  uint8_t rows##count##_##size[SliceDecoder::minimum_bytes({size, size}, count)];        \
+#define DISCMC_ARENA(size)                                            \
+  uint8_t least_##size[Extractor16::minimum_bytes({size, size})];     \
+  uint8_t slices_##size[SliceEncoder::minimum_bytes({{size, size}})]; \
+  uint8_t keys_##size[SliceEncoder::minimum_bytes({{size, size}, {}, 1})];
+#define DISCMC_SURFACES(count, size)                                                          \
+  uint8_t encoder##count##_##size[SliceEncoder::minimum_bytes({{size, size}, {}, 0, count})]; \
+  uint8_t rows##count##_##size[SliceDecoder::minimum_bytes({size, size}, count)];             \
   uint8_t sweep##count##_##size[Receiver::minimum_bytes({size, size}, count)];
 
 extern "C" {

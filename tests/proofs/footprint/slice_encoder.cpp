@@ -3,10 +3,10 @@
 
 using namespace discmc;
 
-extern "C" Status run(SliceEncoder& encoder, const ByteOutput& output, const StreamHeader& header,
-                      Memory memory, const uint8_t* row) {
-  Status status = encoder.start(header, {}, memory, output);
-  if (status == Status::ok) status = encoder.push(row, header.width).status;
+extern "C" Status run(SliceEncoder& encoder, const ByteOutput& output,
+                      const SliceEncoderConfig& config, Memory memory, const uint8_t* row) {
+  Status status = encoder.start(config, memory, output);
+  if (status == Status::ok) status = encoder.push(row, config.limits.width).status;
   if (status == Status::suspended) status = encoder.resume();
   return status == Status::ok ? encoder.finish() : status;
 }

@@ -46,8 +46,8 @@ static bool scan(const Limits& limits, uint32_t slices,
 
 static bool tell_slices(const Limits& limits, uint32_t slices,
                         uint8_t (*sample)(int32_t, int32_t, int32_t)) {
-  const StreamHeader header{limits.width, limits.height, slices, {}, threshold};
-  return slice_encoder.start(header, {}, memory_of(memory), {nullptr, take_bytes}) == Status::ok &&
+  return slice_encoder.start({limits, {threshold}, 0, 1, {slices}}, memory_of(memory),
+                             {nullptr, take_bytes}) == Status::ok &&
          push_and_report<uint8_t>(slice_encoder, limits, slices, sample);
 }
 

@@ -329,9 +329,9 @@ class SlicesBetween {
  public:
   bool start(const Limits& limits, Memory arena) {
     line_.start();
-    const StreamHeader header{limits.width, limits.height, depth, {}, {threshold}, limits.border};
     return line_.decoder().start(arena, line_.sink()) == Status::ok &&
-           encoder_.start(header, {2}, memory_of(rows_), line_.output()) == Status::ok;
+           encoder_.start({limits, {threshold}, 2, 1, {depth}}, memory_of(rows_), line_.output()) ==
+               Status::ok;
   }
   SliceEncoder& encoder() { return encoder_; }
   bool finish(uint64_t expected) { return line_.finish(expected); }
@@ -339,7 +339,7 @@ class SlicesBetween {
  private:
   SliceEncoder encoder_;
   BusyLine<SurfaceDecoder> line_;
-  uint8_t rows_[SliceEncoder::minimum_bytes(sizes[0], {2})];
+  uint8_t rows_[SliceEncoder::minimum_bytes({sizes[0], {}, 2})];
 };
 
 // Pushes a volume to an extractor or a slice encoder, one of its rows skipped, and ends the scan.

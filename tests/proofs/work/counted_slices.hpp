@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "oracle/slice_config.hpp"
 #include "oracle/volume.hpp"
 #include "proofs/work/bound.hpp"
 #include "proofs/work/counted_scan.hpp"
@@ -20,16 +21,17 @@ struct SliceWork {
 
 /// Encodes a volume row by row, as a number of identical surfaces. Errors: throws what the encoder
 /// reports.
-inline SliceWork encode_slices(const reference::BitVolume& volume, KeySlices key_slices,
+inline SliceWork encode_slices(const reference::BitVolume& volume, uint32_t key_slice_interval,
                                uint8_t surfaces) {
   StreamHeader header{volume.width, volume.height, volume.depth, {}, {1}, Border::closed};
   header.surface_count = surfaces;
   std::fill_n(header.thresholds + 1, surfaces - 1, 1);
-  std::vector<uint8_t> memory(
-      SliceEncoder::minimum_bytes({volume.width, volume.height}, key_slices, surfaces));
+  std::vector<uint8_t> memory(SliceEncoder::minimum_bytes(
+      {{volume.width, volume.height}, {}, key_slice_interval, surfaces}));
   SliceEncoder encoder;
   const ByteOutput nowhere{nullptr, [](void*, const uint8_t*, size_t count) { return count; }};
-  if (encoder.start(header, key_slices, {memory.data(), memory.size()}, nowhere) != Status::ok)
+  if (encoder.start(test::slice_config(header, key_slice_interval), {memory.data(), memory.size()},
+                    nowhere) != Status::ok)
     throw std::runtime_error("slices do not start");
   const uint64_t most = slice_row_bound(volume.width, surfaces);
   SliceWork work;

@@ -7,13 +7,14 @@
 #include <discmc/slice_encoder.hpp>
 #include <utility>
 
+#include "slice_config.hpp"
 #include "stream.hpp"
 
 namespace discmc::test {
 
 /// How a volume is encoded.
 struct SlicePlan {
-  KeySlices key_slices{};
+  uint32_t key_slice_interval = 0;
   uint32_t portion = 1000000;  ///< samples a push
   size_t bytes_a_time = 0;     ///< that the line takes: see Line
   uint32_t flush_every = 0;    ///< rows between flushes; 0 never
@@ -58,10 +59,11 @@ inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& 
   for (int32_t& threshold : header.thresholds) threshold = header.thresholds[0];
   const Limits limits{volume.width, volume.height};
   reference::Block block(
-      SliceEncoder::minimum_bytes(limits, plan.key_slices, header.surface_count));
+      SliceEncoder::minimum_bytes({limits, {}, plan.key_slice_interval, header.surface_count}));
   Line line(plan.bytes_a_time);
   SliceEncoder encoder;
-  reference::require_ok(encoder.start(header, plan.key_slices, block.memory(), line.output()));
+  reference::require_ok(encoder.start(test::slice_config(header, plan.key_slice_interval),
+                                      block.memory(), line.output()));
   const uint32_t rows = volume.height * volume.depth;
   const uint32_t together = plan.flush_every > 0 ? plan.flush_every : rows;
   for (uint32_t row = 0; row < rows; row += together) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "oracle/c_events.hpp"
+#include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 
 using namespace discmc;
@@ -36,7 +37,8 @@ Bytes encoded_slices(uint8_t surface_count) {
   std::vector<uint8_t> memory(20000);
   test::Line line;
   SliceEncoder encoder;
-  require_ok(encoder.start(header, {}, {memory.data(), memory.size()}, line.output()));
+  require_ok(
+      encoder.start(test::slice_config(header), {memory.data(), memory.size()}, line.output()));
   require_ok(encoder.push(volume().on.data(), static_cast<uint32_t>(volume().on.size())).status);
   require_ok(encoder.finish());
   return line.bytes;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "oracle/c_events.hpp"
+#include "oracle/slice_config.hpp"
 #include "oracle/stream.hpp"
 
 using namespace discmc;
@@ -84,10 +85,11 @@ test::Bytes stream_of_cpp() {
                       300,
                       surfaces};
   const auto samples = make_samples<Sample>();
-  std::vector<uint8_t> memory(SliceEncoder::minimum_bytes({width, height}, {4}, surfaces));
+  std::vector<uint8_t> memory(SliceEncoder::minimum_bytes({{width, height}, {}, 4, surfaces}));
   Line line;
   SliceEncoder encoder;
-  require_ok(encoder.start(header, {4}, {memory.data(), memory.size()}, line.output()));
+  require_ok(
+      encoder.start(test::slice_config(header, 4), {memory.data(), memory.size()}, line.output()));
   for (uint32_t row = 0; row < height * depth; ++row) {
     if (row == saved_row) {
       require_ok(encoder.write_record({9, 0, 0, record_bytes, sizeof record_bytes}));
@@ -168,7 +170,8 @@ TEST_CASE("a slice encoder in C drops its stream and is abandoned as in C++") {
   std::vector<uint8_t> memory(10000);
   const StreamHeader header{width,           height,       depth, {1000, -2000, 3000},
                             {thresholds[0]}, Border::open, 5,     300};
-  require_ok(encoder.start(header, {4}, {memory.data(), memory.size()}, cpp_line.output()));
+  require_ok(encoder.start(test::slice_config(header, 4), {memory.data(), memory.size()},
+                           cpp_line.output()));
   const auto samples = make_samples<uint8_t>();
   for (uint32_t row = 0; row < lost_row; ++row) {
     if (row == 10) {

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "oracle/checkpointed_device.hpp"
+#include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/thinned.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 
 struct DevicePlan {
   const char* name;
-  KeySlices key_slices;
+  uint32_t key_slice_interval;
   uint8_t surface_count;
   size_t most;  // bytes that the output takes at a time
 };
@@ -41,15 +42,19 @@ BitVolume smooth() {
 class SliceDevice {
  public:
   SliceDevice(const BitVolume& volume, const DevicePlan& plan)
-      : volume_(volume), key_slices_(plan.key_slices), header_(header_of(volume)) {
+      : volume_(volume), key_slice_interval_(plan.key_slice_interval), header_(header_of(volume)) {
     header_.surface_count = plan.surface_count;
     for (int32_t& threshold : header_.thresholds) threshold = header_.thresholds[0];
     store.most = plan.most;
     const Limits limits{volume.width, volume.height};
-    block_ = Block(SliceEncoder::minimum_bytes(limits, key_slices_, header_.surface_count));
+    block_ = Block(
+        SliceEncoder::minimum_bytes({limits, {}, key_slice_interval_, header_.surface_count}));
   }
 
-  void start() { require_ok(encoder.start(header_, key_slices_, block_.memory(), store.output())); }
+  void start() {
+    require_ok(encoder.start(test::slice_config(header_, key_slice_interval_), block_.memory(),
+                             store.output()));
+  }
   // Pushes rows up to that of a number, counted through all slices.
   void scan_to(uint32_t end) {
     uint32_t row = encoder.slices() * volume_.height + encoder.rows();
@@ -82,7 +87,7 @@ class SliceDevice {
 
  private:
   BitVolume volume_;
-  KeySlices key_slices_;
+  uint32_t key_slice_interval_;
   StreamHeader header_;
   Block block_{0};
 };
@@ -211,9 +216,9 @@ TEST_CASE("errors of save() and restore() of a slice encoder") {
   header.height = 9;
   header.thresholds[0] = 1;
   constexpr Limits limits{999, 9};
-  alignas(4) static uint8_t memory[SliceEncoder::minimum_bytes(limits, {}) + 1] = {};
+  alignas(4) static uint8_t memory[SliceEncoder::minimum_bytes({limits}) + 1] = {};
   const Memory whole{memory, sizeof memory - 1};
-  require_ok(encoder.start(header, {}, whole, store.output()));
+  require_ok(encoder.start(test::slice_config(header), whole, store.output()));
   CHECK(encoder.bytes_used() == whole.bytes);
 
   // The output accepts the header, and nothing of a row that fills a packet.

@@ -29,7 +29,8 @@ SlicePlan plan_of(uint8_t surfaces) {
 // Codes written by hand, from the first row of a key slice on.
 class Code {
  public:
-  explicit Code(uint8_t surfaces = 1) : memory_(SliceEncoder::minimum_bytes(limits, {}, surfaces)) {
+  explicit Code(uint8_t surfaces = 1)
+      : memory_(SliceEncoder::minimum_bytes({limits, {}, 0, surfaces})) {
     Arena arena({memory_.data(), memory_.size()});
     StreamHeader header = header_of(BitVolume(size));
     header.surface_count = surfaces;

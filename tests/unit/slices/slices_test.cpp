@@ -3,6 +3,7 @@
 
 #include <discmc/receiver.hpp>
 
+#include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 
 using namespace discmc;
@@ -35,7 +36,7 @@ void check_rows(const BitVolume& volume, const ReceivedRows& received) {
 void check_round_trip(const BitVolume& volume, const SlicePlan& plan = {}) {
   CAPTURE(volume.width);
   CAPTURE(volume.height);
-  CAPTURE(plan.key_slices.interval);
+  CAPTURE(plan.key_slice_interval);
   check_rows(volume, decode_slices(encode_slices(volume, plan),
                                    {volume.width, volume.height, volume.depth}));
 }
@@ -79,14 +80,14 @@ void tell_key_slice(Coder& coder, BitVolume& volume) {
 }
 
 struct Device {
-  explicit Device(const Limits& limits, KeySlices key_slices = {}, size_t bytes_a_time = 0)
-      : memory(SliceEncoder::minimum_bytes(limits, key_slices)), line(bytes_a_time) {
+  explicit Device(const Limits& limits, uint32_t key_slice_interval = 0, size_t bytes_a_time = 0)
+      : memory(SliceEncoder::minimum_bytes({limits, {}, key_slice_interval})), line(bytes_a_time) {
     StreamHeader header;
     header.width = limits.width;
     header.height = limits.height;
     header.thresholds[0] = 1;
-    reference::require_ok(
-        encoder.start(header, key_slices, {memory.data(), memory.size()}, line.output()));
+    reference::require_ok(encoder.start(test::slice_config(header, key_slice_interval),
+                                        {memory.data(), memory.size()}, line.output()));
   }
   Bytes memory;
   Line line;
@@ -204,10 +205,11 @@ TEST_CASE("samples are compared with the threshold of the header, at a stride") 
   header.width = 40;
   header.height = 2;
   header.thresholds[0] = -5;
-  Bytes memory(SliceEncoder::minimum_bytes({40, 2}, {}));
+  Bytes memory(SliceEncoder::minimum_bytes({{40, 2}}));
   Line line;
   SliceEncoder encoder;
-  reference::require_ok(encoder.start(header, {}, {memory.data(), memory.size()}, line.output()));
+  reference::require_ok(
+      encoder.start(test::slice_config(header), {memory.data(), memory.size()}, line.output()));
   int16_t samples[160];
   for (int i = 0; i < 160; ++i) samples[i] = static_cast<int16_t>(i % 4 == 0 ? i % 9 - 9 : 100);
   const PushResult result = encoder.push(samples, 40, 4);
@@ -428,17 +430,19 @@ TEST_CASE("the encoder refuses invalid calls with a status") {
   StreamHeader header;
   header.width = 8;
   header.height = 3;
-  Bytes memory(SliceEncoder::minimum_bytes({8, 3}, {}));
-  CHECK(encoder.start(StreamHeader{}, {}, {memory.data(), memory.size()}, line.output()) ==
-        Status::bad_limits);
-  CHECK(encoder.start(header, {}, {memory.data(), memory.size()}, {}) == Status::bad_sink);
-  CHECK(encoder.start(header, {}, {}, line.output()) == Status::too_little_memory);
-  CHECK(encoder.start(header, {}, {nullptr, memory.size()}, line.output()) ==
+  Bytes memory(SliceEncoder::minimum_bytes({{8, 3}}));
+  CHECK(encoder.start(test::slice_config(StreamHeader{}), {memory.data(), memory.size()},
+                      line.output()) == Status::bad_limits);
+  CHECK(encoder.start(test::slice_config(header), {memory.data(), memory.size()}, {}) ==
+        Status::bad_sink);
+  CHECK(encoder.start(test::slice_config(header), {}, line.output()) == Status::too_little_memory);
+  CHECK(encoder.start(test::slice_config(header), {nullptr, memory.size()}, line.output()) ==
         Status::too_little_memory);
-  CHECK(encoder.start(header, {}, {memory.data(), memory.size() - 1}, line.output()) ==
-        Status::too_little_memory);
+  CHECK(encoder.start(test::slice_config(header), {memory.data(), memory.size() - 1},
+                      line.output()) == Status::too_little_memory);
   CHECK(line.bytes.empty());
-  reference::require_ok(encoder.start(header, {}, {memory.data(), memory.size()}, line.output()));
+  reference::require_ok(
+      encoder.start(test::slice_config(header), {memory.data(), memory.size()}, line.output()));
   CHECK(encoder.push(samples, 3).status == Status::ok);
   refuses_rows(Status::row_in_progress);
   CHECK(encoder.finish() == Status::slice_in_progress);
@@ -459,9 +463,9 @@ TEST_CASE("the decoder refuses invalid calls with a status") {
 
 TEST_CASE("with only key slices the encoder needs four rows of bits") {
   constexpr size_t rest = 548 + 3 + 2 * red_zone_bytes;
-  CHECK(SliceEncoder::minimum_bytes({256, 256}, {1}) == 5 * 9 * 4 + rest);
-  CHECK(SliceEncoder::minimum_bytes({256, 256}, {2}) == 259 * 9 * 4 + rest);
-  CHECK(SliceEncoder::minimum_bytes({256, 1}, {0}) == 5 * 9 * 4 + rest);
+  CHECK(SliceEncoder::minimum_bytes({{256, 256}, {}, 1}) == 5 * 9 * 4 + rest);
+  CHECK(SliceEncoder::minimum_bytes({{256, 256}, {}, 2}) == 259 * 9 * 4 + rest);
+  CHECK(SliceEncoder::minimum_bytes({{256, 1}}) == 5 * 9 * 4 + rest);
   // A decoder must expect other slices too, and delivers a row of bits.
   CHECK(SliceDecoder::minimum_bytes({256, 256}) == 259 * 9 * 4 + rest + 32 + red_zone_bytes);
 }
@@ -513,13 +517,15 @@ StreamHeader header_of_surfaces(const reference::Size& size,
 }
 
 // Every fifth row is skipped where `skips`.
-Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, KeySlices key_slices,
+Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, uint32_t key_slice_interval,
                       bool skips = false, size_t bytes_a_time = 0) {
   Line line(bytes_a_time);
   const Limits limits{header.width, header.height};
-  reference::Block block(SliceEncoder::minimum_bytes(limits, key_slices, header.surface_count));
+  reference::Block block(
+      SliceEncoder::minimum_bytes({limits, {}, key_slice_interval, header.surface_count}));
   SliceEncoder encoder;
-  reference::require_ok(encoder.start(header, key_slices, block.memory(), line.output()));
+  reference::require_ok(
+      encoder.start(test::slice_config(header, key_slice_interval), block.memory(), line.output()));
   for (uint32_t row = 0; row < header.height * header.depth; ++row) {
     const uint8_t* const first = &samples[size_t{row} * header.width];
     for (uint32_t told = 0; told < header.width;)
@@ -570,9 +576,9 @@ TEST_CASE("several surfaces are decoded from one stream, each as if alone") {
 TEST_CASE("rows of bits contain all surfaces in sequence") {
   const StreamHeader header = header_of_surfaces({10, 1, 1}, {1, 1, 1});
   Line line;
-  reference::Block block(SliceEncoder::minimum_bytes({10, 1}, {}, 3));
+  reference::Block block(SliceEncoder::minimum_bytes({{10, 1}, {}, 0, 3}));
   SliceEncoder encoder;
-  reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+  reference::require_ok(encoder.start(test::slice_config(header), block.memory(), line.output()));
   const uint8_t bits[] = {0x81, 1, 0xFF, 3, 0, 2};
   CHECK(encoder.push_bits(bits).samples == 10);
   reference::require_ok(encoder.finish());
@@ -586,9 +592,9 @@ TEST_CASE("rows of bits contain all surfaces in sequence") {
 TEST_CASE("rows of bits that fill their bytes are contiguous") {
   const StreamHeader header = header_of_surfaces({16, 1, 1}, {1, 1});
   Line line;
-  reference::Block block(SliceEncoder::minimum_bytes({16, 1}, {}, 2));
+  reference::Block block(SliceEncoder::minimum_bytes({{16, 1}, {}, 0, 2}));
   SliceEncoder encoder;
-  reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+  reference::require_ok(encoder.start(test::slice_config(header), block.memory(), line.output()));
   const uint8_t bits[] = {0xFF, 0, 0, 0xFF, 0x55};
   CHECK(encoder.push_bits(bits).samples == 16);
   reference::require_ok(encoder.finish());
@@ -615,12 +621,12 @@ TEST_CASE("a stream contains one to four surfaces, on channels up to 63") {
   SliceEncoder encoder;
   StreamHeader header = header_of_surfaces({9, 9, 0}, {1, 2, 3, 4});
   header.channel = 60;
-  CHECK(encoder.start(header, {}, all, line.output()) == Status::ok);
+  CHECK(encoder.start(test::slice_config(header), all, line.output()) == Status::ok);
   header.channel = 61;
-  CHECK(encoder.start(header, {}, all, line.output()) == Status::bad_label);
+  CHECK(encoder.start(test::slice_config(header), all, line.output()) == Status::bad_label);
   header.channel = 0;
   header.surface_count = 5;
-  CHECK(encoder.start(header, {}, all, line.output()) == Status::bad_label);
+  CHECK(encoder.start(test::slice_config(header), all, line.output()) == Status::bad_label);
 }
 
 namespace {
@@ -629,7 +635,7 @@ namespace {
 template <class Coder>
 void tell_rows(Coder& coder, const StreamHeader& header, std::vector<Bytes>& rows) {
   const Limits limits{header.width, header.height};
-  reference::Block block(SliceEncoder::minimum_bytes(limits, {}, header.surface_count));
+  reference::Block block(SliceEncoder::minimum_bytes({limits, {}, 0, header.surface_count}));
   Arena arena(block.memory());
   detail::slices::Surfaces surfaces;
   surfaces.start(arena, header, detail::slices::rows_kept(limits.height, false));
@@ -683,9 +689,10 @@ TEST_CASE("codes are cut at any pending carry, between rows or within a row of a
         const std::vector<Bytes> rows = rows_on_the_edge(header, seed);
         Line line;
         reference::Block block(
-            SliceEncoder::minimum_bytes({size.width, size.height}, {}, header.surface_count));
+            SliceEncoder::minimum_bytes({{size.width, size.height}, {}, 0, header.surface_count}));
         SliceEncoder encoder;
-        reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+        reference::require_ok(
+            encoder.start(test::slice_config(header), block.memory(), line.output()));
         for (const Bytes& row : rows) reference::require_ok(encoder.push_bits(row.data()).status);
         reference::require_ok(encoder.finish());
         const std::vector<Bytes> frames = frames_of(line.bytes);
@@ -740,10 +747,10 @@ TEST_CASE("a surface decoder selects the surface of its channel from several") {
 
 TEST_CASE("a scan that ends on a busy line is complete after resume()") {
   Line line(1);
-  reference::Block block(SliceEncoder::minimum_bytes({9, 2}, {}));
+  reference::Block block(SliceEncoder::minimum_bytes({{9, 2}}));
   SliceEncoder encoder;
   const StreamHeader header = header_of_surfaces({9, 2, 1}, {1});
-  reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+  reference::require_ok(encoder.start(test::slice_config(header), block.memory(), line.output()));
   const uint8_t row[9] = {1, 0, 1};
   while (encoder.rows() == 0) (void)encoder.push(row, 9);
   CHECK(encoder.finish() == Status::slice_in_progress);
@@ -777,10 +784,10 @@ struct BrokenLine {
 
 TEST_CASE("a finished scan refuses records, even while the line is busy") {
   BrokenLine line;
-  reference::Block block(SliceEncoder::minimum_bytes({9, 1}, {}));
+  reference::Block block(SliceEncoder::minimum_bytes({{9, 1}}));
   SliceEncoder encoder;
   const StreamHeader header = header_of_surfaces({9, 1, 1}, {1});
-  reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+  reference::require_ok(encoder.start(test::slice_config(header), block.memory(), line.output()));
   REQUIRE(encoder.finish() == Status::suspended);
   CHECK(encoder.is_suspended());
   line.room = 1000;
@@ -800,10 +807,11 @@ TEST_CASE(
       CAPTURE(skips);
       // With every key slice a packet ends, which this line does not take.
       BrokenLine line;
-      reference::Block block(SliceEncoder::minimum_bytes({9, height}, {1}));
+      reference::Block block(SliceEncoder::minimum_bytes({{9, height}, {}, 1}));
       SliceEncoder encoder;
       const StreamHeader header = header_of_surfaces({9, height, 2}, {1});
-      reference::require_ok(encoder.start(header, {1}, block.memory(), line.output()));
+      reference::require_ok(
+          encoder.start(test::slice_config(header, 1), block.memory(), line.output()));
       line.room = 100;
       reference::require_ok(encoder.resume());
       line.room = 0;
@@ -828,16 +836,17 @@ TEST_CASE("a restarted scan is independent of the previous one, wherever that st
   Chance chance(8);
   for (uint32_t i = 0; i < 41 * 17 * 6; ++i) samples.push_back(chance.byte());
   const StreamHeader header = header_of_surfaces(size, {100, 140, 160});
-  const KeySlices key_slices{2};
-  const Bytes expected = encode_surfaces(header, samples, key_slices);
+  const uint32_t key_slice_interval = 2;
+  const Bytes expected = encode_surfaces(header, samples, key_slice_interval);
   REQUIRE(expected.size() > 1500);
   // The line breaks off in one packet after another, most of which end within a row.
   for (size_t room = 0; room < 1500; room += 125) {
     CAPTURE(room);
-    reference::Block block(SliceEncoder::minimum_bytes({41, 17}, key_slices, 3));
+    reference::Block block(SliceEncoder::minimum_bytes({{41, 17}, {}, key_slice_interval, 3}));
     BrokenLine broken{room};
     SliceEncoder encoder;
-    reference::require_ok(encoder.start(header, key_slices, block.memory(), broken.output()));
+    reference::require_ok(encoder.start(test::slice_config(header, key_slice_interval),
+                                        block.memory(), broken.output()));
     Status status = Status::ok;
     for (uint32_t row = 0; row < 17 * 6 && status == Status::ok; ++row)
       status = row == 7 ? encoder.skip_row(Substitute::off).status
@@ -845,7 +854,8 @@ TEST_CASE("a restarted scan is independent of the previous one, wherever that st
     CHECK(status == Status::suspended);
     if (room % 2 == 0) (void)encoder.abandon();
     Line line;
-    reference::require_ok(encoder.start(header, key_slices, block.memory(), line.output()));
+    reference::require_ok(encoder.start(test::slice_config(header, key_slice_interval),
+                                        block.memory(), line.output()));
     CHECK(encoder.bytes() == 0);
     reference::require_ok(encoder.push(samples.data(), 41 * 17 * 6).status);
     reference::require_ok(encoder.finish());
@@ -874,9 +884,9 @@ TEST_CASE("a skipped row waits for the line before its encoding begins") {
   for (const uint32_t skipped : full) {
     CAPTURE(skipped);
     BrokenLine line{100000};
-    reference::Block block(SliceEncoder::minimum_bytes(limits, {}));
+    reference::Block block(SliceEncoder::minimum_bytes({limits}));
     SliceEncoder encoder;
-    reference::require_ok(encoder.start(header, {}, block.memory(), line.output()));
+    reference::require_ok(encoder.start(test::slice_config(header), block.memory(), line.output()));
     reference::require_ok(encoder.push(volume.on.data(), skipped).status);
     line.room = 0;
     CHECK(encoder.skip_row(Substitute::off).status == Status::suspended);

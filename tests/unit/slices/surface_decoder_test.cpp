@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <discmc/receiver.hpp>
 
+#include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
 
@@ -184,10 +185,11 @@ std::vector<Bytes> frames_with_skips(const Scan& scan) {
   header.thresholds[0] = 100;
   header.surface_count = static_cast<uint8_t>(scan.surfaces);
   header.thresholds[1] = 180;
-  Bytes memory(SliceEncoder::minimum_bytes({scan.width, 8}, {1}, scan.surfaces));
+  Bytes memory(SliceEncoder::minimum_bytes({{scan.width, 8}, {}, 1, scan.surfaces}));
   Line line;
   SliceEncoder encoder;
-  reference::require_ok(encoder.start(header, {1}, {memory.data(), memory.size()}, line.output()));
+  reference::require_ok(
+      encoder.start(test::slice_config(header, 1), {memory.data(), memory.size()}, line.output()));
   Chance chance(5);
   Bytes row(scan.width);
   for (uint32_t i = 0; i < 8 * 7; ++i) {
