@@ -202,7 +202,7 @@ TEST_CASE("a zero ends a cut frame once, before the next stream") {
   Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
   SliceEncoder encoder;
   const auto start = [&](const ByteOutput& output) {
-    require_ok(encoder.start({1, 1}, {}, {memory.data(), memory.size()}, output));
+    require_ok(encoder.start({{1, 1}}, {memory.data(), memory.size()}, output));
     return encoder.resume();
   };
   CHECK(start(line.output()) == Status::suspended);
