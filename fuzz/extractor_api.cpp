@@ -51,7 +51,7 @@ class Place {
   std::unique_ptr<uint8_t[]> all_;
 };
 
-/// The sink: a log of the scan under way, which refuses at random, and what is collected of it. It
+/// The sink: a log of the current scan, which refuses at random, and the collected surface. It
 /// outlives the scans.
 class Listener {
  public:
@@ -92,7 +92,7 @@ class Listener {
   bool refuses_now_ = false;
 };
 
-/// A row of samples that are to come out as the bits given, whatever their type and the threshold.
+/// A row of samples that become the given bits, for any type and threshold.
 template <class Sample>
 Sample sample_of(bool on, int32_t threshold, uint32_t noise) {
   constexpr int64_t least = std::numeric_limits<Sample>::min();
@@ -221,7 +221,7 @@ class Caller {
     return capacities;
   }
 
-  // As a rule exactly enough, which is where a write beyond shows.
+  // Mostly the exact size, so that a write beyond it is detected.
   uint64_t read_bytes(uint64_t needed, bool is_split) {
     const uint32_t kind = input_.byte();
     if (kind < 20) return needed - 1 - (kind < 10 ? 0 : input_.byte() % needed);
@@ -395,7 +395,7 @@ class Caller {
       require(listener_.collector().is_finished(), "the scan has no finish event");
   }
 
-  // Ends what is under way, so that no run is in vain.
+  // Ends the current scan, so that each run is checked.
   void end() {
     listener_.refuse(0, 0);
     if (state_ == State::scanning && on_.size() % slice() == 0) finish();

@@ -74,7 +74,7 @@ Pieces without_losses(const Pieces& pieces, Scenario& scenario, std::vector<size
   return left;
 }
 
-// All that was sent came: the regions are those of the surface.
+// All events arrived: the regions are those of the surface.
 void check_regions(const Joined& joined, const Scenario& scenario,
                    const std::vector<Region>& regions) {
   require(joined.report.unmatched == 0, "a fragment without a partner");
@@ -128,7 +128,7 @@ void check_surface(Input& input, Scenario& scenario) {
   require(join_all(events, slow).events == joined.events, "refusals show");
 }
 
-// Events against all grammar, with members that are none.
+// Events that break the grammar, with invalid members.
 void check_any_events(Input& input, Scenario& scenario) {
   const Statistics statistics{};
   Events events;

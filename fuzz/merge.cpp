@@ -90,7 +90,7 @@ void read_row(Input& input, Scenario& scenario, size_t row, Feed feed) {
   }
 }
 
-// A row's way of feeding takes no byte of its own: most rows come as samples.
+// The way to push a row uses no byte of its own: most rows are pushed as samples.
 Feed feed_of(uint32_t pattern, size_t row) {
   const uint32_t roll = (pattern + static_cast<uint32_t>(row) * 0x9E3779B1U) >> 24;
   if (pattern % 3 == 0 || roll < 128) return Feed::samples;

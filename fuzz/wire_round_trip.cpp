@@ -44,7 +44,7 @@ Vertex read_start(Input& input) {
   return start;
 }
 
-// Events that follow the grammar, whatever else they mean.
+// Events that follow the grammar, without any other meaning.
 Events read_script(Input& input) {
   Script script;
   uint32_t slice = 0;

@@ -47,7 +47,7 @@ Field noise(Size size, std::uint32_t seed, std::uint32_t values) {
   return field;
 }
 
-// As dense as it is near to the middle, 100 at the radius.
+// The density falls with the distance from the middle, to 100 at the radius.
 Field ramp(Size size, double radius) {
   Field field{size, {}};
   for (std::uint32_t z = 0; z < size.depth; ++z)

@@ -67,7 +67,7 @@ std::string transfer_syntax(const std::string& bytes) {
   return uid.substr(0, uid.find('\0'));
 }
 
-// The compression of the first page of a file, low bytes first; 0 if it is none.
+// The compression of the first page of a file with low bytes first; 0 for other files.
 std::uint32_t tiff_compression(const std::string& bytes) {
   const auto number = [&](std::size_t at, std::size_t size) {
     std::uint32_t value = 0;

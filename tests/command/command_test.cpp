@@ -1,4 +1,4 @@
-// The discmc command from end to end: what it reads, writes, prints and returns.
+// The discmc command from end to end: inputs, outputs, messages and exit codes.
 #include "command.hpp"
 
 #include "oracle/surface.hpp"

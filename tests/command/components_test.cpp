@@ -36,9 +36,9 @@ void put_box(BitVolume& volume, discmc::Vertex first, discmc::Vertex last, std::
                   static_cast<std::size_t>(x)] = on;
 }
 
-// What the midpoint surface of a box of voxels encloses: it has no corners and no edges. The sums
-// of its layers are those of the samples' bits less an eighth of each edge and some of each corner.
-// So the volume is taken from a box that is alone.
+// The volume inside the midpoint surface of a box of voxels: it has no corners and no edges. The
+// sums of its layers are those of the samples' bits less an eighth of each edge and some of each
+// corner. So the volume is taken from a box that is alone.
 double volume_of_box(int x, int y, int z) {
   BitVolume volume({20, 20, 20});
   put_box(volume, {1, 1, 1}, {x, y, z}, 1);

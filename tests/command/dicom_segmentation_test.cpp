@@ -216,7 +216,7 @@ TEST_CASE("a map of labels is read unchanged, also with a palette") {
 
 TEST_CASE("colours of segments are those of sRGB from which they were encoded") {
   using discmc::command::srgb_of_cielab;
-  // What DCMTK, and so 3D Slicer, makes of these colours.
+  // The colours that DCMTK, and so 3D Slicer, makes of these.
   CHECK(srgb_of_cielab({34889, 53479, 50166}) == Srgb{255, 0, 0});
   CHECK(srgb_of_cielab({57497, 10747, 54273}) == Srgb{0, 255, 0});
   CHECK(srgb_of_cielab({21168, 53249, 5173}) == Srgb{0, 0, 255});

@@ -1,5 +1,5 @@
-// DICOM files of write_dicom.py, which other programs wrote: in order whatever their names,
-// decoded, and refused where they are no volume.
+// DICOM files of write_dicom.py, written by other programs. They are ordered by position, decoded,
+// or refused if they hold no volume.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
-// HDF5 files of h5py (volumes/write_volumes.py): which of their arrays is the volume, what is
-// refused, and slices that are skipped. container_table_test has every sample type.
-// Without the library the test is disabled, but compiled.
+// HDF5 files of h5py (volumes/write_volumes.py): which of their arrays is the volume, refusals, and
+// skipped slices. The sample types are in container_table_test. Without the library the test is
+// disabled, but compiled.
 #if __has_include(<hdf5.h>)
 #include <doctest/doctest.h>
 
@@ -182,8 +182,8 @@ TEST_CASE("names of a file in a remedy are quoted, so that a shell runs none") {
   check_refusal(refusal(file), "')['NAME'][()]");
 }
 
-// An LZF stream with each kind of part, the long one
-// too, and one that reaches into what it makes.
+// An LZF stream with each kind of part, including the long one and one that overlaps its own
+// output.
 std::string lzf_of_runs() {
   const std::string literal("\3\1\2\3\4", 5);  // four that stand for themselves
   const std::string again("\x20\x03", 2);      // three of them, from four back

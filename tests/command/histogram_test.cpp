@@ -1,4 +1,4 @@
-// How often which samples are there, of every type, few and many.
+// The number of samples per value, for every type, with few and many values.
 #include "statistics/histogram.hpp"
 
 #include <doctest/doctest.h>

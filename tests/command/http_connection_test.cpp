@@ -1,4 +1,4 @@
-// Requests to the server of discmc view --serve: what is understood, and how much is read.
+// Requests to the server of discmc view --serve: how they are parsed, and how much is read.
 #include "pages/http_connection.hpp"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@ using discmc::command::HttpConnection;
 using discmc::command::HttpRequest;
 using discmc::command::parse_request;
 
-// Two ends of a connection, of which the test is the client.
+// Two ends of a connection; the test is the client.
 class Client {
  public:
   Client() { REQUIRE(socketpair(AF_UNIX, SOCK_STREAM, 0, ends_.data()) == 0); }

@@ -256,7 +256,7 @@ TEST_CASE("truncated pictures are refused") {
                                  "u8.jpg", "u8.bmp", "deep-tiles4.tif"}) {
     const std::string bytes = contents(files / name);
     const std::string cut = "cut" + fs::path(name).extension().string();
-    // A cut table of pages would be one of fewer, where the last is what is lost.
+    // A truncated table of pages looks like a shorter one without the last page.
     for (std::size_t size = 0; size < 100; size += 7) {
       INFO(name, " cut at ", size);
       refusal(folder.write(cut, bytes.substr(0, size)));

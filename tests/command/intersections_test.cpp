@@ -1,4 +1,4 @@
-// Faces that go through each other.
+// Faces that intersect.
 #include "meshes/intersections.hpp"
 
 #include <doctest/doctest.h>

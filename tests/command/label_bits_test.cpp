@@ -1,4 +1,4 @@
-// Which labels of which layers voxels have, as bits.
+// The labels of a voxel in all layers, as bits.
 #include "volumes/filters/label_bits.hpp"
 
 #include <doctest/doctest.h>

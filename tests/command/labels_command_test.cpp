@@ -334,7 +334,7 @@ TEST_CASE("masks of other scans, and label maps, are ignored in a folder of mask
   refused(nifti().dims({3, 2, 4, 3}).file(second_layer), "has 2 x 4 x 3 voxels, and 'a.nii' 4 x 2");
   refused(nifti().real(80, 2).file(second_layer), "the mask lies elsewhere than 'a.nii'");
   refused(nifti().scale(0.5F, 0).file(second_layer), "the value 0.5 in slice 0 is no label");
-  // A file alone is what it is.
+  // A single file is read as such.
   REQUIRE(workshop.shell("rm seg/a.nii").code == 0);
   workshop.write("seg/b.nii", nifti().file(volume));
   CHECK(contains(workshop.done("extract seg --labels all -o v.glb"), "  9\n"));

@@ -16,7 +16,7 @@ namespace {
 
 using discmc::command::LiveFile;
 
-// A named pipe, and what is written into it.
+// A named pipe and its writer.
 class Pipe {
  public:
   Pipe() { REQUIRE(mkfifo(path().c_str(), 0600) == 0); }

@@ -43,7 +43,7 @@ struct Masked {
     workshop.write("m.nrrd", nrrd_of(mask));
   }
 
-  // The volume in which what is masked has another value.
+  // The volume with another value in masked voxels.
   std::string with_value(unsigned char value) const {
     std::string result = samples;
     for (std::size_t i = 0; i < voxels; ++i)
@@ -65,7 +65,7 @@ TEST_CASE("all labels with a mask are as many meshes as if each were asked for w
     CHECK(workshop.read("all-" + label) == workshop.read("one-" + label));
   const std::string refused = "extract v.nrrd --labels all --mask m.nrrd -o '{name}.stl' ";
   check_failure(workshop.run(refused + "--median 3"), 2, {"grow labels over the mask"});
-  // Values from 1 on: what is masked becomes 0, which no sample has.
+  // Values from 1 on: masked voxels become 0, which no sample has.
   std::string samples = masked.samples;
   const auto nifti = [] { return volume_files::Nifti().dims({3, 9, 8, 7}); };
   for (char& sample : samples) sample = static_cast<char>(sample - 1);

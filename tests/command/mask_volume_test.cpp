@@ -45,7 +45,7 @@ TEST_CASE("a mask selects values that are numbers other than 0") {
   std::vector<double> expected(60, 1);
   expected[1] = expected[2] = expected[30] = 0;
   CHECK(mask_of(Nifti().type(16).integer(72, 2, 32).file(samples)) == expected);
-  // The value counts, which is 0 at 8.
+  // The scaled value counts, which is 0 at sample 8.
   std::vector<double> all_but_third(60, 1);
   all_but_third[2] = 0;
   CHECK(mask_of(Nifti().scale(0.5F, -4).file(stored(SampleType::u8))) == all_but_third);

@@ -18,7 +18,7 @@ using namespace volume_files;
 using discmc::meshing::narrowed;
 using discmc::meshing::SampleBounds;
 
-// The test volume as float, some samples of which are others.
+// The test volume as float, with some samples replaced.
 std::string floats(const std::vector<float>& first) {
   std::string bytes = stored(SampleType::f32);
   std::memcpy(bytes.data(), first.data(), first.size() * sizeof(float));

@@ -71,7 +71,7 @@ std::string shape_of(const std::string& letters) {
   return shape;
 }
 
-// An array with these axes, the first one slowest: volume 1 and channel 4 of it are the one above.
+// An array with these axes, the first one slowest. Its volume 1 and channel 4 are the array above.
 std::string array_with(const std::string& letters) {
   std::vector<int> sizes;
   for (const char letter : letters) sizes.push_back(size_along(letter));

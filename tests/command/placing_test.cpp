@@ -1,4 +1,4 @@
-// Meshes where their volumes lie: in the patient's space, whatever the way of the placement there.
+// Meshes have the places of their volumes in the patient's space, for each kind of placement.
 #include "meshes/placing.hpp"
 
 #include <doctest/doctest.h>

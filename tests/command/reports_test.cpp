@@ -1,4 +1,4 @@
-// Files and folders as users reported them to other programs: what was read wrongly, or refused
+// Files and folders that users of other programs reported: they were read wrongly, or refused
 // without a remedy.
 #include <doctest/doctest.h>
 
@@ -39,7 +39,7 @@ TEST_CASE("formats are named by their first bytes, with a remedy") {
     INFO(head);
     check_refusal(refusal(folder.write("v.vol", head + "....")), part);
   }
-  // A name does not hide what is in the file.
+  // The name does not override the contents of the file.
   check_refusal(refusal(folder.write("v.nc", "CDF\1....")), "nccopy");
   check_refusal(refusal("https://example.org/v.nrrd"), "this is an address");
 }

@@ -69,7 +69,7 @@ struct Extracted {
 inline Extracted extracted(const Field& field, SampleType type = SampleType::u8,
                            const Point& spacing_mm = {1, 1, 1}, Border border = Border::closed) {
   SampleReader reader(field.size, field.samples, spacing_mm, type);
-  // Between the same samples, whatever their type.
+  // Interpolated between the same samples, for any type.
   const Selection selection{is_floating(type) ? level : threshold};
   SurfaceBuilder builder;
   Extracted result{{}, CrossingFinder(reader.info(), selection)};

@@ -1,4 +1,4 @@
-// Which slices of a volume are there, when its slabs come from several streams.
+// Which slices of a volume are known when its slabs come from several streams.
 #include "streams/slab_ranges.hpp"
 
 #include <doctest/doctest.h>

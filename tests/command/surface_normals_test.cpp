@@ -25,7 +25,7 @@ void check_near(const Point& a, const Point& b) {
   for (std::size_t axis = 0; axis < 3; ++axis) CHECK(std::abs(a[axis] - b[axis]) < 1e-12);
 }
 
-// Every face with corners of its own, as an STL file has them.
+// Every face has corners of its own, as in an STL file.
 FaceMesh soup_of(const FaceMesh& mesh) {
   FaceMesh soup = mesh;
   soup.vertices_mm.clear();

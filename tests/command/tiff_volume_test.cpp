@@ -220,7 +220,7 @@ TEST_CASE("positions of OME-XML are volumes for --frame") {
   CHECK(pages_read(file, chosen(2, {})) == Pages{2, 3});
 }
 
-// Files of a page each, of which every one describes all, or names the one that does.
+// Files of one page each: every one describes all files, or names the one that does.
 class OmeSet : public Folder {
  public:
   explicit OmeSet(bool has_companion = false) {

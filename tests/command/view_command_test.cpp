@@ -31,7 +31,7 @@ bool has_page(const Workshop& workshop) {
   return false;
 }
 
-// v.nrrd, of which the place in the patient is known.
+// v.nrrd, with a place in the patient.
 void write_in_space(const Workshop& workshop) {
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100),
                  "space: left-posterior-superior\nspace directions: (0,0.5,0) (-1,0,0) (0,0,2)\n"
@@ -102,7 +102,7 @@ TEST_CASE("the page of labels has their meshes, with names and colours, in space
   CHECK(unpack(workshop, "page.html", "inside.glb") == "v.nrrd");
   workshop.done("extract v.nrrd -q --normals surface" + labels + "v.glb");
   const std::string inside = workshop.read("inside.glb"), expected = workshop.read("v.glb");
-  // Normals differ: they are those that render draws with.
+  // Only the normals differ: the page has those that render draws with.
   CHECK(inside.size() == expected.size());
   const std::size_t json = expected.find("accessors");
   CHECK(inside.substr(0, json) == expected.substr(0, json));

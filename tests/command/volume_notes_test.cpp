@@ -1,4 +1,4 @@
-// What readers assume, and what they leave out, is noted.
+// Readers note each assumption and each omission.
 #include <doctest/doctest.h>
 
 #include <string>
@@ -33,7 +33,7 @@ const std::string vtk =
     "DIMENSIONS 5 3 4\n";
 const std::string scalars = "POINT_DATA 60\nSCALARS a unsigned_char 1\nLOOKUP_TABLE default\n";
 
-/// The notes that are there when all of a volume has been read.
+/// The notes after all of a volume has been read.
 Notes notes_of(const fs::path& file, const VolumeOptions& options = {}) {
   const auto reader = open_volume(file, options);
   read_all(*reader);

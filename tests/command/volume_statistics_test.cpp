@@ -148,7 +148,7 @@ TEST_CASE("padding outside the scanned circle of CT does not move Otsu's thresho
   // What is all around a body is its background.
   CHECK(
       !padding_value(statistics_of({{-1024, 5000}, {-900, 100}, {0, 900}, {40, 2000}, {300, 80}})));
-  // A value of 0 is often a background, and no other scanner has such values.
+  // A value of 0 is often background. Scanners other than CT have no such values.
   CHECK(!padding_value(statistics_of({{0, 400}, {300, 100}, {900, 10}})));
   CHECK(!padding_value(statistics_of({{-9999, 400}, {300, 100}, {900, 10}})));
   CHECK(!padding_value(statistics_of({{-2000, 400}, {-1, 100}, {1, 10}})));

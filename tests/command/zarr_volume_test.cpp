@@ -83,7 +83,7 @@ TEST_CASE("the finest of several levels is read, or a chosen one, with its own s
   options.level = 2;
   check_refusal(refusal(image, options),
                 "no level 2: the image has 2; choose one with --level 0 to 1");
-  // By the folder of its array, too, which is then a level of the image.
+  // Also by the folder of its array, which is then a level of the image.
   check_volume(image / "full", SampleType::u8, "OME-Zarr, level 0 of 2");
   check_volume(image / "full" / "", SampleType::u8, "OME-Zarr, level 0 of 2");
   CHECK(open_volume(image / "half")->info().spacing_mm == std::array<double, 3>{1, 1.5, 4});

@@ -52,7 +52,7 @@ Members members_of(const fs::path& folder, const std::string& prefix) {
   return members;
 }
 
-// The folder for temporary files, for as long as this is there: other programs have none in it.
+// The folder for temporary files during the life of this object; other programs write elsewhere.
 class TemporaryFiles {
  public:
   TemporaryFiles() { setenv("TMPDIR", folder_.path().c_str(), 1); }
@@ -91,7 +91,7 @@ TEST_CASE("a zip is read like the folder that was packed, for any names in it") 
       CAPTURE(prefix);
       const Folder folder;
       const auto unpacked = open_volume(packed);
-      // By its name, and by what it begins with.
+      // By its name, and by its first bytes.
       for (const std::string name : {"study.ZIP", "study"}) {
         const auto reader = open_volume(folder.write(name, zip(members_of(packed, prefix))));
         CHECK(reader->info().format == unpacked->info().format + ", zip");

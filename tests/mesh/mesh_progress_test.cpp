@@ -1,4 +1,4 @@
-// MeshOptions::progress: what it hears, and that it can cancel.
+// MeshOptions::progress: its calls, and cancellation.
 #include <doctest/doctest.h>
 
 #include <string>

@@ -451,7 +451,7 @@ namespace {
 using Path = std::filesystem::path;
 const Path root = DISCMC_SOURCE_DIR;
 
-/// The lines of a file without what they are indented by, between two ends of lines.
+/// The lines of a file between two ends of lines, without their indent.
 std::string lines_of(std::istream& text) {
   std::string lines = "\n";
   for (std::string line; std::getline(text, line);)

@@ -1,4 +1,4 @@
-// What builds the library by a list of its sources has them all. The others take what is there.
+// Build files with a list of sources list all of them. The others use all files of the folders.
 #include <doctest/doctest.h>
 
 #include <filesystem>

@@ -32,8 +32,8 @@ class Log {
   int32_t origin_;
 };
 
-// One voxel in each of the last three of `slices` slices, of which those from `first` on are
-// scanned; then one slice more.
+// One voxel in each of the last three of `slices` slices. The scan begins at slice `first`, and has
+// one slice more.
 bool scan(uint32_t first, uint32_t slices, Status beyond, Log& log) {
   static uint8_t memory[Extractor16::minimum_bytes({1, 1}) + 2000];
   const Slab slab{first, first > 0};

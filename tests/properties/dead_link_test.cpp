@@ -48,7 +48,7 @@ struct RegionScan {
     require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
                                make_sink(encoder)));
     REQUIRE(push_rows(extractor, row, all_rows) == Status::suspended);
-    ++row;  // the one that caused it has been taken
+    ++row;  // the row that suspended it was accepted
   }
   Encoder encoder;
   Extractor16 extractor;

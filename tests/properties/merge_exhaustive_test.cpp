@@ -17,7 +17,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// One extractor for all the blocks of a size: reset() is part of what is tested.
+// One extractor for all blocks of a size, so that reset() is tested, too.
 class BlockScanner {
  public:
   BlockScanner(Size size, bool is_closed, const Capacities& capacities)

@@ -14,7 +14,7 @@ namespace {
 
 // How the caller continues after Status::suspended.
 enum class Way : uint8_t {
-  again,   ///< by the same call, with what is left of the samples
+  again,   ///< by the same call, with the remaining samples
   resume,  ///< by resume() until it is ok, then by the same call
   busy,    ///< by pushing nothing, then by the same call
 };
@@ -167,13 +167,13 @@ void check_many_refusals(const Scenario& scenario) {
   }
 }
 
-// Hands the events on to whichever log is in its turn.
+// Passes the events to the log of the current turn.
 struct Switch {
   EventLog* log;
   SinkResult take(const Event& event) { return log->take(event); }
 };
 
-// Pushes what is left, and finishes, until the sink refuses.
+// Pushes the remaining samples, and finishes, until the sink refuses.
 Status push_until_refused(Extractor16& extractor, const Scenario& scenario, uint32_t& at) {
   Status status = Status::ok;
   while (at < scenario.samples && status == Status::ok) {
@@ -190,8 +190,8 @@ bool is_held(Extractor16& extractor, const Scenario& scenario, uint32_t at) {
          (pushed.status == Status::suspended || pushed.status == Status::finished);
 }
 
-// A sink that takes `k` events and no more holds the scan where it is, whatever the caller tries.
-// Then it recovers, or the scan is given up for the next one in the same memory.
+// A sink that accepts `k` events stops the scan there, whatever the caller tries. Then it recovers,
+// or the scan is abandoned for the next one in the same memory.
 std::string fault_of_dead_sink(const Scenario& scenario, const EventLog& plain, uint64_t k) {
   bool is_dead = false;
   EventLog log([&](uint64_t offer) { return (is_dead = is_dead || offer == k); });

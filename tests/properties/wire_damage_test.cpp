@@ -25,7 +25,7 @@ Received survive(const Bytes& bytes, size_t portion = 0) {
   return arrival;
 }
 
-// Whether `part` is what is left of `whole` when pieces are taken out.
+// Whether `part` is `whole` without some of its pieces.
 bool is_subsequence(const std::vector<Events>& part, const std::vector<Events>& whole) {
   size_t at = 0;
   for (const Events& piece : part) {

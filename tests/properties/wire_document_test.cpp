@@ -1,4 +1,5 @@
-// WIRE.md is true: its worked example is what the encoder makes, its tables are those of the code.
+// WIRE.md is true: its worked example is the output of the encoder, and its tables are those of the
+// code.
 #include <doctest/doctest.h>
 
 #include <algorithm>

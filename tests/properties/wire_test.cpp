@@ -1,4 +1,5 @@
-// The stream as a whole: what goes in comes out, whatever the portions, and the bytes are pinned.
+// Streams as a whole: decoding returns the encoded events for any portions, and golden files pin
+// the bytes.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -216,6 +217,6 @@ TEST_CASE("fields of one to eight bytes are read as written, with zeros beyond t
   CHECK(reader.get(4) == 0x89ABCDEF);
   CHECK(reader.get(8) == 0x0123456789ABCDEF);
   CHECK(reader.get(4) == 0);
-  const uint8_t three[] = {1, 2, 3, 0xFF};  // of which the reader may read two
+  const uint8_t three[] = {1, 2, 3, 0xFF};  // the reader may read two of them
   CHECK(detail::wire::ByteReader(three, 2).get(4) == 0x0201);
 }

@@ -1,4 +1,4 @@
-// Capacities: known at compile time, what they promise is enough, and what cannot be is refused.
+// Capacities: constants at compile time, sufficient as promised, and refused if impossible.
 #include <doctest/doctest.h>
 
 #include <discmc/capacities.hpp>

@@ -15,7 +15,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// Does nothing with what it is given; counts the regions.
+// Ignores its events, and counts the regions.
 struct Counter {
   uint64_t regions = 0;
   uint64_t layers = 0;

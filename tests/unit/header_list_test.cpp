@@ -18,7 +18,7 @@ const fs::path library = fs::path(DISCMC_SOURCE_DIR) / "lib";
 
 using discmc::test::text_of;
 
-// The headers of this library that one of them includes, by whatever way, and itself.
+// The header itself, and all headers of this library that it includes.
 std::set<std::string> included_by(const std::string& header) {
   const std::string include = "#include <";
   std::set<std::string> all = {header};

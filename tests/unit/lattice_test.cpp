@@ -193,7 +193,7 @@ TEST_CASE("the directions run the other way if the plane is seen from its other 
 
 TEST_CASE("links derived at run time equal those of the compiler") {
   LinkTable derived{};
-  derived = detail::derive::link_table();  // what is initialised the compiler would work out
+  derived = detail::derive::link_table();  // as an initialised table, the compiler would derive it
   for (Link link = 0; link < link_codes; ++link)
     CHECK(detail::derive::link_of(derived, detail::derive::link_vector(detail::link_table, link)) ==
           link);

@@ -50,7 +50,7 @@ Contender vector_pass(const Volume& volume);
 /// So the time is their own, without the page faults of their results.
 void settle();
 
-/// The versions of what is linked, as a sentence's part.
+/// The versions of the linked libraries, as a part of a sentence.
 std::string versions();
 
 }  // namespace discmc::bench

@@ -20,7 +20,7 @@ namespace discmc::bench {
 
 namespace {
 
-// How far what is merged may lie from its plane. Units: voxels.
+// The largest distance of merged triangles from their plane. Units: voxels.
 constexpr double tolerance = 0.1;
 
 // The samples as they lie in memory; they must outlive the image.

@@ -298,7 +298,7 @@ TEST_CASE("a file returns rows by number, and a pipe the next row") {
   CHECK(text() == "aa");
   CHECK(device->read(7, row));
   CHECK(text() == "bb");
-  CHECK(!device->read(8, row));  // half a row is none
+  CHECK(!device->read(8, row));  // half a row does not count
   close(ends[0]);
   std::remove(name);
 }

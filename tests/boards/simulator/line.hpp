@@ -27,7 +27,7 @@ class Line {
   int descriptor() const { return descriptor_; }
   bool is_open() const { return descriptor_ >= 0; }
 
-  /// Reads what is there, `count` bytes at most. Returns their number.
+  /// Reads available bytes, `count` at most. Returns their number.
   std::size_t read(std::uint8_t* bytes, std::size_t count);
 
   /// Sends bytes as soon as the line takes them.

@@ -18,7 +18,7 @@ struct HoldUp {
 
 struct ListenerBehaviour {
   std::uint64_t bytes_per_second = 0;  ///< 0: as fast as they come
-  /// Reads nothing for so long from when the scan is at these rows.
+  /// Reads nothing for this time after the scan has reached these rows.
   std::map<std::uint32_t, std::chrono::milliseconds> stalls;
   std::optional<HoldUp> hold_up;
 };

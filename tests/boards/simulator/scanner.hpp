@@ -29,8 +29,8 @@ struct ScannerBehaviour {
   bool waits_for_credit = true;         ///< else it sends at its pace, come what may
 };
 
-/// Follows the answers of the device and its own clock; whoever owns it brings the bytes to and
-/// from the line.
+/// Follows the answers of the device and its own clock. The owner carries the bytes to and from the
+/// line.
 class Scanner {
  public:
   /// Owner: the rows and the behaviour belong to the caller and outlive the scanner.

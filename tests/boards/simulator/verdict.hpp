@@ -18,7 +18,7 @@ namespace discmc::simulator {
 std::vector<std::string> mistakes(const Rows& rows, const Options& options,
                                   const Received& received);
 
-/// Rows that were sent whole and are skipped all the same: the device had no room for them.
+/// Rows that were sent whole but are skipped: the device had no room for them.
 std::size_t overruns(const ScannerBehaviour& scanner, const ReceivedStream& stream);
 
 }  // namespace discmc::simulator

@@ -190,7 +190,7 @@ Statistics totals_of(Extractor& extractor, const BitVolume& volume, uint32_t slo
 
 // Checks the slots in use, for a number of slots beyond the least, and for one less.
 struct Step {
-  uint32_t beyond;  // with one less there are those in use that the step before has
+  uint32_t beyond;  // with one less, the slots of the step before are still in use
   uint32_t in_use;
 };
 void check_steps(const BitVolume& volume, const std::vector<Step>& steps) {

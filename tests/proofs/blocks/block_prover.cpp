@@ -66,7 +66,7 @@ void BlockProver::save(Saved& saved) const {
   saved.forest = forest_.mark();
 }
 
-// All pointers stay what they are: everything goes back to its place.
+// All pointers stay valid: every part returns to its place.
 void BlockProver::put_back(const Saved& saved) {
   std::memcpy(static_cast<void*>(&extractor_), saved.extractor.data(), sizeof extractor_);
   std::copy(saved.memory.begin(), saved.memory.end(), memory_.begin());
@@ -145,7 +145,7 @@ const char* BlockProver::flaw() const {
   return nullptr;
 }
 
-// The reference against the paper's Merge, which is written without regard to time.
+// Compares the reference with the paper's Merge, which is written without regard to time.
 void BlockProver::check_reference() const {
   const bool is_closed = tables_.border == Border::closed;
   const reference::BitVolume volume = reference::from_bits({side, side, side}, block());

@@ -1,5 +1,5 @@
-// What the volumes go through: extractors, and behind them encoder, decoder and joiner. The work of
-// each part is counted by itself.
+// The pipelines: extractors, and behind them encoder, decoder and joiner. The work of each part is
+// counted separately.
 #ifndef DISCMC_TESTS_DOUBLING_PIPELINES_HPP
 #define DISCMC_TESTS_DOUBLING_PIPELINES_HPP
 

@@ -1,4 +1,4 @@
-// The counted work on the host, for what comes of it alone.
+// The counted work on the host, for its results alone.
 #include <stdio.h>
 #include <stdlib.h>
 #include <board.hpp>

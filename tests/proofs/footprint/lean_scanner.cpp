@@ -1,4 +1,4 @@
-// Flash: a scanner without the features of which LEFT_OUT has a bit.
+// Flash: a scanner without the features whose bits LEFT_OUT has.
 #include <discmc/encoder.hpp>
 #include <discmc/trace/extractor_definitions.hpp>
 

@@ -1,5 +1,5 @@
-// RAM: arrays as large as what they are named after, to be read from the symbols of the object
-// file.
+// RAM: arrays of the sizes of the types in their names. The symbols of the object file show the
+// sizes.
 #include <discmc/byte_output.hpp>
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>

@@ -1,4 +1,4 @@
-// Scans whose instructions are counted, and what they are of.
+// Scans whose instructions are counted, and their samples.
 #ifndef DISCMC_TESTS_FOOTPRINT_SCANS_HPP
 #define DISCMC_TESTS_FOOTPRINT_SCANS_HPP
 

@@ -123,7 +123,7 @@ std::vector<Arrangement> draw_arrangements(const PlacedVolume& volume, const sha
   return all;
 }
 
-// Returns what is wrong, or nothing; place.text has what was scanned at last.
+// Returns the fault, or an empty text; place.text has the last scan.
 std::string fault_of(Place& place) {
   test::Chance chance(place.seed);
   const shapes::Below below = [&](uint32_t limit) { return chance.below(limit); };
@@ -187,7 +187,7 @@ class Torture {
     if (children_[job] == 0) _exit(work(places_[job]));
   }
 
-  // In a process of its own: whatever ends it, its parent has its place.
+  // In a process of its own: if it dies, its parent has the place.
   int work(Place& place) {
     for (; !is_over(place); place.seed += options_.jobs, ++place.cases) {
       try {

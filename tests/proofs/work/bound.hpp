@@ -49,8 +49,7 @@ inline uint64_t bound(uint32_t width, const Asked& asked, uint64_t holes, uint64
 
 /// The same per coded row. The work per packet is its checksum and the change to the next packet.
 struct SliceCost {
-  static constexpr uint64_t row =
-      2000;  ///< the first of a key slice, which forgets what was learnt
+  static constexpr uint64_t row = 2000;  ///< the first row of a key slice, which resets the model
   static constexpr uint64_t voxel = 60;
 };
 

@@ -1,4 +1,4 @@
-// What the tests of the C API share: events of C's as those of C++, and memory for objects.
+// Shared by the tests of the C API: its events as those of C++, and memory for objects.
 #ifndef DISCMC_TESTS_ORACLE_C_EVENTS_HPP
 #define DISCMC_TESTS_ORACLE_C_EVENTS_HPP
 

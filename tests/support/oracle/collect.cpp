@@ -40,7 +40,7 @@ void add_simple(const Ring& ring, std::vector<Ring>& rings) {
   if (ring.size() > 2) rings.push_back(ring);
 }
 
-// Walks the ring; whenever a vertex comes again, the loop since it came first is a ring of its own.
+// Walks the ring. When a vertex recurs, the loop since its first visit is a ring of its own.
 void split(const Ring& ring, std::vector<Ring>& rings) {
   if (!recurs(ring)) return add_simple(ring, rings);
   Ring path;

@@ -1,4 +1,4 @@
-// The recorder of events: a sink that keeps what it takes, as values that compare.
+// The recorder of events: a sink that keeps accepted events as values that compare.
 #ifndef DISCMC_TESTS_ORACLE_EVENT_LOG_HPP
 #define DISCMC_TESTS_ORACLE_EVENT_LOG_HPP
 
@@ -165,7 +165,7 @@ inline Collector collected(const Events& events, const Slab& slab = {}) {
   return collector;
 }
 
-/// What a slab sends, whatever its order: regions, loose fragments and counts, as numbers.
+/// The output of a slab without its order: regions, loose fragments and counts, as numbers.
 inline std::vector<std::vector<uint64_t>> sorted_parts(const Events& events) {
   std::vector<std::vector<uint64_t>> parts(1);
   for (const RecordedEvent& event : events) {

@@ -1,4 +1,4 @@
-// Volumes of samples, and the gradient in them: the definition, written down once more.
+// Volumes of samples, and their gradient by its definition.
 #ifndef DISCMC_TESTS_ORACLE_GRADIENT_HPP
 #define DISCMC_TESTS_ORACLE_GRADIENT_HPP
 

@@ -18,7 +18,7 @@ namespace discmc::reference {
 struct Piece {
   Events events;
   size_t rank = 0;    ///< its place in a sweep
-  size_t region = 0;  ///< what it belongs to
+  size_t region = 0;  ///< its region or fragment
   size_t ring = 0;    ///< of the region, when it is a fragment
   size_t place = 0;   ///< in the ring, among its fragments
   size_t places = 0;
@@ -71,7 +71,7 @@ class Cutter {
 
   const Ring& ring_of(const RingName& name) const { return regions_[name.region].rings[name.ring]; }
 
-  // What is inside comes before what is around it.
+  // Inner polygons come before the outer ones around them.
   void rank_rings() {
     std::vector<RingName> names;
     for (size_t region = 0; region < regions_.size(); ++region)

@@ -53,7 +53,7 @@ UnitLink link_of(const Edge& edge) {
   return {origin + position(ring.point[edge.number]), origin + position(ring.point[next])};
 }
 
-// across_edge searches; the paper looks the adjacent shapes up, and so do we.
+// The function across_edge() searches, as the paper looks the adjacent shapes up.
 using Neighbours = std::array<std::array<Neighbour, 4>, facet_codes>;
 
 Neighbours tabulate_neighbours() {

@@ -1,4 +1,4 @@
-// Runs a whole volume through an extractor, in whatever portions and memory a test asks for.
+// Runs a whole volume through an extractor, in the portions and the memory of a test.
 #ifndef DISCMC_TESTS_ORACLE_SCAN_HPP
 #define DISCMC_TESTS_ORACLE_SCAN_HPP
 
@@ -51,7 +51,7 @@ struct Plan {
   uint32_t chunk = 0;  ///< samples a push; 0: the whole volume
 };
 
-/// Room for all that the volumes of the tests need, whatever the index: nothing goes out loose.
+/// Enough room for the volumes of the tests with any index: nothing goes out loose.
 constexpr Capacities ample{32759, 32759};
 
 inline Limits limits_of(const BitVolume& volume, Border border) {

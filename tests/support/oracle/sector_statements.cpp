@@ -103,8 +103,8 @@ struct FaceLook {
 };
 struct Look {
   FaceLook face[2];  // at the quadrant's first line and at its last
-  CellEdge to;       // where the chain leads that leaves by the centroid; cell_edges: there is none
-  CellEdge from;     // where the one that comes by the centroid is from
+  CellEdge to;       // the way of a chain that leaves by the centroid; cell_edges: none
+  CellEdge from;     // the origin of a chain that comes by the centroid
 };
 
 using PointLink = std::pair<Vertex, Vertex>;

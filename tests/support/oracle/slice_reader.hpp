@@ -154,7 +154,7 @@ struct SlicesRead {
   uint64_t rows = 0;
   uint64_t skipped_rows = 0;
   uint32_t key_codes = 0;   ///< that begin a key slice
-  uint32_t long_codes = 0;  ///< that go through several packets
+  uint32_t long_codes = 0;  ///< codes of several packets
   uint32_t cut_codes = 0;
   std::vector<uint32_t> notes;  ///< of each row: 0 coded, 1 off, 2 copy of the previous row
   /// All coded voxels of each surface, in x, y, z order.
@@ -163,7 +163,7 @@ struct SlicesRead {
 
 class SliceReader {
  public:
-  /// model: the text of slice_model.cpp, of which the two tables are read.
+  /// model: the text of slice_model.cpp, whose two tables are read.
   explicit SliceReader(const std::string& model) {
     size_t at = model.find('{', model.find("trained[2]"));
     const size_t end = model.find("};", at);

@@ -1,6 +1,6 @@
-// What must hold of the derived tables, so that any wrong byte breaks it. Statements about the
-// tables as data: none uses the code that derives them but the loops of cell.hpp, of which
-// cell_test.cpp speaks.
+// Statements about the derived tables, so that any wrong byte breaks one. They treat the tables as
+// data: none uses the code that derives them, except the loops of cell.hpp, which cell_test.cpp
+// tests.
 #ifndef DISCMC_TESTS_ORACLE_TABLE_STATEMENTS_HPP
 #define DISCMC_TESTS_ORACLE_TABLE_STATEMENTS_HPP
 

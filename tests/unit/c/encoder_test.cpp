@@ -1,4 +1,4 @@
-// Encoders in C write what they write in C++, byte for byte.
+// Encoders in C and in C++ write the same bytes.
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 
@@ -81,7 +81,7 @@ void compare(const discmc_encoder_kind& kind, Encoder& encoder, const Events& al
   const size_t middle = all.size() / 2;
   take_all(stream.encoder, all, 0, middle);
 
-  // The power fails, with a frame that has gone out in part, which is sent again.
+  // The power fails after a part of a frame has gone out; the frame is sent again.
   for (int i = 0; i < 2; ++i) CHECK(discmc_encoder_flush(stream.encoder) == DISCMC_SUSPENDED);
   discmc_memory part;
   REQUIRE(discmc_encoder_save(stream.encoder, &part) == DISCMC_OK);

@@ -1,4 +1,4 @@
-// Extractors of every kind do through C what they do in C++, event for event.
+// Extractors of every kind deliver the same events in C and in C++.
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 

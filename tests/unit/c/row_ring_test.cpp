@@ -1,4 +1,4 @@
-// The ring of rows and the unpackers in C do what they do in C++.
+// The ring of rows and the unpackers behave the same in C and in C++.
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 

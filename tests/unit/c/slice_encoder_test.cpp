@@ -1,4 +1,4 @@
-// A slice encoder in C writes what it writes in C++, byte for byte.
+// A slice encoder writes the same bytes in C and in C++.
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 
@@ -113,7 +113,7 @@ void compare(const discmc_slice_kind& kind, discmc_sample_type type, const std::
             return discmc_slice_encoder_write_record(scan.encoder, &record);
           }) == DISCMC_OK);
 
-  // The power fails, with a frame that has gone out in part, which is sent again.
+  // The power fails after a part of a frame has gone out; the frame is sent again.
   for (int i = 0; i < 2; ++i) CHECK(discmc_slice_encoder_flush(scan.encoder) == DISCMC_SUSPENDED);
   discmc_memory part;
   REQUIRE(discmc_slice_encoder_save(scan.encoder, &part) == DISCMC_OK);

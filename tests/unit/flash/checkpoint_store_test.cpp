@@ -65,7 +65,7 @@ struct Keeper {
   Status status;
 };
 
-/// What is saved: three parts, the last of which grows.
+/// The saved parts: three, of which the last grows.
 class Contents {
  public:
   explicit Contents(uint32_t number = 0) : bytes_(400 + 173 * number % 700, 0xFF) {
@@ -107,7 +107,7 @@ Status save(Keeper& keeper, uint32_t number) {
   return keeper.save(Contents(number).parts());
 }
 
-/// The number whose contents are those that the store finds; UINT32_MAX where it finds none.
+/// The number whose contents the store finds; UINT32_MAX if it finds none.
 uint32_t number_found(SimulatedFlash& flash, uint32_t limit) {
   Keeper keeper(flash);
   REQUIRE(keeper.status == Status::ok);

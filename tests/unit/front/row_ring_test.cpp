@@ -113,7 +113,7 @@ TEST_CASE("rows ahead of the next one are free while the ring has room") {
         for (uint32_t ahead = 0; ahead < rows + 2; ++ahead)
           CHECK((ring.free_row(ahead) != nullptr) == (full + ahead < rows));
         if (full + 1 < rows) {
-          // What is ahead now is what is next behind a row.
+          // The next row will be the row that is ahead now.
           void* const then = ring.free_row(1);
           CHECK(bring(ring));
           CHECK(ring.free_row() == then);

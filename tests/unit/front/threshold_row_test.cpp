@@ -12,7 +12,7 @@ using namespace discmc;
 
 namespace {
 
-// The bits of samples, and behind them what was there.
+// The bits of samples, with the old bits behind them.
 template <class IsOn>
 std::vector<uint8_t> bits_of(uint32_t count, IsOn is_on) {
   std::vector<uint8_t> bits((count + 7) / 8);

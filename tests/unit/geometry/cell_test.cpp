@@ -242,7 +242,8 @@ TEST_CASE("each link has on corners on its left and off corners on its right, se
       const std::vector<int> left = corners_on_left(face, link);
       for (const int corner : detail::derive::face_corners(face).corner) {
         const bool on_left = std::find(left.begin(), left.end(), corner) != left.end();
-        // On an ambiguous face, beyond a link is the other on corner, which has a link of its own.
+        // On an ambiguous face, the other on corner lies beyond the link, and has a link of its
+        // own.
         if (on_left || !is_ambiguous(configuration, face))
           CHECK(is_on(configuration, corner) == on_left);
       }

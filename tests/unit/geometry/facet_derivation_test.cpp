@@ -11,7 +11,7 @@ namespace {
 
 TEST_CASE("facet tables derived at run time equal those of the compiler") {
   Derived again{};
-  again = derive_all();  // what is initialised the compiler would work out
+  again = derive_all();  // as an initialised table, the compiler would derive it
   for (int c = 0; c <= configurations; ++c) CHECK(again.table.first[c] == facet_table.first[c]);
   for (int i = 0; i < FacetTable::total; ++i) CHECK(again.table.facet[i] == facet_table.facet[i]);
   for (int facet = 0; facet < 256; ++facet) {

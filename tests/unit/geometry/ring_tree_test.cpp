@@ -114,7 +114,7 @@ TEST_CASE("the point beside a link lies left of it, in and near the plane") {
     for (const Run run : runs) {
       const ProjectedPoint inside = point_beside(incidence, at, run.direction());
       CHECK(is_inside(incidence, {5, 6, 8}, runs, inside));
-      // The same link the other way.
+      // The opposite link.
       const Vertex next = at + direction_vector(incidence, run.direction());
       const Direction back = opposite_direction(incidence, run.direction());
       CHECK_FALSE(is_inside(incidence, {5, 6, 8}, runs, point_beside(incidence, next, back)));

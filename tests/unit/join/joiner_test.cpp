@@ -1,5 +1,5 @@
-// The joiner: whatever is cut comes out whole, in any order, any memory, whenever the sink refuses;
-// and any events are safe.
+// The joiner: cut regions are joined whole, in any order and memory, for any refusals of the sink.
+// Invalid events do no harm.
 #include <doctest/doctest.h>
 
 #include <set>
@@ -581,7 +581,7 @@ TEST_CASE(
 
 namespace {
 
-// What fragments come to, some of which are lost: whole rings, and chains between two gaps.
+// The expected result if some fragments are lost: whole rings, and chains between two gaps.
 size_t count_chains(const Pieces& left) {
   const auto has = [&](const Piece& wanted, size_t place) {
     return std::any_of(left.begin(), left.end(), [&](const Piece& piece) {
@@ -991,7 +991,7 @@ TEST_CASE("coordinates wrap for any start and length of fragments") {
       const Events more =
           fragment_of(incidence, start, static_cast<Direction>(chance.below(9)), runs);
       events.insert(events.end(), more.begin(), more.end());
-      // A ring that wraps, and may take whatever waits on its plane.
+      // A ring that wraps, and may get any holes of its plane.
       test::Script script;
       script.region(incidence).ring(start);
       for (const Run run : runs) script.run(run);

@@ -1,4 +1,4 @@
-// The slice decoder alone: what it refuses and reports, and packets made by hand.
+// The slice decoder alone: refusals, reports, and packets made by hand.
 #include <doctest/doctest.h>
 #include <discmc/slice_decoder.hpp>
 
@@ -54,8 +54,7 @@ class Code {
     for (; count > 0; --count) row(Bytes(bytes_of_row));
     return *this;
   }
-  // A row up to the first voxel that is not as the one before, and with it. What is left of it
-  // follows.
+  // A row up to and with the first voxel that differs from the row before. Its rest follows.
   Code& begin_row(const Bytes& bits) {
     if (surface_ == 0) {
       writer_.code_bit(surfaces_.note(), false);

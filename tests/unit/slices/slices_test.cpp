@@ -1,4 +1,4 @@
-// Streams of slices: every volume comes through, whatever the portions, the line and the receiver.
+// Streams of slices: every volume arrives unchanged, for any portions, line and receiver.
 #include <doctest/doctest.h>
 
 #include <discmc/receiver.hpp>
@@ -325,7 +325,7 @@ TEST_CASE("skipped rows fill packets like other rows") {
 }
 
 TEST_CASE("a push that is not suspended has encoded its row, even on a busy line") {
-  // Rows that take several packets, and rows before each of which one ends.
+  // Rows of several packets, and rows before each of which a packet ends.
   for (const reference::Size& size : {reference::Size{6000, 2, 3}, {30, 1, 50}}) {
     CAPTURE(size.width);
     const BitVolume volume = reference::random(size, 128, 13);

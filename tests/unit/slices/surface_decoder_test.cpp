@@ -176,7 +176,7 @@ struct Scan {
   uint8_t surfaces;
 };
 
-// Rows of which some never come, a key slice every slice.
+// Rows, some of them missing, with each slice a key slice.
 std::vector<Bytes> frames_with_skips(const Scan& scan) {
   StreamHeader header;
   header.width = scan.width;

@@ -1,4 +1,4 @@
-// The decoder alone: what it refuses, skips and reports, and packets made by hand.
+// The decoder alone: refusals, skipped packets, reports, and packets made by hand.
 #include <doctest/doctest.h>
 
 #include "oracle/stream_samples.hpp"
@@ -445,7 +445,7 @@ TEST_CASE("a decoder that is started again counts from the first packet on") {
   REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
   REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   CHECK(decoder.header().width == 0);
-  // Number 1: whoever hears it first has missed one.
+  // Number 1: a receiver that starts with it has missed one packet.
   REQUIRE(decoder.push(frames[1].data(), frames[1].size()).status == Status::ok);
   CHECK(decoder.report().packets == 1);
   CHECK(decoder.report().lost_packets == 1);
@@ -673,7 +673,7 @@ TEST_CASE("a fragment coded backwards begins where its runs lead back to") {
         })}))
             .events ==
         Script().fragment(up, {1, 0, 0}, 2).run(4, 10).run(6, 20).fragment_end().events);
-  // Its vertex is the one before the end, by the last run.
+  // Its vertex is the last one before the end.
   const Vertex first = direction_vector(up, 4);
   const Vertex second = direction_vector(up, 6);
   const Vertex start{1 - 10 * first.x - 19 * second.x, -10 * first.y - 19 * second.y, 0};

@@ -521,7 +521,7 @@ TEST_CASE("an encoder encodes normals after restore() only if they are enabled a
 }
 
 TEST_CASE("a region with a run outside a ring damages only its own packet") {
-  // The second would be a ring of its own, were its first words taken for a start.
+  // If its first words were read as a start, the second would be a ring of its own.
   for (const Vertex& start : {Vertex{1, 0, 0}, Vertex{1, 0, 8}}) {
     Script script;
     script.region(up).run(0, 2).ring(start).run(0, 2).run(4, 3).region_end();

@@ -442,7 +442,7 @@ TEST_CASE("the way between two points is a run along a direction, or empty") {
   CHECK(run_along(plane_steps_of(2), 8, {3, 0}).is_empty());  // half a link
 }
 
-// What plane steps close, closes in space, and the other way around.
+// A ring is closed by plane steps exactly if it is closed in space.
 TEST_CASE("steps of a plane add up like its links") {
   for_each_incidence([&](Incidence incidence) {
     const PlaneStep* const steps = plane_steps_of(class_of(incidence));

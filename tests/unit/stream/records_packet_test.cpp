@@ -63,7 +63,7 @@ Status append(Encoder& encoder, const KeptPacket& packet) {
       {packet.payload.data(), packet.payload.size(), packet.pieces, packet.is_whole});
 }
 
-// A stream of packets that come from elsewhere, behind some events of its own.
+// A stream with packets from elsewhere, behind some events of its own.
 Bytes appended(const KeptPackets& packets, const Event& finish, const Events& before = {}) {
   Line line;
   Encoder encoder;

@@ -154,7 +154,7 @@ TEST_CASE("the widest row is stored unchanged") {
   std::vector<uint16_t> samples(width);
   for (uint16_t& sample : samples) sample = static_cast<uint16_t>(random());
   check_comparison(samples, 0x8000);
-  // And in two portions, of which one is short.
+  // Also in two portions, one of them short.
   for (const uint32_t first : {1U, 29999U, width - 1}) {
     Rows rows({width, 1, Border::closed});
     rows.append(samples.data(), first, 1, 0x8000);

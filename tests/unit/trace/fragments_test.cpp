@@ -1,4 +1,4 @@
-// When pieces of chains go out loose: as late as possible, and so that many regions stay whole.
+// When fragments go out loose: as late as possible, and such that many regions stay whole.
 #include <discmc/trace/fragments.hpp>
 
 #include <doctest/doctest.h>

@@ -1,4 +1,5 @@
-// Holes go to the ring around them, in planes of every direction; where there is none, they go out.
+// Holes belong to the ring around them, in planes of every direction; without one, they go out
+// loose.
 #include <doctest/doctest.h>
 
 #include <discmc/trace/holes.hpp>
@@ -261,8 +262,8 @@ TEST_CASE("a loose hole is sent before the last piece of the ring around it") {
 
 namespace {
 
-// The events of a slab, of which `volume` is what it scans. From the event `refused` on the sink
-// refuses all until the scan is to end.
+// The events of a slab that scans `volume`. From the event `refused` on, the sink refuses all until
+// the end of the scan.
 Events slab_events(const BitVolume& volume, const Slab& slab, const Capacities& capacities,
                    size_t refused = SIZE_MAX) {
   bool refuses = true;

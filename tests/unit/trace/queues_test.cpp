@@ -34,7 +34,7 @@ class Ends {
   void lose(uint32_t count) {
     for (; count > 0; --count) queues_.push_lost(pool_, number);
   }
-  // What comes out next: an end, which is given back, or no_slot.
+  // Removes the next entry: an end, which is given back, or no_slot.
   Index pop() {
     const Index end = queues_.pop(pool_, number);
     if (end != no_slot) pool_.give(end);

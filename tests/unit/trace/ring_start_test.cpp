@@ -1,4 +1,4 @@
-// A ring begins at its last vertex, which is a top: that works as it passes it once.
+// A ring begins at its last vertex, which is a top and is passed once.
 #include <doctest/doctest.h>
 
 #include <discmc/geometry/loop_facets.hpp>

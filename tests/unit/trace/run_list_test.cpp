@@ -1,4 +1,4 @@
-// Lists of runs: what was put in comes out in order, and every slot goes back.
+// Lists of runs keep their order, and return every slot.
 #include <doctest/doctest.h>
 
 #include <discmc/trace/run_list.hpp>

@@ -14,7 +14,7 @@ using namespace discmc::reference;
 
 namespace {
 
-// Both slabs at a seam count parts of its cells, and leave out what is not whole in the end.
+// Both slabs at a seam count parts of its cells. Sums that are not whole are left out.
 bool adds_up(uint64_t sum, uint64_t whole, size_t slabs) {
   return sum <= whole && whole - sum < slabs;
 }

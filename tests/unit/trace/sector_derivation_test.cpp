@@ -17,7 +17,7 @@ namespace {
 
 TEST_CASE("the sector table derived at run time is right") {
   SectorTable table{};
-  table = derive::sector_table();  // what is initialised the compiler would work out
+  table = derive::sector_table();  // as an initialised table, the compiler would derive it
   CHECK(reference::broken(table) == nullptr);
   CHECK(queues_are_all_used());
   CHECK(memcmp(table.cell, sector_table.cell, sizeof table.cell) == 0);
