@@ -112,7 +112,7 @@ Trials try_all(const VolumeBits& volume, const TuneArguments& arguments,
   if (shows(arguments, Wire::regions)) try_all_regions(volume, arguments, given, progress, trials);
   if (shows(arguments, Wire::slices))
     for (const std::uint32_t interval : key_slice_intervals)
-      trials.slices.push_back(try_slices(volume, {interval}));
+      trials.slices.push_back(try_slices(volume, interval));
   return trials;
 }
 
