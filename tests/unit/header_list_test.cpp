@@ -1,7 +1,9 @@
-// That docs/README.md, docs/statuses.md and discmc.hpp list everything they should.
+// That docs/README.md, docs/statuses.md and discmc.hpp list everything they should, and that the
+// folders of the library include only the folders that they need.
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -52,6 +54,28 @@ TEST_CASE("the map of the library lists every user header and every folder") {
   }
   CHECK(headers > 20);
   CHECK(rooms > 5);
+}
+
+// Headers in lib/discmc itself are open to all folders.
+const std::map<std::string, std::set<std::string>> includes = {
+    {"c", {"front", "stream"}}, {"flash", {"stream"}},           {"front", {"trace"}},
+    {"geometry", {}},           {"join", {"geometry"}},          {"stream", {}},
+    {"trace", {"geometry"}},    {"slices", {"stream", "trace"}},
+};
+
+TEST_CASE("a folder of the library includes the folders of its list, and no other") {
+  std::map<std::string, std::set<std::string>> found;
+  const std::regex include("#include [<\"]discmc/([a-z]+)/");
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(library / "discmc")) {
+    const std::string folder = entry.path().parent_path().filename().string();
+    if (!entry.is_regular_file() || folder == "discmc") continue;
+    std::set<std::string>& folders = found[folder];
+    const std::string text = text_of(entry.path());
+    for (std::sregex_iterator each(text.begin(), text.end(), include);
+         each != std::sregex_iterator(); ++each)
+      if ((*each)[1] != folder) folders.insert((*each)[1]);
+  }
+  CHECK(found == includes);
 }
 
 TEST_CASE("the page of statuses lists every status of C++ and C with a remedy") {
