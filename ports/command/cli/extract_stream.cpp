@@ -13,6 +13,7 @@
 #include "exit_codes.hpp"
 #include "extract.hpp"
 #include "files/output_file.hpp"
+#include "files/require_written.hpp"
 #include "progress.hpp"
 #include "samples/iso_value.hpp"
 #include "streams/stream_output.hpp"

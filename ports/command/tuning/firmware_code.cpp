@@ -1,5 +1,6 @@
 #include "firmware_code.hpp"
 
+#include <discmc/extractor.hpp>
 #include <sstream>
 
 namespace discmc::command {
