@@ -129,7 +129,7 @@ TEST_CASE("each compression of TIFF that is read has a fuzz input that is read t
   const std::set<std::uint32_t> found = seeds(14, "v.tif", tiff_compression);
   std::size_t accepted = 0;
   for (const std::uint32_t number : tiff_compressions()) {
-    tiff_writer::Tiff file;
+    tiff_writer::TiffWriter file;
     file.page(5, 3, stored(SampleType::u8).substr(0, 15),
               {{tiff_writer::tag::compression, whole({number})}});
     const std::string refused = refusal_of(folder.write("v.tif", file.bytes()));

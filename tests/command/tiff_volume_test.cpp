@@ -43,8 +43,8 @@ void check_spacing(const VolumeInfo& info, const Spacing& expected) {
 }
 
 // Pages of 2 by 1 voxels with their number, and a description in the first.
-Tiff numbered(int pages, const std::string& description = {}, Tags more = {}) {
-  Tiff tiff;
+TiffWriter numbered(int pages, const std::string& description = {}, Tags more = {}) {
+  TiffWriter tiff;
   for (int i = 0; i < pages; ++i) {
     Tags tags = more;
     if (i == 0 && !description.empty()) tags[tag::description] = text(description);
@@ -236,7 +236,7 @@ class OmeSet : public Folder {
                                   ? ome("<BinaryOnly MetadataFile=\"set.companion.ome\"/>", own)
                                   : ome(all, own);
       write(name(z),
-            Tiff()
+            TiffWriter()
                 .page(2, 1, std::string(2, static_cast<char>(z)), {{tag::description, text(xml)}})
                 .bytes());
     }
@@ -289,7 +289,7 @@ TEST_CASE("OME-TIFF that names files out of its folder is refused") {
 
 // ---- ImageJ ----
 
-VolumeInfo info_of(const Tiff& tiff, const VolumeOptions& options = {}) {
+VolumeInfo info_of(const TiffWriter& tiff, const VolumeOptions& options = {}) {
   const Folder folder;
   return open_volume(folder.write("v.tif", tiff.bytes()), options)->info();
 }
@@ -327,7 +327,7 @@ TEST_CASE("pages behind the only directory of ImageJ are read, and missing ones 
   const Folder folder;
   const auto file = [&folder](const std::string& promised, const std::string& behind) {
     return folder.write(
-        "v.tif", Tiff()
+        "v.tif", TiffWriter()
                      .page(2, 1, std::string(2, '\0') + behind,
                            {{279, whole({2})}, {tag::description, text("ImageJ=1\n" + promised)}})
                      .bytes());
@@ -416,12 +416,12 @@ TEST_CASE("tifffile's shape determines the axes, with or without letters") {
 
 TEST_CASE("pages that are an array each are slices, and arrays of several pages volumes") {
   const Folder folder;
-  Tiff planes;
+  TiffWriter planes;
   for (int i = 0; i < 3; ++i)
     planes.page(2, 1, std::string(2, static_cast<char>(i)),
                 {{tag::description, text("{\"shape\": [1, 2]}")}});
   CHECK(pages_read(folder.write("v.tif", planes.bytes())) == Pages{0, 1, 2});
-  Tiff arrays;
+  TiffWriter arrays;
   for (int i = 0; i < 4; ++i)
     arrays.page(2, 1, std::string(2, static_cast<char>(i)),
                 i % 2 == 0 ? Tags{{tag::description, text("{\"shape\": [2, 1, 2]}")}} : Tags{});
@@ -434,7 +434,7 @@ TEST_CASE("pages that are an array each are slices, and arrays of several pages 
 
 TEST_CASE("smaller copies among the pages, and within them, are left out with a note") {
   const std::string large(4, '\7'), small(1, '\7');
-  Tiff tiff;
+  TiffWriter tiff;
   tiff.page(2, 2, large, {{tag::sub_directories, whole({8, 8})}});
   tiff.page(1, 1, small, {{tag::kind_of_page, whole({1})}});
   tiff.page(2, 2, large, {{tag::kind_of_page, whole({2})}});
@@ -446,7 +446,7 @@ TEST_CASE("smaller copies among the pages, and within them, are left out with a 
 
 TEST_CASE("bytes behind the only page are noted, unless they may be metadata") {
   const auto notes_much = [](std::size_t behind) {
-    Tiff tiff;
+    TiffWriter tiff;
     tiff.page(256, 256, std::string(65536, 'a')).behind(std::string(behind, 'b'));
     return noted(info_of(tiff), "bytes after its only page are left out");
   };
@@ -486,7 +486,8 @@ TEST_CASE("pages of different sizes, types, resolutions, colours or directions a
   const auto refusal_with = [&folder](const Tags& more, const VolumeOptions& options = {}) {
     Tags first = of_four_units;
     return refusal(
-        folder.write("v.tif", Tiff().page(2, 1, "ab", first).page(2, 1, "cdefgh", more).bytes()),
+        folder.write("v.tif",
+                     TiffWriter().page(2, 1, "ab", first).page(2, 1, "cdefgh", more).bytes()),
         options);
   };
   const Tags other_resolution = {{tag::x_resolution, fraction(5)},
@@ -512,7 +513,7 @@ TEST_CASE("samples packed in bits are unpacked, the highest bit first") {
   const auto values_of = [](std::uint32_t bits, const std::string& row) {
     const Folder folder;
     const fs::path file =
-        folder.write("v.tif", Tiff().page(3, 1, row, {{tag::bits, whole({bits})}}).bytes());
+        folder.write("v.tif", TiffWriter().page(3, 1, row, {{tag::bits, whole({bits})}}).bytes());
     return read_all(*open_volume(file));
   };
   CHECK(values_of(1, "\xa0") == std::vector<double>{1, 0, 1});
@@ -528,7 +529,7 @@ TEST_CASE("a palette of greys is read as greys") {
   // Values of 16 bits, two in each of 32.
   std::vector<std::uint32_t> packed;
   for (std::size_t i = 0; i < greys.size(); i += 2) packed.push_back(greys[i] | greys[i + 1] << 16);
-  std::string bytes = Tiff()
+  std::string bytes = TiffWriter()
                           .page(2, 1, std::string("\0\x09", 2),
                                 {{tag::photometric, whole({3})}, {320, whole(packed)}})
                           .bytes();

@@ -37,11 +37,11 @@ constexpr std::uint16_t kind_of_page = 254, bits = 258, compression = 259, photo
 }  // namespace tag
 
 /// A file of pages of one strip each, low bytes first.
-class Tiff {
+class TiffWriter {
  public:
   /// more: in place of the tags of 8 bits of grey.
-  Tiff& page(std::uint32_t width, std::uint32_t height, const std::string& samples,
-             const Tags& more = {}) {
+  TiffWriter& page(std::uint32_t width, std::uint32_t height, const std::string& samples,
+                   const Tags& more = {}) {
     const std::size_t at = append(samples);
     Tags tags = {
         {256, whole({width})},          {257, whole({height})},
@@ -54,7 +54,7 @@ class Tiff {
   }
 
   /// Bytes outside every directory.
-  Tiff& behind(const std::string& bytes) {
+  TiffWriter& behind(const std::string& bytes) {
     append(bytes);
     return *this;
   }

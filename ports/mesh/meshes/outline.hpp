@@ -11,7 +11,7 @@
 
 #include "lattice_plane.hpp"
 #include "mesh.hpp"
-#include "triangulate.hpp"
+#include "triangulator.hpp"
 #include "vertex_numbers.hpp"
 
 namespace discmc::meshing {

@@ -10,7 +10,7 @@
 #include <discmc/normal.hpp>
 
 #include "corner_set.hpp"
-#include "meshes/triangulate.hpp"
+#include "meshes/triangulator.hpp"
 #include "surface/surface.hpp"
 #include "triangle_store.hpp"
 

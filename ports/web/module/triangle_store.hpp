@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "meshes/triangulate.hpp"
+#include "meshes/triangulator.hpp"
 
 namespace discmc::web {
 

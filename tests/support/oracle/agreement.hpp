@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "collect.hpp"
+#include "collector.hpp"
 #include "merge.hpp"
 #include "surface.hpp"
 

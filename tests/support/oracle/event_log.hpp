@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "collect.hpp"
+#include "collector.hpp"
 
 namespace discmc::reference {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "agreement.hpp"
-#include "collect.hpp"
+#include "collector.hpp"
 
 namespace discmc::reference {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "collect.hpp"
+#include "collector.hpp"
 #include "event_log.hpp"
 #include "volume.hpp"
 

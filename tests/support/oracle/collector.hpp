@@ -2,8 +2,8 @@
 //
 // Every event is checked against the grammar of sink.hpp and against what the events before it
 // promised. Loose fragments are checked and kept, not joined (naive_join.hpp).
-#ifndef DISCMC_TESTS_ORACLE_COLLECT_HPP
-#define DISCMC_TESTS_ORACLE_COLLECT_HPP
+#ifndef DISCMC_TESTS_ORACLE_COLLECTOR_HPP
+#define DISCMC_TESTS_ORACLE_COLLECTOR_HPP
 
 #include <cstdint>
 #include <discmc/limits.hpp>

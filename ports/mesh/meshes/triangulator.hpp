@@ -1,6 +1,6 @@
 // Triangulation of a polygon with holes in its plane, in integers.
-#ifndef DISCMC_MESH_MESHES_TRIANGULATE_HPP
-#define DISCMC_MESH_MESHES_TRIANGULATE_HPP
+#ifndef DISCMC_MESH_MESHES_TRIANGULATOR_HPP
+#define DISCMC_MESH_MESHES_TRIANGULATOR_HPP
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Triangulation: every point kept, the area exact, nothing flat, and as round as the points allow.
-#include "meshes/triangulate.hpp"
+#include "meshes/triangulator.hpp"
 
 #include <doctest/doctest.h>
 

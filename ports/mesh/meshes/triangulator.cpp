@@ -1,4 +1,4 @@
-#include "triangulate.hpp"
+#include "triangulator.hpp"
 
 #include <algorithm>
 #include <stdexcept>

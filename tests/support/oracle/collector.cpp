@@ -1,4 +1,4 @@
-#include "collect.hpp"
+#include "collector.hpp"
 
 #include <algorithm>
 #include <unordered_map>
