@@ -90,7 +90,7 @@ static discmc_status power_on(void) {
       .limits = {SIZE, SIZE, DISCMC_CLOSED},
       .threshold = THRESHOLD,
       .memory = {extractor_memory, sizeof extractor_memory},
-      .sink = {NULL, discmc_encoder_take},
+      .sink = {NULL, discmc_encoder_accept},
   };
   discmc_status status = discmc_store_start(&store, &device);
   if (status != DISCMC_OK) return status;

@@ -35,7 +35,7 @@ static discmc_status start(void) {
       .limits = {SIZE, SIZE, DISCMC_CLOSED},
       .threshold = THRESHOLD,
       .memory = {extractor_memory, sizeof extractor_memory},
-      .sink = {encoder, discmc_encoder_take},
+      .sink = {encoder, discmc_encoder_accept},
   };
   return status == DISCMC_OK ? discmc_extractor_start(&extractor, &scan) : status;
 }

@@ -41,7 +41,7 @@ class Surface {
     }
   }
 
-  discmc::SinkResult take(const discmc::Event& event) {
+  discmc::SinkResult accept(const discmc::Event& event) {
     // For a stream of slices the report counts only rows, so the regions are counted here.
     if (event.kind == discmc::Event::Kind::region_end) ++regions_;
     if (event.kind == discmc::Event::Kind::skipped) ++lost_rows_;  // the device skips none

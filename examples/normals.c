@@ -23,7 +23,7 @@ static discmc_status start(discmc_byte_output output) {
       .threshold = THRESHOLD,
       .spacing_nm = {500000, 500000, 1000000},
       .memory = {extractor_memory, sizeof extractor_memory},
-      .sink = {encoder, discmc_encoder_take},
+      .sink = {encoder, discmc_encoder_accept},
   };
   return status == DISCMC_OK ? discmc_extractor_start(&extractor, &scan) : status;
 }

@@ -19,7 +19,7 @@ namespace {
 
 class Printer {
  public:
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     switch (event.kind) {
       case Event::Kind::region:
         print_normal(event.incidence);

@@ -18,7 +18,7 @@ static unsigned regions, corners, lost_rows, milliseconds;
 static int32_t min_z;
 static int has_finish;
 
-static discmc_sink_result take(void* context, const discmc_event* event) {
+static discmc_sink_result accept(void* context, const discmc_event* event) {
   static uint8_t incidence;
   static discmc_vertex corner;
   (void)context;
@@ -62,7 +62,7 @@ static discmc_status begin_scan(void) {
   const discmc_joiner_config joining = {
       .order = DISCMC_SWEEP_ORDER,
       .memory = {joiner_memory, sizeof joiner_memory},
-      .sink = {NULL, take},
+      .sink = {NULL, accept},
   };
   regions = corners = lost_rows = milliseconds = 0;
   min_z = INT32_MAX;
@@ -75,7 +75,7 @@ static discmc_status start(void) {
   const discmc_receiver_config receiving = {
       .channel = channel,
       .memory = {receiver_memory, sizeof receiver_memory},
-      .sink = {joiner, discmc_joiner_take},
+      .sink = {joiner, discmc_joiner_accept},
   };
   return status == DISCMC_OK ? discmc_receiver_start(&receiver, &receiving) : status;
 }

@@ -68,12 +68,12 @@ class Listener {
   /// Whether the last event offered was refused.
   bool refuses_now() const { return refuses_now_; }
 
-  SinkResult take(const Event& event) try {
+  SinkResult accept(const Event& event) try {
     if (event.kind == Event::Kind::start) return SinkResult::accepted;
     require(log_.has_value(), "an event before any scan");
-    const SinkResult answer = log_->take(event);
+    const SinkResult answer = log_->accept(event);
     refuses_now_ = answer == SinkResult::busy;
-    return refuses_now_ ? answer : collector_.take(event);
+    return refuses_now_ ? answer : collector_.accept(event);
   } catch (const std::exception& error) {
     require(false, error.what());
     return SinkResult::accepted;
@@ -157,16 +157,16 @@ class Caller {
     auto place = std::make_unique<Place>(bytes, input_.below(4));
     const Memory memory = (flags & 4) != 0 && bytes == 0 ? Memory{} : place->memory();
     Sink sink = make_sink(listener_);
-    if ((flags & 0xF0) == 0xF0) sink.take = nullptr;
+    if ((flags & 0xF0) == 0xF0) sink.accept = nullptr;
     const int32_t threshold = read_threshold();
 
     const Status status = is_split ? extractor_.start(limits, threshold, memory, sink)
                                    : extractor_.start(limits, capacities, threshold, memory, sink);
-    const Status expected = !limits.is_valid()      ? Status::bad_limits
-                            : !is_split && !is_good ? Status::bad_capacities
-                            : sink.take == nullptr  ? Status::bad_sink
-                            : bytes < needed        ? Status::too_little_memory
-                                                    : Status::ok;
+    const Status expected = !limits.is_valid()       ? Status::bad_limits
+                            : !is_split && !is_good  ? Status::bad_capacities
+                            : sink.accept == nullptr ? Status::bad_sink
+                            : bytes < needed         ? Status::too_little_memory
+                                                     : Status::ok;
     require(status == expected, "start() comes to another status");
     if (status == Status::too_little_memory) state_ = State::idle;
     if (status != Status::ok) {

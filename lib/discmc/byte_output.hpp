@@ -75,7 +75,7 @@ class SharedOutput {
   ByteOutput output() {
     if (output_.write == nullptr) return {};
     ByteOutput shared{this, [](void* context, const uint8_t* bytes, size_t count) {
-                        return static_cast<SharedOutput*>(context)->take(bytes, count);
+                        return static_cast<SharedOutput*>(context)->accept(bytes, count);
                       }};
     shared.max_frame = output_.max_frame;
     if (output_.unsent != nullptr)
@@ -96,7 +96,7 @@ class SharedOutput {
 
  private:
   // All or nothing: an encoder offers one frame at a time.
-  size_t take(const uint8_t* bytes, size_t count) {
+  size_t accept(const uint8_t* bytes, size_t count) {
     if (flush() != Status::ok) return 0;
     for (size_t i = 0; i < count; ++i) frame_[i] = bytes[i];
     held_ = count;

@@ -82,7 +82,7 @@ class Decoder {
   bool send_start();
   bool deliver_record();
   bool offer(const Event& event) {
-    answer_ = sink_.take(sink_.context, event);
+    answer_ = sink_.accept(sink_.context, event);
     return answer_ == SinkResult::accepted;
   }
 

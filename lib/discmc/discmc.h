@@ -219,7 +219,7 @@ enum { DISCMC_SINK_ACCEPTED, DISCMC_SINK_BUSY, DISCMC_SINK_NOT_STARTED };
 /* A sink of events: a function, and the object that it is called with. */
 typedef struct discmc_sink {
   void* context;
-  discmc_sink_result (*take)(void* context, const discmc_event* event);
+  discmc_sink_result (*accept)(void* context, const discmc_event* event);
 } discmc_sink;
 
 /* The normal of a polygon, from on to off: components are -1, 0 or 1. */
@@ -311,8 +311,8 @@ typedef struct discmc_encoder_config {
  * number. If a reset may have cut off a frame, send a zero byte first. Errors: DISCMC_BAD_LABEL. */
 DISCMC_CHECK discmc_status discmc_encoder_start(discmc_encoder** encoder,
                                                 const discmc_encoder_config* config);
-/* Encodes an event: the sink of an extractor is {encoder, discmc_encoder_take}. */
-discmc_sink_result discmc_encoder_take(void* encoder, const discmc_event* event);
+/* Encodes an event: the sink of an extractor is {encoder, discmc_encoder_accept}. */
+discmc_sink_result discmc_encoder_accept(void* encoder, const discmc_event* event);
 
 /* Writes a record now. Suspended while the output is busy or a region is in progress: resume the
  * extractor, then call again. Errors: DISCMC_NOT_STARTED, DISCMC_FINISHED, DISCMC_BAD_RECORD. */
@@ -440,8 +440,8 @@ enum { DISCMC_SWEEP_ORDER, DISCMC_ANY_ORDER };
 /* Starts an empty joiner. */
 DISCMC_CHECK discmc_status discmc_joiner_start(discmc_joiner** joiner,
                                                const discmc_joiner_config* config);
-/* Accepts any event: the sink of an extractor or receiver is {joiner, discmc_joiner_take}. */
-discmc_sink_result discmc_joiner_take(void* joiner, const discmc_event* event);
+/* Accepts any event: the sink of an extractor or receiver is {joiner, discmc_joiner_accept}. */
+discmc_sink_result discmc_joiner_accept(void* joiner, const discmc_event* event);
 
 /* Ends the input. If suspended, call again. Errors: DISCMC_BAD_SINK,
  * DISCMC_TOO_LITTLE_MEMORY (the sink received fragments that a larger joiner can join). */

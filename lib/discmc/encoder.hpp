@@ -11,8 +11,8 @@
 namespace discmc {
 
 /// Writes one stream per scan. The encoder buffers one packet and one record. The output may stop
-/// accepting at any byte: take() then returns busy, and the next take() of the same event continues
-/// there. An encoder contains pointers to itself, so it is not copied.
+/// accepting at any byte: accept() then returns busy, and the next accept() of the same event
+/// continues there. An encoder contains pointers to itself, so it is not copied.
 class Encoder {
  public:
   Encoder() = default;
@@ -33,7 +33,7 @@ class Encoder {
   /// Encodes an event of an extractor or decoder. Returns SinkResult::not_started before start(),
   /// and before the `start` event: a stream begins with its header. Returns SinkResult::busy while
   /// a finished packet waits for the output. Cost: a few coding decisions per run, and the bytes.
-  SinkResult take(const Event& event);
+  SinkResult accept(const Event& event);
 
   /// Sends an application record now, in the order of the stream. Set its slice and row to slices()
   /// and rows() of the extractor. Status::suspended: nothing is sent, because the output is busy or
@@ -92,9 +92,11 @@ class Encoder {
   };
 
   SinkResult begin_stream(const StreamHeader& scan);
-  SinkResult take_other(const Event& event);
+  SinkResult accept_other(const Event& event);
   // Whether the record accepts this many words.
-  bool takes(uint32_t words) const { return state_ != State::in_parts && record_.has_room(words); }
+  bool has_room_for(uint32_t words) const {
+    return state_ != State::in_parts && record_.has_room(words);
+  }
   void add_run(const Event& event) {
     normals_[record_.count] = event.normal;
     record_.add_run(event.run);

@@ -125,7 +125,7 @@ class Joiner {
   /// Accepts an event, and delivers what the event completes. Returns SinkResult::busy if the sink
   /// is busy: the sender offers the event again. Returns SinkResult::not_started before start(),
   /// and if the sink returns it.
-  SinkResult take(const Event& event);
+  SinkResult accept(const Event& event);
 
   /// Ends the input, and delivers what waits. With InputOrder::sweep the `finish` event does so by
   /// itself; call finish() anyway, for the status, and for streams without a trailer.
@@ -143,14 +143,14 @@ class Joiner {
   Joiner(const Joiner&) = default;
   Joiner& operator=(const Joiner&) = default;  // start() resets it
 
-  bool accept(const Event& event);
+  bool process(const Event& event);
   bool begin_fragment(const Event& event);
   bool add_run(const Event& event);
   bool end_fragment(const Event& event);
   bool end_region(const Event& event);
   bool lose(const Event& event);
-  bool take_start(const Event& event);
-  bool take_finish(const Event& event);
+  bool process_start(const Event& event);
+  bool process_finish(const Event& event);
   bool offer(const Event& event);
   bool pass(const Event& event);
   bool pass_loose(const Event& event);
@@ -216,7 +216,7 @@ class Joiner {
 ///   static Joiner joiner;
 ///   extractor.start(limits, threshold, memory, make_region_sink(object, joiner, join_memory));
 ///
-/// It starts the joiner, with `object.take(event)` as the joiner's sink. Fragments that cannot be
+/// It starts the joiner, with `object.accept(event)` as the joiner's sink. Fragments that cannot be
 /// joined are dropped; joiner.report() counts them. Call make_region_sink() again for each scan,
 /// and start the extractor with the result instead of calling reset(). Owner: object, joiner and
 /// memory must outlive the sink. If the memory is less than Joiner::minimum_bytes(), the returned

@@ -35,7 +35,7 @@ struct RingSink {
   void* context = nullptr;
   /// Called by split_ring() for each simple ring: three or more vertices, one per link; valid
   /// during the call.
-  void (*take)(void* context, const Vertex* vertices, uint32_t count) = nullptr;
+  void (*accept)(void* context, const Vertex* vertices, uint32_t count) = nullptr;
 };
 
 /// Splits a ring of vertices, as ring_vertices() writes it, into simple rings, and sends each to

@@ -32,8 +32,8 @@ class SlotAccount {
   }
 
   uint32_t capacity() const { return capacity_; }
-  /// available(): the slots that take() may still return. in_use(): all others, including reserved
-  /// slots.
+  /// available(): the slots that allocate() may still return. in_use(): all others, including
+  /// reserved slots.
   uint32_t available() const { return available_; }
   uint32_t in_use() const { return capacity_ - available_; }
   /// The peak: the most slots in use at once, without reserved ones.
@@ -51,7 +51,7 @@ class SlotAccount {
   }
 
  protected:
-  Index take_fresh(uint32_t count, uint32_t slot_bytes) {
+  Index allocate_fresh(uint32_t count, uint32_t slot_bytes) {
     if (count > available_ || count > capacity_ - fresh_) return no_slot;
     const auto first = static_cast<Index>(fresh_ + 1);
     available_ -= count;
@@ -60,7 +60,7 @@ class SlotAccount {
     return first;
   }
 
-  Index take(uint32_t slot_bytes) {
+  Index allocate(uint32_t slot_bytes) {
     if (available_ == 0) return no_slot;
     --available_;
     if (free_ == no_slot) {
@@ -101,12 +101,12 @@ class SlotAccount {
 };
 
 /// Slots with an index, from 1 on. The index of a slot depends only on the order of the calls.
-/// Slot: trivial, begins with an Index. Owner: the slots lie in the arena. Cost of take() and
+/// Slot: trivial, begins with an Index. Owner: the slots lie in the arena. Cost of allocate() and
 /// give(): a few instructions.
 template <class Slot, class Index>
 class Pool : public SlotAccount<Index> {
  public:
-  /// Sets the address of the slots. Call clear() before the first take().
+  /// Sets the address of the slots. Call clear() before the first allocate().
   void start(Slot* slots, uint32_t capacity) {
     this->slots_ = reinterpret_cast<uint8_t*>(counted_from_one(slots));
     this->capacity_ = capacity;
@@ -120,10 +120,12 @@ class Pool : public SlotAccount<Index> {
   }
 
   /// Returns a slot with undefined members, or no_slot if all are in use.
-  Index take() { return SlotAccount<Index>::take(sizeof(Slot)); }
+  Index allocate() { return SlotAccount<Index>::allocate(sizeof(Slot)); }
   /// Returns the first of this many adjacent slots that were never used, or no_slot if there are
   /// not enough. Release each slot separately.
-  Index take_fresh(uint32_t count) { return SlotAccount<Index>::take_fresh(count, sizeof(Slot)); }
+  Index allocate_fresh(uint32_t count) {
+    return SlotAccount<Index>::allocate_fresh(count, sizeof(Slot));
+  }
   /// Releases a slot. Limit: it is in use.
   void give(Index index) { SlotAccount<Index>::give(index, sizeof(Slot)); }
 

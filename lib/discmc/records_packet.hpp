@@ -24,10 +24,10 @@ struct RecordsPacket {
 };
 
 /// A sink of packets: a function, and the object that it is called with. Owner: the context belongs
-/// to the caller, and must exist while the sender has this sink. take() cannot refuse a packet.
+/// to the caller, and must exist while the sender has this sink. accept() cannot refuse a packet.
 struct RecordsPacketSink {
   void* context = nullptr;
-  void (*take)(void* context, const RecordsPacket& packet) = nullptr;
+  void (*accept)(void* context, const RecordsPacket& packet) = nullptr;
 };
 
 }  // namespace discmc

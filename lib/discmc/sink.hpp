@@ -178,21 +178,21 @@ struct Event {
 /// A sink of events: a function, and the object that it is called with. Owner: the context belongs
 /// to the caller and must outlive the scan.
 ///
-/// An extractor, decoder or joiner calls its sink's take() during its own calls, in the caller's
-/// thread. take() may block. It may call any other object, and queries of the sender such as
+/// An extractor, decoder or joiner calls its sink's accept() during its own calls, in the caller's
+/// thread. accept() may block. It may call any other object, and queries of the sender such as
 /// slices(), but no function that changes or saves the sender. It must not throw: the library is
 /// compiled without exceptions. Nothing is locked (docs/front-end.md).
 struct Sink {
   void* context = nullptr;
-  SinkResult (*take)(void* context, const Event& event) = nullptr;
+  SinkResult (*accept)(void* context, const Event& event) = nullptr;
 };
 
-/// Returns a sink that calls `object.take(event)` with every event. Owner: the object must outlive
-/// the sink.
+/// Returns a sink that calls `object.accept(event)` with every event. Owner: the object must
+/// outlive the sink.
 template <class Object>
 Sink make_sink(Object& object) {
   return {&object, [](void* context, const Event& event) {
-            return static_cast<Object*>(context)->take(event);
+            return static_cast<Object*>(context)->accept(event);
           }};
 }
 

@@ -49,14 +49,14 @@ struct RowEvent {
 /// must outlive the decoder.
 struct RowSink {
   void* context = nullptr;
-  SinkResult (*take)(void* context, const RowEvent& event) = nullptr;
+  SinkResult (*accept)(void* context, const RowEvent& event) = nullptr;
 };
 
-/// Returns a row sink that calls `object.take(event)`. Owner: the object must outlive the sink.
+/// Returns a row sink that calls `object.accept(event)`. Owner: the object must outlive the sink.
 template <class Object>
 RowSink make_row_sink(Object& object) {
   return {&object, [](void* context, const RowEvent& event) {
-            return static_cast<Object*>(context)->take(event);
+            return static_cast<Object*>(context)->accept(event);
           }};
 }
 

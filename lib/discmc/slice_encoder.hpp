@@ -189,7 +189,7 @@ class SliceEncoder {
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
   Status ready_for_row();
   uint32_t column() const { return surfaces_.rows().column(); }
-  PushResult take_row(detail::slices::RowNote note);
+  PushResult process_row(detail::slices::RowNote note);
   bool work();
   bool encode_row();
   bool begin_row();

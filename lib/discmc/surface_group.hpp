@@ -52,7 +52,7 @@ class SurfaceGroup {
   /// (width + 7) / 8 bytes.
   PushResult push_bits(const uint8_t* bits) {
     const uint8_t* row = bits;
-    return take_row([&](Scanner& scanner) {
+    return process_row([&](Scanner& scanner) {
       const uint8_t* const of_this = row;
       row += (width_ + 7) / 8;
       return scanner.push_bits(of_this).status;
@@ -61,7 +61,7 @@ class SurfaceGroup {
 
   /// As Extractor::skip_row().
   PushResult skip_row(Substitute substitute) {
-    return take_row([&](Scanner& scanner) { return scanner.skip_row(substitute).status; });
+    return process_row([&](Scanner& scanner) { return scanner.skip_row(substitute).status; });
   }
 
   /// resume(), finish() and abandon() call the same function of every extractor. They return the
@@ -94,7 +94,7 @@ class SurfaceGroup {
     return all;
   }
   template <class Call>
-  PushResult take_row(Call call) {
+  PushResult process_row(Call call) {
     Status status = resume();
     if (status != Status::ok) return {status, 0};
     status = for_each(call);

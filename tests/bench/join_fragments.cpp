@@ -40,17 +40,17 @@ void tell_side(SpillingJoiner& joiner, std::uint64_t square, unsigned side) {
   event.incidence = upwards;
   event.start = corner(square, side);
   event.incoming_direction = direction_of_side(side + 3);
-  joiner.take(event);
+  joiner.accept(event);
   event.kind = Event::Kind::run;
   event.run = discmc::Run::straight(direction_of_side(side), 1);
-  joiner.take(event);
+  joiner.accept(event);
   event.kind = Event::Kind::fragment_end;
-  joiner.take(event);
+  joiner.accept(event);
 }
 
 struct RegionCount {
   std::uint64_t regions = 0;
-  discmc::SinkResult take(const Event& event) {
+  discmc::SinkResult accept(const Event& event) {
     regions += event.kind == Event::Kind::region_end ? 1 : 0;
     return discmc::SinkResult::accepted;
   }

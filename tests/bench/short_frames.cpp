@@ -85,7 +85,7 @@ Bytes with_losses(const Bytes& stream) {
 }
 
 struct Ignore {
-  SinkResult take(const Event&) { return SinkResult::accepted; }
+  SinkResult accept(const Event&) { return SinkResult::accepted; }
 };
 
 StreamReport report_of(const Bytes& stream) {

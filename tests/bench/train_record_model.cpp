@@ -35,7 +35,7 @@ struct CountingCoder {
 // Encodes every record with a counting model, which starts anew about as often as packets do.
 class Trainer {
  public:
-  discmc::SinkResult take(const discmc::Event& event) {
+  discmc::SinkResult accept(const discmc::Event& event) {
     using Kind = discmc::Event::Kind;
     switch (event.kind) {
       case Kind::region:

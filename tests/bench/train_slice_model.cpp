@@ -68,7 +68,7 @@ class Trainer {
 struct RowCollector {
   std::vector<std::vector<uint8_t>> rows;
   size_t row_bytes = 0;
-  discmc::SinkResult take(const RowEvent& event) {
+  discmc::SinkResult accept(const RowEvent& event) {
     if (event.kind == RowEvent::Kind::row) rows.emplace_back(event.bits, event.bits + row_bytes);
     return discmc::SinkResult::accepted;
   }

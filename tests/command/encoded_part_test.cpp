@@ -21,7 +21,7 @@ Bytes stream_of(const Events& regions) {
   discmc::Event start{};
   start.kind = discmc::Event::Kind::start;
   start.header = &header;
-  REQUIRE(part.take(start) == discmc::SinkResult::accepted);
+  REQUIRE(part.accept(start) == discmc::SinkResult::accepted);
   take_all(part, regions);
   Line line;
   discmc::Encoder encoder;

@@ -57,7 +57,7 @@ Extracted extracted(const BitVolume& volume, const ExtractionOptions& options,
   const Extraction extraction = extract(reader, options, discmc::make_sink(log));
   SurfaceBuilder builder;
   discmc::meshing::GrowingJoiner joiner(discmc::make_sink(builder));
-  for (const auto& recorded : log.events) joiner.take(recorded.event());
+  for (const auto& recorded : log.events) joiner.accept(recorded.event());
   CHECK(builder.incomplete_regions() == 0);
   builder.surface().spacing_mm = reader.info().spacing_mm;
   return {extraction, std::move(log.events), std::move(builder.surface())};

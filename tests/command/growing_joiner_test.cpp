@@ -44,14 +44,15 @@ Events first_fragment() {
 Events joined(const Events& events, std::uint64_t bytes = GrowingJoiner::first_bytes) {
   EventLog log;
   GrowingJoiner joiner(discmc::make_sink(log), discmc::InputOrder::sweep, bytes);
-  for (const auto& one : events) REQUIRE(joiner.take(one.event()) == discmc::SinkResult::accepted);
+  for (const auto& one : events)
+    REQUIRE(joiner.accept(one.event()) == discmc::SinkResult::accepted);
   joiner.finish();
   return log.events;
 }
 
 std::vector<discmc::reference::Region> regions_of(const Events& events) {
   SurfaceBuilder builder;
-  for (const auto& one : events) builder.take(one.event());
+  for (const auto& one : events) builder.accept(one.event());
   CHECK(builder.incomplete_regions() == 0);
   return hand_made::regions_of(builder.surface());
 }

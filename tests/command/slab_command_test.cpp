@@ -59,13 +59,13 @@ std::string write_slabs(const Workshop& workshop, int count, const std::string& 
 // Encodes a stream again, as firmware does if the number of slices is not known in advance.
 class WithoutDepth {
  public:
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     if (event.kind == Event::Kind::start) {
       StreamLabel label = event.header->label();
       label.depth = 0;
       REQUIRE(encoder_.start(label, output_.byte_output()) == Status::ok);
     }
-    return encoder_.take(event);
+    return encoder_.accept(event);
   }
   std::string stream() {
     REQUIRE(encoder_.flush() == Status::ok);

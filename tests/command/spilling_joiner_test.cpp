@@ -41,7 +41,8 @@ Events pieces() {
 Events joined(const Events& events, std::uint64_t bytes) {
   EventLog log;
   SpillingJoiner joiner(discmc::make_sink(log), bytes);
-  for (const auto& one : events) REQUIRE(joiner.take(one.event()) == discmc::SinkResult::accepted);
+  for (const auto& one : events)
+    REQUIRE(joiner.accept(one.event()) == discmc::SinkResult::accepted);
   joiner.finish();
   return log.events;
 }
@@ -53,7 +54,7 @@ std::size_t count(const Events& events, Event::Kind kind) {
 
 std::vector<discmc::reference::Region> regions_of(const Events& events) {
   discmc::meshing::SurfaceBuilder builder;
-  for (const auto& one : events) builder.take(one.event());
+  for (const auto& one : events) builder.accept(one.event());
   return hand_made::regions_of(builder.surface());
 }
 

@@ -370,7 +370,7 @@ TEST_CASE("an invalid polygon is skipped and reported") {
   discmc::Event event{};
   const auto tell = [&](Kind kind) {
     event.kind = kind;
-    REQUIRE(encoder.take(event) == discmc::SinkResult::accepted);
+    REQUIRE(encoder.accept(event) == discmc::SinkResult::accepted);
   };
   event.incidence = discmc::incidence_of({0, 0, 1});
   event.start = {3, 2, 0};

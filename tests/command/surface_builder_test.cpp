@@ -68,7 +68,7 @@ void add_region(Events& events, const std::vector<std::vector<Run>>& rings,
 
 SurfaceBuilder build(const Events& events) {
   SurfaceBuilder builder;
-  for (const Event& event : events) REQUIRE(builder.take(event) == discmc::SinkResult::accepted);
+  for (const Event& event : events) REQUIRE(builder.accept(event) == discmc::SinkResult::accepted);
   return builder;
 }
 
@@ -248,7 +248,7 @@ TEST_CASE("regions that are only counted give the figures of regions that are ke
   for (const auto& one : events_of(discmc::reference::random({16, 16, 16}, 200, 5)))
     events.push_back(one.event());
   SurfaceBuilder counter(Kept::counts);
-  for (const Event& event : events) counter.take(event);
+  for (const Event& event : events) counter.accept(event);
   CHECK(counter.surface().polygons.empty());
   const Counts& counts = counter.counts();
   const SurfaceBuilder builder = build(events);

@@ -159,7 +159,7 @@ struct Outlines {
   Vertex corner{};
   uint64_t lines = 0;
 
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     const bool is_fragment = event.kind == Event::Kind::fragment;
     if (event.kind == Event::Kind::region || is_fragment) incidence = event.incidence;
     if (event.kind == Event::Kind::ring || is_fragment) corner = event.start;
@@ -264,7 +264,7 @@ TEST_CASE("the guide's stream of slices yields the regions of the device") {
 
   struct Count {
     uint64_t regions = 0;
-    SinkResult take(const Event& event) {
+    SinkResult accept(const Event& event) {
       if (event.kind == Event::Kind::region_end) ++regions;
       return SinkResult::accepted;
     }

@@ -16,7 +16,7 @@ namespace {
 class Log {
  public:
   explicit Log(uint32_t slice) : origin_(2 * static_cast<int32_t>(slice)) {}
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     layers += event.kind == Event::Kind::layer;
     if (event.kind == Event::Kind::region) words.push_back(event.incidence);
     if (event.kind == Event::Kind::run) words.push_back(static_cast<int32_t>(event.run.code()));

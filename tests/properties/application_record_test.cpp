@@ -86,11 +86,11 @@ Bytes slices_with_records(size_t bytes_a_time) {
 
 // Separates application records from the other events.
 struct Records {
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     if (event.kind == Event::Kind::application)
       records.emplace_back(event);
     else
-      return others.take(event);
+      return others.accept(event);
     return SinkResult::accepted;
   }
   void check() const {
@@ -232,7 +232,7 @@ TEST_CASE("a record has at most 200 bytes, and is refused before a start or with
   for (const RecordedEvent& event : square) {
     if (!event.is(Event::Kind::region))
       CHECK(encoder.write_record(record_of(most)) == Status::suspended);
-    REQUIRE(encoder.take(event.event()) == SinkResult::accepted);
+    REQUIRE(encoder.accept(event.event()) == SinkResult::accepted);
   }
   require_ok(encoder.write_record(record_of(most)));
   Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));

@@ -172,9 +172,9 @@ TEST_CASE("a change of output before the stream begins changes nothing") {
   Event start{};
   start.kind = Event::Kind::start;
   start.header = &header;
-  REQUIRE(encoder.take(start) == SinkResult::accepted);
+  REQUIRE(encoder.accept(start) == SinkResult::accepted);
   for (const RecordedEvent& event : events_of(volume))
-    REQUIRE(encoder.take(event.event()) == SinkResult::accepted);
+    REQUIRE(encoder.accept(event.event()) == SinkResult::accepted);
   CHECK(line.bytes == encode(events_of(volume), header_of(volume)));
 }
 

@@ -61,8 +61,8 @@ TEST_CASE("an event is recorded once, when it is accepted") {
   EventLog log(refuses_first);
   const Event layer = event_of(Event::Kind::layer);
   for (int i = 0; i < 3; ++i) {
-    CHECK(log.take(layer) == SinkResult::busy);
-    CHECK(log.take(layer) == SinkResult::accepted);
+    CHECK(log.accept(layer) == SinkResult::busy);
+    CHECK(log.accept(layer) == SinkResult::accepted);
   }
   CHECK(log.refusals() == 3);
   CHECK(log.events == Events(3, RecordedEvent(layer)));
@@ -70,6 +70,6 @@ TEST_CASE("an event is recorded once, when it is accepted") {
 
 TEST_CASE("an event that differs from the refused one is detected") {
   EventLog log(refuses_first);
-  CHECK(log.take(event_of(Event::Kind::layer)) == SinkResult::busy);
-  CHECK_THROWS_AS(log.take(event_of(Event::Kind::finish)), GrammarError);
+  CHECK(log.accept(event_of(Event::Kind::layer)) == SinkResult::busy);
+  CHECK_THROWS_AS(log.accept(event_of(Event::Kind::finish)), GrammarError);
 }

@@ -59,10 +59,10 @@ struct Gate {
   uint32_t offers = 0;
   uint64_t taken = 0;
 
-  SinkResult take(const Event& event) {
-    if (event.kind == Event::Kind::start) return encoder.take(event);
+  SinkResult accept(const Event& event) {
+    if (event.kind == Event::Kind::start) return encoder.accept(event);
     if (refused_in > 0 && ++offers % refused_in == 0) return SinkResult::busy;
-    const SinkResult answer = encoder.take(event);
+    const SinkResult answer = encoder.accept(event);
     taken += answer == SinkResult::accepted;
     return answer;
   }
@@ -189,9 +189,9 @@ TEST_CASE(
       Encoder encoder;
       REQUIRE(begin_stream(encoder, sample.header, output.output()) == Status::ok);
       size_t told = 0;
-      while (encoder.take(sample.events[told].event()) == SinkResult::accepted) ++told;
+      while (encoder.accept(sample.events[told].event()) == SinkResult::accepted) ++told;
       for (int i = 0; i < 5; ++i) {
-        CHECK(encoder.take(sample.events[told].event()) == SinkResult::busy);
+        CHECK(encoder.accept(sample.events[told].event()) == SinkResult::busy);
         CHECK(encoder.flush() == Status::suspended);
         CHECK(encoder.bytes() == stop);
       }
@@ -263,7 +263,7 @@ TEST_CASE("flushes between faults move the ends of packets and lose no event") {
       REQUIRE(begin_stream(encoder, sample.header, output.output()) == Status::ok);
       size_t calls = 0;
       for (const RecordedEvent& recorded : sample.events)
-        while (encoder.take(recorded.event()) == SinkResult::busy)
+        while (encoder.accept(recorded.event()) == SinkResult::busy)
           if (++calls % 2 == 0) (void)encoder.flush();
       const Received arrival = decode(output.bytes);
       REQUIRE(arrival.events == sample.events);

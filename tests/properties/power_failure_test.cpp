@@ -300,7 +300,7 @@ class DeviceInC : public Device {
     scan.limits = {size, size, DISCMC_CLOSED};
     scan.threshold = thresholds[0];
     scan.memory = {extractor_memory_, sizeof extractor_memory_};
-    scan.sink = {encoder_, discmc_encoder_take};
+    scan.sink = {encoder_, discmc_encoder_accept};
     if (status == DISCMC_OK)
       status = restores ? discmc_extractor_restore(&extractor_, &scan)
                         : discmc_extractor_start(&extractor_, &scan);

@@ -50,7 +50,7 @@ class Pressed {
   std::string fault_after_reset(const Capacities& capacities) const {
     struct Switch {
       Collector* collector;
-      SinkResult take(const Event& event) { return collector->take(event); }
+      SinkResult accept(const Event& event) { return collector->accept(event); }
     };
     try {
       Collector collector;

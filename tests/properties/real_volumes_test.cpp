@@ -81,9 +81,9 @@ struct StreamSize {
 
 StreamSize stream_size(const BitVolume& volume, uint64_t memory_bytes) {
   struct Counter {
-    SinkResult take(const Event& event) {
+    SinkResult accept(const Event& event) {
       fragments += event.kind == Event::Kind::fragment;
-      return encoder.take(event);
+      return encoder.accept(event);
     }
     static size_t take_all(void*, const uint8_t*, size_t count) { return count; }
 

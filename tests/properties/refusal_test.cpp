@@ -108,11 +108,11 @@ std::string difference(const Scenario& scenario, const EventLog& plain, EventLog
 struct Gate {
   EventLog* log;
   uint64_t left;
-  SinkResult take(const Event& event) {
-    if (event.kind == Event::Kind::start) return log->take(event);
+  SinkResult accept(const Event& event) {
+    if (event.kind == Event::Kind::start) return log->accept(event);
     if (left == 0) return SinkResult::busy;
     --left;
-    return log->take(event);
+    return log->accept(event);
   }
 };
 
@@ -170,7 +170,7 @@ void check_many_refusals(const Scenario& scenario) {
 // Passes the events to the log of the current turn.
 struct Switch {
   EventLog* log;
-  SinkResult take(const Event& event) { return log->take(event); }
+  SinkResult accept(const Event& event) { return log->accept(event); }
 };
 
 // Pushes the remaining samples, and finishes, until the sink refuses.

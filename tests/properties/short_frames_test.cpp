@@ -49,7 +49,7 @@ Bytes with_normals(const Events& events, const StreamHeader& header, uint16_t ma
   require_ok(begin_stream(encoder, header, limited(line, max_frame)));
   Chance chance(7);
   for (const RecordedEvent& recorded : events)
-    REQUIRE(encoder.take(with_normal(recorded, chance)) == SinkResult::accepted);
+    REQUIRE(encoder.accept(with_normal(recorded, chance)) == SinkResult::accepted);
   REQUIRE(encoder.flush() == Status::ok);
   return line.bytes;
 }

@@ -96,7 +96,7 @@ TEST_CASE("a scan cut off at any byte yields every region below the last layer m
     size_t taken = 0, compared = 0;
     decode_cutting(encode(sample.events, sample.header),
                    [&](size_t count, const Events& told, const StreamReport& report, bool) {
-                     for (; taken < told.size(); ++taken) (void)arrived.take(told[taken].event());
+                     for (; taken < told.size(); ++taken) (void)arrived.accept(told[taken].event());
                      CAPTURE(count);
                      REQUIRE(arrived.regions().size() == report.regions);
                      for (; compared < arrived.regions().size(); ++compared)

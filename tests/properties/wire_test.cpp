@@ -31,7 +31,7 @@ bool equal(const StreamHeader& a, const StreamHeader& b) {
 reference::Surface surface_in(const Bytes& stream) {
   reference::Collector collector;
   for (const RecordedEvent& recorded : decode(stream).events)
-    (void)collector.take(recorded.event());
+    (void)collector.accept(recorded.event());
   return reference::surface_of(collector.regions());
 }
 

@@ -27,9 +27,9 @@ TEST_CASE("arrays are contiguous and aligned for any start of the memory") {
   for (size_t offset = 0; offset < 4; ++offset) {
     Arena arena({bytes + offset, sizeof bytes - offset});
     const size_t skipped = (4 - offset) % 4;
-    const auto* first = arena.take<uint8_t>(5);
-    const auto* second = arena.take<Six>(3);
-    const auto* third = arena.take<uint32_t>(2);
+    const auto* first = arena.allocate<uint8_t>(5);
+    const auto* second = arena.allocate<Six>(3);
+    const auto* third = arena.allocate<uint32_t>(2);
     CHECK(first == bytes + offset + skipped);
     CHECK(reinterpret_cast<const uint8_t*>(second) == first + Arena::bytes_of(5, 1));
     CHECK(reinterpret_cast<const uint8_t*>(third) ==
@@ -45,13 +45,13 @@ TEST_CASE("an exact fit succeeds beside the three reserved bytes, for any start 
   alignas(4) uint8_t bytes[needed + 8] = {};
   for (size_t offset = 0; offset < 4; ++offset) {
     Arena enough({bytes + offset, needed + 3});
-    CHECK(enough.take<uint32_t>(3) != nullptr);
-    CHECK(enough.take<uint32_t>(1) != nullptr);
-    CHECK(enough.take<uint8_t>(0) != nullptr);
+    CHECK(enough.allocate<uint32_t>(3) != nullptr);
+    CHECK(enough.allocate<uint32_t>(1) != nullptr);
+    CHECK(enough.allocate<uint8_t>(0) != nullptr);
     CHECK_FALSE(enough.is_exhausted());
     Arena short_of_one({bytes + offset, needed - red_zone_bytes + 2});
-    CHECK(short_of_one.take<uint32_t>(3) != nullptr);
-    CHECK(short_of_one.take<uint32_t>(1) == nullptr);
+    CHECK(short_of_one.allocate<uint32_t>(3) != nullptr);
+    CHECK(short_of_one.allocate<uint32_t>(1) == nullptr);
     CHECK(short_of_one.is_exhausted());
   }
 }
@@ -60,10 +60,10 @@ TEST_CASE("after a failed allocation every further allocation fails") {
   alignas(4) uint8_t bytes[32 + red_zone_bytes] = {};
   for (const uint32_t count : {30U, UINT32_MAX}) {
     Arena arena(memory_of(bytes));
-    CHECK(arena.take<uint32_t>(1) != nullptr);
-    CHECK(arena.take<uint8_t>(count) == nullptr);
-    CHECK(arena.take<uint8_t>(1) == nullptr);
-    CHECK(arena.take<uint8_t>(0) == nullptr);
+    CHECK(arena.allocate<uint32_t>(1) != nullptr);
+    CHECK(arena.allocate<uint8_t>(count) == nullptr);
+    CHECK(arena.allocate<uint8_t>(1) == nullptr);
+    CHECK(arena.allocate<uint8_t>(0) == nullptr);
     CHECK(arena.is_exhausted());
   }
 }
@@ -71,8 +71,8 @@ TEST_CASE("after a failed allocation every further allocation fails") {
 TEST_CASE("an array of an odd number of bytes is padded to the alignment") {
   alignas(4) uint8_t bytes[12 + 2 * red_zone_bytes] = {};
   Arena arena({bytes, 7 + 3 + 2 * red_zone_bytes});
-  CHECK(arena.take<uint8_t>(4) != nullptr);
-  CHECK(arena.take<uint8_t>(3) == nullptr);
+  CHECK(arena.allocate<uint8_t>(4) != nullptr);
+  CHECK(arena.allocate<uint8_t>(3) == nullptr);
 }
 
 TEST_CASE("memory that is null or too small to align provides no array") {
@@ -80,11 +80,11 @@ TEST_CASE("memory that is null or too small to align provides no array") {
   for (size_t size = 0; size < 3; ++size) {
     Arena arena({bytes + 1, size});
     CHECK(arena.is_exhausted());
-    CHECK(arena.take<uint8_t>(0) == nullptr);
+    CHECK(arena.allocate<uint8_t>(0) == nullptr);
   }
   Arena none({nullptr, 1000});
   CHECK(none.is_exhausted());
-  CHECK(none.take<uint8_t>(1) == nullptr);
+  CHECK(none.allocate<uint8_t>(1) == nullptr);
 }
 
 TEST_CASE("the three reserved bytes alone provide no array") {
@@ -92,8 +92,8 @@ TEST_CASE("the three reserved bytes alone provide no array") {
   for (const size_t count : {3U, 4U}) {
     Arena arena({bytes, count + red_zone_bytes});
     CHECK_FALSE(arena.is_exhausted());
-    CHECK(arena.take<uint8_t>(0) != nullptr);
-    CHECK(arena.take<uint8_t>(1) == nullptr);
+    CHECK(arena.allocate<uint8_t>(0) != nullptr);
+    CHECK(arena.allocate<uint8_t>(1) == nullptr);
   }
   CHECK(Arena({bytes, 2}).is_exhausted());
 }
@@ -122,7 +122,7 @@ TEST_CASE("arrays do not overlap and stay within the memory for any sequence of 
     Arena arena({memory.data() + offset, bytes});
     for (int i = 0; i < 40; ++i) {
       const uint32_t count = next(9);
-      auto* records = arena.take<Six>(count);
+      auto* records = arena.allocate<Six>(count);
       if (records == nullptr) continue;
       // Address sanitizers see a byte beyond; a byte twice taken is no longer zero.
       const auto* raw = reinterpret_cast<const uint8_t*>(records);

@@ -107,7 +107,7 @@ TEST_CASE("a checkpoint in the middle of a frame continues at the beginning of t
   require_ok(begin_stream(first, any_header(), store.output()));
   Event layer{};
   layer.kind = Event::Kind::layer;
-  REQUIRE(first.take(layer) == SinkResult::accepted);
+  REQUIRE(first.accept(layer) == SinkResult::accepted);
   const uint64_t frame = first.bytes();
   store.most = 3;
   store.pauses = false;
@@ -316,7 +316,7 @@ TEST_CASE("errors of save() and restore()") {
 
 TEST_CASE("save() is suspended while the event of a skipped row is due") {
   struct Busy {
-    SinkResult take(const Event& event) {
+    SinkResult accept(const Event& event) {
       return is_busy && event.kind == Event::Kind::skipped ? SinkResult::busy
                                                            : SinkResult::accepted;
     }

@@ -44,8 +44,8 @@ TEST_CASE("only a red zone separates the arrays of an arena") {
   CHECK(Arena::bytes_of(5, 1) == 8 + red_zone_bytes);
   const std::unique_ptr<uint32_t[]> memory(new uint32_t[100]());
   Arena arena({memory.get(), 400});
-  const auto* const first = arena.take<uint8_t>(5);
-  const auto* const second = arena.take<uint8_t>(5);
+  const auto* const first = arena.allocate<uint8_t>(5);
+  const auto* const second = arena.allocate<uint8_t>(5);
   CHECK(second == first + 8 + red_zone_bytes);
   CHECK(sum_of(first, 5) + sum_of(second, 5) == 0);
 }
@@ -85,7 +85,7 @@ TEST_CASE("memory on the stack is never poisoned") {
   Items pool;
   pool.start(items, 40);
   pool.clear();
-  pool.give(pool.take());
+  pool.give(pool.allocate());
   CHECK(sum_of(items, sizeof items) == 0);
 }
 
@@ -129,14 +129,14 @@ TEST_CASE("free slots are poisoned, both unused and released ones") {
   HeapItems heap(8);
   CHECK(heap.is_free(1));
   CHECK(heap.is_free(8));
-  CHECK(heap.pool.take() == 1);
-  CHECK(heap.pool.take_fresh(3) == 2);
+  CHECK(heap.pool.allocate() == 1);
+  CHECK(heap.pool.allocate_fresh(3) == 2);
   for (uint32_t i = 1; i <= 4; ++i) CHECK(!heap.is_free(i));
   CHECK(heap.is_free(5));
   heap.pool.give(3);
   CHECK(heap.is_free(3));
   CHECK(!heap.is_free(4));
-  CHECK(heap.pool.take() == 3);
+  CHECK(heap.pool.allocate() == 3);
   CHECK(!heap.is_free(3));
   heap.pool.clear();
   CHECK(heap.is_free(3));
@@ -148,21 +148,21 @@ TEST_CASE("an arena reuses memory that another scan left poisoned") {
   std::vector<uint8_t> memory(1000);
   poison(memory.data(), memory.size());
   Arena arena(Memory{memory.data(), memory.size()});
-  CHECK(sum_of(arena.take<uint8_t>(500), 500) == 0);
+  CHECK(sum_of(arena.allocate<uint8_t>(500), 500) == 0);
 }
 
 TEST_CASE("a red zone is poisoned in a checked build") {
   std::vector<uint8_t> memory(1000);
   Arena arena(Memory{memory.data(), memory.size()});
-  const auto* const first = arena.take<uint8_t>(16);
-  (void)arena.take<uint8_t>(16);
+  const auto* const first = arena.allocate<uint8_t>(16);
+  (void)arena.allocate<uint8_t>(16);
   if (red_zone_bytes > 0) CHECK(is_fatal([first] { return sum_of(first, 16 + 8); }));
 }
 
 TEST_CASE("misuse of a pool aborts, such as releasing a slot twice or reading a free slot") {
   HeapItems heap(8);
   Items& pool = heap.pool;
-  for (int i = 0; i < 5; ++i) (void)pool.take();
+  for (int i = 0; i < 5; ++i) (void)pool.allocate();
   pool.give(2);
   CHECK(is_fatal([&] { pool.give(2); }));        // given back already
   CHECK(is_fatal([&] { pool.give(6); }));        // never taken

@@ -242,7 +242,7 @@ TEST_CASE("reset() at any point of a scan begins an independent new scan") {
       EventLog* current = nullptr;
       EventLog discarded;
       const auto take = [](void* context, const Event& event) {
-        return (*static_cast<EventLog**>(context))->take(event);
+        return (*static_cast<EventLog**>(context))->accept(event);
       };
       const Limits limits = limits_of(first, border);
       Block block(Extractor16::minimum_bytes(limits) + 20000);
@@ -266,8 +266,8 @@ TEST_CASE("reset() at any point of a scan begins an independent new scan") {
 TEST_CASE("reset() discards pending events and events that were sent early") {
   // Accepts `left` events, then refuses until the next scan.
   struct Gate {
-    SinkResult take(const Event& event) {
-      if (is_open || event.kind == Event::Kind::start) return log.take(event);
+    SinkResult accept(const Event& event) {
+      if (is_open || event.kind == Event::Kind::start) return log.accept(event);
       return left-- > 0 ? SinkResult::accepted : SinkResult::busy;
     }
     int left;
@@ -316,7 +316,7 @@ TEST_CASE("the start event contains the extractor's limits and threshold") {
 
 TEST_CASE("a scan whose sink is not started does not begin and leaves the memory untouched") {
   struct Closed {
-    SinkResult take(const Event&) {
+    SinkResult accept(const Event&) {
       return is_closed ? SinkResult::not_started : SinkResult::accepted;
     }
     bool is_closed = true;
@@ -340,7 +340,7 @@ TEST_CASE("a scan whose sink is not started does not begin and leaves the memory
 
 TEST_CASE("a busy sink receives the start later: start() and reset() are suspended") {
   struct Busy {
-    SinkResult take(const Event& event) {
+    SinkResult accept(const Event& event) {
       if (is_busy) return SinkResult::busy;
       kinds.push_back(event.kind);
       return SinkResult::accepted;

@@ -20,7 +20,7 @@ struct Counter {
   uint64_t regions = 0;
   uint64_t layers = 0;
   int32_t top = INT32_MIN;
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     regions += event.kind == Event::Kind::region_end;
     layers += event.kind == Event::Kind::layer;
     if (event.kind == Event::Kind::ring) top = std::max(top, event.start.z);
@@ -138,7 +138,7 @@ TEST_CASE("start() with an unstarted sink ends the scan, and other errors keep i
   Block block(1 << 14), other(1 << 14);
   const Memory memory = other.memory();
   struct Closed {
-    SinkResult take(const Event&) { return SinkResult::not_started; }
+    SinkResult accept(const Event&) { return SinkResult::not_started; }
   } closed;
   Extractor16 extractor;
   require_ok(extractor.start({3, 3}, 1, block.memory(), make_sink(log)));
@@ -157,9 +157,9 @@ TEST_CASE("start() with an unstarted sink ends the scan, and other errors keep i
 TEST_CASE("reset() changes nothing if the sink is not started") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
   struct Once {
-    SinkResult take(const Event& event) {
+    SinkResult accept(const Event& event) {
       const bool is_start = event.kind == Event::Kind::start;
-      return is_start && starts++ > 0 ? SinkResult::not_started : log.take(event);
+      return is_start && starts++ > 0 ? SinkResult::not_started : log.accept(event);
     }
     int starts = 0;
     EventLog log{};
@@ -285,7 +285,7 @@ TEST_CASE("a slab's finish event counts its own slices, and the sum is the volum
   const BitVolume volume = random({5, 5, 20}, 128, 3);
   struct Last {
     uint32_t slices = 0;
-    SinkResult take(const Event& event) {
+    SinkResult accept(const Event& event) {
       if (event.kind == Event::Kind::finish) slices = event.slice;
       return SinkResult::accepted;
     }

@@ -29,7 +29,7 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
     // Periods of growth and of shrinking.
     const bool takes = (seed >> 20) % 100 < (i / 1000 % 2 == 0 ? 70U : 30U);
     if (takes) {
-      const Index index = pool.take();
+      const Index index = pool.allocate();
       CHECK((index == no_slot) == (taken.size() == capacity));
       if (index == no_slot) continue;
       REQUIRE(index >= 1);
@@ -58,15 +58,15 @@ TEST_CASE("a pool provides each slot once, then no_slot") {
   pool.start(slots.data(), 5);
   pool.clear();
   std::set<uint16_t> taken;
-  for (int i = 0; i < 5; ++i) taken.insert(pool.take());
+  for (int i = 0; i < 5; ++i) taken.insert(pool.allocate());
   CHECK(taken == std::set<uint16_t>{1, 2, 3, 4, 5});
-  CHECK(pool.take() == no_slot);
-  CHECK(pool.take() == no_slot);
+  CHECK(pool.allocate() == no_slot);
+  CHECK(pool.allocate() == no_slot);
   CHECK(pool.in_use() == 5);
   CHECK(pool.available() == 0);
   pool.give(3);
-  CHECK(pool.take() == 3);
-  CHECK(pool.take() == no_slot);
+  CHECK(pool.allocate() == 3);
+  CHECK(pool.allocate() == no_slot);
 }
 
 TEST_CASE("the last released slot is reused first") {
@@ -74,12 +74,12 @@ TEST_CASE("the last released slot is reused first") {
   Pool<PooledSlot<uint32_t>, uint32_t> pool;
   pool.start(slots.data(), 8);
   pool.clear();
-  for (uint32_t i = 1; i <= 6; ++i) CHECK(pool.take() == i);
+  for (uint32_t i = 1; i <= 6; ++i) CHECK(pool.allocate() == i);
   pool.give(1);
   pool.give(4);
-  CHECK(pool.take() == 4);
-  CHECK(pool.take() == 1);
-  CHECK(pool.take() == 7);
+  CHECK(pool.allocate() == 4);
+  CHECK(pool.allocate() == 1);
+  CHECK(pool.allocate() == 7);
 }
 
 TEST_CASE("clear() releases all slots and resets the peak") {
@@ -87,22 +87,22 @@ TEST_CASE("clear() releases all slots and resets the peak") {
   Pool<PooledSlot<uint16_t>, uint16_t> pool;
   pool.start(slots.data(), 4);
   pool.clear();
-  for (int i = 0; i < 4; ++i) pool.take();
+  for (int i = 0; i < 4; ++i) pool.allocate();
   pool.give(2);
   CHECK(pool.peak() == 4);
   pool.clear();
   CHECK(pool.in_use() == 0);
   CHECK(pool.peak() == 0);
-  for (uint16_t i = 1; i <= 4; ++i) CHECK(pool.take() == i);
-  CHECK(pool.take() == no_slot);
+  for (uint16_t i = 1; i <= 4; ++i) CHECK(pool.allocate() == i);
+  CHECK(pool.allocate() == no_slot);
 }
 
 TEST_CASE("a pool without slots returns no_slot") {
   Pool<PooledSlot<uint16_t>, uint16_t> pool;
-  CHECK(pool.take() == no_slot);
+  CHECK(pool.allocate() == no_slot);
   pool.start(nullptr, 0);
   pool.clear();
-  CHECK(pool.take() == no_slot);
+  CHECK(pool.allocate() == no_slot);
   CHECK(pool.capacity() == 0);
   CHECK(pool.peak() == 0);
 }
@@ -113,8 +113,8 @@ TEST_CASE("index 0 means no slot, and all other indices are used") {
   Pool<PooledSlot<uint16_t>, uint16_t> pool;
   pool.start(slots.data(), 65535);
   pool.clear();
-  for (uint32_t i = 1; i <= 65535; ++i) REQUIRE(pool.take() == i);
-  CHECK(pool.take() == no_slot);
+  for (uint32_t i = 1; i <= 65535; ++i) REQUIRE(pool.allocate() == i);
+  CHECK(pool.allocate() == no_slot);
 }
 
 TEST_CASE("random operations never assign a slot twice or lose one") {
@@ -129,16 +129,16 @@ TEST_CASE("a pool provides contiguous fresh slots while enough of them are unuse
   Pool<PooledSlot<uint16_t>, uint16_t> pool;
   pool.start(slots.data(), 10);
   pool.clear();
-  pool.give(pool.take());
-  CHECK(pool.take_fresh(10) == no_slot);
-  CHECK(pool.take_fresh(4) == 2);
+  pool.give(pool.allocate());
+  CHECK(pool.allocate_fresh(10) == no_slot);
+  CHECK(pool.allocate_fresh(4) == 2);
   CHECK(pool.in_use() == 4);
   CHECK(pool.peak() == 5);
   pool.reserve(2);
-  CHECK(pool.take_fresh(5) == no_slot);
-  CHECK(pool.take_fresh(4) == 6);
+  CHECK(pool.allocate_fresh(5) == no_slot);
+  CHECK(pool.allocate_fresh(4) == 6);
   CHECK(pool.available() == 0);
   for (uint16_t index = 2; index < 10; ++index) pool.give(index);
-  CHECK(pool.take_fresh(2) == no_slot);
-  CHECK(pool.take_fresh(1) == 10);
+  CHECK(pool.allocate_fresh(2) == no_slot);
+  CHECK(pool.allocate_fresh(1) == 10);
 }

@@ -78,7 +78,7 @@ TEST_CASE("a decoder reports an unstarted joiner, or an unstarted encoder behind
 
 TEST_CASE("finish() of a joiner reports an unstarted sink") {
   struct Listener {
-    SinkResult take(const Event& event) {
+    SinkResult accept(const Event& event) {
       return event.kind == Event::Kind::finish ? SinkResult::not_started : SinkResult::accepted;
     }
   } listener;
@@ -86,7 +86,7 @@ TEST_CASE("finish() of a joiner reports an unstarted sink") {
   Joiner joiner;
   require_ok(joiner.start({memory.data(), memory.size()}, make_sink(listener), InputOrder::any));
   for (const RecordedEvent& event : events_of(volume()))
-    REQUIRE(joiner.take(event.event()) == SinkResult::accepted);
+    REQUIRE(joiner.accept(event.event()) == SinkResult::accepted);
   CHECK(joiner.finish() == Status::bad_sink);
 }
 

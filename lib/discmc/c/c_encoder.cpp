@@ -26,10 +26,10 @@ discmc_status discmc_encoder_save(discmc_encoder* encoder, discmc_memory* part) 
 }
 
 // The header of a `start` event is the beginning of a C++ header; only that part is read.
-discmc_sink_result discmc_encoder_take(void* encoder, const discmc_event* event) {
+discmc_sink_result discmc_encoder_accept(void* encoder, const discmc_event* event) {
   if (encoder == nullptr) return DISCMC_SINK_NOT_STARTED;  // the sink lacks its context
   Encoder& object = static_cast<discmc_encoder*>(encoder)->encoder;
-  return static_cast<discmc_sink_result>(object.take(reinterpret_cast<const Event&>(*event)));
+  return static_cast<discmc_sink_result>(object.accept(reinterpret_cast<const Event&>(*event)));
 }
 discmc_status discmc_encoder_write_record(discmc_encoder* encoder,
                                           const discmc_application_record* record) {

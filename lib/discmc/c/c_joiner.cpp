@@ -24,10 +24,10 @@ discmc_status discmc_joiner_start(discmc_joiner** joiner, const discmc_joiner_co
   if (status == Status::ok) *joiner = object;
   return c(status);
 }
-discmc_sink_result discmc_joiner_take(void* joiner, const discmc_event* event) {
+discmc_sink_result discmc_joiner_accept(void* joiner, const discmc_event* event) {
   if (joiner == nullptr) return DISCMC_SINK_NOT_STARTED;  // the sink lacks its context
   Joiner& object = static_cast<discmc_joiner*>(joiner)->with_sink.object;
-  return static_cast<discmc_sink_result>(object.take(reinterpret_cast<const Event&>(*event)));
+  return static_cast<discmc_sink_result>(object.accept(reinterpret_cast<const Event&>(*event)));
 }
 discmc_status discmc_joiner_finish(discmc_joiner* joiner) {
   return c(joiner->with_sink.object.finish());

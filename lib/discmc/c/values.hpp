@@ -51,12 +51,12 @@ struct WithSink {
   /// Sets the sink to `to`. A C++ function calls the C function.
   Sink set_sink(const discmc_sink& to) {
     sink = to;
-    return {this, to.take == nullptr ? nullptr : offer};
+    return {this, to.accept == nullptr ? nullptr : offer};
   }
   static SinkResult offer(void* context, const Event& event) {
     const discmc_sink& to = static_cast<const WithSink*>(context)->sink;
     return static_cast<SinkResult>(
-        to.take(to.context, reinterpret_cast<const discmc_event*>(&event)));
+        to.accept(to.context, reinterpret_cast<const discmc_event*>(&event)));
   }
 };
 

@@ -18,8 +18,8 @@ Status Downsampler<Sample>::start(const Limits& incoming, uint32_t extent, Memor
   Arena arena(memory);
   const Limits limits{blocks(incoming.width, extent), blocks(incoming.height, extent),
                       incoming.border};
-  uint32_t* const sums = arena.take<uint32_t>(limits.width * limits.height);
-  means_ = arena.take<Sample>(limits.width);
+  uint32_t* const sums = arena.allocate<uint32_t>(limits.width * limits.height);
+  means_ = arena.allocate<Sample>(limits.width);
   if (arena.is_exhausted()) return Status::too_little_memory;
   for (uint32_t i = 0; i < limits.width * limits.height; ++i) sums[i] = 0;
   sums_ = sums;

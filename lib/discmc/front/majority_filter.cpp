@@ -24,8 +24,8 @@ Status MajorityFilter::start(const Limits& limits, Memory memory) {
   if (!limits.is_valid()) return Status::bad_limits;
   Arena arena(memory);
   const uint32_t words = words_of(limits.width);
-  uint32_t* const rows = arena.take<uint32_t>(words * rows_held(limits));
-  uint8_t* const due = arena.take<uint8_t>(4 * words);
+  uint32_t* const rows = arena.allocate<uint32_t>(words * rows_held(limits));
+  uint8_t* const due = arena.allocate<uint8_t>(4 * words);
   if (arena.is_exhausted()) return Status::too_little_memory;
   limits_ = limits;
   rows_ = rows;

@@ -50,7 +50,7 @@ struct Mono12Packed {
 };
 
 template <class Layout>
-void take_group(const uint8_t* packed, uint32_t count, uint16_t* samples) {
+void unpack_group(const uint8_t* packed, uint32_t count, uint16_t* samples) {
   uint8_t byte[Layout::bytes];
   DISCMC_UNROLL(5)
   for (uint32_t i = 0; i < Layout::bytes; ++i) byte[i] = packed[i];
@@ -69,11 +69,11 @@ void unpack_row(const uint8_t* packed, uint32_t count, uint16_t* samples) {
   const uint32_t left = count % Layout::group;
   packed += groups * Layout::bytes;
   samples += groups * Layout::group;
-  if (left > 0) take_group<Layout>(packed, left, samples);
+  if (left > 0) unpack_group<Layout>(packed, left, samples);
   for (uint32_t group = groups; group > 0; --group) {
     packed -= Layout::bytes;
     samples -= Layout::group;
-    take_group<Layout>(packed, Layout::group, samples);
+    unpack_group<Layout>(packed, Layout::group, samples);
   }
 }
 

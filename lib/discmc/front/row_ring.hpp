@@ -57,8 +57,8 @@ class RowRing {
     if (memory.data == nullptr || memory.bytes < bytes) return Status::too_little_memory;
     Arena arena(memory);
     row_bytes_ = static_cast<uint32_t>(Arena::aligned(row_bytes));
-    rows_ = arena.take<uint8_t>(row_bytes_ * rows);
-    numbers_ = arena.take<uint32_t>(rows);
+    rows_ = arena.allocate<uint8_t>(row_bytes_ * rows);
+    numbers_ = arena.allocate<uint32_t>(rows);
     room_ = rows;
     filled_ = produced_ = ended_ = fill_place_ = 0;
     emptied_ = consumed_ = empty_place_ = 0;

@@ -83,7 +83,7 @@ void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingS
   uint32_t* const name = scratch + count;
   if (count < 3) return;
   if (!name_vertices(vertices, scratch, name, count))
-    return sink.take(sink.context, vertices, count);
+    return sink.accept(sink.context, vertices, count);
   for (uint32_t i = 0; i < count; ++i) depth[i] = 0;
   // The path so far has no vertex twice. It overwrites vertices that have been read.
   uint32_t length = 0;
@@ -91,7 +91,7 @@ void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingS
     const uint32_t recurrence = depth[name[i]];
     if (recurrence != 0) {
       const uint32_t loop = length - (recurrence - 1);
-      if (loop >= 3) sink.take(sink.context, vertices + recurrence - 1, loop);
+      if (loop >= 3) sink.accept(sink.context, vertices + recurrence - 1, loop);
       for (; length > recurrence; --length) depth[name[length - 1]] = 0;
     } else {
       vertices[length] = vertices[i];
@@ -99,7 +99,7 @@ void split_ring(Vertex* vertices, uint32_t count, uint32_t* scratch, const RingS
       depth[name[i]] = ++length;
     }
   }
-  if (length >= 3) sink.take(sink.context, vertices, length);
+  if (length >= 3) sink.accept(sink.context, vertices, length);
 }
 
 bool is_corner(const Vertex* vertices, uint32_t count, uint32_t i) {

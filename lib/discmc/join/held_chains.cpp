@@ -17,17 +17,17 @@ void widen(HeldChain& chain, const Vertex& to) {
 
 }  // namespace
 
-uint32_t HeldChains::take(Incidence incidence, const Vertex& start, Direction incoming) {
-  const uint32_t chain = chains_.take();
+uint32_t HeldChains::add(Incidence incidence, const Vertex& start, Direction incoming) {
+  const uint32_t chain = chains_.allocate();
   if (chain == no_chain) return no_chain;
-  HeldChain& taken = chains_[chain];
-  taken.first_run = taken.last_run = no_run;
-  taken.start = taken.end = start;
-  taken.high = INT32_MIN;
-  taken.incidence = incidence;
-  taken.incoming = incoming;
-  taken.turn = 0;
-  taken.state = HeldChain::State::open;
+  HeldChain& added = chains_[chain];
+  added.first_run = added.last_run = no_run;
+  added.start = added.end = start;
+  added.high = INT32_MIN;
+  added.incidence = incidence;
+  added.incoming = incoming;
+  added.turn = 0;
+  added.state = HeldChain::State::open;
   return chain;
 }
 
@@ -41,7 +41,7 @@ bool HeldChains::append(uint32_t index, Run run, OctahedralNormal normal) {
   HeldChain& chain = chains_[index];
   const bool is_first = chain.first_run == no_run;
   if (is_first || !runs_[chain.last_run].run.absorb(run)) {
-    const uint32_t added = runs_.take();
+    const uint32_t added = runs_.allocate();
     if (added == no_run) return false;
     const Direction before = is_first ? chain.incoming : runs_[chain.last_run].run.direction();
     chain.turn = turned(chain, before, run.direction());

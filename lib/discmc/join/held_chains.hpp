@@ -81,7 +81,7 @@ class HeldChains {
   }
 
   /// Allocates an open chain without runs, or returns no_chain if there is no room.
-  uint32_t take(Incidence incidence, const Vertex& start, Direction incoming);
+  uint32_t add(Incidence incidence, const Vertex& start, Direction incoming);
 
   /// Releases a chain and its runs. Cost: its runs.
   void give(uint32_t chain);

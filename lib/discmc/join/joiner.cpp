@@ -19,7 +19,7 @@ Status Joiner::start(Memory memory, const Sink& sink, InputOrder order, Unjoined
 
 Status Joiner::start(const JoinCapacities& capacities, Memory memory, const Sink& sink,
                      InputOrder order, Unjoined unjoined) {
-  if (sink.take == nullptr) return Status::bad_sink;
+  if (sink.accept == nullptr) return Status::bad_sink;
   if (capacities.fragments < 1 || capacities.fragments > JoinCapacities::max_fragments ||
       capacities.runs < 1 || capacities.runs > JoinCapacities::max_runs)
     return Status::bad_capacities;
@@ -35,13 +35,13 @@ Status Joiner::start(const JoinCapacities& capacities, Memory memory, const Sink
   return Status::ok;
 }
 
-SinkResult Joiner::take(const Event& event) {
-  if (sink_.take == nullptr) return SinkResult::not_started;
-  return settle() && accept(event) ? SinkResult::accepted : answer_;
+SinkResult Joiner::accept(const Event& event) {
+  if (sink_.accept == nullptr) return SinkResult::not_started;
+  return settle() && process(event) ? SinkResult::accepted : answer_;
 }
 
 Status Joiner::finish() {
-  if (sink_.take == nullptr) return Status::not_started;
+  if (sink_.accept == nullptr) return Status::not_started;
   forget_fragment();
   if (!settle() || !end()) return status_of(answer_);
   chains().unpoison_free();
@@ -50,7 +50,7 @@ Status Joiner::finish() {
 
 // ---- events, one by one: false if the sink is busy; then the event comes again ----
 
-bool Joiner::accept(const Event& event) {
+bool Joiner::process(const Event& event) {
   const Event::Kind kind = event.kind;
   if (kind == Event::Kind::run) return add_run(event);
   if (kind == Event::Kind::fragment_end) return end_fragment(event);
@@ -58,8 +58,8 @@ bool Joiner::accept(const Event& event) {
   forget_fragment();  // no fragment is open, unless events break the grammar
   if (kind == Event::Kind::fragment) return begin_fragment(event);
   if (kind == Event::Kind::region_end) return end_region(event);
-  if (kind == Event::Kind::finish) return take_finish(event);
-  if (kind == Event::Kind::start) return take_start(event);
+  if (kind == Event::Kind::finish) return process_finish(event);
+  if (kind == Event::Kind::start) return process_start(event);
   return pass(event);
 }
 
@@ -71,7 +71,7 @@ bool Joiner::begin_fragment(const Event& event) {
       fate_ = Fate::ignored;
       return true;
     }
-    arriving_ = chains().take(event.incidence, event.start, event.incoming_direction);
+    arriving_ = chains().add(event.incidence, event.start, event.incoming_direction);
     if (arriving_ != detail::join::no_chain) {
       fate_ = Fate::held;
       return true;
@@ -134,12 +134,12 @@ bool Joiner::end_region(const Event& event) {
 }
 
 // Several streams, such as those of slabs, have one start: the first.
-bool Joiner::take_start(const Event& event) {
+bool Joiner::process_start(const Event& event) {
   has_start_ = has_start_ || pass(event);
   return has_start_;
 }
 
-bool Joiner::take_finish(const Event& event) {
+bool Joiner::process_finish(const Event& event) {
   if (order_ == InputOrder::any || !has_finish_) {
     has_finish_ = true;
     was_abandoned_ = was_abandoned_ || event.abandoned;
@@ -150,7 +150,7 @@ bool Joiner::take_finish(const Event& event) {
 }
 
 bool Joiner::offer(const Event& event) {
-  answer_ = sink_.take(sink_.context, event);
+  answer_ = sink_.accept(sink_.context, event);
   return answer_ == SinkResult::accepted;
 }
 
@@ -335,7 +335,7 @@ bool Joiner::end() {
 
 // Begins the delivery of a waiting outer ring. False if none is left.
 bool Joiner::begin_next_outer() {
-  const uint32_t outer = waiting_.rings().take_outer(chains());
+  const uint32_t outer = waiting_.rings().remove_outer(chains());
   if (outer == detail::join::no_chain) return false;
   begin_delivery(Outlet::region, Event::Kind::region, outer);
   return true;

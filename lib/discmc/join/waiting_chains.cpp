@@ -9,12 +9,12 @@ constexpr uint32_t none = WaitingTable::none;
 }  // namespace
 
 void WaitingChains::start(Arena& arena, uint32_t chains, uint32_t runs) {
-  HeldChain* const chain_slots = arena.take<HeldChain>(chains);
-  chains_.start(chain_slots, chains, arena.take<HeldRun>(runs), runs);
+  HeldChain* const chain_slots = arena.allocate<HeldChain>(chains);
+  chains_.start(chain_slots, chains, arena.allocate<HeldRun>(runs), runs);
   chains_.clear();
   const uint32_t buckets = buckets_for(chains);
-  uint32_t* const hashes = arena.take<uint32_t>(buckets);
-  table_.start(hashes, arena.take<uint32_t>(buckets), buckets);
+  uint32_t* const hashes = arena.allocate<uint32_t>(buckets);
+  table_.start(hashes, arena.allocate<uint32_t>(buckets), buckets);
   DISCMC_LIMIT(!arena.is_exhausted());
   forget();
 }

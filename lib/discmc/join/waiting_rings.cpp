@@ -30,7 +30,7 @@ void WaitingRings::note(HeldChains& chains, Incidence incidence, const Vertex& f
   });
 }
 
-uint32_t WaitingRings::take_outer(HeldChains& chains) {
+uint32_t WaitingRings::remove_outer(HeldChains& chains) {
   for (uint32_t ring = 1; unsorted_outers_ > 0; ++ring) {
     if (chains.state(ring) != HeldChain::State::outer) continue;
     HeldChain& chain = chains[ring];

@@ -36,7 +36,7 @@ class WaitingRings {
 
   /// Removes an outer ring, or returns no_chain. On a plane, inner rings come first. Limit: no ring
   /// has a note. Cost: the first call after an insert() looks at all chains.
-  uint32_t take_outer(HeldChains& chains);
+  uint32_t remove_outer(HeldChains& chains);
 
  private:
   void forget_first_note(HeldChains& chains) {

@@ -13,7 +13,7 @@ static_assert(max_of_a_step <= detail::wire::packet_head, "what is left has room
 }  // namespace
 
 Status SliceDecoder::start(Memory memory, const RowSink& sink, uint8_t channel) {
-  if (sink.take == nullptr) return Status::bad_sink;
+  if (sink.accept == nullptr) return Status::bad_sink;
   sink_ = sink;
   memory_ = memory;
   packets_.start(channel);
@@ -43,7 +43,7 @@ Decoded SliceDecoder::push(const uint8_t* bytes, size_t count) {
     if (refusal_ != Status::ok) return {refusal_, taken};
     if (!deliver()) return {status_of(answer_), taken};
     if (taken == count) return {Status::ok, count};
-    open(packets_.take(bytes[taken]));
+    open(packets_.add(bytes[taken]));
   }
 }
 
@@ -68,7 +68,7 @@ Status SliceDecoder::finish() {
 
 void SliceDecoder::open(PacketReader::Completed arrival) {
   if (packets_.is_refused()) refusal_ = Status::wrong_version;
-  if (packets_.take_gap()) is_whole_ = false;
+  if (packets_.remove_gap()) is_whole_ = false;
   if (report().holds_slices && !is_laid_out_) lay_out();
   if (!is_laid_out_) return;
   if (arrival == PacketReader::Completed::slices) open_slices();
@@ -84,7 +84,7 @@ void SliceDecoder::open(PacketReader::Completed arrival) {
 void SliceDecoder::lay_out() {
   Arena arena(memory_);
   surfaces_.start(arena, header(), detail::slices::rows_kept(header().height, false));
-  bits_ = arena.take<uint8_t>((header().width + 7) / 8);
+  bits_ = arena.allocate<uint8_t>((header().width + 7) / 8);
   if (arena.is_exhausted()) {
     refusal_ = Status::too_little_memory;
     return;
@@ -298,7 +298,7 @@ bool SliceDecoder::offer(RowEvent::Kind kind) {
     surfaces_[surface_].rows.write_bits(bits_);
     event.bits = bits_;
   }
-  answer_ = sink_.take(sink_.context, event);
+  answer_ = sink_.accept(sink_.context, event);
   return answer_ == SinkResult::accepted;
 }
 

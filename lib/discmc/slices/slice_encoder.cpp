@@ -91,7 +91,7 @@ PushResult SliceEncoder::push_bits(const uint8_t* bits) {
     surface.rows.append_bits(bits);
     bits += (packets_.header().width + 7) / 8;
   }
-  return take_row(RowNote::none);
+  return process_row(RowNote::none);
 }
 
 PushResult SliceEncoder::skip_row(Substitute substitute) {
@@ -106,10 +106,10 @@ PushResult SliceEncoder::skip_row(Substitute substitute) {
       surface.rows.fill_off();
   }
   ++skipped_rows_;
-  return take_row(is_repeated ? RowNote::repeated : RowNote::off);
+  return process_row(is_repeated ? RowNote::repeated : RowNote::off);
 }
 
-PushResult SliceEncoder::take_row(RowNote note) {
+PushResult SliceEncoder::process_row(RowNote note) {
   note_ = note;
   row_is_due_ = true;
   return {resume(), packets_.header().width};

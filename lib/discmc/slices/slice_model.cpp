@@ -49,7 +49,7 @@ constexpr LearntProbability note_at_first(32);
 
 void SliceModel::start(Arena& arena, bool is_further) {
   count_ = context_count(is_further);
-  of_ = arena.take<LearntProbability>(count_);
+  of_ = arena.allocate<LearntProbability>(count_);
 }
 
 // Nothing was trained for a first surface that differs: those contexts begin as if it did not.

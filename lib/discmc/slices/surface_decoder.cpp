@@ -12,7 +12,7 @@ bool is_refused(PushResult row) {
 }  // namespace
 
 Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
-  if (sink.take == nullptr) return Status::bad_sink;
+  if (sink.accept == nullptr) return Status::bad_sink;
   sink_ = sink;
   channel_ = channel;
   memory_ = memory;
@@ -21,7 +21,7 @@ Status SurfaceDecoder::start(Memory memory, const Sink& sink, uint8_t channel) {
   skipped_rows_ = 0;
   refusal_ = regions_.start(sink, channel);
   const RowSink rows{this, [](void* context, const RowEvent& event) {
-                       return static_cast<SurfaceDecoder*>(context)->take(event);
+                       return static_cast<SurfaceDecoder*>(context)->accept(event);
                      }};
   return slices_.start({}, rows, channel);  // its memory follows when the header has arrived
 }
@@ -87,7 +87,7 @@ Status SurfaceDecoder::begin_sweep() {
 }
 
 Status SurfaceDecoder::give_memory(Memory memory) {
-  if (sink_.take == nullptr) return Status::not_started;
+  if (sink_.accept == nullptr) return Status::not_started;
   if (refusal_ != Status::too_little_memory) return refusal_;
   memory_ = memory;
   refusal_ = begin_sweep();
@@ -102,7 +102,7 @@ Status SurfaceDecoder::finish() {
 
 // ---- rows ----
 
-SinkResult SurfaceDecoder::take(const RowEvent& event) {
+SinkResult SurfaceDecoder::accept(const RowEvent& event) {
   switch (event.kind) {
     case RowEvent::Kind::start:
       return begin(*event.header);

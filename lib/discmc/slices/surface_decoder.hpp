@@ -46,10 +46,10 @@ class SurfaceDecoder {
   void note_kind();
   Status begin_sweep();
   uint8_t wanted_channel() const { return channel_ == any_channel ? header().channel : channel_; }
-  SinkResult take(const RowEvent& event);
+  SinkResult accept(const RowEvent& event);
   SinkResult begin(const StreamHeader& all);
   SinkResult pass_between(const Event& event);
-  SinkResult pass(const Event& event) { return sink_.take(sink_.context, event); }
+  SinkResult pass(const Event& event) { return sink_.accept(sink_.context, event); }
   SinkResult skip(uint64_t rows, Substitute substitute);
   SinkResult end(bool is_abandoned);
 

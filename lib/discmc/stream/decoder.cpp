@@ -7,7 +7,7 @@ using detail::stream::Record;
 using detail::stream::RecordKind;
 
 Status Decoder::start(const Sink& sink, uint8_t channel) {
-  if (sink.take == nullptr) return Status::bad_sink;
+  if (sink.accept == nullptr) return Status::bad_sink;
   sink_ = sink;
   packet_sink_ = {};
   packets_.start(channel);
@@ -34,7 +34,7 @@ Decoded Decoder::push(const uint8_t* bytes, size_t count) {
     if (packets_.is_refused()) return {Status::wrong_version, taken};
     if (!deliver()) return {status_of(answer_), taken};
     if (taken == count) return {Status::ok, count};
-    open(packets_.take(bytes[taken]));
+    open(packets_.add(bytes[taken]));
   }
 }
 
@@ -47,12 +47,12 @@ Status Decoder::finish() {
 }
 
 void Decoder::open(PacketReader::Completed arrival) {
-  if (packets_.take_gap()) lose_open();
+  if (packets_.remove_gap()) lose_open();
   if (arrival == PacketReader::Completed::records) {
     model_ =
         detail::stream::ReadingModel({RangeDecoder(packets_.payload(), packets_.payload_bytes())});
     normals_are_ahead_ = false;
-    const bool may_pass = packets_.whole_regions() > 0 && packet_sink_.take != nullptr;
+    const bool may_pass = packets_.whole_regions() > 0 && packet_sink_.accept != nullptr;
     if (may_pass) lose_open();
     stage_ = may_pass ? Stage::whole_regions : Stage::records;
   } else if (arrival == PacketReader::Completed::application) {
@@ -213,8 +213,8 @@ void Decoder::pass_whole_regions() {
   stage_ = start_is_sent_ ? Stage::collect : Stage::records;
   if (!start_is_sent_) return;
   const uint32_t count = packets_.whole_regions();
-  packet_sink_.take(packet_sink_.context,
-                    {packets_.payload(), packets_.payload_bytes(), count, true});
+  packet_sink_.accept(packet_sink_.context,
+                      {packets_.payload(), packets_.payload_bytes(), count, true});
   packets_.report().regions += count;
   packets_.pass_pieces(count);
 }

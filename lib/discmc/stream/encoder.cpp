@@ -56,22 +56,22 @@ SinkResult Encoder::begin_stream(const StreamHeader& scan) {
 }
 
 // Most events are runs.
-SinkResult Encoder::take(const Event& event) {
+SinkResult Encoder::accept(const Event& event) {
   if (event.kind == Event::Kind::run && state_ == State::in_piece && record_.has_room(1)) {
     add_run(event);
     return SinkResult::accepted;
   }
-  return take_other(event);
+  return accept_other(event);
 }
 
-DISCMC_NOINLINE SinkResult Encoder::take_other(const Event& event) {
+DISCMC_NOINLINE SinkResult Encoder::accept_other(const Event& event) {
   if (event.kind == Event::Kind::start) return begin_stream(*event.header);
   if (state_ == State::idle) return SinkResult::not_started;
   if (!drain()) return SinkResult::busy;
   bool is_done = true;
   if (event.kind == Event::Kind::run || event.kind == Event::Kind::ring) {
     const uint32_t words = event.kind == Event::Kind::run ? 1 : Record::ring_words + 1;
-    is_done = takes(words) || put_parts(event);
+    is_done = has_room_for(words) || put_parts(event);
     if (!is_done) return SinkResult::busy;
     if (event.kind == Event::Kind::run)
       add_run(event);

@@ -72,7 +72,7 @@ PacketReader::Completed PacketReader::start_next(const PacketReader& before) {
   return bytes > 0 ? open_packet(bytes) : Completed::nothing;
 }
 
-PacketReader::Completed PacketReader::take(uint8_t byte) {
+PacketReader::Completed PacketReader::add(uint8_t byte) {
   ++report_.bytes;
   kept_bytes_ = 0;
   if (byte != 0) {
@@ -90,7 +90,7 @@ void PacketReader::finish() {
   gap_is_due_ = true;
 }
 
-bool PacketReader::take_gap() {
+bool PacketReader::remove_gap() {
   const bool was_due = gap_is_due_;
   gap_is_due_ = false;
   return was_due;

@@ -17,7 +17,7 @@ class PacketReader {
   /// What the last byte completed.
   enum class Completed : uint8_t { nothing, records, slices, application, trailer };
   /// Reads a byte. Limit: not is_refused(), and the decoder has processed the packet before.
-  Completed take(uint8_t byte);
+  Completed add(uint8_t byte);
   /// Ends the input.
   void finish();
 
@@ -30,7 +30,7 @@ class PacketReader {
 
   /// Whether anything before the current packet, or at the end, is lost. Returns true once per
   /// loss.
-  bool take_gap();
+  bool remove_gap();
   /// Whether a header has another version; then nothing more is read.
   bool is_refused() const { return is_refused_; }
 

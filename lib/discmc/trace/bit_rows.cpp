@@ -22,7 +22,7 @@ void BitRows::start(Arena& arena, const Limits& limits, uint32_t rows) {
   ring_rows_ = rows;
   width_ = limits.width;
   height_ = limits.height;
-  ring_ = arena.take<uint32_t>(words_ * (rows + 1));
+  ring_ = arena.allocate<uint32_t>(words_ * (rows + 1));
 }
 
 void BitRows::clear() {

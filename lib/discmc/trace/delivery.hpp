@@ -79,7 +79,7 @@ bool Delivery<Index, Normal, holes_wait>::settle(Chains& chains, const Sink& sin
                                                  Statistics& statistics) {
   if (!is_delivering_ && chains.has_outgoing()) begin(chains);
   while (is_delivering_) {
-    if (sink.take(sink.context, event_) != SinkResult::accepted) return false;
+    if (sink.accept(sink.context, event_) != SinkResult::accepted) return false;
     go_on(chains, statistics);
   }
   return true;
@@ -163,7 +163,7 @@ template <class Index, class Normal, bool holes_wait>
 bool Delivery<Index, Normal, holes_wait>::begin_hole(Chains& chains) {
   if (!holes_wait || holes_due_ == 0) return false;
   --holes_due_;
-  holes_.take(chains.slots(), last_, event_.start);
+  holes_.remove(chains.slots(), last_, event_.start);
   begin_ring(chains.slots());
   return true;
 }

@@ -16,7 +16,7 @@ Status BasicExtractor<Index, Intake, Sweep>::start(const Limits& limits,
                 "slot_bytes is the size of a slot");
   if (!limits.is_valid() || !can_scan(limits)) return Status::bad_limits;
   if (!detail::sizing::is_valid<Index>(capacities)) return Status::bad_capacities;
-  if (sink.take == nullptr) return Status::bad_sink;
+  if (sink.accept == nullptr) return Status::bad_sink;
   state_ = State::idle;
   width_ = limits.width;
   height_ = limits.height;
@@ -189,7 +189,7 @@ Status BasicExtractor<Index, Intake, Sweep>::save(Memory* parts) {
 
 template <class Index, class Intake, class Sweep>
 Status BasicExtractor<Index, Intake, Sweep>::restore(Memory memory, const Sink& sink) {
-  if (sink.take == nullptr) return Status::bad_sink;
+  if (sink.accept == nullptr) return Status::bad_sink;
   if (memory.data == nullptr) return Status::too_little_memory;
   if (!seal_.is_intact(this, sizeof *this, layout, memory)) {
     state_ = State::idle;
@@ -307,7 +307,7 @@ SinkResult BasicExtractor<Index, Intake, Sweep>::send_start() {
   Event event{};
   event.kind = Event::Kind::start;
   event.header = &header;
-  return sink_.take(sink_.context, event);
+  return sink_.accept(sink_.context, event);
 }
 
 // Offers the event that precedes the sweep. False when the sink is busy.
@@ -332,7 +332,7 @@ bool BasicExtractor<Index, Intake, Sweep>::send(Event::Kind kind) {
   event.abandoned = abandoned_;
   event.statistics = &statistics_;
   if (kind == Event::Kind::finish) event.slice = own_slices();
-  return sink_.take(sink_.context, event) == SinkResult::accepted;
+  return sink_.accept(sink_.context, event) == SinkResult::accepted;
 }
 
 template <class Index, class Intake, class Sweep>

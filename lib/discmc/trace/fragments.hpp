@@ -4,7 +4,7 @@
 // link that leads on from it. If the sweep has visited a neighbour, an end waits for the pass: a
 // tail in queue `in`, or a begin in queue `out`. A neighbour that it has not visited is ahead:
 //
-//   arrives from   leaves to   take()
+//   arrives from   leaves to   process()
 //   visited        ahead       lengthens the tail, which waits again
 //   ahead          visited     lengthens the begin, which waits again
 //   ahead          ahead       begins a fragment, whose two ends wait
@@ -115,10 +115,10 @@ class Fragments {
   /// Takes a chain's pass at a vertex in. Limit: there is nothing outgoing.
   /// intake.normal_at(vertex) returns the normal at a corner. Cost: constant, but for what is sent.
   template <class Intake>
-  void take(const Pass& pass, const Vertex& vertex, const Intake& intake);
+  void process(const Pass& pass, const Vertex& vertex, const Intake& intake);
 
   /// At a vertex of the slice above a slab: a chain that rises to the vertex ends there. A chain
-  /// that descends from it begins, loose, at the next vertex. Limits and cost as take().
+  /// that descends from it begins, loose, at the next vertex. Limits and cost as process().
   void cut_at(const Pass& pass, const Vertex& vertex, bool ends);
 
   /// Moves a vertex by a link.
@@ -220,8 +220,8 @@ class Fragments {
 
 template <class Index, class Normal>
 template <class Intake>
-DISCMC_NOINLINE void Fragments<Index, Normal>::take(const Pass& pass, const Vertex& vertex,
-                                                    const Intake& intake) {
+DISCMC_NOINLINE void Fragments<Index, Normal>::process(const Pass& pass, const Vertex& vertex,
+                                                       const Intake& intake) {
   DISCMC_LIMIT(!has_outgoing());
   const Place here = place_of(vertex);
   const Index begin = pass.goes_ahead() ? Index{no_slot} : pop(pass.out);
@@ -263,7 +263,7 @@ template <class Index, class Normal>
 template <class Intake>
 DISCMC_NOINLINE Index Fragments<Index, Normal>::new_tail(const Pass& pass, const Vertex& vertex,
                                                          Index mate, const Intake& intake) {
-  const Index tail = slots_.take();
+  const Index tail = slots_.allocate();
   EndSlot& slot = end(tail);
   slot.mate = mate;
   slot.last = no_slot;
@@ -280,7 +280,7 @@ DISCMC_NOINLINE Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
   const Direction incoming = direction(pass, pass.incoming);
   Index mate = loose_end<Index>(incoming);
   if (admits(pass.in, pass.goes_ahead() ? Index{no_slot} : mate)) {
-    mate = slots_.take();
+    mate = slots_.allocate();
     push(pass.in, mate);
     end(mate).last = no_slot;
     end(mate).side = Side(incoming, place_of(vertex));

@@ -29,7 +29,7 @@ class GradientNormals {
   /// Takes bytes_for(limits) from the arena, and writes nothing.
   void start(Arena& arena, const Limits& limits) {
     samples_.start(arena, limits, ring_rows(limits));
-    given_ = arena.take<uint16_t>(ring_rows(limits));
+    given_ = arena.allocate<uint16_t>(ring_rows(limits));
     width_ = limits.width;
     height_ = limits.height;
     first_z_ =

@@ -24,8 +24,8 @@ class Holes<uint32_t, Normal> {
 
   /// Keeps a ring. Limit: there are slots_each slots.
   void keep(Slots& slots, const Ring& ring) {
-    const uint32_t index = slots.take();
-    const uint32_t start = slots.take();
+    const uint32_t index = slots.allocate();
+    const uint32_t start = slots.allocate();
     Hole<uint32_t>& hole = slots[index].hole;
     hole.number = number_++;
     hole.last = ring.last;
@@ -56,7 +56,7 @@ class Holes<uint32_t, Normal> {
 
   /// Takes one of the holes out that were marked last, the newest first: its runs, and where they
   /// start. Limit: there is one.
-  void take(Slots& slots, uint32_t& last, Vertex& start) {
+  void remove(Slots& slots, uint32_t& last, Vertex& start) {
     const uint32_t index = marked_.first(Newest{{slots}}, [](uint32_t) { return true; });
     marked_.remove(Newest{{slots}}, index);
     const Hole<uint32_t>& hole = slots[index].hole;

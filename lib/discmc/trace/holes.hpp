@@ -46,7 +46,7 @@ class Holes {
 
   /// Takes one of the holes out that were marked last: its runs, and where they start. Limit: there
   /// is one.
-  void take(Slots& slots, Index& last, Vertex& start);
+  void remove(Slots& slots, Index& last, Vertex& start);
 
   /// A plane that has holes. Limit: count() > 0.
   void any_plane(const Slots& slots, Incidence& incidence, Vertex& at) const;
@@ -87,8 +87,8 @@ class Holes {
 template <class Index, class Normal>
 void Holes<Index, Normal>::keep(Slots& slots, const Outgoing<Index>& ring) {
   DISCMC_LIMIT(slots.available() >= slots_each);
-  const Index index = slots.take();
-  const Index start = slots.take();
+  const Index index = slots.allocate();
+  const Index start = slots.allocate();
   slots[start].hole_start.set(ring.start);
   Index& head = heads_[list_of(ring.incidence, plane_offset(ring.incidence, ring.start))];
   Hole<Index>& hole = slots[index].hole;
@@ -131,7 +131,7 @@ uint32_t Holes<Index, Normal>::mark(Slots& slots, const Outgoing<Index>& by) {
 }
 
 template <class Index, class Normal>
-void Holes<Index, Normal>::take(Slots& slots, Index& last, Vertex& start) {
+void Holes<Index, Normal>::remove(Slots& slots, Index& last, Vertex& start) {
   Index* link = &heads_[marked_list_];
   while (slots[*link].hole.is_marked == 0) link = &slots[*link].linked.next;
   const Index index = *link;

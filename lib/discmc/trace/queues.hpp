@@ -117,7 +117,7 @@ class Queues {
     if (is_narrow) end.side.set_bits(static_cast<uint16_t>(count >> 16));
   }
   Index new_count(Slots& slots, uint32_t count) {
-    const Index lost = slots.take();
+    const Index lost = slots.allocate();
     slots[lost].end.next = no_slot;
     slots[lost].end.mate = no_slot;
     set_lost(slots[lost].end, count);

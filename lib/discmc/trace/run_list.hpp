@@ -71,7 +71,7 @@ struct RunLists {
         return;
       }
     }
-    const Index index = slots.take();
+    const Index index = slots.allocate();
     RunSlot<Index, Normal>& slot = slots[index].runs;
     for (Entry& entry : slot.entry) entry.run = 0;
     slot.entry[entries - 1 - outermost] = run;

@@ -7,7 +7,7 @@ void SampleRows<Sample>::start(Arena& arena, const Limits& limits, uint32_t ring
   width_ = limits.width;
   height_ = limits.height;
   ring_rows_ = ring_rows;
-  ring_ = arena.take<Sample>(limits.width * ring_rows);
+  ring_ = arena.allocate<Sample>(limits.width * ring_rows);
 }
 
 template <class Sample>

@@ -150,7 +150,7 @@ constexpr Link link_inwards(CellEdge edge) {
 struct QueueNumbers {
   int level = 0;
   int rising = first_rising_queue;
-  constexpr uint8_t take(int count, bool is_rising) {
+  constexpr uint8_t add(int count, bool is_rising) {
     int& next = is_rising ? rising : level;
     next += count;
     return static_cast<uint8_t>(next - count);
@@ -177,7 +177,7 @@ constexpr SpokeQueues number_spoke_queues(const SectorTable& table, QueueNumbers
   SpokeQueues spokes{};
   const auto add = [&](int from, int to, int count) {
     const bool is_rising = is_in_next_slice(position(edges.point[from]), position(edges.point[to]));
-    spokes.queue[from][to] = numbers.take(count, is_rising);
+    spokes.queue[from][to] = numbers.add(count, is_rising);
     spokes.queue[to][from] = spokes.queue[from][to] ^ 1;
   };
   for (int from = 0; from < cell_edges; ++from)
@@ -246,7 +246,7 @@ constexpr void add_face_ways(SectorTable& table, QueueNumbers& numbers) {
           const Link link = discmc::detail::derive::link_of(detail::link_table, vector);
           const auto queue = static_cast<uint8_t>(
               is_ahead
-                  ? numbers.take(2, is_in_next_slice(here, there))
+                  ? numbers.add(2, is_in_next_slice(here, there))
                   : queue_of_face_link(table, moved_to_origin(there), opposite_link(link)) + 1);
           table.axis[axis].way[quadrant][way] = Way(link, queue, is_ahead);
         }

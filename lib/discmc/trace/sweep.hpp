@@ -16,9 +16,9 @@ class Sweep {
   /// Takes its part of the arena, and writes nothing there: clear() does. The slots come last, so
   /// that those never used are behind all that is in use.
   void start(Arena& arena, const Capacities& capacities) {
-    auto* const queues = arena.take<Queue<Index>>(queue_count);
-    auto* const holes = arena.take<Index>(detail::sizing::hole_lists<Index>);
-    auto* const slots = arena.take<Slot<Index, Normal>>(capacities.slots);
+    auto* const queues = arena.allocate<Queue<Index>>(queue_count);
+    auto* const holes = arena.allocate<Index>(detail::sizing::hole_lists<Index>);
+    auto* const slots = arena.allocate<Slot<Index, Normal>>(capacities.slots);
     fragments_.start(slots, capacities.slots, queues);
     delivery_.start(holes, capacities.holes);
   }
@@ -47,8 +47,8 @@ class Sweep {
 
  protected:
   template <class Intake>
-  bool take_passes(const SweptRow& row, const Intake& intake, const Sink& sink,
-                   Statistics& statistics);
+  bool process_passes(const SweptRow& row, const Intake& intake, const Sink& sink,
+                      Statistics& statistics);
 
   bool chains_are_ended_ = false;  // at the row under way above a slab
   DerivedPasses passes_;
@@ -64,11 +64,11 @@ template <class Index, class Normal, class AnyFeatures>
 template <class Intake>
 bool Sweep<Index, Normal, AnyFeatures>::sweep(const SweptRow& row, const Intake& intake,
                                               const Sink& sink, Statistics& statistics) {
-  if constexpr (!Features::slabs) return take_passes(row, intake, sink, statistics);
+  if constexpr (!Features::slabs) return process_passes(row, intake, sink, statistics);
   if (row.role == SlabRole::below_slab) return true;
   fragments_.set_below_is_lost(row.role == SlabRole::first_of_slab);
   for (;;) {
-    if (!take_passes(row, intake, sink, statistics)) return false;
+    if (!process_passes(row, intake, sink, statistics)) return false;
     chains_are_ended_ = row.role == SlabRole::above_slab && !chains_are_ended_;
     if (!chains_are_ended_) return true;
   }
@@ -76,8 +76,8 @@ bool Sweep<Index, Normal, AnyFeatures>::sweep(const SweptRow& row, const Intake&
 
 template <class Index, class Normal, class AnyFeatures>
 template <class Intake>
-bool Sweep<Index, Normal, AnyFeatures>::take_passes(const SweptRow& row, const Intake& intake,
-                                                    const Sink& sink, Statistics& statistics) {
+bool Sweep<Index, Normal, AnyFeatures>::process_passes(const SweptRow& row, const Intake& intake,
+                                                       const Sink& sink, Statistics& statistics) {
   if (!delivery_.settle(fragments_, sink, statistics)) return false;
   do {
     while (passes_.has_next()) {
@@ -85,7 +85,7 @@ bool Sweep<Index, Normal, AnyFeatures>::take_passes(const SweptRow& row, const I
       const Vertex& vertex = passes_.vertex();
       passes_.advance();
       if (!Features::slabs || row.is_own())
-        fragments_.take(pass, vertex, intake);
+        fragments_.process(pass, vertex, intake);
       else
         fragments_.cut_at(pass, vertex, !chains_are_ended_);
       if (fragments_.has_outgoing() && !delivery_.settle(fragments_, sink, statistics))

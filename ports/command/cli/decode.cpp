@@ -27,15 +27,15 @@ namespace {
 class Recoder {
  public:
   explicit Recoder(const ByteOutput& output) : output_(output) {}
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     if (event.kind == Event::Kind::start) {
       encoder_.encode_normals();
       require(encoder_.start(event.header->label(), output_));
-      encoder_.take(event);
-      for (const Event& early : early_) encoder_.take(early);  // a file accepts all
+      encoder_.accept(event);
+      for (const Event& early : early_) encoder_.accept(early);  // a file accepts all
       is_started_ = true;
     } else if (is_started_) {
-      encoder_.take(event);
+      encoder_.accept(event);
     } else if (event.kind !=
                Event::Kind::application) {  // its bytes are valid during the call only
       early_.push_back(event);              // its first header is lost: wait for the next

@@ -65,15 +65,15 @@ class Join {
     (void)encoder_.flush();  // a file accepts all; commit() reports a failed write
   }
 
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     if (event.kind == Event::Kind::start) begin(*event.header);
-    if (event.kind != Event::Kind::application) return joiner_.take(event);
+    if (event.kind != Event::Kind::application) return joiner_.accept(event);
     SlabRange range;
     Placement placement;
     if (read_slab_range(*event.application, range)) {
       add_range(range);
     } else if (!read_placement(*event.application, placement) || is_first_) {
-      return joiner_.take(event);  // only the first placement: all are the same
+      return joiner_.accept(event);  // only the first placement: all are the same
     }
     return SinkResult::accepted;
   }
@@ -90,8 +90,8 @@ class Join {
     Encoder& encoder;
     std::uint64_t regions = 0;
     std::uint64_t fragments = 0;
-    SinkResult take(const Event& event) {
-      const SinkResult answer = encoder.take(event);
+    SinkResult accept(const Event& event) {
+      const SinkResult answer = encoder.accept(event);
       if (answer != SinkResult::accepted) return answer;
       if (event.kind == Event::Kind::region_end) ++regions;
       if (event.kind == Event::Kind::fragment_end) ++fragments;

@@ -45,7 +45,7 @@ struct RecordNotes {
   std::vector<std::string> records{};
   std::optional<VolumePlacement> placement{};
   SlabRanges slabs{};
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     if (event.kind == Event::Kind::application) {
       records.push_back(text(*event.application));
       Placement nanometres;
@@ -53,7 +53,7 @@ struct RecordNotes {
       SlabRange range;
       if (read_slab_range(*event.application, range)) slabs.add(range);
     }
-    return to.take(event);
+    return to.accept(event);
   }
 };
 

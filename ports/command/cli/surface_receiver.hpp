@@ -49,19 +49,19 @@ class SurfaceReceiver {
     encodes_ = true;
   }
 
-  SinkResult take(const Event& event) {
-    if (encodes_ && encoder_.take(event) != SinkResult::accepted) return SinkResult::busy;
+  SinkResult accept(const Event& event) {
+    if (encodes_ && encoder_.accept(event) != SinkResult::accepted) return SinkResult::busy;
     if (encodes_ && event.kind == Event::Kind::start) {
       write_placement(placement_, encoder_);
       write_slab(slab_, encoder_);
     }
-    return builds_ ? surface_.take(event) : SinkResult::accepted;
+    return builds_ ? surface_.accept(event) : SinkResult::accepted;
   }
 
   /// Takes a region in place of its events, unless they are to be encoded.
-  SinkResult take_region(const WholeRegion& region) {
+  SinkResult accept_region(const WholeRegion& region) {
     if (encodes_ || !builds_) return SinkResult::busy;
-    return surface_.take_region(region);
+    return surface_.accept_region(region);
   }
 
   /// The bytes of the stream; 0 without one.

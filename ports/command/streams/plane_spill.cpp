@@ -10,7 +10,7 @@
 
 namespace discmc::command {
 
-SinkResult PlaneSpill::take(const Event& event) {
+SinkResult PlaneSpill::accept(const Event& event) {
   switch (event.kind) {
     case Event::Kind::region:
       region_ = event;
@@ -44,7 +44,7 @@ SinkResult PlaneSpill::take(const Event& event) {
     case Event::Kind::layer:  // true in the order of a sweep alone
       break;
     default:
-      return sink_.take(sink_.context, event);
+      return sink_.accept(sink_.context, event);
   }
   return SinkResult::accepted;
 }
@@ -81,7 +81,7 @@ void PlaneSpill::write(Group& group) {
 
 void PlaneSpill::join() {
   for (Group& group : groups_) join(group);
-  if (has_finish_) sink_.take(sink_.context, finish_);
+  if (has_finish_) sink_.accept(sink_.context, finish_);
 }
 
 void PlaneSpill::join(Group& group) {
@@ -92,7 +92,7 @@ void PlaneSpill::join(Group& group) {
                     }};
   GrowingJoiner joiner(joined, InputOrder::any, std::max<std::uint64_t>(bytes, 4096));
   replay(group, joiner);
-  if (has_finish_) joiner.take(finish_);
+  if (has_finish_) joiner.accept(finish_);
   joiner.finish();
   if (has_finish_) totals_ = joiner.totals();  // for the next group, which adds its own
   group = {};
@@ -104,15 +104,15 @@ void PlaneSpill::replay(const Group& group, GrowingJoiner& joiner) {
   for (const Block& block : group.blocks) {
     words.resize(block.words);
     file_->read(block.begin, words.data(), block.words * sizeof words[0]);
-    for (EventWords reader(words); reader.next(event);) joiner.take(event);
+    for (EventWords reader(words); reader.next(event);) joiner.accept(event);
   }
-  for (EventWords reader(group.words); reader.next(event);) joiner.take(event);
+  for (EventWords reader(group.words); reader.next(event);) joiner.accept(event);
 }
 
 // Passes the events of a group to the sink. The end of a group is not the end of all.
 SinkResult PlaneSpill::pass(const Event& event) {
   const bool is_end = event.kind == Event::Kind::finish;
-  return is_end ? SinkResult::accepted : sink_.take(sink_.context, event);
+  return is_end ? SinkResult::accepted : sink_.accept(sink_.context, event);
 }
 
 }  // namespace discmc::command

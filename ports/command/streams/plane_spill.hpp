@@ -28,7 +28,7 @@ class PlaneSpill {
   PlaneSpill& operator=(const PlaneSpill&) = delete;
 
   /// Always takes the event. Throws std::runtime_error where the disk is full.
-  SinkResult take(const Event& event);
+  SinkResult accept(const Event& event);
 
   /// After the last event: gives the sink all regions, what is still loose, and `finish`.
   void join();

@@ -23,7 +23,7 @@ class SpillingJoiner {
     joiner_.emplace(sink, InputOrder::any, first, GrowingJoiner::Limit{bytes, make_sink(spill_)});
   }
 
-  SinkResult take(const Event& event) { return joiner_->take(event); }
+  SinkResult accept(const Event& event) { return joiner_->accept(event); }
 
   /// Limit: after the last event.
   void finish() {

@@ -22,11 +22,11 @@ class ReceivedScan {
   ReceivedScan(const ReceivedScan&) = delete;
   ReceivedScan& operator=(const ReceivedScan&) = delete;
 
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     Placement placement;
     if (event.kind == Event::Kind::application && read_placement(*event.application, placement))
       placement_ = in_millimetres(placement);
-    return surface_.take(event);
+    return surface_.accept(event);
   }
 
   void push(const std::uint8_t* bytes, std::size_t count) {

@@ -24,17 +24,17 @@ bool continues_region(const std::uint8_t* payload, std::size_t bytes) {
 
 }  // namespace
 
-SinkResult EncodedPart::take(const Event& event) {
+SinkResult EncodedPart::accept(const Event& event) {
   if (event.kind == Event::Kind::start)
     require(encoder_.start({}, {this, [](void* self, const std::uint8_t* frame, std::size_t bytes) {
                                   return static_cast<EncodedPart*>(self)->keep(frame, bytes);
                                 }}));
   if (event.kind == Event::Kind::region_end) ++pieces_;
-  return encoder_.take(event);
+  return encoder_.accept(event);
 }
 
-void EncodedPart::take_region(const WholeRegion& region) {
-  send_events(region, [this](const Event& event) { return take(event) == SinkResult::accepted; });
+void EncodedPart::accept_region(const WholeRegion& region) {
+  send_events(region, [this](const Event& event) { return accept(event) == SinkResult::accepted; });
 }
 
 // An encoder offers a frame at a time. Headers are the other encoder's matter.

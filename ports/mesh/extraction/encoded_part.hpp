@@ -20,9 +20,9 @@ class EncodedPart {
   EncodedPart& operator=(const EncodedPart&) = delete;
 
   /// Takes a scan's start, then regions. Always takes the event.
-  SinkResult take(const Event& event);
+  SinkResult accept(const Event& event);
   /// The same by the events of the region.
-  void take_region(const WholeRegion& region);
+  void accept_region(const WholeRegion& region);
 
   /// Gives all packets to an encoder. Call once, after the last region. encoder: started; its
   /// output must take all.

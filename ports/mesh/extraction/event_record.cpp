@@ -4,7 +4,7 @@
 
 namespace discmc::meshing {
 
-SinkResult EventRecord::take(const Event& event) {
+SinkResult EventRecord::accept(const Event& event) {
   if (event.kind == Event::Kind::layer) return SinkResult::accepted;
   if (event.kind == Event::Kind::start) header_ = *event.header;
   if (event.kind == Event::Kind::finish) {
@@ -23,7 +23,7 @@ void EventRecord::replay(const Sink& sink) const {
       event.statistics = &totals_;
       event.slice = slices_;
     }
-    static_cast<void>(sink.take(sink.context, event));
+    static_cast<void>(sink.accept(sink.context, event));
   }
 }
 

@@ -14,7 +14,7 @@ namespace discmc::meshing {
 class EventRecord {
  public:
   /// Always takes the event.
-  SinkResult take(const Event& event);
+  SinkResult accept(const Event& event);
 
   /// Sends all of them. sink: must accept everything at once.
   void replay(const Sink& sink) const;

@@ -35,10 +35,10 @@ class PartSurface {
     if (request.encoder != nullptr) packets_ = std::make_unique<EncodedPart>();
   }
 
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     if (event.kind == Event::Kind::finish)
       return SinkResult::accepted;  // all parts have one together
-    if (event.kind == Event::Kind::start && packets_) packets_->take(event);
+    if (event.kind == Event::Kind::start && packets_) packets_->accept(event);
     if (event.kind == Event::Kind::region) {
       region_ = event;  // until its plane is known
       return SinkResult::accepted;
@@ -51,10 +51,10 @@ class PartSurface {
   }
 
   // A region that is whole.
-  SinkResult take_region(const WholeRegion& region) {
+  SinkResult accept_region(const WholeRegion& region) {
     if (has_loose_rings(region.incidence, region.start)) return SinkResult::busy;
-    if (packets_) packets_->take_region(region);
-    if (polygons_) polygons_->take_region(region);
+    if (packets_) packets_->accept_region(region);
+    if (polygons_) polygons_->accept_region(region);
     return SinkResult::accepted;
   }
 
@@ -99,9 +99,9 @@ class PartSurface {
   }
 
   SinkResult give(const Event& event) {
-    if (place_ == Place::joined) return joined_.take(event);
-    if (polygons_) polygons_->take(event);
-    if (packets_) packets_->take(event);
+    if (place_ == Place::joined) return joined_.accept(event);
+    if (polygons_) polygons_->accept(event);
+    if (packets_) packets_->accept(event);
     return SinkResult::accepted;
   }
 
@@ -292,7 +292,7 @@ class Parts {
     event.kind = Event::Kind::finish;
     event.slice = spans_.back().end - spans_.front().first;
     event.statistics = &totals;
-    joiner.take(event);
+    joiner.accept(event);
     joiner.finish();
     totals = joiner.totals();
   }

@@ -89,7 +89,7 @@ uint32_t new_end(Slots& slots, Sides& sides, CornerCode corner, Link side, Link 
   const uint32_t passed = may_turn ? 0 : front.links_passed(vertex, step);
   sides.add_side(sides.direction(side), passed);
   translate(vertex, ahead, passed);
-  const uint32_t end = slots.take();
+  const uint32_t end = slots.allocate();
   slots[end].end.side = detail::trace::Side(sides.direction(side), detail::trace::place_of(vertex));
   slots[end].end.mate = end;  // until it has one
   return end;

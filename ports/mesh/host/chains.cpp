@@ -40,7 +40,7 @@ bool Chains::start(Slots& slots) {
 
 // Slots side by side, or none. They are written, as all slots in use are: a checkpoint has them.
 Chains::Area Chains::new_area(Slots& slots, uint32_t count) {
-  const uint32_t slot = slots.take_fresh(count);
+  const uint32_t slot = slots.allocate_fresh(count);
   if (slot == no_slot) return {};
   const uint32_t first = slot - 1;
   uint32_t* const words = seats(slots) + size_t{first} * seats_per_slot;
@@ -183,7 +183,7 @@ DISCMC_ALWAYS_INLINE uint32_t all_if_zero(uint32_t number) {
 
 }  // namespace
 
-void Chains::take(Slots& slots, const FoundPasses& passes, uint32_t edges) {
+void Chains::process(Slots& slots, const FoundPasses& passes, uint32_t edges) {
   DISCMC_LIMIT(edges <= Edges::max_edges);
   DISCMC_LIMIT(edges == 0 || is_ready_for_batch(slots));
   Node* const node = nodes(slots);

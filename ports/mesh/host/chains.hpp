@@ -102,7 +102,7 @@ class Chains {
   bool make_room(Slots& slots);
 
   /// Adds passes to the chains. Limit: there is room.
-  void take(Slots& slots, const FoundPasses& passes, uint32_t edges);
+  void process(Slots& slots, const FoundPasses& passes, uint32_t edges);
 
   /// Finds the next closed ring, in the order in which they were closed. False if there is none.
   bool find_ring(Slots& slots);

@@ -80,7 +80,7 @@ void Sweep::take_edges(Statistics& statistics) {
   is_due_ = true;
   found_.find(edges_, counts_);
   counts_.add_to(statistics);
-  chains_.take(slots(), found_, edges_.count());
+  chains_.process(slots(), found_, edges_.count());
   edges_.take_all();
 }
 
@@ -113,11 +113,11 @@ bool Sweep::sweep_plain(const detail::trace::SweptRow& row, const BitIntake& int
     // It is swept twice, either time from there.
     fragments_.set_below_is_lost(false);
     if (!chains_are_ended_) {
-      if (!take_passes(row, intake, sink, statistics)) return false;
+      if (!process_passes(row, intake, sink, statistics)) return false;
       chains_are_ended_ = true;
       passes_.go_on_from(handed_word_);
     }
-    if (!take_passes(row, intake, sink, statistics)) return false;
+    if (!process_passes(row, intake, sink, statistics)) return false;
     chains_are_ended_ = false;
   } else if (!Plain::sweep(rest, intake, sink, statistics)) {
     return false;
@@ -183,8 +183,8 @@ bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
     return delivery_.settle(fragments_, sink, statistics);
   }
   const WholeRegion region{start.incidence(), start.vertex(), runs, count};
-  if ((receiver_.take == nullptr ||
-       receiver_.take(receiver_.context, region) != SinkResult::accepted) &&
+  if ((receiver_.accept == nullptr ||
+       receiver_.accept(receiver_.context, region) != SinkResult::accepted) &&
       !send_events(region, sink, statistics))
     return false;
   statistics.links += links;
@@ -196,7 +196,7 @@ bool Sweep::deliver_ring(const Sink& sink, Statistics& statistics) {
 // When the sink is busy, the ordinary delivery continues.
 bool Sweep::send_events(const WholeRegion& region, const Sink& sink, Statistics& statistics) {
   uint32_t taken = discmc::send_events(region, [&](const Event& event) {
-    return sink.take(sink.context, event) == SinkResult::accepted;
+    return sink.accept(sink.context, event) == SinkResult::accepted;
   });
   if (taken == region.count + 3) return true;
   chains_.put_out_ring(fragments_);

@@ -38,14 +38,14 @@ uint32_t send_events(const WholeRegion& region, Send send) {
 /// the sink receives the events of the region.
 struct RegionReceiver {
   void* context = nullptr;
-  SinkResult (*take)(void* context, const WholeRegion& region) = nullptr;
+  SinkResult (*accept)(void* context, const WholeRegion& region) = nullptr;
 };
 
-/// Returns a receiver that calls `receiver.take_region(region)`. Owner: as make_sink().
+/// Returns a receiver that calls `receiver.accept_region(region)`. Owner: as make_sink().
 template <class Receiver>
 RegionReceiver make_region_receiver(Receiver& receiver) {
   return {&receiver, [](void* context, const WholeRegion& region) {
-            return static_cast<Receiver*>(context)->take_region(region);
+            return static_cast<Receiver*>(context)->accept_region(region);
           }};
 }
 

@@ -75,10 +75,10 @@ class MovingSink {
  public:
   MovingSink(const Sink& sink, const Vertex& by) : sink_(sink), by_(by) {}
 
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     Event moved = event;
     moved.start = event.start + by_;
-    return sink_.take(sink_.context, moved);
+    return sink_.accept(sink_.context, moved);
   }
 
  private:

@@ -14,7 +14,7 @@ void StreamCensus::look_at(const std::vector<std::uint8_t>& frame) {
   if (frame.size() < 2 || frame[1] != header_kind) return;
   PacketReader reader;
   reader.start(any_channel);
-  for (const std::uint8_t byte : frame) static_cast<void>(reader.take(byte));
+  for (const std::uint8_t byte : frame) static_cast<void>(reader.add(byte));
   if (reader.is_refused()) {
     detail::wire::ByteReader fields(reader.payload(), reader.payload_bytes());
     other_version_ = static_cast<std::uint8_t>(fields.get(3 + 1) >> 24);  // behind the magic

@@ -22,10 +22,10 @@ GrowingJoiner::GrowingJoiner(const Sink& sink, InputOrder order, std::size_t byt
   if (started != Status::ok) throw std::invalid_argument(to_string(started));
 }
 
-SinkResult GrowingJoiner::take(const Event& event) {
+SinkResult GrowingJoiner::accept(const Event& event) {
   has_fragments_ = has_fragments_ || event.kind == Event::Kind::fragment;
-  return has_fragments_ || !is_of_region(event.kind) ? joiner_.take(event)
-                                                     : sink_.take(sink_.context, event);
+  return has_fragments_ || !is_of_region(event.kind) ? joiner_.accept(event)
+                                                     : sink_.accept(sink_.context, event);
 }
 
 void GrowingJoiner::finish() {
@@ -44,9 +44,9 @@ SinkResult GrowingJoiner::pass(const Event& event) {
   const bool has_room = next_ == nullptr && !is_beyond_limit_;
   if (event.kind == Event::Kind::fragment && has_room && !update_unmatched()) grow();
   if (event.kind == Event::Kind::finish) totals_ = *event.statistics;
-  if (next_) return next_->take(event);
+  if (next_) return next_->accept(event);
   const Sink& sink = is_beyond_limit_ ? limit_->beyond : sink_;
-  return sink.take(sink.context, event);
+  return sink.accept(sink.context, event);
 }
 
 void GrowingJoiner::grow() {

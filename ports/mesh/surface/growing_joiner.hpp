@@ -31,7 +31,7 @@ class GrowingJoiner {
   GrowingJoiner(const GrowingJoiner&) = delete;
   GrowingJoiner& operator=(const GrowingJoiner&) = delete;
 
-  SinkResult take(const Event& event);
+  SinkResult accept(const Event& event);
 
   /// Ends the events: a stream may break off before its `finish`.
   void finish();

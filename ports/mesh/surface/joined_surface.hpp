@@ -15,11 +15,11 @@ class JoinedSurface {
   JoinedSurface(const JoinedSurface&) = delete;
   JoinedSurface& operator=(const JoinedSurface&) = delete;
 
-  SinkResult take(const Event& event) { return joiner_.take(event); }
+  SinkResult accept(const Event& event) { return joiner_.accept(event); }
   /// A region in place of its events, unless fragments may have to be joined with it.
-  SinkResult take_region(const WholeRegion& region) {
+  SinkResult accept_region(const WholeRegion& region) {
     if (joiner_.has_fragments()) return SinkResult::busy;
-    builder_.take_region(region);
+    builder_.accept_region(region);
     return SinkResult::accepted;
   }
   /// Ends the events.

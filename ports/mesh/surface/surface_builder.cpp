@@ -40,7 +40,7 @@ bool turns(const Vertex* vertices, std::uint32_t count, std::uint32_t i) {
 
 }  // namespace
 
-SinkResult SurfaceBuilder::take(const Event& event) {
+SinkResult SurfaceBuilder::accept(const Event& event) {
   switch (event.kind) {
     case Event::Kind::region:
       incidence_ = event.incidence;
@@ -79,7 +79,7 @@ SinkResult SurfaceBuilder::take(const Event& event) {
   return SinkResult::accepted;
 }
 
-void SurfaceBuilder::take_region(const WholeRegion& region) {
+void SurfaceBuilder::accept_region(const WholeRegion& region) {
   incidence_ = region.incidence;
   rings_.clear();
   begin_polygon();

@@ -19,14 +19,14 @@ enum class Kept { polygons, counts };
 /// joined before.
 /// Memory: one region at a time, in proportion to its runs, not to its links. A few bytes of a
 /// hostile stream can encode any number of links.
-/// Errors: take() and append() throw std::length_error beyond the limit of Polygons.
+/// Errors: accept() and append() throw std::length_error beyond the limit of Polygons.
 class SurfaceBuilder {
  public:
   explicit SurfaceBuilder(Kept kept = Kept::polygons) : kept_(kept) {}
 
-  SinkResult take(const Event& event);
+  SinkResult accept(const Event& event);
   /// Takes a region in place of its events.
-  void take_region(const WholeRegion& region);
+  void accept_region(const WholeRegion& region);
 
   Kept kept() const { return kept_; }
 

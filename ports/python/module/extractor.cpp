@@ -30,9 +30,9 @@ struct Outline {
 /// Collects the corners of whole regions, and the bytes of their stream if there is an encoder.
 class Recorder {
  public:
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     if (encoder_) {
-      const SinkResult answer = encoder_->take(event);
+      const SinkResult answer = encoder_->accept(event);
       if (answer != SinkResult::accepted) return answer;
     }
     switch (event.kind) {

@@ -5,12 +5,12 @@ namespace discmc::web {
 StreamSurface::StreamSurface(const meshing::StreamChoice& choice)
     : reader_(make_sink(*this), choice) {}
 
-SinkResult StreamSurface::take(const Event& event) {
+SinkResult StreamSurface::accept(const Event& event) {
   if (event.kind == Event::Kind::skipped) note_skipped(event.slice, event.row);
   Placement placement;
   if (event.kind == Event::Kind::application && read_placement(*event.application, placement))
     placement_ = placement;
-  return surface_.take(event);
+  return surface_.accept(event);
 }
 
 // Rows of a slice that follow each other are one, and so are slices that follow each other.

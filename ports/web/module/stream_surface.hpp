@@ -22,7 +22,7 @@ class StreamSurface {
   StreamSurface(const StreamSurface&) = delete;
   StreamSurface& operator=(const StreamSurface&) = delete;
 
-  SinkResult take(const Event& event);
+  SinkResult accept(const Event& event);
   /// Throws as StreamReader::push().
   void push(const std::uint8_t* bytes, std::size_t count) { reader_.push(bytes, count); }
   /// Limit: the last call. Throws as StreamReader::finish().

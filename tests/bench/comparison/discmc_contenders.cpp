@@ -15,12 +15,12 @@ struct Counter {
   uint64_t regions = 0;
   uint64_t fragments = 0;
 
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     if (event.kind == Event::Kind::region) ++regions;
     if (event.kind == Event::Kind::fragment) ++fragments;
     return SinkResult::accepted;
   }
-  SinkResult take_region(const WholeRegion&) {
+  SinkResult accept_region(const WholeRegion&) {
     ++regions;
     return SinkResult::accepted;
   }
@@ -71,7 +71,7 @@ class Scan {
 // a ring starts is kept even within a side.
 class Polygons {
  public:
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     switch (event.kind) {
       case Event::Kind::region:
         regions_.push_back({event.incidence, rings_.size()});
@@ -89,7 +89,7 @@ class Polygons {
     }
     return SinkResult::accepted;
   }
-  SinkResult take_region(const WholeRegion& region) {
+  SinkResult accept_region(const WholeRegion& region) {
     regions_.push_back({region.incidence, rings_.size()});
     rings_.push_back({false, corners_.size()});
     at_ = region.start;

@@ -24,7 +24,7 @@ std::string content(const std::string& path) {
 struct SkippedRows {
   std::uint32_t height;
   std::set<std::uint32_t> rows{};
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     if (event.kind == Event::Kind::skipped) rows.insert(event.slice * height + event.row);
     return SinkResult::accepted;
   }

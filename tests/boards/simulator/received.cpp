@@ -35,7 +35,7 @@ void ReceivedStream::finish() {
   if (status != Status::ok) throw std::runtime_error(to_string(status));
 }
 
-SinkResult ReceivedStream::take(const Event& event) {
+SinkResult ReceivedStream::accept(const Event& event) {
   if (event.kind == Event::Kind::layer || event.kind == Event::Kind::finish)
     final_slices_ = event.slice;
   if (event.kind == Event::Kind::skipped)

@@ -20,7 +20,7 @@ class ReceivedStream {
 
   void push(const std::uint8_t* bytes, std::size_t count);
   void finish();
-  SinkResult take(const Event& event);
+  SinkResult accept(const Event& event);
 
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
   const StreamHeader& header() const { return decoder_.header(); }

@@ -176,7 +176,7 @@ void put(BitVolume& volume, const BitVolume& part, uint32_t z) {
 template <class Extractor>
 Statistics totals_of(Extractor& extractor, const BitVolume& volume, uint32_t slots) {
   struct Taker {
-    SinkResult take(const Event&) { return SinkResult::accepted; }
+    SinkResult accept(const Event&) { return SinkResult::accepted; }
   } taker;
   const Limits limits = limits_of(volume, Border::closed);
   const Capacities capacities{slots, 1000};
@@ -216,14 +216,14 @@ struct EverySecond {
   EventLog& log;
   uint32_t offered = 0;
 
-  SinkResult take_region(const WholeRegion& region) {
+  SinkResult accept_region(const WholeRegion& region) {
     if (++offered % 2 == 0) return SinkResult::busy;
     Event event{};
     event.incidence = region.incidence;
     event.start = region.start;
     const auto write = [&](Event::Kind kind) {
       event.kind = kind;
-      CHECK(log.take(event) == SinkResult::accepted);
+      CHECK(log.accept(event) == SinkResult::accepted);
     };
     write(Event::Kind::region);
     write(Event::Kind::ring);

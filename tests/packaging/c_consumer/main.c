@@ -17,7 +17,7 @@ int main(void) {
   config.memory.data = memory;
   config.memory.bytes = sizeof memory;
   config.sink.context = &regions;
-  config.sink.take = count_regions;
+  config.sink.accept = count_regions;
   if (discmc_extractor_start(&extractor, &config) != DISCMC_OK) return 1;
   if (discmc_extractor_push(extractor, DISCMC_U8, volume, 27, 1).status != DISCMC_OK) return 2;
   if (discmc_extractor_finish(extractor) != DISCMC_OK) return 3;

@@ -8,7 +8,7 @@ uint8_t memory[4096];
 struct Counter {
   unsigned regions = 0;
 
-  discmc::SinkResult take(const discmc::Event& event) {
+  discmc::SinkResult accept(const discmc::Event& event) {
     if (event.kind == discmc::Event::Kind::region) ++regions;
     return discmc::SinkResult::accepted;
   }

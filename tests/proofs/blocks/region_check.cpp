@@ -46,7 +46,7 @@ Vertex Lattice::vertex(size_t index) {
   return {first + i % side, first + i / side % side, first + i / side / side};
 }
 
-SinkResult RegionCheck::take(const Event& event) {
+SinkResult RegionCheck::accept(const Event& event) {
   switch (event.kind) {
     case Event::Kind::region:
       incidence_ = event.incidence;

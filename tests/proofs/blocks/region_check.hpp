@@ -36,7 +36,7 @@ class Lattice {
 };
 
 /// Checks that every ring is closed, turns according to its hole flag, and uses each directed link
-/// once. Errors: take() throws std::runtime_error.
+/// once. Errors: accept() throws std::runtime_error.
 class RegionCheck {
  public:
   /// The sums over the regions so far; plain data.
@@ -49,7 +49,7 @@ class RegionCheck {
 
   explicit RegionCheck(const Lattice& lattice) : lattice_(lattice) {}
 
-  SinkResult take(const Event& event);
+  SinkResult accept(const Event& event);
 
   const Sum& sum() const { return sum_; }
   void go_back(const Sum& sum) { sum_ = sum; }

@@ -59,21 +59,21 @@ class Metered {
  public:
   Metered(Next& next, Part part, Part before) : next_(next), part_(part), before_(before) {}
 
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     ++efforts->of[part_].work;
     ++efforts->of[before_].work;
     if (before_ == extractor && event.kind == Event::Kind::run)
       efforts->of[extractor].work += event.run.length();
     const Running running_part(part_);
-    return next_.take(event);
+    return next_.accept(event);
   }
-  SinkResult take_region(const WholeRegion& region) {
+  SinkResult accept_region(const WholeRegion& region) {
     efforts->of[part_].work += 3 + region.count;
     efforts->of[before_].work += 3 + region.count;
     for (uint32_t i = 0; i < region.count; ++i)
       efforts->of[before_].work += region.runs[i].length();
     const Running running_part(part_);
-    return next_.take_region(region);
+    return next_.accept_region(region);
   }
 
  private:
@@ -82,8 +82,8 @@ class Metered {
 };
 
 struct Nowhere {
-  SinkResult take(const Event&) { return SinkResult::accepted; }
-  SinkResult take_region(const WholeRegion&) { return SinkResult::accepted; }
+  SinkResult accept(const Event&) { return SinkResult::accepted; }
+  SinkResult accept_region(const WholeRegion&) { return SinkResult::accepted; }
 };
 
 // ---- behind an extractor ----
@@ -223,7 +223,7 @@ class Sliced {
 
  private:
   struct Rows {
-    SinkResult take(const RowEvent&) { return SinkResult::accepted; }
+    SinkResult accept(const RowEvent&) { return SinkResult::accepted; }
   };
   ByteOutput output() {
     return {this, [](void* context, const uint8_t* bytes, size_t count) {

@@ -3,12 +3,12 @@
 
 using namespace discmc;
 
-static SinkResult take(void*, const Event&) {
+static SinkResult accept(void*, const Event&) {
   return SinkResult::accepted;
 }
 
 extern "C" Status run(Decoder& decoder, const uint8_t* bytes, size_t count) {
-  Status status = decoder.start({nullptr, take});
+  Status status = decoder.start({nullptr, accept});
   if (status == Status::ok) status = decoder.push(bytes, count).status;
   return status == Status::ok ? decoder.finish() : status;
 }

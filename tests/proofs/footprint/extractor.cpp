@@ -3,7 +3,7 @@
 
 using namespace discmc;
 
-static SinkResult take(void*, const Event&) {
+static SinkResult accept(void*, const Event&) {
   return SinkResult::accepted;
 }
 
@@ -12,7 +12,7 @@ constexpr Limits limits{64, 64};
 constexpr Capacities capacities = Extractor16::default_capacities(limits, 12 * 1024);
 
 extern "C" Status run(Extractor16& extractor, Memory memory, const uint8_t* row) {
-  Status status = extractor.start(limits, capacities, 128, memory, {nullptr, take});
+  Status status = extractor.start(limits, capacities, 128, memory, {nullptr, accept});
   if (status == Status::ok) status = extractor.push(row, limits.width).status;
   if (status == Status::suspended) status = extractor.resume();
   return status == Status::ok ? extractor.finish() : status;

@@ -3,12 +3,12 @@
 
 using namespace discmc;
 
-static SinkResult take(void*, const Event&) {
+static SinkResult accept(void*, const Event&) {
   return SinkResult::accepted;
 }
 
 extern "C" Status run(Receiver& receiver, Memory memory, const uint8_t* bytes, size_t count) {
-  Status status = receiver.start(memory, {nullptr, take});
+  Status status = receiver.start(memory, {nullptr, accept});
   if (status == Status::ok) status = receiver.push(bytes, count).status;
   return status == Status::ok ? receiver.finish() : status;
 }

@@ -3,12 +3,12 @@
 
 using namespace discmc;
 
-static SinkResult take(void*, const RowEvent&) {
+static SinkResult accept(void*, const RowEvent&) {
   return SinkResult::accepted;
 }
 
 extern "C" Status run(SliceDecoder& decoder, Memory memory, const uint8_t* bytes, size_t count) {
-  Status status = decoder.start(memory, {nullptr, take});
+  Status status = decoder.start(memory, {nullptr, accept});
   if (status == Status::ok) status = decoder.push(bytes, count).status;
   return status == Status::ok ? decoder.finish() : status;
 }

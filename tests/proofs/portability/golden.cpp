@@ -89,7 +89,7 @@ uint32_t scans, events, fragments;
 // A sink that hashes the members that an event's kind names.
 class EventHash {
  public:
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     add(static_cast<uint32_t>(event.kind));
     switch (event.kind) {
       case Event::Kind::region:
@@ -194,9 +194,9 @@ class Wire {
     return encoder_.start(header.label(), line_.output()) == Status::ok &&
            line_.decoder().start(line_.sink()) == Status::ok;
   }
-  SinkResult take(const Event& event) {
-    const SinkResult answer = encoder_.take(event);
-    if (answer == SinkResult::accepted) (void)sent_.take(event);
+  SinkResult accept(const Event& event) {
+    const SinkResult answer = encoder_.accept(event);
+    if (answer == SinkResult::accepted) (void)sent_.accept(event);
     return answer;
   }
   bool finish() { return line_.finish(sent_.value()); }

@@ -34,12 +34,12 @@ class RefusingSink {
   RefusingSink(Receiver& receiver, const Refusals& refusals)
       : receiver_(receiver), refusals_(refusals) {}
 
-  SinkResult take(const Event& event) {
-    if (event.kind == Event::Kind::start) return receiver_.take(event);
+  SinkResult accept(const Event& event) {
+    if (event.kind == Event::Kind::start) return receiver_.accept(event);
     if (refused_ && *refused_ != reference::RecordedEvent(event))
       throw std::runtime_error("what was refused is not offered again");
     refused_.reset();
-    if (!refusals_.refuses()) return receiver_.take(event);
+    if (!refusals_.refuses()) return receiver_.accept(event);
     refused_.emplace(event);
     return SinkResult::busy;
   }
@@ -53,7 +53,7 @@ class RefusingSink {
 /// The events of one slab, without its start.
 class Pieces {
  public:
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     if (event.kind == Event::Kind::start) return SinkResult::accepted;
     if (events_.size() == max_events) throw std::runtime_error("events without end");
     events_.push_back(event);
@@ -69,7 +69,7 @@ class Pieces {
   void send_to(Joiner& joiner) const {
     for (Event event : events_) {
       if (event.kind == Event::Kind::finish) event.statistics = &totals_;
-      while (joiner.take(event) != SinkResult::accepted) {
+      while (joiner.accept(event) != SinkResult::accepted) {
       }
     }
   }

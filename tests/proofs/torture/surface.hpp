@@ -28,7 +28,7 @@ class Surface {
   /// Regions compare as if there were no slices below.
   explicit Surface(uint32_t slices_below) : lift_(2 * static_cast<int32_t>(slices_below)) {}
 
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     switch (event.kind) {
       case Event::Kind::region:
         incidence_ = event.incidence;

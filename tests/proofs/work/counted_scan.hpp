@@ -64,7 +64,7 @@ class CountedScan {
   struct Counter {
     uint64_t events = 0, holes = 0, hole_runs = 0;
     bool is_in_hole = false;
-    SinkResult take(const Event& event) {
+    SinkResult accept(const Event& event) {
       // A long side is kept in pieces (detail::trace::is_longest_side()).
       events += 1 + event.run.length() / 680;
       if (event.kind == Event::Kind::ring || event.kind == Event::Kind::fragment)

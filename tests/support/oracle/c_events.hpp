@@ -62,7 +62,7 @@ inline RecordedEvent from_c(const discmc_event& event) {
 /// An EventLog as a sink of C's. Owner: the log must outlive the sink.
 inline discmc_sink c_sink_to(EventLog& log) {
   const auto take = [](void* context, const discmc_event* event) {
-    const SinkResult answer = static_cast<EventLog*>(context)->take(from_c(*event).event());
+    const SinkResult answer = static_cast<EventLog*>(context)->accept(from_c(*event).event());
     return static_cast<discmc_sink_result>(answer);
   };
   return {&log, take};

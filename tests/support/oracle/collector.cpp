@@ -61,7 +61,7 @@ void split(const Ring& ring, std::vector<Ring>& rings) {
 
 }  // namespace
 
-SinkResult Collector::take(const Event& event) {
+SinkResult Collector::accept(const Event& event) {
   require(place_ != Place::over, "an event after finish");
   switch (event.kind) {
     case Event::Kind::start:

@@ -16,7 +16,7 @@
 
 namespace discmc::reference {
 
-/// Thrown out of Collector::take() when the sender breaks the grammar or a promise.
+/// Thrown out of Collector::accept() when the sender breaks the grammar or a promise.
 struct GrammarError : std::logic_error {
   using std::logic_error::logic_error;
 };
@@ -45,7 +45,7 @@ class Collector {
   explicit Collector(const Slab& slab = {}) : slab_(slab) {}
 
   /// Always answers `taken`. Errors: throws GrammarError.
-  SinkResult take(const Event& event);
+  SinkResult accept(const Event& event);
 
   /// Owner: the collector must outlive the sink.
   Sink sink() { return make_sink(*this); }

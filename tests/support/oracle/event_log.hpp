@@ -125,7 +125,7 @@ class EventLog {
 
   explicit EventLog(Refuses refuses = {}) : refuses_(std::move(refuses)) {}
 
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     if (event.kind == Event::Kind::start) {
       starts.push_back(*event.header);
       return SinkResult::accepted;
@@ -161,7 +161,7 @@ class EventLog {
 /// The events, put together by a Collector. Errors: throws GrammarError.
 inline Collector collected(const Events& events, const Slab& slab = {}) {
   Collector collector(slab);
-  for (const RecordedEvent& event : events) (void)collector.take(event.event());
+  for (const RecordedEvent& event : events) (void)collector.accept(event.event());
   return collector;
 }
 

@@ -109,7 +109,7 @@ class RowLog {
  public:
   explicit RowLog(bool refuses) : refuses_(refuses) {}
   void set_width(uint32_t width) { width_ = width; }
-  SinkResult take(const RowEvent& event) {
+  SinkResult accept(const RowEvent& event) {
     if (event.kind == RowEvent::Kind::start) {
       starts.push_back(*event.header);
       return SinkResult::accepted;

@@ -107,13 +107,13 @@ Status begin_stream(Encoding& encoder, const StreamHeader& header, const ByteOut
   Event event{};
   event.kind = Event::Kind::start;
   event.header = &header;
-  return encoder.take(event) == SinkResult::accepted ? Status::ok : Status::bad_sink;
+  return encoder.accept(event) == SinkResult::accepted ? Status::ok : Status::bad_sink;
 }
 
 template <class Encoding>
 void take_all(Encoding& encoder, const Events& events) {
   for (const RecordedEvent& recorded : events)
-    for (int tries = 0; encoder.take(recorded.event()) != SinkResult::accepted; ++tries)
+    for (int tries = 0; encoder.accept(recorded.event()) != SinkResult::accepted; ++tries)
       if (tries > 10000) throw std::runtime_error("an event that is never taken");
 }
 

@@ -42,7 +42,7 @@ discmc_sink_result begin(discmc_encoder* encoder, uint32_t width) {
   discmc_event event{};
   event.kind = DISCMC_START;
   event.of.header = scan.get();
-  return discmc_encoder_take(encoder, &event);
+  return discmc_encoder_accept(encoder, &event);
 }
 
 const Events& events() {
@@ -66,7 +66,7 @@ Events with_normals(const Events& plain) {
 void take_all(discmc_encoder* encoder, const Events& all, size_t first, size_t end) {
   for (size_t i = first; i < end; ++i) {
     const Event event = all[i].event();
-    while (discmc_encoder_take(encoder, reinterpret_cast<const discmc_event*>(&event)) !=
+    while (discmc_encoder_accept(encoder, reinterpret_cast<const discmc_event*>(&event)) !=
            DISCMC_SINK_ACCEPTED)
       continue;
   }
@@ -155,7 +155,7 @@ TEST_CASE("records, outputs and further scans are as in C++") {
   Event start{};
   start.kind = Event::Kind::start;
   start.header = &further;
-  CHECK(encoder.take(start) == SinkResult::accepted);
+  CHECK(encoder.accept(start) == SinkResult::accepted);
   CHECK(discmc_encoder_flush(stream.encoder) == DISCMC_OK);
   CHECK(encoder.flush() == Status::ok);
   CHECK(line.bytes == cpp_line.bytes);
@@ -180,8 +180,8 @@ TEST_CASE("errors of encoders in C") {
   stream.start();
   discmc_event region{};
   region.kind = DISCMC_REGION;
-  CHECK(discmc_encoder_take(stream.encoder, &region) == DISCMC_SINK_NOT_STARTED);
-  CHECK(discmc_encoder_take(nullptr, &region) == DISCMC_SINK_NOT_STARTED);
+  CHECK(discmc_encoder_accept(stream.encoder, &region) == DISCMC_SINK_NOT_STARTED);
+  CHECK(discmc_encoder_accept(nullptr, &region) == DISCMC_SINK_NOT_STARTED);
   discmc_encoder* none = nullptr;
   discmc_encoder_config without_kind = stream.config;
   without_kind.kind = nullptr;

@@ -279,9 +279,9 @@ TEST_CASE("errors of extractors in C") {
   CHECK(status_of([](Config& c) { c.memory.bytes = 100; }) == DISCMC_TOO_LITTLE_MEMORY);
   CHECK(status_of([](Config& c) { c.memory.bytes = discmc_extractor_bytes(&c) - 1; }) ==
         DISCMC_TOO_LITTLE_MEMORY);
-  CHECK(status_of([](Config& c) { c.sink.take = nullptr; }) == DISCMC_BAD_SINK);
+  CHECK(status_of([](Config& c) { c.sink.accept = nullptr; }) == DISCMC_BAD_SINK);
   CHECK(status_of([](Config& c) {
-          c.sink.take = [](void*, const discmc_event*) {
+          c.sink.accept = [](void*, const discmc_event*) {
             return static_cast<discmc_sink_result>(DISCMC_SINK_NOT_STARTED);
           };
         }) == DISCMC_BAD_SINK);
@@ -363,7 +363,7 @@ TEST_CASE("a checkpoint in C is restored whole and only by its own kind of extra
   CHECK(status_of(0, [&](Config& c, uint8_t*) { c.memory.bytes = part.bytes + 8; }) ==
         DISCMC_TOO_LITTLE_MEMORY);
   CHECK(status_of(0, [](Config& c, uint8_t*) { c.memory.bytes = 10; }) == DISCMC_TOO_LITTLE_MEMORY);
-  CHECK(status_of(0, [](Config& c, uint8_t*) { c.sink.take = nullptr; }) == DISCMC_BAD_SINK);
+  CHECK(status_of(0, [](Config& c, uint8_t*) { c.sink.accept = nullptr; }) == DISCMC_BAD_SINK);
   CHECK(restored == nullptr);
   CHECK(status_of(0, [](Config&, uint8_t*) {}) == DISCMC_OK);
   CHECK(status_of(8, [](Config&, uint8_t*) {}) == DISCMC_OK);

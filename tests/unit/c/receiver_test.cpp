@@ -172,7 +172,7 @@ TEST_CASE("a joiner behind a receiver in C delivers the events of a Joiner") {
         DISCMC_SWEEP_ORDER, {memory.memory().data, memory.memory().bytes}, c_sink_to(log)};
     discmc_joiner* joiner = nullptr;
     REQUIRE(discmc_joiner_start(&joiner, &config) == DISCMC_OK);
-    ReceiverInC receiver({joiner, discmc_joiner_take}, discmc_receiver_bytes(nullptr, 0));
+    ReceiverInC receiver({joiner, discmc_joiner_accept}, discmc_receiver_bytes(nullptr, 0));
     REQUIRE(receiver.push(polygons(), 1000) == DISCMC_OK);
     const discmc_status status =
         completed(DISCMC_SUSPENDED, [&] { return discmc_joiner_finish(joiner); });
@@ -187,7 +187,7 @@ TEST_CASE("a joiner behind a receiver in C delivers the events of a Joiner") {
     require_ok(in_cpp.start({info.fragments, info.runs}, {other.data(), other.size()},
                             make_sink(expected), InputOrder::sweep));
     for (const RecordedEvent& event : test::decode(polygons()).events)
-      REQUIRE(in_cpp.take(event.event()) == SinkResult::accepted);
+      REQUIRE(in_cpp.accept(event.event()) == SinkResult::accepted);
     CHECK(static_cast<discmc_status>(in_cpp.finish()) == status);
     CHECK(log.events == expected.events);
     const JoinReport& report = in_cpp.report();

@@ -42,7 +42,7 @@ struct Device {
     config.limits = {size, size, DISCMC_CLOSED};
     config.threshold = 1;
     config.memory = in_c(extractor_memory);
-    config.sink = {encoder, discmc_encoder_take};
+    config.sink = {encoder, discmc_encoder_accept};
     return config;
   }
   discmc_store_config flash(SimulatedFlash& simulated) {

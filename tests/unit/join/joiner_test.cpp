@@ -225,7 +225,7 @@ TEST_CASE("in sweep order a region is delivered as soon as its last fragment arr
   REQUIRE(joiner.start(block.memory(), make_sink(log), InputOrder::sweep) == Status::ok);
   for (size_t i = 0; i < pieces.size(); ++i) {
     for (const RecordedEvent& event : pieces[i].events)
-      REQUIRE(joiner.take(event.event()) == SinkResult::accepted);
+      REQUIRE(joiner.accept(event.event()) == SinkResult::accepted);
     std::vector<Region> complete;
     for (size_t region = 0; region < surface.regions.size(); ++region) {
       const auto is_of_it = [&](const Piece& piece) { return piece.region == region; };
@@ -312,7 +312,7 @@ TEST_CASE("a joiner's result does not depend on the initial contents of its memo
             Status::ok);
     for (const int32_t ring : {1, 0})
       for (const RecordedEvent& event : nest.fragment(ring))
-        REQUIRE(joiner.take(event.event()) == SinkResult::accepted);
+        REQUIRE(joiner.accept(event.event()) == SinkResult::accepted);
     REQUIRE(joiner.finish() == Status::ok);
     REQUIRE(log.events == nest.region(0, true));
   }
@@ -522,7 +522,7 @@ TEST_CASE("make_region_sink() returns no function if the joiner has too little m
   EventLog log;
   Joiner joiner;
   Block room(Joiner::minimum_bytes() - 1);
-  const bool has_function = make_region_sink(log, joiner, room.memory()).take != nullptr;
+  const bool has_function = make_region_sink(log, joiner, room.memory()).accept != nullptr;
   CHECK_FALSE(has_function);
 }
 
@@ -570,8 +570,8 @@ TEST_CASE(
     REQUIRE(slow_joiner.start(capacities, slow_block.memory(), make_sink(slow),
                               InputOrder::sweep) == Status::ok);
     for (const RecordedEvent& event : events) {
-      REQUIRE(joiner.take(event.event()) == SinkResult::accepted);
-      while (slow_joiner.take(event.event()) != SinkResult::accepted) continue;
+      REQUIRE(joiner.accept(event.event()) == SinkResult::accepted);
+      while (slow_joiner.accept(event.event()) != SinkResult::accepted) continue;
       REQUIRE(slow.events.size() == plain.events.size());
     }
   }
@@ -763,8 +763,8 @@ TEST_CASE("loose fragments of an aborted stream count like those of others") {
 TEST_CASE("the first start of several streams is delivered once the sink accepts") {
   EventLog log;
   struct Late {
-    SinkResult take(const Event& event) {
-      return refusals-- > 0 ? SinkResult::busy : log.take(event);
+    SinkResult accept(const Event& event) {
+      return refusals-- > 0 ? SinkResult::busy : log.accept(event);
     }
     EventLog& log;
     int refusals = 2;
@@ -780,7 +780,7 @@ TEST_CASE("the first start of several streams is delivered once the sink accepts
   for (const SinkResult answer :
        {SinkResult::busy, SinkResult::busy, SinkResult::accepted, SinkResult::accepted}) {
     header.scan = static_cast<uint16_t>(log.starts.size());
-    CHECK(joiner.take(start) == answer);
+    CHECK(joiner.accept(start) == answer);
   }
   REQUIRE(log.starts.size() == 1);
   CHECK(log.starts[0].scan == 0);
@@ -795,7 +795,7 @@ TEST_CASE("a finish event without statistics is accepted") {
   Event finish{};
   finish.kind = Kind::finish;
   finish.slice = 7;
-  CHECK(joiner.take(finish) == SinkResult::accepted);
+  CHECK(joiner.accept(finish) == SinkResult::accepted);
   CHECK(log.events == Events{finish_of({}, 7, false)});
 }
 
@@ -1036,7 +1036,7 @@ TEST_CASE("a refused start() changes nothing") {
   Event layer{};
   layer.kind = Kind::layer;
   CHECK(joiner.finish() == Status::not_started);
-  CHECK(joiner.take(layer) == SinkResult::not_started);
+  CHECK(joiner.accept(layer) == SinkResult::not_started);
   CHECK(joiner.start(all, Sink{}, InputOrder::any) == Status::bad_sink);
   CHECK(joiner.start({nullptr, 4000}, make_sink(log), InputOrder::any) ==
         Status::too_little_memory);
@@ -1056,7 +1056,7 @@ TEST_CASE("a refused start() changes nothing") {
                        InputOrder::sweep) == Status::ok);
   CHECK(joiner.start({memory.data(), 3}, make_sink(other), InputOrder::any) ==
         Status::too_little_memory);
-  CHECK(joiner.take(layer) == SinkResult::accepted);
+  CHECK(joiner.accept(layer) == SinkResult::accepted);
   CHECK(log.events.size() == 1);
   CHECK(joiner.finish() == Status::ok);
 }
@@ -1071,7 +1071,7 @@ TEST_CASE("a joiner that is started again is empty") {
             Status::ok);
     CHECK(joiner.peaks().fragments == 0);
     for (const RecordedEvent& event : half)
-      REQUIRE(joiner.take(event.event()) == SinkResult::accepted);
+      REQUIRE(joiner.accept(event.event()) == SinkResult::accepted);
     CHECK(joiner.report().received == 1);
     CHECK(joiner.peaks().fragments == 1);
     CHECK(joiner.peaks().runs == 1);

@@ -26,7 +26,7 @@ class Waiting {
   }
 
   uint32_t insert(Incidence incidence, const Vertex& start, const std::vector<Run>& runs) {
-    const uint32_t ring = held_.take(incidence, start, runs.back().direction());
+    const uint32_t ring = held_.add(incidence, start, runs.back().direction());
     for (const Run run : runs) held_.append(ring, run, {});
     held_.close(ring);
     rings_.insert(held_, ring);
@@ -34,13 +34,13 @@ class Waiting {
   }
   /// The same ring, of two chains: the second has this many runs.
   void insert_joined(Incidence incidence, Vertex at, const std::vector<Run>& runs, size_t count) {
-    const uint32_t ring = held_.take(incidence, at, runs.back().direction());
+    const uint32_t ring = held_.add(incidence, at, runs.back().direction());
     const size_t cut = runs.size() - count;
     for (size_t i = 0; i < cut; ++i) {
       held_.append(ring, runs[i], {});
       at = after_run(incidence, at, runs[i]);
     }
-    const uint32_t rest = held_.take(incidence, at, runs[cut - 1].direction());
+    const uint32_t rest = held_.add(incidence, at, runs[cut - 1].direction());
     for (size_t i = cut; i < runs.size(); ++i) held_.append(rest, runs[i], {});
     held_.join(ring, rest);
     held_.close(ring);
@@ -58,9 +58,9 @@ class Waiting {
     return found;
   }
   /// Takes out this many outer rings.
-  std::vector<uint32_t> take_outers(size_t count) {
+  std::vector<uint32_t> remove_outers(size_t count) {
     std::vector<uint32_t> taken;
-    while (taken.size() < count) taken.push_back(rings_.take_outer(held_));
+    while (taken.size() < count) taken.push_back(rings_.remove_outer(held_));
     return taken;
   }
   void forget_notes() { rings_.forget_notes(held_); }
@@ -185,14 +185,14 @@ TEST_CASE("outer rings leave from the lowest on, and those of one height in thei
     low.push_back(waiting.insert(up, {4 * i, 4, 1}, outer));
     waiting.insert(up, {4 * i, 0, 1}, backwards(up, outer));
   }
-  CHECK(waiting.take_outers(10) == std::vector<uint32_t>(low.begin(), low.begin() + 10));
+  CHECK(waiting.remove_outers(10) == std::vector<uint32_t>(low.begin(), low.begin() + 10));
   // Rings that come later find the others sorted.
   const uint32_t lowest = waiting.insert(up, {0, -8, 1}, outer);
   const uint32_t highest = waiting.insert(up, {0, 12, 1}, outer);
-  CHECK(waiting.take_outers(1) == std::vector<uint32_t>{lowest});
-  CHECK(waiting.take_outers(30) == std::vector<uint32_t>(low.begin() + 10, low.end()));
-  CHECK(waiting.take_outers(40) == high);
-  CHECK(waiting.take_outers(2) == std::vector<uint32_t>{highest, no_chain});
+  CHECK(waiting.remove_outers(1) == std::vector<uint32_t>{lowest});
+  CHECK(waiting.remove_outers(30) == std::vector<uint32_t>(low.begin() + 10, low.end()));
+  CHECK(waiting.remove_outers(40) == high);
+  CHECK(waiting.remove_outers(2) == std::vector<uint32_t>{highest, no_chain});
   CHECK(waiting.has_any(up, {0, 0, 1}));
 }
 
@@ -211,7 +211,7 @@ TEST_CASE("outer rings leave from the lowest on, for any start and any order of 
       waiting.insert_joined(incidence, at, ring, 1 + chance.below(cuts));
       expected.push_back(highest(incidence, at, ring));
     }
-    for (const uint32_t ring : waiting.take_outers(8)) heights.push_back(expected[ring - 1]);
+    for (const uint32_t ring : waiting.remove_outers(8)) heights.push_back(expected[ring - 1]);
     std::sort(expected.begin(), expected.end());
     CAPTURE(round);
     REQUIRE(heights == expected);
@@ -221,9 +221,9 @@ TEST_CASE("outer rings leave from the lowest on, for any start and any order of 
 TEST_CASE("after clear() no ring waits") {
   Waiting waiting;
   for (int32_t x = 0; x < 3; ++x) waiting.insert(up, {4 * x, 0, 1}, outer);
-  waiting.take_outers(1);
+  waiting.remove_outers(1);
   waiting.insert(up, {20, 0, 1}, outer);
   waiting.clear();
   CHECK_FALSE(waiting.has_any(up, {0, 0, 1}));
-  CHECK(waiting.take_outers(1) == std::vector<uint32_t>{no_chain});
+  CHECK(waiting.remove_outers(1) == std::vector<uint32_t>{no_chain});
 }

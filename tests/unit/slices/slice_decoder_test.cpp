@@ -374,7 +374,7 @@ TEST_CASE("a slice decoder that is started again forgets everything") {
   REQUIRE(expected.report.lost_rows > 0);
 
   struct Taker {
-    SinkResult take(const RowEvent&) {
+    SinkResult accept(const RowEvent&) {
       return left-- > 0 ? SinkResult::accepted : SinkResult::busy;
     }
     int left;
@@ -465,7 +465,7 @@ TEST_CASE("a sink may refuse starts, rows, losses and the end, and is offered th
           .bytes();
   using Told = std::array<uint64_t, 5>;
   struct Sullen {
-    SinkResult take(const RowEvent& event) {
+    SinkResult accept(const RowEvent& event) {
       refused = refuses && !refused;
       if (refused) return SinkResult::busy;
       const bool is_lost = event.kind == Kind::lost;

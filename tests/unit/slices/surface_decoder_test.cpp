@@ -52,7 +52,7 @@ TEST_CASE("a surface decoder that is started again forgets everything") {
     REQUIRE(expected[i].size() > 100);
   }
   struct Taker {
-    SinkResult take(const Event&) { return left-- > 0 ? SinkResult::accepted : SinkResult::busy; }
+    SinkResult accept(const Event&) { return left-- > 0 ? SinkResult::accepted : SinkResult::busy; }
     int left;
   };
   SurfaceDecoder decoder;
@@ -91,7 +91,7 @@ TEST_CASE("memory for the rows alone is too little, at the end as well") {
 
 TEST_CASE("a surface decoder restarted amid lost rows reports none of them") {
   struct Stubborn {
-    SinkResult take(const Event& event) {
+    SinkResult accept(const Event& event) {
       const bool is_skipped = event.kind == Event::Kind::skipped;
       if (is_skipped && left == 0) return SinkResult::busy;
       if (is_skipped) --left;
@@ -207,7 +207,7 @@ std::vector<Bytes> frames_with_skips(const Scan& scan) {
 // What an extractor makes of the rows of one channel that a slice decoder hands out.
 Events swept(const Bytes& stream, const Scan& scan, uint8_t channel) {
   struct Sweep {
-    SinkResult take(const RowEvent& event) {
+    SinkResult accept(const RowEvent& event) {
       if (event.kind == RowEvent::Kind::row && event.channel == channel)
         reference::require_ok(extractor.push_bits(event.bits).status);
       if (event.kind == RowEvent::Kind::skipped && event.channel == channel)

@@ -246,7 +246,7 @@ TEST_CASE("a restarted decoder forgets refusals and pending events") {
   CHECK(log.events == first_part().events);
 
   struct Wall {
-    SinkResult take(const Event&) { return SinkResult::busy; }
+    SinkResult accept(const Event&) { return SinkResult::busy; }
   } wall;
   REQUIRE(decoder.start(make_sink(wall)) == Status::ok);
   CHECK(decoder.push(lost.data(), lost.size()).status == Status::suspended);
@@ -260,9 +260,9 @@ TEST_CASE("a restarted decoder forgets refusals and pending events") {
 
 TEST_CASE("a restarted decoder neither continues a region nor reports it as lost") {
   struct Taker {
-    SinkResult take(const Event& event) {
+    SinkResult accept(const Event& event) {
       if (log.events.size() == most) return SinkResult::busy;
-      return log.take(event);
+      return log.accept(event);
     }
     size_t most;
     EventLog log{};
@@ -286,9 +286,9 @@ TEST_CASE("a restarted decoder neither continues a region nor reports it as lost
 TEST_CASE("a decoder delivers the start of every stream first, once the sink accepts it") {
   const Bytes stream = stream_of({payload_of([](auto& model) { tell_layer(model, 4); })});
   struct Late {
-    SinkResult take(const Event& event) {
+    SinkResult accept(const Event& event) {
       if (event.kind == Event::Kind::start && refusals-- > 0) return SinkResult::busy;
-      return log.take(event);
+      return log.accept(event);
     }
     int refusals = 0;
     EventLog log{};
@@ -313,9 +313,9 @@ TEST_CASE("a decoder delivers the start of every stream first, once the sink acc
 
 TEST_CASE("a start that arrives in the middle of a region is delivered after the region") {
   struct Listener {
-    SinkResult take(const Event& event) {
+    SinkResult accept(const Event& event) {
       if (event.kind == Event::Kind::start) events_before_start = log.events.size();
-      return log.take(event);
+      return log.accept(event);
     }
     size_t events_before_start = 0;
     EventLog log{};
@@ -1184,11 +1184,11 @@ TEST_CASE("a sink may refuse the last events of a stream repeatedly") {
   const Bytes stream = stream_of({first_payload()});
   for (const uint32_t refusals : {0U, 1U, 3U}) {
     struct Sullen {
-      SinkResult take(const Event& event) {
+      SinkResult accept(const Event& event) {
         if (event.kind == Event::Kind::start) return SinkResult::accepted;
         if (refused++ < refusals) return SinkResult::busy;
         refused = 0;
-        return log.take(event);
+        return log.accept(event);
       }
       uint32_t refusals;
       uint32_t refused = 0;

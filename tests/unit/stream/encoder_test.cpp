@@ -88,11 +88,11 @@ TEST_CASE(
   Line line;
   Encoder encoder;
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-  REQUIRE(encoder.take(region) == SinkResult::accepted);
+  REQUIRE(encoder.accept(region) == SinkResult::accepted);
   CHECK(encoder.write_record({}) == Status::suspended);
-  REQUIRE(encoder.take(lost) == SinkResult::accepted);
+  REQUIRE(encoder.accept(lost) == SinkResult::accepted);
   CHECK(encoder.write_record({}) == Status::ok);
-  REQUIRE(encoder.take(region) == SinkResult::accepted);
+  REQUIRE(encoder.accept(region) == SinkResult::accepted);
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   CHECK(encoder.write_record({}) == Status::ok);
 }
@@ -168,7 +168,7 @@ TEST_CASE("flush() sends the pending records once") {
   CHECK(line.bytes.size() == header);
   uint64_t regions = 0;
   for (const RecordedEvent& recorded : events) {
-    REQUIRE(encoder.take(recorded.event()) == SinkResult::accepted);
+    REQUIRE(encoder.accept(recorded.event()) == SinkResult::accepted);
     regions += recorded.is(Kind::region_end);
     CHECK(encoder.flush() == Status::ok);
     CHECK(decode(line.bytes).report.regions == regions);
@@ -210,7 +210,7 @@ TEST_CASE("a flush between the offers of an event keeps the event whole") {
     Encoder encoder;
     REQUIRE(begin_stream(encoder, sample.header, line.output()) == Status::ok);
     for (const RecordedEvent& one : sample.events)
-      while (encoder.take(one.event()) != SinkResult::accepted)
+      while (encoder.accept(one.event()) != SinkResult::accepted)
         while (encoder.flush() == Status::suspended) continue;
     while (encoder.flush() == Status::suspended) continue;
     CHECK(decode(line.bytes).events == sample.events);
@@ -235,8 +235,8 @@ TEST_CASE("an output without room is offered the bytes again, and none are lost"
   REQUIRE(begin_stream(encoder, any_header(), output) == Status::ok);
   const Events events = many_regions(10);
   for (const RecordedEvent& recorded : events) {
-    while (encoder.take(recorded.event()) == SinkResult::busy) {
-      CHECK(encoder.take(recorded.event()) == SinkResult::busy);
+    while (encoder.accept(recorded.event()) == SinkResult::busy) {
+      CHECK(encoder.accept(recorded.event()) == SinkResult::busy);
       CHECK(room == 0);
       ++room;
     }
@@ -265,7 +265,7 @@ TEST_CASE("a line that is never busy never suspends an event") {
     Encoder encoder;
     REQUIRE(begin_stream(encoder, sample.header, line.output()) == Status::ok);
     for (const RecordedEvent& recorded : sample.events)
-      REQUIRE(encoder.take(recorded.event()) == SinkResult::accepted);
+      REQUIRE(encoder.accept(recorded.event()) == SinkResult::accepted);
   }
 }
 
@@ -315,7 +315,7 @@ TEST_CASE("a further scan begins once the line has accepted all of the previous 
   StreamHeader header = any_header();
   start.header = &header;
   uint32_t refusals = 0;
-  while (encoder.take(start) != SinkResult::accepted) ++refusals;
+  while (encoder.accept(start) != SinkResult::accepted) ++refusals;
   CHECK(refusals > 10);
   CHECK(line.bytes == encode({}));
   take_all(encoder, events);
@@ -331,7 +331,7 @@ TEST_CASE("the label's spacing is sent if the scan has none along any axis") {
     Event start{};
     start.kind = Event::Kind::start;
     start.header = &scan;
-    REQUIRE(encoder.take(start) == SinkResult::accepted);
+    REQUIRE(encoder.accept(start) == SinkResult::accepted);
     const StreamHeader header = decode(line.bytes).header;
     return std::vector<int32_t>(header.spacing_nm, header.spacing_nm + 3);
   };
@@ -357,7 +357,7 @@ TEST_CASE("an encoder restarted amid a region in parts encodes the next region w
   REQUIRE(begin_stream(encoder, any_header(), narrow) == Status::ok);
   size_t told = 0;
   const Events long_region = many_regions(1, 500);
-  while (encoder.take(long_region[told].event()) == SinkResult::accepted) ++told;
+  while (encoder.accept(long_region[told].event()) == SinkResult::accepted) ++told;
   REQUIRE(long_region[told].is(Event::Kind::run));
   Line line;
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
@@ -455,7 +455,7 @@ TEST_CASE("an encoder that is not started refuses events") {
   Encoder encoder;
   const Events events = Script().layer(1).region(up).square({1, 0, 0}, 2).region_end().events;
   for (const RecordedEvent& event : events)
-    CHECK(encoder.take(event.event()) == SinkResult::not_started);
+    CHECK(encoder.accept(event.event()) == SinkResult::not_started);
 }
 
 TEST_CASE("a ring may begin at any fill of a nearly full record") {
@@ -486,8 +486,8 @@ TEST_CASE("an event of an unknown kind does not end the open region") {
   Line line;
   Encoder encoder;
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-  REQUIRE(encoder.take(region) == SinkResult::accepted);
-  REQUIRE(encoder.take(unknown) == SinkResult::accepted);
+  REQUIRE(encoder.accept(region) == SinkResult::accepted);
+  REQUIRE(encoder.accept(unknown) == SinkResult::accepted);
   CHECK(encoder.write_record({}) == Status::suspended);
 }
 
@@ -512,7 +512,7 @@ TEST_CASE("an encoder encodes normals after restore() only if they are enabled a
       for (const RecordedEvent& recorded : square) {
         Event event = recorded.event();
         event.normal = {3, 4};
-        REQUIRE(encoder->take(event) == SinkResult::accepted);
+        REQUIRE(encoder->accept(event) == SinkResult::accepted);
       }
       REQUIRE(encoder->flush() == Status::ok);
     }

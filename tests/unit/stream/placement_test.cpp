@@ -44,7 +44,7 @@ struct PlacementReceiver {
   Placement placement;
   uint32_t records = 0;
 
-  SinkResult take(const Event& event) {
+  SinkResult accept(const Event& event) {
     if (event.kind == Event::Kind::application && read_placement(*event.application, placement))
       ++records;
     return SinkResult::accepted;

@@ -38,7 +38,7 @@ Bytes encode_shortly(const Events& events) {
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   int regions = 0;
   for (const RecordedEvent& recorded : events) {
-    REQUIRE(encoder.take(recorded.event()) == SinkResult::accepted);
+    REQUIRE(encoder.accept(recorded.event()) == SinkResult::accepted);
     if (recorded.is(Kind::region_end) && ++regions % 4 == 0) REQUIRE(encoder.flush() == Status::ok);
   }
   return line.bytes;
@@ -70,7 +70,7 @@ Bytes appended(const KeptPackets& packets, const Event& finish, const Events& be
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
   take_all(encoder, before);
   for (const KeptPacket& packet : packets) CHECK(append(encoder, packet) == Status::ok);
-  CHECK(encoder.take(finish) == SinkResult::accepted);
+  CHECK(encoder.accept(finish) == SinkResult::accepted);
   return line.bytes;
 }
 
@@ -85,7 +85,7 @@ struct Passed {
 struct Taker {
   EventLog log;
   Passed passed;
-  void take(const RecordsPacket& packet) {
+  void accept(const RecordsPacket& packet) {
     passed.packets.push_back(
         {Bytes(packet.payload, packet.payload + packet.bytes), packet.pieces, packet.is_whole});
     passed.events_before.push_back(log.events.size());
@@ -105,7 +105,7 @@ Passed passed(const Bytes& stream) {
   AnyDecoder decoder;
   reference::require_ok(start(decoder, make_sink(taker.log)));
   decoder.set_packet_passthrough({&taker, [](void* context, const RecordsPacket& packet) {
-                                    static_cast<Taker*>(context)->take(packet);
+                                    static_cast<Taker*>(context)->accept(packet);
                                   }});
   CHECK(decoder.push(stream.data(), stream.size()).status == Status::ok);
   reference::require_ok(decoder.finish());
@@ -236,11 +236,11 @@ TEST_CASE("an invalid packet of another encoder is refused") {
   CHECK(line.bytes.size() > bytes_before + detail::wire::max_payload);  // at once
   CHECK(append(encoder, too_many) == Status::bad_record);
   const Events events = small_regions(1);
-  REQUIRE(encoder.take(events.front().event()) == SinkResult::accepted);
+  REQUIRE(encoder.accept(events.front().event()) == SinkResult::accepted);
   CHECK(append(encoder, longest) == Status::suspended);
   for (size_t i = 1; i + 1 < events.size(); ++i)
-    REQUIRE(encoder.take(events[i].event()) == SinkResult::accepted);
+    REQUIRE(encoder.accept(events[i].event()) == SinkResult::accepted);
   CHECK(append(encoder, longest) == Status::ok);
-  REQUIRE(encoder.take(events.back().event()) == SinkResult::accepted);
+  REQUIRE(encoder.accept(events.back().event()) == SinkResult::accepted);
   CHECK(append(encoder, longest) == Status::finished);
 }

@@ -108,7 +108,7 @@ TEST_CASE("holes that do not wait are sent as loose rings, and a joiner assigns 
       const Events loose = events_of<Leanest>(volume, {slots, 0});
       const Joined joined = join_all(loose, {InputOrder::sweep, enough_for(loose)});
       Collector collector;
-      for (const RecordedEvent& event : joined.events) collector.take(event.event());
+      for (const RecordedEvent& event : joined.events) collector.accept(event.event());
       CHECK(unlike_merge(collector.regions(), volume, true) == "");
       if (slots != ample.slots) continue;
       const Events all = events_of<AllFeatures>(volume, ample);

@@ -137,7 +137,7 @@ TEST_CASE_TEMPLATE("a hole is found by its plane, and at the end if no ring encl
     CHECK(ring.incidence == incidence);
     CHECK(is_on(ring.start.z));
     CHECK(holes.mark(slots, ring) == 1);
-    holes.take(slots, ring.last, start);
+    holes.remove(slots, ring.last, start);
     detail::trace::RunLists<Index, NoNormal>::give(slots, ring.last);
     CHECK(start == ring.start);
     CHECK(!is_on(start.z));

@@ -26,7 +26,7 @@ class Ends {
   }
 
   Index push() {
-    const Index end = pool_.take();
+    const Index end = pool_.allocate();
     pool_[end].end.mate = end;
     queues_.push(pool_, number, end);
     return end;
