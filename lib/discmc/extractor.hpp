@@ -165,7 +165,7 @@ class BasicExtractor {
   Sweep& sweep() { return sweep_; }
 
  private:
-  using Features = typename Sweep::Features;
+  static constexpr bool is_lean = Sweep::is_lean;
 
   enum class State : uint8_t { idle, scanning, finishing, finished };
   /// The event that precedes the sweep: of the scan, or of a row without samples.
@@ -174,10 +174,10 @@ class BasicExtractor {
   template <class Sample>
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
   static bool can_scan(const Limits& limits);
-  bool is_open() const { return Features::open_border && border_ == Border::open; }
-  bool continues_below() const { return Features::slabs && continues_below_; }
-  bool continues_above() const { return Features::slabs && continues_above_; }
-  uint32_t first_slice() const { return Features::slabs ? first_slice_ : 0; }
+  bool is_open() const { return !is_lean && border_ == Border::open; }
+  bool continues_below() const { return !is_lean && continues_below_; }
+  bool continues_above() const { return !is_lean && continues_above_; }
+  uint32_t first_slice() const { return is_lean ? 0 : first_slice_; }
   bool lay_out(const Limits& limits, Memory memory);
   Status begin();
   void clear();
@@ -220,12 +220,11 @@ class BasicExtractor {
   detail::Seal seal_;
 };
 
-/// The extractor for firmware, and for hosts without special needs. The library contains its code
-/// with AllFeatures. Include discmc/trace/extractor_definitions.hpp where you use other Features,
-/// or to let the compiler inline more.
-template <class Index, class Features = AllFeatures>
+/// The extractor for firmware, and for hosts without special needs. Include
+/// discmc/trace/extractor_definitions.hpp to let the compiler inline more.
+template <class Index, bool is_lean = false>
 class Extractor
-    : public BasicExtractor<Index, BitIntake, detail::trace::Sweep<Index, NoNormal, Features>> {
+    : public BasicExtractor<Index, BitIntake, detail::trace::Sweep<Index, NoNormal, is_lean>> {
  public:
   Extractor() = default;
 
@@ -236,6 +235,10 @@ class Extractor
 
 using Extractor16 = Extractor<uint16_t>;
 using Extractor32 = Extractor<uint32_t>;
+/// Needs less flash (FOOTPRINT.md): no open border, no slabs, no counts of cells, facets and
+/// classic triangles. Each hole is a loose fragment, so use a Joiner. Include
+/// discmc/trace/extractor_definitions.hpp where you use it: the library does not contain its code.
+using LeanExtractor16 = Extractor<uint16_t, true>;
 
 }  // namespace discmc
 

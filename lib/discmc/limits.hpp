@@ -48,25 +48,6 @@ static_assert(2 * int64_t{Limits::max_slices} - 1 <= INT32_MAX,
 static_assert(uint64_t{Limits::max_extent + 1} * (Limits::max_extent + 1) <= UINT32_MAX,
               "32 bits count the cells of a slice");
 
-/// The optional abilities of an Extractor. Firmware that leaves some out saves flash
-/// (FOOTPRINT.md):
-///
-///   #include <discmc/trace/extractor_definitions.hpp>  // without it, the program does not link
-///   struct Features : discmc::AllFeatures {
-///     static constexpr bool slabs = false;
-///   };
-///   static discmc::Extractor<uint16_t, Features> extractor;
-///
-/// start() returns bad_limits for limits that need a missing ability.
-struct AllFeatures {
-  static constexpr bool open_border = true;  ///< Border::open
-  static constexpr bool slabs = true;        ///< Limits::slab
-  static constexpr bool cell_counts = true;  ///< cells, facets and classic_triangles in Statistics,
-                                             ///< which are 0 otherwise
-  static constexpr bool holes_wait = true;   ///< holes wait for their outer ring; otherwise every
-                                             ///< hole is a loose fragment, so use a Joiner
-};
-
 }  // namespace discmc
 
 #endif

@@ -21,7 +21,7 @@ class DerivedPasses {
 
   /// Finds the next vertex of a row that has passes, and counts the cells on the way. False after
   /// the last vertex; the next call begins a row.
-  template <class Features = AllFeatures>
+  template <bool is_lean = false>
   bool find(const SweptRow& row, SweepCounts& counts);
 
   /// The first pass that has been found and not taken, and where it is. Limit: has_next().
@@ -32,7 +32,7 @@ class DerivedPasses {
 
  private:
   // Finds the next word with crossings.
-  template <class Features>
+  template <bool is_lean>
   bool find_word(const SweptRow& row);
 
   PassList passes_{};
@@ -42,23 +42,23 @@ class DerivedPasses {
   Crossings crossings_ = {};  // those not yet visited
 };
 
-template <class Features>
+template <bool is_lean>
 DISCMC_ALWAYS_INLINE bool DerivedPasses::find_word(const SweptRow& row) {
   for (uint32_t word = word_; word < row.words; ++word) {
-    if (!crossings_.find<has_absent<Features>>(row, word)) continue;
+    if (!crossings_.find<!is_lean>(row, word)) continue;
     word_ = word + 1;
     return true;
   }
   return false;
 }
 
-template <class Features>
+template <bool is_lean>
 bool DerivedPasses::find(const SweptRow& row, SweepCounts& counts) {
   next_ = 0;
   for (;;) {
     const uint32_t voxels = crossings_.voxels();
     if (voxels == 0) {
-      if (find_word<Features>(row)) continue;
+      if (find_word<is_lean>(row)) continue;
       clear();
       return false;
     }
@@ -67,10 +67,9 @@ bool DerivedPasses::find(const SweptRow& row, SweepCounts& counts) {
     while ((crossings_.of[axis] >> bit & 1) == 0) ++axis;
     crossings_.of[axis] &= crossings_.of[axis] - 1;
     const uint32_t x = column_of(word_ - 1, bit);
-    derive_passes<has_absent<Features>, Features::cell_counts>(
-        {row.around, word_ - 1, bit, axis}, has_absent<Features> ? row.absent_at(axis, x) : 0,
-        passes_);
-    if (Features::cell_counts && (!Features::slabs || row.is_own())) counts.add(passes_.parts);
+    derive_passes<is_lean>({row.around, word_ - 1, bit, axis}, is_lean ? 0 : row.absent_at(axis, x),
+                           passes_);
+    if (!is_lean && row.is_own()) counts.add(passes_.parts);
     if (passes_.count == 0) continue;
     vertex_ = row.vertex(axis, x);
     return true;

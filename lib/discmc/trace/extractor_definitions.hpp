@@ -1,5 +1,5 @@
 // The functions of extractor.hpp. Include this file where an extractor is instantiated: in the
-// library, or in a program that chooses its own features.
+// library, or in a program with a LeanExtractor16.
 #ifndef DISCMC_TRACE_EXTRACTOR_DEFINITIONS_HPP
 #define DISCMC_TRACE_EXTRACTOR_DEFINITIONS_HPP
 
@@ -47,8 +47,8 @@ Status BasicExtractor<Index, Intake, Sweep>::begin() {
 template <class Index, class Intake, class Sweep>
 bool BasicExtractor<Index, Intake, Sweep>::can_scan(const Limits& limits) {
   const Slab& slab = limits.slab;
-  return (Features::open_border || limits.border == Border::closed) &&
-         (Features::slabs || (!slab.continues_below && !slab.continues_above));
+  return !is_lean ||
+         (limits.border == Border::closed && !slab.continues_below && !slab.continues_above);
 }
 
 // Assigns the arrays their places in the memory, and writes nothing there. False if they do not
@@ -278,7 +278,7 @@ bool BasicExtractor<Index, Intake, Sweep>::sweep_row() {
   bits_.find_around(row.y, row.around);
   row.words = bits_.words();
   row.width = width_;
-  row.role = Features::slabs ? slab_role() : detail::trace::SlabRole::inside;
+  row.role = is_lean ? detail::trace::SlabRole::inside : slab_role();
   row.absent_rows = rows_outside(row.y);
   if (row.role == detail::trace::SlabRole::below_slab)
     row.absent_rows |= detail::trace::CellRowBits::below;

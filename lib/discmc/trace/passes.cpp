@@ -7,7 +7,7 @@ namespace {
 
 // The eight sectors around a vertex have a nibble each in a word: a heading, 8 for none, 15 where
 // the cell is absent. So have the rays between them: a ray is named by where its nibble begins.
-template <bool has_absent_cells, bool has_counts>
+template <bool is_lean>
 class Surroundings {
  public:
   template <class Edge>
@@ -19,13 +19,13 @@ class Surroundings {
     for (uint32_t quadrant = 0; quadrant < quadrants; ++quadrant) {
       const uint32_t seen = cell(quadrant);
       headings_ = headings_ >> 8 | seen << 24;
-      if constexpr (has_counts) parts_ += sector_table.part[seen >> 12];
+      if constexpr (!is_lean) parts_ += sector_table.part[seen >> 12];
     }
     // Turned from quadrant 0 to their own: adds 2q, modulo 8, to both headings of quadrant q, and
     // leaves an 8, no heading, alone.
     const uint32_t nowhere = headings_ & 0x88888888;
     headings_ = ((headings_ + 0x66442200) & 0x77777777 & ~(nowhere - (nowhere >> 3))) | nowhere;
-    if (has_absent_cells && absent != 0) remove(absent);
+    if (!is_lean && absent != 0) remove(absent);
   }
 
   uint32_t parts() const { return parts_; }
@@ -41,7 +41,7 @@ class Surroundings {
   // The incidence of the wedge that begins at a ray.
   Incidence incidence(uint32_t ray) const {
     const uint32_t heading = headings_ >> ray & 15;
-    if (has_absent_cells && heading > no_heading) return no_incidence;
+    if (!is_lean && heading > no_heading) return no_incidence;
     return static_cast<Incidence>(axis_.incidence[heading] +
                                   (lower_is_on_ != 0 ? axis_.to_upper : 0));
   }
@@ -100,9 +100,9 @@ DISCMC_ALWAYS_INLINE void remove_absent(PassList& passes) {
   passes.count = count;
 }
 
-template <bool has_absent_cells, bool has_counts, class Edge>
+template <bool is_lean, class Edge>
 DISCMC_ALWAYS_INLINE void find_passes(const Edge& edge, uint32_t absent, PassList& passes) {
-  const Surroundings<has_absent_cells, has_counts> around(edge, absent);
+  const Surroundings<is_lean> around(edge, absent);
   passes.parts = around.parts();
   passes.count = 0;
   const uint32_t rays = around.rays();
@@ -119,23 +119,21 @@ DISCMC_ALWAYS_INLINE void find_passes(const Edge& edge, uint32_t absent, PassLis
     if (left == 0) break;
     ending = beginning;
   }
-  if (has_absent_cells && absent != 0) remove_absent(passes);
+  if (!is_lean && absent != 0) remove_absent(passes);
 }
 
 }  // namespace
 
-template <bool has_absent_cells, bool has_counts>
+template <bool is_lean>
 void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes) {
-  find_passes<has_absent_cells, has_counts>(edge, absent, passes);
+  find_passes<is_lean>(edge, absent, passes);
 }
 
-template void derive_passes<true, true>(const EdgePlace&, uint32_t, PassList&);
-template void derive_passes<true, false>(const EdgePlace&, uint32_t, PassList&);
-template void derive_passes<false, true>(const EdgePlace&, uint32_t, PassList&);
-template void derive_passes<false, false>(const EdgePlace&, uint32_t, PassList&);
+template void derive_passes<false>(const EdgePlace&, uint32_t, PassList&);
+template void derive_passes<true>(const EdgePlace&, uint32_t, PassList&);
 
 void derive_passes(const EdgeLines& edge, uint32_t absent, PassList& passes) {
-  find_passes<true, true>(edge, absent, passes);
+  find_passes<false>(edge, absent, passes);
 }
 
 }  // namespace discmc::detail::trace

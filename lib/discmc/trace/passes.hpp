@@ -39,8 +39,8 @@ struct PassList {
 };
 
 /// Works out the passes at the vertex on an edge. absent: by quadrant, a bit: there is no cell, or
-/// none that takes part.
-template <bool has_absent_cells = true, bool has_counts = true>
+/// none that takes part. Lean: none is absent, and nothing is counted.
+template <bool is_lean = false>
 void derive_passes(const EdgePlace& edge, uint32_t absent, PassList& passes);
 
 /// An edge whose surroundings are at hand: for hosts, as EdgePlace.

@@ -8,10 +8,11 @@
 
 namespace discmc::detail::trace {
 
-template <class Index, class Normal, class AnyFeatures = AllFeatures>
+/// is_lean: see LeanExtractor16.
+template <class Index, class Normal, bool lean = false>
 class Sweep {
  public:
-  using Features = AnyFeatures;
+  static constexpr bool is_lean = lean;
 
   /// Takes its part of the arena, and writes nothing there: clear() does. The slots come last, so
   /// that those never used are behind all that is in use.
@@ -31,7 +32,7 @@ class Sweep {
   }
 
   const Fragments<Index, Normal>& fragments() const { return fragments_; }
-  const Delivery<Index, Normal, Features::holes_wait>& delivery() const { return delivery_; }
+  const Delivery<Index, Normal, !is_lean>& delivery() const { return delivery_; }
 
   /// Sweeps a row, or continues it. False when the sink is busy: call again.
   template <class Intake>
@@ -54,17 +55,17 @@ class Sweep {
   DerivedPasses passes_;
   SweepCounts counts_;
   Fragments<Index, Normal> fragments_;
-  Delivery<Index, Normal, Features::holes_wait> delivery_;
+  Delivery<Index, Normal, !is_lean> delivery_;
 };
 
 // Rows below a slab are not swept: chains from there are lost. Rows above it are swept twice, as an
 // end does not hold its vertex. The first time, rising chains end at their vertices. The second
 // time, descending chains begin there.
-template <class Index, class Normal, class AnyFeatures>
+template <class Index, class Normal, bool lean>
 template <class Intake>
-bool Sweep<Index, Normal, AnyFeatures>::sweep(const SweptRow& row, const Intake& intake,
-                                              const Sink& sink, Statistics& statistics) {
-  if constexpr (!Features::slabs) return process_passes(row, intake, sink, statistics);
+bool Sweep<Index, Normal, lean>::sweep(const SweptRow& row, const Intake& intake, const Sink& sink,
+                                       Statistics& statistics) {
+  if constexpr (is_lean) return process_passes(row, intake, sink, statistics);
   if (row.role == SlabRole::below_slab) return true;
   fragments_.set_below_is_lost(row.role == SlabRole::first_of_slab);
   for (;;) {
@@ -74,25 +75,25 @@ bool Sweep<Index, Normal, AnyFeatures>::sweep(const SweptRow& row, const Intake&
   }
 }
 
-template <class Index, class Normal, class AnyFeatures>
+template <class Index, class Normal, bool lean>
 template <class Intake>
-bool Sweep<Index, Normal, AnyFeatures>::process_passes(const SweptRow& row, const Intake& intake,
-                                                       const Sink& sink, Statistics& statistics) {
+bool Sweep<Index, Normal, lean>::process_passes(const SweptRow& row, const Intake& intake,
+                                                const Sink& sink, Statistics& statistics) {
   if (!delivery_.settle(fragments_, sink, statistics)) return false;
   do {
     while (passes_.has_next()) {
       const Pass& pass = passes_.pass();
       const Vertex& vertex = passes_.vertex();
       passes_.advance();
-      if (!Features::slabs || row.is_own())
+      if (is_lean || row.is_own())
         fragments_.process(pass, vertex, intake);
       else
         fragments_.cut_at(pass, vertex, !chains_are_ended_);
       if (fragments_.has_outgoing() && !delivery_.settle(fragments_, sink, statistics))
         return false;
     }
-  } while (passes_.find<Features>(row, counts_));
-  if constexpr (Features::cell_counts) counts_.add_to(statistics);
+  } while (passes_.find<is_lean>(row, counts_));
+  if constexpr (!is_lean) counts_.add_to(statistics);
   return true;
 }
 

@@ -11,10 +11,6 @@
 
 namespace discmc::detail::trace {
 
-/// Whether cells may take no part: those beyond an open border or of another slab.
-template <class Features>
-constexpr bool has_absent = Features::open_border || Features::slabs;
-
 /// Which slice a row is of.
 enum class SlabRole : uint8_t {
   inside,

@@ -15,7 +15,7 @@ namespace discmc::host {
 /// Replaces detail::trace::Sweep in an extractor.
 class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
  public:
-  using Features = AllFeatures;
+  static constexpr bool is_lean = false;
   using Plain = detail::trace::Sweep<uint32_t, NoNormal>;
 
   using Plain::delivery;

@@ -83,7 +83,7 @@ function print_requirements(    i, t, cores, targets, part, text) {
   print "| | Cortex-M0+ | Cortex-M4 | RV32IMAC |"
   print "|---|--:|--:|--:|"
   split("sends polygons: flash|Flash|sends polygons: the three above|" \
-    "sends polygons, fewest features: flash|Features|leanest: without the four|" \
+    "sends polygons, lean: flash|Lean|LeanExtractor16|" \
     "sends polygons: stack|Stack|Extractor16 into an Encoder|" \
     "sends thresholded slices: flash|Flash|slice encoder of 8-bit samples|" \
     "sends thresholded slices: stack|Stack|SliceEncoder::push()", part, "|")
