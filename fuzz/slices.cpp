@@ -1,7 +1,7 @@
-// Fuzz target. A stream of slices transmits any small volume unchanged, for any portions, key
-// slices, flushes, refusals and power failures. After lost, damaged or forged packets the rows
-// still arrive in order and once each. All rows are right if no packet is forged. Decoding never
-// faults and always ends.
+// Fuzz target. A stream of slices transmits any small volume unchanged, with fractions or without,
+// for any portions, key slices, flushes, refusals and power failures. After lost, damaged or forged
+// packets the rows still arrive in order and once each. All rows are right if no packet is forged.
+// Decoding never faults and always ends.
 //
 //   fuzz_slices -max_len=600 corpus/slices      with libFuzzer
 //   fuzz_slices corpus/slices                   with replay_main.cpp
@@ -13,6 +13,7 @@
 using namespace discmc;
 using namespace discmc::test;
 using reference::BitVolume;
+using reference::samples_with;
 using Kind = RowEvent::Kind;
 
 namespace {
@@ -22,10 +23,11 @@ SlicePlan read_plan(Input& input) {
   plan.key_slice_interval = input.below(5);
   plan.portion = 1 + input.byte();
   plan.bytes_a_time = input.below(20);
-  const uint32_t flushing = input.below(72);
+  const uint32_t flushing = input.below(216);
   plan.flush_every = flushing % 9;
   plan.surface_count = static_cast<uint8_t>(1 + flushing / 9 % 4);
-  plan.fails = flushing >= 36;
+  plan.fails = flushing / 36 % 2 != 0;
+  plan.levels = static_cast<uint8_t>(flushing / 72 * 2);
   return plan;
 }
 
@@ -55,7 +57,12 @@ Bytes mangled(const Bytes& stream, Input& input, bool& is_made_up) {
 }
 
 // Returns whether all rows of the volume were sent.
-bool check_rows(const BitVolume& volume, const ReceivedRows& received, bool is_made_up) {
+bool check_rows(const BitVolume& volume, const SlicePlan& plan, const ReceivedRows& received,
+                bool is_made_up) {
+  require(is_made_up || plan.levels == 0 ||
+              have_fractions(received.rows, samples_with(volume), 100, plan.levels),
+          "fractions that are wrong");
+  std::vector<uint16_t> first_fractions;
   size_t next = 0;
   uint64_t sent = 0;
   Bytes first_bits;  // of the first surface
@@ -66,10 +73,13 @@ bool check_rows(const BitVolume& volume, const ReceivedRows& received, bool is_m
     if (!row.is(Kind::lost) && row.event.channel > 0) {
       require(at + 1 == next && (is_made_up || row.bits == first_bits),
               "a row of another surface that is wrong");
+      require(is_made_up || row.fractions == first_fractions,
+              "fractions of another surface that are wrong");
       continue;
     }
     require(at == next, "a row out of its order");
     first_bits = row.bits;
+    first_fractions = row.fractions;
     next += row.is(Kind::lost) ? static_cast<size_t>(row.event.count) : 1;
     if (row.is(Kind::lost) || is_made_up) continue;
     const uint8_t* const first = &volume.on[at * volume.width];
@@ -89,15 +99,15 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const uint32_t surfaces = plan.surface_count;
   const reference::Size slice{volume.width, volume.height, volume.depth};
   const Bytes stream = encode_slices(volume, plan);
-  const ReceivedRows whole = decode_slices(stream, slice, portion, true, surfaces);
+  const ReceivedRows whole = decode_slices(stream, slice, portion, true, surfaces, plan.levels);
   require(whole.report.is_complete(), "a whole stream that is not complete");
-  require(check_rows(volume, whole, false), "a row that is missing");
+  require(check_rows(volume, plan, whole, false), "a row that is missing");
 
   bool is_made_up = false;
   const Bytes sent = mangled(stream, input, is_made_up);
-  const ReceivedRows arrived = decode_slices(sent, slice, 0, false, surfaces);
-  check_rows(volume, arrived, is_made_up);
-  const ReceivedRows again = decode_slices(sent, slice, portion, true, surfaces);
+  const ReceivedRows arrived = decode_slices(sent, slice, 0, false, surfaces, plan.levels);
+  check_rows(volume, plan, arrived, is_made_up);
+  const ReceivedRows again = decode_slices(sent, slice, portion, true, surfaces, plan.levels);
   require(again.rows.size() == arrived.rows.size(), "portions or refusals show");
   require(again.report.lost_rows == arrived.report.lost_rows, "the report depends on them");
   return 0;

@@ -333,10 +333,13 @@ DISCMC_CHECK discmc_status discmc_encoder_restore(discmc_encoder** encoder,
 uint64_t discmc_encoder_stream_bytes(const discmc_encoder* encoder);
 
 /* ---- slice encoder: samples in, bytes out; the receiver extracts the surface ---- */
-/* By the type of samples. A program links only the kinds that it names. */
+/* By the type of samples. A program links only the kinds that it names. Kinds with fractions also
+ * send where the surface crosses each edge between two voxels. Then the mean distance to the
+ * interpolated surface is a quarter, and the stream up to four times as long. */
 typedef struct discmc_slice_kind discmc_slice_kind;
 extern const discmc_slice_kind discmc_slices_bits, discmc_slices_u8, discmc_slices_u16,
-    discmc_slices_i16;
+    discmc_slices_i16, discmc_fraction_slices_u8, discmc_fraction_slices_u16,
+    discmc_fraction_slices_i16;
 
 typedef struct discmc_slice_encoder_config {
   const discmc_slice_kind* kind;
@@ -346,11 +349,13 @@ typedef struct discmc_slice_encoder_config {
   /* The slices from a key slice, which decodes alone, to the next; 0: no further key slice. A lost
    * packet costs up to this many slices; 16 is good. 1: least memory, but the longest stream. */
   uint32_t key_slice_interval;
+  uint8_t levels; /* for kinds with fractions: 2 or 4, the parts of an edge */
   discmc_stream_label label;
   discmc_memory memory;
   discmc_byte_output output;
 } discmc_slice_encoder_config;
-/* The least memory for limits, surface_count and key_slice_interval; 0 if they are bad. */
+/* The least memory for kind, limits, surface_count, key_slice_interval and levels; 0 if they are
+ * bad. */
 uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config);
 /* Begins a scan. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_LABEL. */
 DISCMC_CHECK discmc_status discmc_slice_encoder_start(discmc_slice_encoder** encoder,
@@ -391,8 +396,10 @@ typedef struct discmc_receiver_config {
   discmc_memory memory; /* for slices: beyond the minimum, fewer regions arrive as fragments */
   discmc_sink sink;
 } discmc_receiver_config;
-/* The least memory for a stream of slices; for polygons pass null. Limit: valid limits, or null. */
-uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count);
+/* The least memory for a stream of slices with this many surfaces and levels, as in its header; for
+ * polygons pass null. Limit: valid limits, or null. */
+uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count,
+                               uint32_t levels);
 /* Prepares to receive a channel. Use a receiver per surface, and push all bytes to each. */
 DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
                                                  const discmc_receiver_config* config);

@@ -35,6 +35,7 @@
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/fraction.hpp>
+#include <discmc/fraction_slice_encoder.hpp>
 #include <discmc/front/downsampler.hpp>
 #include <discmc/front/majority_filter.hpp>
 #include <discmc/front/packed_samples.hpp>

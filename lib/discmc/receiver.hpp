@@ -31,8 +31,9 @@ class Receiver {
   /// one surface of 256x256. More memory becomes slots of 16 bytes each, as in an Extractor32, so
   /// that fewer regions arrive as loose fragments. For CT head (Stanford), 128 KiB suffice for 99 %
   /// of the regions, and 176 KiB for all. A Joiner joins the rest. Limit: valid limits.
-  static constexpr uint64_t minimum_bytes(const Limits& limits, uint32_t surfaces = 1) {
-    return SurfaceDecoder::minimum_bytes(limits, surfaces);
+  static constexpr uint64_t minimum_bytes(const Limits& limits, uint32_t surfaces = 1,
+                                          uint32_t levels = 0) {
+    return SurfaceDecoder::minimum_bytes(limits, surfaces, levels);
   }
 
   /// Prepares to receive. memory: for streams of slices at least minimum_bytes() for the size in

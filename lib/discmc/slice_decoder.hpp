@@ -9,6 +9,7 @@
 
 #include <discmc/decoder.hpp>
 #include <discmc/slice_encoder.hpp>
+#include <discmc/slices/fraction_code.hpp>
 #include <discmc/slices/row_coders.hpp>
 #include <discmc/slices/surfaces.hpp>
 
@@ -64,10 +65,13 @@ RowSink make_row_sink(Object& object) {
 /// itself, so it is neither copied nor moved.
 class SliceDecoder {
  public:
-  /// The memory for slices of this size. Limit: valid limits.
-  static constexpr uint64_t minimum_bytes(const Limits& limits, uint32_t surfaces = 1) {
+  /// The memory for slices of this size. levels: of fractions, as in the header. Limit: valid
+  /// limits.
+  static constexpr uint64_t minimum_bytes(const Limits& limits, uint32_t surfaces = 1,
+                                          uint32_t levels = 0) {
     return SliceEncoder::minimum_bytes({limits, {}, 0, static_cast<uint8_t>(surfaces)}) +
-           Arena::bytes_of((limits.width + 7) / 8, sizeof(uint8_t));
+           Arena::bytes_of((limits.width + 7) / 8, sizeof(uint8_t)) +
+           (levels == 0 ? 0 : detail::slices::Fractions::bytes_for(limits, surfaces, levels));
   }
 
   SliceDecoder() = default;
@@ -115,6 +119,7 @@ class SliceDecoder {
   void clear();
   void open(PacketReader::Completed arrival);
   void lay_out();
+  void clear_rows();
   void open_slices();
   bool begin_key_slice();
   void give_up();
@@ -122,6 +127,9 @@ class SliceDecoder {
   bool can_read() const;
   bool is_at_cut() const;
   bool begin_row();
+  bool read_step();
+  void begin_fractions();
+  bool row_is_done() const { return row_.is_done() && fraction_code_.is_done(); }
   bool read_note();
   bool deliver();
   bool hand_out();
@@ -145,7 +153,8 @@ class SliceDecoder {
   uint8_t surface_ = 0;                      // whose row is read
   detail::slices::RowNote note_ = detail::slices::RowNote::none;
   uint32_t cut_row_ = 0;   // where the code is cut: in this row of those of all surfaces
-  uint32_t cut_left_ = 0;  // the number of its voxels behind the cut; 0 without a cut
+  uint32_t cut_left_ = 0;  // what is left of its part behind the cut
+  bool has_cut_ = false;
   uint32_t slice_ = 0;
   uint32_t next_slice_ = 0;   // after what is lost
   uint64_t lost_rows_ = 0;    // not yet reported
@@ -154,6 +163,10 @@ class SliceDecoder {
   detail::slices::RowCode row_;
   detail::slices::Surfaces surfaces_;
   uint8_t* bits_ = nullptr;
+  detail::slices::Fractions fractions_;
+  detail::slices::FractionCode fraction_code_;
+  bool knows_slice_before_ = false;      // of a key slice
+  uint8_t surfaces_with_fractions_ = 0;  // to be handed out: a bit per surface
 };
 
 }  // namespace discmc

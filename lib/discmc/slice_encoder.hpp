@@ -49,15 +49,21 @@ struct SliceEncoderConfig {
   uint32_t key_slice_interval = 0;
   uint8_t surface_count = 1;  ///< on consecutive channels; Limit: 1 to StreamHeader::max_surfaces
   StreamLabel label = {};     ///< as of an Encoder
+  uint8_t levels = 0;         ///< for a FractionSliceEncoder, see there; a SliceEncoder ignores it
 };
 
 namespace detail::slices {
 
 /// The bytes of the rows and probabilities of this many surfaces.
 constexpr uint64_t surface_bytes(const Limits& limits, uint32_t rows, uint32_t surfaces) {
-  uint64_t bytes = 0;
+  static_assert(StreamHeader::max_surfaces *
+                        detail::trace::bit_row_bytes(Limits::max_extent, Limits::max_extent + 2) <
+                    UINT32_MAX / 2,
+                "32 bits count them");
+  uint32_t bytes = 0;
   for (uint32_t surface = 0; surface < surfaces; ++surface)
-    bytes += detail::trace::bit_row_bytes(limits.width, rows) + SliceModel::bytes_for(surface > 0);
+    bytes += static_cast<uint32_t>(detail::trace::bit_row_bytes(limits.width, rows)) +
+             static_cast<uint32_t>(SliceModel::bytes_for(surface > 0));
   return bytes;
 }
 
@@ -71,15 +77,15 @@ constexpr bool is_key_slice(uint32_t slice, uint32_t interval) {
 /// Accepts the samples of a scan, and writes one stream with the bits of its surfaces. An encoder
 /// contains pointers to itself, so it is not copied.
 class SliceEncoder {
+  template <class Sample>
+  friend class FractionSliceEncoder;
+
  public:
   /// The memory of start(), which needs no more (FOOTPRINT.md has a table). The first surface needs
   /// 548 bytes, each further one 1,060. In addition each surface needs rows of bits: five if every
   /// slice is a key slice, otherwise the rows of a slice and three more. Limit: valid limits.
   static constexpr uint64_t minimum_bytes(const SliceEncoderConfig& config) {
-    const bool keeps_no_slice = config.key_slice_interval == 1;
-    const uint32_t rows = detail::slices::rows_kept(config.limits.height, keeps_no_slice);
-    return detail::slices::surface_bytes(config.limits, rows, config.surface_count) +
-           Arena::alignment - 1;
+    return bytes_for(config, config.key_slice_interval != 1);
   }
 
   SliceEncoder() = default;
@@ -159,7 +165,9 @@ class SliceEncoder {
   /// address that is the same modulo 4; Owner: as of start(). Errors: bad_checkpoint,
   /// too_little_memory (null), bad_sink. After an error read the parts back again, or call start().
   /// Cost: as save().
-  [[nodiscard]] Status restore(Memory memory, const ByteOutput& output);
+  [[nodiscard]] Status restore(Memory memory, const ByteOutput& output) {
+    return restore_object(sizeof *this, memory, output);
+  }
 
   Limits limits() const {
     return {packets_.header().width, packets_.header().height, packets_.header().border};
@@ -184,9 +192,38 @@ class SliceEncoder {
 
   enum class State : uint8_t { idle, scanning, finishing, finished };
 
+  // keeps_slice: the slice before has neighbours or edges.
+  static constexpr uint64_t bytes_for(const SliceEncoderConfig& config, bool keeps_slice) {
+    const uint32_t rows = detail::slices::rows_kept(config.limits.height, !keeps_slice);
+    return detail::slices::surface_bytes(config.limits, rows, config.surface_count) +
+           Arena::alignment - 1;
+  }
+
   void lay_out(Memory memory);
+  Status restore_object(size_t object_bytes, Memory memory, const ByteOutput& output);
   template <class Sample>
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
+  // Calls take(samples, count) with parts of rows, before their row is complete.
+  template <class Sample, class Take>
+  PushResult push_parts(const Sample* samples, uint32_t count, uint32_t stride, Take take) {
+    PushResult result{ready_for_row(), 0};
+    while (result.status == Status::ok && result.samples < count) {
+      const uint32_t taken =
+          samples_of_row(count - result.samples, column(), packets_.header().width);
+      take(samples + size_t{result.samples} * stride, taken);
+      result.samples += taken;
+      if (!surfaces_.rows().row_is_complete()) break;
+      note_ = detail::slices::RowNote::none;
+      row_is_due_ = true;
+      result.status = result.samples == count ? resume() : ready_for_row();
+    }
+    return result;
+  }
+  template <class Sample>
+  void append(const Sample* samples, uint32_t count, uint32_t stride) {
+    for (uint32_t surface = 0; surface < surfaces_.count(); ++surface)
+      surfaces_[surface].rows.append(samples, count, stride, packets_.header().thresholds[surface]);
+  }
   Status ready_for_row();
   uint32_t column() const { return surfaces_.rows().column(); }
   PushResult process_row(detail::slices::RowNote note);
@@ -194,9 +231,7 @@ class SliceEncoder {
   bool encode_row();
   bool begin_row();
   bool encode_what_precedes();
-  uint32_t rows_kept() const {
-    return detail::slices::rows_kept(packets_.header().height, key_slice_interval_ == 1);
-  }
+  bool keeps_slice() const { return key_slice_interval_ != 1 || fraction_flags_ != 0; }
   bool is_at_key_slice() const;
   void encode_note(detail::slices::RowNote note);
   bool make_room();
@@ -225,6 +260,11 @@ class SliceEncoder {
   detail::slices::Surfaces surfaces_;
   PacketWriter packets_;
   detail::Seal seal_;
+  // A FractionSliceEncoder sets these members.
+  bool (*code_fractions_)(SliceEncoder& encoder) = nullptr;  // false if the output is busy
+  uint16_t fraction_object_bytes_ = 0;                       // of its own members
+  uint32_t fraction_memory_bytes_ = 0;                       // behind the memory of this encoder
+  uint8_t fraction_flags_ = 0;                               // of the header
 };
 
 }  // namespace discmc

@@ -84,6 +84,15 @@ bool begin_slices(const ByteOutput& output) {
   return slice_encoder.start(config, memory_of(slice_memory), output) == Status::ok;
 }
 
+// From docs/quick-start.md.
+constexpr SliceEncoderConfig fraction_config{limits, {threshold}, 16, 1, {}, 4};
+FractionSliceEncoder<uint8_t> fraction_encoder;  // by the type of the samples
+uint8_t fraction_memory[FractionSliceEncoder<uint8_t>::minimum_bytes(fraction_config)];
+
+bool begin_fractions(const ByteOutput& output) {
+  return fraction_encoder.start(fraction_config, memory_of(fraction_memory), output) == Status::ok;
+}
+
 // From docs/front-end.md.
 MajorityFilter filter;
 uint8_t filter_memory[MajorityFilter::bytes_for(limits)];
@@ -253,6 +262,16 @@ Status end_scan(Device& device, CheckpointStore& store, const ByteOutput& output
 }
 
 }  // namespace
+
+TEST_CASE("the guide's stream with fractions is sent") {
+  Bytes bytes;
+  REQUIRE(begin_fractions({&bytes, append}));
+  Ball ball;
+  for (uint32_t i = 0; i < size * size; ++i)
+    REQUIRE(fraction_encoder.push(ball.scan(i), size).status == Status::ok);
+  REQUIRE(fraction_encoder.finish() == Status::ok);
+  CHECK(bytes.size() > 700);
+}
 
 TEST_CASE("the guide's stream of slices yields the regions of the device") {
   Bytes bytes;

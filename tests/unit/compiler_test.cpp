@@ -19,7 +19,12 @@ TEST_CASE("the processor and the table count the same trailing zeros") {
 }
 
 TEST_CASE("the bits up to the highest one are counted") {
-  CHECK(bit_width(0) == 0);
+  CHECK(bit_width(uint64_t{0}) == 0);
+  CHECK(bit_width(uint32_t{0}) == 0);
+  for (uint32_t bit = 0; bit < 32; ++bit) {
+    CHECK(bit_width(uint32_t{1} << bit) == bit + 1);
+    CHECK(bit_width(~uint32_t{0} >> bit) == 32 - bit);
+  }
   for (uint32_t bit = 0; bit < 64; ++bit) {
     CHECK(bit_width(uint64_t{1} << bit) == bit + 1);
     CHECK(bit_width(~uint64_t{0} >> bit) == 64 - bit);

@@ -15,10 +15,11 @@ static_assert(red_zone_bytes > 0 || DISCMC_RECEIVER_BYTES(31, 7, 2) >=
 
 extern "C" {
 
-uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count) {
+uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count,
+                               uint32_t levels) {
   return bytes_with_object(
       sizeof(discmc_receiver),
-      limits == nullptr ? 0 : Receiver::minimum_bytes(cpp(*limits), surface_count));
+      limits == nullptr ? 0 : Receiver::minimum_bytes(cpp(*limits), surface_count, levels));
 }
 
 discmc_status discmc_receiver_start(discmc_receiver** receiver,

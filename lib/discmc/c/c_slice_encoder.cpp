@@ -1,6 +1,6 @@
 #include <discmc/c/object.hpp>
 #include <discmc/c/values.hpp>
-#include <discmc/slice_encoder.hpp>
+#include <discmc/fraction_slice_encoder.hpp>
 
 struct discmc_slice_encoder : discmc::KindObject {
   discmc::SliceEncoder encoder;
@@ -10,6 +10,12 @@ struct discmc_slice_kind : discmc::Kind {
   discmc_sample_type type;
   discmc_push_result (*push)(discmc::SliceEncoder& encoder, const void* samples, uint32_t count,
                              uint32_t stride);
+  // Null for kinds without fractions.
+  uint64_t (*minimum_bytes)(const discmc::SliceEncoderConfig& config);
+  discmc::Status (*start)(discmc::SliceEncoder& encoder, const discmc::SliceEncoderConfig& config,
+                          discmc::Memory memory, const discmc::ByteOutput& output);
+  discmc::Status (*restore)(discmc::SliceEncoder& encoder, discmc::Memory memory,
+                            const discmc::ByteOutput& output);
 };
 
 namespace discmc {
@@ -24,18 +30,57 @@ static_assert(red_zone_bytes > 0 ||
 
 SliceEncoderConfig config_of(const discmc_slice_encoder_config& from) {
   const int32_t(&thresholds)[StreamHeader::max_surfaces] = from.thresholds;
-  return {cpp(from.limits),
-          {thresholds[0], thresholds[1], thresholds[2], thresholds[3]},
-          from.key_slice_interval,
-          from.surface_count == 0 ? uint8_t{1} : from.surface_count,
-          cpp(from.label)};
+  return {cpp(from.limits),        {thresholds[0], thresholds[1], thresholds[2], thresholds[3]},
+          from.key_slice_interval, from.surface_count == 0 ? uint8_t{1} : from.surface_count,
+          cpp(from.label),         from.levels};
 }
 
 template <class Sample>
 constexpr discmc_slice_kind slice_kind = {
     {sizeof(discmc_slice_encoder) | SliceEncoder::layout << 20, sizeof(discmc_slice_encoder)},
     type_of<Sample>,
-    push_as<Sample, SliceEncoder>};
+    push_as<Sample, SliceEncoder>,
+    nullptr,
+    nullptr,
+    nullptr};
+
+// An object whose encoder is one with fractions. The functions of all kinds use its base class.
+template <class Sample>
+struct FractionObject : KindObject {
+  FractionSliceEncoder<Sample> encoder;
+};
+
+static_assert(red_zone_bytes > 0 ||
+                  DISCMC_FRACTION_SLICE_ENCODER_BYTES(31, 7, 2, 4, 2) >=
+                      bytes_with_object(sizeof(FractionObject<uint16_t>),
+                                        FractionSliceEncoder<uint16_t>::minimum_bytes(
+                                            {{31, 7}, {}, 0, 2, {}, 4})),
+              "the size in sizes.h suffices");
+
+template <class Sample>
+FractionSliceEncoder<Sample>& with_fractions(SliceEncoder& encoder) {
+  static_assert(sizeof(FractionObject<Sample>) - sizeof(FractionSliceEncoder<Sample>) ==
+                    sizeof(discmc_slice_encoder) - sizeof(SliceEncoder),
+                "the encoders of both objects are at one place");
+  return static_cast<FractionSliceEncoder<Sample>&>(encoder);
+}
+
+template <class Sample>
+constexpr discmc_slice_kind fraction_kind = {
+    {sizeof(FractionObject<Sample>) | type_of<Sample> << 16 | SliceEncoder::layout << 20,
+     sizeof(FractionObject<Sample>)},
+    type_of<Sample>,
+    [](SliceEncoder& encoder, const void* samples, uint32_t count, uint32_t stride) {
+      return push_as<Sample>(with_fractions<Sample>(encoder), samples, count, stride);
+    },
+    FractionSliceEncoder<Sample>::minimum_bytes,
+    [](SliceEncoder& encoder, const SliceEncoderConfig& config, Memory memory,
+       const ByteOutput& output) {
+      return with_fractions<Sample>(encoder).start(config, memory, output);
+    },
+    [](SliceEncoder& encoder, Memory memory, const ByteOutput& output) {
+      return with_fractions<Sample>(encoder).restore(memory, output);
+    }};
 
 }  // namespace
 
@@ -44,23 +89,33 @@ extern "C" {
 uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config) {
   if (!cpp(config->limits).is_valid() || config->surface_count > StreamHeader::max_surfaces)
     return 0;
-  return bytes_with_object(sizeof(discmc_slice_encoder),
-                           SliceEncoder::minimum_bytes(config_of(*config)));
+  const discmc_slice_kind* const kind = config->kind;
+  if (kind == nullptr || kind->minimum_bytes == nullptr)
+    return bytes_with_object(sizeof(discmc_slice_encoder),
+                             SliceEncoder::minimum_bytes(config_of(*config)));
+  if (config->levels != 2 && config->levels != 4) return 0;
+  return bytes_with_object(kind->object_bytes, kind->minimum_bytes(config_of(*config)));
 }
 
 discmc_status discmc_slice_encoder_start(discmc_slice_encoder** encoder,
                                          const discmc_slice_encoder_config* config) {
   return start<discmc_slice_encoder>(
       encoder, *config, [&](discmc_slice_encoder& object, Memory rest) {
-        return object.encoder.start(config_of(*config), rest, cpp(config->output));
+        const discmc_slice_kind& kind = *config->kind;
+        return kind.start == nullptr
+                   ? object.encoder.start(config_of(*config), rest, cpp(config->output))
+                   : kind.start(object.encoder, config_of(*config), rest, cpp(config->output));
       });
 }
 discmc_status discmc_slice_encoder_restore(discmc_slice_encoder** encoder,
                                            const discmc_slice_encoder_config* config) {
-  return restore<discmc_slice_encoder>(encoder, *config,
-                                       [&](discmc_slice_encoder& object, Memory rest) {
-                                         return object.encoder.restore(rest, cpp(config->output));
-                                       });
+  return restore<discmc_slice_encoder>(
+      encoder, *config, [&](discmc_slice_encoder& object, Memory rest) {
+        const discmc_slice_kind& kind = *config->kind;
+        const ByteOutput output = cpp(config->output);
+        return kind.restore == nullptr ? object.encoder.restore(rest, output)
+                                       : kind.restore(object.encoder, rest, output);
+      });
 }
 
 discmc_status discmc_slice_encoder_save(discmc_slice_encoder* encoder, discmc_memory* part) {
@@ -111,3 +166,6 @@ const discmc_slice_kind discmc_slices_bits = discmc::slice_kind<discmc::Bits>;
 const discmc_slice_kind discmc_slices_u8 = discmc::slice_kind<uint8_t>;
 const discmc_slice_kind discmc_slices_u16 = discmc::slice_kind<uint16_t>;
 const discmc_slice_kind discmc_slices_i16 = discmc::slice_kind<int16_t>;
+const discmc_slice_kind discmc_fraction_slices_u8 = discmc::fraction_kind<uint8_t>;
+const discmc_slice_kind discmc_fraction_slices_u16 = discmc::fraction_kind<uint16_t>;
+const discmc_slice_kind discmc_fraction_slices_i16 = discmc::fraction_kind<int16_t>;

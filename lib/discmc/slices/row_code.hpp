@@ -64,6 +64,8 @@ class RowCode {
   bool is_done() const { return left_ == 0; }
   /// The number of voxels that are not coded yet.
   uint32_t left() const { return left_; }
+  /// For a part of the row that follows the voxels.
+  void set_left(uint32_t left) { left_ = left; }
 
   /// Codes the next voxel or run. False if the bits that were read are from no encoder. Limit: not
   /// is_done(). Cost: 1 decision; for a run that ends early, about 10.

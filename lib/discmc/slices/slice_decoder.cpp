@@ -85,13 +85,19 @@ void SliceDecoder::lay_out() {
   Arena arena(memory_);
   surfaces_.start(arena, header(), detail::slices::rows_kept(header().height, false));
   bits_ = arena.allocate<uint8_t>((header().width + 7) / 8);
+  if (header().levels != 0) fractions_.start(arena, header());
   if (arena.is_exhausted()) {
     refusal_ = Status::too_little_memory;
     return;
   }
-  surfaces_.clear();
+  clear_rows();
   is_laid_out_ = true;
   stage_ = Stage::start;
+}
+
+void SliceDecoder::clear_rows() {
+  surfaces_.clear();
+  if (header().levels != 0) fractions_.clear();
 }
 
 // Nothing can be read until the next key slice.
@@ -120,10 +126,10 @@ void SliceDecoder::open_slices() {
     stage_ = Stage::collect;
     return;
   }
-  const bool goes_on_in_row = cut_left_ != 0;
+  const bool goes_on_in_row = has_cut_;
   code_is_over_ = (bits & SliceBits::last) != 0;
-  cut_left_ = 0;
-  if ((bits & SliceBits::cut) != 0) {
+  has_cut_ = (bits & SliceBits::cut) != 0;
+  if (has_cut_) {
     if (bytes < detail::wire::cut_tail || !code_is_over_) return give_up();
     bytes -= detail::wire::cut_tail;
     detail::wire::ByteReader tail(code + bytes, detail::wire::cut_tail);
@@ -152,8 +158,11 @@ bool SliceDecoder::begin_key_slice() {
   is_key_ahead_ = true;
   row_is_begun_ = false;
   surface_ = 0;
-  cut_left_ = 0;
+  surfaces_with_fractions_ = 0;
+  has_cut_ = false;
   surfaces_.begin_key_slice();
+  knows_slice_before_ = slice > 0 && lost_rows_ == 0;
+  if (header().levels != 0) fractions_.begin_models();
   return true;
 }
 
@@ -164,10 +173,12 @@ bool SliceDecoder::can_read() const {
   return code_is_over_ || coder_.range.left() >= max_of_a_step;
 }
 
-// Never true without a cut: a row in progress has voxels left.
 bool SliceDecoder::is_at_cut() const {
-  return row_is_begun_ && row_.left() == cut_left_ &&
-         static_cast<uint32_t>(passed_rows_ * surfaces_.count() + surface_) == cut_row_;
+  if (!has_cut_ || !row_is_begun_) return false;
+  const uint32_t left = row_.is_done() ? fraction_code_.left() : row_.left();
+  const uint32_t part = row_.is_done() ? fraction_code_.part() : 0;
+  const uint64_t rows = (passed_rows_ + part) * surfaces_.count() + surface_;
+  return left == cut_left_ && static_cast<uint32_t>(rows) == cut_row_;
 }
 
 // Reads up to the end of a row, or of the present bytes.
@@ -177,15 +188,15 @@ void SliceDecoder::read() {
       stage_ = Stage::collect;
       return;
     }
-    const bool is_good = row_is_begun_ ? row_.step(coder_, surfaces_[surface_].model) : begin_row();
+    const bool is_good = row_is_begun_ ? read_step() : begin_row();
     if (!is_good || coder_.range.is_exhausted()) return give_up();
     if (note_ == RowNote::end) {
       stage_ = Stage::collect;
       return;
     }
-    if (row_.is_done()) {
-      if (note_ == RowNote::none) row_.complete(surfaces_.rows().words());
+    if (row_is_done()) {
       row_is_begun_ = false;
+      if (fraction_code_.is_any()) surfaces_with_fractions_ |= static_cast<uint8_t>(1 << surface_);
       if (++surface_ < surfaces_.count()) continue;
       surface_ = 0;
       stage_ = Stage::hand_out;
@@ -210,7 +221,30 @@ bool SliceDecoder::begin_row() {
   if (note_ == RowNote::repeated) rows.repeat();  // else it is off
   surfaces_.begin_row(row_, surface_, note_ == RowNote::none ? header().width : 0);
   row_is_begun_ = true;
+  fraction_code_.end();
+  if (header().levels != 0) fractions_.begin_row(surface_);
   return true;
+}
+
+// Reads the next voxel, run or fraction. False if no encoder wrote it.
+bool SliceDecoder::read_step() {
+  if (row_.is_done()) return fraction_code_.step(coder_);
+  if (!row_.step(coder_, surfaces_[surface_].model)) return false;
+  if (!row_.is_done()) return true;
+  row_.complete(surfaces_.rows().words());
+  if (header().levels != 0) begin_fractions();
+  return true;
+}
+
+void SliceDecoder::begin_fractions() {
+  using KeyEdges = detail::slices::FractionCode::KeyEdges;
+  const bool is_key = surfaces_.is_in_key_slice();
+  const bool knows_slice_before = is_key ? knows_slice_before_ : true;
+  const KeyEdges key_edges = !is_key || slice_ == 0 ? KeyEdges::none
+                             : knows_slice_before_  ? KeyEdges::known
+                                                    : KeyEdges::unknown;
+  fraction_code_.begin(fractions_.around(surfaces_[surface_].rows, surface_, knows_slice_before),
+                       fractions_.model(surface_), key_edges);
 }
 
 bool SliceDecoder::read_note() {
@@ -263,16 +297,22 @@ bool SliceDecoder::report_loss() {
   packets_.report().lost_rows += lost_rows_;
   passed_rows_ += lost_rows_;
   slice_ = next_slice_;
-  surfaces_.clear();
+  clear_rows();
   return true;
 }
 
 // Delivers the rows of all surfaces, or of none: a loss affects all of them.
 bool SliceDecoder::hand_out() {
   const bool is_row = note_ == RowNote::none;
-  for (; surface_ < surfaces_.count(); ++surface_)
+  for (; surface_ < surfaces_.count(); ++surface_) {
+    if ((surfaces_with_fractions_ >> surface_ & 1) != 0) {
+      if (!offer(RowEvent::Kind::fractions)) return false;
+      surfaces_with_fractions_ ^= static_cast<uint8_t>(1 << surface_);
+    }
     if (!offer(is_row ? RowEvent::Kind::row : RowEvent::Kind::skipped)) return false;
+  }
   surface_ = 0;
+  if (header().levels != 0) fractions_.next_row(surfaces_.rows().rows(), is_row);
   ++packets_.report().rows;
   ++passed_rows_;
   if (surfaces_.next_row()) ++slice_;
@@ -294,6 +334,8 @@ bool SliceDecoder::offer(RowEvent::Kind kind) {
   } else if (kind == RowEvent::Kind::application) {
     application = packets_.application();
     event.application = &application;
+  } else if (kind == RowEvent::Kind::fractions) {
+    event.fractions = fractions_.now(surface_);
   } else if (kind == RowEvent::Kind::row || kind == RowEvent::Kind::skipped) {
     surfaces_[surface_].rows.write_bits(bits_);
     event.bits = bits_;

@@ -28,7 +28,7 @@ Status SliceEncoder::start(const SliceEncoderConfig& config, Memory memory,
   if (memory.data == nullptr || memory.bytes < minimum_bytes(config))
     return Status::too_little_memory;
   packets_.attach(output);
-  packets_.begin_stream(header, detail::wire::HeaderFlags::slices);
+  packets_.begin_stream(header, detail::wire::HeaderFlags::slices | fraction_flags_);
   key_slice_interval_ = config.key_slice_interval;
   lay_out(memory);
   surfaces_.clear();
@@ -46,7 +46,8 @@ Status SliceEncoder::start(const SliceEncoderConfig& config, Memory memory,
 
 void SliceEncoder::lay_out(Memory memory) {
   Arena arena(memory);
-  surfaces_.start(arena, packets_.header(), rows_kept());
+  const StreamHeader& header = packets_.header();
+  surfaces_.start(arena, header, detail::slices::rows_kept(header.height, !keeps_slice()));
   memory_ = memory.data;
 }
 
@@ -63,20 +64,9 @@ Status SliceEncoder::ready_for_row() {
 
 template <class Sample>
 PushResult SliceEncoder::push_samples(const Sample* samples, uint32_t count, uint32_t stride) {
-  PushResult result{ready_for_row(), 0};
-  while (result.status == Status::ok && result.samples < count) {
-    const uint32_t taken =
-        samples_of_row(count - result.samples, column(), packets_.header().width);
-    const Sample* const next = samples + size_t{result.samples} * stride;
-    for (uint32_t surface = 0; surface < surfaces_.count(); ++surface)
-      surfaces_[surface].rows.append(next, taken, stride, packets_.header().thresholds[surface]);
-    result.samples += taken;
-    if (!surfaces_.rows().row_is_complete()) break;
-    note_ = RowNote::none;
-    row_is_due_ = true;
-    result.status = result.samples == count ? resume() : ready_for_row();
-  }
-  return result;
+  return push_parts(samples, count, stride, [this, stride](const Sample* part, uint32_t taken) {
+    append(part, taken, stride);
+  });
 }
 
 template PushResult SliceEncoder::push_samples(const uint8_t*, uint32_t, uint32_t);
@@ -171,7 +161,7 @@ size_t SliceEncoder::bytes_used() const {
   if (state_ == State::idle) return 0;
   const SliceEncoderConfig config{
       limits(), {}, key_slice_interval_, packets_.header().surface_count};
-  const uint64_t bytes = minimum_bytes(config);
+  const uint64_t bytes = bytes_for(config, keeps_slice()) + fraction_memory_bytes_;
   return static_cast<size_t>(bytes);
 }
 
@@ -180,16 +170,16 @@ Status SliceEncoder::save(Memory* parts) {
   if (is_suspended()) return Status::suspended;
   const Status status = packets_.ready_for_checkpoint();
   if (status != Status::ok) return status;
-  parts[0] = {this, sizeof *this};
+  parts[0] = {this, sizeof *this + fraction_object_bytes_};
   parts[1] = {memory_, bytes_used()};
-  seal_.close(this, sizeof *this, layout, parts[1]);
+  seal_.close(this, static_cast<uint32_t>(parts[0].bytes), layout, parts[1]);
   return Status::ok;
 }
 
-Status SliceEncoder::restore(Memory memory, const ByteOutput& output) {
+Status SliceEncoder::restore_object(size_t object_bytes, Memory memory, const ByteOutput& output) {
   if (!output.is_valid()) return Status::bad_sink;
   if (memory.data == nullptr) return Status::too_little_memory;
-  if (!seal_.is_intact(this, sizeof *this, layout, memory)) {
+  if (!seal_.is_intact(this, static_cast<uint32_t>(object_bytes), layout, memory)) {
     state_ = State::idle;
     return Status::bad_checkpoint;
   }
@@ -221,6 +211,7 @@ bool SliceEncoder::encode_row() {
       if (!make_room()) return false;
       row_.step(coder_, surfaces_[surface_].model);
     }
+    if (code_fractions_ != nullptr && !code_fractions_(*this)) return false;
     row_is_begun_ = false;
   }
   surface_ = 0;

@@ -72,7 +72,8 @@ void SurfaceDecoder::start_next() {
 // The memory contains the rows of the slice decoder, followed by the memory of the extractor.
 Status SurfaceDecoder::begin_sweep() {
   const Limits limits{header().width, header().height, header().border};
-  const uint64_t of_rows = SliceDecoder::minimum_bytes(limits, header().surface_count);
+  const uint64_t of_rows =
+      SliceDecoder::minimum_bytes(limits, header().surface_count, header().levels);
   if (memory_.data == nullptr || memory_.bytes < of_rows) return Status::too_little_memory;
   const auto bytes = static_cast<size_t>(of_rows);
   const Memory rest{static_cast<uint8_t*>(memory_.data) + bytes, memory_.bytes - bytes};

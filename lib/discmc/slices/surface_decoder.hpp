@@ -25,8 +25,10 @@ class SurfaceDecoder {
   Decoded push(const uint8_t* bytes, size_t count);
   [[nodiscard]] Status give_memory(Memory memory);
   [[nodiscard]] Status finish();
-  static constexpr uint64_t minimum_bytes(const Limits& limits, uint32_t surfaces = 1) {
-    return SliceDecoder::minimum_bytes(limits, surfaces) + Extractor32::minimum_bytes(limits);
+  static constexpr uint64_t minimum_bytes(const Limits& limits, uint32_t surfaces = 1,
+                                          uint32_t levels = 0) {
+    return SliceDecoder::minimum_bytes(limits, surfaces, levels) +
+           Extractor32::minimum_bytes(limits);
   }
 
   /// Whether a packet of the next scan has arrived, and the start of that scan with it.

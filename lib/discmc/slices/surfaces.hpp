@@ -51,6 +51,8 @@ class Surfaces {
     begin_models();
   }
 
+  bool is_in_key_slice() const { return kind_ == SliceKind::key; }
+
   /// Begins the arriving row of one surface. width: 0 if the row is skipped.
   void begin_row(RowCode& row, uint32_t surface, uint32_t width) {
     const uint32_t* const first = surface > 0 ? rows().row(0) : nullptr;

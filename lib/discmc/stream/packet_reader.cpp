@@ -25,6 +25,8 @@ HeaderPacket parse_header(detail::wire::ByteReader& reader, uint32_t tag) {
   packet.flags = reader.get(1);
   header.border =
       (packet.flags & detail::wire::HeaderFlags::open_border) != 0 ? Border::open : Border::closed;
+  if ((packet.flags & detail::wire::HeaderFlags::slices) != 0)
+    header.levels = static_cast<uint8_t>((packet.flags & detail::wire::HeaderFlags::levels) / 2);
   packet.packets_before = reader.get(4);
   packet.pieces_before = reader.get(8);
   header.scan = static_cast<uint16_t>(tag);
@@ -235,7 +237,8 @@ bool PacketReader::read_header() {
   is_refused_ = has_magic && reader.get(1) != detail::wire::version;
   if (is_refused_) return false;
   const HeaderPacket packet = parse_header(reader, tag_);
-  if (!has_magic || payload_bytes_ < detail::wire::header_payload || !packet.header.is_valid()) {
+  if (!has_magic || payload_bytes_ < detail::wire::header_payload || !packet.header.is_valid() ||
+      packet.header.levels == 6) {
     damage();
     return false;
   }

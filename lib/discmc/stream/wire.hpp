@@ -39,9 +39,10 @@ constexpr bool is_of_slices(uint8_t kind) {
 }
 /// A payload with which a key slice begins starts with the number of the slice. A payload that is
 /// cut ends with the number of rows before, modulo 2^32, and the number of voxels left in the row.
-/// Units: bytes.
+/// A cut in fractions is like one in voxels: see FractionCode::part(). Units: bytes.
 constexpr int key_slice_head = 4;
 constexpr int cut_tail = 4 + 2;
+constexpr uint32_t row_part = uint32_t{1} << 24;
 
 // A packet before stuffing, in bytes:
 //
@@ -123,7 +124,8 @@ class ByteReader {
 /// Bits of the header's flags.
 struct HeaderFlags {
   static constexpr uint8_t open_border = 1;
-  static constexpr uint8_t slices = 2;  ///< the packets contain slices, not regions
+  static constexpr uint8_t slices = 2;   ///< the packets contain slices, not regions
+  static constexpr uint8_t levels = 12;  ///< twice the levels of their fractions: 0, 4 or 8
 };
 
 /// An application record: kind, slice, row, and its bytes.

@@ -50,6 +50,8 @@ void for_each_number(const Event& event, Add add) {
                      event.start.z);
     case Event::Kind::skipped:
       return add_all(event.slice, event.row, event.repeated);
+    case Event::Kind::fractions:
+      return add_all(event.slice, event.row);
     case Event::Kind::layer:
       return add_all(event.slice);
     case Event::Kind::finish:
@@ -59,7 +61,6 @@ void for_each_number(const Event& event, Add add) {
     case Event::Kind::region_end:
     case Event::Kind::fragment_end:
     case Event::Kind::lost:
-    case Event::Kind::fractions:
       return;
   }
 }

@@ -3,10 +3,11 @@
 #define DISCMC_TESTS_SLICE_STREAM_HPP
 
 #include <cstring>
+#include <discmc/fraction_slice_encoder.hpp>
 #include <discmc/slice_decoder.hpp>
-#include <discmc/slice_encoder.hpp>
 #include <utility>
 
+#include "fractions.hpp"
 #include "slice_config.hpp"
 #include "stream.hpp"
 
@@ -20,10 +21,11 @@ struct SlicePlan {
   uint32_t flush_every = 0;    ///< rows between flushes; 0 never
   bool fails = false;          ///< the power, after each flush and before the end
   uint8_t surface_count = 1;   ///< all the same
+  uint8_t levels = 0;          ///< of the fractions of samples_with() the volume
 };
 
-inline void push_rows(SliceEncoder& encoder, const uint8_t* samples, uint32_t count,
-                      uint32_t portion) {
+template <class AnyEncoder, class Sample>
+void push_rows(AnyEncoder& encoder, const Sample* samples, uint32_t count, uint32_t portion) {
   for (uint32_t at = 0; at < count;) {
     const uint32_t left = count - at;
     const PushResult result = encoder.push(samples + at, left < portion ? left : portion);
@@ -40,7 +42,8 @@ void until_done(Call call) {
 }
 
 /// The encoder continues from a checkpoint, in other memory of the same size.
-inline void lose_power(SliceEncoder& encoder, reference::Block& memory, Line& line) {
+template <class AnyEncoder>
+void lose_power(AnyEncoder& encoder, reference::Block& memory, Line& line) {
   Memory parts[2];
   until_done([&] {
     (void)encoder.resume();
@@ -53,22 +56,18 @@ inline void lose_power(SliceEncoder& encoder, reference::Block& memory, Line& li
   memory = std::move(later);
 }
 
-inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& plan = {}) {
-  StreamHeader header = header_of(volume);
-  header.surface_count = plan.surface_count;
-  for (int32_t& threshold : header.thresholds) threshold = header.thresholds[0];
-  const Limits limits{volume.width, volume.height};
-  reference::Block block(
-      SliceEncoder::minimum_bytes({limits, {}, plan.key_slice_interval, header.surface_count}));
+template <class AnyEncoder, class Sample>
+Bytes encode_samples(AnyEncoder& encoder, const SliceEncoderConfig& config,
+                     const std::vector<Sample>& samples, const SlicePlan& plan) {
+  reference::Block block(AnyEncoder::minimum_bytes(config));
   Line line(plan.bytes_a_time);
-  SliceEncoder encoder;
-  reference::require_ok(encoder.start(test::slice_config(header, plan.key_slice_interval),
-                                      block.memory(), line.output()));
-  const uint32_t rows = volume.height * volume.depth;
+  reference::require_ok(encoder.start(config, block.memory(), line.output()));
+  const uint32_t width = config.limits.width;
+  const auto rows = static_cast<uint32_t>(samples.size() / width);
   const uint32_t together = plan.flush_every > 0 ? plan.flush_every : rows;
   for (uint32_t row = 0; row < rows; row += together) {
     const uint32_t count = std::min(together, rows - row);
-    push_rows(encoder, &volume.on[size_t{row} * volume.width], count * volume.width, plan.portion);
+    push_rows(encoder, &samples[size_t{row} * width], count * width, plan.portion);
     if (plan.flush_every > 0) until_done([&] { return encoder.flush(); });
     if (plan.fails) lose_power(encoder, block, line);
   }
@@ -76,6 +75,20 @@ inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& 
   if (encoder.bytes() != line.bytes.size()) throw std::runtime_error("bytes() is wrong");
   if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
   return line.bytes;
+}
+
+inline Bytes encode_slices(const reference::BitVolume& volume, const SlicePlan& plan = {}) {
+  StreamHeader header = header_of(volume);
+  header.surface_count = plan.surface_count;
+  for (int32_t& threshold : header.thresholds) threshold = plan.levels == 0 ? 1 : 100;
+  SliceEncoderConfig config = slice_config(header, plan.key_slice_interval);
+  config.levels = plan.levels;
+  if (plan.levels == 0) {
+    SliceEncoder encoder;
+    return encode_samples(encoder, config, volume.on, plan);
+  }
+  FractionSliceEncoder<uint8_t> encoder;
+  return encode_samples(encoder, config, reference::samples_with(volume).at, plan);
 }
 
 /// A stream that reports all its rows as lost.
@@ -94,6 +107,7 @@ inline Bytes lost_slices(const reference::Size& size) {
 struct RecordedRow {
   RowEvent event;
   Bytes bits;
+  std::vector<uint16_t> fractions;  ///< of the event before; none: empty
 
   bool is(RowEvent::Kind kind) const { return event.kind == kind; }
 };
@@ -116,10 +130,19 @@ class RowLog {
     }
     was_refused_ = refuses_ && !was_refused_;
     if (was_refused_) return SinkResult::busy;
+    if (event.kind == RowEvent::Kind::fractions) {
+      if (!fractions_.empty()) throw std::runtime_error("fractions without a row");
+      fractions_.assign(event.fractions, event.fractions + width_);
+      place_ = event;
+      return SinkResult::accepted;
+    }
+    if (!fractions_.empty() && !is_at_place(event))
+      throw std::runtime_error("fractions of another row");
     Bytes bits;
     if (event.kind == RowEvent::Kind::row || event.kind == RowEvent::Kind::skipped)
       for (uint32_t x = 0; x < width_; ++x) bits.push_back(event.bits[x / 8] >> x % 8 & 1);
-    rows.push_back({event, bits});
+    rows.push_back({event, bits, fractions_});
+    fractions_.clear();
     return SinkResult::accepted;
   }
 
@@ -127,9 +150,16 @@ class RowLog {
   std::vector<StreamHeader> starts;
 
  private:
+  bool is_at_place(const RowEvent& event) const {
+    return event.kind == RowEvent::Kind::row && event.slice == place_.slice &&
+           event.row == place_.row && event.channel == place_.channel;
+  }
+
   bool refuses_;
   bool was_refused_ = false;
   uint32_t width_ = 0;
+  std::vector<uint16_t> fractions_;  // of the row that comes next
+  RowEvent place_{};
 };
 
 /// Pushes all bytes of a stream in portions (0: all at once), and ends the stream. Returns the
@@ -164,8 +194,9 @@ size_t push_until_done(Decoding& decoder, const Bytes& bytes) {
 /// Decodes in portions (0: all at once). Limit: the slices have the given size; larger slices
 /// return too_little_memory.
 inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& size, size_t chunk = 0,
-                                  bool refuses = false, uint32_t surfaces = 1) {
-  reference::Block block(SliceDecoder::minimum_bytes({size.width, size.height}, surfaces));
+                                  bool refuses = false, uint32_t surfaces = 1,
+                                  uint32_t levels = 0) {
+  reference::Block block(SliceDecoder::minimum_bytes({size.width, size.height}, surfaces, levels));
   RowLog log(refuses);
   log.set_width(size.width);
   SliceDecoder decoder;
@@ -173,6 +204,31 @@ inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& siz
   const Status status = push_stream(decoder, bytes, chunk);
   if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
   return {log.rows, decoder.report(), status};
+}
+
+/// Whether the rows of the first surface have the fractions of these samples. Edges to a row that
+/// was skipped have none, nor have edges to the slice before a loss.
+template <class Sample>
+bool have_fractions(const std::vector<RecordedRow>& rows,
+                    const reference::SampleVolume<Sample>& volume, int32_t threshold,
+                    uint32_t levels, uint8_t channel = 0) {
+  std::vector<bool> has_arrived(size_t{volume.size.height} * volume.size.depth);
+  for (const RecordedRow& row : rows) {
+    if (row.is(RowEvent::Kind::lost)) has_arrived.assign(has_arrived.size(), false);
+    if (!row.is(RowEvent::Kind::row) || row.event.channel != channel) continue;
+    const uint32_t y = row.event.row, z = row.event.slice;
+    const size_t at = size_t{z} * volume.size.height + y;
+    has_arrived[at] = true;
+    std::vector<uint16_t> expected = reference::fractions_of_row(volume, threshold, levels, y, z);
+    bool is_any = false;
+    for (uint16_t& entry : expected) {
+      if (y > 0 && !has_arrived[at - 1]) entry &= 0707;
+      if (z > 0 && !has_arrived[at - volume.size.height]) entry &= 0077;
+      is_any = is_any || entry != 0;
+    }
+    if (is_any ? row.fractions != expected : !row.fractions.empty()) return false;
+  }
+  return true;
 }
 
 }  // namespace discmc::test

@@ -92,7 +92,8 @@ void check_info(const discmc_receiver_info& in_c, const StreamHeader& header,
 void compare(const Bytes& stream, uint32_t surfaces, uint8_t channel) {
   const uint64_t spare = 1000;
   EventLog log(refuses_first), expected;
-  ReceiverInC receiver(c_sink_to(log), discmc_receiver_bytes(&limits, surfaces) + spare, channel);
+  ReceiverInC receiver(c_sink_to(log), discmc_receiver_bytes(&limits, surfaces, 0) + spare,
+                       channel);
   REQUIRE(receiver.push(stream, 7) == DISCMC_OK);
   CHECK(receiver.memory.is_intact());
 
@@ -123,12 +124,12 @@ TEST_CASE("a receiver in C delivers the events of a C++ Receiver for both kinds 
 TEST_CASE("a receiver in C accepts memory for slices late and needs none for polygons") {
   const Bytes stream = encoded_slices(1);
   EventLog log, expected;
-  ReceiverInC receiver(c_sink_to(log), discmc_receiver_bytes(nullptr, 0));
+  ReceiverInC receiver(c_sink_to(log), discmc_receiver_bytes(nullptr, 0, 0));
   discmc_push_result result = discmc_receiver_push(receiver.receiver, stream.data(), stream.size());
   REQUIRE(result.status == DISCMC_TOO_LITTLE_MEMORY);
   const discmc_receiver_info info = discmc_receiver_get_info(receiver.receiver);
   const discmc_limits found = {info.header.width, info.header.height, info.header.border};
-  Block memory(discmc_receiver_bytes(&found, info.header.surface_count));
+  Block memory(discmc_receiver_bytes(&found, info.header.surface_count, info.header.levels));
   const discmc_memory given = {memory.memory().data, memory.memory().bytes};
   CHECK(discmc_receiver_give_memory(receiver.receiver, {given.data, 100}) ==
         DISCMC_TOO_LITTLE_MEMORY);
@@ -140,14 +141,14 @@ TEST_CASE("a receiver in C accepts memory for slices late and needs none for pol
   CHECK(memory.is_intact());
   CHECK(discmc_receiver_get_info(receiver.receiver).is_complete == 1);
 
-  ReceiverInC bare(c_sink_to(expected), discmc_receiver_bytes(nullptr, 0));
+  ReceiverInC bare(c_sink_to(expected), discmc_receiver_bytes(nullptr, 0, 0));
   CHECK(bare.push(polygons(), 1000) == DISCMC_OK);
   CHECK(discmc_receiver_get_info(bare.receiver).is_complete == 1);
 }
 
 TEST_CASE("errors of receivers in C") {
   EventLog log;
-  Block memory(discmc_receiver_bytes(nullptr, 0));
+  Block memory(discmc_receiver_bytes(nullptr, 0, 0));
   discmc_receiver_config config = {0, {memory.memory().data, memory.memory().bytes}, {}};
   discmc_receiver* receiver = nullptr;
   CHECK(discmc_receiver_start(&receiver, &config) == DISCMC_BAD_SINK);
@@ -155,12 +156,12 @@ TEST_CASE("errors of receivers in C") {
   --config.memory.bytes;
   CHECK(discmc_receiver_start(&receiver, &config) == DISCMC_TOO_LITTLE_MEMORY);
   CHECK(receiver == nullptr);
-  ReceiverInC later(c_sink_to(log), discmc_receiver_bytes(nullptr, 0));
+  ReceiverInC later(c_sink_to(log), discmc_receiver_bytes(nullptr, 0, 0));
   CHECK(later.push(test::with_version(77, polygons()), 1000) == DISCMC_WRONG_VERSION);
   const auto refuse = [](void*, const discmc_event*) {
     return static_cast<discmc_sink_result>(DISCMC_SINK_NOT_STARTED);
   };
-  ReceiverInC refused({nullptr, refuse}, discmc_receiver_bytes(nullptr, 0));
+  ReceiverInC refused({nullptr, refuse}, discmc_receiver_bytes(nullptr, 0, 0));
   CHECK(refused.push(polygons(), 1000) == DISCMC_BAD_SINK);
 }
 
@@ -172,7 +173,7 @@ TEST_CASE("a joiner behind a receiver in C delivers the events of a Joiner") {
         DISCMC_SWEEP_ORDER, {memory.memory().data, memory.memory().bytes}, c_sink_to(log)};
     discmc_joiner* joiner = nullptr;
     REQUIRE(discmc_joiner_start(&joiner, &config) == DISCMC_OK);
-    ReceiverInC receiver({joiner, discmc_joiner_accept}, discmc_receiver_bytes(nullptr, 0));
+    ReceiverInC receiver({joiner, discmc_joiner_accept}, discmc_receiver_bytes(nullptr, 0, 0));
     REQUIRE(receiver.push(polygons(), 1000) == DISCMC_OK);
     const discmc_status status =
         completed(DISCMC_SUSPENDED, [&] { return discmc_joiner_finish(joiner); });

@@ -2,7 +2,7 @@
 #include <discmc/discmc.h>
 #include <doctest/doctest.h>
 
-#include <discmc/slice_encoder.hpp>
+#include <discmc/fraction_slice_encoder.hpp>
 #include <vector>
 
 #include "oracle/c_events.hpp"
@@ -28,8 +28,9 @@ std::vector<Sample> make_samples() {
 }
 
 struct Scan {
-  Scan(const discmc_slice_kind& kind, Line& line, uint64_t bytes) : memory(bytes) {
+  Scan(const discmc_slice_kind& kind, uint8_t levels, Line& line, uint64_t bytes) : memory(bytes) {
     config.kind = &kind;
+    config.levels = levels;
     config.limits = {width, height, DISCMC_OPEN};
     config.surface_count = surfaces;
     std::copy_n(thresholds, DISCMC_MAX_SURFACES, config.thresholds);
@@ -39,9 +40,12 @@ struct Scan {
     const ByteOutput output = line.output();
     config.output = {output.context, output.write, output.unsent, output.max_frame};
   }
-  Scan(const discmc_slice_kind& kind, Line& line) : Scan(kind, line, min_bytes()) {}
-  static uint64_t min_bytes() {
+  Scan(const discmc_slice_kind& kind, uint8_t levels, Line& line)
+      : Scan(kind, levels, line, min_bytes(kind, levels)) {}
+  static uint64_t min_bytes(const discmc_slice_kind& kind, uint8_t levels) {
     discmc_slice_encoder_config config{};
+    config.kind = &kind;
+    config.levels = levels;
     config.limits = {width, height, DISCMC_OPEN};
     config.surface_count = surfaces;
     config.key_slice_interval = 4;
@@ -73,8 +77,8 @@ struct Scan {
 
 constexpr uint8_t record_bytes[] = {1, 2, 3};
 
-template <class Sample>
-test::Bytes stream_of_cpp() {
+template <class Encoder, class Sample>
+test::Bytes stream_of_cpp(uint8_t levels) {
   StreamHeader header{width,
                       height,
                       depth,
@@ -85,11 +89,12 @@ test::Bytes stream_of_cpp() {
                       300,
                       surfaces};
   const auto samples = make_samples<Sample>();
-  std::vector<uint8_t> memory(SliceEncoder::minimum_bytes({{width, height}, {}, 4, surfaces}));
+  SliceEncoderConfig config = test::slice_config(header, 4);
+  config.levels = levels;
+  std::vector<uint8_t> memory(Encoder::minimum_bytes(config));
   Line line;
-  SliceEncoder encoder;
-  require_ok(
-      encoder.start(test::slice_config(header, 4), {memory.data(), memory.size()}, line.output()));
+  Encoder encoder;
+  require_ok(encoder.start(config, {memory.data(), memory.size()}, line.output()));
   for (uint32_t row = 0; row < height * depth; ++row) {
     if (row == saved_row) {
       require_ok(encoder.write_record({9, 0, 0, record_bytes, sizeof record_bytes}));
@@ -102,10 +107,11 @@ test::Bytes stream_of_cpp() {
   return line.bytes;
 }
 
-template <class Sample, class Row = Sample>
-void compare(const discmc_slice_kind& kind, discmc_sample_type type, const std::vector<Row>& rows) {
+template <class Sample, class Encoder = SliceEncoder, class Row = Sample>
+void compare(const discmc_slice_kind& kind, discmc_sample_type type, const std::vector<Row>& rows,
+             uint8_t levels = 0) {
   Line line(7), other_line(7);
-  Scan scan(kind, line);
+  Scan scan(kind, levels, line);
   scan.start();
   scan.push_rows(type, rows, 0, saved_row);
   const discmc_application_record record = {9, 0, 0, record_bytes, sizeof record_bytes};
@@ -118,7 +124,7 @@ void compare(const discmc_slice_kind& kind, discmc_sample_type type, const std::
   discmc_memory part;
   REQUIRE(discmc_slice_encoder_save(scan.encoder, &part) == DISCMC_OK);
   CHECK(part.data == scan.config.memory.data);
-  Scan later(kind, other_line);
+  Scan later(kind, levels, other_line);
   CHECK(discmc_slice_encoder_restore(&later.encoder, &later.config) == DISCMC_BAD_CHECKPOINT);
   std::copy_n(static_cast<uint8_t*>(part.data), part.bytes,
               static_cast<uint8_t*>(later.config.memory.data));
@@ -137,7 +143,7 @@ void compare(const discmc_slice_kind& kind, discmc_sample_type type, const std::
   info = discmc_slice_encoder_get_info(later.encoder);
   CHECK(info.stream_bytes == line.bytes.size());
   CHECK(info.slices == depth);
-  CHECK(line.bytes == stream_of_cpp<Sample>());
+  CHECK(line.bytes == stream_of_cpp<Encoder, Sample>(levels));
 }
 
 // A row of each surface, one behind the other.
@@ -161,9 +167,27 @@ TEST_CASE("slice encoders of every kind write the same bytes as in C++") {
   compare<uint8_t>(discmc_slices_bits, DISCMC_BITS, bits_of(make_samples<uint8_t>()));
 }
 
+TEST_CASE("slice encoders with fractions write the same bytes as in C++") {
+  for (const uint8_t levels : {2, 4}) {
+    compare<uint8_t, FractionSliceEncoder<uint8_t>>(discmc_fraction_slices_u8, DISCMC_U8,
+                                                    make_samples<uint8_t>(), levels);
+    compare<uint16_t, FractionSliceEncoder<uint16_t>>(discmc_fraction_slices_u16, DISCMC_U16,
+                                                      make_samples<uint16_t>(), levels);
+    compare<int16_t, FractionSliceEncoder<int16_t>>(discmc_fraction_slices_i16, DISCMC_I16,
+                                                    make_samples<int16_t>(), levels);
+  }
+}
+
+TEST_CASE("a slice encoder in C accepts 2 or 4 levels") {
+  CHECK(Scan::min_bytes(discmc_fraction_slices_u8, 3) == 0);
+  Line line;
+  Scan scan(discmc_fraction_slices_u8, 3, line, 10000);
+  CHECK(discmc_slice_encoder_start(&scan.encoder, &scan.config) == DISCMC_BAD_LABEL);
+}
+
 TEST_CASE("a slice encoder in C drops its stream and is abandoned as in C++") {
   Line line, cpp_line;
-  Scan scan(discmc_slices_u8, line);
+  Scan scan(discmc_slices_u8, 0, line);
   scan.config.surface_count = 1;
   scan.start();
   SliceEncoder encoder;
@@ -193,7 +217,7 @@ TEST_CASE("a slice encoder in C drops its stream and is abandoned as in C++") {
 
 TEST_CASE("a suspended slice encoder is not saved") {
   Line line;
-  Scan scan(discmc_slices_u8, line);
+  Scan scan(discmc_slices_u8, 0, line);
   scan.config.output.write = [](void*, const uint8_t*, size_t) { return size_t{0}; };
   scan.start();
   const auto samples = make_samples<uint8_t>();
@@ -208,7 +232,7 @@ TEST_CASE("a suspended slice encoder is not saved") {
 
 TEST_CASE("errors of slice encoders in C") {
   Line line;
-  Scan scan(discmc_slices_u8, line);
+  Scan scan(discmc_slices_u8, 0, line);
   const discmc_slice_encoder_config good = scan.config;
   const auto status_of = [&](auto change) {
     scan.config = good;
@@ -238,7 +262,7 @@ TEST_CASE("errors of slice encoders in C") {
   CHECK(discmc_slice_encoder_push(scan.encoder, DISCMC_U8, samples, 1, 1).status ==
         DISCMC_FINISHED);
 
-  Scan bits(discmc_slices_bits, line);
+  Scan bits(discmc_slices_bits, 0, line);
   bits.start();
   CHECK(discmc_slice_encoder_push(bits.encoder, DISCMC_BITS, samples, 1, 1).status ==
         DISCMC_BAD_SAMPLES);

@@ -1,0 +1,262 @@
+// Codes or reads the fractions of a row after its voxels. They are in the order of x; those of one
+// voxel are along x, y and z.
+//
+// A receiver that lacks the slice before a key slice cannot find the edges along z that cross into
+// it. So the fractions of these edges come last, after their number, and no other fraction depends
+// on them.
+#ifndef DISCMC_SLICES_FRACTION_CODE_HPP
+#define DISCMC_SLICES_FRACTION_CODE_HPP
+
+#include <discmc/slices/fractions.hpp>
+
+namespace discmc::detail::slices {
+
+/// The position in the fractions of a row. A coder is one of row_coders.hpp. The writer finds the
+/// fractions in the entries of the row; the reader leaves them there.
+class FractionCode {
+ public:
+  /// Whether the row is in a key slice that has a slice before it, and whether that slice is known.
+  enum class KeyEdges : uint8_t { none, known, unknown };
+
+  /// Limit: before reading, the entries of the row are 0.
+  void begin(const FractionRow& row, FractionModel& model, KeyEdges key_edges) {
+    row_ = row;
+    model_ = &model;
+    part_ = Part::edges;
+    left_ = 0;
+    last_ = 0;
+    has_key_edges_ = key_edges != KeyEdges::none;
+    knows_key_edges_ = key_edges == KeyEdges::known;
+    row_.crosses[2] = row.crosses[2] && !has_key_edges_;
+    key_crosses_ = row.crosses[2] && knows_key_edges_;
+    is_any_ = false;
+    begin_pass();
+  }
+  /// For a row that was skipped.
+  void end() {
+    part_ = Part::done;
+    left_ = 0;
+    is_any_ = false;
+  }
+  bool is_done() const { return part_ == Part::done; }
+  /// Whether the row has a fraction. Limit: it was begun, and is_done().
+  bool is_any() const { return is_any_; }
+  /// Where the next step begins: the part of the row, and what is left of it, as in a cut.
+  uint32_t part() const {
+    const auto part = static_cast<uint32_t>(part_);
+    return detail::wire::row_part * (part_ == Part::edges ? part + axis() : part);
+  }
+  uint32_t left() const { return part_ == Part::edges ? row_.width - voxel() : left_; }
+
+  /// Codes the next fraction, or the number of those that come last. False if the bits that were
+  /// read are from no encoder. Limit: not is_done(). Cost: 1 or 2 decisions; for a number, up to
+  /// 16 and 15 even bits.
+  template <class Coder>
+  bool step(Coder& coder) {
+    if (part_ == Part::count) return code_count(coder);
+    if (part_ == Part::edges)
+      code_edge(coder, axis());
+    else
+      code_key_edge(coder);
+    return true;
+  }
+
+ private:
+  // As in a cut.
+  enum class Part : uint8_t { done = 0, edges = 1, count = 4, key_edges = 5 };
+  static constexpr uint32_t eighths = 7;  // the bits of a fraction in an entry
+  static constexpr int32_t none = INT32_MIN;
+
+  // The mean of fractions in thirds of the edge, or none.
+  struct Mean {
+    uint32_t sum = 0;
+    uint32_t count = 0;
+    void add(uint32_t fraction) {
+      sum += fraction;
+      if (fraction != 0) ++count;
+    }
+    void add_reversed(uint32_t fraction) {
+      if (fraction != 0) add(8 - fraction);
+    }
+    uint32_t third() const {
+      if (count == 0) return 0;
+      return 1U + (3 * sum >= 8 * count ? 1U : 0U) + (3 * sum >= 16 * count ? 1U : 0U);
+    }
+  };
+
+  uint32_t words() const { return detail::trace::row_words(row_.width); }
+  void begin_pass() {
+    word_ = 0;
+    load();
+    seek();
+  }
+  void load() {
+    for (uint32_t axis = 0; axis < 3; ++axis) crossing_[axis] = row_.crossing(word_, axis);
+  }
+  // Finds the next edge, from the present word on.
+  void seek() {
+    while ((crossing_[0] | crossing_[1] | crossing_[2]) == 0) {
+      if (++word_ == words()) {
+        part_ = Part::done;
+        if (has_key_edges_) begin_key_edges();
+        return;
+      }
+      load();
+    }
+    bit_ = trailing_zeros(crossing_[0] | crossing_[1] | crossing_[2]);
+  }
+  // Turns to the edges along z. In a row that is not known to have one, none is found.
+  void begin_key_edges() {
+    part_ = Part::count;
+    has_key_edges_ = false;
+    row_.crosses[0] = row_.crosses[1] = false;
+    row_.crosses[2] = key_crosses_;
+    known_ = 0;
+    for (word_ = 0; word_ < words(); ++word_)
+      for (uint32_t bits = row_.crossing(word_, 2); bits != 0; bits &= bits - 1) ++known_;
+  }
+  void pass(uint32_t axis) {
+    crossing_[axis] &= crossing_[axis] - 1;
+    seek();
+  }
+  uint32_t voxel() const { return word_ * detail::trace::columns_per_word + bit_ - 2; }
+  uint32_t axis() const {
+    return (crossing_[0] >> bit_ & 1) != 0 ? 0 : (crossing_[1] >> bit_ & 1) != 0 ? 1 : 2;
+  }
+
+  template <class Coder>
+  uint32_t code_fraction(Coder& coder, uint32_t context, uint32_t fraction) {
+    LearntProbability* const tree = model_->tree(context);
+    const bool is_high = coder.code_bit(tree[0], fraction >= 4);
+    if (model_->levels() == 2) return is_high ? 6 : 2;
+    const bool low = coder.code_bit(tree[is_high ? 2 : 1], (fraction & 2) != 0);
+    return (is_high ? 4U : 0U) + (low ? 2U : 0U) + 1;
+  }
+
+  // Codes a fraction as seen from the end of the edge that is off.
+  template <class Coder>
+  void code_edge(Coder& coder, uint32_t axis) {
+    const bool is_on = (row_.here[word_] >> bit_ & 1) != 0;
+    uint16_t& entry = row_.now[voxel()];
+    const uint32_t place = 3 * axis;
+    const uint32_t known = entry >> place & eighths;
+    const uint32_t written = is_on ? known : 8 - known;
+    const uint32_t read = code_fraction(coder, context_of(axis, is_on), written);
+    entry =
+        static_cast<uint16_t>((entry & ~(eighths << place)) | (is_on ? read : 8 - read) << place);
+    is_any_ = true;
+    pass(axis);
+  }
+
+  // The fraction along z of an entry that is a context.
+  uint32_t along_z(uint32_t entry) const { return has_key_edges_ ? 0 : entry >> 6; }
+
+  // The place of the surface on a line beside the edge. Units: eighths from the lower end; or none.
+  // lower, upper: whether these voxels equal the voxel at the upper end of the edge.
+  static int32_t beside(uint32_t lower, uint32_t upper, uint32_t fraction) {
+    if (lower == upper) return lower != 0 ? -4 : 12;
+    return upper != 0 && fraction != 0 ? static_cast<int32_t>(fraction) : none;
+  }
+
+  uint32_t context_of(uint32_t axis, bool is_on) const {
+    // Three voxels of each row from x - 1 on: a bit is set if the voxel equals this one.
+    const auto alike = [this, is_on](const uint32_t* row) {
+      const uint32_t three = row[word_] >> (bit_ - 1) & 7;
+      return is_on ? three : three ^ 7;
+    };
+    const uint32_t x = voxel();
+    const uint32_t here = row_.now[x], left = row_.now[static_cast<int32_t>(x) - 1];
+    const uint32_t behind = row_.before[x];
+    const uint32_t upper = alike(row_.here);
+    const uint32_t lower = alike(axis == 2 ? row_.below : row_.behind);
+    int32_t line;
+    Mean at_lower, at_upper;
+    if (axis == 0) {
+      line = beside(lower & 1, lower >> 1 & 1, behind & eighths);
+      at_lower.add_reversed(left >> 3 & eighths);
+      at_lower.add_reversed(along_z(left));
+    } else {
+      line = beside(lower & 1, upper & 1, axis == 1 ? left >> 3 & eighths : along_z(left));
+      at_upper.add_reversed(here & eighths);
+      if (axis == 1) {
+        at_lower.add_reversed(behind & eighths);
+        at_lower.add_reversed(along_z(behind));
+        at_lower.add(row_.before[x + 1] & eighths);
+      } else {
+        at_upper.add_reversed(here >> 3 & eighths);
+        const int32_t other =
+            beside(alike(row_.below_behind) >> 1 & 1, alike(row_.behind) >> 1 & 1, along_z(behind));
+        line = line == none ? other : other == none ? line : (line + other) >> 1;
+      }
+    }
+    // The line at x + 1, by its voxels alone.
+    uint32_t forward = 0;
+    if (axis > 0) {
+      const uint32_t ends = (lower >> 2) + 2 * (upper >> 2);
+      forward = ends == 3 ? 1 : ends == 2 ? 2 : ends == 0 ? 3 : 0;
+    }
+    if (!is_on) {
+      if (line != none) line = 8 - line;
+      if (forward % 2 != 0) forward = 4 - forward;
+    }
+    uint32_t lines = 0;
+    if (line != none) {
+      const auto part = static_cast<uint32_t>(3 * (line + 4)) >> 3;
+      lines = part < 5 ? 1 + part : 6;
+    }
+    const uint32_t off_end = (is_on ? at_lower : at_upper).third();
+    const uint32_t on_end = (is_on ? at_upper : at_lower).third();
+    using namespace fraction_context;
+    return ((lines * off_ends + off_end) * on_ends + on_end) * forwards + forward;
+  }
+
+  // Codes a one or the zero of the width of the number, and after the zero its bits below the
+  // highest.
+  template <class Coder>
+  bool code_count(Coder& coder) {
+    const uint32_t known_width = bit_width(known_);
+    if (coder.code_bit(model_->width(left_), left_ < known_width))
+      return ++left_ < fraction_context::count_widths;
+    if (left_ > 0) {
+      const uint32_t top = uint32_t{1} << (left_ - 1);
+      left_ = top | coder.number(left_ - 1, known_ & (top - 1));
+    }
+    if (left_ > row_.width || (knows_key_edges_ && left_ != known_)) return false;
+    part_ = left_ > 0 ? Part::key_edges : Part::done;
+    if (left_ > 0 && knows_key_edges_) begin_pass();
+    return true;
+  }
+
+  template <class Coder>
+  void code_key_edge(Coder& coder) {
+    const uint32_t context = fraction_context::key_edge + (last_ + 1) / 2;
+    if (knows_key_edges_) {
+      uint16_t& entry = row_.now[voxel()];
+      last_ = code_fraction(coder, context, entry >> 6);
+      is_any_ = true;
+      entry = static_cast<uint16_t>((entry & 0x3F) | last_ << 6);
+      pass(2);
+    } else {
+      last_ = code_fraction(coder, context, 0);
+    }
+    if (--left_ == 0) part_ = Part::done;
+  }
+
+  FractionRow row_;
+  FractionModel* model_ = nullptr;
+  uint32_t crossing_[3] = {};  // of the word, those that are not coded yet
+  uint32_t word_ = 0;
+  uint32_t bit_ = 0;    // of the next edge
+  uint32_t left_ = 0;   // edges along z into a key slice; before their number, its ones so far
+  uint32_t known_ = 0;  // their number
+  uint32_t last_ = 0;   // the fraction of the one before
+  Part part_ = Part::done;
+  bool has_key_edges_ = false;
+  bool knows_key_edges_ = false;
+  bool key_crosses_ = false;
+  bool is_any_ = false;
+};
+
+}  // namespace discmc::detail::slices
+
+#endif

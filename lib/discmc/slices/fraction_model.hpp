@@ -1,0 +1,58 @@
+// The learnt model of fractions: in which part of its edge the surface crosses.
+// A fraction is a decision per bit, the higher first. Each context has a tree of them. For 2 levels
+// it is the higher bit alone; for 4 also the lower bit, after a 0 and after a 1.
+#ifndef DISCMC_SLICES_FRACTION_MODEL_HPP
+#define DISCMC_SLICES_FRACTION_MODEL_HPP
+
+#include <discmc/arena.hpp>
+#include <discmc/stream/range_coder.hpp>
+
+namespace discmc::detail::slices {
+
+namespace fraction_context {
+
+// The trees of edges: see FractionCode::context_of().
+constexpr uint32_t lines = 7, off_ends = 4, on_ends = 4, forwards = 4;
+constexpr uint32_t edges = lines * off_ends * on_ends * forwards;
+// The trees of edges along z into a key slice, by the fraction before in the row: 0 for none, or up
+// to 7.
+constexpr uint32_t key_edge = edges;
+constexpr uint32_t trees = key_edge + 5;
+// The bit width of the number of these edges in a row, as that many ones and a zero.
+constexpr uint32_t count_widths = 16;
+
+}  // namespace fraction_context
+
+class FractionModel {
+ public:
+  /// Limit: levels is 2 or 4.
+  static constexpr uint32_t count(uint32_t levels) {
+    return fraction_context::count_widths + fraction_context::trees * (levels - 1);
+  }
+  static constexpr uint64_t bytes_for(uint32_t levels) {
+    return Arena::bytes_of(count(levels), sizeof(LearntProbability));
+  }
+  /// Allocates bytes_for() in the arena, and writes nothing.
+  void start(Arena& arena, uint32_t levels) {
+    levels_ = levels;
+    of_ = arena.allocate<LearntProbability>(count(levels));
+  }
+  /// Resets all: both values of each bit are equally likely.
+  void begin() {
+    for (uint32_t i = 0; i < count(levels_); ++i) of_[i] = LearntProbability(0x8000);
+  }
+
+  uint32_t levels() const { return levels_; }
+  LearntProbability& width(uint32_t ones) { return of_[ones]; }
+  LearntProbability* tree(uint32_t context) {
+    return of_ + fraction_context::count_widths + context * (levels_ - 1);
+  }
+
+ private:
+  LearntProbability* of_ = nullptr;
+  uint32_t levels_ = 0;
+};
+
+}  // namespace discmc::detail::slices
+
+#endif

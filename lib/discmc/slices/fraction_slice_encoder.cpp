@@ -1,0 +1,119 @@
+#include <discmc/fraction_slice_encoder.hpp>
+
+namespace discmc {
+
+using detail::slices::FractionCode;
+using detail::slices::FractionRow;
+using detail::slices::RowNote;
+
+template <class Sample>
+Status FractionSliceEncoder<Sample>::start(const SliceEncoderConfig& config, Memory memory,
+                                           const ByteOutput& output) {
+  if (config.levels != 2 && config.levels != 4) return Status::bad_label;
+  if (config.limits.is_valid() && memory.bytes < minimum_bytes(config))
+    return Status::too_little_memory;
+  fraction_flags_ = static_cast<uint8_t>(2 * config.levels);
+  fraction_object_bytes_ = sizeof(FractionSliceEncoder) - sizeof(SliceEncoder);
+  fraction_memory_bytes_ =
+      static_cast<uint32_t>(fraction_bytes(config.limits, config.surface_count, config.levels));
+  is_begun_ = false;
+  const Status status = SliceEncoder::start(config, memory, output);
+  if (status != Status::ok) return status;
+  packets_.header().levels = config.levels;
+  lay_out_fractions();
+  fractions_.clear();
+  return status;
+}
+
+// The memory behind that of the SliceEncoder.
+template <class Sample>
+void FractionSliceEncoder<Sample>::lay_out_fractions() {
+  const StreamHeader& header = packets_.header();
+  const size_t own_bytes = bytes_used() - fraction_memory_bytes_;
+  Arena arena({static_cast<uint8_t*>(memory_) + own_bytes, fraction_memory_bytes_});
+  fractions_.start(arena, header);
+  samples_ = arena.allocate<Sample>(header.width);
+  for (uint32_t surface = 0; surface < header.surface_count; ++surface)
+    distances_[surface] = arena.allocate<uint8_t>(Intake::distance_bytes(header.width) * header.height);
+  code_fractions_ = [](SliceEncoder& encoder) {
+    return static_cast<FractionSliceEncoder&>(encoder).code_row();
+  };
+}
+
+template <class Sample>
+Status FractionSliceEncoder<Sample>::restore(Memory memory, const ByteOutput& output) {
+  const Status status = restore_object(sizeof *this, memory, output);
+  if (status == Status::ok) lay_out_fractions();
+  return status;
+}
+
+template <class Sample>
+PushResult FractionSliceEncoder<Sample>::push(const Sample* samples, uint32_t count,
+                                              uint32_t stride) {
+  return push_parts(samples, count, stride, [this, stride](const Sample* part, uint32_t taken) {
+    const uint32_t first = column();
+    append(part, taken, stride);
+    take(part, first, taken, stride);
+  });
+}
+
+// Finds the fractions of the samples that were appended from this column on.
+template <class Sample>
+void FractionSliceEncoder<Sample>::take(const Sample* samples, uint32_t first, uint32_t count,
+                                        uint32_t stride) {
+  const StreamHeader& header = packets_.header();
+  for (uint32_t surface = 0; surface < surfaces_.count(); ++surface) {
+    if (first == 0) fractions_.begin_row(surface);
+    const FractionRow row = around(surface);
+    uint8_t* const distances = distances_[surface] + Intake::distance_bytes(header.width) * rows();
+    Intake(row, header.thresholds[surface], header.levels, samples_, distances)
+        .take(samples, first, count, stride);
+  }
+  for (Sample* to = samples_ + first; count > 0; --count, samples += stride) *to++ = *samples;
+}
+
+// Codes the fractions of a row of one surface. False if the output is busy.
+template <class Sample>
+bool FractionSliceEncoder<Sample>::code_row() {
+  if (!is_begun_) begin_code();
+  while (!code_.is_done()) {
+    if (!make_room_for_fraction()) return false;
+    code_.step(coder_);
+  }
+  is_begun_ = false;
+  if (surface_ + 1U == surfaces_.count()) fractions_.next_row(rows(), note_ == RowNote::none);
+  return true;
+}
+
+// Meanwhile a cut is at this place of the row.
+template <class Sample>
+bool FractionSliceEncoder<Sample>::make_room_for_fraction() {
+  const uint32_t part = code_.part();
+  encoded_rows_ += part;
+  row_.set_left(code_.left());
+  const bool has_room = make_room();
+  row_.set_left(0);
+  encoded_rows_ -= part;
+  return has_room;
+}
+
+template <class Sample>
+void FractionSliceEncoder<Sample>::begin_code() {
+  is_begun_ = true;
+  const bool is_key = surfaces_.is_in_key_slice();
+  if (is_key && rows() == 0 && surface_ == 0) fractions_.begin_models();
+  if (note_ != RowNote::none) {
+    fractions_.begin_row(surface_);
+    code_.end();
+    return;
+  }
+  using KeyEdges = FractionCode::KeyEdges;
+  code_.begin(around(surface_), fractions_.model(surface_),
+              is_key && slices() > 0 ? KeyEdges::known : KeyEdges::none);
+}
+
+template class FractionSliceEncoder<uint8_t>;
+template class FractionSliceEncoder<uint16_t>;
+template class FractionSliceEncoder<int16_t>;
+
+}  // namespace discmc

@@ -1,0 +1,318 @@
+// Streams of slices with fractions: what arrives equals the fractions that the samples have by
+// their definition.
+#include <doctest/doctest.h>
+
+#include <discmc/fraction.hpp>
+#include <discmc/receiver.hpp>
+#include <set>
+
+#include "oracle/event_log.hpp"
+#include "oracle/slice_config.hpp"
+#include "oracle/slice_stream.hpp"
+#include "oracle/thinned.hpp"
+
+using namespace discmc;
+using namespace discmc::test;
+using reference::BitVolume;
+using reference::Block;
+using reference::EventLog;
+using reference::Events;
+using reference::RecordedEvent;
+using reference::refuses_first;
+using reference::SampleVolume;
+using reference::Size;
+using Kind = RowEvent::Kind;
+
+namespace {
+
+// A wave with noise around the middle of the range of the samples.
+template <class Sample>
+SampleVolume<Sample> wave(const Size& size, int32_t middle, int32_t height) {
+  SampleVolume<Sample> volume{size, {}};
+  uint32_t noise = 1;
+  for (uint32_t z = 0; z < size.depth; ++z)
+    for (uint32_t y = 0; y < size.height; ++y)
+      for (uint32_t x = 0; x < size.width; ++x) {
+        noise = noise * 1664525 + 1013904223;
+        const auto hill = static_cast<int32_t>((x * y + 3 * x * z + 5 * y * z) % 64) - 32;
+        const auto roughness = static_cast<int32_t>((noise >> 24) % 16) - 8;
+        volume.at.push_back(static_cast<Sample>(middle + height * (hill + roughness) / 40));
+      }
+  return volume;
+}
+
+template <class Sample>
+SliceEncoderConfig config_of(const SampleVolume<Sample>& volume, int32_t threshold,
+                             uint8_t levels) {
+  SliceEncoderConfig config{{volume.size.width, volume.size.height}, {threshold}};
+  config.levels = levels;
+  return config;
+}
+
+template <class Sample>
+void check_all_plans(const SampleVolume<Sample>& volume, int32_t threshold) {
+  for (const uint8_t levels : {2, 4})
+    for (const uint32_t interval : {0, 1, 3})
+      for (const size_t bytes_a_time : {0, 5}) {
+        CAPTURE(levels);
+        CAPTURE(interval);
+        CAPTURE(bytes_a_time);
+        SlicePlan plan{interval};
+        plan.portion = bytes_a_time > 0 ? 7 : 1000000;
+        plan.bytes_a_time = bytes_a_time;
+        plan.flush_every = bytes_a_time > 0 ? 3 : 0;
+        SliceEncoderConfig config = config_of(volume, threshold, levels);
+        config.key_slice_interval = interval;
+        FractionSliceEncoder<Sample> encoder;
+        const Bytes stream = encode_samples(encoder, config, volume.at, plan);
+        const ReceivedRows received =
+            decode_slices(stream, volume.size, bytes_a_time, bytes_a_time > 0, 1, levels);
+        CHECK(received.report.is_complete());
+        CHECK(received.report.rows == volume.size.height * volume.size.depth);
+        CHECK(have_fractions(received.rows, volume, threshold, levels));
+      }
+}
+
+}  // namespace
+
+TEST_CASE("fractions arrive as the samples of any type give them") {
+  for (const Size& size : {Size{67, 9, 5}, Size{30, 4, 3}, Size{1, 1, 4}, Size{1, 7, 2}}) {
+    CAPTURE(size.width);
+    check_all_plans(wave<uint8_t>(size, 100, 90), 100);
+    check_all_plans(wave<uint16_t>(size, 500, 400), 500);
+    check_all_plans(wave<uint16_t>(size, 32768, 30000), 32000);
+    check_all_plans(wave<int16_t>(size, -200, 25000), -300);
+  }
+}
+
+TEST_CASE("samples at the ends of their type have fractions for every threshold") {
+  const Size size{40, 5, 4};
+  SampleVolume<uint16_t> ends = wave<uint16_t>(size, 32768, 1);
+  for (size_t i = 0; i < ends.at.size(); ++i)
+    ends.at[i] = i * 7 % 3 == 0 ? 0 : i * 5 % 2 == 0 ? UINT16_MAX : 1;
+  for (const int32_t threshold : {INT32_MIN, -1, 0, 1, 2, 65535, 65536, INT32_MAX})
+    check_all_plans(ends, threshold);
+}
+
+TEST_CASE("samples that are not consecutive have the same fractions") {
+  const SampleVolume<int16_t> volume = wave<int16_t>({33, 6, 4}, 0, 500);
+  const SliceEncoderConfig config = config_of(volume, 10, 4);
+  std::vector<int16_t> apart(3 * volume.at.size());
+  for (size_t i = 0; i < volume.at.size(); ++i) apart[3 * i] = volume.at[i];
+  Block block(FractionSliceEncoder<int16_t>::minimum_bytes(config));
+  Line line;
+  FractionSliceEncoder<int16_t> encoder;
+  REQUIRE(encoder.start(config, block.memory(), line.output()) == Status::ok);
+  const auto count = static_cast<uint32_t>(volume.at.size());
+  CHECK(encoder.push(apart.data(), count, 3).samples == count);
+  REQUIRE(encoder.finish() == Status::ok);
+  const ReceivedRows received = decode_slices(line.bytes, volume.size, 0, false, 1, 4);
+  CHECK(have_fractions(received.rows, volume, 10, 4));
+}
+
+TEST_CASE("rows that are skipped have no fractions, nor have the edges to them") {
+  const SampleVolume<uint8_t> volume = wave<uint8_t>({35, 7, 9}, 100, 90);
+  for (const uint32_t interval : {0, 2}) {
+    SliceEncoderConfig config = config_of(volume, 100, 4);
+    config.key_slice_interval = interval;
+    Block block(FractionSliceEncoder<uint8_t>::minimum_bytes(config));
+    Line line;
+    FractionSliceEncoder<uint8_t> encoder;
+    REQUIRE(encoder.start(config, block.memory(), line.output()) == Status::ok);
+    for (uint32_t z = 0; z < volume.size.depth; ++z)
+      for (uint32_t y = 0; y < volume.size.height; ++y) {
+        const uint32_t place = (z * volume.size.height + y) % 5;
+        const PushResult result = place == 2   ? encoder.skip_row(Substitute::off)
+                                  : place == 4 ? encoder.skip_row(Substitute::previous_row)
+                                               : encoder.push(volume.row(y, z), volume.size.width);
+        REQUIRE(result.samples == volume.size.width);
+      }
+    REQUIRE(encoder.finish() == Status::ok);
+    const ReceivedRows received = decode_slices(line.bytes, volume.size, 0, true, 1, 4);
+    CHECK(received.report.is_complete());
+    CHECK(have_fractions(received.rows, volume, 100, 4));
+  }
+}
+
+TEST_CASE("every surface of a stream has its fractions") {
+  const SampleVolume<int16_t> volume = wave<int16_t>({50, 8, 6}, 0, 300);
+  SliceEncoderConfig config = config_of(volume, 0, 2);
+  const int32_t thresholds[] = {0, 40, -70, 200};
+  for (int i = 0; i < 4; ++i) config.thresholds[i] = thresholds[i];
+  config.surface_count = 4;
+  config.key_slice_interval = 2;
+  FractionSliceEncoder<int16_t> encoder;
+  const Bytes stream = encode_samples(encoder, config, volume.at, {2, 11, 7});
+  const ReceivedRows received = decode_slices(stream, volume.size, 13, true, 4, 2);
+  CHECK(received.report.is_complete());
+  for (uint8_t channel = 0; channel < 4; ++channel)
+    CHECK(have_fractions(received.rows, volume, thresholds[channel], 2, channel));
+}
+
+TEST_CASE("a checkpoint after any rows continues a stream with fractions with the same bytes") {
+  const SampleVolume<uint16_t> volume = wave<uint16_t>({67, 5, 6}, 500, 300);
+  for (const uint32_t interval : {0, 2}) {
+    SliceEncoderConfig config = config_of(volume, 500, 4);
+    config.key_slice_interval = interval;
+    FractionSliceEncoder<uint16_t> encoder;
+    const Bytes whole = encode_samples(encoder, config, volume.at, {interval});
+    Block block(FractionSliceEncoder<uint16_t>::minimum_bytes(config));
+    Line line;
+    REQUIRE(encoder.start(config, block.memory(), line.output()) == Status::ok);
+    for (uint32_t z = 0; z < volume.size.depth; ++z)
+      for (uint32_t y = 0; y < volume.size.height; ++y) {
+        lose_power(encoder, block, line);
+        push_rows(encoder, volume.row(y, z), volume.size.width, 40);
+      }
+    until_done([&] { return encoder.finish(); });
+    CHECK(line.bytes == whole);
+  }
+}
+
+TEST_CASE("a checkpoint of an encoder with fractions is not one of an encoder without") {
+  const SampleVolume<uint8_t> volume = wave<uint8_t>({20, 5, 1}, 100, 90);
+  const SliceEncoderConfig config = config_of(volume, 100, 2);
+  Block block(FractionSliceEncoder<uint8_t>::minimum_bytes(config));
+  Line line;
+  FractionSliceEncoder<uint8_t> encoder;
+  REQUIRE(encoder.start(config, block.memory(), line.output()) == Status::ok);
+  Memory parts[2];
+  REQUIRE(encoder.save(parts) == Status::ok);
+  CHECK(parts[0].bytes == sizeof encoder);
+  CHECK(parts[1].bytes == FractionSliceEncoder<uint8_t>::minimum_bytes(config));
+  SliceEncoder& without = encoder;
+  CHECK(without.restore(block.memory(), line.output()) == Status::bad_checkpoint);
+}
+
+TEST_CASE("after a lost packet all fractions that arrive are right") {
+  const Size size{40, 6, 30};
+  const BitVolume volume = reference::random(size, 128, 3);
+  for (const uint8_t levels : {2, 4}) {
+    SlicePlan plan{3};
+    plan.levels = levels;
+    const std::vector<Bytes> frames = frames_of(encode_slices(volume, plan));
+    REQUIRE(frames.size() > 10);
+    for (size_t i = 1; i + 1 < frames.size(); ++i) {
+      CAPTURE(i);
+      std::vector<Bytes> kept = frames;
+      kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
+      const ReceivedRows received = decode_slices(joined(kept), size, 0, false, 1, levels);
+      CHECK(received.report.lost_rows > 0);
+      CHECK(received.report.lost_rows <= 3 * size.height);
+      CHECK_FALSE(received.report.is_unreadable);
+      CHECK(have_fractions(received.rows, reference::samples_with(volume), 100, levels));
+    }
+  }
+}
+
+TEST_CASE("a late receiver passes over the edges into its first slice") {
+  const Size size{40, 6, 12};
+  const BitVolume volume = reference::random(size, 128, 3);
+  SlicePlan plan{1};
+  plan.levels = 4;
+  const std::vector<Bytes> frames = frames_of(encode_slices(volume, plan));
+  for (size_t first = 1; first + 2 < frames.size(); ++first) {
+    std::vector<Bytes> kept(frames.begin() + static_cast<std::ptrdiff_t>(first), frames.end());
+    kept.insert(kept.begin(), frames[0]);
+    const ReceivedRows received = decode_slices(joined(kept), size, 0, false, 1, 4);
+    CHECK_FALSE(received.report.is_unreadable);
+    CHECK(received.report.rows + received.report.lost_rows == size.height * size.depth);
+    CHECK(have_fractions(received.rows, reference::samples_with(volume), 100, 4));
+  }
+}
+
+TEST_CASE("only 2 and 4 levels start, with memory and an output") {
+  SliceEncoderConfig config{{8, 8}, {100}};
+  std::vector<uint8_t> memory(10000);
+  Line line;
+  FractionSliceEncoder<uint8_t> encoder;
+  for (const uint8_t levels : {0, 1, 3, 5, 8}) {
+    config.levels = levels;
+    CHECK(encoder.start(config, memory_of(memory), line.output()) == Status::bad_label);
+  }
+  config.levels = 4;
+  CHECK(encoder.start(config, memory_of(memory), {}) == Status::bad_sink);
+  const size_t least = FractionSliceEncoder<uint8_t>::minimum_bytes(config);
+  CHECK(encoder.start(config, {memory.data(), least - 1}, line.output()) ==
+        Status::too_little_memory);
+  CHECK(encoder.push(memory.data(), 1).status == Status::not_started);
+  CHECK(encoder.start(config, {memory.data(), least}, line.output()) == Status::ok);
+  config.limits.width = 0;
+  CHECK(encoder.start(config, memory_of(memory), line.output()) == Status::bad_limits);
+}
+
+namespace {
+
+Events events_of(const Bytes& stream, const Size& size, uint32_t levels, size_t extra,
+                 bool refuses) {
+  Block block(Receiver::minimum_bytes({size.width, size.height}, 1, levels) + extra);
+  EventLog log(refuses ? EventLog::Refuses(refuses_first) : EventLog::Refuses());
+  Receiver receiver;
+  reference::require_ok(receiver.start(block.memory(), make_sink(log)));
+  reference::require_ok(push_stream(receiver, stream, 0));
+  CHECK(block.is_intact());
+  return log.events;
+}
+
+// How many vertices come before the fractions of their edge.
+size_t early_vertices(const Events& events, const Size& size) {
+  std::set<std::pair<uint32_t, uint32_t>> rows;
+  size_t early = 0;
+  Vertex position{};
+  Incidence incidence{};
+  for (const RecordedEvent& recorded : events) {
+    const Event event = recorded.event();
+    if (recorded.is(Event::Kind::fractions)) rows.insert({event.row, event.slice});
+    if (recorded.is(Event::Kind::region) || recorded.is(Event::Kind::fragment))
+      incidence = event.incidence;
+    if (recorded.is(Event::Kind::ring) || recorded.is(Event::Kind::fragment))
+      position = event.start;
+    if (!recorded.is(Event::Kind::run)) continue;
+    for (uint32_t link = 0; link < event.run.length(); ++link) {
+      translate(position, incidence, event.run.direction(), 1);
+      if (position.x % 2 + position.y % 2 + position.z % 2 != 1) continue;
+      const auto row = static_cast<uint32_t>((position.y + 1) / 2);
+      const auto slice = static_cast<uint32_t>((position.z + 1) / 2);
+      const bool has_fractions = row < size.height && slice < size.depth;
+      if (has_fractions && rows.count({row, slice}) == 0) ++early;
+    }
+  }
+  return early;
+}
+
+}  // namespace
+
+TEST_CASE("a receiver gets the fractions of an edge before its vertex, and the same polygons") {
+  const Size size{20, 8, 8};
+  const BitVolume volume = reference::random(size, 128, 5);
+  SlicePlan plan;
+  const Bytes without = encode_slices(volume, plan);
+  plan.levels = 4;
+  const Bytes with = encode_slices(volume, plan);
+  for (const size_t extra : {0, 4000})
+    for (const bool refuses : {false, true}) {
+      const Events expected = events_of(without, size, 0, extra, false);
+      Events polygons;
+      size_t rows = 0;
+      const Events received = events_of(with, size, 4, extra, refuses);
+      for (const RecordedEvent& event : received) {
+        if (event.is(Event::Kind::fractions))
+          ++rows;
+        else
+          polygons.push_back(event);
+      }
+      CHECK(polygons == expected);
+      CHECK(rows == size.height * size.depth);
+      CHECK(early_vertices(received, size) == 0);
+    }
+}
+
+TEST_CASE("a midpoint has the fraction of its edge") {
+  CHECK(edge_midpoint(4, 5, 6, 0) == Vertex{7, 10, 12});
+  CHECK(edge_midpoint(4, 5, 6, 1) == Vertex{8, 9, 12});
+  CHECK(edge_midpoint(4, 5, 6, 2) == Vertex{8, 10, 11});
+  constexpr uint16_t entry = 5 | 3 << 3 | 7 << 6;
+  CHECK(fraction_of(entry, 0) == 5);
+  CHECK(fraction_of(entry, 1) == 3);
+  CHECK(fraction_of(entry, 2) == 7);
+}
