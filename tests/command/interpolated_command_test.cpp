@@ -1,4 +1,4 @@
-// discmc extract --surface interpolated.
+// --surface interpolated and relaxed.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -45,6 +45,43 @@ TEST_CASE("an interpolated surface is written unchanged in every format") {
   CHECK(workshop.read("default.obj") == workshop.read("merged.obj"));
 }
 
+TEST_CASE("a relaxed surface is the same of a volume and of its streams") {
+  const Workshop workshop;
+  write_ball(workshop);
+  workshop.done(extract + "--surface relaxed --tolerance 0 -o v.obj");
+  const FaceMesh relaxed = mesh_of_obj(workshop.read("v.obj"));
+  CHECK(check_mesh(relaxed).closed());
+  workshop.done(extract + "--tolerance 0 --surface interpolated -o interpolated.obj");
+  CHECK(relaxed.vertices_mm != mesh_of_obj(workshop.read("interpolated.obj")).vertices_mm);
+  const auto sorted = [](auto vertices) {
+    std::sort(vertices.begin(), vertices.end());
+    return vertices;
+  };
+  for (const std::string wire : {"regions", "slices"}) {
+    workshop.done(extract + "--wire " + wire + " -o v.dmc");
+    workshop.done("decode v.dmc --surface relaxed --tolerance 0 --normals surface -o decoded.obj");
+    const FaceMesh decoded = mesh_of_obj(workshop.read("decoded.obj"));
+    CHECK(sorted(decoded.vertices_mm) == sorted(relaxed.vertices_mm));
+    CHECK(decoded.normals.size() == decoded.vertices_mm.size());
+  }
+  // The picture is that of the mesh, whatever it is of.
+  workshop.done("render v.dmc --surface relaxed -o stream.png");
+  workshop.done("render v.raw --dims 14,14,14 --type u8 --iso 50 --surface relaxed -o volume.png");
+  workshop.done("render v.dmc -o merged.png");
+  CHECK(workshop.read("stream.png") == workshop.read("volume.png"));
+  CHECK(workshop.read("stream.png") != workshop.read("merged.png"));
+}
+
+TEST_CASE("an interpolated surface is drawn") {
+  const Workshop workshop;
+  write_ball(workshop);
+  const std::string render = "render v.raw --dims 14,14,14 --type u8 --iso 50 --shade smooth ";
+  workshop.done(extract + "--surface interpolated -o v.ply");
+  workshop.done("render v.ply --shade smooth -o mesh.png");
+  workshop.done(render + "--surface interpolated -o v.png");
+  CHECK(workshop.read("v.png") == workshop.read("mesh.png"));
+}
+
 TEST_CASE("a mask with two values is reported as unsuitable for interpolation, with the remedy") {
   const Workshop workshop;
   write_ball(workshop);
@@ -87,6 +124,7 @@ TEST_CASE("the normals of an interpolated ball are its radii") {
 TEST_CASE("an interpolated surface is of triangles without T-junctions, in a mesh, of no label") {
   const Workshop workshop;
   write_ball(workshop);
+  workshop.done(extract + "--wire slices -o s.dmc");
   const auto names = workshop.names();
   const std::string interpolated = extract + "--surface interpolated ";
   check_failure(workshop.run(interpolated + "-o v.dmc"), 2, {"--surface", "v.dmc"});
@@ -95,6 +133,14 @@ TEST_CASE("an interpolated surface is of triangles without T-junctions, in a mes
   check_failure(workshop.run(interpolated + "--no-conforming -o v.ply"), 2, {"--no-conforming"});
   check_failure(workshop.run(extract + "--tolerance 0.1 -o v.ply"), 2,
                 {"--tolerance", "add --surface interpolated"});
+  check_failure(workshop.run("decode s.dmc --surface interpolated -o v.ply"), 2,
+                {"--surface", "give --surface relaxed"});
+  check_failure(workshop.run("decode s.dmc --surface relaxed -o v.jsonl"), 2, {"--surface"});
+  check_failure(workshop.run("decode s.dmc --tolerance 0.1 -o v.ply"), 2, {"--tolerance"});
+  check_failure(workshop.run("render s.dmc --surface interpolated -o v.png"), 2, {"--surface"});
+  check_failure(workshop.run("extract v.raw --dims 14,14,14 --type u8 --labels all --surface "
+                             "relaxed -o v-{name}.ply"),
+                2, {"--labels", "walls"});
   check_failure(workshop.run(interpolated + "--tolerance=-1 -o v.ply"), 2,
                 {"invalid value '-1'; expected 0 or more"});
   check_failure(workshop.run(interpolated + "--tolerance inf -o v.ply"), 2, {"'inf'"});

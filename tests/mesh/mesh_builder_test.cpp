@@ -28,6 +28,10 @@ TEST_CASE("slices added one by one yield the mesh of the array") {
   for (const auto& array : bit_volumes())
     CHECK(triangles_of(built(array, 1, options)) == triangles_of(mesh_of(array.view(), 1)));
   const auto array = ball<float>();
+  options.relaxes = true;
+  CHECK(triangles_of(built(array, ball_level, options)) ==
+        triangles_of(mesh_of(array.view(), ball_level, options)));
+  options.relaxes = false;
   options.interpolates = true;
   options.spacing = {1, 2, -3};
   options.border = Border::open;

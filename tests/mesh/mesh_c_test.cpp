@@ -117,6 +117,10 @@ TEST_CASE("in C, each option has the same effect as in C++") {
   options.normals = Normals::surface;
   in_c.smoothing = options.smoothing = 2;
   check(in_c, options);
+  in_c.smoothing = options.smoothing = 0;
+  in_c.interpolates = 0, in_c.relaxes = 1;
+  options.interpolates = false, options.relaxes = true;
+  check(in_c, options);
 }
 
 TEST_CASE("in C, a range includes both ends") {

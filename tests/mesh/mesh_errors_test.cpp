@@ -84,6 +84,10 @@ TEST_CASE("options out of range are named") {
 TEST_CASE("options that contradict each other are named") {
   CHECK(has(refusal([](auto& options) { options.polygons = options.interpolates = true; }),
             "or the polygons"));
+  CHECK(has(refusal([](auto& options) { options.polygons = options.relaxes = true; }),
+            "or the polygons"));
+  CHECK(has(refusal([](auto& options) { options.interpolates = options.relaxes = true; }),
+            "relaxation uses no samples"));
   CHECK(has(refusal([](auto& options) {
               options.smoothing = 1;
               options.normals = Normals::gradient;
@@ -115,6 +119,9 @@ TEST_CASE("labels refuse samples with fractions, gradients, and interpolation wi
   options = {};
   options.interpolates = true;
   CHECK(has(message_of([&] { return label_meshes({samples, {3, 3, 3}}, options); }), "smoothing"));
+  options = {};
+  options.relaxes = true;
+  CHECK(has(message_of([&] { return label_meshes({samples, {3, 3, 3}}, options); }), "walls"));
 }
 
 TEST_CASE("a builder refuses options that need the slices twice, other types, and wrong extents") {

@@ -202,6 +202,24 @@ TEST_CASE("a received mesh has polygons and normals, but nothing that needs samp
   CHECK_THROWS_AS((void)receiver.mesh(options), std::invalid_argument);
 }
 
+TEST_CASE("a received mesh is relaxed as that of the volume is, whatever the kind of stream") {
+  const reference::BitVolume torus = reference::torus({30, 28, 12}, 18, 7);
+  MeshOptions options;
+  options.relaxes = true;
+  options.tolerance = 0;
+  const Mesh expected = mesh_of(array_of(torus).view(), 1, options);
+  CHECK(measures_of(expected).is_closed);
+  CHECK(sorted(expected.vertices) != sorted(mesh_of(array_of(torus).view(), 1).vertices));
+  for (const Bytes& bytes :
+       {test::encode(test::events_of(torus), test::header_of(torus)), test::encode_slices(torus)}) {
+    MeshReceiver receiver;
+    CHECK(push(receiver, bytes, bytes.size()) == 1);
+    const Mesh mesh = receiver.mesh(options);
+    CHECK(sorted(mesh.vertices) == sorted(expected.vertices));
+    CHECK(measures_of(mesh).is_closed);
+  }
+}
+
 TEST_CASE("a stream of an unknown version is refused") {
   const Bytes bytes = test::with_version(99, region_stream());
   MeshReceiver receiver;

@@ -65,6 +65,10 @@ struct SlabChoice {
   std::uint32_t number, count;
 };
 
+/// Where the vertices of a mesh lie: halfway between voxels, where the samples cross the threshold,
+/// or on the smoothest surface between the voxels.
+enum class SurfaceKind { merged, interpolated, relaxed };
+
 /// The arguments of `extract`.
 struct ExtractArguments {
   std::string volume;
@@ -84,13 +88,15 @@ struct ExtractArguments {
   Decimation decimation;           ///< of each mesh
   std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
   MeshSize size;
-  bool interpolates = false;  ///< the vertices of a mesh
+  SurfaceKind surface = SurfaceKind::merged;
   bool quiet = false;
+
+  bool interpolates() const { return surface == SurfaceKind::interpolated; }
 };
 
 /// Whether the volume may be extracted in parts.
 inline bool is_divisible(const ExtractArguments& arguments) {
-  return !arguments.interpolates && arguments.labels.empty() && arguments.reading.memory == 0 &&
+  return !arguments.interpolates() && arguments.labels.empty() && arguments.reading.memory == 0 &&
          arguments.reading.capacities.empty();
 }
 
@@ -115,6 +121,7 @@ struct StreamArguments {
   ComponentChoice components;
   std::optional<MeshSpace> space;  ///< else LPS if the file names its space, or that of the file
   MeshSize size;
+  SurfaceKind surface = SurfaceKind::merged;
 };
 
 /// The arguments of `join`.
@@ -136,6 +143,8 @@ struct RenderArguments {
   VolumeArguments reading;
   std::string labels;  ///< as of ExtractArguments
   ComponentChoice components;
+  SurfaceKind surface = SurfaceKind::merged;
+  double tolerance = MeshingOptions().tolerance;
   bool classic = false;
   std::string output;
   std::vector<double> view = {-0.9, -1.6, 0.8};

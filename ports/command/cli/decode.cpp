@@ -1,5 +1,6 @@
 // discmc decode: a stream to a mesh, or to another stream.
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -11,6 +12,7 @@
 #include "mesh_files/file_format.hpp"
 #include "mesh_files/mesh_files.hpp"
 #include "mesh_output.hpp"
+#include "meshes/surface_normals.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "require.hpp"
 #include "samples/spacing.hpp"
@@ -90,7 +92,10 @@ std::unique_ptr<SliceReader> open_volume_of(const DecodedStream& decoded,
 
 void add_normals(const StreamArguments& arguments, const DecodedStream& decoded, FileMesh& mesh) {
   if (arguments.normals == Normals::none) return;
-  set_polygon_normals(decoded.surface, mesh);
+  if (arguments.surface == SurfaceKind::merged)
+    set_polygon_normals(decoded.surface, mesh);
+  else
+    mesh.normals = surface_normals(mesh);
   if (arguments.normals == Normals::surface || mesh.vertices_mm.empty()) return;
   if (!arguments.volume.empty())
     add_gradient_normals(*open_volume_of(decoded, arguments), mesh);
@@ -121,12 +126,19 @@ int run_decode(const StreamArguments& arguments) {
   } else {
     DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
     note_empty(arguments.stream, decoded);
+    MeshingOptions meshing = arguments.mesh;
+    std::optional<Crossings> relaxed;
+    if (arguments.surface == SurfaceKind::relaxed) {
+      relaxed = relaxed_crossings(decoded.surface, decoded.dims, decoded.header.border,
+                                  meshing.tolerance);
+      meshing.crossings = &*relaxed;
+    }
     keep_chosen(arguments.stream, arguments.components, decoded.surface);
     const auto placement = mesh_placement(arguments.stream, decoded.placement, arguments.space);
     if (format == Format::jsonl) {
       write_to(file, [&](std::ostream& out) { write_jsonl(decoded.surface, out); });
     } else {
-      FileMesh mesh = triangulated(decoded.surface, arguments.mesh);
+      FileMesh mesh = triangulated(decoded.surface, meshing);
       note_left_out(arguments.stream, decoded.surface, mesh);
       add_normals(arguments, decoded, mesh);
       place_in_file(mesh, placement, arguments.size);

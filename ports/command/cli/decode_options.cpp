@@ -11,7 +11,12 @@
 namespace discmc::command {
 namespace {
 
-void check(const StreamArguments& arguments) {
+void check(const CLI::App& decode, const StreamArguments& arguments) {
+  if (arguments.surface == SurfaceKind::interpolated)
+    throw CLI::ValidationError("--surface",
+                               "a stream holds no samples to interpolate; give --surface relaxed");
+  check_surface_kind(arguments.surface, arguments.mesh, arguments.output);
+  check_tolerance(arguments.surface, decode);
   check_faces(arguments.mesh.faces, arguments.output);
   check_components(arguments.components, arguments.output);
   check_space(arguments.space, arguments.output);
@@ -38,6 +43,7 @@ Command add_decode(CLI::App& app) {
                      "from the stream, or from the samples of --volume");
   add_mesh_options(*decode, arguments->mesh);
   add_component_options(*decode, arguments->components);
+  add_surface_kind_options(*decode, arguments->surface, arguments->mesh.tolerance);
   add_space_option(*decode, arguments->space);
   add_size_options(*decode, arguments->size);
   add_volume_options(*decode, arguments->options);
@@ -52,10 +58,11 @@ Command add_decode(CLI::App& app) {
   decode->footer(
       "Examples:\n"
       "  discmc decode head.dmc -o head.ply\n"
+      "  discmc decode head.dmc --surface relaxed -o head.stl\n"
       "  discmc decode head.dmc --normals gradient --volume head.nii.gz -o head.obj");
-  decode->callback([arguments] {
+  decode->callback([arguments, decode] {
     take_format(arguments->format, arguments->output);
-    check(*arguments);
+    check(*decode, *arguments);
   });
   return {decode, [arguments] { return run_decode(*arguments); }};
 }

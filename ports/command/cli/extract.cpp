@@ -55,7 +55,7 @@ namespace {
 // and are the same as with --labels.
 bool is_smoothed_label(const ExtractArguments& arguments) {
   const VolumeArguments& reading = arguments.reading;
-  if (!reading.selects_labels() || !reading.smooth_mm || !arguments.interpolates ||
+  if (!reading.selects_labels() || !reading.smooth_mm || !arguments.interpolates() ||
       reading.close_mm > 0 || is_read_once(arguments.volume))
     return false;
   const Segmentation segmentation(arguments.volume, reading);

@@ -23,7 +23,7 @@ namespace {
 void add_normals(const ExtractArguments& arguments, const Selection& selection,
                  const Surface& surface, FileMesh& mesh) {
   if (arguments.normals == Normals::none) return;
-  if (mesh.polygons.empty() || arguments.interpolates)
+  if (mesh.polygons.empty() || arguments.surface != SurfaceKind::merged)
     mesh.normals = surface_normals(mesh);
   else
     set_polygon_normals(surface, mesh);

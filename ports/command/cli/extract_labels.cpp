@@ -258,7 +258,7 @@ int extract_label_meshes(const ExtractArguments& arguments) {
                         (files.are_one() ? " does not contain it" : " is not written"));
       continue;
     }
-    const bool moves = arguments.interpolates && labels[i].crossings;
+    const bool moves = arguments.interpolates() && labels[i].crossings;
     const MeshSummary mesh = files.add({label.surface, selections[i], names[i], titled,
                                         moves ? &labels[i].crossings->crossings() : nullptr});
     has_mesh = true;

@@ -1,5 +1,6 @@
 // discmc extract -o FILE.stl: a volume to meshes, one a surface.
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -34,7 +35,7 @@ int extract_meshes(ExtractArguments arguments) {
   const SurfaceReceivers receivers = receivers_for(selections, Kept::polygons);
   std::vector<SurfaceRequest> requests = requests_of(taken, receivers);
   std::vector<CrossingFinder> finders;
-  if (arguments.interpolates)
+  if (arguments.interpolates())
     for (const NamedSelection& each : taken)
       finders.emplace_back(mended.samples().info(), each.selection, Vertex{0, 0, 0},
                            mended.deviation_mm().has_value());
@@ -42,7 +43,7 @@ int extract_meshes(ExtractArguments arguments) {
   const std::vector<Extraction> extractions = extract(mended.samples(), options, requests);
   note_not_numbers(arguments,
                    mended.is_changed() ? mended.not_numbers() : extractions[0].not_numbers);
-  if (arguments.interpolates && !mended.is_changed() && volume->has_two_values())
+  if (arguments.interpolates() && !mended.is_changed() && volume->has_two_values())
     print_message(arguments.volume,
                   "the volume has only two values, as a mask, so the surface keeps the steps of "
                   "the voxels; add --smooth auto");
@@ -52,7 +53,7 @@ int extract_meshes(ExtractArguments arguments) {
   for (std::size_t i = 0; i < receivers.size(); ++i) {
     Surface& surface = receivers[i]->surface();
     surface.spacing_mm = info.spacing_mm;
-    if (mended.deviation_mm() && arguments.interpolates) {
+    if (mended.deviation_mm() && arguments.interpolates()) {
       const Progress smoothing("smoothing");
       keep_volumes({{&surface, &finders[i].crossings()}},
                    SmoothedVolume::keeping(info, *mended.deviation_mm(), arguments.mesh.tolerance,
@@ -60,14 +61,19 @@ int extract_meshes(ExtractArguments arguments) {
     }
     const std::string title =
         name_for_people(arguments.volume) + (names.size() > 1 ? ": " + selections[i].name : "");
+    std::optional<Crossings> relaxed;
+    if (arguments.surface == SurfaceKind::relaxed)
+      relaxed =
+          relaxed_crossings(surface, info.dims, arguments.reading.border, arguments.mesh.tolerance);
     keep_chosen(title, arguments.components, surface);
     if (surface.polygons.empty() && !arguments.reading.allows_empty)
       throw std::runtime_error(arguments.volume +
                                ": no body is as large as --min-volume; give a smaller volume, or "
                                "accept an empty surface with --allow-empty");
-    const MeshSummary mesh =
-        files.add({surface, selections[i], names[i], title,
-                   arguments.interpolates ? &finders[i].crossings() : nullptr});
+    const MeshSummary mesh = files.add({surface, selections[i], names[i], title,
+                                        relaxed                    ? &*relaxed
+                                        : arguments.interpolates() ? &finders[i].crossings()
+                                                                   : nullptr});
     if (arguments.quiet) continue;
     if (files.are_one())
       table << selections[i].name << '\n';

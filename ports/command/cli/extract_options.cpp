@@ -34,7 +34,12 @@ void check_labels(const ExtractArguments& arguments) {
                                                std::to_string(StreamHeader::max_surfaces) +
                                                " surfaces at most; write meshes, or give --label");
   const bool is_smooth = arguments.reading.smooth_mm.has_value();
-  if (arguments.normals == Normals::gradient || (arguments.interpolates && !is_smooth))
+  if (arguments.surface == SurfaceKind::relaxed)
+    throw CLI::ValidationError(
+        "--labels",
+        "cannot be combined with --surface relaxed, as labels would not share their walls; add "
+        "--smooth auto in its place");
+  if (arguments.normals == Normals::gradient || (arguments.interpolates() && !is_smooth))
     throw CLI::ValidationError(
         "--labels",
         "cannot be combined with --normals gradient, or with --surface interpolated without "
@@ -95,6 +100,9 @@ void check_smoothing(const ExtractArguments& arguments) {
                                "smoothed; give --normals surface");
   if (arguments.reading.median > 0)
     throw CLI::ValidationError("--smooth", "cannot be combined with --median; leave one out");
+  if (arguments.surface == SurfaceKind::relaxed)
+    throw CLI::ValidationError("--smooth",
+                               "cannot be combined with --surface relaxed; leave one out");
 }
 
 void check_bodies(const ExtractArguments& arguments) {
@@ -121,15 +129,15 @@ void check_closing(const ExtractArguments& arguments) {
                                "no samples; give --normals surface");
   if (arguments.reading.median > 0)
     throw CLI::ValidationError("--close", "cannot be combined with --median; leave one out");
-  if (arguments.interpolates && !arguments.reading.smooth_mm)
+  if (arguments.interpolates() && !arguments.reading.smooth_mm)
     throw CLI::ValidationError("--close",
                                "a closed gap has no samples to interpolate; leave out --surface "
                                "interpolated, or add --smooth auto");
 }
 
 void check_surface(const ExtractArguments& arguments) {
-  if (!arguments.interpolates) return;
-  check_interpolation(arguments.mesh, arguments.output);
+  check_surface_kind(arguments.surface, arguments.mesh, arguments.output);
+  if (!arguments.interpolates()) return;
   if (arguments.reading.median > 0)
     throw CLI::ValidationError("--median",
                                "cannot be combined with --surface interpolated, as the samples are "
@@ -137,12 +145,6 @@ void check_surface(const ExtractArguments& arguments) {
   if (arguments.reading.selects_labels() && !arguments.reading.smooth_mm)
     throw CLI::ValidationError("--surface",
                                "labels have no values to interpolate; add --smooth auto");
-}
-
-void check_tolerance(const ExtractArguments& arguments, const CLI::Option& tolerance) {
-  if (tolerance.count() > 0 && !arguments.interpolates)
-    throw CLI::ValidationError("--tolerance",
-                               "applies to interpolated surfaces; add --surface interpolated");
 }
 
 void check_output(const std::string& output) {
@@ -187,7 +189,7 @@ void check_slab(const ExtractArguments& arguments) {
 void check_jobs(const ExtractArguments& arguments, const CLI::Option& surface) {
   if (!arguments.jobs) return;
   const bool is_stream = format_of(arguments.output) == Format::stream;
-  if (arguments.interpolates && surface.count() == 0 && arguments.labels.empty()) {
+  if (arguments.interpolates() && surface.count() == 0 && arguments.labels.empty()) {
     const std::string option = arguments.reading.smooth_mm          ? "--smooth"
                                : arguments.decimation.triangles > 0 ? "--triangles"
                                                                     : "--max-error";
@@ -216,7 +218,7 @@ void choose_surface(ExtractArguments& arguments, const CLI::App& app) {
                            arguments.labels.empty() && !arguments.reading.selects_labels();
   const bool is_followed = arguments.reading.smooth_mm || (is_decimated && has_samples);
   if (is_followed && is_triangles && app.get_option("--surface")->count() == 0)
-    arguments.interpolates = true;
+    arguments.surface = SurfaceKind::interpolated;
   if (is_decimated && app.get_option("--tolerance")->count() == 0) arguments.mesh.tolerance = 0;
 }
 
@@ -236,7 +238,7 @@ void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_smoothing(arguments);
   check_surface(arguments);
   check_decimation(arguments.decimation, arguments.mesh, arguments.output);
-  check_tolerance(arguments, *app.get_option("--tolerance"));
+  check_tolerance(arguments.surface, app);
   check_wire(arguments);
   check_slab(arguments);
   check_jobs(arguments, *app.get_option("--surface"));
@@ -355,7 +357,9 @@ Command add_extract(CLI::App& app) {
                     "write the measures of each body, with its cavities, the largest first");
   add_space_option(*extract, arguments->space);
   add_size_options(*extract, arguments->size);
-  add_interpolation_options(*extract, arguments->interpolates, arguments->mesh.tolerance);
+  add_surface_kind_options(
+      *extract, arguments->surface, arguments->mesh.tolerance,
+      ", the default with --smooth, and of samples with --triangles or --max-error");
   add_decimation_options(*extract, arguments->decimation);
   add_wire_options(*extract, *arguments);
   extract->footer(

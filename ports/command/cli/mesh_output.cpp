@@ -8,6 +8,7 @@
 #include "meshes/placing.hpp"
 #include "meshes/vertex_normals.hpp"
 #include "progress.hpp"
+#include "smoothing/relaxed_crossings.hpp"
 #include "text/message.hpp"
 #include "text/number_text.hpp"
 
@@ -39,6 +40,14 @@ std::optional<VolumePlacement> mesh_placement(const std::string& input,
 FileMesh triangulated(const Surface& surface, const MeshingOptions& options) {
   const Progress triangulating("triangulating");
   return build_mesh(surface, options);
+}
+
+Crossings relaxed_crossings(const Surface& surface, const std::array<std::uint32_t, 3>& dims,
+                            Border border, double tolerance) {
+  const Progress smoothing("smoothing");
+  Crossings crossings(dims, surface.polygons);
+  relax(crossings, surface, {border, tolerance, {}});
+  return crossings;
 }
 
 void place_in_file(FileMesh& mesh, const std::optional<VolumePlacement>& placement,

@@ -1,4 +1,7 @@
 // discmc render: a picture of a stream or a volume.
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -7,6 +10,7 @@
 #include "exit_codes.hpp"
 #include "extract.hpp"
 #include "extraction/classic.hpp"
+#include "extraction/crossings.hpp"
 #include "extraction/extraction.hpp"
 #include "files/output_file.hpp"
 #include "mesh_files/joined_mesh.hpp"
@@ -27,10 +31,19 @@ namespace discmc::command {
 namespace {
 
 // A mesh that can be shaded smoothly if that is asked, then with the normals that the surface has.
-FileMesh mesh_to_draw(const RenderArguments& arguments, Surface& surface) {
+// dims: of the volume. crossings: of --surface interpolated.
+FileMesh mesh_to_draw(const RenderArguments& arguments, Surface& surface,
+                      const std::array<std::uint32_t, 3>& dims, Border border,
+                      const Crossings* crossings = nullptr) {
+  std::optional<Crossings> relaxed;
+  if (arguments.surface == SurfaceKind::relaxed) {
+    relaxed = relaxed_crossings(surface, dims, border, arguments.tolerance);
+    crossings = &*relaxed;
+  }
   keep_chosen(arguments.input, arguments.components, surface);
   const bool smooth = arguments.smooth;
-  FileMesh mesh = build_mesh(surface, {true, smooth ? Faces::triangles : Faces::polygons});
+  const Faces faces = smooth || crossings != nullptr ? Faces::triangles : Faces::polygons;
+  FileMesh mesh = build_mesh(surface, {true, faces, crossings, arguments.tolerance});
   note_left_out(arguments.input, surface, mesh);
   if (!smooth || surface.normals.empty()) return mesh;
   mesh.normals = surface_normals(mesh);
@@ -39,15 +52,16 @@ FileMesh mesh_to_draw(const RenderArguments& arguments, Surface& surface) {
 }
 
 // The gradient is that of the surface only where a threshold alone divides the samples.
-bool has_gradient(const VolumeArguments& arguments) {
-  return arguments.median == 0 && arguments.mask.empty() &&
-         !arguments.selections[0].has_upper_end();
+bool takes_gradient(const RenderArguments& arguments) {
+  const VolumeArguments& reading = arguments.reading;
+  return arguments.smooth && arguments.surface == SurfaceKind::merged && reading.median == 0 &&
+         reading.mask.empty() && !reading.selections[0].has_upper_end();
 }
 
 // options: of the extraction. volume: not yet read; is at the end.
-FileMesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
-                     ExtractionOptions options) {
-  options.normals = arguments.smooth && has_gradient(arguments.reading);
+FileMesh mesh_of_volume(const RenderArguments& arguments, MeasuredVolume& volume,
+                        ExtractionOptions options) {
+  options.normals = takes_gradient(arguments);
   std::unique_ptr<SliceReader> narrow;
   if (options.normals && !is_scanner_type(volume.info().type)) {
     narrow =
@@ -55,22 +69,28 @@ FileMesh merged_mesh(const RenderArguments& arguments, MeasuredVolume& volume,
     options.selection = {0};
   }
   JoinedSurface joined;
-  const NamedSelection& asked = arguments.reading.selections[0];
-  const Extraction extraction =
-      extract(narrow ? *narrow : static_cast<SliceReader&>(volume), options, make_sink(joined));
-  check_surface(arguments.input, arguments.reading, asked, volume, extraction);
+  SliceReader& samples = narrow ? *narrow : static_cast<SliceReader&>(volume);
+  std::optional<CrossingFinder> finder;
+  SurfaceRequest request{options.selection, make_sink(joined)};
+  if (arguments.surface == SurfaceKind::interpolated) {
+    finder.emplace(samples.info(), options.selection);
+    request.crossings = &*finder;
+  }
+  const Extraction extraction = extract(samples, options, {request})[0];
+  check_surface(arguments.input, arguments.reading, arguments.reading.selections[0], volume,
+                extraction);
   joined.surface().spacing_mm = volume.info().spacing_mm;
-  return mesh_to_draw(arguments, joined.surface());
+  return mesh_to_draw(arguments, joined.surface(), volume.info().dims, options.border,
+                      finder ? &finder->crossings() : nullptr);
 }
 
 FileMesh volume_to_draw(RenderArguments arguments) {
-  if (arguments.smooth && has_gradient(arguments.reading))
-    require_second_pass(arguments.input, gradient_pass);
+  if (takes_gradient(arguments)) require_second_pass(arguments.input, gradient_pass);
   const auto volume = open_measured(arguments.input, arguments.reading);
   Progress progress("extracting", volume->info().dims[2]);
   const auto mask = open_noted_mask(arguments.reading, volume->info());
   const auto options = extraction_options(arguments.reading, progress, mask.get());
-  if (!arguments.classic) return merged_mesh(arguments, *volume, options);
+  if (!arguments.classic) return mesh_of_volume(arguments, *volume, options);
   FileMesh mesh = classic_mesh(*volume, options);
   if (mesh.face_count() == 0 && !arguments.reading.allows_empty)
     fail_empty(arguments.input, arguments.reading, arguments.reading.selections[0], *volume);
@@ -131,7 +151,7 @@ int run_render(const RenderArguments& arguments) {
   } else {
     DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
     note_empty(arguments.input, decoded);
-    mesh = mesh_to_draw(arguments, decoded.surface);
+    mesh = mesh_to_draw(arguments, decoded.surface, decoded.dims, decoded.header.border);
     code = completeness(arguments.input, decoded.report);
   }
   if (arguments.smooth && mesh.normals.empty()) mesh.normals = surface_normals(mesh);

@@ -14,6 +14,21 @@
 namespace discmc::command {
 namespace {
 
+void check_surface(const CLI::App& render, const RenderArguments& arguments) {
+  check_tolerance(arguments.surface, render);
+  if (arguments.surface == SurfaceKind::merged) return;
+  if (!arguments.labels.empty())
+    throw CLI::ValidationError("--surface", "labels are drawn merged; leave it out");
+  if (arguments.surface == SurfaceKind::relaxed) return;
+  if (arguments.kind == InputKind::stream)
+    throw CLI::ValidationError("--surface",
+                               "a stream holds no samples to interpolate; give --surface relaxed");
+  if (arguments.reading.median > 0)
+    throw CLI::ValidationError("--median",
+                               "cannot be combined with --surface interpolated, as the samples are "
+                               "not filtered; leave one out");
+}
+
 void check(const CLI::App& render, const RenderArguments& arguments) {
   const bool is_volume = arguments.kind == InputKind::volume;
   if (arguments.kind == InputKind::mesh)
@@ -27,6 +42,7 @@ void check(const CLI::App& render, const RenderArguments& arguments) {
   if (arguments.view == std::vector<double>{0, 0, 0})
     throw CLI::ValidationError("--view", "0,0,0 is not a direction; give another vector");
   check_closed(arguments.components, arguments.reading.border);
+  check_surface(render, arguments);
 }
 
 void add_picture_options(CLI::App& app, RenderArguments& arguments) {
@@ -71,6 +87,7 @@ void add_classic_option(CLI::App& app, bool& classic) {
       ->excludes("--largest")
       ->excludes("--min-volume")
       ->excludes("--fill")
+      ->excludes("--surface")
       ->excludes("--range")
       ->excludes("--label")
       ->excludes("--labels");
@@ -98,6 +115,7 @@ Command add_render(CLI::App& app) {
   add_surface_options(*render, arguments->reading);
   add_label_options(*render, arguments->labels, arguments->reading, "each has its colour");
   add_component_options(*render, arguments->components);
+  add_surface_kind_options(*render, arguments->surface, arguments->tolerance);
   add_classic_option(*render, arguments->classic);
   render->footer(
       "Examples:\n"

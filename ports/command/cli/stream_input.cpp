@@ -128,6 +128,7 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
   StreamReport report = reader.report();
   report.lost_pieces += joined.builder().incomplete_regions();
   return {reader.header(),
+          reader.dims(),
           reader.channel(),
           reader.headers(),
           report,

@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_CLI_STREAM_INPUT_HPP
 #define DISCMC_COMMAND_CLI_STREAM_INPUT_HPP
 
+#include <array>
 #include <cstdint>
 #include <istream>
 #include <optional>
@@ -29,6 +30,7 @@ void require_one_surface(const std::string& path, const StreamReader& reader);
 /// The surface of a stream, and its properties.
 struct DecodedStream {
   StreamHeader header;
+  std::array<std::uint32_t, 3> dims;  ///< as StreamReader::dims()
   std::uint8_t channel;
   std::vector<StreamHeader> streams;  ///< all of the link
   StreamReport report;

@@ -14,6 +14,7 @@
 #include "meshes/vertex_normals.hpp"
 #include "meshes/vertex_numbers.hpp"
 #include "samples/sample_bounds.hpp"
+#include "smoothing/relaxed_crossings.hpp"
 
 namespace discmc::meshing {
 namespace {
@@ -58,7 +59,7 @@ void add_normals(const Surface& surface, FaceMesh& mesh, const MeshOptions& opti
                  const OpenAgain& open_again) {
   if (options.normals == Normals::none || mesh.vertices_mm.empty()) return;
   report(options, "normals", 0, 0);
-  if (mesh.polygons.empty() || is_interpolated(options))
+  if (mesh.polygons.empty() || is_interpolated(options) || options.relaxes)
     mesh.normals = surface_normals(mesh);
   else
     set_polygon_normals(surface, mesh);
@@ -146,15 +147,26 @@ void check_options(const MeshOptions& options) {
   if (options.smoothing > widest)
     refuse("smoothing is " + text_of(options.smoothing) + "; give 0 to 1e6");
   require_number("max_error", options.max_error);
-  if (options.polygons && (decimation_of(options).is_wanted() || is_interpolated(options)))
+  const bool leaves_midpoints = is_interpolated(options) || options.relaxes;
+  if (options.polygons && (decimation_of(options).is_wanted() || leaves_midpoints))
     refuse(
-        "polygons are those of the midpoint surface: leave out interpolation, smoothing "
-        "and decimation, or the polygons");
+        "polygons are those of the midpoint surface: leave out interpolation, relaxation, "
+        "smoothing and decimation, or the polygons");
+  if (options.relaxes && is_interpolated(options))
+    refuse("relaxation uses no samples: leave it out, or interpolation and smoothing");
 }
 
-Mesh finished_mesh(Surface& surface, const Crossings* crossings, const MeshOptions& options,
-                   const SweepPlace& place, double level, const OpenAgain& open_again) {
+Mesh finished_mesh(Surface& surface, const std::array<std::uint32_t, 3>& dims,
+                   const Crossings* crossings, const MeshOptions& options, const SweepPlace& place,
+                   double level, const OpenAgain& open_again) {
   surface.spacing_mm = place.spacing;
+  std::optional<Crossings> relaxed;
+  if (options.relaxes) {
+    relaxed.emplace(dims, surface.polygons);
+    relax(*relaxed, surface,
+          {options.border, options.tolerance, [&options] { report(options, "smoothing", 0, 0); }});
+    crossings = &*relaxed;
+  }
   report(options, "triangulating", 0, 0);
   const unsigned threads = threads_of(options);
   FaceMesh faces =

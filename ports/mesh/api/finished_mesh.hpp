@@ -22,7 +22,7 @@ void report(const MeshOptions& options, const char* step, std::uint64_t done, st
 /// The threads that the options ask for.
 unsigned threads_of(const MeshOptions& options);
 
-/// Whether vertices leave the lattice.
+/// Whether vertices are moved to where samples cross the level.
 bool is_interpolated(const MeshOptions& options);
 
 /// Where the axes of a sweep lie.
@@ -44,10 +44,12 @@ void check_options(const MeshOptions& options);
 /// A volume once more, for gradients.
 using OpenAgain = std::function<std::unique_ptr<SliceReader>()>;
 
-/// The triangles of a surface, decimated, with normals, placed. surface: gets the spacing. level:
-/// of the gradient. open_again: may be empty unless the options have Normals::gradient.
-Mesh finished_mesh(Surface& surface, const Crossings* crossings, const MeshOptions& options,
-                   const SweepPlace& place, double level, const OpenAgain& open_again = {});
+/// The triangles of a surface, relaxed, decimated, with normals, placed. surface: gets the spacing.
+/// dims: of the volume. crossings: null unless is_interpolated(). level: of the gradient.
+/// open_again: may be empty unless the options have Normals::gradient.
+Mesh finished_mesh(Surface& surface, const std::array<std::uint32_t, 3>& dims,
+                   const Crossings* crossings, const MeshOptions& options, const SweepPlace& place,
+                   double level, const OpenAgain& open_again = {});
 
 }  // namespace discmc::meshing
 

@@ -1,3 +1,5 @@
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -54,7 +56,8 @@ class MeshBuilder::State {
   Mesh finish() {
     scan_.finish();
     surface_.finish();
-    return finished_mesh(surface_.surface(), crossings_ ? &crossings_->crossings() : nullptr,
+    const std::array<std::uint32_t, 3> dims = {grid_.dims[0], grid_.dims[1], slices_};
+    return finished_mesh(surface_.surface(), dims, crossings_ ? &crossings_->crossings() : nullptr,
                          options_, place_, selection_.low);
   }
 
@@ -74,7 +77,7 @@ class MeshBuilder::State {
   std::optional<CrossingFinder> crossings_;
   JoinedSurface surface_;
   HostScan scan_;
-  std::uint64_t slices_ = 0;
+  std::uint32_t slices_ = 0;
 };
 
 namespace {

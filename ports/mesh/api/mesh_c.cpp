@@ -46,6 +46,7 @@ MeshOptions options_of(const discmc_mesh_options* from) {
   }
   if (from->has_open_border != 0) options.border = Border::open;
   options.interpolates = from->interpolates != 0;
+  options.relaxes = from->relaxes != 0;
   if (from->tolerance != 0) options.tolerance = from->tolerance;
   options.smoothing = from->smoothing;
   options.triangles = from->triangles;

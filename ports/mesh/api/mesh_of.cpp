@@ -155,8 +155,8 @@ std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& le
     surfaces[i]->finish();
     if (smoothed) keep_volume(*surfaces[i], *crossings[i], volume.info(), options, place);
     meshes.push_back(finished_mesh(
-        surfaces[i]->surface(), crossings.empty() ? nullptr : &crossings[i]->crossings(), options,
-        place, selections[i].low,
+        surfaces[i]->surface(), volume.info().dims,
+        crossings.empty() ? nullptr : &crossings[i]->crossings(), options, place, selections[i].low,
         [&] { return std::make_unique<ArrayReader>(samples, order, place.spacing); }));
     surfaces[i].reset();  // its memory is the next mesh's
   }
@@ -172,6 +172,9 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
   check_options(options);
   if (is_floating(samples.type()))
     throw std::invalid_argument("labels are whole numbers; convert the array to an integer type");
+  if (options.relaxes)
+    throw std::invalid_argument(
+        "relaxed labels would not share their walls: ask for smoothing in place of relaxation");
   if (options.normals == Normals::gradient || (options.interpolates && options.smoothing == 0))
     throw std::invalid_argument(
         "there is nothing between labels: ask for surface normals, and for smoothing in place of "
@@ -191,8 +194,9 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
 
   std::vector<LabelMesh> meshes;
   const auto add = [&](LabelledSurface& label, const Crossings* crossings) {
-    meshes.push_back({static_cast<std::int64_t>(label.label.bits()), label.voxels,
-                      finished_mesh(label.surface, crossings, options, place, 0)});
+    meshes.push_back(
+        {static_cast<std::int64_t>(label.label.bits()), label.voxels,
+         finished_mesh(label.surface, array.info().dims, crossings, options, place, 0)});
   };
   for (SmoothedLabel& each : smoothed) add(each.surface, &each.crossings.crossings());
   for (LabelledSurface& each : found) add(each, nullptr);

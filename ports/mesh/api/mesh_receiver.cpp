@@ -96,12 +96,13 @@ class MeshReceiver::State {
       options.placement = matrix_of(*scan_->placement());
     options.spacing = spacing_mm(reader().header());
     check_options(options);
+    options.border = reader().header().border;
     if (options.interpolates || options.smoothing > 0 || options.normals == Normals::gradient)
       throw std::invalid_argument(
-          "a stream holds no samples: leave out interpolation and smoothing, and ask for surface "
-          "normals");
+          "a stream holds no samples: ask for relaxation in place of interpolation and smoothing, "
+          "and for surface normals");
     Surface so_far = builder().surface();  // a copy: its spacing follows from the options
-    return finished_mesh(so_far, nullptr, options, sweep_place(options), 0);
+    return finished_mesh(so_far, reader().dims(), nullptr, options, sweep_place(options), 0);
   }
 
  private:

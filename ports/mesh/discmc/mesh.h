@@ -64,13 +64,15 @@ typedef struct discmc_mesh_options {
   const double* placement;
   int32_t has_open_border; /* 0: the surface closes at the border of the array; 1: it ends there */
   int32_t interpolates;    /* 1: vertices lie where the samples cross the level */
-  double tolerance;        /* of interpolation. Units: voxels. 0: 0.05 */
+  int32_t relaxes;         /* 1: vertices move between the voxels to the smoothest surface that
+                              keeps every voxel on its side. Limit: not interpolated, no labels */
+  double tolerance;        /* of interpolation and relaxation. Units: voxels. 0: 0.05 */
   double smoothing;        /* the deviation of a Gaussian that smooths a mask or a label. 0: none.
                               Units: as spacing */
   uint64_t triangles;      /* decimates to this many triangles, or as far as the meshes stay */
   double max_error;        /* within max_error, whichever comes first. 0: not. Units: as spacing */
   int32_t normals;         /* DISCMC_NORMALS_... */
-  int32_t polygons;        /* 1: also the polygons. Limit: not interpolated, not decimated */
+  int32_t polygons;        /* 1: also the polygons. Limit: not interpolated, relaxed, decimated */
   int32_t threads;         /* 0 or 1: one; -1: as many as there are processors */
   /* Null, or called in the calling thread with user. Return 0 to cancel the call. done and all
    * count slices; all is 0 if the step does not count. */

@@ -7,7 +7,7 @@
 // and its triangles are counter-clockwise seen from outside. By default it is that of Discretized
 // Marching Cubes: vertices lie halfway between voxels, and coplanar facets are merged before they
 // are triangulated. MeshOptions::interpolates moves the vertices to where the samples cross the
-// level.
+// level, and MeshOptions::relaxes to a smooth surface if there are no samples.
 //
 // mesh_of() needs the array once and never copies it; MeshBuilder accepts slices one by one, and
 // MeshReceiver the bytes of a device. Link discmc::mesh. In C: discmc/mesh.h.
@@ -139,7 +139,11 @@ struct MeshOptions {
   /// Sides and triangles are split where the crossings are farther from the mesh than the
   /// tolerance.
   bool interpolates = false;
-  double tolerance = 0.05;  ///< Units: voxels
+  double tolerance = 0.05;  ///< also of relaxes; Units: voxels
+  /// Moves vertices between the voxels to the smoothest surface that keeps every voxel on its side:
+  /// for masks, and for streams, which hold no samples. No triangles intersect. Limit: not with
+  /// interpolates or smoothing, not for labels.
+  bool relaxes = false;
   /// Smooths a mask or a label by a Gaussian of this deviation; implies interpolates. Each body
   /// keeps the volume of its voxels, and every voxel its side, unless the border is open. 1.5
   /// voxels remove the steps, or the largest spacing if the spacings differ. 0: none. Units: as
@@ -152,7 +156,7 @@ struct MeshOptions {
   std::uint64_t triangles = 0;
   double max_error = 0;
   Normals normals = Normals::none;
-  /// Whether Mesh::polygons is filled. Limit: not interpolated, not decimated.
+  /// Whether Mesh::polygons is filled. Limit: not interpolated, relaxed or decimated.
   bool polygons = false;
   /// The vertices and polygons do not depend on it; their order does, and which of two equally good
   /// diagonals divides a polygon. 0: as many as there are processors.
@@ -280,8 +284,8 @@ class MeshReceiver {
   const StreamHeader& header() const;
   /// The mesh of the polygons that arrived so far; closed once the scan is complete. Units:
   /// millimetres; half-steps of 0.5 without a spacing in the stream. options: the spacing is that
-  /// of the stream, the placement too if it is not given. Limit: no interpolation, no gradient
-  /// normals.
+  /// of the stream, as is the border, and the placement if it is not given. Limit: no
+  /// interpolation or smoothing, no gradient normals.
   [[nodiscard]] Mesh mesh(MeshOptions options = {}) const;
   /// The number of polygons that arrived so far.
   std::size_t polygon_count() const;

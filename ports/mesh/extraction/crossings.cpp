@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
 #include "mask_bits.hpp"
+#include "surface/polygon_crossings.hpp"
+#include "surface/surface.hpp"
 
 namespace discmc::meshing {
 namespace {
@@ -38,6 +41,115 @@ Vertex corner_at(const Vertex& centroid, unsigned corner) {
 }
 
 }  // namespace
+
+// Finds them axis by axis.
+class Crossings::OfPolygons {
+ public:
+  OfPolygons(Crossings& crossings, const Polygons& polygons)
+      : crossings_(crossings), polygons_(polygons) {}
+
+  void find(std::size_t axis) {
+    found_.clear();
+    for (const Polygon& polygon : polygons_)
+      meshing::for_each_crossing(polygon, axis,
+                                 [&](const Vertex& middle) { add(axis, polygon, middle); });
+    store(crossings_.along_[axis]);
+    add_rims(axis);
+  }
+
+ private:
+  struct Found {
+    std::uint64_t row;
+    Crossing crossing;
+    bool operator<(const Found& other) const {
+      return row != other.row ? row < other.row : crossing.x < other.crossing.x;
+    }
+    bool operator==(const Found& other) const {
+      return row == other.row && crossing.x == other.crossing.x;
+    }
+  };
+
+  void add(std::size_t axis, const Polygon& polygon, const Vertex& middle) {
+    const Vertex at = middle - crossings_.first_;
+    const Vertex begin = {at.x >> 1, at.y >> 1, at.z >> 1};
+    if (!crossings_.is_inside(begin) || !crossings_.is_inside(at - begin)) return;
+    constexpr std::size_t most = std::size_t{1} << 27;
+    if (found_.size() == most)
+      throw std::length_error("the surface crosses more than " + std::to_string(most) +
+                              " edges along an axis; extract a part, or shrink the volume");
+    const Vertex normal = incidence_normal(polygon.incidence);
+    const bool falls = (axis == 0 ? normal.x : axis == 1 ? normal.y : normal.z) > 0;
+    const std::uint64_t row = std::uint64_t{crossings_.dims_[1]} * static_cast<unsigned>(begin.z) +
+                              static_cast<unsigned>(begin.y);
+    found_.push_back({row, {static_cast<std::uint16_t>(begin.x), falls, 1}});
+  }
+
+  void store(Rows& rows) {
+    std::sort(found_.begin(), found_.end());
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    rows.crossings.clear();
+    rows.begin.clear();
+    for (const Found& found : found_) {
+      rows.begin.resize(found.row + 1, rows.crossings.size());
+      rows.crossings.push_back(found.crossing);
+    }
+    rows.begin.resize(std::size_t{crossings_.dims_[1]} * crossings_.dims_[2] + 1,
+                      rows.crossings.size());
+  }
+
+  // At the rim of an open surface, an edge through a side may not count as crossing the polygon.
+  void add_rims(std::size_t axis) {
+    const std::size_t count = found_.size();
+    for (const Polygon& polygon : polygons_)
+      for (const Ring& ring : polygon.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const Side side = side_between(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+          Vertex vertex = ring[i];
+          for (std::int32_t link = 0; link < side.links; ++link, vertex = vertex + side.link)
+            if (is_on_edge(axis, vertex) && !crossings_.find(vertex)) add(axis, polygon, vertex);
+        }
+    if (found_.size() > count) store(crossings_.along_[axis]);
+  }
+
+  static bool is_on_edge(std::size_t axis, const Vertex& vertex) {
+    const bool odd[] = {(vertex.x & 1) != 0, (vertex.y & 1) != 0, (vertex.z & 1) != 0};
+    return odd[axis] && !odd[(axis + 1) % 3] && !odd[(axis + 2) % 3];
+  }
+
+  Crossings& crossings_;
+  const Polygons& polygons_;
+  std::vector<Found> found_;
+};
+
+Crossings::Crossings(const std::array<std::uint32_t, 3>& dims, const Polygons& polygons)
+    : dims_{0, 0, 0}, first_{0, 0, 0} {
+  // The part of the volume that the polygons span; else a small surface would need all rows.
+  std::array<std::int64_t, 3> low{}, high{-1, -1, -1};
+  for (const Polygon& polygon : polygons)
+    for (const Vertex& corner : polygon.rings[0]) {
+      const std::array<std::int64_t, 3> at = {corner.x, corner.y, corner.z};
+      const bool is_first = high[0] < low[0];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = is_first ? at[axis] : std::min(low[axis], at[axis]);
+        high[axis] = is_first ? at[axis] : std::max(high[axis], at[axis]);
+      }
+    }
+  std::array<std::int32_t, 3> first{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::int64_t begin = std::max(low[axis] / 2 - 1, std::int64_t{0});
+    const std::int64_t end = std::min(high[axis] / 2 + 2, std::int64_t{dims[axis]});
+    if (begin >= end) return;
+    first[axis] = static_cast<std::int32_t>(2 * begin);
+    dims_[axis] = static_cast<std::uint32_t>(end - begin);
+  }
+  first_ = {first[0], first[1], first[2]};
+  constexpr std::uint64_t most_rows = std::uint64_t{1} << 26;
+  if (std::uint64_t{dims_[1]} * dims_[2] > most_rows)
+    throw std::length_error("the surface spans more than " + std::to_string(most_rows) +
+                            " rows of voxels; extract a part, or shrink the volume");
+  OfPolygons of_polygons(*this, polygons);
+  for (std::size_t axis = 0; axis < 3; ++axis) of_polygons.find(axis);
+}
 
 bool Crossings::is_inside(const Vertex& voxel) const {
   const std::int32_t at[] = {voxel.x, voxel.y, voxel.z};
@@ -103,6 +215,13 @@ Point Crossings::on_edge(const Vertex& middle) const {
   if (const Crossing* const crossing = crossing_of(middle))
     point[axis] += static_cast<double>(crossing->at) - 1;
   return point;
+}
+
+Vertex Crossings::middle_of(std::size_t axis, std::size_t row, std::uint32_t x) const {
+  const auto step = [axis](std::size_t of) { return axis == of ? 1 : 0; };
+  return first_ + Vertex{2 * static_cast<std::int32_t>(x) + step(0),
+                         2 * static_cast<std::int32_t>(row % dims_[1]) + step(1),
+                         2 * static_cast<std::int32_t>(row / dims_[1]) + step(2)};
 }
 
 Point Crossings::interpolated(const Vertex& vertex) const {

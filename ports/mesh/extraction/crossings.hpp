@@ -14,6 +14,7 @@
 #include "samples/slice_reader.hpp"
 #include "selection.hpp"
 #include "surface/point.hpp"
+#include "surface/polygons.hpp"
 
 namespace discmc::meshing {
 
@@ -36,6 +37,10 @@ class Crossings {
   /// first: where the volume begins in the coordinates of the vertices; Units: half-steps.
   Crossings(const std::array<std::uint32_t, 3>& dims, const Vertex& first)
       : dims_(dims), first_(first) {}
+  /// Finds those of polygons, in the middles of edges; none on edges that end outside the volume.
+  /// Throws std::length_error if the polygons span more rows of voxels than 2^26, or cross more
+  /// edges than 2^27.
+  Crossings(const std::array<std::uint32_t, 3>& dims, const Polygons& polygons);
 
   /// The point of the interpolated surface that replaces a vertex of the merged one. The crossing
   /// of an edge replaces its middle, the mean of the crossings around it a centroid. If a voxel is
@@ -49,6 +54,22 @@ class Crossings {
   std::size_t count(std::size_t axis) const { return along_[axis].crossings.size(); }
   /// Whether the edge begins on, and ends off.
   bool falls(Place place) const { return along_[place.axis].crossings[place.number].falls; }
+  /// Calls with each crossing, and with the middle of its edge.
+  template <class Call>
+  void for_each(Call call) const {
+    for (std::uint8_t axis = 0; axis < 3; ++axis) {
+      const Rows& rows = along_[axis];
+      for (std::size_t row = 0; row + 1 < rows.begin.size(); ++row)
+        for (std::size_t i = rows.begin[row]; i < rows.begin[row + 1]; ++i)
+          call(Place{axis, static_cast<std::uint32_t>(i)},
+               middle_of(axis, row, rows.crossings[i].x));
+    }
+  }
+  /// From the voxel where the edge begins. Units: half-steps.
+  float at(Place place) const { return along_[place.axis].crossings[place.number].at; }
+  /// Limit: from the margin to 2 less the margin.
+  void move(Place place, float at) { along_[place.axis].crossings[place.number].at = at; }
+
   /// Limit: of a finder that keeps the ends.
   Ends& ends(Place place) { return along_[place.axis].ends[place.number]; }
   /// Moves a crossing to where the line between two ends meets zero. Limit: their signs differ.
@@ -72,6 +93,9 @@ class Crossings {
     std::vector<Ends> ends{};  // as many, or none
   };
 
+  class OfPolygons;
+
+  Vertex middle_of(std::size_t axis, std::size_t row, std::uint32_t x) const;
   Point in_volume(const Vertex& vertex) const;
   bool is_inside(const Vertex& voxel) const;
   const Crossing* crossing_of(const Vertex& middle) const;

@@ -33,6 +33,13 @@ void StreamReader::push(const std::uint8_t* bytes, std::size_t count) {
   require_ok();
 }
 
+std::array<std::uint32_t, 3> StreamReader::dims() const {
+  const std::uint32_t depth = report().has_trailer ? report().slices
+                              : header().depth > 0 ? header().depth
+                                                   : Limits::max_slices;
+  return {header().width, header().height, depth};
+}
+
 void StreamReader::finish() {
   if (status_ == Status::ok) status_ = decoder_.finish();
   require_ok();

@@ -2,6 +2,7 @@
 #ifndef DISCMC_MESH_STREAMS_STREAM_READER_HPP
 #define DISCMC_MESH_STREAMS_STREAM_READER_HPP
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <istream>
@@ -44,6 +45,9 @@ class StreamReader {
 
   const StreamHeader& header() const { return decoder_.header(); }
   const StreamReport& report() const { return decoder_.report(); }
+  /// The voxels of the scan. Along z: the slices in the trailer, otherwise the planned ones,
+  /// otherwise as many as any scan has.
+  std::array<std::uint32_t, 3> dims() const;
   /// The channel that was read.
   std::uint8_t channel() const {
     return choice_.channel == any_channel ? header().channel : choice_.channel;

@@ -46,6 +46,8 @@ class Decoder:
         channel: Optional[int] = None,
         *,
         placement: Optional[ArrayLike] = None,
+        relax: bool = False,
+        tolerance: float = 0.05,
         triangles: int = 0,
         max_error: float = 0.0,
         normals: Optional[str] = None,
@@ -54,8 +56,8 @@ class Decoder:
         self._receiver = _discmc.Receiver(channel)
         self._has_polygons = polygons
         self._options = options(
-            placement=placement, triangles=triangles, max_error=max_error, normals=normals,
-            polygons=polygons)
+            placement=placement, relax=relax, tolerance=tolerance, triangles=triangles,
+            max_error=max_error, normals=normals, polygons=polygons)
 
     def feed(self, data: Union[bytes, bytearray, memoryview]) -> list[Scan]:
         """Accepts bytes, any number at a time. Returns the scans that end in them."""

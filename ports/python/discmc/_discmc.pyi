@@ -24,6 +24,7 @@ class Options:
     placement: Optional[Sequence[Sequence[float]]]
     border: Border
     interpolates: bool
+    relaxes: bool
     tolerance: float
     smoothing: float
     triangles: int

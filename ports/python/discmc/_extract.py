@@ -53,6 +53,7 @@ def extract(
     placement: Optional[ArrayLike] = None,
     border: str = "closed",
     interpolate: bool = False,
+    relax: bool = False,
     tolerance: float = 0.05,
     smoothing: float = 0.0,
     triangles: int = 0,
@@ -77,6 +78,8 @@ def extract(
     interpolate: moves vertices from halfway between voxels to where the samples cross the level, and
         splits triangles that are farther than tolerance (in voxels) from the crossings. Whole
         numbers cross at level - 0.5.
+    relax: moves vertices to the smoothest surface that keeps every voxel on its side, and splits
+        triangles as interpolate does; it uses no samples, so it suits masks.
     smoothing: of a mask, the standard deviation of a Gaussian, in the unit of the spacing. It
         implies interpolate. Each body keeps the volume of its voxels.
     triangles, max_error: decimates to this many triangles, or as far as both meshes stay within
@@ -93,9 +96,9 @@ def extract(
     high = math.inf if upper is None else number("upper", upper)
     spacing_, placement_ = _placed(volume, spacing, placement)
     chosen: dict[str, Any] = dict(
-        border=border, interpolate=interpolate, tolerance=tolerance, smoothing=smoothing,
-        triangles=triangles, max_error=max_error, normals=normals, polygons=polygons,
-        threads=threads, progress=progress)
+        border=border, interpolate=interpolate, relax=relax, tolerance=tolerance,
+        smoothing=smoothing, triangles=triangles, max_error=max_error, normals=normals,
+        polygons=polygons, threads=threads, progress=progress)
     if isinstance(volume, Iterator):
         return _of_slices(volume, low, high, spacing_, placement_, chosen)
     all_options = options(spacing=spacing_, placement=placement_, **chosen)

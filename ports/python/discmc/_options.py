@@ -83,6 +83,7 @@ def options(
     placement: Optional[ArrayLike] = None,
     border: str = "closed",
     interpolate: bool = False,
+    relax: bool = False,
     tolerance: float = 0.05,
     smoothing: float = 0.0,
     triangles: int = 0,
@@ -98,6 +99,7 @@ def options(
         chosen.placement = matrix(placement)
     chosen.border = choice("border", border, _borders)
     chosen.interpolates = interpolate
+    chosen.relaxes = relax
     chosen.tolerance = number("tolerance", tolerance)
     chosen.smoothing = number("smoothing", smoothing)
     chosen.triangles = count("triangles", triangles, 2**64 - 1)

@@ -24,6 +24,7 @@ void add_options(py::module_& module) {
   property("placement", &MeshOptions::placement);
   property("border", &MeshOptions::border);
   property("interpolates", &MeshOptions::interpolates);
+  property("relaxes", &MeshOptions::relaxes);
   property("tolerance", &MeshOptions::tolerance);
   property("smoothing", &MeshOptions::smoothing);
   property("triangles", &MeshOptions::triangles);

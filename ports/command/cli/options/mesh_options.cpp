@@ -173,17 +173,25 @@ void check_size(const MeshSize& size, const std::string& output) {
                                              "out --unit");
 }
 
-void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolerance) {
+void add_surface_kind_options(CLI::App& app, SurfaceKind& surface, double& tolerance,
+                              const std::string& interpolated) {
   app.option_defaults()->group(mesh_group);
-  add_named_option(app, "--surface", interpolates,
-                   NamedValues<bool>{{"merged", false}, {"interpolated", true}},
+  add_named_option(app, "--surface", surface,
+                   NamedValues<SurfaceKind>{{"merged", SurfaceKind::merged},
+                                            {"interpolated", SurfaceKind::interpolated},
+                                            {"relaxed", SurfaceKind::relaxed}},
                    "where the vertices lie; merged: halfway between voxels, in flat polygons; "
                    "interpolated: where the samples cross the threshold, as in classic Marching "
-                   "Cubes; the default with --smooth, and of samples with --triangles or "
-                   "--max-error");
+                   "Cubes" +
+                       interpolated +
+                       "; relaxed: on the smoothest surface between the voxels, which needs no "
+                       "samples");
   app.add_option("--tolerance", tolerance,
-                 "the largest distance of an interpolated surface from these crossings, in voxels; "
-                 "less needs more triangles; 0 is the default with --triangles or --max-error")
+                 "the largest distance of an interpolated or relaxed surface from these places, in "
+                 "voxels; less needs more triangles" +
+                     std::string(interpolated.empty()
+                                     ? ""
+                                     : "; 0 is the default with --triangles or --max-error"))
       ->check(finite())
       ->check(not_negative())
       ->option_text("VOXELS")
@@ -220,18 +228,29 @@ void check_decimation(const Decimation& decimation, const MeshingOptions& mesh,
                                "--faces polygons and --no-conforming");
 }
 
-void check_interpolation(const MeshingOptions& mesh, const std::string& output) {
+void check_surface_kind(SurfaceKind surface, const MeshingOptions& mesh,
+                        const std::string& output) {
+  if (surface == SurfaceKind::merged) return;
+  const std::string name = surface == SurfaceKind::interpolated ? "interpolated" : "relaxed";
   const Format format = format_of(output);
   if (format == Format::stream || format == Format::jsonl)
     throw CLI::ValidationError("--surface", named(output) +
                                                 " has vertices halfway between voxels; leave out "
-                                                "--surface interpolated, or write a mesh");
+                                                "--surface " +
+                                                name + ", or write a mesh");
   if (mesh.faces == Faces::polygons)
-    throw CLI::ValidationError(
-        "--faces", "polygons of an interpolated surface are not flat; leave out --faces polygons");
+    throw CLI::ValidationError("--faces", "polygons of a surface that is " + name +
+                                              " are not flat; leave out --faces polygons");
   if (!mesh.conforming)
     throw CLI::ValidationError("--no-conforming",
-                               "an interpolated surface has no T-junctions; leave it out");
+                               "a surface that is " + name + " has no T-junctions; leave it out");
+}
+
+void check_tolerance(SurfaceKind surface, const CLI::App& app) {
+  if (app.get_option("--tolerance")->count() > 0 && surface == SurfaceKind::merged)
+    throw CLI::ValidationError("--tolerance",
+                               "applies to interpolated and relaxed surfaces; add --surface "
+                               "interpolated or --surface relaxed");
 }
 
 void check_faces(Faces faces, const std::string& output) {

@@ -50,8 +50,9 @@ void add_size_options(CLI::App& app, MeshSize& size);
 /// Only formats without a unit of their own can have another one. Throws: CLI::ValidationError.
 void check_size(const MeshSize& size, const std::string& output);
 
-/// --surface and --tolerance.
-void add_interpolation_options(CLI::App& app, bool& interpolates, double& tolerance);
+/// --surface and --tolerance. interpolated: when this is a default of --surface, or none.
+void add_surface_kind_options(CLI::App& app, SurfaceKind& surface, double& tolerance,
+                              const std::string& interpolated = {});
 
 /// --triangles and --max-error: how far a mesh is decimated.
 void add_decimation_options(CLI::App& app, Decimation& decimation);
@@ -60,9 +61,11 @@ void add_decimation_options(CLI::App& app, Decimation& decimation);
 void check_decimation(const Decimation& decimation, const MeshingOptions& mesh,
                       const std::string& output);
 
-/// Interpolated vertices are those of conforming triangles, in a mesh. Throws:
-/// CLI::ValidationError.
-void check_interpolation(const MeshingOptions& mesh, const std::string& output);
+/// Vertices are moved in conforming triangles, in a mesh. Throws: CLI::ValidationError.
+void check_surface_kind(SurfaceKind surface, const MeshingOptions& mesh, const std::string& output);
+
+/// Only vertices that are moved have a tolerance. Throws: CLI::ValidationError.
+void check_tolerance(SurfaceKind surface, const CLI::App& app);
 
 /// Only some formats hold polygons. Throws: CLI::ValidationError.
 void check_faces(Faces faces, const std::string& output);

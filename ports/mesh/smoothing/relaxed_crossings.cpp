@@ -1,0 +1,186 @@
+#include "relaxed_crossings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "meshes/intersections.hpp"
+#include "meshes/mesh.hpp"
+
+namespace discmc::meshing {
+namespace {
+
+using Place = Crossings::Place;
+
+constexpr unsigned passes = 6;
+// The deviation of a crossing from the line of its neighbours. Units: edges.
+constexpr double deviation = 0.15;
+
+Vertex step_along(std::size_t axis) {
+  return {axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0};
+}
+Vertex times(int factor, const Vertex& vertex) {
+  return {factor * vertex.x, factor * vertex.y, factor * vertex.z};
+}
+
+// The mean of a normal distribution from 0 to 1. Limit: its middle is there.
+double mean_within_edge(double middle) {
+  constexpr double root_of_two_pi = 2.506628274631;
+  const auto density = [](double x) { return std::exp(-x * x / 2) / root_of_two_pi; };
+  const double low = -middle / deviation, high = (1 - middle) / deviation;
+  const double share = (std::erf(high / std::sqrt(2)) - std::erf(low / std::sqrt(2))) / 2;
+  return middle + deviation * (density(low) - density(high)) / share;
+}
+
+class Relaxer {
+ public:
+  Relaxer(Crossings& crossings, Border border) : crossings_(crossings), border_(border) {
+    nodes_.reserve(crossings.count(0) + crossings.count(1) + crossings.count(2));
+    crossings.for_each([this](Place place, const Vertex& middle) { add_node(place, middle); });
+  }
+
+  void pass() {
+    relaxed_.clear();
+    for (const Node& node : nodes_) relaxed_.push_back(relaxed(node));
+    for (std::size_t i = 0; i < nodes_.size(); ++i) crossings_.move(nodes_[i].place, relaxed_[i]);
+  }
+
+ private:
+  // How the surface continues from an edge, across a face beside it.
+  enum class Way : std::uint8_t {
+    none,
+    at_begin,  // the edge of the face at the begin of this one
+    at_end,
+    beside,  // the edge that is parallel
+    begin_of_border,
+    end_of_border,
+  };
+  struct Neighbour {
+    Way way;
+    std::uint32_t number;  // of the crossing
+  };
+  // Two neighbours in each of two planes.
+  struct Node {
+    Place place;
+    std::array<std::array<Neighbour, 2>, 2> beside;
+  };
+  // Along the edge from its begin, and how far away across it. Units: edges.
+  struct Spot {
+    double along, across;
+  };
+
+  static std::uint8_t axis_of_plane(const Node& node, std::size_t plane) {
+    return static_cast<std::uint8_t>((node.place.axis + 1 + plane) % 3);
+  }
+
+  void add_node(Place place, const Vertex& middle) {
+    Node node{place, {}};
+    for (std::size_t plane = 0; plane < 2; ++plane)
+      for (std::size_t side = 0; side < 2; ++side)
+        node.beside[plane][side] = neighbour(
+            place, middle, times(side == 0 ? -1 : 1, step_along(axis_of_plane(node, plane))));
+    nodes_.push_back(node);
+  }
+
+  // What is on is separate in a face, so the surface goes around the voxel that is on, if it can.
+  Neighbour neighbour(Place place, const Vertex& middle, const Vertex& step) const {
+    const Vertex half = step_along(place.axis);
+    const bool falls = crossings_.falls(place);
+    const auto at_on = crossings_.find((falls ? middle - half : middle + half) + step);
+    if (at_on) return {falls ? Way::at_begin : Way::at_end, at_on->number};
+    const auto at_off = crossings_.find((falls ? middle + half : middle - half) + step);
+    if (at_off) return {falls ? Way::at_end : Way::at_begin, at_off->number};
+    const auto beside = crossings_.find(middle + times(2, step));
+    if (beside) return {Way::beside, beside->number};
+    if (border_ == Border::open) return {Way::none, 0};
+    return {falls ? Way::begin_of_border : Way::end_of_border, 0};
+  }
+
+  Spot spot(const Node& node, std::size_t plane, std::size_t side) const {
+    const Neighbour& neighbour = node.beside[plane][side];
+    const auto at = [&](std::uint8_t axis) {
+      return static_cast<double>(crossings_.at({axis, neighbour.number})) / 2;
+    };
+    if (neighbour.way == Way::beside) return {at(node.place.axis), 1};
+    constexpr double middle = 0.5;
+    if (neighbour.way == Way::begin_of_border) return {0, middle};
+    if (neighbour.way == Way::end_of_border) return {1, middle};
+    const double across = at(axis_of_plane(node, plane));
+    return {neighbour.way == Way::at_begin ? 0.0 : 1.0, side == 0 ? 1 - across : across};
+  }
+
+  // The mean of where straight lines between neighbours cross the edge.
+  float relaxed(const Node& node) const {
+    double sum = 0;
+    unsigned planes = 0;
+    for (std::size_t plane = 0; plane < 2; ++plane) {
+      const auto& beside = node.beside[plane];
+      if (beside[0].way == Way::none || beside[1].way == Way::none) continue;
+      const Spot one = spot(node, plane, 0), other = spot(node, plane, 1);
+      sum += (one.along * other.across + other.along * one.across) / (one.across + other.across);
+      ++planes;
+    }
+    if (planes == 0) return crossings_.at(node.place);
+    return static_cast<float>(
+        std::clamp(2 * mean_within_edge(sum / planes), Crossings::margin, 2 - Crossings::margin));
+  }
+
+  Crossings& crossings_;
+  Border border_;
+  std::vector<Node> nodes_;
+  std::vector<float> relaxed_;
+};
+
+// Calls for the crossing at a vertex, or for those around a centroid.
+template <class Call>
+void for_each_near(const Crossings& crossings, const Vertex& vertex, Call call) {
+  if (const auto place = crossings.find(vertex)) return call(*place);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const int a : {-1, 1})
+      for (const int b : {-1, 1})
+        if (const auto place = crossings.find(vertex + times(a, step_along((axis + 1) % 3)) +
+                                              times(b, step_along((axis + 2) % 3))))
+          call(*place);
+}
+
+// Half of the way, and at last all of it. Returns whether there was any left.
+bool move_to_middle(Crossings& crossings, Place place, unsigned round) {
+  constexpr unsigned halves = 3;
+  const float at = crossings.at(place);
+  crossings.move(place, round < halves ? (at + 1) / 2 : 1);
+  return at != 1;
+}
+
+}  // namespace
+
+// This ends: with all crossings in the middle, the faces of cells do not intersect.
+void separate(Crossings& crossings, const Surface& surface, const Relaxation& relaxation) {
+  bool is_moved = true;
+  for (unsigned round = 0; is_moved; ++round) {
+    const FaceMesh mesh = build_mesh(
+        surface, {true, Faces::triangles, &crossings, relaxation.tolerance, 1, relaxation.check});
+    FaceList faces(mesh.face_count());
+    std::iota(faces.begin(), faces.end(), 0U);
+    is_moved = false;
+    for (const auto& pair : intersecting_faces(mesh, faces, relaxation.check))
+      for (const std::uint32_t face : pair)
+        for (std::size_t i = 0; i < 3; ++i)
+          for_each_near(crossings, mesh.lattice[mesh.face(face)[i]],
+                        [&](Place place) { is_moved |= move_to_middle(crossings, place, round); });
+  }
+}
+
+void relax(Crossings& crossings, const Surface& surface, const Relaxation& relaxation) {
+  Relaxer relaxer(crossings, relaxation.border);
+  for (unsigned i = 0; i < passes; ++i) {
+    if (relaxation.check) relaxation.check();
+    relaxer.pass();
+  }
+  separate(crossings, surface, relaxation);
+}
+
+}  // namespace discmc::meshing

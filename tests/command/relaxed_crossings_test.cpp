@@ -1,0 +1,163 @@
+// The smoothest surface between the voxels.
+#include "smoothing/relaxed_crossings.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include "meshes/intersections.hpp"
+#include "meshes/surface_normals.hpp"
+#include "sampled_field.hpp"
+
+namespace {
+
+using namespace sampled_field;
+
+std::array<std::uint32_t, 3> dims_of(const Field& field) {
+  return {field.size.width, field.size.height, field.size.depth};
+}
+
+Crossings relaxed(const Field& field, const Extracted& of, double tolerance) {
+  Crossings crossings(dims_of(field), of.surface.polygons);
+  relax(crossings, of.surface, {Border::closed, tolerance, {}});
+  return crossings;
+}
+
+FaceMesh mesh_of(const Extracted& of, const Crossings* crossings, double tolerance) {
+  return build_mesh(of.surface, {true, Faces::triangles, crossings, tolerance});
+}
+
+std::size_t intersections_of(const FaceMesh& mesh) {
+  FaceList faces(mesh.face_count());
+  std::iota(faces.begin(), faces.end(), 0U);
+  return intersecting_faces(mesh, faces).size();
+}
+
+// A slope of one voxel on many, as in a scan: the hardest steps.
+Field slope(double x, double y) {
+  return field_of({24, 20, 12}, [=](double at_x, double at_y, double at_z) {
+    return level + 9 * (6 + x * (at_x - 12) + y * (at_y - 10) - at_z);
+  });
+}
+
+double mean_angle(const FaceMesh& mesh, double middle) {
+  const std::vector<Point> normals = surface_normals(mesh);
+  double sum = 0;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Point radius = unit_or_zero(difference(mesh.vertices_mm[i], {middle, middle, middle}));
+    sum += std::acos(std::clamp(dot(normals[i], radius), -1.0, 1.0));
+  }
+  return sum / static_cast<double>(normals.size()) * 180 / 3.14159265;
+}
+
+double mean_distance(const FaceMesh& mesh, double middle, double radius) {
+  double sum = 0;
+  for (const Point& vertex : mesh.vertices_mm)
+    sum +=
+        std::abs(std::hypot(vertex[0] - middle, vertex[1] - middle, vertex[2] - middle) - radius);
+  return sum / static_cast<double>(mesh.vertices_mm.size());
+}
+
+}  // namespace
+
+TEST_CASE("polygons have the crossings that the samples have, in the middle of their edges") {
+  for (const Border border : {Border::closed, Border::open})
+    for (const Field& field : {noise({9, 7, 6}, 1), ball(12, 4), noise({2, 5, 4}, 2)}) {
+      const Extracted of = extracted(field, SampleType::u8, {1, 1, 1}, border);
+      const Crossings crossings(dims_of(field), of.surface.polygons);
+      const Crossings& of_samples = of.finder.crossings();
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        CHECK(crossings.count(axis) == of_samples.count(axis));
+      crossings.for_each([&](Crossings::Place place, const Vertex& middle) {
+        const auto same = of_samples.find(middle);
+        REQUIRE(same);
+        REQUIRE(same->axis == place.axis);
+        REQUIRE(crossings.falls(place) == of_samples.falls(*same));
+        REQUIRE(crossings.at(place) == 1);
+      });
+    }
+}
+
+TEST_CASE("a relaxed surface is closed, keeps every voxel on its side and intersects nowhere") {
+  for (const double tolerance : {0.0, 0.05})
+    for (const Field& field :
+         {noise({9, 8, 7}, 3), noise({14, 5, 8}, 4), ball(13, 4.7), slope(0.3, 0.1)}) {
+      const Extracted of = extracted(field);
+      const Crossings crossings = relaxed(field, of, tolerance);
+      std::size_t moved = 0;
+      crossings.for_each([&](Crossings::Place place, const Vertex&) {
+        const double at = static_cast<double>(crossings.at(place));
+        REQUIRE(at >= Crossings::margin);
+        REQUIRE(at <= 2 - Crossings::margin);
+        if (std::abs(at - 1) > 0.05) ++moved;
+      });
+      CHECK(moved > 50);
+      const FaceMesh mesh = mesh_of(of, &crossings, tolerance);
+      CHECK(check_mesh(mesh).closed());
+      CHECK(intersections_of(mesh) == 0);
+    }
+}
+
+TEST_CASE("crossings in the middle intersect in no configuration of a cell, so relaxing ends") {
+  for (int configuration = 1; configuration < 256; ++configuration) {
+    const Field field = field_of({2, 2, 2}, [=](double x, double y, double z) {
+      const int corner = static_cast<int>(x + 2 * y + 4 * z);
+      return (configuration >> corner & 1) != 0 ? 100 : 0;
+    });
+    const Extracted of = extracted(field);
+    const Crossings middle(dims_of(field), of.surface.polygons);
+    REQUIRE(intersections_of(mesh_of(of, &middle, 0)) == 0);
+    const Crossings crossings = relaxed(field, of, 0);
+    REQUIRE(intersections_of(mesh_of(of, &crossings, 0)) == 0);
+  }
+}
+
+TEST_CASE("crossings of faces that would intersect go back") {
+  // With all crossings far from the middle, some faces of noise intersect.
+  const Field field = noise({12, 12, 12}, 8);
+  const Extracted of = extracted(field);
+  Crossings crossings(dims_of(field), of.surface.polygons);
+  discmc::test::Chance chance(1);
+  crossings.for_each([&](Crossings::Place place, const Vertex&) {
+    crossings.move(place, chance.below(2) == 0 ? 0.02F : 1.98F);
+  });
+  REQUIRE(intersections_of(mesh_of(of, &crossings, 0)) > 0);
+  separate(crossings, of.surface, {Border::closed, 0, {}});
+  CHECK(intersections_of(mesh_of(of, &crossings, 0)) == 0);
+}
+
+TEST_CASE("a flat surface stays flat") {
+  for (const Field& field : {slope(0, 0), slope(1, 0), slope(-1, 1)}) {
+    const Extracted of = extracted(field);
+    const Crossings crossings = relaxed(field, of, 0);
+    crossings.for_each([&](Crossings::Place place, const Vertex& middle) {
+      const bool is_inner = middle.x > 8 && middle.x < 38 && middle.y > 8 && middle.y < 30 &&
+                            middle.z > 8 && middle.z < 14;
+      if (is_inner) CHECK(crossings.at(place) == doctest::Approx(1).epsilon(1e-3));
+    });
+  }
+}
+
+TEST_CASE("a relaxed ball is rounder than that of midpoints, in place and in direction") {
+  const Field field = ball(44, 17.3);
+  const Extracted of = extracted(field);
+  const Crossings crossings = relaxed(field, of, 0);
+  const FaceMesh relaxed = mesh_of(of, &crossings, 0), merged = mesh_of(of, nullptr, 0);
+  constexpr double middle = 21.5, radius = 17.3;
+  CHECK(mean_distance(relaxed, middle, radius) < 0.6 * mean_distance(merged, middle, radius));
+  CHECK(mean_angle(relaxed, middle) < 0.7 * mean_angle(merged, middle));
+}
+
+TEST_CASE("polygons that span too many rows are refused") {
+  Polygons polygons;
+  polygons.add_polygon(discmc::incidence_of({1, 1, 1}));
+  const Vertex corners[] = {{1, 0, 0}, {1, 60000, 0}, {1, 0, 60000}};
+  polygons.add_ring({corners, corners + 3});
+  CHECK_THROWS_AS(Crossings({30000, 30000, 30000}, polygons), std::length_error);
+}
