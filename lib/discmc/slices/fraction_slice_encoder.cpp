@@ -34,7 +34,8 @@ void FractionSliceEncoder<Sample>::lay_out_fractions() {
   fractions_.start(arena, header);
   samples_ = arena.allocate<Sample>(header.width);
   for (uint32_t surface = 0; surface < header.surface_count; ++surface)
-    distances_[surface] = arena.allocate<uint8_t>(Intake::distance_bytes(header.width) * header.height);
+    distances_[surface] =
+        arena.allocate<uint8_t>(Intake::distance_bytes(header.width) * header.height);
   code_fractions_ = [](SliceEncoder& encoder) {
     return static_cast<FractionSliceEncoder&>(encoder).code_row();
   };
