@@ -26,7 +26,7 @@
  * functions run within calls of the object that has them. They must not jump out of the call, nor
  * call an object that is calling them. Pointers must not be null unless a comment allows it. Flags
  * are 0 or 1. A Limit in a comment is not checked: keep it. Owner: who owns the memory behind a
- * pointer. The C++ headers also have filters, polygon arithmetic and groups of surfaces. */
+ * pointer. front.h has the row ring and unpackers; C++ also has filters and polygon arithmetic. */
 #ifndef DISCMC_H
 #define DISCMC_H
 
@@ -79,7 +79,6 @@ typedef struct discmc_slice_encoder discmc_slice_encoder;
 typedef struct discmc_receiver discmc_receiver;
 typedef struct discmc_joiner discmc_joiner;
 typedef struct discmc_store discmc_store;
-typedef struct discmc_row_ring discmc_row_ring;
 
 typedef struct discmc_memory {
   void* data;
@@ -109,9 +108,8 @@ typedef struct discmc_push_result {
 } discmc_push_result;
 
 /* The output of an encoder. write() accepts up to `count` bytes, valid during the call, and returns
- * how many: 0 if busy, or on an error. If the link is dead, call set_output(). unsent() returns how
- * many accepted bytes a power failure would still lose, such as those in a driver's queue. Only
- * checkpoints require it. */
+ * how many: 0 if busy, or on an error. If the link is dead, call set_output(). unsent(), only for
+ * checkpoints, returns how many accepted bytes a power failure would lose, as in a queue. */
 typedef struct discmc_byte_output {
   void* context;
   size_t (*write)(void* context, const uint8_t* bytes, size_t count);
@@ -206,14 +204,12 @@ typedef struct discmc_event {
     const discmc_stream_header* header;
     const discmc_application_record* application;
     /* Per voxel, three bits each for the edges to the voxels before it along x, y and z. They hold
-     * where the surface crosses, in eighths from the voxel before. 0: nowhere, or unknown: the
-     * middle. */
+     * the crossing in eighths, from the voxel before. 0: nowhere, or unknown: the middle. */
     const uint16_t* fractions;
   } of; /* Owner: the sender; valid during the call */
 } discmc_event;
 
-/* A sink's answer. BUSY: the next resume(), or push() of a receiver, offers the event again.
- * NOT_STARTED: a retry fails, too. */
+/* BUSY: the next resume(), or push() of a receiver, offers the event again; NOT_STARTED: never. */
 typedef uint8_t discmc_sink_result;
 enum { DISCMC_SINK_ACCEPTED, DISCMC_SINK_BUSY, DISCMC_SINK_NOT_STARTED };
 /* A sink of events: a function, and the object that it is called with. */
@@ -231,8 +227,7 @@ discmc_vertex discmc_unit_normal(const uint8_t normal[2]);
 
 /* ---- extractor: samples in, polygons out ---- */
 /* A program links only the kinds that it names. Plain kinds accept samples of one type, or rows of
- * bits. Kinds with normals add a normal to each corner, and keep four slices and six rows of
- * samples. */
+ * bits. Kinds with normals add one to each corner, and keep four slices and six rows of samples. */
 typedef struct discmc_extractor_kind discmc_extractor_kind;
 extern const discmc_extractor_kind discmc_plain_bits, discmc_plain_u8, discmc_plain_u16,
     discmc_plain_i16, discmc_normals_u8, discmc_normals_u16, discmc_normals_i16;
@@ -270,7 +265,6 @@ DISCMC_CHECK discmc_status discmc_extractor_start(discmc_extractor** extractor,
 DISCMC_CHECK discmc_push_result discmc_extractor_push(discmc_extractor* extractor,
                                                       discmc_sample_type type, const void* samples,
                                                       uint32_t count, uint32_t stride);
-
 /* Replaces a missing row: DISCMC_SUBSTITUTE_OFF or _PREVIOUS_ROW. Result and errors as for bits. */
 DISCMC_CHECK discmc_push_result discmc_extractor_skip_row(discmc_extractor* extractor,
                                                           uint8_t substitute);
@@ -280,12 +274,10 @@ DISCMC_CHECK discmc_status discmc_extractor_resume(discmc_extractor* extractor);
 DISCMC_CHECK discmc_status discmc_extractor_finish(discmc_extractor* extractor);
 /* Ends the scan anywhere; the rest of the slice is off. DISCMC_CLOSED still closes the surface. */
 DISCMC_CHECK discmc_status discmc_extractor_abandon(discmc_extractor* extractor);
-
 /* A checkpoint; if suspended, resume first. restore() continues at `slices`, `rows` of the info. */
 DISCMC_CHECK discmc_status discmc_extractor_save(discmc_extractor* extractor, discmc_memory* part);
 DISCMC_CHECK discmc_status discmc_extractor_restore(discmc_extractor** extractor,
                                                     const discmc_extractor_config* config);
-
 /* The progress of a scan, and the memory that it needed. */
 typedef struct discmc_extractor_info {
   discmc_statistics statistics;    /* so far */
@@ -313,18 +305,15 @@ DISCMC_CHECK discmc_status discmc_encoder_start(discmc_encoder** encoder,
                                                 const discmc_encoder_config* config);
 /* Encodes an event: the sink of an extractor is {encoder, discmc_encoder_accept}. */
 discmc_sink_result discmc_encoder_accept(void* encoder, const discmc_event* event);
-
 /* Writes a record now. Suspended while the output is busy or a region is in progress: resume the
  * extractor, then call again. Errors: DISCMC_NOT_STARTED, DISCMC_FINISHED, DISCMC_BAD_RECORD. */
 DISCMC_CHECK discmc_status discmc_encoder_write_record(discmc_encoder* encoder,
                                                        const discmc_application_record* record);
 /* Sends an incomplete packet instead of waiting for a full one. If suspended, call again. */
 DISCMC_CHECK discmc_status discmc_encoder_flush(discmc_encoder* encoder);
-
 /* Continues with another output, and repeats the header for a late receiver. An output without a
  * write function is for a dead link: the encoder drops the stream but counts its bytes. */
 void discmc_encoder_set_output(discmc_encoder* encoder, discmc_byte_output output);
-
 /* A checkpoint; if suspended, call again. restore() sends the interrupted frame again. */
 DISCMC_CHECK discmc_status discmc_encoder_save(discmc_encoder* encoder, discmc_memory* part);
 DISCMC_CHECK discmc_status discmc_encoder_restore(discmc_encoder** encoder,
@@ -354,8 +343,7 @@ typedef struct discmc_slice_encoder_config {
   discmc_memory memory;
   discmc_byte_output output;
 } discmc_slice_encoder_config;
-/* The least memory for kind, limits, surface_count, key_slice_interval and levels; 0 if they are
- * bad. */
+/* The least memory for kind, limits, surfaces, interval and levels; 0 if they are bad. */
 uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config);
 /* Begins a scan. Errors: DISCMC_BAD_LIMITS, DISCMC_BAD_LABEL. */
 DISCMC_CHECK discmc_status discmc_slice_encoder_start(discmc_slice_encoder** encoder,
@@ -376,7 +364,6 @@ DISCMC_CHECK discmc_status discmc_slice_encoder_save(discmc_slice_encoder* encod
                                                      discmc_memory* part);
 DISCMC_CHECK discmc_status discmc_slice_encoder_restore(discmc_slice_encoder** encoder,
                                                         const discmc_slice_encoder_config* config);
-
 /* As for the encoder, except that write_record() fills in slice and row of the record. If it is
  * suspended, call write_record() again. The next slice after set_output() is a key slice. */
 DISCMC_CHECK discmc_status discmc_slice_encoder_write_record(
@@ -396,8 +383,7 @@ typedef struct discmc_receiver_config {
   discmc_memory memory; /* for slices: beyond the minimum, fewer regions arrive as fragments */
   discmc_sink sink;
 } discmc_receiver_config;
-/* The least memory for a stream of slices with this many surfaces and levels, as in its header; for
- * polygons pass null. Limit: valid limits, or null. */
+/* The least memory for slices as in a header; for polygons null. Limit: valid limits, or null. */
 uint64_t discmc_receiver_bytes(const discmc_limits* limits, uint32_t surface_count,
                                uint32_t levels);
 /* Prepares to receive a channel. Use a receiver per surface, and push all bytes to each. */
@@ -407,18 +393,15 @@ DISCMC_CHECK discmc_status discmc_receiver_start(discmc_receiver** receiver,
 /* Accepts any bytes, any number at a time. DISCMC_FINISHED: a scan is over; the info describes it
  * until the next push() of the remaining bytes, which begin the next scan. If suspended, call
  * push() again with the remaining bytes, even if there are none. Errors: DISCMC_TOO_LITTLE_MEMORY
- * (call give_memory(), then push the rest), DISCMC_WRONG_VERSION (no byte is accepted until
- * start()), DISCMC_BAD_SINK. */
+ * (give_memory(), then push the rest), DISCMC_WRONG_VERSION (call start()), DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_push_result discmc_receiver_push(discmc_receiver* receiver,
                                                      const uint8_t* bytes, size_t count);
-
 /* After DISCMC_TOO_LITTLE_MEMORY: sets memory, discmc_receiver_bytes() for the header of the info.
  * The memory of the config stays in use. Errors: DISCMC_TOO_LITTLE_MEMORY, DISCMC_WRONG_VERSION. */
 DISCMC_CHECK discmc_status discmc_receiver_give_memory(discmc_receiver* receiver,
                                                        discmc_memory memory);
 /* Ends the input. If suspended, call again. Errors: DISCMC_BAD_SINK. */
 DISCMC_CHECK discmc_status discmc_receiver_finish(discmc_receiver* receiver);
-
 /* The report of a receiver: received and missing data so far. */
 typedef struct discmc_receiver_info {
   discmc_stream_header header;
@@ -449,7 +432,6 @@ DISCMC_CHECK discmc_status discmc_joiner_start(discmc_joiner** joiner,
                                                const discmc_joiner_config* config);
 /* Accepts any event: the sink of an extractor or receiver is {joiner, discmc_joiner_accept}. */
 discmc_sink_result discmc_joiner_accept(void* joiner, const discmc_event* event);
-
 /* Ends the input. If suspended, call again. Errors: DISCMC_BAD_SINK,
  * DISCMC_TOO_LITTLE_MEMORY (the sink received fragments that a larger joiner can join). */
 DISCMC_CHECK discmc_status discmc_joiner_finish(discmc_joiner* joiner);
@@ -484,7 +466,6 @@ typedef struct discmc_store_config {
 /* Finds the newest checkpoint. Errors: DISCMC_BAD_DEVICE; DISCMC_DEVICE_ERROR (but it starts). */
 DISCMC_CHECK discmc_status discmc_store_start(discmc_store** store,
                                               const discmc_store_config* config);
-
 /* The newest checkpoint of a store, and the costs of a checkpoint. */
 typedef struct discmc_store_info {
   uint8_t has_checkpoint;   /* one that was not discarded: continue its scan */
@@ -494,16 +475,13 @@ typedef struct discmc_store_info {
   uint32_t blocks, units;   /* erased and programmed by a checkpoint of max_bytes */
 } discmc_store_info;
 discmc_store_info discmc_store_get_info(const discmc_store* store);
-
 /* Reads the newest checkpoint. parts: in number and order as of save(); each may be longer. Errors:
  * DISCMC_BAD_CHECKPOINT, DISCMC_DEVICE_ERROR. */
 DISCMC_CHECK discmc_status discmc_store_restore(discmc_store* store, const discmc_memory* parts,
                                                 uint32_t count);
-
 /* Erases a block for the next checkpoint of this many bytes; call it between rows. If suspended,
  * another block remains: call again. Errors: DISCMC_DEVICE_ERROR. */
 DISCMC_CHECK discmc_status discmc_store_erase_ahead(discmc_store* store, uint32_t bytes);
-
 /* Saves 1 to DISCMC_MAX_PARTS parts; keep them unchanged while the save is suspended. Each call
  * erases a block, or programs a unit and reads it back. Errors: DISCMC_TOO_LITTLE_MEMORY (parts),
  * DISCMC_DEVICE_ERROR (save again: it uses other blocks if there are more than two flash slots). */
@@ -511,50 +489,9 @@ DISCMC_CHECK discmc_status discmc_store_save(discmc_store* store, const discmc_m
                                              uint32_t count);
 DISCMC_CHECK discmc_status discmc_store_resume(discmc_store* store);
 enum { DISCMC_MAX_PARTS = 6 };
-
 /* Makes the newest checkpoint void. Call it before the first row of a new scan, and after a scan
  * whose last byte has left the output. Suspended and errors: as save(). */
 DISCMC_CHECK discmc_status discmc_store_discard(discmc_store* store);
-
-/* ---- row ring: an interrupt fills rows in place, a task pushes them from there ---- */
-/* Rows lie one after the other from the beginning of the memory, each aligned to four bytes. */
-typedef struct discmc_row_ring_config {
-  uint32_t row_bytes, rows;
-  discmc_memory memory; /* DISCMC_ROW_RING_BYTES(row_bytes, rows) */
-} discmc_row_ring_config;
-/* Starts an empty ring. Limit: neither side is active. Errors: DISCMC_BAD_CAPACITIES. */
-DISCMC_CHECK discmc_status discmc_row_ring_start(discmc_row_ring** ring,
-                                                 const discmc_row_ring_config* config);
-
-/* Interrupt: the row to fill next, or the one `ahead` rows later; null if there is no room. */
-void* discmc_row_ring_free_row(const discmc_row_ring* ring, uint32_t ahead);
-/* Interrupt: marks the free row as filled. Limit: there is a free row. */
-void discmc_row_ring_commit(discmc_row_ring* ring);
-/* Interrupt: records rows lost before the free row. Returns all rows so far, modulo 2^32. */
-uint32_t discmc_row_ring_drop(discmc_row_ring* ring, uint32_t rows);
-/* Interrupt: no row follows. */
-void discmc_row_ring_end(discmc_row_ring* ring);
-
-/* Task: the next row, or the end. */
-enum { DISCMC_ROW_NONE /* yet */, DISCMC_ROW_READY, DISCMC_ROW_LOST, DISCMC_ROW_END };
-/* The result of peek(): a row, or the reason why there is none. */
-typedef struct discmc_row {
-  uint8_t kind;
-  void* samples;   /* if ready; may be changed in place; Owner: the ring, until pop() */
-  uint32_t number; /* filled and lost rows before it, modulo 2^32 */
-} discmc_row;
-discmc_row discmc_row_ring_peek(const discmc_row_ring* ring);
-/* Task: removes a row that is ready or lost. */
-void discmc_row_ring_pop(discmc_row_ring* ring);
-
-/* ---- packed samples: 10 and 12 bits, byte for byte in packed_samples.hpp ---- */
-enum { DISCMC_RAW10, DISCMC_RAW12 /* MIPI CSI-2 */, DISCMC_MONO10P, DISCMC_MONO12P };
-enum { DISCMC_MONO10PMSB = 4, DISCMC_MONO12PMSB, DISCMC_MONO12_PACKED /* GenICam */ };
-
-/* The bytes of this many samples, in whole groups. Limit: count <= 2^31. */
-uint32_t discmc_packed_bytes(uint8_t packing, uint32_t count);
-/* Unpacks a row; samples: at `packed` or without overlap. Cost: 7 to 14 instructions per sample. */
-void discmc_unpack(uint8_t packing, const uint8_t* packed, uint32_t count, uint16_t* samples);
 
 #ifdef __cplusplus
 }

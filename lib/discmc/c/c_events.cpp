@@ -3,8 +3,6 @@
 #include <discmc/c/values.hpp>
 #include <discmc/chain.hpp>
 #include <discmc/checkpoint_store.hpp>
-#include <discmc/front/packed_samples.hpp>
-#include <discmc/front/row_ring.hpp>
 #include <discmc/joiner.hpp>
 #include <discmc/stream/wire.hpp>
 
@@ -41,12 +39,7 @@ static_assert(DISCMC_DEVICE_ERROR == static_cast<int>(Status::device_error) &&
                   DISCMC_SINK_NOT_STARTED == static_cast<int>(SinkResult::not_started) &&
                   DISCMC_OPEN == static_cast<int>(Border::open) &&
                   DISCMC_SUBSTITUTE_PREVIOUS_ROW == static_cast<int>(Substitute::previous_row) &&
-                  DISCMC_ANY_ORDER == static_cast<int>(InputOrder::any) &&
-                  DISCMC_ROW_READY == static_cast<int>(RowRing::Next::ready) &&
-                  DISCMC_ROW_LOST == static_cast<int>(RowRing::Next::lost) &&
-                  DISCMC_ROW_END == static_cast<int>(RowRing::Next::end) &&
-                  DISCMC_MONO10PMSB == static_cast<int>(Packing::mono10pmsb) &&
-                  DISCMC_MONO12_PACKED == static_cast<int>(Packing::mono12_packed),
+                  DISCMC_ANY_ORDER == static_cast<int>(InputOrder::any),
               "enumerations are in the same order");
 static_assert(DISCMC_MAX_EXTENT == Limits::max_extent && DISCMC_MAX_SLICES == Limits::max_slices &&
                   DISCMC_WIRE_VERSION == detail::wire::version &&

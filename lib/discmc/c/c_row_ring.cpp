@@ -1,4 +1,5 @@
 // The ring of rows, and the unpackers.
+#include <discmc/front.h>
 #include <discmc/c/object.hpp>
 #include <discmc/c/values.hpp>
 #include <discmc/front/packed_samples.hpp>
@@ -14,6 +15,12 @@ static_assert(red_zone_bytes > 0 ||
                   DISCMC_ROW_RING_BYTES(37, 5) >=
                       bytes_with_object(sizeof(discmc_row_ring), RowRing::bytes_for(37, 5)),
               "the size in sizes.h suffices");
+static_assert(DISCMC_ROW_READY == static_cast<int>(RowRing::Next::ready) &&
+                  DISCMC_ROW_LOST == static_cast<int>(RowRing::Next::lost) &&
+                  DISCMC_ROW_END == static_cast<int>(RowRing::Next::end) &&
+                  DISCMC_MONO10PMSB == static_cast<int>(Packing::mono10pmsb) &&
+                  DISCMC_MONO12_PACKED == static_cast<int>(Packing::mono12_packed),
+              "enumerations are in the same order");
 
 extern "C" {
 

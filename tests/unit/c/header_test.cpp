@@ -45,7 +45,7 @@ void check_size(uint64_t constant, uint64_t needed) {
 
 TEST_CASE("discmc.h has a limited number of lines") {
   const std::string header = text_of("lib/discmc/discmc.h");
-  CHECK(std::count(header.begin(), header.end(), '\n') <= 570);
+  CHECK(std::count(header.begin(), header.end(), '\n') <= 500);
   const auto functions = all_matches(without_comments(header), "\\b(discmc_[a-z0-9_]+)\\(");
   CHECK(functions.size() <= 70);
   CHECK(functions.count("discmc_extractor_push") == 1);
@@ -53,8 +53,8 @@ TEST_CASE("discmc.h has a limited number of lines") {
   CHECK(macros.size() <= 1 + 12);  // the guard, and the sizes
 }
 
-TEST_CASE("every function of discmc.h has a comment or shares the preceding one") {
-  const std::string header = text_of("lib/discmc/discmc.h");
+TEST_CASE("every function of the C headers has a comment or shares the preceding one") {
+  const std::string header = text_of("lib/discmc/discmc.h") + text_of("lib/discmc/front.h");
   const std::regex bare("\n\n(?!/\\*|typedef|#|enum|extern)[^\n]*\\bdiscmc_[a-z0-9_]+\\(");
   CHECK(!std::regex_search(header, bare));
 }

@@ -1,5 +1,5 @@
 // The ring of rows and the unpackers behave the same in C and in C++.
-#include <discmc/discmc.h>
+#include <discmc/front.h>
 #include <doctest/doctest.h>
 
 #include <cstring>
