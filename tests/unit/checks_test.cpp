@@ -13,6 +13,7 @@
 #include "oracle/scan.hpp"
 
 #if defined(DISCMC_HAS_ADDRESS_SANITIZER)
+#include <sanitizer/asan_interface.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
