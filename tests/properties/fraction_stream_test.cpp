@@ -7,6 +7,7 @@
 #include <set>
 
 #include "oracle/event_log.hpp"
+#include "oracle/golden.hpp"
 #include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/thinned.hpp"
@@ -305,6 +306,182 @@ TEST_CASE("a receiver gets the fractions of an edge before its vertex, and the s
       CHECK(rows == size.height * size.depth);
       CHECK(early_vertices(received, size) == 0);
     }
+}
+
+namespace {
+
+// ---- rows whose codes hold back many bytes ----
+
+constexpr uint32_t long_width = 1000;
+
+// The bits and the fractions of a row.
+struct LongRow {
+  std::vector<uint8_t> on = std::vector<uint8_t>(long_width);
+  std::vector<uint16_t> entries = std::vector<uint16_t>(long_width + 2);
+};
+
+// Codes the only row of a key slice, with 2 levels. A writer takes the row, a reader fills it in.
+// Returns how many bytes a writer has written before the fractions.
+template <class Coder>
+size_t code_long_row(Coder& coder, LongRow& row) {
+  using namespace detail::slices;
+  const StreamHeader header{long_width, 1, 1, {}, {100}, Border::closed, 0, 0, 1, 2};
+  Block block(detail::trace::bit_row_bytes(long_width, 4) + SliceModel::bytes_for(false) +
+              Fractions::bytes_for({long_width, 1}, 1, 2) + Arena::alignment);
+  Arena arena(block.memory());
+  Surfaces surfaces;
+  surfaces.start(arena, header, 4);
+  Fractions fractions;
+  fractions.start(arena, header);
+  surfaces.clear();
+  fractions.clear();
+  surfaces.begin_key_slice();
+  fractions.begin_models();
+  coder.code_bit(surfaces.note(), false);
+  Bytes bits((long_width + 7) / 8);
+  for (uint32_t x = 0; x < long_width; ++x)
+    bits[x / 8] = static_cast<uint8_t>(bits[x / 8] | row.on[x] << x % 8);
+  detail::trace::BitRows& rows = surfaces[0].rows;
+  constexpr bool reads = std::is_same_v<Coder, RowReader>;
+  rows.append_bits(bits.data());
+  RowCode voxels;
+  surfaces.begin_row(voxels, 0, long_width);
+  while (!voxels.is_done()) REQUIRE(voxels.step(coder, surfaces[0].model));
+  size_t bytes = 0;
+  if constexpr (reads)
+    voxels.complete(rows.words());
+  else
+    bytes = coder.range.final_bytes();
+  FractionRow around = fractions.around(rows, 0, false);
+  around.now = &row.entries[1];
+  FractionCode code;
+  code.begin(around, fractions.model(0), FractionCode::KeyEdges::none);
+  while (!code.is_done()) REQUIRE(code.step(coder));
+  rows.write_bits(bits.data());
+  for (uint32_t x = 0; x < long_width; ++x) row.on[x] = bits[x / 8] >> x % 8 & 1;
+  return bytes;
+}
+
+// Samples with this row for threshold 20,000. Their distances go up and down as the fractions say.
+std::vector<uint16_t> samples_of(const LongRow& row) {
+  std::vector<uint32_t> rising(long_width), falling(long_width);
+  for (uint32_t x = 1; x < long_width; ++x)
+    if (row.entries[x + 1] == 2) rising[x] = rising[x - 1] + 1;
+  for (uint32_t x = long_width - 1; x > 0; --x)
+    if (row.entries[x + 1] == 6) falling[x - 1] = falling[x] + 1;
+  std::vector<uint16_t> samples;
+  for (uint32_t x = 0; x < long_width; ++x) {
+    const uint32_t distance = std::max(rising[x], falling[x]);
+    samples.push_back(static_cast<uint16_t>(row.on[x] != 0 ? 20000 + distance : 19999 - distance));
+  }
+  return samples;
+}
+
+// A row after whose first bytes, of voxels and some fractions, a carry is pending for long.
+LongRow row_on_the_edge(uint32_t seed) {
+  LongRow row;
+  Chance chance(seed);
+  for (uint32_t x = 0; x < long_width; ++x) row.on[x] = chance.below(2) != 0 ? 1 : 0;
+  for (uint32_t x = 1; x < long_width; ++x)
+    if (row.on[x] != row.on[x - 1]) row.entries[x + 1] = chance.below(2) != 0 ? 2 : 6;
+  Bytes number(60000);
+  detail::slices::RowWriter written{RangeEncoder(number.data(), number.size())};
+  const size_t voxel_bytes = code_long_row(written, row);
+  std::fill(number.begin() + static_cast<std::ptrdiff_t>(voxel_bytes + 20), number.end(),
+            uint8_t{0});
+  detail::slices::RowReader read{RangeDecoder(number.data(), number.size())};
+  row = LongRow();
+  code_long_row(read, row);
+  return row;
+}
+
+// In short frames, which have room for few bytes that a carry may change.
+Bytes stream_on_the_edge(uint32_t seed) {
+  SliceEncoderConfig config{{long_width, 1}, {20000}};
+  config.levels = 2;
+  FractionSliceEncoder<uint16_t> encoder;
+  Block block(FractionSliceEncoder<uint16_t>::minimum_bytes(config));
+  Line line;
+  ByteOutput output = line.output();
+  output.max_frame = ByteOutput::min_frame_limit;
+  reference::require_ok(encoder.start(config, block.memory(), output));
+  const std::vector<uint16_t> samples = samples_of(row_on_the_edge(seed));
+  reference::require_ok(encoder.push(samples.data(), long_width).status);
+  reference::require_ok(encoder.finish());
+  return line.bytes;
+}
+
+}  // namespace
+
+TEST_CASE("codes are cut within fractions at any pending carry") {
+  uint32_t cuts = 0;
+  for (uint32_t seed = 1; seed < 20; ++seed) {
+    const Bytes stream = stream_on_the_edge(seed);
+    for (const Bytes& frame : frames_of(stream)) {
+      const Packet packet = packet_of(frame);
+      if (packet.kind < 16 || (packet.kind & detail::wire::SliceBits::cut) == 0) continue;
+      const uint8_t part = packet.payload.at(packet.payload.size() - 3);
+      CHECK(part == 1);  // next is a fraction along x
+      ++cuts;
+    }
+    const Size size{long_width, 1, 1};
+    const ReceivedRows received = decode_slices(stream, size, 0, false, 1, 2);
+    CHECK(received.report.is_complete());
+    const SampleVolume<uint16_t> volume{size, samples_of(row_on_the_edge(seed))};
+    CHECK(have_fractions(received.rows, volume, 20000, 2));
+  }
+  CHECK(cuts > 3);
+}
+
+namespace {
+
+template <class Sample>
+void check_golden(const char* name, const Bytes& made, const SampleVolume<Sample>& volume,
+                  std::initializer_list<int32_t> thresholds, uint32_t levels) {
+  const Bytes bytes = golden(name);
+  CHECK_MESSAGE(made == bytes, "the encoder now makes", hex(made));
+  const auto surfaces = static_cast<uint32_t>(thresholds.size());
+  const ReceivedRows received = decode_slices(bytes, volume.size, 0, false, surfaces, levels);
+  CHECK(received.report.is_complete());
+  uint8_t channel = 0;
+  for (const int32_t threshold : thresholds)
+    CHECK(have_fractions(received.rows, volume, threshold, levels, channel++));
+}
+
+}  // namespace
+
+TEST_CASE("fractions of two surfaces with key slices and skipped rows match their golden stream") {
+  const SampleVolume<uint8_t> volume = wave<uint8_t>({35, 9, 10}, 100, 60);
+  SliceEncoderConfig config = config_of(volume, 100, 4);
+  config.thresholds[1] = 110;
+  config.surface_count = 2;
+  config.key_slice_interval = 3;
+  Block block(FractionSliceEncoder<uint8_t>::minimum_bytes(config));
+  Line line;
+  FractionSliceEncoder<uint8_t> encoder;
+  REQUIRE(encoder.start(config, block.memory(), line.output()) == Status::ok);
+  for (uint32_t row = 0; row < volume.size.height * volume.size.depth; ++row) {
+    const uint32_t y = row % volume.size.height, z = row / volume.size.height;
+    const PushResult result = row % 11 == 7   ? encoder.skip_row(Substitute::off)
+                              : row % 11 == 4 ? encoder.skip_row(Substitute::previous_row)
+                                              : encoder.push(volume.row(y, z), volume.size.width);
+    REQUIRE(result.status == Status::ok);
+  }
+  REQUIRE(encoder.finish() == Status::ok);
+  check_golden("fractions_quarters.dmc", line.bytes, volume, {100, 110}, 4);
+}
+
+TEST_CASE("fractions with 2 levels match their golden stream") {
+  const SampleVolume<int16_t> volume = wave<int16_t>({40, 12, 6}, -200, 900);
+  SliceEncoderConfig config = config_of(volume, -150, 2);
+  FractionSliceEncoder<int16_t> encoder;
+  check_golden("fractions_halves.dmc", encode_samples(encoder, config, volume.at, {}), volume,
+               {-150}, 2);
+}
+
+TEST_CASE("codes cut within fractions match their golden stream") {
+  const SampleVolume<uint16_t> volume{{long_width, 1, 1}, samples_of(row_on_the_edge(2))};
+  check_golden("fractions_cut.dmc", stream_on_the_edge(2), volume, {20000}, 2);
 }
 
 TEST_CASE("a midpoint has the fraction of its edge") {
