@@ -52,6 +52,8 @@ class RangeDecoder:
 
     def decision(self, p, bits):
         """`p` is the probability of a 1, in units of 2^-bits: 8, or 16 for a context of section 14."""
+        if not self.is_complete and len(self.data) - self.at < 4:  # section 14, losses
+            raise Truncated
         bound = (self.range >> bits) * p
         bit = int(self.code < bound)
         if bit:
