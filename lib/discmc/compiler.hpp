@@ -160,15 +160,19 @@ inline uint32_t trailing_zeros(uint32_t bits) {
 #endif
 }
 
-/// The number of bits up to the highest 1, 0 to 32.
-inline uint32_t bit_width(uint32_t bits) {
+/// The number of bits up to the highest 1, 1 to 32. Limit: bits != 0.
+DISCMC_ALWAYS_INLINE uint32_t bit_width_of_nonzero(uint32_t bits) {
 #if !defined(DISCMC_HAS_GNU) || (defined(__arm__) && !defined(__ARM_FEATURE_CLZ)) || \
     (defined(__riscv) && !defined(__riscv_zbb))
   for (uint32_t shift = 1; shift < 32; shift *= 2) bits |= bits >> shift;
-  return bits == 0 ? 0 : 1 + trailing_zeros_by_table(bits - bits / 2);
+  return 1 + trailing_zeros_by_table(bits - bits / 2);
 #else
-  return bits == 0 ? 0 : 32 - static_cast<uint32_t>(__builtin_clz(bits));
+  return 32 - static_cast<uint32_t>(__builtin_clz(bits));
 #endif
+}
+/// The number of bits up to the highest 1, 0 to 32.
+inline uint32_t bit_width(uint32_t bits) {
+  return bits == 0 ? 0 : bit_width_of_nonzero(bits);
 }
 
 /// The number of bits up to the highest 1, 0 to 64.

@@ -37,7 +37,7 @@
 /* A slice encoder of a kind with fractions, for 2 or 4 levels. sample_bytes: 1 for u8, 2 for u16
  * and i16. */
 #define DISCMC_FRACTION_SLICE_ENCODER_BYTES(width, height, surfaces, levels, sample_bytes) \
-  (DISCMC_SLICE_ENCODER_BYTES(width, height, surfaces) + 28 * sizeof(void*) + 65 +         \
+  (DISCMC_SLICE_ENCODER_BYTES(width, height, surfaces) + 34 * sizeof(void*) + 57 +         \
    DISCMC_FRACTION_BYTES_(width, height, surfaces, levels) +                               \
    (UINT64_C(1) * ((width) + 1) / 2 * (height) + 3) * (surfaces) +                         \
    UINT64_C(1) * (width) * (sample_bytes))
@@ -45,7 +45,7 @@
 /* The least for a receiver of slices; with more memory, fewer regions arrive as fragments. For a
  * receiver of polygons use DISCMC_RECEIVER_BYTES(1, 1, 1). */
 #define DISCMC_RECEIVER_BYTES(width, height, surfaces)                        \
-  (90 * sizeof(void*) + 3129 +                                                \
+  (96 * sizeof(void*) + 3121 +                                                \
    DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + \
    UINT64_C(1060) * (surfaces) + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + (width) / 8)
 
@@ -65,7 +65,7 @@
 
 /* Private: fractions of two rows, and the probabilities of each surface. */
 #define DISCMC_FRACTION_BYTES_(width, height, surfaces, levels)                          \
-  ((UINT64_C(4) * (((width) + 3) / 2 * 2) + UINT64_C(906) * (levels)-872) * (surfaces) + \
+  ((UINT64_C(4) * (((width) + 5) / 4 * 4) + UINT64_C(906) * (levels)-872) * (surfaces) + \
    UINT64_C(4) * (((height) + 31) / 32))
 
 /* Private: rows of bits, 30 voxels per word. */

@@ -234,6 +234,7 @@ class SliceEncoder {
   bool keeps_slice() const { return key_slice_interval_ != 1 || fraction_flags_ != 0; }
   bool is_at_key_slice() const;
   void encode_note(detail::slices::RowNote note);
+  bool has_room() const;
   bool make_room();
   void begin_code();
   bool end_code();

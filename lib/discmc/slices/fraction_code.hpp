@@ -29,18 +29,14 @@ class FractionCode {
     knows_key_edges_ = key_edges == KeyEdges::known;
     row_.crosses[2] = row.crosses[2] && !has_key_edges_;
     key_crosses_ = row.crosses[2] && knows_key_edges_;
-    is_any_ = false;
     begin_pass();
   }
   /// For a row that was skipped.
   void end() {
     part_ = Part::done;
     left_ = 0;
-    is_any_ = false;
   }
   bool is_done() const { return part_ == Part::done; }
-  /// Whether the row has a fraction. Limit: it was begun, and is_done().
-  bool is_any() const { return is_any_; }
   /// Where the next step begins: the part of the row, and what is left of it, as in a cut.
   uint32_t part() const {
     const auto part = static_cast<uint32_t>(part_);
@@ -90,9 +86,7 @@ class FractionCode {
     load();
     seek();
   }
-  void load() {
-    for (uint32_t axis = 0; axis < 3; ++axis) crossing_[axis] = row_.crossing(word_, axis);
-  }
+  void load() { row_.find(word_, row_.columns(word_), crossing_); }
   // Finds the next edge, from the present word on.
   void seek() {
     while ((crossing_[0] | crossing_[1] | crossing_[2]) == 0) {
@@ -112,8 +106,10 @@ class FractionCode {
     row_.crosses[0] = row_.crosses[1] = false;
     row_.crosses[2] = key_crosses_;
     known_ = 0;
-    for (word_ = 0; word_ < words(); ++word_)
-      for (uint32_t bits = row_.crossing(word_, 2); bits != 0; bits &= bits - 1) ++known_;
+    for (word_ = 0; word_ < words(); ++word_) {
+      load();
+      for (uint32_t bits = crossing_[2]; bits != 0; bits &= bits - 1) ++known_;
+    }
   }
   void pass(uint32_t axis) {
     crossing_[axis] &= crossing_[axis] - 1;
@@ -144,7 +140,7 @@ class FractionCode {
     const uint32_t read = code_fraction(coder, context_of(axis, is_on), written);
     entry =
         static_cast<uint16_t>((entry & ~(eighths << place)) | (is_on ? read : 8 - read) << place);
-    is_any_ = true;
+    *row_.is_any = true;
     pass(axis);
   }
 
@@ -233,7 +229,7 @@ class FractionCode {
     if (knows_key_edges_) {
       uint16_t& entry = row_.now[voxel()];
       last_ = code_fraction(coder, context, entry >> 6);
-      is_any_ = true;
+      *row_.is_any = true;
       entry = static_cast<uint16_t>((entry & 0x3F) | last_ << 6);
       pass(2);
     } else {
@@ -254,7 +250,6 @@ class FractionCode {
   bool has_key_edges_ = false;
   bool knows_key_edges_ = false;
   bool key_crosses_ = false;
-  bool is_any_ = false;
 };
 
 }  // namespace discmc::detail::slices

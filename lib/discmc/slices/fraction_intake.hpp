@@ -19,8 +19,8 @@ class FractionIntake {
 
   /// samples_before: row y - 1 from the column of the arriving samples on, before it this row.
   /// distances: distance_bytes() of this row in the slice before.
-  FractionIntake(const FractionRow& row, int32_t threshold, uint32_t levels,
-                 const Sample* samples_before, uint8_t* distances)
+  FractionIntake(const FractionRow& row, int32_t threshold, uint32_t levels, Sample* samples_before,
+                 uint8_t* distances)
       : row_(row),
         threshold_(static_cast<uint32_t>(threshold < least            ? least
                                          : threshold > least + extent ? least + extent
@@ -29,9 +29,10 @@ class FractionIntake {
         before_(samples_before),
         distances_(distances) {}
 
-  /// Finds the fractions whose upper end is among these samples, and keeps the distances. Limit:
-  /// the bits of the samples are in the row.
-  void take(const Sample* samples, uint32_t column, uint32_t count, uint32_t stride) {
+  /// Finds the fractions whose upper end is among these samples. Limit: the bits of the samples are
+  /// in the row.
+  void find(const Sample* samples, uint32_t column, uint32_t count, uint32_t stride) {
+    if (row_.is_off()) return;
     const uint32_t end = column + count;
     for (uint32_t word = trace::word_of(column + 1); word <= trace::word_of(end); ++word) {
       // Column x + 1 is bit x + 2 of word 0.
@@ -39,26 +40,49 @@ class FractionIntake {
       uint32_t columns = trace::own_columns;
       if (column + 1 > first) columns &= 0U - (uint32_t{2} << (column + 1 - first));
       if (end - first < trace::columns_per_word) columns &= (uint32_t{4} << (end - first)) - 1;
-      const uint32_t x = row_.crossing(word, 0) & columns;
-      const uint32_t y = row_.crossing(word, 1) & columns;
-      const uint32_t z = row_.crossing(word, 2) & columns;
-      for (uint32_t any = x | y | z; any != 0; any &= any - 1) {
-        const uint32_t bit = any & (0U - any);
-        const uint32_t voxel = first + trailing_zeros(any) - 2;
+      uint32_t crossing[3];
+      row_.find(word, columns, crossing);
+      for (uint32_t any = crossing[0] | crossing[1] | crossing[2]; any != 0; any &= any - 1) {
+        const uint32_t bit = trailing_zeros(any);
+        const uint32_t voxel = first + bit - 2;
         const Sample* const sample = samples + size_t{voxel - column} * stride;
         const uint32_t distance = distance_of(*sample);
-        const bool is_on = (row_.here[word] & bit) != 0;
+        const bool is_on = (row_.here[word] >> bit & 1) != 0;
         uint32_t entry = 0;
-        if ((x & bit) != 0) {
-          const Sample left = voxel > column ? *(sample - stride) : before_[voxel - 1];
-          entry = fraction(distance_of(left), distance, is_on);
+        for (uint32_t axis = 0; axis < 3; ++axis) {
+          if ((crossing[axis] >> bit & 1) == 0) continue;
+          uint32_t lower;
+          if (axis == 2)
+            lower = kept_distance(voxel);
+          else if (axis == 1)
+            lower = distance_of(before_[voxel]);
+          else
+            lower = distance_of(voxel > column ? *(sample - stride) : before_[voxel - 1]);
+          entry |= fraction(lower, distance, is_on) << 3 * axis;
         }
-        if ((y & bit) != 0) entry |= fraction(distance_of(before_[voxel]), distance, is_on) << 3;
-        if ((z & bit) != 0) entry |= fraction(kept_distance(voxel), distance, is_on) << 6;
         row_.now[voxel] = static_cast<uint16_t>(entry);
+        *row_.is_any = true;
       }
     }
-    keep(samples, column, count, stride);
+  }
+
+  /// Keeps the samples, and the bit widths of their distances, at most 15.
+  void keep(const Sample* samples, uint32_t column, uint32_t count, uint32_t stride) {
+    const uint32_t end = column + count;
+    const uint32_t threshold = threshold_;
+    if (column % 2 != 0) {
+      keep_one(column++, *samples);
+      samples += stride;
+    }
+    Sample* kept = before_ + column;
+    for (uint8_t *to = distances_ + column / 2, *const last = distances_ + end / 2; to < last;) {
+      const Sample even = samples[0], odd = samples[stride];
+      samples += 2 * stride;
+      *kept++ = even;
+      *kept++ = odd;
+      *to++ = static_cast<uint8_t>(kept_width(even, threshold) | kept_width(odd, threshold) << 4);
+    }
+    if (end % 2 != 0 && column < end) keep_one(end - 1, *samples);
   }
 
  private:
@@ -66,11 +90,22 @@ class FractionIntake {
   static constexpr int32_t least = Sample(-1) < 0 ? -(extent / 2) : 0;
 
   // The distance to threshold - 1/2. Units: halves.
-  uint32_t distance_of(Sample sample) const { return 2 * below_zero_folded(sample) + 1; }
+  uint32_t distance_of(Sample sample) const { return 2 * folded(sample, threshold_) + 1; }
   // sample - threshold if that is at least 0, otherwise threshold - sample - 1.
-  uint32_t below_zero_folded(Sample sample) const {
-    const uint32_t difference = static_cast<uint32_t>(int32_t{sample}) - threshold_;
+  DISCMC_ALWAYS_INLINE static uint32_t folded(Sample sample, uint32_t threshold) {
+    const uint32_t difference = static_cast<uint32_t>(int32_t{sample}) - threshold;
     return difference ^ (0U - (difference >> 31));
+  }
+  // Its bit width. A distance is not 0, and is one bit longer.
+  DISCMC_ALWAYS_INLINE static uint32_t kept_width(Sample sample, uint32_t threshold) {
+    const uint32_t width = bit_width_of_nonzero(2 * folded(sample, threshold) | 1) - 1;
+    return sizeof(Sample) == 1 ? width : width - (width >> 4);
+  }
+  void keep_one(uint32_t voxel, Sample sample) {
+    before_[voxel] = sample;
+    uint8_t& pair = distances_[voxel / 2];
+    const uint32_t shift = 4 * (voxel % 2);
+    pair = static_cast<uint8_t>((pair & 0xF0 >> shift) | kept_width(sample, threshold_) << shift);
   }
   uint32_t kept_distance(uint32_t voxel) const {
     const uint32_t width = distances_[voxel / 2] >> 4 * (voxel % 2) & 15;
@@ -90,32 +125,10 @@ class FractionIntake {
     return upper_is_on ? eighths : 8 - eighths;
   }
 
-  // Keeps the bit widths of the distances, at most 15.
-  void keep(const Sample* samples, uint32_t column, uint32_t count, uint32_t stride) {
-    uint8_t* to = distances_ + column / 2;
-    if (column % 2 != 0) {
-      *to = static_cast<uint8_t>((*to & 15) | kept_width(*samples) << 4);
-      ++to;
-      samples += stride;
-      --count;
-    }
-    for (; count >= 2; count -= 2) {
-      const uint32_t even = kept_width(*samples);
-      samples += stride;
-      *to++ = static_cast<uint8_t>(even | kept_width(*samples) << 4);
-      samples += stride;
-    }
-    if (count > 0) *to = static_cast<uint8_t>((*to & 0xF0) | kept_width(*samples));
-  }
-  uint32_t kept_width(Sample sample) const {
-    const uint32_t width = bit_width(below_zero_folded(sample));
-    return sizeof(Sample) == 1 ? width : width - (width >> 4);
-  }
-
-  const FractionRow& row_;
+  FractionRow row_;
   uint32_t threshold_;
   uint32_t levels_;
-  const Sample* before_;
+  Sample* before_;
   uint8_t* distances_;
 };
 

@@ -62,15 +62,13 @@ PushResult FractionSliceEncoder<Sample>::push(const Sample* samples, uint32_t co
 template <class Sample>
 void FractionSliceEncoder<Sample>::take(const Sample* samples, uint32_t first, uint32_t count,
                                         uint32_t stride) {
-  const StreamHeader& header = packets_.header();
   for (uint32_t surface = 0; surface < surfaces_.count(); ++surface) {
     if (first == 0) fractions_.begin_row(surface);
-    const FractionRow row = around(surface);
-    uint8_t* const distances = distances_[surface] + Intake::distance_bytes(header.width) * rows();
-    Intake(row, header.thresholds[surface], header.levels, samples_, distances)
-        .take(samples, first, count, stride);
+    intake(surface).find(samples, first, count, stride);
   }
-  for (Sample* to = samples_ + first; count > 0; --count, samples += stride) *to++ = *samples;
+  // All surfaces have read the samples of the row before.
+  for (uint32_t surface = 0; surface < surfaces_.count(); ++surface)
+    intake(surface).keep(samples, first, count, stride);
 }
 
 // Codes the fractions of a row of one surface. False if the output is busy.
@@ -78,7 +76,7 @@ template <class Sample>
 bool FractionSliceEncoder<Sample>::code_row() {
   if (!is_begun_) begin_code();
   while (!code_.is_done()) {
-    if (!make_room_for_fraction()) return false;
+    if (!has_room() && !make_room_for_fraction()) return false;
     code_.step(coder_);
   }
   is_begun_ = false;

@@ -20,16 +20,25 @@ struct FractionRow {
   uint32_t width;
   bool crosses[3];  ///< whether the edges along x, y and z have fractions
 
-  /// The voxels of a word whose edge to the voxel before along the axis has a fraction.
-  uint32_t crossing(uint32_t word, uint32_t axis) const {
-    if (!crosses[axis]) return 0;
-    const uint32_t on = here[word];
-    const uint32_t others = axis == 0 ? on << 1 : axis == 1 ? behind[word] : below[word];
+  bool* is_any;  ///< whether the row has a fraction
+
+  /// Whether no edge crosses, as the three rows are off. Limit: the rows are an encoder's, whose
+  /// first bit is set if a voxel is on.
+  bool is_off() const { return ((here[0] | behind[0] | below[0]) & 1) == 0; }
+  /// The columns of a word that are voxels.
+  uint32_t columns(uint32_t word) const {
     const uint32_t left = width - word * detail::trace::columns_per_word;
-    uint32_t columns = detail::trace::own_columns;
-    if (left < detail::trace::columns_per_word) columns &= (uint32_t{4} << left) - 1;
-    if (axis == 0 && word == 0) columns &= ~uint32_t{6};  // the first voxel has none before it
-    return (on ^ others) & columns;
+    const uint32_t all = word == 0 ? detail::trace::own_columns & ~uint32_t{2}  // without the halo
+                                   : detail::trace::own_columns;
+    return left < detail::trace::columns_per_word ? all & ((uint32_t{4} << left) - 1) : all;
+  }
+  /// Finds the voxels among these columns of a word whose edges along x, y and z have fractions.
+  void find(uint32_t word, uint32_t columns, uint32_t* crossing) const {
+    const uint32_t on = here[word];
+    crossing[0] = crossing[1] = crossing[2] = 0;
+    if (crosses[0]) crossing[0] = (on ^ on << 1) & (word == 0 ? columns & ~uint32_t{4} : columns);
+    if (crosses[1]) crossing[1] = (on ^ behind[word]) & columns;
+    if (crosses[2]) crossing[2] = (on ^ below[word]) & columns;
   }
 };
 
@@ -54,7 +63,10 @@ class Fractions {
   /// Before the first row, and after a loss.
   void clear() {
     for (uint32_t surface = 0; surface < surface_count_; ++surface)
-      clear(of_[surface].entries, 2 * entries(width_));
+      for (uint32_t row = 0; row < 2; ++row) {
+        of_[surface].is_any[row] = true;
+        clear_row(surface, row != 0);
+      }
     for (uint32_t i = 0; i < flag_words(height_); ++i) has_samples_[i] = 0;
   }
   /// Begins a key slice.
@@ -64,21 +76,24 @@ class Fractions {
   FractionModel& model(uint32_t surface) { return of_[surface].model; }
 
   /// Begins the arriving row, without fractions.
-  void begin_row(uint32_t surface) { clear(of(surface, is_odd_), entries(width_)); }
+  void begin_row(uint32_t surface) { clear_row(surface, is_odd_); }
+  /// Whether the arriving row has a fraction.
+  bool is_any(uint32_t surface) const { return of_[surface].is_any[is_odd_ ? 1 : 0]; }
   /// What is around the arriving row. has_slice_before: whether its edges along z may cross.
   FractionRow around(const detail::trace::BitRows& rows, uint32_t surface, bool has_slice_before) {
     const uint32_t y = rows.rows();
     FractionRow row;
     row.here = rows.row(0);
     row.behind = y > 0 ? rows.row(1) : rows.off();
-    row.below = rows.row(height_);
-    row.below_behind = y > 0 ? rows.row(height_ + 1) : rows.off();
+    row.below = has_slice_before ? rows.row(height_) : rows.off();
+    row.below_behind = has_slice_before && y > 0 ? rows.row(height_ + 1) : rows.off();
     row.now = of(surface, is_odd_) + 1;
     row.before = of(surface, !is_odd_) + 1;
     row.width = width_;
     row.crosses[0] = true;
     row.crosses[1] = y > 0 && has_samples(y - 1);
     row.crosses[2] = has_slice_before && has_samples(y);
+    row.is_any = &of_[surface].is_any[is_odd_ ? 1 : 0];
     return row;
   }
   /// The entries of the arriving row.
@@ -91,20 +106,26 @@ class Fractions {
     is_odd_ = !is_odd_;
     if (y + 1 < height_) return;
     for (uint32_t surface = 0; surface < surface_count_; ++surface)
-      clear(of(surface, !is_odd_), entries(width_));  // the first row of a slice has none before it
+      clear_row(surface, !is_odd_);  // the first row of a slice has none before it
   }
 
  private:
   struct OfSurface {
     uint16_t* entries = nullptr;
     FractionModel model;
+    bool is_any[2] = {};  // of each row
   };
 
-  // Those of a row, one more on either side, and one that makes whole words of them.
-  static constexpr uint32_t entries(uint32_t width) { return (width + 3) / 2 * 2; }
+  // Those of a row, one more on either side, and as many as make a multiple of four.
+  static constexpr uint32_t entries(uint32_t width) { return (width + 5) / 4 * 4; }
   static constexpr uint32_t flag_words(uint32_t height) { return (height + 31) / 32; }
-  static void clear(uint16_t* entries, uint32_t count) {
-    for (uint16_t* const end = entries + count; entries != end; ++entries) *entries = 0;
+  void clear_row(uint32_t surface, bool is_odd) {
+    bool& is_any = of_[surface].is_any[is_odd ? 1 : 0];
+    if (!is_any) return;
+    is_any = false;
+    uint16_t* entry = of(surface, is_odd);
+    for (uint16_t* const end = entry + entries(width_); entry != end; entry += 4)
+      entry[0] = entry[1] = entry[2] = entry[3] = 0;
   }
   uint16_t* of(uint32_t surface, bool is_odd) {
     return of_[surface].entries + (is_odd ? entries(width_) : 0);

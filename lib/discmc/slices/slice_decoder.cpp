@@ -196,7 +196,8 @@ void SliceDecoder::read() {
     }
     if (row_is_done()) {
       row_is_begun_ = false;
-      if (fraction_code_.is_any()) surfaces_with_fractions_ |= static_cast<uint8_t>(1 << surface_);
+      if (header().levels != 0 && fractions_.is_any(surface_))
+        surfaces_with_fractions_ |= static_cast<uint8_t>(1 << surface_);
       if (++surface_ < surfaces_.count()) continue;
       surface_ = 0;
       stage_ = Stage::hand_out;

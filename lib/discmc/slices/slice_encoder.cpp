@@ -269,6 +269,11 @@ static_assert(detail::wire::key_slice_head + 2 * code_reserve +
                   ByteOutput::min_frame_limit,
               "a code that is not final has room to end");
 
+// Whether make_room() has nothing to do.
+bool SliceEncoder::has_room() const {
+  return code_is_open_ && coder_.range.has_room(code_reserve);
+}
+
 // Makes room in the packet for a step or a note. False if the output is busy.
 bool SliceEncoder::make_room() {
   if (code_is_open_ && !coder_.range.has_room(code_reserve)) {
