@@ -6,6 +6,7 @@
 #include <string>
 
 #include "command.hpp"
+#include "meshes/surface_distance.hpp"
 #include "sampled_field.hpp"
 
 namespace {
@@ -73,6 +74,29 @@ TEST_CASE("a relaxed surface is the same of a volume and of its streams") {
   CHECK(workshop.read("stream.png") != workshop.read("merged.png"));
 }
 
+TEST_CASE("a stream with levels has the interpolated surface, and the same polygons") {
+  const Workshop workshop;
+  write_ball(workshop);
+  workshop.done(extract + "--wire slices -o plain.dmc");
+  workshop.done("decode plain.dmc -o plain.obj");
+  workshop.done(extract + "--surface interpolated --tolerance 0 -o exact.obj");
+  const FaceMesh exact = mesh_of_obj(workshop.read("exact.obj"));
+  double farthest_of_less = 1;
+  for (const std::string levels : {"2", "4"}) {
+    workshop.done(extract + "--wire slices --levels " + levels + " -o v.dmc");
+    workshop.done("decode v.dmc -o v.obj");
+    CHECK(workshop.read("v.obj") == workshop.read("plain.obj"));
+    workshop.done("decode v.dmc --surface interpolated --tolerance 0 -o v.obj");
+    const FaceMesh mesh = mesh_of_obj(workshop.read("v.obj"));
+    CHECK(check_mesh(mesh).closed());
+    const double farthest = discmc::meshing::distances(mesh, exact).largest;
+    CHECK(farthest < 0.75 * farthest_of_less);
+    farthest_of_less = farthest;
+  }
+  CHECK(farthest_of_less < 0.25);
+  workshop.done("render v.dmc --surface interpolated -o v.png");
+}
+
 TEST_CASE("a picture shows the kind of surface that is given") {
   const Workshop workshop;
   write_ball(workshop);
@@ -136,11 +160,14 @@ TEST_CASE("an interpolated surface is of triangles without T-junctions, in a mes
   check_failure(workshop.run(interpolated + "--no-conforming -o v.ply"), 2, {"--no-conforming"});
   check_failure(workshop.run(extract + "--tolerance 0.1 -o v.ply"), 2,
                 {"--tolerance", "add --surface interpolated"});
-  check_failure(workshop.run("decode s.dmc --surface interpolated -o v.ply"), 2,
-                {"--surface", "give --surface relaxed"});
+  check_failure(workshop.run("decode s.dmc --surface interpolated -o v.ply"), 1,
+                {"s.dmc", "give --surface relaxed"});
+  check_failure(workshop.run(extract + "--levels 4 -o v.dmc"), 2, {"--levels", "--wire slices"});
+  check_failure(workshop.run(extract + "--wire slices --levels 4 --median 3 -o v.dmc"), 2,
+                {"--levels", "--median"});
   check_failure(workshop.run("decode s.dmc --surface relaxed -o v.jsonl"), 2, {"--surface"});
   check_failure(workshop.run("decode s.dmc --tolerance 0.1 -o v.ply"), 2, {"--tolerance"});
-  check_failure(workshop.run("render s.dmc --surface interpolated -o v.png"), 2, {"--surface"});
+  check_failure(workshop.run("render s.dmc --surface interpolated -o v.png"), 1, {"--levels 4"});
   check_failure(workshop.run("extract v.raw --dims 14,14,14 --type u8 --labels all --surface "
                              "relaxed -o v-{name}.ply"),
                 2, {"--labels", "walls"});

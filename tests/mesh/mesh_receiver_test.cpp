@@ -1,6 +1,7 @@
 // MeshReceiver: the bytes of a device, scan after scan.
 #include <doctest/doctest.h>
 
+#include <discmc/fraction_slice_encoder.hpp>
 #include <discmc/placement.hpp>
 
 #include "oracle/slice_stream.hpp"
@@ -199,7 +200,43 @@ TEST_CASE("a received mesh has polygons and normals, but nothing that needs samp
   CHECK(mesh.normals.size() == mesh.vertices.size());
   options = {};
   options.interpolates = true;
-  CHECK_THROWS_AS((void)receiver.mesh(options), std::invalid_argument);
+  CHECK_THROWS_WITH_AS((void)receiver.mesh(options), doctest::Contains("FractionSliceEncoder"),
+                       std::invalid_argument);
+}
+
+TEST_CASE("a received mesh is interpolated by the fractions in its stream") {
+  const auto array = ball<std::uint8_t>();
+  SliceEncoderConfig config;
+  config.limits = {20, 22};
+  config.thresholds[0] = static_cast<std::int32_t>(ball_level);
+  config.levels = 4;
+  Bytes bytes;
+  const ByteOutput output{&bytes,
+                          [](void* context, const std::uint8_t* written, std::size_t count) {
+                            auto& all = *static_cast<Bytes*>(context);
+                            all.insert(all.end(), written, written + count);
+                            return count;
+                          }};
+  std::vector<std::uint8_t> memory(FractionSliceEncoder<std::uint8_t>::minimum_bytes(config));
+  FractionSliceEncoder<std::uint8_t> encoder;
+  REQUIRE(encoder.start(config, {memory.data(), memory.size()}, output) == Status::ok);
+  REQUIRE(
+      encoder.push(array.samples.data(), static_cast<std::uint32_t>(array.samples.size())).status ==
+      Status::ok);
+  REQUIRE(encoder.finish() == Status::ok);
+  MeshReceiver receiver;
+  CHECK(push(receiver, bytes, 100) == 1);
+  MeshOptions options;
+  options.interpolates = true;
+  options.tolerance = 0;
+  const Mesh mesh = receiver.mesh(options);
+  CHECK(measures_of(mesh).is_closed);
+  double farthest = 0;
+  for (const auto& vertex : mesh.vertices) {
+    const auto radius = difference(vertex, ball_centre);
+    farthest = std::max(farthest, std::abs(std::sqrt(dot(radius, radius)) - ball_radius));
+  }
+  CHECK(farthest < 0.3);  // 0.5 of midpoints
 }
 
 TEST_CASE("a received mesh is relaxed as that of the volume is, whatever the kind of stream") {

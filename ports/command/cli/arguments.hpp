@@ -79,6 +79,7 @@ struct ExtractArguments {
   Normals normals = Normals::none;
   Wire wire = Wire::regions;
   std::uint32_t key_slices = 0;  ///< from one to the next; 0: the first alone
+  std::uint8_t levels = 0;       ///< of the fractions in slices; 0: none
   std::uint16_t scan = 0;        ///< the number in a stream
   std::optional<SlabChoice> slab;
   std::optional<unsigned> jobs;  ///< parts at once; else all cores for a mesh, one for a stream
@@ -161,7 +162,9 @@ struct ViewArguments {
   std::optional<InputKind> kind;  ///< else a volume or a stream, by its first bytes
   VolumeArguments reading;        ///< without a selection or labels the samples are shown
   std::string labels;             ///< as of ExtractArguments
-  std::string output;             ///< none where it is served
+  SurfaceKind surface = SurfaceKind::merged;  ///< of a stream
+  double tolerance = MeshingOptions().tolerance;
+  std::string output;  ///< none where it is served
   bool opens = true;
   bool serves = false;
   std::uint16_t port = 0;  ///< 0: any that is free

@@ -127,12 +127,9 @@ int run_decode(const StreamArguments& arguments) {
     DecodedStream decoded = decode_surface(arguments.stream, arguments.choice);
     note_empty(arguments.stream, decoded);
     MeshingOptions meshing = arguments.mesh;
-    std::optional<Crossings> relaxed;
-    if (arguments.surface == SurfaceKind::relaxed) {
-      relaxed = relaxed_crossings(decoded.surface, decoded.dims, decoded.header.border,
-                                  meshing.tolerance);
-      meshing.crossings = &*relaxed;
-    }
+    const std::optional<Crossings> crossings =
+        crossings_of(arguments.stream, decoded, arguments.surface, meshing.tolerance);
+    if (crossings) meshing.crossings = &*crossings;
     keep_chosen(arguments.stream, arguments.components, decoded.surface);
     const auto placement = mesh_placement(arguments.stream, decoded.placement, arguments.space);
     if (format == Format::jsonl) {

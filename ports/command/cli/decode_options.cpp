@@ -12,9 +12,6 @@ namespace discmc::command {
 namespace {
 
 void check(const CLI::App& decode, const StreamArguments& arguments) {
-  if (arguments.surface == SurfaceKind::interpolated)
-    throw CLI::ValidationError("--surface",
-                               "a stream holds no samples to interpolate; give --surface relaxed");
   check_surface_kind(arguments.surface, arguments.mesh, arguments.output);
   check_tolerance(arguments.surface, decode);
   check_faces(arguments.mesh.faces, arguments.output);

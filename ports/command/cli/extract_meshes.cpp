@@ -62,9 +62,10 @@ int extract_meshes(ExtractArguments arguments) {
     const std::string title =
         name_for_people(arguments.volume) + (names.size() > 1 ? ": " + selections[i].name : "");
     std::optional<Crossings> relaxed;
-    if (arguments.surface == SurfaceKind::relaxed)
-      relaxed =
-          relaxed_crossings(surface, info.dims, arguments.reading.border, arguments.mesh.tolerance);
+    if (arguments.surface == SurfaceKind::relaxed) {
+      relaxed.emplace(info.dims, surface.polygons);
+      relax_noted(*relaxed, surface, arguments.reading.border, arguments.mesh.tolerance);
+    }
     keep_chosen(title, arguments.components, surface);
     if (surface.polygons.empty() && !arguments.reading.allows_empty)
       throw std::runtime_error(arguments.volume +

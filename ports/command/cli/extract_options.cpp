@@ -165,8 +165,27 @@ void check_wire(const ExtractArguments& arguments) {
   if (is_of_slices && (arguments.reading.memory > 0 || !arguments.reading.capacities.empty()))
     throw CLI::ValidationError(
         "--wire", "the memory of a slice encoder is fixed; leave out --memory and --capacities");
+  if (!is_of_slices && arguments.levels > 0)
+    throw CLI::ValidationError("--levels", "applies to streams of slices; add --wire slices");
   if (!is_of_slices && arguments.key_slices > 0)
     throw CLI::ValidationError("--key-slices", "applies to streams of slices; add --wire slices");
+}
+
+// Fractions are of samples that a threshold alone divides.
+void check_levels(const ExtractArguments& arguments) {
+  if (arguments.levels == 0) return;
+  const VolumeArguments& reading = arguments.reading;
+  const auto refuse = [](const std::string& option) {
+    throw CLI::ValidationError("--levels", "cannot be combined with " + option +
+                                               ", as the surface is then not that of the samples; "
+                                               "leave one out");
+  };
+  if (reading.median > 0) refuse("--median");
+  if (reading.close_mm > 0) refuse("--close");
+  if (reading.smooth_mm) refuse("--smooth");
+  if (!reading.mask.empty()) refuse("--mask");
+  for (const NamedSelection& each : reading.selections)
+    if (each.has_upper_end()) refuse("--range or --label");
 }
 
 void check_slab(const ExtractArguments& arguments) {
@@ -240,6 +259,7 @@ void check(const ExtractArguments& arguments, const CLI::App& app) {
   check_decimation(arguments.decimation, arguments.mesh, arguments.output);
   check_tolerance(arguments.surface, app);
   check_wire(arguments);
+  check_levels(arguments);
   check_slab(arguments);
   check_jobs(arguments, *app.get_option("--surface"));
 }
@@ -305,6 +325,12 @@ void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
                  "links that lose packets (default: the first slice only)")
       ->check(CLI::Range(std::uint32_t{1}, Limits::max_slices))
       ->option_text("N");
+  add_named_option(
+      app, "--levels", arguments.levels,
+      NamedValues<std::uint8_t>{
+          {"0", std::uint8_t{0}}, {"2", std::uint8_t{2}}, {"4", std::uint8_t{4}}},
+      "with --wire slices: also send in which half (2) or quarter (4) of each edge between voxels "
+      "the samples cross the threshold; decode --surface interpolated then has the vertices there");
   app.add_option("--scan", arguments.scan,
                  "number of the scan, which distinguishes streams on one link")
       ->option_text("N")
@@ -368,6 +394,7 @@ Command add_extract(CLI::App& app) {
       "  discmc extract head.nii.gz --iso 300 --iso=-300 -o 'head-{name}.stl'\n"
       "  discmc extract labels.nii.gz --labels all -o 'out/{name}.stl'\n"
       "  discmc extract series/ --iso 300 -o head.stl\n"
+      "  discmc extract head.nii.gz --iso 300 --wire slices --levels 4 -o head.dmc\n"
       "  discmc extract ct.raw --dims 512,512,275 --type i16 --iso 200 -o ct.dmc");
   extract->callback([arguments, extract] {
     take_format(arguments->format, arguments->output);

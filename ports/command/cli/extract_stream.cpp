@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <discmc/byte_output.hpp>
+#include <discmc/fraction_slice_encoder.hpp>
 #include <discmc/slice_encoder.hpp>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -23,31 +25,71 @@
 namespace discmc::command {
 namespace {
 
-// Encodes the bits of a volume, in memory of its own.
+// Encodes the bits of a volume, or its samples, in memory of its own.
 class SliceWriter {
  public:
-  void start(const SliceEncoderConfig& config, const ByteOutput& output) {
-    memory_.resize(SliceEncoder::minimum_bytes(config));
-    require(encoder_.start(config, {memory_.data(), memory_.size()}, output));
+  void start(const SliceEncoderConfig& config, SampleType type, const ByteOutput& output) {
+    if (config.levels == 0) {
+      start<SliceEncoder>(config, output);
+      return;
+    }
+    with_scanner_type(type, [&](auto sample) {
+      using Sample = decltype(sample);
+      auto& encoder = start<FractionSliceEncoder<Sample>>(config, output);
+      const std::uint32_t count = config.limits.width * config.limits.height;
+      push_slice_ = [&encoder, count](const void* slice) {
+        require(encoder.push(static_cast<const Sample*>(slice), count).status);
+      };
+    });
   }
-  SliceEncoder& encoder() { return encoder_; }
+  SliceEncoder& encoder() { return *encoder_; }
+  /// Limit: with levels.
+  void push_slice(const void* samples) const { push_slice_(samples); }
   /// Units: bytes; 0 before a start.
   std::size_t memory() const { return memory_.size(); }
 
  private:
+  template <class EncoderOfSlices>
+  EncoderOfSlices& start(const SliceEncoderConfig& config, const ByteOutput& output) {
+    memory_.resize(EncoderOfSlices::minimum_bytes(config));
+    auto encoder = std::make_shared<EncoderOfSlices>();
+    require(encoder->start(config, {memory_.data(), memory_.size()}, output));
+    encoder_ = encoder;
+    return *encoder;
+  }
+
   std::vector<std::uint8_t> memory_;
-  SliceEncoder encoder_;
+  std::shared_ptr<SliceEncoder> encoder_;
+  std::function<void(const void*)> push_slice_;
+};
+
+// Encodes the slices that are read.
+class EncodedReader final : public SliceReader {
+ public:
+  EncodedReader(SliceReader& volume, const SliceWriter& writer)
+      : volume_(volume), writer_(writer) {}
+
+  const SampleGrid& info() const override { return volume_.info(); }
+  void read_slice(void* samples) override {
+    volume_.read_slice(samples);
+    writer_.push_slice(samples);
+  }
+
+ private:
+  SliceReader& volume_;
+  const SliceWriter& writer_;
 };
 
 // The header of a stream of slices that holds all surfaces. header: what they share.
-SliceEncoderConfig config_of_all(const StreamHeader& header, std::uint32_t key_slice_interval,
+SliceEncoderConfig config_of_all(const StreamHeader& header, const ExtractArguments& arguments,
                                  const VolumeInfo& info,
                                  const std::vector<NamedSelection>& selections) {
-  SliceEncoderConfig config{{header.width, header.height, header.border},
-                            {},
-                            key_slice_interval,
-                            static_cast<std::uint8_t>(selections.size()),
-                            header.label()};
+  SliceEncoderConfig config;
+  config.limits = {header.width, header.height, header.border};
+  config.key_slice_interval = arguments.key_slices;
+  config.surface_count = static_cast<std::uint8_t>(selections.size());
+  config.label = header.label();
+  config.levels = arguments.levels;
   std::transform(selections.begin(), selections.end(), config.thresholds,
                  [&info](const NamedSelection& surface) {
                    return stored_threshold(info, surface.selection.low);
@@ -75,6 +117,13 @@ void require_one_surface(const VolumeArguments& arguments, const VolumeInfo& inf
     throw std::invalid_argument(
         "--normals gradient of several surfaces needs samples of u8, u16 or i16, and these are " +
         std::string(name(info.type)) + "; give one --iso, or run discmc once per surface");
+}
+
+void require_encodable(const ExtractArguments& arguments, const VolumeInfo& info) {
+  if (arguments.levels > 0 && !is_scanner_type(info.type))
+    throw std::invalid_argument("--levels needs samples of u8, u16 or i16, and these are " +
+                                std::string(name(info.type)) +
+                                "; convert the volume, or leave out --levels");
 }
 
 }  // namespace
@@ -111,10 +160,11 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   SliceWriter slices;
   SharedOutput link;
   if (arguments.wire == Wire::slices) {
-    slices.start(config_of_all(header, arguments.key_slices, info, selections),
+    require_encodable(arguments, info);
+    slices.start(config_of_all(header, arguments, info, selections), info.type,
                  output.byte_output());
     write_placement(info.placement, slices.encoder());
-    options.slices = &slices.encoder();
+    if (arguments.levels == 0) options.slices = &slices.encoder();
   } else {
     link.start(output.byte_output());
     StreamLabel label = header.label();
@@ -125,7 +175,14 @@ ExtractedStream write_stream(ExtractArguments& arguments, std::ostream& out) {
   }
 
   SliceReader& samples = narrow ? *narrow : mended.samples();
-  stream.extractions = extract(samples, options, requests_of(selections, stream.receivers));
+  const auto requests = requests_of(selections, stream.receivers);
+  if (arguments.levels > 0) {
+    EncodedReader encoded(samples, slices);
+    stream.extractions = extract(encoded, options, requests);
+    require(slices.encoder().finish());
+  } else {
+    stream.extractions = extract(samples, options, requests);
+  }
   stream.slice_bytes = output.bytes();
   stream.slice_memory = slices.memory();
   note_not_numbers(arguments,

@@ -42,12 +42,9 @@ FileMesh triangulated(const Surface& surface, const MeshingOptions& options) {
   return build_mesh(surface, options);
 }
 
-Crossings relaxed_crossings(const Surface& surface, const std::array<std::uint32_t, 3>& dims,
-                            Border border, double tolerance) {
+void relax_noted(Crossings& crossings, const Surface& surface, Border border, double tolerance) {
   const Progress smoothing("smoothing");
-  Crossings crossings(dims, surface.polygons);
   relax(crossings, surface, {border, tolerance, {}});
-  return crossings;
 }
 
 void place_in_file(FileMesh& mesh, const std::optional<VolumePlacement>& placement,

@@ -2,8 +2,6 @@
 #ifndef DISCMC_COMMAND_CLI_MESH_OUTPUT_HPP
 #define DISCMC_COMMAND_CLI_MESH_OUTPUT_HPP
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <ostream>
@@ -30,9 +28,8 @@ std::optional<VolumePlacement> mesh_placement(const std::string& input,
 /// The mesh of a surface; voxel (i, j, k) lies at (i, j, k) times the spacing.
 FileMesh triangulated(const Surface& surface, const MeshingOptions& options);
 
-/// Where a surface lies with --surface relaxed. dims: of its volume. tolerance: of the mesh.
-Crossings relaxed_crossings(const Surface& surface, const std::array<std::uint32_t, 3>& dims,
-                            Border border, double tolerance);
+/// Moves crossings to where they are with --surface relaxed. tolerance: of the mesh.
+void relax_noted(Crossings& crossings, const Surface& surface, Border border, double tolerance);
 
 /// Moves a mesh, once and last, to where its file has it. placement: as of mesh_placement().
 void place_in_file(FileMesh& mesh, const std::optional<VolumePlacement>& placement,

@@ -1,6 +1,4 @@
 // discmc render: a picture of a stream or a volume.
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -31,15 +29,9 @@ namespace discmc::command {
 namespace {
 
 // A mesh that can be shaded smoothly if that is asked, then with the normals that the surface has.
-// dims: of the volume. crossings: of --surface interpolated.
+// crossings: where its vertices lie, or null.
 FileMesh mesh_to_draw(const RenderArguments& arguments, Surface& surface,
-                      const std::array<std::uint32_t, 3>& dims, Border border,
-                      const Crossings* crossings = nullptr) {
-  std::optional<Crossings> relaxed;
-  if (arguments.surface == SurfaceKind::relaxed) {
-    relaxed = relaxed_crossings(surface, dims, border, arguments.tolerance);
-    crossings = &*relaxed;
-  }
+                      const Crossings* crossings) {
   keep_chosen(arguments.input, arguments.components, surface);
   const bool smooth = arguments.smooth;
   const Faces faces = smooth || crossings != nullptr ? Faces::triangles : Faces::polygons;
@@ -80,8 +72,11 @@ FileMesh mesh_of_volume(const RenderArguments& arguments, MeasuredVolume& volume
   check_surface(arguments.input, arguments.reading, arguments.reading.selections[0], volume,
                 extraction);
   joined.surface().spacing_mm = volume.info().spacing_mm;
-  return mesh_to_draw(arguments, joined.surface(), volume.info().dims, options.border,
-                      finder ? &finder->crossings() : nullptr);
+  if (arguments.surface != SurfaceKind::relaxed)
+    return mesh_to_draw(arguments, joined.surface(), finder ? &finder->crossings() : nullptr);
+  Crossings relaxed(volume.info().dims, joined.surface().polygons);
+  relax_noted(relaxed, joined.surface(), options.border, arguments.tolerance);
+  return mesh_to_draw(arguments, joined.surface(), &relaxed);
 }
 
 FileMesh volume_to_draw(RenderArguments arguments) {
@@ -151,7 +146,9 @@ int run_render(const RenderArguments& arguments) {
   } else {
     DecodedStream decoded = decode_surface(arguments.input, arguments.choice);
     note_empty(arguments.input, decoded);
-    mesh = mesh_to_draw(arguments, decoded.surface, decoded.dims, decoded.header.border);
+    const std::optional<Crossings> crossings =
+        crossings_of(arguments.input, decoded, arguments.surface, arguments.tolerance);
+    mesh = mesh_to_draw(arguments, decoded.surface, crossings ? &*crossings : nullptr);
     code = completeness(arguments.input, decoded.report);
   }
   if (arguments.smooth && mesh.normals.empty()) mesh.normals = surface_normals(mesh);

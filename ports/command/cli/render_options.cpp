@@ -19,11 +19,7 @@ void check_surface(const CLI::App& render, const RenderArguments& arguments) {
   if (arguments.surface == SurfaceKind::merged) return;
   if (!arguments.labels.empty())
     throw CLI::ValidationError("--surface", "labels are drawn merged; leave it out");
-  if (arguments.surface == SurfaceKind::relaxed) return;
-  if (arguments.kind == InputKind::stream)
-    throw CLI::ValidationError("--surface",
-                               "a stream holds no samples to interpolate; give --surface relaxed");
-  if (arguments.reading.median > 0)
+  if (arguments.surface == SurfaceKind::interpolated && arguments.reading.median > 0)
     throw CLI::ValidationError("--median",
                                "cannot be combined with --surface interpolated, as the samples are "
                                "not filtered; leave one out");

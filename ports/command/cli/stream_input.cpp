@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "exit_codes.hpp"
+#include "mesh_output.hpp"
 #include "progress.hpp"
 #include "samples/spacing.hpp"
 #include "streams/application_text.hpp"
@@ -45,7 +46,9 @@ struct RecordNotes {
   std::vector<std::string> records{};
   std::optional<VolumePlacement> placement{};
   SlabRanges slabs{};
+  SentFractions fractions{};
   SinkResult accept(const Event& event) {
+    fractions.accept(event);
     if (event.kind == Event::Kind::application) {
       records.push_back(text(*event.application));
       Placement nanometres;
@@ -135,7 +138,8 @@ DecodedStream decoded_by(Read read, const std::string& path, const StreamChoice&
           std::move(joined.surface()),
           joined.builder().counts(),
           std::move(notes.records),
-          notes.placement};
+          notes.placement,
+          std::move(notes.fractions)};
 }
 
 // As in "3 packets are missing, 100 rows are missing; send or copy the stream again".
@@ -206,6 +210,20 @@ DecodedStream decode_surface(const std::string& path, std::istream& in,
                              const StreamChoice& choice) {
   return decoded_by([&](StreamReader& reader) { read_stream(path, in, 0, reader); }, path, choice,
                     Kept::polygons);
+}
+
+std::optional<Crossings> crossings_of(const std::string& path, const DecodedStream& decoded,
+                                      SurfaceKind surface, double tolerance) {
+  if (surface == SurfaceKind::merged) return std::nullopt;
+  if (surface == SurfaceKind::interpolated && !decoded.fractions.are_sent())
+    throw std::invalid_argument(path +
+                                ": the stream holds no fractions to interpolate; give --surface "
+                                "relaxed, or extract it with --wire slices --levels 4");
+  Crossings crossings(decoded.dims, decoded.surface.polygons);
+  decoded.fractions.place(crossings);
+  if (surface == SurfaceKind::relaxed)
+    relax_noted(crossings, decoded.surface, decoded.header.border, tolerance);
+  return crossings;
 }
 
 void note_empty(const std::string& path, const DecodedStream& decoded) {

@@ -11,8 +11,11 @@
 
 #include <discmc/sink.hpp>
 
+#include "arguments.hpp"
+#include "extraction/crossings.hpp"
 #include "meshing.hpp"
 #include "samples/volume_placement.hpp"
+#include "streams/sent_fractions.hpp"
 #include "streams/stream_reader.hpp"
 #include "surface/surface_builder.hpp"
 
@@ -38,12 +41,18 @@ struct DecodedStream {
   Counts counts;                             ///< else none
   std::vector<std::string> records;          ///< the user's own, in words
   std::optional<VolumePlacement> placement;  ///< if the stream has a usable one
+  SentFractions fractions;
 };
 
 DecodedStream decode_surface(const std::string& path, const StreamChoice& choice,
                              Kept kept = Kept::polygons);
 /// The same of bytes that come from elsewhere. path: what they are called.
 DecodedStream decode_surface(const std::string& path, std::istream& in, const StreamChoice& choice);
+
+/// Where the vertices of a decoded surface lie; nothing: halfway between voxels. tolerance: of the
+/// mesh. Throws std::invalid_argument if the stream has nothing to interpolate.
+std::optional<Crossings> crossings_of(const std::string& path, const DecodedStream& decoded,
+                                      SurfaceKind surface, double tolerance);
 
 /// All bytes of the named stream, or of standard input by the name "-"; what is no stream, too.
 std::string stream_bytes(const std::string& path);

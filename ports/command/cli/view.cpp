@@ -78,6 +78,21 @@ std::vector<FileMesh> meshes_of_labels(const ViewArguments& arguments) {
   return label_meshes(extraction);
 }
 
+// code: gets that of completeness().
+std::vector<FileMesh> mesh_of_stream(const ViewArguments& arguments, int& code) {
+  const DecodedStream decoded = decode_surface(arguments.input, {});
+  code = completeness(arguments.input, decoded.report);
+  const auto crossings =
+      crossings_of(arguments.input, decoded, arguments.surface, arguments.tolerance);
+  std::vector<FileMesh> meshes(1);
+  meshes[0] =
+      triangulated(decoded.surface, {true, Faces::triangles, &*crossings, arguments.tolerance});
+  meshes[0].normals = surface_normals(meshes[0]);
+  const auto placement = mesh_placement(arguments.input, decoded.placement, std::nullopt);
+  place_in_file(meshes[0], placement, {});
+  return meshes;
+}
+
 std::vector<FileMesh> meshes_of_file(const std::string& file) {
   const Progress progress("reading");
   std::vector<FileMesh> meshes = read_meshes(file);
@@ -88,7 +103,8 @@ std::vector<FileMesh> meshes_of_file(const std::string& file) {
 }  // namespace
 
 bool shows_meshes(const ViewArguments& arguments) {
-  return arguments.kind == InputKind::mesh || !arguments.labels.empty();
+  return arguments.kind == InputKind::mesh || !arguments.labels.empty() ||
+         arguments.surface != SurfaceKind::merged;
 }
 
 std::string name_of(const std::string& input) {
@@ -116,9 +132,11 @@ NamedBytes stream_in_file(const ViewArguments& arguments) {
 }
 
 NamedBytes meshes_to_show(const ViewArguments& arguments, std::uint64_t most) {
-  const bool is_file = arguments.kind == InputKind::mesh;
-  std::vector<FileMesh> meshes =
-      is_file ? meshes_of_file(arguments.input) : meshes_of_labels(arguments);
+  const bool is_file = arguments.labels.empty();
+  int code = exit_ok;
+  std::vector<FileMesh> meshes = arguments.kind == InputKind::mesh ? meshes_of_file(arguments.input)
+                                 : is_file                         ? mesh_of_stream(arguments, code)
+                                                                   : meshes_of_labels(arguments);
   Meshes pointers;
   for (FileMesh& mesh : meshes) {
     if (!mesh.colour) mesh.colour = PictureOptions().colour;
@@ -126,7 +144,7 @@ NamedBytes meshes_to_show(const ViewArguments& arguments, std::uint64_t most) {
   }
   std::ostringstream glb;
   write_glb(pointers, glb);
-  NamedBytes file{name_of(arguments.input), glb.str(), exit_ok};
+  NamedBytes file{name_of(arguments.input), glb.str(), code};
   if (file.bytes.size() > most)
     throw std::runtime_error(file.name + ": its meshes are " +
                              std::to_string(file.bytes.size() >> 20) +

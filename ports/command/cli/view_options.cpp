@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "cli/options/input_kind.hpp"
+#include "cli/options/mesh_options.hpp"
 #include "cli/options/option_checks.hpp"
 #include "cli/options/surface_options.hpp"
 #include "cli/options/volume_options.hpp"
@@ -47,6 +48,15 @@ void choose_kind(const CLI::App& view, ViewArguments& arguments) {
   }
 }
 
+void check_surface_kind(const CLI::App& view, ViewArguments& arguments) {
+  check_tolerance(arguments.surface, view);
+  if (arguments.surface == SurfaceKind::merged) return;
+  if (arguments.kind == InputKind::volume)
+    throw CLI::ValidationError("--surface",
+                               "applies to streams; view the mesh of discmc extract --surface");
+  arguments.kind = InputKind::stream;
+}
+
 // Samples as they are have no surface.
 void check_surface_options(const CLI::App& view, const ViewArguments& arguments) {
   if (!arguments.reading.selections.empty() || !arguments.labels.empty()) return;
@@ -84,6 +94,7 @@ Command add_view(CLI::App& app) {
   add_surface_options(*view, arguments->reading);
   add_label_options(*view, arguments->labels, arguments->reading,
                     "the page shows each in its colour, with its name");
+  add_surface_kind_options(*view, arguments->surface, arguments->tolerance);
   view->footer(
       "The page contains its data, and needs neither network nor server. Without a threshold it "
       "holds\nthe samples, and its slider chooses any threshold. With --iso, --range or --label it "
@@ -99,6 +110,7 @@ Command add_view(CLI::App& app) {
     choose_kind(*view, *arguments);
     if (arguments->kind != InputKind::mesh) check_surface_options(*view, *arguments);
     check_label_options(arguments->labels, arguments->reading);
+    check_surface_kind(*view, *arguments);
     choose_output(*arguments);
   });
   return {view, [arguments] { return run_view(*arguments); }};

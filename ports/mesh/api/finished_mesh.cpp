@@ -156,17 +156,12 @@ void check_options(const MeshOptions& options) {
     refuse("relaxation uses no samples: leave it out, or interpolation and smoothing");
 }
 
-Mesh finished_mesh(Surface& surface, const std::array<std::uint32_t, 3>& dims,
-                   const Crossings* crossings, const MeshOptions& options, const SweepPlace& place,
-                   double level, const OpenAgain& open_again) {
+Mesh finished_mesh(Surface& surface, Crossings* crossings, const MeshOptions& options,
+                   const SweepPlace& place, double level, const OpenAgain& open_again) {
   surface.spacing_mm = place.spacing;
-  std::optional<Crossings> relaxed;
-  if (options.relaxes) {
-    relaxed.emplace(dims, surface.polygons);
-    relax(*relaxed, surface,
+  if (options.relaxes)
+    relax(*crossings, surface,
           {options.border, options.tolerance, [&options] { report(options, "smoothing", 0, 0); }});
-    crossings = &*relaxed;
-  }
   report(options, "triangulating", 0, 0);
   const unsigned threads = threads_of(options);
   FaceMesh faces =

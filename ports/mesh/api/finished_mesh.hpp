@@ -45,11 +45,10 @@ void check_options(const MeshOptions& options);
 using OpenAgain = std::function<std::unique_ptr<SliceReader>()>;
 
 /// The triangles of a surface, relaxed, decimated, with normals, placed. surface: gets the spacing.
-/// dims: of the volume. crossings: null unless is_interpolated(). level: of the gradient.
-/// open_again: may be empty unless the options have Normals::gradient.
-Mesh finished_mesh(Surface& surface, const std::array<std::uint32_t, 3>& dims,
-                   const Crossings* crossings, const MeshOptions& options, const SweepPlace& place,
-                   double level, const OpenAgain& open_again = {});
+/// crossings: where its vertices are moved to, or from, if it is relaxed; null if they stay. level:
+/// of the gradient. open_again: may be empty unless the options have Normals::gradient.
+Mesh finished_mesh(Surface& surface, Crossings* crossings, const MeshOptions& options,
+                   const SweepPlace& place, double level, const OpenAgain& open_again = {});
 
 }  // namespace discmc::meshing
 

@@ -56,8 +56,14 @@ class MeshBuilder::State {
   Mesh finish() {
     scan_.finish();
     surface_.finish();
-    const std::array<std::uint32_t, 3> dims = {grid_.dims[0], grid_.dims[1], slices_};
-    return finished_mesh(surface_.surface(), dims, crossings_ ? &crossings_->crossings() : nullptr,
+    std::optional<Crossings> of_polygons;
+    if (options_.relaxes)
+      of_polygons.emplace(std::array<std::uint32_t, 3>{grid_.dims[0], grid_.dims[1], slices_},
+                          surface_.surface().polygons);
+    return finished_mesh(surface_.surface(),
+                         of_polygons  ? &*of_polygons
+                         : crossings_ ? &crossings_->crossings()
+                                      : nullptr,
                          options_, place_, selection_.low);
   }
 

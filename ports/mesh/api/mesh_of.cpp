@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -154,9 +155,14 @@ std::vector<Mesh> meshes_of(const Samples& samples, const std::vector<Level>& le
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     surfaces[i]->finish();
     if (smoothed) keep_volume(*surfaces[i], *crossings[i], volume.info(), options, place);
+    std::optional<Crossings> of_polygons;
+    if (options.relaxes) of_polygons.emplace(volume.info().dims, surfaces[i]->surface().polygons);
     meshes.push_back(finished_mesh(
-        surfaces[i]->surface(), volume.info().dims,
-        crossings.empty() ? nullptr : &crossings[i]->crossings(), options, place, selections[i].low,
+        surfaces[i]->surface(),
+        of_polygons         ? &*of_polygons
+        : crossings.empty() ? nullptr
+                            : &crossings[i]->crossings(),
+        options, place, selections[i].low,
         [&] { return std::make_unique<ArrayReader>(samples, order, place.spacing); }));
     surfaces[i].reset();  // its memory is the next mesh's
   }
@@ -193,10 +199,9 @@ std::vector<LabelMesh> label_meshes(const Samples& samples, const MeshOptions& o
     found = extract_labels(array, wanted);
 
   std::vector<LabelMesh> meshes;
-  const auto add = [&](LabelledSurface& label, const Crossings* crossings) {
-    meshes.push_back(
-        {static_cast<std::int64_t>(label.label.bits()), label.voxels,
-         finished_mesh(label.surface, array.info().dims, crossings, options, place, 0)});
+  const auto add = [&](LabelledSurface& label, Crossings* crossings) {
+    meshes.push_back({static_cast<std::int64_t>(label.label.bits()), label.voxels,
+                      finished_mesh(label.surface, crossings, options, place, 0)});
   };
   for (SmoothedLabel& each : smoothed) add(each.surface, &each.crossings.crossings());
   for (LabelledSurface& each : found) add(each, nullptr);

@@ -6,6 +6,7 @@
 #include "finished_mesh.hpp"
 #include "owned_state.hpp"
 #include "samples/spacing.hpp"
+#include "streams/sent_fractions.hpp"
 #include "streams/stream_reader.hpp"
 #include "surface/joined_surface.hpp"
 
@@ -26,6 +27,7 @@ class ReceivedScan {
     Placement placement;
     if (event.kind == Event::Kind::application && read_placement(*event.application, placement))
       placement_ = in_millimetres(placement);
+    fractions_.accept(event);
     return surface_.accept(event);
   }
 
@@ -41,9 +43,11 @@ class ReceivedScan {
   const StreamReader& reader() const { return reader_; }
   const std::optional<VolumePlacement>& placement() const { return placement_; }
   JoinedSurface& surface() { return surface_; }
+  const SentFractions& fractions() const { return fractions_; }
 
  private:
   JoinedSurface surface_;
+  SentFractions fractions_;
   std::optional<VolumePlacement> placement_;
   StreamReader reader_;
 };
@@ -97,12 +101,22 @@ class MeshReceiver::State {
     options.spacing = spacing_mm(reader().header());
     check_options(options);
     options.border = reader().header().border;
-    if (options.interpolates || options.smoothing > 0 || options.normals == Normals::gradient)
+    if (options.smoothing > 0 || options.normals == Normals::gradient)
       throw std::invalid_argument(
-          "a stream holds no samples: ask for relaxation in place of interpolation and smoothing, "
-          "and for surface normals");
+          "a stream holds no samples: ask for relaxation in place of smoothing, and for surface "
+          "normals");
+    if (options.interpolates && !scan_->fractions().are_sent())
+      throw std::invalid_argument(
+          "this stream holds no fractions to interpolate: ask for relaxation, or send them by "
+          "FractionSliceEncoder");
     Surface so_far = builder().surface();  // a copy: its spacing follows from the options
-    return finished_mesh(so_far, reader().dims(), nullptr, options, sweep_place(options), 0);
+    std::optional<Crossings> crossings;
+    if (options.interpolates || options.relaxes) {
+      crossings.emplace(reader().dims(), so_far.polygons);
+      scan_->fractions().place(*crossings);
+    }
+    return finished_mesh(so_far, crossings ? &*crossings : nullptr, options, sweep_place(options),
+                         0);
   }
 
  private:

@@ -141,8 +141,8 @@ struct MeshOptions {
   bool interpolates = false;
   double tolerance = 0.05;  ///< also of relaxes; Units: voxels
   /// Moves vertices between the voxels to the smoothest surface that keeps every voxel on its side:
-  /// for masks, and for streams, which hold no samples. No triangles intersect. Limit: not with
-  /// interpolates or smoothing, not for labels.
+  /// for masks, and for streams, which hold no samples. Fractions in a stream limit how far they
+  /// move. No triangles intersect. Limit: not with interpolates or smoothing, not for labels.
   bool relaxes = false;
   /// Smooths a mask or a label by a Gaussian of this deviation; implies interpolates. Each body
   /// keeps the volume of its voxels, and every voxel its side, unless the border is open. 1.5
@@ -284,8 +284,9 @@ class MeshReceiver {
   const StreamHeader& header() const;
   /// The mesh of the polygons that arrived so far; closed once the scan is complete. Units:
   /// millimetres; half-steps of 0.5 without a spacing in the stream. options: the spacing is that
-  /// of the stream, as is the border, and the placement if it is not given. Limit: no
-  /// interpolation or smoothing, no gradient normals.
+  /// of the stream, as is the border, and the placement if it is not given. Limit: no smoothing, no
+  /// gradient normals; interpolates if header().levels is not 0. Vertices are then within half a
+  /// level of where the samples cross, along the edge.
   [[nodiscard]] Mesh mesh(MeshOptions options = {}) const;
   /// The number of polygons that arrived so far.
   std::size_t polygon_count() const;

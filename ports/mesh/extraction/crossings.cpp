@@ -81,7 +81,7 @@ class Crossings::OfPolygons {
     const bool falls = (axis == 0 ? normal.x : axis == 1 ? normal.y : normal.z) > 0;
     const std::uint64_t row = std::uint64_t{crossings_.dims_[1]} * static_cast<unsigned>(begin.z) +
                               static_cast<unsigned>(begin.y);
-    found_.push_back({row, {static_cast<std::uint16_t>(begin.x), falls, 1}});
+    found_.push_back({row, {static_cast<std::uint16_t>(begin.x), falls, 1, 1}});
   }
 
   void store(Rows& rows) {
@@ -339,7 +339,7 @@ class CrossingFinder::SlicesOf final : public Slices {
         const std::size_t x = 8 * i + bit;
         const bool falls = (bits[i] >> bit & 1) != 0;
         const float at = falls ? crossing(from[x], to[x]) : 2 - crossing(to[x], from[x]);
-        crossings.push_back({static_cast<std::uint16_t>(x), falls, at});
+        crossings.push_back({static_cast<std::uint16_t>(x), falls, 1, at});
         if (keeps_ends_)
           crossings_.along_[axis].ends.push_back(
               {static_cast<float>(static_cast<double>(from[x]) - low_level_),

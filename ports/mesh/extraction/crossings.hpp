@@ -67,8 +67,16 @@ class Crossings {
   }
   /// From the voxel where the edge begins. Units: half-steps.
   float at(Place place) const { return along_[place.axis].crossings[place.number].at; }
+  /// How many intervals the edge has. The crossing is known to be in one, placed in its middle.
+  std::uint8_t intervals(Place place) const {
+    return along_[place.axis].crossings[place.number].intervals;
+  }
   /// Limit: from the margin to 2 less the margin.
   void move(Place place, float at) { along_[place.axis].crossings[place.number].at = at; }
+  void move(Place place, float at, std::uint8_t intervals) {
+    along_[place.axis].crossings[place.number].intervals = intervals;
+    move(place, at);
+  }
 
   /// Limit: of a finder that keeps the ends.
   Ends& ends(Place place) { return along_[place.axis].ends[place.number]; }
@@ -84,7 +92,8 @@ class Crossings {
   struct Crossing {
     std::uint16_t x;
     bool falls;  // begins on, and ends off
-    float at;    // from the voxel; Units: half-steps
+    std::uint8_t intervals;
+    float at;  // from the voxel; Units: half-steps
   };
   // Row i, of all slices, has crossings[begin[i]] to crossings[begin[i + 1]].
   struct Rows {

@@ -27,13 +27,15 @@ Vertex times(int factor, const Vertex& vertex) {
   return {factor * vertex.x, factor * vertex.y, factor * vertex.z};
 }
 
-// The mean of a normal distribution from 0 to 1. Limit: its middle is there.
-double mean_within_edge(double middle) {
+// The mean of a normal distribution between two limits. Units: edges.
+double mean_within(double middle, double low, double high) {
   constexpr double root_of_two_pi = 2.506628274631;
   const auto density = [](double x) { return std::exp(-x * x / 2) / root_of_two_pi; };
-  const double low = -middle / deviation, high = (1 - middle) / deviation;
-  const double share = (std::erf(high / std::sqrt(2)) - std::erf(low / std::sqrt(2))) / 2;
-  return middle + deviation * (density(low) - density(high)) / share;
+  const auto above = [](double x) { return std::erfc(x / std::sqrt(2)) / 2; };
+  const double from = (low - middle) / deviation, to = (high - middle) / deviation;
+  // Of the smaller tails, whose difference is rounded least.
+  const double share = from + to > 0 ? above(from) - above(to) : above(-to) - above(-from);
+  return middle + deviation * (density(from) - density(to)) / share;
 }
 
 class Relaxer {
@@ -66,6 +68,7 @@ class Relaxer {
   // Two neighbours in each of two planes.
   struct Node {
     Place place;
+    float low, high;  // between which the crossing is. Units: edges
     std::array<std::array<Neighbour, 2>, 2> beside;
   };
   // Along the edge from its begin, and how far away across it. Units: edges.
@@ -78,7 +81,9 @@ class Relaxer {
   }
 
   void add_node(Place place, const Vertex& middle) {
-    Node node{place, {}};
+    const float at = crossings_.at(place) / 2;
+    const float half = 0.5F / static_cast<float>(crossings_.intervals(place));
+    Node node{place, at - half, at + half, {}};
     for (std::size_t plane = 0; plane < 2; ++plane)
       for (std::size_t side = 0; side < 2; ++side)
         node.beside[plane][side] = neighbour(
@@ -125,8 +130,9 @@ class Relaxer {
       ++planes;
     }
     if (planes == 0) return crossings_.at(node.place);
-    return static_cast<float>(
-        std::clamp(2 * mean_within_edge(sum / planes), Crossings::margin, 2 - Crossings::margin));
+    const double mean =
+        mean_within(sum / planes, static_cast<double>(node.low), static_cast<double>(node.high));
+    return static_cast<float>(std::clamp(2 * mean, Crossings::margin, 2 - Crossings::margin));
   }
 
   Crossings& crossings_;

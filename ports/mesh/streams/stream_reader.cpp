@@ -90,7 +90,7 @@ Status StreamReader::give_memory() {
   const Limits limits{header().width, header().height, header().border};
   constexpr std::uint64_t for_chains = std::uint64_t{64} << 20;
   const std::size_t bytes =
-      SurfaceDecoder::minimum_bytes(limits, header().surface_count) + for_chains;
+      SurfaceDecoder::minimum_bytes(limits, header().surface_count, header().levels) + for_chains;
   memory_.reset(new std::uint8_t[bytes]);
   return decoder_.give_memory({memory_.get(), bytes});
 }

@@ -38,7 +38,8 @@ class Decoder:
     """Receives the bytes of a device, scan after scan. Any bytes are safe.
 
     Coordinates are x, y, z in millimetres; in voxels if the stream has no spacing. channel: of the
-    surface, otherwise the first that arrives. The other arguments are those of extract().
+    surface, otherwise the first that arrives. interpolate: of a stream of slices with fractions. The
+    other arguments are those of extract().
     """
 
     def __init__(
@@ -46,6 +47,7 @@ class Decoder:
         channel: Optional[int] = None,
         *,
         placement: Optional[ArrayLike] = None,
+        interpolate: bool = False,
         relax: bool = False,
         tolerance: float = 0.05,
         triangles: int = 0,
@@ -56,8 +58,8 @@ class Decoder:
         self._receiver = _discmc.Receiver(channel)
         self._has_polygons = polygons
         self._options = options(
-            placement=placement, relax=relax, tolerance=tolerance, triangles=triangles,
-            max_error=max_error, normals=normals, polygons=polygons)
+            placement=placement, interpolate=interpolate, relax=relax, tolerance=tolerance,
+            triangles=triangles, max_error=max_error, normals=normals, polygons=polygons)
 
     def feed(self, data: Union[bytes, bytearray, memoryview]) -> list[Scan]:
         """Accepts bytes, any number at a time. Returns the scans that end in them."""

@@ -91,6 +91,15 @@ def test_refused_settings(images):
         scanner(encode=True, spacing=(5000, 1, 1))
 
 
+def test_a_decoder_relaxes_without_samples(images):
+    stream = encoded(images)
+    (merged,), (relaxed,) = (discmc.Decoder(relax=relax, tolerance=0).feed(stream) for relax in (False, True))
+    assert relaxed.mesh.area < merged.mesh.area
+    assert len(relaxed.mesh.vertices) > len(merged.mesh.vertices)
+    with pytest.raises(ValueError, match="no fractions"):
+        discmc.Decoder(interpolate=True).feed(stream)
+
+
 @pytest.mark.parametrize("size", [1, 7, 1 << 20])
 def test_a_decoder_receives_scan_after_scan(images, size):
     stream = encoded(images, spacing=(1, 2, 3), scan=5) + encoded(images[:, ::-1], scan=6)

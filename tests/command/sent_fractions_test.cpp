@@ -1,0 +1,135 @@
+// Crossings from a stream of slices with fractions.
+#include "streams/sent_fractions.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <discmc/fraction_slice_encoder.hpp>
+
+#include "sampled_field.hpp"
+#include "smoothing/relaxed_crossings.hpp"
+#include "streams/stream_reader.hpp"
+#include "surface/joined_surface.hpp"
+
+namespace {
+
+using namespace sampled_field;
+using discmc::Event;
+using discmc::SinkResult;
+using Bytes = std::vector<std::uint8_t>;
+
+discmc::ByteOutput output_to(Bytes& bytes) {
+  return {&bytes, [](void* context, const std::uint8_t* written, std::size_t count) {
+            auto& all = *static_cast<Bytes*>(context);
+            all.insert(all.end(), written, written + count);
+            return count;
+          }};
+}
+
+template <class Sample>
+Bytes encoded(const Field& field, std::uint8_t levels) {
+  Bytes bytes;
+  discmc::SliceEncoderConfig config;
+  config.limits = {field.size.width, field.size.height};
+  config.thresholds[0] = static_cast<std::int32_t>(threshold);
+  config.levels = levels;
+  std::vector<std::uint8_t> memory(discmc::FractionSliceEncoder<Sample>::minimum_bytes(config));
+  discmc::FractionSliceEncoder<Sample> encoder;
+  REQUIRE(encoder.start(config, {memory.data(), memory.size()}, output_to(bytes)) ==
+          discmc::Status::ok);
+  const std::vector<Sample> samples(field.samples.begin(), field.samples.end());
+  REQUIRE(encoder.push(samples.data(), static_cast<std::uint32_t>(samples.size())).status ==
+          discmc::Status::ok);
+  REQUIRE(encoder.finish() == discmc::Status::ok);
+  return bytes;
+}
+
+class Received {
+ public:
+  explicit Received(const Bytes& bytes) : reader_(discmc::make_sink(*this)) {
+    reader_.push(bytes.data(), bytes.size());
+    reader_.finish();
+    joined_.finish();
+    joined_.surface().spacing_mm = {1, 1, 1};
+    CHECK(reader_.report().is_complete());
+  }
+  Received(const Received&) = delete;
+  Received& operator=(const Received&) = delete;
+
+  SinkResult accept(const Event& event) {
+    fractions_.accept(event);
+    return joined_.accept(event);
+  }
+
+  const Surface& surface() const { return joined_.surface(); }
+  Crossings crossings() const {
+    Crossings crossings(reader_.dims(), surface().polygons);
+    fractions_.place(crossings);
+    return crossings;
+  }
+
+ private:
+  JoinedSurface joined_;
+  SentFractions fractions_;
+  StreamReader reader_;
+};
+
+// Along z the encoder knows the sample before by the width of its distance, within half of it.
+constexpr double rounding_along_z = 0.11;
+
+template <class Sample>
+void check_near_samples(const Field& field, std::uint8_t levels) {
+  const Extracted of = extracted(field);
+  const Received received(encoded<Sample>(field, levels));
+  REQUIRE(received.surface().polygons.size() == of.surface.polygons.size());
+  const Crossings crossings = received.crossings();
+  const Crossings& exact = of.finder.crossings();
+  std::size_t sent = 0;
+  crossings.for_each([&](Crossings::Place place, const Vertex& middle) {
+    const auto same = exact.find(middle);
+    REQUIRE(same);
+    const double apart =
+        std::abs(static_cast<double>(crossings.at(place)) - static_cast<double>(exact.at(*same)));
+    const double rounding = place.axis == 2 ? rounding_along_z : 1e-6;
+    REQUIRE(apart / 2 <= 0.5 / levels + rounding);
+    if (crossings.intervals(place) == levels) ++sent;
+  });
+  CHECK(sent == exact.count(0) + exact.count(1) + exact.count(2));
+}
+
+}  // namespace
+
+TEST_CASE("a stream with fractions has the crossings of the samples, within half a level") {
+  for (const std::uint8_t levels : {std::uint8_t{2}, std::uint8_t{4}})
+    for (const Field& field : {ball(15, 5.2), noise({11, 9, 8}, 6), noise({33, 3, 4}, 7)}) {
+      check_near_samples<std::uint8_t>(field, levels);
+      check_near_samples<std::uint16_t>(field, levels);
+      check_near_samples<std::int16_t>(field, levels);
+    }
+}
+
+TEST_CASE("relaxed crossings with fractions stay in their intervals and are closer") {
+  const Field field = ball(24, 9.3);
+  const Extracted of = extracted(field);
+  const Received received(encoded<std::uint8_t>(field, 2));
+  const Crossings sent = received.crossings();
+  Crossings relaxed = received.crossings();
+  relax(relaxed, received.surface(), {});
+  const Crossings& exact = of.finder.crossings();
+  double of_sent = 0, of_relaxed = 0;
+  sent.for_each([&](Crossings::Place place, const Vertex& middle) {
+    const auto at = [place](const Crossings& crossings) {
+      return static_cast<double>(crossings.at(place));
+    };
+    REQUIRE(std::abs(at(relaxed) - at(sent)) <= 0.5 + 1e-6);
+    const double true_at = static_cast<double>(exact.at(*exact.find(middle)));
+    of_sent += std::abs(at(sent) - true_at);
+    of_relaxed += std::abs(at(relaxed) - true_at);
+  });
+  CHECK(of_relaxed < 0.9 * of_sent);
+}
