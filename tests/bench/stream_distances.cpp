@@ -147,7 +147,7 @@ class Received {
     return build_mesh(joined_.surface(),
                       {true, Faces::triangles, moves || relaxes ? &crossings : nullptr, 0});
   }
-  /// Of the samples.
+  /// The mesh of the samples.
   FaceMesh mesh(const CrossingFinder& finder) const {
     return build_mesh(joined_.surface(), {true, Faces::triangles, &finder.crossings(), 0});
   }

@@ -79,7 +79,7 @@ class Received {
   StreamReader reader_;
 };
 
-// Along z the encoder knows the sample before by the width of its distance, within half of it.
+// Along z the encoder stores only the width of the distance of the sample before.
 constexpr double rounding_along_z = 0.11;
 
 template <class Sample>

@@ -329,8 +329,8 @@ void add_wire_options(CLI::App& app, ExtractArguments& arguments) {
       app, "--levels", arguments.levels,
       NamedValues<std::uint8_t>{
           {"0", std::uint8_t{0}}, {"2", std::uint8_t{2}}, {"4", std::uint8_t{4}}},
-      "with --wire slices: also send in which half (2) or quarter (4) of each edge between voxels "
-      "the samples cross the threshold; decode --surface interpolated then has the vertices there");
+      "with --wire slices: also send in which half (2) or quarter (4) of an edge between voxels "
+      "the samples cross the threshold, for --surface interpolated");
   app.add_option("--scan", arguments.scan,
                  "number of the scan, which distinguishes streams on one link")
       ->option_text("N")

@@ -33,7 +33,7 @@ double mean_within(double middle, double low, double high) {
   const auto density = [](double x) { return std::exp(-x * x / 2) / root_of_two_pi; };
   const auto above = [](double x) { return std::erfc(x / std::sqrt(2)) / 2; };
   const double from = (low - middle) / deviation, to = (high - middle) / deviation;
-  // Of the smaller tails, whose difference is rounded least.
+  // The difference of the smaller tails is rounded least.
   const double share = from + to > 0 ? above(from) - above(to) : above(-to) - above(-from);
   return middle + deviation * (density(from) - density(to)) / share;
 }
