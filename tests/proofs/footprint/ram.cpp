@@ -4,17 +4,21 @@
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
+#include <discmc/fraction_slice_encoder.hpp>
 #include <discmc/joiner.hpp>
 #include <discmc/receiver.hpp>
 #include <discmc/slice_encoder.hpp>
 
 using namespace discmc;
 
+using Quarters = FractionSliceEncoder<uint16_t>;
+
 #define DISCMC_OBJECT(Class) uint8_t object_##Class[sizeof(Class)];
-#define DISCMC_ARENA(size)                                            \
-  uint8_t least_##size[Extractor16::minimum_bytes({size, size})];     \
-  uint8_t slices_##size[SliceEncoder::minimum_bytes({{size, size}})]; \
-  uint8_t keys_##size[SliceEncoder::minimum_bytes({{size, size}, {}, 1})];
+#define DISCMC_ARENA(size)                                                 \
+  uint8_t least_##size[Extractor16::minimum_bytes({size, size})];          \
+  uint8_t slices_##size[SliceEncoder::minimum_bytes({{size, size}})];      \
+  uint8_t keys_##size[SliceEncoder::minimum_bytes({{size, size}, {}, 1})]; \
+  uint8_t quarters_##size[Quarters::minimum_bytes({{size, size}, {}, 0, 1, {}, 4})];
 #define DISCMC_SURFACES(count, size)                                                          \
   uint8_t encoder##count##_##size[SliceEncoder::minimum_bytes({{size, size}, {}, 0, count})]; \
   uint8_t rows##count##_##size[SliceDecoder::minimum_bytes({size, size}, count)];             \
@@ -25,6 +29,7 @@ DISCMC_OBJECT(Extractor16)
 DISCMC_OBJECT(Encoder)
 DISCMC_OBJECT(Decoder)
 DISCMC_OBJECT(SliceEncoder)
+uint8_t object_FractionSliceEncoder[sizeof(Quarters)];
 DISCMC_OBJECT(SliceDecoder)
 DISCMC_OBJECT(Receiver)
 DISCMC_OBJECT(Joiner)

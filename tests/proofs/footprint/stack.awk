@@ -9,7 +9,7 @@ function want(class, names,    count, name, i) {
 BEGIN {
   FS = OFS = "\t"
   want("Extractor16::", "start reset push push_bits skip_row resume finish abandon")
-  want("Encoder::", "start take flush")
+  want("Encoder::", "start accept flush")
   want("SliceEncoder::", "start push push_bits skip_row resume flush finish abandon")
   want("Decoder::", "start push finish")
   want("", "ring_vertices twice_area split_ring is_corner")
