@@ -5,6 +5,7 @@
 #include <board.hpp>
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
+#include <discmc/fraction_slice_encoder.hpp>
 #include <discmc/gradient_normals.hpp>
 #include <discmc/receiver.hpp>
 #include <discmc/slice_encoder.hpp>
@@ -391,6 +392,61 @@ bool push_volume(Scanner& scanner, Volume volume, bool abandons) {
   return true;
 }
 
+// ---- fractions ----
+
+// The bytes of a stream with fractions, in the memory of the other scans.
+struct Stored {
+  uint8_t bytes[1600];
+  size_t count;
+
+  ByteOutput output() {
+    return {this, [](void* context, const uint8_t* from, size_t count) {
+              auto& stored = *static_cast<Stored*>(context);
+              for (size_t i = 0; i < count && stored.count < sizeof stored.bytes; ++i) {
+                golden.add(from[i]);
+                stored.bytes[stored.count++] = from[i];
+              }
+              return count;
+            }};
+  }
+};
+
+// Hashes what a row event contains.
+SinkResult hash_row(void*, const RowEvent& event) {
+  golden.add_word(static_cast<uint64_t>(event.kind));
+  if (event.kind == RowEvent::Kind::row)
+    for (uint32_t i = 0; i < (width + 7) / 8; ++i) golden.add(event.bits[i]);
+  if (event.kind == RowEvent::Kind::fractions)
+    for (uint32_t x = 0; x < width; ++x) golden.add_word(event.fractions[x]);
+  return SinkResult::accepted;
+}
+
+template <uint8_t levels>
+[[gnu::noinline]] bool scan_fractions(Volume volume) {
+  using Slices = FractionSliceEncoder<uint8_t>;
+  constexpr SliceEncoderConfig config{sizes[0], {threshold}, 2, 1, {depth}, levels};
+  constexpr auto of_encoder = static_cast<size_t>(Slices::minimum_bytes(config));
+  constexpr auto of_decoder = static_cast<size_t>(SliceDecoder::minimum_bytes(sizes[0], 1, levels));
+  static_assert(sizeof(Stored) + sizeof(Slices) + of_encoder <= sizeof memory &&
+                    sizeof(Stored) + sizeof(SliceDecoder) + of_decoder <= sizeof memory,
+                "there is room");
+  auto* const stored = new (memory) InPlace<Stored>;
+  stored->count = 0;
+  uint8_t* const rest = memory + sizeof(Stored);
+  auto* const encoder = new (rest) InPlace<Slices>;
+  if (encoder->start(config, {rest + sizeof(Slices), of_encoder}, stored->output()) != Status::ok ||
+      !push_volume(*encoder, volume, false))
+    return false;
+  auto* const decoder = new (rest) InPlace<SliceDecoder>;
+  if (decoder->start({rest + sizeof(SliceDecoder), of_decoder}, {nullptr, hash_row}) !=
+          Status::ok ||
+      decoder->push(stored->bytes, stored->count).status != Status::ok ||
+      decoder->finish() != Status::ok || !decoder->report().is_complete())
+    return false;
+  ++scans;
+  return true;
+}
+
 // Every volume in every memory, in turn with either border.
 bool scan_all() {
   uint32_t turn = 0;
@@ -409,6 +465,7 @@ bool scan_all() {
         !scan_with_normals<uint16_t, int16_t>(volume, sizes[turn % 2]))
       return false;
     if (!scan_slices(volume, sizes[0]) || !scan_slices(volume, sizes[1])) return false;
+    if (!scan_fractions<2>(volume) || !scan_fractions<4>(volume)) return false;
   }
   return true;
 }
