@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares the decoder of this folder, written from lib/WIRE.md alone, with the command, stream by stream.
 
-Usage: compare.py COMMAND, the path of discmc
+Usage: compare.py COMMAND ENCODER, the paths of discmc and of encode_fractions
 """
 
 import json
@@ -15,14 +15,15 @@ from pathlib import Path
 
 import streams
 from joiner import joined, vertices
-from packets import WrongVersion
+from packets import RECORDS, WrongVersion
+from range_coder import RangeEncoder
 from receiver import decoded
 from records import Fragment, Layer, Region, Skipped
 from slices import OFF, REPEATED
 from tables import normal
 
 PROJECT = Path(__file__).resolve().parents[2]
-COMMAND = "discmc"
+COMMAND, ENCODER = "discmc", "encode_fractions"
 
 
 def discmc(*arguments, codes=(0, 3)):
@@ -205,8 +206,37 @@ class Compare(unittest.TestCase):
                     bits = [voxel for row in surface.rows for voxel in row[1:-1]]
                     self.assertEqual(bits, [int(s >= threshold) for s in samples])
 
+    def encoded_fractions(self, name, is_open, levels, interval, thresholds):
+        width, height, samples = streams.VOLUMES[name]
+        arguments = width, height, is_open, levels, interval, *thresholds
+        return subprocess.run([ENCODER, *map(str, arguments)], input=bytes(samples()), capture_output=True,
+                              check=True).stdout
+
+    def test_fractions(self):
+        for case in streams.FRACTIONS:
+            name, _, levels, _, thresholds = case
+            with self.subTest(case=case):
+                stream = self.compare(self.encoded_fractions(*case))
+                width, height, samples = streams.VOLUMES[name]
+                for threshold, surface in zip(thresholds, stream.rows.surfaces):
+                    self.compare_fractions(surface.fractions, samples(), threshold, levels, (1, width, width * height))
+
+    def test_lost_fractions(self):
+        data = self.encoded_fractions("noise", 0, 4, 2, (128,))
+        for seed in range(4):
+            with self.subTest(seed=seed):
+                self.compare(streams.damaged(data, random.Random(seed)))
+
+    def compare_fractions(self, fractions, samples, threshold, levels, steps):
+        for axis, step in enumerate(steps):
+            mine = [f for row in fractions.rows for f in row[axis][1:-1]]
+            next_step = steps[axis + 1] if axis < 2 else len(samples)
+            theirs = [streams.fraction_of(samples, i - step, i, threshold, levels, axis == 2)
+                      if i % next_step >= step else 0 for i in range(len(samples))]
+            self.assertEqual(mine, theirs, "xyz"[axis])
+
     def test_golden(self):
-        files = sorted((PROJECT / "tests/support/golden").glob("[!f]*.dmc"))  # without fractions
+        files = sorted((PROJECT / "tests/support/golden").glob("*.dmc"))
         self.assertGreater(len(files), 7)
         for file in files:
             with self.subTest(file=file.name):
@@ -223,6 +253,14 @@ class Compare(unittest.TestCase):
         for kind in ("hex", "slices"):
             with self.subTest(kind=kind):
                 self.compare(streams.of_document(PROJECT / "lib/WIRE.md", kind))
+
+    def test_encoder(self):
+        """Section 6: the symbols of a payload give its bytes."""
+        data = self.extracted("noise", "--iso", 60, "--memory", "4K", "--normals", "gradient")
+        payloads = [bytes(body[4:-3]) for body in streams.bodies(data) if body[0] == RECORDS]
+        self.assertGreater(len(payloads), 10)
+        for payload in payloads:
+            self.assertEqual(RangeEncoder.encoded(streams.calls_of(payload)), payload)
 
     def test_damage(self):
         for name, options, seeds in streams.DAMAGED:
@@ -243,7 +281,7 @@ class Compare(unittest.TestCase):
                     self.assertEqual(str(stream.lost("rows")), facts_of_command(file)["lost_rows"])
 
     def test_later_version(self):
-        """Section 11: longer headers and trailers, a new kind of packet."""
+        """Section 11: longer headers and trailers, a new kind of packet, an unknown extension."""
         for options in ((), ("--wire", "slices")):
             with self.subTest(options=options):
                 stream = self.compare(streams.of_later_version(self.extracted("ball", "--iso", 100, *options)))
@@ -266,5 +304,5 @@ class Compare(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    COMMAND = sys.argv.pop(1)
+    COMMAND, ENCODER = sys.argv.pop(1), sys.argv.pop(1)
     unittest.main()

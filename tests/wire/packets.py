@@ -100,6 +100,7 @@ class Header:
     thresholds: list
     is_open: bool
     has_slices: bool
+    levels: int  # of fractions, 0 for none
     packets: int
     pieces: int
 
@@ -113,10 +114,13 @@ class Header:
             raise WrongVersion(p[3])
         width, height, depth, x, y, z = struct.unpack("<HHIiii", p[4:24])
         flags, before, pieces = struct.unpack("<BIQ", p[28:41])
+        if flags & 2 and flags >> 2 & 3 == 3:
+            raise Damaged("levels")
+        levels = (0, 2, 4)[flags >> 2 & 3] if flags & 2 else 0
         thresholds = list(struct.unpack("<i", p[24:28])) + list(
             struct.unpack(f"<{further}i", p[41:41 + 4 * further]))
         return cls(width, height, depth, (x, y, z), thresholds, bool(flags & 1), bool(flags & 2),
-                   before, pieces)
+                   levels, before, pieces)
 
 
 TOTALS = ("active_cells", "facets", "classic_triangles", "regions", "rings", "links", "fragments",

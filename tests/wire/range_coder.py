@@ -63,3 +63,93 @@ class RangeDecoder:
             self.range -= bound
         self.refill()
         return bit
+
+    def learnt(self, contexts, context):
+        """Section 14: a decision whose probability learns."""
+        p = contexts[context]
+        bit = self.decision(p, 16)
+        contexts[context] = p + (65535 - p >> 4) if bit else p - (p >> 4)
+        return bit
+
+    def even_bits(self, n):
+        """Section 14: a number of several even bits."""
+        value = 0
+        for _ in range(n):
+            value = 2 * value + self.decision(128, 8)
+        return value
+
+
+class RecordingDecoder(RangeDecoder):
+    """Records its calls for a RangeEncoder."""
+
+    def __init__(self, data):
+        self.calls = []
+        super().__init__(data)
+
+    def symbol(self, below):
+        s = super().symbol(below)
+        self.calls.append((RangeEncoder.symbol, below, s))
+        return s
+
+    def even(self, n):
+        v = super().even(n)
+        if n <= 8:
+            self.calls.append((RangeEncoder.even, n, v))
+        return v
+
+
+class RangeEncoder:
+    """The encoder of section 6; its calls are those of the decoder, with the value last."""
+
+    def __init__(self):
+        self.range, self.low, self.bytes = ALL, 0, bytearray()
+
+    def symbol(self, below, s):
+        unit = self.range >> 8
+        self.low += unit * below[s]
+        self.range = unit * (below[s + 1] - below[s])
+        self.make_room()
+
+    def even(self, n, v):
+        self.range >>= n
+        self.low += self.range * v
+        self.make_room()
+
+    def make_room(self):
+        while self.range < 1 << 24:
+            self.byte_out()
+            self.range <<= 8
+
+    def byte_out(self):
+        self.carry()
+        self.bytes.append(self.low >> 24)
+        self.low = self.low << 8 & ALL
+
+    def carry(self):
+        if self.low > ALL:
+            self.low &= ALL
+            at = len(self.bytes) - 1
+            while self.bytes[at] == 255:
+                self.bytes[at] = 0
+                at -= 1
+            self.bytes[at] += 1
+
+    @staticmethod
+    def encoded(calls):
+        encoder = RangeEncoder()
+        for call, *arguments in calls:
+            call(encoder, *arguments)
+        return encoder.end()
+
+    def end(self):
+        multiple = 0
+        for k in (0, 1):
+            unit = 1 << 32 - 8 * k
+            multiple = -(-self.low // unit) * unit
+            if multiple < self.low + self.range:
+                break
+        self.low = multiple
+        self.carry()
+        if k:
+            self.bytes.append(self.low >> 24)
+        return bytes(self.bytes)

@@ -82,8 +82,8 @@ def moved(vertex, vector, times=1):
 class Records:
     """The records of one packet; each packet decodes alone."""
 
-    def __init__(self, payload):
-        self.coder = RangeDecoder(payload)
+    def __init__(self, payload, coder=RangeDecoder):
+        self.coder = coder(payload)
         self.vertex, self.axis = (0, 0, 0), 0
         self.incidence = NO_INCIDENCE
         self.layer = 0

@@ -1,5 +1,6 @@
 """Section 14 of lib/WIRE.md: codes, rows, voxels and contexts of a stream of slices."""
 
+from crossings import Fractions, row_of_fractions
 from packets import Damaged
 from range_coder import RangeDecoder, Truncated
 from tables import KEY_SLICES, OTHER_SLICES
@@ -8,25 +9,21 @@ from tables import KEY_SLICES, OTHER_SLICES
 CODED, OFF, REPEATED, LOST = "coded", "off", "repeated", "lost"
 END_OF_CODE = 0
 NOTE, RUNS, VOXELS = 0, 1, 17
+VOXEL = 0  # the part of a row before its fractions, as in a cut
 
 
 class Surface:
     """The contexts of a surface, and its rows: lists of bits, with an off voxel at either end."""
 
-    def __init__(self, width):
+    def __init__(self, width, levels):
         self.off = [0] * (width + 2)
         self.rows = []
         self.p = []
+        self.fractions = Fractions(levels, width) if levels else None
 
     def reset(self, table):
         self.p = [32] + [256 * t + 128 for t in table]
         self.p += self.p[VOXELS:]  # from 273 on
-
-    def bit(self, coder, context):
-        p = self.p[context]
-        bit = coder.decision(p, 16)
-        self.p[context] = p + (65535 - p >> 4) if bit else p - (p >> 4)
-        return bit
 
 
 class SliceRows:
@@ -34,79 +31,99 @@ class SliceRows:
 
     def __init__(self, header):
         self.width, self.height = header.width, header.height
-        self.surfaces = [Surface(self.width) for _ in header.thresholds]
+        self.surfaces = [Surface(self.width, header.levels) for _ in header.thresholds]
         self.kinds = []
         self.key_slice = None  # the last one
-        self.cut_row = None  # the rows of the surfaces so far, if a cut interrupted them
+        self.coder = None
+        self.steps = None  # of the row in progress, also while a cut interrupts it
 
     def begin_key_slice(self):
         self.key_slice = len(self.kinds) // self.height
         self.reset(KEY_SLICES)
+        for surface in self.surfaces:
+            if surface.fractions:
+                surface.fractions.reset()
 
     def reset(self, table):
         for surface in self.surfaces:
             surface.reset(table)
 
-    def lose(self, rows):
-        self.cut_row = None
-        for _ in range(rows):
-            self.add(LOST, [surface.off for surface in self.surfaces])
+    def is_coded(self, number):
+        return self.kinds[number] == CODED
 
-    def add(self, kind, rows):
+    def is_lost(self, number):
+        return self.kinds[number] == LOST
+
+    def lose(self, rows):
+        for _ in range(rows):
+            self.skip(LOST, [surface.off for surface in self.surfaces])
+
+    def skip(self, kind, rows):
+        self.add(kind, rows, [[[0] * (self.width + 2)] * 3 for _ in rows])
+
+    def add(self, kind, rows, fractions):
         self.kinds.append(kind)
-        for surface, row in zip(self.surfaces, rows):
+        for surface, row, f in zip(self.surfaces, rows, fractions):
             surface.rows.append(row)
+            if surface.fractions:
+                surface.fractions.rows.append(f)
 
     def decode(self, data, cut, is_complete):
         """Adds the rows of a code; of the beginning of a code as many as its bytes contain."""
         try:
-            coder = RangeDecoder(data, is_complete)
-            while True:
-                if self.cut_row is None and not self.note(coder):
-                    return
-                if self.cut_row is not None and not self.voxels(coder, cut):
-                    return
-        except Truncated:
-            self.cut_row = None
+            self.coder = RangeDecoder(data, is_complete)
+            while self.steps or self.note():
+                for row, place in self.steps or ():
+                    if cut == (row, place):
+                        return
+                self.steps = None
+        except (Truncated, Damaged) as error:
+            self.steps = None
+            if isinstance(error, Damaged):
+                raise
 
-    def note(self, coder):
+    def note(self):
         """Skips a row or begins one; False at the end of the code."""
         note = 0
-        if self.surfaces[0].bit(coder, NOTE):
-            note = even(coder, 3)
+        if self.coder.learnt(self.surfaces[0].p, NOTE):
+            note = self.coder.even_bits(3)
             if note == END_OF_CODE:
                 return False
         z, y = divmod(len(self.kinds), self.height)
         if y == 0 and self.key_slice is not None and z == self.key_slice + 1:
             self.reset(OTHER_SLICES)
         if note == 0:
-            self.cut_row = [[0]]
+            self.steps = self.row()
         elif note == 1:
-            self.add(OFF, [surface.off for surface in self.surfaces])
+            self.skip(OFF, [surface.off for surface in self.surfaces])
         elif note == 2 and not (y == 0 and z == self.key_slice):
-            self.add(REPEATED, [surface.rows[-1] for surface in self.surfaces])
+            self.skip(REPEATED, [surface.rows[-1] for surface in self.surfaces])
         else:
             raise Damaged("note")
         return True
 
-    def voxels(self, coder, cut):
-        """The voxels of each surface, or the rest of them; False at the cut."""
-        for i, surface in enumerate(self.surfaces):
-            if i == len(self.cut_row):
-                self.cut_row.append([0])
-            number = len(self.kinds) * len(self.surfaces) + i
-            row = self.cut_row[i]
-            if len(row) == self.width + 2:
-                continue
+    def row(self):
+        """Decodes a row of each surface; yields both numbers of each place where a cut may be."""
+        rows, fractions = [], []
+
+        def place(part, second):
+            number = (len(self.kinds) + 2 ** 24 * part) * len(self.surfaces) + len(rows) - 1
+            return number % 2 ** 32, second
+
+        for surface in self.surfaces:
+            row = [0]
+            rows.append(row)
             neighbours = self.neighbours(surface)
             while len(row) <= self.width:
-                if cut == (number % 2 ** 32, self.width + 1 - len(row)):
-                    return False
-                self.run_or_voxel(coder, i, row, neighbours)
+                yield place(VOXEL, self.width + 1 - len(row))
+                self.run_or_voxel(surface, rows, neighbours)
             row.append(0)
-        self.add(CODED, self.cut_row)
-        self.cut_row = None
-        return True
+            f = [[0] * (self.width + 2) for _ in range(3)]
+            if surface.fractions:
+                for part, second in row_of_fractions(self, surface, row, f):
+                    yield place(part, second)
+            fractions.append(f)
+        self.add(CODED, rows, fractions)
 
     def neighbours(self, surface):
         """`neighbours` of each voxel of the next row for v = 0; for v = 1 each bit is the other."""
@@ -116,39 +133,32 @@ class SliceRows:
             at = y - rows
             return surface.rows[(z - slices) * self.height + at] if 0 <= at < self.height else surface.off
 
+        places = [(row(0, 1), -1), (row(0, 1), 0), (row(0, 1), 1)]
         if z == self.key_slice:
-            places = [(row(0, 1), -1), (row(0, 1), 0), (row(0, 1), 1),
-                      (row(0, 2), -1), (row(0, 2), 0), (row(0, 2), 1), (row(0, 3), 0), (row(0, 1), 0)]
+            places += [(row(0, 2), -1), (row(0, 2), 0), (row(0, 2), 1), (row(0, 3), 0), (row(0, 1), 0)]
         else:
-            places = [(row(0, 1), -1), (row(0, 1), 0), (row(0, 1), 1),
-                      (row(1, 0), -1), (row(1, 0), 0), (row(1, 0), 1), (row(1, -1), 0), (row(1, 1), 0)]
+            places += [(row(1, 0), -1), (row(1, 0), 0), (row(1, 0), 1), (row(1, -1), 0), (row(1, 1), 0)]
         return [None] + [sum(r[x + dx] << bit for bit, (r, dx) in enumerate(places))
                          for x in range(1, self.width + 1)]
 
-    def run_or_voxel(self, coder, i, row, neighbours):
+    def run_or_voxel(self, surface, rows, neighbours):
+        row = rows[-1]
         v, x = row[-1], len(row)
-        surface, same = self.surfaces[i], 255 if v else 0
+        same = 255 if v else 0
         n = 0
         while x + n <= self.width and neighbours[x + n] == same:
             n += 1
         if n >= 2:
             length, ends = min(n.bit_length(), 8), int(x + n > self.width)
-            if surface.bit(coder, RUNS + 2 * (length - 1) + ends):
+            if self.coder.learnt(surface.p, RUNS + 2 * (length - 1) + ends):
                 row += [v] * n
                 return
-            m = even(coder, (n - 1).bit_length())
+            m = self.coder.even_bits((n - 1).bit_length())
             if m >= n:
                 raise Damaged("run")
             row += [v] * m + [1 - v]
             return
         context = neighbours[x] ^ same
-        if i > 0 and self.cut_row[0][x] != v:
+        if len(rows) > 1 and rows[0][x] != v:
             context += 256
-        row.append(v ^ surface.bit(coder, VOXELS + context))
-
-
-def even(coder, bits):
-    value = 0
-    for _ in range(bits):
-        value = 2 * value + coder.decision(128, 8)
-    return value
+        row.append(v ^ self.coder.learnt(surface.p, VOXELS + context))

@@ -5,7 +5,10 @@ import re
 import struct
 import zlib
 
-from packets import HEADER, SLICE_TRAILER, TRAILER, digest_after, unstuffed
+from packets import HEADER, RECORDS, SLICE_TRAILER, TRAILER, digest_after, unstuffed
+from range_coder import RangeEncoder, RecordingDecoder
+from records import EXTENSION, Records
+from tables import row
 
 
 def noise(width, height, depth):
@@ -56,6 +59,14 @@ SLICES = [
     ("wide", ("--wire", "slices", "--iso", 128, "--border", "open"), (128,)),
     ("ball", ("--wire", "slices", "--iso", 100, "--iso", 20, "--iso", 180, "--key-slices", 5), (100, 20, 180)),
     ("slab", ("--wire", "slices", "--iso", 100), (100,)),
+]
+
+# volume, is open, levels, slices from one key slice to the next, thresholds
+FRACTIONS = [
+    ("noise", 0, 2, 0, (128,)),
+    ("noise", 1, 4, 3, (128,)),
+    ("wide", 0, 2, 1, (128, 90)),
+    ("ball", 1, 4, 5, (100, 20, 150)),
 ]
 
 DAMAGED = [
@@ -118,8 +129,21 @@ def with_digest(data):
     return b"".join(out)
 
 
+def calls_of(payload):
+    records = Records(payload, RecordingDecoder)
+    for _ in records:
+        pass
+    return records.coder.calls
+
+
+def with_extension(payload):
+    """Section 9: an extension of an unknown type before the first record."""
+    extension = [(RangeEncoder.even, 8, value) for value in (200, 3, 1, 77, 254)]
+    return RangeEncoder.encoded([(RangeEncoder.symbol, row(0, 9), EXTENSION), *extension, *calls_of(payload)])
+
+
 def of_later_version(data):
-    """Longer headers and trailers, and a packet of an unknown kind before the last but one."""
+    """Longer headers and trailers, an unknown extension, and an unknown kind of packet before the last but one."""
     out = []
     packets = bodies(data)
     for i, body in enumerate(packets):
@@ -127,6 +151,8 @@ def of_later_version(data):
             out.append(bytearray([9, i]) + body[2:4] + b"new" + body[-3:])
         if i >= len(packets) - 2:
             body[1] += 1
+        if i == len(packets) - 2 and body[0] == RECORDS:
+            body[4:-3] = with_extension(bytes(body[4:-3]))
         if body[0] in (HEADER, TRAILER, SLICE_TRAILER):
             body[-3:-3] = b"longer"
         out.append(body)
@@ -152,3 +178,17 @@ def of_document(document, kind):
     header[4 + 4:4 + 12] = struct.pack("<HHI", 4, 3, 2)
     header[4 + 28] = 2
     return framed(header) + dump("slices")
+
+
+def fraction_of(samples, lower, upper, threshold, levels, is_along_z):
+    """Section 15, encoders: the fraction of an edge between two voxels, 0 for none."""
+    ends = samples[lower], samples[upper]
+    if (ends[0] >= threshold) == (ends[1] >= threshold):
+        return 0
+    halves = [abs(2 * end - 2 * threshold + 1) for end in ends]  # twice the distances to threshold - 1/2
+    if is_along_z:
+        w = min(15, (halves[0] // 2).bit_length())
+        halves[0] = 3 * 2 ** w // 2 if w else 1
+    off, on = halves if ends[0] < threshold else halves[::-1]
+    from_off = (2 * (levels * off // (off + on)) + 1) * 4 // levels
+    return from_off if ends[0] < threshold else 8 - from_off
