@@ -45,7 +45,7 @@ VOLUMES = {
 
 POLYGONS = [
     ("noise", ("--iso", 128)),
-    ("noise", ("--iso", 60, "--memory", "4K")),  # loose fragments
+    ("noise", ("--iso", 40, "--memory", "3K")),  # loose fragments, also of holes
     ("noise", ("--iso", 200, "--border", "open", "--scan", 4711)),
     ("noise", ("--iso", 60, "--memory", "4K", "--normals", "gradient")),
     ("ball", ("--iso", 1, "--slab", "2/2")),
@@ -71,7 +71,7 @@ FRACTIONS = [
 
 DAMAGED = [
     ("noise", ("--iso", 128), 4),
-    ("noise", ("--iso", 60, "--memory", "4K"), 4),
+    ("noise", ("--iso", 40, "--memory", "3K"), 4),
     ("comb", ("--iso", 100, "--normals", "gradient"), 4),
     ("noise", ("--wire", "slices", "--iso", 128, "--key-slices", 2), 4),
     ("wide", ("--wire", "slices", "--iso", 128, "--iso", 100, "--key-slices", 1), 4),
