@@ -400,13 +400,13 @@ struct Stored {
   size_t count;
 
   ByteOutput output() {
-    return {this, [](void* context, const uint8_t* from, size_t count) {
+    return {this, [](void* context, const uint8_t* from, size_t given) {
               auto& stored = *static_cast<Stored*>(context);
-              for (size_t i = 0; i < count && stored.count < sizeof stored.bytes; ++i) {
+              for (size_t i = 0; i < given && stored.count < sizeof stored.bytes; ++i) {
                 golden.add(from[i]);
                 stored.bytes[stored.count++] = from[i];
               }
-              return count;
+              return given;
             }};
   }
 };
