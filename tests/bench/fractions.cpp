@@ -2,8 +2,8 @@
 //
 //   bench_fractions FILE THRESHOLD
 //
-// Prints a row of a table per kind of stream: levels, interval of key slices, bytes, and the mean
-// distance along crossing edges to the interpolated surface. Units: edges.
+// Prints a row of a table per kind of stream: levels, interval of key slices, bytes, mean distance.
+// The distance is that along crossing edges to the interpolated surface. Units: edges.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

@@ -362,7 +362,8 @@ size_t code_long_row(Coder& coder, LongRow& row) {
   return bytes;
 }
 
-// Samples with this row for threshold 20,000. Their distances rise and fall as the fractions require.
+// Samples with this row for threshold 20,000. Their distances rise and fall as the fractions
+// require.
 std::vector<uint16_t> samples_of(const LongRow& row) {
   std::vector<uint32_t> rising(long_width), falling(long_width);
   for (uint32_t x = 1; x < long_width; ++x)
