@@ -144,6 +144,21 @@ TEST_CASE("a flat surface stays flat") {
   }
 }
 
+TEST_CASE("the rim of a surface is rounded at a closed border, and flat at an open one") {
+  for (const Border border : {Border::closed, Border::open}) {
+    const Field field = slope(0, 0);
+    const Extracted of = extracted(field, SampleType::u8, {1, 1, 1}, border);
+    Crossings crossings(dims_of(field), of.surface.polygons);
+    relax(crossings, of.surface, {border, 0, {}});
+    const auto at_rim = crossings.find({0, 20, 13});
+    REQUIRE(at_rim);
+    if (border == Border::open)
+      CHECK(crossings.at(*at_rim) == doctest::Approx(1).epsilon(1e-3));
+    else
+      CHECK(crossings.at(*at_rim) < 0.9F);
+  }
+}
+
 TEST_CASE("a relaxed ball is rounder than that of midpoints, in place and in direction") {
   const Field field = ball(44, 17.3);
   const Extracted of = extracted(field);
