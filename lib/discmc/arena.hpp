@@ -56,14 +56,14 @@ class Arena {
   T* allocate(uint32_t count) {
     constexpr size_t most_bytes = SIZE_MAX - alignment - red_zone_bytes;
     constexpr size_t most = most_bytes / sizeof(T);
-    return reinterpret_cast<T*>(allocate_bytes(count <= most ? count * sizeof(T) : most_bytes));
+    return static_cast<T*>(allocate_bytes(count <= most ? count * sizeof(T) : most_bytes));
   }
 
   /// Whether an array did not fit.
   bool is_exhausted() const { return is_exhausted_; }
 
  private:
-  uint8_t* allocate_bytes(size_t bytes) {
+  void* allocate_bytes(size_t bytes) {
     bytes = (bytes + alignment - 1) / alignment * alignment;
     const size_t with_zone = bytes + red_zone_bytes;
     if (with_zone > left_) is_exhausted_ = true;

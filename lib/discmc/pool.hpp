@@ -92,7 +92,8 @@ class SlotAccount {
 
  private:
   Index& next(Index index, uint32_t slot_bytes) {
-    return *reinterpret_cast<Index*>(slots_ + size_t{index} * slot_bytes);
+    void* const slot = slots_ + size_t{index} * slot_bytes;
+    return *static_cast<Index*>(slot);
   }
 
   uint32_t available_ = 0;
@@ -137,11 +138,13 @@ class Pool : public SlotAccount<Index> {
 
   Slot& operator[](Index index) {
     DISCMC_LIMIT(this->has(index));
-    return reinterpret_cast<Slot*>(this->slots_)[index];
+    void* const slots = this->slots_;
+    return static_cast<Slot*>(slots)[index];
   }
   const Slot& operator[](Index index) const {
     DISCMC_LIMIT(this->has(index));
-    return reinterpret_cast<const Slot*>(this->slots_)[index];
+    const void* const slots = this->slots_;
+    return static_cast<const Slot*>(slots)[index];
   }
 };
 

@@ -30,7 +30,8 @@ KindObject* begin_kind_object(const discmc_memory& memory, const Kind& kind, Mem
 // The C++ object checks the rest.
 KindObject* saved_kind_object(const discmc_memory& memory, const Kind& kind, Memory& rest,
                               discmc_status& status) {
-  auto* const object = reinterpret_cast<KindObject*>(place_object(memory, kind.object_bytes, rest));
+  void* const place = place_object(memory, kind.object_bytes, rest);
+  auto* const object = static_cast<KindObject*>(place);
   status = object == nullptr ? DISCMC_TOO_LITTLE_MEMORY : DISCMC_BAD_CHECKPOINT;
   if (object == nullptr || object->layout != kind.layout) return nullptr;
   object->memory = memory;
