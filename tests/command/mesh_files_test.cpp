@@ -81,12 +81,13 @@ void check_point(Bytes& bytes, const Point& expected) {
 void check_ply(const FileMesh& mesh) {
   std::ostringstream out;
   write_ply(mesh, out);
-  const std::string file = out.str();
+  const std::string file = out.str(), faces = std::to_string(mesh.face_count());
   const std::string header =
-      "ply\nformat binary_little_endian 1.0\ncomment discmc, millimetres\nelement vertex " +
+      "ply\nformat binary_little_endian 1.0\ncomment discmc, millimetres" +
+      std::string(20 - faces.size(), ' ') + "\nelement vertex " +
       std::to_string(mesh.vertices_mm.size()) +
-      "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-      std::to_string(mesh.face_count()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+      "\nproperty float x\nproperty float y\nproperty float z\nelement face " + faces +
+      "\nproperty list uchar int vertex_indices\nend_header\n";
   REQUIRE(file.substr(0, header.size()) == header);
   Bytes bytes(file, header.size());
   for (const Point& vertex : mesh.vertices_mm) check_point(bytes, vertex);
@@ -135,6 +136,39 @@ TEST_CASE("an OBJ file reads back exactly") {
 TEST_CASE("a PLY file reads back, its corners counted by a byte") {
   check_ply(build_mesh(box_with_hole({0.3, 0.3, -1.5})));
   check_ply(build_mesh(saw(255)));
+}
+
+TEST_CASE("a mesh that is written in parts has the bytes, faces and edges of the whole") {
+  const VolumePlacement mirroring{
+      discmc::Space::ras, {10, -20, 30}, {{{0, 0.3, 0}, {0.3, 0.1, 0}, {0, 0, 1.5}}}};
+  Surface surface = box_with_hole({0.3, 0.3, -1.5});
+  for (int i = 0; i < 3000; ++i) surface.polygons.append(octahedron().polygons);
+  surface.polygons.append(polygon({0, 0, 1}, {{{0, 1, 0}, {9, 0, 0}}}));  // encloses nothing
+  for (const unsigned jobs : {1U, 3U})
+    for (const bool is_placed : {false, true})
+      for (const Faces faces : {Faces::triangles, Faces::polygons}) {
+        const auto finish = [&](FileMesh& mesh) {
+          if (is_placed) place(mesh, mirroring);
+          resize(mesh, {MeshUnit::micrometre, 0.001});
+          mesh.colour = Srgb{1, 2, 3};
+        };
+        FileMesh mesh = build_mesh(surface, {true, faces});
+        finish(mesh);
+        const MeshParts parts(surface, {true, faces, nullptr, 0.05, jobs}, true, finish);
+        CHECK(parts.vertex_count() == mesh.vertices_mm.size());
+        const auto check = [&](Format format, auto write) {
+          std::ostringstream whole, of_parts;
+          write_mesh(mesh, format, whole);
+          const MeshTotals totals = write(parts, of_parts);
+          CHECK(of_parts.str() == whole.str());
+          CHECK(totals.faces == mesh.face_count());
+          CHECK((totals.edge_sum == 0) == is_closed(mesh));
+          CHECK(totals.left_out == mesh.left_out);
+        };
+        check(Format::ply, [](auto&... given) { return write_ply(given...); });
+        if (faces == Faces::triangles)
+          check(Format::stl, [](auto&... given) { return write_stl(given...); });
+      }
 }
 
 TEST_CASE("PLY refuses polygons with more corners than a byte can count") {

@@ -88,6 +88,20 @@ TEST_CASE("a file appears only once it is complete") {
   CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
 
+TEST_CASE("the start of a file can be written last") {
+  const Folder folder;
+  const auto path = folder.path() / "v.stl";
+  OutputFile file(path);
+  REQUIRE(file.can_seek());
+  file.stream() << std::string(10000, 'x');
+  file.stream().seekp(0);
+  file.stream() << "start";
+  file.commit();
+  CHECK(contents(path) == "start" + std::string(9995, 'x'));
+  CHECK(!OutputFile("/dev/null").can_seek());
+  CHECK(!OutputFile("-.stl").can_seek());
+}
+
 TEST_CASE("an uncommitted file leaves no trace and keeps the previous file") {
   const Folder folder;
   const auto path = folder.write("a.obj", "before");

@@ -136,7 +136,7 @@ int run_decode(const StreamArguments& arguments) {
       write_to(file, [&](std::ostream& out) { write_jsonl(decoded.surface, out); });
     } else {
       FileMesh mesh = triangulated(decoded.surface, meshing);
-      note_left_out(arguments.stream, decoded.surface, mesh);
+      note_left_out(arguments.stream, decoded.surface, mesh.left_out);
       add_normals(arguments, decoded, mesh);
       place_in_file(mesh, placement, arguments.size);
       note_rounding(arguments.output, mesh);

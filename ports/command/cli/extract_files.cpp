@@ -10,6 +10,7 @@
 #include "extract.hpp"
 #include "files/file_pattern.hpp"
 #include "mesh_files/file_format.hpp"
+#include "mesh_files/float_precision.hpp"
 #include "mesh_files/mesh_files.hpp"
 #include "mesh_output.hpp"
 #include "meshes/surface_normals.hpp"
@@ -115,6 +116,7 @@ MeshSummary MeshFiles::write_alone(const SurfaceOutput& output) {
 }
 
 MeshSummary MeshFiles::write(const SurfaceOutput& output, OutputFile& file) const {
+  if (const auto summary = write_parts(output, file)) return *summary;
   MeshSummary summary{"polygons", output.surface.polygons.size()};
   const Format format = format_of(output.file);
   if (format == Format::jsonl) {
@@ -135,6 +137,29 @@ MeshSummary MeshFiles::write(const SurfaceOutput& output, OutputFile& file) cons
     });
   }
   file.commit();
+  return summary;
+}
+
+// Without a mesh in memory, where the format and the options allow.
+std::optional<MeshSummary> MeshFiles::write_parts(const SurfaceOutput& output,
+                                                  OutputFile& file) const {
+  const Format format = format_of(output.file);
+  const bool is_plain = output.crossings == nullptr && !arguments_.decimation.is_wanted() &&
+                        arguments_.normals == Normals::none && !arguments_.lists_bodies;
+  if (!is_plain || (format != Format::stl && format != Format::ply) || !file.can_seek()) return std::nullopt;
+  const MeshParts parts(output.surface, options_of(arguments_, output), !arguments_.quiet, [&](FileMesh& part) {
+    place_in_file(part, placement_, arguments_.size);
+    part.colour = output.selection.colour;
+  });
+  if (!suits_floats(parts.bounds())) return std::nullopt;
+  MeshTotals totals;
+  write_to(file, [&](std::ostream& out) {
+    totals = format == Format::stl ? write_stl(parts, out) : write_ply(parts, out);
+  });
+  note_left_out(output.title, output.surface, totals.left_out);
+  file.commit();
+  MeshSummary summary{name_of_faces(), totals.faces, parts.vertex_count()};
+  if (!arguments_.quiet) summary.is_closed = totals.edge_sum == 0;
   return summary;
 }
 
@@ -172,7 +197,7 @@ std::vector<FileMesh> MeshFiles::meshes_of(const SurfaceOutput& output) const {
 
 FileMesh MeshFiles::mesh_of(const SurfaceOutput& output) const {
   FileMesh mesh = triangulated(output.surface, options_of(arguments_, output));
-  note_left_out(output.title, output.surface, mesh);
+  note_left_out(output.title, output.surface, mesh.left_out);
   decimate_noted(output.title, arguments_.decimation, mesh);
   add_normals(arguments_, output.selection.selection, output.surface, mesh);
   place_in_file(mesh, placement_, arguments_.size);
@@ -186,7 +211,7 @@ FileMesh MeshFiles::mesh_of(const SurfaceOutput& output) const {
 }
 
 MeshSummary MeshFiles::summary_of(const std::vector<FileMesh>& meshes) const {
-  MeshSummary summary{arguments_.mesh.faces == Faces::triangles ? "triangles" : "polygons"};
+  MeshSummary summary{name_of_faces()};
   bool is_closed = true;
   for (const FileMesh& mesh : meshes) {
     summary.face_count += mesh.face_count();

@@ -50,11 +50,15 @@ class MeshFiles {
 
  private:
   MeshSummary write(const SurfaceOutput& output, OutputFile& file) const;
+  std::optional<MeshSummary> write_parts(const SurfaceOutput& output, OutputFile& file) const;
   MeshSummary write_alone(const SurfaceOutput& output);
   MeshSummary keep(const SurfaceOutput& output);
   std::vector<FileMesh> meshes_of(const SurfaceOutput& output) const;
   FileMesh mesh_of(const SurfaceOutput& output) const;
   MeshSummary summary_of(const std::vector<FileMesh>& meshes) const;
+  const char* name_of_faces() const {
+    return arguments_.mesh.faces == Faces::triangles ? "triangles" : "polygons";
+  }
 
   const ExtractArguments& arguments_;
   std::optional<VolumePlacement> placement_;

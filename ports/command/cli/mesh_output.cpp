@@ -89,13 +89,14 @@ void note_rounding(const std::string& file, const FileMesh& mesh) {
   print_message(output_for_people(file), text);
 }
 
-void note_left_out(const std::string& input, const Surface& surface, const FileMesh& mesh) {
-  if (mesh.left_out.empty()) return;
-  print_message(input, std::to_string(mesh.left_out.size()) + " of " +
+void note_left_out(const std::string& input, const Surface& surface,
+                   const std::vector<std::uint32_t>& left_out) {
+  if (left_out.empty()) return;
+  print_message(input, std::to_string(left_out.size()) + " of " +
                            std::to_string(surface.polygons.size()) +
                            " polygons are invalid (their rings cross or enclose no area) and left "
                            "out; the first is in -o FILE.jsonl, line " +
-                           std::to_string(mesh.left_out[0] + 1));
+                           std::to_string(left_out[0] + 1));
 }
 
 void keep_chosen(const std::string& name, const ComponentChoice& choice, Surface& surface) {

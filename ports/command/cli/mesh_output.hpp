@@ -6,6 +6,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "arguments.hpp"
 #include "extraction/crossings.hpp"
@@ -44,8 +45,9 @@ bool is_closed_in(const std::string& file, const FileMesh& mesh);
 /// Prints how coarse the coordinates in the file are, if its format has too few digits for them.
 void note_rounding(const std::string& file, const FileMesh& mesh);
 
-/// Prints which polygons of the surface the mesh lacks, if any.
-void note_left_out(const std::string& input, const Surface& surface, const FileMesh& mesh);
+/// Prints which polygons of the surface the mesh lacks, if any. left_out: as FaceMesh.
+void note_left_out(const std::string& input, const Surface& surface,
+                   const std::vector<std::uint32_t>& left_out);
 
 /// Removes the components that are not chosen, and prints how many are kept, if not all. name: of
 /// the volume or stream, and of the surface if there are several.

@@ -36,7 +36,7 @@ FileMesh mesh_to_draw(const RenderArguments& arguments, Surface& surface,
   const bool smooth = arguments.smooth;
   const Faces faces = smooth || crossings != nullptr ? Faces::triangles : Faces::polygons;
   FileMesh mesh = build_mesh(surface, {true, faces, crossings, arguments.tolerance});
-  note_left_out(arguments.input, surface, mesh);
+  note_left_out(arguments.input, surface, mesh.left_out);
   if (!smooth || surface.normals.empty()) return mesh;
   mesh.normals = surface_normals(mesh);
   set_stream_normals(surface, mesh);

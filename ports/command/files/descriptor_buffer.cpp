@@ -27,6 +27,11 @@ int DescriptorBuffer::sync() {
   return is_written ? 0 : -1;
 }
 
+DescriptorBuffer::pos_type DescriptorBuffer::seekpos(pos_type place, std::ios_base::openmode) {
+  if (sync() != 0) return pos_type(off_type(-1));
+  return pos_type(lseek(descriptor_, static_cast<off_t>(place), SEEK_SET));
+}
+
 bool DescriptorBuffer::write_all(const char* bytes, std::size_t count) const {
   while (count > 0) {
     const ssize_t written = write(descriptor_, bytes, count);

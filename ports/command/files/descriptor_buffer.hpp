@@ -9,8 +9,8 @@
 namespace discmc::command {
 
 /// Writes to a descriptor of the system, which std::ofstream cannot be given. What is left in the
-/// buffer is written by a flush of the stream only. Errors: the stream turns bad, and errno has the
-/// cause.
+/// buffer is written by a flush of the stream only. Seeks if the file can. Errors: the stream turns
+/// bad, and errno has the cause.
 class DescriptorBuffer final : public std::streambuf {
  public:
   explicit DescriptorBuffer(int descriptor);
@@ -19,6 +19,7 @@ class DescriptorBuffer final : public std::streambuf {
   int_type overflow(int_type byte) override;
   std::streamsize xsputn(const char* bytes, std::streamsize count) override;
   int sync() override;
+  pos_type seekpos(pos_type place, std::ios_base::openmode which) override;
 
  private:
   bool write_all(const char* bytes, std::size_t count) const;

@@ -33,6 +33,8 @@ class OutputFile {
   ~OutputFile();
 
   std::ostream& stream();
+  /// Whether the stream can seek: no pipe, device or standard output can.
+  bool can_seek() const { return !is_in_place(); }
   /// Throws std::runtime_error when not everything could be written.
   void commit();
 

@@ -12,6 +12,7 @@
 
 #include "file_format.hpp"
 #include "file_mesh.hpp"
+#include "mesh_parts.hpp"
 #include "meshing.hpp"
 
 namespace discmc::command {
@@ -30,6 +31,8 @@ void write_meshes(const Meshes& meshes, Format format, std::ostream& out);
 /// Binary STL, coordinates as 32-bit floats, however coarse they are. Units: millimetres.
 /// Limit: triangles only (Faces::triangles), otherwise std::invalid_argument.
 void write_stl(const FileMesh& mesh, std::ostream& out, unsigned jobs = 1);
+/// The same bytes, of a mesh that is not in memory. Limit: out can seek, and is empty.
+MeshTotals write_stl(const MeshParts& parts, std::ostream& out);
 
 /// PLY, binary little endian: coordinates as 32-bit floats, or as doubles where floats do not suit
 /// (suits_floats()). Doubles make a file a third larger, and some readers support only floats. Also
@@ -37,6 +40,9 @@ void write_stl(const FileMesh& mesh, std::ostream& out, unsigned jobs = 1);
 /// Units: millimetres. Limit: faces of max_face_corners, which a byte counts as every reader takes
 /// it, and 2^31 - 1 vertices; otherwise std::invalid_argument.
 void write_ply(const FileMesh& mesh, std::ostream& out, unsigned jobs = 1);
+/// The same bytes, of a mesh that is not in memory. Limit: bounds() suit floats; out can seek, and
+/// is empty.
+MeshTotals write_ply(const MeshParts& parts, std::ostream& out);
 
 /// Wavefront OBJ, exact decimal coordinates. Units: millimetres. Every vertex has its normal, where
 /// the mesh has normals. material_file: the name of a file of write_mtl() beside it, or none.

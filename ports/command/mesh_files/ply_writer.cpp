@@ -1,57 +1,104 @@
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
 
 #include "float_precision.hpp"
 #include "mesh_files.hpp"
+#include "mesh_parts.hpp"
 #include "writer.hpp"
 
 namespace discmc::command {
 namespace {
 
-void require_fit(const FileMesh& mesh) {
+void require_fit(std::size_t vertices) {
+  constexpr std::size_t most = 0x7FFFFFFF;  // numbers have a sign, as in the files of others
+  if (vertices > most)
+    throw std::invalid_argument(
+        "the mesh has too many vertices for PLY; write .vtp, or a part with --crop");
+}
+
+void require_short_faces(const FileMesh& mesh) {
   for (std::size_t face = 0; face < mesh.face_count(); ++face)
     if (mesh.face_size(face) > max_face_corners)
       throw std::invalid_argument(
           "a face has more corners than a byte of PLY counts; write triangles");
-  constexpr std::size_t most = 0x7FFFFFFF;  // numbers have a sign, as in the files of others
-  if (mesh.vertices_mm.size() > most)
-    throw std::invalid_argument(
-        "the mesh has too many vertices for PLY; write .vtp, or a part with --crop");
+}
+
+// Equally long for every number of faces: that of MeshParts is known last.
+std::string ply_header(const FileMesh& mesh, bool takes_floats, std::size_t vertices,
+                       std::uint64_t faces) {
+  constexpr std::size_t most_digits = 20;
+  const std::string property = takes_floats ? "\nproperty float " : "\nproperty double ";
+  const std::string count = decimal(faces);
+  std::string header = "ply\nformat binary_little_endian 1.0\ncomment " + header_text(mesh) +
+                       std::string(most_digits - count.size(), ' ') + "\nelement vertex " +
+                       decimal(vertices);
+  for (const char* axis : {"x", "y", "z"}) header += property + axis;
+  if (!mesh.normals.empty())
+    header += "\nproperty float nx\nproperty float ny\nproperty float nz";
+  if (mesh.colour) header += "\nproperty uchar red\nproperty uchar green\nproperty uchar blue";
+  header += "\nelement face " + count;
+  return header + "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+void write_ply_vertex(const FileMesh& mesh, std::size_t vertex, bool takes_floats, Writer& writer) {
+  if (takes_floats)
+    writer.floats(mesh.vertices_mm[vertex]);
+  else
+    writer.doubles(mesh.vertices_mm[vertex]);
+  if (!mesh.normals.empty()) writer.floats(mesh.normals[vertex]);
+  if (mesh.colour)
+    for (const std::uint8_t value : *mesh.colour) writer.bytes(value, 1);
+}
+
+void write_ply_face(const FileMesh& mesh, std::size_t face, Writer& writer) {
+  const std::size_t count = mesh.face_size(face);
+  writer.bytes(count, 1);
+  for (std::size_t i = 0; i < count; ++i) writer.bytes(mesh.face(face)[i], 4);
 }
 
 }  // namespace
 
 void write_ply(const FileMesh& mesh, std::ostream& out, unsigned jobs) {
-  require_fit(mesh);
+  require_short_faces(mesh);
+  require_fit(mesh.vertices_mm.size());
   const bool takes_floats = suits_floats(mesh);
-  const std::string property = takes_floats ? "\nproperty float " : "\nproperty double ";
   Writer writer(out);
-  writer.text("ply\nformat binary_little_endian 1.0\ncomment ");
-  writer.text(header_text(mesh));
-  writer.text("\nelement vertex ");
-  writer.decimal(mesh.vertices_mm.size());
-  for (const char* axis : {"x", "y", "z"}) writer.text(property + axis);
-  if (!mesh.normals.empty())
-    writer.text("\nproperty float nx\nproperty float ny\nproperty float nz");
-  if (mesh.colour) writer.text("\nproperty uchar red\nproperty uchar green\nproperty uchar blue");
-  writer.text("\nelement face ");
-  writer.decimal(mesh.face_count());
-  writer.text("\nproperty list uchar int vertex_indices\nend_header\n");
+  writer.text(ply_header(mesh, takes_floats, mesh.vertices_mm.size(), mesh.face_count()));
   writer.items(jobs, mesh.vertices_mm.size(), [&](Writer& part, std::size_t vertex) {
-    if (takes_floats)
-      part.floats(mesh.vertices_mm[vertex]);
-    else
-      part.doubles(mesh.vertices_mm[vertex]);
-    if (!mesh.normals.empty()) part.floats(mesh.normals[vertex]);
-    if (mesh.colour)
-      for (const std::uint8_t value : *mesh.colour) part.bytes(value, 1);
+    write_ply_vertex(mesh, vertex, takes_floats, part);
   });
-  writer.items(jobs, mesh.face_count(), [&mesh](Writer& part, std::size_t face) {
-    part.bytes(mesh.face_size(face), 1);
-    for (std::size_t i = 0; i < mesh.face_size(face); ++i) part.bytes(mesh.face(face)[i], 4);
-  });
+  writer.items(jobs, mesh.face_count(),
+               [&mesh](Writer& part, std::size_t face) { write_ply_face(mesh, face, part); });
   writer.finish();
+}
+
+MeshTotals write_ply(const MeshParts& parts, std::ostream& out) {
+  const std::size_t vertices = parts.vertex_count();
+  require_fit(vertices);
+  const FileMesh frame = parts.bounds();
+  Writer writer(out);
+  writer.text(ply_header(frame, true, vertices, 0));
+  constexpr std::size_t at_once = std::size_t{1} << 12;
+  writer.parts<FileMesh>(
+      parts.jobs(), (vertices + at_once - 1) / at_once,
+      [&](Writer& part, std::size_t number, FileMesh& mesh) {
+        parts.make_vertices(number * at_once, std::min((number + 1) * at_once, vertices), mesh);
+        for (std::size_t i = 0; i < mesh.vertices_mm.size(); ++i) write_ply_vertex(mesh, i, true, part);
+      },
+      [](const FileMesh&) {});
+  MeshTotals totals;
+  writer.parts<MeshParts::Block>(
+      parts.jobs(), parts.block_count(),
+      [&](Writer& part, std::size_t number, MeshParts::Block& block) {
+        parts.make_faces(number, block);
+        for (std::size_t face = 0; face < block.faces.face_count(); ++face)
+          write_ply_face(block.faces, face, part);
+      },
+      [&](const MeshParts::Block& block) { add(block, totals); });
+  writer.finish_with_start(ply_header(frame, true, vertices, totals.faces));
+  return totals;
 }
 
 }  // namespace discmc::command

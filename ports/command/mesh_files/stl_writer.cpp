@@ -2,42 +2,74 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "mesh_files.hpp"
+#include "mesh_parts.hpp"
 #include "writer.hpp"
 
 namespace discmc::command {
 namespace {
 
-// One per incidence.
-std::array<Point, incidence_codes> plane_normals(const Point& spacing_mm) {
-  std::array<Point, incidence_codes> normals;
-  for (Incidence i = 0; i < incidence_codes; ++i) normals[i] = outward_normal(i, spacing_mm);
-  return normals;
+std::string stl_header(const FileMesh& mesh, std::uint64_t triangles) {
+  if (triangles > 0xFFFFFFFFu)
+    throw std::invalid_argument(
+        "the mesh has too many triangles for STL; write .ply, or a part with --crop");
+  std::string header = "binary STL, ";  // "solid" would announce text
+  header += header_text(mesh);
+  header.resize(80, ' ');
+  for (int shift = 0; shift < 32; shift += 8)
+    header += static_cast<char>(triangles >> shift & 0xFF);
+  return header;
 }
+
+// Writes the triangles of a mesh or its parts.
+class TriangleWriter {
+ public:
+  explicit TriangleWriter(const Point& spacing_mm) {
+    for (Incidence i = 0; i < incidence_codes; ++i) normals_[i] = outward_normal(i, spacing_mm);
+  }
+
+  void write(const FileMesh& mesh, std::size_t face, Writer& writer) const {
+    writer.floats(mesh.incidences.empty() ? face_normal(mesh, face)
+                                          : normals_[mesh.incidences[face]]);
+    const std::uint32_t* const corners = mesh.face(face);
+    for (std::size_t i = 0; i < 3; ++i) writer.floats(mesh.vertices_mm[corners[i]]);
+    writer.bytes(0, 2);
+  }
+
+ private:
+  std::array<Point, incidence_codes> normals_;
+};
 
 }  // namespace
 
 void write_stl(const FileMesh& mesh, std::ostream& out, unsigned jobs) {
   require_triangles(mesh, "STL");
-  if (mesh.face_count() > 0xFFFFFFFFu)
-    throw std::invalid_argument(
-        "the mesh has too many triangles for STL; write .ply, or a part with --crop");
   Writer writer(out);
-  std::string header = "binary STL, ";  // "solid" would announce text
-  header += header_text(mesh);
-  header.resize(80, ' ');
-  writer.text(header);
-  writer.bytes(mesh.face_count(), 4);
-  const bool has_planes = !mesh.incidences.empty();
-  const auto normals = plane_normals(mesh.spacing_mm);
+  writer.text(stl_header(mesh, mesh.face_count()));
+  const TriangleWriter triangles(mesh.spacing_mm);
   writer.items(jobs, mesh.face_count(), [&](Writer& part, std::size_t face) {
-    part.floats(has_planes ? normals[mesh.incidences[face]] : face_normal(mesh, face));
-    for (std::size_t i = 0; i < 3; ++i) part.floats(mesh.vertices_mm[mesh.face(face)[i]]);
-    part.bytes(0, 2);
+    triangles.write(mesh, face, part);
   });
   writer.finish();
+}
+
+MeshTotals write_stl(const MeshParts& parts, std::ostream& out) {
+  const FileMesh frame = parts.bounds();
+  Writer writer(out);
+  writer.text(stl_header(frame, 0));
+  const TriangleWriter triangles(frame.spacing_mm);
+  MeshTotals totals;
+  writer.parts<MeshParts::Block>(
+      parts.jobs(), parts.block_count(),
+      [&](Writer& part, std::size_t number, MeshParts::Block& block) {
+        parts.make_triangles(number, block);
+        for (std::size_t face = 0; face < block.faces.face_count(); ++face)
+          triangles.write(block.faces, face, part);
+      },
+      [&](const MeshParts::Block& block) { add(block, totals); });
+  writer.finish_with_start(stl_header(frame, totals.faces));
+  return totals;
 }
 
 }  // namespace discmc::command

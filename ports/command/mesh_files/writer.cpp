@@ -71,6 +71,13 @@ void Writer::finish() {
   if (!*out_) throw std::runtime_error(write_failure());
 }
 
+void Writer::finish_with_start(std::string_view start) {
+  flush();
+  out_->seekp(0);
+  text(start);
+  finish();
+}
+
 void Writer::flush() {
   out_->write(buffer_.data(), static_cast<std::streamsize>(used_));
   if (!*out_) throw std::runtime_error(write_failure());

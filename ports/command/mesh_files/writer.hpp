@@ -57,48 +57,64 @@ class Writer {
   }
 
   /// Three 32-bit floats, little endian.
-  void floats(const Point& point) {
-    for (const double coordinate : point) real<std::uint32_t>(static_cast<float>(coordinate));
-  }
+  void floats(const Point& point) { reals<std::uint32_t, float>(point); }
   /// The same of 64 bits.
-  void doubles(const Point& point) {
-    for (const double coordinate : point) real<std::uint64_t>(coordinate);
-  }
+  void doubles(const Point& point) { reals<std::uint64_t, double>(point); }
 
   /// Calls write(writer, item) for items 0 to count - 1: for some of them side by side, each with a
   /// writer of its own. They are written in order.
   template <typename Write>
   void items(unsigned jobs, std::size_t count, const Write& write) {
-    run_in_order<Writer>(
+    struct Nothing {};
+    parts<Nothing>(
         jobs, (count + items_a_part - 1) / items_a_part,
-        [](std::size_t, Writer& part) { part.used_ = 0; },
-        [&write, count](std::size_t number, Writer& part) {
+        [&write, count](Writer& part, std::size_t number, Nothing&) {
           const std::size_t first = number * items_a_part;
           const std::size_t end = std::min(first + items_a_part, count);
           for (std::size_t item = first; item < end; ++item) write(part, item);
         },
-        [this](std::size_t, Writer& part) {
-          write_through({part.buffer_.data(), part.used_});
+        [](Nothing&) {});
+  }
+
+  /// Calls write(writer, number, room) for parts 0 to count - 1, likewise; a room is used again for
+  /// other parts. take(room) is called when its part is written.
+  template <typename Room, typename Write, typename Take>
+  void parts(unsigned jobs, std::size_t count, const Write& write, const Take& take) {
+    struct Part {
+      Writer writer{};  // so that this class calls its constructor
+      Room room{};
+    };
+    run_in_order<Part>(
+        jobs, count, [](std::size_t, Part& part) { part.writer.used_ = 0; },
+        [&write](std::size_t number, Part& part) { write(part.writer, number, part.room); },
+        [this, &take](std::size_t, Part& part) {
+          write_through({part.writer.buffer_.data(), part.writer.used_});
+          take(part.room);
         });
   }
 
   /// Call last; what is still collected is lost otherwise.
   void finish();
+  /// The same; then writes over the first bytes of the stream. Limit: a stream that can seek.
+  void finish_with_start(std::string_view start);
 
  private:
   static constexpr std::size_t full = std::size_t{1} << 16;
   static constexpr std::size_t items_a_part = std::size_t{1} << 14;
 
-  template <class Item, class Fill, class Work, class Take>
-  friend class meshing::OrderedPipeline;
   Writer() : buffer_(full) {}  // of a part: without a stream
 
   template <typename Bits, typename Real>
-  void real(Real value) {
-    static_assert(std::numeric_limits<Real>::is_iec559 && sizeof(Bits) == sizeof value);
-    Bits bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    bytes(bits, sizeof bits);
+  void reals(const Point& point) {
+    static_assert(std::numeric_limits<Real>::is_iec559 && sizeof(Bits) == sizeof(Real));
+    char* place = room_for(3 * sizeof(Bits));
+    for (const double coordinate : point) {
+      const Real value = static_cast<Real>(coordinate);
+      Bits bits;
+      std::memcpy(&bits, &value, sizeof bits);
+      for (std::size_t i = 0; i < sizeof bits; ++i)
+        *place++ = static_cast<char>(bits >> (8 * i) & 0xFF);
+    }
   }
 
   // The place of the next bytes, at most full.

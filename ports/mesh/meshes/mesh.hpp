@@ -104,6 +104,9 @@ bool is_degenerate(const FaceMesh& mesh, std::size_t face);
 /// n for n faces. Compares sums of hashes, so an open mesh passes once in 2^64.
 bool is_closed(const FaceMesh& mesh);
 
+/// The sum of hashes that is_closed() compares with zero. Sums of parts of a mesh add up to its own.
+std::uint64_t edge_sum(const FaceMesh& part);
+
 }  // namespace discmc::meshing
 
 #endif

@@ -45,6 +45,10 @@ bool has_area(const FaceMesh& mesh, const std::uint32_t* face, std::size_t count
 }  // namespace
 
 bool is_closed(const FaceMesh& mesh) {
+  return edge_sum(mesh) == 0;
+}
+
+std::uint64_t edge_sum(const FaceMesh& mesh) {
   std::uint64_t sum = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     const std::uint32_t* const corners = mesh.face(face);
@@ -56,7 +60,7 @@ bool is_closed(const FaceMesh& mesh) {
       sum = a < b ? sum + hash : sum - hash;
     }
   }
-  return sum == 0;
+  return sum;
 }
 
 bool is_degenerate(const FaceMesh& mesh, std::size_t face) {

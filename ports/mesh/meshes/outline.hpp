@@ -60,7 +60,7 @@ class Outline {
     numbers.push_back(number);
   }
 
-  const VertexNumbers& all_;
+  VertexNumbers::Finder all_;
   bool has_junctions_;
 };
 
@@ -70,7 +70,7 @@ struct PolygonSpan {
 };
 
 /// Polygons are worked on in blocks, as many of them at once as there are jobs.
-constexpr std::size_t polygons_a_block = 1 << 14;
+constexpr std::size_t polygons_a_block = 1 << 12;
 
 inline std::size_t block_count(const Polygons& polygons) {
   return (polygons.size() + polygons_a_block - 1) / polygons_a_block;

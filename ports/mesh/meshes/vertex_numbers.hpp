@@ -30,10 +30,32 @@ class VertexNumbers {
 
   /// The number of a vertex, or none.
   std::uint32_t find(const Vertex& vertex) const {
-    if (slots_.empty()) return none;
-    const std::uint32_t place = slots_[slot_of(origin_of(vertex))];
+    const std::uint32_t place = find_block(origin_of(vertex));
     return place != none && blocks_[place].has(vertex) ? number(blocks_[place], vertex) : none;
   }
+
+  /// Finds numbers of vertices that lie near each other: mostly in the block of the one before.
+  class Finder {
+   public:
+    explicit Finder(const VertexNumbers& numbers) : numbers_(&numbers) {}
+
+    /// As VertexNumbers::find().
+    std::uint32_t find(const Vertex& vertex) {
+      const Vertex origin = origin_of(vertex);
+      if (place_ == none || origin_ != origin) {
+        origin_ = origin;
+        place_ = numbers_->find_block(origin);
+        if (place_ == none) return none;
+      }
+      const Block& block = numbers_->blocks_[place_];
+      return block.has(vertex) ? numbers_->number(block, vertex) : none;
+    }
+
+   private:
+    const VertexNumbers* numbers_;
+    Vertex origin_{};
+    std::uint32_t place_ = none;  // of the block there
+  };
 
   /// By their numbers.
   const std::vector<Vertex>& positions() const& { return positions_; }
@@ -75,6 +97,9 @@ class VertexNumbers {
     return block.list == none ? block.first + rank : numbers_[block.list][rank];
   }
 
+  std::uint32_t find_block(const Vertex& origin) const {
+    return slots_.empty() ? none : slots_[slot_of(origin)];
+  }
   // The slot of the block, occupied or free.
   std::size_t slot_of(const Vertex& origin) const {
     const std::uint64_t hash = static_cast<std::uint32_t>(origin.x) * 0x9E3779B97F4A7C15u +

@@ -1,0 +1,60 @@
+#include "mesh_parts.hpp"
+
+#include <algorithm>
+
+namespace discmc::command {
+
+FileMesh MeshParts::bounds() const {
+  FileMesh box;
+  box.spacing_mm = surface_.spacing_mm;
+  if (vertex_count() > 0) {
+    Vertex low = vertices_.positions()[0], high = low;
+    for (const Vertex& vertex : vertices_.positions()) {
+      low = {std::min(low.x, vertex.x), std::min(low.y, vertex.y), std::min(low.z, vertex.z)};
+      high = {std::max(high.x, vertex.x), std::max(high.y, vertex.y), std::max(high.z, vertex.z)};
+    }
+    for (const std::int32_t x : {low.x, high.x})
+      for (const std::int32_t y : {low.y, high.y})
+        for (const std::int32_t z : {low.z, high.z}) add_vertex({x, y, z}, box);
+  }
+  place_(box);
+  return box;
+}
+
+void MeshParts::make_vertices(std::size_t first, std::size_t end, FileMesh& part) const {
+  part.spacing_mm = surface_.spacing_mm;
+  part.vertices_mm.clear();
+  for (std::size_t i = first; i < end; ++i) add_vertex(vertices_.positions()[i], part);
+  place_(part);
+}
+
+void MeshParts::make_faces(std::size_t number, Block& block) const {
+  make(number, block);
+  place_(block.faces);
+}
+
+void MeshParts::make_triangles(std::size_t number, Block& block) const {
+  make(number, block);
+  FileMesh& faces = block.faces;
+  faces.vertices_mm.clear();
+  for (std::size_t i = 0; i < faces.corners.size(); ++i) {
+    add_vertex(vertices_.positions()[faces.corners[i]], faces);
+    faces.corners[i] = static_cast<std::uint32_t>(i);
+  }
+  place_(faces);
+}
+
+void MeshParts::make(std::size_t number, Block& block) const {
+  if (!block.maker) block.maker = std::make_unique<PlaneFaces>(surface_, vertices_, options_);
+  block.maker->make(number, block.faces);
+  if (sums_edges_) block.edge_sum = meshing::edge_sum(block.faces);
+}
+
+void add(const MeshParts::Block& block, MeshTotals& totals) {
+  totals.faces += block.faces.face_count();
+  totals.edge_sum += block.edge_sum;
+  const std::vector<std::uint32_t>& left_out = block.faces.left_out;
+  totals.left_out.insert(totals.left_out.end(), left_out.begin(), left_out.end());
+}
+
+}  // namespace discmc::command

@@ -1,0 +1,64 @@
+#include "plane_faces.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+namespace discmc::meshing {
+namespace {
+
+// Ends faces of a polygon, whose corners were added.
+void end_faces(std::size_t count, std::size_t face_size, std::uint32_t polygon, Incidence incidence,
+               FaceMesh& mesh) {
+  for (std::size_t i = 0; i < count; ++i)
+    mesh.face_begin.push_back(mesh.face_begin.back() + face_size);
+  mesh.incidences.insert(mesh.incidences.end(), count, incidence);
+  mesh.polygons.insert(mesh.polygons.end(), count, polygon);
+}
+
+}  // namespace
+
+void PlaneFaces::make(std::size_t block, FaceMesh& mesh) {
+  mesh.spacing_mm = surface_.spacing_mm;
+  mesh.corners.clear();
+  mesh.face_begin.assign(1, 0);
+  mesh.incidences.clear();
+  mesh.polygons.clear();
+  mesh.left_out.clear();
+  for_each_polygon(surface_, block, outline_,
+                   [&](std::uint32_t polygon) { add_polygon(polygon, mesh); });
+}
+
+void PlaneFaces::add_polygon(std::uint32_t polygon, FaceMesh& mesh) {
+  const std::vector<std::uint32_t>& numbers = outline_.numbers;
+  const bool is_whole = faces_ == Faces::polygons && outline_.ring_ends.size() == 1 &&
+                        numbers.size() >= 3 && numbers.size() <= max_face_corners;
+  if (is_whole) {
+    if (is_mirrored_)
+      mesh.corners.insert(mesh.corners.end(), numbers.rbegin(), numbers.rend());
+    else
+      mesh.corners.insert(mesh.corners.end(), numbers.begin(), numbers.end());
+    return end_faces(1, numbers.size(), polygon, surface_.polygons[polygon].incidence, mesh);
+  }
+  try {
+    add_triangles(polygon, mesh);
+  } catch (const std::invalid_argument&) {
+    mesh.left_out.push_back(polygon);
+  }
+}
+
+void PlaneFaces::add_triangles(std::uint32_t polygon, FaceMesh& mesh) {
+  const Incidence incidence = surface_.polygons[polygon].incidence;
+  const std::vector<Triangle>& triangles = triangulator_.triangulate(outline_, incidence);
+  const std::size_t begin = mesh.corners.size();
+  mesh.corners.resize(begin + 3 * triangles.size());
+  std::uint32_t* to = mesh.corners.data() + begin;
+  for (const Triangle& triangle : triangles) {
+    *to++ = outline_.numbers[triangle[is_mirrored_ ? 2 : 0]];
+    *to++ = outline_.numbers[triangle[1]];
+    *to++ = outline_.numbers[triangle[is_mirrored_ ? 0 : 2]];
+  }
+  end_faces(triangles.size(), 3, polygon, incidence, mesh);
+}
+
+}  // namespace discmc::meshing
