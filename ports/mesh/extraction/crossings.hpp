@@ -47,6 +47,13 @@ class Crossings {
   /// outside the volume or its mask, or a sample is not finite, the crossing is in the middle.
   /// Units: half-steps.
   Point interpolated(const Vertex& vertex) const;
+  /// The same of the middle of an edge. place: of its crossing.
+  Point interpolated(const Vertex& middle, Place place) const {
+    Point point = {static_cast<double>(middle.x), static_cast<double>(middle.y),
+                   static_cast<double>(middle.z)};
+    point[place.axis] += static_cast<double>(along_[place.axis].crossings[place.number].at) - 1;
+    return point;
+  }
 
   /// The crossing at the middle of an edge, if there is one.
   std::optional<Place> find(const Vertex& middle) const;

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
 #include <utility>
 
 #include "label_run.hpp"
-#include "surface/surface_builder.hpp"
+#include "surface/joined_surface.hpp"
 
 namespace discmc::meshing {
 namespace {
@@ -16,11 +17,9 @@ namespace {
 struct Label {
   LabelValue value;
   std::uint64_t voxels = 0;
-  SurfaceBuilder builder{};
-  std::unique_ptr<LabelRun> run{};  // null in slices that are far from its voxels
+  Polygons polygons{};
+  std::optional<LabelRun> run{};  // none in slices that are far from its voxels
 };
-
-constexpr std::uint64_t max_run_bytes = std::uint64_t{4} << 30;
 
 // The labels of a volume by their samples.
 template <class Sample>
@@ -39,10 +38,9 @@ class LabelScan {
   std::vector<LabelledSurface> finish() {
     std::vector<LabelledSurface> surfaces;
     for (const std::unique_ptr<Label>& label : labels_) {
-      if (label->run) label->run->finish();
-      label->run.reset();
-      label->builder.surface().spacing_mm = info_.spacing_mm;
-      surfaces.push_back({label->value, label->voxels, std::move(label->builder.surface())});
+      if (label->run) end_run(*label);
+      surfaces.push_back(
+          {label->value, label->voxels, {info_.spacing_mm, std::move(label->polygons)}});
     }
     std::sort(surfaces.begin(), surfaces.end(),
               [](const auto& a, const auto& b) { return a.label < b.label; });
@@ -61,30 +59,33 @@ class LabelScan {
   void add_voxels(Label& label, std::uint32_t y, std::uint32_t begin, std::uint32_t end) {
     if (!label.run) {
       running_.push_back(&label);
-      require_room(static_cast<std::uint32_t>(running_.size()));
-      label.run = std::make_unique<LabelRun>(limits_, slice_, options_.takes_majority,
-                                             make_sink(label.builder));
+      scatter_.require_labels(slice_, running_.size());
+      label.run.emplace(slice_);
     }
-    label.run->set(y, begin, end);
+    label.run->add(y, begin, end);
     label.voxels += end - begin;
     scatter_.add(end - begin);
-  }
-
-  void require_room(std::uint32_t running) const {
-    scatter_.require_labels(slice_, running);
-    if (running > max_run_bytes / LabelRun::bytes_for(limits_))
-      throw std::invalid_argument(std::to_string(running) + " labels at once, up to slice " +
-                                  std::to_string(slice_) +
-                                  ", need more than 4 GiB; extract parts, or shrink the volume");
   }
 
   // Whether the run of the label is over.
   bool end_slice(Label& label) {
     label.run->end_slice();
     if (!label.run->is_over()) return false;
-    label.run->finish();
-    label.run.reset();
+    end_run(label);
     return true;
+  }
+
+  void end_run(Label& label) {
+    JoinedSurface surface;
+    label.run->extract(limits_, options_.takes_majority, scan_, surface);
+    label.run.reset();
+    Polygons& found = surface.surface().polygons;
+    if (label.polygons.empty()) {
+      label.polygons = std::move(found);
+    } else {
+      label.polygons.append(found);
+      label.polygons.sort();
+    }
   }
 
   // Null where it is of no surface.
@@ -109,6 +110,7 @@ class LabelScan {
   std::uint32_t slice_ = 0;  // under way
   std::vector<Label*> running_;
   ValueScatter scatter_;
+  HostScan scan_;
   std::vector<std::unique_ptr<Label>> labels_;
   std::unordered_map<Sample, Label*> by_sample_;
   // Neighbours are mostly alike.

@@ -68,8 +68,8 @@ class ValueScatter {
 /// Reads the volume to its end and extracts the surface of every value except 0, the background;
 /// the least label comes first. volume: of whole_labels(). Throws VolumeError as the reader does,
 /// std::invalid_argument where there are too many values; the text names the slice. Cost: memory of
-/// the surfaces, and of some five slices of bits per label under way, at most 4 GiB. Time of a scan
-/// per label, of the slices that have it.
+/// the surfaces, and 12 bytes per row of voxels of the labels under way. Time of a scan per label,
+/// of its box.
 std::vector<LabelledSurface> extract_labels(SliceReader& volume, const LabelOptions& options);
 
 }  // namespace discmc::meshing

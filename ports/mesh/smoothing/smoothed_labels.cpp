@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "extraction/moved_surface.hpp"
 #include "extraction/surfaces.hpp"
 #include "smoothed_volume.hpp"
 #include "surface/joined_surface.hpp"
@@ -70,22 +71,6 @@ class LabelMask final : public SliceReader {
   std::uint32_t slice_ = 0;
 };
 
-// Moves what begins somewhere.
-class MovingSink {
- public:
-  MovingSink(const Sink& sink, const Vertex& by) : sink_(sink), by_(by) {}
-
-  SinkResult accept(const Event& event) {
-    Event moved = event;
-    moved.start = event.start + by_;
-    return sink_.accept(sink_.context, moved);
-  }
-
- private:
-  Sink sink_;
-  Vertex by_;
-};
-
 template <class Sample>
 class LabelSmoother {
  public:
@@ -147,17 +132,14 @@ class LabelSmoother {
     const Box wide = widened(box, info_.dims, SmoothedVolume::reach(info_, deviation_mm_));
     LabelMask<Sample> mask(info_, samples_, label, wide);
     SmoothedVolume smooth(mask, {1}, nullptr, deviation_mm_);
-    const auto half_steps = [](std::uint32_t voxels) {
-      return static_cast<std::int32_t>(2 * voxels);
-    };
-    const Vertex first = {half_steps(wide.first[0]), half_steps(wide.first[1]),
-                          half_steps(wide.first[2])};
-    CrossingFinder crossings(smooth.info(), {0}, first, true);
     JoinedSurface joined;
-    MovingSink moving(make_sink(joined), first);
+    MovedSurface moved(joined, wide.first);
+    CrossingFinder crossings(smooth.info(), {0}, moved.by(), true);
+    SurfaceRequest request{{0}, make_sink(moved), &crossings};
+    request.regions = make_region_receiver(moved);
     SurfaceOptions options;
     options.border = options_.border;
-    extract_surfaces(smooth, options, {{{0}, make_sink(moving), &crossings}});
+    extract_surfaces(smooth, options, {request});
     joined.surface().spacing_mm = info_.spacing_mm;
     return {{label, box.voxels, std::move(joined.surface())}, std::move(crossings)};
   }

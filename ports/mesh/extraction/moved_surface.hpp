@@ -1,0 +1,44 @@
+// A surface that is extracted within a box of its volume.
+#ifndef DISCMC_MESH_EXTRACTION_MOVED_SURFACE_HPP
+#define DISCMC_MESH_EXTRACTION_MOVED_SURFACE_HPP
+
+#include <array>
+#include <cstdint>
+
+#include "surface/joined_surface.hpp"
+
+namespace discmc::meshing {
+
+/// Moves the events and regions of a box to its place in the volume.
+class MovedSurface {
+ public:
+  /// surface: Owner: the caller. first: of the voxels in the box.
+  MovedSurface(JoinedSurface& surface, const std::array<std::uint32_t, 3>& first)
+      : surface_(surface), by_{half_steps(first[0]), half_steps(first[1]), half_steps(first[2])} {}
+
+  SinkResult accept(const Event& event) {
+    Event moved = event;
+    moved.start = event.start + by_;
+    return surface_.accept(moved);
+  }
+  SinkResult accept_region(const WholeRegion& region) {
+    WholeRegion moved = region;
+    moved.start = region.start + by_;
+    return surface_.accept_region(moved);
+  }
+
+  /// The way of the box.
+  const Vertex& by() const { return by_; }
+
+ private:
+  static std::int32_t half_steps(std::uint32_t voxels) {
+    return static_cast<std::int32_t>(2 * voxels);
+  }
+
+  JoinedSurface& surface_;
+  Vertex by_;
+};
+
+}  // namespace discmc::meshing
+
+#endif
