@@ -92,7 +92,7 @@ TEST_CASE("a box holds its triangle, as near as its bounds can be") {
 }
 
 TEST_CASE("a tree finds any two boxes that overlap, and each two once") {
-  for (const std::size_t count : {0U, 1U, 4U, 5U, 100U}) {
+  for (const std::size_t count : {0U, 1U, 4U, 5U, 100U, 700U}) {
     Chance chance(static_cast<std::uint32_t>(count) + 1);
     std::vector<Box> boxes;
     while (boxes.size() < count) {
@@ -103,12 +103,16 @@ TEST_CASE("a tree finds any two boxes that overlap, and each two once") {
       boxes.emplace_back(triangle);
     }
     std::vector<std::vector<int>> calls(count, std::vector<int>(count));
-    BoxTree(boxes).for_each_near_pair([&](std::uint32_t a, std::uint32_t b) {
-      ++calls[a][b];
-      ++calls[b][a];
-    });
+    const BoxTree tree(boxes);
+    for (const BoxTree::NodePair& part : tree.parts())
+      tree.for_each_near_pair(part, [&](std::uint32_t a, std::uint32_t b) {
+        ++calls[a][b];
+        ++calls[b][a];
+      });
+    bool are_right = true;
     for (std::size_t a = 0; a < count; ++a)
       for (std::size_t b = 0; b < count; ++b)
-        CHECK(calls[a][b] == (a != b && boxes[a].overlaps(boxes[b]) ? 1 : 0));
+        are_right &= calls[a][b] == (a != b && boxes[a].overlaps(boxes[b]) ? 1 : 0);
+    CHECK(are_right);
   }
 }

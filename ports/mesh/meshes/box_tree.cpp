@@ -43,17 +43,17 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
   std::sort(order.begin(), order.end());
   slots_.resize(boxes.size());
   places_.reserve(boxes.size());
-  boxes_.reserve(boxes.size());
-  for (const std::uint64_t each : order) {
-    slots_[static_cast<std::uint32_t>(each)] = static_cast<std::uint32_t>(places_.size());
-    places_.push_back(static_cast<std::uint32_t>(each));
-    boxes_.push_back(boxes[places_.back()]);
-  }
-
-  while (leaves_ * leaf_size < boxes_.size()) leaves_ *= 2;
+  boxes_.resize((boxes.size() + leaf_size - 1) / leaf_size);
+  while (leaves_ * leaf_size < boxes.size()) leaves_ *= 2;
   nodes_.resize(2 * leaves_);
-  for (std::size_t i = 0; i < boxes_.size(); ++i)
-    nodes_[leaves_ + i / leaf_size].include(boxes_[i]);
+  for (const std::uint64_t each : order) {
+    const std::size_t slot = places_.size();
+    const auto place = static_cast<std::uint32_t>(each);
+    slots_[place] = static_cast<std::uint32_t>(slot);
+    places_.push_back(place);
+    boxes_[slot / leaf_size].set(slot % leaf_size, boxes[place]);
+    nodes_[leaves_ + slot / leaf_size].include(boxes[place]);
+  }
   for (std::size_t node = leaves_ - 1; node > 0; --node) {
     nodes_[node] = nodes_[2 * node];
     nodes_[node].include(nodes_[2 * node + 1]);
@@ -62,10 +62,11 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
 
 void BoxTree::replace(std::uint32_t place, const Box& box) {
   const std::size_t slot = slots_[place];
-  boxes_[slot] = box;
+  Leaf& leaf = boxes_[slot / leaf_size];
+  leaf.set(slot % leaf_size, box);
   std::size_t node = leaves_ + slot / leaf_size;
   Box all;
-  for (std::size_t i = begin_of(node); i < end_of(node); ++i) all.include(boxes_[i]);
+  for (std::size_t i = 0; i < leaf_size; ++i) all.include(leaf.box(i));
   for (; !(nodes_[node] == all); node /= 2) {
     nodes_[node] = all;
     if (node == 1) return;

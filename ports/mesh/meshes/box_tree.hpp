@@ -122,8 +122,9 @@ class BoxTree {
         add_if_near(2 * node + 1);
         continue;
       }
+      const Leaf::Hits hits = boxes_[node - leaves_].overlaps(box);
       for (std::size_t i = begin_of(node); i < end_of(node); ++i)
-        if (boxes_[i].overlaps(box) && call(places_[i])) return true;
+        if (hits[i % leaf_size] != 0 && call(places_[i])) return true;
     }
     return false;
   }
@@ -133,20 +134,81 @@ class BoxTree {
   /// Where a box was when the tree was built: near boxes have near numbers, from 0 on.
   std::uint32_t order_of(std::uint32_t place) const { return slots_[place]; }
 
+  /// Two nodes on one level, or one twice.
+  using NodePair = std::array<std::size_t, 2>;
+
+  /// Divides the search for near pairs: those of all parts, one part after the other, are all.
+  std::vector<NodePair> parts() const {
+    constexpr std::size_t nodes_a_level = 64;
+    std::vector<NodePair> parts;
+    const std::size_t first = std::min(nodes_a_level, leaves_);
+    descend({1, 1}, first, [&parts](const NodePair& pair) { parts.push_back(pair); });
+    return parts;
+  }
   /// Calls with the places of two boxes in what was given, once for any two that overlap.
   template <class Call>
-  void for_each_near_pair(Call call) const {
-    std::array<std::array<std::size_t, 2>, max_waiting> waiting;  // nodes of one level
+  void for_each_near_pair(const NodePair& part, Call call) const {
+    descend(part, leaves_, [&](const NodePair& leaves) { for_each_pair_of(leaves, call); });
+  }
+
+ private:
+  static constexpr std::size_t leaf_size = 4;
+  static constexpr std::size_t max_waiting = 128;  // the tree has at most 32 levels
+
+  // The boxes of a leaf, axis by axis, so that vectors of the processor compare all with another.
+  // Those that are missing overlap nothing.
+  struct Leaf {
+    using Floats = std::array<float, leaf_size>;
+    using Hits = std::array<std::int32_t, leaf_size>;
+
+    Leaf() {
+      for (std::size_t i = 0; i < leaf_size; ++i) set(i, {});
+    }
+    void set(std::size_t i, const Box& box) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis][i] = box.low[axis];
+        high[axis][i] = box.high[axis];
+      }
+    }
+    Box box(std::size_t i) const {
+      Box box;
+      box.low = {low[0][i], low[1][i], low[2][i]};
+      box.high = {high[0][i], high[1][i], high[2][i]};
+      return box;
+    }
+    Hits overlaps(const Box& other) const {
+      Hits hits;
+      hits.fill(1);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t i = 0; i < leaf_size; ++i) {
+          hits[i] &= low[axis][i] <= other.high[axis] ? 1 : 0;
+          hits[i] &= other.low[axis] <= high[axis][i] ? 1 : 0;
+        }
+      return hits;
+    }
+
+    std::array<Floats, 3> low, high;
+  };
+
+  std::size_t begin_of(std::size_t leaf) const { return (leaf - leaves_) * leaf_size; }
+  std::size_t end_of(std::size_t leaf) const {
+    return std::min(begin_of(leaf) + leaf_size, places_.size());
+  }
+
+  // Calls with the pairs of the level that begins at `first` that may hold near boxes.
+  template <class Call>
+  void descend(const NodePair& from, std::size_t first, Call call) const {
+    std::array<NodePair, max_waiting> waiting;
     std::size_t count = 0;
     const auto add_if_near = [&](std::size_t a, std::size_t b) {
       waiting[count] = {a, b};
       count += nodes_[a].overlaps(nodes_[b]);
     };
-    waiting[count++] = {1, 1};
+    waiting[count++] = from;
     while (count > 0) {
       const auto [a, b] = waiting[--count];
-      if (a >= leaves_) {
-        for_each_pair_of(a, b, call);
+      if (a >= first) {
+        call(NodePair{a, b});
         continue;
       }
       add_if_near(2 * a, 2 * b);
@@ -156,31 +218,27 @@ class BoxTree {
     }
   }
 
- private:
-  static constexpr std::size_t leaf_size = 4;
-  static constexpr std::size_t max_waiting = 128;  // the tree has at most 32 levels
-
-  std::size_t begin_of(std::size_t leaf) const { return (leaf - leaves_) * leaf_size; }
-  std::size_t end_of(std::size_t leaf) const {
-    return std::min(begin_of(leaf) + leaf_size, places_.size());
-  }
-
   // Pairs in one leaf, or in two.
   template <class Call>
-  void for_each_pair_of(std::size_t a, std::size_t b, Call& call) const {
+  void for_each_pair_of(const NodePair& leaves, Call& call) const {
+    const auto [a, b] = leaves;
     std::array<std::array<std::size_t, 2>, leaf_size * leaf_size> near;
     std::size_t count = 0;
-    for (std::size_t i = begin_of(a); i < end_of(a); ++i)
+    for (std::size_t i = begin_of(a); i < end_of(a); ++i) {
+      const Box box = boxes_[a - leaves_].box(i % leaf_size);
+      if (!nodes_[b].overlaps(box)) continue;
+      const Leaf::Hits hits = boxes_[b - leaves_].overlaps(box);
       for (std::size_t j = a == b ? i + 1 : begin_of(b); j < end_of(b); ++j) {
         near[count] = {i, j};
-        count += boxes_[i].overlaps(boxes_[j]);
+        count += static_cast<std::size_t>(hits[j % leaf_size]);
       }
+    }
     for (std::size_t i = 0; i < count; ++i) call(places_[near[i][0]], places_[near[i][1]]);
   }
 
   std::vector<std::uint32_t> places_;  // along a curve through space
   std::vector<std::uint32_t> slots_;   // of each place, where it is in places_
-  std::vector<Box> boxes_;             // one a place
+  std::vector<Leaf> boxes_;            // in the order of places_
   std::size_t leaves_ = 1;
   std::vector<Box> nodes_;  // node i has the children 2 i and 2 i + 1; the leaves are the last ones
   std::uint32_t last_ = 0;  // what distance() found

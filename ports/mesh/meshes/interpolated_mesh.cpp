@@ -22,7 +22,9 @@ class InterpolatedMesh {
         vertices_(std::move(vertices)),
         outline_(vertices_, true),
         refinement_(*options.crossings, options.tolerance),
-        check_(options.check) {
+        jobs_(options.jobs),
+        check_(options.check),
+        separates_(options.separates) {
     number_what_sides_need();
   }
 
@@ -33,7 +35,7 @@ class InterpolatedMesh {
     place_vertices();
     reserve_faces(mesh_, mesh_.lattice.size());
     for_each_polygon([this](std::uint32_t polygon) { add_polygon(polygon); });
-    separate_faces();
+    if (separates_) separate_faces();
     return std::move(mesh_);
   }
 
@@ -65,7 +67,7 @@ class InterpolatedMesh {
     for (;;) {
       const std::size_t vertices = vertices_.positions().size();
       std::vector<bool> is_outdated(surface_.polygons.size());
-      for (const auto& pair : intersecting_faces(mesh_, faces, check_))
+      for (const auto& pair : intersecting_faces(mesh_, faces, jobs_, check_))
         for (const std::uint32_t face : pair)
           if (number_crossings(face)) is_outdated[mesh_.polygons[face]] = true;
       if (vertices_.positions().size() == vertices) return;
@@ -178,7 +180,9 @@ class InterpolatedMesh {
   Outline outline_;  // of the polygon under way
   OutlineTriangulator triangulator_;
   Refinement refinement_;
+  unsigned jobs_;
   std::function<void()> check_;
+  bool separates_;
   std::vector<Vertex> side_;  // under way
   MovedTriangles refined_;
   std::vector<Point> moved_;  // where the corners and junctions are moved to; Units: half-steps

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "box_tree.hpp"
+#include "jobs/ordered_pipeline.hpp"
 #include "triangle_intersection.hpp"
 
 namespace discmc::meshing {
@@ -47,18 +48,23 @@ std::vector<Box> boxes_of(const FaceMesh& mesh, const FaceList& faces) {
 
 }  // namespace
 
-std::vector<std::array<std::uint32_t, 2>> intersecting_faces(const FaceMesh& mesh,
-                                                             const FaceList& faces,
-                                                             const std::function<void()>& check) {
-  constexpr std::uint64_t pairs_a_check = 1 << 16;
-  std::vector<std::array<std::uint32_t, 2>> pairs;
+std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& faces, unsigned jobs,
+                                         const std::function<void()>& check) {
   const SomeFaces some(mesh, faces);
   const BoxTree tree(boxes_of(mesh, faces));
-  std::uint64_t tried = 0;
-  tree.for_each_near_pair([&](std::uint32_t one, std::uint32_t other) {
-    if (check && ++tried % pairs_a_check == 0) check();
-    if (some.intersect(one, other)) pairs.push_back({faces[one], faces[other]});
-  });
+  const std::vector<BoxTree::NodePair> parts = tree.parts();
+  std::vector<FacePair> pairs;
+  run_in_order<std::vector<FacePair>>(
+      jobs, parts.size(), [](std::size_t, std::vector<FacePair>& found) { found.clear(); },
+      [&](std::size_t number, std::vector<FacePair>& found) {
+        tree.for_each_near_pair(parts[number], [&](std::uint32_t one, std::uint32_t other) {
+          if (some.intersect(one, other)) found.push_back({faces[one], faces[other]});
+        });
+      },
+      [&](std::size_t, const std::vector<FacePair>& found) {
+        if (check) check();
+        pairs.insert(pairs.end(), found.begin(), found.end());
+      });
   return pairs;
 }
 

@@ -34,11 +34,14 @@ struct MeshingOptions {
   /// How far a crossing may be from the mesh then: where it would be farther, sides and triangles
   /// are split. Units: voxels.
   double tolerance = 0.05;
-  /// This many threads triangulate polygons, unless they are interpolated. The mesh is the
-  /// same.
+  /// This many threads triangulate polygons; of an interpolated mesh they find where it intersects
+  /// itself. The mesh is the same.
   unsigned jobs = 1;
   /// Called now and then, by one thread at a time, if it is given. What it throws ends the call.
   std::function<void()> check{};
+  /// Whether faces of an interpolated mesh are split if they go through each other. A volume is
+  /// measured without.
+  bool separates = true;
 };
 
 /// Faces over shared vertices. Faces are counter-clockwise seen from outside.
@@ -104,7 +107,8 @@ bool is_degenerate(const FaceMesh& mesh, std::size_t face);
 /// n for n faces. Compares sums of hashes, so an open mesh passes once in 2^64.
 bool is_closed(const FaceMesh& mesh);
 
-/// The sum of hashes that is_closed() compares with zero. Sums of parts of a mesh add up to its own.
+/// The sum of hashes that is_closed() compares with zero. Sums of parts of a mesh add up to its
+/// own.
 std::uint64_t edge_sum(const FaceMesh& part);
 
 }  // namespace discmc::meshing

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "meshes/mesh.hpp"
@@ -43,6 +44,11 @@ Vertex off_voxel(const Vertex& middle, Place place, bool falls) {
   return {at[0], at[1], at[2]};
 }
 
+// Whether a vertex is the middle of an edge, not a centroid.
+bool is_middle(const Vertex& vertex) {
+  return (vertex.x & 1) + (vertex.y & 1) + (vertex.z & 1) == 1;
+}
+
 class VolumeKeeper {
  public:
   VolumeKeeper(const std::vector<SmoothSurface>& surfaces, const VolumeKeeping& keeping)
@@ -69,6 +75,7 @@ class VolumeKeeper {
     std::vector<std::uint32_t> of_polygon;                  // pieces
     std::array<std::vector<std::uint32_t>, 3> of_crossing;  // pieces, by axis
     FaceMesh mesh;
+    std::vector<std::optional<Place>> places;  // of the vertices that are crossings
   };
 
   template <class Call>
@@ -149,9 +156,13 @@ class VolumeKeeper {
 
   void add_mesh(std::size_t number) {
     Parts& parts = of_surface_[number];
-    parts.mesh =
-        build_mesh(*surfaces_[number].surface,
-                   {true, Faces::triangles, surfaces_[number].crossings, keeping_.tolerance});
+    MeshingOptions options{true, Faces::triangles, surfaces_[number].crossings, keeping_.tolerance};
+    options.separates = false;
+    parts.mesh = build_mesh(*surfaces_[number].surface, options);
+    parts.places.clear();
+    for (const Vertex& vertex : parts.mesh.lattice)
+      parts.places.push_back(is_middle(vertex) ? surfaces_[number].crossings->find(vertex)
+                                               : std::nullopt);
     for (Piece& piece : pieces_) {
       if (piece.surface != number) continue;
       piece.faces.clear();
@@ -173,10 +184,14 @@ class VolumeKeeper {
   double enclosed_mm3(const Piece& piece) {
     move_crossings(piece);
     FaceMesh& mesh = of_surface_[piece.surface].mesh;
+    const std::vector<std::optional<Place>>& places = of_surface_[piece.surface].places;
     const Crossings& crossings = *surfaces_[piece.surface].crossings;
-    for (const std::uint32_t vertex : piece.vertices)
-      mesh.vertices_mm[vertex] =
-          in_mm(crossings.interpolated(mesh.lattice[vertex]), mesh.spacing_mm);
+    for (const std::uint32_t vertex : piece.vertices) {
+      const Vertex& at = mesh.lattice[vertex];
+      mesh.vertices_mm[vertex] = in_mm(
+          places[vertex] ? crossings.interpolated(at, *places[vertex]) : crossings.interpolated(at),
+          mesh.spacing_mm);
+    }
     const Point& apex = mesh.vertices_mm[piece.vertices[0]];  // near, so that little is rounded
     double six = 0;
     for (const std::uint32_t face : piece.faces) {
