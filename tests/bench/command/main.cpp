@@ -1,11 +1,13 @@
-// Runs the command discmc and vtk_stl in turns, from raw volumes to STL files. Prints their
-// processor time and peak memory side by side. scripts/tools/bench-command builds and runs it.
+// Runs the command discmc and vtk_mesh in turns, from raw volumes to STL and PLY files. Prints
+// their processor time and peak memory side by side. scripts/tools/bench-command builds and runs
+// it.
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -85,9 +87,14 @@ std::string joined(const Arguments& words) {
   return text;
 }
 
+// How many times as long VTK takes.
+using Ratios = std::vector<double>;
+
+// With files of this extension.
 void compare(const std::string& discmc, const std::string& vtk, const DescribedVolume& volume,
-             const std::filesystem::path& folder) {
-  const std::string raw = (folder / "volume.raw").string(), stl = (folder / "surface.stl").string();
+             const std::filesystem::path& folder, const std::string& format, Ratios& ratios) {
+  const std::string raw = (folder / "volume.raw").string();
+  const std::string output = (folder / ("surface." + format)).string();
   const VolumeInfo info = write_raw(volume.file, raw);
   const std::string type(name(info.type));
   Arguments dims, spacing;
@@ -109,37 +116,50 @@ void compare(const std::string& discmc, const std::string& vtk, const DescribedV
                             "1",
                             "-q",
                             "-o",
-                            stl};
+                            output};
     Arguments theirs = {vtk, raw, type};
     theirs.insert(theirs.end(), dims.begin(), dims.end());
     theirs.insert(theirs.end(), spacing.begin(), spacing.end());
     // Between the samples, so that the same voxels are on.
-    theirs.insert(theirs.end(), {text_of(threshold - 0.5), stl});
+    theirs.insert(theirs.end(), {text_of(threshold - 0.5), output});
     std::vector<Cost> our_costs, their_costs;
     for (int round = 0; round < rounds; ++round) {
       our_costs.push_back(run(ours));
       their_costs.push_back(run(theirs));
     }
     const Cost a = median(our_costs), b = median(their_costs);
-    std::printf("| %s at %d | %.3f | %.3f | %.2f | %.0f | %.0f | %.2f |\n",
-                volume.file.stem().stem().string().c_str(), threshold, a.seconds, b.seconds,
-                a.seconds / b.seconds, a.mebibytes, b.mebibytes, a.mebibytes / b.mebibytes);
+    ratios.push_back(b.seconds / a.seconds);
+    std::printf("| %s at %d, .%s | %.3f | %.3f | %.2f | %.0f | %.0f | %.2f |\n",
+                volume.file.stem().stem().string().c_str(), threshold, format.c_str(), a.seconds,
+                b.seconds, ratios.back(), a.mebibytes, b.mebibytes, b.mebibytes / a.mebibytes);
     std::fflush(stdout);
   }
+}
+
+void print_summary(const Ratios& ratios) {
+  if (ratios.empty()) return;
+  double logs = 0;
+  for (const double ratio : ratios) logs += std::log(ratio);
+  std::printf("\nVTK takes %.2f times as long (geometric mean), at least %.2f.\n",
+              std::exp(logs / static_cast<double>(ratios.size())),
+              *std::min_element(ratios.begin(), ratios.end()));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 5) {
-    std::fputs("usage: bench_command DISCMC VTK_STL VOLUMES SCRATCH\n", stderr);
+    std::fputs("usage: bench_command DISCMC VTK_MESH VOLUMES SCRATCH\n", stderr);
     return 2;
   }
   try {
-    std::puts("| volume | discmc, s | VTK, s | ratio | discmc, MiB | VTK, MiB | ratio |");
+    std::puts("| volume | discmc, s | VTK, s | VTK / discmc | discmc, MiB | VTK, MiB | ratio |");
     std::puts("|---|--:|--:|--:|--:|--:|--:|");
+    Ratios ratios;
     for (const DescribedVolume& volume : discmc::command::described_volumes(argv[3]))
-      compare(argv[1], argv[2], volume, argv[4]);
+      for (const char* format : {"stl", "ply"})
+        compare(argv[1], argv[2], volume, argv[4], format, ratios);
+    print_summary(ratios);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_command: %s\n", error.what());
     return 1;

@@ -1,8 +1,10 @@
-// What a program of VTK does to make an STL file of a volume: FlyingEdges3D and the STL writer.
+// What a program of VTK does to make a mesh file of a volume: FlyingEdges3D, and the STL or PLY
+// writer.
 // Arguments: FILE TYPE WIDTH HEIGHT DEPTH SX SY SZ ISO OUTPUT; the file holds samples alone.
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageReader2.h>
 #include <vtkNew.h>
+#include <vtkPLYWriter.h>
 #include <vtkSTLWriter.h>
 #include <vtkType.h>
 
@@ -11,13 +13,22 @@
 #include <map>
 #include <string>
 
+template <class Writer>
+bool write(vtkFlyingEdges3D& surface, const char* file) {
+  vtkNew<Writer> writer;
+  writer->SetInputConnection(surface.GetOutputPort());
+  writer->SetFileTypeToBinary();
+  writer->SetFileName(file);
+  return writer->Write() == 1;
+}
+
 int main(int argc, char** argv) {
   const std::map<std::string, int> types = {{"u8", VTK_UNSIGNED_CHAR},   {"i8", VTK_SIGNED_CHAR},
                                             {"u16", VTK_UNSIGNED_SHORT}, {"i16", VTK_SHORT},
                                             {"u32", VTK_UNSIGNED_INT},   {"i32", VTK_INT},
                                             {"f32", VTK_FLOAT},          {"f64", VTK_DOUBLE}};
   if (argc != 11 || types.count(argv[2]) == 0) {
-    std::fputs("vtk_stl: FILE TYPE WIDTH HEIGHT DEPTH SX SY SZ ISO OUTPUT\n", stderr);
+    std::fputs("vtk_mesh: FILE TYPE WIDTH HEIGHT DEPTH SX SY SZ ISO OUTPUT\n", stderr);
     return 2;
   }
   vtkNew<vtkImageReader2> reader;
@@ -34,9 +45,9 @@ int main(int argc, char** argv) {
   surface->ComputeNormalsOff();
   surface->ComputeGradientsOff();
   surface->ComputeScalarsOff();
-  vtkNew<vtkSTLWriter> writer;
-  writer->SetInputConnection(surface->GetOutputPort());
-  writer->SetFileTypeToBinary();
-  writer->SetFileName(argv[10]);
-  return writer->Write() == 1 ? 0 : 1;
+  const std::string file = argv[10];
+  const bool is_ply = file.size() > 4 && file.compare(file.size() - 4, 4, ".ply") == 0;
+  const bool is_written =
+      is_ply ? write<vtkPLYWriter>(*surface, argv[10]) : write<vtkSTLWriter>(*surface, argv[10]);
+  return is_written ? 0 : 1;
 }
