@@ -146,11 +146,13 @@ std::optional<MeshSummary> MeshFiles::write_parts(const SurfaceOutput& output,
   const Format format = format_of(output.file);
   const bool is_plain = output.crossings == nullptr && !arguments_.decimation.is_wanted() &&
                         arguments_.normals == Normals::none && !arguments_.lists_bodies;
-  if (!is_plain || (format != Format::stl && format != Format::ply) || !file.can_seek()) return std::nullopt;
-  const MeshParts parts(output.surface, options_of(arguments_, output), !arguments_.quiet, [&](FileMesh& part) {
-    place_in_file(part, placement_, arguments_.size);
-    part.colour = output.selection.colour;
-  });
+  if (!is_plain || (format != Format::stl && format != Format::ply) || !file.can_seek())
+    return std::nullopt;
+  const MeshParts parts(output.surface, options_of(arguments_, output), !arguments_.quiet,
+                        [&](FileMesh& part) {
+                          place_in_file(part, placement_, arguments_.size);
+                          part.colour = output.selection.colour;
+                        });
   if (!suits_floats(parts.bounds())) return std::nullopt;
   MeshTotals totals;
   write_to(file, [&](std::ostream& out) {

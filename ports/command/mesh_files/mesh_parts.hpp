@@ -18,7 +18,7 @@ namespace discmc::command {
 /// What a mesh came to that was written in parts.
 struct MeshTotals {
   std::uint64_t faces = 0;
-  std::uint64_t edge_sum = 0;  ///< if it was asked for
+  std::uint64_t edge_sum = 0;             ///< if it was asked for
   std::vector<std::uint32_t> left_out{};  ///< as FaceMesh
 };
 

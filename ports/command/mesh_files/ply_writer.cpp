@@ -35,8 +35,7 @@ std::string ply_header(const FileMesh& mesh, bool takes_floats, std::size_t vert
                        std::string(most_digits - count.size(), ' ') + "\nelement vertex " +
                        decimal(vertices);
   for (const char* axis : {"x", "y", "z"}) header += property + axis;
-  if (!mesh.normals.empty())
-    header += "\nproperty float nx\nproperty float ny\nproperty float nz";
+  if (!mesh.normals.empty()) header += "\nproperty float nx\nproperty float ny\nproperty float nz";
   if (mesh.colour) header += "\nproperty uchar red\nproperty uchar green\nproperty uchar blue";
   header += "\nelement face " + count;
   return header + "\nproperty list uchar int vertex_indices\nend_header\n";
@@ -85,7 +84,8 @@ MeshTotals write_ply(const MeshParts& parts, std::ostream& out) {
       parts.jobs(), (vertices + at_once - 1) / at_once,
       [&](Writer& part, std::size_t number, FileMesh& mesh) {
         parts.make_vertices(number * at_once, std::min((number + 1) * at_once, vertices), mesh);
-        for (std::size_t i = 0; i < mesh.vertices_mm.size(); ++i) write_ply_vertex(mesh, i, true, part);
+        for (std::size_t i = 0; i < mesh.vertices_mm.size(); ++i)
+          write_ply_vertex(mesh, i, true, part);
       },
       [](const FileMesh&) {});
   MeshTotals totals;

@@ -48,9 +48,8 @@ void write_stl(const FileMesh& mesh, std::ostream& out, unsigned jobs) {
   Writer writer(out);
   writer.text(stl_header(mesh, mesh.face_count()));
   const TriangleWriter triangles(mesh.spacing_mm);
-  writer.items(jobs, mesh.face_count(), [&](Writer& part, std::size_t face) {
-    triangles.write(mesh, face, part);
-  });
+  writer.items(jobs, mesh.face_count(),
+               [&](Writer& part, std::size_t face) { triangles.write(mesh, face, part); });
   writer.finish();
 }
 

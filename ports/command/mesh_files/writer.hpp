@@ -76,8 +76,8 @@ class Writer {
         [](Nothing&) {});
   }
 
-  /// Calls write(writer, number, room) for parts 0 to count - 1, likewise; a room is used again for
-  /// other parts. take(room) is called when its part is written.
+  /// Calls write(writer, number, room) for parts 0 to count - 1, likewise. Further parts use a room
+  /// again. Calls take(room) after a part is written.
   template <typename Room, typename Write, typename Take>
   void parts(unsigned jobs, std::size_t count, const Write& write, const Take& take) {
     struct Part {

@@ -28,8 +28,8 @@ class LatticePlane {
 
   /// Limit: vertices of the plane.
   PlanePoint at(const Vertex& vertex) const {
-    const Coordinates at = coordinates(vertex);
-    return {at[u_] - origin_[u_], at[v_] - origin_[v_]};
+    return {std::int64_t{vertex.*axes[u_]} - origin_[u_],
+            std::int64_t{vertex.*axes[v_]} - origin_[v_]};
   }
 
   /// The vertex that has these coordinates.
@@ -44,6 +44,7 @@ class LatticePlane {
 
  private:
   using Coordinates = std::array<std::int64_t, 3>;
+  static constexpr std::int32_t Vertex::*axes[] = {&Vertex::x, &Vertex::y, &Vertex::z};
   static Coordinates coordinates(const Vertex& vertex) { return {vertex.x, vertex.y, vertex.z}; }
 
   Coordinates origin_, normal_;

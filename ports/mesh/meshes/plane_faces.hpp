@@ -14,8 +14,8 @@ namespace discmc::meshing {
 /// Makes faces, in memory that it keeps: one for each thread.
 class PlaneFaces {
  public:
-  /// vertices: of the polygons of the surface. Limit: nothing is interpolated. Owner: the caller has
-  /// surface and vertices.
+  /// vertices: of the polygons of the surface. Limit: nothing is interpolated. Owner: the caller
+  /// has surface and vertices.
   PlaneFaces(const Surface& surface, const VertexNumbers& vertices, const MeshingOptions& options)
       : surface_(surface),
         faces_(options.faces),

@@ -39,7 +39,12 @@ inline Side side_between(const discmc::Vertex& from, const discmc::Vertex& to) {
   const bool is_axial = (x == 0) + (y == 0) + (z == 0) == 2;
   const std::int32_t links = is_axial ? longest / 2 : longest;
   if (links == 0) return {};
-  return {{way.x / links, way.y / links, way.z / links}, links};
+  // As a division by the links, which would take longer.
+  const std::int32_t step = is_axial ? 2 : 1;
+  const auto along = [&](std::int32_t distance) {
+    return distance == longest ? step : distance == -longest ? -step : 0;
+  };
+  return {{along(way.x), along(way.y), along(way.z)}, links};
 }
 
 /// All polygons of a volume.
