@@ -67,7 +67,7 @@ class InterpolatedMesh {
     for (;;) {
       const std::size_t vertices = vertices_.positions().size();
       std::vector<bool> is_outdated(surface_.polygons.size());
-      for (const auto& pair : intersecting_faces(mesh_, faces, jobs_, check_))
+      for (const auto& pair : intersecting_faces(mesh_, faces, check_, jobs_))
         for (const std::uint32_t face : pair)
           if (number_crossings(face)) is_outdated[mesh_.polygons[face]] = true;
       if (vertices_.positions().size() == vertices) return;

@@ -48,8 +48,8 @@ std::vector<Box> boxes_of(const FaceMesh& mesh, const FaceList& faces) {
 
 }  // namespace
 
-std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& faces, unsigned jobs,
-                                         const std::function<void()>& check) {
+std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& faces,
+                                         const std::function<void()>& check, unsigned jobs) {
   const SomeFaces some(mesh, faces);
   const BoxTree tree(boxes_of(mesh, faces));
   const std::vector<BoxTree::NodePair> parts = tree.parts();

@@ -17,11 +17,11 @@ using FacePair = std::array<std::uint32_t, 2>;
 
 /// Returns any two of these faces that have more points in common than the vertices and edges that
 /// they share. Two that lie in one plane are not looked at. Limit: triangles.
-/// jobs, check: as MeshingOptions. Time: n log n for n faces, and the pairs that are next to each
+/// check, jobs: as MeshingOptions. Time: n log n for n faces, and the pairs that are next to each
 /// other.
 std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& faces,
-                                         unsigned jobs = 1,
-                                         const std::function<void()>& check = {});
+                                         const std::function<void()>& check = {},
+                                         unsigned jobs = 1);
 
 /// Returns the faces, of all, that are in a box which overlaps that of one of these. Limit:
 /// triangles.
