@@ -212,10 +212,32 @@ UnitNormal normal_of(const Event& run, Incidence incidence, const StreamHeader& 
   return unit_normal(weighted({n.x, n.y, n.z}, axis_weights(header.spacing_nm)));
 }
 
+reference::SimulatedFlash* nor = nullptr;
+
+int nor_read(void*, uint32_t block, uint32_t offset, void* buffer, uint32_t bytes) {
+  const FlashDevice device = nor->device();
+  return device.read(device.context, block, offset, buffer, bytes);
+}
+int nor_program(void*, uint32_t block, uint32_t offset, const void* buffer, uint32_t bytes) {
+  const FlashDevice device = nor->device();
+  return device.program(device.context, block, offset, buffer, bytes);
+}
+int nor_erase(void*, uint32_t block) {
+  const FlashDevice device = nor->device();
+  return device.erase(device.context, block);
+}
+
 // From docs/power-failure.md.
 constexpr FlashGeometry flash_geometry{256, 4096, 32};  // bytes per page and sector, sectors
 constexpr uint32_t max_bytes = sizeof(Device);
 static_assert(store_plan(flash_geometry, max_bytes).is_valid(), "the flash is too small");
+
+// nor_read(), nor_program() and nor_erase() are your driver. The buffer holds one page.
+Status start_store(CheckpointStore& store) {
+  static uint8_t page[flash_geometry.program_bytes];
+  const FlashDevice device{nullptr, nor_read, nor_program, nor_erase, nullptr, flash_geometry};
+  return store.start(device, max_bytes, memory_of(page));
+}
 
 // Waits until a call of the store is over. Do urgent work between the steps.
 Status complete(CheckpointStore& store, Status status) {
@@ -234,7 +256,7 @@ Status begin_scan(Device& device, CheckpointStore& store, const ByteOutput& outp
   return status;
 }
 
-// At power-on, after store.start(). Continue with row extractor.rows() of slice extractor.slices().
+// At power-on, after start_store(). Continue with row extractor.rows() of slice extractor.slices().
 Status power_on(Device& device, CheckpointStore& store, const ByteOutput& output) {
   auto& [extractor, encoder, memory] = device;
   const Memory parts[] = {memory_of(encoder), memory_of(extractor), memory_of(memory)};
@@ -429,10 +451,10 @@ TEST_CASE("the guide's recipe for power failures yields the stream of an uninter
   Bytes bytes;
   const ByteOutput output{&bytes, append, [](void*) { return size_t{0}; }};
   reference::SimulatedFlash flash(flash_geometry);
-  static uint8_t page[flash_geometry.program_bytes];
+  nor = &flash;
   static Device device;
   CheckpointStore store;
-  REQUIRE(store.start(flash.device(), max_bytes, memory_of(page)) == Status::ok);
+  REQUIRE(start_store(store) == Status::ok);
   REQUIRE(power_on(device, store, output) == Status::ok);
   const auto scan_to = [&ball](Device& scanner, uint32_t end) {
     uint32_t i = scanner.extractor.slices() * size + scanner.extractor.rows();
@@ -450,7 +472,7 @@ TEST_CASE("the guide's recipe for power failures yields the stream of an uninter
   flash.power_on();
   static Device rebooted;
   CheckpointStore found;
-  REQUIRE(found.start(flash.device(), max_bytes, memory_of(page)) == Status::ok);
+  REQUIRE(start_store(found) == Status::ok);
   REQUIRE(power_on(rebooted, found, output) == Status::ok);
   CHECK(rebooted.extractor.slices() * size + rebooted.extractor.rows() == 301);
   bytes.resize(rebooted.encoder.bytes());
