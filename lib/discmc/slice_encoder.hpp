@@ -199,7 +199,7 @@ class SliceEncoder {
            Arena::alignment - 1;
   }
 
-  void lay_out(Memory memory);
+  bool lay_out(Memory memory);
   Status restore_object(size_t object_bytes, Memory memory, const ByteOutput& output);
   template <class Sample>
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);

@@ -25,12 +25,11 @@ Status SliceEncoder::start(const SliceEncoderConfig& config, Memory memory,
   if (!config.limits.is_valid()) return Status::bad_limits;
   if (!header.is_valid()) return Status::bad_label;
   if (!output.is_valid()) return Status::bad_sink;
-  if (memory.data == nullptr || memory.bytes < minimum_bytes(config))
-    return Status::too_little_memory;
+  state_ = State::idle;
   packets_.attach(output);
   packets_.begin_stream(header, detail::wire::HeaderFlags::slices | fraction_flags_);
   key_slice_interval_ = config.key_slice_interval;
-  lay_out(memory);
+  if (!lay_out(memory)) return Status::too_little_memory;
   surfaces_.clear();
   state_ = State::scanning;
   row_is_due_ = false;
@@ -44,11 +43,14 @@ Status SliceEncoder::start(const SliceEncoderConfig& config, Memory memory,
   return Status::ok;
 }
 
-void SliceEncoder::lay_out(Memory memory) {
+// False if the arrays do not fit.
+bool SliceEncoder::lay_out(Memory memory) {
   Arena arena(memory);
   const StreamHeader& header = packets_.header();
   surfaces_.start(arena, header, detail::slices::rows_kept(header.height, !keeps_slice()));
   memory_ = memory.data;
+  if (arena.is_exhausted()) unpoison(memory.data, memory.bytes);
+  return !arena.is_exhausted();
 }
 
 // ---- input ----
