@@ -166,6 +166,9 @@ TEST_CASE("an interpolated surface is of triangles without T-junctions, in a mes
   check_failure(workshop.run(extract + "--wire slices --levels 4 --median 3 -o v.dmc"), 2,
                 {"--levels", "--median"});
   check_failure(workshop.run("decode s.dmc --surface relaxed -o v.jsonl"), 2, {"--surface"});
+  check_failure(workshop.run("view v.raw --dims 14,14,14 --type u8 --iso 50 --surface relaxed "
+                             "--no-open -o v.html"),
+                2, {"--surface", "applies to streams"});
   check_failure(workshop.run("decode s.dmc --tolerance 0.1 -o v.ply"), 2, {"--tolerance"});
   check_failure(workshop.run("render s.dmc --surface interpolated -o v.png"), 1, {"--levels 4"});
   check_failure(workshop.run("extract v.raw --dims 14,14,14 --type u8 --labels all --surface "

@@ -53,6 +53,16 @@ TEST_CASE("the page of a volume has its samples, and lies beside the user") {
   workshop.done("view v.nrrd --no-open");  // replaces the page
 }
 
+TEST_CASE("the page of a stream has its mesh if the kind of surface is given") {
+  const Workshop workshop;
+  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
+  if (!has_page(workshop)) return;
+  workshop.done("extract v.nrrd --iso 100 --wire slices -q -o v.dmc");
+  workshop.done("view v.dmc --surface relaxed --no-open -o page.html");
+  CHECK(unpack(workshop, "page.html", "inside.glb") == "v.dmc");
+  CHECK(workshop.read("inside.glb").substr(0, 4) == "glTF");
+}
+
 TEST_CASE("the page of a threshold has the slices of its surface alone") {
   const Workshop workshop;
   workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
