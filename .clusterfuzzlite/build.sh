@@ -11,7 +11,6 @@ export CXXFLAGS="$CXXFLAGS -fno-sanitize=vptr"
 build=${WORK:-/tmp}/discmc
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=None -DDISCMC_FUZZING_ENGINE="$LIB_FUZZING_ENGINE" \
   -DDISCMC_BUILD_COMMAND=OFF -DDISCMC_BUILD_EXAMPLES=OFF -DDISCMC_BUILD_TESTS=OFF \
-  -DNIFTI_LIBRARY="$(static niftiio);$(static znz)" \
   -DZLIB_LIBRARY="$(static z)"
 cmake --build "$build" -j "$(nproc)"
 

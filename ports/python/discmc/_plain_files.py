@@ -12,7 +12,7 @@ def require_format(path: Path) -> None:
     if path.suffix.lower() not in (".stl", ".ply"):
         raise ValueError(
             f"{path}: this build of discmc writes .stl and .ply; for other formats build it with "
-            "zlib, libpng, libarchive and the NIfTI library")
+            "zlib, libpng and libarchive")
 
 
 def write(file: Path, extension: str, vertices: NDArray[np.float64], faces: NDArray[np.uint32]) -> None:

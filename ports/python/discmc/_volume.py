@@ -60,8 +60,7 @@ def read(
     """
     if not _discmc.has_files:
         raise RuntimeError(
-            "this build of discmc reads no files; build it with zlib, libpng, libarchive and the "
-            "NIfTI library")
+            "this build of discmc reads no files; build it with zlib, libpng and libarchive")
     options = _discmc.VolumeOptions()
     if spacing is not None:
         options.spacing = triple("spacing", spacing)

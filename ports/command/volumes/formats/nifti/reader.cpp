@@ -1,35 +1,25 @@
-// NIfTI-1 and -2, one file or a pair, after the NIfTI library's own descriptions of the headers.
-// And Analyze 7.5, whose header NIfTI-1 took over, without an orientation and without a magic
-// number.
-//
-// The library does not open the files: it loads data only whole, and given a.nii.gz it reads a.nii
-// where both are there.
-#include <nifti1_io.h>
-#include <nifti2.h>
-
+// NIfTI-1 and -2, and Analyze 7.5, as one file or a pair of header and data.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <iterator>
 #include <limits>
-#include <locale>
-#include <sstream>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "header.hpp"
 #include "label_extension.hpp"
 #include "text/words.hpp"
-#include "types.hpp"
 #include "volumes/declared_place.hpp"
 #include "volumes/filters/component_volume.hpp"
 #include "volumes/formats/readers.hpp"
-#include "volumes/header_bytes.hpp"
-#include "volumes/header_text.hpp"
 
 namespace discmc::command {
 namespace {
-
-static_assert(sizeof(nifti_1_header) == 348 && sizeof(nifti_2_header) == 540, "as in the file");
 
 // Returns the other file of a pair: a.img or a packed one, such as a.img.gz, for a.hdr, and the
 // other way round.
@@ -45,150 +35,38 @@ std::filesystem::path partner(const std::filesystem::path& asked, const char* ex
        "put the other file of the pair there");
 }
 
-// The fields of every version, in those of NIfTI-2, which hold them all.
-struct Header {
-  nifti_2_header fields{};
-  std::string format;
-  bool one_file = false;
-  bool big_endian = false;
-  std::array<int, 3> origin{};  ///< SPM's, all 0 where there is none
+struct Unread {
+  int datatype;
+  const char* name;
 };
-
-template <class Field>
-void turn(Field& field) {
-  auto* bytes = reinterpret_cast<unsigned char*>(&field);
-  std::reverse(bytes, bytes + sizeof field);
-}
-
-template <class Field, std::size_t count>
-void turn(Field (&fields)[count]) {
-  for (Field& field : fields) turn(field);
-}
-
-// Turns the bytes of the fields that are read.
-template <class Fields>
-void turn_fields(Fields& fields) {
-  const auto turn_all = [](auto&... field) { (turn(field), ...); };
-  turn_all(fields.datatype, fields.dim, fields.pixdim, fields.vox_offset, fields.scl_slope,
-           fields.scl_inter, fields.qform_code, fields.sform_code, fields.quatern_b,
-           fields.quatern_c, fields.quatern_d, fields.qoffset_x, fields.qoffset_y, fields.qoffset_z,
-           fields.srow_x, fields.srow_y, fields.srow_z);
-}
-
-std::int64_t whole_offset(const std::filesystem::path& file, float vox_offset) {
-  constexpr float most = 0x1p30F;
-  if (!(vox_offset >= 0 && vox_offset <= most) || std::floor(vox_offset) != vox_offset)
-    fail(file, "vox_offset is " + std::to_string(vox_offset), "correct the header");
-  return static_cast<std::int64_t>(vox_offset);
-}
-
-nifti_2_header widened(const std::filesystem::path& file, const nifti_1_header& one) {
-  nifti_2_header two{};
-  two.datatype = one.datatype;
-  std::copy(std::begin(one.dim), std::end(one.dim), two.dim);
-  std::copy(std::begin(one.pixdim), std::end(one.pixdim), two.pixdim);
-  two.vox_offset = whole_offset(file, one.vox_offset);
-  two.scl_slope = decimal(one.scl_slope);
-  two.scl_inter = decimal(one.scl_inter);
-  two.xyzt_units = static_cast<unsigned char>(one.xyzt_units);
-  two.qform_code = one.qform_code;
-  two.sform_code = one.sform_code;
-  two.quatern_b = static_cast<double>(one.quatern_b);
-  two.quatern_c = static_cast<double>(one.quatern_c);
-  two.quatern_d = static_cast<double>(one.quatern_d);
-  two.qoffset_x = static_cast<double>(one.qoffset_x);
-  two.qoffset_y = static_cast<double>(one.qoffset_y);
-  two.qoffset_z = static_cast<double>(one.qoffset_z);
-  std::copy(std::begin(one.srow_x), std::end(one.srow_x), two.srow_x);
-  std::copy(std::begin(one.srow_y), std::end(one.srow_y), two.srow_y);
-  std::copy(std::begin(one.srow_z), std::end(one.srow_z), two.srow_z);
-  return two;
-}
-
-// What Analyze has in the fields of its own that NIfTI-1 gave another meaning is dropped. Only SPM
-// writes a slope, and where NIfTI-1 has it.
-void drop_what_analyze_has_not(nifti_2_header& fields) {
-  fields.qform_code = 0;
-  fields.sform_code = 0;
-  fields.xyzt_units = NIFTI_UNITS_MM;
-  fields.scl_inter = 0;
-  if (!std::isfinite(fields.scl_slope) || fields.scl_slope < 0) fields.scl_slope = 0;
-}
-
-template <class Fields>
-Fields taken(ByteStream& stream, bool is_turned) {
-  Fields fields{};
-  if (stream.read(&fields, sizeof fields) < sizeof fields)
-    fail(stream.file(), "the header of " + std::to_string(sizeof fields) + " bytes is incomplete",
-         "copy or export the file again");
-  if (is_turned) turn_fields(fields);
-  return fields;
-}
-
-Header read_header(ByteStream& stream) {
-  std::int32_t size = 0;
-  const std::string_view start = stream.peek(sizeof size);
-  std::memcpy(&size, start.data(), start.size());
-  constexpr std::int32_t size_of_1 = sizeof(nifti_1_header);
-  constexpr std::int32_t size_of_2 = sizeof(nifti_2_header);
-  std::int32_t other_order = size;
-  turn(other_order);
-  const bool is_turned = other_order == size_of_1 || other_order == size_of_2;
-  if (is_turned) size = other_order;
-  if (size != size_of_1 && size != size_of_2)
-    fail(stream.file(),
-         "the header has size " + std::to_string(size) + ", which is not a size of NIfTI",
-         "check that it is a NIfTI or Analyze file");
-  Header header;
-  header.big_endian = is_native_big_endian() != is_turned;
-  if (size == size_of_2) {
-    header.fields = taken<nifti_2_header>(stream, is_turned);
-    if (is_turned) turn(header.fields.xyzt_units);
-    const std::string_view magic(header.fields.magic, 4);
-    header.one_file = magic == std::string_view("n+2\0", 4);
-    header.format = "NIfTI-2";
-    if (!header.one_file && magic != std::string_view("ni2\0", 4))
-      fail(stream.file(), "the magic of NIfTI-2 is " + shown(magic), "copy the file again");
-    return header;
-  }
-  const auto fields = taken<nifti_1_header>(stream, is_turned);
-  header.fields = widened(stream.file(), fields);
-  header.one_file = NIFTI_ONEFILE(fields);
-  const bool is_analyze = NIFTI_VERSION(fields) != 1;
-  header.format = is_analyze ? "Analyze 7.5" : "NIfTI-1";
-  if (!is_analyze) return header;
-  drop_what_analyze_has_not(header.fields);
-  // SPM has its origin, a voxel counted from 1, over fields of NIfTI.
-  constexpr std::size_t originator_at = 253;
-  std::array<std::int16_t, 3> originator{};
-  std::memcpy(originator.data(), reinterpret_cast<const char*>(&fields) + originator_at,
-              sizeof originator);
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (is_turned) turn(originator[i]);
-    header.origin[i] = originator[i];
-  }
-  return header;
-}
+constexpr Unread unread_types[] = {{1, "BINARY"},
+                                   {32, "COMPLEX64"},
+                                   {1536, "FLOAT128"},
+                                   {1792, "COMPLEX128"},
+                                   {2048, "COMPLEX256"}};
 
 SampleType sample_type(const std::filesystem::path& file, int datatype) {
   if (const auto type = type_of_nifti(datatype)) return *type;
-  fail_type(file, std::string(nifti_datatype_to_string(datatype)) + " (datatype " +
-                      std::to_string(datatype) + ")");
+  std::string name = "datatype " + std::to_string(datatype);
+  for (const Unread& unread : unread_types)
+    if (unread.datatype == datatype) name = std::string(unread.name) + " (" + name + ")";
+  fail_type(file, name);
 }
 
 // Bytes side by side in colours, or 1.
 std::uint64_t channels_of(int datatype) {
-  return datatype == DT_RGB24 ? 3 : datatype == DT_RGBA32 ? 4 : 1;
+  constexpr int rgb = 128, rgba = 2304;
+  return datatype == rgb ? 3 : datatype == rgba ? 4 : 1;
 }
 
-void set_samples(VolumeInfo& info, const std::filesystem::path& file, const nifti_2_header& header,
+void set_samples(VolumeInfo& info, const std::filesystem::path& file, const NiftiHeader& header,
                  const VolumeOptions& options) {
   const std::uint64_t channels = channels_of(header.datatype);
   info.type = channels > 1 ? SampleType::u8 : sample_type(file, header.datatype);
   const std::int64_t dimensions = header.dim[0];
   if (dimensions < 1 || dimensions > 7)
     fail(file, "the header gives " + std::to_string(dimensions) + " dimensions", "correct dim[0]");
-  std::vector<std::int64_t> sizes(header.dim + 1, header.dim + 1 + dimensions);
+  std::vector<std::int64_t> sizes(header.dim.begin() + 1, header.dim.begin() + 1 + dimensions);
   // Some leave 0 for axes behind the third that they do not have.
   if (sizes.size() > 3)
     std::replace(sizes.begin() + 3, sizes.end(), std::int64_t{0}, std::int64_t{1});
@@ -196,13 +74,13 @@ void set_samples(VolumeInfo& info, const std::filesystem::path& file, const nift
   set_channels(info, file, channels, options.channel, {"red", "green", "blue"});
 }
 
-std::string unit_of(int code) {
-  switch (XYZT_TO_SPACE(code)) {
-    case NIFTI_UNITS_METER:
+std::string name_of(NiftiUnit unit) {
+  switch (unit) {
+    case NiftiUnit::metre:
       return "m";
-    case NIFTI_UNITS_MM:
+    case NiftiUnit::millimetre:
       return "mm";
-    case NIFTI_UNITS_MICRON:
+    case NiftiUnit::micrometre:
       return "um";
     default:
       return {};
@@ -210,28 +88,7 @@ std::string unit_of(int code) {
 }
 
 // Rows of a matrix that leads from voxels to space.
-using Rows = std::array<std::array<double, 4>, 3>;
-
-Rows sform_of(const nifti_2_header& header) {
-  Rows rows{};
-  std::copy(std::begin(header.srow_x), std::end(header.srow_x), rows[0].begin());
-  std::copy(std::begin(header.srow_y), std::end(header.srow_y), rows[1].begin());
-  std::copy(std::begin(header.srow_z), std::end(header.srow_z), rows[2].begin());
-  return rows;
-}
-
-Rows qform_of(const nifti_2_header& header) {
-  const auto real = [](double value) { return static_cast<float>(value); };
-  const auto length = [&](int axis) { return real(std::fabs(header.pixdim[axis])); };
-  const mat44 matrix =
-      nifti_quatern_to_mat44(real(header.quatern_b), real(header.quatern_c), real(header.quatern_d),
-                             real(header.qoffset_x), real(header.qoffset_y), real(header.qoffset_z),
-                             length(1), length(2), length(3), real(header.pixdim[0]));
-  Rows rows{};
-  for (std::size_t row = 0; row < 3; ++row)
-    std::copy(std::begin(matrix.m[row]), std::end(matrix.m[row]), rows[row].begin());
-  return rows;
-}
+using Rows = decltype(NiftiHeader::srow);
 
 // Returns whether they span a space.
 bool take(const Rows& rows, DeclaredPlace& place) {
@@ -246,63 +103,108 @@ bool take(const Rows& rows, DeclaredPlace& place) {
 }
 
 // Otherwise the sides of the qform are not used.
-void note_mirrored(VolumeInfo& info, const nifti_2_header& header, const DeclaredPlace& place) {
+void note_mirrored(VolumeInfo& info, const NiftiHeader& header, const DeclaredPlace& place) {
   DeclaredPlace other;
   if (header.qform_code > 0 && take(qform_of(header), other) &&
       (determinant(*other.steps) < 0) != (determinant(*place.steps) < 0))
     note(info, "the qform is mirrored against the sform, and ignored; check which side is left");
 }
 
+// Returns the 4 x 4 numbers of a variable in a MATLAB file of version 4, by columns; nothing if the
+// file has no such variable: https://www.mathworks.com/help/pdf_doc/matlab/matfile_format.pdf.
+std::optional<std::array<double, 16>> matrix_of(std::string_view bytes, std::string_view name) {
+  constexpr std::size_t head_bytes = 20, matrix_bytes = 16 * sizeof(double);
+  while (bytes.size() >= head_bytes) {
+    std::array<std::uint32_t, 5> head{};  // type, rows, columns, whether complex, bytes of the name
+    std::memcpy(head.data(), bytes.data(), head_bytes);
+    bytes.remove_prefix(head_bytes);
+    constexpr std::uint32_t little_endian_doubles = 0;
+    if (head[0] != little_endian_doubles || head[1] != 4 || head[2] != 4 || head[3] != 0 ||
+        head[4] == 0 || bytes.size() < head[4] || bytes.size() - head[4] < matrix_bytes)
+      return std::nullopt;
+    const std::string_view called = bytes.substr(0, head[4] - 1);
+    bytes.remove_prefix(head[4]);
+    std::array<double, 16> matrix{};
+    std::memcpy(matrix.data(), bytes.data(), matrix_bytes);
+    bytes.remove_prefix(matrix_bytes);
+    if (called == name) return matrix;
+  }
+  return std::nullopt;
+}
+
+// SPM has the place in a file beside an Analyze pair: in `mat`, or in `M` with x the other way
+// round. Voxels are counted from 1.
+bool take_spm_matrix(VolumeInfo& info, std::filesystem::path file, DeclaredPlace& place) {
+  std::ifstream in(without_packing(file).replace_extension(".mat"), std::ios::binary);
+  if (!in) return false;
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  auto matrix = matrix_of(bytes, "mat");
+  const bool is_mirrored = !matrix;
+  if (!matrix) matrix = matrix_of(bytes, "M");
+  Rows rows{};
+  for (std::size_t row = 0; matrix && row < 3; ++row) {
+    for (std::size_t axis = 0; axis < 4; ++axis) rows[row][axis] = (*matrix)[4 * axis + row];
+    for (std::size_t axis = 0; axis < 3; ++axis) rows[row][3] += rows[row][axis];
+    if (is_mirrored && row == 0)
+      for (double& each : rows[row]) each = -each;
+  }
+  if (take(rows, place)) return true;
+  note(info, "the .mat file beside it is no matrix of MATLAB 4, and is ignored; save it with -v4");
+  return false;
+}
+
 // As SPM and nibabel read it: x runs from right to left.
-bool take_origin(VolumeInfo& info, const Header& header, DeclaredPlace& place) {
+bool take_origin(VolumeInfo& info, const NiftiHeader& header, DeclaredPlace& place) {
   for (std::size_t i = 0; i < 3; ++i)
-    if (header.origin[i] < 1 || header.origin[i] > static_cast<int>(info.dims[i])) return false;
+    if (header.originator[i] < 1 || header.originator[i] > static_cast<int>(info.dims[i]))
+      return false;
   place.space = Space::ras;
   Axes& steps = place.steps.emplace();
   for (std::size_t i = 0; i < 3; ++i) {
     steps[i][i] = place.spacing[i].value_or(1) * (i == 0 ? -1 : 1);
-    place.origin[i] = (1 - header.origin[i]) * steps[i][i];
+    place.origin[i] = (1 - header.originator[i]) * steps[i][i];
   }
   note(info, "the origin is SPM's, and x runs from right to left as SPM reads Analyze");
   return true;
 }
 
-void set_geometry(VolumeInfo& info, const Header& whole, const VolumeOptions& options) {
-  const nifti_2_header& header = whole.fields;
+void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const NiftiHeader& header,
+                  const VolumeOptions& options) {
   DeclaredPlace place;
-  place.set_unit(unit_of(header.xyzt_units));
+  place.set_unit(name_of(header.unit));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     place.spacing[axis] = std::fabs(header.pixdim[axis + 1]);
     if (header.pixdim[axis + 1] < 0)
       note(info, "pixdim " + std::to_string(axis + 1) + " is negative, and read as positive");
   }
-  bool is_placed = header.sform_code > 0 && take(sform_of(header), place);
+  bool is_placed = header.sform_code > 0 && take(header.srow, place);
   if (is_placed) note_mirrored(info, header, place);
   if (header.sform_code > 0 && !is_placed) note(info, "the sform spans no space, and is ignored");
   if (!is_placed && header.qform_code > 0) {
     is_placed = take(qform_of(header), place);
     if (!is_placed) note(info, "the qform spans no space, and is ignored");
   }
-  if (!is_placed) is_placed = take_origin(info, whole, place);
+  if (!is_placed && header.is_analyze()) is_placed = take_spm_matrix(info, file, place);
+  if (!is_placed) is_placed = take_origin(info, header, place);
   if (!is_placed) note(info, "no orientation (sform, qform); left and right are unknown");
   set_place(info, place, options);
 }
 
 // A slope that is no number is none, as for nibabel and FSL.
-void set_values(VolumeInfo& info, const std::filesystem::path& file, const nifti_2_header& header) {
+void set_values(VolumeInfo& info, const std::filesystem::path& file, const NiftiHeader& header) {
   const bool has_slope = std::isfinite(header.scl_slope) && header.scl_slope != 0;
   if (!std::isfinite(header.scl_slope))
     note(info, "scl_slope is " + std::to_string(header.scl_slope) + ", and is ignored");
   set_scale(info, file, has_slope ? header.scl_slope : 0, has_slope ? header.scl_inter : 0);
 }
 
-std::uint64_t data_offset(const std::filesystem::path& file, const Header& header) {
-  if (header.fields.vox_offset < 0)
-    fail(file, "vox_offset is " + std::to_string(header.fields.vox_offset), "correct the header");
-  const auto offset = static_cast<std::uint64_t>(header.fields.vox_offset);
+std::uint64_t data_offset(const std::filesystem::path& file, const NiftiHeader& header) {
+  if (header.vox_offset < 0)
+    fail(file, "vox_offset is " + std::to_string(header.vox_offset), "correct the header");
+  const auto offset = static_cast<std::uint64_t>(header.vox_offset);
   // Some programs leave 0 for "right after the header".
   const std::uint64_t least = header.format == "NIfTI-2" ? 544 : 352;
-  return header.one_file && offset < least ? least : offset;
+  return header.is_one_file && offset < least ? least : offset;
 }
 
 }  // namespace
@@ -311,19 +213,18 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
   const std::filesystem::path file = stream.file();
   const bool is_data = lower(without_packing(file).extension().string()) == ".img";
   if (is_data) stream = open_content(partner(file, ".hdr"));
-  const Header header = read_header(stream);
-  const nifti_2_header& fields = header.fields;
+  const NiftiHeader header = read_nifti_header(stream);
   VolumeInfo info;
-  set_samples(info, file, fields, options);
-  set_geometry(info, header, options);
-  set_values(info, file, fields);
+  set_samples(info, file, header, options);
+  set_geometry(info, file, header, options);
+  set_values(info, file, header);
   info.format = header.format;
 
   const std::uint64_t offset = data_offset(file, header);
   constexpr auto no_end = std::numeric_limits<std::uint64_t>::max();
-  if (header.format != "Analyze 7.5")
-    read_label_extensions(stream, header.one_file ? offset : no_end, header.big_endian, info);
-  if (header.one_file) {
+  if (!header.is_analyze())
+    read_label_extensions(stream, header.is_one_file ? offset : no_end, header.is_big_endian, info);
+  if (header.is_one_file) {
     stream.skip(offset - stream.position());
   } else {
     info.format += " pair";
@@ -331,7 +232,7 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
     stream.skip(offset);
   }
   return channel_of(file, std::move(info), options.channel, [&](VolumeInfo all) {
-    return std::make_unique<SliceStream>(std::move(all), std::move(stream), header.big_endian,
+    return std::make_unique<SliceStream>(std::move(all), std::move(stream), header.is_big_endian,
                                          options.frame);
   });
 }
