@@ -1,5 +1,5 @@
 // Completions of the command line, in the shells themselves.
-#include "cli/help/completions.hpp"
+#include "cli/help/outline.hpp"
 
 #include "command.hpp"
 

@@ -8,8 +8,7 @@
 
 #include "command.hpp"
 #include "dicom_files.hpp"
-#include "volumes/formats/dicom/layers.hpp"
-#include "volumes/formats/dicom/segments.hpp"
+#include "volumes/formats/dicom/segmentation.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/exit_codes.hpp"
+#include "cli/commands.hpp"
 #include "command.hpp"
 #include "mesh_files/file_format.hpp"
 #include "project_text.hpp"

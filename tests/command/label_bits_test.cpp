@@ -1,5 +1,5 @@
 // The labels of a voxel in all layers, as bits.
-#include "volumes/filters/label_bits.hpp"
+#include "volumes/filters/filters.hpp"
 
 #include <doctest/doctest.h>
 

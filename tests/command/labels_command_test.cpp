@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "pictures/label_colour.hpp"
+#include "pictures/srgb.hpp"
 
 namespace {
 

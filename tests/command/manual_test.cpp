@@ -1,5 +1,5 @@
 // The manual page that discmc writes.
-#include "cli/help/manual.hpp"
+#include "cli/help/outline.hpp"
 
 #include "command.hpp"
 

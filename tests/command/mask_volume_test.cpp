@@ -1,5 +1,5 @@
 // Masks: which voxels they keep, and whether they lie where their volume does.
-#include "volumes/filters/mask_volume.hpp"
+#include "volumes/filters/filters.hpp"
 
 #include <doctest/doctest.h>
 

@@ -12,7 +12,7 @@
 
 #include "command.hpp"
 #include "hand_made.hpp"
-#include "mesh_files/float_precision.hpp"
+#include "mesh_files/file_mesh.hpp"
 #include "mesh_formats.hpp"
 #include "meshes/placing.hpp"
 #include "text/base64.hpp"

@@ -10,7 +10,7 @@
 
 #include "sample_reader.hpp"
 #include "statistics/threshold_rule.hpp"
-#include "text/value_text.hpp"
+#include "text/number_text.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Volumes of labels in whole numbers.
-#include "volumes/filters/whole_labels.hpp"
+#include "volumes/filters/filters.hpp"
 
 #include <doctest/doctest.h>
 

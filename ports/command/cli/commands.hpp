@@ -16,6 +16,11 @@ int run_compare(const CompareArguments& arguments);
 int run_view(const ViewArguments& arguments);
 int run_tune(const TuneArguments& arguments);
 
+constexpr int exit_ok = 0;
+constexpr int exit_failure = 1;
+constexpr int exit_usage = 2;
+constexpr int exit_incomplete = 3;
+
 }  // namespace discmc::command
 
 #endif

@@ -9,10 +9,9 @@
 
 #include "commands.hpp"
 #include "empty_surface.hpp"
-#include "exit_codes.hpp"
 #include "extraction/classic.hpp"
-#include "files/require_written.hpp"
-#include "mesh_files/joined_mesh.hpp"
+#include "files/write_failure.hpp"
+#include "mesh_files/file_mesh.hpp"
 #include "mesh_files/mesh_reader.hpp"
 #include "mesh_output.hpp"
 #include "meshes/mesh.hpp"

@@ -1,9 +1,9 @@
 // The arguments of discmc decode.
 #include <memory>
 
+#include "cli/options/input_kind.hpp"
 #include "cli/options/mesh_options.hpp"
 #include "cli/options/option_checks.hpp"
-#include "cli/options/stream_options.hpp"
 #include "cli/options/volume_options.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"

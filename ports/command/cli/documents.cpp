@@ -2,12 +2,11 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/help/completions.hpp"
-#include "cli/help/manual.hpp"
+#include "cli/help/outline.hpp"
 #include "cli/options/named_values.hpp"
 #include "command_line.hpp"
-#include "exit_codes.hpp"
-#include "files/require_written.hpp"
+#include "commands.hpp"
+#include "files/write_failure.hpp"
 
 namespace discmc::command {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "text/message.hpp"
-#include "text/value_text.hpp"
+#include "text/number_text.hpp"
 
 namespace discmc::command {
 namespace {

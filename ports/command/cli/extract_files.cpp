@@ -10,7 +10,7 @@
 #include "extract.hpp"
 #include "files/file_pattern.hpp"
 #include "mesh_files/file_format.hpp"
-#include "mesh_files/float_precision.hpp"
+#include "mesh_files/file_mesh.hpp"
 #include "mesh_files/mesh_files.hpp"
 #include "mesh_output.hpp"
 #include "meshes/surface_normals.hpp"

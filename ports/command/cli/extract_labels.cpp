@@ -11,21 +11,20 @@
 #include <utility>
 #include <vector>
 
-#include "exit_codes.hpp"
+#include "commands.hpp"
 #include "extract.hpp"
 #include "extract_files.hpp"
 #include "extraction/labels.hpp"
-#include "files/require_written.hpp"
+#include "files/write_failure.hpp"
 #include "mesh_output.hpp"
 #include "meshes/surface_normals.hpp"
-#include "pictures/label_colour.hpp"
+#include "pictures/srgb.hpp"
 #include "progress.hpp"
 #include "segmentation.hpp"
 #include "smoothing/smoothed_labels.hpp"
 #include "text/message.hpp"
 #include "volume_input.hpp"
-#include "volumes/filters/label_bits.hpp"
-#include "volumes/filters/mask_volume.hpp"
+#include "volumes/filters/filters.hpp"
 
 namespace discmc::command {
 namespace {

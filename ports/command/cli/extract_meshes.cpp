@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "exit_codes.hpp"
+#include "commands.hpp"
 #include "extract.hpp"
 #include "extract_files.hpp"
-#include "files/require_written.hpp"
+#include "files/write_failure.hpp"
 #include "mesh_output.hpp"
 #include "progress.hpp"
 #include "text/message.hpp"

@@ -1,11 +1,10 @@
 // The arguments of discmc extract.
 #include <memory>
 
+#include "cli/options/input_kind.hpp"
 #include "cli/options/mesh_options.hpp"
 #include "cli/options/named_values.hpp"
 #include "cli/options/option_checks.hpp"
-#include "cli/options/stream_options.hpp"
-#include "cli/options/surface_options.hpp"
 #include "cli/options/volume_options.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "exit_codes.hpp"
+#include "commands.hpp"
 #include "extract.hpp"
 #include "files/output_file.hpp"
 #include "files/require_written.hpp"

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "exit_codes.hpp"
-#include "files/require_written.hpp"
+#include "files/write_failure.hpp"
 #include "input_content.hpp"
 #include "progress.hpp"
 #include "statistics/volume_statistics.hpp"

@@ -2,7 +2,6 @@
 #include <memory>
 
 #include "cli/options/input_kind.hpp"
-#include "cli/options/stream_options.hpp"
 #include "cli/options/volume_options.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"

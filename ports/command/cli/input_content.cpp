@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <fstream>
 #include <iostream>
+#include <utility>
 
 #include "volumes/byte_source.hpp"
 #include "volumes/format_list.hpp"
@@ -28,6 +29,23 @@ bool begins_like_volume(const std::string& input, std::optional<ReplayedInput>& 
   if (is_read_once(input)) return false;
   std::ifstream file(input, std::ios::binary);
   return !file || is_volume_head(head_of(file));
+}
+
+ReplayedInput::ReplayedInput(std::string head) : bytes_(std::move(head)), rest_(std::cin.rdbuf()) {
+  setg(bytes_.data(), bytes_.data(), bytes_.data() + bytes_.size());
+  std::cin.rdbuf(this);  // clears its state as well
+}
+
+ReplayedInput::~ReplayedInput() {
+  std::cin.rdbuf(rest_);
+}
+
+ReplayedInput::int_type ReplayedInput::underflow() {
+  constexpr std::size_t most = 65536;
+  bytes_.resize(most);
+  const std::streamsize got = rest_->sgetn(bytes_.data(), most);
+  setg(bytes_.data(), bytes_.data(), bytes_.data() + got);
+  return got > 0 ? traits_type::to_int_type(bytes_[0]) : traits_type::eof();
 }
 
 }  // namespace discmc::command

@@ -3,11 +3,26 @@
 #define DISCMC_COMMAND_CLI_INPUT_CONTENT_HPP
 
 #include <optional>
+#include <streambuf>
 #include <string>
 
-#include "replayed_input.hpp"
-
 namespace discmc::command {
+
+/// Gives std::cin its first bytes again, as long as this lives. Limit: one at a time.
+class ReplayedInput final : public std::streambuf {
+ public:
+  /// head: all that was read so far.
+  explicit ReplayedInput(std::string head);
+  ReplayedInput(const ReplayedInput&) = delete;
+  ReplayedInput& operator=(const ReplayedInput&) = delete;
+  ~ReplayedInput() override;
+
+ private:
+  int_type underflow() override;
+
+  std::string bytes_;
+  std::streambuf* rest_;
+};
 
 /// Whether a file, or standard input by the name "-", begins like a volume. What cannot be opened
 /// may be a pattern of names, and counts as a volume: its reader reports the fault. A pipe does

@@ -6,9 +6,8 @@
 #include <string>
 
 #include "commands.hpp"
-#include "exit_codes.hpp"
 #include "files/output_file.hpp"
-#include "files/require_written.hpp"
+#include "files/write_failure.hpp"
 #include "require.hpp"
 #include "stream_input.hpp"
 #include "streams/slab_ranges.hpp"

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/help/help.hpp"
+#include "cli/help/outline.hpp"
 #include "cli/help/usage_error.hpp"
 #include "command_line.hpp"
-#include "exit_codes.hpp"
+#include "commands.hpp"
 
 namespace discmc::command {
 namespace {

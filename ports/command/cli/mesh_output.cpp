@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "mesh_files/file_format.hpp"
-#include "mesh_files/float_precision.hpp"
+#include "mesh_files/file_mesh.hpp"
 #include "mesh_files/mesh_files.hpp"
 #include "meshes/placing.hpp"
 #include "meshes/vertex_normals.hpp"

@@ -5,8 +5,6 @@
 #include "cli/options/mesh_options.hpp"
 #include "cli/options/named_values.hpp"
 #include "cli/options/option_checks.hpp"
-#include "cli/options/stream_options.hpp"
-#include "cli/options/surface_options.hpp"
 #include "cli/options/volume_options.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "pictures/label_colour.hpp"
+#include "pictures/srgb.hpp"
 #include "text/message.hpp"
 #include "volume_input.hpp"
 #include "volumes/label_table.hpp"

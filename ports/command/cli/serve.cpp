@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "exit_codes.hpp"
-#include "files/require_written.hpp"
+#include "commands.hpp"
+#include "files/write_failure.hpp"
 #include "input_content.hpp"
 #include "pages/browser.hpp"
 #include "pages/live_file.hpp"

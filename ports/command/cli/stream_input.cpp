@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "exit_codes.hpp"
+#include "commands.hpp"
 #include "mesh_output.hpp"
 #include "progress.hpp"
 #include "samples/spacing.hpp"

@@ -12,7 +12,7 @@
 #include "files/output_file.hpp"
 #include "mesh_files/file_format.hpp"
 #include "samples/spacing.hpp"
-#include "text/grouped_number.hpp"
+#include "text/number_text.hpp"
 
 namespace discmc::command {
 namespace {

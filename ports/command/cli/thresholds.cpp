@@ -6,7 +6,7 @@
 #include "progress.hpp"
 #include "statistics/volume_statistics.hpp"
 #include "text/message.hpp"
-#include "text/value_text.hpp"
+#include "text/number_text.hpp"
 #include "volume_input.hpp"
 
 namespace discmc::command {

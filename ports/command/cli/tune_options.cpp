@@ -3,7 +3,6 @@
 
 #include "cli/options/named_values.hpp"
 #include "cli/options/option_checks.hpp"
-#include "cli/options/surface_options.hpp"
 #include "cli/options/volume_options.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"

@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "exit_codes.hpp"
 #include "extract.hpp"
-#include "files/input_name.hpp"
+#include "files/file_pattern.hpp"
 #include "files/output_file.hpp"
-#include "files/require_written.hpp"
+#include "files/write_failure.hpp"
 #include "input_content.hpp"
 #include "mesh_files/mesh_files.hpp"
 #include "mesh_files/mesh_reader.hpp"

@@ -6,11 +6,10 @@
 #include "cli/options/input_kind.hpp"
 #include "cli/options/mesh_options.hpp"
 #include "cli/options/option_checks.hpp"
-#include "cli/options/surface_options.hpp"
 #include "cli/options/volume_options.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
-#include "files/input_name.hpp"
+#include "files/file_pattern.hpp"
 #include "pages/page.hpp"
 
 namespace discmc::command {

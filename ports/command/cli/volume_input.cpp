@@ -12,9 +12,8 @@
 #include "segmentation.hpp"
 #include "text/message.hpp"
 #include "text/number_text.hpp"
-#include "text/value_text.hpp"
 #include "volumes/byte_source.hpp"
-#include "volumes/filters/mask_volume.hpp"
+#include "volumes/filters/filters.hpp"
 #include "volumes/volume_filter.hpp"
 #include "volumes/volume_offset.hpp"
 

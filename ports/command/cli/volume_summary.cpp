@@ -8,9 +8,9 @@
 
 #include "statistics/threshold_rule.hpp"
 #include "summary.hpp"
-#include "text/control_character.hpp"
-#include "text/value_text.hpp"
-#include "volumes/filters/whole_labels.hpp"
+#include "text/number_text.hpp"
+#include "text/words.hpp"
+#include "volumes/filters/filters.hpp"
 
 namespace discmc::command {
 namespace {

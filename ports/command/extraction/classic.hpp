@@ -5,7 +5,7 @@
 #include "extraction.hpp"
 #include "meshes/mesh.hpp"
 #include "meshing.hpp"
-#include "volumes/volume_reader.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 

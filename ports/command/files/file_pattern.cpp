@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "output_file.hpp"
-#include "text/control_character.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 namespace {
@@ -68,6 +68,11 @@ void FilePattern::require_folder() const {
     throw std::invalid_argument(
         pattern_ + ": {name} is not allowed in the name of a folder; put it after the last /");
   command::require_folder(std::filesystem::path(pattern_).parent_path());
+}
+
+std::string input_name(const std::string& input) {
+  const std::filesystem::path path = std::filesystem::path(input).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
 }  // namespace discmc::command

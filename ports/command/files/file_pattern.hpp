@@ -1,4 +1,4 @@
-// Names of the files that a command writes where it writes several.
+// Names of inputs and outputs.
 #ifndef DISCMC_COMMAND_FILES_FILE_PATTERN_HPP
 #define DISCMC_COMMAND_FILES_FILE_PATTERN_HPP
 
@@ -36,6 +36,9 @@ class FilePattern {
 
   std::string pattern_;
 };
+
+/// The last part of a path: the name of the file, or of the folder, also where a slash follows it.
+std::string input_name(const std::string& input);
 
 }  // namespace discmc::command
 

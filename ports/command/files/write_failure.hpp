@@ -3,6 +3,8 @@
 #define DISCMC_COMMAND_FILES_WRITE_FAILURE_HPP
 
 #include <cerrno>
+#include <ostream>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 
@@ -15,6 +17,10 @@ inline std::string write_failure() {
   for (const int of_writes : {ENOSPC, EDQUOT, EFBIG, EIO, EPIPE})
     if (errno == of_writes) reason = " (" + std::generic_category().message(of_writes) + ")";
   return "writing failed" + reason + "; free space, or write to another disk";
+}
+
+inline void require_written(std::ostream& out) {
+  if (!out.flush()) throw std::runtime_error("standard output: " + write_failure());
 }
 
 }  // namespace discmc::command

@@ -2,12 +2,13 @@
 #ifndef DISCMC_COMMAND_MESH_FILES_FILE_MESH_HPP
 #define DISCMC_COMMAND_MESH_FILES_FILE_MESH_HPP
 
+#include <cstddef>
 #include <cstdint>
+#include <discmc/placement.hpp>
 #include <optional>
 #include <string>
 #include <utility>
-
-#include <discmc/placement.hpp>
+#include <vector>
 
 #include "meshes/mesh.hpp"
 #include "meshing.hpp"
@@ -42,6 +43,20 @@ void resize(FileMesh& mesh, const MeshSize& size);
 
 /// "mm", "um", "m" or "inch".
 const char* symbol(MeshUnit unit);
+
+/// The faces of all, in their order, with their polygons and normals; a single mesh as it is.
+/// Limit: all have normals, or none.
+FileMesh joined(std::vector<FileMesh> parts);
+
+/// The distance from one float to the next where a mesh is farthest from the origin. Units:
+/// millimetres.
+double float_step_mm(const FileMesh& mesh, const Point& origin = {});
+
+/// Whether floats move no vertex by more than a thousandth of a voxel.
+bool suits_floats(const FileMesh& mesh, const Point& origin = {});
+
+/// How many different places the vertices have as floats. Limit: as FileMesh::vertices_mm.
+std::size_t count_float_places(const FileMesh& mesh, const Point& origin = {});
 
 }  // namespace discmc::command
 

@@ -1,4 +1,4 @@
-#include "float_precision.hpp"
+#include "file_mesh.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "float_precision.hpp"
+#include "file_mesh.hpp"
 #include "mesh_files.hpp"
 #include "text/name_text.hpp"
 #include "writer.hpp"

@@ -1,4 +1,4 @@
-#include "joined_mesh.hpp"
+#include "file_mesh.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "float_precision.hpp"
+#include "file_mesh.hpp"
 #include "mesh_files.hpp"
 #include "mesh_parts.hpp"
 #include "writer.hpp"

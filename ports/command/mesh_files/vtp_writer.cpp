@@ -1,7 +1,7 @@
 #include <cstdint>
 #include <string>
 
-#include "float_precision.hpp"
+#include "file_mesh.hpp"
 #include "mesh_files.hpp"
 #include "text/base64.hpp"
 #include "writer.hpp"

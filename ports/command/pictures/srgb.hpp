@@ -1,14 +1,32 @@
-// A colour as screens and files have it.
+// Colours as screens and files have them.
 #ifndef DISCMC_COMMAND_PICTURES_SRGB_HPP
 #define DISCMC_COMMAND_PICTURES_SRGB_HPP
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace discmc::command {
 
 /// Red, green and blue of the colour space sRGB.
 using Srgb = std::array<std::uint8_t, 3>;
+
+/// The seven colours that people with any colour vision can distinguish (M. Okabe, K. Ito, Color
+/// Universal Design, 2008), then the same lighter, then darker. The numbers 1 to 21 have one each;
+/// number n + 21 has that of n. Limit: finite.
+inline Srgb label_colour(double number) {
+  constexpr Srgb colours[] = {{230, 159, 0}, {86, 180, 233}, {0, 158, 115},  {240, 228, 66},
+                              {0, 114, 178}, {213, 94, 0},   {204, 121, 167}};
+  constexpr int count = 7;
+  const double turn = std::fmod(number - 1, 3 * count);
+  const int place = static_cast<int>(turn < 0 ? turn + 3 * count : turn);
+  Srgb colour = colours[place % count];
+  for (std::uint8_t& part : colour) {
+    if (place / count == 1) part = static_cast<std::uint8_t>(part + (255 - part) / 2);
+    if (place / count == 2) part = static_cast<std::uint8_t>(part / 2);
+  }
+  return colour;
+}
 
 }  // namespace discmc::command
 

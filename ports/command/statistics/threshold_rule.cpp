@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "text/value_text.hpp"
+#include "text/number_text.hpp"
 
 namespace discmc::command {
 namespace {

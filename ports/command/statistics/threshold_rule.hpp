@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "volume_statistics.hpp"
-#include "volumes/volume_reader.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 

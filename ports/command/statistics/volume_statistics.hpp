@@ -9,7 +9,7 @@
 
 #include "meshing.hpp"
 #include "samples/label_value.hpp"
-#include "volumes/volume_reader.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "control_character.hpp"
+#include "words.hpp"
 
 namespace discmc::command {
 namespace {

@@ -1,10 +1,24 @@
-// Values as text.
+// Values as text, and whole numbers that a text is. Apart from number_text.hpp, as the page's
+// module has no decimal ones.
 #ifndef DISCMC_COMMAND_TEXT_VALUE_TEXT_HPP
 #define DISCMC_COMMAND_TEXT_VALUE_TEXT_HPP
 
+#include <charconv>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 namespace discmc::command {
+
+/// Nothing where the text is no whole number, or one that the type does not hold.
+template <class Whole>
+std::optional<Whole> whole_number(std::string_view text, int base = 10) {
+  Whole value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return is_number ? std::optional<Whole>(value) : std::nullopt;
+}
 
 /// The value in decimal, in 15 digits at most, without zeros at the end. What came from 32 bits of
 /// floating point has the digits of these: 0.1, not 0.100000001490116.

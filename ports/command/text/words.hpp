@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_TEXT_WORDS_HPP
 #define DISCMC_COMMAND_TEXT_WORDS_HPP
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,17 @@ std::string lower(std::string_view text);
 
 /// Returns the words between blanks.
 std::vector<std::string_view> words(std::string_view text);
+
+/// Whether a byte of text is a control character of ASCII.
+constexpr bool is_control(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
+
+/// The text with underscores in their place.
+inline std::string without_control(std::string text) {
+  std::replace_if(text.begin(), text.end(), is_control, '_');
+  return text;
+}
 
 }  // namespace discmc::command
 

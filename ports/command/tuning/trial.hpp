@@ -3,12 +3,13 @@
 #define DISCMC_COMMAND_TUNING_TRIAL_HPP
 
 #include <cstdint>
-#include <vector>
-
 #include <discmc/extractor.hpp>
 #include <discmc/slice_encoder.hpp>
+#include <functional>
+#include <optional>
+#include <vector>
 
-#include "device_work.hpp"
+#include "cycle_costs.hpp"
 #include "volume_bits.hpp"
 
 namespace discmc::command {
@@ -33,6 +34,19 @@ Trial try_regions(const VolumeBits& volume, const Capacities& capacities);
 
 /// Slices, in the memory that their encoder takes.
 Trial try_slices(const VolumeBits& volume, std::uint32_t key_slice_interval);
+
+/// The most that 16-bit indices make use of. Units: bytes.
+std::uint64_t max_arena_bytes(const Limits& limits);
+
+/// The least arena with which nothing is sent loose, up to a step of 256 bytes. Nothing if 16-bit
+/// indices cannot count the slots of any. plenty: the scan with memory for everything. done: is
+/// called after each of some scans.
+std::optional<Trial> min_without_loose_pieces(const VolumeBits& volume, const Trial& plenty,
+                                              const std::function<void()>& done);
+
+/// From the minimum on, each a quarter to half larger than the one before, and in whole KiB where
+/// that does not matter: below `end`. Units: bytes.
+std::vector<std::uint64_t> arena_sizes(const Limits& limits, std::uint64_t end);
 
 }  // namespace discmc::command
 

@@ -5,7 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "text/grouped_number.hpp"
+#include "text/number_text.hpp"
 
 namespace discmc::command {
 namespace {

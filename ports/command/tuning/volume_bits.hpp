@@ -10,7 +10,7 @@
 #include <discmc/sink.hpp>
 
 #include "extraction/extraction.hpp"
-#include "volumes/volume_reader.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::command {
 

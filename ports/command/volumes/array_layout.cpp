@@ -8,7 +8,7 @@
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 #include "volume_error.hpp"
-#include "volumes/filters/turned_volume.hpp"
+#include "volumes/filters/filters.hpp"
 
 namespace discmc::command {
 namespace {

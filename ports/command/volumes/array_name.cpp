@@ -4,7 +4,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "text/control_character.hpp"
+#include "text/words.hpp"
 #include "volume_error.hpp"
 
 namespace discmc::command {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "header_text.hpp"
+#include "header_fields.hpp"
 #include "text/words.hpp"
 #include "volume_error.hpp"
 #include "volume_stream.hpp"

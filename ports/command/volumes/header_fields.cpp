@@ -1,10 +1,23 @@
 #include "header_fields.hpp"
 
-#include "header_text.hpp"
+#include <algorithm>
+#include <system_error>
+
+#include "text/number_text.hpp"
 #include "text/words.hpp"
 #include "volume_error.hpp"
 
 namespace discmc::command {
+namespace {
+
+// Windows separates folders by another character.
+std::filesystem::path of_windows(std::string_view name) {
+  std::string turned(name);
+  std::replace(turned.begin(), turned.end(), '\\', '/');
+  return turned;
+}
+
+}  // namespace
 
 void HeaderFields::add(const std::string& name, std::string_view text) {
   if (!fields_.emplace(name, text).second)
@@ -44,6 +57,41 @@ std::vector<double> HeaderFields::reals(std::initializer_list<std::string_view> 
   std::vector<double> numbers;
   for (const auto word : words(text(names))) numbers.push_back(real(file_, *names.begin(), word));
   return numbers;
+}
+
+std::int64_t integer(const std::filesystem::path& file, std::string_view field,
+                     std::string_view text) {
+  const auto value = whole_number<std::int64_t>(text);
+  if (!value)
+    fail(file, std::string(field) + " is " + shown(text) + ", which is not a whole number in range",
+         "correct the header");
+  return *value;
+}
+
+double real(const std::filesystem::path& file, std::string_view field, std::string_view text) {
+  const auto value = decimal_number(text);
+  if (!value)
+    fail(file, std::string(field) + " is " + shown(text) + ", which is not a number",
+         "correct the header");
+  return *value;
+}
+
+bool leads_out(std::string_view name) {
+  const std::filesystem::path path = of_windows(name);
+  return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
+}
+
+std::filesystem::path beside(const std::filesystem::path& header, std::string_view name) {
+  // A zero byte would end the name early, and every message that shows it.
+  if (std::any_of(name.begin(), name.end(), is_control))
+    fail(header, "the data file " + shown(name) + " has control characters in its name",
+         "correct the header");
+  if (leads_out(name))
+    fail(header, "it names " + shown(name) + ", which lies outside of its folder",
+         "put that or a link to it beside this file, and correct the name");
+  const std::filesystem::path file = header.parent_path() / std::string(name);
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored) ? file : header.parent_path() / of_windows(name);
 }
 
 }  // namespace discmc::command

@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "meshing.hpp"
 #include "pictures/srgb.hpp"
 #include "samples/label_value.hpp"
+#include "text/value_text.hpp"
 
 namespace discmc::command {
 
@@ -25,6 +27,13 @@ struct LabelDescription {
 
 /// The descriptions of labels, in the order of the file.
 using LabelTable = std::vector<LabelDescription>;
+
+/// Nothing where the text is no whole number of 64 bits.
+inline std::optional<LabelValue> label_value(std::string_view text) {
+  if (const auto value = whole_number<std::uint64_t>(text)) return LabelValue(*value);
+  if (const auto value = whole_number<std::int64_t>(text)) return LabelValue(*value);
+  return std::nullopt;
+}
 
 }  // namespace discmc::command
 

@@ -1,4 +1,4 @@
-#include "label_json.hpp"
+#include "label_table.hpp"
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "label_description.hpp"
 #include "volume_error.hpp"
-#include "volumes/label_text.hpp"
 
 namespace discmc::command {
 namespace {

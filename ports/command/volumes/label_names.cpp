@@ -5,10 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "text/control_character.hpp"
+#include "label_description.hpp"
 #include "text/words.hpp"
 #include "volume_error.hpp"
-#include "volumes/label_text.hpp"
 
 namespace discmc::command {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "label_description.hpp"
 #include "pictures/srgb.hpp"
-#include "volumes/filters/label_bits.hpp"
+#include "volumes/filters/filters.hpp"
 
 namespace discmc::command {
 

@@ -9,11 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "label_json.hpp"
+#include "label_description.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 #include "volume_error.hpp"
-#include "volumes/label_text.hpp"
 
 namespace discmc::command {
 namespace {

@@ -15,6 +15,12 @@ namespace discmc::command {
 /// Throws VolumeError with the number of a line that is none of that.
 LabelTable read_label_table(const std::filesystem::path& file);
 
+/// Reads the object "labels" of nnU-Net's dataset.json: {"liver": 1, "kidney": [2, 3]}. Its first
+/// version and the Medical Segmentation Decathlon have {"1": "liver"}. Throws VolumeError where the
+/// file is none of that.
+/// https://github.com/MIC-DKFZ/nnUNet/blob/master/documentation/dataset_format.md
+LabelTable read_label_json(const std::filesystem::path& file);
+
 }  // namespace discmc::command
 
 #endif

@@ -2,12 +2,13 @@
 #ifndef DISCMC_COMMAND_VOLUMES_UNPACKED_VOLUME_HPP
 #define DISCMC_COMMAND_VOLUMES_UNPACKED_VOLUME_HPP
 
+#include <sys/types.h>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <string_view>
 
-#include "volume_reader.hpp"
+#include "volume_info.hpp"
 #include "volume_stream.hpp"
 
 namespace discmc::command {
@@ -21,6 +22,27 @@ std::unique_ptr<VolumeReader> unpacked_volume(
 
 /// Writes what is left of a stream into a file, for which folders are made.
 void unpack(ByteStream& stream, const std::filesystem::path& file);
+
+/// A folder of its own, removed at its end with its contents, and also when a signal ends the
+/// program. Patients' data must not stay. A process that waits for that end removes it.
+class TemporaryFolder {
+ public:
+  /// Throws VolumeError where there can be none.
+  TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  void leave_to_remover();
+  [[noreturn]] void remove_at_end(int end, int alive) const;
+
+  std::filesystem::path path_;
+  pid_t remover_ = 0;
+  int alive_ = -1;
+};
 
 }  // namespace discmc::command
 

@@ -17,7 +17,7 @@
 
 #include "meshing.hpp"
 #include "samples/sample_type.hpp"
-#include "volume_reader.hpp"
+#include "volume_info.hpp"
 
 namespace discmc::command {
 

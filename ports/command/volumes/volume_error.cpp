@@ -1,6 +1,6 @@
 #include "volume_error.hpp"
 
-#include "text/control_character.hpp"
+#include "text/words.hpp"
 
 namespace discmc::command {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "volume_reader.hpp"
+#include "volume_info.hpp"
 
 namespace discmc::command {
 

@@ -1,4 +1,4 @@
-// The description of a volume, which is read before its samples.
+// What is known of a volume of a file, and how its slices are read.
 #ifndef DISCMC_COMMAND_VOLUMES_VOLUME_INFO_HPP
 #define DISCMC_COMMAND_VOLUMES_VOLUME_INFO_HPP
 
@@ -12,6 +12,7 @@
 #include "meshing.hpp"
 #include "samples/slice_reader.hpp"
 #include "samples/volume_placement.hpp"
+#include "volume_error.hpp"
 
 namespace discmc::command {
 
@@ -73,6 +74,17 @@ std::uint64_t bytes_of_all(const VolumeInfo& info);
 
 /// Returns the extents of a volume for a message, as in "8 x 9 x 6".
 std::string extents(const std::array<std::uint32_t, 3>& dims);
+
+/// One pass over a volume of a file. read_slice() and skip_slice() throw VolumeError if compressed
+/// data is damaged, after the last slice, and if the data ends early. The text then names the slice
+/// and the number of missing bytes.
+class VolumeReader : public SliceReader {
+ public:
+  const VolumeInfo& info() const override = 0;
+
+  /// What was assumed or left out so far. The last slice may add what follows it.
+  virtual const std::vector<std::string>& notes() const { return info().notes; }
+};
 
 }  // namespace discmc::command
 

@@ -13,7 +13,7 @@
 
 #include "byte_source.hpp"
 #include "packing.hpp"
-#include "volume_reader.hpp"
+#include "volume_info.hpp"
 
 namespace discmc::command {
 

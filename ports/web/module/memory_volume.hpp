@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "volumes/volume_reader.hpp"
+#include "volumes/volume_info.hpp"
 
 namespace discmc::web {
 

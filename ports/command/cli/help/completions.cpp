@@ -1,4 +1,4 @@
-#include "completions.hpp"
+#include "outline.hpp"
 
 #include <algorithm>
 

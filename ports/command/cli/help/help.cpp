@@ -1,4 +1,4 @@
-#include "help.hpp"
+#include "outline.hpp"
 
 #include <cstddef>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "manual.hpp"
+#include "outline.hpp"
 
 #include <algorithm>
 #include <cctype>

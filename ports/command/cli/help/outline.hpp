@@ -1,4 +1,4 @@
-// The command line as data, read off its definition: help, manual and completions are made of it.
+// The commands with their options, as --help, the manual page and the shells show them.
 #ifndef DISCMC_COMMAND_CLI_HELP_OUTLINE_HPP
 #define DISCMC_COMMAND_CLI_HELP_OUTLINE_HPP
 
@@ -38,6 +38,19 @@ struct CommandOutline {
 
 /// Limit: commands have no commands.
 CommandOutline outline_of(const CLI::App& app);
+
+/// In lines of 80 columns at most, but for words that are longer.
+std::string help(const CommandOutline& outline);
+
+/// In troff, for man(1): all commands with their options.
+std::string manual(const CommandOutline& program, const std::string& version);
+
+// Scripts for a shell each. They complete commands, options, the words that a value can be, and
+// else names of files.
+
+std::string bash_completions(const CommandOutline& program);
+std::string zsh_completions(const CommandOutline& program);
+std::string fish_completions(const CommandOutline& program);
 
 }  // namespace discmc::command
 

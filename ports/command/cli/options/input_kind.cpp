@@ -5,8 +5,6 @@
 #include <iterator>
 
 #include "mesh_options.hpp"
-#include "stream_options.hpp"
-#include "surface_options.hpp"
 #include "text/words.hpp"
 #include "volume_options.hpp"
 #include "volumes/volume.hpp"
@@ -59,6 +57,18 @@ void check_kind(const CLI::App& app, const std::string& input, bool is_volume) {
                                (is_volume ? "applies to streams, and " + input + " is a volume"
                                           : "applies to volumes, and " + input + " is a stream") +
                                    "; leave it out");
+}
+
+void add_choice_options(CLI::App& app, StreamChoice& choice) {
+  app.option_defaults()->group(stream_group);
+  app.add_option("--stream-channel", choice.channel,
+                 "number of the surface, if a stream or link has several (default: the first)")
+      ->check(CLI::Range(0, int{StreamLabel::max_channel}))
+      ->option_text("N");
+  app.add_option("--scan", choice.scan,
+                 "number of the scan, if a link has carried several (default: the first)")
+      ->check(CLI::Range(0, 65535))
+      ->option_text("N");
 }
 
 }  // namespace discmc::command

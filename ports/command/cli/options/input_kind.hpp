@@ -1,10 +1,13 @@
-// Inputs that may be a stream or a volume.
+// Inputs that may be a stream or a volume, and the options of streams.
 #ifndef DISCMC_COMMAND_CLI_OPTIONS_INPUT_KIND_HPP
 #define DISCMC_COMMAND_CLI_OPTIONS_INPUT_KIND_HPP
 
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+
+#include "meshing.hpp"
+#include "streams/stream_reader.hpp"
 
 namespace discmc::command {
 
@@ -21,6 +24,11 @@ void check_mesh_input(const CLI::App& app, const std::string& input);
 
 /// Throws CLI::ValidationError when an option is given that is for the other kind of input.
 void check_kind(const CLI::App& app, const std::string& input, bool is_volume);
+
+constexpr const char* stream_group = "Stream";
+
+/// --stream-channel and --scan.
+void add_choice_options(CLI::App& app, StreamChoice& choice);
 
 }  // namespace discmc::command
 

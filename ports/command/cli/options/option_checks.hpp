@@ -14,7 +14,7 @@
 
 #include "files/file_pattern.hpp"
 #include "text/number_text.hpp"
-#include "text/whole_number.hpp"
+#include "text/value_text.hpp"
 
 namespace discmc::command {
 

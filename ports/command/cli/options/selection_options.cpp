@@ -1,12 +1,11 @@
-#include "selection_options.hpp"
+#include "volume_options.hpp"
 
 #include <limits>
 #include <optional>
 #include <string>
 
-#include "surface_options.hpp"
 #include "text/number_text.hpp"
-#include "volumes/label_text.hpp"
+#include "volumes/label_description.hpp"
 
 namespace discmc::command {
 namespace {

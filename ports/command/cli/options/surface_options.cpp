@@ -1,8 +1,7 @@
-#include "surface_options.hpp"
+#include "volume_options.hpp"
 
 #include "named_values.hpp"
 #include "option_checks.hpp"
-#include "selection_options.hpp"
 
 namespace discmc::command {
 

@@ -1,8 +1,10 @@
-// Options under "Volume": how the file of a volume is read.
+// Options of commands that read a volume: how its file is read, and which surface of it is taken.
 #ifndef DISCMC_COMMAND_CLI_OPTIONS_VOLUME_OPTIONS_HPP
 #define DISCMC_COMMAND_CLI_OPTIONS_VOLUME_OPTIONS_HPP
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 #include "cli/arguments.hpp"
 
@@ -13,6 +15,23 @@ constexpr const char* volume_group = "Volume";
 /// The layout of a headerless file; what is chosen of a file, and how it is read; the part that is
 /// taken. options: must outlive the parsing.
 void add_volume_options(CLI::App& app, VolumeOptions& options);
+
+/// --iso, --range and --label: one of them, and of extract several times.
+void add_selection_options(CLI::App& app, std::vector<NamedSelection>& selections);
+
+constexpr const char* surface_group = "Surface";
+
+/// --labels and --label-table. The options of add_surface_options() come before. labels: those that
+/// are asked for. result: what each label becomes.
+void add_label_options(CLI::App& app, std::string& labels, VolumeArguments& arguments,
+                       const std::string& result);
+
+/// Refuses a table without labels, and labels with what would change their voxels. Throws:
+/// CLI::ValidationError.
+void check_label_options(const std::string& labels, const VolumeArguments& arguments);
+
+/// Those of selections, --border, --median, --mask, --allow-empty, --memory and --capacities.
+void add_surface_options(CLI::App& app, VolumeArguments& arguments);
 
 }  // namespace discmc::command
 

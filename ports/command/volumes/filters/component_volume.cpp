@@ -1,4 +1,4 @@
-#include "component_volume.hpp"
+#include "filters.hpp"
 
 #include <cstddef>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "cropped_volume.hpp"
+#include "filters.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "fill_value.hpp"
+#include "filters.hpp"
 
 #include <cstdint>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "label_bits.hpp"
+#include "filters.hpp"
 
 #include <algorithm>
 #include <string>

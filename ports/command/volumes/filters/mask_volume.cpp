@@ -1,4 +1,4 @@
-#include "mask_volume.hpp"
+#include "filters.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "cropped_volume.hpp"
-#include "shrunk_volume.hpp"
-#include "turned_volume.hpp"
 #include "volumes/format_list.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_filter.hpp"

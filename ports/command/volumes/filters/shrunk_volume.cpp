@@ -1,4 +1,4 @@
-#include "shrunk_volume.hpp"
+#include "filters.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "turned_volume.hpp"
+#include "filters.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "whole_labels.hpp"
+#include "filters.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "text/value_text.hpp"
+#include "text/number_text.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_filter.hpp"
 

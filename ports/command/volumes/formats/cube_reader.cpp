@@ -10,7 +10,7 @@
 #include "volumes/array_layout.hpp"
 #include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
-#include "volumes/header_text.hpp"
+#include "volumes/header_fields.hpp"
 
 namespace discmc::command {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "text/number_text.hpp"
 #include "volumes/formats/readers.hpp"
-#include "volumes/header_text.hpp"
+#include "volumes/header_fields.hpp"
 #include "volumes/length_unit.hpp"
 
 namespace discmc::command {

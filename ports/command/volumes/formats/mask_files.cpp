@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "text/words.hpp"
-#include "volumes/filters/turned_volume.hpp"
+#include "volumes/filters/filters.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
 #include "volumes/packing.hpp"
 #include "volumes/volume_error.hpp"

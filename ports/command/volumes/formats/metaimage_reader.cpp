@@ -8,10 +8,9 @@
 #include "text/words.hpp"
 #include "volumes/data_files.hpp"
 #include "volumes/declared_place.hpp"
-#include "volumes/filters/component_volume.hpp"
+#include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_fields.hpp"
-#include "volumes/header_text.hpp"
 
 namespace discmc::command {
 namespace {

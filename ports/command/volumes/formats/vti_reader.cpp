@@ -7,9 +7,9 @@
 
 #include "text/words.hpp"
 #include "volumes/declared_place.hpp"
-#include "volumes/filters/component_volume.hpp"
+#include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
-#include "volumes/header_text.hpp"
+#include "volumes/header_fields.hpp"
 
 #ifdef DISCMC_WITH_PUGIXML
 #include <pugixml.hpp>

@@ -1,4 +1,4 @@
-#include "choice.hpp"
+#include "stack.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "csa_header.hpp"
+#include "mosaic.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "distances.hpp"
+#include "order.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FILES_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FILES_HPP
 
+#include <cstdint>
 #include <filesystem>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,11 @@ std::vector<std::filesystem::path> dicom_files(const std::filesystem::path& fold
 
 /// The same of links that lead nowhere.
 std::vector<std::filesystem::path> dead_links(const std::filesystem::path& folder);
+
+/// Whether no item of a sequence is within more than `most` others. DCMTK reads every level with a
+/// call in the one around it, without a limit of its own. A small file could use up the stack. By
+/// the bytes of items alone, without regard to what is around them.
+bool is_nested_within(std::uint32_t most, const std::filesystem::path& file);
 
 }  // namespace discmc::command
 

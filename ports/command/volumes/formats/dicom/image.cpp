@@ -7,6 +7,7 @@
 #include "frames.hpp"
 #include "instead.hpp"
 #include "mosaic.hpp"
+#include "segmentation.hpp"
 #include "text/number_text.hpp"
 #include "vectors.hpp"
 #include "volumes/volume_error.hpp"

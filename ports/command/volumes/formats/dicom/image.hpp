@@ -5,14 +5,15 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "meshing.hpp"
+#include "pictures/srgb.hpp"
 #include "samples/sample_type.hpp"
-#include "segments.hpp"
 #include "traits.hpp"
 
 namespace discmc::command {
@@ -20,6 +21,23 @@ namespace discmc::command {
 /// How slices lie in the picture of a mosaic: in rows, the first at the top left.
 struct MosaicLayout {
   std::uint32_t across = 1;  ///< slices side by side, and as many rows of them
+};
+
+struct DicomSegment {
+  std::string name;
+  std::optional<Srgb> colour;
+};
+
+struct DicomSegments {
+  /// Whether a frame holds one segment, as bits or as fractions, or the numbers of all segments.
+  enum class Kind { bits, fractions, numbers };
+  Kind kind = Kind::bits;
+  /// The fraction of a whole voxel.
+  std::uint32_t full = 1;
+  /// Whether the file declares that no voxel is of two segments.
+  bool are_disjoint = false;
+  /// By their numbers.
+  std::map<std::uint32_t, DicomSegment> all;
 };
 
 /// An image object: the whole of a file, with one frame or more.

@@ -1,4 +1,4 @@
-#include "jpeg.hpp"
+#include "decoders.hpp"
 
 #include <limits>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "jpeg2000.hpp"
+#include "decoders.hpp"
 
 #include <openjpeg.h>
 

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "attributes.hpp"
-#include "csa_header.hpp"
 #include "text/number_text.hpp"
 #include "vectors.hpp"
 

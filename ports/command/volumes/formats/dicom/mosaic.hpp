@@ -2,7 +2,9 @@
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_MOSAIC_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_MOSAIC_HPP
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image.hpp"
@@ -22,6 +24,13 @@ bool is_mosaic(DcmItem& dataset);
 /// SliceNormalVector in the CSA header is the direction to the next slice (nibabel's "Siemens
 /// mosaic format" and dcm2niix agree).
 NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
+
+/// The values of each element, as text without blanks.
+using CsaHeader = std::map<std::string, std::vector<std::string>>;
+
+/// Reads a CSA image header, of the newer kind (SV10) or the older. Any bytes have a content: what
+/// is before the first damage.
+CsaHeader read_csa_header(std::string_view bytes);
 
 }  // namespace discmc::command
 

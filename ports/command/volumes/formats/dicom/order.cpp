@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "position_order.hpp"
 #include "stack.hpp"
 #include "text/number_text.hpp"
 #include "vectors.hpp"

@@ -4,10 +4,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "decoders.hpp"
 #include "fragments.hpp"
-#include "jpeg.hpp"
-#include "jpeg2000.hpp"
-#include "rle.hpp"
 #include "toolkit.hpp"
 
 #include <dcmtk/dcmdata/dcpixseq.h>

@@ -1,4 +1,4 @@
-#include "position_order.hpp"
+#include "order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "distances.hpp"
 #include "stack.hpp"
 #include "text/number_text.hpp"
 #include "volumes/gaps.hpp"

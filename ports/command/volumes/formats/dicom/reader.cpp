@@ -6,14 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "choice.hpp"
 #include "files.hpp"
 #include "image.hpp"
 #include "order.hpp"
 #include "pixels.hpp"
 #include "segmentation.hpp"
 #include "stack.hpp"
-#include "volumes/filters/component_volume.hpp"
+#include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/packing.hpp"
 #include "volumes/unpacked_volume.hpp"

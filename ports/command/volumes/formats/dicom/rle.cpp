@@ -1,4 +1,4 @@
-#include "rle.hpp"
+#include "decoders.hpp"
 
 #include <algorithm>
 

@@ -11,8 +11,6 @@
 #include <string>
 #include <utility>
 
-#include "distances.hpp"
-#include "layers.hpp"
 #include "order.hpp"
 #include "pixels.hpp"
 #include "stack.hpp"

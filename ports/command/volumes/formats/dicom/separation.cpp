@@ -1,4 +1,4 @@
-#include "separation.hpp"
+#include "stack.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -7,8 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "distances.hpp"
-#include "separation.hpp"
+#include "order.hpp"
 #include "text/number_text.hpp"
 #include "vectors.hpp"
 

@@ -1,11 +1,14 @@
-// DICOM frames that make a volume, found among many.
+// DICOM frames that make a volume, found among many, and which volume is meant.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_STACK_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_STACK_HPP
 
+#include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "image.hpp"
+#include "volumes/volume.hpp"
 
 namespace discmc::command {
 
@@ -39,6 +42,29 @@ bool have_one_direction(const DicomFrame& a, const DicomFrame& b);
 
 /// For messages: the name of the file, and the number of the frame in it.
 std::string name_of(const DicomFrame& frame);
+
+/// Frames of which no two lie in the same place, or that nothing separates.
+struct SeparatedFrames {
+  std::vector<DicomFrame> frames;
+  /// If only an order separates them, not a trait: "number 2 by trigger time".
+  std::string order;
+};
+
+/// Separates frames with places and one direction. Copies of one object count once, but where all
+/// frames stay together.
+std::vector<SeparatedFrames> separated(const std::vector<DicomFrame>& frames);
+
+/// A stack, and of how many that the choice of the series leaves.
+struct ChosenStack {
+  const DicomStack* stack = nullptr;
+  std::uint64_t among = 1;
+};
+
+/// Returns the stack of the series, given by its UID or by its place in the list, from 1; the only
+/// stack also without it. The frame chooses one of several in a series; the first is 0. Throws
+/// VolumeError, with the list, where none is meant or several are.
+ChosenStack chosen_stack(const std::filesystem::path& source, const std::vector<DicomStack>& stacks,
+                         const VolumeOptions& options);
 
 }  // namespace discmc::command
 

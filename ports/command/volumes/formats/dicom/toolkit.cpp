@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "nesting.hpp"
+#include "files.hpp"
 
 #include <dcmtk/dcmdata/dccodec.h>
 #include <dcmtk/dcmjpeg/djdecode.h>

@@ -4,8 +4,8 @@
 #include <functional>
 #include <numeric>
 
-#include "filters.hpp"
-#include "sources.hpp"
+#include "handle.hpp"
+#include "links.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {

@@ -1,4 +1,4 @@
-#include "filters.hpp"
+#include "handle.hpp"
 
 #include <cstring>
 #include <optional>

@@ -2,11 +2,13 @@
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_HANDLE_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_HANDLE_HPP
 
+#include <hdf5.h>
+#include <filesystem>
+#include <string>
+#include <utility>
+
 // Newer versions of the library keep the functions of this one, by this name.
 #define H5_USE_110_API
-#include <hdf5.h>
-
-#include <utility>
 
 namespace discmc::command {
 
@@ -34,6 +36,14 @@ class Hdf5Handle {
   hid_t id_;
   Close close_;
 };
+
+/// Gives the library what unpacks LZF, and Blosc where discmc was built with it.
+void register_hdf5_filters();
+
+/// Returns the names of the filters that packed a dataset. Throws VolumeError where one of them is
+/// not here. name: of the file, array: of the dataset in it, for the remedy.
+std::string hdf5_filters(const std::filesystem::path& name, const std::string& array,
+                         const Hdf5Handle& creation);
 
 }  // namespace discmc::command
 

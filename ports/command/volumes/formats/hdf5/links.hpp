@@ -1,7 +1,9 @@
-// What an HDF5 file leads to.
+// What an HDF5 file leads to, and the files that a dataset lies in.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_LINKS_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_LINKS_HPP
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,13 @@ struct Hdf5Contents {
 /// Returns the datasets of numbers that have at least two dimensions, each by its first path, those
 /// behind links to other files too.
 Hdf5Contents hdf5_contents(const Hdf5Handle& file);
+
+/// Returns the file that an object is in: another one than was opened where a link leads there.
+std::filesystem::path file_of(const Hdf5Handle& dataset);
+
+/// Returns the name of a missing file that a virtual dataset takes samples from. The library reads
+/// its fill value for them, and reports no error. Patterns of names are not looked at.
+std::optional<std::string> missing_source(const Hdf5Handle& dataset);
 
 }  // namespace discmc::command
 

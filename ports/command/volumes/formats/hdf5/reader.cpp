@@ -7,12 +7,11 @@
 #include "axes.hpp"
 #include "dataset.hpp"
 #include "links.hpp"
-#include "text/control_character.hpp"
+#include "text/words.hpp"
 #include "volumes/array_layout.hpp"
 #include "volumes/array_name.hpp"
 #include "volumes/declared_place.hpp"
-#include "volumes/filters/fill_value.hpp"
-#include "volumes/filters/turned_volume.hpp"
+#include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
 
 #ifdef DISCMC_WITH_JSON

@@ -1,4 +1,4 @@
-// The headers of NIfTI-1, NIfTI-2 and Analyze 7.5.
+// The headers of NIfTI-1, NIfTI-2 and Analyze 7.5, and the names of labels behind them.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_NIFTI_HEADER_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_NIFTI_HEADER_HPP
 
@@ -10,6 +10,7 @@
 
 #include "meshing.hpp"
 #include "samples/sample_type.hpp"
+#include "volumes/volume_info.hpp"
 #include "volumes/volume_stream.hpp"
 
 namespace discmc::command {
@@ -55,6 +56,13 @@ std::array<std::array<double, 4>, 3> qform_of(const NiftiHeader& header);
 /// Nothing if no type of samples has this number.
 std::optional<SampleType> type_of_nifti(int datatype);
 std::int16_t nifti_type_of(SampleType type);
+
+/// Reads the extensions behind a header, up to `end`, and adds their labels: those of Connectome
+/// Workbench and Caret, whose XML TotalSegmentator writes as well. What is of no use is left, and
+/// so is an extension that does not fit. stream: right behind the header; is then anywhere up to
+/// the end. Units: bytes of the stream.
+void read_label_extensions(ByteStream& stream, std::uint64_t end, bool is_big_endian,
+                           VolumeInfo& info);
 
 }  // namespace discmc::command
 

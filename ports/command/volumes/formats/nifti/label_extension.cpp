@@ -1,4 +1,4 @@
-#include "label_extension.hpp"
+#include "header.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "text/number_text.hpp"
 #include "text/words.hpp"
-#include "volumes/label_text.hpp"
+#include "volumes/label_description.hpp"
 
 #ifdef DISCMC_WITH_PUGIXML
 #include <pugixml.hpp>

@@ -12,10 +12,9 @@
 #include <utility>
 
 #include "header.hpp"
-#include "label_extension.hpp"
 #include "text/words.hpp"
 #include "volumes/declared_place.hpp"
-#include "volumes/filters/component_volume.hpp"
+#include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
 
 namespace discmc::command {

@@ -1,12 +1,11 @@
-#include "place.hpp"
+#include "header.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "header.hpp"
 #include "text/words.hpp"
-#include "volumes/header_text.hpp"
+#include "volumes/header_fields.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {

@@ -6,12 +6,11 @@
 #include <utility>
 
 #include "header.hpp"
-#include "place.hpp"
 #include "text/words.hpp"
 #include "volumes/data_files.hpp"
-#include "volumes/filters/component_volume.hpp"
+#include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
-#include "volumes/header_text.hpp"
+#include "volumes/header_fields.hpp"
 
 namespace discmc::command {
 namespace {

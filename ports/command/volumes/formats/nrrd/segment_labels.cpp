@@ -1,11 +1,11 @@
-#include "segment_labels.hpp"
+#include "header.hpp"
 
 #include <cmath>
 #include <cstddef>
 
 #include "text/number_text.hpp"
 #include "text/words.hpp"
-#include "volumes/label_text.hpp"
+#include "volumes/label_description.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {

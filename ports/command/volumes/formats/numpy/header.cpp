@@ -8,7 +8,7 @@
 #include "text/words.hpp"
 #include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
-#include "volumes/header_text.hpp"
+#include "volumes/header_fields.hpp"
 
 namespace discmc::command {
 namespace {

@@ -1,10 +1,20 @@
 // Arrays of NumPy, .npy: the file does not name its axes.
+#include <archive.h>
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "header.hpp"
+#include "volumes/archive_source.hpp"
 #include "volumes/array_layout.hpp"
+#include "volumes/array_name.hpp"
 #include "volumes/declared_place.hpp"
 #include "volumes/formats/readers.hpp"
+
+#ifdef DISCMC_WITH_LIBARCHIVE
+
+#endif
 
 namespace discmc::command {
 
@@ -30,5 +40,72 @@ std::unique_ptr<VolumeReader> numpy_volume(ByteStream stream, const std::string&
 std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions& options) {
   return numpy_volume(std::move(stream), "NumPy", options);
 }
+
+#ifdef DISCMC_WITH_LIBARCHIVE
+namespace {
+
+constexpr std::string_view ending = ".npy";
+
+std::unique_ptr<ArchiveSource> opened(const std::filesystem::path& file) {
+  return std::make_unique<ArchiveSource>(
+      file, [](archive* reader) { archive_read_support_format_zip(reader); });
+}
+
+// The name of the array in a member: "/volume" of "volume.npy"; empty of other members.
+std::string name_of_array(const std::string& member) {
+  if (member.size() <= ending.size() ||
+      member.compare(member.size() - ending.size(), ending.size(), ending) != 0)
+    return {};
+  return "/" + member.substr(0, member.size() - ending.size());
+}
+
+// A member that is read while the archive is kept for those to come.
+class Member final : public ByteSource {
+ public:
+  explicit Member(ArchiveSource& archive) : archive_(archive) {}
+  std::size_t read(void* bytes, std::size_t count) override { return archive_.read(bytes, count); }
+  std::uint64_t max_left() const override { return unbounded; }
+  std::string damage() const override { return archive_.damage(); }
+
+ private:
+  ArchiveSource& archive_;
+};
+
+std::vector<NamedArray> arrays_of(const std::filesystem::path& file) {
+  const auto archive = opened(file);
+  std::vector<NamedArray> arrays;
+  while (const auto member = archive->next_member()) {
+    const std::string name = name_of_array(*member);
+    if (name.empty()) continue;
+    ByteStream stream(file, std::make_unique<Member>(*archive));
+    const NumpyHeader header = read_numpy_header(stream);
+    if (numpy_type(header.type) && header.shape.sizes.size() >= 2)
+      arrays.push_back({name, header.shape.sizes});
+  }
+  if (!archive->damage().empty()) fail(file, archive->damage(), "copy or save the file again");
+  return arrays;
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_npz(const std::filesystem::path& name,
+                                       const VolumeOptions& options) {
+  const ArrayName parts = array_name(name);
+  // For its refusal of what is no file.
+  if (ByteStream(parts.file).is_read_once())
+    fail(name, "archives of NumPy cannot be read from a pipe", "store it in a file");
+  const std::string asked =
+      parts.array.empty() ? only_array(name, arrays_of(parts.file)) : parts.array;
+  auto archive = opened(parts.file);
+  while (const auto member = archive->next_member())
+    if (name_of_array(*member) == asked)
+      return numpy_volume(ByteStream(name, std::move(archive)), "NumPy, npz", options);
+  fail_no_array(name, asked, arrays_of(parts.file));
+}
+#else
+std::unique_ptr<VolumeReader> open_npz(const std::filesystem::path& name, const VolumeOptions&) {
+  fail(name, "this discmc was built without libarchive", "unzip it and give the .npy in it");
+}
+#endif
 
 }  // namespace discmc::command

@@ -13,8 +13,8 @@
 
 #include "hyperstack.hpp"
 #include "meshing.hpp"
-#include "palette.hpp"
 #include "picture_names.hpp"
+#include "sample_packing.hpp"
 #include "samples/sample_type.hpp"
 
 namespace discmc::command {

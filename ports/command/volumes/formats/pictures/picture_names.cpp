@@ -8,7 +8,6 @@
 #include <system_error>
 #include <utility>
 
-#include "numbered_name.hpp"
 #include "text/number_text.hpp"
 #include "text/words.hpp"
 
@@ -137,6 +136,18 @@ std::vector<Gap> gaps_of_names(const std::vector<std::filesystem::path>& files) 
            "between " + files[i].filename().string() + " and " + files[i + 1].filename().string()});
   }
   return gaps;
+}
+
+NumberedName::NumberedName(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  for (auto at = name.begin();;) {
+    const auto first = std::find_if(at, name.end(), is_digit);
+    texts.emplace_back(at, first);
+    if (first == name.end()) return;
+    at = std::find_if_not(first, name.end(), is_digit);
+    digits.emplace_back(first, at);
+    numbers.emplace_back(std::find_if(first, at, [](char c) { return c != '0'; }), at);
+  }
 }
 
 }  // namespace discmc::command

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,6 +41,15 @@ void sort_naturally(std::vector<std::filesystem::path>& files);
 /// number that grows by even steps, and in places by a multiple of them. Other numbers count
 /// nothing, and leave no gaps.
 std::vector<Gap> gaps_of_names(const std::vector<std::filesystem::path>& files);
+
+/// The name of a file, without its folder.
+struct NumberedName {
+  explicit NumberedName(const std::filesystem::path& file);
+
+  std::vector<std::string> texts;    ///< before, between and after the numbers
+  std::vector<std::string> digits;   ///< the numbers as they are written
+  std::vector<std::string> numbers;  ///< the same without leading zeros
+};
 
 }  // namespace discmc::command
 

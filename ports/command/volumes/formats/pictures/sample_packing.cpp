@@ -1,10 +1,12 @@
 #include "sample_packing.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "volumes/half_float.hpp"
 
 namespace discmc::command {
+
 void take_channel(const unsigned char* stored, std::size_t pixels, std::size_t sample_bytes,
                   std::uint32_t channels, std::uint32_t channel, unsigned char* samples) {
   stored += channel * sample_bytes;
@@ -36,6 +38,18 @@ void widen_halves(const unsigned char* stored, std::size_t count, unsigned char*
     const float value = float_of_half(half);
     std::memcpy(samples + 4 * i, &value, sizeof value);
   }
+}
+
+bool is_grey(const Palette& palette) {
+  return !palette.empty() && std::all_of(palette.begin(), palette.end(), [](const Srgb& colour) {
+    return colour[0] == colour[1] && colour[1] == colour[2];
+  });
+}
+
+void resolve_greys(const Palette& palette, unsigned char* samples, std::size_t count) {
+  std::for_each(samples, samples + count, [&palette](unsigned char& sample) {
+    if (sample < palette.size()) sample = palette[sample][0];
+  });
 }
 
 }  // namespace discmc::command

@@ -1,9 +1,13 @@
-// Samples as pictures store them: packed in bits, as halves, or beside those of other channels.
+// Samples as pictures store them: packed in bits, as halves, beside those of other channels, or as
+// numbers of colours.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_SAMPLE_PACKING_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_SAMPLE_PACKING_HPP
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
+
+#include "pictures/srgb.hpp"
 
 namespace discmc::command {
 
@@ -18,6 +22,14 @@ void unpack_bits(const unsigned char* stored, std::size_t count, unsigned bits,
 
 /// Makes floats of halves (IEEE 754, 16 bits), both in native byte order.
 void widen_halves(const unsigned char* stored, std::size_t count, unsigned char* samples);
+
+using Palette = std::vector<Srgb>;
+
+/// Whether its colours are grey values: samples then become those, not their numbers.
+bool is_grey(const Palette& palette);
+
+/// Replaces numbers of greys by the greys. Limit: is_grey(palette). Numbers beyond it stay.
+void resolve_greys(const Palette& palette, unsigned char* samples, std::size_t count);
 
 }  // namespace discmc::command
 

@@ -26,6 +26,16 @@ struct Stack {
 Stack stack_of(const std::filesystem::path& source, const std::vector<std::filesystem::path>& files,
                const VolumeOptions& options, VolumeInfo& info);
 
+/// Throws if the names belong to several stacks, with a pattern of one of them. They do if they
+/// differ in more than their numbers, or if no number counts the files by itself. source: what was
+/// named. files: in natural order.
+void require_one_stack(const std::filesystem::path& source,
+                       const std::vector<std::filesystem::path>& files);
+
+/// Sets spacing and placement as the files describe them, or SkyScan's log beside them, with notes
+/// of what they leave out.
+void set_place_of(VolumeInfo& info, const Stack& stack, const VolumeOptions& options);
+
 }  // namespace discmc::command
 
 #endif

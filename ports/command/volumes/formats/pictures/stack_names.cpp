@@ -1,4 +1,4 @@
-#include "stack_names.hpp"
+#include "stack.hpp"
 
 #include <fnmatch.h>
 
@@ -12,7 +12,7 @@
 #include <string>
 #include <system_error>
 
-#include "numbered_name.hpp"
+#include "picture_names.hpp"
 #include "text/number_text.hpp"
 #include "volumes/volume_error.hpp"
 

@@ -1,4 +1,4 @@
-#include "stack_place.hpp"
+#include "stack.hpp"
 
 #include <array>
 #include <locale>

@@ -11,8 +11,6 @@
 #include "picture_names.hpp"
 #include "skyscan.hpp"
 #include "stack.hpp"
-#include "stack_names.hpp"
-#include "stack_place.hpp"
 #include "volumes/formats/readers.hpp"
 
 namespace discmc::command {

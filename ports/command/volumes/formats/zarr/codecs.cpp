@@ -1,4 +1,4 @@
-#include "codecs.hpp"
+#include "description.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "codecs.hpp"
 #include "meshing.hpp"
 #include "metadata.hpp"
 #include "samples/sample_type.hpp"
@@ -25,6 +25,14 @@ struct ZarrShard {
   PerAxis chunks;  ///< along each axis
   bool has_index_at_start = false;
   bool has_index_checksum = false;
+};
+
+enum class ZarrCodec : std::uint8_t { gzip, zlib, zstd, blosc, crc32c };
+
+/// A filter of numcodecs that samples went through before they were packed.
+struct ZarrFilter {
+  std::size_t shuffled_bytes = 0;   ///< of an element whose bytes are apart; otherwise 0
+  std::optional<SampleType> delta;  ///< of samples that are differences to those before
 };
 
 struct ZarrDescription {
@@ -51,6 +59,19 @@ struct ZarrDescription {
 /// Throws VolumeError if the array has no numbers, is packed in a way that is not read, or has none
 /// of its chunks.
 ZarrDescription described(const ZarrNode& node);
+
+/// Returns the codec of a name in version 2 or 3; nothing where it is not read.
+std::optional<ZarrCodec> zarr_codec(std::string_view name);
+
+using ChunkBytes = std::vector<unsigned char>;
+
+/// Undoes a filter.
+void undo(const ZarrFilter& filter, ChunkBytes& bytes);
+
+/// Undoes codecs, of which the first was applied first. chunk: for errors. bytes: of the chunk
+/// before. Throws VolumeError if it has fewer, or is damaged.
+ChunkBytes decoded(const std::filesystem::path& chunk, ChunkBytes packed,
+                   const std::vector<ZarrCodec>& codecs, std::size_t bytes);
 
 }  // namespace discmc::command
 

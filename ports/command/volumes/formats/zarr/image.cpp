@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "folder.hpp"
-#include "text/control_character.hpp"
+#include "text/words.hpp"
 #include "volumes/array_layout.hpp"
 #include "volumes/array_name.hpp"
-#include "volumes/header_text.hpp"
+#include "volumes/header_fields.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_info.hpp"
 

@@ -13,7 +13,7 @@
 #include "image.hpp"
 #include "volumes/array_layout.hpp"
 #include "volumes/declared_place.hpp"
-#include "volumes/filters/fill_value.hpp"
+#include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
 
 namespace discmc::command {

@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "imagej.hpp"
-#include "ome.hpp"
 #include "page.hpp"
 #include "samples.hpp"
 #include "shaped.hpp"
-#include "unread.hpp"
 #include "volumes/formats/pictures/picture_file.hpp"
 #include "volumes/volume_error.hpp"
 #include "volumes/volume_stream.hpp"

@@ -6,7 +6,7 @@
 
 #include "text/number_text.hpp"
 #include "text/words.hpp"
-#include "volumes/header_text.hpp"
+#include "volumes/header_fields.hpp"
 #include "volumes/length_unit.hpp"
 #include "volumes/volume_error.hpp"
 

@@ -1,11 +1,15 @@
-// What ImageJ writes into the description of a TIFF file, and others after it.
+// The descriptions in TIFF files: what ImageJ writes, and others after it, and OME-XML
+// (https://docs.openmicroscopy.org/ome-model/), which names the page and file of each slice.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_IMAGEJ_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_IMAGEJ_HPP
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "volumes/formats/pictures/hyperstack.hpp"
 
@@ -25,6 +29,18 @@ bool is_imagej(std::string_view description);
 /// Returns the stack that it describes, which may have more planes than the file has pages. Above 4
 /// GB ImageJ writes one page, and the others behind it.
 Hyperstack imagej_stack(const TiffFacts& facts, std::string_view description);
+
+/// Returns the number of pages of a TIFF file. Throws VolumeError when it cannot be opened.
+using CountPages = std::function<std::uint64_t(const std::filesystem::path& file)>;
+
+/// Whether a description is OME-XML.
+bool is_ome(std::string_view description);
+
+/// Returns the images that the OME-XML of a file describes, with pages of this file or of others
+/// beside it. samples: of a pixel of the first page. Throws when a page does not exist.
+std::vector<Hyperstack> ome_images(const std::filesystem::path& file,
+                                   const std::string& description, std::uint64_t samples,
+                                   const CountPages& count_pages);
 
 }  // namespace discmc::command
 

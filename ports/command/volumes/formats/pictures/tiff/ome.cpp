@@ -1,6 +1,6 @@
-#include "ome.hpp"
+#include "imagej.hpp"
 
-#include "volumes/header_text.hpp"
+#include "volumes/header_fields.hpp"
 #include "volumes/length_unit.hpp"
 #include "volumes/volume_error.hpp"
 

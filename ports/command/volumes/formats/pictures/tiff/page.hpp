@@ -3,15 +3,15 @@
 #define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_PAGE_HPP
 
 #include <tiffio.h>
-
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
 #include "meshing.hpp"
 #include "samples/sample_type.hpp"
-#include "volumes/formats/pictures/palette.hpp"
+#include "volumes/formats/pictures/sample_packing.hpp"
 
 namespace discmc::command {
 
@@ -56,6 +56,17 @@ std::uint32_t count_of(TIFF* tiff, std::uint32_t tag);
 
 /// Returns the type of the samples as they are read; nothing where they cannot be.
 std::optional<SampleType> sample_type(const TiffPage& page);
+
+/// Throws where pages are laid out by rules that are in tags of a maker.
+void require_read_layout(const std::filesystem::path& file, TIFF* tiff, std::uint32_t pages);
+
+/// Throws where pages are those of ScanImage, and not a slice each: channels and times are pages,
+/// too.
+void require_slices_of_scan_image(const std::filesystem::path& file, TIFF* tiff,
+                                  std::uint32_t pages);
+
+/// Throws where the samples of a page are of a kind that is not read.
+void require_read(const std::filesystem::path& file, const TiffPage& page);
 
 }  // namespace discmc::command
 

@@ -1,4 +1,4 @@
-#include "unread.hpp"
+#include "page.hpp"
 
 #include <algorithm>
 #include <iterator>
