@@ -137,13 +137,16 @@ class Extractors {
   }
 
   std::vector<Extraction> results(const SampleGrid& info, const SlabSpans& spans,
-                                  const BitSource& bits) const {
+                                  const BitSource& bits) {
     const std::uint64_t voxels = std::uint64_t{spans.own.count()} * info.dims[0] * info.dims[1];
     const bool is_of_slab = spans.own.count() < info.dims[2];
     std::vector<Extraction> results;
-    for (std::size_t i = 0; i < extractors_.size(); ++i)
+    for (std::size_t i = 0; i < extractors_.size(); ++i) {
       results.push_back({extractors_[i].statistics(), voxels, bits.not_numbers(), bits.is_full(i),
                          is_of_slab, use_of(extractors_[i])});
+      if constexpr (std::is_same_v<AnyExtractor, HostExtractor>)
+        results.back().left_triangle_parts = extractors_[i].left_triangle_parts();
+    }
     return results;
   }
 

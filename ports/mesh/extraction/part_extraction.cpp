@@ -297,6 +297,14 @@ class Parts {
     totals = joiner.totals();
   }
 
+  // Two parts share the cells at their seam, and each rounds its counts down.
+  static void add_left_triangles(Extraction& sum, std::uint32_t parts) {
+    constexpr std::uint32_t whole = detail::trace::CountParts::triangle;
+    sum.left_triangle_parts += parts;
+    sum.statistics.classic_triangles += sum.left_triangle_parts / whole;
+    sum.left_triangle_parts %= whole;
+  }
+
   void add(const std::vector<Extraction>& extractions) {
     if (sums_.empty()) {
       sums_ = extractions;
@@ -308,6 +316,7 @@ class Parts {
       sums_[i].voxels += extractions[i].voxels;
       sums_[i].not_numbers += extractions[i].not_numbers;
       sums_[i].is_full = sums_[i].is_full && extractions[i].is_full;
+      add_left_triangles(sums_[i], extractions[i].left_triangle_parts);
     }
   }
 

@@ -26,6 +26,9 @@ class HostExtractor : public BasicExtractor<uint32_t, BitIntake, host::Sweep> {
   /// after start() or restore(), which forget it. Owner: the receiver must outlive the scan.
   void set_region_receiver(const RegionReceiver& receiver) { sweep().set_receiver(receiver); }
 
+  /// After finish(): as host::Sweep.
+  uint32_t left_triangle_parts() { return sweep().left_triangle_parts(); }
+
  private:
   HostExtractor(const HostExtractor&) = default;
   HostExtractor& operator=(const HostExtractor&) = default;

@@ -76,6 +76,17 @@ bool Sweep::settle_holes(const Sink& sink, Statistics& statistics) {
   return Plain::settle_holes(sink, statistics);
 }
 
+uint32_t Sweep::left_triangle_parts() const {
+  detail::trace::SweepCounts counts = counts_;
+  Statistics next{};
+  uint32_t parts = detail::trace::CountParts::triangle;
+  for (; next.classic_triangles == 0; --parts) {
+    counts.add(0, 0, 1);
+    counts.add_to(next);
+  }
+  return parts;
+}
+
 void Sweep::take_edges(Statistics& statistics) {
   is_due_ = true;
   found_.find(edges_, counts_);

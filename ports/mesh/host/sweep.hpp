@@ -34,6 +34,10 @@ class Sweep : private detail::trace::Sweep<uint32_t, NoNormal> {
   bool flush(const Sink& sink, Statistics& statistics);
   bool settle_holes(const Sink& sink, Statistics& statistics);
 
+  /// What the statistics leave out of the triangles of classic Marching Cubes: the share of a slab
+  /// in cells at its seams. Units: CountParts::triangle to a triangle. Limit: after the last row.
+  uint32_t left_triangle_parts() const;
+
  private:
   using Slots = Chains::Slots;
 
