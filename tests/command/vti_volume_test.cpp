@@ -91,13 +91,55 @@ TEST_CASE("in VTK's XML an axis of negative spacing runs backwards along its dir
                 "Direction is '1 0 0 1', which is not 9 numbers");
 }
 
+TEST_CASE("a rectilinear grid of even steps in VTK's XML is a volume") {
+  const Folder folder;
+  const auto text = [](const std::string& numbers) {
+    return "<DataArray type=\"Float64\" format=\"ascii\">" + numbers + "</DataArray>";
+  };
+  const auto grid = [&](const std::string& samples, const std::string& coordinates,
+                        const std::string& behind) {
+    std::string file = vti("", whole, samples, behind);
+    file.insert(file.find("</Piece>"), "<Coordinates>" + coordinates + "</Coordinates>");
+    for (std::size_t at = 0; (at = file.find("ImageData", at)) != std::string::npos;)
+      file.replace(at, 9, "RectilinearGrid");
+    return file;
+  };
+  std::string numbers;
+  for (const char sample : u8) numbers += std::to_string(static_cast<unsigned char>(sample)) + ' ';
+  const std::string inline_samples =
+      "><DataArray type=\"UInt8\" format=\"ascii\">" + numbers + "</DataArray>";
+  const std::string yz = text("3 3.5 4") + text("1 5 9 13");
+  const auto even = folder.write("v.vtr", grid(inline_samples, text("-2 0 2 4 6") + yz, ""));
+  check_volume(even, SampleType::u8, "VTK XML, text");
+  const VolumeInfo info = open_volume(even)->info();
+  CHECK(info.spacing_mm == std::array<double, 3>{2, 0.5, 4});
+  CHECK(info.placement->origin_mm == std::array<double, 3>{-2, 3, 1});
+
+  // In appended data they are behind the samples.
+  const std::string array = "<DataArray type=\"UInt8\" format=\"appended\" offset=\"";
+  const auto bytes = [](const std::string& values) {
+    return std::string(1, static_cast<char>(values.size())) + std::string(3, '\0') + values;
+  };
+  check_volume(
+      folder.write(
+          "appended.vtr",
+          grid(">" + appended_array, array + "67\"/>" + array + "76\"/>" + array + "83\"/>",
+               appended + bytes("\1\2\3\4\5") + bytes("\2\4\6") + bytes("\1\2\3\4"))),
+      SampleType::u8, "VTK XML, raw");
+  CHECK(open_volume(folder.path() / "appended.vtr")->info().spacing_mm ==
+        std::array<double, 3>{1, 2, 1});
+
+  check_refusal(refusal(folder.write("v.vtr", grid(inline_samples, text("0 1 2 3 9") + yz, ""))),
+                "the coordinates of the axis 'x' are uneven, from 0 to 9");
+}
+
 TEST_CASE("unsupported VTK XML is refused by name") {
   const Folder folder;
   const auto check = [&](const std::string& bytes, const std::string& part) {
     check_refusal(refusal(folder.write("v.vti", bytes)), part);
   };
   const std::string points = ">" + appended_array;
-  check("<VTKFile type=\"RectilinearGrid\">", "VTK's 'RectilinearGrid', not ImageData");
+  check("<VTKFile type=\"StructuredGrid\">", "VTK's 'StructuredGrid', neither ImageData nor");
   check(vti("", whole, ">", appended), "there is no array of samples");
   check(vti("", whole, points, ""), "no array of samples in the first");
   check(vti("", "WholeExtent=\"0 4 0 2 0 7\"", points, appended), "in several pieces");

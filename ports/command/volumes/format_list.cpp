@@ -53,7 +53,7 @@ const std::vector<VolumeFormat>& formats() {
              "give an array of the .h5 beside it, such as FILE.h5:/t00000/s00/0/cells"),
       unread("GIFTI", {".gii"}, {{anywhere, "<GIFTI"}},
              "this is a surface; give the volume that it was made of"),
-      {"VTK XML", {".vti"}, {{0, "<?xml"}, {0, "<VTKFile"}}, open_vti, nullptr},
+      {"VTK XML", {".vti", ".vtr"}, {{0, "<?xml"}, {0, "<VTKFile"}}, open_vti, nullptr},
       {"NumPy", {".npy"}, {{0, "\x93NUMPY"}}, open_numpy, nullptr},
       {"npz", {".npz"}, {}, nullptr, open_npz},
       {"InVesalius", {".inv3"}, {{257, "ustar"}}, open_invesalius, nullptr},

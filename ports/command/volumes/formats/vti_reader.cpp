@@ -1,11 +1,13 @@
-// VTK's image in XML, https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html: the
-// samples are in an element of their own, or after all elements, which is then no XML any more.
+// VTK's image and rectilinear grid in XML:
+// https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html.
+// The samples are in an element of their own, or after all elements, which is then no XML any more.
 // So what comes before them is cut off and parsed.
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "text/words.hpp"
+#include "volumes/array_layout.hpp"
 #include "volumes/declared_place.hpp"
 #include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
@@ -23,7 +25,9 @@ namespace {
 // The elements before the samples, as they are in the file.
 class Head {
  public:
-  explicit Head(ByteStream& stream) : file_(stream.file()) {
+  /// coordinate: of a grid, the axis whose coordinates the stream is then before, not the samples.
+  explicit Head(ByteStream& stream, std::optional<std::size_t> coordinate = std::nullopt)
+      : file_(stream.file()), coordinate_(coordinate) {
     std::string text;
     do {
       take_tag(stream, text);
@@ -33,15 +37,16 @@ class Head {
       if (!is_appended_ && !begins("<DataArray") && !begins("<VTKFile")) continue;
       document_.load_buffer(text.data(), text.size());
       const std::string_view type = root().attribute("type").value();
-      if (type != "ImageData")
-        fail(file_, "this is VTK's " + shown(type) + ", not ImageData",
+      if (type != "ImageData" && type != "RectilinearGrid")
+        fail(file_, "this is VTK's " + shown(type) + ", neither ImageData nor RectilinearGrid",
              "write one image, e.g. with ParaView's filter Resample To Image");
     } while (!is_appended_ && !(array() && format() != "appended"));
     if (!array()) fail(file_, "there is no array of samples", "give an image with samples");
   }
 
   pugi::xml_node root() const { return document_.child("VTKFile"); }
-  pugi::xml_node image() const { return root().child("ImageData"); }
+  bool is_grid() const { return !root().child("RectilinearGrid").empty(); }
+  pugi::xml_node image() const { return root().child(is_grid() ? "RectilinearGrid" : "ImageData"); }
   pugi::xml_node piece() const { return image().child("Piece"); }
   /// Whether the samples are those of cells, between points: where points have none.
   bool is_of_cells() const { return !piece().child("PointData").child("DataArray"); }
@@ -49,6 +54,12 @@ class Head {
   bool has_scalars() const { return !std::string_view(scalars()).empty(); }
   /// That one, or else the first.
   pugi::xml_node array() const {
+    if (coordinate_) {
+      const auto arrays = piece().child("Coordinates").children("DataArray");
+      auto array = arrays.begin();
+      for (std::size_t i = 0; i < *coordinate_ && array != arrays.end(); ++i) ++array;
+      return array != arrays.end() ? *array : pugi::xml_node();
+    }
     return has_scalars() ? data().find_child_by_attribute("DataArray", "Name", scalars())
                          : data().child("DataArray");
   }
@@ -88,7 +99,8 @@ class Head {
 
   // Appends what comes, up to the end of a tag.
   void take_tag(ByteStream& stream, std::string& text) const {
-    constexpr std::size_t max_header_bytes = 1U << 20;
+    // The samples may precede the coordinates.
+    const std::size_t max_header_bytes = std::size_t{1} << (coordinate_ ? 30 : 20);
     char c = 0;
     bool has_tag = false;
     while (c != '>' || !has_tag) {
@@ -102,6 +114,7 @@ class Head {
   }
 
   std::filesystem::path file_;
+  std::optional<std::size_t> coordinate_;
   pugi::xml_document document_;
   bool is_appended_ = false;
 };
@@ -123,16 +136,8 @@ std::optional<std::array<double, count>> numbers(const std::filesystem::path& fi
   return result;
 }
 
-void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Head& head,
-                  const VolumeOptions& options) {
-  const auto extent = head.extent(head.image(), "WholeExtent");
-  if (head.extent(head.piece(), "Extent") != extent)
-    fail(file, "the image is in several pieces", "write it in one, e.g. with ParaView");
-  const std::int64_t last = head.is_of_cells() ? 0 : 1;
-  set_dims(
-      info, file,
-      {extent[1] - extent[0] + last, extent[3] - extent[2] + last, extent[5] - extent[4] + last});
-  DeclaredPlace place;
+void place_image(DeclaredPlace& place, const std::filesystem::path& file, const Head& head,
+                 const std::vector<std::int64_t>& extent) {
   const auto spacing = numbers<3>(file, head.image(), "Spacing");
   if (spacing) std::copy(spacing->begin(), spacing->end(), place.spacing.begin());
   place.origin = numbers<3>(file, head.image(), "Origin").value_or(place.origin);
@@ -146,7 +151,6 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Hea
     for (std::size_t row = 0; row < 3; ++row)
       place.origin[row] += (static_cast<double>(extent[2 * axis]) + before) *
                            directions[axis][row] * place.spacing[axis].value_or(1);
-  set_place(info, place, options);
 }
 
 // Which of several arrays was taken, or may have been.
@@ -233,24 +237,14 @@ bool go_to_array(ByteStream& stream, const Head& head) {
   return head.appended_encoding() == "base64";
 }
 
-}  // namespace
-
-std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& options) {
+// The samples of the array that the stream is before. info: its type and extents are known.
+std::unique_ptr<VolumeReader> open_array(ByteStream stream, const Head& head, VolumeInfo info,
+                                         const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
-  const Head head(stream);
-  const std::int64_t components = integer(
-      file, "NumberOfComponents", head.array().attribute("NumberOfComponents").as_string("1"));
   const std::string_view compressor = head.root().attribute("compressor").value();
   if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
     fail(file, "samples of " + shown(compressor) + " are not supported",
          "write the file with zlib, or not compressed");
-
-  VolumeInfo info;
-  info.type = sample_type(file, head.array().attribute("type").value());
-  set_geometry(info, file, head, options);
-  set_channels(info, file, static_cast<std::uint64_t>(std::max<std::int64_t>(1, components)),
-               options.channel);
-  note_arrays(info, head);
   const std::string_view order = head.root().attribute("byte_order").value();
   if (order != "LittleEndian" && order != "BigEndian")
     fail(file, "byte_order is " + shown(order), "write LittleEndian or BigEndian");
@@ -274,6 +268,74 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
     return std::make_unique<SliceStream>(std::move(all), std::move(stream), big_endian,
                                          std::nullopt, no_note);
   });
+}
+
+// Coordinates of the points of a grid along an axis.
+std::vector<double> coordinates_of(const std::filesystem::path& file, std::size_t axis,
+                                   std::uint32_t count) {
+  ByteStream stream = open_content(file);
+  const Head head(stream, axis);
+  VolumeInfo info;
+  info.type = sample_type(file, head.array().attribute("type").value());
+  info.dims = {count, 1, 1};
+  const auto array = open_array(std::move(stream), head, info, {});
+  std::vector<unsigned char> bytes(info.slice_bytes());
+  array->read_slice(bytes.data());
+  std::vector<double> values(count);
+  with_sample_type(info.type, [&](auto typed) {
+    using Sample = decltype(typed);
+    const auto* const samples = reinterpret_cast<const Sample*>(bytes.data());
+    std::transform(samples, samples + count, values.begin(),
+                   [](Sample sample) { return static_cast<double>(sample); });
+  });
+  return values;
+}
+
+void place_grid(DeclaredPlace& place, const std::filesystem::path& file, const Head& head,
+                const VolumeInfo& info, const VolumeOptions& options) {
+  place.directions = coordinates;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::uint32_t count = info.dims[axis] + (head.is_of_cells() ? 1 : 0);
+    std::vector<double> values = coordinates_of(file, axis, count);
+    if (head.is_of_cells()) {
+      for (std::size_t i = 0; i + 1 < count; ++i) values[i] = (values[i] + values[i + 1]) / 2;
+      values.pop_back();
+    }
+    take_coordinates(place, axis, file, std::string(1, "xyz"[axis]), values, options);
+  }
+}
+
+void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Head& head,
+                  const VolumeOptions& options) {
+  const auto extent = head.extent(head.image(), "WholeExtent");
+  if (head.extent(head.piece(), "Extent") != extent)
+    fail(file, "the image is in several pieces", "write it in one, e.g. with ParaView");
+  const std::int64_t last = head.is_of_cells() ? 0 : 1;
+  set_dims(
+      info, file,
+      {extent[1] - extent[0] + last, extent[3] - extent[2] + last, extent[5] - extent[4] + last});
+  DeclaredPlace place;
+  if (head.is_grid())
+    place_grid(place, file, head, info, options);
+  else
+    place_image(place, file, head, extent);
+  set_place(info, place, options);
+}
+
+}  // namespace
+
+std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& options) {
+  const std::filesystem::path file = stream.file();
+  const Head head(stream);
+  const std::int64_t components = integer(
+      file, "NumberOfComponents", head.array().attribute("NumberOfComponents").as_string("1"));
+  VolumeInfo info;
+  info.type = sample_type(file, head.array().attribute("type").value());
+  set_geometry(info, file, head, options);
+  set_channels(info, file, static_cast<std::uint64_t>(std::max<std::int64_t>(1, components)),
+               options.channel);
+  note_arrays(info, head);
+  return open_array(std::move(stream), head, std::move(info), options);
 }
 #else
 std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions&) {
