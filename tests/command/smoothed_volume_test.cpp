@@ -327,11 +327,10 @@ TEST_CASE("--smooth takes a mask, a label and a threshold, and gives triangles")
     workshop.done(volume + same + " -o same.obj");
     CHECK(same_mesh(workshop.read("same.obj"), workshop.read("auto.obj")));
   }
-  workshop.done(volume + "--iso 1 --smooth auto --surface merged -o merged.obj");
-  CHECK(roundness_of(command_tests::mesh_of_obj(workshop.read("merged.obj"))).mean_degrees > 10);
-  workshop.done(volume + "--iso 1 --smooth auto -o v.dmc");
-  workshop.done("decode v.dmc -o decoded.obj");
-  workshop.done(volume + "--iso 1 --smooth auto --faces polygons -o polygons.ply");
+  for (const std::string merged : {"-o v.dmc", "-o v.jsonl", "--surface merged -o v.obj",
+                                   "--faces polygons -o v.ply", "--no-conforming -o v.ply"})
+    CHECK(contains(workshop.run(volume + "--iso 1 --smooth auto " + merged).error,
+                   "--smooth: has no effect on merged polygons"));
 
   workshop.done(volume + "--iso 1 --smooth 1e-6 -o least.obj");
   for (const std::string none : {"0", "1e-300", "9e-7", "1001"})

@@ -102,6 +102,11 @@ void check_smoothing(const ExtractArguments& arguments) {
   if (arguments.surface == SurfaceKind::relaxed)
     throw CLI::ValidationError("--smooth",
                                "cannot be combined with --surface relaxed; leave one out");
+  if (!arguments.interpolates())
+    throw CLI::ValidationError("--smooth",
+                               "has no effect on merged polygons, whose vertices lie halfway "
+                               "between voxels; write a mesh of triangles, without --surface "
+                               "merged and --no-conforming");
 }
 
 void check_bodies(const ExtractArguments& arguments) {
@@ -211,9 +216,10 @@ void check_jobs(const ExtractArguments& arguments, const CLI::Option& surface) {
     const std::string option = arguments.reading.smooth_mm          ? "--smooth"
                                : arguments.decimation.triangles > 0 ? "--triangles"
                                                                     : "--max-error";
-    throw CLI::ValidationError("--jobs", "cannot be combined with " + option +
-                                             ", which interpolates the surface; leave out --jobs, "
-                                             "or add --surface merged");
+    throw CLI::ValidationError(
+        "--jobs", "cannot be combined with " + option + ", which interpolates the surface; " +
+                      (arguments.reading.smooth_mm ? "leave out --jobs"
+                                                   : "leave out --jobs, or add --surface merged"));
   }
   if (!is_divisible(arguments))
     throw CLI::ValidationError("--jobs",
@@ -395,7 +401,9 @@ Command add_extract(CLI::App& app) {
       "  discmc extract series/ --iso 300 -o head.stl\n"
       "  discmc extract head.nii.gz --iso 300 --wire slices --levels 4 -o head.dmc\n"
       "  discmc extract ct.raw --dims 512,512,275 --type i16 --iso 200 -o ct.dmc");
+  extract->allow_extras();
   extract->callback([arguments, extract] {
+    take_other_files(*extract, arguments->reading.options);
     take_format(arguments->format, arguments->output);
     choose_surface(*arguments, *extract);
     check(*arguments, *extract);
