@@ -93,6 +93,19 @@ TEST_CASE("kernels are separate volumes if their slices alternate") {
   CHECK(volumes.read_series("1") == as_read(numbered_values(0)));
 }
 
+TEST_CASE("volumes that continue each other are listed with their places and a remedy") {
+  const auto two = [](double second) {
+    return Volumes(2, [second](Dataset& data, int number, int z) {
+      data.text(kernel, "SH", number == 0 ? "B30" : "B70");
+      put_at(data, {-10, -20, number == 0 ? 2.5 * z : second + 5 * z});
+    });
+  };
+  const std::string text = refusal(two(20).path());
+  check_refusal(text, ", or resample all to one distance of slices");
+  check_refusal(text, "at 20 to 40 mm");
+  CHECK(refusal(two(5).path()).find("resample") == std::string::npos);
+}
+
 TEST_CASE("images are separate volumes if their types differ from the third value on") {
   const Volumes volumes(2, [](Dataset& data, int number, int z) {
     const std::string origin = z % 2 == 0 ? "ORIGINAL" : "DERIVED";

@@ -47,6 +47,8 @@ TEST_CASE("a folder of PNG is a volume in the natural order of names") {
     CHECK(noted(reader->info(), "no spacing given"));
     CHECK(read_all(*reader) == values(12, in_u16));
   }
+  CHECK(noted(open_volume(files / "stack/slice1.png")->info(),
+              "this is one slice; for a whole stack, give its folder, or a pattern"));
   const auto some = open_volume(files / "stack/slice?.png", {{}, Spacing{0.5, 0.5, 2}});
   CHECK(some->info().dims[2] == 10);
   CHECK(some->info().spacing_mm == Spacing{0.5, 0.5, 2});

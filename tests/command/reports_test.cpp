@@ -67,6 +67,13 @@ TEST_CASE("samples with a describing text file are read with their spacing") {
                                      "Size = 5 3 4\nName = ..\nDatatype = float\n"
                                      "BitsPerElement = 32\n")),
                 "x.vgi");
+  // Nikon names the samples without an ending.
+  const auto nikon = folder.write("scan.xtekct",
+                                  "[XTekCT]\nName=head 1.5\nVoxelsX=5\nVoxelsY=3\nVoxelsZ=4\n"
+                                  "VoxelSizeX=2\nVoxelSizeY=3\nVoxelSizeZ=4\n");
+  check_refusal(refusal(nikon), "describes 'head 1.5.vol', of 5 x 3 x 4 voxels, which is not");
+  folder.write("head 1.5.vol", stored(SampleType::f32));
+  CHECK(open_volume(nikon)->info().spacing_mm == Spacing{2, 3, 4});
 }
 
 TEST_CASE("a Gaussian cube is read along its axes, in angstrom") {
@@ -137,8 +144,11 @@ TEST_CASE("masks beside a picture are the volume, and the picture is noted") {
   CHECK(result.code == 0);
   CHECK(contains(result.error, "pictures beside the volumes are left out: 1, such as 'qc.jpg'"));
   CHECK(contains(workshop.shell("ls").out, "m-liver.stl"));
-  check_failure(workshop.run("extract seg/liver.nii seg/spleen.nii --labels all -o m.glb"), 2,
-                {"give several volumes as one pattern in quotes, as in 'FOLDER/*.nii'"});
+  // A shell replaces a pattern without quotes by its files.
+  CHECK(contains(workshop.done("extract seg/liver.nii seg/spleen.nii --labels all -o m.csv"),
+                 "spleen"));
+  check_failure(workshop.run("extract seg/liver.nii m.stl --labels all"), 2,
+                {"'m.stl' is an unexpected argument; name the output with -o m.stl"});
 }
 
 TEST_CASE("a folder of one volume is that volume, and others are listed") {

@@ -15,7 +15,7 @@
 #include "commands.hpp"
 #include "extract.hpp"
 #include "files/output_file.hpp"
-#include "files/require_written.hpp"
+#include "files/write_failure.hpp"
 #include "progress.hpp"
 #include "samples/iso_value.hpp"
 #include "streams/stream_output.hpp"

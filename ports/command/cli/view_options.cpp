@@ -105,7 +105,9 @@ Command add_view(CLI::App& app) {
       "head.nii.gz --iso 300 -o skull.html\n  discmc view scan.dmc\n  discmc view labels.nii.gz "
       "--labels all\n  discmc view series/ "
       "--serve\n  discmc view - --serve < /dev/ttyACM0");
+  view->allow_extras();
   view->callback([arguments, view] {
+    take_other_files(*view, arguments->reading.options);
     choose_kind(*view, *arguments);
     if (arguments->kind != InputKind::mesh) check_surface_options(*view, *arguments);
     check_label_options(arguments->labels, arguments->reading);

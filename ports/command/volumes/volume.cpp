@@ -150,9 +150,32 @@ void require_no_address(const std::filesystem::path& file) {
          "download it first, e.g. with: curl -O ADDRESS");
 }
 
+std::unique_ptr<VolumeReader> open_files(const std::filesystem::path& source,
+                                         const std::vector<std::filesystem::path>& files,
+                                         const VolumeOptions& options) {
+  if (std::all_of(files.begin(), files.end(), is_mask_name))
+    return open_requested_masks(source, files, options);
+  const auto picture = std::find_if(files.begin(), files.end(), is_picture_name);
+  const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
+  if (other == files.end()) return open_pictures(source, files, options);
+  if (picture != files.end())
+    fail(source, "there are pictures and other files, such as " + shown(other->filename().string()),
+         "give a pattern of one kind, such as '" +
+             (picture->parent_path() / ("*" + picture->extension().string())).string() + "'");
+  if (is_picture(files[0])) return open_pictures(source, files, options);
+  return open_dicom(source, files, options);
+}
+
 std::unique_ptr<VolumeReader> open_by_kind(const std::filesystem::path& file,
                                            const VolumeOptions& options) {
   require_no_address(file);
+  if (!options.others.empty()) {
+    VolumeOptions of_all = options;
+    std::vector<std::filesystem::path> files = std::move(of_all.others);
+    of_all.others.clear();
+    files.insert(files.begin(), file);
+    return open_files(file, files, of_all);
+  }
   if (options.layout) {
     require_headerless_name(file);
     return open_raw(ByteStream(file), options);
@@ -243,20 +266,7 @@ std::string text_of_dead(const std::vector<std::filesystem::path>& links) {
 
 std::unique_ptr<VolumeReader> open_pattern(const std::filesystem::path& pattern,
                                            const VolumeOptions& options) {
-  const auto files = files_of_pattern(pattern);
-  if (std::all_of(files.begin(), files.end(), is_mask_name))
-    return open_requested_masks(pattern, files, options);
-  const auto picture = std::find_if(files.begin(), files.end(), is_picture_name);
-  const auto other = std::find_if_not(files.begin(), files.end(), is_picture_name);
-  if (other == files.end()) return open_pictures(pattern, files, options);
-  if (picture != files.end())
-    fail(pattern,
-         "the pattern matches pictures and other files, such as " +
-             shown(other->filename().string()),
-         "give a pattern of one kind, such as '" +
-             (pattern.parent_path() / ("*" + picture->extension().string())).string() + "'");
-  if (is_picture(files[0])) return open_pictures(pattern, files, options);
-  return open_dicom(pattern, files, options);
+  return open_files(pattern, files_of_pattern(pattern), options);
 }
 
 std::unique_ptr<VolumeReader> open_folder(const std::filesystem::path& folder,

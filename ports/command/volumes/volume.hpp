@@ -80,6 +80,8 @@ struct VolumeOptions {
   BlockValue block_value = BlockValue::mean;
   /// Whether values are labels: their volume is then that of whole_labels().
   bool holds_labels = false;
+  /// Files beside the one that is named: slices of the same volume, or masks.
+  std::vector<std::filesystem::path> others = {};
 };
 
 /// Whether the name is that of a volume, by its extension; headerless ones may have any name.

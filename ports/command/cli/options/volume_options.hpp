@@ -16,6 +16,11 @@ constexpr const char* volume_group = "Volume";
 /// taken. options: must outlive the parsing.
 void add_volume_options(CLI::App& app, VolumeOptions& options);
 
+/// Takes the arguments behind a volume as further files of it: a shell puts them in the place of a
+/// pattern. Limit: in the callback of an app that allows extras. Throws: CLI::ExtrasError where
+/// they are no volumes.
+void take_other_files(const CLI::App& app, VolumeOptions& options);
+
 /// --iso, --range and --label: one of them, and of extract several times.
 void add_selection_options(CLI::App& app, std::vector<NamedSelection>& selections);
 

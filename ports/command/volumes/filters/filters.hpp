@@ -21,10 +21,10 @@
 
 namespace discmc::command {
 
-/// Returns a part of a volume, which lies where the part does. Slices before it are skipped, those
-/// behind it are not read: what is missing or damaged there is not found, and whatever writes into
-/// a pipe finds it closed. Holds one slice of the volume. Throws a VolumeError where the part is
-/// not within the volume. file: for errors.
+/// Returns a part of a volume, which lies where the part does. Slices before it are skipped, and
+/// those behind it are not read. Damage there is not found, and a program that writes into a pipe
+/// finds it closed. Holds one slice of the volume. Throws a VolumeError where the part is not
+/// within the volume. file: for errors.
 std::unique_ptr<VolumeReader> cropped(const std::filesystem::path& file,
                                       std::unique_ptr<VolumeReader> volume, const Crop& crop);
 

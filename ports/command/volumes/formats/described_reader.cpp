@@ -89,8 +89,17 @@ std::unique_ptr<VolumeReader> open_described(ByteStream stream, const VolumeOpti
   }
   // Names may be those of another machine.
   const std::string named = fields["name"];
-  const auto samples = named.empty() ? std::filesystem::path(file).replace_extension(".vol")
-                                     : beside(file, named.substr(named.find_last_of("/\\") + 1));
+  auto samples = named.empty() ? std::filesystem::path(file)
+                               : beside(file, named.substr(named.find_last_of("/\\") + 1));
+  if (named.empty()) samples.replace_extension(".vol");
+  // Nikon's name has no ending, but may have points.
+  if (is_nikon && lower(samples.extension().string()) != ".vol") samples += ".vol";
+  std::error_code ignored;
+  if (!std::filesystem::exists(samples, ignored))
+    fail(file,
+         "the file describes " + shown(samples.filename().string()) + ", of " +
+             extents(layout.dims) + " voxels, which is not beside it",
+         "copy it there too");
   VolumeOptions of_samples = options;
   of_samples.layout = layout;
   if (has_spacing && !options.spacing_mm) of_samples.spacing_mm = spacing_mm;

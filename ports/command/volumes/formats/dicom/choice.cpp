@@ -101,12 +101,30 @@ bool are_slices_of_series(const Stacks& stacks, const Places& places) {
   });
 }
 
+// Whether they continue each other along one normal, as where the distance of slices changes.
+bool lie_one_after_another(const Stacks& stacks, const Places& places) {
+  std::vector<std::pair<double, double>> extents;
+  for (const std::size_t place : places) {
+    const DicomFrame& first = stacks[places[0]].frames[0];
+    if (!first.place || !have_one_direction(first, stacks[place].frames[0])) return false;
+    extents.push_back(extent_along(stacks[place], normal_of(*first.place)));
+  }
+  std::sort(extents.begin(), extents.end());
+  return std::is_sorted(extents.begin(), extents.end(), [](const auto& a, const auto& b) {
+    return a.first < b.second;  // whether a begins before b has ended
+  });
+}
+
 [[noreturn]] void fail_several(const std::filesystem::path& source, const Stacks& stacks,
                                const Places& places) {
   const std::string choose = "choose one with --series N, its number in this list";
   if (have_one_series(stacks, places))
     fail(source, "several volumes in one series" + differences(stacks, places),
-         choose + list(stacks, places));
+         choose +
+             (lie_one_after_another(stacks, places)
+                  ? ", or resample all to one distance of slices, e.g. in 3D Slicer"
+                  : "") +
+             list(stacks, places));
   const std::string merge = are_slices_of_series(stacks, places)
                                 ? ", or read them as slices of one volume with --merge-series"
                                 : "";

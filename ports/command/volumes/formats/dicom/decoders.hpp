@@ -1,5 +1,5 @@
-// Pixels that are packed: JPEG and JPEG-LS by DCMTK, JPEG 2000 by OpenJPEG, and RLE (DICOM PS3.5,
-// annex G), of which DCMTK 3.6.7 reads beyond a fragment whose header leads there.
+// Pixels that are packed: JPEG and JPEG-LS by DCMTK, JPEG 2000 by OpenJPEG, RLE (DICOM PS3.5, annex
+// G) by neither. DCMTK 3.6.7 reads beyond a fragment of RLE if its header asks for that.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_DECODERS_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_DECODERS_HPP
 

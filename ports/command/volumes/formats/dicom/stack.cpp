@@ -128,13 +128,8 @@ std::string vector_text(const Vector& vector) {
 // Where the slices lie along their normal.
 std::string extent_of(const DicomStack& stack) {
   if (!stack.frames[0].place || stack.image().segments) return {};
-  const Vector normal = normal_of(*stack.frames[0].place);
-  std::vector<double> along;
-  for (const DicomFrame& frame : stack.frames)
-    along.push_back(dot(frame.place->position, normal) + 0.0);
-  const auto [least, most] = std::minmax_element(along.begin(), along.end());
-  return ", at " + short_number(*least) + (*least < *most ? " to " + short_number(*most) : "") +
-         " mm";
+  const auto [least, most] = extent_along(stack, normal_of(*stack.frames[0].place));
+  return ", at " + short_number(least) + (least < most ? " to " + short_number(most) : "") + " mm";
 }
 
 std::string direction_of(const DicomStack& stack) {
@@ -178,6 +173,15 @@ bool have_one_direction(const DicomFrame& a, const DicomFrame& b) {
   if (!a.place || !b.place) return !a.place && !b.place;
   return dot(a.place->along_row, b.place->along_row) > along &&
          dot(a.place->along_column, b.place->along_column) > along;
+}
+
+std::pair<double, double> extent_along(const DicomStack& stack,
+                                       const std::array<double, 3>& normal) {
+  std::vector<double> along;
+  for (const DicomFrame& frame : stack.frames)
+    along.push_back(dot(frame.place->position, normal) + 0.0);
+  const auto [least, most] = std::minmax_element(along.begin(), along.end());
+  return {*least, *most};
 }
 
 std::string name_of(const DicomFrame& frame) {

@@ -2,9 +2,11 @@
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_STACK_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_STACK_HPP
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "image.hpp"
@@ -39,6 +41,10 @@ std::vector<DicomStack> dicom_stacks(const std::vector<DicomFrame>& frames,
 
 /// Whether two frames, both with a place or both without, have the same directions.
 bool have_one_direction(const DicomFrame& a, const DicomFrame& b);
+
+/// Where the first and the last slice lie along a normal. Limit: all frames have places.
+std::pair<double, double> extent_along(const DicomStack& stack,
+                                       const std::array<double, 3>& normal);
 
 /// For messages: the name of the file, and the number of the frame in it.
 std::string name_of(const DicomFrame& frame);

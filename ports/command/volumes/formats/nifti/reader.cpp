@@ -109,8 +109,8 @@ void note_mirrored(VolumeInfo& info, const NiftiHeader& header, const DeclaredPl
     note(info, "the qform is mirrored against the sform, and ignored; check which side is left");
 }
 
-// Returns the 4 x 4 numbers of a variable in a MATLAB file of version 4, by columns; nothing if the
-// file has no such variable: https://www.mathworks.com/help/pdf_doc/matlab/matfile_format.pdf.
+// Returns the 4 x 4 numbers of a variable in a MATLAB file of version 4, by columns. Nothing if the
+// file has no such variable. https://www.mathworks.com/help/pdf_doc/matlab/matfile_format.pdf
 std::optional<std::array<double, 16>> matrix_of(std::string_view bytes, std::string_view name) {
   constexpr std::size_t head_bytes = 20, matrix_bytes = 16 * sizeof(double);
   while (bytes.size() >= head_bytes) {

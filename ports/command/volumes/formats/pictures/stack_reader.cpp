@@ -110,6 +110,11 @@ std::unique_ptr<VolumeReader> open_pictures(const std::filesystem::path& source,
       info, source,
       {stack.header.width, stack.header.height, static_cast<std::int64_t>(stack.pages.size())});
   info.frames = frames;
+  if (stack.pages.size() == 1)
+    note(info,
+         "this is one slice; for a whole stack, give its folder, or a pattern, such as '" +
+             (stack.files[0].parent_path() / ("*" + stack.files[0].extension().string())).string() +
+             "'");
   set_place_of(info, stack, options);
   set_scale(info, source, stack.described.slope, stack.described.intercept);
   if (stack.header.is_inverted) note(info, "low values are bright; the values are used as stored");
