@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "text/number_text.hpp"
+#include "text/value_text.hpp"
 
 namespace discmc::command {
 namespace {

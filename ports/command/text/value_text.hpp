@@ -4,6 +4,8 @@
 #define DISCMC_COMMAND_TEXT_VALUE_TEXT_HPP
 
 #include <charconv>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +25,14 @@ std::optional<Whole> whole_number(std::string_view text, int base = 10) {
 /// The value in decimal, in 15 digits at most, without zeros at the end. What came from 32 bits of
 /// floating point has the digits of these: 0.1, not 0.100000001490116.
 std::string value_text(double value);
+
+/// 1234567 as 1,234,567.
+inline std::string grouped(std::uint64_t value) {
+  std::string digits = std::to_string(value);
+  for (auto i = static_cast<std::ptrdiff_t>(digits.size()) - 3; i > 0; i -= 3)
+    digits.insert(static_cast<std::size_t>(i), ",");
+  return digits;
+}
 
 }  // namespace discmc::command
 
