@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <initializer_list>
 #include <vector>
 
 #include <discmc/discmc.hpp>
@@ -85,8 +86,8 @@ void print_rows(command::VolumeReader& reader, int32_t threshold) {
   Volume<Sample> volume{width, height, depth, std::vector<Sample>(size_t{width} * height * depth)};
   for (uint32_t z = 0; z < depth; ++z) reader.read_slice(&volume.at[size_t{z} * width * height]);
   std::puts("| levels | key slices | bytes | mean distance |\n|--:|--:|--:|--:|");
-  for (const uint8_t levels : {0, 2, 4})
-    for (const uint32_t interval : {0, 16}) {
+  for (const uint8_t levels : std::initializer_list<uint8_t>{0, 2, 4})
+    for (const uint32_t interval : {0U, 16U}) {
       SliceEncoderConfig config{{width, height}, {threshold}, interval};
       config.levels = levels;
       const std::vector<uint8_t> stream =

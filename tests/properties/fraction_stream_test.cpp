@@ -4,6 +4,7 @@
 
 #include <discmc/fraction.hpp>
 #include <discmc/receiver.hpp>
+#include <initializer_list>
 #include <set>
 
 #include "oracle/event_log.hpp"
@@ -52,9 +53,9 @@ SliceEncoderConfig config_of(const SampleVolume<Sample>& volume, int32_t thresho
 
 template <class Sample>
 void check_all_plans(const SampleVolume<Sample>& volume, int32_t threshold) {
-  for (const uint8_t levels : {2, 4})
-    for (const uint32_t interval : {0, 1, 3})
-      for (const size_t bytes_a_time : {0, 5}) {
+  for (const uint8_t levels : std::initializer_list<uint8_t>{2, 4})
+    for (const uint32_t interval : {0U, 1U, 3U})
+      for (const size_t bytes_a_time : std::initializer_list<size_t>{0, 5}) {
         CAPTURE(levels);
         CAPTURE(interval);
         CAPTURE(bytes_a_time);
@@ -113,7 +114,7 @@ TEST_CASE("samples that are not consecutive have the same fractions") {
 
 TEST_CASE("rows that are skipped have no fractions, nor have the edges to them") {
   const SampleVolume<uint8_t> volume = wave<uint8_t>({35, 7, 9}, 100, 90);
-  for (const uint32_t interval : {0, 2}) {
+  for (const uint32_t interval : {0U, 2U}) {
     SliceEncoderConfig config = config_of(volume, 100, 4);
     config.key_slice_interval = interval;
     Block block(FractionSliceEncoder<uint8_t>::minimum_bytes(config));
@@ -152,7 +153,7 @@ TEST_CASE("every surface of a stream has its fractions") {
 
 TEST_CASE("a checkpoint after any rows continues a stream with fractions with the same bytes") {
   const SampleVolume<uint16_t> volume = wave<uint16_t>({67, 5, 6}, 500, 300);
-  for (const uint32_t interval : {0, 2}) {
+  for (const uint32_t interval : {0U, 2U}) {
     SliceEncoderConfig config = config_of(volume, 500, 4);
     config.key_slice_interval = interval;
     FractionSliceEncoder<uint16_t> encoder;
@@ -188,7 +189,7 @@ TEST_CASE("a checkpoint of an encoder with fractions is not one of an encoder wi
 TEST_CASE("after a lost packet all fractions that arrive are right") {
   const Size size{40, 6, 30};
   const BitVolume volume = reference::random(size, 128, 3);
-  for (const uint8_t levels : {2, 4}) {
+  for (const uint8_t levels : std::initializer_list<uint8_t>{2, 4}) {
     SlicePlan plan{3};
     plan.levels = levels;
     const std::vector<Bytes> frames = frames_of(encode_slices(volume, plan));
@@ -227,7 +228,7 @@ TEST_CASE("only 2 and 4 levels start, with memory and an output") {
   std::vector<uint8_t> memory(10000);
   Line line;
   FractionSliceEncoder<uint8_t> encoder;
-  for (const uint8_t levels : {0, 1, 3, 5, 8}) {
+  for (const uint8_t levels : std::initializer_list<uint8_t>{0, 1, 3, 5, 8}) {
     config.levels = levels;
     CHECK(encoder.start(config, memory_of(memory), line.output()) == Status::bad_label);
   }
@@ -290,7 +291,7 @@ TEST_CASE("a receiver gets the fractions of an edge before its vertex, and the s
   const Bytes without = encode_slices(volume, plan);
   plan.levels = 4;
   const Bytes with = encode_slices(volume, plan);
-  for (const size_t extra : {0, 4000})
+  for (const size_t extra : std::initializer_list<size_t>{0, 4000})
     for (const bool refuses : {false, true}) {
       const Events expected = events_of(without, size, 0, extra, false);
       Events polygons;

@@ -425,8 +425,8 @@ template <uint8_t levels>
 [[gnu::noinline]] bool scan_fractions(Volume volume) {
   using Slices = FractionSliceEncoder<uint8_t>;
   constexpr SliceEncoderConfig config{sizes[0], {threshold}, 2, 1, {depth}, levels};
-  constexpr auto of_encoder = static_cast<size_t>(Slices::minimum_bytes(config));
-  constexpr auto of_decoder = static_cast<size_t>(SliceDecoder::minimum_bytes(sizes[0], 1, levels));
+  constexpr size_t of_encoder = Slices::minimum_bytes(config);
+  constexpr size_t of_decoder = SliceDecoder::minimum_bytes(sizes[0], 1, levels);
   static_assert(sizeof(Stored) + sizeof(Slices) + of_encoder <= sizeof memory &&
                     sizeof(Stored) + sizeof(SliceDecoder) + of_decoder <= sizeof memory,
                 "there is room");

@@ -38,7 +38,7 @@ const StreamHeader header{12, 9, 7, {1000, -2000, 3000}, {-5}, Border::open, 5, 
 // Offers a start whose header is C's, and no more of it than there is.
 discmc_sink_result begin(discmc_encoder* encoder, uint32_t width) {
   const auto scan = std::make_unique<discmc_stream_header>(
-      discmc_stream_header{width, 9, 0, {0, 0, 0}, {-5}, DISCMC_OPEN, 0, 0, 1});
+      discmc_stream_header{width, 9, 0, {0, 0, 0}, {-5}, DISCMC_OPEN, 0, 0, 1, 0});
   discmc_event event{};
   event.kind = DISCMC_START;
   event.of.header = scan.get();

@@ -6,6 +6,7 @@
 #include <discmc/chain.hpp>
 #include <discmc/normal.hpp>
 #include <discmc/status.hpp>
+#include <initializer_list>
 #include <regex>
 #include <set>
 #include <string>
@@ -98,7 +99,7 @@ TEST_CASE("the constants of sizes.h suffice and are close to the true sizes") {
                    discmc_slice_encoder_bytes(&config));
         check_size(DISCMC_RECEIVER_BYTES(width, height, surfaces),
                    discmc_receiver_bytes(&limits, surfaces, 0));
-        for (const uint8_t levels : {2, 4}) {
+        for (const uint8_t levels : std::initializer_list<uint8_t>{2, 4}) {
           config.levels = levels;
           config.kind = &discmc_fraction_slices_u8;
           check_size(DISCMC_FRACTION_SLICE_ENCODER_BYTES(width, height, surfaces, levels, 1),

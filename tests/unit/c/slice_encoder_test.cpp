@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <discmc/fraction_slice_encoder.hpp>
+#include <initializer_list>
 #include <vector>
 
 #include "oracle/c_events.hpp"
@@ -168,7 +169,7 @@ TEST_CASE("slice encoders of every kind write the same bytes as in C++") {
 }
 
 TEST_CASE("slice encoders with fractions write the same bytes as in C++") {
-  for (const uint8_t levels : {2, 4}) {
+  for (const uint8_t levels : std::initializer_list<uint8_t>{2, 4}) {
     compare<uint8_t, FractionSliceEncoder<uint8_t>>(discmc_fraction_slices_u8, DISCMC_U8,
                                                     make_samples<uint8_t>(), levels);
     compare<uint16_t, FractionSliceEncoder<uint16_t>>(discmc_fraction_slices_u16, DISCMC_U16,
