@@ -422,7 +422,7 @@ TEST_CASE("wrong usage exits with 2") {
                                 "extract v.nrrd --iso",
                                 "extract --iso 1",
                                 "extract v.nrrd --iso much",
-                                "extract v.nrrd v.nrrd --iso 1",
+                                "extract v.nrrd more --iso 1",
                                 "extract v.nrrd --iso 1 -x",
                                 "extract v.nrrd --iso nan",
                                 "extract v.nrrd --iso inf",

@@ -46,12 +46,16 @@ TEST_CASE("progress is a share of all, or a count where all is not known") {
 TEST_CASE("a terminal is shown the phases of the whole job, and a clean line after them") {
   const Workshop workshop;
   workshop.write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
-  const std::string extracted = on_terminal(workshop, "extract v.nrrd --iso 100 -o v.ply");
+  const std::string extracted = on_terminal(workshop, "extract v.nrrd --iso 100 -o v.obj");
   if (extracted.empty()) return;  // no program that makes a terminal
   check_phases(extracted, {"extracting 0 %", "triangulating", "writing"});
-  CHECK(contains(extracted, clear_line + "v.ply: "));
+  CHECK(contains(extracted, clear_line + "v.obj: "));
   check_phases(on_terminal(workshop, "extract v.nrrd --iso 100 --normals gradient -o v.ply"),
                {"extracting 0 %", "triangulating", "normals 0 %", "writing"});
+
+  // The triangles go to the file as they are made.
+  check_phases(on_terminal(workshop, "extract v.nrrd --iso 100 -o v.ply"),
+               {"extracting 0 %", "writing"});
 
   const std::string streamed = on_terminal(workshop, "extract v.nrrd --iso 100 -o v.dmc");
   check_phases(streamed, {"extracting 0 %"});
