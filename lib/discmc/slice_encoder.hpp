@@ -200,7 +200,7 @@ class SliceEncoder {
   }
 
   bool lay_out(Memory memory);
-  Status restore_object(size_t object_bytes, Memory memory, const ByteOutput& output);
+  Status restore_object(uint32_t object_bytes, Memory memory, const ByteOutput& output);
   template <class Sample>
   PushResult push_samples(const Sample* samples, uint32_t count, uint32_t stride);
   // Calls take(samples, count) with parts of rows, before their row is complete.

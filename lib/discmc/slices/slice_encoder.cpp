@@ -172,16 +172,17 @@ Status SliceEncoder::save(Memory* parts) {
   if (is_suspended()) return Status::suspended;
   const Status status = packets_.ready_for_checkpoint();
   if (status != Status::ok) return status;
-  parts[0] = {this, sizeof *this + fraction_object_bytes_};
+  const uint32_t object_bytes = uint32_t{sizeof *this} + fraction_object_bytes_;
+  parts[0] = {this, object_bytes};
   parts[1] = {memory_, bytes_used()};
-  seal_.close(this, static_cast<uint32_t>(parts[0].bytes), layout, parts[1]);
+  seal_.close(this, object_bytes, layout, parts[1]);
   return Status::ok;
 }
 
-Status SliceEncoder::restore_object(size_t object_bytes, Memory memory, const ByteOutput& output) {
+Status SliceEncoder::restore_object(uint32_t object_bytes, Memory memory, const ByteOutput& output) {
   if (!output.is_valid()) return Status::bad_sink;
   if (memory.data == nullptr) return Status::too_little_memory;
-  if (!seal_.is_intact(this, static_cast<uint32_t>(object_bytes), layout, memory)) {
+  if (!seal_.is_intact(this, object_bytes, layout, memory)) {
     state_ = State::idle;
     return Status::bad_checkpoint;
   }

@@ -52,6 +52,7 @@ inline void read_back(const Image& image, const std::vector<Memory>& parts) {
   const uint8_t* const end = next + image.size();
   for (const Memory& part : parts) {
     const size_t count = std::min(part.bytes, static_cast<size_t>(end - next));
+    unpoison(part.data, count);  // as the store does
     std::copy_n(next, count, static_cast<uint8_t*>(part.data));
     next += count;
   }
