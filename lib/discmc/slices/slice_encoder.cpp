@@ -179,7 +179,8 @@ Status SliceEncoder::save(Memory* parts) {
   return Status::ok;
 }
 
-Status SliceEncoder::restore_object(uint32_t object_bytes, Memory memory, const ByteOutput& output) {
+Status SliceEncoder::restore_object(uint32_t object_bytes, Memory memory,
+                                    const ByteOutput& output) {
   if (!output.is_valid()) return Status::bad_sink;
   if (memory.data == nullptr) return Status::too_little_memory;
   if (!seal_.is_intact(this, object_bytes, layout, memory)) {
