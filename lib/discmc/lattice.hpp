@@ -60,6 +60,12 @@ constexpr int32_t component(const Vertex& v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
+/// The axis of the edge whose midpoint a vertex is; 3 for a centroid.
+constexpr uint32_t axis_of(const Vertex& v) {
+  const auto odd = [](int32_t coordinate) { return static_cast<uint32_t>(coordinate) & 1; };
+  return (odd(v.x) | odd(v.y) << 1 | odd(v.z) << 2) >> 1;
+}
+
 /// A signed normal as a number: 13 + x + 3 y + 9 z for components in {-1, 0, 1}. Limit: 0 to 26;
 /// 13, the zero vector, is not an incidence.
 using Incidence = uint8_t;

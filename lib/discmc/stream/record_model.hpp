@@ -49,12 +49,6 @@ constexpr int32_t signed_of(uint32_t positive) {
   return static_cast<int32_t>(number >> 1 ^ (0 - (number & 1)));
 }
 
-/// The axis of the edge whose midpoint a vertex is; 3 for a centroid.
-constexpr uint32_t axis_of(const Vertex& v) {
-  const auto odd = [](int32_t coordinate) { return static_cast<uint32_t>(coordinate) & 1; };
-  return (odd(v.x) | odd(v.y) << 1 | odd(v.z) << 2) >> 1;
-}
-
 /// An incidence, seen along an axis. along: its component on the axis, plus one. across: the other
 /// two components, plus one each, as digits of base 3; the later axis has the high digit.
 struct Heading {

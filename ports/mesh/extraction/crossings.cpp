@@ -78,7 +78,7 @@ class Crossings::OfPolygons {
       throw std::length_error("the surface crosses more than " + std::to_string(most) +
                               " edges along an axis; extract a part, or shrink the volume");
     const Vertex normal = incidence_normal(polygon.incidence);
-    const bool falls = (axis == 0 ? normal.x : axis == 1 ? normal.y : normal.z) > 0;
+    const bool falls = component(normal, static_cast<int>(axis)) > 0;
     const std::uint64_t row = std::uint64_t{crossings_.dims_[1]} * static_cast<unsigned>(begin.z) +
                               static_cast<unsigned>(begin.y);
     found_.push_back({row, {static_cast<std::uint16_t>(begin.x), falls, 1, 1}});
@@ -106,14 +106,10 @@ class Crossings::OfPolygons {
           const Side side = side_between(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
           Vertex vertex = ring[i];
           for (std::int32_t link = 0; link < side.links; ++link, vertex = vertex + side.link)
-            if (is_on_edge(axis, vertex) && !crossings_.find(vertex)) add(axis, polygon, vertex);
+            if (is_middle(vertex) && axis_of(vertex) == axis && !crossings_.find(vertex))
+              add(axis, polygon, vertex);
         }
     if (found_.size() > count) store(crossings_.along_[axis]);
-  }
-
-  static bool is_on_edge(std::size_t axis, const Vertex& vertex) {
-    const bool odd[] = {(vertex.x & 1) != 0, (vertex.y & 1) != 0, (vertex.z & 1) != 0};
-    return odd[axis] && !odd[(axis + 1) % 3] && !odd[(axis + 2) % 3];
   }
 
   Crossings& crossings_;
@@ -161,7 +157,7 @@ bool Crossings::is_inside(const Vertex& voxel) const {
 const Crossings::Crossing* Crossings::crossing_of(const Vertex& middle) const {
   const Vertex voxel = {middle.x >> 1, middle.y >> 1, middle.z >> 1};
   if (!is_inside(voxel)) return nullptr;
-  const Rows& rows = along_[(middle.x & 1) != 0 ? 0 : (middle.y & 1) != 0 ? 1 : 2];
+  const Rows& rows = along_[axis_of(middle)];
   const auto x = static_cast<std::uint32_t>(voxel.x);
   const std::size_t row =
       static_cast<std::size_t>(voxel.z) * dims_[1] + static_cast<std::size_t>(voxel.y);
@@ -177,7 +173,7 @@ std::optional<Crossings::Place> Crossings::find(const Vertex& middle) const {
   const Vertex at = middle - first_;
   const Crossing* const crossing = crossing_of(at);
   if (crossing == nullptr) return std::nullopt;
-  const std::size_t axis = (at.x & 1) != 0 ? 0 : (at.y & 1) != 0 ? 1 : 2;
+  const std::uint32_t axis = axis_of(at);
   return Place{static_cast<std::uint8_t>(axis),
                static_cast<std::uint32_t>(crossing - along_[axis].crossings.data())};
 }
@@ -211,9 +207,8 @@ Configuration Crossings::configuration_around(const Vertex& centroid) const {
 Point Crossings::on_edge(const Vertex& middle) const {
   Point point = {static_cast<double>(middle.x), static_cast<double>(middle.y),
                  static_cast<double>(middle.z)};
-  const std::size_t axis = (middle.x & 1) != 0 ? 0 : (middle.y & 1) != 0 ? 1 : 2;
   if (const Crossing* const crossing = crossing_of(middle))
-    point[axis] += static_cast<double>(crossing->at) - 1;
+    point[axis_of(middle)] += static_cast<double>(crossing->at) - 1;
   return point;
 }
 

@@ -18,6 +18,11 @@
 
 namespace discmc::meshing {
 
+/// Whether a point of the lattice is the middle of an edge between voxels.
+constexpr bool is_middle(const Vertex& vertex) {
+  return (vertex.x & 1) + (vertex.y & 1) + (vertex.z & 1) == 1;
+}
+
 /// The crossings of a volume. Memory: eight bytes for each, and for each row of an axis; eight more
 /// for each with ends.
 class Crossings {

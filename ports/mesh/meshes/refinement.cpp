@@ -10,11 +10,6 @@
 namespace discmc::meshing {
 namespace {
 
-// The mean of crossings at a centroid adds nothing to the crossings.
-bool is_crossing(const Vertex& vertex) {
-  return (vertex.x & 1) + (vertex.y & 1) + (vertex.z & 1) == 1;
-}
-
 bool is_corner(const std::array<PlanePoint, 3>& corners, const PlanePoint& point) {
   return std::any_of(corners.begin(), corners.end(), [&point](const PlanePoint& corner) {
     return corner.u == point.u && corner.v == point.v;
@@ -64,7 +59,7 @@ void for_each_crossing(const LatticePlane& plane, const std::array<PlanePoint, 3
     for (std::size_t i = 0; i < 3; ++i) row.cut(corners[i], corners[(i + 1) % 3], with_side[i]);
     for (std::int64_t u = row.first; u <= row.last; ++u) {
       const Vertex vertex = plane.vertex({u, v});
-      if (is_crossing(vertex) && !is_corner(corners, {u, v})) call(PlanePoint{u, v}, vertex);
+      if (is_middle(vertex) && !is_corner(corners, {u, v})) call(PlanePoint{u, v}, vertex);
     }
   }
 }
@@ -79,7 +74,7 @@ Refinement::Refinement(const Crossings& crossings, double tolerance)
 const std::vector<std::size_t>& Refinement::needed(const std::vector<Vertex>& side) {
   side_.resize(side.size());
   for (std::size_t i = 0; i < side.size(); ++i)
-    if (i == 0 || i + 1 == side.size() || is_crossing(side[i])) side_[i] = moved(side[i]);
+    if (i == 0 || i + 1 == side.size() || is_middle(side[i])) side_[i] = moved(side[i]);
   needed_.clear();
   spans_.assign(1, {0, side.size() - 1});
   while (!spans_.empty()) {
@@ -88,7 +83,7 @@ const std::vector<std::size_t>& Refinement::needed(const std::vector<Vertex>& si
     double most = squared_tolerance_;
     std::size_t farthest = begin;
     for (std::size_t i = begin + 1; i < end; ++i) {
-      if (!is_crossing(side[i])) continue;
+      if (!is_middle(side[i])) continue;  // the mean of crossings at a centroid adds nothing
       const double distance = squared_distance(side_[i], std::array{side_[begin], side_[end]});
       if (distance <= most) continue;
       most = distance;

@@ -44,11 +44,6 @@ Vertex off_voxel(const Vertex& middle, Place place, bool falls) {
   return {at[0], at[1], at[2]};
 }
 
-// Whether a vertex is the middle of an edge, not a centroid.
-bool is_middle(const Vertex& vertex) {
-  return (vertex.x & 1) + (vertex.y & 1) + (vertex.z & 1) == 1;
-}
-
 class VolumeKeeper {
  public:
   VolumeKeeper(const std::vector<SmoothSurface>& surfaces, const VolumeKeeping& keeping)

@@ -144,7 +144,10 @@ class Relaxer {
 // Calls for the crossing at a vertex, or for those around a centroid.
 template <class Call>
 void for_each_near(const Crossings& crossings, const Vertex& vertex, Call call) {
-  if (const auto place = crossings.find(vertex)) return call(*place);
+  if (is_middle(vertex)) {
+    if (const auto place = crossings.find(vertex)) call(*place);
+    return;
+  }
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const int a : {-1, 1})
       for (const int b : {-1, 1})
