@@ -88,15 +88,7 @@ MeshTotals write_ply(const MeshParts& parts, std::ostream& out) {
           write_ply_vertex(mesh, i, true, part);
       },
       [](const FileMesh&) {});
-  MeshTotals totals;
-  writer.parts<MeshParts::Block>(
-      parts.jobs(), parts.block_count(),
-      [&](Writer& part, std::size_t number, MeshParts::Block& block) {
-        parts.make_faces(number, block);
-        for (std::size_t face = 0; face < block.faces.face_count(); ++face)
-          write_ply_face(block.faces, face, part);
-      },
-      [&](const MeshParts::Block& block) { add(block, totals); });
+  const MeshTotals totals = write_faces(parts, &MeshParts::make_faces, writer, write_ply_face);
   writer.finish_with_start(ply_header(frame, true, vertices, totals.faces));
   return totals;
 }

@@ -58,15 +58,10 @@ MeshTotals write_stl(const MeshParts& parts, std::ostream& out) {
   Writer writer(out);
   writer.text(stl_header(frame, 0));
   const TriangleWriter triangles(frame.spacing_mm);
-  MeshTotals totals;
-  writer.parts<MeshParts::Block>(
-      parts.jobs(), parts.block_count(),
-      [&](Writer& part, std::size_t number, MeshParts::Block& block) {
-        parts.make_triangles(number, block);
-        for (std::size_t face = 0; face < block.faces.face_count(); ++face)
-          triangles.write(block.faces, face, part);
-      },
-      [&](const MeshParts::Block& block) { add(block, totals); });
+  const MeshTotals totals = write_faces(parts, &MeshParts::make_triangles, writer,
+                                        [&](const FileMesh& mesh, std::size_t face, Writer& part) {
+                                          triangles.write(mesh, face, part);
+                                        });
   writer.finish_with_start(stl_header(frame, totals.faces));
   return totals;
 }

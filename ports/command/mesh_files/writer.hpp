@@ -17,6 +17,7 @@
 #include "file_mesh.hpp"
 #include "jobs/ordered_pipeline.hpp"
 #include "mesh_files.hpp"
+#include "mesh_parts.hpp"
 #include "meshing.hpp"
 
 namespace discmc::command {
@@ -132,6 +133,24 @@ class Writer {
   std::vector<char> buffer_;
   std::size_t used_ = 0;
 };
+
+/// Writes the faces of all blocks in order. make: make_faces or make_triangles. Calls
+/// write(mesh, face, writer) for each.
+template <class Write>
+MeshTotals write_faces(const MeshParts& parts,
+                       void (MeshParts::*make)(std::size_t, MeshParts::Block&) const,
+                       Writer& writer, const Write& write) {
+  MeshTotals totals;
+  writer.parts<MeshParts::Block>(
+      parts.jobs(), parts.block_count(),
+      [&](Writer& part, std::size_t number, MeshParts::Block& block) {
+        (parts.*make)(number, block);
+        for (std::size_t face = 0; face < block.faces.face_count(); ++face)
+          write(block.faces, face, part);
+      },
+      [&](const MeshParts::Block& block) { add(block, totals); });
+  return totals;
+}
 
 }  // namespace discmc::command
 
