@@ -10,7 +10,7 @@ struct discmc_slice_kind : discmc::Kind {
   discmc_sample_type type;
   discmc_push_result (*push)(discmc::SliceEncoder& encoder, const void* samples, uint32_t count,
                              uint32_t stride);
-  // Null for kinds without fractions.
+  // 0 for levels that the kind lacks.
   uint64_t (*minimum_bytes)(const discmc::SliceEncoderConfig& config);
   discmc::Status (*start)(discmc::SliceEncoder& encoder, const discmc::SliceEncoderConfig& config,
                           discmc::Memory memory, const discmc::ByteOutput& output);
@@ -40,9 +40,12 @@ constexpr discmc_slice_kind slice_kind = {
     {sizeof(discmc_slice_encoder) | SliceEncoder::layout << 20, sizeof(discmc_slice_encoder)},
     type_of<Sample>,
     push_as<Sample, SliceEncoder>,
-    nullptr,
-    nullptr,
-    nullptr};
+    SliceEncoder::minimum_bytes,
+    [](SliceEncoder& encoder, const SliceEncoderConfig& config, Memory memory,
+       const ByteOutput& output) { return encoder.start(config, memory, output); },
+    [](SliceEncoder& encoder, Memory memory, const ByteOutput& output) {
+      return encoder.restore(memory, output);
+    }};
 
 // An object whose encoder is one with fractions. The functions of all kinds use its base class.
 template <class Sample>
@@ -73,7 +76,10 @@ constexpr discmc_slice_kind fraction_kind = {
     [](SliceEncoder& encoder, const void* samples, uint32_t count, uint32_t stride) {
       return push_as<Sample>(with_fractions<Sample>(encoder), samples, count, stride);
     },
-    FractionSliceEncoder<Sample>::minimum_bytes,
+    [](const SliceEncoderConfig& config) {
+      const bool has_levels = config.levels == 2 || config.levels == 4;
+      return has_levels ? FractionSliceEncoder<Sample>::minimum_bytes(config) : 0;
+    },
     [](SliceEncoder& encoder, const SliceEncoderConfig& config, Memory memory,
        const ByteOutput& output) {
       return with_fractions<Sample>(encoder).start(config, memory, output);
@@ -90,31 +96,25 @@ uint64_t discmc_slice_encoder_bytes(const discmc_slice_encoder_config* config) {
   if (!cpp(config->limits).is_valid() || config->surface_count > StreamHeader::max_surfaces)
     return 0;
   const discmc_slice_kind* const kind = config->kind;
-  if (kind == nullptr || kind->minimum_bytes == nullptr)
-    return bytes_with_object(sizeof(discmc_slice_encoder),
-                             SliceEncoder::minimum_bytes(config_of(*config)));
-  if (config->levels != 2 && config->levels != 4) return 0;
-  return bytes_with_object(kind->object_bytes, kind->minimum_bytes(config_of(*config)));
+  const SliceEncoderConfig of_encoder = config_of(*config);
+  if (kind == nullptr)
+    return bytes_with_object(sizeof(discmc_slice_encoder), SliceEncoder::minimum_bytes(of_encoder));
+  const uint64_t rest = kind->minimum_bytes(of_encoder);
+  return rest == 0 ? 0 : bytes_with_object(kind->object_bytes, rest);
 }
 
 discmc_status discmc_slice_encoder_start(discmc_slice_encoder** encoder,
                                          const discmc_slice_encoder_config* config) {
   return start<discmc_slice_encoder>(
       encoder, *config, [&](discmc_slice_encoder& object, Memory rest) {
-        const discmc_slice_kind& kind = *config->kind;
-        return kind.start == nullptr
-                   ? object.encoder.start(config_of(*config), rest, cpp(config->output))
-                   : kind.start(object.encoder, config_of(*config), rest, cpp(config->output));
+        return config->kind->start(object.encoder, config_of(*config), rest, cpp(config->output));
       });
 }
 discmc_status discmc_slice_encoder_restore(discmc_slice_encoder** encoder,
                                            const discmc_slice_encoder_config* config) {
   return restore<discmc_slice_encoder>(
       encoder, *config, [&](discmc_slice_encoder& object, Memory rest) {
-        const discmc_slice_kind& kind = *config->kind;
-        const ByteOutput output = cpp(config->output);
-        return kind.restore == nullptr ? object.encoder.restore(rest, output)
-                                       : kind.restore(object.encoder, rest, output);
+        return config->kind->restore(object.encoder, rest, cpp(config->output));
       });
 }
 
