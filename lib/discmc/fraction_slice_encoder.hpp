@@ -71,7 +71,7 @@ class FractionSliceEncoder : public SliceEncoder {
     return Intake(around(surface), header.thresholds[surface], header.levels, samples_,
                   distances_[surface] + Intake::distance_bytes(header.width) * rows());
   }
-  void take(const Sample* samples, uint32_t first, uint32_t count, uint32_t stride);
+  void process(const Sample* samples, uint32_t first, uint32_t count, uint32_t stride);
   bool code_row();
   bool make_room_for_fraction();
   void begin_code();

@@ -90,9 +90,6 @@ void print_rows(command::VolumeReader& reader, int32_t threshold) {
     for (const uint32_t interval : {0U, 16U}) {
       SliceEncoderConfig config{{width, height}, {threshold}, interval};
       config.levels = levels;
-      const std::vector<uint8_t> stream =
-          levels == 0 ? encode<SliceEncoder>(volume, config)
-                      : encode<FractionSliceEncoder<Sample>>(volume, config);
       // Without fractions, the distance of midpoints is that of the stream with them.
       SliceEncoderConfig compared = config;
       if (levels == 0) compared.levels = 2;
@@ -104,7 +101,7 @@ void print_rows(command::VolumeReader& reader, int32_t threshold) {
       require(decoder.push(with.data(), with.size()).status);
       require(decoder.finish());
       std::printf("| %u | %s | %zu | %.3f |\n", levels, interval == 0 ? "first" : "every 16th",
-                  stream.size(),
+                  levels == 0 ? encode<SliceEncoder>(volume, config).size() : with.size(),
                   levels == 0 ? comparison.mean_midpoint() : comparison.mean_fraction());
     }
 }

@@ -54,14 +54,14 @@ PushResult FractionSliceEncoder<Sample>::push(const Sample* samples, uint32_t co
   return push_parts(samples, count, stride, [this, stride](const Sample* part, uint32_t taken) {
     const uint32_t first = column();
     append(part, taken, stride);
-    take(part, first, taken, stride);
+    process(part, first, taken, stride);
   });
 }
 
 // Finds the fractions of the samples that were appended from this column on.
 template <class Sample>
-void FractionSliceEncoder<Sample>::take(const Sample* samples, uint32_t first, uint32_t count,
-                                        uint32_t stride) {
+void FractionSliceEncoder<Sample>::process(const Sample* samples, uint32_t first, uint32_t count,
+                                           uint32_t stride) {
   for (uint32_t surface = 0; surface < surfaces_.count(); ++surface) {
     if (first == 0) fractions_.begin_row(surface);
     intake(surface).find(samples, first, count, stride);

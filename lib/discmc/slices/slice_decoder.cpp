@@ -240,9 +240,9 @@ bool SliceDecoder::read_step() {
 void SliceDecoder::begin_fractions() {
   using KeyEdges = detail::slices::FractionCode::KeyEdges;
   const bool is_key = surfaces_.is_in_key_slice();
-  const bool knows_slice_before = is_key ? knows_slice_before_ : true;
+  const bool knows_slice_before = !is_key || knows_slice_before_;
   const KeyEdges key_edges = !is_key || slice_ == 0 ? KeyEdges::none
-                             : knows_slice_before_  ? KeyEdges::known
+                             : knows_slice_before   ? KeyEdges::known
                                                     : KeyEdges::unknown;
   fraction_code_.begin(fractions_.around(surfaces_[surface_].rows, surface_, knows_slice_before),
                        fractions_.model(surface_), key_edges);
