@@ -24,7 +24,7 @@ struct ServedFile {
 /// std::ios_base::failure when the page is gone; what else is thrown is printed. port: 0 is any
 /// that is free. started: called once with the page's address. Limit: one at a time; of all
 /// threads, those two signals are blocked. A second after the signal the process ends with success,
-/// whoever is still connected. Throws std::runtime_error where the port is taken, and where the
+/// even if a browser is connected. Throws std::runtime_error where the port is taken, and where the
 /// command was built without the page or without a server.
 void serve_page(const ServedFile& file, std::uint16_t port,
                 const std::function<void(const std::string& address)>& started);

@@ -20,7 +20,7 @@ struct Relaxation {
 /// elastic surface nets (S. Gibson, 1998), whose nodes move within cells. None passes a voxel: the
 /// surface stays closed, and no body, gap or tunnel is lost. Straight parts stay straight. If faces
 /// of the mesh would intersect, their crossings move back to the middles of their edges. surface:
-/// whose crossings they are. Cost: two meshes, or more if there are such faces.
+/// the one that has these crossings. Cost: two meshes, or more if there are such faces.
 void relax(Crossings& crossings, const Surface& surface, const Relaxation& relaxation);
 
 /// Its last step: moves crossings of faces that intersect to the middle of their edges.
