@@ -60,7 +60,7 @@ class Crossings {
     return point;
   }
 
-  /// The crossing at the middle of an edge, if there is one.
+  /// The crossing at the middle of an edge, if there is one. Limit: is_middle().
   std::optional<Place> find(const Vertex& middle) const;
   /// How many there are along an axis.
   std::size_t count(std::size_t axis) const { return along_[axis].crossings.size(); }
