@@ -7,9 +7,6 @@
 #include <string>
 #include <utility>
 
-// Newer versions of the library keep the functions of this one, by this name.
-#define H5_USE_110_API
-
 namespace discmc::command {
 
 /// An identifier that is given back at the end. What could not be opened is none.
