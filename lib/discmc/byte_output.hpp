@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 #include <discmc/status.hpp>
 #include <discmc/stream/wire.hpp>
 

@@ -9,7 +9,7 @@
 #ifndef DISCMC_CAPACITIES_HPP
 #define DISCMC_CAPACITIES_HPP
 
-#include <discmc/arena.hpp>
+#include <discmc/base/arena.hpp>
 #include <discmc/trace/intake.hpp>
 #include <discmc/trace/sector_table.hpp>
 

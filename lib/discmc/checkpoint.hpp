@@ -31,7 +31,9 @@
 #ifndef DISCMC_CHECKPOINT_HPP
 #define DISCMC_CHECKPOINT_HPP
 
-#include <discmc/arena.hpp>
+#include <stddef.h>
+#include <stdint.h>
+#include <discmc/memory.hpp>
 
 namespace discmc {
 

@@ -18,7 +18,7 @@
 #define DISCMC_CHECKPOINT_STORE_HPP
 
 #include <stdint.h>
-#include <discmc/arena.hpp>
+#include <discmc/memory.hpp>
 #include <discmc/status.hpp>
 
 namespace discmc {

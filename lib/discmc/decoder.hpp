@@ -8,11 +8,11 @@
 #ifndef DISCMC_DECODER_HPP
 #define DISCMC_DECODER_HPP
 
-#include <discmc/records_packet.hpp>
 #include <discmc/status.hpp>
 #include <discmc/stream/normal_encoding.hpp>
 #include <discmc/stream/packet_reader.hpp>
 #include <discmc/stream/record_reading.hpp>
+#include <discmc/stream/records_packet.hpp>
 
 namespace discmc {
 

@@ -3,9 +3,9 @@
 #define DISCMC_ENCODER_HPP
 
 #include <discmc/checkpoint.hpp>
-#include <discmc/records_packet.hpp>
 #include <discmc/status.hpp>
 #include <discmc/stream/packet_writer.hpp>
+#include <discmc/stream/records_packet.hpp>
 #include <discmc/stream/symbol_coders.hpp>
 
 namespace discmc {

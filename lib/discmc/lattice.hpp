@@ -12,7 +12,7 @@
 #define DISCMC_LATTICE_HPP
 
 #include <stdint.h>
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 
 namespace discmc {
 

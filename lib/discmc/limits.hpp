@@ -3,7 +3,7 @@
 #define DISCMC_LIMITS_HPP
 
 #include <stdint.h>
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 
 namespace discmc {
 

@@ -32,8 +32,8 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <discmc/base/compiler.hpp>
 #include <discmc/chain.hpp>
-#include <discmc/compiler.hpp>
 #include <discmc/limits.hpp>
 #include <discmc/normal.hpp>
 #include <discmc/status.hpp>

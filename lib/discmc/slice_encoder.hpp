@@ -14,7 +14,7 @@
 #ifndef DISCMC_SLICE_ENCODER_HPP
 #define DISCMC_SLICE_ENCODER_HPP
 
-#include <discmc/arena.hpp>
+#include <discmc/base/arena.hpp>
 #include <discmc/checkpoint.hpp>
 #include <discmc/row_input.hpp>
 #include <discmc/slices/row_code.hpp>

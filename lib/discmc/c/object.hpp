@@ -3,7 +3,7 @@
 #define DISCMC_C_OBJECT_HPP
 
 #include <discmc/discmc.h>
-#include <discmc/arena.hpp>
+#include <discmc/memory.hpp>
 #include <discmc/status.hpp>
 
 namespace discmc {

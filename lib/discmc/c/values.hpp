@@ -4,8 +4,8 @@
 #define DISCMC_C_VALUES_HPP
 
 #include <discmc/discmc.h>
-#include <discmc/arena.hpp>
 #include <discmc/byte_output.hpp>
+#include <discmc/memory.hpp>
 #include <discmc/row_input.hpp>
 #include <discmc/sink.hpp>
 

@@ -1,5 +1,6 @@
 #include <discmc/checkpoint.hpp>
 
+#include <discmc/base/arena.hpp>
 #include <discmc/stream/crc32.hpp>
 
 namespace discmc::detail {

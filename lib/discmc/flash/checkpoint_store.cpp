@@ -1,6 +1,7 @@
 #include <discmc/checkpoint_store.hpp>
 
-#include <discmc/compiler.hpp>
+#include <discmc/base/checks.hpp>
+#include <discmc/base/compiler.hpp>
 #include <discmc/stream/crc32.hpp>
 
 namespace discmc {

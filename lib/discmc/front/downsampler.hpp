@@ -13,7 +13,7 @@
 #ifndef DISCMC_DOWNSAMPLER_HPP
 #define DISCMC_DOWNSAMPLER_HPP
 
-#include <discmc/arena.hpp>
+#include <discmc/base/arena.hpp>
 #include <discmc/limits.hpp>
 #include <discmc/row_input.hpp>
 

@@ -11,7 +11,7 @@
 #ifndef DISCMC_MAJORITY_FILTER_HPP
 #define DISCMC_MAJORITY_FILTER_HPP
 
-#include <discmc/arena.hpp>
+#include <discmc/base/arena.hpp>
 #include <discmc/limits.hpp>
 #include <discmc/status.hpp>
 

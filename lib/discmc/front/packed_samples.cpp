@@ -1,6 +1,6 @@
 #include <discmc/front/packed_samples.hpp>
 
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 
 namespace discmc {
 namespace {

@@ -17,8 +17,8 @@
 #ifndef DISCMC_ROW_RING_HPP
 #define DISCMC_ROW_RING_HPP
 
-#include <discmc/arena.hpp>
-#include <discmc/compiler.hpp>
+#include <discmc/base/arena.hpp>
+#include <discmc/base/compiler.hpp>
 #include <discmc/status.hpp>
 
 namespace discmc {

@@ -2,7 +2,7 @@
 #ifndef DISCMC_GEOMETRY_TREAP_HPP
 #define DISCMC_GEOMETRY_TREAP_HPP
 
-#include <discmc/pool.hpp>
+#include <discmc/base/pool.hpp>
 
 namespace discmc {
 

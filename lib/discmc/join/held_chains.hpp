@@ -2,10 +2,10 @@
 #ifndef DISCMC_JOIN_HELD_CHAINS_HPP
 #define DISCMC_JOIN_HELD_CHAINS_HPP
 
+#include <discmc/base/pool.hpp>
 #include <discmc/chain.hpp>
 #include <discmc/join/waiting_table.hpp>
 #include <discmc/normal.hpp>
-#include <discmc/pool.hpp>
 
 namespace discmc::detail::join {
 

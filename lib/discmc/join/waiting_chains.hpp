@@ -3,7 +3,7 @@
 #ifndef DISCMC_JOIN_WAITING_CHAINS_HPP
 #define DISCMC_JOIN_WAITING_CHAINS_HPP
 
-#include <discmc/arena.hpp>
+#include <discmc/base/arena.hpp>
 #include <discmc/join/waiting_rings.hpp>
 #include <discmc/join/waiting_table.hpp>
 

@@ -5,7 +5,7 @@
 #ifndef DISCMC_JOIN_WAITING_TABLE_HPP
 #define DISCMC_JOIN_WAITING_TABLE_HPP
 
-#include <discmc/checks.hpp>
+#include <discmc/base/checks.hpp>
 #include <discmc/lattice.hpp>
 
 namespace discmc::detail::join {

@@ -8,6 +8,7 @@
 #define DISCMC_SLICES_FRACTION_CODE_HPP
 
 #include <discmc/slices/fractions.hpp>
+#include <discmc/stream/wire.hpp>
 
 namespace discmc::detail::slices {
 

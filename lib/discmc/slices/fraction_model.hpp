@@ -4,7 +4,7 @@
 #ifndef DISCMC_SLICES_FRACTION_MODEL_HPP
 #define DISCMC_SLICES_FRACTION_MODEL_HPP
 
-#include <discmc/arena.hpp>
+#include <discmc/base/arena.hpp>
 #include <discmc/stream/range_coder.hpp>
 
 namespace discmc::detail::slices {

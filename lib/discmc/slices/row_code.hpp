@@ -2,8 +2,8 @@
 #ifndef DISCMC_SLICES_ROW_CODE_HPP
 #define DISCMC_SLICES_ROW_CODE_HPP
 
-#include <discmc/checks.hpp>
-#include <discmc/compiler.hpp>
+#include <discmc/base/checks.hpp>
+#include <discmc/base/compiler.hpp>
 #include <discmc/slices/slice_model.hpp>
 #include <discmc/trace/bit_rows.hpp>
 

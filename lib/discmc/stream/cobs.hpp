@@ -7,7 +7,7 @@
 
 #include <stddef.h>
 #include <stdint.h>
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 
 namespace discmc::detail::cobs {
 

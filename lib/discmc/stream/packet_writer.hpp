@@ -4,7 +4,7 @@
 #define DISCMC_STREAM_PACKET_WRITER_HPP
 
 #include <discmc/byte_output.hpp>
-#include <discmc/records_packet.hpp>
+#include <discmc/stream/records_packet.hpp>
 #include <discmc/stream/wire.hpp>
 
 namespace discmc {

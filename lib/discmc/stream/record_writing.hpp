@@ -2,7 +2,7 @@
 #ifndef DISCMC_STREAM_RECORD_WRITING_HPP
 #define DISCMC_STREAM_RECORD_WRITING_HPP
 
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 #include <discmc/stream/record_model.hpp>
 
 namespace discmc::detail::stream {

@@ -14,7 +14,7 @@
 #ifndef DISCMC_TRACE_BIT_ROWS_HPP
 #define DISCMC_TRACE_BIT_ROWS_HPP
 
-#include <discmc/arena.hpp>
+#include <discmc/base/arena.hpp>
 #include <discmc/limits.hpp>
 
 namespace discmc::detail::trace {

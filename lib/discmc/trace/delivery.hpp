@@ -11,7 +11,7 @@
 #ifndef DISCMC_TRACE_DELIVERY_HPP
 #define DISCMC_TRACE_DELIVERY_HPP
 
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 #include <discmc/sink.hpp>
 #include <discmc/trace/hole_tree.hpp>
 

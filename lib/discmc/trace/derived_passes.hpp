@@ -2,7 +2,7 @@
 #ifndef DISCMC_TRACE_DERIVED_PASSES_HPP
 #define DISCMC_TRACE_DERIVED_PASSES_HPP
 
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 #include <discmc/trace/passes.hpp>
 #include <discmc/trace/swept_row.hpp>
 

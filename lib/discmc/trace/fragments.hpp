@@ -16,7 +16,7 @@
 #ifndef DISCMC_TRACE_FRAGMENTS_HPP
 #define DISCMC_TRACE_FRAGMENTS_HPP
 
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 #include <discmc/trace/passes.hpp>
 #include <discmc/trace/queues.hpp>
 #include <discmc/trace/run_list.hpp>

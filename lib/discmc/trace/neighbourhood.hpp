@@ -2,7 +2,7 @@
 #ifndef DISCMC_TRACE_NEIGHBOURHOOD_HPP
 #define DISCMC_TRACE_NEIGHBOURHOOD_HPP
 
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 #include <discmc/trace/bit_rows.hpp>
 
 namespace discmc::detail::trace {

@@ -1,4 +1,4 @@
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 #include <discmc/trace/passes.hpp>
 
 namespace discmc::detail::trace {

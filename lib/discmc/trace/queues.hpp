@@ -12,9 +12,9 @@
 #ifndef DISCMC_TRACE_QUEUES_HPP
 #define DISCMC_TRACE_QUEUES_HPP
 
+#include <discmc/base/compiler.hpp>
+#include <discmc/base/pool.hpp>
 #include <discmc/capacities.hpp>
-#include <discmc/compiler.hpp>
-#include <discmc/pool.hpp>
 #include <discmc/trace/sector_table.hpp>
 #include <discmc/trace/slots.hpp>
 

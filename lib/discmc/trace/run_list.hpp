@@ -2,7 +2,7 @@
 #ifndef DISCMC_TRACE_RUN_LIST_HPP
 #define DISCMC_TRACE_RUN_LIST_HPP
 
-#include <discmc/pool.hpp>
+#include <discmc/base/pool.hpp>
 #include <discmc/trace/slots.hpp>
 
 namespace discmc::detail::trace {

@@ -6,7 +6,7 @@
 #ifndef DISCMC_TRACE_SAMPLE_ROWS_HPP
 #define DISCMC_TRACE_SAMPLE_ROWS_HPP
 
-#include <discmc/arena.hpp>
+#include <discmc/base/arena.hpp>
 #include <discmc/limits.hpp>
 #include <discmc/normal.hpp>
 

@@ -19,7 +19,7 @@
 #ifndef DISCMC_TRACE_SECTOR_TABLE_HPP
 #define DISCMC_TRACE_SECTOR_TABLE_HPP
 
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 #include <discmc/geometry/cell.hpp>
 
 namespace discmc::detail::trace {

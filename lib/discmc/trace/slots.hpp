@@ -8,8 +8,8 @@
 #ifndef DISCMC_TRACE_SLOTS_HPP
 #define DISCMC_TRACE_SLOTS_HPP
 
+#include <discmc/base/compiler.hpp>
 #include <discmc/chain.hpp>
-#include <discmc/compiler.hpp>
 #include <discmc/trace/intake.hpp>
 
 namespace discmc::detail::trace {

@@ -5,7 +5,7 @@
 #ifndef DISCMC_TRACE_THRESHOLD_HPP
 #define DISCMC_TRACE_THRESHOLD_HPP
 
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 
 namespace discmc::detail::trace {
 

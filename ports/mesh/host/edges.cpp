@@ -1,6 +1,6 @@
 #include "edges.hpp"
-#include <discmc/checks.hpp>
-#include <discmc/compiler.hpp>
+#include <discmc/base/checks.hpp>
+#include <discmc/base/compiler.hpp>
 #include "corner_code.hpp"
 
 namespace discmc::host {

@@ -2,8 +2,8 @@
 #ifndef DISCMC_MESH_HOST_NODE_HPP
 #define DISCMC_MESH_HOST_NODE_HPP
 
+#include <discmc/base/compiler.hpp>
 #include <discmc/capacities.hpp>
-#include <discmc/compiler.hpp>
 #include "corner_code.hpp"
 #include "ray_table.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 
 namespace discmc::meshing {
 

@@ -10,7 +10,7 @@ done
 for machine in aarch64 mips s390x cortex-m0plus cortex-m4 cortex-m33 rv32imac rv64imac; do
   platforms+=("gcc $machine")
 done
-# Nothing that is particular to these compilers: see lib/discmc/compiler.hpp.
+# Nothing that is particular to these compilers: see lib/discmc/base/compiler.hpp.
 platforms+=('gcc portable' "clang-$newest_clang portable")
 
 # What a machine is beyond its name.

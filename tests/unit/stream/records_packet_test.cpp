@@ -1,6 +1,6 @@
 // Packets of records on their way from an encoder or a decoder to another encoder.
 #include <discmc/receiver.hpp>
-#include <discmc/records_packet.hpp>
+#include <discmc/stream/records_packet.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // The pool: every slot once, in an order that depends on the calls alone.
 #include <doctest/doctest.h>
-#include <discmc/pool.hpp>
+#include <discmc/base/pool.hpp>
 
 #include <cstddef>
 #include <set>

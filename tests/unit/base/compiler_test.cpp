@@ -1,6 +1,6 @@
 // The substitutes for instructions that a processor or a compiler lacks.
 #include <doctest/doctest.h>
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 #include <discmc/trace/threshold.hpp>
 
 using namespace discmc;

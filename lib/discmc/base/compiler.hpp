@@ -4,8 +4,8 @@
 // DISCMC_FORCE_PORTABLE selects the portable code on every compiler, for tests and to isolate a
 // fault. Define it for the library and for every file that includes its headers. The streams are
 // identical to the byte.
-#ifndef DISCMC_COMPILER_HPP
-#define DISCMC_COMPILER_HPP
+#ifndef DISCMC_BASE_COMPILER_HPP
+#define DISCMC_BASE_COMPILER_HPP
 
 #if !(__cplusplus >= 201703L || (defined(_MSVC_LANG) && _MSVC_LANG >= 201703L))
 #error "discmc needs C++17 or later: compile with -std=c++17"

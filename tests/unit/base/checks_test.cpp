@@ -1,7 +1,7 @@
 // What is poisoned in the caller's memory, and what traps: with an address sanitizer.
 #include <doctest/doctest.h>
 
-#include <discmc/checks.hpp>
+#include <discmc/base/checks.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/joiner.hpp>
 

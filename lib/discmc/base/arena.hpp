@@ -1,30 +1,13 @@
 // A bump arena over the caller's memory.
-#ifndef DISCMC_ARENA_HPP
-#define DISCMC_ARENA_HPP
+#ifndef DISCMC_BASE_ARENA_HPP
+#define DISCMC_BASE_ARENA_HPP
 
 #include <stddef.h>
 #include <stdint.h>
-#include <discmc/checks.hpp>
-#include <discmc/compiler.hpp>
+#include <discmc/base/checks.hpp>
+#include <discmc/memory.hpp>
 
 namespace discmc {
-
-/// A piece of memory. Owner: the caller.
-struct Memory {
-  void* data = nullptr;
-  size_t bytes = 0;
-};
-
-/// The memory of an array of bytes, words or plain structs. Owner: the caller.
-template <class Item, size_t N>
-constexpr Memory memory_of(Item (&array)[N]) {
-  return {array, sizeof array};
-}
-/// The memory of a std::array, std::span or std::vector, as long as it keeps its size.
-template <class Items>
-constexpr auto memory_of(Items& items) -> decltype(Memory{items.data(), items.size()}) {
-  return {items.data(), items.size() * sizeof *items.data()};
-}
 
 /// Allocates consecutive arrays of trivial types from one piece of memory and frees none of them.
 /// Every array is aligned to four bytes, which suffices for all objects of the library. The arena

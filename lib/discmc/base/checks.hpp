@@ -8,12 +8,12 @@
 //
 // DISCMC_CHECKED adds red zones between the arrays of an arena, for tests of the library. Arenas
 // need more memory then; sizes.h does not count it.
-#ifndef DISCMC_CHECKS_HPP
-#define DISCMC_CHECKS_HPP
+#ifndef DISCMC_BASE_CHECKS_HPP
+#define DISCMC_BASE_CHECKS_HPP
 
 #include <stddef.h>
 #include <stdint.h>
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 
 #if defined(__SANITIZE_ADDRESS__)
 #define DISCMC_HAS_ADDRESS_SANITIZER

@@ -1,11 +1,11 @@
 // A pool of slots with a free list through their first member.
-#ifndef DISCMC_POOL_HPP
-#define DISCMC_POOL_HPP
+#ifndef DISCMC_BASE_POOL_HPP
+#define DISCMC_BASE_POOL_HPP
 
 #include <stddef.h>
 #include <stdint.h>
-#include <discmc/checks.hpp>
-#include <discmc/compiler.hpp>
+#include <discmc/base/checks.hpp>
+#include <discmc/base/compiler.hpp>
 
 namespace discmc {
 

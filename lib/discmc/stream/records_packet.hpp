@@ -4,12 +4,12 @@
 // Decoder::set_packet_passthrough() passes packets on, and Encoder::append() adds them to the
 // joined stream. Their regions are not decoded, so joining slabs costs little more than the regions
 // at the seams.
-#ifndef DISCMC_RECORDS_PACKET_HPP
-#define DISCMC_RECORDS_PACKET_HPP
+#ifndef DISCMC_STREAM_RECORDS_PACKET_HPP
+#define DISCMC_STREAM_RECORDS_PACKET_HPP
 
 #include <stddef.h>
 #include <stdint.h>
-#include <discmc/compiler.hpp>
+#include <discmc/base/compiler.hpp>
 
 namespace discmc {
 

@@ -1,10 +1,8 @@
 // The bump arena: aligned arrays one behind the other, and never a byte beyond.
 #include <doctest/doctest.h>
-#include <discmc/arena.hpp>
+#include <discmc/base/arena.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <cstring>
 #include <vector>
 
@@ -130,18 +128,4 @@ TEST_CASE("arrays do not overlap and stay within the memory for any sequence of 
       if (count > 0) std::memset(records, 0xFF, count * sizeof(Six));
     }
   }
-}
-
-TEST_CASE("memory_of() covers all bytes of an array of any item type") {
-  uint8_t bytes[7];
-  uint32_t words[3];
-  std::array<std::byte, 5> wrapped{};
-  std::vector<uint16_t> halves(9);
-  CHECK(memory_of(bytes).data == bytes);
-  CHECK(memory_of(bytes).bytes == 7);
-  CHECK(memory_of(words).bytes == 12);
-  CHECK(memory_of(wrapped).data == wrapped.data());
-  CHECK(memory_of(wrapped).bytes == 5);
-  CHECK(memory_of(halves).data == halves.data());
-  CHECK(memory_of(halves).bytes == 18);
 }
