@@ -89,7 +89,8 @@ TEST_CASE("the guide names every key of info, and every exit code") {
   workshop.write("v.nrrd", discmc::reference::ball({20, 20, 20}, {19, 19, 15}, 100));
   workshop.done("extract v.nrrd --iso 100 -o v.dmc");
   for (const std::string input : {"v.nrrd", "v.dmc"})
-    for (const auto& [key, value] : workshop.info(input)) {
+    for (const auto& each : workshop.info(input)) {
+      const std::string& key = each.first;
       if (key.rfind("percentile_", 0) == 0) continue;  // given as a range
       INFO(input, " ", key);
       CHECK(contains(section_of(page, "### Keys of `info`"), "`" + key + "`"));

@@ -46,8 +46,9 @@ TEST_CASE("the bounds of a volume are those of its finite samples") {
 
 TEST_CASE("a narrowed volume is on where the volume is, and in proportion") {
   const Folder folder;
-  for (const auto& [called, type] : discmc::command::sample_types) {
-    INFO(called);
+  for (const auto& each : discmc::command::sample_types) {
+    const SampleType type = each.second;
+    INFO(each.first);
     const std::string bytes = stored(type);
     const double iso = (sample_at(20, type) + sample_at(21, type)) / 2;
     const SampleBounds bounds = sample_bounds(*opened(folder, type, bytes));

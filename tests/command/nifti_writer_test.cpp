@@ -55,8 +55,9 @@ std::unique_ptr<VolumeReader> written_and_opened(const volume_files::Folder& fol
 
 TEST_CASE("samples of any type are the same in the file") {
   const volume_files::Folder folder;
-  for (const auto& [name, type] : sample_types) {
-    INFO(name);
+  for (const auto& each : sample_types) {
+    const SampleType type = each.second;
+    INFO(each.first);
     VolumeInfo info = small_volume();
     info.type = type;
     const auto volume = written_and_opened(folder, info);

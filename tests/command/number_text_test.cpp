@@ -15,8 +15,9 @@ TEST_CASE("a decimal number is read from its first character to its last") {
   const std::vector<std::pair<std::string, double>> numbers = {
       {"0", 0},  {"1", 1},       {"+1.5", 1.5}, {"-2e3", -2000}, {".5", 0.5},
       {"5.", 5}, {"1E-2", 0.01}, {"0.1", 0.1},  {"-0.0", 0}};
-  for (const auto& [text, number] : numbers) {
-    INFO(text);
+  for (const auto& each : numbers) {
+    const auto& [text, number] = each;
+    INFO(each.first);
     CHECK(decimal_number(text) == number);
     CHECK(finite_number(text) == number);
   }

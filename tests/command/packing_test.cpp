@@ -63,9 +63,10 @@ TEST_CASE("a compressed file for a library that reads only files is unpacked tem
   const Folder folder;
   const std::pair<const char*, const char*> cases[] = {{"hdf5/u8-little.h5", "HDF5, /volume, raw"},
                                                        {"npz/u8-little.npz", "NumPy, npz"}};
-  for (const auto& [name, format] : cases)
+  for (const auto& each : cases)
     for (const Way& way : ways) {
-      INFO(name, " ", way.name);
+      const auto& [name, format] = each;
+      INFO(each.first, " ", way.name);
       const std::string bytes = packed(contents(files / name), way.add_filter);
       const std::string called = fs::path(name).filename().string() + way.ending;
       check_volume(folder.write(called, bytes), SampleType::u8,

@@ -35,8 +35,9 @@ TEST_CASE("formats are named by their first bytes, with a remedy") {
       {"NSI Reconstruction", "this is North Star Imaging"},
       {"CTDATA-HEADER_V1", "itk-ioscanco"},
       {std::string("CDF\1\0\0\0\0minc_version", 20), "mnc2nii"}};
-  for (const auto& [head, part] : cases) {
-    INFO(head);
+  for (const auto& each : cases) {
+    const auto& [head, part] = each;
+    INFO(each.first);
     check_refusal(refusal(folder.write("v.vol", head + "....")), part);
   }
   // The name does not override the contents of the file.

@@ -303,8 +303,9 @@ TEST_CASE("ImageJ's units are read as it writes them") {
   const std::vector<std::pair<std::string, double>> units = {
       {"m", 1000},     {"cm", 10},        {"mm", 1},    {"micron", 1e-3}, {"\\u00B5m", 1e-3},
       {"\xb5m", 1e-3}, {"\u00b5m", 1e-3}, {"um", 1e-3}, {"nm", 1e-6},     {"inch", 25.4}};
-  for (const auto& [unit, mm] : units) {
-    INFO(unit);
+  for (const auto& each : units) {
+    const auto& [unit, mm] = each;
+    INFO(each.first);
     check_spacing(info_of(numbered(3,
                                    "ImageJ=1.54f\nimages=3\nslices=3\nunit=" + unit +
                                        "\nspacing=-2.0\nmin=0.0\nmax=255.0\n",

@@ -71,7 +71,7 @@ TEST_CASE("NRRD's directions and origin are read in its space") {
   const std::string turned =
       "space directions: (0,2,0) (-3,0,0) (0,0.6,0.8)\nspace origin: (10,-20,30.5)\n";
   const Axes axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0.6, 0.8}}};
-  for (const auto& [field, space] :
+  for (const auto& each :
        std::vector<std::pair<std::string, Space>>{{"space: left-posterior-superior\n", Space::lps},
                                                   {"space: LPS\n", Space::lps},
                                                   {"space: right-anterior-superior\n", Space::ras},
@@ -79,7 +79,8 @@ TEST_CASE("NRRD's directions and origin are read in its space") {
                                                   {"space: scanner-xyz\n", Space::scanner},
                                                   {"space: 3D-right-handed\n", Space::scanner},
                                                   {"space dimension: 3\n", Space::scanner}}) {
-    INFO(field);
+    const auto& [field, space] = each;
+    INFO(each.first);
     const VolumeInfo info = nrrd_info(folder, field + units_in_mm + turned);
     check_placement(info, space, {10, -20, 30.5}, axes);
     CHECK(info.notes.empty());
