@@ -37,7 +37,7 @@
 /* A slice encoder of a kind with fractions, for 2 or 4 levels. sample_bytes: 1 for u8, 2 for u16
  * and i16. */
 #define DISCMC_FRACTION_SLICE_ENCODER_BYTES(width, height, surfaces, levels, sample_bytes) \
-  (DISCMC_SLICE_ENCODER_BYTES(width, height, surfaces) + 34 * sizeof(void*) + 57 +         \
+  (DISCMC_SLICE_ENCODER_BYTES(width, height, surfaces) + 38 * sizeof(void*) + 161 +        \
    DISCMC_FRACTION_BYTES_(width, height, surfaces, levels) +                               \
    (UINT64_C(1) * ((width) + 1) / 2 * (height) + 3) * (surfaces) +                         \
    UINT64_C(1) * (width) * (sample_bytes))
@@ -45,14 +45,14 @@
 /* The least for a receiver of slices; with more memory, fewer regions arrive as fragments. For a
  * receiver of polygons use DISCMC_RECEIVER_BYTES(1, 1, 1). */
 #define DISCMC_RECEIVER_BYTES(width, height, surfaces)                        \
-  (96 * sizeof(void*) + 3121 +                                                \
+  (101 * sizeof(void*) + 3225 +                                               \
    DISCMC_BIT_ROW_BYTES_(width, (height) + 3 + ((height) < 2)) * (surfaces) + \
    UINT64_C(1060) * (surfaces) + DISCMC_BIT_ROW_BYTES_(width, 2 * (height) + 4) + (width) / 8)
 
 /* The least for a receiver of slices with fractions of this many levels. */
 #define DISCMC_FRACTION_RECEIVER_BYTES(width, height, surfaces, levels) \
   (DISCMC_RECEIVER_BYTES(width, height, surfaces) +                     \
-   DISCMC_FRACTION_BYTES_(width, height, surfaces, levels))
+   DISCMC_FRACTION_BYTES_(width, height, surfaces, levels) + UINT64_C(2) * (width) + 2)
 
 /* A joiner for this many fragments that wait at once, with eight runs each. */
 #define DISCMC_JOINER_BYTES(fragments) (10 * sizeof(void*) + 242 + UINT64_C(192) * (fragments))
@@ -63,9 +63,11 @@
 #define DISCMC_ROW_RING_BYTES(row_bytes, rows) \
   (3 * sizeof(void*) + 42 + UINT64_C(4) * (rows) * (((row_bytes) + UINT64_C(3)) / 4 + 1))
 
-/* Private: fractions of two rows, and the probabilities of each surface. */
-#define DISCMC_FRACTION_BYTES_(width, height, surfaces, levels)                          \
-  ((UINT64_C(4) * (((width) + 5) / 4 * 4) + UINT64_C(906) * (levels)-872) * (surfaces) + \
+/* Private: fractions of two rows and the slice before, and the probabilities of each surface. */
+#define DISCMC_FRACTION_BYTES_(width, height, surfaces, levels)                     \
+  ((UINT64_C(4) * (((width) + 5) / 4 * 4) + UINT64_C(2) * ((width) + (height) + 1) + \
+    UINT64_C(906) * (levels)-872) *                                                 \
+       (surfaces) +                                                                 \
    UINT64_C(4) * (((height) + 31) / 32))
 
 /* Private: rows of bits, 30 voxels per word. */

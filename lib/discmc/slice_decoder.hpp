@@ -71,7 +71,9 @@ class SliceDecoder {
                                           uint32_t levels = 0) {
     return SliceEncoder::minimum_bytes({limits, {}, 0, static_cast<uint8_t>(surfaces)}) +
            Arena::bytes_of((limits.width + 7) / 8, sizeof(uint8_t)) +
-           (levels == 0 ? 0 : detail::slices::Fractions::bytes_for(limits, surfaces, levels));
+           (levels == 0 ? 0
+                        : detail::slices::Fractions::bytes_for(limits, surfaces, levels) +
+                              Arena::bytes_of(limits.width, sizeof(uint16_t)));
   }
 
   SliceDecoder() = default;
@@ -164,6 +166,7 @@ class SliceDecoder {
   detail::slices::Surfaces surfaces_;
   uint8_t* bits_ = nullptr;
   detail::slices::Fractions fractions_;
+  uint16_t* fractions_of_row_ = nullptr;
   detail::slices::FractionCode fraction_code_;
   bool knows_slice_before_ = false;      // of a key slice
   uint8_t surfaces_with_fractions_ = 0;  // to be handed out: a bit per surface

@@ -1,5 +1,7 @@
 """Section 15 of lib/WIRE.md: the fractions of the edges between voxels."""
 
+from collections import deque
+
 from packets import Damaged
 
 FX, FY, FZ, COUNT, FZ_AFTER_COUNT = range(1, 6)  # the parts of a row, as in a cut
@@ -9,21 +11,41 @@ AFTER_COUNT = 448  # the first tree of an Fz after a count
 class Fractions:
     """The contexts of a surface, and the fractions of its rows: Fx, Fy and Fz, each with a 0 at either end."""
 
-    def __init__(self, levels, width):
-        self.levels = levels
+    def __init__(self, levels, width, height):
+        self.levels, self.height = levels, height
         self.none = [0] * (width + 2)
         self.rows = []
+        self.most = 8 * (width + height)
+        self.queue = deque()  # the number of the row, the axis, x and the fraction
+        self.full_slice = None
+        self.below = self.below_above = (self.none, self.none)
+
+    def begin_row(self, number, y):
+        """Takes Fx and Fy of this row in the slice before from the queue."""
+        self.below_above = self.below if y else (self.none, self.none)
+        self.below = tuple(list(self.none) for _ in range(2))
+        while self.queue and self.queue[0][0] == number - self.height:
+            _, axis, x, fraction = self.queue.popleft()
+            self.below[axis][x] = fraction
+
+    def join_queue(self, number, axis, x, fraction):
+        if len(self.queue) == self.most:
+            self.full_slice = number // self.height
+        if self.full_slice != number // self.height:
+            self.queue.append((number, axis, x, fraction))
 
     def reset(self):
+        self.queue.clear()
+        self.full_slice = None
         self.counts = [32768] * 16
         self.trees = [32768] * (453 * (self.levels - 1))
 
     def value(self, coder, tree):
         first = tree * (self.levels - 1)
-        h = coder.learnt(self.trees, first)
+        h = coder.learnt_quickly(self.trees, first)
         if self.levels == 2:
             return 4 * h + 2
-        return 4 * h + 2 * coder.learnt(self.trees, first + 1 + h) + 1
+        return 4 * h + 2 * coder.learnt_quickly(self.trees, first + 1 + h) + 1
 
 
 def row_of_fractions(rows, surface, row, f):
@@ -36,6 +58,8 @@ def row_of_fractions(rows, surface, row, f):
                 yield FX + axis, rows.width + 1 - x
                 u = surface.fractions.value(rows.coder, edges.tree(axis, x))
                 f[axis][x] = u if row[x] else 8 - u
+                if axis < 2:
+                    surface.fractions.join_queue(len(rows.kinds), axis, x, f[axis][x])
     if is_counted:
         yield from counted(rows, surface.fractions, edges, f[2])
 
@@ -43,7 +67,7 @@ def row_of_fractions(rows, surface, row, f):
 def counted(rows, fractions, edges, fz):
     ones = 0
     yield COUNT, ones
-    while rows.coder.learnt(fractions.counts, ones):
+    while rows.coder.learnt_quickly(fractions.counts, ones):
         ones += 1
         if ones == 16:
             raise Damaged("count")
@@ -82,6 +106,10 @@ class Edges:
             self.is_before_lost = rows.is_lost(before)
         if self.z > 0 and y > 0:
             self.above_before = surface.rows[before - 1]
+        self.below, self.below_above = surface.fractions.below, surface.fractions.below_above
+        self.known_before, self.known_above_before = self.before, self.above_before
+        if self.is_key:
+            self.known_before = self.known_above_before = surface.off
 
     def has(self, axis, x):
         if axis == 0:
@@ -95,33 +123,43 @@ class Edges:
         number = self.number_beside(axis, x, s)
         line = 0
         if number is not None:
-            line = 1 + min(5, 3 * ((number if s else 8 - number) + 4) // 8)
+            number = number if s else 8 - number
+            line = 1 if number < -1 else 6 if number > 9 else 1 + 3 * (number + 4) // 8
         lower, upper = (third(distances) for distances in self.distances(axis, x))
         off, on = (lower, upper) if s else (upper, lower)
         return ((line * 4 + off) * 4 + on) * 4 + self.forward(axis, x, s)
 
     def number_beside(self, axis, x, s):
         if axis == 0:
-            return beside(self.above[x - 1], self.above[x], self.f_above[0][x], s)
-        if axis == 1:
-            return beside(self.above[x - 1], self.row[x - 1], self.f[1][x - 1], s)
-        a = beside(self.before[x - 1], self.row[x - 1], self.f[2][x - 1], s)
-        b = beside(self.above_before[x], self.above[x], self.f_above[2][x], s)
+            edges = [(self.above[x - 1], self.above[x], self.f_above[0][x]),
+                     (self.known_before[x - 1], self.known_before[x], self.below[0][x]),
+                     (self.known_above_before[x - 1], self.known_above_before[x], self.below_above[0][x])]
+        elif axis == 1:
+            edges = [(self.above[x - 1], self.row[x - 1], self.f[1][x - 1]),
+                     (self.known_above_before[x], self.known_before[x], self.below[1][x]),
+                     (self.known_above_before[x - 1], self.known_before[x - 1], self.below[1][x - 1])]
+        else:
+            edges = [(self.before[x - 1], self.row[x - 1], self.f[2][x - 1]),
+                     (self.above_before[x], self.above[x], self.f_above[2][x]),
+                     (self.above_before[x - 1], self.above[x - 1], self.f_above[2][x - 1])]
+        a, b, c = (beside(*edge, s) for edge in edges)
         if a is None or b is None:
             return b if a is None else a
-        return (a + b) // 2
+        return (a + b) // 2 if c is None else a + b - c
 
     def distances(self, axis, x):
         """Of the lower end and of the upper end."""
         def back(*fractions):
             return [8 - f for f in fractions if f]
 
+        def forth(fraction):
+            return [fraction] if fraction else []
+
         if axis == 0:
-            return back(self.f[1][x - 1], self.f[2][x - 1]), []
+            return back(*(f[x - 1] for f in self.f)), []
         if axis == 1:
-            forth = [f for f in [self.f_above[0][x + 1]] if f]
-            return back(self.f_above[0][x], self.f_above[2][x]) + forth, back(self.f[0][x])
-        return [], back(self.f[0][x], self.f[1][x])
+            return back(*(f[x] for f in self.f_above)) + forth(self.f_above[0][x + 1]), back(self.f[0][x])
+        return back(*(f[x] for f in self.below)) + forth(self.below[0][x + 1]), back(self.f[0][x], self.f[1][x])
 
     def forward(self, axis, x, s):
         if axis == 0:

@@ -71,6 +71,16 @@ class RangeDecoder:
         contexts[context] = p + (65535 - p >> 4) if bit else p - (p >> 4)
         return bit
 
+    def learnt_quickly(self, contexts, context):
+        """Section 15: the same for the contexts of fractions."""
+        p = contexts[context]
+        bit = self.decision(p, 16)
+        q, n = divmod(p, 8)
+        k = (n + 3) // 2
+        q = q + (8191 - q >> k) if bit else q - (q >> k)
+        contexts[context] = 8 * q + min(n + 1, 7)
+        return bit
+
     def even_bits(self, n):
         """Section 14: a number of several even bits."""
         value = 0

@@ -15,11 +15,11 @@ VOXEL = 0  # the part of a row before its fractions, as in a cut
 class Surface:
     """The contexts of a surface, and its rows: lists of bits, with an off voxel at either end."""
 
-    def __init__(self, width, levels):
+    def __init__(self, width, height, levels):
         self.off = [0] * (width + 2)
         self.rows = []
         self.p = []
-        self.fractions = Fractions(levels, width) if levels else None
+        self.fractions = Fractions(levels, width, height) if levels else None
 
     def reset(self, table):
         self.p = [32] + [256 * t + 128 for t in table]
@@ -31,7 +31,7 @@ class SliceRows:
 
     def __init__(self, header):
         self.width, self.height = header.width, header.height
-        self.surfaces = [Surface(self.width, header.levels) for _ in header.thresholds]
+        self.surfaces = [Surface(self.width, self.height, header.levels) for _ in header.thresholds]
         self.kinds = []
         self.key_slice = None  # the last one
         self.coder = None
@@ -92,6 +92,9 @@ class SliceRows:
         z, y = divmod(len(self.kinds), self.height)
         if y == 0 and self.key_slice is not None and z == self.key_slice + 1:
             self.reset(OTHER_SLICES)
+        for surface in self.surfaces:
+            if surface.fractions:
+                surface.fractions.begin_row(len(self.kinds), y)
         if note == 0:
             self.steps = self.row()
         elif note == 1:

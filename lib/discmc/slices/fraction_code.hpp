@@ -29,6 +29,7 @@ class FractionCode {
     has_key_edges_ = key_edges != KeyEdges::none;
     knows_key_edges_ = key_edges == KeyEdges::known;
     row_.crosses[2] = row.crosses[2] && !has_key_edges_;
+    known_ = has_key_edges_ ? FractionEntry::along_x_and_y : FractionEntry::all;
     key_crosses_ = row.crosses[2] && knows_key_edges_;
     begin_pass();
   }
@@ -64,16 +65,22 @@ class FractionCode {
   static constexpr uint32_t eighths = 7;  // the bits of a fraction in an entry
   static constexpr int32_t none = INT32_MIN;
 
-  // The mean of fractions in thirds of the edge, or none.
+  // The mean of distances in thirds of the edge, or none.
   struct Mean {
     uint32_t sum = 0;
     uint32_t count = 0;
-    void add(uint32_t fraction) {
-      sum += fraction;
-      if (fraction != 0) ++count;
+    void add(uint32_t distance) {
+      sum += distance;
+      ++count;
     }
-    void add_reversed(uint32_t fraction) {
-      if (fraction != 0) add(8 - fraction);
+    // From the voxel of these fractions, the upper end of their edges.
+    void add_from(uint32_t fractions) {
+      for (; fractions != 0; fractions >>= 3)
+        if ((fractions & eighths) != 0) add(8 - (fractions & eighths));
+    }
+    // From the lower end of this edge.
+    void add_to(uint32_t fraction) {
+      if (fraction != 0) add(fraction);
     }
     uint32_t third() const {
       if (count == 0) return 0;
@@ -106,10 +113,10 @@ class FractionCode {
     has_key_edges_ = false;
     row_.crosses[0] = row_.crosses[1] = false;
     row_.crosses[2] = key_crosses_;
-    known_ = 0;
+    count_ = 0;
     for (word_ = 0; word_ < words(); ++word_) {
       load();
-      for (uint32_t bits = crossing_[2]; bits != 0; bits &= bits - 1) ++known_;
+      for (uint32_t bits = crossing_[2]; bits != 0; bits &= bits - 1) ++count_;
     }
   }
   void pass(uint32_t axis) {
@@ -123,7 +130,7 @@ class FractionCode {
 
   template <class Coder>
   uint32_t code_fraction(Coder& coder, uint32_t context, uint32_t fraction) {
-    LearntProbability* const tree = model_->tree(context);
+    FractionProbability* const tree = model_->tree(context);
     const bool is_high = coder.code_bit(tree[0], fraction >= 4);
     if (model_->levels() == 2) return is_high ? 6 : 2;
     const bool low = coder.code_bit(tree[is_high ? 2 : 1], (fraction & 2) != 0);
@@ -142,83 +149,94 @@ class FractionCode {
     entry =
         static_cast<uint16_t>((entry & ~(eighths << place)) | (is_on ? read : 8 - read) << place);
     *row_.is_any = true;
+    if (axis < 2) row_.queue->put(is_on ? read : 8 - read);
     pass(axis);
   }
 
-  // The fraction along z of an entry that is a context.
-  uint32_t along_z(uint32_t entry) const { return has_key_edges_ ? 0 : entry >> 6; }
+  // Three lines beside the edge, which are edges of the same cell. The third is opposite to it.
+  // lower, upper: their voxels, see alike_bits(). entry: that of x, if odd that of x - 1; from 2 on
+  // in the row before. place: of the fraction in the entry.
+  struct Line {
+    uint8_t lower, upper, entry, place;
+  };
+  // clang-format off
+  static constexpr Line lines_beside[3][3] = {
+      {{3, 4, 2, 0}, {6, 7, 0, 9}, {9, 10, 2, 9}},
+      {{3, 0, 1, 3}, {10, 7, 0, 12}, {9, 6, 1, 12}},
+      {{6, 0, 1, 6}, {10, 4, 2, 6}, {9, 3, 3, 6}}};
+  // clang-format on
 
-  // The place of the surface on a line beside the edge. Units: eighths from the lower end; or none.
-  // lower, upper: whether these voxels equal the voxel at the upper end of the edge.
-  static int32_t beside(uint32_t lower, uint32_t upper, uint32_t fraction) {
-    if (lower == upper) return lower != 0 ? -4 : 12;
+  // Voxels that equal the upper end of the edge: three from x - 1 on of this row, the row before,
+  // and both in the slice before.
+  uint32_t alike_bits(bool is_on) const {
+    const auto three = [this](const uint32_t* row) { return row[word_] >> (bit_ - 1) & 7; };
+    const uint32_t bits = three(row_.here) | three(row_.behind) << 3 | three(row_.below) << 6 |
+                          three(row_.below_behind) << 9;
+    return is_on ? bits & known_ : (bits & known_) ^ 0xFFF;
+  }
+
+  // Where the surface crosses such a line. Units: eighths from the lower end; or none.
+  static int32_t crossing_of(const Line& line, const uint32_t* entries, uint32_t alike) {
+    const uint32_t upper = alike >> line.upper & 1;
+    if ((alike >> line.lower & 1) == upper) return upper != 0 ? -4 : 12;
+    const uint32_t fraction = entries[line.entry] >> line.place & eighths;
     return upper != 0 && fraction != 0 ? static_cast<int32_t>(fraction) : none;
   }
 
+  // Where it crosses the edge if it is a plane through the three lines.
+  static int32_t crossing_of_plane(const Line* lines, const uint32_t* entries, uint32_t alike) {
+    const int32_t first = crossing_of(lines[0], entries, alike);
+    const int32_t second = crossing_of(lines[1], entries, alike);
+    if (first == none) return second;
+    if (second == none) return first;
+    const int32_t opposite = crossing_of(lines[2], entries, alike);
+    return opposite == none ? (first + second) >> 1 : first + second - opposite;
+  }
+
   uint32_t context_of(uint32_t axis, bool is_on) const {
-    // Three voxels of each row from x - 1 on: a bit is set if the voxel equals this one.
-    const auto alike = [this, is_on](const uint32_t* row) {
-      const uint32_t three = row[word_] >> (bit_ - 1) & 7;
-      return is_on ? three : three ^ 7;
-    };
-    const uint32_t x = voxel();
-    const uint32_t here = row_.now[x], left = row_.now[static_cast<int32_t>(x) - 1];
-    const uint32_t behind = row_.before[x];
-    const uint32_t upper = alike(row_.here);
-    const uint32_t lower = alike(axis == 2 ? row_.below : row_.behind);
-    int32_t line;
-    Mean at_lower, at_upper;
-    if (axis == 0) {
-      line = beside(lower & 1, lower >> 1 & 1, behind & eighths);
-      at_lower.add_reversed(left >> 3 & eighths);
-      at_lower.add_reversed(along_z(left));
-    } else {
-      line = beside(lower & 1, upper & 1, axis == 1 ? left >> 3 & eighths : along_z(left));
-      at_upper.add_reversed(here & eighths);
-      if (axis == 1) {
-        at_lower.add_reversed(behind & eighths);
-        at_lower.add_reversed(along_z(behind));
-        at_lower.add(row_.before[x + 1] & eighths);
-      } else {
-        at_upper.add_reversed(here >> 3 & eighths);
-        const int32_t other =
-            beside(alike(row_.below_behind) >> 1 & 1, alike(row_.behind) >> 1 & 1, along_z(behind));
-        line = line == none ? other : other == none ? line : (line + other) >> 1;
-      }
+    const uint32_t alike = alike_bits(is_on);
+    const uint16_t* const now = row_.now + voxel();
+    const uint16_t* const before = row_.before + voxel();
+    const uint32_t entries[] = {now[0] & known_, now[-1] & known_, before[0] & known_,
+                                before[-1] & known_};
+    int32_t plane = crossing_of_plane(lines_beside[axis], entries, alike);
+    uint32_t line = 0;
+    if (plane != none) {
+      if (!is_on) plane = 8 - plane;
+      line = plane < -1 ? 1 : plane > 9 ? 6 : 1 + (static_cast<uint32_t>(3 * (plane + 4)) >> 3);
     }
-    // The line at x + 1, by its voxels alone.
+    Mean lower, upper;
     uint32_t forward = 0;
-    if (axis > 0) {
-      const uint32_t ends = (lower >> 2) + 2 * (upper >> 2);
+    if (axis == 0) {
+      lower.add_from(entries[1] & FractionEntry::own);
+    } else {
+      upper.add_from(entries[0] & (axis == 1 ? eighths : FractionEntry::along_x_and_y));
+      lower.add_from(axis == 1 ? entries[2] & FractionEntry::own
+                               : entries[0] >> FractionEntry::below);
+      lower.add_to((axis == 1 ? before[1] : now[1] >> FractionEntry::below) & eighths);
+      // The line at x + 1, by its voxels alone.
+      const uint32_t ends = (alike >> (axis == 1 ? 5 : 8) & 1) + 2 * (alike >> 2 & 1);
       forward = ends == 3 ? 1 : ends == 2 ? 2 : ends == 0 ? 3 : 0;
+      if (!is_on && forward % 2 != 0) forward = 4 - forward;
     }
-    if (!is_on) {
-      if (line != none) line = 8 - line;
-      if (forward % 2 != 0) forward = 4 - forward;
-    }
-    uint32_t lines = 0;
-    if (line != none) {
-      const auto part = static_cast<uint32_t>(3 * (line + 4)) >> 3;
-      lines = part < 5 ? 1 + part : 6;
-    }
-    const uint32_t off_end = (is_on ? at_lower : at_upper).third();
-    const uint32_t on_end = (is_on ? at_upper : at_lower).third();
+    const uint32_t off_end = (is_on ? lower : upper).third();
+    const uint32_t on_end = (is_on ? upper : lower).third();
     using namespace fraction_context;
-    return ((lines * off_ends + off_end) * on_ends + on_end) * forwards + forward;
+    return ((line * off_ends + off_end) * on_ends + on_end) * forwards + forward;
   }
 
   // Codes a one or the zero of the width of the number, and after the zero its bits below the
   // highest.
   template <class Coder>
   bool code_count(Coder& coder) {
-    const uint32_t known_width = bit_width(known_);
+    const uint32_t known_width = bit_width(count_);
     if (coder.code_bit(model_->width(left_), left_ < known_width))
       return ++left_ < fraction_context::count_widths;
     if (left_ > 0) {
       const uint32_t top = uint32_t{1} << (left_ - 1);
-      left_ = top | coder.number(left_ - 1, known_ & (top - 1));
+      left_ = top | coder.number(left_ - 1, count_ & (top - 1));
     }
-    if (left_ > row_.width || (knows_key_edges_ && left_ != known_)) return false;
+    if (left_ > row_.width || (knows_key_edges_ && left_ != count_)) return false;
     part_ = left_ > 0 ? Part::key_edges : Part::done;
     if (left_ > 0 && knows_key_edges_) begin_pass();
     return true;
@@ -229,9 +247,9 @@ class FractionCode {
     const uint32_t context = fraction_context::key_edge + (last_ + 1) / 2;
     if (knows_key_edges_) {
       uint16_t& entry = row_.now[voxel()];
-      last_ = code_fraction(coder, context, entry >> 6);
+      last_ = code_fraction(coder, context, entry >> 6 & eighths);
       *row_.is_any = true;
-      entry = static_cast<uint16_t>((entry & 0x3F) | last_ << 6);
+      entry = static_cast<uint16_t>((entry & ~(eighths << 6)) | last_ << 6);
       pass(2);
     } else {
       last_ = code_fraction(coder, context, 0);
@@ -245,7 +263,8 @@ class FractionCode {
   uint32_t word_ = 0;
   uint32_t bit_ = 0;    // of the next edge
   uint32_t left_ = 0;   // edges along z into a key slice; before their number, its ones so far
-  uint32_t known_ = 0;  // their number
+  uint32_t count_ = 0;  // their number
+  uint32_t known_ = 0;  // the bits of entries, and of voxels, on which contexts depend
   uint32_t last_ = 0;   // the fraction of the one before
   Part part_ = Part::done;
   bool has_key_edges_ = false;

@@ -48,7 +48,7 @@ class FractionIntake {
         const Sample* const sample = samples + size_t{voxel - column} * stride;
         const uint32_t distance = distance_of(*sample);
         const bool is_on = (row_.here[word] >> bit & 1) != 0;
-        uint32_t entry = 0;
+        uint32_t entry = row_.now[voxel];
         for (uint32_t axis = 0; axis < 3; ++axis) {
           if ((crossing[axis] >> bit & 1) == 0) continue;
           uint32_t lower;

@@ -63,7 +63,7 @@ template <class Sample>
 void FractionSliceEncoder<Sample>::process(const Sample* samples, uint32_t first, uint32_t count,
                                            uint32_t stride) {
   for (uint32_t surface = 0; surface < surfaces_.count(); ++surface) {
-    if (first == 0) fractions_.begin_row(surface);
+    if (first == 0) fractions_.begin_row(surfaces_[surface].rows, surface);
     intake(surface).find(samples, first, count, stride);
   }
   // All surfaces have read the samples of the row before.
@@ -102,7 +102,7 @@ void FractionSliceEncoder<Sample>::begin_code() {
   const bool is_key = surfaces_.is_in_key_slice();
   if (is_key && rows() == 0 && surface_ == 0) fractions_.begin_models();
   if (note_ != RowNote::none) {
-    fractions_.begin_row(surface_);
+    fractions_.begin_row(surfaces_[surface_].rows, surface_);
     code_.end();
     return;
   }

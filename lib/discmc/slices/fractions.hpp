@@ -4,10 +4,18 @@
 
 #include <discmc/limits.hpp>
 #include <discmc/slices/fraction_model.hpp>
+#include <discmc/slices/fraction_queue.hpp>
 #include <discmc/slices/row_code.hpp>
 #include <discmc/slices/surfaces.hpp>
 
 namespace discmc::detail::slices {
+
+/// The fractions of a voxel: its own as in fraction_of(), and above them those along x and y of the
+/// voxel in the slice before.
+struct FractionEntry {
+  static constexpr uint32_t along_x_and_y = 0x3F, own = 0x1FF, all = 0x7FFF;
+  static constexpr uint32_t below = 9;  // their place
+};
 
 /// A row of voxels, its fractions and what surrounds it. Owner: Surfaces and Fractions.
 struct FractionRow {
@@ -15,12 +23,12 @@ struct FractionRow {
   const uint32_t* behind;        ///< row y - 1
   const uint32_t* below;         ///< row y of the slice before
   const uint32_t* below_behind;  ///< row y - 1 of the slice before
-  uint16_t* now;                 ///< an entry per voxel: fraction_of() in fraction.hpp
+  uint16_t* now;                 ///< an entry per voxel, see FractionEntry
   const uint16_t* before;        ///< of row y - 1
+  FractionQueue* queue;          ///< what the slice after will know of this row
   uint32_t width;
   bool crosses[3];  ///< whether the edges along x, y and z have fractions
-
-  bool* is_any;  ///< whether the row has a fraction
+  bool* is_any;     ///< whether the row has a fraction
 
   /// Whether no edge crosses, as the three rows are off. Limit: the rows are an encoder's, whose
   /// first bit is set if a voxel is on.
@@ -46,7 +54,7 @@ class Fractions {
  public:
   static constexpr uint64_t bytes_for(const Limits& limits, uint32_t surfaces, uint32_t levels) {
     return surfaces * (Arena::bytes_of(2 * entries(limits.width), sizeof(uint16_t)) +
-                       FractionModel::bytes_for(levels)) +
+                       FractionModel::bytes_for(levels) + FractionQueue::bytes_for(limits)) +
            Arena::bytes_of(flag_words(limits.height), sizeof(uint32_t));
   }
   /// Allocates bytes_for() in the arena; clear() writes to them.
@@ -57,26 +65,35 @@ class Fractions {
     for (uint32_t surface = 0; surface < surface_count_; ++surface) {
       of_[surface].entries = arena.allocate<uint16_t>(2 * entries(width_));
       of_[surface].model.start(arena, header.levels);
+      of_[surface].queue.start(arena, {header.width, header.height, header.border}, header.levels);
     }
     has_samples_ = arena.allocate<uint32_t>(flag_words(height_));
   }
   /// Before the first row, and after a loss.
   void clear() {
-    for (uint32_t surface = 0; surface < surface_count_; ++surface)
+    for (uint32_t surface = 0; surface < surface_count_; ++surface) {
+      of_[surface].queue.clear();
       for (uint32_t row = 0; row < 2; ++row) {
-        of_[surface].is_any[row] = true;
+        of_[surface].is_clear[row] = false;
         clear_row(surface, row != 0);
       }
+    }
     for (uint32_t i = 0; i < flag_words(height_); ++i) has_samples_[i] = 0;
   }
   /// Begins a key slice.
   void begin_models() {
-    for (uint32_t surface = 0; surface < surface_count_; ++surface) of_[surface].model.begin();
+    for (uint32_t surface = 0; surface < surface_count_; ++surface) {
+      of_[surface].model.begin();
+      of_[surface].queue.begin();
+    }
   }
   FractionModel& model(uint32_t surface) { return of_[surface].model; }
 
-  /// Begins the arriving row, without fractions.
-  void begin_row(uint32_t surface) { clear_row(surface, is_odd_); }
+  /// Begins the arriving row, with the fractions of the slice before.
+  void begin_row(const detail::trace::BitRows& rows, uint32_t surface) {
+    clear_row(surface, is_odd_);
+    if (of_[surface].queue.has_next()) take_row(rows, surface);
+  }
   /// Whether the arriving row has a fraction.
   bool is_any(uint32_t surface) const { return of_[surface].is_any[is_odd_ ? 1 : 0]; }
   /// What is around the arriving row. has_slice_before: whether its edges along z may cross.
@@ -89,6 +106,7 @@ class Fractions {
     row.below_behind = has_slice_before && y > 0 ? rows.row(height_ + 1) : rows.off();
     row.now = of(surface, is_odd_) + 1;
     row.before = of(surface, !is_odd_) + 1;
+    row.queue = &of_[surface].queue;
     row.width = width_;
     row.crosses[0] = true;
     row.crosses[1] = y > 0 && has_samples(y - 1);
@@ -102,30 +120,63 @@ class Fractions {
   /// Completes the arriving row of all surfaces. has_samples: it was not skipped.
   void next_row(uint32_t y, bool has_samples) {
     const uint32_t bit = uint32_t{1} << y % 32;
+    had_samples_behind_ = this->has_samples(y);
     has_samples_[y / 32] = (has_samples_[y / 32] & ~bit) | (has_samples ? bit : 0);
     is_odd_ = !is_odd_;
     if (y + 1 < height_) return;
-    for (uint32_t surface = 0; surface < surface_count_; ++surface)
+    for (uint32_t surface = 0; surface < surface_count_; ++surface) {
+      of_[surface].queue.next_slice();
       clear_row(surface, !is_odd_);  // the first row of a slice has none before it
+    }
   }
 
  private:
   struct OfSurface {
     uint16_t* entries = nullptr;
     FractionModel model;
-    bool is_any[2] = {};  // of each row
+    FractionQueue queue;
+    bool is_any[2] = {};    // fraction in each row
+    bool is_clear[2] = {};  // whether no entry of the row has any bit
   };
 
   // Those of a row, one more on either side, and as many as make a multiple of four.
   static constexpr uint32_t entries(uint32_t width) { return (width + 5) / 4 * 4; }
   static constexpr uint32_t flag_words(uint32_t height) { return (height + 31) / 32; }
   void clear_row(uint32_t surface, bool is_odd) {
-    bool& is_any = of_[surface].is_any[is_odd ? 1 : 0];
-    if (!is_any) return;
+    const uint32_t row = is_odd ? 1 : 0;
+    bool& is_any = of_[surface].is_any[row];
+    bool& is_clear = of_[surface].is_clear[row];
+    if (is_clear && !is_any) return;
     is_any = false;
+    is_clear = true;
     uint16_t* entry = of(surface, is_odd);
     for (uint16_t* const end = entry + entries(width_); entry != end; entry += 4)
       entry[0] = entry[1] = entry[2] = entry[3] = 0;
+  }
+  // Takes the fractions of this row of the slice before from the queue.
+  void take_row(const detail::trace::BitRows& rows, uint32_t surface) {
+    const uint32_t y = rows.rows();
+    FractionRow row{};
+    row.here = rows.row(height_);
+    row.behind = y > 0 ? rows.row(height_ + 1) : rows.off();
+    row.width = width_;
+    row.crosses[0] = has_samples(y);
+    row.crosses[1] = row.crosses[0] && y > 0 && had_samples_behind_;
+    uint16_t* const entries = of(surface, is_odd_) + 1;
+    OfSurface& from = of_[surface];
+    for (uint32_t word = 0; word < rows.words(); ++word) {
+      uint32_t crossing[3];
+      row.find(word, row.columns(word), crossing);
+      for (uint32_t any = crossing[0] | crossing[1]; any != 0; any &= any - 1) {
+        const uint32_t bit = trailing_zeros(any);
+        uint32_t known = 0;
+        if ((crossing[0] >> bit & 1) != 0) known = from.queue.take();
+        if ((crossing[1] >> bit & 1) != 0) known |= from.queue.take() << 3;
+        entries[word * detail::trace::columns_per_word + bit - 2] =
+            static_cast<uint16_t>(known << FractionEntry::below);
+        from.is_clear[is_odd_ ? 1 : 0] = false;
+      }
+    }
   }
   uint16_t* of(uint32_t surface, bool is_odd) {
     return of_[surface].entries + (is_odd ? entries(width_) : 0);
@@ -137,6 +188,7 @@ class Fractions {
   uint32_t width_ = 0;
   uint32_t height_ = 0;
   uint32_t* has_samples_ = nullptr;  // a bit per row: the row that arrived last at this place
+  bool had_samples_behind_ = false;  // the row behind, in the slice before
   bool is_odd_ = false;
 };
 

@@ -9,8 +9,9 @@ namespace discmc::detail::slices {
 struct RowWriter {
   RangeEncoder range;
 
-  bool code_bit(LearntProbability& probability, bool bit) {
-    range.encode(bit, probability);
+  template <class AnyProbability>
+  bool code_bit(AnyProbability& probability, bool bit) {
+    range.encode(bit, LearntProbability(probability));
     probability.learn(bit);
     return bit;
   }
@@ -24,8 +25,9 @@ struct RowWriter {
 struct RowReader {
   RangeDecoder range;
 
-  bool code_bit(LearntProbability& probability, bool) {
-    const bool bit = range.decode(probability);
+  template <class AnyProbability>
+  bool code_bit(AnyProbability& probability, bool) {
+    const bool bit = range.decode(LearntProbability(probability));
     probability.learn(bit);
     return bit;
   }

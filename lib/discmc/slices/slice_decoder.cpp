@@ -85,7 +85,10 @@ void SliceDecoder::lay_out() {
   Arena arena(memory_);
   surfaces_.start(arena, header(), detail::slices::rows_kept(header().height, false));
   bits_ = arena.allocate<uint8_t>((header().width + 7) / 8);
-  if (header().levels != 0) fractions_.start(arena, header());
+  if (header().levels != 0) {
+    fractions_.start(arena, header());
+    fractions_of_row_ = arena.allocate<uint16_t>(header().width);
+  }
   if (arena.is_exhausted()) {
     refusal_ = Status::too_little_memory;
     return;
@@ -223,7 +226,7 @@ bool SliceDecoder::begin_row() {
   surfaces_.begin_row(row_, surface_, note_ == RowNote::none ? header().width : 0);
   row_is_begun_ = true;
   fraction_code_.end();
-  if (header().levels != 0) fractions_.begin_row(surface_);
+  if (header().levels != 0) fractions_.begin_row(rows, surface_);
   return true;
 }
 
@@ -336,7 +339,10 @@ bool SliceDecoder::offer(RowEvent::Kind kind) {
     application = packets_.application();
     event.application = &application;
   } else if (kind == RowEvent::Kind::fractions) {
-    event.fractions = fractions_.now(surface_);
+    const uint16_t* const entries = fractions_.now(surface_);
+    for (uint32_t x = 0; x < header().width; ++x)
+      fractions_of_row_[x] = entries[x] & detail::slices::FractionEntry::own;
+    event.fractions = fractions_of_row_;
   } else if (kind == RowEvent::Kind::row || kind == RowEvent::Kind::skipped) {
     surfaces_[surface_].rows.write_bits(bits_);
     event.bits = bits_;

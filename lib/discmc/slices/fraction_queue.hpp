@@ -1,0 +1,84 @@
+// The fractions of the slice before as contexts: those along x and y, in the order of the stream.
+#ifndef DISCMC_SLICES_FRACTION_QUEUE_HPP
+#define DISCMC_SLICES_FRACTION_QUEUE_HPP
+
+#include <discmc/arena.hpp>
+#include <discmc/checks.hpp>
+#include <discmc/limits.hpp>
+
+namespace discmc::detail::slices {
+
+/// A ring of fractions, 2 bits each. It holds what is left of the slice before, and behind it this
+/// slice. A fraction that has no room is left out, and so is the rest of its slice.
+class FractionQueue {
+ public:
+  /// A surface crosses a slice in curves, so their edges grow as its sides.
+  static constexpr uint32_t capacity(const Limits& limits) {
+    return 8 * (limits.width + limits.height);
+  }
+  static constexpr uint64_t bytes_for(const Limits& limits) {
+    return Arena::bytes_of(capacity(limits) / per_byte, sizeof(uint8_t));
+  }
+  /// Allocates bytes_for() in the arena, and writes nothing.
+  void start(Arena& arena, const Limits& limits, uint32_t levels) {
+    capacity_ = capacity(limits);
+    lowest_bit_ = levels == 4 ? 1 : 0;
+    of_ = arena.allocate<uint8_t>(capacity_ / per_byte);
+  }
+  /// Before the first row.
+  void clear() {
+    for (uint32_t i = 0; i < capacity_ / per_byte; ++i) of_[i] = 0;
+    last_ = 0;
+    begin();
+  }
+  /// Begins a key slice: nothing is left of the slice before.
+  void begin() {
+    first_ = last_;
+    before_ = now_ = 0;
+    is_full_ = false;
+  }
+  /// Ends a slice, all of whose rows were taken from the slice before.
+  void next_slice() {
+    DISCMC_LIMIT(before_ == 0);
+    before_ = now_;
+    now_ = 0;
+    is_full_ = false;
+  }
+
+  bool has_next() const { return before_ > 0; }
+  /// Takes the next fraction of the slice before. 0: it was left out.
+  uint32_t take() {
+    if (before_ == 0) return 0;
+    --before_;
+    const uint32_t fraction = of_[first_ / per_byte] >> first_ % per_byte * 2 & 3;
+    first_ = after(first_);
+    return 2 * fraction + lowest_bit_;
+  }
+  /// Appends a fraction of this slice.
+  void put(uint32_t fraction) {
+    if (before_ + now_ == capacity_) is_full_ = true;
+    if (is_full_) return;
+    ++now_;
+    const uint32_t shift = last_ % per_byte * 2;
+    uint8_t& place = of_[last_ / per_byte];
+    place = static_cast<uint8_t>((place & ~(3U << shift)) | fraction / 2 << shift);
+    last_ = after(last_);
+  }
+
+ private:
+  static constexpr uint32_t per_byte = 4;
+  uint32_t after(uint32_t place) const { return place + 1 < capacity_ ? place + 1 : 0; }
+
+  uint8_t* of_ = nullptr;
+  uint32_t capacity_ = 0;
+  uint32_t first_ = 0;   // the next to take
+  uint32_t last_ = 0;    // the place of the next to put
+  uint32_t before_ = 0;  // how many are left of the slice before
+  uint32_t now_ = 0;     // how many are of this slice
+  bool is_full_ = false;
+  uint8_t lowest_bit_ = 0;  // of every fraction
+};
+
+}  // namespace discmc::detail::slices
+
+#endif
