@@ -2,8 +2,8 @@
 #ifndef DISCMC_SLICES_FRACTION_QUEUE_HPP
 #define DISCMC_SLICES_FRACTION_QUEUE_HPP
 
-#include <discmc/arena.hpp>
-#include <discmc/checks.hpp>
+#include <discmc/base/arena.hpp>
+#include <discmc/base/checks.hpp>
 #include <discmc/limits.hpp>
 
 namespace discmc::detail::slices {
