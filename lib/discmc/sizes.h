@@ -64,10 +64,10 @@
   (3 * sizeof(void*) + 42 + UINT64_C(4) * (rows) * (((row_bytes) + UINT64_C(3)) / 4 + 1))
 
 /* Private: fractions of two rows and the slice before, and the probabilities of each surface. */
-#define DISCMC_FRACTION_BYTES_(width, height, surfaces, levels)                     \
+#define DISCMC_FRACTION_BYTES_(width, height, surfaces, levels)                      \
   ((UINT64_C(4) * (((width) + 5) / 4 * 4) + UINT64_C(2) * ((width) + (height) + 1) + \
-    UINT64_C(906) * (levels)-872) *                                                 \
-       (surfaces) +                                                                 \
+    UINT64_C(906) * (levels)-872) *                                                  \
+       (surfaces) +                                                                  \
    UINT64_C(4) * (((height) + 31) / 32))
 
 /* Private: rows of bits, 30 voxels per word. */

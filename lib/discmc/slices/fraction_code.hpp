@@ -166,8 +166,8 @@ class FractionCode {
       {{6, 0, 1, 6}, {10, 4, 2, 6}, {9, 3, 3, 6}}};
   // clang-format on
 
-  // Voxels that equal the upper end of the edge: three from x - 1 on of this row, the row before,
-  // and both in the slice before.
+  // Which voxels equal the upper end of the edge. There are three of this row from x - 1 on, then
+  // three of the row before, then both in the slice before.
   uint32_t alike_bits(bool is_on) const {
     const auto three = [this](const uint32_t* row) { return row[word_] >> (bit_ - 1) & 7; };
     const uint32_t bits = three(row_.here) | three(row_.behind) << 3 | three(row_.below) << 6 |

@@ -25,7 +25,7 @@ struct FractionRow {
   const uint32_t* below_behind;  ///< row y - 1 of the slice before
   uint16_t* now;                 ///< an entry per voxel, see FractionEntry
   const uint16_t* before;        ///< of row y - 1
-  FractionQueue* queue;          ///< what the slice after will know of this row
+  FractionQueue* queue;          ///< for the slice after
   uint32_t width;
   bool crosses[3];  ///< whether the edges along x, y and z have fractions
   bool* is_any;     ///< whether the row has a fraction
