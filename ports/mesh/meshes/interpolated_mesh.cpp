@@ -4,7 +4,6 @@
 #include <array>
 #include <functional>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "intersections.hpp"
@@ -142,12 +141,12 @@ class InterpolatedMesh {
   }
 
   void add_polygon(std::uint32_t polygon) {
-    try {
-      add_refined(polygon,
-                  triangulator_.triangulate(outline_, surface_.polygons[polygon].incidence));
-    } catch (const std::invalid_argument&) {
+    const std::vector<Triangle>& triangles =
+        triangulator_.triangulate(outline_, surface_.polygons[polygon].incidence);
+    if (triangles.empty())
       mesh_.left_out.push_back(polygon);
-    }
+    else
+      add_refined(polygon, triangles);
   }
 
   void add_refined(std::uint32_t polygon, const std::vector<Triangle>& triangles) {

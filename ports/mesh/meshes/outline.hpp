@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include "lattice_plane.hpp"
@@ -98,10 +97,9 @@ inline bool is_mirrored(const Point& spacing) {
 /// Triangles over the corners and junctions of a polygon.
 class OutlineTriangulator {
  public:
-  // By places in the outline. Throws std::invalid_argument where there are none.
+  // By places in the outline. Returns none as Triangulator::triangulate().
   const std::vector<Triangle>& triangulate(const Outline& outline, Incidence incidence) {
-    if (outline.vertices.empty()) throw std::invalid_argument("no corners");
-    plane_.emplace(outline.vertices[0], incidence);
+    if (!outline.vertices.empty()) plane_.emplace(outline.vertices[0], incidence);
     points_.clear();
     for (const Vertex& vertex : outline.vertices) points_.push_back(plane_->at(vertex));
     return triangulator_.triangulate(points_, outline.ring_ends);

@@ -1,7 +1,6 @@
 #include "plane_faces.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
 
 namespace discmc::meshing {
@@ -40,16 +39,13 @@ void PlaneFaces::add_polygon(std::uint32_t polygon, FaceMesh& mesh) {
       mesh.corners.insert(mesh.corners.end(), numbers.begin(), numbers.end());
     return end_faces(1, numbers.size(), polygon, surface_.polygons[polygon].incidence, mesh);
   }
-  try {
-    add_triangles(polygon, mesh);
-  } catch (const std::invalid_argument&) {
-    mesh.left_out.push_back(polygon);
-  }
+  add_triangles(polygon, mesh);
 }
 
 void PlaneFaces::add_triangles(std::uint32_t polygon, FaceMesh& mesh) {
   const Incidence incidence = surface_.polygons[polygon].incidence;
   const std::vector<Triangle>& triangles = triangulator_.triangulate(outline_, incidence);
+  if (triangles.empty()) return mesh.left_out.push_back(polygon);
   const std::size_t begin = mesh.corners.size();
   mesh.corners.resize(begin + 3 * triangles.size());
   std::uint32_t* to = mesh.corners.data() + begin;

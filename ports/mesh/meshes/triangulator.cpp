@@ -1,7 +1,6 @@
 #include "triangulator.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace discmc::meshing {
 namespace {
@@ -13,19 +12,19 @@ bool is_left_of(const PlanePoint& a, const PlanePoint& b) {
   return distance != 0 ? distance > 0 : a.v < b.v;
 }
 
-void require_in_range(const std::vector<PlanePoint>& points) {
-  for (const PlanePoint& point : points)
-    if (std::max(point.u, point.v) > max_plane_coordinate ||
-        std::min(point.u, point.v) < -max_plane_coordinate)
-      throw std::invalid_argument("polygon too large to triangulate");
+bool are_in_range(const std::vector<PlanePoint>& points) {
+  return std::all_of(points.begin(), points.end(), [](const PlanePoint& point) {
+    return std::max(point.u, point.v) <= max_plane_coordinate &&
+           std::min(point.u, point.v) >= -max_plane_coordinate;
+  });
 }
 
 }  // namespace
 
 const std::vector<Triangle>& Triangulator::triangulate(
     const std::vector<PlanePoint>& points, const std::vector<std::uint32_t>& ring_ends) {
-  require_in_range(points);
   triangles_.clear();
+  if (points.size() < 3 || !are_in_range(points)) return triangles_;
   if (ring_ends.size() == 1 && cut_small(points)) return triangles_;
   if (ring_ends.size() == 1 && ears_.cut(points, triangles_, pairs_)) {
     flips_.improve(points, triangles_, pairs_);
@@ -33,11 +32,10 @@ const std::vector<Triangle>& Triangulator::triangulate(
   }
   triangles_.clear();
   sort_points(points);
-  add_edges(ring_ends);
-  nodes_.clear();
-  active_.clear();
-  for (Rank point = 0; point < at_.size(); ++point) pass(point);
-  if (triangles_.empty()) throw std::invalid_argument("rings do not bound a polygon");
+  if (!add_edges(ring_ends) || !pass_all()) {
+    triangles_.clear();
+    return triangles_;
+  }
   flips_.improve(at_, triangles_);
   for (Triangle& triangle : triangles_)
     for (std::uint32_t& corner : triangle) corner = places_[corner];
@@ -81,15 +79,15 @@ void Triangulator::sort_points(const std::vector<PlanePoint>& points) {
   }
 }
 
-void Triangulator::add_edges(const std::vector<std::uint32_t>& ring_ends) {
+bool Triangulator::add_edges(const std::vector<std::uint32_t>& ring_ends) {
   // The inside is to the left of a ring, so above an edge that goes from left to right.
   edges_.clear();
   std::uint32_t begin = 0;
   for (const std::uint32_t end : ring_ends) {
-    if (end - begin < 3) throw std::invalid_argument("ring of less than three points");
+    if (end - begin < 3) return false;
     for (std::uint32_t i = begin; i < end; ++i) {
       const Rank from = ranks_[i], to = ranks_[i + 1 < end ? i + 1 : begin];
-      if (from == to) throw std::invalid_argument("ring stays on a point");
+      if (from == to) return false;
       edges_.push_back({std::min(from, to), std::max(from, to), from < to});
     }
     begin = end;
@@ -99,11 +97,20 @@ void Triangulator::add_edges(const std::vector<std::uint32_t>& ring_ends) {
   edges_begin_.assign(at_.size() + 1, 0);
   for (const Edge& edge : edges_) ++edges_begin_[edge.left + 1];
   for (std::size_t i = 1; i < edges_begin_.size(); ++i) edges_begin_[i] += edges_begin_[i - 1];
+  return true;
+}
+
+bool Triangulator::pass_all() {
+  nodes_.clear();
+  active_.clear();
+  for (Rank point = 0; point < at_.size(); ++point)
+    if (!pass(point)) return false;
+  return !triangles_.empty();
 }
 
 // Floors and ceilings take turns from bottom to top: those at even places are floors. What the
 // point ends is cut off; what continues begins at a chain that has it for its rightmost.
-void Triangulator::pass(Rank point) {
+bool Triangulator::pass(Rank point) {
   // The edges that end in the point or lead through it.
   const auto side_of = [&](const ActiveEdge& active) {
     return doubled_area(at_[active.edge.left], at_[active.edge.right], at_[point]);
@@ -115,7 +122,7 @@ void Triangulator::pass(Rank point) {
                                  [&](const ActiveEdge& active) { return side_of(active) < 0; });
   const auto begin = static_cast<std::size_t>(first - active_.begin());
   const auto end = static_cast<std::size_t>(last - active_.begin());
-  collect_leaving(point, begin, end);
+  if (!collect_leaving(point, begin, end)) return false;
 
   const bool is_inside_below = begin % 2 == 1, is_inside_above = end % 2 == 1;
   Chain lower{}, upper{};
@@ -143,11 +150,10 @@ void Triangulator::pass(Rank point) {
       active_[i].chain = {node, node, node};
     }
   }
-  if (begin > 0) require_order(begin - 1);
-  if (new_end > begin) require_order(new_end - 1);
+  return (begin == 0 || are_in_order(begin - 1)) && (new_end == begin || are_in_order(new_end - 1));
 }
 
-void Triangulator::collect_leaving(Rank point, std::size_t begin, std::size_t end) {
+bool Triangulator::collect_leaving(Rank point, std::size_t begin, std::size_t end) {
   leaving_.assign(edges_.begin() + edges_begin_[point], edges_.begin() + edges_begin_[point + 1]);
   for (std::size_t i = begin; i < end; ++i)
     if (active_[i].edge.right != point)
@@ -158,22 +164,19 @@ void Triangulator::collect_leaving(Rank point, std::size_t begin, std::size_t en
   std::sort(leaving_.begin(), leaving_.end(),
             [&](const Edge& a, const Edge& b) { return turn(a, b) > 0; });
   for (std::size_t i = 0; i < leaving_.size(); ++i) {
-    if (i > 0 && turn(leaving_[i - 1], leaving_[i]) == 0)
-      throw std::invalid_argument("rings share a stretch");
-    if (leaving_[i].is_floor != ((begin + i) % 2 == 0))
-      throw std::invalid_argument("rings do not bound a polygon");
+    const bool share_a_stretch = i > 0 && turn(leaving_[i - 1], leaving_[i]) == 0;
+    if (share_a_stretch || leaving_[i].is_floor != ((begin + i) % 2 == 0)) return false;
   }
+  return true;
 }
 
 // Edges that have come to lie side by side must not cross: of two that do, and leftmost, none is
 // missed.
-void Triangulator::require_order(std::size_t lower) const {
-  if (lower + 1 == active_.size()) return;
+bool Triangulator::are_in_order(std::size_t lower) const {
+  if (lower + 1 == active_.size()) return true;
   const Edge &a = active_[lower].edge, &b = active_[lower + 1].edge;
-  const bool is_kept = a.right < b.right
-                           ? doubled_area(at_[b.left], at_[b.right], at_[a.right]) <= 0
+  return a.right < b.right ? doubled_area(at_[b.left], at_[b.right], at_[a.right]) <= 0
                            : doubled_area(at_[a.left], at_[a.right], at_[b.right]) >= 0;
-  if (!is_kept) throw std::invalid_argument("rings cross");
 }
 
 std::uint32_t Triangulator::new_node(Rank point) {

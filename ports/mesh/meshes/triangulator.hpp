@@ -29,8 +29,8 @@ class Triangulator {
   /// zero area or a point on one of its sides, and the areas add up to the polygon's exactly.
   /// Time: n log n for n points, beside the flips, and what moving an array of the edges costs that
   /// lie side by side.
-  /// Throws std::invalid_argument when rings cross or share a stretch, when they do not bound a
-  /// polygon, or when a point is beyond max_plane_coordinate.
+  /// Returns none if rings cross or share a stretch, if they do not bound a polygon, or if a point
+  /// is beyond max_plane_coordinate.
   const std::vector<Triangle>& triangulate(const std::vector<PlanePoint>& points,
                                            const std::vector<std::uint32_t>& ring_ends);
 
@@ -58,10 +58,12 @@ class Triangulator {
 
   bool cut_small(const std::vector<PlanePoint>& points);
   void sort_points(const std::vector<PlanePoint>& points);
-  void add_edges(const std::vector<std::uint32_t>& ring_ends);
-  void pass(Rank point);
-  void collect_leaving(Rank point, std::size_t begin, std::size_t end);
-  void require_order(std::size_t lower) const;
+  // These return whether the rings may still bound a polygon.
+  bool add_edges(const std::vector<std::uint32_t>& ring_ends);
+  bool pass_all();
+  bool pass(Rank point);
+  bool collect_leaving(Rank point, std::size_t begin, std::size_t end);
+  bool are_in_order(std::size_t lower) const;
 
   std::uint32_t new_node(Rank point);
   bool cut(Rank a, Rank b, Rank c);

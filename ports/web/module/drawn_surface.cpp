@@ -1,11 +1,10 @@
 #include "drawn_surface.hpp"
 
-#include "failure.hpp"
 #include "meshes/lattice_plane.hpp"
 
 namespace discmc::web {
 
-void DrawnSurface::make(const meshing::Polygons& polygons, bool is_hostile) {
+void DrawnSurface::make(const meshing::Polygons& polygons) {
   vertices_.clear();
   for (std::vector<std::uint32_t>& triangles : triangles_of_) triangles.clear();
   edges_.clear();
@@ -14,10 +13,7 @@ void DrawnSurface::make(const meshing::Polygons& polygons, bool is_hostile) {
   corners_.fill(polygons);
   for (const meshing::Polygon& polygon : polygons) {
     add_polygon(polygon);
-    if (!is_hostile)
-      add_triangles(polygon.incidence);
-    else if (!succeeds([&] { add_triangles(polygon.incidence); }))
-      ++left_out_;
+    add_triangles(polygon.incidence);
   }
   gather_triangles();
 }
@@ -60,6 +56,7 @@ void DrawnSurface::add_ring(const meshing::Ring& ring, const meshing::Polygon& p
 
 void DrawnSurface::add_triangles(Incidence incidence) {
   const TriangleStore::Triangles triangles = store_.triangulate(points_, ring_ends_);
+  if (triangles.count == 0) ++left_out_;
   for (std::size_t i = 0; i < triangles.count; ++i)
     for (const std::uint32_t corner : triangles.begin[i])
       triangles_of_[incidence].push_back(first_vertex_ + corner);

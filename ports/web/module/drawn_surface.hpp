@@ -30,9 +30,9 @@ static_assert(sizeof(DrawnVertex) == 8, "the page reads them so");
 /// T-junctions. No pixel shows through, and meshes of them are closed.
 class DrawnSurface {
  public:
-  /// is_hostile: polygons may be none that a sweep makes; those that cannot be triangulated are
-  /// left out and counted. Throws std::runtime_error as CornerSet::fill() does.
-  void make(const meshing::Polygons& polygons, bool is_hostile);
+  /// Polygons that cannot be triangulated are left out and counted: no sweep makes them, but a
+  /// damaged stream may. Throws std::runtime_error as CornerSet::fill() does.
+  void make(const meshing::Polygons& polygons);
 
   const std::vector<DrawnVertex>& vertices() const { return vertices_; }
   /// Numbers of vertices, three a triangle, counter-clockwise from outside as the lattice has it.

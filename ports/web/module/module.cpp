@@ -17,6 +17,7 @@
 #include "missing.hpp"
 #include "samples/iso_value.hpp"
 #include "samples/spacing.hpp"
+#include "stream_mesh.hpp"
 #include "stream_surface.hpp"
 #include "sweep.hpp"
 #include "voxel_bits.hpp"
@@ -50,6 +51,7 @@ const double* numbers(Numbers... each) {
 struct State {
   std::unique_ptr<MemoryVolume> volume;
   std::unique_ptr<StreamSurface> stream;
+  StreamMesh moved;
   std::vector<MissingLine> missing_lines;
   std::vector<SliceRange> missing_slices;
   double iso = 0;
@@ -134,7 +136,7 @@ EXPORT(extract) const double* extract(double iso, std::uint32_t is_filtered) {
 
 /// Triangulates the polygons. Returns how many had to be left out.
 EXPORT(draw) std::uint32_t draw() {
-  state().drawn.make(polygons(), state().stream != nullptr);
+  state().drawn.make(polygons());
   return state().drawn.left_out();
 }
 EXPORT(vertices) const Bytes* vertices() {
@@ -247,6 +249,20 @@ EXPORT(push_stream) void push_stream(const std::uint8_t* bytes, std::size_t coun
 EXPORT(end_stream) void end_stream() {
   state().stream->finish();
 }
+/// Makes its mesh, relaxed or else interpolated. Returns how many polygons had to be left out.
+EXPORT(move) std::uint32_t move(std::uint32_t relaxes) {
+  state().moved.make(*state().stream, relaxes != 0);
+  return static_cast<std::uint32_t>(state().moved.left_out());
+}
+EXPORT(moved_places) const Bytes* moved_places() {
+  return bytes_of(state().moved.places());
+}
+EXPORT(moved_normals) const Bytes* moved_normals() {
+  return bytes_of(state().moved.normals());
+}
+EXPORT(moved_triangles) const Bytes* moved_triangles() {
+  return bytes_of(state().moved.triangles());
+}
 /// Looks for what of it is missing.
 EXPORT(find_missing) void find_missing(std::uint32_t is_end) {
   const Missing missing = state().stream->missing(is_end != 0);
@@ -272,7 +288,8 @@ EXPORT(stream_state) const double* stream_state() {
                  spacing[2], threshold, stream.polygons().size(), report.is_complete(),
                  report.has_trailer, report.lost_packets, report.damaged_packets,
                  report.holds_slices ? report.lost_rows : report.lost_pieces, report.holds_slices,
-                 report.totals.classic_triangles, report.bytes, header.border == Border::closed);
+                 report.totals.classic_triangles, report.bytes, header.border == Border::closed,
+                 header.levels);
 }
 /// The axes of the voxels in space, one after another, 0 if there are none; and whether space
 /// is RAS.

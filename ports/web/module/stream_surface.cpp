@@ -1,15 +1,23 @@
 #include "stream_surface.hpp"
 
+#include "samples/spacing.hpp"
+
 namespace discmc::web {
 
 StreamSurface::StreamSurface(const meshing::StreamChoice& choice)
     : reader_(make_sink(*this), choice) {}
+
+void StreamSurface::push(const std::uint8_t* bytes, std::size_t count) {
+  reader_.push(bytes, count);
+  surface_.surface().spacing_mm = meshing::spacing_mm(reader_.header());
+}
 
 SinkResult StreamSurface::accept(const Event& event) {
   if (event.kind == Event::Kind::skipped) note_skipped(event.slice, event.row);
   Placement placement;
   if (event.kind == Event::Kind::application && read_placement(*event.application, placement))
     placement_ = placement;
+  fractions_.accept(event);
   return surface_.accept(event);
 }
 

@@ -10,6 +10,7 @@
 #include <discmc/placement.hpp>
 
 #include "missing.hpp"
+#include "streams/sent_fractions.hpp"
 #include "streams/stream_reader.hpp"
 #include "surface/joined_surface.hpp"
 
@@ -24,7 +25,7 @@ class StreamSurface {
 
   SinkResult accept(const Event& event);
   /// Throws as StreamReader::push().
-  void push(const std::uint8_t* bytes, std::size_t count) { reader_.push(bytes, count); }
+  void push(const std::uint8_t* bytes, std::size_t count);
   /// Limit: the last call. Throws as StreamReader::finish().
   void finish();
 
@@ -33,7 +34,10 @@ class StreamSurface {
   const std::optional<Placement>& placement() const { return placement_; }
   /// Regions that came in pieces of which some did not are among the lost ones.
   StreamReport report() const;
-  const meshing::Polygons& polygons() const { return surface_.surface().polygons; }
+  /// Its spacing is that of the stream.
+  const meshing::Surface& surface() const { return surface_.surface(); }
+  const meshing::Polygons& polygons() const { return surface().polygons; }
+  const meshing::SentFractions& fractions() const { return fractions_; }
   /// The places of missing rows, and at the end, after finish(), of missing polygons.
   Missing missing(bool is_end) const;
 
@@ -41,6 +45,7 @@ class StreamSurface {
   void note_skipped(std::uint32_t slice, std::uint32_t row);
 
   meshing::JoinedSurface surface_;
+  meshing::SentFractions fractions_;
   meshing::StreamReader reader_;
   std::optional<Placement> placement_;
   std::vector<MissingRows> rows_;  // the first of those that are skipped

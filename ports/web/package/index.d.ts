@@ -11,6 +11,16 @@ export interface Mesh {
   positions: Float32Array;
   /** Three numbers of vertices per triangle, counter-clockwise seen from outside. */
   triangles: Uint32Array;
+  /** Three coordinates of a unit vector per vertex, outwards; only if the surface is relaxed or interpolated. */
+  normals?: Float32Array;
+}
+
+export interface DecodedMeshOptions {
+  /**
+   * Where the vertices lie. polygons (default): in the middles between voxels. relaxed: on a smooth surface that keeps
+   * every voxel on its side. interpolated: where the fractions of the stream have them. Limit: StreamState.levels.
+   */
+  surface?: 'polygons' | 'relaxed' | 'interpolated';
 }
 
 export interface ExtractOptions {
@@ -35,6 +45,8 @@ export interface StreamState {
   /** Rows of a stream of slices, else regions and fragments. */
   lostPieces: number;
   holdsSlices: boolean;
+  /** The levels of the fractions in a stream of slices; 0 if it has none. */
+  levels: number;
   bytes: number;
 }
 
@@ -45,8 +57,10 @@ export interface Decoder {
   /** No bytes follow. */
   finish(): StreamState;
   readonly state: StreamState;
-  /** The triangles of the polygons that arrived so far. */
-  mesh(): Mesh;
+  /**
+   * The triangles of the polygons that arrived so far. Throws RangeError if the stream has no fractions to interpolate.
+   */
+  mesh(options?: DecodedMeshOptions): Mesh;
 }
 
 export interface Discmc {

@@ -1,6 +1,6 @@
 // Triangles of an array, and of the bytes of a device, for programs in JavaScript: index.d.ts.
 import { Module } from '../page/module.js';
-import { meshOf } from '../page/save/mesh.js';
+import { meshOf, movedMeshOf } from '../page/save/mesh.js';
 
 const arrays = [Uint8Array, Int8Array, Uint16Array, Int16Array, Uint32Array, Int32Array,
   BigUint64Array, BigInt64Array, Float32Array, Float64Array];
@@ -55,6 +55,14 @@ function extract(module, array, dims, iso, { spacing = [1, 1, 1], filter = false
   return { ...drawn(module, spacing), polygons };
 }
 
+function checkShape(surface, levels) {
+  if (surface !== 'relaxed' && surface !== 'interpolated')
+    throw new RangeError(`the surface is '${surface}'; give 'polygons', 'relaxed' or 'interpolated'`);
+  if (surface === 'interpolated' && levels === 0)
+    throw new RangeError("this stream holds no fractions to interpolate: give 'relaxed', or send them by " +
+      'FractionSliceEncoder');
+}
+
 class Decoder {
   #module;
   constructor(module, choice) {
@@ -71,9 +79,13 @@ class Decoder {
   get state() {
     return this.#module.streamState();
   }
-  mesh() {
-    const { spacing } = this.state;
-    return drawn(this.#module, spacing);
+  mesh({ surface = 'polygons' } = {}) {
+    const { spacing, levels } = this.state;
+    if (surface === 'polygons') return drawn(this.#module, spacing);
+    checkShape(surface, levels);
+    const { places, normals, triangles } = this.#module.move(surface === 'relaxed');
+    const mesh = movedMeshOf(places, triangles, spacing);
+    return { positions: mesh.places, triangles: mesh.corners, normals };
   }
 }
 

@@ -13,6 +13,7 @@ import { MissingPanel } from './panels/missing_panel.js';
 import { showLabels } from './panels/labels.js';
 import { askLayout } from './panels/raw_dialog.js';
 import { SavePanel } from './panels/save_panel.js';
+import { ShapeChoice } from './panels/shape_choice.js';
 import { SlicePanel } from './panels/slice_panel.js';
 import { SurfaceChoice } from './panels/surface_choice.js';
 import { ThresholdPanel } from './panels/threshold_panel.js';
@@ -32,7 +33,12 @@ class Page {
     this.threshold = new ThresholdPanel(() => this.askSurface());
     this.slice = new SlicePanel(engine, view);
     this.device = new DevicePanel(engine);
-    this.live = new LivePanel(engine, (...arrived) => this.showArrived(...arrived));
+    this.live = new LivePanel(engine, (...arrived) => this.showArrived(...arrived),
+      () => this.streamWishes());
+    this.shape = new ShapeChoice(() => {
+      showBusy('Triangulating…');
+      this.redrawStream();
+    });
     this.choice = new SurfaceChoice((choice) =>
       this.open([new File([/** @type {Blob} */ (this.live.recorded)], this.opened.name)], { choice }));
     this.measure = new MeasurePanel(view);
@@ -140,6 +146,7 @@ class Page {
     this.opened = { name, dims: stream.dims, spacing: stream.spacing, upright: stream.upright };
     this.choice.show(surfaces, choice);
     this.showOpened(stream.isComplete && stream.isClosed);
+    this.shape.show(stream.levels);
     this.reportStream(stream);
     this.missing.show(missing);
     await this.redrawStream();
@@ -156,10 +163,16 @@ class Page {
       this.opened = { name, dims: [width, height, depth || Math.max(width, height)],
         spacing: stream.spacing, upright: stream.upright };
       this.showOpened(stream.isComplete && stream.isClosed, true);
+      this.shape.show(stream.levels);
     }
-    this.view.setSurface(surface);
     this.missing.show(missing);
-    if (isEnd) return this.reportStream(stream);
+    if (isEnd) this.reportStream(stream);
+    else this.reportArriving(stream);
+    this.showStreamSurface(surface);
+  }
+
+  /** @param {any} stream */
+  reportArriving(stream) {
     const lost = stream.lostPackets > 0 ? `, ${counted(stream.lostPackets, 'packet')} lost` : '';
     by('stream-text').textContent = `Arriving: ${whole(stream.bytes)} bytes${lost}.`;
     this.showCounts(stream.polygons, 0);
@@ -188,7 +201,7 @@ class Page {
       'time-name'])
       by(id).hidden = !values;
     by('smooth-row').hidden = !values && !mesh?.normals;
-    by('stream-section').hidden = Boolean(values || mesh);
+    by('stream-section').hidden = by('shape-row').hidden = Boolean(values || mesh);
     by('figures').hidden = by('colouring-row').hidden = Boolean(mesh);
     showLabels(mesh?.parts ?? []);
     this.save.open(Boolean(mesh));
@@ -209,7 +222,7 @@ class Page {
   askSurface() {
     this.view.hasEdges = by('edges').checked;
     if (!this.opened) return;
-    if (this.opened.mesh) return this.view.setFlat(!by('smooth').checked);
+    if (this.opened.mesh || this.opened.isMoved) return this.view.setFlat(!by('smooth').checked);
     if (!this.opened.values) return void this.redrawStream();
     clearTimeout(this.settling); // of a large volume a surface takes longer than that
     this.surfaces.ask({ iso: this.threshold.iso, isFiltered: by('filter').checked,
@@ -254,10 +267,28 @@ class Page {
       ? 'No surface at this threshold' : `${whole(polygons)} merged polygons`;
   }
 
+  /** How a stream is drawn. @returns {import('./worker.js').Wishes} */
+  streamWishes() {
+    return { hasEdges: by('edges').checked, shape: this.shape.wanted };
+  }
+
+  /** @param {any} surface polygons, or a mesh */
+  showStreamSurface(surface) {
+    const isMoved = this.opened.isMoved = surface.places !== undefined;
+    by('smooth-row').hidden = !isMoved;
+    by('colouring-row').hidden = isMoved;
+    by('legend').hidden = isMoved || by('colouring').value !== '1';
+    by('caption-merged').textContent = isMoved
+      ? `${whole(surface.triangles.length / 3)} triangles, ${surface.shape}`
+      : `${by('polygons').textContent} merged polygons`;
+    this.view.setFlat(!by('smooth').checked);
+    this.view.setSurface(surface);
+  }
+
   async redrawStream() {
     try {
-      const surface = await this.engine.call('redraw', { hasEdges: this.view.hasEdges });
-      this.view.setSurface(surface);
+      const surface = await this.engine.call('redraw', this.streamWishes());
+      this.showStreamSurface(surface);
       showBusy('');
       if (surface.leftOut > 0)
         showError(`${this.opened.name}: ${whole(surface.leftOut)} polygons are invalid and ` +

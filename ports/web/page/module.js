@@ -132,6 +132,19 @@ export class Module {
     return this.streamState();
   }
   /**
+   * Its surface as a mesh: places in half-steps and normals, three numbers a vertex; the triangles in the order of
+   * draw().
+   * @param {boolean} isRelaxed or else it is interpolated
+   */
+  move(isRelaxed) {
+    const leftOut = this.call('move', isRelaxed ? 1 : 0);
+    return {
+      leftOut, places: new Float32Array(this.copy('moved_places').buffer),
+      normals: new Float32Array(this.copy('moved_normals').buffer),
+      triangles: new Uint32Array(this.copy('moved_triangles').buffer),
+    };
+  }
+  /**
    * What of it is missing: lines around that, six numbers of 16 bits each, in half-steps, and the first and last slices
    * of each part.
    * @param {boolean} isEnd whether no more comes
@@ -145,7 +158,7 @@ export class Module {
   }
   /** What is known of it so far. */
   streamState() {
-    const list = this.numbersAt(this.call('stream_state'), 18);
+    const list = this.numbersAt(this.call('stream_state'), 19);
     const axes = this.numbersAt(this.call('stream_axes'), 10);
     const vectors = [0, 3, 6].map((begin) => axes.slice(begin, begin + 3));
     return {
@@ -156,7 +169,7 @@ export class Module {
       threshold: list[7], polygons: list[8], isComplete: list[9] !== 0, hasTrailer: list[10] !== 0,
       lostPackets: list[11], damagedPackets: list[12], lostPieces: list[13],
       holdsSlices: list[14] !== 0, classicTriangles: list[15], bytes: list[16],
-      isClosed: list[17] !== 0,
+      isClosed: list[17] !== 0, levels: list[18],
     };
   }
   /** All that share the link. @returns {{scan: number, channel: number, threshold: number}[]} */

@@ -118,9 +118,9 @@ void main() {
 
 // Outwards; seen: the place, as the viewer sees it.
 const normalOfTriangle = `
-vec3 normalOfTriangle(vec3 seen) {
+vec3 normalOfTriangle(vec3 seen, bool isInside) {
   vec3 towards = normalize(cross(dFdx(seen), dFdy(seen)));
-  return gl_FrontFacing ? towards : -towards;
+  return isInside ? -towards : towards;
 }`;
 
 /** For a mesh, in half-steps; with its normals, or each triangle flat. */
@@ -144,13 +144,14 @@ precision highp float;
 ${cutting(isOpen)}
 ${light}
 ${normalOfTriangle}
-uniform bool isFlat;
+uniform bool isFlat, isMirrored;
 in vec3 seen, smoothly, base;
 void main() {
   leaveOut();
-  vec3 flatly = normalOfTriangle(seen);
+  bool isInside = ${isOpen ? 'gl_FrontFacing == isMirrored' : 'false'};
+  vec3 flatly = normalOfTriangle(seen, isInside);
   bool hasNormal = !isFlat && dot(smoothly, smoothly) > 0.0;
-  pixel = vec4(lit(base, hasNormal ? smoothly : flatly, !gl_FrontFacing), 1.0);
+  pixel = vec4(lit(base, hasNormal ? smoothly : flatly, isInside), 1.0);
 }`;
 
 /** For triangles that are each flat, in millimetres. */
@@ -176,7 +177,7 @@ uniform vec3 plain;
 in vec3 seen;
 void main() {
   leaveOut();
-  pixel = vec4(lit(plain, normalOfTriangle(seen), !gl_FrontFacing), 1.0);
+  pixel = vec4(lit(plain, normalOfTriangle(seen, !gl_FrontFacing), !gl_FrontFacing), 1.0);
 }`;
 
 const lines = (/** @type {string} */ toHalfSteps) => `#version 300 es

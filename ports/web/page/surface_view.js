@@ -148,10 +148,11 @@ export class SurfaceView {
   }
 
   /**
-   * Shows other polygons, once the picture under way is drawn; those that come meanwhile take
+   * Shows other polygons, or a mesh of them, once the picture under way is drawn; those that come meanwhile take
    * their place. Owner: the arrays are the view's from here on.
    * @param {{vertices: Uint8Array, triangles: Uint8Array, triangleEnds: Uint8Array,
-   *   edges: Uint8Array | null, normals: Uint8Array | null}} surface
+   *   edges: Uint8Array | null, normals: Uint8Array | null} |
+   *   {places: Float32Array, normals: Float32Array, colours: Uint8Array, triangles: Uint32Array}} surface
    */
   setSurface(surface) {
     this.next = surface;
@@ -374,7 +375,7 @@ export class SurfaceView {
       mesh.draw({ camera: lens });
     };
     gl.viewport(0, 0, part, height);
-    const parts = isOpen || !this.surface ? [{ begin: 0, end: this.triangles?.length ?? 0 }]
+    const parts = isOpen || this.isMesh || !this.surface ? [{ begin: 0, end: this.triangles?.length ?? 0 }]
       : facing(uniforms.planes.value, this.triangleEnds, this.camera.position(),
         this.dims.map((extent, i) => Math.abs((extent / 2) * this.spacing[i])));
     this.behindLines(() => parts.forEach(({ begin, end }) => {

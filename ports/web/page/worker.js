@@ -3,6 +3,8 @@ import { swapBytes } from './formats/bytes.js';
 import { openFiles, UnknownLayout } from './formats/volume_file.js';
 import { FileError, requireExtents, sampleBytes, sampleTypes, volumeBytes } from './formats/volume_info.js';
 import { Module } from './module.js';
+import { bone, rgb } from './palette.js';
+import { bestShape } from './shape.js';
 
 /** @type {BufferSource} */
 let moduleBytes;
@@ -42,9 +44,9 @@ const requests = {
     return { iso, counts, ...drawn(hasEdges, isSmooth), milliseconds: performance.now() - begin };
   },
 
-  /** The surface that is there, once more. @param {{hasEdges: boolean}} request */
-  redraw({ hasEdges }) {
-    return drawn(hasEdges, false);
+  /** The surface of the stream. @param {Wishes} wishes */
+  redraw(wishes) {
+    return drawnStream(module.streamState(), wishes);
   },
 
   /** Begins a stream that arrives piece by piece. */
@@ -59,12 +61,12 @@ const requests = {
     module.pushStream(bytes);
   },
 
-  /** What has arrived so far. @param {{isEnd: boolean, hasEdges: boolean}} request */
-  arrived({ isEnd, hasEdges }) {
+  /** What has arrived so far. @param {{isEnd: boolean} & Wishes} request */
+  arrived({ isEnd, ...wishes }) {
     const stream = isEnd ? module.endStream() : module.streamState();
     const surfaces = module.streamSurfaces();
     if (!stream.hasHeader) return { stream, surfaces, surface: null };
-    return { stream, surfaces, surface: drawn(hasEdges, false), missing: module.missing(isEnd) };
+    return { stream, surfaces, surface: drawnStream(stream, wishes), missing: module.missing(isEnd) };
   },
 
   classic() {
@@ -146,6 +148,20 @@ function drawn(hasEdges, isSmooth) {
     edges: hasEdges ? module.edges() : null,
     normals: isSmooth ? module.normals() : null,
   };
+}
+
+/** @typedef {{hasEdges: boolean, shape: import('./shape.js').Shape | null}} Wishes shape: null for the best */
+
+/** @param {{levels: number}} stream @param {Wishes} wishes */
+function drawnStream({ levels }, { hasEdges, shape }) {
+  const best = bestShape(levels);
+  const drawnShape = shape === 'interpolated' ? best : (shape ?? best);
+  if (drawnShape === 'polygons') return drawn(hasEdges, false);
+  const mesh = module.move(drawnShape === 'relaxed');
+  const colour = rgb(bone).map((part) => Math.round(255 * part));
+  const colours = new Uint8Array((4 * mesh.places.length) / 3).fill(255);
+  for (let i = 0; i < colours.length; i += 4) colours.set(colour, i);
+  return { ...mesh, colours, shape: drawnShape };
 }
 
 /** What can be handed over instead of copied. @param {any} result @returns {Transferable[]} */

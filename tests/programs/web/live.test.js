@@ -1,11 +1,11 @@
 // Streams that are shown while they arrive.
 import assert from 'node:assert/strict';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { nrrdOf, roughBall } from './ball.js';
-import { checkAccess, openFiles, openPage, pixelsOf, saved, shownPolygons, startBrowser, streamTells }
-  from './browser.js';
+import { checkAccess, now, openFiles, openPage, pixelsOf, rested, saved, shownPolygons, startBrowser,
+  streamTells } from './browser.js';
 import { command, polygonsByCommand, workFolder } from './command.js';
 
 const folder = workFolder(after);
@@ -45,6 +45,44 @@ test('a stream is replayed at the pace of its link, and is the same in the end',
   await page.check('#measure');
   await page.press('#view', 'Enter');
   assert.match(await page.textContent('#distance'), /^From/, 'the surface is in the picture');
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
+
+test('a stream with fractions is interpolated while it arrives; other shapes can be chosen', async () => {
+  const [fractions, expected, shown] =
+    ['fractions.dmc', 'expected.stl', 'shown.stl'].map((name) => join(folder, name));
+  command('extract', '--quiet', volume, '--iso', '400', '--wire', 'slices', '--levels', '4', '-o', fractions);
+  const { page, complaints } = await openPage(browser);
+  await openFiles(page, fractions);
+  const caption = () => page.textContent('#caption-merged');
+  const all = await caption();
+  await page.selectOption('#replay-baud', '9600');
+  await page.click('#replay');
+  await streamTells(page, 'Arriving');
+  assert.match(await caption(), /triangles, interpolated$/);
+  assert.notEqual(await caption(), all);
+  await streamTells(page, 'Complete');
+  assert.equal(await caption(), all);
+  for (const shape of ['interpolated', 'relaxed']) {
+    await page.selectOption('#shape', shape);
+    await page.waitForFunction((wanted) =>
+      document.querySelector('#caption-merged').textContent.endsWith(wanted), shape);
+    await rested(page, await now(page));
+    command('decode', fractions, '--surface', shape, '-o', expected);
+    copyFileSync((await saved(page, 'stl')).path, shown);
+    const told = command('compare', expected, shown).toString();
+    assert.match(told, /A to B, mm +0.0000 +0.0000 +0.0000\n.*B to A, mm +0.0000 +0.0000 +0.0000/);
+  }
+  await page.check('#measure');
+  await page.press('#view', 'Enter');
+  assert.match(await page.textContent('#distance'), /^From/, 'the surface is in the picture');
+  await checkAccess(page);
+  await page.selectOption('#shape', 'polygons');
+  await page.waitForFunction(() => /merged polygons/.test(document.querySelector('#caption-merged').textContent));
+  await openFiles(page, stream);
+  assert.equal(await page.inputValue('#shape'), 'polygons');
+  assert.ok(await page.isDisabled('#shape-interpolated'), 'it has no fractions');
   assert.deepEqual(complaints, []);
   await page.context().close();
 });

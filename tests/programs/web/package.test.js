@@ -83,6 +83,34 @@ test('a decoder has the mesh so far, and all of it at the end', async () => {
   assert.ok(Math.abs(volumeOfClosed(whole) / volumeOfClosed(mesh) - 1) < 1e-5);
 });
 
+test('of a stream with fractions the meshes are those of the command, also where an axis runs backwards', async () => {
+  const file = join(folder, 'turned.nrrd'), stream = join(folder, 'fractions.dmc');
+  const [expected, table] = [join(folder, 'expected.stl'), join(folder, 'expected.json')];
+  writeFileSync(file, nrrdOf({ ...ball, spacing: [0.5, -0.75, 1.25] }));
+  command('extract', '--quiet', file, '--iso', '400', '--wire', 'slices', '--levels', '4', '-o', stream);
+  const decoder = await discmc.decoder();
+  decoder.push(readFileSync(stream));
+  assert.equal(decoder.finish().levels, 4);
+  for (const surface of ['relaxed', 'interpolated']) {
+    command('decode', stream, '--surface', surface, '-o', expected);
+    command('decode', stream, '--surface', surface, '-o', table);
+    const mesh = decoder.mesh({ surface });
+    assert.equal(mesh.triangles.length / 3, (readFileSync(expected).length - 84) / 50);
+    const [{ volume_mm3: volume }] = JSON.parse(readFileSync(table, 'utf8'));
+    assert.ok(Math.abs(volumeOfClosed(mesh) / 6 / volume - 1) < 1e-5, `${surface}: ${volume}`);
+    assert.equal(mesh.normals.length, mesh.positions.length);
+  }
+  assert.throws(() => decoder.mesh({ surface: 'smooth' }), /'smooth'; give/);
+});
+
+test('a stream without fractions is relaxed, not interpolated', async () => {
+  const decoder = await discmc.decoder();
+  decoder.push(readFileSync(join(folder, 'ball.dmc')));
+  assert.equal(decoder.finish().levels, 0);
+  volumeOfClosed(decoder.mesh({ surface: 'relaxed' }));
+  assert.throws(() => decoder.mesh({ surface: 'interpolated' }), /no fractions to interpolate: give 'relaxed'/);
+});
+
 test('the first program of its page prints the ball', () => {
   const page = readFileSync(join(installed, 'README.md'), 'utf8');
   writeFileSync(join(folder, 'first.js'), page.match(/```js\n([^]*?)```/)[1]);

@@ -5,14 +5,16 @@ const leastPause = 300; // milliseconds from picture to picture
 export class Listener {
   /**
    * @param {import('../engine.js').Engine} engine
-   * @param {() => boolean} hasEdges whether edges are shown
+   * @param {() => object} wishes how the surface is drawn, as the worker has them
    */
-  constructor(engine, hasEdges) {
+  constructor(engine, wishes) {
     this.engine = engine;
-    this.hasEdges = hasEdges;
+    this.wishes = wishes;
     /** What arrived. @type {Uint8Array[]} */
     this.pieces = [];
     this.turn = 0;
+    this.passed = 0; // of the pieces
+    this.next = 0; // when a picture is due
   }
 
   /**
@@ -24,22 +26,44 @@ export class Listener {
     const turn = ++this.turn;
     this.pieces = [];
     await this.engine.call('listen');
-    let next = 0;
+    /** @type {Promise<void> | null} */
+    let passing = null;
+    /** @type {Error | null} */
+    let failure = null;
+    const pass = () => this.pass(turn, show).catch((error) => (failure = error)).finally(() => (passing = null));
+    this.passed = this.next = 0;
     for await (const bytes of source) {
       if (this.turn !== turn) return;
+      if (failure) throw failure;
       this.pieces.push(bytes);
-      await this.engine.call('receive', { bytes });
-      if (this.turn !== turn) return;
-      if (performance.now() < next) continue;
-      show(await this.arrived(false), false);
-      next = performance.now() + leastPause;
+      passing ??= pass();
     }
+    await passing;
+    if (failure) throw failure;
     if (this.turn === turn) show(await this.arrived(true), true);
+  }
+
+  /**
+   * Passes on all that arrives meanwhile, and shows it now and then. Half of the time is for what arrives.
+   * @param {number} turn @param {(arrived: any, isEnd: boolean) => void} show
+   */
+  async pass(turn, show) {
+    while (this.turn === turn && this.passed < this.pieces.length) {
+      const pieces = this.pieces.slice(this.passed);
+      this.passed += pieces.length;
+      const bytes = new Uint8Array(await new Blob(pieces).arrayBuffer());
+      await this.engine.call('receive', { bytes });
+      const begin = performance.now();
+      if (this.turn !== turn || begin < this.next) continue;
+      const arrived = await this.arrived(false);
+      if (this.turn === turn) show(arrived, false);
+      this.next = performance.now() + Math.max(leastPause, performance.now() - begin);
+    }
   }
 
   /** @param {boolean} isEnd */
   arrived(isEnd) {
-    return this.engine.call('arrived', { isEnd, hasEdges: this.hasEdges() });
+    return this.engine.call('arrived', { isEnd, ...this.wishes() });
   }
 
   /** The engine is for something else from here on. */

@@ -10,10 +10,11 @@ export class LivePanel {
   /**
    * @param {import('../engine.js').Engine} engine
    * @param {(name: string, arrived: any, isFirst: boolean, isEnd: boolean) => void} show
+   * @param {() => object} wishes how the surface is drawn
    */
-  constructor(engine, show) {
+  constructor(engine, show, wishes) {
     this.show = show;
-    this.listener = new Listener(engine, () => by('edges').checked);
+    this.listener = new Listener(engine, wishes);
     /** A stream that can be replayed. @type {Blob | null} */
     this.recorded = null;
     this.name = '';

@@ -2,7 +2,7 @@
 import { fail } from '../messages.js';
 import { glb } from '../save/glb.js';
 import { jsonl } from '../save/jsonl.js';
-import { meshOf } from '../save/mesh.js';
+import { meshOf, movedMeshOf } from '../save/mesh.js';
 import { stl } from '../save/stl.js';
 
 const enoughMemory = 64 << 20; // for a stream without loose pieces
@@ -16,7 +16,7 @@ export class SavePanel {
    */
   constructor(engine, view, stem, recorded) {
     this.stem = stem;
-    const mesh = () => meshOf(view.vertices, view.triangles, view.spacing);
+    const mesh = () => (view.isMesh ? movedMeshOf : meshOf)(view.vertices, view.triangles, view.spacing);
     /** @type {Record<string, () => Promise<Blob | null>>} */
     this.writers = {
       dmc: async () =>

@@ -20,12 +20,22 @@ export function meshOf(vertices, triangles, spacing) {
     }
     number[i] = known;
   }
-  const isMirrored = spacing[0] * spacing[1] * spacing[2] < 0;
-  const corners = new Uint32Array(triangles.length);
-  for (let i = 0; i < triangles.length; i += 3) {
-    corners[i] = number[triangles[i]];
-    corners[i + 1] = number[triangles[i + (isMirrored ? 2 : 1)]];
-    corners[i + 2] = number[triangles[i + (isMirrored ? 1 : 2)]];
-  }
-  return { places: new Float32Array(places), corners };
+  return { places: new Float32Array(places), corners: outwards(triangles.map((i) => number[i]), spacing) };
+}
+
+/**
+ * The same of a mesh whose vertices are moved.
+ * @param {Float32Array} places three numbers a vertex, in half-steps
+ * @param {Uint32Array} triangles @param {number[]} spacing millimetres, signed
+ */
+export function movedMeshOf(places, triangles, spacing) {
+  return { places: places.map((at, i) => (at * spacing[i % 3]) / 2), corners: outwards(triangles, spacing) };
+}
+
+/** Counter-clockwise seen from outside also where an axis runs backwards. @param {Uint32Array} triangles @param {number[]} spacing */
+function outwards(triangles, spacing) {
+  if (spacing[0] * spacing[1] * spacing[2] > 0) return triangles;
+  const corners = triangles.slice();
+  for (let i = 0; i < corners.length; i += 3) [corners[i + 1], corners[i + 2]] = [corners[i + 2], corners[i + 1]];
+  return corners;
 }

@@ -1,0 +1,21 @@
+// In place of the header in ports/mesh: the module has no threads.
+#ifndef DISCMC_WEB_JOBS_ORDERED_PIPELINE_HPP
+#define DISCMC_WEB_JOBS_ORDERED_PIPELINE_HPP
+
+#include <cstddef>
+
+namespace discmc::meshing {
+
+template <class Item, class Fill, class Work, class Take>
+void run_in_order(unsigned, std::size_t count, Fill fill, Work work, Take take) {
+  Item item{};
+  for (std::size_t number = 0; number < count; ++number) {
+    fill(number, item);
+    work(number, item);
+    take(number, item);
+  }
+}
+
+}  // namespace discmc::meshing
+
+#endif
