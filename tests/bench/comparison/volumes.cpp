@@ -51,6 +51,15 @@ Volume ball(uint32_t extent) {
   });
 }
 
+Volume noisy_ball(uint32_t extent) {
+  Volume volume = ball(extent);
+  volume.name = "noisy " + volume.name;
+  std::mt19937 random;
+  for (uint8_t& sample : std::get<std::vector<uint8_t>>(volume.samples))
+    sample = clamped(sample + static_cast<int>(random() % 21) - 10);
+  return volume;
+}
+
 Volume gyroid(uint32_t extent) {
   constexpr double turn = 2 * 3.14159265358979 / 32;
   return cube("gyroid", extent, 128, [](uint32_t x, uint32_t y, uint32_t z) {

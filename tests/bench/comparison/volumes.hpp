@@ -27,6 +27,9 @@ struct Volume {
 /// A ball with smooth samples around its surface; its radius is 120 in 256 voxels.
 Volume ball(uint32_t extent);
 
+/// The same with noise of up to 10 in each sample.
+Volume noisy_ball(uint32_t extent);
+
 /// Triply periodic, smooth and curved everywhere; periods of 32 voxels.
 Volume gyroid(uint32_t extent);
 

@@ -1,24 +1,30 @@
 // How far the surface of a stream is from that of the samples, and in how many bytes.
 //
-//   bench_stream_distances cthead.nrrd:500 engine.nii.gz:80
+//   bench_streams cthead.nrrd:500 engine.nii.gz:80
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <discmc/encoder.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/fraction_slice_encoder.hpp>
+#include <discmc/mesh.hpp>
 
+#include "comparison/volumes.hpp"
 #include "extraction/classic.hpp"
 #include "extraction/crossings.hpp"
 #include "extraction/extraction.hpp"
@@ -43,13 +49,17 @@ using namespace discmc::command;
 namespace {
 
 constexpr const char* usage =
-    R"(usage: bench_stream_distances FILE:THRESHOLD...
+    R"(usage: bench_streams [FILE:THRESHOLD...]
 
-Prints for each volume of u8, u16 or i16 samples, in Markdown: the bytes of its streams, the memory of their
-encoders, and how far their meshes are from classic Marching Cubes (as discmc compare), with tolerance 0. Normals are those
-of vertices by the areas around them, beside those of the interpolated mesh.
+Prints a table in Markdown for volumes of u8, u16 or i16 samples, and for generated ones:
+  bytes                of the streams, and of the samples by JPEG-LS, if the program has CharLS
+  least memory         of the encoders
+  triangles            of the meshes, with tolerance 0
+  of an edge           mean distance along the edges between voxels to where the samples cross
+  mean, largest        distance from classic Marching Cubes (as discmc compare), in millimetres
+  normals              mean angle to those of the interpolated mesh, by the areas around vertices, in degrees
 
-Exit status: 0, or 1 if a file could not be read, or 2 without a file.
+Exit status: 0, or 1 if a file could not be read.
 )";
 
 using Bytes = std::vector<std::uint8_t>;
@@ -67,11 +77,14 @@ ByteOutput output_to(Bytes& bytes) {
           }};
 }
 
+using Opening = std::function<std::unique_ptr<VolumeReader>()>;
+
 class Scan {
  public:
-  Scan(std::string file, double iso) : file_(std::move(file)), iso_(iso) {}
+  Scan(Opening open, double iso) : open_(std::move(open)), iso_(iso) {}
 
-  std::unique_ptr<VolumeReader> open() const { return open_volume(file_, {}); }
+  std::unique_ptr<VolumeReader> open() const { return open_(); }
+  double iso() const { return iso_; }
   Limits limits() const {
     const VolumeInfo info = open()->info();
     return {info.dims[0], info.dims[1]};
@@ -91,12 +104,13 @@ class Scan {
     return stream;
   }
 
-  Stream slices(std::uint8_t levels) const {
+  Stream slices(std::uint8_t levels, std::uint32_t key_slice_interval) const {
     Stream stream{};
     const auto volume = open();
     SliceEncoderConfig config;
     config.limits = limits();
     config.thresholds[0] = stored_threshold(volume->info(), iso_);
+    config.key_slice_interval = key_slice_interval;
     config.label = label();
     config.levels = levels;
     with_scanner_type(volume->info().type, [&](auto type) {
@@ -124,8 +138,32 @@ class Scan {
     require(encoder->finish());
   }
 
-  std::string file_;
+  Opening open_;
   double iso_;
+};
+
+// Reads a generated volume.
+class GeneratedReader final : public VolumeReader {
+ public:
+  explicit GeneratedReader(const bench::Volume& volume) {
+    info_.dims = {volume.width, volume.height, volume.depth};
+    info_.spacing_mm = {1, 1, 1};
+    std::visit(
+        [this](const auto& samples) {
+          info_.type = meshing::type_of<std::decay_t<decltype(samples[0])>>();
+          next_ = reinterpret_cast<const std::uint8_t*>(samples.data());
+        },
+        volume.samples);
+  }
+  const VolumeInfo& info() const override { return info_; }
+  void read_slice(void* samples) override {
+    std::memcpy(samples, next_, info_.slice_bytes());
+    next_ += info_.slice_bytes();
+  }
+
+ private:
+  VolumeInfo info_;
+  const std::uint8_t* next_ = nullptr;
 };
 
 class Received {
@@ -144,16 +182,15 @@ class Received {
     return joined_.accept(event);
   }
 
-  FaceMesh mesh(bool moves, bool relaxes) const {
+  Crossings crossings(bool relaxes) const {
     Crossings crossings(reader_.dims(), joined_.surface().polygons);
-    if (moves) fractions_.place(crossings);
+    fractions_.place(crossings);
     if (relaxes) relax(crossings, joined_.surface(), {Border::closed, 0, {}});
-    return build_mesh(joined_.surface(),
-                      {true, Faces::triangles, moves || relaxes ? &crossings : nullptr, 0});
+    return crossings;
   }
-  /// The mesh of the samples.
-  FaceMesh mesh(const CrossingFinder& finder) const {
-    return build_mesh(joined_.surface(), {true, Faces::triangles, &finder.crossings(), 0});
+  /// crossings: null for the merged mesh.
+  FaceMesh mesh(const Crossings* crossings) const {
+    return build_mesh(joined_.surface(), {true, Faces::triangles, crossings, 0});
   }
 
  private:
@@ -191,18 +228,24 @@ double mean_angle(const FaceMesh& mesh, const FaceMesh& exact) {
   return sum / static_cast<double>(count) * degrees;
 }
 
-void print_row(const std::string& name, const Stream& stream, const FaceMesh& mesh,
-               const FaceMesh& exact, const FaceMesh& classic) {
-  const Distances from = distances(mesh, classic);
-  std::printf("| %s | %zu | %llu | %zu | %.3f | %.2f | %.1f |\n", name.c_str(), stream.bytes.size(),
-              static_cast<unsigned long long>(stream.memory), mesh.face_count(), from.mean,
-              from.largest, mean_angle(mesh, exact));
-  std::fflush(stdout);
+// Units: edges.
+double mean_distance_along(const Crossings& crossings, const Crossings& exact) {
+  double sum = 0;
+  std::size_t count = 0;
+  crossings.for_each([&](Crossings::Place place, const Vertex& middle) {
+    const auto found = exact.find(middle);
+    if (!found) return;
+    sum +=
+        std::abs(static_cast<double>(crossings.at(place)) - static_cast<double>(exact.at(*found))) /
+        2;
+    ++count;
+  });
+  return sum / static_cast<double>(count);
 }
 
-CrossingFinder crossings_of(const Scan& scan, double iso) {
+CrossingFinder crossings_of(const Scan& scan) {
   const auto volume = scan.open();
-  CrossingFinder finder(volume->info(), {iso});
+  CrossingFinder finder(volume->info(), {scan.iso()});
   std::vector<std::uint8_t> slice(volume->info().slice_bytes());
   for (std::uint32_t z = 0; z < volume->info().dims[2]; ++z) {
     volume->read_slice(slice.data());
@@ -226,49 +269,96 @@ void print_samples(const Scan& scan) {
     encoder.destination(packed);
     bytes += encoder.encode(slice);
   }
-  std::printf("| samples, JPEG-LS | %llu | | | 0 | 0 | 0 |\n",
+  std::printf("samples, JPEG-LS lossless | %llu | - | - | 0 | 0 | 0 | 0 |\n",
               static_cast<unsigned long long>(bytes));
 #else
   static_cast<void>(scan);
+  std::puts("samples | not measured: the program has no CharLS | - | - | 0 | 0 | 0 | 0 |");
 #endif
 }
 
-void print_table(const std::string& file, double iso) {
-  std::printf(
-      "| %s at %g | bytes | RAM | triangles | mean distance, mm | largest | normals |\n"
-      "|---|--:|--:|--:|--:|--:|--:|\n",
-      file.substr(file.find_last_of('/') + 1).c_str(), iso);
-  const Scan scan(file, iso);
-  print_samples(scan);
-  const FaceMesh classic = scan.classic();
-  const Stream polygons = scan.polygons();
-  const FaceMesh exact = Received(polygons.bytes).mesh(crossings_of(scan, iso));
-  const Received of_polygons(polygons.bytes);
-  print_row("polygons", polygons, of_polygons.mesh(false, false), exact, classic);
-  for (const std::uint8_t levels : {std::uint8_t{0}, std::uint8_t{2}, std::uint8_t{4}}) {
-    const Stream stream = scan.slices(levels);
+// The rows of one volume.
+class Rows {
+ public:
+  Rows(const std::string& name, const Scan& scan) : scan_(scan), name_(name) {}
+
+  void print() {
+    begin_row();
+    print_samples(scan_);
+    const Stream polygons = scan_.polygons();
+    const Received received(polygons.bytes);
+    const CrossingFinder finder = crossings_of(scan_);
+    exact_ = &finder.crossings();
+    exact_mesh_ = received.mesh(exact_);
+    classic_ = scan_.classic();
+    print_row("polygons", polygons, received.crossings(false), received.mesh(nullptr));
+    for (const int levels : {0, 2, 4}) print_slices(static_cast<std::uint8_t>(levels));
+  }
+
+ private:
+  void print_slices(std::uint8_t levels) {
+    const Stream stream = scan_.slices(levels, 0);
     const Received received(stream.bytes);
     const std::string name = levels == 0 ? "slices" : std::to_string(levels) + " levels";
-    if (levels > 0) print_row(name, stream, received.mesh(true, false), exact, classic);
-    print_row(name + ", relaxed", stream, received.mesh(true, true), exact, classic);
+    for (const bool relaxes : {false, true}) {
+      if (levels == 0 && !relaxes) continue;
+      const Crossings crossings = received.crossings(relaxes);
+      print_row(name + (relaxes ? ", relaxed" : ""), stream, crossings, received.mesh(&crossings));
+    }
+    begin_row();
+    std::printf("%s, every 16th a key slice | %zu | | | | | | |\n", name.c_str(),
+                scan_.slices(levels, 16).bytes.size());
   }
+
+  void print_row(const std::string& stream_name, const Stream& stream, const Crossings& crossings,
+                 const FaceMesh& mesh) {
+    const Distances from = distances(mesh, classic_);
+    begin_row();
+    std::printf("%s | %zu | %llu | %zu | %.2f | %.3f | %.2f | %.1f |\n", stream_name.c_str(),
+                stream.bytes.size(), static_cast<unsigned long long>(stream.memory),
+                mesh.face_count(), mean_distance_along(crossings, *exact_), from.mean, from.largest,
+                mean_angle(mesh, exact_mesh_));
+    std::fflush(stdout);
+  }
+
+  void begin_row() { std::printf("| %s | ", std::exchange(name_, "").c_str()); }
+
+  const Scan& scan_;
+  std::string name_;  // of the first row
+  const Crossings* exact_ = nullptr;
+  FaceMesh exact_mesh_, classic_;
+};
+
+void print_file(const std::string& argument) {
+  const std::size_t colon = argument.rfind(':');
+  const std::string file = argument.substr(0, colon), iso = argument.substr(colon + 1);
+  const Scan scan([&] { return open_volume(file, {}); }, std::stod(iso));
+  Rows(file.substr(file.find_last_of('/') + 1) + " at " + iso, scan).print();
+}
+
+void print_generated(const bench::Volume& volume) {
+  const Scan scan([&] { return std::make_unique<GeneratedReader>(volume); }, volume.threshold);
+  Rows(volume.name, scan).print();
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count < 2) {
-    std::fputs(usage, stderr);
-    return 2;
+  if (count == 2 && std::strcmp(arguments[1], "--help") == 0) {
+    std::fputs(usage, stdout);
+    return 0;
   }
+  std::puts(
+      "| volume | stream | bytes | least memory | triangles | of an edge | mean distance, mm | "
+      "largest | normals, degrees |\n|---|---|--:|--:|--:|--:|--:|--:|--:|");
   try {
-    for (int i = 1; i < count; ++i) {
-      const std::string argument = arguments[i];
-      const std::size_t colon = argument.rfind(':');
-      print_table(argument.substr(0, colon), std::stod(argument.substr(colon + 1)));
-    }
+    for (int i = 1; i < count; ++i) print_file(arguments[i]);
+    print_generated(bench::ball(128));
+    print_generated(bench::noisy_ball(128));
+    print_generated(bench::gyroid(128));
+    print_generated(bench::smooth_noise(64));
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "bench_stream_distances: %s\n", error.what());
+    std::fprintf(stderr, "bench_streams: %s\n", error.what());
     return 1;
   }
   return 0;
