@@ -65,28 +65,22 @@ class FractionCode {
   static constexpr uint32_t eighths = 7;  // the bits of a fraction in an entry
   static constexpr int32_t none = INT32_MIN;
 
-  // The mean of distances in thirds of the edge, or none.
-  struct Mean {
-    uint32_t sum = 0;
-    uint32_t count = 0;
-    void add(uint32_t distance) {
-      sum += distance;
-      ++count;
-    }
-    // From the voxel of these fractions, the upper end of their edges.
-    void add_from(uint32_t fractions) {
-      for (; fractions != 0; fractions >>= 3)
-        if ((fractions & eighths) != 0) add(8 - (fractions & eighths));
-    }
-    // From the lower end of this edge.
-    void add_to(uint32_t fraction) {
-      if (fraction != 0) add(fraction);
-    }
-    uint32_t third() const {
-      if (count == 0) return 0;
-      return 1U + (3 * sum >= 8 * count ? 1U : 0U) + (3 * sum >= 16 * count ? 1U : 0U);
-    }
-  };
+  // Distances: their sum, and their number above it.
+  static constexpr uint32_t one_distance = 1 << 16;
+
+  // Those from the voxel of these fractions, the upper end of their edges.
+  static uint32_t distances(uint32_t fractions) {
+    uint32_t all = 0;
+    for (; fractions != 0; fractions >>= 3)
+      if ((fractions & eighths) != 0) all += one_distance + 8 - (fractions & eighths);
+    return all;
+  }
+  // The mean in thirds of the edge, or none.
+  static uint32_t third(uint32_t all) {
+    if (all == 0) return 0;
+    const uint32_t count = all / one_distance, sum = all % one_distance;
+    return 1U + (3 * sum >= 8 * count ? 1U : 0U) + (3 * sum >= 16 * count ? 1U : 0U);
+  }
 
   uint32_t words() const { return detail::trace::row_words(row_.width); }
   void begin_pass() {
@@ -94,7 +88,9 @@ class FractionCode {
     load();
     seek();
   }
-  void load() { row_.find(word_, row_.columns(word_), crossing_); }
+  void load() {
+    if (!row_.find(word_, crossing_)) crossing_[0] = crossing_[1] = crossing_[2] = 0;
+  }
   // Finds the next edge, from the present word on.
   void seek() {
     while ((crossing_[0] | crossing_[1] | crossing_[2]) == 0) {
@@ -146,9 +142,10 @@ class FractionCode {
     const uint32_t known = entry >> place & eighths;
     const uint32_t written = is_on ? known : 8 - known;
     const uint32_t read = code_fraction(coder, context_of(axis, is_on), written);
-    entry =
-        static_cast<uint16_t>((entry & ~(eighths << place)) | (is_on ? read : 8 - read) << place);
-    *row_.is_any = true;
+    if (read != written) {  // a reader
+      entry = static_cast<uint16_t>(entry | (is_on ? read : 8 - read) << place);
+      *row_.is_any = true;
+    }
     if (axis < 2) row_.queue->put(is_on ? read : 8 - read);
     pass(axis);
   }
@@ -169,28 +166,29 @@ class FractionCode {
   // Which voxels equal the upper end of the edge. There are three of this row from x - 1 on, then
   // three of the row before, then both in the slice before.
   uint32_t alike_bits(bool is_on) const {
-    const auto three = [this](const uint32_t* row) { return row[word_] >> (bit_ - 1) & 7; };
-    const uint32_t bits = three(row_.here) | three(row_.behind) << 3 | three(row_.below) << 6 |
-                          three(row_.below_behind) << 9;
+    const uint32_t shift = bit_ - 1;
+    const uint32_t bits = (row_.here[word_] >> shift & 7) | (row_.behind[word_] >> shift & 7) << 3 |
+                          (row_.below[word_] >> shift & 7) << 6 |
+                          (row_.below_behind[word_] >> shift & 7) << 9;
     return is_on ? bits & known_ : (bits & known_) ^ 0xFFF;
   }
 
-  // Where the surface crosses such a line. Units: eighths from the lower end; or none.
-  static int32_t crossing_of(const Line& line, const uint32_t* entries, uint32_t alike) {
-    const uint32_t upper = alike >> line.upper & 1;
-    if ((alike >> line.lower & 1) == upper) return upper != 0 ? -4 : 12;
-    const uint32_t fraction = entries[line.entry] >> line.place & eighths;
-    return upper != 0 && fraction != 0 ? static_cast<int32_t>(fraction) : none;
-  }
-
-  // Where it crosses the edge if it is a plane through the three lines.
+  // Where the surface crosses the edge if it is a plane through the three lines. Units: eighths
+  // from the lower end; or none.
   static int32_t crossing_of_plane(const Line* lines, const uint32_t* entries, uint32_t alike) {
-    const int32_t first = crossing_of(lines[0], entries, alike);
-    const int32_t second = crossing_of(lines[1], entries, alike);
-    if (first == none) return second;
-    if (second == none) return first;
-    const int32_t opposite = crossing_of(lines[2], entries, alike);
-    return opposite == none ? (first + second) >> 1 : first + second - opposite;
+    int32_t at[3];
+    for (uint32_t i = 0; i < 3; ++i) {
+      const Line& line = lines[i];
+      const uint32_t upper = alike >> line.upper & 1;
+      const uint32_t fraction = entries[line.entry] >> line.place & eighths;
+      if ((alike >> line.lower & 1) == upper)
+        at[i] = upper != 0 ? -4 : 12;
+      else
+        at[i] = upper != 0 && fraction != 0 ? static_cast<int32_t>(fraction) : none;
+    }
+    if (at[0] == none) return at[1];
+    if (at[1] == none) return at[0];
+    return at[2] == none ? (at[0] + at[1]) >> 1 : at[0] + at[1] - at[2];
   }
 
   uint32_t context_of(uint32_t axis, bool is_on) const {
@@ -205,22 +203,23 @@ class FractionCode {
       if (!is_on) plane = 8 - plane;
       line = plane < -1 ? 1 : plane > 9 ? 6 : 1 + (static_cast<uint32_t>(3 * (plane + 4)) >> 3);
     }
-    Mean lower, upper;
-    uint32_t forward = 0;
+    uint32_t lower, upper = 0, forward = 0;
     if (axis == 0) {
-      lower.add_from(entries[1] & FractionEntry::own);
+      lower = distances(entries[1] & FractionEntry::own);
     } else {
-      upper.add_from(entries[0] & (axis == 1 ? eighths : FractionEntry::along_x_and_y));
-      lower.add_from(axis == 1 ? entries[2] & FractionEntry::own
-                               : entries[0] >> FractionEntry::below);
-      lower.add_to((axis == 1 ? before[1] : now[1] >> FractionEntry::below) & eighths);
+      const bool is_y = axis == 1;
+      upper = distances(entries[0] & (is_y ? eighths : FractionEntry::along_x_and_y));
+      lower =
+          distances(is_y ? entries[2] & FractionEntry::own : entries[0] >> FractionEntry::below);
+      const uint32_t next = (is_y ? before[1] : now[1] >> FractionEntry::below) & eighths;
+      if (next != 0) lower += one_distance + next;
       // The line at x + 1, by its voxels alone.
-      const uint32_t ends = (alike >> (axis == 1 ? 5 : 8) & 1) + 2 * (alike >> 2 & 1);
+      const uint32_t ends = (alike >> (is_y ? 5 : 8) & 1) + 2 * (alike >> 2 & 1);
       forward = ends == 3 ? 1 : ends == 2 ? 2 : ends == 0 ? 3 : 0;
       if (!is_on && forward % 2 != 0) forward = 4 - forward;
     }
-    const uint32_t off_end = (is_on ? lower : upper).third();
-    const uint32_t on_end = (is_on ? upper : lower).third();
+    const uint32_t off_end = third(is_on ? lower : upper);
+    const uint32_t on_end = third(is_on ? upper : lower);
     using namespace fraction_context;
     return ((line * off_ends + off_end) * on_ends + on_end) * forwards + forward;
   }

@@ -35,14 +35,15 @@ class FractionIntake {
     if (row_.is_off()) return;
     const uint32_t end = column + count;
     for (uint32_t word = trace::word_of(column + 1); word <= trace::word_of(end); ++word) {
+      uint32_t crossing[3];
+      if (!row_.find(word, crossing)) continue;
       // Column x + 1 is bit x + 2 of word 0.
       const uint32_t first = word * trace::columns_per_word;
       uint32_t columns = trace::own_columns;
       if (column + 1 > first) columns &= 0U - (uint32_t{2} << (column + 1 - first));
       if (end - first < trace::columns_per_word) columns &= (uint32_t{4} << (end - first)) - 1;
-      uint32_t crossing[3];
-      row_.find(word, columns, crossing);
-      for (uint32_t any = crossing[0] | crossing[1] | crossing[2]; any != 0; any &= any - 1) {
+      for (uint32_t any = (crossing[0] | crossing[1] | crossing[2]) & columns; any != 0;
+           any &= any - 1) {
         const uint32_t bit = trailing_zeros(any);
         const uint32_t voxel = first + bit - 2;
         const Sample* const sample = samples + size_t{voxel - column} * stride;
@@ -69,18 +70,20 @@ class FractionIntake {
   /// Keeps the samples, and the bit widths of their distances, at most 15.
   void keep(const Sample* samples, uint32_t column, uint32_t count, uint32_t stride) {
     const uint32_t end = column + count;
-    const uint32_t threshold = threshold_;
+    const uint32_t doubled = 2 * threshold_ - 1;
     if (column % 2 != 0) {
       keep_one(column++, *samples);
       samples += stride;
     }
     Sample* kept = before_ + column;
-    for (uint8_t *to = distances_ + column / 2, *const last = distances_ + end / 2; to < last;) {
+    uint8_t* to = distances_ + column / 2;
+    const uint8_t* const last = distances_ + end / 2;
+    while (to < last) {
       const Sample even = samples[0], odd = samples[stride];
       samples += 2 * stride;
       *kept++ = even;
       *kept++ = odd;
-      *to++ = static_cast<uint8_t>(kept_width(even, threshold) | kept_width(odd, threshold) << 4);
+      *to++ = static_cast<uint8_t>(kept_width(even, doubled) | kept_width(odd, doubled) << 4);
     }
     if (end % 2 != 0 && column < end) keep_one(end - 1, *samples);
   }
@@ -96,16 +99,20 @@ class FractionIntake {
     const uint32_t difference = static_cast<uint32_t>(int32_t{sample}) - threshold;
     return difference ^ (0U - (difference >> 31));
   }
-  // Its bit width. A distance is not 0, and is one bit longer.
-  DISCMC_ALWAYS_INLINE static uint32_t kept_width(Sample sample, uint32_t threshold) {
-    const uint32_t width = bit_width_of_nonzero(2 * folded(sample, threshold) | 1) - 1;
+  // Its bit width, at most 15. doubled: twice the threshold, less one. The distance in halves is a
+  // bit longer; its lowest bit is set.
+  DISCMC_ALWAYS_INLINE static uint32_t kept_width(Sample sample, uint32_t doubled) {
+    const uint32_t difference = 2 * static_cast<uint32_t>(int32_t{sample}) - doubled;
+    const uint32_t halves = (difference ^ (0U - (difference >> 31))) | 1;
+    const uint32_t width = bit_width_of_nonzero(halves) - 1;
     return sizeof(Sample) == 1 ? width : width - (width >> 4);
   }
   void keep_one(uint32_t voxel, Sample sample) {
     before_[voxel] = sample;
     uint8_t& pair = distances_[voxel / 2];
     const uint32_t shift = 4 * (voxel % 2);
-    pair = static_cast<uint8_t>((pair & 0xF0 >> shift) | kept_width(sample, threshold_) << shift);
+    pair = static_cast<uint8_t>((pair & 0xF0 >> shift) | kept_width(sample, 2 * threshold_ - 1)
+                                                             << shift);
   }
   uint32_t kept_distance(uint32_t voxel) const {
     const uint32_t width = distances_[voxel / 2] >> 4 * (voxel % 2) & 15;

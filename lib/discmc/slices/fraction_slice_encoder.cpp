@@ -107,8 +107,9 @@ void FractionSliceEncoder<Sample>::begin_code() {
     return;
   }
   using KeyEdges = FractionCode::KeyEdges;
-  code_.begin(around(surface_), fractions_.model(surface_),
-              is_key && slices() > 0 ? KeyEdges::known : KeyEdges::none);
+  const KeyEdges key_edges = is_key && slices() > 0 ? KeyEdges::known : KeyEdges::none;
+  if (key_edges == KeyEdges::none && !fractions_.is_any(surface_)) return code_.end();
+  code_.begin(around(surface_), fractions_.model(surface_), key_edges);
 }
 
 template class FractionSliceEncoder<uint8_t>;

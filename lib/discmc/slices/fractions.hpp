@@ -33,20 +33,27 @@ struct FractionRow {
   /// Whether no edge crosses, as the three rows are off. Limit: the rows are an encoder's, whose
   /// first bit is set if a voxel is on.
   bool is_off() const { return ((here[0] | behind[0] | below[0]) & 1) == 0; }
-  /// The columns of a word that are voxels.
+  /// Finds the voxels of a word whose edges along x, y and z have fractions. False if there is
+  /// none.
+  bool find(uint32_t word, uint32_t* crossing) const {
+    const uint32_t on = here[word];
+    const uint32_t along[3] = {on ^ on << 1, on ^ behind[word], on ^ below[word]};
+    // Most words have none, whatever the columns are.
+    if (((along[0] | along[1] | along[2]) & detail::trace::own_columns) == 0) return false;
+    const uint32_t voxels = columns(word);
+    crossing[0] = crosses[0] ? along[0] & (word == 0 ? voxels & ~uint32_t{4} : voxels) : 0;
+    crossing[1] = crosses[1] ? along[1] & voxels : 0;
+    crossing[2] = crosses[2] ? along[2] & voxels : 0;
+    return (crossing[0] | crossing[1] | crossing[2]) != 0;
+  }
+
+ private:
+  // The columns of a word that are voxels.
   uint32_t columns(uint32_t word) const {
     const uint32_t left = width - word * detail::trace::columns_per_word;
     const uint32_t all = word == 0 ? detail::trace::own_columns & ~uint32_t{2}  // without the halo
                                    : detail::trace::own_columns;
     return left < detail::trace::columns_per_word ? all & ((uint32_t{4} << left) - 1) : all;
-  }
-  /// Finds the voxels among these columns of a word whose edges along x, y and z have fractions.
-  void find(uint32_t word, uint32_t columns, uint32_t* crossing) const {
-    const uint32_t on = here[word];
-    crossing[0] = crossing[1] = crossing[2] = 0;
-    if (crosses[0]) crossing[0] = (on ^ on << 1) & (word == 0 ? columns & ~uint32_t{4} : columns);
-    if (crosses[1]) crossing[1] = (on ^ behind[word]) & columns;
-    if (crosses[2]) crossing[2] = (on ^ below[word]) & columns;
   }
 };
 
@@ -159,6 +166,7 @@ class Fractions {
     FractionRow row{};
     row.here = rows.row(height_);
     row.behind = y > 0 ? rows.row(height_ + 1) : rows.off();
+    row.below = row.here;
     row.width = width_;
     row.crosses[0] = has_samples(y);
     row.crosses[1] = row.crosses[0] && y > 0 && had_samples_behind_;
@@ -166,7 +174,7 @@ class Fractions {
     OfSurface& from = of_[surface];
     for (uint32_t word = 0; word < rows.words(); ++word) {
       uint32_t crossing[3];
-      row.find(word, row.columns(word), crossing);
+      if (!row.find(word, crossing)) continue;
       for (uint32_t any = crossing[0] | crossing[1]; any != 0; any &= any - 1) {
         const uint32_t bit = trailing_zeros(any);
         uint32_t known = 0;
