@@ -51,10 +51,15 @@ inline uint64_t bound(uint32_t width, const Asked& asked, uint64_t holes, uint64
 struct SliceCost {
   static constexpr uint64_t row = 2000;  ///< the first row of a key slice, which resets the model
   static constexpr uint64_t voxel = 60;
+  // With fractions, more.
+  static constexpr uint64_t fraction_row = 1500;
+  static constexpr uint64_t fraction_voxel = 300;  ///< of its three edges
 };
 
-inline uint64_t slice_row_bound(uint32_t width, uint32_t surfaces) {
-  return surfaces * (SliceCost::row + width * SliceCost::voxel) * (is_portable ? 2 : 1);
+inline uint64_t slice_row_bound(uint32_t width, uint32_t surfaces, bool has_fractions) {
+  const uint64_t row = SliceCost::row + (has_fractions ? SliceCost::fraction_row : 0);
+  const uint64_t voxel = SliceCost::voxel + (has_fractions ? SliceCost::fraction_voxel : 0);
+  return surfaces * (row + width * voxel) * (is_portable ? 2 : 1);
 }
 
 }  // namespace discmc::work

@@ -3,7 +3,7 @@
 #define DISCMC_TESTS_WORK_COUNTED_SLICES_HPP
 
 #include <algorithm>
-#include <discmc/slice_encoder.hpp>
+#include <discmc/fraction_slice_encoder.hpp>
 #include <stdexcept>
 #include <vector>
 
@@ -19,21 +19,22 @@ struct SliceWork {
   double max_of_bound = 0;  ///< the greatest share of its bound that one took
 };
 
-/// Encodes a volume row by row, as a number of identical surfaces. Errors: throws what the encoder
-/// reports.
-inline SliceWork encode_slices(const reference::BitVolume& volume, uint32_t key_slice_interval,
-                               uint8_t surfaces) {
+/// Encodes a volume row by row, as a number of identical surfaces. levels: 0 for a SliceEncoder.
+/// Errors: throws what the encoder reports.
+template <class AnyEncoder>
+SliceWork encode_slices(const reference::BitVolume& volume, uint32_t key_slice_interval,
+                        uint8_t surfaces, uint8_t levels) {
   StreamHeader header{volume.width, volume.height, volume.depth, {}, {1}, Border::closed};
   header.surface_count = surfaces;
   std::fill_n(header.thresholds + 1, surfaces - 1, 1);
-  std::vector<uint8_t> memory(SliceEncoder::minimum_bytes(
-      {{volume.width, volume.height}, {}, key_slice_interval, surfaces}));
-  SliceEncoder encoder;
+  SliceEncoderConfig config = test::slice_config(header, key_slice_interval);
+  config.levels = levels;
+  std::vector<uint8_t> memory(AnyEncoder::minimum_bytes(config));
+  AnyEncoder encoder;
   const ByteOutput nowhere{nullptr, [](void*, const uint8_t*, size_t count) { return count; }};
-  if (encoder.start(test::slice_config(header, key_slice_interval), {memory.data(), memory.size()},
-                    nowhere) != Status::ok)
+  if (encoder.start(config, {memory.data(), memory.size()}, nowhere) != Status::ok)
     throw std::runtime_error("slices do not start");
-  const uint64_t most = slice_row_bound(volume.width, surfaces);
+  const uint64_t most = slice_row_bound(volume.width, surfaces, levels != 0);
   SliceWork work;
   for (size_t voxel = 0; voxel < volume.voxels(); voxel += volume.width) {
     const uint64_t before = blocks;

@@ -107,17 +107,20 @@ bool check_hostile_volumes() {
 }
 
 bool check_slices() {
-  std::printf("\n%-26s %-12s %8s %12s %9s\n", "rows of slices", "key slices", "surfaces",
-              "most a push", "of bound");
+  std::printf("\n%-26s %-12s %8s %6s %12s %9s\n", "rows of slices", "key slices", "surfaces",
+              "levels", "most a push", "of bound");
   bool holds = true;
   for (const Hostile& hostile : hostile_volumes())
     for (const uint32_t interval : {0u, 1u})
-      for (const uint8_t surfaces : {uint8_t{1}, uint8_t{4}}) {
-        const SliceWork work = encode_slices(hostile.volume, {interval}, surfaces);
-        std::printf("%-26s %-12" PRIu32 " %8d %12" PRIu64 " %8.1f%%\n", hostile.name, interval,
-                    surfaces, work.most, 100 * work.max_of_bound);
-        holds = holds && work.max_of_bound <= 1;
-      }
+      for (const uint8_t surfaces : {uint8_t{1}, uint8_t{4}})
+        for (const uint8_t levels : {uint8_t{0}, uint8_t{4}}) {
+          const auto encode = levels == 0 ? encode_slices<SliceEncoder>
+                                          : encode_slices<FractionSliceEncoder<uint8_t>>;
+          const SliceWork work = encode(hostile.volume, interval, surfaces, levels);
+          std::printf("%-26s %-12" PRIu32 " %8d %6d %12" PRIu64 " %8.1f%%\n", hostile.name,
+                      interval, surfaces, levels, work.most, 100 * work.max_of_bound);
+          holds = holds && work.max_of_bound <= 1;
+        }
   return holds;
 }
 
