@@ -187,7 +187,7 @@ TEST_CASE("a checkpoint of an encoder with fractions is not one of an encoder wi
 }
 
 TEST_CASE("after a lost packet all fractions that arrive are right") {
-  const Size size{40, 6, 30};
+  const Size size{40, 20, 9};  // with more edges than a queue has room for
   const BitVolume volume = reference::random(size, 128, 3);
   for (const uint8_t levels : std::initializer_list<uint8_t>{2, 4}) {
     SlicePlan plan{3};
