@@ -79,7 +79,7 @@ constexpr Capacities worst_case_capacities(const Limits& limits, uint32_t slices
 }
 
 // ---- Internal: the functions of the same names of extractors. Index: their index type. Intake:
-// BitIntake, or GradientNormals<Sample>.
+// BitIntake, or GradientIntake<Sample>.
 
 namespace detail::sizing {
 

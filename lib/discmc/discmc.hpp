@@ -42,8 +42,8 @@
 #include <discmc/front/row_cropper.hpp>
 #include <discmc/front/row_ring.hpp>
 #include <discmc/front/threshold_row.hpp>
-#include <discmc/gradient_normals.hpp>
 #include <discmc/joiner.hpp>
+#include <discmc/normal_extractor.hpp>
 #include <discmc/placement.hpp>
 #include <discmc/polygon.hpp>
 #include <discmc/receiver.hpp>

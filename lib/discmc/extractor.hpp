@@ -31,7 +31,7 @@ struct Peaks {
 };
 
 /// The functions that all extractors have: an extractor accepts the samples of a scan, and sends
-/// its regions to a Sink. Declare an Extractor or a NormalExtractor (gradient_normals.hpp).
+/// its regions to a Sink. Declare an Extractor or a NormalExtractor (normal_extractor.hpp).
 ///
 /// Index numbers the slots: uint16_t (up to 32,759 slots) for firmware, uint32_t for hosts. It does
 /// not change the events if the capacities are equal. Intake and Sweep are internal. An

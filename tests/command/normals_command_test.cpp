@@ -1,5 +1,5 @@
 // Normals of vertices from the command: their sources, their files, and what does not go together.
-#include <discmc/gradient_normals.hpp>
+#include <discmc/normal_extractor.hpp>
 
 #include "command.hpp"
 #include "oracle/angle.hpp"
@@ -41,7 +41,7 @@ std::string header(const std::string& space_directions) {
 
 // The stream of v.nrrd as a device makes it that has the samples at hand: with normals.
 std::string stream_with_normals() {
-  using WithNormals = discmc::GradientNormals<std::uint16_t>;
+  using WithNormals = discmc::GradientIntake<std::uint16_t>;
   discmc::StreamHeader header;
   header.width = header.height = header.depth = extent;
   header.spacing_nm[0] = 500000;

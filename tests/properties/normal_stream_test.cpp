@@ -2,7 +2,7 @@
 // decodes the rest as before.
 #include <doctest/doctest.h>
 
-#include <discmc/gradient_normals.hpp>
+#include <discmc/normal_extractor.hpp>
 #include <discmc/stream/record_writing.hpp>
 
 #include "oracle/stream_samples.hpp"
@@ -233,7 +233,7 @@ TEST_CASE("the stream of an extractor with normals is decoded unchanged") {
   for (uint8_t& sample : samples) sample = chance.byte();
   for (size_t i = 1; i + 24 < samples.size(); ++i)
     samples[i] = static_cast<uint8_t>((samples[i - 1] + samples[i] + samples[i + 24]) / 3);
-  Block block(detail::sizing::bytes_for<uint16_t, GradientNormals<uint8_t>>(limits, capacities));
+  Block block(detail::sizing::bytes_for<uint16_t, GradientIntake<uint8_t>>(limits, capacities));
   EventLog log;
   NormalExtractor16<uint8_t> extractor;
   require_ok(extractor.start(limits, capacities, 120, block.memory(), make_sink(log)));

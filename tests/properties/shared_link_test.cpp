@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <discmc/byte_output.hpp>
-#include <discmc/gradient_normals.hpp>
+#include <discmc/normal_extractor.hpp>
 #include <discmc/receiver.hpp>
 #include <discmc/surface_group.hpp>
 
@@ -222,7 +222,7 @@ TEST_CASE("the header contains the extractor's limits and threshold, and the lab
 }
 
 TEST_CASE("the spacing of an extractor is also that of the stream") {
-  using Normals = GradientNormals<uint8_t>;
+  using Normals = GradientIntake<uint8_t>;
   Line line;
   discmc::test::NormalEncoder encoder;
   require_ok(encoder.start({0, {5, 5, 5}}, line.output()));

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <discmc/capacities.hpp>
-#include <discmc/gradient_normals.hpp>
+#include <discmc/normal_extractor.hpp>
 
 #include "oracle/scan.hpp"
 
@@ -96,7 +96,7 @@ TEST_CASE("the default capacities fit in every single number of bytes") {
       const Limits limits{width, 5, extra % 2 == 0 ? Border::closed : Border::open};
       check_defaults<uint16_t>(limits, Extractor16::minimum_bytes(limits) + extra);
       check_defaults<uint32_t>(limits, Extractor32::minimum_bytes(limits) + extra);
-      using Normals = GradientNormals<uint16_t>;
+      using Normals = GradientIntake<uint16_t>;
       check_defaults<uint16_t, Normals>(
           limits, detail::sizing::minimum_bytes<uint16_t, Normals>(limits) + extra);
     }

@@ -37,9 +37,9 @@ class Arena {
   /// call returns null.
   template <class T>
   T* allocate(uint32_t count) {
-    constexpr size_t most_bytes = SIZE_MAX - alignment - red_zone_bytes;
-    constexpr size_t most = most_bytes / sizeof(T);
-    return static_cast<T*>(allocate_bytes(count <= most ? count * sizeof(T) : most_bytes));
+    constexpr size_t max_bytes = SIZE_MAX - alignment - red_zone_bytes;
+    constexpr size_t max_count = max_bytes / sizeof(T);
+    return static_cast<T*>(allocate_bytes(count <= max_count ? count * sizeof(T) : max_bytes));
   }
 
   /// Whether an array did not fit.

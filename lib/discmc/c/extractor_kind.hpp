@@ -5,7 +5,7 @@
 
 #include <discmc/c/object.hpp>
 #include <discmc/c/values.hpp>
-#include <discmc/gradient_normals.hpp>
+#include <discmc/normal_extractor.hpp>
 
 namespace discmc {
 
@@ -32,7 +32,7 @@ constexpr uint64_t bytes_of_scan(const ScanSizes& sizes, const Limits& limits, u
       Extractor16::bytes_for(limits, {0, 0}) + Arena::aligned(uint64_t{slots} * sizes.slot_bytes);
   if (sizes.index_bytes > sizeof(uint16_t))
     bytes += Extractor32::bytes_for({1, 1}, {0, 0}) - Extractor16::bytes_for({1, 1}, {0, 0});
-  const uint32_t rows = GradientNormals<uint8_t>::ring_rows(limits);
+  const uint32_t rows = GradientIntake<uint8_t>::ring_rows(limits);
   if (sizes.sample_bytes > 0)
     bytes += Arena::bytes_of(rows * limits.width, sizes.sample_bytes) +
              Arena::bytes_of(rows, sizeof(uint16_t));

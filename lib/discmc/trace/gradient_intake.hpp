@@ -11,7 +11,7 @@ namespace discmc {
 
 /// Sample is uint8_t, uint16_t or int16_t.
 template <class Sample>
-class GradientNormals {
+class GradientIntake {
   static_assert(is_sample<Sample>, "samples must be uint8_t, uint16_t or int16_t");
 
  public:

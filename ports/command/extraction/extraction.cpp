@@ -119,7 +119,7 @@ std::vector<Extraction> extract(SliceReader& volume, const ExtractionOptions& op
     return extract_with<BitIntake, Extractor16, Extractor32>(volume, options, surfaces);
   return with_scanner_type(volume.info().type, [&](auto type) {
     using Sample = decltype(type);
-    return extract_with<GradientNormals<Sample>, NormalExtractor16<Sample>,
+    return extract_with<GradientIntake<Sample>, NormalExtractor16<Sample>,
                         NormalExtractor32<Sample>>(volume, options, surfaces);
   });
 }

@@ -139,9 +139,9 @@ Crossings::Crossings(const std::array<std::uint32_t, 3>& dims, const Polygons& p
     dims_[axis] = static_cast<std::uint32_t>(end - begin);
   }
   first_ = {first[0], first[1], first[2]};
-  constexpr std::uint64_t most_rows = std::uint64_t{1} << 26;
-  if (std::uint64_t{dims_[1]} * dims_[2] > most_rows)
-    throw std::length_error("the surface spans more than " + std::to_string(most_rows) +
+  constexpr std::uint64_t max_rows = std::uint64_t{1} << 26;
+  if (std::uint64_t{dims_[1]} * dims_[2] > max_rows)
+    throw std::length_error("the surface spans more than " + std::to_string(max_rows) +
                             " rows of voxels; extract a part, or shrink the volume");
   OfPolygons of_polygons(*this, polygons);
   for (std::size_t axis = 0; axis < 3; ++axis) of_polygons.find(axis);

@@ -2,7 +2,7 @@
 #ifndef DISCMC_MESH_EXTRACTION_EXTRACTORS_HPP
 #define DISCMC_MESH_EXTRACTION_EXTRACTORS_HPP
 
-#include <discmc/gradient_normals.hpp>
+#include <discmc/normal_extractor.hpp>
 #include <discmc/surface_group.hpp>
 #include "host/host_scan.hpp"
 

@@ -1,6 +1,6 @@
 // Flash: a scanner of 8-bit samples that sends normals.
 #include <discmc/encoder.hpp>
-#include <discmc/gradient_normals.hpp>
+#include <discmc/normal_extractor.hpp>
 
 using namespace discmc;
 using Scanner = NormalExtractor16<uint8_t>;
@@ -8,7 +8,7 @@ using Scanner = NormalExtractor16<uint8_t>;
 // The parameters of a firmware, fixed at compile time.
 constexpr Limits limits{64, 64};
 constexpr Capacities capacities =
-    detail::sizing::default_capacities<uint16_t, GradientNormals<uint8_t>>(limits, 28 * 1024);
+    detail::sizing::default_capacities<uint16_t, GradientIntake<uint8_t>>(limits, 28 * 1024);
 
 extern "C" Status run(Scanner& extractor, Encoder& encoder, const ByteOutput& output,
                       const StreamLabel& label, Memory memory, const uint8_t* row) {

@@ -6,7 +6,7 @@
 #include <discmc/decoder.hpp>
 #include <discmc/encoder.hpp>
 #include <discmc/fraction_slice_encoder.hpp>
-#include <discmc/gradient_normals.hpp>
+#include <discmc/normal_extractor.hpp>
 #include <discmc/receiver.hpp>
 #include <discmc/slice_encoder.hpp>
 

@@ -2,7 +2,7 @@
 #ifndef DISCMC_TESTS_NORMAL_EVENTS_HPP
 #define DISCMC_TESTS_NORMAL_EVENTS_HPP
 
-#include <discmc/gradient_normals.hpp>
+#include <discmc/normal_extractor.hpp>
 #include <vector>
 
 #include "gradient.hpp"
@@ -16,7 +16,7 @@ struct ExtractorOf {
   using Type = Extractor<Index>;
 };
 template <class Index, class Sample>
-struct ExtractorOf<Index, GradientNormals<Sample>> {
+struct ExtractorOf<Index, GradientIntake<Sample>> {
   using Type = NormalExtractor<Index, Sample>;
 };
 

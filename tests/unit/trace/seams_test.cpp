@@ -1,7 +1,7 @@
 // Slabs of a volume: joined, and added up, they are the whole.
 #include <doctest/doctest.h>
 
-#include <discmc/gradient_normals.hpp>
+#include <discmc/normal_extractor.hpp>
 #include <vector>
 #include "host/host_extractor.hpp"
 

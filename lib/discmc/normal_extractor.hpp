@@ -12,8 +12,8 @@
 // row later. At the ends of a volume, and at the seams of a slab, the gradient uses the slices that
 // exist. Vertices between two corners have no normal. For normals in a second pass see
 // sample_window.hpp.
-#ifndef DISCMC_GRADIENT_NORMALS_HPP
-#define DISCMC_GRADIENT_NORMALS_HPP
+#ifndef DISCMC_NORMAL_EXTRACTOR_HPP
+#define DISCMC_NORMAL_EXTRACTOR_HPP
 
 #include <discmc/extractor.hpp>
 #include <discmc/trace/gradient_intake.hpp>
@@ -23,7 +23,7 @@ namespace discmc {
 /// An extractor with normals. It accepts samples of one type and no bits. Sample is uint8_t,
 /// uint16_t or int16_t.
 template <class Index, class Sample>
-class NormalExtractor : public BasicExtractor<Index, GradientNormals<Sample>,
+class NormalExtractor : public BasicExtractor<Index, GradientIntake<Sample>,
                                               detail::trace::Sweep<Index, OctahedralNormal>> {
  public:
   NormalExtractor() = default;

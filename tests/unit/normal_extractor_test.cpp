@@ -19,7 +19,7 @@ using namespace discmc::test;
 namespace {
 
 template <class Sample>
-using WithNormals = GradientNormals<Sample>;
+using WithNormals = GradientIntake<Sample>;
 
 struct Setting {
   int32_t threshold;

@@ -1,12 +1,12 @@
 // Extractors with gradient normals: a file of their own, so that plain scanners do not link them.
-#include <discmc/gradient_normals.hpp>
+#include <discmc/normal_extractor.hpp>
 #include <discmc/trace/extractor_definitions.hpp>
 
 namespace discmc {
 
 // NOLINTBEGIN(bugprone-macro-parentheses): the arguments are types.
 #define DISCMC_INSTANTIATE(Index, Sample)                                           \
-  template class BasicExtractor<Index, GradientNormals<Sample>,                     \
+  template class BasicExtractor<Index, GradientIntake<Sample>,                      \
                                 detail::trace::Sweep<Index, OctahedralNormal>>;     \
   template PushResult NormalExtractor<Index, Sample>::BasicExtractor::push_samples( \
       const Sample*, uint32_t, uint32_t);
