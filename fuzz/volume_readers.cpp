@@ -237,7 +237,7 @@ VolumeOptions read_options(Input& input) {
   for (uint32_t& size : layout.dims) size = input.byte();
   const uint32_t flags = input.byte();
   layout.type = sample_types[(flags >> 4) % std::size(sample_types)].second;
-  layout.big_endian = (flags & 4) != 0;
+  layout.is_big_endian = (flags & 4) != 0;
   if ((flags & 8) != 0)
     options.spacing_mm = {1, std::ldexp(-1, static_cast<int>(input.byte()) - 128), 1};
   return options;
@@ -246,7 +246,7 @@ VolumeOptions read_options(Input& input) {
 /// Headerless samples are what the file holds, in the machine's byte order.
 void check_raw(const Reading& reading, const RawLayout& layout, const Bytes& file) {
   const size_t bytes = sample_bytes(layout.type);
-  const bool is_turned = layout.big_endian != is_native_big_endian();
+  const bool is_turned = layout.is_big_endian != is_native_big_endian();
   for (size_t i = 0; i < reading.samples.size(); ++i) {
     const size_t in_sample = i % bytes;
     const size_t of_file = i - in_sample + (is_turned ? bytes - 1 - in_sample : in_sample);

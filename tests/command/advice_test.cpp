@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "pages/page_template.hpp"
+#include "pages/page.hpp"
 #include "volume_files.hpp"
 
 namespace {

@@ -17,14 +17,14 @@ using namespace volume_files;
 // A map of 5 columns, 3 rows and 4 sections of bytes in a cell of 10 x 6 x 8 angstrom.
 class Map {
  public:
-  explicit Map(bool big_endian = false) : big_endian_(big_endian) {
+  explicit Map(bool is_big_endian = false) : is_big_endian_(is_big_endian) {
     numbers(0, {5, 3, 4, 0});
     numbers(28, {5, 3, 4});
     numbers(64, {1, 2, 3});
     reals(40, {10, 6, 8, 90, 90, 90});
     numbers(88, {1});
     header_.replace(208, 4, "MAP ");
-    header_.replace(212, 2, big_endian ? "\x11\x11" : "\x44\x44");
+    header_.replace(212, 2, is_big_endian ? "\x11\x11" : "\x44\x44");
   }
   Map& numbers(std::size_t offset, const std::vector<std::int32_t>& values) {
     for (const std::int32_t value : values) put(offset, value);
@@ -46,12 +46,12 @@ class Map {
   void put(std::size_t& offset, Number value) {
     char bytes[sizeof value];
     std::memcpy(bytes, &value, sizeof value);
-    if (big_endian_) std::reverse(bytes, bytes + sizeof value);
+    if (is_big_endian_) std::reverse(bytes, bytes + sizeof value);
     header_.replace(offset, sizeof value, bytes, sizeof value);
     offset += sizeof value;
   }
 
-  bool big_endian_;
+  bool is_big_endian_;
   std::string header_ = std::string(1024, '\0');
 };
 
@@ -61,9 +61,9 @@ TEST_CASE("every mode of real numbers is read in both byte orders, others are re
   const Folder folder;
   const std::pair<std::int32_t, SampleType> modes[] = {
       {0, SampleType::i8}, {1, SampleType::i16}, {2, SampleType::f32}, {6, SampleType::u16}};
-  for (const bool big_endian : {false, true})
+  for (const bool is_big_endian : {false, true})
     for (const auto& [mode, type] : modes) {
-      const std::string file = Map(big_endian).mode(mode).file(stored(type, big_endian));
+      const std::string file = Map(is_big_endian).mode(mode).file(stored(type, is_big_endian));
       check_volume(folder.write("a.mrc", file), type, "MRC");
       check_volume(folder.write("no-name", file), type, "MRC");
     }
@@ -77,11 +77,11 @@ TEST_CASE("every mode of real numbers is read in both byte orders, others are re
 
 TEST_CASE("small numbers determine the byte order of files without a stamp") {
   const Folder folder;
-  for (const bool big_endian : {false, true})
+  for (const bool is_big_endian : {false, true})
     for (const std::int32_t mode : {0, 1}) {
       const SampleType type = mode == 0 ? SampleType::i8 : SampleType::i16;
-      const Map map = Map(big_endian).mode(mode).text(208, std::string(8, '\0'));
-      check_volume(folder.write("a.mrc", map.file(stored(type, big_endian))), type, "MRC");
+      const Map map = Map(is_big_endian).mode(mode).text(208, std::string(8, '\0'));
+      check_volume(folder.write("a.mrc", map.file(stored(type, is_big_endian))), type, "MRC");
     }
 }
 

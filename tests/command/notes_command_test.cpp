@@ -1,6 +1,6 @@
 // Commands print what the reader of a volume notes.
 #include "command.hpp"
-#include "pages/page_template.hpp"
+#include "pages/page.hpp"
 
 namespace {
 

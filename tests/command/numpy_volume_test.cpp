@@ -193,14 +193,15 @@ TEST_CASE("floating point of 16 bits is read as that of 32") {
                          {0x0400, 0x1p-14},
                          {0x03ff, 1023 * 0x1p-24},
                          {0x8001, -0x1p-24}};
-  for (const bool big_endian : {false, true}) {
+  for (const bool is_big_endian : {false, true}) {
     std::string samples;
     for (const Half& half : halves) {
       const char high = static_cast<char>(half.bits >> 8),
                  low = static_cast<char>(half.bits & 0xff);
-      samples += big_endian ? std::string{high, low} : std::string{low, high};
+      samples += is_big_endian ? std::string{high, low} : std::string{low, high};
     }
-    const auto file = folder.write("half.npy", npy(big_endian ? ">f2" : "<f2", "2, 2, 2", samples));
+    const auto file =
+        folder.write("half.npy", npy(is_big_endian ? ">f2" : "<f2", "2, 2, 2", samples));
     const auto reader = open_volume(file);
     CHECK(reader->info().type == SampleType::f32);
     std::vector<double> expected;

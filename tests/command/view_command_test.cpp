@@ -1,6 +1,6 @@
 // Pages that have a volume or a stream inside.
 #include "command.hpp"
-#include "pages/page_template.hpp"
+#include "pages/page.hpp"
 
 namespace {
 

@@ -105,14 +105,14 @@ inline double sample_at(int voxel, SampleType type) {
   return voxel * 0.1 - 3;
 }
 
-inline std::string stored(SampleType type, bool big_endian = false) {
+inline std::string stored(SampleType type, bool is_big_endian = false) {
   std::string bytes;
   for (int voxel = 0; voxel < voxels; ++voxel)
     discmc::meshing::with_sample_type(type, [&](auto typed) {
       typed = static_cast<decltype(typed)>(sample_at(voxel, type));
       char sample[sizeof typed];
       std::memcpy(sample, &typed, sizeof typed);
-      if (big_endian) std::reverse(sample, sample + sizeof typed);
+      if (is_big_endian) std::reverse(sample, sample + sizeof typed);
       bytes.append(sample, sizeof typed);
     });
   return bytes;
@@ -148,7 +148,7 @@ inline const std::string metaimage_u8 = "ElementType = MET_UCHAR\n";
 // A NIfTI-1 header, field by field at the offsets of the standard.
 class Nifti {
  public:
-  explicit Nifti(bool big_endian = false) : big_endian_(big_endian) {
+  explicit Nifti(bool is_big_endian = false) : is_big_endian_(is_big_endian) {
     integer(0, 4, 348);
     dims({3, 5, 3, 4});
     type(2);
@@ -169,7 +169,7 @@ class Nifti {
   }
   Nifti& integer(std::size_t offset, int size, int value) {
     for (int i = 0; i < size; ++i)
-      bytes_[offset + static_cast<std::size_t>(big_endian_ ? size - 1 - i : i)] =
+      bytes_[offset + static_cast<std::size_t>(is_big_endian_ ? size - 1 - i : i)] =
           static_cast<char>(value >> (8 * i) & 0xff);
     return *this;
   }
@@ -182,7 +182,7 @@ class Nifti {
   std::string file(const std::string& data) const { return bytes_ + data; }
 
  private:
-  bool big_endian_;
+  bool is_big_endian_;
   std::string bytes_ = std::string(352, '\0');
 };
 

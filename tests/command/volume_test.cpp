@@ -34,12 +34,12 @@ const std::string i16 = stored(SampleType::i16);
 TEST_CASE("raw samples of every type and byte order are read") {
   const Folder folder;
   for (const auto& [called, type] : discmc::command::sample_types) {
-    for (const bool big_endian : {false, true}) {
+    for (const bool is_big_endian : {false, true}) {
       RawLayout layout;
       layout.dims = {5, 3, 4};
       layout.type = type;
-      layout.big_endian = big_endian;
-      const std::string bytes = stored(type, big_endian);
+      layout.is_big_endian = is_big_endian;
+      const std::string bytes = stored(type, is_big_endian);
       check_volume(folder.write("v.raw", bytes), type, "raw", {layout});
       check_volume(folder.write("v.raw.gz", gzip(bytes)), type, "raw, gzip", {layout});
     }

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <vector>
 
 namespace discmc::command {
 
@@ -12,9 +11,6 @@ struct Command {
   CLI::App* app;             ///< Owner: the command line
   std::function<int()> run;  ///< with the arguments that were parsed; returns the exit code
 };
-
-/// Adds all commands to a command line.
-std::vector<Command> add_commands(CLI::App& app);
 
 // One command each, in a file of its name; the last two, which describe all commands, in
 // documents.cpp.

@@ -1,19 +1,18 @@
 // The arguments of discmc compare.
-#include <filesystem>
 #include <memory>
 
 #include "cli/options/input_kind.hpp"
 #include "cli/options/volume_options.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
+#include "volumes/other_kinds.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::command {
 namespace {
 
 ComparedInput input_called(const std::string& name) {
-  const bool is_stream = std::filesystem::path(name).extension() == ".dmc";
-  return {name, is_stream              ? InputKind::stream
+  return {name, is_stream_name(name)   ? InputKind::stream
                 : is_volume_name(name) ? InputKind::volume
                                        : InputKind::mesh};
 }

@@ -37,7 +37,9 @@ int run(int argc, char** argv) {
     return help(outline_of(*command));
   });
   app.failure_message(usage_error);
-  const std::vector<Command> commands = add_commands(app);
+  const std::vector<Command> commands = {
+      add_extract(app), add_view(app), add_info(app), add_render(app),      add_compare(app),
+      add_decode(app),  add_join(app), add_tune(app), add_completions(app), add_manual(app)};
   app.footer(
       "Examples:\n"
       "  discmc view head.nii.gz\n"

@@ -8,6 +8,7 @@
 #include "cli/options/volume_options.hpp"
 #include "command_line.hpp"
 #include "commands.hpp"
+#include "volumes/other_kinds.hpp"
 
 namespace discmc::command {
 namespace {

@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "files/file_pattern.hpp"
 #include "pages/page.hpp"
+#include "volumes/other_kinds.hpp"
 
 namespace discmc::command {
 namespace {

@@ -178,7 +178,7 @@ void print_volume_statistics(const VolumeInfo& info, const VolumeStatistics& sta
     return;
   }
   const std::vector<ValueCount> ends = {{statistics.least, 0, statistics.min_whole},
-                                        {statistics.greatest, 0, statistics.greatest_whole}};
+                                        {statistics.greatest, 0, statistics.max_whole}};
   out << "range " << text_of(statistics, ends[0]) << ' ' << text_of(statistics, ends[1]) << '\n'
       << "mean " << value_text(statistics.mean) << '\n';
   for (const int percent : {1, 5, 25, 50, 75, 95, 99})

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "text/words.hpp"
+
 namespace discmc::command {
 namespace {
 
@@ -25,8 +27,7 @@ constexpr FormatTraits all_formats[] = {
 }  // namespace
 
 Format format_of(const std::filesystem::path& path) {
-  std::string extension = path == "-" ? ".dmc" : path.extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const std::string extension = path == "-" ? ".dmc" : lower(path.extension().string());
   for (const FormatTraits& traits : all_formats)
     if (extension == traits.extension) return traits.format;
   throw std::invalid_argument(path.string() + ": unknown extension \"" + extension + "\"; use " +

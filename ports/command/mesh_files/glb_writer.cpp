@@ -34,10 +34,8 @@ std::string matrix_from(const Point& origin) {
 // The format has linear light.
 Point linear(const Srgb& colour) {
   Point light;
-  std::transform(colour.begin(), colour.end(), light.begin(), [](std::uint8_t part) {
-    const double value = part / 255.0;
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-  });
+  std::transform(colour.begin(), colour.end(), light.begin(),
+                 [](std::uint8_t part) { return decoded_light(part / 255.0); });
   return light;
 }
 

@@ -41,15 +41,6 @@ Point in_mm(const aiVector3D& at, bool is_gltf) {
   return is_gltf ? Point{1000 * point[0], -1000 * point[2], 1000 * point[1]} : point;
 }
 
-std::uint8_t byte_of(double part) {
-  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(part, 0.0, 1.0)));
-}
-
-// The light of glTF is linear.
-double srgb_of(double light) {
-  return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-}
-
 // The colour of all vertices, if it is the same.
 std::optional<Srgb> colour_of_vertices(const aiMesh& part) {
   const aiColor4D* colours = part.mColors[0];
@@ -57,7 +48,7 @@ std::optional<Srgb> colour_of_vertices(const aiMesh& part) {
       std::any_of(colours, colours + part.mNumVertices,
                   [colours](const aiColor4D& each) { return each != colours[0]; }))
     return std::nullopt;
-  return Srgb{byte_of(colours->r), byte_of(colours->g), byte_of(colours->b)};
+  return Srgb{byte_of_share(colours->r), byte_of_share(colours->g), byte_of_share(colours->b)};
 }
 
 // Nothing if it is Assimp's own.
@@ -69,7 +60,7 @@ std::optional<Srgb> colour_of(const aiMaterial& material, bool is_gltf) {
   Srgb parts;
   for (unsigned i = 0; i < 3; ++i) {
     const auto part = static_cast<double>(colour[i]);
-    parts[i] = byte_of(is_gltf ? srgb_of(part) : part);
+    parts[i] = byte_of_share(is_gltf ? encoded_light(part) : part);  // glTF has linear light
   }
   return parts;
 }

@@ -1,4 +1,4 @@
-#include "page_template.hpp"
+#include "page.hpp"
 
 namespace discmc::command {
 

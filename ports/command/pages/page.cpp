@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "gzip.hpp"
-#include "page_template.hpp"
 #include "text/base64.hpp"
 #include "text/name_text.hpp"
 

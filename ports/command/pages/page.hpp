@@ -6,8 +6,12 @@
 #include <functional>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 namespace discmc::command {
+
+/// Returns the page of ports/web, as it was when the command was built; nothing where it was not.
+std::string_view page_template();
 
 /// Writes the page with a file in it, which it shows when it is opened. name: of the file, with the
 /// extension of its format. write: called once, writes the content of the file.

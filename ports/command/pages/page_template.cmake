@@ -3,7 +3,7 @@ file(READ ${PAGE} bytes HEX)
 string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
 string(REPEAT "....." 16 row)
 string(REGEX REPLACE "(${row})" "\\1\n" bytes "${bytes}")
-file(WRITE ${OUTPUT} "#include \"pages/page_template.hpp\"
+file(WRITE ${OUTPUT} "#include \"pages/page.hpp\"
 
 namespace {
 

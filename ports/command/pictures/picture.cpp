@@ -112,13 +112,6 @@ std::vector<Projected> project(const FaceMesh& mesh, const Axes& axes,
   return vertices;
 }
 
-std::uint8_t srgb(float linear) {
-  const float light = std::clamp(linear, 0.0f, 1.0f);
-  const float value =
-      light <= 0.0031308f ? light * 12.92f : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
-  return static_cast<std::uint8_t>(std::lround(value * 255));
-}
-
 constexpr std::uint32_t no_face = 0xFFFFFFFFu;
 
 struct Sample {
@@ -222,7 +215,8 @@ class Outlines {
 std::vector<std::uint8_t> srgb_of_4096() {
   std::vector<std::uint8_t> table(4096);
   for (std::size_t i = 0; i < table.size(); ++i)
-    table[i] = srgb(static_cast<float>(i) / static_cast<float>(table.size() - 1));
+    table[i] = byte_of_share(
+        encoded_light(static_cast<double>(i) / static_cast<double>(table.size() - 1)));
   return table;
 }
 

@@ -11,8 +11,7 @@ namespace {
 constexpr double min_cosine = 0.3;
 
 float light_of(std::uint8_t srgb) {
-  const float value = static_cast<float>(srgb) / 255;
-  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+  return decoded_light(static_cast<float>(srgb) / 255);
 }
 
 // Twice the area of a triangle, positive when it is clockwise, as y points downwards.

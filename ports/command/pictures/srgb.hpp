@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_PICTURES_SRGB_HPP
 #define DISCMC_COMMAND_PICTURES_SRGB_HPP
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +11,23 @@ namespace discmc::command {
 
 /// Red, green and blue of the colour space sRGB.
 using Srgb = std::array<std::uint8_t, 3>;
+
+/// A share of the light that sRGB can hold, and the share of 255 that encodes it (IEC 61966-2-1).
+template <class Real>
+Real encoded_light(Real light) {
+  return light <= Real(0.0031308) ? Real(12.92) * light
+                                  : Real(1.055) * std::pow(light, 1 / Real(2.4)) - Real(0.055);
+}
+template <class Real>
+Real decoded_light(Real share) {
+  return share <= Real(0.04045) ? share / Real(12.92)
+                                : std::pow((share + Real(0.055)) / Real(1.055), Real(2.4));
+}
+
+/// A share of 255; the nearest one where there is none, as below 0.
+inline std::uint8_t byte_of_share(double share) {
+  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+}
 
 /// The seven colours that people with any colour vision can distinguish (M. Okabe, K. Ito, Color
 /// Universal Design, 2008), then the same lighter, then darker. The numbers 1 to 21 have one each;

@@ -82,7 +82,7 @@ void Histogram::add_all(const Sample* samples, std::size_t count) {
 
 void Histogram::add_key(std::uint64_t key) {
   min_key_ = std::min(min_key_, key);
-  greatest_key_ = std::max(greatest_key_, key);
+  max_key_ = std::max(max_key_, key);
   ++finite_;
   Slot* slot = &slot_of(key >> dropped_bits_);
   if (slot->count == 0) {
@@ -146,7 +146,7 @@ double Histogram::least() const {
 }
 
 double Histogram::greatest() const {
-  return finite_ > 0 ? sample_of(greatest_key_) : 0;
+  return finite_ > 0 ? sample_of(max_key_) : 0;
 }
 
 double Histogram::mean() const {

@@ -43,7 +43,7 @@ class Histogram {
   double mean() const;
   /// The first two exactly. Limit: samples are whole numbers.
   LabelValue min_whole() const { return whole_of(min_key_); }
-  LabelValue greatest_whole() const { return whole_of(greatest_key_); }
+  LabelValue max_whole() const { return whole_of(max_key_); }
 
   std::uint64_t finite() const { return finite_; }
   std::uint64_t not_numbers() const { return not_numbers_; }
@@ -71,7 +71,7 @@ class Histogram {
   std::size_t used_ = 0;
   unsigned dropped_bits_ = 0;
   std::uint64_t min_key_;
-  std::uint64_t greatest_key_ = 0;
+  std::uint64_t max_key_ = 0;
   double sum_ = 0;
   double small_sum_ = 0;  // of samples of 64-bit floating point, each times small_unit
   std::uint64_t finite_ = 0;

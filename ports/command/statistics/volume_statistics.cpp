@@ -50,7 +50,7 @@ VolumeStatistics volume_statistics(VolumeReader& volume,
   statistics.declared_padding = info.padding;
   statistics.are_whole = !is_floating(info.type) && info.slope == 1 && info.intercept == 0;
   statistics.min_whole = histogram.min_whole();
-  statistics.greatest_whole = histogram.greatest_whole();
+  statistics.max_whole = histogram.max_whole();
   statistics.is_exact = histogram.is_exact();
   return statistics;
 }

@@ -28,9 +28,9 @@ struct VolumeStatistics {
   double least = 0;
   double greatest = 0;
   double mean = 0;
-  bool are_whole = false;                    ///< the values, as they are stored: up to 64 bits
-  LabelValue min_whole{}, greatest_whole{};  ///< then `least` and `greatest`, exactly
-  std::vector<ValueCount> counts;            ///< in the order of values
+  bool are_whole = false;               ///< the values, as they are stored: up to 64 bits
+  LabelValue min_whole{}, max_whole{};  ///< then `least` and `greatest`, exactly
+  std::vector<ValueCount> counts;       ///< in the order of values
   /// The value that the file has where nothing was scanned, if it states one.
   std::optional<double> declared_padding;
   /// Whether each of `counts` is of one value. Then percentiles and Otsu's threshold are exact,

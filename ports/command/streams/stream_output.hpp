@@ -2,6 +2,7 @@
 #ifndef DISCMC_COMMAND_STREAMS_STREAM_OUTPUT_HPP
 #define DISCMC_COMMAND_STREAMS_STREAM_OUTPUT_HPP
 
+#include <cstddef>
 #include <cstdint>
 #include <ostream>
 
@@ -14,7 +15,15 @@ namespace discmc::command {
 class StreamOutput {
  public:
   explicit StreamOutput(std::ostream* out) : out_(out) {}
-  ByteOutput byte_output();
+  ByteOutput byte_output() {
+    return {this, [](void* context, const std::uint8_t* bytes, std::size_t count) {
+              auto& self = *static_cast<StreamOutput*>(context);
+              self.out_->write(reinterpret_cast<const char*>(bytes),
+                               static_cast<std::streamsize>(count));
+              self.bytes_ += count;
+              return count;
+            }};
+  }
   std::uint64_t bytes() const { return bytes_; }
 
  private:

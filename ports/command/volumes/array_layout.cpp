@@ -201,7 +201,7 @@ void take_coordinates(DeclaredPlace& place, std::size_t axis, const std::string&
 }
 
 std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
-                                           const ArrayLayout& layout, bool big_endian) {
+                                           const ArrayLayout& layout, bool is_big_endian) {
   const std::filesystem::path file = stream.file();
   const std::vector<std::uint64_t> strides = strides_of(layout.sizes);
   const std::size_t slowest = layout.slowest();
@@ -222,7 +222,7 @@ std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
                         blocks.strides[1] == info.dims[0] && frames == info.frames &&
                         in_block == std::uint64_t{info.dims[0]} * info.dims[1];
   if (is_plain)
-    return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian, frame);
+    return std::make_unique<SliceStream>(std::move(info), std::move(stream), is_big_endian, frame);
   // Those of all channels, where these are faster than the volume.
   const std::uint64_t columns = layout.sizes.back();
   if (columns > UINT32_MAX || in_block / columns > UINT32_MAX || frames > UINT32_MAX)
@@ -234,7 +234,7 @@ std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
   of_blocks.frames = frames;
   return turned(
       std::move(info),
-      std::make_unique<SliceStream>(std::move(of_blocks), std::move(stream), big_endian, frame),
+      std::make_unique<SliceStream>(std::move(of_blocks), std::move(stream), is_big_endian, frame),
       blocks, file);
 }
 

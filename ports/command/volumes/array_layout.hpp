@@ -61,7 +61,7 @@ void take_coordinates(DeclaredPlace& place, std::size_t axis, const std::string&
 /// The volume of an array whose first sample is next in the stream. In memory are the slices of all
 /// channels; where z is not the slowest of its axes, the volume.
 std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
-                                           const ArrayLayout& layout, bool big_endian);
+                                           const ArrayLayout& layout, bool is_big_endian);
 
 }  // namespace discmc::command
 

@@ -61,7 +61,7 @@ std::unique_ptr<ByteSource> inflated_blocks(std::unique_ptr<ByteSource> in, std:
 std::unique_ptr<ByteSource> base64_decoded(std::unique_ptr<ByteSource> in);
 
 /// Floating point of 32 bits in native byte order, from that of 16 bits.
-std::unique_ptr<ByteSource> floats_of_halves(std::unique_ptr<ByteSource> in, bool big_endian);
+std::unique_ptr<ByteSource> floats_of_halves(std::unique_ptr<ByteSource> in, bool is_big_endian);
 
 /// Samples in native byte order from numbers as text, between blanks or commas, up to the first
 /// '<'.

@@ -13,8 +13,8 @@ constexpr std::size_t buffered = 4096;  // samples
 
 class HalfSamples final : public ByteSource {
  public:
-  HalfSamples(std::unique_ptr<ByteSource> in, bool big_endian)
-      : in_(std::move(in)), big_endian_(big_endian) {}
+  HalfSamples(std::unique_ptr<ByteSource> in, bool is_big_endian)
+      : in_(std::move(in)), is_big_endian_(is_big_endian) {}
 
   std::size_t read(void* bytes, std::size_t count) override {
     std::size_t done = 0;
@@ -41,8 +41,8 @@ class HalfSamples final : public ByteSource {
     std::array<unsigned char, 2 * buffered> halves;
     const std::size_t count = in_->read(halves.data(), halves.size()) / 2;
     for (std::size_t i = 0; i < count; ++i) {
-      const unsigned high = halves[2 * i + (big_endian_ ? 0 : 1)];
-      const unsigned low = halves[2 * i + (big_endian_ ? 1 : 0)];
+      const unsigned high = halves[2 * i + (is_big_endian_ ? 0 : 1)];
+      const unsigned low = halves[2 * i + (is_big_endian_ ? 1 : 0)];
       floats_[i] = float_of_half(static_cast<std::uint16_t>(high << 8 | low));
     }
     begin_ = 0;
@@ -51,7 +51,7 @@ class HalfSamples final : public ByteSource {
   }
 
   std::unique_ptr<ByteSource> in_;
-  bool big_endian_;
+  bool is_big_endian_;
   std::array<float, buffered> floats_{};
   std::size_t begin_ = 0;  // of their bytes
   std::size_t end_ = 0;
@@ -59,8 +59,8 @@ class HalfSamples final : public ByteSource {
 
 }  // namespace
 
-std::unique_ptr<ByteSource> floats_of_halves(std::unique_ptr<ByteSource> in, bool big_endian) {
-  return std::make_unique<HalfSamples>(std::move(in), big_endian);
+std::unique_ptr<ByteSource> floats_of_halves(std::unique_ptr<ByteSource> in, bool is_big_endian) {
+  return std::make_unique<HalfSamples>(std::move(in), is_big_endian);
 }
 
 }  // namespace discmc::command

@@ -20,8 +20,8 @@ double decimal(float value);
 class HeaderBytes {
  public:
   /// Reads the header. Throws VolumeError where the file is shorter.
-  HeaderBytes(ByteStream& stream, std::size_t bytes, bool big_endian)
-      : bytes_(bytes, '\0'), is_turned_(big_endian != is_native_big_endian()) {
+  HeaderBytes(ByteStream& stream, std::size_t bytes, bool is_big_endian)
+      : bytes_(bytes, '\0'), is_turned_(is_big_endian != is_native_big_endian()) {
     if (stream.read(bytes_.data(), bytes) < bytes)
       fail(stream.file(), "the header of " + std::to_string(bytes) + " bytes is incomplete",
            "copy or export the file again");

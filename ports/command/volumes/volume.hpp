@@ -26,7 +26,7 @@ struct RawLayout {
   /// Units: voxels. Limit: as VolumeInfo.
   std::array<std::uint32_t, 3> dims{};
   SampleType type = SampleType::u8;
-  bool big_endian = false;
+  bool is_big_endian = false;
   /// Bytes before the samples.
   std::uint64_t skipped_bytes = 0;
 };

@@ -15,8 +15,9 @@ void swap_samples(unsigned char* bytes, std::uint64_t count) {
   for (std::uint64_t i = 0; i < count; ++i, bytes += size) std::reverse(bytes, bytes + size);
 }
 
-void order_samples(unsigned char* bytes, std::uint64_t count, std::size_t size, bool big_endian) {
-  if (big_endian == is_native_big_endian()) return;
+void order_samples(unsigned char* bytes, std::uint64_t count, std::size_t size,
+                   bool is_big_endian) {
+  if (is_big_endian == is_native_big_endian()) return;
   if (size == 2) swap_samples<2>(bytes, count);
   if (size == 4) swap_samples<4>(bytes, count);
   if (size == 8) swap_samples<8>(bytes, count);
@@ -188,11 +189,11 @@ void skip_to_end(ByteStream& stream, std::uint64_t bytes) {
   stream.skip(*left - bytes);
 }
 
-SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool big_endian,
+SliceStream::SliceStream(VolumeInfo info, ByteStream stream, bool is_big_endian,
                          std::optional<std::uint32_t> frame, NoteOfRest note_of_rest)
     : info_(std::move(info)),
       stream_(std::move(stream)),
-      big_endian_(big_endian),
+      is_big_endian_(is_big_endian),
       is_last_volume_(frame.value_or(0) + 1 == info_.frames),
       note_of_rest_(std::move(note_of_rest)) {
   if (stream_.packing()) info_.format += ", " + std::string(name(*stream_.packing()));
@@ -212,7 +213,7 @@ void SliceStream::read_slice(void* samples) {
   const std::uint64_t bytes = info_.slice_bytes();
   end_slice(stream_.read(samples, static_cast<std::size_t>(bytes)));
   const std::size_t size = sample_bytes(info_.type);
-  order_samples(static_cast<unsigned char*>(samples), bytes / size, size, big_endian_);
+  order_samples(static_cast<unsigned char*>(samples), bytes / size, size, is_big_endian_);
 }
 
 void SliceStream::skip_slice() {

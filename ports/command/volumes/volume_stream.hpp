@@ -105,7 +105,7 @@ class SliceStream final : public VolumeReader {
   /// that is read. note_of_rest is asked when the last slice has been read. Without it bytes behind
   /// the last volume are noted, at once if the end of the file is known. Throws when the first
   /// slice cannot be there.
-  SliceStream(VolumeInfo info, ByteStream stream, bool big_endian,
+  SliceStream(VolumeInfo info, ByteStream stream, bool is_big_endian,
               std::optional<std::uint32_t> frame = {}, NoteOfRest note_of_rest = {});
 
   const VolumeInfo& info() const override { return info_; }
@@ -120,7 +120,7 @@ class SliceStream final : public VolumeReader {
 
   VolumeInfo info_;
   ByteStream stream_;
-  bool big_endian_;
+  bool is_big_endian_;
   bool is_last_volume_;
   NoteOfRest note_of_rest_;
   std::uint32_t slice_ = 0;

@@ -148,25 +148,25 @@ bool SurfaceBuilder::is_simple_in_window(const Chain& chain, std::size_t first_c
   const Vertex out = incidence_normal(incidence_);
   const int left_out = out.z != 0 ? 2 : out.y != 0 ? 1 : 0;
   const int u_axis = (left_out + 1) % 3, v_axis = (left_out + 2) % 3;
-  std::int64_t u_least = component(chain.start, u_axis), v_least = component(chain.start, v_axis);
-  std::int64_t u = u_least, v = v_least, u_most = u, v_most = v;
+  std::int64_t min_u = component(chain.start, u_axis), min_v = component(chain.start, v_axis);
+  std::int64_t u = min_u, v = min_v, max_u = u, max_v = v;
   for (std::size_t i = first_corner; i < corners_.size(); ++i) {
     const std::int64_t corner_u = component(corners_[i], u_axis);
     const std::int64_t corner_v = component(corners_[i], v_axis);
-    u_least = std::min(u_least, corner_u);
-    u_most = std::max(u_most, corner_u);
-    v_least = std::min(v_least, corner_v);
-    v_most = std::max(v_most, corner_v);
+    min_u = std::min(min_u, corner_u);
+    max_u = std::max(max_u, corner_u);
+    min_v = std::min(min_v, corner_v);
+    max_v = std::max(max_v, corner_v);
   }
-  if (u_most - u_least >= size || v_most - v_least >= size) return false;
+  if (max_u - min_u >= size || max_v - min_v >= size) return false;
   std::uint64_t rows[size] = {};
   for (const Run* run = chain.begin; run != chain.end; ++run) {
     const Vertex step = direction_vector(incidence_, run->direction());
     for (std::uint32_t left = run->length(); left > 0; --left) {
       u += component(step, u_axis);
       v += component(step, v_axis);
-      std::uint64_t& row = rows[v - v_least];
-      const std::uint64_t bit = std::uint64_t{1} << (u - u_least);
+      std::uint64_t& row = rows[v - min_v];
+      const std::uint64_t bit = std::uint64_t{1} << (u - min_u);
       if ((row & bit) != 0) return false;
       row |= bit;
     }

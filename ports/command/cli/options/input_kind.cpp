@@ -1,12 +1,8 @@
 #include "input_kind.hpp"
 
-#include <algorithm>
-#include <filesystem>
-#include <iterator>
-
 #include "mesh_options.hpp"
-#include "text/words.hpp"
 #include "volume_options.hpp"
+#include "volumes/other_kinds.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::command {
@@ -29,16 +25,10 @@ const CLI::Option* given_option(const CLI::App& app, bool (*is_meant)(const CLI:
 }  // namespace
 
 std::optional<bool> is_volume_input(const CLI::App& app, const std::string& input) {
-  if (std::filesystem::path(input).extension() == ".dmc") return false;
+  if (is_stream_name(input)) return false;
   if (is_volume_name(input) || given_option(app, is_for_volumes) != nullptr) return true;
   if (given_option(app, is_for_streams) != nullptr) return false;
   return std::nullopt;
-}
-
-bool is_mesh_name(const std::string& input) {
-  const std::string extension = lower(std::filesystem::path(input).extension().string());
-  constexpr const char* read[] = {".stl", ".ply", ".obj", ".glb", ".3mf"};
-  return std::find(std::begin(read), std::end(read), extension) != std::end(read);
 }
 
 void check_mesh_input(const CLI::App& app, const std::string& input) {

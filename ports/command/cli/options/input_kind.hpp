@@ -15,9 +15,6 @@ namespace discmc::command {
 /// if neither decides.
 std::optional<bool> is_volume_input(const CLI::App& app, const std::string& input);
 
-/// Whether the name is that of a mesh which discmc writes and reads.
-bool is_mesh_name(const std::string& input);
-
 /// Throws CLI::ValidationError when the input is a mesh and an option is given for a volume, a
 /// stream or the making of a mesh.
 void check_mesh_input(const CLI::App& app, const std::string& input);

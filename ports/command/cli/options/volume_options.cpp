@@ -103,7 +103,7 @@ void add_layout_options(CLI::App& app, VolumeOptions& options) {
   dims->needs(type);
   type->needs(dims);
   app.add_flag_callback(
-         "--big-endian", [layout] { layout().big_endian = true; },
+         "--big-endian", [layout] { layout().is_big_endian = true; },
          "read samples of a headerless file with the high byte first")
       ->needs(dims);
   app.add_option_function<std::uint64_t>(

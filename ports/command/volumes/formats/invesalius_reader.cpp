@@ -136,8 +136,8 @@ std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOpt
   note(info, "y runs backwards: InVesalius stores images upside down");
   const std::string name = value_of(file, matrix, "filename").text().get();
   ByteStream samples = member(open_content(file), name);
-  constexpr bool big_endian = false;
-  return std::make_unique<SliceStream>(std::move(info), std::move(samples), big_endian);
+  constexpr bool is_big_endian = false;
+  return std::make_unique<SliceStream>(std::move(info), std::move(samples), is_big_endian);
 }
 #else
 std::unique_ptr<VolumeReader> open_invesalius(ByteStream stream, const VolumeOptions&) {

@@ -239,7 +239,7 @@ std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOpti
                         !flag(header, {"BinaryData"}, true)};
   const std::initializer_list<std::string_view> order = {"BinaryDataByteOrderMSB",
                                                          "ElementByteOrderMSB"};
-  const bool big_endian = storage.is_text ? is_native_big_endian() : flag(header, order, false);
+  const bool is_big_endian = storage.is_text ? is_native_big_endian() : flag(header, order, false);
   if (!storage.is_text && sample_bytes(info.type) > 1 && header.text(order).empty())
     note(info, "no byte order given, little-endian assumed");
 
@@ -247,7 +247,7 @@ std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOpti
                 (is_local(header.needed("ElementDataFile")) ? "" : ", detached");
   return channel_of(header.file(), std::move(info), options.channel, [&](VolumeInfo all) {
     ByteStream data = open_data(stream, header, storage, all);
-    return std::make_unique<SliceStream>(std::move(all), std::move(data), big_endian,
+    return std::make_unique<SliceStream>(std::move(all), std::move(data), is_big_endian,
                                          options.frame);
   });
 }

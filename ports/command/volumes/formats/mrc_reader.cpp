@@ -33,7 +33,7 @@ bool is_axis(std::int32_t axis) {
 }
 
 // By the machine stamp; old files have none, but their modes and axes are small numbers.
-bool is_big_endian(ByteStream& stream) {
+bool has_big_endian_header(ByteStream& stream) {
   const std::string_view head = stream.peek(header_bytes);
   if (head.size() < header_bytes) return false;
   const char stamp = head[stamp_at];
@@ -171,8 +171,8 @@ DeclaredPlace place_of(VolumeInfo& info, const HeaderBytes& header,
 
 std::unique_ptr<VolumeReader> open_mrc(ByteStream stream, const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
-  bool big_endian = is_big_endian(stream);
-  const HeaderBytes header(stream, header_bytes, big_endian);
+  bool is_big_endian = has_big_endian_header(stream);
+  const HeaderBytes header(stream, header_bytes, is_big_endian);
   VolumeInfo info;
   info.format = "MRC";
   const Storage storage = storage_of(info, file, header);
@@ -185,10 +185,11 @@ std::unique_ptr<VolumeReader> open_mrc(ByteStream stream, const VolumeOptions& o
     fail(file, "the extended header has " + std::to_string(extended) + " bytes", "correct NSYMBT");
   stream.skip(static_cast<std::uint64_t>(extended));
   if (storage.is_half) {
-    stream.decode([big_endian](auto in) { return floats_of_halves(std::move(in), big_endian); });
-    big_endian = is_native_big_endian();
+    stream.decode(
+        [is_big_endian](auto in) { return floats_of_halves(std::move(in), is_big_endian); });
+    is_big_endian = is_native_big_endian();
   }
-  return array_volume(std::move(info), std::move(stream), layout, big_endian);
+  return array_volume(std::move(info), std::move(stream), layout, is_big_endian);
 }
 
 }  // namespace discmc::command

@@ -78,7 +78,7 @@ std::unique_ptr<VolumeReader> open_raw(ByteStream stream, const VolumeOptions& o
   stream.skip(layout.skipped_bytes);
   require_length(stream, info, layout);
   NoteOfRest no_rest = refusal_of_rest(info);
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), layout.big_endian,
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), layout.is_big_endian,
                                        std::nullopt, std::move(no_rest));
 }
 

@@ -176,11 +176,11 @@ SampleType sample_type(const std::filesystem::path& file, std::string_view type)
 // Their number of bytes precedes the samples or, if compressed, the number and sizes of blocks.
 class Blocks {
  public:
-  Blocks(ByteStream& stream, const Head& head, bool big_endian)
+  Blocks(ByteStream& stream, const Head& head, bool is_big_endian)
       : stream_(stream),
         number_bytes_(
             head.root().attribute("header_type").value() == std::string_view("UInt64") ? 8 : 4),
-        big_endian_(big_endian) {}
+        is_big_endian_(is_big_endian) {}
 
   void go_to_samples(std::uint64_t volume) {
     const std::uint64_t bytes = number();
@@ -208,7 +208,7 @@ class Blocks {
            "copy or export the file again");
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < number_bytes_; ++i)
-      value = value << 8 | bytes[big_endian_ ? i : number_bytes_ - 1 - i];
+      value = value << 8 | bytes[is_big_endian_ ? i : number_bytes_ - 1 - i];
     return value;
   }
 
@@ -220,7 +220,7 @@ class Blocks {
 
   ByteStream& stream_;
   std::size_t number_bytes_;
-  bool big_endian_;
+  bool is_big_endian_;
 };
 
 // Goes to the data of the array, in the encoding that it has there. Returns whether that is base64.
@@ -248,15 +248,15 @@ std::unique_ptr<VolumeReader> open_array(ByteStream stream, const Head& head, Vo
   const std::string_view order = head.root().attribute("byte_order").value();
   if (order != "LittleEndian" && order != "BigEndian")
     fail(file, "byte_order is " + shown(order), "write LittleEndian or BigEndian");
-  bool big_endian = order == "BigEndian";
+  bool is_big_endian = order == "BigEndian";
   const bool is_text = head.format() == "ascii";
   info.format = std::string("VTK XML, ") + (is_text ? "text" : compressor.empty() ? "raw" : "zlib");
   if (is_text) {
-    big_endian = is_native_big_endian();
+    is_big_endian = is_native_big_endian();
     stream.decode([&info](auto in) { return samples_of_text(std::move(in), info.type); });
   } else {
     if (go_to_array(stream, head)) stream.decode(base64_decoded);
-    Blocks blocks(stream, head, big_endian);
+    Blocks blocks(stream, head, is_big_endian);
     if (compressor.empty())
       blocks.go_to_samples(info.channels * bytes_of_all(info));
     else
@@ -265,7 +265,7 @@ std::unique_ptr<VolumeReader> open_array(ByteStream stream, const Head& head, Vo
   // The length of the array is stored, and elements follow it.
   const auto no_note = [](ByteStream&) { return std::string(); };
   return channel_of(file, std::move(info), options.channel, [&](VolumeInfo all) {
-    return std::make_unique<SliceStream>(std::move(all), std::move(stream), big_endian,
+    return std::make_unique<SliceStream>(std::move(all), std::move(stream), is_big_endian,
                                          std::nullopt, no_note);
   });
 }

@@ -183,9 +183,9 @@ std::unique_ptr<VolumeReader> open_vtk(ByteStream stream, const VolumeOptions& o
          "correct the header");
   if (header.is_text)
     stream.decode([&info](auto in) { return samples_of_text(std::move(in), info.type); });
-  const bool big_endian = header.is_text ? is_native_big_endian() : true;
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), big_endian, std::nullopt,
-                                       note_of_rest);
+  const bool is_big_endian = header.is_text ? is_native_big_endian() : true;
+  return std::make_unique<SliceStream>(std::move(info), std::move(stream), is_big_endian,
+                                       std::nullopt, note_of_rest);
 }
 
 }  // namespace discmc::command

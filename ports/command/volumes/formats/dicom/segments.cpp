@@ -17,9 +17,7 @@ double share(double root) {
 }
 
 std::uint8_t encoded_srgb(double linear) {
-  const double value =
-      linear > 0.0031308 ? 1.055 * std::pow(linear, 1 / 2.4) - 0.055 : 12.92 * linear;
-  return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+  return byte_of_share(encoded_light(linear));
 }
 
 std::optional<Srgb> colour(DcmItem& segment) {

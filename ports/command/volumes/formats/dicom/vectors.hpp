@@ -2,17 +2,15 @@
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_VECTORS_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_VECTORS_HPP
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 
+#include "meshing.hpp"
+#include "surface/point.hpp"
+
 namespace discmc::command {
 
-using Vector = std::array<double, 3>;
-
-inline double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using Vector = Point;
 
 /// a + factor * b.
 inline Vector sum(const Vector& a, double factor, const Vector& b) {

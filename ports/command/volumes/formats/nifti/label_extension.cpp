@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -32,14 +31,8 @@ std::uint32_t word_of(const char* bytes, bool is_big_endian) {
 
 #ifdef DISCMC_WITH_PUGIXML
 std::optional<Srgb> colour_of(const pugi::xml_node& label) {
-  Srgb colour{};
-  const char* const parts[] = {"Red", "Green", "Blue"};
-  for (std::size_t i = 0; i < colour.size(); ++i) {
-    const auto part = finite_number(label.attribute(parts[i]).value());
-    if (!part || *part < 0 || *part > 1) return std::nullopt;
-    colour[i] = static_cast<std::uint8_t>(std::lround(255 * *part));
-  }
-  return colour;
+  return colour_of_shares({label.attribute("Red").value(), label.attribute("Green").value(),
+                           label.attribute("Blue").value()});
 }
 
 void take_labels(std::string_view xml, VolumeInfo& info) {

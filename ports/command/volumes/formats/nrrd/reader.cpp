@@ -108,7 +108,7 @@ std::string encoding_of(const HeaderFields& fields) {
        "use raw, gzip, bzip2 or text, e.g. with: unu save -f nrrd -e gzip -i in.nrrd -o out.nrrd");
 }
 
-bool big_endian(const HeaderFields& fields, SampleType type) {
+bool is_stored_big_endian(const HeaderFields& fields, SampleType type) {
   if (encoding_of(fields) == "text") return is_native_big_endian();
   if (sample_bytes(type) == 1) return false;
   const std::string endian = lower(fields.needed("endian"));
@@ -179,7 +179,7 @@ std::unique_ptr<VolumeReader> open_nrrd(ByteStream stream, const VolumeOptions& 
   if (fields.has("old min"))
     note(info, "old min and old max are ignored; the values are the stored ones");
   header.segments.describe(info);
-  const bool is_big_endian = big_endian(fields, info.type);
+  const bool is_big_endian = is_stored_big_endian(fields, info.type);
 
   const std::string_view name = fields.text("data file");
   if (name.empty() && !header.closed)

@@ -1,6 +1,5 @@
 #include "header.hpp"
 
-#include <cmath>
 #include <cstddef>
 
 #include "text/number_text.hpp"
@@ -11,17 +10,10 @@
 namespace discmc::command {
 namespace {
 
-// Red, green and blue from 0 to 1.
 std::optional<Srgb> colour_of(std::string_view text) {
   const auto parts = words(text);
-  Srgb colour{};
-  if (parts.size() != colour.size()) return std::nullopt;
-  for (std::size_t i = 0; i < colour.size(); ++i) {
-    const auto part = finite_number(parts[i]);
-    if (!part || *part < 0 || *part > 1) return std::nullopt;
-    colour[i] = static_cast<std::uint8_t>(std::lround(255 * *part));
-  }
-  return colour;
+  if (parts.size() != 3) return std::nullopt;
+  return colour_of_shares({parts[0], parts[1], parts[2]});
 }
 
 // A value of NRRD has line feeds and backslashes as \n and \\.

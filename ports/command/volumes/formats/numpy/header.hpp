@@ -29,7 +29,7 @@ NumpyHeader read_numpy_header(ByteStream& stream);
 /// 32.
 struct NumpyType {
   SampleType type = SampleType::u8;
-  bool big_endian = false;
+  bool is_big_endian = false;
   bool is_half = false;
 };
 std::optional<NumpyType> numpy_type(std::string_view name);

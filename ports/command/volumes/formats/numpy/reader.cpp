@@ -29,12 +29,13 @@ std::unique_ptr<VolumeReader> numpy_volume(ByteStream stream, const std::string&
   info.type = type->type;
   const ArrayLayout layout = take_array(info, file, header.shape, options);
   set_place(info, {}, options);
-  bool big_endian = type->big_endian;
+  bool is_big_endian = type->is_big_endian;
   if (type->is_half) {
-    stream.decode([big_endian](auto in) { return floats_of_halves(std::move(in), big_endian); });
-    big_endian = is_native_big_endian();
+    stream.decode(
+        [is_big_endian](auto in) { return floats_of_halves(std::move(in), is_big_endian); });
+    is_big_endian = is_native_big_endian();
   }
-  return array_volume(std::move(info), std::move(stream), layout, big_endian);
+  return array_volume(std::move(info), std::move(stream), layout, is_big_endian);
 }
 
 std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions& options) {

@@ -123,7 +123,7 @@ std::optional<ChunkBytes> ZarrChunks::read(const PerAxis& chunk) {
   for (auto filter = array_.filters.rbegin(); filter != array_.filters.rend(); ++filter)
     undo(*filter, samples);
   const std::size_t size = array_.is_half ? 2 : sample_bytes(array_.type);
-  if (array_.big_endian != is_native_big_endian()) turn(samples, size);
+  if (array_.is_big_endian != is_native_big_endian()) turn(samples, size);
   return array_.is_half ? widened(samples) : std::move(samples);
 }
 

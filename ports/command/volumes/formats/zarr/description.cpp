@@ -36,7 +36,7 @@ void set_type(ZarrDescription& array, const Path& file, const std::optional<Nump
   if (!type) fail_type(file, given.is_string() ? text_of(given) : given.dump().substr(0, 60));
   array.type = type->type;
   array.is_half = type->is_half;
-  array.big_endian = type->big_endian;
+  array.is_big_endian = type->is_big_endian;
 }
 
 // The names of version 3, by those of NumPy: "uint16" is "<u2".
@@ -105,7 +105,7 @@ void add_filter(ZarrDescription& array, const Path& file, const Json& filter, co
   const Json& stored = member(filter, "astype");
   const bool keeps_type = stored.is_null() || text_of(stored) == text_of(type);
   const Json& size = member(filter, "elementsize");
-  const bool is_whole = !array.is_half && !array.big_endian;
+  const bool is_whole = !array.is_half && !array.is_big_endian;
   if (name == "shuffle" && size.is_number_unsigned() && size > 0 && size <= 64)
     array.filters.push_back({size.get<std::size_t>(), {}});
   else if (name == "delta" && keeps_type && is_whole)
@@ -173,7 +173,7 @@ void take_codecs(ZarrDescription& array, const Path& file, const Json& codecs) {
     const Json& configuration = member(codec, "configuration");
     const bool is_first = array.codecs.empty() && !array.shard;
     if (name == "bytes")
-      array.big_endian = text_of(member(configuration, "endian")) == "big";
+      array.is_big_endian = text_of(member(configuration, "endian")) == "big";
     else if (name == "transpose")
       array.order = order_of(file, configuration, array.sizes.size());
     else if (name == "sharding_indexed" && codecs.size() == 1 && is_first)

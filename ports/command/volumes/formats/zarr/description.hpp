@@ -40,7 +40,7 @@ struct ZarrDescription {
   std::vector<std::int64_t> sizes;
   SampleType type = SampleType::u8;
   bool is_half = false;  ///< stored as floating point of 16 bits, and read as that of 32
-  bool big_endian = false;
+  bool is_big_endian = false;
   std::array<unsigned char, 8> fill{};  ///< a sample of `type`, for chunks that are not there
   std::vector<std::string> axis_names;  ///< one an axis, or none
 
