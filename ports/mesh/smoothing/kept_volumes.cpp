@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -35,6 +36,12 @@ struct Piece {
   std::vector<Edge> edges{};
   std::vector<std::uint32_t> vertices{};  // of the mesh of the surface
   std::vector<std::uint32_t> faces{};
+};
+
+// What can move between a piece and a rival, or no_piece.
+struct Wall {
+  std::uint32_t rival;
+  double area_mm2;  // by which their volumes change with the difference of their shifts
 };
 
 // Where an edge ends that is off.
@@ -201,6 +208,7 @@ class VolumeKeeper {
   // of its way at a time. If there is not enough for all, all lack the same.
   bool balance() {
     const bool is_one = surfaces_.size() == 1;
+    const bool is_kept_before = is_one || !approach();
     for (unsigned round = 0; round < max_rounds; ++round) {
       std::vector<double> wanted;
       for (Piece& piece : pieces_) wanted.push_back(shift_to_keep(piece));
@@ -210,10 +218,98 @@ class VolumeKeeper {
         is_kept &= shift == wanted[i];
         shift = is_one ? wanted[i] : (shift + wanted[i]) / 2;
       }
-      if (is_kept) return round == 0;
+      if (is_kept) return round == 0 && is_kept_before;
       if (is_one) return false;
     }
     return false;
+  }
+
+  // All pieces at once, by Newton's method, as long as it leads nearer. Returns whether any moved.
+  bool approach() {
+    constexpr unsigned max_steps = 12;
+    double before = std::numeric_limits<double>::infinity();
+    std::vector<double> moves(pieces_.size());
+    for (unsigned step = 0; step < max_steps; ++step) {
+      if (keeping_.check) keeping_.check();
+      std::vector<double> excess;
+      bool is_kept = true;
+      double sum = 0;  // of squares of what is relative to the volume
+      for (const Piece& piece : pieces_) {
+        excess.push_back(piece.faces.empty() ? 0 : enclosed_mm3(piece) - piece.volume_mm3);
+        is_kept &= std::fabs(excess.back()) <= accuracy * std::fabs(piece.volume_mm3);
+        sum += excess.back() * excess.back() / (piece.volume_mm3 * piece.volume_mm3);
+      }
+      if (is_kept) return step > 0;
+      if (!(sum < before)) {
+        for (std::size_t i = 0; i < pieces_.size(); ++i) pieces_[i].shift_mm -= moves[i];
+        return step > 1;
+      }
+      before = sum;
+      moves = moves_against(excess);
+      for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        moves[i] = std::clamp(moves[i], -keeping_.farthest_mm - pieces_[i].shift_mm,
+                              keeping_.farthest_mm - pieces_[i].shift_mm);
+        pieces_[i].shift_mm += moves[i];
+      }
+    }
+    return true;
+  }
+
+  // What one piece gains its rivals lose: linear equations, solved by the method of Gauss and
+  // Seidel. It ends also where not all can be met.
+  std::vector<double> moves_against(const std::vector<double>& excess) const {
+    constexpr unsigned sweeps = 200;
+    std::vector<std::vector<Wall>> walls;
+    std::vector<std::uint32_t> places(pieces_.size(), no_piece);
+    for (const Piece& piece : pieces_) walls.push_back(walls_of(piece, places));
+    std::vector<double> moves(pieces_.size());
+    for (unsigned sweep = 0; sweep < sweeps; ++sweep)
+      for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        double area = 0, sum = -excess[i];
+        for (const Wall& wall : walls[i]) {
+          area += wall.area_mm2;
+          if (wall.rival != no_piece) sum += wall.area_mm2 * moves[wall.rival];
+        }
+        if (area > 0) moves[i] = sum / area;
+      }
+    return moves;
+  }
+
+  // places: one a piece, none before and after.
+  std::vector<Wall> walls_of(const Piece& piece, std::vector<std::uint32_t>& places) const {
+    std::vector<Wall> walls = {{no_piece, 0}};
+    for (const Piece::Edge& edge : piece.edges) {
+      if (edge.rival == no_piece) {
+        walls[0].area_mm2 += area_mm2(piece, edge);
+        continue;
+      }
+      std::uint32_t& place = places[edge.rival];
+      if (place == no_piece) {
+        place = static_cast<std::uint32_t>(walls.size());
+        walls.push_back({edge.rival, 0});
+      }
+      walls[place].area_mm2 += area_mm2(piece, edge);
+    }
+    for (std::size_t i = 1; i < walls.size(); ++i) places[walls[i].rival] = no_piece;
+    return walls;
+  }
+
+  // That of an edge: a face of a voxel, times the cosine between the edge and the normal. The slope
+  // of the distance is that cosine. Between rivals it is twice as steep, and moves half as far.
+  double area_mm2(const Piece& piece, const Piece::Edge& edge) const {
+    const SmoothSurface& surface = surfaces_[piece.surface];
+    const bool has_rival = edge.rival != no_piece;
+    const auto shift =
+        static_cast<float>(piece.shift_mm - (has_rival ? pieces_[edge.rival].shift_mm : 0));
+    const Ends ends = surface.crossings->ends(edge.place);
+    const auto least = static_cast<float>(keeping_.min_mm);
+    const float at_on = surface.crossings->falls(edge.place) ? ends.begin : ends.end;
+    const float at_off = surface.crossings->falls(edge.place) ? ends.end : ends.begin;
+    if (at_on + shift < least || at_off + shift > -least) return 0;
+    const Point& spacing = surface.surface->spacing_mm;
+    const double along = spacing[edge.place.axis];
+    return std::fabs(spacing[0] * spacing[1] * spacing[2]) / (along * along) *
+           std::fabs(static_cast<double>(ends.begin - ends.end)) / (has_rival ? 4 : 1);
   }
 
   // By secants, halving where they lead too far. Returns the shift of now if it is good enough.
