@@ -228,7 +228,8 @@ void check_jobs(const ExtractArguments& arguments, const CLI::Option& surface) {
   if (is_stream && (arguments.wire == Wire::slices || arguments.normals == Normals::gradient))
     throw CLI::ValidationError(
         "--jobs",
-        "cannot be combined with --wire slices or --normals gradient in a stream; leave one out");
+        "cannot be combined with --wire slices, where each slice is coded after the one before, or "
+        "with --normals gradient in a stream; leave one out");
 }
 
 // The vertices of a smoothed or decimated surface follow it, where there is something to follow and
