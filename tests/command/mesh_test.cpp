@@ -30,6 +30,24 @@ double six_volumes(const FaceMesh& mesh) {
   return sum;
 }
 
+// The faces of each polygon have its area, and so its normal.
+void check_areas(const Surface& surface, const FaceMesh& mesh) {
+  std::vector<Point> missing;
+  for (const Polygon& polygon : surface.polygons) {
+    Vertex doubled{};
+    for (const Ring& ring : polygon.rings)
+      for (std::size_t i = 2; i < ring.size(); ++i)
+        doubled = doubled + cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
+    missing.push_back({doubled.x / 2.0, doubled.y / 2.0, doubled.z / 2.0});
+  }
+  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+    Point& of_polygon = missing[mesh.polygons[face]];
+    of_polygon = difference(of_polygon, area_vector(mesh, face));
+  }
+  CHECK(std::count(missing.begin(), missing.end(), Point{}) ==
+        static_cast<std::ptrdiff_t>(surface.polygons.size()));
+}
+
 // With a spacing of two the mesh is in half-steps, and all of this is exact.
 void check_closed_and_exact(const Surface& surface) {
   for (const Faces faces : both_kinds) {
@@ -40,6 +58,7 @@ void check_closed_and_exact(const Surface& surface) {
     CHECK(report.wrongly_oriented == 0);
     CHECK(report.degenerate_faces == 0);
     CHECK(six_volumes(mesh) == static_cast<double>(hand_made::six_volumes(surface)));
+    check_areas(surface, mesh);
   }
 }
 
