@@ -52,7 +52,8 @@ bool OriginalSurface::is_near(const Point& point, double distance) const {
     last_ = triangle;
     return true;
   };
-  return is_triangle_near(last_) || tree_.any_near(box_around(point, distance), is_triangle_near);
+  return is_triangle_near(last_) ||
+         tree_.any_near(box_around(point, distance), last_, is_triangle_near);
 }
 
 bool OriginalSurface::is_near(const Collapse& collapse, double distance) const {

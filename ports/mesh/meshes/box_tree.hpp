@@ -108,24 +108,16 @@ class BoxTree {
   /// whether one did.
   template <class Call>
   bool any_near(const Box& box, Call call) const {
-    std::array<std::size_t, max_waiting> waiting;
-    std::size_t count = 0;
-    const auto add_if_near = [&](std::size_t node) {
-      waiting[count] = node;
-      count += nodes_[node].overlaps(box);
-    };
-    add_if_near(1);
-    while (count > 0) {
-      const std::size_t node = waiting[--count];
-      if (node < leaves_) {
-        add_if_near(2 * node);
-        add_if_near(2 * node + 1);
-        continue;
-      }
-      const Leaf::Hits hits = boxes_[node - leaves_].overlaps(box);
-      for (std::size_t i = begin_of(node); i < end_of(node); ++i)
-        if (hits[i % leaf_size] != 0 && call(places_[i])) return true;
-    }
+    return nodes_[1].overlaps(box) && any_below(1, box, call);
+  }
+  /// The same, from one place on to those farther and farther away in the tree. It takes less time
+  /// where a near one is found. Limit: some boxes.
+  template <class Call>
+  bool any_near(const Box& box, std::uint32_t from, Call call) const {
+    std::size_t node = leaves_ + slots_[from] / leaf_size;
+    if (nodes_[node].overlaps(box) && any_below(node, box, call)) return true;
+    for (; node > 1; node /= 2)
+      if (nodes_[node ^ 1].overlaps(box) && any_below(node ^ 1, box, call)) return true;
     return false;
   }
 
@@ -193,6 +185,30 @@ class BoxTree {
   std::size_t begin_of(std::size_t leaf) const { return (leaf - leaves_) * leaf_size; }
   std::size_t end_of(std::size_t leaf) const {
     return std::min(begin_of(leaf) + leaf_size, places_.size());
+  }
+
+  // Limit: the node is near.
+  template <class Call>
+  bool any_below(std::size_t top, const Box& box, Call& call) const {
+    std::array<std::size_t, max_waiting> waiting;
+    std::size_t count = 0;
+    const auto add_if_near = [&](std::size_t node) {
+      waiting[count] = node;
+      count += nodes_[node].overlaps(box);
+    };
+    waiting[count++] = top;
+    while (count > 0) {
+      const std::size_t node = waiting[--count];
+      if (node < leaves_) {
+        add_if_near(2 * node);
+        add_if_near(2 * node + 1);
+        continue;
+      }
+      const Leaf::Hits hits = boxes_[node - leaves_].overlaps(box);
+      for (std::size_t i = begin_of(node); i < end_of(node); ++i)
+        if (hits[i % leaf_size] != 0 && call(places_[i])) return true;
+    }
+    return false;
   }
 
   // Calls with the pairs of the level that begins at `first` that may hold near boxes.
