@@ -2,8 +2,6 @@
 #ifndef DISCMC_COMMAND_VOLUMES_LABEL_DESCRIPTION_HPP
 #define DISCMC_COMMAND_VOLUMES_LABEL_DESCRIPTION_HPP
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,7 +11,6 @@
 #include "meshing.hpp"
 #include "pictures/srgb.hpp"
 #include "samples/label_value.hpp"
-#include "text/number_text.hpp"
 #include "text/value_text.hpp"
 
 namespace discmc::command {
@@ -36,17 +33,6 @@ inline std::optional<LabelValue> label_value(std::string_view text) {
   if (const auto value = whole_number<std::uint64_t>(text)) return LabelValue(*value);
   if (const auto value = whole_number<std::int64_t>(text)) return LabelValue(*value);
   return std::nullopt;
-}
-
-/// Red, green and blue from 0 to 1; nothing where one is no such number.
-inline std::optional<Srgb> colour_of_shares(const std::array<std::string_view, 3>& texts) {
-  Srgb colour{};
-  for (std::size_t i = 0; i < colour.size(); ++i) {
-    const auto share = finite_number(texts[i]);
-    if (!share || *share < 0 || *share > 1) return std::nullopt;
-    colour[i] = byte_of_share(*share);
-  }
-  return colour;
 }
 
 }  // namespace discmc::command

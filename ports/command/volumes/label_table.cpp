@@ -187,4 +187,14 @@ LabelTable read_label_table(const std::filesystem::path& file) {
   return table;
 }
 
+std::optional<Srgb> colour_of_shares(const std::array<std::string_view, 3>& texts) {
+  Srgb colour{};
+  for (std::size_t i = 0; i < colour.size(); ++i) {
+    const auto share = finite_number(texts[i]);
+    if (!share || *share < 0 || *share > 1) return std::nullopt;
+    colour[i] = byte_of_share(*share);
+  }
+  return colour;
+}
+
 }  // namespace discmc::command

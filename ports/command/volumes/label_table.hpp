@@ -2,7 +2,10 @@
 #ifndef DISCMC_COMMAND_VOLUMES_LABEL_TABLE_HPP
 #define DISCMC_COMMAND_VOLUMES_LABEL_TABLE_HPP
 
+#include <array>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 
 #include "label_description.hpp"
 
@@ -20,6 +23,9 @@ LabelTable read_label_table(const std::filesystem::path& file);
 /// file is none of that.
 /// https://github.com/MIC-DKFZ/nnUNet/blob/master/documentation/dataset_format.md
 LabelTable read_label_json(const std::filesystem::path& file);
+
+/// Red, green and blue from 0 to 1; nothing where one is no such number.
+std::optional<Srgb> colour_of_shares(const std::array<std::string_view, 3>& texts);
 
 }  // namespace discmc::command
 

@@ -9,7 +9,7 @@
 
 #include "text/number_text.hpp"
 #include "text/words.hpp"
-#include "volumes/label_description.hpp"
+#include "volumes/label_table.hpp"
 
 #ifdef DISCMC_WITH_PUGIXML
 #include <pugixml.hpp>

@@ -4,7 +4,7 @@
 
 #include "text/number_text.hpp"
 #include "text/words.hpp"
-#include "volumes/label_description.hpp"
+#include "volumes/label_table.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {
