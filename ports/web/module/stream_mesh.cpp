@@ -10,8 +10,6 @@
 namespace discmc::web {
 namespace {
 
-constexpr double tolerance = 0.05;  // as MeshOptions
-
 void append(const meshing::Point& point, std::vector<float>& to) {
   for (const double coordinate : point) to.push_back(static_cast<float>(coordinate));
 }
@@ -23,9 +21,9 @@ void StreamMesh::make(const StreamSurface& stream, bool relaxes) {
   const meshing::StreamReader& reader = stream.reader();
   meshing::Crossings crossings(reader.dims(), surface.polygons);
   stream.fractions().place(crossings);
-  if (relaxes) meshing::relax(crossings, surface, {reader.header().border, tolerance, {}});
-  meshing::FaceMesh mesh =
-      meshing::build_mesh(surface, {true, meshing::Faces::triangles, &crossings, tolerance, 1, {}});
+  const meshing::MeshingOptions options{true, meshing::Faces::triangles, &crossings};
+  if (relaxes) meshing::relax(crossings, surface, {reader.header().border, options.tolerance, {}});
+  meshing::FaceMesh mesh = meshing::build_mesh(surface, options);
   left_out_ = mesh.left_out.size();
   places_.clear();
   normals_.clear();
