@@ -1,9 +1,9 @@
 // A slice encoder that also sends where the surface lies between the voxels.
 //
 // Polygons are up to half a voxel from the interpolated surface: their vertices are at the middle
-// of the edges between voxels. This encoder also sends the fraction of each edge (fraction.hpp):
-// the half or quarter in which the surface crosses it. The receiver has the same polygons, and
-// moves their vertices to the fractions.
+// of the edges between voxels. This encoder also sends the fraction of each edge (fraction.hpp). It
+// is the half or quarter in which the surface crosses the edge. The receiver has the same polygons,
+// and moves their vertices to the fractions.
 //
 //   CT head (Stanford) at 500      bytes   mean distance along the edges
 //   slices                         21,717  0.24 of an edge

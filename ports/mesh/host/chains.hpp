@@ -9,8 +9,8 @@
 //
 // A join is a node that removes an end from both of its queues. It either connects two fragments or
 // closes a ring. find_ring() follows the chain from the join while its nodes are older: the chain
-// of a ring returns to the join. A long walk without a ring adds a shortcut: a node that names the
-// end of the walk. So no walk is repeated.
+// of a ring returns to the join. A long walk without a ring adds a shortcut. It is a node that
+// names the end of the walk, so no walk is repeated.
 //
 // Nodes are never removed one by one. When their area is full, copy_open() copies the nodes of open
 // fragments to a second area, without those that have no corner. All other nodes are forgotten.
