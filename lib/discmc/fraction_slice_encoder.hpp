@@ -64,13 +64,13 @@ class FractionSliceEncoder : public SliceEncoder {
            Arena::bytes_of(limits.width, sizeof(Sample)) + Arena::alignment - 1;
   }
 
-  void lay_out_fractions();
+  bool lay_out_fractions(Memory memory);
   detail::slices::FractionRow around(uint32_t surface) {
     return fractions_.around(surfaces_[surface].rows, surface, slices() > 0);
   }
   Intake intake(uint32_t surface) {
     const StreamHeader& header = packets_.header();
-    return Intake(around(surface), header.thresholds[surface], header.levels, samples_,
+    return Intake(header.thresholds[surface], header.levels, samples_,
                   distances_[surface] + Intake::distance_bytes(header.width) * rows());
   }
   void process(const Sample* samples, uint32_t first, uint32_t count, uint32_t stride);

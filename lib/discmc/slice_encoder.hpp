@@ -67,6 +67,10 @@ constexpr uint64_t surface_bytes(const Limits& limits, uint32_t rows, uint32_t s
   return bytes;
 }
 
+/// A step or a note takes up to 4 bytes and the end of the code 1. A note before it takes 2, or a
+/// cut after it 6.
+constexpr size_t code_reserve = 4 + 1 + detail::wire::cut_tail;
+
 /// Whether the interval makes a slice a key slice.
 constexpr bool is_key_slice(uint32_t slice, uint32_t interval) {
   return slice == 0 || (interval > 0 && slice % interval == 0);
@@ -177,7 +181,7 @@ class SliceEncoder {
   uint64_t bytes() const { return packets_.bytes(); }
   /// The number of bytes at the beginning of the caller's memory that the scan uses:
   /// minimum_bytes().
-  size_t bytes_used() const;
+  size_t bytes_used() const { return state_ == State::idle ? 0 : bytes_used_; }
   /// The complete slices so far.
   uint32_t slices() const { return surfaces_.rows().slices(); }
   /// The complete rows of the current slice.
@@ -234,7 +238,10 @@ class SliceEncoder {
   bool keeps_slice() const { return key_slice_interval_ != 1 || fraction_flags_ != 0; }
   bool is_at_key_slice() const;
   void encode_note(detail::slices::RowNote note);
-  bool has_room() const;
+  // Whether the packet has room for a step or a note.
+  DISCMC_ALWAYS_INLINE bool has_room() const {
+    return code_is_open_ && coder_.range.has_room(detail::slices::code_reserve);
+  }
   bool make_room();
   void begin_code();
   bool end_code();
@@ -256,6 +263,7 @@ class SliceEncoder {
   uint64_t encoded_rows_ = 0;
   uint64_t skipped_rows_ = 0;
   void* memory_ = nullptr;
+  uint32_t bytes_used_ = 0;
   detail::slices::RowWriter coder_;
   detail::slices::RowCode row_;
   detail::slices::Surfaces surfaces_;
@@ -264,7 +272,6 @@ class SliceEncoder {
   // A FractionSliceEncoder sets these members.
   bool (*code_fractions_)(SliceEncoder& encoder) = nullptr;  // false if the output is busy
   uint16_t fraction_object_bytes_ = 0;                       // of its own members
-  uint32_t fraction_memory_bytes_ = 0;                       // behind the memory of this encoder
   uint8_t fraction_flags_ = 0;                               // of the header
 };
 

@@ -19,8 +19,9 @@ class FractionCode {
   /// Whether the row is in a key slice that has a slice before it, and whether that slice is known.
   enum class KeyEdges : uint8_t { none, known, unknown };
 
-  /// Limit: before reading, the entries of the row are 0.
-  void begin(const FractionRow& row, FractionModel& model, KeyEdges key_edges) {
+  /// off: a row that is off. Limit: before reading, the entries of the row are 0.
+  DISCMC_ALWAYS_INLINE void begin(const FractionRow& row, FractionModel& model, KeyEdges key_edges,
+                                  const uint32_t* off) {
     row_ = row;
     model_ = &model;
     part_ = Part::edges;
@@ -28,9 +29,13 @@ class FractionCode {
     last_ = 0;
     has_key_edges_ = key_edges != KeyEdges::none;
     knows_key_edges_ = key_edges == KeyEdges::known;
-    row_.crosses[2] = row.crosses[2] && !has_key_edges_;
     known_ = has_key_edges_ ? FractionEntry::along_x_and_y : FractionEntry::all;
-    key_crosses_ = row.crosses[2] && knows_key_edges_;
+    if (has_key_edges_) {
+      key_crosses_ = knows_key_edges_ ? row.crosses & 4 : 0;
+      row_.crosses &= 3;
+      row_.below = row_.below_behind = off;
+      key_below_ = row.below;
+    }
     begin_pass();
   }
   /// For a row that was skipped.
@@ -50,10 +55,10 @@ class FractionCode {
   /// read are from no encoder. Limit: not is_done(). Cost: 1 or 2 decisions; for a number, up to
   /// 16 and 15 even bits.
   template <class Coder>
-  bool step(Coder& coder) {
+  DISCMC_ALWAYS_INLINE bool step(Coder& coder) {
     if (part_ == Part::count) return code_count(coder);
     if (part_ == Part::edges)
-      code_edge(coder, axis());
+      code_edge(coder);
     else
       code_key_edge(coder);
     return true;
@@ -65,171 +70,168 @@ class FractionCode {
   static constexpr uint32_t eighths = 7;  // the bits of a fraction in an entry
   static constexpr int32_t none = INT32_MIN;
 
-  // Distances: their sum, and their number above it.
-  static constexpr uint32_t one_distance = 1 << 16;
-
-  // Those from the voxel of these fractions, the upper end of their edges.
-  static uint32_t distances(uint32_t fractions) {
-    uint32_t all = 0;
-    for (; fractions != 0; fractions >>= 3)
-      if ((fractions & eighths) != 0) all += one_distance + 8 - (fractions & eighths);
-    return all;
-  }
-  // The mean in thirds of the edge, or none.
-  static uint32_t third(uint32_t all) {
-    if (all == 0) return 0;
-    const uint32_t count = all / one_distance, sum = all % one_distance;
-    return 1U + (3 * sum >= 8 * count ? 1U : 0U) + (3 * sum >= 16 * count ? 1U : 0U);
-  }
-
-  uint32_t words() const { return detail::trace::row_words(row_.width); }
   void begin_pass() {
-    word_ = 0;
-    load();
-    seek();
+    word_ = UINT32_MAX;
+    voxels_ = 0;
+    find_voxel();
   }
-  void load() {
-    if (!row_.find(word_, crossing_)) crossing_[0] = crossing_[1] = crossing_[2] = 0;
-  }
-  // Finds the next edge, from the present word on.
-  void seek() {
-    while ((crossing_[0] | crossing_[1] | crossing_[2]) == 0) {
-      if (++word_ == words()) {
+  // Finds the next voxel with an edge.
+  void find_voxel() {
+    while (voxels_ == 0) {
+      if (++word_ == row_.words) {
         part_ = Part::done;
         if (has_key_edges_) begin_key_edges();
         return;
       }
-      load();
+      if (!row_.is_level(word_)) voxels_ = row_.find(word_);
     }
-    bit_ = trailing_zeros(crossing_[0] | crossing_[1] | crossing_[2]);
+    bit_ = trailing_zeros(voxels_);
+    voxels_ &= voxels_ - 1;
+    // Three of each row; later, those that equal the voxel.
+    alike_ = voxels_of(row_.here) | voxels_of(row_.behind) << 3 | voxels_of(row_.below) << 6 |
+             voxels_of(row_.below_behind) << 9;
+    is_on_ = (alike_ & 2) != 0;
+    if (!is_on_) alike_ ^= 0xFFF;
+    axes_ = row_.crosses & ~((alike_ & 1) | (alike_ >> 3 & 2) | (alike_ >> 5 & 4));
+    if (voxel() == 0) axes_ &= ~uint32_t{1};
+  }
+  // The bits of a row from x - 1 to x + 1.
+  DISCMC_ALWAYS_INLINE uint32_t voxels_of(const uint32_t* row) const {
+    return row[word_] >> (bit_ - 1) & 7;
   }
   // Turns to the edges along z. In a row that is not known to have one, none is found.
   void begin_key_edges() {
     part_ = Part::count;
     has_key_edges_ = false;
-    row_.crosses[0] = row_.crosses[1] = false;
-    row_.crosses[2] = key_crosses_;
+    row_.crosses = key_crosses_;
+    row_.below = key_below_;
     count_ = 0;
-    for (word_ = 0; word_ < words(); ++word_) {
-      load();
-      for (uint32_t bits = crossing_[2]; bits != 0; bits &= bits - 1) ++count_;
-    }
+    for (uint32_t word = 0; word < row_.words; ++word)
+      for (uint32_t any = row_.find(word); any != 0; any &= any - 1) ++count_;
   }
-  void pass(uint32_t axis) {
-    crossing_[axis] &= crossing_[axis] - 1;
-    seek();
+  DISCMC_ALWAYS_INLINE void pass_edge() {
+    axes_ &= axes_ - 1;
+    if (axes_ == 0) find_voxel();
   }
-  uint32_t voxel() const { return word_ * detail::trace::columns_per_word + bit_ - 2; }
-  uint32_t axis() const {
-    return (crossing_[0] >> bit_ & 1) != 0 ? 0 : (crossing_[1] >> bit_ & 1) != 0 ? 1 : 2;
-  }
+  uint32_t voxel() const { return word_ * trace::columns_per_word + bit_ - 2; }
+  uint32_t axis() const { return trailing_zeros(axes_); }
 
+  // Codes as many bits of a value by a tree of decisions, the highest first.
+  template <class Coder>
+  DISCMC_FLATTEN uint32_t code_tree(Coder& coder, FractionProbability* tree, uint32_t bits,
+                                    uint32_t value) {
+    uint32_t read = 0, node = 0;
+    do {
+      const bool is_set = coder.code_bit(tree[node], (value >> --bits & 1) != 0);
+      read = 2 * read + (is_set ? 1 : 0);
+      node = read + 1;
+    } while (bits > 0);
+    return read;
+  }
   template <class Coder>
   uint32_t code_fraction(Coder& coder, uint32_t context, uint32_t fraction) {
-    FractionProbability* const tree = model_->tree(context);
-    const bool is_high = coder.code_bit(tree[0], fraction >= 4);
-    if (model_->levels() == 2) return is_high ? 6 : 2;
-    const bool low = coder.code_bit(tree[is_high ? 2 : 1], (fraction & 2) != 0);
-    return (is_high ? 4U : 0U) + (low ? 2U : 0U) + 1;
+    const uint32_t bits = model_->bits();
+    const uint32_t read = code_tree(coder, model_->tree(context), bits, fraction >> (3 - bits));
+    return (2 * read + 1) << (2 - bits);
   }
 
   // Codes a fraction as seen from the end of the edge that is off.
   template <class Coder>
-  void code_edge(Coder& coder, uint32_t axis) {
-    const bool is_on = (row_.here[word_] >> bit_ & 1) != 0;
+  DISCMC_ALWAYS_INLINE void code_edge(Coder& coder) {
+    const uint32_t axis = this->axis();
     uint16_t& entry = row_.now[voxel()];
     const uint32_t place = 3 * axis;
     const uint32_t known = entry >> place & eighths;
-    const uint32_t written = is_on ? known : 8 - known;
-    const uint32_t read = code_fraction(coder, context_of(axis, is_on), written);
+    const uint32_t written = is_on_ ? known : 8 - known;
+    const uint32_t read = code_fraction(coder, context_of(axis), written);
+    const uint32_t fraction = is_on_ ? read : 8 - read;
     if (read != written) {  // a reader
-      entry = static_cast<uint16_t>(entry | (is_on ? read : 8 - read) << place);
+      entry = static_cast<uint16_t>(entry | fraction << place);
       *row_.is_any = true;
     }
-    if (axis < 2) row_.queue->put(is_on ? read : 8 - read);
-    pass(axis);
+    if (axis < 2) row_.queue->put(fraction);
+    pass_edge();
   }
 
-  // Three lines beside the edge, which are edges of the same cell. The third is opposite to it.
-  // lower, upper: their voxels, see alike_bits(). entry: that of x, if odd that of x - 1; from 2 on
-  // in the row before. place: of the fraction in the entry.
-  struct Line {
-    uint8_t lower, upper, entry, place;
-  };
-  // clang-format off
-  static constexpr Line lines_beside[3][3] = {
-      {{3, 4, 2, 0}, {6, 7, 0, 9}, {9, 10, 2, 9}},
-      {{3, 0, 1, 3}, {10, 7, 0, 12}, {9, 6, 1, 12}},
-      {{6, 0, 1, 6}, {10, 4, 2, 6}, {9, 3, 3, 6}}};
-  // clang-format on
-
-  // Which voxels equal the upper end of the edge. There are three of this row from x - 1 on, then
-  // three of the row before, then both in the slice before.
-  uint32_t alike_bits(bool is_on) const {
-    const uint32_t shift = bit_ - 1;
-    const uint32_t bits = (row_.here[word_] >> shift & 7) | (row_.behind[word_] >> shift & 7) << 3 |
-                          (row_.below[word_] >> shift & 7) << 6 |
-                          (row_.below_behind[word_] >> shift & 7) << 9;
-    return is_on ? bits & known_ : (bits & known_) ^ 0xFFF;
+  // The crossing of a parallel edge of the same cell. lower, upper: its ends, as bits of alike_.
+  // Units: eighths from the lower end; or none.
+  DISCMC_ALWAYS_INLINE int32_t beside(uint32_t lower, uint32_t upper, uint32_t fraction) const {
+    const bool is_alike = (alike_ >> upper & 1) != 0;
+    if (((alike_ >> lower ^ alike_ >> upper) & 1) == 0) return is_alike ? -4 : 12;
+    fraction &= eighths;
+    return is_alike && fraction != 0 ? static_cast<int32_t>(fraction) : none;
+  }
+  // The crossing of a plane through three others. The third is opposite to this edge.
+  static int32_t plane(int32_t first, int32_t second, int32_t opposite) {
+    if (first == none) return second;
+    if (second == none) return first;
+    return opposite == none ? (first + second) >> 1 : first + second - opposite;
+  }
+  // The same in thirds from the end that is off.
+  DISCMC_ALWAYS_INLINE uint32_t line_context(int32_t crossing) const {
+    if (crossing == none) return 0;
+    if (!is_on_) crossing = 8 - crossing;
+    if (crossing < -1) return 1;
+    return crossing > 9 ? 6 : 1 + (static_cast<uint32_t>(3 * (crossing + 4)) >> 3);
+  }
+  // The mean distance of crossings from their common end in thirds of the edge, or 0 for none.
+  // fractions: four of them, counted towards that end.
+  static uint32_t end_context(uint32_t fractions) {
+    if (fractions == 0) return 0;
+    constexpr uint32_t ones = 0x249;  // a bit per fraction
+    const uint32_t known = (fractions | fractions >> 1 | fractions >> 2) & ones;
+    const uint32_t count = (known * ones >> 9) & 7;
+    const uint32_t sum =
+        (fractions & 7) + (fractions >> 3 & 7) + (fractions >> 6 & 7) + (fractions >> 9);
+    return 1U + (3 * sum <= 16 * count ? 1U : 0U) + (3 * sum <= 8 * count ? 1U : 0U);
+  }
+  // The edge beside at x + 1, by its voxels alone. lower: as of beside().
+  DISCMC_ALWAYS_INLINE uint32_t forward_context(uint32_t lower) const {
+    const bool upper_is_alike = (alike_ >> 2 & 1) != 0;
+    const bool lower_is_alike = (alike_ >> lower & 1) != 0;
+    if (upper_is_alike != lower_is_alike) return upper_is_alike ? 2 : 0;
+    return upper_is_alike == is_on_ ? 1 : 3;  // both on, or both off
   }
 
-  // Where the surface crosses the edge if it is a plane through the three lines. Units: eighths
-  // from the lower end; or none.
-  static int32_t crossing_of_plane(const Line* lines, const uint32_t* entries, uint32_t alike) {
-    int32_t at[3];
-    for (uint32_t i = 0; i < 3; ++i) {
-      const Line& line = lines[i];
-      const uint32_t upper = alike >> line.upper & 1;
-      const uint32_t fraction = entries[line.entry] >> line.place & eighths;
-      if ((alike >> line.lower & 1) == upper)
-        at[i] = upper != 0 ? -4 : 12;
-      else
-        at[i] = upper != 0 && fraction != 0 ? static_cast<int32_t>(fraction) : none;
-    }
-    if (at[0] == none) return at[1];
-    if (at[1] == none) return at[0];
-    return at[2] == none ? (at[0] + at[1]) >> 1 : at[0] + at[1] - at[2];
-  }
-
-  uint32_t context_of(uint32_t axis, bool is_on) const {
-    const uint32_t alike = alike_bits(is_on);
+  DISCMC_ALWAYS_INLINE uint32_t context_of(uint32_t axis) const {
     const uint16_t* const now = row_.now + voxel();
     const uint16_t* const before = row_.before + voxel();
-    const uint32_t entries[] = {now[0] & known_, now[-1] & known_, before[0] & known_,
-                                before[-1] & known_};
-    int32_t plane = crossing_of_plane(lines_beside[axis], entries, alike);
-    uint32_t line = 0;
-    if (plane != none) {
-      if (!is_on) plane = 8 - plane;
-      line = plane < -1 ? 1 : plane > 9 ? 6 : 1 + (static_cast<uint32_t>(3 * (plane + 4)) >> 3);
-    }
-    uint32_t lower, upper = 0, forward = 0;
+    const uint32_t here = now[0] & known_, left = now[-1] & known_;
+    const uint32_t behind = before[0] & known_;
+    int32_t crossing;
+    uint32_t lower, upper = 0, next = 0, forward = 0;
     if (axis == 0) {
-      lower = distances(entries[1] & FractionEntry::own);
+      crossing = plane(beside(3, 4, behind), beside(6, 7, here >> 9), beside(9, 10, behind >> 9));
+      lower = left & FractionEntry::own;
+    } else if (axis == 1) {
+      crossing =
+          plane(beside(3, 0, left >> 3), beside(10, 7, here >> 12), beside(9, 6, left >> 12));
+      lower = behind & FractionEntry::own;
+      upper = here & eighths;
+      next = before[1];
+      forward = forward_context(5);
     } else {
-      const bool is_y = axis == 1;
-      upper = distances(entries[0] & (is_y ? eighths : FractionEntry::along_x_and_y));
-      lower =
-          distances(is_y ? entries[2] & FractionEntry::own : entries[0] >> FractionEntry::below);
-      const uint32_t next = (is_y ? before[1] : now[1] >> FractionEntry::below) & eighths;
-      if (next != 0) lower += one_distance + next;
-      // The line at x + 1, by its voxels alone.
-      const uint32_t ends = (alike >> (is_y ? 5 : 8) & 1) + 2 * (alike >> 2 & 1);
-      forward = ends == 3 ? 1 : ends == 2 ? 2 : ends == 0 ? 3 : 0;
-      if (!is_on && forward % 2 != 0) forward = 4 - forward;
+      crossing = plane(beside(6, 0, left >> 6), beside(10, 4, behind >> 6),
+                       beside(9, 3, (before[-1] & known_) >> 6));
+      lower = here >> FractionEntry::below;
+      upper = here & FractionEntry::along_x_and_y;
+      next = now[1] >> FractionEntry::below;
+      forward = forward_context(8);
     }
-    const uint32_t off_end = third(is_on ? lower : upper);
-    const uint32_t on_end = third(is_on ? upper : lower);
+    lower |= ((8 - (next & eighths)) & eighths) << 9;
+    const uint32_t at_lower = end_context(lower), at_upper = end_context(upper);
+    const uint32_t off_end = is_on_ ? at_lower : at_upper;
+    const uint32_t on_end = is_on_ ? at_upper : at_lower;
     using namespace fraction_context;
-    return ((line * off_ends + off_end) * on_ends + on_end) * forwards + forward;
+    return ((line_context(crossing) * off_ends + off_end) * on_ends + on_end) * forwards + forward;
   }
 
   // Codes a one or the zero of the width of the number, and after the zero its bits below the
   // highest.
   template <class Coder>
-  bool code_count(Coder& coder) {
+  DISCMC_ALWAYS_INLINE bool code_count(Coder& coder) {
     const uint32_t known_width = bit_width(count_);
-    if (coder.code_bit(model_->width(left_), left_ < known_width))
+    if (code_tree(coder, model_->width(left_), 1, left_ < known_width ? 1 : 0) != 0)
       return ++left_ < fraction_context::count_widths;
     if (left_ > 0) {
       const uint32_t top = uint32_t{1} << (left_ - 1);
@@ -249,7 +251,7 @@ class FractionCode {
       last_ = code_fraction(coder, context, entry >> 6 & eighths);
       *row_.is_any = true;
       entry = static_cast<uint16_t>((entry & ~(eighths << 6)) | last_ << 6);
-      pass(2);
+      pass_edge();
     } else {
       last_ = code_fraction(coder, context, 0);
     }
@@ -258,17 +260,21 @@ class FractionCode {
 
   FractionRow row_;
   FractionModel* model_ = nullptr;
-  uint32_t crossing_[3] = {};  // of the word, those that are not coded yet
+  uint32_t voxels_ = 0;  // of the word, those after the next edge's
   uint32_t word_ = 0;
-  uint32_t bit_ = 0;    // of the next edge
+  uint32_t bit_ = 0;    // of the next edge's voxel
+  uint32_t axes_ = 0;   // of this voxel, a bit for each edge that is not coded yet
+  uint32_t alike_ = 0;  // voxels around this one that equal it: see find_voxel()
   uint32_t left_ = 0;   // edges along z into a key slice; before their number, its ones so far
   uint32_t count_ = 0;  // their number
-  uint32_t known_ = 0;  // the bits of entries, and of voxels, on which contexts depend
-  uint32_t last_ = 0;   // the fraction of the one before
+  uint32_t key_crosses_ = 0;             // FractionRow::crosses of them
+  const uint32_t* key_below_ = nullptr;  // FractionRow::below of them
+  uint32_t known_ = 0;                   // the bits of entries on which contexts depend
+  uint32_t last_ = 0;                    // the fraction of the one before
   Part part_ = Part::done;
+  bool is_on_ = false;  // this voxel
   bool has_key_edges_ = false;
   bool knows_key_edges_ = false;
-  bool key_crosses_ = false;
 };
 
 }  // namespace discmc::detail::slices

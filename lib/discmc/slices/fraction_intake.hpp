@@ -7,6 +7,7 @@
 #define DISCMC_SLICES_FRACTION_INTAKE_HPP
 
 #include <discmc/slices/fractions.hpp>
+#include <discmc/trace/threshold.hpp>
 
 namespace discmc::detail::slices {
 
@@ -17,102 +18,134 @@ class FractionIntake {
   /// The bytes that a row of distances takes.
   static constexpr uint32_t distance_bytes(uint32_t width) { return (width + 1) / 2; }
 
-  /// samples_before: row y - 1 from the column of the arriving samples on, before it this row.
+  /// samples: row y - 1 from the column of the arriving samples on, before it this row.
   /// distances: distance_bytes() of this row in the slice before.
-  FractionIntake(const FractionRow& row, int32_t threshold, uint32_t levels, Sample* samples_before,
-                 uint8_t* distances)
-      : row_(row),
-        threshold_(static_cast<uint32_t>(threshold < least            ? least
-                                         : threshold > least + extent ? least + extent
-                                                                      : threshold)),
+  FractionIntake(int32_t threshold, uint32_t levels, const Sample* samples, uint8_t* distances)
+      : threshold_(threshold < least            ? least
+                   : threshold > least + extent ? least + extent
+                                                : threshold),
+        doubled_(2 * static_cast<uint32_t>(threshold_) - 1),
         levels_(levels),
-        before_(samples_before),
+        samples_(samples),
         distances_(distances) {}
 
   /// Finds the fractions whose upper end is among these samples. Limit: the bits of the samples are
   /// in the row.
-  void find(const Sample* samples, uint32_t column, uint32_t count, uint32_t stride) {
-    if (row_.is_off()) return;
+  void find(const FractionRow& row, const Sample* samples, uint32_t column, uint32_t count,
+            uint32_t stride) {
+    if (row.is_off()) return;
     const uint32_t end = column + count;
     for (uint32_t word = trace::word_of(column + 1); word <= trace::word_of(end); ++word) {
-      uint32_t crossing[3];
-      if (!row_.find(word, crossing)) continue;
+      if (row.is_level(word)) continue;
+      const uint32_t along[3] = {row.along_x(word), row.along_y(word), row.along_z(word)};
       // Column x + 1 is bit x + 2 of word 0.
       const uint32_t first = word * trace::columns_per_word;
       uint32_t columns = trace::own_columns;
       if (column + 1 > first) columns &= 0U - (uint32_t{2} << (column + 1 - first));
       if (end - first < trace::columns_per_word) columns &= (uint32_t{4} << (end - first)) - 1;
-      for (uint32_t any = (crossing[0] | crossing[1] | crossing[2]) & columns; any != 0;
-           any &= any - 1) {
-        const uint32_t bit = trailing_zeros(any);
-        const uint32_t voxel = first + bit - 2;
-        const Sample* const sample = samples + size_t{voxel - column} * stride;
-        const uint32_t distance = distance_of(*sample);
-        const bool is_on = (row_.here[word] >> bit & 1) != 0;
-        uint32_t entry = row_.now[voxel];
-        for (uint32_t axis = 0; axis < 3; ++axis) {
-          if ((crossing[axis] >> bit & 1) == 0) continue;
+      for (uint32_t axis = 0; axis < 3; ++axis) {
+        for (uint32_t any = along[axis] & columns; any != 0; any &= any - 1) {
+          const uint32_t bit = trailing_zeros(any);
+          const uint32_t voxel = first + bit - 2;
+          const Sample* const sample = samples + size_t{voxel - column} * stride;
           uint32_t lower;
           if (axis == 2)
             lower = kept_distance(voxel);
           else if (axis == 1)
-            lower = distance_of(before_[voxel]);
+            lower = distance_of(samples_[voxel], doubled_);
           else
-            lower = distance_of(voxel > column ? *(sample - stride) : before_[voxel - 1]);
-          entry |= fraction(lower, distance, is_on) << 3 * axis;
+            lower =
+                distance_of(voxel > column ? *(sample - stride) : samples_[voxel - 1], doubled_);
+          const bool is_on = (row.here[word] >> bit & 1) != 0;
+          const uint32_t found = fraction(lower, distance_of(*sample, doubled_), is_on);
+          row.now[voxel] = static_cast<uint16_t>(row.now[voxel] | found << 3 * axis);
+          *row.is_any = true;
         }
-        row_.now[voxel] = static_cast<uint16_t>(entry);
-        *row_.is_any = true;
       }
     }
   }
 
-  /// Keeps the samples, and the bit widths of their distances, at most 15.
-  void keep(const Sample* samples, uint32_t column, uint32_t count, uint32_t stride) {
-    const uint32_t end = column + count;
-    const uint32_t doubled = 2 * threshold_ - 1;
-    if (column % 2 != 0) {
-      keep_one(column++, *samples);
-      samples += stride;
+  /// Keeps samples of this row.
+  static void keep(const Sample* samples, uint32_t count, uint32_t stride, Sample* kept) {
+    if (stride == 1 && are_words(samples) && are_words(kept)) {
+      for (; count >= per_four_words; count -= per_four_words) {
+        *reinterpret_cast<FourWords*>(kept) = *reinterpret_cast<const FourWords*>(samples);
+        kept += per_four_words;
+        samples += per_four_words;
+      }
     }
-    Sample* kept = before_ + column;
-    uint8_t* to = distances_ + column / 2;
-    const uint8_t* const last = distances_ + end / 2;
-    while (to < last) {
-      const Sample even = samples[0], odd = samples[stride];
-      samples += 2 * stride;
-      *kept++ = even;
-      *kept++ = odd;
-      *to++ = static_cast<uint8_t>(kept_width(even, doubled) | kept_width(odd, doubled) << 4);
+    for (; count > 0; --count, samples += stride) *kept++ = *samples;
+  }
+  /// Keeps the bit widths of the distances of kept samples, at most 15.
+  void keep_distances(uint32_t column, uint32_t count) {
+    // The width of the lowest sample there is, and the samples that have it: most of most scans.
+    const uint32_t far_width = width_of(least, doubled_);
+    const trace::Threshold<Sample> far(threshold_ - (int32_t{1} << far_width >> 1));
+    while (count > 0) {
+      const uint32_t to_next = far.block - column % far.block;
+      const uint32_t taken = count < to_next ? count : to_next;
+      const Sample* const part = samples_ + column;
+      if (taken == far.block && far.reads_words(part) && far.block_is_off(part))
+        fill_widths(column, far_width);
+      else
+        keep_widths(column, taken);
+      column += taken;
+      count -= taken;
     }
-    if (end % 2 != 0 && column < end) keep_one(end - 1, *samples);
   }
 
  private:
   static constexpr int32_t extent = int32_t{1} << 8 * sizeof(Sample);
   static constexpr int32_t least = Sample(-1) < 0 ? -(extent / 2) : 0;
+  static constexpr uint32_t per_four_words = 16 / sizeof(Sample);
+  struct alignas(uint32_t) FourWords {
+    Sample of[per_four_words];
+  };
+  static bool are_words(const Sample* samples) {
+    return reinterpret_cast<uintptr_t>(samples) % alignof(FourWords) == 0;
+  }
 
-  // The distance to threshold - 1/2. Units: halves.
-  uint32_t distance_of(Sample sample) const { return 2 * folded(sample, threshold_) + 1; }
-  // sample - threshold if that is at least 0, otherwise threshold - sample - 1.
-  DISCMC_ALWAYS_INLINE static uint32_t folded(Sample sample, uint32_t threshold) {
-    const uint32_t difference = static_cast<uint32_t>(int32_t{sample}) - threshold;
-    return difference ^ (0U - (difference >> 31));
-  }
-  // Its bit width, at most 15. doubled: twice the threshold, less one. The distance in halves is a
-  // bit longer; its lowest bit is set.
-  DISCMC_ALWAYS_INLINE static uint32_t kept_width(Sample sample, uint32_t doubled) {
+  // The distance to threshold - 1/2. Units: halves. doubled: twice the threshold, less one.
+  DISCMC_ALWAYS_INLINE static uint32_t distance_of(Sample sample, uint32_t doubled) {
     const uint32_t difference = 2 * static_cast<uint32_t>(int32_t{sample}) - doubled;
-    const uint32_t halves = (difference ^ (0U - (difference >> 31))) | 1;
-    const uint32_t width = bit_width_of_nonzero(halves) - 1;
-    return sizeof(Sample) == 1 ? width : width - (width >> 4);
+    return (difference ^ (0U - (difference >> 31))) | 1;
   }
-  void keep_one(uint32_t voxel, Sample sample) {
-    before_[voxel] = sample;
-    uint8_t& pair = distances_[voxel / 2];
-    const uint32_t shift = 4 * (voxel % 2);
-    pair = static_cast<uint8_t>((pair & 0xF0 >> shift) | kept_width(sample, 2 * threshold_ - 1)
+  // The bit width of the distance without its half.
+  DISCMC_ALWAYS_INLINE static uint32_t width_of(Sample sample, uint32_t doubled) {
+    const uint32_t width = bit_width_of_nonzero(distance_of(sample, doubled)) - 1;
+    return sizeof(Sample) == 1 ? width : limited(width);
+  }
+  // At most 15. Limit: at most 16.
+  static uint32_t limited(uint32_t width) { return width - (width >> 4); }
+
+  void keep_width(uint32_t column) {
+    uint8_t& pair = distances_[column / 2];
+    const uint32_t shift = 4 * (column % 2);
+    pair = static_cast<uint8_t>((pair & 0xF0 >> shift) | width_of(samples_[column], doubled_)
                                                              << shift);
+  }
+  // Limit: count is not 0.
+  DISCMC_ALWAYS_INLINE void keep_widths(uint32_t column, uint32_t count) {
+    const uint32_t end = column + count;
+    if (column % 2 != 0) keep_width(column++);
+    if (end % 2 != 0) keep_width(end - 1);
+    const Sample* sample = samples_ + column;
+    uint8_t* pair = distances_ + column / 2;
+    const uint32_t doubled = doubled_;
+    const uint8_t* const last = distances_ + end / 2;
+    if (pair >= last) return;
+    do {
+      const uint32_t even = width_of(sample[0], doubled), odd = width_of(sample[1], doubled);
+      *pair++ = static_cast<uint8_t>(even | odd << 4);
+      sample += 2;
+    } while (pair != last);
+  }
+  // The width of a whole block.
+  void fill_widths(uint32_t column, uint32_t width) {
+    uint8_t* const pair = distances_ + column / 2;
+    DISCMC_UNROLL(8)
+    for (uint32_t i = 0; i < trace::Threshold<Sample>::block / 2; ++i)
+      pair[i] = static_cast<uint8_t>(0x11 * width);
   }
   uint32_t kept_distance(uint32_t voxel) const {
     const uint32_t width = distances_[voxel / 2] >> 4 * (voxel % 2) & 15;
@@ -132,10 +165,10 @@ class FractionIntake {
     return upper_is_on ? eighths : 8 - eighths;
   }
 
-  FractionRow row_;
-  uint32_t threshold_;
+  int32_t threshold_;
+  uint32_t doubled_;
   uint32_t levels_;
-  Sample* before_;
+  const Sample* samples_;
   uint8_t* distances_;
 };
 

@@ -61,8 +61,9 @@ class FractionModel {
     for (uint32_t i = 0; i < count(levels_); ++i) of_[i] = FractionProbability();
   }
 
-  uint32_t levels() const { return levels_; }
-  FractionProbability& width(uint32_t ones) { return of_[ones]; }
+  /// The bits of a fraction, 1 or 2.
+  uint32_t bits() const { return levels_ / 2; }
+  FractionProbability* width(uint32_t ones) { return of_ + ones; }
   FractionProbability* tree(uint32_t context) {
     return of_ + fraction_context::count_widths + context * (levels_ - 1);
   }

@@ -55,7 +55,7 @@ class FractionQueue {
     return 2 * fraction + lowest_bit_;
   }
   /// Appends a fraction of this slice.
-  void put(uint32_t fraction) {
+  DISCMC_ALWAYS_INLINE void put(uint32_t fraction) {
     if (before_ + now_ == capacity_) is_full_ = true;
     if (is_full_) return;
     ++now_;

@@ -10,41 +10,42 @@ template <class Sample>
 Status FractionSliceEncoder<Sample>::start(const SliceEncoderConfig& config, Memory memory,
                                            const ByteOutput& output) {
   if (config.levels != 2 && config.levels != 4) return Status::bad_label;
-  if (config.limits.is_valid() && memory.bytes < minimum_bytes(config))
-    return Status::too_little_memory;
   fraction_flags_ = static_cast<uint8_t>(2 * config.levels);
   fraction_object_bytes_ = sizeof(FractionSliceEncoder) - sizeof(SliceEncoder);
-  fraction_memory_bytes_ =
-      static_cast<uint32_t>(fraction_bytes(config.limits, config.surface_count, config.levels));
   is_begun_ = false;
   const Status status = SliceEncoder::start(config, memory, output);
   if (status != Status::ok) return status;
   packets_.header().levels = config.levels;
-  lay_out_fractions();
+  if (!lay_out_fractions(memory)) {
+    state_ = State::idle;
+    return Status::too_little_memory;
+  }
   fractions_.clear();
   return status;
 }
 
-// The memory behind that of the SliceEncoder.
+// The memory behind that of the SliceEncoder. False if the arrays do not fit.
 template <class Sample>
-void FractionSliceEncoder<Sample>::lay_out_fractions() {
+bool FractionSliceEncoder<Sample>::lay_out_fractions(Memory memory) {
   const StreamHeader& header = packets_.header();
-  const size_t own_bytes = bytes_used() - fraction_memory_bytes_;
-  Arena arena({static_cast<uint8_t*>(memory_) + own_bytes, fraction_memory_bytes_});
+  Arena arena({static_cast<uint8_t*>(memory.data) + bytes_used_, memory.bytes - bytes_used_});
   fractions_.start(arena, header);
   samples_ = arena.allocate<Sample>(header.width);
   for (uint32_t surface = 0; surface < header.surface_count; ++surface)
     distances_[surface] =
         arena.allocate<uint8_t>(Intake::distance_bytes(header.width) * header.height);
+  bytes_used_ = static_cast<uint32_t>(memory.bytes - arena.left());
   code_fractions_ = [](SliceEncoder& encoder) {
     return static_cast<FractionSliceEncoder&>(encoder).code_row();
   };
+  if (arena.is_exhausted()) unpoison(memory.data, memory.bytes);
+  return !arena.is_exhausted();
 }
 
 template <class Sample>
 Status FractionSliceEncoder<Sample>::restore(Memory memory, const ByteOutput& output) {
   const Status status = restore_object(sizeof *this, memory, output);
-  if (status == Status::ok) lay_out_fractions();
+  if (status == Status::ok) lay_out_fractions(memory);
   return status;
 }
 
@@ -64,11 +65,12 @@ void FractionSliceEncoder<Sample>::process(const Sample* samples, uint32_t first
                                            uint32_t stride) {
   for (uint32_t surface = 0; surface < surfaces_.count(); ++surface) {
     if (first == 0) fractions_.begin_row(surfaces_[surface].rows, surface);
-    intake(surface).find(samples, first, count, stride);
+    intake(surface).find(around(surface), samples, first, count, stride);
   }
   // All surfaces have read the samples of the row before.
+  Intake::keep(samples, count, stride, samples_ + first);
   for (uint32_t surface = 0; surface < surfaces_.count(); ++surface)
-    intake(surface).keep(samples, first, count, stride);
+    intake(surface).keep_distances(first, count);
 }
 
 // Codes the fractions of a row of one surface. False if the output is busy.
@@ -109,7 +111,8 @@ void FractionSliceEncoder<Sample>::begin_code() {
   using KeyEdges = FractionCode::KeyEdges;
   const KeyEdges key_edges = is_key && slices() > 0 ? KeyEdges::known : KeyEdges::none;
   if (key_edges == KeyEdges::none && !fractions_.is_any(surface_)) return code_.end();
-  code_.begin(around(surface_), fractions_.model(surface_), key_edges);
+  code_.begin(around(surface_), fractions_.model(surface_), key_edges,
+              surfaces_[surface_].rows.off());
 }
 
 template class FractionSliceEncoder<uint8_t>;

@@ -27,40 +27,47 @@ struct FractionRow {
   const uint16_t* before;        ///< of row y - 1
   FractionQueue* queue;          ///< for the slice after
   uint32_t width;
-  bool crosses[3];  ///< whether the edges along x, y and z have fractions
-  bool* is_any;     ///< whether the row has a fraction
+  uint32_t words;
+  uint32_t crosses;  ///< a bit each: whether the edges along x, y and z have fractions
+  bool* is_any;      ///< whether the row has a fraction
 
   /// Whether no edge crosses, as the three rows are off. Limit: the rows are an encoder's, whose
   /// first bit is set if a voxel is on.
   bool is_off() const { return ((here[0] | behind[0] | below[0]) & 1) == 0; }
-  /// Finds the voxels of a word whose edges along x, y and z have fractions. False if there is
-  /// none.
-  bool find(uint32_t word, uint32_t* crossing) const {
+  /// Whether find() finds nothing in a word: most words are level.
+  DISCMC_ALWAYS_INLINE bool is_level(uint32_t word) const {
     const uint32_t on = here[word];
-    const uint32_t along[3] = {on ^ on << 1, on ^ behind[word], on ^ below[word]};
-    // Most words have none, whatever the columns are.
-    if (((along[0] | along[1] | along[2]) & detail::trace::own_columns) == 0) return false;
-    const uint32_t voxels = columns(word);
-    crossing[0] = crosses[0] ? along[0] & (word == 0 ? voxels & ~uint32_t{4} : voxels) : 0;
-    crossing[1] = crosses[1] ? along[1] & voxels : 0;
-    crossing[2] = crosses[2] ? along[2] & voxels : 0;
-    return (crossing[0] | crossing[1] | crossing[2]) != 0;
+    const uint32_t along = (on ^ on << 1) | (on ^ behind[word]) | (on ^ below[word]);
+    return (along & trace::own_columns) == 0;
+  }
+  /// Finds the voxels of a word with an edge that has a fraction.
+  uint32_t find(uint32_t word) const { return along_x(word) | along_y(word) | along_z(word); }
+  /// Those with such an edge along an axis.
+  uint32_t along_x(uint32_t word) const {
+    return (here[word] ^ here[word] << 1) & columns_along_x(word) & mask(0);
+  }
+  uint32_t along_y(uint32_t word) const {
+    return (here[word] ^ behind[word]) & trace::own_columns & mask(1);
+  }
+  uint32_t along_z(uint32_t word) const {
+    return (here[word] ^ below[word]) & trace::own_columns & mask(2);
   }
 
  private:
-  // The columns of a word that are voxels.
-  uint32_t columns(uint32_t word) const {
-    const uint32_t left = width - word * detail::trace::columns_per_word;
-    const uint32_t all = word == 0 ? detail::trace::own_columns & ~uint32_t{2}  // without the halo
-                                   : detail::trace::own_columns;
-    return left < detail::trace::columns_per_word ? all & ((uint32_t{4} << left) - 1) : all;
+  // All bits if the edges along an axis have fractions, else none.
+  uint32_t mask(uint32_t axis) const { return 0 - (crosses >> axis & 1); }
+  // The columns of a word whose voxel, and the voxel before it, lie in the volume.
+  uint32_t columns_along_x(uint32_t word) const {
+    uint32_t columns = word == 0 ? trace::own_columns - 6 : trace::own_columns;
+    if (word + 1 == words) columns &= (uint32_t{4} << (width - word * trace::columns_per_word)) - 1;
+    return columns;
   }
 };
 
 class Fractions {
  public:
   static constexpr uint64_t bytes_for(const Limits& limits, uint32_t surfaces, uint32_t levels) {
-    return surfaces * (Arena::bytes_of(2 * entries(limits.width), sizeof(uint16_t)) +
+    return surfaces * (Arena::bytes_of(2 * fours(limits.width), sizeof(FourEntries)) +
                        FractionModel::bytes_for(levels) + FractionQueue::bytes_for(limits)) +
            Arena::bytes_of(flag_words(limits.height), sizeof(uint32_t));
   }
@@ -70,7 +77,7 @@ class Fractions {
     width_ = header.width;
     height_ = header.height;
     for (uint32_t surface = 0; surface < surface_count_; ++surface) {
-      of_[surface].entries = arena.allocate<uint16_t>(2 * entries(width_));
+      of_[surface].entries = arena.allocate<FourEntries>(2 * fours(width_));
       of_[surface].model.start(arena, header.levels);
       of_[surface].queue.start(arena, {header.width, header.height, header.border}, header.levels);
     }
@@ -115,9 +122,10 @@ class Fractions {
     row.before = of(surface, !is_odd_) + 1;
     row.queue = &of_[surface].queue;
     row.width = width_;
-    row.crosses[0] = true;
-    row.crosses[1] = y > 0 && has_samples(y - 1);
-    row.crosses[2] = has_slice_before && has_samples(y);
+    row.words = rows.words();
+    row.crosses = 1;
+    if (y > 0 && has_samples(y - 1)) row.crosses |= 2;
+    if (has_slice_before && has_samples(y)) row.crosses |= 4;
     row.is_any = &of_[surface].is_any[is_odd_ ? 1 : 0];
     return row;
   }
@@ -125,7 +133,7 @@ class Fractions {
   const uint16_t* now(uint32_t surface) { return of(surface, is_odd_) + 1; }
 
   /// Completes the arriving row of all surfaces. has_samples: it was not skipped.
-  void next_row(uint32_t y, bool has_samples) {
+  DISCMC_ALWAYS_INLINE void next_row(uint32_t y, bool has_samples) {
     const uint32_t bit = uint32_t{1} << y % 32;
     had_samples_behind_ = this->has_samples(y);
     has_samples_[y / 32] = (has_samples_[y / 32] & ~bit) | (has_samples ? bit : 0);
@@ -138,16 +146,20 @@ class Fractions {
   }
 
  private:
+  // Two words, which are cleared at once.
+  struct alignas(Arena::alignment) FourEntries {
+    uint16_t of[4];
+  };
   struct OfSurface {
-    uint16_t* entries = nullptr;
+    FourEntries* entries = nullptr;
     FractionModel model;
     FractionQueue queue;
     bool is_any[2] = {};    // fraction in each row
     bool is_clear[2] = {};  // whether no entry of the row has any bit
   };
 
-  // Those of a row, one more on either side, and as many as make a multiple of four.
-  static constexpr uint32_t entries(uint32_t width) { return (width + 5) / 4 * 4; }
+  // Those of a row, with one more entry on either side.
+  static constexpr uint32_t fours(uint32_t width) { return (width + 5) / 4; }
   static constexpr uint32_t flag_words(uint32_t height) { return (height + 31) / 32; }
   void clear_row(uint32_t surface, bool is_odd) {
     const uint32_t row = is_odd ? 1 : 0;
@@ -156,30 +168,31 @@ class Fractions {
     if (is_clear && !is_any) return;
     is_any = false;
     is_clear = true;
-    uint16_t* entry = of(surface, is_odd);
-    for (uint16_t* const end = entry + entries(width_); entry != end; entry += 4)
-      entry[0] = entry[1] = entry[2] = entry[3] = 0;
+    FourEntries* entry = of_[surface].entries + row * fours(width_);
+    const FourEntries* const end = entry + fours(width_);
+    do *entry++ = {};
+    while (entry != end);
   }
   // Takes the fractions of this row of the slice before from the queue.
-  void take_row(const detail::trace::BitRows& rows, uint32_t surface) {
+  DISCMC_ALWAYS_INLINE void take_row(const detail::trace::BitRows& rows, uint32_t surface) {
     const uint32_t y = rows.rows();
-    FractionRow row{};
+    FractionRow row;
     row.here = rows.row(height_);
     row.behind = y > 0 ? rows.row(height_ + 1) : rows.off();
     row.below = row.here;
     row.width = width_;
-    row.crosses[0] = has_samples(y);
-    row.crosses[1] = row.crosses[0] && y > 0 && had_samples_behind_;
+    row.words = rows.words();
+    row.crosses = !has_samples(y) ? 0 : y > 0 && had_samples_behind_ ? 3 : 1;
     uint16_t* const entries = of(surface, is_odd_) + 1;
     OfSurface& from = of_[surface];
-    for (uint32_t word = 0; word < rows.words(); ++word) {
-      uint32_t crossing[3];
-      if (!row.find(word, crossing)) continue;
-      for (uint32_t any = crossing[0] | crossing[1]; any != 0; any &= any - 1) {
+    for (uint32_t word = 0; word < row.words; ++word) {
+      if (row.is_level(word)) continue;
+      const uint32_t along_x = row.along_x(word), along_y = row.along_y(word);
+      for (uint32_t any = along_x | along_y; any != 0; any &= any - 1) {
         const uint32_t bit = trailing_zeros(any);
         uint32_t known = 0;
-        if ((crossing[0] >> bit & 1) != 0) known = from.queue.take();
-        if ((crossing[1] >> bit & 1) != 0) known |= from.queue.take() << 3;
+        if ((along_x >> bit & 1) != 0) known = from.queue.take();
+        if ((along_y >> bit & 1) != 0) known |= from.queue.take() << 3;
         entries[word * detail::trace::columns_per_word + bit - 2] =
             static_cast<uint16_t>(known << FractionEntry::below);
         from.is_clear[is_odd_ ? 1 : 0] = false;
@@ -187,7 +200,7 @@ class Fractions {
     }
   }
   uint16_t* of(uint32_t surface, bool is_odd) {
-    return of_[surface].entries + (is_odd ? entries(width_) : 0);
+    return of_[surface].entries[is_odd ? fours(width_) : 0].of;
   }
   bool has_samples(uint32_t y) const { return (has_samples_[y / 32] >> y % 32 & 1) != 0; }
 

@@ -25,10 +25,10 @@ inline RowsBefore rows_before(const detail::trace::BitRows& rows, uint32_t heigh
     return is_there ? rows.row(back) : rows.off();
   };
   const uint32_t y = rows.rows();
-  if (kind == SliceKind::key)
-    return {row(y >= 1, 1), row(y >= 2, 2), row(y >= 3, 3), row(y >= 1, 1), first};
-  return {row(y >= 1, 1), rows.row(height), row(y + 1 < height, height - 1),
-          row(y >= 1, height + 1), first};
+  const bool is_key = kind == SliceKind::key;
+  return {row(y >= 1, 1), row(!is_key || y >= 2, is_key ? 2 : height),
+          row(is_key ? y >= 3 : y + 1 < height, is_key ? 3 : height - 1),
+          row(y >= 1, is_key ? 1 : height + 1), first};
 }
 /// The number of rows to keep for these neighbours, with the arriving row.
 constexpr uint32_t rows_kept(uint32_t height, bool all_are_key) {
@@ -74,19 +74,18 @@ class RowCode {
     DISCMC_LIMIT(!is_done());
     const uint32_t neighbours = differing_neighbours();
     const uint32_t level = neighbours % context::voxels == 0 ? level_voxels() : 0;
+    bool differs = true;
     if (level < 2) {
-      go_on(coder.code_bit(model[context::voxel + neighbours], differs()));
-      return true;
+      differs = coder.code_bit(model[context::voxel + neighbours], this->differs());
+    } else {
+      uint32_t same = same_voxels(level);
+      const bool is_whole = coder.code_bit(model[run_context(level)], same == level);
+      same = is_whole ? level : coder.number(bit_width(level - 1), same);
+      if (!is_whole && same >= level) return false;
+      pass(same);
+      if (is_whole) return true;
     }
-    uint32_t same = same_voxels(level);
-    if (coder.code_bit(model[run_context(level)], same == level)) {
-      pass(level);
-      return true;
-    }
-    same = coder.number(bit_width(level - 1), same);
-    if (same >= level) return false;
-    pass(same);
-    go_on(true);
+    go_on(differs);
     return true;
   }
 
@@ -156,29 +155,30 @@ class RowCode {
   }
 
   // Writes this many voxels that equal the one before.
-  void pass(uint32_t voxels) {
+  DISCMC_ALWAYS_INLINE void pass(uint32_t voxels) {
     DISCMC_LIMIT(voxels <= left_);
     left_ -= voxels;
     while (voxels > 0) {
       const uint32_t room = detail::trace::columns_per_word + 1 - bit_;
       const uint32_t here = voxels < room ? voxels : room;
-      write(here);
+      const uint32_t next = bit_ + here;
+      row_[word_] |= as_before_ & ((uint32_t{1} << next) - (uint32_t{1} << bit_));
+      go_to(next);
       voxels -= here;
     }
   }
   // Writes the next voxel, which differs or not.
-  void go_on(bool differs) {
+  DISCMC_ALWAYS_INLINE void go_on(bool differs) {
     if (differs) as_before_ = ~as_before_;
     --left_;
-    write(1);
+    row_[word_] |= as_before_ & uint32_t{1} << bit_;
+    go_to(bit_ + 1);
   }
-  // Limit: the word has room for them.
-  void write(uint32_t voxels) {
-    const uint32_t next = bit_ + voxels;
+  // Limit: next is in the word, or the bit behind its own columns.
+  DISCMC_ALWAYS_INLINE void go_to(uint32_t next) {
     DISCMC_LIMIT(next <= detail::trace::columns_per_word + 1);
-    row_[word_] |= as_before_ & ((uint32_t{1} << next) - (uint32_t{1} << bit_));
     bit_ = next <= detail::trace::columns_per_word ? next : 1;
-    if (next > detail::trace::columns_per_word) ++word_;
+    if (bit_ != next) ++word_;
   }
 
   uint32_t* row_ = nullptr;

@@ -247,8 +247,9 @@ void SliceDecoder::begin_fractions() {
   const KeyEdges key_edges = !is_key || slice_ == 0 ? KeyEdges::none
                              : knows_slice_before   ? KeyEdges::known
                                                     : KeyEdges::unknown;
-  fraction_code_.begin(fractions_.around(surfaces_[surface_].rows, surface_, knows_slice_before),
-                       fractions_.model(surface_), key_edges);
+  const detail::trace::BitRows& rows = surfaces_[surface_].rows;
+  fraction_code_.begin(fractions_.around(rows, surface_, knows_slice_before),
+                       fractions_.model(surface_), key_edges, rows.off());
 }
 
 bool SliceDecoder::read_note() {

@@ -49,6 +49,7 @@ bool SliceEncoder::lay_out(Memory memory) {
   const StreamHeader& header = packets_.header();
   surfaces_.start(arena, header, detail::slices::rows_kept(header.height, !keeps_slice()));
   memory_ = memory.data;
+  bytes_used_ = static_cast<uint32_t>(memory.bytes - arena.left());
   if (arena.is_exhausted()) unpoison(memory.data, memory.bytes);
   return !arena.is_exhausted();
 }
@@ -159,14 +160,6 @@ Status SliceEncoder::abandon() {
 
 // ---- checkpoints ----
 
-size_t SliceEncoder::bytes_used() const {
-  if (state_ == State::idle) return 0;
-  const SliceEncoderConfig config{
-      limits(), {}, key_slice_interval_, packets_.header().surface_count};
-  const uint64_t bytes = bytes_for(config, keeps_slice()) + fraction_memory_bytes_;
-  return static_cast<size_t>(bytes);
-}
-
 Status SliceEncoder::save(Memory* parts) {
   if (state_ == State::idle) return Status::not_started;
   if (is_suspended()) return Status::suspended;
@@ -212,7 +205,7 @@ bool SliceEncoder::encode_row() {
   for (; surface_ < surfaces_.count(); ++surface_) {
     if (!row_is_begun_ && !begin_row()) return false;
     while (!row_.is_done()) {
-      if (!make_room()) return false;
+      if (!has_room() && !make_room()) return false;
       row_.step(coder_, surfaces_[surface_].model);
     }
     if (code_fractions_ != nullptr && !code_fractions_(*this)) return false;
@@ -225,7 +218,7 @@ bool SliceEncoder::encode_row() {
   return true;
 }
 
-bool SliceEncoder::begin_row() {
+DISCMC_ALWAYS_INLINE bool SliceEncoder::begin_row() {
   if (surface_ == 0 && !encode_what_precedes()) return false;
   surfaces_.begin_row(row_, surface_, note_ == RowNote::none ? packets_.header().width : 0);
   row_is_begun_ = true;
@@ -233,7 +226,7 @@ bool SliceEncoder::begin_row() {
 }
 
 // Writes what precedes the voxels of a row.
-bool SliceEncoder::encode_what_precedes() {
+DISCMC_ALWAYS_INLINE bool SliceEncoder::encode_what_precedes() {
   const bool begins_key_slice = is_at_key_slice();
   if (begins_key_slice) {
     if (code_is_open_ && !end_code()) return false;
@@ -243,7 +236,7 @@ bool SliceEncoder::encode_what_precedes() {
       surfaces_.clear_row();
     }
   }
-  if (!make_room()) return false;
+  if (!has_room() && !make_room()) return false;
   encode_note(note_);
   if (rows() == 0 && !begins_key_slice) surfaces_.begin_following_slice();
   if (begins_key_slice) key_is_due_ = false;
@@ -264,23 +257,16 @@ void SliceEncoder::encode_note(RowNote note) {
 
 // ---- packets ----
 
-// A step or a note takes up to 4 bytes and the end of the code 1. A note before it takes 2, or a
-// cut after it 6.
-constexpr size_t code_reserve = 4 + 1 + detail::wire::cut_tail;
+using detail::slices::code_reserve;
 static_assert(Limits::max_extent < 1 << 15, "a step has a decision and 15 bits at most");
 static_assert(detail::wire::key_slice_head + 2 * code_reserve +
                       (detail::wire::max_frame - detail::wire::max_payload) <
                   ByteOutput::min_frame_limit,
               "a code that is not final has room to end");
 
-// Whether make_room() has nothing to do.
-bool SliceEncoder::has_room() const {
-  return code_is_open_ && coder_.range.has_room(code_reserve);
-}
-
-// Makes room in the packet for a step or a note. False if the output is busy.
+// Makes room in the packet for a step or a note. False if the output is busy. Limit: there is none.
 bool SliceEncoder::make_room() {
-  if (code_is_open_ && !coder_.range.has_room(code_reserve)) {
+  if (code_is_open_) {
     // If hardly a byte is final, because a carry may change all others, the code ends.
     if (coder_.range.final_bytes() < code_reserve) {
       if (!cut_code()) return false;
@@ -294,7 +280,7 @@ bool SliceEncoder::make_room() {
   return true;
 }
 
-void SliceEncoder::begin_code() {
+DISCMC_ALWAYS_INLINE void SliceEncoder::begin_code() {
   const bool is_key = !row_is_begun_ && is_at_key_slice();
   packet_bits_ = detail::wire::SliceBits::first;
   uint8_t* code = packets_.payload();
@@ -314,7 +300,7 @@ bool SliceEncoder::end_code() {
 }
 
 // Ends the code at any place.
-bool SliceEncoder::cut_code() {
+DISCMC_ALWAYS_INLINE bool SliceEncoder::cut_code() {
   return row_is_begun_ ? close_code(detail::wire::SliceBits::cut) : end_code();
 }
 

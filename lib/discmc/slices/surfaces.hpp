@@ -68,10 +68,11 @@ class Surfaces {
   }
   /// Completes the arriving row of all surfaces. True if the slice is complete, too.
   bool next_row() {
-    for (Surface& surface : *this) surface.rows.next_row();
-    if (rows().rows() < height_) return false;
-    for (Surface& surface : *this) surface.rows.next_slice();
-    return true;
+    for (Surface& surface : *this) {
+      surface.rows.next_row();
+      if (surface.rows.rows() == height_) surface.rows.next_slice();
+    }
+    return rows().rows() == 0;
   }
 
  private:

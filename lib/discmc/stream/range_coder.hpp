@@ -110,7 +110,7 @@ class RangeEncoder {
   // contains a multiple of 2^24.
   bool needs_closing_byte() const { return 0 - low_ >= range_; }
 
-  void narrow(bool bit, uint32_t bound) {
+  DISCMC_ALWAYS_INLINE void narrow(bool bit, uint32_t bound) {
     if (bit) {
       range_ = bound;
     } else {
@@ -126,7 +126,7 @@ class RangeEncoder {
 
   // Holds the top byte and any bytes 255 after it, because a carry may still pass through them.
   // They are written when no carry can come, or when it has come.
-  void shift() {
+  DISCMC_NOINLINE void shift() {
     if (carry_ != 0 || low_ < 0xFF000000U) {
       for (; held_ > 0; --held_) {
         if (count_ < capacity_) buffer_[count_] = static_cast<uint8_t>(first_held_ + carry_);

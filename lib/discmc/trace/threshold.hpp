@@ -85,16 +85,23 @@ class Threshold {
     return lanes - reinterpret_cast<uintptr_t>(samples) / sizeof(Sample) % lanes;
   }
 
-  /// How many samples from the first on are certainly off: whole blocks of eight words. Blocks
-  /// with samples of many values near the threshold are not recognised. Limit:
+  /// Samples of eight words.
+  static constexpr uint32_t block = 8 * lanes;
+  /// Whether a block is certainly off. Blocks with samples of many values near the threshold are
+  /// not recognised. Limit: reads_words(samples).
+  bool block_is_off(const Sample* samples) const {
+    uint32_t most = word_at(samples);
+    DISCMC_UNROLL(8)
+    for (uint32_t word = 1; word < 8; ++word) most |= word_at(samples + word * lanes);  // a bound
+    return lanes_.reached(most) == 0;
+  }
+  /// How many samples from the first on are certainly off, in whole blocks. Limit:
   /// reads_words(samples).
   uint32_t leading_off(const Sample* samples, uint32_t count) const {
     const Sample* at = samples;
-    for (; count >= 8 * lanes; count -= 8 * lanes, at += 8 * lanes) {
-      uint32_t most = word_at(at);
-      DISCMC_UNROLL(8)
-      for (uint32_t word = 1; word < 8; ++word) most |= word_at(at + word * lanes);  // a bound
-      if (lanes_.reached(most) != 0) break;
+    while (count >= block && block_is_off(at)) {
+      count -= block;
+      at += block;
     }
     return static_cast<uint32_t>(at - samples);
   }
