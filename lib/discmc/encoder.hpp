@@ -106,6 +106,7 @@ class Encoder {
   bool fill_packet(const Event& event);
   bool encode_whole(Model& model, const Event& event);
   Status ready_for_packet(bool is_good);
+  Status put_application(const ApplicationRecord& record);
 
   bool packet_is_empty() const { return model_.coder().range.is_empty(); }
   bool fits(const Model& model) const;

@@ -29,10 +29,11 @@ class FractionCode {
     last_ = 0;
     has_key_edges_ = key_edges != KeyEdges::none;
     knows_key_edges_ = key_edges == KeyEdges::known;
-    known_ = has_key_edges_ ? FractionEntry::along_x_and_y : FractionEntry::all;
+    known_ = FractionEntry::all;
     if (has_key_edges_) {
-      key_crosses_ = knows_key_edges_ ? row.crosses & 4 : 0;
-      row_.crosses &= 3;
+      known_ = FractionEntry::along_x_and_y;
+      key_crosses_ = knows_key_edges_ && (row.crosses & 4) != 0;
+      row_.crosses = row.crosses & 3;
       row_.below = row_.below_behind = off;
       key_below_ = row.below;
     }
@@ -85,14 +86,15 @@ class FractionCode {
       }
       if (!row_.is_level(word_)) voxels_ = row_.find(word_);
     }
-    bit_ = trailing_zeros(voxels_);
+    bit_ = static_cast<uint8_t>(trailing_zeros(voxels_));
     voxels_ &= voxels_ - 1;
-    // Three of each row; later, those that equal the voxel.
-    alike_ = voxels_of(row_.here) | voxels_of(row_.behind) << 3 | voxels_of(row_.below) << 6 |
-             voxels_of(row_.below_behind) << 9;
-    is_on_ = (alike_ & 2) != 0;
-    if (!is_on_) alike_ ^= 0xFFF;
-    axes_ = row_.crosses & ~((alike_ & 1) | (alike_ >> 3 & 2) | (alike_ >> 5 & 4));
+    // Three of each row, then those that equal the voxel.
+    uint32_t alike = voxels_of(row_.here) | voxels_of(row_.behind) << 3 |
+                     voxels_of(row_.below) << 6 | voxels_of(row_.below_behind) << 9;
+    is_on_ = (alike & 2) != 0;
+    if (!is_on_) alike ^= 0xFFF;
+    alike_ = static_cast<uint16_t>(alike);
+    axes_ = row_.crosses & ~((alike & 1) | (alike >> 3 & 2) | (alike >> 5 & 4));
     if (voxel() == 0) axes_ &= ~uint32_t{1};
   }
   // The bits of a row from x - 1 to x + 1.
@@ -103,35 +105,23 @@ class FractionCode {
   void begin_key_edges() {
     part_ = Part::count;
     has_key_edges_ = false;
-    row_.crosses = key_crosses_;
+    row_.crosses = key_crosses_ ? 4 : 0;
     row_.below = key_below_;
     count_ = 0;
     for (uint32_t word = 0; word < row_.words; ++word)
       for (uint32_t any = row_.find(word); any != 0; any &= any - 1) ++count_;
   }
-  DISCMC_ALWAYS_INLINE void pass_edge() {
+  void pass_edge() {
     axes_ &= axes_ - 1;
     if (axes_ == 0) find_voxel();
   }
   uint32_t voxel() const { return word_ * trace::columns_per_word + bit_ - 2; }
   uint32_t axis() const { return trailing_zeros(axes_); }
 
-  // Codes as many bits of a value by a tree of decisions, the highest first.
-  template <class Coder>
-  DISCMC_FLATTEN uint32_t code_tree(Coder& coder, FractionProbability* tree, uint32_t bits,
-                                    uint32_t value) {
-    uint32_t read = 0, node = 0;
-    do {
-      const bool is_set = coder.code_bit(tree[node], (value >> --bits & 1) != 0);
-      read = 2 * read + (is_set ? 1 : 0);
-      node = read + 1;
-    } while (bits > 0);
-    return read;
-  }
   template <class Coder>
   uint32_t code_fraction(Coder& coder, uint32_t context, uint32_t fraction) {
     const uint32_t bits = model_->bits();
-    const uint32_t read = code_tree(coder, model_->tree(context), bits, fraction >> (3 - bits));
+    const uint32_t read = coder.tree(model_->tree(context), bits, fraction >> (3 - bits));
     return (2 * read + 1) << (2 - bits);
   }
 
@@ -155,7 +145,7 @@ class FractionCode {
 
   // The crossing of a parallel edge of the same cell. lower, upper: its ends, as bits of alike_.
   // Units: eighths from the lower end; or none.
-  DISCMC_ALWAYS_INLINE int32_t beside(uint32_t lower, uint32_t upper, uint32_t fraction) const {
+  int32_t beside(uint32_t lower, uint32_t upper, uint32_t fraction) const {
     const bool is_alike = (alike_ >> upper & 1) != 0;
     if (((alike_ >> lower ^ alike_ >> upper) & 1) == 0) return is_alike ? -4 : 12;
     fraction &= eighths;
@@ -231,7 +221,7 @@ class FractionCode {
   template <class Coder>
   DISCMC_ALWAYS_INLINE bool code_count(Coder& coder) {
     const uint32_t known_width = bit_width(count_);
-    if (code_tree(coder, model_->width(left_), 1, left_ < known_width ? 1 : 0) != 0)
+    if (coder.tree(model_->width(left_), 1, left_ < known_width ? 1 : 0) != 0)
       return ++left_ < fraction_context::count_widths;
     if (left_ > 0) {
       const uint32_t top = uint32_t{1} << (left_ - 1);
@@ -245,36 +235,34 @@ class FractionCode {
 
   template <class Coder>
   void code_key_edge(Coder& coder) {
-    const uint32_t context = fraction_context::key_edge + (last_ + 1) / 2;
+    const uint32_t context = fraction_context::key_edge + (last_ + 1U) / 2;
+    uint16_t& entry = row_.now[knows_key_edges_ ? voxel() : 0];
+    last_ = static_cast<uint8_t>(code_fraction(coder, context, entry >> 6 & eighths));
     if (knows_key_edges_) {
-      uint16_t& entry = row_.now[voxel()];
-      last_ = code_fraction(coder, context, entry >> 6 & eighths);
       *row_.is_any = true;
-      entry = static_cast<uint16_t>((entry & ~(eighths << 6)) | last_ << 6);
+      entry = static_cast<uint16_t>((entry & ~(eighths << 6)) | static_cast<uint32_t>(last_) << 6);
       pass_edge();
-    } else {
-      last_ = code_fraction(coder, context, 0);
     }
     if (--left_ == 0) part_ = Part::done;
   }
 
   FractionRow row_;
   FractionModel* model_ = nullptr;
-  uint32_t voxels_ = 0;  // of the word, those after the next edge's
+  const uint32_t* key_below_ = nullptr;  // FractionRow::below of edges along z into a key slice
+  uint32_t voxels_ = 0;                  // of the word, those after the next edge's
   uint32_t word_ = 0;
-  uint32_t bit_ = 0;    // of the next edge's voxel
-  uint32_t axes_ = 0;   // of this voxel, a bit for each edge that is not coded yet
-  uint32_t alike_ = 0;  // voxels around this one that equal it: see find_voxel()
+  uint32_t axes_ = 0;   // a bit for each edge of this voxel that is not coded yet
   uint32_t left_ = 0;   // edges along z into a key slice; before their number, its ones so far
   uint32_t count_ = 0;  // their number
-  uint32_t key_crosses_ = 0;             // FractionRow::crosses of them
-  const uint32_t* key_below_ = nullptr;  // FractionRow::below of them
-  uint32_t known_ = 0;                   // the bits of entries on which contexts depend
-  uint32_t last_ = 0;                    // the fraction of the one before
+  uint16_t known_ = 0;  // the bits of entries on which contexts depend
+  uint16_t alike_ = 0;  // voxels around this one that equal it: see find_voxel()
+  uint8_t bit_ = 0;     // of the next edge's voxel
+  uint8_t last_ = 0;    // the fraction of the one before
   Part part_ = Part::done;
   bool is_on_ = false;  // this voxel
   bool has_key_edges_ = false;
   bool knows_key_edges_ = false;
+  bool key_crosses_ = false;
 };
 
 }  // namespace discmc::detail::slices

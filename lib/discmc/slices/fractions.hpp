@@ -26,10 +26,10 @@ struct FractionRow {
   uint16_t* now;                 ///< an entry per voxel, see FractionEntry
   const uint16_t* before;        ///< of row y - 1
   FractionQueue* queue;          ///< for the slice after
+  bool* is_any;                  ///< whether the row has a fraction
   uint32_t width;
-  uint32_t words;
-  uint32_t crosses;  ///< a bit each: whether the edges along x, y and z have fractions
-  bool* is_any;      ///< whether the row has a fraction
+  uint16_t words;
+  uint8_t crosses;  ///< a bit each: whether the edges along x, y and z have fractions
 
   /// Whether no edge crosses, as the three rows are off. Limit: the rows are an encoder's, whose
   /// first bit is set if a voxel is on.
@@ -122,10 +122,11 @@ class Fractions {
     row.before = of(surface, !is_odd_) + 1;
     row.queue = &of_[surface].queue;
     row.width = width_;
-    row.words = rows.words();
-    row.crosses = 1;
-    if (y > 0 && has_samples(y - 1)) row.crosses |= 2;
-    if (has_slice_before && has_samples(y)) row.crosses |= 4;
+    row.words = static_cast<uint16_t>(rows.words());
+    uint32_t crosses = 1;
+    if (y > 0 && has_samples(y - 1)) crosses |= 2;
+    if (has_slice_before && has_samples(y)) crosses |= 4;
+    row.crosses = static_cast<uint8_t>(crosses);
     row.is_any = &of_[surface].is_any[is_odd_ ? 1 : 0];
     return row;
   }
@@ -181,7 +182,7 @@ class Fractions {
     row.behind = y > 0 ? rows.row(height_ + 1) : rows.off();
     row.below = row.here;
     row.width = width_;
-    row.words = rows.words();
+    row.words = static_cast<uint16_t>(rows.words());
     row.crosses = !has_samples(y) ? 0 : y > 0 && had_samples_behind_ ? 3 : 1;
     uint16_t* const entries = of(surface, is_odd_) + 1;
     OfSurface& from = of_[surface];

@@ -15,6 +15,17 @@ struct RowWriter {
     probability.learn(bit);
     return bit;
   }
+  /// Writes this many bits, the highest first. The first has a probability of the tree, the second
+  /// the next one after a 0, or the one behind it after a 1. Limit: 1 or 2 bits.
+  template <class AnyProbability>
+  DISCMC_FLATTEN uint32_t tree(AnyProbability* tree, uint32_t bits, uint32_t value) {
+    AnyProbability* node = tree;
+    do {
+      --bits;
+      node = tree + (code_bit(*node, (value >> bits & 1) != 0) ? 2 : 1);
+    } while (bits > 0);
+    return value;
+  }
   /// Writes this many even bits, the highest first.
   uint32_t number(uint32_t bits, uint32_t value) {
     while (bits > 0) range.encode((value >> --bits & 1) != 0, Probability{128});
@@ -30,6 +41,18 @@ struct RowReader {
     const bool bit = range.decode(LearntProbability(probability));
     probability.learn(bit);
     return bit;
+  }
+  template <class AnyProbability>
+  uint32_t tree(AnyProbability* tree, uint32_t bits, uint32_t) {
+    AnyProbability* node = tree;
+    uint32_t value = 0;
+    do {
+      --bits;
+      const bool bit = code_bit(*node, false);
+      value = 2 * value + (bit ? 1 : 0);
+      node = tree + (bit ? 2 : 1);
+    } while (bits > 0);
+    return value;
   }
   uint32_t number(uint32_t bits, uint32_t) {
     uint32_t value = 0;

@@ -27,7 +27,8 @@ Status SliceEncoder::start(const SliceEncoderConfig& config, Memory memory,
   if (!output.is_valid()) return Status::bad_sink;
   state_ = State::idle;
   packets_.attach(output);
-  packets_.begin_stream(header, detail::wire::HeaderFlags::slices | fraction_flags_);
+  packets_.header() = header;
+  packets_.begin_stream(detail::wire::HeaderFlags::slices | fraction_flags_);
   key_slice_interval_ = config.key_slice_interval;
   if (!lay_out(memory)) return Status::too_little_memory;
   surfaces_.clear();

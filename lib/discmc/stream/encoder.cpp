@@ -34,7 +34,7 @@ Status Encoder::start(const StreamLabel& label, const ByteOutput& output) {
 
 // The header combines the label with the extractor's own data. Members that only streams of slices
 // have are ignored.
-SinkResult Encoder::begin_stream(const StreamHeader& scan) {
+DISCMC_ALWAYS_INLINE SinkResult Encoder::begin_stream(const StreamHeader& scan) {
   const Limits limits{scan.width, scan.height, scan.border};
   if (!packets_.has_output() || !limits.is_valid()) return SinkResult::not_started;
   StreamHeader& header = packets_.header();
@@ -49,7 +49,7 @@ SinkResult Encoder::begin_stream(const StreamHeader& scan) {
   header.surface_count = 1;
   if (scan.has_spacing())
     for (int axis = 0; axis < 3; ++axis) header.spacing_nm[axis] = scan.spacing_nm[axis];
-  packets_.begin_stream(header, 0);
+  packets_.begin_stream(0);
   state_ = State::between;
   (void)drain();  // sent now if the output accepts it, otherwise later
   return SinkResult::accepted;
@@ -64,7 +64,7 @@ SinkResult Encoder::accept(const Event& event) {
   return accept_other(event);
 }
 
-DISCMC_NOINLINE SinkResult Encoder::accept_other(const Event& event) {
+DISCMC_ALWAYS_INLINE SinkResult Encoder::accept_other(const Event& event) {
   if (event.kind == Event::Kind::start) return begin_stream(*event.header);
   if (state_ == State::idle) return SinkResult::not_started;
   if (!drain()) return SinkResult::busy;
@@ -83,7 +83,7 @@ DISCMC_NOINLINE SinkResult Encoder::accept_other(const Event& event) {
     if (event.kind == Event::Kind::fragment)
       record_.begin_fragment(event.incoming_direction, event.start);
   } else if (event.kind == Event::Kind::application) {
-    is_done = write_record(*event.application) != Status::suspended;
+    is_done = put_application(*event.application) != Status::suspended;
   } else if (event.kind == Event::Kind::finish) {
     if (state_ != State::ended) {
       if (flush() != Status::ok) return SinkResult::busy;
@@ -101,19 +101,23 @@ DISCMC_NOINLINE SinkResult Encoder::accept_other(const Event& event) {
 }
 
 // Whether a packet without records of the encoder can be sent now.
-Status Encoder::ready_for_packet(bool is_good) {
+DISCMC_ALWAYS_INLINE Status Encoder::ready_for_packet(bool is_good) {
   if (state_ == State::idle) return Status::not_started;
   if (state_ == State::ended) return Status::finished;
   if (!is_good) return Status::bad_record;
   return state_ == State::between ? flush() : Status::suspended;
 }
 
-Status Encoder::write_record(const ApplicationRecord& record) {
+DISCMC_ALWAYS_INLINE Status Encoder::put_application(const ApplicationRecord& record) {
   const Status status = ready_for_packet(record.count <= ApplicationRecord::max_bytes);
   if (status != Status::ok) return status;
   packets_.seal_application(detail::wire::PacketKind::application, record);
   (void)drain();  // it is taken, whenever the output takes it
   return Status::ok;
+}
+
+Status Encoder::write_record(const ApplicationRecord& record) {
+  return put_application(record);
 }
 
 Status Encoder::append(const RecordsPacket& packet) {
@@ -245,11 +249,11 @@ bool Encoder::encode_whole(Model& model, const Event& event) {
 
 // Whether the end of the packet fits, too: the byte of its symbol, and the byte that closes the
 // code.
-bool Encoder::fits(const Model& model) const {
+DISCMC_ALWAYS_INLINE bool Encoder::fits(const Model& model) const {
   return model.coder().range.size() + 2 <= packets_.max_payload();
 }
 
-void Encoder::open_packet() {
+DISCMC_ALWAYS_INLINE void Encoder::open_packet() {
   model_ = Model({RangeEncoder(packets_.payload(), detail::wire::max_payload)});
 }
 

@@ -10,9 +10,8 @@ void PacketWriter::attach(const ByteOutput& output) {
   frame_bytes_ = 0;
 }
 
-void PacketWriter::begin_stream(const StreamHeader& header, uint8_t flags) {
-  header_ = header;
-  const bool has_open_border = header.border == Border::open;
+void PacketWriter::begin_stream(uint8_t flags) {
+  const bool has_open_border = header_.border == Border::open;
   flags_ =
       static_cast<uint8_t>(flags | (has_open_border ? detail::wire::HeaderFlags::open_border : 0));
   is_under_way_ = true;
@@ -63,7 +62,7 @@ void PacketWriter::seal_header() {
 }
 
 // Before the sealed header, so that the truncated frame does not damage it.
-void PacketWriter::put_delimiter() {
+DISCMC_ALWAYS_INLINE void PacketWriter::put_delimiter() {
   for (uint16_t i = frame_bytes_++; i > 0; --i) frame_[i] = frame_[i - 1];
   frame_[0] = 0;
 }

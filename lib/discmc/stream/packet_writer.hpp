@@ -14,10 +14,10 @@ class PacketWriter {
  public:
   /// Sets the output, without a stream. Limit: the output has a function.
   void attach(const ByteOutput& output);
-  /// Begins a stream by sealing the header. flags: the detail::wire::HeaderFlags that do not follow
-  /// from the header. If a part of a frame was sent before, a zero byte first ends that frame.
+  /// Begins a stream by sealing header(). flags: the detail::wire::HeaderFlags that do not follow
+  /// from it. If a part of a frame was sent before, a zero byte first ends that frame.
   /// Limit: is_open().
-  void begin_stream(const StreamHeader& header, uint8_t flags);
+  void begin_stream(uint8_t flags);
   bool has_output() const { return output_.write != nullptr; }
   /// The header of the current stream, or of the previous one.
   StreamHeader& header() { return header_; }

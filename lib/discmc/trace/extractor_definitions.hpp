@@ -70,7 +70,7 @@ Status BasicExtractor<Index, Intake, Sweep>::reset() {
 }
 
 template <class Index, class Intake, class Sweep>
-void BasicExtractor<Index, Intake, Sweep>::clear() {
+DISCMC_NOINLINE void BasicExtractor<Index, Intake, Sweep>::clear() {
   intake_.clear();
   bits_.clear();
   sweep_.clear();
@@ -312,7 +312,7 @@ SinkResult BasicExtractor<Index, Intake, Sweep>::send_start() {
 
 // Offers the event that precedes the sweep. False when the sink is busy.
 template <class Index, class Intake, class Sweep>
-DISCMC_NOINLINE bool BasicExtractor<Index, Intake, Sweep>::send_due() {
+DISCMC_ALWAYS_INLINE bool BasicExtractor<Index, Intake, Sweep>::send_due() {
   const bool is_sent = due_ == Due::start
                            ? send_start() == SinkResult::accepted
                            : sweep_.flush(sink_, statistics_) && send(Event::Kind::skipped);

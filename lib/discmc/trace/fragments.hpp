@@ -122,7 +122,7 @@ class Fragments {
   void cut_at(const Pass& pass, const Vertex& vertex, bool ends);
 
   /// Moves a vertex by a link.
-  DISCMC_NOINLINE static void follow(Vertex& vertex, Link link) { translate(vertex, link, 1); }
+  static void follow(Vertex& vertex, Link link) { translate(vertex, link, 1); }
   /// The vertex that a chain comes to.
   static Vertex next_vertex(const Pass& pass, const Vertex& vertex) {
     Vertex next = vertex;
@@ -274,9 +274,9 @@ DISCMC_NOINLINE Index Fragments<Index, Normal>::new_tail(const Pass& pass, const
 
 template <class Index, class Normal>
 template <class Intake>
-DISCMC_NOINLINE Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
-                                                               const Vertex& vertex,
-                                                               const Intake& intake) {
+DISCMC_ALWAYS_INLINE Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
+                                                                    const Vertex& vertex,
+                                                                    const Intake& intake) {
   const Direction incoming = direction(pass, pass.incoming);
   Index mate = loose_end<Index>(incoming);
   if (admits(pass.in, pass.goes_ahead() ? Index{no_slot} : mate)) {
@@ -295,9 +295,10 @@ DISCMC_NOINLINE Index Fragments<Index, Normal>::begin_fragment(const Pass& pass,
 // A chain from a later vertex continues in a fragment that has waited for it.
 template <class Index, class Normal>
 template <class Intake>
-DISCMC_NOINLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
-                                                              const Vertex& vertex, Index begin,
-                                                              const Intake& intake) {
+DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::lengthen_begin(const Pass& pass,
+                                                                   const Vertex& vertex,
+                                                                   Index begin,
+                                                                   const Intake& intake) {
   const Place here = place_of(vertex);
   const bool is_waiting = admits(pass.in, end(begin).mate);
   bool has_new_runs = pass.turns_at_centroid();
@@ -364,7 +365,8 @@ void Fragments<Index, Normal>::turn_back(Index begin, Link onwards, Place corner
 
 // The fragment ends loose at the next vertex.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::cut_tail(const Pass& pass, const Vertex& vertex, Index tail) {
+DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::cut_tail(const Pass& pass, const Vertex& vertex,
+                                                             Index tail) {
   Vertex next = next_vertex(pass, vertex);
   end_tail(pass, tail, pass.second, next);
 }
@@ -383,8 +385,8 @@ void Fragments<Index, Normal>::end_tail(const Pass& pass, Index tail, Link along
 
 // The fragment continues in one that has waited, or closes.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex, Index tail,
-                                    Index begin) {
+DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::join(const Pass& pass, const Vertex& vertex,
+                                                         Index tail, Index begin) {
   EndSlot& before = end(tail);
   const Side after = end(begin).side;
   const Index first_end = before.mate;
@@ -476,8 +478,9 @@ bool Fragments<Index, Normal>::is_long(Index list, Index other) const {
 // Sends the runs of a fragment that was lengthened at a vertex, if there are too many: the index of
 // its tail or begin.
 template <class Index, class Normal>
-void Fragments<Index, Normal>::send_if_long(const Pass& pass, const Vertex& vertex, Index index,
-                                            bool is_tail) {
+DISCMC_ALWAYS_INLINE void Fragments<Index, Normal>::send_if_long(const Pass& pass,
+                                                                 const Vertex& vertex, Index index,
+                                                                 bool is_tail) {
   const EndSlot& slot = end(index);
   const Index list = is_tail ? slot.last : runs_of(index);
   if (!should_send(list)) return;

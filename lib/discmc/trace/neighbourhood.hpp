@@ -57,7 +57,7 @@ struct EdgePlace {
   }
 };
 
-inline uint32_t EdgePlace::lines() const {
+DISCMC_ALWAYS_INLINE uint32_t EdgePlace::lines() const {
   const auto& row = rows.row;
   if (axis == 0)
     return line(1, 2) | line(2, 2) << 2 | line(2, 1) << 4 | line(2, 0) << 6 | line(1, 0) << 8 |

@@ -103,7 +103,7 @@ class Queues {
   static uint32_t count_of(const Queue<Index>& queue) {
     return is_narrow ? uint32_t{queue.head & (top - 1U)} << 16 | queue.tail : queue.tail;
   }
-  static void set_count(Queue<Index>& queue, uint32_t count) {
+  DISCMC_NOINLINE static void set_count(Queue<Index>& queue, uint32_t count) {
     queue.head =
         count == 0 ? Index{no_slot} : static_cast<Index>(top | (is_narrow ? count >> 16 : 0));
     queue.tail = static_cast<Index>(count);
@@ -116,20 +116,20 @@ class Queues {
     end.last = static_cast<Index>(count);
     if (is_narrow) end.side.set_bits(static_cast<uint16_t>(count >> 16));
   }
-  Index new_count(Slots& slots, uint32_t count) {
+  DISCMC_ALWAYS_INLINE Index new_count(Slots& slots, uint32_t count) {
     const Index lost = slots.allocate();
     slots[lost].end.next = no_slot;
     slots[lost].end.mate = no_slot;
     set_lost(slots[lost].end, count);
     return lost;
   }
-  DISCMC_NOINLINE void push_behind_lost(Slots& slots, Queue<Index>& queue, Index end) {
+  DISCMC_ALWAYS_INLINE void push_behind_lost(Slots& slots, Queue<Index>& queue, Index end) {
     const Index lost = new_count(slots, count_of(queue));
     slots[lost].linked.next = end;
     queue.head = lost;
     slots.reserve();
   }
-  DISCMC_NOINLINE Index pop_lost(Slots& slots, Queue<Index>& queue) {
+  DISCMC_ALWAYS_INLINE Index pop_lost(Slots& slots, Queue<Index>& queue) {
     if (is_count(queue)) {
       set_count(queue, count_of(queue) - 1);
       return no_slot;

@@ -99,7 +99,7 @@ class RunCursor {
   }
 
   const Entry& entry(const Slots& slots) const { return slots[slot()].runs.entry[place_ % places]; }
-  ShortRun run(const Slots& slots) const { return entry(slots).run; }
+  DISCMC_ALWAYS_INLINE ShortRun run(const Slots& slots) const { return entry(slots).run; }
   void advance(const Slots& slots) {
     do {
       ++place_;

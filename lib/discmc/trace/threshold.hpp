@@ -99,10 +99,8 @@ class Threshold {
   /// reads_words(samples).
   uint32_t leading_off(const Sample* samples, uint32_t count) const {
     const Sample* at = samples;
-    while (count >= block && block_is_off(at)) {
-      count -= block;
-      at += block;
-    }
+    for (; count >= block; count -= block, at += block)
+      if (!block_is_off(at)) break;
     return static_cast<uint32_t>(at - samples);
   }
 

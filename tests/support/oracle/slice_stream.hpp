@@ -96,8 +96,8 @@ inline Bytes lost_slices(const reference::Size& size) {
   Line line;
   PacketWriter packets;
   packets.attach(line.output());
-  packets.begin_stream({size.width, size.height, size.depth, {}, {1}, Border::closed},
-                       detail::wire::HeaderFlags::slices);
+  packets.header() = {size.width, size.height, size.depth, {}, {1}, Border::closed};
+  packets.begin_stream(detail::wire::HeaderFlags::slices);
   if (!packets.drain()) throw std::runtime_error("the line takes everything");
   packets.seal_slices_trailer(size.depth, false, uint64_t{size.height} * size.depth, 0);
   if (!packets.drain()) throw std::runtime_error("the line takes everything");
