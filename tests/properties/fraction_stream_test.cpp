@@ -356,7 +356,7 @@ size_t code_long_row(Coder& coder, LongRow& row) {
   FractionRow around = fractions.around(rows, 0, false);
   around.now = &row.entries[1];
   FractionCode code;
-  code.begin(around, fractions.model(0), FractionCode::KeyEdges::none);
+  code.begin(around, fractions.model(0), FractionCode::KeyEdges::none, rows.off());
   while (!code.is_done()) REQUIRE(code.step(coder));
   rows.write_bits(bits.data());
   for (uint32_t x = 0; x < long_width; ++x) row.on[x] = bits[x / 8] >> x % 8 & 1;

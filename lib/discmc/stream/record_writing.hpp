@@ -16,7 +16,7 @@ constexpr uint32_t length_in(uint32_t run) {
 
 /// The number of runs of the ring whose first run is word `first`, if they are short and close the
 /// ring. Then its last two lengths follow from the others. Otherwise 0.
-inline uint32_t closed_runs(const Record& record, uint32_t first) {
+DISCMC_NOINLINE inline uint32_t closed_runs(const Record& record, uint32_t first) {
   const PlaneStep* const steps = plane_steps_of(class_of(record.incidence));
   uint32_t u = 0, v = 0;  // modulo 2^32
   uint32_t lengths = 0;
@@ -32,7 +32,7 @@ inline uint32_t closed_runs(const Record& record, uint32_t first) {
 
 /// The symbol of a ring of three or four corners, if each is a left turn of less than half a turn.
 /// Its digits are the turns at the second, third and last corner. 0 for any other ring.
-inline uint32_t corners_of(const uint32_t* runs, uint32_t count, uint32_t directions) {
+DISCMC_NOINLINE inline uint32_t corners_of(const uint32_t* runs, uint32_t count, uint32_t directions) {
   if (count - 3 > 1) return 0;
   const uint32_t turns = directions / 2 - 1;
   uint32_t code = 0, sum = 0;

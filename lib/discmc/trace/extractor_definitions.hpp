@@ -21,9 +21,11 @@ Status BasicExtractor<Index, Intake, Sweep>::start(const Limits& limits,
   width_ = limits.width;
   height_ = limits.height;
   border_ = limits.border;
-  first_slice_ = limits.slab.first;
-  continues_below_ = limits.slab.continues_below;
-  continues_above_ = limits.slab.continues_above;
+  if constexpr (!is_lean) {
+    first_slice_ = limits.slab.first;
+    continues_below_ = limits.slab.continues_below;
+    continues_above_ = limits.slab.continues_above;
+  }
   capacities_ = capacities;
   sink_ = sink;
   threshold_ = threshold;
