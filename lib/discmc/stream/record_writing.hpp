@@ -32,7 +32,8 @@ DISCMC_NOINLINE inline uint32_t closed_runs(const Record& record, uint32_t first
 
 /// The symbol of a ring of three or four corners, if each is a left turn of less than half a turn.
 /// Its digits are the turns at the second, third and last corner. 0 for any other ring.
-DISCMC_NOINLINE inline uint32_t corners_of(const uint32_t* runs, uint32_t count, uint32_t directions) {
+DISCMC_NOINLINE inline uint32_t corners_of(const uint32_t* runs, uint32_t count,
+                                           uint32_t directions) {
   if (count - 3 > 1) return 0;
   const uint32_t turns = directions / 2 - 1;
   uint32_t code = 0, sum = 0;
