@@ -64,7 +64,7 @@ SinkResult Encoder::accept(const Event& event) {
   return accept_other(event);
 }
 
-DISCMC_ALWAYS_INLINE SinkResult Encoder::accept_other(const Event& event) {
+DISCMC_NOINLINE SinkResult Encoder::accept_other(const Event& event) {
   if (event.kind == Event::Kind::start) return begin_stream(*event.header);
   if (state_ == State::idle) return SinkResult::not_started;
   if (!drain()) return SinkResult::busy;
@@ -225,7 +225,7 @@ DISCMC_ALWAYS_INLINE bool Encoder::fill_packet(const Event& event) {
   return record_.count == 0;
 }
 
-bool Encoder::encode_whole(Model& model, const Event& event) {
+DISCMC_ALWAYS_INLINE bool Encoder::encode_whole(Model& model, const Event& event) {
   switch (event.kind) {
     case Event::Kind::layer:
       model.record_kind(detail::stream::RecordKind::layer);
