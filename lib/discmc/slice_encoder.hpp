@@ -263,7 +263,7 @@ class SliceEncoder {
   uint64_t encoded_rows_ = 0;
   uint64_t skipped_rows_ = 0;
   void* memory_ = nullptr;
-  uint32_t bytes_used_ = 0;
+  size_t bytes_used_ = 0;
   detail::slices::RowWriter coder_;
   detail::slices::RowCode row_;
   detail::slices::Surfaces surfaces_;

@@ -34,7 +34,7 @@ bool FractionSliceEncoder<Sample>::lay_out_fractions(Memory memory) {
   for (uint32_t surface = 0; surface < header.surface_count; ++surface)
     distances_[surface] =
         arena.allocate<uint8_t>(Intake::distance_bytes(header.width) * header.height);
-  bytes_used_ = static_cast<uint32_t>(memory.bytes - arena.left());
+  bytes_used_ = memory.bytes - arena.left();
   code_fractions_ = [](SliceEncoder& encoder) {
     return static_cast<FractionSliceEncoder&>(encoder).code_row();
   };

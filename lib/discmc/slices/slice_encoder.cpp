@@ -50,7 +50,7 @@ bool SliceEncoder::lay_out(Memory memory) {
   const StreamHeader& header = packets_.header();
   surfaces_.start(arena, header, detail::slices::rows_kept(header.height, !keeps_slice()));
   memory_ = memory.data;
-  bytes_used_ = static_cast<uint32_t>(memory.bytes - arena.left());
+  bytes_used_ = memory.bytes - arena.left();
   if (arena.is_exhausted()) unpoison(memory.data, memory.bytes);
   return !arena.is_exhausted();
 }
