@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "decimation/decimation.hpp"
@@ -94,6 +95,13 @@ void report(const MeshOptions& options, const char* step, std::uint64_t done, st
   if (options.progress && !options.progress({step, done, all})) throw Cancelled();
 }
 
+std::function<void(std::uint64_t)> reporter_here(const MeshOptions& options, const char* step,
+                                                 std::uint64_t all) {
+  return [&options, step, all, here = std::this_thread::get_id()](std::uint64_t done) {
+    if (std::this_thread::get_id() == here) report(options, step, done, all);
+  };
+}
+
 unsigned threads_of(const MeshOptions& options) {
   return options.threads > 0 ? options.threads : processors();
 }
@@ -164,9 +172,9 @@ Mesh finished_mesh(Surface& surface, Crossings* crossings, const MeshOptions& op
           {options.border, options.tolerance, [&options] { report(options, "smoothing", 0, 0); }});
   report(options, "triangulating", 0, 0);
   const unsigned threads = threads_of(options);
-  FaceMesh faces =
-      build_mesh(surface, {true, Faces::triangles, crossings, options.tolerance, threads,
-                           [&options] { report(options, "triangulating", 0, 0); }});
+  FaceMesh faces = build_mesh(
+      surface, {true, Faces::triangles, crossings, options.tolerance, threads,
+                [report_here = reporter_here(options, "triangulating", 0)] { report_here(0); }});
   if (decimation_of(options).is_wanted())
     decimate(faces, decimation_of(options), [&options] { report(options, "decimating", 0, 0); });
   add_normals(surface, faces, options, level, open_again);

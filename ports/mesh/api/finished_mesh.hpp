@@ -19,6 +19,11 @@ namespace discmc::meshing {
 /// Calls MeshOptions::progress. Throws Cancelled.
 void report(const MeshOptions& options, const char* step, std::uint64_t done, std::uint64_t all);
 
+/// report() of what is done, for a step that several threads take: does nothing in another thread
+/// than this one.
+std::function<void(std::uint64_t)> reporter_here(const MeshOptions& options, const char* step,
+                                                 std::uint64_t all);
+
 /// The threads that the options ask for.
 unsigned threads_of(const MeshOptions& options);
 

@@ -3,7 +3,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "array_reader.hpp"
@@ -81,9 +80,7 @@ void check_gradient(const MeshOptions& options, const std::vector<Selection>& se
 SurfaceOptions surface_options(const MeshOptions& options, std::uint64_t slices) {
   SurfaceOptions surfaces;
   surfaces.border = options.border;
-  surfaces.progress = [&options, slices, caller = std::this_thread::get_id()](std::uint32_t done) {
-    if (std::this_thread::get_id() == caller) report(options, "extracting", done, slices);
-  };
+  surfaces.progress = reporter_here(options, "extracting", slices);
   if (!is_interpolated(options) && threads_of(options) > 1) surfaces.jobs = threads_of(options);
   return surfaces;
 }
