@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string>
-#include <vector>
 
 #include "command.hpp"
 #include "oracle/volume.hpp"

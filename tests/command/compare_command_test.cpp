@@ -11,10 +11,7 @@
 
 namespace {
 
-using command_tests::check_failure;
-using command_tests::contains;
-using command_tests::Result;
-using command_tests::Workshop;
+using namespace command_tests;
 
 // The three distances of every row by its name, "A to B, mm".
 std::map<std::string, std::vector<double>> rows(const std::string& table) {

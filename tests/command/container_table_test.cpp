@@ -2,7 +2,6 @@
 // an independent program wrote (volumes/write_volumes.py), and holds the same volume.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -44,9 +43,7 @@ const std::map<std::string, std::set<std::string>> table = {
 };
 
 VolumeOptions frame(std::uint32_t number) {
-  VolumeOptions options;
-  options.frame = number;
-  return options;
+  return with(&VolumeOptions::frame, number);
 }
 
 // The samples of a file named TYPE-ORDER..., in the volume that all of them hold.

@@ -7,7 +7,6 @@
 #include <discmc/geometry/facet_table.hpp>
 #include <limits>
 #include <set>
-#include <vector>
 
 #include "sampled_field.hpp"
 

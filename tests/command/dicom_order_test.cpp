@@ -98,9 +98,7 @@ TEST_CASE("a missing slice is found among rounded positions") {
     folder.write("IM" + std::to_string(z), data.text(0x00180050, "DS", "0.625").file());
   }
   check_refusal(refusal(folder.path()), "1 slice is missing between 41.9 mm (IM3) and 43.1 mm");
-  VolumeOptions options;
-  options.allow_gaps = true;
-  CHECK(open_volume(folder.path(), options)->info().dims[2] == 10);
+  CHECK(open_volume(folder.path(), with(&VolumeOptions::allow_gaps, true))->info().dims[2] == 10);
 }
 
 TEST_CASE("uneven positions of more digits are no rounded ones") {
@@ -241,9 +239,7 @@ TEST_CASE("a missing spacing is named") {
 // ---- as the user gives it ----
 
 VolumeOptions ordered(SliceOrder order) {
-  VolumeOptions options;
-  options.order = order;
-  return options;
+  return with(&VolumeOptions::order, order);
 }
 
 TEST_CASE("slices without positions are sorted by their numbers on request") {
@@ -317,18 +313,16 @@ TEST_CASE("slices with a UID each are one volume on request") {
   const std::string text = refusal(slices.path());
   check_refusal(text, "several volumes; choose ");
   check_refusal(text, "or read them as slices of one volume with --merge-series:");
-  VolumeOptions options;
-  options.merges_series = true;
-  CHECK(read_all(*open_volume(slices.path(), options)) == as_read(volume_values()));
+  CHECK(read_all(*open_volume(slices.path(), with(&VolumeOptions::merges_series, true))) ==
+        as_read(volume_values()));
 }
 
 TEST_CASE("options of DICOM are refused for other volumes") {
   const Folder folder;
   const auto file = folder.write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
   check_refusal(refusal(file, ordered(SliceOrder::name)), "leave out --order");
-  VolumeOptions options;
-  options.merges_series = true;
-  check_refusal(refusal(file, options), "leave out --merge-series");
+  check_refusal(refusal(file, with(&VolumeOptions::merges_series, true)),
+                "leave out --merge-series");
 }
 
 TEST_CASE("the advice for slices without positions and with a UID each leads to a mesh") {

@@ -65,8 +65,7 @@ TEST_CASE("patients, studies and frames of reference under one UID are volumes o
       });
     check_refusal(refusal(folder.path()), "several volumes in one series");
     check_refusal(refusal(folder.path()), "5 slices of 8 x 6");
-    VolumeOptions options;
-    options.merges_series = true;
+    VolumeOptions options = with(&VolumeOptions::merges_series, true);
     check_refusal(refusal(folder.path(), options), "several volumes");
     options.merges_series = false;
     options.series = "2";
@@ -253,9 +252,7 @@ TEST_CASE("colours are read by channel, interleaved or planar, and left out besi
     const auto file = folder.write("a.dcm", data.file());
     check_refusal(refusal(file), "the file holds 3 channels ('red', 'green', 'blue')");
     for (const std::uint32_t channel : {0U, 2U}) {
-      VolumeOptions options;
-      options.channel = channel;
-      const auto values = read_all(*open_volume(file, options));
+      const auto values = read_all(*open_volume(file, with(&VolumeOptions::channel, channel)));
       REQUIRE(values.size() == depth * count);
       for (std::size_t i = 0; i < values.size(); ++i)
         REQUIRE(values[i] == static_cast<double>((7 * i + 50 * channel) % 256));

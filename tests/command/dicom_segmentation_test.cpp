@@ -2,7 +2,6 @@
 // segments.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -146,8 +145,7 @@ TEST_CASE("segments that overlap are in several volumes, each with its names") {
                    {{1, 0, box(0, 3, 0, 3)}, {2, 0, box(2, 5, 2, 5)}, {5, 0, box(7, 7, 0, 0)}})
           .file());
   check_refusal(refusal(file), "2 volumes");
-  VolumeOptions options;
-  options.frame = 0;
+  VolumeOptions options = with(&VolumeOptions::frame, 0);
   auto reader = open_volume(file, options);
   CHECK(reader->info().frames == 2);
   Voxels first = box(0, 3, 0, 3);
@@ -255,9 +253,8 @@ TEST_CASE("segmentations beside an image are volumes of their own") {
   Dataset data = segmentation("BINARY", liver_and_spleen, {{1, 0, box(0, 1, 0, 1)}});
   folder.write("seg.dcm", data.text(0x0020000e, "UI", "1.2.9").file());
   check_refusal(refusal(folder.path()), "1 frame of 8 x 6, 'SEG', 2 segments, UID 1.2.9");
-  VolumeOptions options;
-  options.series = "1.2.9";
-  CHECK(open_volume(folder.path(), options)->info().format == "DICOM segmentation");
+  CHECK(open_volume(folder.path(), with(&VolumeOptions::series, "1.2.9"))->info().format ==
+        "DICOM segmentation");
 }
 
 TEST_CASE("names in the character sets of Asia are UTF-8") {

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -255,8 +254,7 @@ TEST_CASE("a missing slice is refused with its place") {
 }
 
 TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, with a note") {
-  VolumeOptions options;
-  options.allow_gaps = true;
+  const VolumeOptions options = with(&VolumeOptions::allow_gaps, true);
   const Series series;
   series.drop(2);
   series.drop(3);
@@ -276,8 +274,6 @@ TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, 
 
 TEST_CASE("a frame replaces a missing one in every compression") {
   const Folder folder;
-  VolumeOptions options;
-  options.allow_gaps = true;
   std::vector<double> expected = changed(values(), [](double v) { return v + 2000; });
   constexpr std::ptrdiff_t of_slice = width * height;
   const std::vector<double> repeated(expected.end() - 2 * of_slice, expected.end() - of_slice);
@@ -285,7 +281,7 @@ TEST_CASE("a frame replaces a missing one in every compression") {
   for (const std::string name : {"u16.dcm", "u16-rle.dcm", "u16-jpeg.dcm", "u16-j2k.dcm"}) {
     INFO(name);
     const auto file = folder.write(name, replaced(contents(files / name), place(4), "112.500"));
-    CHECK(read_all(*open_volume(file, options)) == expected);
+    CHECK(read_all(*open_volume(file, with(&VolumeOptions::allow_gaps, true))) == expected);
   }
 }
 
@@ -296,8 +292,7 @@ TEST_CASE("slices at uneven distances are refused") {
 }
 
 TEST_CASE("a gap is a whole number of slices, however many are missing") {
-  VolumeOptions options;
-  options.allow_gaps = true;
+  const VolumeOptions options = with(&VolumeOptions::allow_gaps, true);
   const Series series;
   series.put(4, replaced(slice(4), place(4), "120.000"));
   CHECK(open_volume(series.path(), options)->info().dims[2] == 9);

@@ -52,15 +52,11 @@ class Volumes : public Folder {
   }
 
   std::vector<double> read_series(const std::string& series) const {
-    VolumeOptions options;
-    options.series = series;
-    return read_all(*open_volume(path(), options));
+    return read_all(*open_volume(path(), with(&VolumeOptions::series, series)));
   }
 
   std::vector<double> read_frame(std::uint32_t frame) const {
-    VolumeOptions options;
-    options.frame = frame;
-    return read_all(*open_volume(path(), options));
+    return read_all(*open_volume(path(), with(&VolumeOptions::frame, frame)));
   }
 
   void check_all(int count) const {
@@ -124,8 +120,7 @@ TEST_CASE("times are separated, and chosen by frame or from the list") {
   check_refusal(text, "1: 5 slices of 8 x 6, 'CT', temporal position 1, trigger time 0 ms, UID");
   check_refusal(text, "3: 5 slices of 8 x 6, 'CT', temporal position 3, trigger time 18 ms, UID");
   volumes.check_all(3);
-  VolumeOptions options;
-  options.frame = 1;
+  VolumeOptions options = with(&VolumeOptions::frame, 1);
   CHECK(open_volume(volumes.path(), options)->info().frames == 3);
   options.frame = 3;
   const std::string beyond = refusal(volumes.path(), options);
@@ -139,8 +134,7 @@ TEST_CASE("frames count within the series that is chosen") {
   for (int z = 0; z < depth; ++z)
     volumes.write("other" + std::to_string(z),
                   slice(z, "5." + std::to_string(z)).text(0x0020000e, "UI", "1.2.4").file());
-  VolumeOptions options;
-  options.frame = 1;
+  VolumeOptions options = with(&VolumeOptions::frame, 1);
   check_refusal(refusal(volumes.path(), options), "several volumes; choose one ");
   options.series = "1.2.3";
   const auto reader = open_volume(volumes.path(), options);
@@ -191,9 +185,7 @@ TEST_CASE("slices with individual times are separated by their order") {
   check_refusal(text, "1: 5 slices of 8 x 6, 'CT', number 1 by trigger time, UID");
   check_refusal(text, "2: 5 slices of 8 x 6, 'CT', number 2 by trigger time, UID");
   volumes.check_all(2);
-  VolumeOptions options;
-  options.series = "2";
-  CHECK(noted(open_volume(volumes.path(), options)->info(),
+  CHECK(noted(open_volume(volumes.path(), with(&VolumeOptions::series, "2"))->info(),
               "distinguished only by their order: number 2 by trigger time"));
 }
 
@@ -231,9 +223,8 @@ TEST_CASE("a volume with a missing slice is separated, and refused alone") {
   fs::remove(volumes.path() / ("IM" + std::to_string((7 * 2 + 3) % 11) + "1"));
   CHECK(volumes.read_series("1") == as_read(numbered_values(0)));
   CHECK(volumes.read_series("3") == as_read(numbered_values(2)));
-  VolumeOptions options;
-  options.series = "2";
-  check_refusal(refusal(volumes.path(), options), "1 slice is missing between");
+  check_refusal(refusal(volumes.path(), with(&VolumeOptions::series, "2")),
+                "1 slice is missing between");
 }
 
 TEST_CASE("inseparable slices at the same position are refused with both files") {
@@ -325,9 +316,8 @@ TEST_CASE("time slots of nuclear medicine are volumes") {
   data.text(0x00280008, "IS", "10").whole(0x00540070, slots).whole(0x00540080, slices);
   const auto file = folder.write("v.dcm", data.samples(samples, 16, true).file());
   check_refusal(refusal(file), "time slot 2");
-  VolumeOptions options;
-  options.frame = 1;
-  CHECK(read_all(*open_volume(file, options)) == as_read(numbered_values(1)));
+  CHECK(read_all(*open_volume(file, with(&VolumeOptions::frame, 1))) ==
+        as_read(numbered_values(1)));
 }
 
 TEST_CASE("the advice of the list leads to a mesh") {

@@ -82,16 +82,6 @@ TEST_CASE("a surface whose bodies are all too small is empty, too") {
   workshop.done(extract + " --allow-empty");
 }
 
-TEST_CASE("an empty surface is accepted on request") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ramp);
-  for (const std::string file : {"v.stl", "v.dmc", "v.png"}) {
-    const std::string command = file == "v.png" ? "render" : "extract";
-    workshop.done(command + " v.nrrd --iso 7000 --allow-empty -o " + file);
-    CHECK(!workshop.read(file).empty());
-  }
-}
-
 TEST_CASE("an empty surface of a pipe is a failure, too") {
   const Workshop workshop;
   workshop.write("v.nrrd", ramp);

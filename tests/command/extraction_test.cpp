@@ -25,11 +25,7 @@ using discmc::command::ExtractionOptions;
 using discmc::meshing::Extraction;
 using discmc::meshing::SampleType;
 using discmc::meshing::SurfaceBuilder;
-using discmc::reference::ball;
-using discmc::reference::BitVolume;
-using discmc::reference::box;
-using discmc::reference::checkerboard;
-using discmc::reference::Size;
+using namespace discmc::reference;
 using hand_made::regions_of;
 using sample_reader::SampleReader;
 

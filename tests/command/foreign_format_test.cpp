@@ -59,8 +59,7 @@ TEST_CASE("files of unsupported formats count as volumes, not as streams") {
 
 TEST_CASE("with a layout such files are headerless samples") {
   const Folder folder;
-  VolumeOptions options;
-  options.layout = RawLayout{{5, 3, 4}, SampleType::u8};
+  const VolumeOptions options = with(&VolumeOptions::layout, RawLayout{{5, 3, 4}, SampleType::u8});
   check_volume(folder.write("a.isq", stored(SampleType::u8)), SampleType::u8, "raw", options);
   check_volume(folder.write("2dseq", stored(SampleType::u8)), SampleType::u8, "raw", options);
 }

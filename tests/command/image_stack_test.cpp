@@ -98,9 +98,7 @@ TEST_CASE("pictures of eight bits and less keep their values") {
 }
 
 VolumeOptions of_channel(std::uint32_t channel) {
-  VolumeOptions options;
-  options.channel = channel;
-  return options;
+  return with(&VolumeOptions::channel, channel);
 }
 
 TEST_CASE("a channel of a colour picture is chosen as the refusal advises") {
@@ -174,9 +172,7 @@ TEST_CASE("a slice of another size or type is refused by its name") {
 }
 
 VolumeOptions with_gaps_allowed() {
-  VolumeOptions options;
-  options.allow_gaps = true;
-  return options;
+  return with(&VolumeOptions::allow_gaps, true);
 }
 
 std::string slice(int z) {

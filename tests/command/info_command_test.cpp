@@ -9,10 +9,7 @@
 namespace {
 
 using namespace command_tests;
-using volume_files::gzip;
-using volume_files::nrrd;
-using volume_files::SampleType;
-using volume_files::stored;
+using namespace volume_files;
 
 const std::string directions =
     "space: LPS\nspace directions: (0.5,0,0) (0,2,0) (0,0,3)\nspace origin: (1,2,3)\n";
@@ -45,16 +42,6 @@ TEST_CASE("info prints the header and the statistics of a volume") {
         "percentile_5 8",    "percentile_25 56", "percentile_50 116", "percentile_75 176",
         "percentile_95 224", "percentile_99 236"})
     CHECK(has_line(info, line));
-}
-
-TEST_CASE("a stream and its volume have the same placement") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", u8_file);
-  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
-  auto volume = workshop.info("v.nrrd");
-  auto stream = workshop.info("v.dmc");
-  for (const char* key : {"dimensions", "spacing", "space", "origin", "axis_x", "axis_y", "axis_z"})
-    CHECK(volume.at(key) == stream.at(key));
 }
 
 TEST_CASE("the histogram counts every voxel once, within 80 columns") {
@@ -191,12 +178,4 @@ TEST_CASE("info refuses options of the other kind, and files of neither kind") {
                 {"v.dmc: ", "; check the name and the permissions"});
   workshop.write("short.nrrd", u8_file.substr(0, u8_file.size() - 1));
   CHECK(workshop.run("info short.nrrd").code == 1);
-}
-
-TEST_CASE("a given spacing is not reported as missing") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", volume_files::nrrd(volume_files::nrrd_u8) + "\n" +
-                               volume_files::stored(volume_files::SampleType::u8));
-  CHECK(contains(workshop.done("info v.nrrd"), "no spacing given"));
-  CHECK_FALSE(contains(workshop.done("info v.nrrd --spacing 1,1,2"), "no spacing given"));
 }

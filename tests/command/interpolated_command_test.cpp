@@ -155,11 +155,6 @@ TEST_CASE("an interpolated surface is of triangles without T-junctions, in a mes
   const auto names = workshop.names();
   const std::string interpolated = extract + "--surface interpolated ";
   check_failure(workshop.run(interpolated + "-o v.dmc"), 2, {"--surface", "v.dmc"});
-  check_failure(workshop.run(interpolated + "-o v.jsonl"), 2, {"--surface", "v.jsonl"});
-  check_failure(workshop.run(interpolated + "--faces polygons -o v.ply"), 2, {"--faces", "flat"});
-  check_failure(workshop.run(interpolated + "--no-conforming -o v.ply"), 2, {"--no-conforming"});
-  check_failure(workshop.run(extract + "--tolerance 0.1 -o v.ply"), 2,
-                {"--tolerance", "add --surface interpolated"});
   check_failure(workshop.run("decode s.dmc --surface interpolated -o v.ply"), 1,
                 {"s.dmc", "give --surface relaxed"});
   check_failure(workshop.run(extract + "--levels 4 -o v.dmc"), 2, {"--levels", "--wire slices"});

@@ -9,10 +9,7 @@
 
 namespace {
 
-using discmc::command::LabelNames;
-using discmc::command::LabelSet;
-using discmc::command::LabelTable;
-using discmc::command::NamedLabels;
+using namespace discmc::command;
 
 const LabelTable table = {{"liver", discmc::command::Srgb{1, 2, 3}, {1}},
                           {"Right_Lung", {}, {2}},

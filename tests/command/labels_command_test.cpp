@@ -13,12 +13,7 @@
 
 namespace {
 
-using command_tests::check_failure;
-using command_tests::contains;
-using command_tests::FileMesh;
-using command_tests::mesh_of_ply;
-using command_tests::Point;
-using command_tests::Workshop;
+using namespace command_tests;
 
 const std::string extract = "extract v.raw --dims 4,2,3 --type u8 --spacing 1,1,1 ";
 
@@ -552,8 +547,6 @@ TEST_CASE("labels that cannot be written are refused before any work") {
                      std::string(24, '\0'));
   const auto names = workshop.names();
   const std::string all = extract + "--labels all ";
-  check_failure(workshop.run(all + "-o v.stl"), 2, {"--labels", "{name}", ".glb or .3mf"});
-  check_failure(workshop.run(all + "-o '{name}.dmc'"), 2, {"--labels", "4 surfaces", "meshes"});
   check_failure(workshop.run(all + "--iso 1 -o '{name}.stl'"), 2, {"--labels", "--iso"});
   check_failure(workshop.run(all + "--memory 1M -o '{name}.stl'"), 2, {"--labels", "--memory"});
   check_failure(workshop.run(all + "--normals gradient -o '{name}.ply'"), 2, {"--normals"});
@@ -562,12 +555,6 @@ TEST_CASE("labels that cannot be written are refused before any work") {
                 {"table.txt", "line 1"});
   check_failure(workshop.run(extract + "--label 1 --label-table table.txt -o v.dmc"), 1,
                 {"table.txt", "line 1"});
-  check_failure(workshop.run(extract + "--iso 1 --label-table table.txt -o v.stl"), 2,
-                {"--label-table", "--label N"});
-  check_failure(workshop.run(all + "-o '{name}/v.stl'"), 1,
-                {"{name}", "not allowed in the name of a folder"});
-  check_failure(workshop.run(all + "-o 'none/{name}.stl'"), 1,
-                {"none", "the folder does not exist"});
   check_failure(
       workshop.run("extract nothing.raw --dims 4,2,3 --type u8 --labels all -o '{name}.stl'"), 1,
       {"nothing.raw", "no label", "--allow-empty"});

@@ -4,9 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <cstring>
 #include <random>
-#include <string>
 #include <vector>
 
 #include "hand_made.hpp"
@@ -16,13 +14,7 @@
 namespace {
 
 using discmc::Border;
-using discmc::meshing::extract_labels;
-using discmc::meshing::LabelledSurface;
-using discmc::meshing::LabelOptions;
-using discmc::meshing::LabelValue;
-using discmc::meshing::max_scattered_labels;
-using discmc::meshing::SampleType;
-using discmc::meshing::Selection;
+using namespace discmc::meshing;
 using discmc::reference::Size;
 using sample_reader::SampleReader;
 
@@ -109,24 +101,6 @@ TEST_CASE("a few labels can be chosen among more scattered ones than the limit")
   CHECK(chosen[1].label == LabelValue(9));
   options.chosen.emplace();
   CHECK(extracted({1, 2}, {2, 1, 1}, options).empty());
-}
-
-TEST_CASE("labels of 64 bits are distinguished to their last bit") {
-  struct Ids final : discmc::command::VolumeReader {
-    discmc::command::VolumeInfo told;
-    const discmc::command::VolumeInfo& info() const override { return told; }
-    void read_slice(void* slice) override {
-      const std::uint64_t ids[] = {720575940621039145, 720575940621039146, ~std::uint64_t{0}, 0};
-      std::memcpy(slice, ids, sizeof ids);
-    }
-  } reader;
-  reader.told.dims = {4, 1, 1};
-  reader.told.type = SampleType::u64;
-  const auto labels = extract_labels(reader, {});
-  REQUIRE(labels.size() == 3);
-  CHECK(labels[0].label.text() == "720575940621039145");
-  CHECK(labels[1].label.text() == "720575940621039146");
-  CHECK(labels[2].label.text() == "18446744073709551615");
 }
 
 TEST_CASE("progress is reported after every slice") {

@@ -56,9 +56,7 @@ TEST_CASE("a mask of several volumes is refused for any frame of the volume") {
   const auto mask = folder.write(
       "m.nii",
       Nifti().dims({4, 5, 3, 4, 2}).file(std::string(2 * stored(SampleType::u8).size(), 1)));
-  VolumeOptions options;
-  options.frame = 1;
-  CHECK_THROWS_WITH(open_mask(mask, options, volume_of()),
+  CHECK_THROWS_WITH(open_mask(mask, with(&VolumeOptions::frame, 1), volume_of()),
                     doctest::Contains("the mask holds 2 volumes; store the mask in a file"));
 }
 
@@ -128,8 +126,7 @@ TEST_CASE("named axes apply to a mask that has no axes of its own") {
   std::string samples(60, '\1');
   samples[59] = samples[1] = '\0';  // (4, 2, 3) and (0, 0, 1)
   const auto file = folder.write("m.npy", header + samples);
-  VolumeOptions options;
-  options.axes = "cxyzt";
+  const VolumeOptions options = with(&VolumeOptions::axes, "cxyzt");
   const auto mask = read_all(*open_mask(file, options, volume_of()));
   std::vector<double> expected(60, 1);
   expected[59] = expected[15] = 0;

@@ -355,18 +355,6 @@ TEST_CASE("base64 is that of RFC 4648, for bytes in any portions") {
     }
 }
 
-TEST_CASE("lines of JSON hold the corners in half-steps") {
-  Surface surface = box_with_hole({-1, 5, 5});
-  surface.polygons = only(surface.polygons, {9});
-  surface.polygons.push_back(octahedron().polygons[0]);
-  std::ostringstream out;
-  write_jsonl(surface, out);
-  CHECK(out.str() ==
-        "{\"normal\":[0,0,1],\"rings\":[[[1,0,8],[9,0,8],[9,8,8],[1,8,8]],"
-        "[[3,6,8],[7,6,8],[7,2,8],[3,2,8]]]}\n"
-        "{\"normal\":[-1,-1,-1],\"rings\":[[[0,0,-1],[0,-1,0],[-1,0,0]]]}\n");
-}
-
 TEST_CASE("every writer reports a stream that fails, early or late") {
   const Surface surface = pitted_block({{0, 0}, {2, 2}});
   const FileMesh mesh = build_mesh(surface, {true, Faces::triangles});

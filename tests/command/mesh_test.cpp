@@ -8,7 +8,6 @@
 #include <random>
 #include <set>
 #include <stdexcept>
-#include <string>
 
 #include "hand_made.hpp"
 

@@ -79,8 +79,7 @@ TEST_CASE("a frame is chosen, and bytes behind the samples leave no note") {
   const auto file =
       folder.write("a.mgz", gzip(mgh(0, first + stored(SampleType::u8) + tags, conformed, 2)));
   check_refusal(refusal(file), "holds 2 volumes");
-  VolumeOptions options;
-  options.frame = 1;
+  const VolumeOptions options = with(&VolumeOptions::frame, 1);
   check_volume(file, SampleType::u8, "MGH, gzip", options);
   const auto reader = open_volume(file, options);
   read_all(*reader);

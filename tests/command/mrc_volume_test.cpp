@@ -164,9 +164,7 @@ TEST_CASE("an extended header is skipped, and of a stack of volumes one is chose
   const Map stack = Map().numbers(8, {8}).numbers(88, {401});
   const auto file = folder.write("a.mrc", stack.file(std::string(60, '\0') + i8));
   check_refusal(refusal(file), "holds 2 volumes");
-  VolumeOptions options;
-  options.frame = 1;
-  check_volume(file, SampleType::i8, "MRC", options);
+  check_volume(file, SampleType::i8, "MRC", with(&VolumeOptions::frame, 1));
   check_refusal(refusal(folder.write("a.mrc", Map().numbers(88, {401}).numbers(36, {3}).file(i8))),
                 "a stack of volumes has 4 sections, but a volume 3");
 }

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <fstream>
-#include <string>
 #include <vector>
 
 #include "volume_files.hpp"

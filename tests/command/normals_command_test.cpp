@@ -134,36 +134,6 @@ TEST_CASE("every format holds the same normals, and without a source there are n
     workshop.done("decode v.dmc --normals none -o none." + format);
 }
 
-TEST_CASE("normals and faces point outside for axes in either direction") {
-  const Workshop workshop;
-  write_ball(workshop);
-  for (const double x : {0.5, -0.5})
-    for (const double y : {1.0, -1.0})
-      for (const double z : {2.0, -2.0}) {
-        std::ostringstream spacing;
-        spacing << " --spacing=" << x << ',' << y << ',' << z;
-        const std::string volume = "v.raw --iso 1000" + layout + spacing.str();
-        workshop.done("extract " + volume + " -o m.dmc");
-        for (const std::string& source : sources) {
-          INFO(spacing.str(), " ", source);
-          workshop.done("extract " + volume + " -q --normals " + source + " -o e.ply");
-          workshop.done("decode m.dmc -o d.ply --normals " + source +
-                        (source == "gradient" ? " --volume v.raw" + layout : ""));
-          CHECK(workshop.read("d.ply") == workshop.read("e.ply"));
-          const FileMesh mesh = mesh_in(workshop, "d.ply");
-          CHECK(volume_of(mesh) > 0);
-          double worst = 0;
-          for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-            // The normal of an ellipsoid: planes transform by the inverse of the spacing.
-            const Point& at = mesh.vertices_mm[i];
-            const Point out = {(at[0] / x - 7.5) / x, (at[1] / y - 7.5) / y, (at[2] / z - 7.5) / z};
-            worst = std::max(worst, degrees_between(mesh.normals[i], out));
-          }
-          CHECK(worst < (source == "gradient" ? 3 : 40));
-        }
-      }
-}
-
 TEST_CASE("a format without normals of vertices is refused before anything is read") {
   const Workshop workshop;
   for (const std::string& source : sources) {
@@ -242,16 +212,6 @@ TEST_CASE("extract writes the normals that a device sends, and decode keeps them
   workshop.done("decode told.dmc -o again.dmc");
   CHECK(workshop.read("again.dmc") == workshop.read("told.dmc"));
   CHECK(workshop.read("told.dmc").size() > workshop.read("v.dmc").size());
-}
-
-TEST_CASE("an empty surface has no normals") {
-  const Workshop workshop;
-  write_ball(workshop);
-  workshop.done("extract v.nrrd --iso 5000 --allow-empty -o none.dmc");
-  for (const std::string& source : sources) {
-    workshop.done("decode none.dmc -o none.ply --normals " + source);
-    CHECK(mesh_in(workshop, "none.ply").normals.empty());
-  }
 }
 
 TEST_CASE("an incomplete stream has normals where it has a surface") {

@@ -35,9 +35,7 @@ int sample_of(int x, int y, int z) {
 }
 
 VolumeOptions with_axes(const std::string& axes) {
-  VolumeOptions options;
-  options.axes = axes;
-  return options;
+  return with(&VolumeOptions::axes, axes);
 }
 
 void check_places(const fs::path& file, const VolumeOptions& options) {

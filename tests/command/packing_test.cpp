@@ -5,7 +5,6 @@
 
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "command.hpp"
 #include "volume_files.hpp"
@@ -82,8 +81,7 @@ TEST_CASE("a compressed file for a library that reads only files is unpacked tem
 
 TEST_CASE("headerless samples are unpacked by the ending of their name alone") {
   const Folder folder;
-  VolumeOptions options;
-  options.layout = RawLayout{{5, 3, 4}, SampleType::i16};
+  const VolumeOptions options = with(&VolumeOptions::layout, RawLayout{{5, 3, 4}, SampleType::i16});
   for (const Way& way : ways) {
     INFO(way.name);
     const std::string bytes = packed(stored(SampleType::i16), way.add_filter);

@@ -20,12 +20,7 @@ namespace {
 using discmc::Border;
 using discmc::command::ExtractionOptions;
 using discmc::command::VolumeInfo;
-using discmc::meshing::Extraction;
-using discmc::meshing::GrowingJoiner;
-using discmc::meshing::SliceSpan;
-using discmc::meshing::Surface;
-using discmc::meshing::SurfaceBuilder;
-using discmc::meshing::SurfaceRequest;
+using namespace discmc::meshing;
 using discmc::reference::BitVolume;
 using discmc::reference::describe_difference;
 using discmc::reference::random;
@@ -223,21 +218,6 @@ TEST_CASE("packets of parts are the regions of one sweep, in an order without re
   }
 }
 
-TEST_CASE("a stream of parts holds the regions of one sweep") {
-  const command_tests::Workshop workshop;
-  std::string samples;
-  for (int i = 0; i < 20 * 20 * 50; ++i) samples.push_back(static_cast<char>(i * i % 251 % 97));
-  workshop.write("v.raw", samples);
-  const std::string volume = "extract v.raw --dims 20,20,50 --type u8 --iso 50 -q ";
-  workshop.done(volume + "-o whole.dmc");
-  workshop.done(volume + "--jobs 2 -o parts.dmc");
-  auto whole = workshop.info("whole.dmc"), parts = workshop.info("parts.dmc");
-  for (const std::string key : {"regions", "holes", "links", "corners", "complete", "fragments"}) {
-    CAPTURE(key);
-    CHECK(parts[key] == whole[key]);
-  }
-}
-
 TEST_CASE("a truncated volume is refused as in one sweep, and no file is left") {
   const command_tests::Workshop workshop;
   workshop.write("v.nrrd",
@@ -263,13 +243,11 @@ TEST_CASE("jobs that cannot be are refused, with the remedy") {
     CHECK(command_tests::contains(result.error, part));
   };
   refused("-o v.stl --jobs 0", "--jobs");
-  refused("-o v.stl --jobs 2 --memory 4096", "leave one out");
   refused("-o v.stl --jobs 2 --surface interpolated", "leave one out");
   for (const std::string option : {"--smooth auto", "--triangles 99", "--max-error 1"}) {
     const std::string name = option.substr(0, option.find(' '));
     refused("-o v.stl --jobs 2 " + option, "cannot be combined with " + name + ", which");
     refused("-o v.stl --jobs 2 " + option, "; leave out --jobs");
   }
-  refused("-o v.dmc --jobs 2 --wire slices", "leave one out");
   refused("-o v.dmc --jobs 2 --normals gradient", "leave one out");
 }

@@ -1,19 +1,14 @@
 // Meshes have the places of their volumes in the patient's space, for each kind of placement.
-#include "meshes/placing.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <discmc/placement.hpp>
-#include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "command.hpp"
-#include "hand_made.hpp"
 #include "oracle/stream.hpp"
 #include "oracle/volume.hpp"
 
@@ -21,10 +16,7 @@ namespace {
 
 using namespace command_tests;
 using discmc::Space;
-using discmc::meshing::Axes;
-using discmc::meshing::determinant;
 using discmc::meshing::dot;
-using discmc::meshing::VolumePlacement;
 
 using Vertices = std::vector<Point>;
 
@@ -234,39 +226,4 @@ TEST_CASE("a degenerate placement in a stream is ignored with a note") {
   CHECK(contains(result.error, "v.dmc: the placement in the stream is ignored"));
   check_vertices(mesh_in(workshop, "v.obj"),
                  {{-0.5, 0, 0}, {0.5, 0, 0}, {0, -0.5, 0}, {0, 0.5, 0}, {0, 0, -0.5}, {0, 0, 0.5}});
-}
-
-TEST_CASE("placed meshes are closed and look outside, and normals stay across their planes") {
-  const Axes oblique = {{{0.4, 0.3, 0.1}, {-1, 1.5, 0.2}, {0.5, -0.25, 3}}};
-  Axes mirrored = oblique;
-  std::swap(mirrored[0], mirrored[1]);
-  for (const Axes& axes : {oblique, mirrored})
-    for (const Point& spacing : {Point{1, 2, 3}, {-1, 2, 3}, {-1, -2, -3}}) {
-      const VolumePlacement placement{Space::lps, {100, -200, 300}, axes};
-      for (const auto faces :
-           {discmc::meshing::Faces::polygons, discmc::meshing::Faces::triangles}) {
-        FileMesh mesh = build_mesh(hand_made::box_with_hole(spacing), {true, faces});
-        place(mesh, placement);
-        CHECK(check_mesh(mesh).closed());
-        // 8 x 8 x 8 half-steps less 4 x 4 x 8.
-        CHECK(volume_of(mesh) == doctest::Approx(48 * std::fabs(determinant(axes))));
-      }
-      // Every vertex of an octahedron lies on an axis: its plane there is that of the other two.
-      FileMesh mesh = build_mesh(hand_made::octahedron(spacing));
-      for (const discmc::Vertex& v : mesh.lattice)
-        mesh.normals.push_back({std::copysign(double(v.x), v.x * spacing[0]),
-                                std::copysign(double(v.y), v.y * spacing[1]),
-                                std::copysign(double(v.z), v.z * spacing[2])});
-      place(mesh, placement);
-      for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-        const discmc::Vertex& v = mesh.lattice[i];
-        const int along[] = {v.x, v.y, v.z};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          const double projected = dot(mesh.normals[i], axes[axis]);
-          if (along[axis] == 0) CHECK(std::fabs(projected) < 1e-12);
-          if (along[axis] != 0) CHECK(projected * along[axis] > 0.1);
-        }
-        CHECK(dot(mesh.normals[i], mesh.normals[i]) == doctest::Approx(1));
-      }
-    }
 }

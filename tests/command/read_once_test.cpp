@@ -10,12 +10,7 @@
 namespace {
 
 using namespace command_tests;
-using volume_files::Folder;
-using volume_files::gzip;
-using volume_files::metaimage;
-using volume_files::Nifti;
-using volume_files::nrrd;
-using volume_files::stored;
+using namespace volume_files;
 
 const std::filesystem::path files = DISCMC_SOURCE_DIR "/tests/command/volumes";
 const std::string u8 = stored(volume_files::SampleType::u8);

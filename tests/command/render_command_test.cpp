@@ -130,6 +130,8 @@ TEST_CASE("wrong usage of render is reported, and no file is written") {
       {"v.dmc --zoom 1001", "--zoom"},
       {"v.dmc --zoom nan", "--zoom"},
       {"v.dmc --view 0,0,0", "--view"},
+      {"v.dmc --size 0,5", "--size"},
+      {"v.dmc --size 5,8193", "--size"},
       {"v.dmc --at 1,2", "--at"},
       {"v.dmc --at 1,2,nan", "nan"}};
   for (const auto& usage : wrong) {

@@ -2,7 +2,6 @@
 // without a remedy.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -120,8 +119,7 @@ TEST_CASE("masks whose axes run the other way are turned") {
   }
   folder.write("a.nii", placed_mask(on, false));
   folder.write("b.nii", placed_mask(reversed, true));
-  VolumeOptions options;
-  options.holds_labels = true;
+  VolumeOptions options = with(&VolumeOptions::holds_labels, true);
   options.frame = 0;
   const auto values = read_all(*open_volume(folder.path(), options));
   options.frame = 1;
@@ -226,9 +224,7 @@ TEST_CASE("the fourth dimension of space in NRRD of ITK is time") {
                                "space origin: (5,6,7,0)\n",
                      "2 2 2 2") +
                     "\n" + std::string("abcdefghABCDEFGH"));
-  VolumeOptions options;
-  options.frame = 1;
-  const auto reader = open_volume(file, options);
+  const auto reader = open_volume(file, with(&VolumeOptions::frame, 1));
   CHECK(reader->info().spacing_mm == Spacing{2, 3, 4});
   REQUIRE(reader->info().placement);
   CHECK(reader->info().placement->origin_mm == Spacing{5, 6, 7});

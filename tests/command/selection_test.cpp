@@ -10,12 +10,7 @@
 
 namespace {
 
-using discmc::meshing::bit_row_bytes;
-using discmc::meshing::SampleGrid;
-using discmc::meshing::SampleRange;
-using discmc::meshing::SampleType;
-using discmc::meshing::Selection;
-using discmc::meshing::SliceSelector;
+using namespace discmc::meshing;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

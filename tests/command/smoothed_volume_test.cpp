@@ -336,12 +336,6 @@ TEST_CASE("--smooth takes a mask, a label and a threshold, and gives triangles")
   for (const std::string none : {"0", "1e-300", "9e-7", "1001"})
     CHECK(contains(workshop.run(volume + "--iso 1 --smooth " + none + " -o v.stl").error,
                    "invalid deviation '" + none + "'; expected auto, or 1e-6 to 1000 millimetres"));
-  CHECK(contains(workshop.run(volume + "--iso 1 --iso 2 --smooth auto -o '{name}.stl'").error,
-                 "accepts one surface"));
-  CHECK(contains(workshop.run(volume + "--iso 1 --smooth auto --normals gradient -o v.ply").error,
-                 "--normals surface"));
-  CHECK(contains(workshop.run(volume + "--iso 1 --smooth auto --median 3 -o v.stl").error,
-                 "--median"));
 }
 
 TEST_CASE("a mask is cut before the rest is smoothed") {

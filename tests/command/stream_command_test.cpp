@@ -198,13 +198,6 @@ TEST_CASE("render draws a picture of the size asked for") {
   check_size(workshop.read("above.png"), 1, 7);
   CHECK(workshop.read("plain.png") != workshop.read("edges.png"));
   CHECK(workshop.read("plain.png") != workshop.read("side.png"));
-  for (const char* wrong : {"--size 0,5", "--size 5,8193", "--size -5,5", "--view 0,0,0"}) {
-    INFO(wrong);
-    const int code = workshop.run("render v.dmc -o no.png " + std::string(wrong)).code;
-    CHECK(code != 0);
-    CHECK(code < 3);
-    CHECK(workshop.read("no.png").empty());
-  }
 }
 
 TEST_CASE("an incomplete stream yields all whole regions, and the exit code is 3") {
@@ -298,29 +291,6 @@ TEST_CASE("damaged bytes and packets end in an exit code and never in a crash") 
   }
 }
 
-TEST_CASE("every command has a help of its own") {
-  const Workshop workshop;
-  const std::string help = workshop.done("--help");
-  CHECK(contains(help, "Exit codes"));
-  for (const std::string name : {"extract", "decode", "info", "render"}) {
-    CHECK(contains(help, name));
-    const std::string own = workshop.done(name + " --help");
-    CHECK(contains(own, "Usage: discmc " + name));
-    CHECK(std::all_of(own.begin(), own.end(), [](char c) { return c == '\n' || c >= ' '; }));
-  }
-  CHECK(!workshop.done("--version").empty());
-}
-
-TEST_CASE("a failed picture leaves the existing file unchanged") {
-  const Workshop workshop;
-  write_stream(workshop, "v.dmc");
-  workshop.shell("mkdir p.png");
-  CHECK(workshop.run("render v.dmc -o p.png --size 9,9").code == 1);
-  CHECK(workshop.run("render v.dmc -o none/p.png --size 9,9").code == 1);
-  CHECK(workshop.names() == std::vector<std::string>{"p.png", "v.dmc", "v.nrrd"});
-  CHECK(workshop.done("render v.dmc -o - --size 9,9").substr(1, 3) == "PNG");
-}
-
 TEST_CASE("a stream with a late first header is re-encoded with all its regions") {
   const Workshop workshop;
   auto frames = discmc::test::frames_of(bytes_of(write_stream(workshop, "v.dmc")));
@@ -331,13 +301,6 @@ TEST_CASE("a stream with a late first header is re-encoded with all its regions"
   workshop.run("decode anew.dmc -o anew.jsonl");
   CHECK(!workshop.read("late.jsonl").empty());
   CHECK(workshop.read("late.jsonl") == workshop.read("anew.jsonl"));
-}
-
-TEST_CASE("a failure to write the output is an error") {
-  const Workshop workshop;
-  write_stream(workshop, "v.dmc");
-  if (workshop.shell("test -c /dev/full").code != 0) return;
-  CHECK(workshop.shell("\"$discmc\" info v.dmc >/dev/full").code == 1);
 }
 
 TEST_CASE("info lists application records and a placement, in words") {

@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <discmc/polygon.hpp>
 #include <map>
@@ -16,15 +15,8 @@
 
 namespace {
 
-using discmc::Event;
-using discmc::Incidence;
-using discmc::Run;
-using discmc::Vertex;
-using discmc::meshing::Counts;
-using discmc::meshing::Kept;
-using discmc::meshing::Polygon;
-using discmc::meshing::Ring;
-using discmc::meshing::SurfaceBuilder;
+using namespace discmc;
+using namespace discmc::meshing;
 using discmc::test::events_of;
 using hand_made::Corners;
 using hand_made::rings_of;

@@ -15,11 +15,7 @@
 
 namespace {
 
-using discmc::meshing::distances;
-using discmc::meshing::Distances;
-using discmc::meshing::FaceMesh;
-using discmc::meshing::Point;
-using discmc::meshing::squared_distance;
+using namespace discmc::meshing;
 
 // A square of this size at a height, in two triangles.
 FaceMesh square(double size, double height) {

@@ -20,8 +20,7 @@ using Spacing = std::array<double, 3>;
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes/pictures";
 
 VolumeOptions chosen(std::optional<std::uint32_t> frame, std::optional<std::uint32_t> channel) {
-  VolumeOptions options;
-  options.frame = frame;
+  VolumeOptions options = with(&VolumeOptions::frame, frame);
   options.channel = channel;
   return options;
 }
@@ -554,9 +553,7 @@ TEST_CASE("pages of ScanImage are slices only by its metadata or on request") {
   };
   check_refusal(refusal(write("2")),
                 "its 4 pages are not one slice each: ScanImage also stores channels");
-  VolumeOptions options;
-  options.axes = "zyx";
-  CHECK(open_volume(write("2"), options)->info().dims[2] == 4);
+  CHECK(open_volume(write("2"), with(&VolumeOptions::axes, "zyx"))->info().dims[2] == 4);
   CHECK(open_volume(write("4"))->info().dims[2] == 4);
 }
 

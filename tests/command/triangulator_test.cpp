@@ -9,18 +9,12 @@
 #include <map>
 #include <random>
 #include <set>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace {
 
-using discmc::meshing::doubled_area;
-using discmc::meshing::max_plane_coordinate;
-using discmc::meshing::PlanePoint;
-using discmc::meshing::Triangle;
-using discmc::meshing::Triangulator;
+using namespace discmc::meshing;
 
 using Position = std::pair<std::int64_t, std::int64_t>;
 using Edge = std::pair<Position, Position>;

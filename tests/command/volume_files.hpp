@@ -32,6 +32,13 @@ using discmc::meshing::SampleGrid;
 using discmc::meshing::SampleType;
 using discmc::meshing::SliceReader;
 
+/// Options of which a member has another value.
+template <class Member, class Value>
+VolumeOptions with(Member VolumeOptions::*member, const Value& value, VolumeOptions options = {}) {
+  options.*member = value;
+  return options;
+}
+
 /// A folder of its own for a test, removed at its end.
 class Folder {
  public:

@@ -33,9 +33,7 @@ constexpr Dims dims = {5, 3, 4};
 const Crop middle = {{{1, 3}, {1, {}}, {0, 2}}};
 
 VolumeOptions options_of(SampleType type, const Dims& extents = dims) {
-  VolumeOptions options;
-  options.layout = RawLayout{extents, type};
-  return options;
+  return with(&VolumeOptions::layout, RawLayout{extents, type});
 }
 
 VolumeOptions with_crop(VolumeOptions options, const Crop& crop) {

@@ -69,8 +69,7 @@ TEST_CASE("rounding of the slope is tolerated, and larger deviations are not") {
     samples.append(reinterpret_cast<const char*>(&sample), sizeof sample);
   const auto file =
       folder.write("v.nii", Nifti().dims({3, 4, 1, 1}).type(4).scale(0.1F, 0.7F).file(samples));
-  VolumeOptions options;
-  options.holds_labels = true;
+  const VolumeOptions options = with(&VolumeOptions::holds_labels, true);
   const auto volume = open_volume(file, options);
   CHECK_THROWS_WITH_AS(read_all(*volume), doctest::Contains("the value 0.7 in slice 0 is no label"),
                        VolumeError);

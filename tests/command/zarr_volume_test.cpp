@@ -74,8 +74,7 @@ TEST_CASE("the finest of several levels is read, or a chosen one, with its own s
   const auto reader = open_volume(image);
   CHECK(reader->info().spacing_mm == std::array<double, 3>{0.5, 0.75, 2});
   CHECK(reader->info().notes.empty());
-  VolumeOptions options;
-  options.level = 1;
+  VolumeOptions options = with(&VolumeOptions::level, 1);
   const auto half = open_volume(image, options);
   CHECK(half->info().format == "OME-Zarr, level 1 of 2");
   CHECK(half->info().dims == std::array<std::uint32_t, 3>{3, 2, 2});
@@ -110,9 +109,7 @@ TEST_CASE("a level whose slices are too large is passed over") {
   write_array(image / "0", {4, 3, 40000}, u8);
   write_array(image / "1", {4, 3, 5}, u8);
   check_volume(image, SampleType::u8, "OME-Zarr, level 1 of 2");
-  VolumeOptions options;
-  options.level = 0;
-  check_refusal(refusal(image, options), "size 40000, outside 1 to 32766");
+  check_refusal(refusal(image, with(&VolumeOptions::level, 0)), "size 40000, outside 1 to 32766");
 }
 
 TEST_CASE("scales and translations of a level and of all levels are combined") {
@@ -153,8 +150,7 @@ TEST_CASE("a time and a channel are chosen, by the names that the file has for t
       dataset("0", "[1, 1, 2000, 750, 500]"));
   const std::string other(60, '\1');
   write_array(image / "0", {2, 2, 4, 3, 5}, other + other + other + u8);
-  VolumeOptions options;
-  options.frame = 1;
+  VolumeOptions options = with(&VolumeOptions::frame, 1);
   check_refusal(refusal(image, options), "holds 2 channels, and one is read at a time");
   options.channel = 1;
   check_volume(image, SampleType::u8, "OME-Zarr", options);
@@ -216,8 +212,7 @@ TEST_CASE("axes of an array are its own names, those of xarray, or those that ar
   write_array(array, {4, 3, 5}, u8);
   write(array / ".zattrs", R"({"_ARRAY_DIMENSIONS": ["x", "y", "z"]})");
   CHECK(open_volume(array)->info().dims == std::array<std::uint32_t, 3>{4, 3, 5});
-  VolumeOptions options;
-  options.axes = "zyx";
+  VolumeOptions options = with(&VolumeOptions::axes, "zyx");
   check_volume(array, SampleType::u8, "Zarr", options);
   options.axes = "xzy";
   const auto samples = read_all(*open_volume(array, options));
