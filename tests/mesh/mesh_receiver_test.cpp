@@ -210,22 +210,16 @@ TEST_CASE("a received mesh is interpolated by the fractions in its stream") {
   config.limits = {20, 22};
   config.thresholds[0] = static_cast<std::int32_t>(ball_level);
   config.levels = 4;
-  Bytes bytes;
-  const ByteOutput output{&bytes,
-                          [](void* context, const std::uint8_t* written, std::size_t count) {
-                            auto& all = *static_cast<Bytes*>(context);
-                            all.insert(all.end(), written, written + count);
-                            return count;
-                          }};
+  test::Line line;
   std::vector<std::uint8_t> memory(FractionSliceEncoder<std::uint8_t>::minimum_bytes(config));
   FractionSliceEncoder<std::uint8_t> encoder;
-  REQUIRE(encoder.start(config, {memory.data(), memory.size()}, output) == Status::ok);
+  REQUIRE(encoder.start(config, {memory.data(), memory.size()}, line.output()) == Status::ok);
   REQUIRE(
       encoder.push(array.samples.data(), static_cast<std::uint32_t>(array.samples.size())).status ==
       Status::ok);
   REQUIRE(encoder.finish() == Status::ok);
   MeshReceiver receiver;
-  CHECK(push(receiver, bytes, 100) == 1);
+  CHECK(push(receiver, line.bytes, 100) == 1);
   MeshOptions options;
   options.interpolates = true;
   options.tolerance = 0;

@@ -68,10 +68,7 @@ Bytes regions_with_records(size_t bytes_a_time) {
 
 Bytes slices_with_records(size_t bytes_a_time) {
   Line line(bytes_a_time);
-  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
-  SliceEncoder encoder;
-  require_ok(encoder.start(test::slice_config(header_of(volume)), {memory.data(), memory.size()},
-                           line.output()));
+  StartedSliceEncoder encoder(header_of(volume), line.output());
   const uint32_t slice = volume.width * volume.height;
   for (uint32_t z = 0; z < volume.depth; ++z) {
     const Bytes bytes = bytes_of_slice(z);
@@ -151,10 +148,7 @@ TEST_CASE("records in a stream of slices arrive before the following row") {
 
 TEST_CASE("a record in a stream of slices is sent at once, with the current slice and row") {
   Line line;
-  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
-  SliceEncoder encoder;
-  require_ok(encoder.start(test::slice_config(header_of(volume)), {memory.data(), memory.size()},
-                           line.output()));
+  StartedSliceEncoder encoder(header_of(volume), line.output());
   require_ok(encoder.push(volume.on.data(), volume.width * (2 * volume.height + 3)).status);
   const Bytes bytes{1, 2, 3};
   require_ok(encoder.write_record(record_of(bytes, 7, 99, 99)));
@@ -171,24 +165,16 @@ TEST_CASE("a record in a stream of slices is sent at once, with the current slic
 }
 
 TEST_CASE("a row after a record is accepted even if the record is still being sent") {
-  struct BusyLine {
-    bool is_busy = false;
-    static size_t write(void* context, const uint8_t*, size_t count) {
-      return static_cast<BusyLine*>(context)->is_busy ? 0 : count;
-    }
-  } line;
-  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
-  SliceEncoder encoder;
-  require_ok(encoder.start(test::slice_config(header_of(volume)), {memory.data(), memory.size()},
-                           {&line, BusyLine::write}));
+  LimitedLine line{SIZE_MAX};
+  StartedSliceEncoder encoder(header_of(volume), line.output());
   require_ok(encoder.push(volume.on.data(), volume.width).status);
   for (uint32_t row = 1; row < volume.height; ++row) {
     require_ok(encoder.flush());
-    line.is_busy = true;
+    line.room = 0;
     require_ok(encoder.write_record(record_of(Bytes(5, 1))));
     const PushResult pushed = encoder.push(&volume.on[size_t{row} * volume.width], volume.width);
     CHECK(pushed.samples == volume.width);
-    line.is_busy = false;
+    line.room = SIZE_MAX;
     require_ok(encoder.resume());
     CHECK(encoder.rows() + volume.height * encoder.slices() == row + 1);
   }
@@ -238,8 +224,8 @@ TEST_CASE("a record has at most 200 bytes, and is refused before a start or with
   Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
   SliceEncoder slices;
   CHECK(slices.write_record(record_of(most)) == Status::not_started);
-  require_ok(slices.start(test::slice_config(any_header()), {memory.data(), memory.size()},
-                          line.output()));
+  require_ok(
+      slices.start(slice_config(any_header()), {memory.data(), memory.size()}, line.output()));
   CHECK(slices.write_record(record_of(too_many)) == Status::bad_record);
   require_ok(slices.write_record(record_of(most)));
   require_ok(slices.finish());
@@ -265,8 +251,8 @@ TEST_CASE("a record is refused once the scan has ended, even if the output is bu
     Line other(bytes_a_time);
     SliceEncoder slices;
     Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
-    require_ok(slices.start(test::slice_config(any_header()), {memory.data(), memory.size()},
-                            other.output()));
+    require_ok(
+        slices.start(slice_config(any_header()), {memory.data(), memory.size()}, other.output()));
     (void)slices.finish();
     CHECK(slices.write_record(record_of(bytes)) == Status::finished);
     until_taken([&] { return slices.finish(); });

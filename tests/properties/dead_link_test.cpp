@@ -15,21 +15,6 @@ namespace {
 
 const BitVolume volume = reference::random({24, 20, 16}, 60, 5);
 
-// Accepts `left` bytes, then nothing.
-struct DyingLine {
-  size_t left;
-  Bytes bytes{};
-  ByteOutput output() {
-    return {this, [](void* context, const uint8_t* data, size_t count) {
-              auto& line = *static_cast<DyingLine*>(context);
-              const size_t taken = std::min(count, line.left);
-              line.bytes.insert(line.bytes.end(), data, data + taken);
-              line.left -= taken;
-              return taken;
-            }};
-  }
-};
-
 template <class Pushes>
 Status push_rows(Pushes& scanner, uint32_t& row, uint32_t end) {
   for (; row < end; ++row) {
@@ -43,7 +28,7 @@ constexpr uint32_t all_rows = 20 * 16;
 
 // A scan of the volume for regions, on its way to a line that dies; pushed until it does.
 struct RegionScan {
-  explicit RegionScan(DyingLine& line) {
+  explicit RegionScan(LimitedLine& line) {
     require_ok(encoder.start(header_of(volume).label(), line.output()));
     require_ok(extractor.start({volume.width, volume.height}, 1, {memory.data(), memory.size()},
                                make_sink(encoder)));
@@ -57,7 +42,7 @@ struct RegionScan {
 };
 
 // What came before the line died, and when the link was back.
-Bytes arrived(const DyingLine& dead, const Line& back) {
+Bytes arrived(const LimitedLine& dead, const Line& back) {
   Bytes bytes = dead.bytes;
   bytes.insert(bytes.end(), back.bytes.begin(), back.bytes.end());
   return bytes;
@@ -70,7 +55,7 @@ TEST_CASE("a scan with a dead link continues or is abandoned, and counts the dro
   for (const size_t dies_after : {size_t{0}, size_t{100}, size_t{1000}})
     for (const bool is_abandoned : {false, true}) {
       CAPTURE(dies_after);
-      DyingLine line{dies_after};
+      LimitedLine line{dies_after};
       RegionScan scan(line);
       REQUIRE(scan.extractor.resume() == Status::suspended);
       REQUIRE(line.bytes.size() == dies_after);
@@ -88,7 +73,7 @@ TEST_CASE("a scan with a dead link continues or is abandoned, and counts the dro
 }
 
 TEST_CASE("a stream of regions reports its loss after the link recovers") {
-  DyingLine dead{1500};
+  LimitedLine dead{1500};
   Line back;
   RegionScan scan(dead);
   scan.encoder.set_output({});
@@ -109,12 +94,9 @@ TEST_CASE("a stream of regions reports its loss after the link recovers") {
 }
 
 TEST_CASE("a stream of slices continues with a key slice after the link recovers") {
-  DyingLine dead{300};
+  LimitedLine dead{300};
   Line back;
-  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
-  SliceEncoder encoder;
-  require_ok(encoder.start(test::slice_config(header_of(volume)), {memory.data(), memory.size()},
-                           dead.output()));
+  StartedSliceEncoder encoder(header_of(volume), dead.output());
   uint32_t row = 0;
   REQUIRE(push_rows(encoder, row, all_rows) == Status::suspended);
   ++row;
@@ -140,10 +122,7 @@ TEST_CASE("a stream of slices continues with a key slice after the link recovers
 TEST_CASE("a receiver connected between two packets receives a header at once") {
   const uint32_t slice = volume.width * volume.height;
   Line before, after;
-  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
-  SliceEncoder encoder;
-  require_ok(encoder.start(test::slice_config(header_of(volume)), {memory.data(), memory.size()},
-                           before.output()));
+  StartedSliceEncoder encoder(header_of(volume), before.output());
   require_ok(encoder.push(volume.on.data(), slice).status);
   require_ok(encoder.flush());
   const uint64_t sent = encoder.bytes();
@@ -179,14 +158,11 @@ TEST_CASE("a change of output before the stream begins changes nothing") {
 }
 
 TEST_CASE("sealed bytes are sent to the new output, followed by a header") {
-  DyingLine dead{SIZE_MAX};
+  LimitedLine dead{SIZE_MAX};
   Line back;
-  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
-  SliceEncoder encoder;
-  require_ok(encoder.start(test::slice_config(header_of(volume)), {memory.data(), memory.size()},
-                           dead.output()));
+  StartedSliceEncoder encoder(header_of(volume), dead.output());
   require_ok(encoder.resume());
-  dead.left = 0;
+  dead.room = 0;
   const uint8_t bytes[] = {1, 2, 3};
   require_ok(encoder.write_record({1, 0, 0, bytes, 3}));
   encoder.set_output(back.output());
@@ -198,7 +174,7 @@ TEST_CASE("sealed bytes are sent to the new output, followed by a header") {
 }
 
 TEST_CASE("a zero ends a cut frame once, before the next stream") {
-  DyingLine line{3};
+  LimitedLine line{3};
   Bytes memory(SliceEncoder::minimum_bytes({{1, 1}}));
   SliceEncoder encoder;
   const auto start = [&](const ByteOutput& output) {
@@ -207,7 +183,7 @@ TEST_CASE("a zero ends a cut frame once, before the next stream") {
   };
   CHECK(start(line.output()) == Status::suspended);
   CHECK(start(line.output()) == Status::suspended);  // nothing goes out
-  line.left = SIZE_MAX;
+  line.room = SIZE_MAX;
   require_ok(start(line.output()));
   CHECK(line.bytes[3] == 0);
   const size_t header = line.bytes.size() - 4;
@@ -224,7 +200,7 @@ TEST_CASE("a stream that begins within a cut frame of another stream is complete
     for (const size_t before : {size_t{0}, size_t{1}, first_frame - 1, first_frame, size_t{100}}) {
       CAPTURE(is_of_slices);
       CAPTURE(before);
-      DyingLine line{before};
+      LimitedLine line{before};
       Bytes expected(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(before));
       if (before > 0 && before != first_frame) expected.push_back(0);
       expected.insert(expected.end(), whole.begin(), whole.end());
@@ -233,16 +209,16 @@ TEST_CASE("a stream that begins within a cut frame of another stream is complete
         Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
         SliceEncoder encoder;
         for (const Status status : {Status::suspended, Status::ok}) {
-          require_ok(encoder.start(test::slice_config(header_of(volume)),
-                                   {memory.data(), memory.size()}, line.output()));
+          require_ok(encoder.start(slice_config(header_of(volume)), {memory.data(), memory.size()},
+                                   line.output()));
           CHECK(push_rows(encoder, row, all_rows) == status);
           row = 0;
-          line.left = SIZE_MAX;
+          line.room = SIZE_MAX;
         }
         require_ok(encoder.finish());
       } else {
         RegionScan scan(line);
-        line.left = SIZE_MAX;
+        line.room = SIZE_MAX;
         require_ok(scan.encoder.start(header_of(volume).label(), line.output()));
         require_ok(scan.extractor.start({volume.width, volume.height}, 1,
                                         {scan.memory.data(), scan.memory.size()},

@@ -1,11 +1,10 @@
-// Statements about facets that meet: across the edge of a facet, across the face of a cell, and
-// around a vertex; by exhaustion.
+// Statements about facets that meet: across the edge of a facet, and around a vertex; by
+// exhaustion.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <array>
 #include <discmc/geometry/facet_table.hpp>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -18,7 +17,6 @@ using reference::Neighbour;
 namespace {
 
 using PointLink = std::pair<CellPoint, CellPoint>;
-using LinkSet = std::set<PointLink>;
 
 template <typename Check>
 void for_each_link(Facet facet, Check check) {
@@ -44,24 +42,6 @@ int edge_between(Facet facet, const Vertex& cell, const Vertex& from, const Vert
     if (cell + cell + position(a) == from && cell + cell + position(b) == to) found = edge;
   });
   return found;
-}
-
-// The links of a cell's facets on one of its faces, moved by `shift`.
-LinkSet links_on(int face, int configuration, const Vertex& shift) {
-  LinkSet set;
-  for (int i = facet_table.first[configuration]; i < facet_table.first[configuration + 1]; ++i)
-    for_each_link(facet_table.facet[i], [&](int, CellPoint from, CellPoint to) {
-      if (face_of(from, to) == face)
-        set.insert({point_at(position(from) + shift), point_at(position(to) + shift)});
-    });
-  return set;
-}
-
-bool share_face(int axis, int cell, int next) {
-  const int bit = 1 << axis;
-  for (int corner = 0; corner < 8; ++corner)
-    if ((corner & bit) == 0 && (cell >> (corner | bit) & 1) != (next >> corner & 1)) return false;
-  return true;
 }
 
 // The four cells around an edge of the lattice, the edge's midpoint in the middle. The edge runs
@@ -159,14 +139,6 @@ bool is_disc(const AroundEdge& around, const Steps& steps, uint32_t voxel_bits) 
 
 }  // namespace
 
-TEST_CASE("the facet across an edge is in the same plane and shares the edge") {
-  for_each_facet_edge([](Facet facet, int edge, const Vertex& from, const Vertex& to) {
-    const Neighbour across = across_edge(facet, edge);
-    CHECK(incidence_of(across.facet) == incidence_of(facet));
-    CHECK(edge_between(across.facet, across.cell, to, from) >= 0);
-  });
-}
-
 TEST_CASE("the facet across an edge is unique among all shapes in nearby cells") {
   for_each_facet_edge([](Facet facet, int edge, const Vertex& from, const Vertex& to) {
     const Neighbour across = across_edge(facet, edge);
@@ -184,17 +156,6 @@ TEST_CASE("the facet across an edge is unique among all shapes in nearby cells")
   });
 }
 
-TEST_CASE("crossing the same edge twice returns to the facet") {
-  for_each_facet_edge([](Facet facet, int edge, const Vertex& from, const Vertex& to) {
-    const Neighbour across = across_edge(facet, edge);
-    const int same_edge = edge_between(across.facet, across.cell, to, from);
-    REQUIRE(same_edge >= 0);
-    const Neighbour back = across_edge(across.facet, same_edge);
-    CHECK(back.facet == facet);
-    CHECK(back.cell == -across.cell);
-  });
-}
-
 TEST_CASE("an edge inside a cell leads to the same cell, one on a face to the cell beyond it") {
   constexpr Vertex beyond[] = {{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {1, 0, 0},
                                {0, 1, 0},  {0, 0, 1},  {0, 0, 0}};
@@ -202,25 +163,6 @@ TEST_CASE("an edge inside a cell leads to the same cell, one on a face to the ce
     const int face = face_of(point_at(from), point_at(to));
     CHECK(across_edge(facet, edge).cell == beyond[face]);
   });
-}
-
-TEST_CASE("the facets of two cells that share a face have matching links on the face") {
-  constexpr Vertex back[] = {{-2, 0, 0}, {0, -2, 0}, {0, 0, -2}};
-  for (int axis = 0; axis < 3; ++axis) {
-    CAPTURE(axis);
-    int pairs = 0;
-    for (int cell = 0; cell < configurations; ++cell)
-      for (int next = 0; next < configurations; ++next) {
-        if (!share_face(axis, cell, next)) continue;
-        ++pairs;
-        LinkSet turned_round;
-        for (const auto& [from, to] : links_on(axis, next, {0, 0, 0}))
-          turned_round.insert({to, from});
-        if (links_on(axis + 3, cell, back[axis]) != turned_round)
-          FAIL_CHECK("cells ", cell, " and ", next);
-      }
-    CHECK(pairs == 4096);
-  }
 }
 
 TEST_CASE("around every edge midpoint the surface is a disc, in all 2^18 neighbourhoods") {

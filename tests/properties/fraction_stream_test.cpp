@@ -15,14 +15,7 @@
 
 using namespace discmc;
 using namespace discmc::test;
-using reference::BitVolume;
-using reference::Block;
-using reference::EventLog;
-using reference::Events;
-using reference::RecordedEvent;
-using reference::refuses_first;
-using reference::SampleVolume;
-using reference::Size;
+using namespace discmc::reference;
 using Kind = RowEvent::Kind;
 
 namespace {

@@ -174,18 +174,6 @@ TEST_CASE("a ball of radius 120 between voxels has the known counts") {
               {542924, 663116, 37558, 37746, 484992});
 }
 
-TEST_CASE("polygons and cells enclose the same volume") {
-  for (uint64_t seed = 0; seed < 500; ++seed) {
-    const BitVolume volume = small_random(seed);
-    const Collector collector = scan<uint16_t>(volume);
-    const Counts counted = counts(volume, true, collector.regions());
-    CHECK(counted.six_volumes == counted.enclosed);
-    CHECK(static_cast<uint64_t>(counted.facets) == collector.statistics().facets);
-    CHECK(static_cast<uint64_t>(counted.classic_triangles) ==
-          collector.statistics().classic_triangles);
-  }
-}
-
 TEST_CASE("events do not depend on index width and capacities while no fragment is loose") {
   for (const Named& shape : shapes())
     for (const Border border : {Border::closed, Border::open}) {

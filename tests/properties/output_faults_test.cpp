@@ -154,30 +154,6 @@ std::vector<Sample> short_samples() {
 
 }  // namespace
 
-TEST_CASE("the streams of the scenarios are complete") {
-  for (const Scenario& scenario : scenarios()) {
-    Stopping output;
-    Device device(scenario, output);
-    REQUIRE(device.run(many));
-    CHECK(decode(output.bytes).report.is_complete());
-  }
-}
-
-TEST_CASE("an output that fails once at any byte leaves the stream unchanged") {
-  for (const Sample& sample : short_samples()) {
-    CAPTURE(sample.name);
-    const Bytes whole = encode(sample.events, sample.header);
-    for (size_t stop = 0; stop < whole.size(); stop += step(7)) {
-      CAPTURE(stop);
-      Stopping output({stop});
-      Encoder encoder;
-      REQUIRE(begin_stream(encoder, sample.header, output.output()) == Status::ok);
-      take_all(encoder, sample.events);
-      CHECK(output.bytes == whole);
-    }
-  }
-}
-
 TEST_CASE(
     "an output that fails permanently at any byte suspends the encoder, and no byte is lost") {
   for (const Sample& sample : short_samples()) {

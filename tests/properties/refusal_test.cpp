@@ -16,7 +16,7 @@ namespace {
 enum class Way : uint8_t {
   again,   ///< by the same call, with the remaining samples
   resume,  ///< by resume() until it is ok, then by the same call
-  busy,    ///< by pushing nothing, then by the same call
+  busy,    ///< by pushing nothing, then by the same call; of the ending, by resume()
 };
 
 enum class Ending : uint8_t { finish, abandon };
@@ -61,7 +61,8 @@ void push_samples(Extractor<Index>& extractor, const Scenario& scenario, Way way
   }
 }
 
-// After the first call the ending lives on in resume(): a second finish() is not needed.
+// After the first call the ending lives on in resume(), whatever remains of a push: a second
+// finish() is not needed.
 template <class Index>
 void end(Extractor<Index>& extractor, Ending ending, Way way) {
   const auto call = [&] {
@@ -69,10 +70,7 @@ void end(Extractor<Index>& extractor, Ending ending, Way way) {
   };
   Status status = call();
   while (status == Status::suspended) {
-    if (way == Way::resume)
-      status = extractor.resume();
-    else
-      status = call();
+    status = way == Way::again ? call() : extractor.resume();
   }
   require_ok(status);
 }
@@ -184,9 +182,12 @@ Status push_until_refused(Extractor16& extractor, const Scenario& scenario, uint
   return status == Status::ok ? extractor.finish() : status;
 }
 
+// No call has an effect.
 bool is_held(Extractor16& extractor, const Scenario& scenario, uint32_t at) {
   const PushResult pushed = extractor.push(scenario.volume.on.data() + at, scenario.samples - at);
   return extractor.resume() == Status::suspended && pushed.samples == 0 &&
+         extractor.push_bits(scenario.volume.on.data()).samples == 0 &&
+         extractor.skip_row(Substitute::off).samples == 0 &&
          (pushed.status == Status::suspended || pushed.status == Status::finished);
 }
 
@@ -284,15 +285,6 @@ TEST_CASE("reset() discards the events that the sink has not accepted") {
   }
 }
 
-TEST_CASE("the rings are right after refusals, not only the same as without") {
-  for (uint64_t seed = 0; seed < 40; ++seed) {
-    const Scenario scenario = loose(seed, Border::closed);
-    const EventLog log = run<uint32_t>(
-        scenario, [seed](uint64_t i) { return i % (seed + 2) == 0; }, Way::again);
-    CHECK(unlike_joined({collected(log.events)}, merge(scenario.volume, true)) == "");
-  }
-}
-
 TEST_CASE("an abandoned scan with any single refusal is closed and reported as abandoned") {
   for (const Border border : {Border::closed, Border::open}) {
     Scenario scenario = scenario_of(random({3, 3, 3}, 140, 9), border);
@@ -304,28 +296,6 @@ TEST_CASE("an abandoned scan with any single refusal is closed and reported as a
       check_every_single_refusal(scenario);
     }
   }
-}
-
-TEST_CASE("a refused ending continues with resume() alone, whatever remains of a push") {
-  const BitVolume volume = box({2, 2, 2}, {0, 0, 0}, {1, 1, 1});
-  for (const Ending ending : {Ending::finish, Ending::abandon})
-    for (uint64_t k = 0; k < 200; ++k) {
-      EventLog log([k](uint64_t offer) { return offer == k; });
-      Block block(1 << 16);
-      Extractor16 extractor;
-      require_ok(extractor.start({2, 2}, 1, block.memory(), make_sink(log)));
-      // The push may be left half-done: no one resumes it before the ending.
-      const uint32_t count = ending == Ending::finish ? 8 : 7;
-      for (uint32_t at = 0; at < count;)
-        at += extractor.push(volume.on.data() + at, count - at).samples;
-      Status status = ending == Ending::finish ? extractor.finish() : extractor.abandon();
-      while (status == Status::suspended) status = extractor.resume();
-      CAPTURE(k);
-      CHECK(status == Status::ok);
-      const Collector collector = collected(log.events);
-      CHECK(collector.is_finished());
-      CHECK(collector.was_abandoned() == (ending == Ending::abandon));
-    }
 }
 
 TEST_CASE(
@@ -340,28 +310,4 @@ TEST_CASE(
         CHECK(fault_of_dead_sink(scenario, plain, k) == "");
       }
     }
-}
-
-TEST_CASE("a sink that never accepts suspends the scan forever, and no event is lost") {
-  bool is_busy = true;
-  EventLog log([&](uint64_t) { return is_busy; });
-  const BitVolume volume = checkerboard({5, 5, 2});
-  Block block(1 << 16);
-  Extractor16 extractor;
-  require_ok(extractor.start({5, 5}, 1, block.memory(), make_sink(log)));
-  const PushResult first = extractor.push(volume.on.data(), 50);
-  CHECK(first.status == Status::suspended);
-  for (int i = 0; i < 100; ++i) {
-    CHECK(extractor.resume() == Status::suspended);
-    const PushResult pushed = extractor.push(volume.on.data() + first.samples, 1);
-    CHECK(pushed.status == Status::suspended);
-    CHECK(pushed.samples == 0);
-    CHECK(extractor.push_bits(volume.on.data()).status == Status::suspended);
-    CHECK(extractor.skip_row(Substitute::off).status == Status::suspended);
-  }
-  CHECK(extractor.statistics().skipped_rows == 0);
-  is_busy = false;
-  CHECK(extractor.push(volume.on.data() + first.samples, 50 - first.samples).status == Status::ok);
-  finish_all(extractor);
-  CHECK(unlike_merge(collected(log.events).regions(), volume, true) == "");
 }

@@ -4,7 +4,6 @@
 #include <discmc/geometry/facet_table.hpp>
 #include <discmc/trace/sector_derivation.hpp>
 
-#include <initializer_list>
 #include <vector>
 
 namespace {

@@ -7,7 +7,6 @@
 #include <discmc/receiver.hpp>
 #include <discmc/surface_group.hpp>
 
-#include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
 
@@ -48,10 +47,7 @@ Received decode_channel(const Bytes& bytes, uint8_t channel) {
 
 Bytes slices_of(const StreamHeader& header, const BitVolume& volume) {
   Line line;
-  Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}}));
-  SliceEncoder encoder;
-  require_ok(
-      encoder.start(test::slice_config(header), {memory.data(), memory.size()}, line.output()));
+  StartedSliceEncoder encoder(header, line.output());
   require_ok(encoder.push(volume.on.data(), static_cast<uint32_t>(volume.voxels())).status);
   require_ok(encoder.finish());
   return line.bytes;
@@ -86,6 +82,22 @@ std::vector<ReportedScan> scans_on(uint8_t channel, const Bytes& link, size_t ch
   if (!log.events.empty()) scans.push_back({log.events, receiver.report()});
   return scans;
 }
+
+// Extractors of threshold 1 in a group, each with a log.
+template <uint32_t count>
+struct Group {
+  explicit Group(const Limits& limits) : surfaces(extractors, count, limits.width) {
+    for (uint32_t i = 0; i < count; ++i) {
+      memory[i].resize(5000);
+      require_ok(
+          extractors[i].start(limits, 1, {memory[i].data(), memory[i].size()}, make_sink(logs[i])));
+    }
+  }
+  Bytes memory[count];
+  EventLog logs[count];
+  Extractor16 extractors[count];
+  SurfaceGroup<Extractor16> surfaces;
+};
 
 const BitVolume first_volume = reference::random({20, 20, 20}, 40, 1);
 const BitVolume second_volume = reference::random({20, 20, 20}, 40, 2);
@@ -207,18 +219,10 @@ TEST_CASE("the header contains the extractor's limits and threshold, and the lab
   Decoder decoder;
   require_ok(decoder.start(make_sink(log)));
   require_ok(decoder.push(line.bytes.data(), line.bytes.size()).status);
-  const StreamHeader header = decoder.header();
-  CHECK(header.width == 40);
-  CHECK(header.height == 30);
-  CHECK(header.border == Border::open);
-  CHECK(header.thresholds[0] == -9);
-  CHECK(header.depth == 5);
-  CHECK(header.spacing_nm[1] == -2000);
-  CHECK(header.scan == 77);
-  CHECK(header.channel == 3);
+  const StreamHeader expected{40, 30, 5, {1000, -2000, 3000}, {-9}, Border::open, 3, 77};
+  CHECK(reference::are_equal(decoder.header(), expected));
   REQUIRE(log.starts.size() == 1);
-  CHECK(log.starts[0].depth == 5);
-  CHECK(log.starts[0].scan == 77);
+  CHECK(reference::are_equal(log.starts[0], expected));
 }
 
 TEST_CASE("the spacing of an extractor is also that of the stream") {
@@ -285,23 +289,18 @@ TEST_CASE("several surfaces of a scan share a link frame by frame, even if the l
 
 TEST_CASE("a group pushes rows of bits and skips rows like its extractors") {
   const Limits limits{9, 2};
-  Bytes memory[2] = {Bytes(5000), Bytes(5000)};
-  EventLog logs[2], alone[2];
-  Extractor16 extractors[2];
-  for (int i = 0; i < 2; ++i)
-    require_ok(
-        extractors[i].start(limits, 1, {memory[i].data(), memory[i].size()}, make_sink(logs[i])));
-  SurfaceGroup<Extractor16> surfaces(extractors, 2, limits.width);
+  Group<2> group(limits);
+  EventLog alone[2];
   const uint8_t bits[] = {0xF0, 1, 0x18, 0};
-  CHECK(surfaces.push_bits(bits).samples == 9);
-  CHECK(surfaces.skip_row(Substitute::previous_row).samples == 9);
-  CHECK(surfaces.push(bits, 3).samples == 3);
-  const PushResult early = surfaces.push_bits(bits);
+  CHECK(group.surfaces.push_bits(bits).samples == 9);
+  CHECK(group.surfaces.skip_row(Substitute::previous_row).samples == 9);
+  CHECK(group.surfaces.push(bits, 3).samples == 3);
+  const PushResult early = group.surfaces.push_bits(bits);
   CHECK(early.status == Status::row_in_progress);
   CHECK(early.samples == 0);
-  CHECK(surfaces.finish() == Status::slice_in_progress);
-  require_ok(surfaces.abandon());
-  const PushResult late = surfaces.push(bits, 3);
+  CHECK(group.surfaces.finish() == Status::slice_in_progress);
+  require_ok(group.surfaces.abandon());
+  const PushResult late = group.surfaces.push(bits, 3);
   CHECK(late.status == Status::finished);
   CHECK(late.samples == 0);
   for (int i = 0; i < 2; ++i) {
@@ -312,7 +311,7 @@ TEST_CASE("a group pushes rows of bits and skips rows like its extractors") {
     require_ok(extractor.skip_row(Substitute::previous_row).status);
     require_ok(extractor.push(bits, 3).status);
     require_ok(extractor.abandon());
-    CHECK(logs[i].events == alone[i].events);
+    CHECK(group.logs[i].events == alone[i].events);
   }
 }
 
@@ -320,32 +319,20 @@ TEST_CASE("a group accepts samples at a stride, over many rows at once") {
   const BitVolume volume = reference::random({7, 5, 3}, 110, 5);
   Bytes apart(2 * volume.on.size());
   for (size_t i = 0; i < volume.on.size(); ++i) apart[2 * i] = volume.on[i];
-  Bytes memory[2] = {Bytes(5000), Bytes(5000)};
-  EventLog logs[2];
-  Extractor16 extractors[2];
-  for (int i = 0; i < 2; ++i)
-    require_ok(
-        extractors[i].start({7, 5}, 1, {memory[i].data(), memory[i].size()}, make_sink(logs[i])));
-  SurfaceGroup<Extractor16> surfaces(extractors, 2, 7);
-  CHECK(surfaces.push(apart.data(), 100, 2).samples == 100);
-  CHECK(surfaces.push(apart.data() + 200, 5, 2).samples == 5);
-  require_ok(surfaces.finish());
-  for (const EventLog& log : logs) CHECK(log.events == events_of(volume));
+  Group<2> group({7, 5});
+  CHECK(group.surfaces.push(apart.data(), 100, 2).samples == 100);
+  CHECK(group.surfaces.push(apart.data() + 200, 5, 2).samples == 5);
+  require_ok(group.surfaces.finish());
+  for (const EventLog& log : group.logs) CHECK(log.events == events_of(volume));
 }
 
 TEST_CASE("rows of bits that fill their bytes are contiguous in a group, too") {
-  Bytes memory[2] = {Bytes(5000), Bytes(5000)};
-  EventLog logs[2];
-  Extractor16 extractors[2];
-  for (int i = 0; i < 2; ++i)
-    require_ok(
-        extractors[i].start({8, 1}, 1, {memory[i].data(), memory[i].size()}, make_sink(logs[i])));
-  SurfaceGroup<Extractor16> surfaces(extractors, 2, 8);
+  Group<2> group({8, 1});
   const uint8_t bits[] = {0x01, 0xF8, 0};
-  require_ok(surfaces.push_bits(bits).status);
-  require_ok(surfaces.finish());
-  CHECK(logs[0].events == events_of(reference::from_bits({8, 1, 1}, 0x01)));
-  CHECK(logs[1].events == events_of(reference::from_bits({8, 1, 1}, 0xF8)));
+  require_ok(group.surfaces.push_bits(bits).status);
+  require_ok(group.surfaces.finish());
+  CHECK(group.logs[0].events == events_of(reference::from_bits({8, 1, 1}, 0x01)));
+  CHECK(group.logs[1].events == events_of(reference::from_bits({8, 1, 1}, 0xF8)));
 }
 
 TEST_CASE("a group waits for any busy sink, and counts only rows that all extractors accepted") {
@@ -353,23 +340,17 @@ TEST_CASE("a group waits for any busy sink, and counts only rows that all extrac
   const BitVolume noise = reference::random({9, 4, 6}, 110, 4);
   for (const size_t busy : {size_t{0}, size_t{1}, size_t{2}}) {
     CAPTURE(busy);
-    Bytes memory[3] = {Bytes(5000), Bytes(5000), Bytes(5000)};
-    EventLog logs[3];
-    logs[busy] = EventLog(reference::refuses_first);
-    Extractor16 extractors[3];
-    for (int i = 0; i < 3; ++i)
-      require_ok(
-          extractors[i].start(limits, 1, {memory[i].data(), memory[i].size()}, make_sink(logs[i])));
-    SurfaceGroup<Extractor16> surfaces(extractors, 3, limits.width);
+    Group<3> group(limits);
+    group.logs[busy] = EventLog(reference::refuses_first);
     const uint8_t bits[6] = {0xAA, 0, 0xAA, 0, 0xAA, 0};
     uint32_t waits = 0;
     for (uint32_t row = 0; row < 24; ++row) {
       uint32_t told = 0;
       while (told < 9) {
-        const PushResult result = row % 5 == 2 ? surfaces.push_bits(bits)
+        const PushResult result = row % 5 == 2 ? group.surfaces.push_bits(bits)
                                   : row % 5 == 4
-                                      ? surfaces.skip_row(Substitute::previous_row)
-                                      : surfaces.push(&noise.on[row * 9 + told], 9 - told);
+                                      ? group.surfaces.skip_row(Substitute::previous_row)
+                                      : group.surfaces.push(&noise.on[row * 9 + told], 9 - told);
         REQUIRE((result.status == Status::ok || result.status == Status::suspended));
         if (result.samples == 0) ++waits;
         told += result.samples;
@@ -378,7 +359,7 @@ TEST_CASE("a group waits for any busy sink, and counts only rows that all extrac
     }
     CHECK(waits > 20);
     Status status = Status::suspended;
-    while (status == Status::suspended) status = surfaces.finish();
+    while (status == Status::suspended) status = group.surfaces.finish();
     require_ok(status);
     EventLog alone;
     Bytes other(5000);
@@ -390,7 +371,7 @@ TEST_CASE("a group waits for any busy sink, and counts only rows that all extrac
                                  : extractor.push(&noise.on[row * 9], 9))
                      .status);
     require_ok(extractor.finish());
-    for (const EventLog& log : logs) CHECK(log.events == alone.events);
+    for (const EventLog& log : group.logs) CHECK(log.events == alone.events);
   }
 }
 

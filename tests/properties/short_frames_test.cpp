@@ -102,11 +102,8 @@ TEST_CASE("short frames carry all slices of several surfaces") {
       StreamHeader header = header_of(volume);
       header.surface_count = 2;
       header.thresholds[1] = header.thresholds[0];
-      Bytes memory(SliceEncoder::minimum_bytes({{volume.width, volume.height}, {}, interval, 2}));
       Line line;
-      SliceEncoder encoder;
-      require_ok(encoder.start(test::slice_config(header, interval), {memory.data(), memory.size()},
-                               limited(line, length)));
+      StartedSliceEncoder encoder(header, limited(line, length), interval);
       require_ok(encoder.push(volume.on.data(), static_cast<uint32_t>(volume.voxels())).status);
       require_ok(encoder.finish());
       check_lengths(line.bytes, length);
@@ -129,7 +126,7 @@ TEST_CASE("frame lengths outside the limits of ByteOutput are refused") {
     header.width = header.height = 4;
     Bytes memory(SliceEncoder::minimum_bytes({{4, 4}}));
     SliceEncoder slices;
-    CHECK(slices.start(test::slice_config(header), {memory.data(), memory.size()},
+    CHECK(slices.start(slice_config(header), {memory.data(), memory.size()},
                        limited(line, length)) == Status::bad_sink);
   }
 }

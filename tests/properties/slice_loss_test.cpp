@@ -1,7 +1,6 @@
 // A stream of slices over a lossy link: every loss is reported in its place, and no row is wrong.
 #include <doctest/doctest.h>
 
-#include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/thinned.hpp"
 
@@ -229,11 +228,8 @@ TEST_CASE("packets of random bytes under a correct checksum do no harm") {
 
 TEST_CASE("a key slice and its first row are coded independently of earlier rows") {
   const BitVolume volume = reference::random({40, 1, 12}, 128, 3);
-  Bytes memory(SliceEncoder::minimum_bytes({{40, 1}, {}, 2}));
   Line line;
-  SliceEncoder encoder;
-  reference::require_ok(encoder.start(test::slice_config(header_of(volume), 2),
-                                      {memory.data(), memory.size()}, line.output()));
+  StartedSliceEncoder encoder(header_of(volume), line.output(), 2);
   for (uint32_t row = 0; row < 12; ++row) {
     const PushResult result = row % 4 == 2 ? encoder.skip_row(Substitute::previous_row)
                                            : encoder.push(&volume.on[row * 40], 40);

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "oracle/stream_samples.hpp"
 #include "oracle/thinned.hpp"

@@ -20,13 +20,6 @@ uint64_t count_of(const Events& events, Kind kind) {
                                              [&](const RecordedEvent& t) { return t.is(kind); }));
 }
 
-bool equal(const StreamHeader& a, const StreamHeader& b) {
-  return a.width == b.width && a.height == b.height && a.depth == b.depth &&
-         std::equal(a.spacing_nm, a.spacing_nm + 3, b.spacing_nm) &&
-         a.thresholds[0] == b.thresholds[0] && a.border == b.border && a.scan == b.scan &&
-         a.channel == b.channel;
-}
-
 // The surface that a stream describes, put together by the tests' own collector.
 reference::Surface surface_in(const Bytes& stream) {
   reference::Collector collector;
@@ -45,7 +38,7 @@ void check_golden(const char* name, const BitVolume& volume) {
   CHECK_MESSAGE(made == bytes, "the encoder now makes", hex(made));
   const Received arrival = decode(bytes);
   CHECK(arrival.report.is_complete());
-  CHECK(equal(arrival.header, header_of(volume)));
+  CHECK(reference::are_equal(arrival.header, header_of(volume)));
   CHECK(surface_in(bytes) == reference::surface_of_cells(volume, true));
 }
 
@@ -77,7 +70,7 @@ TEST_CASE("every event, the header and the totals are decoded unchanged") {
     const Received arrival = decode(stream);
     CHECK(arrival.events == sample.events);
     CHECK(arrival.status == Status::ok);
-    CHECK(equal(arrival.header, sample.header));
+    CHECK(reference::are_equal(arrival.header, sample.header));
     const StreamReport& report = arrival.report;
     CHECK(report.is_complete());
     CHECK(report.bytes == stream.size());
@@ -153,10 +146,10 @@ TEST_CASE("headers with extreme values in each field are decoded unchanged") {
   header.spacing_nm[2] = -1;
   header.thresholds[0] = INT32_MIN;
   header.border = Border::open;
-  CHECK(equal(decode(encode(Script().finish().events, header)).header, header));
+  CHECK(reference::are_equal(decode(encode(Script().finish().events, header)).header, header));
   header.height = Limits::max_extent;
   header.thresholds[0] = INT32_MAX;
-  CHECK(equal(decode(encode(Script().finish().events, header)).header, header));
+  CHECK(reference::are_equal(decode(encode(Script().finish().events, header)).header, header));
 }
 
 TEST_CASE("the ball of DESIGN.md needs at most 9,000 bytes") {

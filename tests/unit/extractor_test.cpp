@@ -3,8 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "oracle/agreement.hpp"
-#include "oracle/event_log.hpp"
-#include "oracle/scan.hpp"
+#include "oracle/bench.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -12,25 +11,6 @@ using namespace discmc::reference;
 namespace {
 
 constexpr uint32_t boundary_widths[] = {1, 2, 3, 31, 32, 33, 63, 64, 65, 127, 128, 129};
-
-// An extractor in memory of its own, with a log as its sink.
-template <class Index>
-class Bench {
- public:
-  explicit Bench(const Limits& limits, int32_t threshold = 1, uint64_t extra = 1 << 20)
-      : block_(Extractor<Index>::minimum_bytes(limits) + extra) {
-    require_ok(extractor.start(limits, threshold, block_.memory(), make_sink(log)));
-  }
-  ~Bench() { CHECK(block_.is_intact()); }
-  Bench(const Bench&) = delete;
-  Bench& operator=(const Bench&) = delete;
-
-  EventLog log;
-  Extractor<Index> extractor;
-
- private:
-  Block block_;
-};
 
 EventLog plain_scan(const BitVolume& volume, Border border = Border::closed) {
   Bench<uint32_t> bench(limits_of(volume, border));
@@ -263,40 +243,6 @@ TEST_CASE("reset() at any point of a scan begins an independent new scan") {
   }
 }
 
-TEST_CASE("reset() discards pending events and events that were sent early") {
-  // Accepts `left` events, then refuses until the next scan.
-  struct Gate {
-    SinkResult accept(const Event& event) {
-      if (is_open || event.kind == Event::Kind::start) return log.accept(event);
-      return left-- > 0 ? SinkResult::accepted : SinkResult::busy;
-    }
-    int left;
-    bool is_open = false;
-    EventLog log{};
-  };
-  const BitVolume volume = random({12, 10, 4}, 150, 3);
-  const Limits limits = limits_of(volume, Border::closed);
-  for (const uint32_t more : {20U, 150U}) {
-    const Capacities few{minimum_capacities().slots + more, more / 4};
-    EventLog expected;
-    scan_into<uint16_t>(expected, volume, {}, few);
-    for (int taken = 0; taken < 400; taken += 3) {
-      CAPTURE(taken);
-      Gate gate{taken};
-      Block block(Extractor16::bytes_for(limits, few));
-      Extractor16 extractor;
-      require_ok(extractor.start(limits, few, 1, block.memory(), make_sink(gate)));
-      CHECK(extractor.push(volume.on.data(), static_cast<uint32_t>(volume.voxels())).status ==
-            Status::suspended);
-      require_ok(extractor.reset());
-      gate.is_open = true;
-      push_all(extractor, volume.on);
-      finish_all(extractor);
-      CHECK(gate.log.events == expected.events);
-    }
-  }
-}
-
 TEST_CASE("the start event contains the extractor's limits and threshold") {
   const Limits limits{7, 3, Border::open};
   Block block(Extractor16::minimum_bytes(limits));
@@ -312,30 +258,6 @@ TEST_CASE("the start event contains the extractor's limits and threshold") {
     CHECK(told.thresholds[0] == -42);
     CHECK_FALSE(told.has_spacing());
   }
-}
-
-TEST_CASE("a scan whose sink is not started does not begin and leaves the memory untouched") {
-  struct Closed {
-    SinkResult accept(const Event&) {
-      return is_closed ? SinkResult::not_started : SinkResult::accepted;
-    }
-    bool is_closed = true;
-  } sink;
-  const Limits limits{7, 3};
-  const std::vector<uint8_t> untouched(Extractor16::minimum_bytes(limits), 0xA5);
-  std::vector<uint8_t> memory = untouched;
-  const Memory all{memory.data(), memory.size()};
-  const uint8_t row[7] = {};
-  Extractor16 extractor;
-  CHECK(extractor.start(limits, 1, all, make_sink(sink)) == Status::bad_sink);
-  CHECK(memory == untouched);
-  CHECK(extractor.push(row, 7).status == Status::not_started);
-  sink.is_closed = false;
-  require_ok(extractor.start(limits, 1, all, make_sink(sink)));
-  require_ok(extractor.push(row, 7).status);
-  sink.is_closed = true;
-  CHECK(extractor.reset() == Status::bad_sink);
-  CHECK(extractor.rows() == 1);
 }
 
 TEST_CASE("a busy sink receives the start later: start() and reset() are suspended") {

@@ -7,8 +7,7 @@
 #include <new>
 
 #include "oracle/agreement.hpp"
-#include "oracle/event_log.hpp"
-#include "oracle/scan.hpp"
+#include "oracle/bench.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -97,39 +96,34 @@ TEST_CASE("before start() every call returns not_started") {
 
 TEST_CASE("after the end push() returns finished, and ending again has no effect") {
   for (const bool abandon : {false, true}) {
-    EventLog log;
-    Block block(1 << 14);
-    Extractor16 extractor;
     const uint8_t samples[9] = {0, 0, 0, 0, 1, 0, 0, 0, 0};
-    require_ok(extractor.start({3, 3}, 1, block.memory(), make_sink(log)));
-    CHECK(extractor.push(samples, 9).status == Status::ok);
-    CHECK((abandon ? extractor.abandon() : extractor.finish()) == Status::ok);
-    const uint64_t events = log.events.size();
-    CHECK(extractor.push(samples, 9).status == Status::finished);
-    CHECK(extractor.push(samples, 9).samples == 0);
-    CHECK(extractor.push(samples, 0).status == Status::finished);
-    CHECK(extractor.push_bits(samples).status == Status::finished);
-    CHECK(extractor.push_bits(samples).samples == 0);
-    CHECK(extractor.skip_row(Substitute::previous_row).status == Status::finished);
-    CHECK(extractor.skip_row(Substitute::previous_row).samples == 0);
-    CHECK(extractor.finish() == Status::ok);
-    CHECK(extractor.abandon() == Status::ok);
-    CHECK(extractor.resume() == Status::ok);
-    CHECK(log.events.size() == events);
-    CHECK(collected(log.events).was_abandoned() == abandon);
-    CHECK(extractor.statistics().regions == 8);
+    Bench<uint16_t> bench({3, 3});
+    CHECK(bench.extractor.push(samples, 9).status == Status::ok);
+    CHECK((abandon ? bench.extractor.abandon() : bench.extractor.finish()) == Status::ok);
+    const uint64_t events = bench.log.events.size();
+    CHECK(bench.extractor.push(samples, 9).status == Status::finished);
+    CHECK(bench.extractor.push(samples, 9).samples == 0);
+    CHECK(bench.extractor.push(samples, 0).status == Status::finished);
+    CHECK(bench.extractor.push_bits(samples).status == Status::finished);
+    CHECK(bench.extractor.push_bits(samples).samples == 0);
+    CHECK(bench.extractor.skip_row(Substitute::previous_row).status == Status::finished);
+    CHECK(bench.extractor.skip_row(Substitute::previous_row).samples == 0);
+    CHECK(bench.extractor.finish() == Status::ok);
+    CHECK(bench.extractor.abandon() == Status::ok);
+    CHECK(bench.extractor.resume() == Status::ok);
+    CHECK(bench.log.events.size() == events);
+    CHECK(collected(bench.log.events).was_abandoned() == abandon);
+    CHECK(bench.extractor.statistics().regions == 8);
   }
 }
 
 TEST_CASE("a start() with too little memory ends the previous scan") {
-  EventLog log;
+  Bench<uint16_t> bench({3, 3});
   Block block(1 << 14);
-  Extractor16 extractor;
-  require_ok(extractor.start({3, 3}, 1, block.memory(), make_sink(log)));
-  CHECK(extractor.start({3000, 3000}, 1, block.memory(), make_sink(log)) ==
+  CHECK(bench.extractor.start({3000, 3000}, 1, block.memory(), make_sink(bench.log)) ==
         Status::too_little_memory);
-  CHECK(extractor.finish() == Status::not_started);
-  CHECK(extractor.reset() == Status::not_started);
+  CHECK(bench.extractor.finish() == Status::not_started);
+  CHECK(bench.extractor.reset() == Status::not_started);
 }
 
 TEST_CASE("start() with an unstarted sink ends the scan, and other errors keep it") {
@@ -150,7 +144,10 @@ TEST_CASE("start() with an unstarted sink ends the scan, and other errors keep i
   require_ok(extractor.finish());
   CHECK(log.events == events_of(volume).events);
   require_ok(extractor.reset());
+  const auto* const bytes = static_cast<const uint8_t*>(memory.data);
+  const std::vector<uint8_t> untouched(bytes, bytes + memory.bytes);
   CHECK(extractor.start({4, 4}, 1, memory, make_sink(closed)) == Status::bad_sink);
+  CHECK(std::equal(untouched.begin(), untouched.end(), bytes));
   CHECK(extractor.finish() == Status::not_started);
 }
 
@@ -176,60 +173,50 @@ TEST_CASE("reset() changes nothing if the sink is not started") {
 
 TEST_CASE("finish() in the middle of a slice is refused and changes nothing") {
   const BitVolume volume = random({3, 3, 2}, 128, 4);
-  EventLog log;
-  Block block(1 << 14);
-  Extractor16 extractor;
-  require_ok(extractor.start({3, 3}, 1, block.memory(), make_sink(log)));
+  Bench<uint16_t> bench({3, 3});
   for (uint32_t i = 0; i < 18; ++i) {
-    CHECK(extractor.finish() == (i == 0 || i == 9 ? Status::ok : Status::slice_in_progress));
+    CHECK(bench.extractor.finish() == (i == 0 || i == 9 ? Status::ok : Status::slice_in_progress));
     if (i == 0 || i == 9) {
       // The scan ended there: begin again and push the same samples.
-      REQUIRE(collected(log.events).is_finished());
-      log = EventLog();
-      require_ok(extractor.reset());
-      CHECK(extractor.push(volume.on.data(), i).samples == i);
+      REQUIRE(collected(bench.log.events).is_finished());
+      bench.log = EventLog();
+      require_ok(bench.extractor.reset());
+      CHECK(bench.extractor.push(volume.on.data(), i).samples == i);
     }
-    CHECK(extractor.push(volume.on.data() + i, 1).samples == 1);
-    CHECK(extractor.rows() == (i + 1) % 9 / 3);
-    CHECK(extractor.slices() == (i + 1) / 9);
+    CHECK(bench.extractor.push(volume.on.data() + i, 1).samples == 1);
+    CHECK(bench.extractor.rows() == (i + 1) % 9 / 3);
+    CHECK(bench.extractor.slices() == (i + 1) / 9);
   }
-  require_ok(extractor.finish());
-  CHECK(log.events == events_of(volume).events);
+  require_ok(bench.extractor.finish());
+  CHECK(bench.log.events == events_of(volume).events);
 }
 
 TEST_CASE("push_bits() and skip_row() in the middle of a row are refused and change nothing") {
   const BitVolume volume = random({5, 3, 2}, 128, 4);
-  EventLog log;
-  Block block(1 << 14);
-  Extractor16 extractor;
-  require_ok(extractor.start({5, 3}, 1, block.memory(), make_sink(log)));
+  Bench<uint16_t> bench({5, 3});
   const uint8_t bits = 0x1F;
   for (uint32_t i = 0; i < 30; ++i) {
     if (i % 5 != 0) {
-      CHECK(extractor.push_bits(&bits).status == Status::row_in_progress);
-      CHECK(extractor.push_bits(&bits).samples == 0);
-      CHECK(extractor.skip_row(Substitute::off).status == Status::row_in_progress);
-      CHECK(extractor.skip_row(Substitute::previous_row).samples == 0);
+      CHECK(bench.extractor.push_bits(&bits).status == Status::row_in_progress);
+      CHECK(bench.extractor.push_bits(&bits).samples == 0);
+      CHECK(bench.extractor.skip_row(Substitute::off).status == Status::row_in_progress);
+      CHECK(bench.extractor.skip_row(Substitute::previous_row).samples == 0);
     }
-    CHECK(extractor.push(volume.on.data() + i, 1).samples == 1);
-    CHECK(extractor.resume() == Status::ok);
-    CHECK(extractor.push(volume.on.data(), 0).status == Status::ok);
+    CHECK(bench.extractor.push(volume.on.data() + i, 1).samples == 1);
+    CHECK(bench.extractor.resume() == Status::ok);
+    CHECK(bench.extractor.push(volume.on.data(), 0).status == Status::ok);
   }
-  finish_all(extractor);
-  CHECK(log.events == events_of(volume).events);
+  finish_all(bench.extractor);
+  CHECK(bench.log.events == events_of(volume).events);
 }
 
 TEST_CASE("a scan without slices is empty") {
   for (const Border border : {Border::closed, Border::open})
     for (const Size size : {Size{1, 1, 0}, Size{5, 3, 0}}) {
-      EventLog log;
-      Block block(1 << 14);
-      Extractor16 extractor;
-      require_ok(
-          extractor.start({size.width, size.height, border}, 1, block.memory(), make_sink(log)));
-      finish_all(extractor);
-      REQUIRE(log.events.size() == 1);
-      CHECK(log.events[0].is(Event::Kind::finish));
+      Bench<uint16_t> bench({size.width, size.height, border});
+      finish_all(bench.extractor);
+      REQUIRE(bench.log.events.size() == 1);
+      CHECK(bench.log.events[0].is(Event::Kind::finish));
     }
 }
 
@@ -306,34 +293,6 @@ TEST_CASE("a slab's finish event counts its own slices, and the sum is the volum
   CHECK(slices_of({7, true, true}, 6, 13) == 5);
   CHECK(slices_of({12, true, false}, 11, 20) == 8);
   CHECK(slices_of({7, true, true}, 6, 7) == 0);
-}
-
-TEST_CASE("extractors of either index width work side by side") {
-  const BitVolume a = random({9, 8, 7}, 100, 1);
-  const BitVolume b = random({5, 6, 9}, 150, 2);
-  EventLog log_a;
-  EventLog log_b;
-  EventLog log_c;
-  Block block_a(1 << 18);
-  Block block_b(1 << 18);
-  Block block_c(1 << 18);
-  Extractor16 extractor_a;
-  Extractor32 extractor_b;
-  Extractor16 extractor_c;
-  require_ok(extractor_a.start({9, 8}, 1, block_a.memory(), make_sink(log_a)));
-  require_ok(extractor_b.start({5, 6}, 1, block_b.memory(), make_sink(log_b)));
-  require_ok(extractor_c.start({5, 6}, 1, block_c.memory(), make_sink(log_c)));
-  for (uint32_t at = 0; at < a.voxels() || at < b.voxels(); ++at) {
-    if (at < a.voxels()) require_ok(extractor_a.push(a.on.data() + at, 1).status);
-    if (at < b.voxels()) require_ok(extractor_b.push(b.on.data() + at, 1).status);
-    if (at < b.voxels()) require_ok(extractor_c.push(b.on.data() + at, 1).status);
-  }
-  finish_all(extractor_a);
-  finish_all(extractor_b);
-  finish_all(extractor_c);
-  CHECK(log_a.events == events_of(a).events);
-  CHECK(log_b.events == events_of(b).events);
-  CHECK(log_c.events == events_of(b).events);
 }
 
 TEST_CASE("memory may begin at any address") {

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <discmc/sample_window.hpp>
-#include <memory>
 #include <vector>
 
 #include "oracle/gradient.hpp"
@@ -33,6 +32,13 @@ std::vector<Vertex> vertices_of(Size size) {
         if ((x + y + z) % 2 != 0) vertices.push_back({x, y, z});
   return vertices;
 }
+
+struct StartedWindow : SampleWindow<uint8_t> {
+  explicit StartedWindow(const Limits& limits) : block(bytes_for(limits)) {
+    REQUIRE(start(limits, block.memory()) == Status::ok);
+  }
+  Block block;
+};
 
 template <class Sample>
 void check_window(Size size, uint32_t chunk, Chance& chance) {
@@ -85,10 +91,7 @@ TEST_CASE("gradients are central differences at every vertex, and one-sided at t
 }
 
 TEST_CASE("a window covers a vertex until its slices have passed") {
-  const Limits limits{2, 1};
-  Block block(SampleWindow<uint8_t>::bytes_for(limits));
-  SampleWindow<uint8_t> window;
-  REQUIRE(window.start(limits, block.memory()) == Status::ok);
+  StartedWindow window({2, 1});
   const uint8_t slice[2] = {1, 2};
   const Vertex between{0, 0, 5};  // slices 2 and 3: takes 1 to 4
   const Vertex within{1, 0, 4};   // slice 2: takes 1 to 3
@@ -102,14 +105,11 @@ TEST_CASE("a window covers a vertex until its slices have passed") {
   }
   REQUIRE(window.push(slice, 1) == Status::ok);  // overwrites slice 2
   CHECK(!window.covers({0, 0, 7}));
-  CHECK(block.is_intact());
+  CHECK(window.block.is_intact());
 }
 
 TEST_CASE("the rows of an unfinished slice count for gradients") {
-  const Limits limits{2, 2};
-  Block block(SampleWindow<uint8_t>::bytes_for(limits));
-  SampleWindow<uint8_t> window;
-  REQUIRE(window.start(limits, block.memory()) == Status::ok);
+  StartedWindow window({2, 2});
   const uint8_t samples[] = {10, 10, 10, 10, 20, 20, 20, 20, 70, 70};  // two slices and a row
   REQUIRE(window.push(samples, 10) == Status::ok);
   CHECK(!window.covers({1, 0, 2}));
@@ -122,10 +122,7 @@ TEST_CASE("the rows of an unfinished slice count for gradients") {
 }
 
 TEST_CASE("the first row of a new slice removes the oldest slice from the window") {
-  const Limits limits{1, 2};
-  Block block(SampleWindow<uint8_t>::bytes_for(limits));
-  SampleWindow<uint8_t> window;
-  REQUIRE(window.start(limits, block.memory()) == Status::ok);
+  StartedWindow window({1, 2});
   const uint8_t samples[9] = {};
   REQUIRE(window.push(samples, 8) == Status::ok);
   CHECK(window.covers({0, 0, 3}));  // takes slices 0 to 3
@@ -149,10 +146,7 @@ TEST_CASE("a window that has ended can be started again for another pass") {
 }
 
 TEST_CASE("samples may have a stride") {
-  const Limits limits{2, 2};
-  Block block(SampleWindow<uint8_t>::bytes_for(limits));
-  SampleWindow<uint8_t> window;
-  REQUIRE(window.start(limits, block.memory()) == Status::ok);
+  StartedWindow window({2, 2});
   const uint8_t samples[] = {10, 0, 0, 20, 0, 0, 30, 0, 0, 70};
   REQUIRE(window.push(samples, 4, 3) == Status::ok);
   window.end();

@@ -61,6 +61,12 @@ SLICES = [
     ("slab", ("--wire", "slices", "--iso", 100), (100,)),
 ]
 
+# Rows that end anywhere in a word, dense and sparse, in slices of few rows.
+for i, width in enumerate((1, 2, 3, 7, 8, 29, 30, 31, 32, 33, 59, 60, 61, 64, 97)):
+    height, iso = (1, 2, 3, 4, 9)[i % 5], (20, 128, 215, 250)[i % 4]
+    VOLUMES[f"width {width}"] = width, height, lambda width=width, height=height: noise(width, height, 3)
+    SLICES.append((f"width {width}", ("--wire", "slices", "--iso", iso, "--key-slices", 1 + i % 3), (iso,)))
+
 # volume, is open, levels, slices from one key slice to the next, thresholds
 FRACTIONS = [
     ("noise", 0, 2, 0, (128,)),

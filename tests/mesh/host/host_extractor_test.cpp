@@ -4,9 +4,7 @@
 #include "host/host_extractor.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -280,6 +278,13 @@ struct SlabScan {
 std::vector<std::vector<uint64_t>> parts_of(const EventLog& log, const SlabScan& scan) {
   (void)collected(log.events, scan.limits().slab);  // checks the grammar
   return sorted_parts(log.events);
+}
+
+void check_same_parts(const SlabScan& scan, const Capacities& capacities = much) {
+  HostExtractor extractor;
+  Extractor32 other;
+  CHECK(parts_of(scan.by(extractor, capacities), scan) ==
+        parts_of(scan.by(other, capacities), scan));
 }
 
 // Whether an event belongs to a region or a loose fragment.
@@ -558,12 +563,9 @@ TEST_CASE("long sides across all slices of a slab are handed over") {
   BitVolume slope({size, 1, size});
   for (int64_t z = 0; z < size; ++z)
     for (int64_t x = z; x < size && x < z + 10; ++x) slope.on[slope.index(x, 0, z)] = 1;
-  HostExtractor extractor;
-  Extractor32 other;
   for (const uint32_t slices : {size - 1, size / 2, 5U}) {
     CAPTURE(slices);
-    const SlabScan scan{slope, Border::closed, 1, size, host::CornerCode::max_slices - slices};
-    CHECK(parts_of(scan.by(extractor, much), scan) == parts_of(scan.by(other, much), scan));
+    check_same_parts({slope, Border::closed, 1, size, host::CornerCode::max_slices - slices});
   }
 }
 
@@ -608,35 +610,25 @@ TEST_CASE("a slab has the same parts wherever its fragments are handed over") {
 }
 
 TEST_CASE("a slab has the same parts if the slices exceed the range of a corner code") {
-  HostExtractor extractor;
-  Extractor32 other;
   for (const BitVolume& volume : {random({20, 7, 12}, 128, 1), rough_columns({20, 7, 12})})
     for (const Border border : {Border::closed, Border::open})
       for (const uint32_t end : {11U, 12U})
         for (const uint32_t beyond : {0U, 4U, 10U}) {
           CAPTURE(end);
           CAPTURE(beyond);
-          const SlabScan scan{volume, border, 1, end, host::CornerCode::max_slices - beyond};
-          CHECK(parts_of(scan.by(extractor, much), scan) == parts_of(scan.by(other, much), scan));
+          check_same_parts({volume, border, 1, end, host::CornerCode::max_slices - beyond});
         }
 }
 
 TEST_CASE("a slab has the same parts in the last numbered slices") {
-  HostExtractor extractor;
-  Extractor32 other;
   const BitVolume volume = random({20, 7, 12}, 128, 1);
-  for (const Border border : {Border::closed, Border::open}) {
-    const SlabScan scan{volume, border, 1, 12, Limits::max_slices - 12};
-    CHECK(parts_of(scan.by(extractor, much), scan) == parts_of(scan.by(other, much), scan));
-  }
+  for (const Border border : {Border::closed, Border::open})
+    check_same_parts({volume, border, 1, 12, Limits::max_slices - 12});
 }
 
 TEST_CASE("a slab has the same parts if its seam has the maximal number of passes") {
   const BitVolume volume = checkerboard({130, 5, 4});
-  HostExtractor extractor;
-  Extractor32 other;
-  const SlabScan scan{volume, Border::closed, 1, 3};
-  CHECK(parts_of(scan.by(extractor, much), scan) == parts_of(scan.by(other, much), scan));
+  check_same_parts({volume, Border::closed, 1, 3});
 }
 
 TEST_CASE("fragments of the last slab are sent in the order of their completion") {
@@ -737,22 +729,13 @@ TEST_CASE("slabs join to the whole for any handover and any mixture of extractor
 
 TEST_CASE("a slab has the same parts if the chains at a seam exceed the initial queues") {
   const BitVolume volume = columns({60, 60, 3});
-  constexpr Capacities plenty{300000, 100};
-  HostExtractor extractor;
-  Extractor32 other;
-  for (const uint32_t end : {2U, 3U}) {
-    const SlabScan scan{volume, Border::closed, 1, end};
-    CHECK(parts_of(scan.by(extractor, plenty), scan) == parts_of(scan.by(other, plenty), scan));
-  }
+  for (const uint32_t end : {2U, 3U})
+    check_same_parts({volume, Border::closed, 1, end}, {300000, 100});
 }
 
 TEST_CASE("a slab has the same parts if edges have several chains across a seam") {
   const BitVolume grating = volume_of({60, 60, 3}, shapes::Bars{});
-  constexpr Capacities plenty{3000000, 100};
-  HostExtractor extractor;
-  Extractor32 other;
-  const SlabScan scan{grating, Border::closed, 1, 2};
-  CHECK(parts_of(scan.by(extractor, plenty), scan) == parts_of(scan.by(other, plenty), scan));
+  check_same_parts({grating, Border::closed, 1, 2}, {3000000, 100});
 }
 
 TEST_CASE("the corners of sent loose fragments are reused") {

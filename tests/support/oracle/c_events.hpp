@@ -68,15 +68,6 @@ inline discmc_sink c_sink_to(EventLog& log) {
   return {&log, take};
 }
 
-inline bool operator==(const StreamHeader& a, const StreamHeader& b) {
-  return a.width == b.width && a.height == b.height && a.depth == b.depth &&
-         a.spacing_nm[0] == b.spacing_nm[0] && a.spacing_nm[1] == b.spacing_nm[1] &&
-         a.spacing_nm[2] == b.spacing_nm[2] &&
-         std::equal(a.thresholds, a.thresholds + StreamHeader::max_surfaces, b.thresholds) &&
-         a.border == b.border && a.channel == b.channel && a.scan == b.scan &&
-         a.surface_count == b.surface_count;
-}
-
 /// Calls again while it is suspended.
 template <class Call>
 discmc_status completed(discmc_status status, Call call) {

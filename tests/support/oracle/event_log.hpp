@@ -21,6 +21,14 @@ inline std::array<uint64_t, 8> counts(const Statistics& s) {
           s.rings, s.links,  s.fragments,         s.skipped_rows};
 }
 
+inline bool are_equal(const StreamHeader& a, const StreamHeader& b) {
+  return a.width == b.width && a.height == b.height && a.depth == b.depth &&
+         std::equal(a.spacing_nm, a.spacing_nm + 3, b.spacing_nm) &&
+         std::equal(a.thresholds, a.thresholds + StreamHeader::max_surfaces, b.thresholds) &&
+         a.border == b.border && a.channel == b.channel && a.scan == b.scan &&
+         a.surface_count == b.surface_count;
+}
+
 /// Calls add(number) with the contents of an event: its kind, then only the members of its kind.
 template <class Add>
 void for_each_number(const Event& event, Add add) {

@@ -13,6 +13,18 @@
 
 namespace discmc::test {
 
+/// A slice encoder that is started, in memory of its own.
+struct StartedSliceEncoder : SliceEncoder {
+  StartedSliceEncoder(const StreamHeader& header, const ByteOutput& output,
+                      uint32_t key_slice_interval = 0) {
+    const SliceEncoderConfig config = slice_config(header, key_slice_interval);
+    block = reference::Block(minimum_bytes(config));
+    reference::require_ok(start(config, block.memory(), output));
+  }
+
+  reference::Block block{0};
+};
+
 /// How a volume is encoded.
 struct SlicePlan {
   uint32_t key_slice_interval = 0;
@@ -204,6 +216,14 @@ inline ReceivedRows decode_slices(const Bytes& bytes, const reference::Size& siz
   const Status status = push_stream(decoder, bytes, chunk);
   if (!block.is_intact()) throw std::runtime_error("a write outside the memory");
   return {log.rows, decoder.report(), status};
+}
+
+/// The voxels of a surface, row after row.
+inline Bytes voxels_of(const std::vector<RecordedRow>& rows, uint8_t channel) {
+  Bytes voxels;
+  for (const RecordedRow& row : rows)
+    if (row.event.channel == channel) voxels.insert(voxels.end(), row.bits.begin(), row.bits.end());
+  return voxels;
 }
 
 /// Whether the rows of the first surface have the fractions of these samples. Edges to a row that

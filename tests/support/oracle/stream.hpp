@@ -99,6 +99,22 @@ class Line {
   bool was_busy_ = false;
 };
 
+/// Takes bytes while there is room, and none until there is room again.
+struct LimitedLine {
+  size_t room = 0;
+  Bytes bytes{};
+
+  ByteOutput output() {
+    return {this, [](void* context, const uint8_t* data, size_t count) {
+              auto& line = *static_cast<LimitedLine*>(context);
+              const size_t taken = std::min(count, line.room);
+              line.bytes.insert(line.bytes.end(), data, data + taken);
+              line.room -= taken;
+              return taken;
+            }};
+  }
+};
+
 /// Begins a stream as an extractor does. Returns why it refused, as an extractor does.
 template <class Encoding>
 Status begin_stream(Encoding& encoder, const StreamHeader& header, const ByteOutput& output) {

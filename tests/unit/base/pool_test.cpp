@@ -16,12 +16,22 @@ struct PooledSlot {
   uint32_t payload;
 };
 
+// With slots of its own, all of them unused.
+template <class Index>
+class StartedPool : public Pool<PooledSlot<Index>, Index> {
+ public:
+  explicit StartedPool(uint32_t capacity) : slots_(capacity) {
+    this->start(slots_.data(), capacity);
+    this->clear();
+  }
+
+ private:
+  std::vector<PooledSlot<Index>> slots_;
+};
+
 template <class Index>
 void check_random_operations(uint32_t capacity, uint32_t seed) {
-  std::vector<PooledSlot<Index>> slots(capacity);
-  Pool<PooledSlot<Index>, Index> pool;
-  pool.start(slots.data(), capacity);
-  pool.clear();
+  StartedPool<Index> pool(capacity);
   std::vector<Index> taken;
   uint32_t peak = 0;
   for (uint32_t i = 0; i < 20000; ++i) {
@@ -53,10 +63,7 @@ void check_random_operations(uint32_t capacity, uint32_t seed) {
 }  // namespace
 
 TEST_CASE("a pool provides each slot once, then no_slot") {
-  std::vector<PooledSlot<uint16_t>> slots(5);
-  Pool<PooledSlot<uint16_t>, uint16_t> pool;
-  pool.start(slots.data(), 5);
-  pool.clear();
+  StartedPool<uint16_t> pool(5);
   std::set<uint16_t> taken;
   for (int i = 0; i < 5; ++i) taken.insert(pool.allocate());
   CHECK(taken == std::set<uint16_t>{1, 2, 3, 4, 5});
@@ -70,10 +77,7 @@ TEST_CASE("a pool provides each slot once, then no_slot") {
 }
 
 TEST_CASE("the last released slot is reused first") {
-  std::vector<PooledSlot<uint32_t>> slots(8);
-  Pool<PooledSlot<uint32_t>, uint32_t> pool;
-  pool.start(slots.data(), 8);
-  pool.clear();
+  StartedPool<uint32_t> pool(8);
   for (uint32_t i = 1; i <= 6; ++i) CHECK(pool.allocate() == i);
   pool.give(1);
   pool.give(4);
@@ -83,10 +87,7 @@ TEST_CASE("the last released slot is reused first") {
 }
 
 TEST_CASE("clear() releases all slots and resets the peak") {
-  std::vector<PooledSlot<uint16_t>> slots(4);
-  Pool<PooledSlot<uint16_t>, uint16_t> pool;
-  pool.start(slots.data(), 4);
-  pool.clear();
+  StartedPool<uint16_t> pool(4);
   for (int i = 0; i < 4; ++i) pool.allocate();
   pool.give(2);
   CHECK(pool.peak() == 4);
@@ -109,10 +110,7 @@ TEST_CASE("a pool without slots returns no_slot") {
 
 TEST_CASE("index 0 means no slot, and all other indices are used") {
   // As many slots as a 16-bit index can name.
-  std::vector<PooledSlot<uint16_t>> slots(65535);
-  Pool<PooledSlot<uint16_t>, uint16_t> pool;
-  pool.start(slots.data(), 65535);
-  pool.clear();
+  StartedPool<uint16_t> pool(65535);
   for (uint32_t i = 1; i <= 65535; ++i) REQUIRE(pool.allocate() == i);
   CHECK(pool.allocate() == no_slot);
 }
@@ -125,10 +123,7 @@ TEST_CASE("random operations never assign a slot twice or lose one") {
 }
 
 TEST_CASE("a pool provides contiguous fresh slots while enough of them are unused") {
-  std::vector<PooledSlot<uint16_t>> slots(10);
-  Pool<PooledSlot<uint16_t>, uint16_t> pool;
-  pool.start(slots.data(), 10);
-  pool.clear();
+  StartedPool<uint16_t> pool(10);
   pool.give(pool.allocate());
   CHECK(pool.allocate_fresh(10) == no_slot);
   CHECK(pool.allocate_fresh(4) == 2);

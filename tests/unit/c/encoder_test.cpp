@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <memory>
-#include <vector>
 
 #include "oracle/c_events.hpp"
 #include "oracle/normal_events.hpp"

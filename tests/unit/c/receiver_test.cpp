@@ -67,7 +67,7 @@ struct ReceiverInC {
 
 void check_info(const discmc_receiver_info& in_c, const StreamHeader& header,
                 const StreamReport& report) {
-  CHECK(from_c(in_c.header) == header);
+  CHECK(are_equal(from_c(in_c.header), header));
   CHECK(in_c.has_header == report.has_header);
   CHECK(in_c.has_trailer == report.has_trailer);
   CHECK(in_c.holds_slices == report.holds_slices);
@@ -103,7 +103,7 @@ void compare(const Bytes& stream, uint32_t surfaces, uint8_t channel) {
   require_ok(test::push_stream(decoder, stream, 0));
   CHECK(log.events == expected.events);
   REQUIRE(log.starts.size() == 1);
-  CHECK(log.starts[0] == expected.starts[0]);
+  CHECK(are_equal(log.starts[0], expected.starts[0]));
   check_info(discmc_receiver_get_info(receiver.receiver), decoder.header(), decoder.report());
 }
 

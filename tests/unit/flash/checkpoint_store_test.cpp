@@ -4,9 +4,7 @@
 #include <cstring>
 #include <discmc/checkpoint_store.hpp>
 #include <discmc/stream/crc32.hpp>
-#include <memory>
 #include <numeric>
-#include <set>
 
 #include "oracle/checkpointed_device.hpp"
 #include "oracle/simulated_flash.hpp"
@@ -105,6 +103,11 @@ class Contents {
 
 Status save(Keeper& keeper, uint32_t number) {
   return keeper.save(Contents(number).parts());
+}
+
+// Saves the numbers below `end`.
+void save_all(Keeper& keeper, uint32_t end) {
+  for (uint32_t number = 0; number < end; ++number) REQUIRE(save(keeper, number) == Status::ok);
 }
 
 /// The number whose contents the store finds; UINT32_MAX if it finds none.
@@ -229,11 +232,9 @@ TEST_CASE("after repeated power failures the newest or the interrupted checkpoin
 }
 
 TEST_CASE("a flipped bit in one checkpoint leaves the other readable") {
-  const Memories& memory = memories[2];
-  SimulatedFlash flash(memory.geometry);
+  SimulatedFlash flash(memories[2].geometry);
   Keeper keeper(flash);
-  REQUIRE(save(keeper, 0) == Status::ok);
-  REQUIRE(save(keeper, 1) == Status::ok);
+  save_all(keeper, 2);
   for (const uint32_t flipped : {0U, 1U}) {
     const size_t bytes = StorePlan::head_bytes + Contents(flipped).bytes() + StorePlan::tail_bytes;
     for (size_t bit = 0; bit < 8 * bytes; bit += step(13)) {
@@ -245,45 +246,6 @@ TEST_CASE("a flipped bit in one checkpoint leaves the other readable") {
     }
   }
   CHECK(number_found(flash, 2) == 1);
-}
-
-TEST_CASE("a scan continues from flash with the same bytes after a power failure at any point") {
-  const Scan scan{"a ball in too little memory", centred_ball(7), Border::closed, 200};
-  const Bytes whole = uninterrupted<uint16_t>(scan);
-  const FlashGeometry geometry{128, 1024, 8};
-  constexpr uint32_t most = 4000, every = 9;
-  const auto scanned = [&](SimulatedFlash& flash) {
-    auto device = device_for<uint16_t>(scan);
-    Keeper keeper(flash, most);
-    device.start();
-    for (uint32_t row = every; row < device.rows(); row += every) {
-      device.scan_to(row);
-      if (keeper.save(device.save_parts()) != Status::ok) return;
-    }
-  };
-  SimulatedFlash never_cut(geometry);
-  scanned(never_cut);
-  std::set<uint32_t> restored;
-  const uint64_t stride = 7 * step(31);  // the last time the power fails after all of it
-  for (uint64_t cut = 1; cut < never_cut.steps + stride; cut += stride) {
-    CAPTURE(cut);
-    SimulatedFlash flash(geometry, static_cast<uint32_t>(cut));
-    flash.cut_after(cut);
-    scanned(flash);
-    flash.power_on();
-    Keeper keeper(flash, most);
-    REQUIRE(keeper.status == Status::ok);
-    if (!keeper.store.has_checkpoint()) continue;
-    auto device = device_for<uint16_t>(scan);
-    REQUIRE(keeper.restore(device.parts()) == Status::ok);
-    REQUIRE(device.restore_parts() == Status::ok);
-    restored.insert(keeper.store.sequence());
-    Bytes stream(whole.begin(), whole.begin() + static_cast<ptrdiff_t>(device.position()));
-    device.finish();
-    stream.insert(stream.end(), device.store.bytes.begin(), device.store.bytes.end());
-    REQUIRE(stream == whole);
-  }
-  CHECK(restored.size() == 5);
 }
 
 TEST_CASE("each call erases one block or programs one unit") {
@@ -365,8 +327,7 @@ TEST_CASE("blocks erased ahead are not erased again") {
 }
 
 TEST_CASE("blocks wear equally when every checkpoint follows a start") {
-  const Memories& memory = memories[1];
-  SimulatedFlash flash(memory.geometry);
+  SimulatedFlash flash(memories[1].geometry);
   std::vector<uint8_t> all(max_bytes);
   for (uint32_t number = 0; number < 6; ++number)
     REQUIRE(Keeper(flash).save({{all.data(), all.size()}}) == Status::ok);
@@ -374,8 +335,7 @@ TEST_CASE("blocks wear equally when every checkpoint follows a start") {
 }
 
 TEST_CASE("the rest of the last programmed unit is all ones") {
-  const Memories& memory = memories[2];
-  SimulatedFlash flash(memory.geometry);
+  SimulatedFlash flash(memories[2].geometry);
   Keeper keeper(flash);
   uint8_t bytes[300] = {};
   REQUIRE(keeper.save({memory_of(bytes)}) == Status::ok);
@@ -389,7 +349,7 @@ TEST_CASE("a store restarted with another flash forgets the first flash") {
     CAPTURE(memory.name);
     SimulatedFlash first(memory.geometry, 1, memory.kind), other(memory.geometry, 2, memory.kind);
     Keeper keeper(first);
-    for (uint32_t number = 0; number < 3; ++number) REQUIRE(save(keeper, number) == Status::ok);
+    save_all(keeper, 3);
     first.fail_call(0);
     REQUIRE(keeper.restore(Contents(2).parts()) == Status::device_error);
     Contents contents(3);
@@ -411,8 +371,7 @@ TEST_CASE("a store restarted with another flash forgets the first flash") {
 }
 
 TEST_CASE("after a start the next checkpoint goes to an unused slot") {
-  const Memories& memory = memories[3];
-  SimulatedFlash flash(memory.geometry);
+  SimulatedFlash flash(memories[3].geometry);
   for (uint32_t number = 0; number < 6; ++number) {
     Keeper keeper(flash);
     REQUIRE(save(keeper, number) == Status::ok);
@@ -427,15 +386,14 @@ TEST_CASE("a failed device call is reported and preserves older checkpoints") {
     CAPTURE(memory.name);
     SimulatedFlash whole(memory.geometry, 3, memory.kind);
     Keeper never_failing(whole);
-    for (uint32_t number = 0; number < 3; ++number)
-      REQUIRE(save(never_failing, number) == Status::ok);
+    save_all(never_failing, 3);
     const uint64_t before = whole.calls;
     REQUIRE(save(never_failing, 3) == Status::ok);
     for (uint64_t call = 0; call < whole.calls - before; ++call) {
       CAPTURE(call);
       SimulatedFlash flash(memory.geometry, 3, memory.kind);
       Keeper keeper(flash);
-      for (uint32_t number = 0; number < 3; ++number) REQUIRE(save(keeper, number) == Status::ok);
+      save_all(keeper, 3);
       flash.fail_call(call);
       REQUIRE(save(keeper, 3) == Status::device_error);
       CHECK(keeper.store.sequence() == 3);
@@ -449,9 +407,7 @@ TEST_CASE("a failed device call is reported and preserves older checkpoints") {
     SimulatedFlash flash(memory.geometry, 3, memory.kind);
     if (memory.kind == Kind::fram) continue;
     Keeper keeper(flash);
-    REQUIRE(save(keeper, 0) == Status::ok);
-    REQUIRE(save(keeper, 1) == Status::ok);
-    REQUIRE(save(keeper, 2) == Status::ok);
+    save_all(keeper, 3);
     flash.fail_call(0);
     CHECK(keeper.store.erase_ahead(max_bytes) == Status::device_error);
     CHECK(number_found(flash, 3) == 2);
@@ -467,8 +423,7 @@ TEST_CASE("after a failed save the newest checkpoint stays until the next save i
       CAPTURE(saved);
       SimulatedFlash flash(memory.geometry, 1, memory.kind);
       Keeper keeper(flash);
-      for (uint32_t number = 0; number < saved; ++number)
-        REQUIRE(save(keeper, number) == Status::ok);
+      save_all(keeper, saved);
       flash.fail_call(0);
       REQUIRE(save(keeper, saved) == Status::device_error);
       Contents contents(saved + 1);
@@ -504,8 +459,7 @@ TEST_CASE("an older checkpoint of the same size does not complete an interrupted
 }
 
 TEST_CASE("an error of the driver is reported even if the data was written") {
-  const Memories& memory = memories[2];
-  SimulatedFlash flash(memory.geometry);
+  SimulatedFlash flash(memories[2].geometry);
   FlashDevice device = flash.device();
   static const auto program = device.program;
   device.program = [](void* context, uint32_t block, uint32_t offset, const void* buffer,
@@ -560,9 +514,8 @@ TEST_CASE("an interrupted save preserves the previous checkpoint") {
 }
 
 TEST_CASE("sequence numbers wrap from the last to 0, and the newest checkpoint is still found") {
-  const Memories& memory = memories[1];
-  SimulatedFlash flash(memory.geometry);
-  const StorePlan plan = store_plan(memory.geometry, max_bytes);
+  SimulatedFlash flash(memories[1].geometry);
+  const StorePlan plan = store_plan(memories[1].geometry, max_bytes);
   put_slot(slot(flash, plan, 1), UINT32_MAX - 1, Contents(1));
   put_slot(slot(flash, plan, 0), UINT32_MAX - 2, Contents(0));
   for (uint32_t number = 2; number < 8; ++number) {
@@ -575,11 +528,10 @@ TEST_CASE("sequence numbers wrap from the last to 0, and the newest checkpoint i
 }
 
 TEST_CASE("the sequence number of a damaged checkpoint is not reused") {
-  const Memories& memory = memories[1];
-  SimulatedFlash flash(memory.geometry);
+  SimulatedFlash flash(memories[1].geometry);
   {
     Keeper keeper(flash);
-    for (uint32_t number = 0; number < 3; ++number) REQUIRE(save(keeper, number) == Status::ok);
+    save_all(keeper, 3);
     slot(flash, keeper.store.plan(), 2)[100] ^= 1;
   }
   {
@@ -596,18 +548,16 @@ TEST_CASE("the sequence number of a damaged checkpoint is not reused") {
 }
 
 TEST_CASE("a head with a size beyond the maximal checkpoint is ignored") {
-  const Memories& memory = memories[2];
-  SimulatedFlash flash(memory.geometry);
-  const StorePlan plan = store_plan(memory.geometry, max_bytes);
+  SimulatedFlash flash(memories[2].geometry);
+  const StorePlan plan = store_plan(memories[2].geometry, max_bytes);
   put_slot(slot(flash, plan, 0), 1, Contents(3));  // 919 bytes
   CHECK(number_found(flash, 4) == 3);
   CHECK_FALSE(Keeper(flash, 918).store.has_checkpoint());
 }
 
 TEST_CASE("a head of another format is ignored") {
-  const Memories& memory = memories[2];
-  SimulatedFlash flash(memory.geometry);
-  const StorePlan plan = store_plan(memory.geometry, max_bytes);
+  SimulatedFlash flash(memories[2].geometry);
+  const StorePlan plan = store_plan(memories[2].geometry, max_bytes);
   put_slot(slot(flash, plan, 0), 1, Contents(0), StoredHead::current_format + 1);
   CHECK(number_found(flash, 1) == UINT32_MAX);
 }
@@ -627,8 +577,7 @@ TEST_CASE("start() terminates for any sequence numbers of the heads") {
 
 TEST_CASE(
     "unreadable slots are skipped, and device_error is returned if no other checkpoint is found") {
-  const Memories& memory = memories[2];
-  SimulatedFlash flash(memory.geometry);
+  SimulatedFlash flash(memories[2].geometry);
   {
     Keeper keeper(flash);
     REQUIRE(save(keeper, 0) == Status::ok);
@@ -646,8 +595,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the parts of a checkpoint are restored as saved or not at all") {
-  const Memories& memory = memories[2];
-  SimulatedFlash flash(memory.geometry);
+  SimulatedFlash flash(memories[2].geometry);
   Keeper keeper(flash);
   uint8_t bytes[300] = {}, read[301] = {};
   CHECK(keeper.restore({{read, 300}}) == Status::bad_checkpoint);
@@ -681,8 +629,7 @@ TEST_CASE("a discarded checkpoint is never found again, whenever the power fails
       Keeper keeper(flash);
       CHECK(keeper.store.discard() == Status::ok);
       CHECK(flash.units == 0);
-      REQUIRE(save(keeper, 0) == Status::ok);
-      REQUIRE(save(keeper, 1) == Status::ok);
+      save_all(keeper, 2);
       saved = flash.steps;
       REQUIRE(keeper.finish(keeper.store.discard()) == Status::ok);
       discarded = flash.steps;
@@ -700,8 +647,7 @@ TEST_CASE("a discarded checkpoint is never found again, whenever the power fails
       SimulatedFlash flash(memory.geometry, static_cast<uint32_t>(cut), memory.kind);
       flash.cut_after(cut);
       Keeper keeper(flash);
-      REQUIRE(save(keeper, 0) == Status::ok);
-      REQUIRE(save(keeper, 1) == Status::ok);
+      save_all(keeper, 2);
       const Status status = keeper.finish(keeper.store.discard());
       flash.power_on();
       const uint32_t found = number_found(flash, 2);
@@ -712,8 +658,7 @@ TEST_CASE("a discarded checkpoint is never found again, whenever the power fails
 }
 
 TEST_CASE("invalid starts, saves and restores are refused") {
-  const Memories& memory = memories[2];
-  SimulatedFlash flash(memory.geometry);
+  SimulatedFlash flash(memories[2].geometry);
   CheckpointStore store{};
   uint8_t buffer[256], bytes[max_bytes + 1] = {};
   const Memory one{bytes, 1};

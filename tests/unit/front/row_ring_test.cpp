@@ -9,7 +9,6 @@
 #include <cstring>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "oracle/scan.hpp"
 #include "oracle/single_step.hpp"

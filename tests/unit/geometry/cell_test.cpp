@@ -7,11 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/cell_symmetry.hpp"
-
 using namespace discmc;
-using test::cell_symmetries;
-using test::CellSymmetry;
 
 namespace {
 
@@ -89,12 +85,6 @@ std::vector<int> corners_on_left(int face, const LoopLink& link) {
 }
 
 using LinkSet = std::set<std::pair<CellPoint, CellPoint>>;
-
-LinkSet link_set(Configuration configuration) {
-  LinkSet set;
-  for (const LoopLink& link : loop_links(configuration)) set.insert({link.from, link.to});
-  return set;
-}
 
 LinkSet links_on(int face, Configuration configuration, const Vertex& shift) {
   LinkSet set;
@@ -279,36 +269,4 @@ TEST_CASE("two cells that share a face run through the same links on it, in oppo
     });
     CHECK(pairs == 4096);
   }
-}
-
-TEST_CASE("loops follow the rotations and reflections of their cell") {
-  const std::vector<CellSymmetry> symmetries = cell_symmetries();
-  CHECK(symmetries.size() == 48);
-  CHECK(std::count_if(symmetries.begin(), symmetries.end(),
-                      [](const CellSymmetry& symmetry) { return symmetry.is_mirror(); }) == 24);
-  for_each_configuration([&](Configuration configuration) {
-    const std::vector<LoopLink> all = loop_links(configuration);
-    for (const CellSymmetry& symmetry : symmetries) {
-      LinkSet moved;
-      for (const LoopLink& link : all) {
-        const CellPoint from = symmetry.point(link.from);
-        const CellPoint to = symmetry.point(link.to);
-        moved.insert(symmetry.is_mirror() ? std::pair(to, from) : std::pair(from, to));
-      }
-      CHECK(moved == link_set(symmetry.configuration(configuration)));
-    }
-  });
-}
-
-TEST_CASE("without an ambiguous face, on and off swapped turn the loops round") {
-  int plain = 0;
-  for_each_configuration([&](Configuration configuration) {
-    for (int face = 0; face < faces; ++face)
-      if (is_ambiguous(configuration, face)) return;
-    ++plain;
-    LinkSet reversed;
-    for (const LoopLink& link : loop_links(configuration)) reversed.insert({link.to, link.from});
-    CHECK(reversed == link_set(static_cast<Configuration>(~configuration)));
-  });
-  CHECK(plain > 100);
 }

@@ -128,37 +128,6 @@ TEST_CASE("a checkpoint at any row continues a stream of slices with the same by
     }
 }
 
-TEST_CASE("a receiver that cannot rewind counts repeated packets of slices and loses none") {
-  const BitVolume volume = smooth();
-  const DevicePlan plan{"an output that lags behind", {3}, 1, 5};
-  SliceDevice device(volume, plan), again(volume, plan);
-  device.start();
-  device.scan_to(200);
-  REQUIRE(device.encoder.flush() == Status::suspended);
-  REQUIRE(device.encoder.resume() == Status::suspended);
-  REQUIRE(again.restore(device.save()) == Status::ok);
-  const uint64_t position = again.encoder.bytes();
-  REQUIRE(position < device.store.bytes.size());  // a part of a frame had gone out
-  again.finish();
-  device.finish();
-  const Bytes& whole = device.store.bytes;
-  const reference::Size size{volume.width, volume.height, volume.depth};
-  const ReceivedRows heard = decode_slices(whole, size);
-  REQUIRE(heard.report.is_complete());
-  for (size_t cut = position; cut <= whole.size(); cut += step(5)) {
-    CAPTURE(cut);
-    Bytes stream(whole.begin(), whole.begin() + static_cast<ptrdiff_t>(cut));
-    stream.push_back(0);
-    append(stream, again.store.bytes);
-    const ReceivedRows arrival = decode_slices(stream, size);
-    REQUIRE(arrival.report.has_trailer);
-    REQUIRE(arrival.report.lost_packets == 0);
-    REQUIRE(arrival.rows.size() == heard.rows.size());
-    for (size_t i = 0; i < heard.rows.size(); ++i)
-      REQUIRE(arrival.rows[i].bits == heard.rows[i].bits);
-  }
-}
-
 TEST_CASE("rows, records and skipped rows sent before a checkpoint are not repeated") {
   SliceDevice first(smooth(), plans[1]), second(smooth(), plans[1]);
   first.start();

@@ -197,15 +197,6 @@ void check_unreadable(uint8_t bits, const std::vector<Bytes>& parts) {
 
 }  // namespace
 
-TEST_CASE("a hand-coded stream of slices is decoded") {
-  const ReceivedRows received =
-      Stream().slices(of_key, {key(0), Code().rows_off(4).end()}).received();
-  CHECK(received.report.damaged_packets == 0);
-  CHECK(received.report.rows == 4);
-  CHECK(received.rows[3].event.slice == 1);
-  CHECK(received.rows[3].event.row == 0);
-}
-
 TEST_CASE("slices that no encoder produces are refused") {
   const Bytes code = Code().row(Bytes(5, 0x55)).rows_off(2).end();
   REQUIRE(code.size() > 6);

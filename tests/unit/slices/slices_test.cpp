@@ -86,7 +86,7 @@ struct Device {
     header.width = limits.width;
     header.height = limits.height;
     header.thresholds[0] = 1;
-    reference::require_ok(encoder.start(test::slice_config(header, key_slice_interval),
+    reference::require_ok(encoder.start(slice_config(header, key_slice_interval),
                                         {memory.data(), memory.size()}, line.output()));
   }
   Bytes memory;
@@ -205,11 +205,8 @@ TEST_CASE("samples are compared with the threshold of the header, at a stride") 
   header.width = 40;
   header.height = 2;
   header.thresholds[0] = -5;
-  Bytes memory(SliceEncoder::minimum_bytes({{40, 2}}));
   Line line;
-  SliceEncoder encoder;
-  reference::require_ok(
-      encoder.start(test::slice_config(header), {memory.data(), memory.size()}, line.output()));
+  StartedSliceEncoder encoder(header, line.output());
   int16_t samples[160];
   for (int i = 0; i < 160; ++i) samples[i] = static_cast<int16_t>(i % 4 == 0 ? i % 9 - 9 : 100);
   const PushResult result = encoder.push(samples, 40, 4);
@@ -361,6 +358,10 @@ TEST_CASE("a header is repeated after 64 packets, but not behind the trailer") {
     CHECK(frames.size() == headers + packets + 1);
     CHECK(packet_of(frames.back()).is(detail::wire::PacketKind::slices_trailer));
   }
+  // A code with a header in it.
+  const BitVolume long_slice = reference::random({400, 400, 1}, 128, 8);
+  CHECK(packet_of(frames_of(encode_slices(long_slice))[65]).is(detail::wire::PacketKind::header));
+  check_round_trip(long_slice);
 }
 
 TEST_CASE("a run longer than its row is refused") {
@@ -431,18 +432,18 @@ TEST_CASE("the encoder refuses invalid calls with a status") {
   header.width = 8;
   header.height = 3;
   Bytes memory(SliceEncoder::minimum_bytes({{8, 3}}));
-  CHECK(encoder.start(test::slice_config(StreamHeader{}), {memory.data(), memory.size()},
+  CHECK(encoder.start(slice_config(StreamHeader{}), {memory.data(), memory.size()},
                       line.output()) == Status::bad_limits);
-  CHECK(encoder.start(test::slice_config(header), {memory.data(), memory.size()}, {}) ==
+  CHECK(encoder.start(slice_config(header), {memory.data(), memory.size()}, {}) ==
         Status::bad_sink);
-  CHECK(encoder.start(test::slice_config(header), {}, line.output()) == Status::too_little_memory);
-  CHECK(encoder.start(test::slice_config(header), {nullptr, memory.size()}, line.output()) ==
+  CHECK(encoder.start(slice_config(header), {}, line.output()) == Status::too_little_memory);
+  CHECK(encoder.start(slice_config(header), {nullptr, memory.size()}, line.output()) ==
         Status::too_little_memory);
-  CHECK(encoder.start(test::slice_config(header), {memory.data(), memory.size() - 1},
-                      line.output()) == Status::too_little_memory);
+  CHECK(encoder.start(slice_config(header), {memory.data(), memory.size() - 1}, line.output()) ==
+        Status::too_little_memory);
   CHECK(line.bytes.empty());
   reference::require_ok(
-      encoder.start(test::slice_config(header), {memory.data(), memory.size()}, line.output()));
+      encoder.start(slice_config(header), {memory.data(), memory.size()}, line.output()));
   CHECK(encoder.push(samples, 3).status == Status::ok);
   refuses_rows(Status::row_in_progress);
   CHECK(encoder.finish() == Status::slice_in_progress);
@@ -520,12 +521,7 @@ StreamHeader header_of_surfaces(const reference::Size& size,
 Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, uint32_t key_slice_interval,
                       bool skips = false, size_t bytes_a_time = 0) {
   Line line(bytes_a_time);
-  const Limits limits{header.width, header.height};
-  reference::Block block(
-      SliceEncoder::minimum_bytes({limits, {}, key_slice_interval, header.surface_count}));
-  SliceEncoder encoder;
-  reference::require_ok(
-      encoder.start(test::slice_config(header, key_slice_interval), block.memory(), line.output()));
+  StartedSliceEncoder encoder(header, line.output(), key_slice_interval);
   for (uint32_t row = 0; row < header.height * header.depth; ++row) {
     const uint8_t* const first = &samples[size_t{row} * header.width];
     for (uint32_t told = 0; told < header.width;)
@@ -533,7 +529,7 @@ Bytes encode_surfaces(const StreamHeader& header, const Bytes& samples, uint32_t
                                     : encoder.push(first + told, header.width - told).samples;
   }
   until_done([&] { return encoder.finish(); });
-  CHECK(block.is_intact());
+  CHECK(encoder.block.is_intact());
   return line.bytes;
 }
 
@@ -555,53 +551,33 @@ TEST_CASE("several surfaces are decoded from one stream, each as if alone") {
             decode_slices(stream, size, skips ? 1 : 0, interval == 2, header.surface_count);
         REQUIRE(received.report.is_complete());
         CHECK(received.report.rows == size.height * size.depth);
-        std::vector<Bytes> rows(thresholds.size());
-        for (const RecordedRow& row : received.rows)
-          if (!row.bits.empty()) {
-            Bytes& all = rows.at(row.event.channel - 5U);
-            all.insert(all.end(), row.bits.begin(), row.bits.end());
-          }
         for (size_t surface = 0; surface < thresholds.size(); ++surface) {
           const StreamHeader one = header_of_surfaces(size, {thresholds[surface]});
           const ReceivedRows alone =
               decode_slices(encode_surfaces(one, samples, {interval}, skips), size);
-          Bytes expected;
-          for (const RecordedRow& row : alone.rows)
-            expected.insert(expected.end(), row.bits.begin(), row.bits.end());
-          CHECK(rows[surface] == expected);
+          CHECK(voxels_of(received.rows, static_cast<uint8_t>(5 + surface)) ==
+                voxels_of(alone.rows, 5));
         }
       }
 }
 
-TEST_CASE("rows of bits contain all surfaces in sequence") {
-  const StreamHeader header = header_of_surfaces({10, 1, 1}, {1, 1, 1});
-  Line line;
-  reference::Block block(SliceEncoder::minimum_bytes({{10, 1}, {}, 0, 3}));
-  SliceEncoder encoder;
-  reference::require_ok(encoder.start(test::slice_config(header), block.memory(), line.output()));
-  const uint8_t bits[] = {0x81, 1, 0xFF, 3, 0, 2};
-  CHECK(encoder.push_bits(bits).samples == 10);
-  reference::require_ok(encoder.finish());
-  const ReceivedRows received = decode_slices(line.bytes, {10, 1, 1}, 0, false, 3);
-  REQUIRE(received.rows.size() == 4);
-  CHECK(received.rows[0].bits == Bytes{1, 0, 0, 0, 0, 0, 0, 1, 1, 0});
-  CHECK(received.rows[1].bits == Bytes(10, 1));
-  CHECK(received.rows[2].bits == Bytes{0, 0, 0, 0, 0, 0, 0, 0, 0, 1});
-}
-
-TEST_CASE("rows of bits that fill their bytes are contiguous") {
-  const StreamHeader header = header_of_surfaces({16, 1, 1}, {1, 1});
-  Line line;
-  reference::Block block(SliceEncoder::minimum_bytes({{16, 1}, {}, 0, 2}));
-  SliceEncoder encoder;
-  reference::require_ok(encoder.start(test::slice_config(header), block.memory(), line.output()));
-  const uint8_t bits[] = {0xFF, 0, 0, 0xFF, 0x55};
-  CHECK(encoder.push_bits(bits).samples == 16);
-  reference::require_ok(encoder.finish());
-  const ReceivedRows received = decode_slices(line.bytes, {16, 1, 1}, 0, false, 2);
-  REQUIRE(received.rows.size() == 3);
-  CHECK(received.rows[0].bits == Bytes{1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
-  CHECK(received.rows[1].bits == Bytes{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1});
+TEST_CASE("rows of bits contain all surfaces in sequence, each in whole bytes") {
+  const auto decoded = [](uint32_t width, const Bytes& bits) {
+    const auto surfaces = static_cast<uint32_t>(bits.size() / ((width + 7) / 8));
+    Line line;
+    StartedSliceEncoder encoder(
+        header_of_surfaces({width, 1, 1}, std::vector<int32_t>(surfaces, 1)), line.output());
+    CHECK(encoder.push_bits(bits.data()).samples == width);
+    reference::require_ok(encoder.finish());
+    std::vector<Bytes> rows;
+    for (const RecordedRow& row : decode_slices(line.bytes, {width, 1, 1}, 0, false, surfaces).rows)
+      if (row.is(Kind::row)) rows.push_back(row.bits);
+    return rows;
+  };
+  CHECK(decoded(10, {0x81, 1, 0xFF, 3, 0, 2}) ==
+        std::vector<Bytes>{
+            {1, 0, 0, 0, 0, 0, 0, 1, 1, 0}, Bytes(10, 1), {0, 0, 0, 0, 0, 0, 0, 0, 0, 1}});
+  CHECK(decoded(8, {0xFF, 0x18}) == std::vector<Bytes>{Bytes(8, 1), {0, 0, 0, 1, 1, 0, 0, 0}});
 }
 
 TEST_CASE("surfaces with close thresholds need fewer bytes together than alone") {
@@ -621,12 +597,12 @@ TEST_CASE("a stream contains one to four surfaces, on channels up to 63") {
   SliceEncoder encoder;
   StreamHeader header = header_of_surfaces({9, 9, 0}, {1, 2, 3, 4});
   header.channel = 60;
-  CHECK(encoder.start(test::slice_config(header), all, line.output()) == Status::ok);
+  CHECK(encoder.start(slice_config(header), all, line.output()) == Status::ok);
   header.channel = 61;
-  CHECK(encoder.start(test::slice_config(header), all, line.output()) == Status::bad_label);
+  CHECK(encoder.start(slice_config(header), all, line.output()) == Status::bad_label);
   header.channel = 0;
   header.surface_count = 5;
-  CHECK(encoder.start(test::slice_config(header), all, line.output()) == Status::bad_label);
+  CHECK(encoder.start(slice_config(header), all, line.output()) == Status::bad_label);
 }
 
 namespace {
@@ -688,11 +664,7 @@ TEST_CASE("codes are cut at any pending carry, between rows or within a row of a
         const StreamHeader header = header_of_surfaces(size, thresholds);
         const std::vector<Bytes> rows = rows_on_the_edge(header, seed);
         Line line;
-        reference::Block block(
-            SliceEncoder::minimum_bytes({{size.width, size.height}, {}, 0, header.surface_count}));
-        SliceEncoder encoder;
-        reference::require_ok(
-            encoder.start(test::slice_config(header), block.memory(), line.output()));
+        StartedSliceEncoder encoder(header, line.output());
         for (const Bytes& row : rows) reference::require_ok(encoder.push_bits(row.data()).status);
         reference::require_ok(encoder.finish());
         const std::vector<Bytes> frames = frames_of(line.bytes);
@@ -747,10 +719,8 @@ TEST_CASE("a surface decoder selects the surface of its channel from several") {
 
 TEST_CASE("a scan that ends on a busy line is complete after resume()") {
   Line line(1);
-  reference::Block block(SliceEncoder::minimum_bytes({{9, 2}}));
-  SliceEncoder encoder;
   const StreamHeader header = header_of_surfaces({9, 2, 1}, {1});
-  reference::require_ok(encoder.start(test::slice_config(header), block.memory(), line.output()));
+  StartedSliceEncoder encoder(header, line.output());
   const uint8_t row[9] = {1, 0, 1};
   while (encoder.rows() == 0) (void)encoder.push(row, 9);
   CHECK(encoder.finish() == Status::slice_in_progress);
@@ -760,34 +730,10 @@ TEST_CASE("a scan that ends on a busy line is complete after resume()") {
   CHECK(decode_slices(line.bytes, {9, 2, 1}).report.is_complete());
 }
 
-namespace {
-
-// Accepts `room` bytes and no more until there is room again.
-struct BrokenLine {
-  size_t room = 0;
-  Bytes bytes{};
-
-  ByteOutput output() {
-    return {this, [](void* context, const uint8_t* data, size_t count) {
-              return static_cast<BrokenLine*>(context)->write(data, count);
-            }};
-  }
-  size_t write(const uint8_t* data, size_t count) {
-    const size_t taken = std::min(count, room);
-    bytes.insert(bytes.end(), data, data + taken);
-    room -= taken;
-    return taken;
-  }
-};
-
-}  // namespace
-
 TEST_CASE("a finished scan refuses records, even while the line is busy") {
-  BrokenLine line;
-  reference::Block block(SliceEncoder::minimum_bytes({{9, 1}}));
-  SliceEncoder encoder;
+  LimitedLine line;
   const StreamHeader header = header_of_surfaces({9, 1, 1}, {1});
-  reference::require_ok(encoder.start(test::slice_config(header), block.memory(), line.output()));
+  StartedSliceEncoder encoder(header, line.output());
   REQUIRE(encoder.finish() == Status::suspended);
   CHECK(encoder.is_suspended());
   line.room = 1000;
@@ -806,12 +752,9 @@ TEST_CASE(
       CAPTURE(height);
       CAPTURE(skips);
       // With every key slice a packet ends, which this line does not take.
-      BrokenLine line;
-      reference::Block block(SliceEncoder::minimum_bytes({{9, height}, {}, 1}));
-      SliceEncoder encoder;
+      LimitedLine line;
       const StreamHeader header = header_of_surfaces({9, height, 2}, {1});
-      reference::require_ok(
-          encoder.start(test::slice_config(header, 1), block.memory(), line.output()));
+      StartedSliceEncoder encoder(header, line.output(), 1);
       line.room = 100;
       reference::require_ok(encoder.resume());
       line.room = 0;
@@ -842,11 +785,8 @@ TEST_CASE("a restarted scan is independent of the previous one, wherever that st
   // The line breaks off in one packet after another, most of which end within a row.
   for (size_t room = 0; room < 1500; room += 125) {
     CAPTURE(room);
-    reference::Block block(SliceEncoder::minimum_bytes({{41, 17}, {}, key_slice_interval, 3}));
-    BrokenLine broken{room};
-    SliceEncoder encoder;
-    reference::require_ok(encoder.start(test::slice_config(header, key_slice_interval),
-                                        block.memory(), broken.output()));
+    LimitedLine broken{room};
+    StartedSliceEncoder encoder(header, broken.output(), key_slice_interval);
     Status status = Status::ok;
     for (uint32_t row = 0; row < 17 * 6 && status == Status::ok; ++row)
       status = row == 7 ? encoder.skip_row(Substitute::off).status
@@ -854,8 +794,8 @@ TEST_CASE("a restarted scan is independent of the previous one, wherever that st
     CHECK(status == Status::suspended);
     if (room % 2 == 0) (void)encoder.abandon();
     Line line;
-    reference::require_ok(encoder.start(test::slice_config(header, key_slice_interval),
-                                        block.memory(), line.output()));
+    reference::require_ok(encoder.start(slice_config(header, key_slice_interval),
+                                        encoder.block.memory(), line.output()));
     CHECK(encoder.bytes() == 0);
     reference::require_ok(encoder.push(samples.data(), 41 * 17 * 6).status);
     reference::require_ok(encoder.finish());
@@ -883,10 +823,8 @@ TEST_CASE("a skipped row waits for the line before its encoding begins") {
   REQUIRE(full.size() > 1);
   for (const uint32_t skipped : full) {
     CAPTURE(skipped);
-    BrokenLine line{100000};
-    reference::Block block(SliceEncoder::minimum_bytes({limits}));
-    SliceEncoder encoder;
-    reference::require_ok(encoder.start(test::slice_config(header), block.memory(), line.output()));
+    LimitedLine line{100000};
+    StartedSliceEncoder encoder(header, line.output());
     reference::require_ok(encoder.push(volume.on.data(), skipped).status);
     line.room = 0;
     CHECK(encoder.skip_row(Substitute::off).status == Status::suspended);

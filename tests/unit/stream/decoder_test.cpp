@@ -225,6 +225,7 @@ TEST_CASE("a decoder that is started again forgets everything") {
     REQUIRE(decoder.start(make_sink(first)) == Status::ok);
     REQUIRE(decoder.push(stream.data(), count).status == Status::ok);
     REQUIRE(decoder.start(make_sink(second)) == Status::ok);
+    CHECK(decoder.header().width == 0);
     REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
     CHECK(second.events == sample.events);
     CHECK(decoder.report().is_complete());
@@ -241,6 +242,7 @@ TEST_CASE("a restarted decoder forgets refusals and pending events") {
   REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   CHECK(decoder.push(unknown.data(), unknown.size()).status == Status::wrong_version);
   CHECK_FALSE(decoder.report().has_header);
+  CHECK(log.starts.empty());
   REQUIRE(decoder.start(make_sink(log)) == Status::ok);
   CHECK(decoder.push(lost.data(), lost.size()).status == Status::ok);
   CHECK(log.events == first_part().events);
@@ -346,21 +348,6 @@ TEST_CASE("a restarted decoder accepts a stream of any channel and scan and coun
     }
 }
 
-TEST_CASE("an unknown version stops the decoder until a restart") {
-  const Bytes stream = encode(Script().layer(1).finish().events);
-  const Bytes unknown = with_version(3, stream);
-  EventLog log;
-  Decoder decoder;
-  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
-  CHECK(decoder.push(unknown.data(), unknown.size()).status == Status::wrong_version);
-  CHECK_FALSE(decoder.report().has_header);
-  CHECK(decoder.report().packets == 0);
-  CHECK(log.starts.empty());
-  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
-  CHECK(decoder.push(stream.data(), stream.size()).status == Status::ok);
-  CHECK(decoder.report().is_complete());
-}
-
 TEST_CASE("packets of other channels and scans are ignored and counted as foreign") {
   const auto frame = [](uint16_t scan, uint8_t channel) {
     Packet packet = packet_of(stream_of({}));
@@ -424,34 +411,6 @@ TEST_CASE("an application record contains the slice and row of its writing") {
   CHECK(event.application->bytes[1] == 0xFE);
 }
 
-TEST_CASE("a decoder that is started again after half a frame begins with a new one") {
-  const Bytes stream = encode(Script().layer(1).finish().events);
-  EventLog log;
-  Decoder decoder;
-  for (int i = 0; i < 2; ++i) {
-    REQUIRE(decoder.start(make_sink(log)) == Status::ok);
-    REQUIRE(decoder.push(stream.data(), 20).status == Status::ok);
-  }
-  REQUIRE(decoder.push(stream.data() + 20, stream.size() - 20).status == Status::ok);
-  CHECK(decoder.report().is_complete());
-}
-
-TEST_CASE("a decoder that is started again counts from the first packet on") {
-  const std::vector<Bytes> frames = frames_of(encode(Script().layer(0).layer(1).finish().events));
-  const Bytes stream = joined(frames);
-  EventLog log;
-  Decoder decoder;
-  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
-  REQUIRE(decoder.push(stream.data(), stream.size()).status == Status::ok);
-  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
-  CHECK(decoder.header().width == 0);
-  // Number 1: a receiver that starts with it has missed one packet.
-  REQUIRE(decoder.push(frames[1].data(), frames[1].size()).status == Status::ok);
-  CHECK(decoder.report().packets == 1);
-  CHECK(decoder.report().lost_packets == 1);
-  CHECK(decoder.report().repeated_packets == 0);
-}
-
 TEST_CASE("counts of pieces and packet numbers wrap, and half of them lie behind") {
   const auto is_taken = [](uint8_t number, uint16_t pieces) {
     Bytes stream = stream_of({});
@@ -492,16 +451,6 @@ TEST_CASE("a trailer that counts fewer regions than arrived reports none lost") 
   CHECK_FALSE(report.is_complete());
 }
 
-TEST_CASE("a stream without a header is not complete, even if no number is missing") {
-  std::vector<Bytes> frames = frames_of(encode(Script().finish().events));
-  Packet trailer = packet_of(frames[1]);
-  trailer.number = 0;
-  const StreamReport report = decode(frame_of(trailer)).report;
-  CHECK(report.has_trailer);
-  CHECK(report.lost_packets == 0);
-  CHECK_FALSE(report.is_complete());
-}
-
 TEST_CASE("a stream with only a header is neither complete nor abandoned") {
   const StreamReport report = decode(stream_of({})).report;
   CHECK(report.has_header);
@@ -520,13 +469,6 @@ TEST_CASE("a region may fill a record with parallelograms to the last word") {
     script.square({1, 4 * static_cast<int32_t>(ring), 0}, 2, ring > 0);
   const Received arrival = decode(encode(script.region_end().finish().events));
   CHECK(arrival.events == script.events);
-  CHECK(arrival.report.damaged_packets == 0);
-}
-
-TEST_CASE("a region may fill a record with corner-coded rings") {
-  const Received arrival = decode(stream_of({payload_of(
-      [](auto& model) { tell_squares(model, Record::max_words / (Record::ring_words + 4)); })}));
-  CHECK(pieces_of(arrival.events).size() == 1);
   CHECK(arrival.report.damaged_packets == 0);
 }
 
@@ -1205,17 +1147,6 @@ TEST_CASE("a sink may refuse the last events of a stream repeatedly") {
     CHECK(calls == (refusals == 0 ? 1 : 4 * refusals));
     CHECK(sullen.log.events == Script().region(up).ring({1, 0, 0}).run(0, 2).lost().events);
   }
-}
-
-TEST_CASE("a layer mark that the sink refuses is offered again") {
-  const Bytes stream = stream_of({payload_of([](auto& model) { tell_layer(model, 4); })});
-  EventLog log(reference::refuses_first);
-  Decoder decoder;
-  REQUIRE(decoder.start(make_sink(log)) == Status::ok);
-  CHECK(decoder.push(stream.data(), stream.size()).status == Status::suspended);
-  CHECK(log.events.empty());
-  CHECK(decoder.finish() == Status::ok);
-  CHECK(log.events == Script().layer(4).events);
 }
 
 TEST_CASE("a payload that ends within a record is refused") {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <discmc/placement.hpp>
-#include <iterator>
 #include <vector>
 
 #include "oracle/stream.hpp"

@@ -32,6 +32,18 @@ void check_round_trip(Tell tell, const Values& expected) {
   CHECK_FALSE(reader.coder().range.is_exhausted());
 }
 
+// The same for values that are coded one by one, each by code(model, value).
+template <class Code>
+void check_each(const Values& values, Code code) {
+  check_round_trip(
+      [&](auto& model, bool writes) {
+        Values coded;
+        for (const int64_t value : values) coded.push_back(code(model, writes ? value : 0));
+        return coded;
+      },
+      values);
+}
+
 // Around every power of two, and the ends: 0 to 2^32 - 2.
 std::vector<uint32_t> numbers() {
   std::vector<uint32_t> values{0, UINT32_MAX - 1};
@@ -167,13 +179,9 @@ TEST_CASE("small steps, and all pairs of directions, are encoded as in version 1
 
 TEST_CASE("numbers are decoded unchanged: 0, around every power of two, 2^32 - 2") {
   const std::vector<uint32_t> values = numbers();
-  check_round_trip(
-      [&](auto& model, bool writes) {
-        Values coded;
-        for (const uint32_t value : values) coded.push_back(model.plain_number(writes ? value : 0));
-        return coded;
-      },
-      Values(values.begin(), values.end()));
+  check_each(Values(values.begin(), values.end()), [](auto& model, int64_t value) {
+    return model.plain_number(static_cast<uint32_t>(value));
+  });
 }
 
 TEST_CASE("a number needs one symbol and at most 37 bits") {
@@ -305,15 +313,9 @@ TEST_CASE("kinds are decoded unchanged in every state of the packet") {
   for (uint32_t a = 0; a < kinds; ++a)
     for (uint32_t b = 0; b < kinds; ++b)
       for (uint32_t c = 0; c < kinds; ++c) expected.insert(expected.end(), {a, b, c});
-  check_round_trip(
-      [&](auto& model, bool writes) {
-        Values coded;
-        for (const int64_t kind : expected)
-          coded.push_back(static_cast<int64_t>(
-              model.record_kind(writes ? static_cast<RecordKind>(kind) : RecordKind::end)));
-        return coded;
-      },
-      expected);
+  check_each(expected, [](auto& model, int64_t kind) {
+    return static_cast<int64_t>(model.record_kind(static_cast<RecordKind>(kind)));
+  });
 }
 
 TEST_CASE("the symbols of a ring are decoded unchanged") {

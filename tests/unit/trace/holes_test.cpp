@@ -219,21 +219,6 @@ TEST_CASE_TEMPLATE("the peak counts the holes that wait at once, and each scan r
   CHECK(extractor.peaks().slots == slots);
 }
 
-TEST_CASE("the rings of a sieve do not depend on the number of slots or holes") {
-  BitVolume sieve({9, 9, 3});
-  for (int64_t y = 0; y < 9; ++y)
-    for (int64_t x = 0; x < 9; ++x) sieve.on[sieve.index(x, y, 1)] = x % 3 != 1 || y % 2 != 1;
-  const std::vector<Region> merged = merge(sieve, true);
-  for (uint32_t slots = 4; slots < 120; ++slots)
-    for (const uint32_t holes : {1U, 3U, 100U}) {
-      CAPTURE(slots);
-      CAPTURE(holes);
-      Collector collector;
-      scan_into<uint16_t>(collector, sieve, {}, Capacities{slots, holes});
-      CHECK(unlike_joined({collector}, merged) == "");
-    }
-}
-
 TEST_CASE("a loose hole is sent before the last piece of the ring around it") {
   BitVolume volume = random({12, 14, 2}, 36, 11999326367699514143U);
   for (uint8_t& voxel : volume.on) voxel ^= 1;

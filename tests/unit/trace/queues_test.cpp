@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <discmc/trace/passes.hpp>
-#include <vector>
 
 using namespace discmc;
 
