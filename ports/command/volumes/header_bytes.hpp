@@ -4,18 +4,24 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstring>
 #include <string>
 #include <string_view>
 
+#include "text/number_text.hpp"
 #include "volume_error.hpp"
 #include "volume_stream.hpp"
 
 namespace discmc::command {
 
 /// Returns the decimal number that the program meant which wrote the float: 0.01f is 0.01.
-double decimal(float value);
+inline double decimal(float value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return *decimal_number({text.data(), static_cast<std::size_t>(end - text.data())});
+}
 
 class HeaderBytes {
  public:
