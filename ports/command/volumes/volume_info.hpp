@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "label_description.hpp"
@@ -84,6 +85,38 @@ class VolumeReader : public SliceReader {
 
   /// What was assumed or left out so far. The last slice may add what follows it.
   virtual const std::vector<std::string>& notes() const { return info().notes; }
+};
+
+/// A volume whose slices are read by their numbers: one that is skipped costs nothing.
+class NumberedSlices : public VolumeReader {
+ public:
+  const VolumeInfo& info() const final { return info_; }
+  void read_slice(void* samples) final {
+    require_slice_left(source_, next_, info_.dims[2]);
+    read(next_, samples);
+    ++next_;
+  }
+  void skip_slice() final {
+    require_slice_left(source_, next_, info_.dims[2]);
+    ++next_;
+  }
+
+ protected:
+  /// source: for errors.
+  NumberedSlices(std::string source, VolumeInfo info)
+      : source_(std::move(source)), info_(std::move(info)) {}
+
+  const std::string& source() const { return source_; }
+  /// Reading may add notes.
+  VolumeInfo& own_info() { return info_; }
+
+ private:
+  /// Limit: numbers that rise.
+  virtual void read(std::uint32_t slice, void* samples) = 0;
+
+  std::string source_;
+  VolumeInfo info_;
+  std::uint32_t next_ = 0;
 };
 
 }  // namespace discmc::command

@@ -65,51 +65,38 @@ class Labels {
   std::vector<std::uint8_t> is_on_;
 };
 
-class SegmentationVolume final : public VolumeReader {
+class SegmentationVolume final : public NumberedSlices {
  public:
   SegmentationVolume(Path source, VolumeInfo info, Frames frames, Slices slices)
-      : source_(std::move(source)),
-        info_(std::move(info)),
+      : NumberedSlices(std::move(source), std::move(info)),
         frames_(std::move(frames)),
         slices_(std::move(slices)),
         labels_(*frames_[0].image) {}
 
-  const VolumeInfo& info() const override { return info_; }
-
-  void read_slice(void* samples) override {
-    require_slice_left(source_, slice_, slices_.size());
+ private:
+  void read(std::uint32_t slice, void* samples) override {
     auto* const bytes = static_cast<unsigned char*>(samples);
-    std::fill(bytes, bytes + info_.slice_bytes(), static_cast<unsigned char>(0));
-    for (const DicomFrame* frame : slices_[slice_])
+    std::fill(bytes, bytes + info().slice_bytes(), static_cast<unsigned char>(0));
+    for (const DicomFrame* frame : slices_[slice])
       if (is_of_numbers(frames_))
         labels_.read_numbers(*frame, samples);
-      else if (info_.type == SampleType::u8)
+      else if (info().type == SampleType::u8)
         paint(*frame, static_cast<std::uint8_t*>(samples));
       else
         paint(*frame, static_cast<std::uint16_t*>(samples));
-    ++slice_;
   }
 
-  void skip_slice() override {
-    require_slice_left(source_, slice_, slices_.size());
-    ++slice_;
-  }
-
- private:
   template <class Label>
   void paint(const DicomFrame& frame, Label* labels) {
     const std::uint8_t* const is_on = labels_.read_segment(frame);
-    const std::size_t count = std::size_t{info_.dims[0]} * info_.dims[1];
+    const std::size_t count = std::size_t{info().dims[0]} * info().dims[1];
     for (std::size_t i = 0; i < count; ++i)
       if (is_on[i] != 0) labels[i] = static_cast<Label>(frame.segment);
   }
 
-  Path source_;
-  VolumeInfo info_;
   Frames frames_;
   Slices slices_;  ///< of those
   Labels labels_;
-  std::size_t slice_ = 0;
 };
 
 // ---- where the slices are ----

@@ -58,37 +58,25 @@ void close_gaps(const std::filesystem::path& source, bool allow_gaps, Stack& sta
   fill_gaps(stack.pages, gaps);
 }
 
-class PictureStack final : public VolumeReader {
+class PictureStack final : public NumberedSlices {
  public:
   PictureStack(const std::filesystem::path& source, VolumeInfo info, Stack stack)
-      : source_(source), info_(std::move(info)), stack_(std::move(stack)) {}
+      : NumberedSlices(source, std::move(info)), stack_(std::move(stack)) {}
 
-  const VolumeInfo& info() const override { return info_; }
-
-  void read_slice(void* samples) override {
-    require_slice_left(source_, next_, stack_.pages.size());
-    const Page page = stack_.pages[next_];
+ private:
+  void read(std::uint32_t slice, void* samples) override {
+    const Page page = stack_.pages[slice];
     if (!opened_ || page.file != opened_file_) opened_ = open_picture(stack_.files[page.file]);
     opened_file_ = page.file;
     const PictureHeader header = opened_->header(page.number);
-    if (header.width != info_.dims[0] || header.height != info_.dims[1] ||
-        header.type != info_.type || header.channels != stack_.header.channels)
+    if (header.width != info().dims[0] || header.height != info().dims[1] ||
+        header.type != info().type || header.channels != stack_.header.channels)
       fail(stack_.files[page.file], "the file changed during reading",
            "read it again when it no longer changes");
     opened_->read(page.number, stack_.channel, static_cast<unsigned char*>(samples));
-    ++next_;
   }
 
-  void skip_slice() override {
-    require_slice_left(source_, next_, stack_.pages.size());
-    ++next_;
-  }
-
- private:
-  std::filesystem::path source_;
-  VolumeInfo info_;
   Stack stack_;
-  std::size_t next_ = 0;
   std::unique_ptr<PictureFile> opened_;
   std::uint32_t opened_file_ = 0;
 };

@@ -20,15 +20,14 @@ namespace discmc::command {
 namespace {
 
 // Some slices at once, as many as chunks are deep: each is unpacked once.
-class ZarrVolume final : public VolumeReader {
+class ZarrVolume final : public NumberedSlices {
  public:
   ZarrVolume(std::filesystem::path folder, VolumeInfo info, ZarrChunks chunks, ArrayLayout layout)
-      : folder_(std::move(folder)),
-        info_(std::move(info)),
+      : NumberedSlices(std::move(folder), std::move(info)),
         chunks_(std::move(chunks)),
         layout_(std::move(layout)) {
     constexpr std::uint64_t max_bytes = std::uint64_t{1} << 30;
-    depth_ = std::clamp<std::uint64_t>(max_bytes / info_.slice_bytes(), 1, chunk_size(2));
+    depth_ = std::clamp<std::uint64_t>(max_bytes / this->info().slice_bytes(), 1, chunk_size(2));
     const ZarrDescription& array = chunks_.array();
     std::uint64_t stride = 1;
     for (auto axis = array.order.rbegin(); axis != array.order.rend(); ++axis) {
@@ -39,36 +38,27 @@ class ZarrVolume final : public VolumeReader {
     }
   }
 
-  const VolumeInfo& info() const override { return info_; }
-
-  void read_slice(void* samples) override {
-    require_slice_left(folder_, next_, info_.dims[2]);
-    if (next_ < first_ || next_ >= first_ + count_) read_slices();
-    const std::uint64_t bytes = info_.slice_bytes();
-    std::memcpy(samples, &slices_[(next_ - first_) * bytes], bytes);
-    ++next_;
-  }
-
-  void skip_slice() override {
-    require_slice_left(folder_, next_, info_.dims[2]);
-    ++next_;
-  }
-
  private:
-  // The next slices, up to the end of the chunks that the first one lies in.
-  void read_slices() {
+  void read(std::uint32_t slice, void* samples) override {
+    if (slice < first_ || slice >= first_ + count_) read_slices(slice);
+    const std::uint64_t bytes = info().slice_bytes();
+    std::memcpy(samples, &slices_[(slice - first_) * bytes], bytes);
+  }
+
+  // Some slices, up to the end of the chunks that the first one lies in.
+  void read_slices(std::uint64_t first) {
     const std::uint64_t deep = chunk_size(2);
-    first_ = next_;
-    count_ = std::min({depth_, deep - next_ % deep, std::uint64_t{info_.dims[2]} - next_});
-    slices_.resize(count_ * info_.slice_bytes());
+    first_ = first;
+    count_ = std::min({depth_, deep - first % deep, info().dims[2] - first});
+    slices_.resize(count_ * info().slice_bytes());
     PerAxis chunk(layout_.sizes.size());
     for (std::size_t axis = 0; axis < chunk.size(); ++axis)
       chunk[axis] = layout_.first[axis] / chunks_.array().chunk[axis];
     if (layout_.axes[2]) chunk[*layout_.axes[2]] = first_ / deep;
     std::uint64_t& column = chunk[*layout_.axes[0]];
     std::uint64_t& row = chunk[*layout_.axes[1]];
-    for (row = 0; row * chunk_size(1) < info_.dims[1]; ++row)
-      for (column = 0; column * chunk_size(0) < info_.dims[0]; ++column)
+    for (row = 0; row * chunk_size(1) < info().dims[1]; ++row)
+      for (column = 0; column * chunk_size(0) < info().dims[0]; ++column)
         take_chunk(chunks_.read(chunk), column * chunk_size(0), row * chunk_size(1));
   }
 
@@ -79,12 +69,12 @@ class ZarrVolume final : public VolumeReader {
 
   // Copies what there is of a chunk in the slices. x, y: where it begins in them.
   void take_chunk(const std::optional<ChunkBytes>& samples, std::uint64_t x, std::uint64_t y) {
-    const std::size_t size = sample_bytes(info_.type);
-    const std::uint64_t columns = std::min(chunk_size(0), info_.dims[0] - x);
-    const std::uint64_t rows = std::min(chunk_size(1), info_.dims[1] - y);
+    const std::size_t size = sample_bytes(info().type);
+    const std::uint64_t columns = std::min(chunk_size(0), info().dims[0] - x);
+    const std::uint64_t rows = std::min(chunk_size(1), info().dims[1] - y);
     for (std::uint64_t z = 0; z < count_; ++z)
       for (std::uint64_t row = 0; row < rows; ++row) {
-        const std::uint64_t to = ((z * info_.dims[1] + y + row) * info_.dims[0] + x) * size;
+        const std::uint64_t to = ((z * info().dims[1] + y + row) * info().dims[0] + x) * size;
         if (samples)
           copy_row(*samples, first_ % chunk_size(2) + z, row, columns, &slices_[to]);
         else
@@ -96,7 +86,7 @@ class ZarrVolume final : public VolumeReader {
   // z, y: in the chunk.
   void copy_row(const ChunkBytes& samples, std::uint64_t z, std::uint64_t y, std::uint64_t columns,
                 unsigned char* to) const {
-    with_sample_type(info_.type, [&](auto sample) {
+    with_sample_type(info().type, [&](auto sample) {
       constexpr std::size_t size = sizeof sample;
       const unsigned char* from = &samples[(begin_ + z * strides_[2] + y * strides_[1]) * size];
       if (strides_[0] == 1) {
@@ -108,8 +98,6 @@ class ZarrVolume final : public VolumeReader {
     });
   }
 
-  std::filesystem::path folder_;
-  VolumeInfo info_;
   ZarrChunks chunks_;
   ArrayLayout layout_;
   // In a chunk, of the frame and the channel, and from one sample to the next along x, y and z.
@@ -119,7 +107,6 @@ class ZarrVolume final : public VolumeReader {
   std::uint64_t first_ = 0;  // of the slices that are held
   std::uint64_t count_ = 0;
   std::vector<unsigned char> slices_;
-  std::uint64_t next_ = 0;
 };
 
 // Each is asked for, whether it is there or not.
