@@ -1,5 +1,6 @@
 #include "filters.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -50,6 +51,7 @@ class WithoutFill final : public VolumeFilter {
 }  // namespace
 
 std::unique_ptr<VolumeReader> without_fill(std::unique_ptr<VolumeReader> volume, double fill) {
+  if (std::isnan(fill)) return volume;  // NaN is outside as it is
   return std::make_unique<WithoutFill>(std::move(volume), fill);
 }
 
