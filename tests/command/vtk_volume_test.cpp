@@ -39,6 +39,31 @@ TEST_CASE("VTK's samples may be scalars, colours or a field, and have a place") 
   CHECK(info.placement->origin_mm == std::array<double, 3>{7, 8, -9});
 }
 
+TEST_CASE("a component of VTK's vectors and of several scalars is a channel") {
+  const Folder folder;
+  std::string samples, text;
+  for (const char sample : u8)
+    for (const char each : {sample, static_cast<char>(sample ^ 1), '\7'}) {
+      samples += each;
+      text += std::to_string(static_cast<unsigned char>(each)) + ' ';
+    }
+  VolumeOptions options;
+  options.channel = 1;
+  for (const std::string& array :
+       {std::string("VECTORS v unsigned_char\n"), std::string("COLOR_SCALARS c 3\n"),
+        std::string("SCALARS a unsigned_char 3\nLOOKUP_TABLE t\n")}) {
+    const auto file = folder.write("v.vtk", vtk(image + "POINT_DATA 60\n" + array + samples));
+    const auto read = read_all(*open_volume(file, options));
+    REQUIRE(read.size() == voxels);
+    for (std::size_t i = 0; i < read.size(); ++i)
+      CHECK(read[i] == (static_cast<unsigned char>(u8[i]) ^ 1));
+  }
+  options.channel = 0;
+  const std::string header = "# vtk DataFile Version 3.0\n\nASCII\n" + image;
+  check_volume(folder.write("v.vtk", header + "POINT_DATA 60\nVECTORS v unsigned_char\n" + text),
+               SampleType::u8, "VTK, text", options);
+}
+
 TEST_CASE("VTK's samples may be cell data, at the centres between points") {
   const Folder folder;
   const std::string cells =
@@ -58,8 +83,9 @@ TEST_CASE("unsupported legacy VTK is refused by name") {
   check(vtk(image + "CELLS 60\n" + u8), "header line 'CELLS 60' is unknown");
   check(vtk(image + scalars.substr(scalars.find('S')).insert(0, "CELL_DATA 60\n") + u8),
         "there are 60 samples for the 24 cells of DIMENSIONS");
-  check(vtk(image + "POINT_DATA 60\nVECTORS v float\n"), "of kind 'vectors'");
-  check(vtk(image + "POINT_DATA 60\nSCALARS a float 3\nLOOKUP_TABLE t\n"), "has '3' numbers");
+  check(vtk(image + "POINT_DATA 60\nTENSORS v float\n"), "of kind 'tensors'");
+  check(vtk(image + "POINT_DATA 60\nSCALARS a float 3\nLOOKUP_TABLE t\n"),
+        "the file holds 3 channels");
   check(vtk(image + "POINT_DATA 60\nSCALARS a bit\nLOOKUP_TABLE t\n"), "type 'bit'");
   check(vtk(image + "POINT_DATA 60\nSCALARS a int\n\n"), "after SCALARS the header has ''");
   check(vtk(image + "POINT_DATA 59\nSCALARS a unsigned_char\nLOOKUP_TABLE t\n" + u8),

@@ -5,6 +5,7 @@
 
 #include "text/words.hpp"
 #include "volumes/declared_place.hpp"
+#include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/header_fields.hpp"
 
@@ -100,6 +101,10 @@ class HeaderReader {
       const std::string table = line();
       if (words(table).empty() || lower(words(table)[0]) != "lookup_table")
         refuse("after SCALARS the header has " + shown(table), "name a LOOKUP_TABLE there");
+    } else if (key == "vectors" || key == "normals") {
+      expect_words(found, 3);
+      header_.type = lower(found[2]);
+      header_.components = "3";
     } else if (key == "color_scalars") {
       // As bytes in binary files, and as fractions of 255 in text.
       expect_words(found, 3);
@@ -167,12 +172,13 @@ std::string note_of_rest(ByteStream& stream) {
 std::unique_ptr<VolumeReader> open_vtk(ByteStream stream, const VolumeOptions& options) {
   const std::filesystem::path file = stream.file();
   const Header header = HeaderReader(stream).read();
-  if (header.components != "1")
-    fail(file, "a voxel has " + shown(header.components) + " numbers", "give a volume of one");
   VolumeInfo info;
   info.type = sample_type(file, header.type);
   info.format = header.is_text ? "VTK, text" : "VTK, raw";
   set_dims(info, file, sizes(header));
+  const std::int64_t components = integer(file, "the number of components", header.components);
+  set_channels(info, file, static_cast<std::uint64_t>(std::max<std::int64_t>(1, components)),
+               options.channel);
   set_place(info, place(header), options);
   const std::uint64_t voxels = volume_bytes(info) / sample_bytes(info.type);
   if (header.samples < 0 || static_cast<std::uint64_t>(header.samples) != voxels)
@@ -184,8 +190,10 @@ std::unique_ptr<VolumeReader> open_vtk(ByteStream stream, const VolumeOptions& o
   if (header.is_text)
     stream.decode([&info](auto in) { return samples_of_text(std::move(in), info.type); });
   const bool is_big_endian = header.is_text ? is_native_big_endian() : true;
-  return std::make_unique<SliceStream>(std::move(info), std::move(stream), is_big_endian,
-                                       std::nullopt, note_of_rest);
+  return channel_of(file, std::move(info), options.channel, [&](VolumeInfo all) {
+    return std::make_unique<SliceStream>(std::move(all), std::move(stream), is_big_endian,
+                                         std::nullopt, note_of_rest);
+  });
 }
 
 }  // namespace discmc::command
