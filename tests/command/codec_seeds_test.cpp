@@ -113,7 +113,7 @@ TEST_CASE("each transfer syntax that is read has a fuzz input that is read to it
     const std::string refused = refusal_of(folder.write("v.dcm", bytes));
     const bool is_deflated =
         uid == standard + ".1.99" || uid == standard + ".4.95" || uid == standard + ".4.205";
-    if (contains(refused, "an image packed as") ||
+    if (contains(refused, "('" + uid + "')") ||
         (is_deflated && contains(refused, "deflated as a whole")))
       continue;
     INFO(uid);

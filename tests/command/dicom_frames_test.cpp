@@ -87,13 +87,20 @@ TEST_CASE("pixels that no decoder here reads are refused by the name of their pa
   const Folder folder;
   for (const auto& [uid, name] :
        {std::pair<std::string, std::string>{"1.2.840.10008.1.2.4.201", "HTJ2K"},
-        {"1.2.840.10008.1.2.4.110", "JPEG XL"},
-        {"1.2.840.10008.1.2.4.102", "MPEG-4"}}) {
+        {"1.2.840.10008.1.2.4.110", "JPEG XL"}}) {
     const std::string text =
         refusal(folder.write("v.dcm", slice(0).file(Order::little_endian, uid)));
     check_refusal(text, "an image packed as " + name);
     check_refusal(text, uid);
   }
+  const auto check = [&](const std::string& uid, const std::string& part) {
+    check_refusal(refusal(folder.write("v.dcm", slice(0).file(Order::little_endian, uid))), part);
+  };
+  check("1.2.840.10008.1.2.4.102",
+        "this is a video ('1.2.840.10008.1.2.4.102'); it is not a volume");
+  check("1.2.840.10008.1.2.4.107", "this is a video");
+  check("1.2.840.10008.1.2.4.94", "this is an image whose pixels are on a server, by JPIP");
+  check("1.2.840.10008.1.2.4.204", "an image whose pixels are on a server, by JPIP");
 }
 
 TEST_CASE("samples of every type are read in either byte order") {

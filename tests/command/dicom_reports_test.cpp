@@ -226,6 +226,16 @@ TEST_CASE("contours are refused with the program that converts them to masks") {
   check_refusal(text, "dcmrtstruct2nii");
 }
 
+TEST_CASE("a document in a DICOM file is refused with the way to take it out") {
+  const Folder folder;
+  Dataset data;
+  data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.104.3").text(0x00080060, "CS", "M3D");
+  data.text(0x00420012, "LO", "model/stl").bytes(0x00420011, "OB", "solid");
+  const std::string text = refusal(folder.write("a.dcm", data.file()));
+  check_refusal(text, "this is a document in a DICOM file ('model/stl'); it is not a volume");
+  check_refusal(text, "EncapsulatedDocument");
+}
+
 TEST_CASE("a file named as DICOM that has another format is refused with that format") {
   const Folder folder;
   const std::string jpeg = "\xff\xd8\xff\xe0 JFIF";
@@ -261,7 +271,7 @@ TEST_CASE("colours are read by channel, interleaved or planar, and left out besi
   write_slices(folder, "slice", [](Dataset&, int) {});
   const auto reader = open_volume(folder.path());
   CHECK(read_all(*reader) == as_read(volume_values()));
-  CHECK(noted(reader->info(), "such as a colour image"));
+  CHECK(noted(reader->info(), "are skipped: a colour image"));
 }
 
 }  // namespace

@@ -403,8 +403,11 @@ TEST_CASE("files that hold no image are skipped and counted") {
   series.write("reports/b.dcm", "not DICOM at all");
   series.write("notes.txt", "of a colleague");
   series.write("capture", contents(files / "colour.dcm"));
+  series.write("capture2", contents(files / "colour.dcm"));
   const auto reader = open_volume(series.path());
-  CHECK(noted(reader->info(), "3 files without a volume's image are skipped"));
+  CHECK(noted(reader->info(),
+              "4 files without a volume's image are skipped: a DICOM file without an image ('SR'); "
+              "a colour image (2); not a DICOM file"));
   CHECK(read_all(*reader) == values());
   check_refusal(refusal(files / "report.dcm"), "this is a DICOM file without an image");
   check_refusal(refusal(files / "colour.dcm"), "the file holds 3 channels");

@@ -1,6 +1,7 @@
 #include "image.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 #include "attributes.hpp"
@@ -243,11 +244,22 @@ NoSlices set_frames(DcmDataset& dataset, const std::shared_ptr<DicomImage>& imag
 NoSlices unread_packing(DcmFileFormat& file) {
   const std::string uid = text_of(*file.getMetaInfo(), DCM_TransferSyntaxUID);
   if (uid.empty() || can_decode(uid)) return {};
-  std::string name = DcmXfer(uid.c_str()).getXferName();
-  for (const auto& [syntaxes, newer] : {std::pair("1.2.840.10008.1.2.4.20", "HTJ2K"),
-                                        std::pair("1.2.840.10008.1.2.4.11", "JPEG XL")})
-    if (uid.rfind(syntaxes, 0) == 0) name = newer;
-  return {"an image packed as " + name + " (" + shown(uid) + "), which is not supported",
+  const auto is_one_of = [&uid](std::initializer_list<const char*> begins) {
+    return std::any_of(begins.begin(), begins.end(), [&uid](const std::string& begin) {
+      return uid.rfind("1.2.840.10008.1.2." + begin, 0) == 0;
+    });
+  };
+  const std::string in_brackets = " (" + shown(uid) + ")";
+  if (is_one_of({"4.94", "4.95", "4.204", "4.205"}))
+    return {"an image whose pixels are on a server, by JPIP" + in_brackets,
+            "export the series from the archive again, with its pixels"};
+  if (is_one_of(
+          {"4.100", "4.101", "4.102", "4.103", "4.104", "4.105", "4.106", "4.107", "4.108", "7."}))
+    return {"a video" + in_brackets, "it is not a volume: give a series of slices, as images"};
+  const std::string name = is_one_of({"4.20"})   ? "HTJ2K"
+                           : is_one_of({"4.11"}) ? "JPEG XL"
+                                                 : DcmXfer(uid.c_str()).getXferName();
+  return {"an image packed as " + name + in_brackets + ", which is not supported",
           "export it without compression, or unpack it, e.g. with pydicom: dataset.decompress()"};
 }
 

@@ -45,7 +45,8 @@ NoSlices without_image(DcmItem& dataset) {
   const std::string document = text_of(dataset, DCM_MIMETypeOfEncapsulatedDocument);
   if (!document.empty())
     return {"a document in a DICOM file (" + shown(document) + ")",
-            "take it out, e.g. with: dcmdecap FILE OUT; a mesh is none of a volume"};
+            "it is not a volume: give the images that it was made of; to take it out, in Python: "
+            "open('OUT', 'wb').write(pydicom.dcmread('FILE').EncapsulatedDocument)"};
   const std::string modality = text_of(dataset, DCM_Modality);
   return {"a DICOM file without an image" + (modality.empty() ? "" : " (" + shown(modality) + ")")};
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <map>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -20,40 +21,30 @@
 namespace discmc::command {
 namespace {
 
-class DicomVolume final : public VolumeReader {
+class DicomVolume final : public NumberedSlices {
  public:
   DicomVolume(const std::filesystem::path& source, VolumeInfo info, std::vector<DicomFrame> stack)
-      : source_(source),
-        info_(std::move(info)),
+      : NumberedSlices(source, std::move(info)),
         stack_(std::move(stack)),
         is_stored_(have_one_scale(stack_)) {}
 
-  const VolumeInfo& info() const override { return info_; }
-
-  void read_slice(void* samples) override {
-    require_slice_left(source_, slice_, stack_.size());
-    const DicomFrame& frame = stack_[slice_];
+ private:
+  void read(std::uint32_t slice, void* samples) override {
+    const DicomFrame& frame = stack_[slice];
     if (is_stored_)
       pixels_.read(frame, samples);
     else
       read_values(frame, samples);
-    ++slice_;
     if (pixels_.left_out() > 0)
-      note(info_, "pixels of a file are left out, as many as those of " +
-                      std::to_string(pixels_.left_out()) +
-                      " further frames; NumberOfFrames does not count them");
+      note(own_info(), "pixels of a file are left out, as many as those of " +
+                           std::to_string(pixels_.left_out()) +
+                           " further frames; NumberOfFrames does not count them");
   }
 
-  void skip_slice() override {
-    require_slice_left(source_, slice_, stack_.size());
-    ++slice_;
-  }
-
- private:
   // Where every slice has a scale of its own.
   void read_values(const DicomFrame& frame, void* values) {
     const SampleType type = frame.image->type;
-    const std::size_t count = std::size_t{info_.dims[0]} * info_.dims[1];
+    const std::size_t count = std::size_t{info().dims[0]} * info().dims[1];
     stored_.resize(count * sample_bytes(type));
     pixels_.read(frame, stored_.data());
     with_sample_type(type, [&](auto sample) {
@@ -66,13 +57,10 @@ class DicomVolume final : public VolumeReader {
     });
   }
 
-  std::filesystem::path source_;
-  VolumeInfo info_;
   std::vector<DicomFrame> stack_;
   bool is_stored_;  ///< what is read is what is stored
   DicomPixels pixels_;
   std::vector<unsigned char> stored_;
-  std::size_t slice_ = 0;
 };
 
 // Small files may claim large pictures: what is decoded of a byte has a limit.
@@ -90,8 +78,7 @@ void require_possible(const DicomImage& image) {
 
 struct Found {
   std::vector<DicomFrame> frames;
-  std::size_t skipped = 0;
-  NoSlices instead;  ///< of one that was skipped
+  std::vector<NoSlices> skipped;  ///< what each file is instead
   bool is_directory = false;
 };
 
@@ -101,9 +88,8 @@ Found find_frames(const std::vector<std::filesystem::path>& files) {
     DicomContent content = dicom_content(file);
     found.is_directory = found.is_directory || content.is_directory;
     std::move(content.frames.begin(), content.frames.end(), std::back_inserter(found.frames));
-    if (!content.instead || content.is_directory) continue;
-    ++found.skipped;
-    if (!found.instead) found.instead = std::move(content.instead);
+    if (content.instead && !content.is_directory)
+      found.skipped.push_back(std::move(content.instead));
   }
   return found;
 }
@@ -115,8 +101,8 @@ void choose_colours(Found& found, bool are_asked_for) {
   };
   const auto others = std::stable_partition(found.frames.begin(), found.frames.end(), is_asked_for);
   if (others == found.frames.begin() || others == found.frames.end()) return;
-  found.skipped += static_cast<std::size_t>(found.frames.end() - others);
-  if (!found.instead) found.instead = {are_asked_for ? "a grey image" : "a colour image"};
+  found.skipped.insert(found.skipped.end(), static_cast<std::size_t>(found.frames.end() - others),
+                       {are_asked_for ? "a grey image" : "a colour image"});
   found.frames.erase(others, found.frames.end());
 }
 
@@ -132,15 +118,31 @@ bool have_same_pixels(const DicomFrame& a, const DicomFrame& b) {
   return of_a == of_b && a.slope == b.slope && a.intercept == b.intercept;
 }
 
+// "a colour image (2); a video".
+std::string list_of(const std::vector<NoSlices>& skipped) {
+  constexpr std::size_t max_kinds = 8;
+  std::map<std::string, std::size_t> kinds;
+  for (const NoSlices& each : skipped) {
+    const bool is_listed = kinds.size() < max_kinds || kinds.count(each.what) > 0;
+    ++kinds[is_listed ? each.what : "others"];
+  }
+  std::string text;
+  for (const auto& [what, count] : kinds)
+    text += (text.empty() ? "" : "; ") + what +
+            (count > 1 ? " (" + std::to_string(count) + ")" : std::string());
+  return text;
+}
+
 [[noreturn]] void fail_empty(const std::filesystem::path& source, const Found& found,
                              std::size_t files) {
-  if (!found.instead)
+  if (found.skipped.empty())
     fail(source, "there is no image beside the DICOMDIR", "copy the whole folder");
   fail(source,
-       files == 1 ? "this is " + found.instead.what
-                  : "none of " + std::to_string(files) +
-                        " DICOM files holds an image to read; the first is " + found.instead.what,
-       found.instead.remedy);
+       (files == 1
+            ? "this is "
+            : "none of " + std::to_string(files) + " DICOM files holds an image to read, but ") +
+           list_of(found.skipped),
+       found.skipped[0].remedy);
 }
 
 std::unique_ptr<VolumeReader> open_stack(const std::filesystem::path& source,
@@ -216,9 +218,10 @@ std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
   const DicomSorting sorting = {options.order == SliceOrder::position, options.merges_series};
   const std::vector<DicomStack> stacks = dicom_stacks(found.frames, sorting);
   std::vector<std::string> all_notes = notes;
-  if (found.skipped > 0)
-    all_notes.push_back(std::to_string(found.skipped) + (found.skipped == 1 ? " file" : " files") +
-                        " without a volume's image are skipped, such as " + found.instead.what);
+  if (!found.skipped.empty())
+    all_notes.push_back(std::to_string(found.skipped.size()) +
+                        (found.skipped.size() == 1 ? " file" : " files") +
+                        " without a volume's image are skipped: " + list_of(found.skipped));
   return open_stack(source, chosen_stack(source, stacks, options), options, std::move(all_notes));
 }
 
