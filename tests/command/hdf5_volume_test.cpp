@@ -48,15 +48,33 @@ Hdf5Handle chunks_of(const std::array<hsize_t, 3>& chunk) {
 }
 
 // A dataset of zeros, until others are written.
-Hdf5Handle new_dataset(const Hdf5Handle& file, const char* path,
-                       const std::array<hsize_t, 3>& sizes, const Hdf5Handle& creation,
-                       hid_t type = H5T_STD_U8LE) {
-  const Hdf5Handle space(H5Screate_simple(3, sizes.data(), nullptr), H5Sclose);
+Hdf5Handle new_dataset(const Hdf5Handle& file, const char* path, const std::vector<hsize_t>& sizes,
+                       const Hdf5Handle& creation, hid_t type = H5T_STD_U8LE) {
+  const Hdf5Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr),
+                         H5Sclose);
   Hdf5Handle dataset(
       H5Dcreate2(file.id(), path, type, space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
       H5Dclose);
   REQUIRE(dataset);
   return dataset;
+}
+
+Hdf5Handle new_group(const Hdf5Handle& file, const char* path) {
+  return {H5Gcreate2(file.id(), path, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose};
+}
+
+void write_texts(const Hdf5Handle& object, const char* name,
+                 const std::vector<std::string>& texts) {
+  constexpr std::size_t bytes = 32;
+  std::string all;
+  for (const std::string& text : texts) all += text + std::string(bytes - text.size(), '\0');
+  const hsize_t count = texts.size();
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), bytes);
+  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Hdf5Handle attribute(
+      H5Acreate2(object.id(), name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  REQUIRE(H5Awrite(attribute.id(), type.id(), all.data()) >= 0);
 }
 
 // Takes all its samples from a dataset of another file.
@@ -289,12 +307,7 @@ TEST_CASE("a note names the index that is x in an array of MATLAB") {
     const Hdf5Handle opened(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation.id(), H5P_DEFAULT),
                             H5Fclose);
     const Hdf5Handle dataset = new_dataset(opened, "V", {4, 3, 5}, no_creation());
-    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
-    H5Tset_size(type.id(), 5);
-    const Hdf5Handle attribute(
-        H5Acreate2(dataset.id(), "MATLAB_class", type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-        H5Aclose);
-    H5Awrite(attribute.id(), type.id(), "uint8");
+    write_texts(dataset, "MATLAB_class", {"uint8"});
     const Hdf5Handle references(
         H5Gcreate2(opened.id(), "#refs#", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
     new_dataset(references, "a", {4, 3, 5}, no_creation());
@@ -461,18 +474,23 @@ struct Scale {
   std::vector<double> coordinates;
 };
 
+void write_coordinates(const Hdf5Handle& file, const Scale& scale, const char* unit = "mm") {
+  const hsize_t count = scale.coordinates.size();
+  const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  const Hdf5Handle dataset(H5Dcreate2(file.id(), scale.name, H5T_NATIVE_DOUBLE, space.id(),
+                                      H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                           H5Dclose);
+  H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+           scale.coordinates.data());
+  write_texts(dataset, "units", {unit});
+}
+
 void write_scales(const Hdf5Handle& file, const Hdf5Handle& dataset,
                   const std::vector<Scale>& scales) {
   std::vector<hobj_ref_t> references(scales.size());
   std::vector<hvl_t> list;
   for (std::size_t i = 0; i < scales.size(); ++i) {
-    const hsize_t count = scales[i].coordinates.size();
-    const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-    const Hdf5Handle scale(H5Dcreate2(file.id(), scales[i].name, H5T_NATIVE_DOUBLE, space.id(),
-                                      H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                           H5Dclose);
-    H5Dwrite(scale.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
-             scales[i].coordinates.data());
+    write_coordinates(file, scales[i]);
     H5Rcreate(&references[i], file.id(), scales[i].name, H5R_OBJECT, -1);
     list.push_back({1, &references[i]});
   }
@@ -539,6 +557,37 @@ TEST_CASE("values are scaled as NetCDF packs them, and the fill value is outside
   CHECK(read_all(*open_volume(file, options))[2] == 530);
 }
 
+TEST_CASE("a fill value that is not a number leaves all others as they are") {
+  const Folder folder;
+  const fs::path file = folder.path() / "v.nc";
+  for (const char* const name : {"_FillValue", "missing_value"}) {
+    const bool is_nan = name[0] == '_';
+    {
+      const Hdf5Handle dataset = new_dataset(new_file(file), "density", {1, 2, 2}, no_creation());
+      write_numbers(dataset, name, {is_nan ? std::nan("") : 0});
+    }
+    CHECK(std::isnan(read_all(*open_volume(file))[0]) != is_nan);
+  }
+}
+
+TEST_CASE("the geometry of DREAM3D-NX places its arrays") {
+  const Folder folder;
+  const fs::path file = folder.path() / "v.dream3d";
+  {
+    const Hdf5Handle opened = new_file(file);
+    new_group(opened, "DataStructure");
+    const Hdf5Handle group = new_group(opened, "DataStructure/Image");
+    write_numbers(group, "_SPACING", {2, 3, 4});
+    write_numbers(group, "_ORIGIN", {5, 6, 7});
+    new_group(group, "Cell Data");
+    new_dataset(group, "Cell Data/Ids", {4, 3, 5, 1}, no_creation());
+  }
+  const VolumeInfo info = open_volume(file)->info();
+  CHECK(info.spacing_mm == std::array<double, 3>{2, 3, 4});
+  REQUIRE(info.placement);
+  CHECK(info.placement->origin_mm == std::array<double, 3>{5, 6, 7});
+}
+
 TEST_CASE("resolution and offset of CREMI are nanometres") {
   const Folder folder;
   const fs::path file = folder.path() / "v.h5";
@@ -552,6 +601,78 @@ TEST_CASE("resolution and offset of CREMI are nanometres") {
   CHECK(info.spacing_mm[2] == doctest::Approx(40e-6));
   REQUIRE(info.placement);
   CHECK(info.placement->origin_mm[2] == doctest::Approx(400e-6));
+}
+
+TEST_CASE("the axes of NeXus place an array, also by the borders of its voxels") {
+  const Folder folder;
+  const fs::path file = folder.path() / "v.nxs";
+  for (const bool is_older : {false, true}) {
+    {
+      const Hdf5Handle opened = new_file(file);
+      const Hdf5Handle group = new_group(opened, "entry");
+      const Hdf5Handle dataset = new_dataset(group, "data", {4, 3, 5}, no_creation());
+      if (is_older) {
+        write_texts(dataset, "axes", {"[height:theta,x]"});
+      } else {
+        write_texts(group, "signal", {"data"});
+        write_texts(group, "axes", {"height", "theta", "x"});
+      }
+      write_coordinates(group, {"height", {0, 3, 6, 9}}, "um");
+      write_coordinates(group, {"x", {1, 3, 5, 7, 9, 11}});
+    }
+    const VolumeInfo info = open_volume(file)->info();
+    CHECK(info.spacing_mm == std::array<double, 3>{2, 1, 0.003});
+    CHECK(noted(info, "no spacing of axis 2 given"));
+    REQUIRE(info.placement);
+    CHECK(info.placement->origin_mm == std::array<double, 3>{2, 0, 0});
+  }
+  {
+    const Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    write_coordinates(opened, {"/entry/theta", {0, 1, 5}});
+  }
+  check_refusal(refusal(file), "the coordinates of the axis 'theta' are uneven, from 0 to 5");
+}
+
+// An image of VTK with an array of zeros, and with the marks of ghosts.
+void write_vtk(const fs::path& file, const char* type, const std::vector<double>& extent,
+               const char* array, const std::vector<hsize_t>& sizes, bool has_times = false) {
+  const Hdf5Handle opened = new_file(file);
+  const Hdf5Handle group = new_group(opened, "VTKHDF");
+  write_texts(group, "Type", {type});
+  write_numbers(group, "WholeExtent", extent);
+  write_numbers(group, "Origin", {1, 2, 3});
+  write_numbers(group, "Spacing", {2, 3, 4});
+  write_numbers(group, "Direction", {0, -1, 0, 1, 0, 0, 0, 0, 1});
+  for (const char* const name : {"PointData", "CellData"}) new_group(group, name);
+  if (has_times) new_group(group, "Steps");
+  new_dataset(group, array, sizes, no_creation());
+  new_dataset(group, "PointData/vtkGhostType", {4, 3, 5}, no_creation());
+}
+
+TEST_CASE("an image of VTK in HDF5 lies where its attributes place it") {
+  const Folder folder;
+  const fs::path file = folder.path() / "v.vtkhdf";
+  write_vtk(file, "ImageData", {5, 9, 0, 2, -1, 2}, "PointData/a", {4, 3, 5});
+  const VolumeInfo info = open_volume(file)->info();
+  REQUIRE(info.placement);
+  CHECK(info.placement->axes_mm == discmc::meshing::Axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}});
+  CHECK(info.placement->origin_mm == std::array<double, 3>{1, 12, -1});
+  CHECK_FALSE(noted(info, "the axes are not named"));
+  VolumeOptions turned;
+  turned.axes = "yzx";
+  CHECK(open_volume(file, turned)->info().placement->axes_mm ==
+        discmc::meshing::Axes{{{0, 2, 0}, {0, 0, 4}, {-3, 0, 0}}});
+
+  write_vtk(file, "ImageData", {0, 5, 0, 3, 0, 4}, "CellData/a", {4, 3, 5});
+  CHECK(open_volume(file)->info().placement->origin_mm == std::array<double, 3>{-0.5, 3, 5});
+  write_vtk(file, "ImageData", {0, 5, 0, 3, 0, 4}, "PointData/a", {4, 3, 5});
+  check_refusal(refusal(file), "the array has 5 voxels along axis 1, and WholeExtent 6");
+  write_vtk(file, "ImageData", {0, 5, 0, 3, 0, 4}, "PointData/a", {5, 4, 6, 2});
+  check_refusal(refusal(file), "the file holds 2 channels");
+  write_vtk(file, "ImageData", {0, 5, 0, 3, 0, 4}, "PointData/a", {2, 5, 4, 6}, true);
+  check_refusal(refusal(file), "the file holds 2 volumes");
+  write_vtk(file, "UnstructuredGrid", {0, 4, 0, 2, 0, 3}, "PointData/a", {4, 3, 5});
+  check_refusal(refusal(file), "this is VTK's 'UnstructuredGrid', not ImageData");
 }
 
 }  // namespace

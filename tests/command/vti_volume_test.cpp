@@ -133,6 +133,141 @@ TEST_CASE("a rectilinear grid of even steps in VTK's XML is a volume") {
                 "the coordinates of the axis 'x' are uneven, from 0 to 9");
 }
 
+namespace {
+
+// The test volume in two pieces that share the points of a plane: x from 0 to 2, and from 2 to 4.
+class Pieces {
+ public:
+  Pieces() {
+    write_piece("left.vti", 0, "UInt8");
+    write_piece("right.vti", 2, "UInt8");
+  }
+  const Folder& folder() const { return folder_; }
+  fs::path write(const std::string& pieces, const std::string& extent = "5 9 0 2 -1 2") const {
+    return folder_.write("v.pvti", "<VTKFile type=\"PImageData\"><PImageData WholeExtent=\"" +
+                                       extent + "\" Origin=\"1 2 3\" Spacing=\"2 3 4\">" + pieces +
+                                       "</PImageData></VTKFile>");
+  }
+  static std::string piece(const std::string& extent, const std::string& source) {
+    return "<Piece Extent=\"" + extent + "\" Source=\"" + source + "\"/>";
+  }
+  // As signed samples, these are other values.
+  void write_piece(const std::string& name, int first, const std::string& type,
+                   int components = 1) const {
+    const std::string extent =
+        std::to_string(5 + first) + " " + std::to_string(7 + first) + " 0 2 -1 2";
+    std::string samples;
+    for (int voxel = 0; voxel < voxels; ++voxel)
+      if (voxel % 5 >= first && voxel % 5 <= first + 2)
+        for (int i = 0; i < components; ++i)
+          samples += std::to_string(static_cast<int>(sample_at(voxel, SampleType::u8)) + i) + ' ';
+    folder_.write(name,
+                  "<VTKFile type=\"ImageData\" byte_order=\"LittleEndian\"><ImageData "
+                  "WholeExtent=\"" +
+                      extent +
+                      "\" Origin=\"1 2 3\" Spacing=\"2 3 4\" Direction=\"0 -1 0 1 0 0 0 0 1\">"
+                      "<Piece Extent=\"" +
+                      extent + "\"><PointData><DataArray type=\"" + type +
+                      "\" Name=\"a\" NumberOfComponents=\"" + std::to_string(components) +
+                      "\" format=\"ascii\">" + samples);
+  }
+
+ private:
+  Folder folder_;
+};
+
+const std::string left = Pieces::piece("5 7 0 2 -1 2", "left.vti");
+const std::string right = Pieces::piece("7 9 0 2 -1 2", "right.vti");
+
+}  // namespace
+
+TEST_CASE("the pieces of a .pvti file are one volume, in any order") {
+  const Pieces pieces;
+  const std::string empty = Pieces::piece("5 4 0 -1 0 -1", "none.vti");
+  for (const std::string& list : {left + right, right + empty + left}) {
+    const auto file = pieces.write(list);
+    check_volume(file, SampleType::u8, "VTK XML, text, in pieces");
+    const VolumeInfo info = open_volume(file)->info();
+    CHECK_FALSE(info.whole_dims);
+    REQUIRE(info.placement);
+    CHECK(info.placement->axes_mm == discmc::meshing::Axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}});
+    CHECK(info.placement->origin_mm == std::array<double, 3>{1, 12, -1});
+  }
+  const auto reader = open_volume(pieces.write(left + right));
+  reader->skip_slice();
+  reader->skip_slice();
+  std::uint8_t slice[15];
+  reader->read_slice(slice);
+  for (int i = 0; i < 15; ++i) CHECK(slice[i] == sample_at(30 + i, SampleType::u8));
+}
+
+TEST_CASE("a channel of pieces is chosen as that of one image") {
+  const Pieces pieces;
+  pieces.write_piece("left.vti", 0, "UInt8", 3);
+  pieces.write_piece("right.vti", 2, "UInt8", 3);
+  const auto file = pieces.write(left + right);
+  VolumeOptions options;
+  options.channel = 1;
+  const auto samples = read_all(*open_volume(file, options));
+  REQUIRE(samples.size() == voxels);
+  for (int voxel = 0; voxel < voxels; ++voxel)
+    CHECK(samples[static_cast<std::size_t>(voxel)] == sample_at(voxel, SampleType::u8) + 1);
+  pieces.write_piece("right.vti", 2, "UInt8", 2);
+  const auto text = [&] {
+    try {
+      open_volume(file, options);
+    } catch (const VolumeError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  check_refusal(text(),
+                "the piece has 3 x 3 x 4 voxels of 2 x u8, not the 3 x 3 x 4 voxels of 3 x u8");
+}
+
+TEST_CASE("pieces that are not the whole image are refused") {
+  const Pieces pieces;
+  const auto check = [&](const std::string& list, const std::string& part,
+                         const std::string& extent = "5 9 0 2 -1 2") {
+    const auto file = pieces.write(list, extent);
+    try {
+      read_all(*open_volume(file));
+      FAIL("not refused: ", part);
+    } catch (const VolumeError& error) {
+      check_refusal(error.what(), part);
+      CHECK_FALSE(error.remedy().empty());
+    }
+  };
+  check("", "it lists no pieces");
+  check(left, "no piece holds voxel (3, 0, 0)");
+  check(right, "no piece holds voxel (0, 0, 0)");
+  check(left + right, "no piece holds voxel (0, 0, 4)", "5 9 0 2 -1 3");
+  check(left + right, "no piece holds voxel (0, 3, 0)", "5 9 0 3 -1 2");
+  check(left + Pieces::piece("8 10 0 2 -1 2", "right.vti"),
+        "the piece of Extent '8 10 0 2 -1 2' is outside of WholeExtent");
+  check(left + Pieces::piece("7 9 0 2 -1 2", "none.vti"), "the piece 'none.vti' is missing");
+  check(left + Pieces::piece("7 9 0 2 -1 2", ""), "the piece '' is missing");
+  check(left + Pieces::piece("7 9 0 2 -1 2", "../right.vti"),
+        "it names '../right.vti', which lies outside of its folder");
+  check(left + Pieces::piece("8 9 0 2 -1 2", "right.vti"),
+        "the piece has 3 x 3 x 4 voxels of 1 x u8, not the 2 x 3 x 4 voxels of 1 x u8");
+  check(left + right, "dimension 1 has size 1000000000", "5 1000000004 0 2 -1 2");
+  check(left + right, "WholeExtent is '5 1e+300 0 2 -1 2'", "5 1e300 0 2 -1 2");
+  pieces.write_piece("right.vti", 2, "Int16");
+  check(left + right, "the piece has 3 x 3 x 4 voxels of 1 x i16, not the");
+  check(left + Pieces::piece("7 9 0 2 -1 2", "v.pvti"), "neither ImageData nor RectilinearGrid");
+}
+
+TEST_CASE("the marks of ghosts in VTK's XML are no samples") {
+  const Folder folder;
+  const std::string ghosts =
+      "<DataArray type=\"UInt8\" Name=\"vtkGhostType\" format=\"appended\" offset=\"70\"/>";
+  const auto file =
+      folder.write("v.vti", vti("", whole, ">" + ghosts + appended_array + ghosts, appended));
+  check_volume(file, SampleType::u8, "VTK XML, raw");
+  CHECK_FALSE(noted(open_volume(file)->info(), "left out"));
+}
+
 TEST_CASE("unsupported VTK XML is refused by name") {
   const Folder folder;
   const auto check = [&](const std::string& bytes, const std::string& part) {

@@ -29,7 +29,7 @@ void require_countable(const std::filesystem::path& file, const Sizes& sizes) {
   std::int64_t most = std::numeric_limits<std::int64_t>::max() / max_sample_bytes;
   for (const std::int64_t size : sizes) {
     if (size < 1 || size > most)
-      fail(file, "the array is " + shape_text(sizes) + ", more than a file can hold",
+      fail(file, "the array is " + shape_text(sizes) + ", nothing or more than a file can hold",
            "give an array of three axes");
     most /= size;
   }
@@ -168,10 +168,10 @@ ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, cons
 }
 
 char axis_letter(std::string_view name) {
-  constexpr std::pair<char, std::array<std::string_view, 9>> letters[] = {
-      {'x', {"x", "lon", "longitude", "easting", "column", "columns", "width", "i"}},
-      {'y', {"y", "lat", "latitude", "northing", "row", "rows", "height", "j"}},
-      {'z', {"z", "lev", "level", "depth", "altitude", "alt", "plane", "slice", "k"}},
+  constexpr std::pair<char, std::array<std::string_view, 10>> letters[] = {
+      {'x', {"x", "lon", "longitude", "easting", "column", "columns", "width", "i", "voxel_x"}},
+      {'y', {"y", "lat", "latitude", "northing", "row", "rows", "height", "j", "voxel_y"}},
+      {'z', {"z", "lev", "level", "depth", "altitude", "alt", "plane", "slice", "k", "voxel_z"}},
       {'t', {"t", "time", "frame"}},
       {'c', {"c", "channel", "band", "channels"}}};
   const std::string plain = lower(name);
@@ -182,9 +182,14 @@ char axis_letter(std::string_view name) {
 }
 
 void take_coordinates(DeclaredPlace& place, std::size_t axis, const std::string& file,
-                      const std::string& name, const std::vector<double>& coordinates,
-                      const VolumeOptions& options) {
-  if (coordinates.size() < 2) return;
+                      const std::string& name, std::vector<double> coordinates,
+                      std::uint64_t voxels, const VolumeOptions& options) {
+  if (coordinates.size() == voxels + 1) {
+    for (std::size_t i = 0; i < voxels; ++i)
+      coordinates[i] = (coordinates[i] + coordinates[i + 1]) / 2;
+    coordinates.pop_back();
+  }
+  if (coordinates.size() != voxels || voxels < 2) return;
   const auto steps = static_cast<double>(coordinates.size() - 1);
   const double step = (coordinates.back() - coordinates.front()) / steps;
   constexpr double share = 1e-2;  // of a step, of what is rounded

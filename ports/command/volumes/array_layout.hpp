@@ -52,11 +52,12 @@ ArrayLayout take_array(VolumeInfo& info, const std::filesystem::path& file, cons
 /// of none.
 char axis_letter(std::string_view name);
 
-/// Takes the coordinates of voxels along an axis, x, y or z, as spacing and origin of a place.
-/// Throws where they are uneven, unless the user gives a spacing. name: of the axis, for people.
+/// Takes the coordinates of voxels along an axis, x, y or z, as spacing and origin of a place. One
+/// more than there are voxels are those of their borders; any other number is ignored. Throws where
+/// they are uneven, unless the user gives a spacing. name: of the axis, for people.
 void take_coordinates(DeclaredPlace& place, std::size_t axis, const std::string& file,
-                      const std::string& name, const std::vector<double>& coordinates,
-                      const VolumeOptions& options);
+                      const std::string& name, std::vector<double> coordinates,
+                      std::uint64_t voxels, const VolumeOptions& options);
 
 /// The volume of an array whose first sample is next in the stream. In memory are the slices of all
 /// channels; where z is not the slowest of its axes, the volume.

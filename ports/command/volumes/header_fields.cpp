@@ -54,9 +54,7 @@ std::int64_t HeaderFields::integer(std::string_view name, std::int64_t otherwise
 }
 
 std::vector<double> HeaderFields::reals(std::initializer_list<std::string_view> names) const {
-  std::vector<double> numbers;
-  for (const auto word : words(text(names))) numbers.push_back(real(file_, *names.begin(), word));
-  return numbers;
+  return command::reals(file_, *names.begin(), text(names));
 }
 
 std::int64_t integer(const std::filesystem::path& file, std::string_view field,
@@ -74,6 +72,13 @@ double real(const std::filesystem::path& file, std::string_view field, std::stri
     fail(file, std::string(field) + " is " + shown(text) + ", which is not a number",
          "correct the header");
   return *value;
+}
+
+std::vector<double> reals(const std::filesystem::path& file, std::string_view field,
+                          std::string_view text) {
+  std::vector<double> numbers;
+  for (const auto word : words(text)) numbers.push_back(real(file, field, word));
+  return numbers;
 }
 
 bool leads_out(std::string_view name) {

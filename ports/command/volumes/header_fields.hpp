@@ -49,6 +49,9 @@ class HeaderFields {
 std::int64_t integer(const std::filesystem::path& file, std::string_view field,
                      std::string_view text);
 double real(const std::filesystem::path& file, std::string_view field, std::string_view text);
+/// The same of several numbers between blanks.
+std::vector<double> reals(const std::filesystem::path& file, std::string_view field,
+                          std::string_view text);
 
 /// Whether a name is not of something in a folder or the folders in it.
 bool leads_out(std::string_view name);

@@ -1,4 +1,6 @@
 // In place of the readers that were built without their libraries.
+#include <utility>
+
 #include "volumes/formats/pictures/picture_file.hpp"
 #include "volumes/formats/readers.hpp"
 #include "volumes/label_table.hpp"
@@ -28,6 +30,17 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name, const
 std::unique_ptr<PictureFile> open_jpeg(const std::filesystem::path& file) {
   fail(file, "this is JPEG, and discmc was built without libjpeg",
        "install libjpeg-dev and build again, or convert to PNG");
+}
+#endif
+
+#ifndef DISCMC_WITH_PUGIXML
+std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions&) {
+  fail(stream.file(), "this is VTK XML, and discmc was built without pugixml",
+       "install libpugixml-dev and build again, or store the volume as .vtk");
+}
+
+std::unique_ptr<VolumeReader> open_pvti(ByteStream stream, const VolumeOptions& options) {
+  return open_vti(std::move(stream), options);
 }
 #endif
 

@@ -27,6 +27,8 @@ std::unique_ptr<VolumeReader> open_nifti(ByteStream stream, const VolumeOptions&
 std::unique_ptr<VolumeReader> open_metaimage(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_vtk(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& options);
+/// The pieces are files beside the stream's.
+std::unique_ptr<VolumeReader> open_pvti(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_numpy(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_mgh(ByteStream stream, const VolumeOptions& options);
 std::unique_ptr<VolumeReader> open_mrc(ByteStream stream, const VolumeOptions& options);

@@ -3,23 +3,19 @@
 // The samples are in an element of their own, or after all elements, which is then no XML any more.
 // So what comes before them is cut off and parsed.
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include <pugixml.hpp>
 
 #include "text/words.hpp"
 #include "volumes/array_layout.hpp"
 #include "volumes/declared_place.hpp"
 #include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
+#include "volumes/formats/vtk_image.hpp"
 #include "volumes/header_fields.hpp"
 
-#ifdef DISCMC_WITH_PUGIXML
-#include <pugixml.hpp>
-#endif
-
 namespace discmc::command {
-
-#ifdef DISCMC_WITH_PUGIXML
 namespace {
 
 // The elements before the samples, as they are in the file.
@@ -49,7 +45,7 @@ class Head {
   pugi::xml_node image() const { return root().child(is_grid() ? "RectilinearGrid" : "ImageData"); }
   pugi::xml_node piece() const { return image().child("Piece"); }
   /// Whether the samples are those of cells, between points: where points have none.
-  bool is_of_cells() const { return !piece().child("PointData").child("DataArray"); }
+  bool is_of_cells() const { return !piece().child("PointData").find_child(is_of_samples); }
   /// Whether an array is declared as the scalars.
   bool has_scalars() const { return !std::string_view(scalars()).empty(); }
   /// That one, or else the first.
@@ -61,14 +57,14 @@ class Head {
       return array != arrays.end() ? *array : pugi::xml_node();
     }
     return has_scalars() ? data().find_child_by_attribute("DataArray", "Name", scalars())
-                         : data().child("DataArray");
+                         : data().find_child(is_of_samples);
   }
   /// Those of the other arrays that precede the samples, "b, c".
   std::string other_arrays() const {
     std::string names;
     for (const char* kind : {"PointData", "CellData"})
       for (const pugi::xml_node& other : piece().child(kind).children("DataArray"))
-        if (other != array())
+        if (other != array() && is_of_samples(other))
           names += (names.empty() ? "" : ", ") + shown(other.attribute("Name").value());
     return names;
   }
@@ -78,22 +74,18 @@ class Head {
   }
   bool is_appended() const { return is_appended_; }
 
-  /// Six whole numbers: the first and the last point along each axis.
-  std::vector<std::int64_t> extent(const pugi::xml_node& node, const char* name) const {
-    std::vector<std::int64_t> numbers;
-    for (const auto word : words(node.attribute(name).value()))
-      numbers.push_back(integer(file_, name, word));
-    constexpr std::int64_t most = std::int64_t{1} << 40;
-    const bool are_possible = std::all_of(numbers.begin(), numbers.end(), [](std::int64_t number) {
-      return number >= -most && number <= most;
-    });
-    if (numbers.size() != 6 || !are_possible)
-      fail(file_, std::string(name) + " is " + shown(node.attribute(name).value()),
-           "give the first and the last point of three axes");
-    return numbers;
+  std::vector<double> numbers(const pugi::xml_node& node, const char* name) const {
+    return reals(file_, name, node.attribute(name).value());
+  }
+  VtkExtent extent(const pugi::xml_node& node, const char* name) const {
+    return vtk_extent(file_, name, numbers(node, name));
   }
 
  private:
+  static bool is_of_samples(const pugi::xml_node& node) {
+    return node.name() == std::string_view("DataArray") &&
+           node.attribute("Name").value() != vtk_ghosts;
+  }
   pugi::xml_node data() const { return piece().child(is_of_cells() ? "CellData" : "PointData"); }
   const char* scalars() const { return data().attribute("Scalars").value(); }
 
@@ -118,40 +110,6 @@ class Head {
   pugi::xml_document document_;
   bool is_appended_ = false;
 };
-
-// The numbers that an attribute has, or none where it is not there.
-template <std::size_t count>
-std::optional<std::array<double, count>> numbers(const std::filesystem::path& file,
-                                                 const pugi::xml_node& node, const char* name) {
-  const std::string_view text = node.attribute(name).value();
-  const auto parts = words(text);
-  if (parts.empty()) return std::nullopt;
-  if (parts.size() != count)
-    fail(file,
-         std::string(name) + " is " + shown(text) + ", which is not " + std::to_string(count) +
-             " numbers",
-         "correct it");
-  std::array<double, count> result{};
-  for (std::size_t i = 0; i < count; ++i) result[i] = real(file, name, parts[i]);
-  return result;
-}
-
-void place_image(DeclaredPlace& place, const std::filesystem::path& file, const Head& head,
-                 const std::vector<std::int64_t>& extent) {
-  const auto spacing = numbers<3>(file, head.image(), "Spacing");
-  if (spacing) std::copy(spacing->begin(), spacing->end(), place.spacing.begin());
-  place.origin = numbers<3>(file, head.image(), "Origin").value_or(place.origin);
-  // A row of the matrix a coordinate.
-  const auto matrix = numbers<9>(file, head.image(), "Direction");
-  Axes& directions = place.directions.emplace(coordinates);
-  for (std::size_t i = 0; i < 9 && matrix; ++i) directions[i % 3][i / 3] = (*matrix)[i];
-  // The origin is that of the point with the number 0, half a step before the centre of a cell.
-  const double before = head.is_of_cells() ? 0.5 : 0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (std::size_t row = 0; row < 3; ++row)
-      place.origin[row] += (static_cast<double>(extent[2 * axis]) + before) *
-                           directions[axis][row] * place.spacing[axis].value_or(1);
-}
 
 // Which of several arrays was taken, or may have been.
 void note_arrays(VolumeInfo& info, const Head& head) {
@@ -296,12 +254,8 @@ void place_grid(DeclaredPlace& place, const std::filesystem::path& file, const H
   place.directions = coordinates;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::uint32_t count = info.dims[axis] + (head.is_of_cells() ? 1 : 0);
-    std::vector<double> values = coordinates_of(file, axis, count);
-    if (head.is_of_cells()) {
-      for (std::size_t i = 0; i + 1 < count; ++i) values[i] = (values[i] + values[i + 1]) / 2;
-      values.pop_back();
-    }
-    take_coordinates(place, axis, file, std::string(1, "xyz"[axis]), values, options);
+    take_coordinates(place, axis, file, std::string(1, "xyz"[axis]),
+                     coordinates_of(file, axis, count), info.dims[axis], options);
   }
 }
 
@@ -309,16 +263,18 @@ void set_geometry(VolumeInfo& info, const std::filesystem::path& file, const Hea
                   const VolumeOptions& options) {
   const auto extent = head.extent(head.image(), "WholeExtent");
   if (head.extent(head.piece(), "Extent") != extent)
-    fail(file, "the image is in several pieces", "write it in one, e.g. with ParaView");
-  const std::int64_t last = head.is_of_cells() ? 0 : 1;
-  set_dims(
-      info, file,
-      {extent[1] - extent[0] + last, extent[3] - extent[2] + last, extent[5] - extent[4] + last});
+    fail(file, "the image is in several pieces",
+         "write it in one, or as .pvti with a file a piece");
+  const bool is_of_cells = head.is_of_cells();
+  const auto size = [&](std::size_t axis) { return vtk_size(extent, axis, is_of_cells); };
+  set_dims(info, file, {size(0), size(1), size(2)});
   DeclaredPlace place;
   if (head.is_grid())
     place_grid(place, file, head, info, options);
   else
-    place_image(place, file, head, extent);
+    place = declared_place(file, head.numbers(head.image(), "Spacing"),
+                           head.numbers(head.image(), "Origin"),
+                           head.numbers(head.image(), "Direction"), extent, is_of_cells);
   set_place(info, place, options);
 }
 
@@ -337,11 +293,5 @@ std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions& o
   note_arrays(info, head);
   return open_array(std::move(stream), head, std::move(info), options);
 }
-#else
-std::unique_ptr<VolumeReader> open_vti(ByteStream stream, const VolumeOptions&) {
-  fail(stream.file(), "this is VTK XML, and discmc was built without pugixml",
-       "install libpugixml-dev and build again, or store the volume as .vtk");
-}
-#endif
 
 }  // namespace discmc::command

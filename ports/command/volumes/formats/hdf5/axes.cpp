@@ -1,6 +1,10 @@
 #include "axes.hpp"
 
 #include <cstddef>
+#include <filesystem>
+#include <string_view>
+
+#include "text/words.hpp"
 
 namespace discmc::command {
 namespace {
@@ -58,18 +62,43 @@ std::vector<double> coordinates_of(const Hdf5Handle& scale) {
   return read;
 }
 
+std::string path_of(const Hdf5Handle& object) {
+  char path[1024] = {};
+  H5Iget_name(object.id(), path, sizeof path);
+  return path;
+}
+
 Hdf5Axis axis_of(const Hdf5Handle& scale) {
   Hdf5Axis axis;
   if (H5Iget_type(scale.id()) != H5I_DATASET) return axis;
-  char name[256] = {};
-  H5Iget_name(scale.id(), name, sizeof name);
-  axis.name = name;
-  axis.name.erase(0, axis.name.rfind('/') + 1);
+  axis.name = std::filesystem::path(path_of(scale)).filename().string();
   const std::string letter = text_of(scale, "axis");
   if (!letter.empty()) axis.name = letter;
   axis.unit = text_of(scale, "units");
   axis.coordinates = coordinates_of(scale);
   return axis;
+}
+
+// As NeXus has them: names of datasets, in the group of the array or, in older files, in one text
+// of the array, "z:y:x".
+std::vector<std::string> nexus_names(const Hdf5Handle& dataset, const Hdf5Handle& group) {
+  auto names = texts_of(group, "axes");
+  if (names.empty()) names = texts_of(dataset, "axes");
+  if (names.size() != 1) return names;
+  for (char& c : names[0])
+    if (std::string_view(":,[]").find(c) != std::string_view::npos) c = ' ';
+  const auto parts = words(names[0]);
+  return {parts.begin(), parts.end()};
+}
+
+void take_nexus_axes(std::vector<Hdf5Axis>& axes, const Hdf5Handle& dataset) {
+  const std::string folder = std::filesystem::path(path_of(dataset)).parent_path().string();
+  const Hdf5Handle group(H5Gopen2(dataset.id(), folder.c_str(), H5P_DEFAULT), H5Gclose);
+  const auto names = nexus_names(dataset, group);
+  for (std::size_t i = 0; i < axes.size() && names.size() == axes.size(); ++i) {
+    axes[i] = axis_of({H5Oopen(group.id(), names[i].c_str(), H5P_DEFAULT), H5Oclose});
+    if (axes[i].name.empty()) axes[i].name = names[i];
+  }
 }
 
 }  // namespace
@@ -96,8 +125,10 @@ std::vector<Hdf5Axis> axes_of(const Hdf5Handle& dataset, std::size_t count) {
   const Attribute list(dataset, "DIMENSION_LIST");
   const Hdf5Handle each(H5Tget_super(list.type.id()), H5Tclose);
   if (list.count != count || H5Tget_class(list.type.id()) != H5T_VLEN ||
-      H5Tequal(each.id(), H5T_STD_REF_OBJ) <= 0)
+      H5Tequal(each.id(), H5T_STD_REF_OBJ) <= 0) {
+    take_nexus_axes(axes, dataset);
     return axes;
+  }
   std::vector<hvl_t> references(count);
   if (H5Aread(list.id.id(), list.type.id(), references.data()) < 0) return axes;
   for (std::size_t i = 0; i < count; ++i) {

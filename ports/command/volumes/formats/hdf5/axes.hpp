@@ -1,5 +1,5 @@
 // What a dataset of HDF5 declares of its axes: dimension scales, as NetCDF and xarray write them,
-// and labels.
+// and labels. NeXus names datasets of the group as axes.
 #ifndef DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_AXES_HPP
 #define DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_AXES_HPP
 

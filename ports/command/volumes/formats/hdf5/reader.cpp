@@ -13,6 +13,7 @@
 #include "volumes/declared_place.hpp"
 #include "volumes/filters/filters.hpp"
 #include "volumes/formats/readers.hpp"
+#include "volumes/formats/vtk_image.hpp"
 
 #ifdef DISCMC_WITH_JSON
 #include <nlohmann/json.hpp>
@@ -22,52 +23,59 @@ namespace discmc::command {
 namespace {
 
 // Regions along an axis of the array, one after the other.
-class Hdf5Blocks final : public VolumeReader {
+class Hdf5Blocks final : public NumberedSlices {
  public:
   /// info: its slices are the regions. first, count: the first region, and how far each goes. axis:
   /// along which the next one lies.
   Hdf5Blocks(std::filesystem::path name, VolumeInfo info, Hdf5Dataset dataset, Hdf5Region first,
              Hdf5Region count, std::size_t axis)
-      : name_(std::move(name)),
-        info_(std::move(info)),
+      : NumberedSlices(std::move(name), std::move(info)),
         dataset_(std::move(dataset)),
         first_(std::move(first)),
         count_(std::move(count)),
         axis_(axis) {}
 
-  const VolumeInfo& info() const override { return info_; }
-
-  void read_slice(void* samples) override {
-    require_slice_left(name_, next_, info_.dims[2]);
-    if (!dataset_.read(first_, count_, samples))
-      fail(name_,
-           "slice " + std::to_string(next_) + " (the first is 0) of " +
-               std::to_string(info_.dims[2]) + " cannot be read; it is damaged or missing",
-           "copy or export the file again");
-    go_on();
-  }
-
-  void skip_slice() override {
-    require_slice_left(name_, next_, info_.dims[2]);
-    go_on();
-  }
-
  private:
-  void go_on() {
-    ++next_;
-    ++first_[axis_];
+  void read(std::uint32_t slice, void* samples) override {
+    Hdf5Region first = first_;
+    first[axis_] += slice;
+    if (!dataset_.read(first, count_, samples))
+      fail(source(),
+           "slice " + std::to_string(slice) + " (the first is 0) of " +
+               std::to_string(info().dims[2]) + " cannot be read; it is damaged or missing",
+           "copy or export the file again");
   }
 
-  std::filesystem::path name_;
-  VolumeInfo info_;
   Hdf5Dataset dataset_;
   Hdf5Region first_, count_;
   std::size_t axis_;
-  std::uint32_t next_ = 0;
 };
 
+// VTK's image: https://docs.vtk.org/en/latest/vtk_file_formats/vtkhdf_file_format/.
+constexpr const char* vtk_group = "/VTKHDF";
+constexpr const char* vtk_times = "/VTKHDF/Steps";
+constexpr const char* vtk_points = "/VTKHDF/PointData/";
+constexpr const char* vtk_cells = "/VTKHDF/CellData/";
+
+bool is_in(const char* folder, const std::string& path) {
+  return path.rfind(folder, 0) == 0;
+}
+
+std::string vtk_type(const Hdf5Handle& file) {
+  const Hdf5Handle group(H5Gopen2(file.id(), vtk_group, H5P_DEFAULT), H5Gclose);
+  return group ? text_of(group, "Type") : std::string();
+}
+
+std::string vtk_letters(const Hdf5Handle& file, const Hdf5Description& array) {
+  if (!is_in(vtk_points, array.path) && !is_in(vtk_cells, array.path)) return {};
+  const bool has_times = H5Lexists(file.id(), vtk_times, H5P_DEFAULT) > 0;
+  const std::string letters = has_times ? "tzyxc" : "zyxc";
+  const std::size_t count = array.sizes.size();
+  return count > letters.size() || count + 1 < letters.size() ? "" : letters.substr(0, count);
+}
+
 // Programs whose arrays are not volumes as stored.
-void require_plain(const std::filesystem::path& name,
+void require_plain(const std::filesystem::path& name, const Hdf5Handle& file,
                    const std::vector<Hdf5Description>& datasets) {
   const auto holds = [&datasets](std::string_view begin) {
     return std::any_of(datasets.begin(), datasets.end(), [begin](const Hdf5Description& dataset) {
@@ -80,13 +88,19 @@ void require_plain(const std::filesystem::path& name,
   if (holds("/DataSet/ResolutionLevel"))
     fail(name, "this is Imaris, which pads its arrays, and is not supported",
          "convert it, e.g. with: bioformats2raw FILE OUT.zarr");
+  const std::string type = vtk_type(file);
+  if (!type.empty() && type != "ImageData")
+    fail(name, "this is VTK's " + shown(type) + ", not ImageData",
+         "write an image, e.g. with ParaView's filter Resample To Image");
 }
 
-// What MATLAB keeps for itself is none.
+// What MATLAB and VTK keep for themselves is none.
 std::vector<NamedArray> arrays_of(const std::vector<Hdf5Description>& datasets) {
   std::vector<NamedArray> arrays;
   for (const Hdf5Description& dataset : datasets)
-    if (dataset.path.compare(0, 2, "/#") != 0) arrays.push_back({dataset.path, dataset.sizes});
+    if (dataset.path.compare(0, 2, "/#") != 0 &&
+        std::filesystem::path(dataset.path).filename() != vtk_ghosts)
+      arrays.push_back({dataset.path, dataset.sizes});
   return arrays;
 }
 
@@ -164,8 +178,14 @@ void take_sizes(DeclaredPlace& place, const ArrayLayout& layout, const std::vect
   }
 }
 
-// DREAM.3D keeps the geometry in a group of its own, with x first and without a unit.
+// DREAM.3D keeps the geometry in a group of its own, with x first and without a unit. DREAM3D-NX
+// keeps it in attributes of the group around that of the array.
 void take_geometry(DeclaredPlace& place, const Hdf5Handle& file, const std::string& path) {
+  const std::string outer = std::filesystem::path(path).parent_path().parent_path().string();
+  const Hdf5Handle group(H5Gopen2(file.id(), outer.c_str(), H5P_DEFAULT), H5Gclose);
+  const auto spacing = numbers_of(group, "_SPACING"), origin = numbers_of(group, "_ORIGIN");
+  if (spacing.size() == 3) std::copy(spacing.begin(), spacing.end(), place.spacing.begin());
+  if (origin.size() == 3) std::copy(origin.begin(), origin.end(), place.origin.begin());
   constexpr std::string_view containers = "/DataContainers/";
   const std::size_t end = path.find('/', containers.size());
   if (path.compare(0, containers.size(), containers) != 0 || end == std::string::npos) return;
@@ -184,12 +204,38 @@ void take_geometry(DeclaredPlace& place, const Hdf5Handle& file, const std::stri
   }
 }
 
+void take_vtk_image(DeclaredPlace& place, const std::filesystem::path& name, const Hdf5Handle& file,
+                    const std::string& path, const ArrayLayout& layout) {
+  const std::string order = layout.order();
+  const bool is_of_cells = is_in(vtk_cells, path);
+  if (order.size() != 3 || !(is_of_cells || is_in(vtk_points, path))) return;
+  const Hdf5Handle group(H5Gopen2(file.id(), vtk_group, H5P_DEFAULT), H5Gclose);
+  const VtkExtent extent = vtk_extent(name, "WholeExtent", numbers_of(group, "WholeExtent"));
+  const DeclaredPlace declared =
+      declared_place(name, numbers_of(group, "Spacing"), numbers_of(group, "Origin"),
+                     numbers_of(group, "Direction"), extent, is_of_cells);
+  place = declared;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<std::size_t>(order[2 - i] - 'x');
+    const std::uint64_t voxels = layout.sizes[*layout.axes[axis]];
+    if (vtk_size(extent, i, is_of_cells) != static_cast<std::int64_t>(voxels))
+      fail(name,
+           "the array has " + std::to_string(voxels) + " voxels along axis " +
+               std::to_string(i + 1) + ", and WholeExtent " +
+               std::to_string(vtk_size(extent, i, is_of_cells)),
+           "write the file again");
+    place.spacing[axis] = declared.spacing[i];
+    (*place.directions)[axis] = (*declared.directions)[i];
+  }
+}
+
 DeclaredPlace place_of(VolumeInfo& info, const std::filesystem::path& name, const Hdf5Handle& file,
                        const Hdf5Dataset& dataset, const std::vector<Hdf5Axis>& axes,
                        const ArrayLayout& layout, const VolumeOptions& options) {
   const Hdf5Handle& handle = dataset.handle();
   DeclaredPlace place;
   take_geometry(place, file, dataset.description().path);
+  take_vtk_image(place, name, file, dataset.description().path, layout);
   take_sizes(place, layout, numbers_of(handle, "element_size_um"), {}, "um");
   const auto resolution = numbers_of(handle, "resolution");
   if (resolution.size() == 3) note(info, "resolution and offset are read as nm, as CREMI has them");
@@ -197,9 +243,10 @@ DeclaredPlace place_of(VolumeInfo& info, const std::filesystem::path& name, cons
   for (std::size_t i = 0; i < 3; ++i) {
     if (!layout.axes[i] || *layout.axes[i] >= axes.size()) continue;
     const Hdf5Axis& axis = axes[*layout.axes[i]];
-    if (axis.coordinates.size() != layout.sizes[*layout.axes[i]]) continue;
+    if (axis.coordinates.empty()) continue;
     place.axis_units[i] = place.space_units[i] = axis.unit;
-    take_coordinates(place, i, name, axis.name, axis.coordinates, options);
+    take_coordinates(place, i, name, axis.name, axis.coordinates, layout.sizes[*layout.axes[i]],
+                     options);
   }
   return place;
 }
@@ -241,7 +288,7 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
   if (is_read_once(path)) fail(name, "HDF5 cannot be read from a pipe", "store it in a file");
   const Hdf5Handle file = open_hdf5_file(path);
   const Hdf5Contents contents = hdf5_contents(file);
-  require_plain(name, contents.datasets);
+  require_plain(name, file, contents.datasets);
   Hdf5Dataset dataset(name, file, path_of(name, file, contents));
   VolumeInfo info;
   info.type = *dataset.description().type;
@@ -251,6 +298,7 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
   const auto axes = axes_of(dataset.handle(), dataset.description().sizes.size());
   std::string letters = letters_of(dataset);
   if (letters.empty()) letters = letters_of(axes);
+  if (letters.empty()) letters = vtk_letters(file, dataset.description());
   const ArrayLayout layout =
       take_array(info, name, {dataset.description().sizes, letters}, options);
   if (!text_of(dataset.handle(), "MATLAB_class").empty() && options.axes.empty())
@@ -263,7 +311,9 @@ std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
   };
   // As NetCDF and xarray pack values.
   set_scale(info, name, number("scale_factor").value_or(1), number("add_offset").value_or(0));
-  const auto fill = options.holds_labels ? std::nullopt : number("_FillValue");
+  auto fill = number("_FillValue");
+  if (!fill) fill = number("missing_value");
+  if (options.holds_labels) fill.reset();
   auto volume = volume_of(name, std::move(info), std::move(dataset), file, layout);
   return fill ? without_fill(std::move(volume), *fill) : std::move(volume);
 }
