@@ -221,6 +221,34 @@ TEST_CASE("axes of an array are its own names, those of xarray, or those that ar
   CHECK(samples[4 * 5] == sample_at(5, SampleType::u8));  // along z
 }
 
+TEST_CASE("coordinates of xarray place an array, and its fill value is outside") {
+  const Folder folder;
+  const fs::path group = folder.path() / "v.zarr";
+  write(group / ".zgroup", R"({"zarr_format": 2})");
+  write_array(group / "density", {4, 3, 5}, u8);
+  write(group / "density/.zattrs", R"({"_ARRAY_DIMENSIONS": ["z", "y", "x"]})");
+  write_array(group / "z", {4}, std::string("\2\5\10\13", 4));
+  write(group / "z/.zattrs", R"({"_ARRAY_DIMENSIONS": ["z"], "units": "um"})");
+  write_array(group / "y", {3}, std::string("\7\5\3", 3));
+  write(group / "y/.zattrs", R"({"units": "mm"})");
+  write_array(group / "x", {4}, std::string("\1\2\3\4", 4));  // of another array
+  const VolumeInfo info = open_volume(group)->info();
+  CHECK(info.spacing_mm == std::array<double, 3>{1, -2, 0.003});
+  REQUIRE(info.placement);
+  CHECK(info.placement->origin_mm == std::array<double, 3>{0, 7, 0.002});
+  CHECK(noted(info, "no spacing of axis 1 given"));
+
+  std::string json = command_tests::contents(group / "density/.zarray");
+  const std::string none = R"("fill_value": 0)";
+  json.replace(json.find(none), none.size(), R"("fill_value": 8)");
+  write(group / "density/.zarray", json);
+  const auto samples = read_all(*open_volume(group));
+  CHECK(samples[1] == 4);
+  CHECK(std::isnan(samples[2]));
+  write_array(group / "z", {4}, std::string("\2\5\10\20", 4));
+  check_refusal(refusal(group), "the coordinates of the axis 'z' are uneven, from 2 to 16");
+}
+
 TEST_CASE("slices are skipped, and read from the middle of chunks on") {
   const auto reader = open_volume(files / "i16-big-chunks.zarr");
   reader->skip_slice();

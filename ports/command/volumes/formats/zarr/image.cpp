@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <map>
 #include <system_error>
 #include <utility>
 
+#include "chunks.hpp"
 #include "folder.hpp"
 #include "text/words.hpp"
 #include "volumes/array_layout.hpp"
@@ -156,6 +158,39 @@ std::optional<ZarrImage> image_of_level(const std::filesystem::path& folder_of_a
   return std::nullopt;
 }
 
+std::vector<double> numbers_of(ZarrChunks line) {
+  std::vector<double> numbers;
+  const auto count = static_cast<std::uint64_t>(line.array().sizes[0]);
+  for (std::uint64_t chunk = 0; numbers.size() < count; ++chunk) {
+    const auto bytes = line.read({chunk});
+    if (!bytes) return {};
+    with_sample_type(line.array().type, [&](auto sample) {
+      for (std::size_t at = 0; at < bytes->size() && numbers.size() < count; at += sizeof sample) {
+        std::memcpy(&sample, bytes->data() + at, sizeof sample);
+        numbers.push_back(static_cast<double>(sample));
+      }
+    });
+  }
+  return numbers;
+}
+
+// As xarray has them: arrays of one axis beside that of the volume, by the names of its axes.
+void take_coordinates_of_axes(ZarrImage& image, const ZarrNode& node) {
+  for (std::size_t i = 0; i < image.axes.size(); ++i) {
+    ZarrAxis& axis = image.axes[i];
+    axis.name = image.array.axis_names[i];
+    if (axis.letter == 't' || axis.letter == 'c') continue;
+    const std::filesystem::path folder = beside(node.folder, axis.name);
+    if (!is_zarr(folder)) continue;
+    const ZarrNode line = read_zarr_node(folder);
+    if (!line.is_array) continue;
+    ZarrDescription array = described(line);
+    if (array.sizes != std::vector<std::int64_t>{image.array.sizes[i]}) continue;
+    axis.unit = text_of(member(line.attributes, "units"));
+    axis.coordinates = numbers_of(ZarrChunks(std::move(array)));
+  }
+}
+
 ZarrImage image_of_array(const ZarrNode& node, const std::filesystem::path& folder,
                          const VolumeOptions& options) {
   if (options.level) fail(folder, "an array has no levels", "leave out --level");
@@ -169,10 +204,17 @@ ZarrImage image_of_array(const ZarrNode& node, const std::filesystem::path& fold
   image.slope = number("scale_factor").value_or(1);
   image.intercept = number("add_offset").value_or(0);
   image.fill = number("_FillValue");
+  if (!image.fill) image.fill = number("missing_value");
   const auto& names = image.array.axis_names;
+  // In version 2 xarray has it in place of the fill value of chunks, which otherwise is 0.
+  const Json& of_chunks = member(node.array, "fill_value");
+  if (!image.fill && !names.empty() && of_chunks.is_number() && of_chunks != 0 &&
+      member(node.array, "zarr_format") == 2)
+    image.fill = of_chunks.get<double>();
   for (const std::string& name : names)
     if (const char letter = axis_letter(name); letter != '?') image.axes.push_back({letter});
   if (image.axes.size() != image.array.sizes.size()) image.axes.clear();
+  take_coordinates_of_axes(image, node);
   return image;
 }
 
@@ -194,11 +236,19 @@ std::string list_of(const std::vector<std::filesystem::path>& folders) {
   return text + (folders.size() > max_listed ? ", ..." : "");
 }
 
+// Coordinates of xarray, and numbers that are no array.
+bool has_no_plane(const std::filesystem::path& folder) {
+  const ZarrNode node = read_zarr_node(folder);
+  return node.is_array && member(node.array, "shape").size() < 2;
+}
+
 // What is in a group that is no image: the series of bioformats2raw, the wells of a plate, labels.
 std::filesystem::path only_child(const ZarrNode& node) {
   std::vector<std::filesystem::path> inner = children(node.folder);
   inner.erase(std::remove_if(inner.begin(), inner.end(),
-                             [](const auto& folder) { return folder.filename() == "OME"; }),
+                             [](const auto& folder) {
+                               return folder.filename() == "OME" || has_no_plane(folder);
+                             }),
               inner.end());
   if (inner.empty()) fail(node.folder, "the group holds no array", "give one that holds a volume");
   if (inner.size() > 1)

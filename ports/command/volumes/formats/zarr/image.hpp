@@ -17,6 +17,9 @@ struct ZarrAxis {
   double scale = 1;    ///< from a sample to the next one
   double origin = 0;   ///< where the first one lies
   std::string unit{};  ///< "micrometer"
+  /// The name and the places of samples, as xarray has them; or none.
+  std::string name{};
+  std::vector<double> coordinates{};
 };
 
 struct ZarrImage {

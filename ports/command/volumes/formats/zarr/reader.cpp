@@ -140,14 +140,20 @@ void require_possible(const std::filesystem::path& folder, const VolumeInfo& inf
        "copy the whole folder");
 }
 
-DeclaredPlace place_of(const ZarrImage& image, const ArrayLayout& layout) {
+DeclaredPlace place_of(const ZarrImage& image, const std::filesystem::path& folder,
+                       const ArrayLayout& layout, const VolumeOptions& options) {
   DeclaredPlace place;
   place.set_unit("mm");
-  for (std::size_t i = 0; i < 3 && image.has_scale; ++i) {
-    if (!layout.axes[i]) continue;  // an image
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!layout.axes[i] || image.axes.empty()) continue;  // an image
     const ZarrAxis& axis = image.axes[*layout.axes[i]];
-    place.spacing[i] = axis.scale;
-    place.origin[i] = axis.origin;
+    if (!image.has_scale && axis.coordinates.empty()) continue;
+    if (image.has_scale) {
+      place.spacing[i] = axis.scale;
+      place.origin[i] = axis.origin;
+    }
+    take_coordinates(place, i, folder, axis.name, axis.coordinates, layout.sizes[*layout.axes[i]],
+                     options);
     place.axis_units[i] = place.space_units[i] = axis.unit;
   }
   return place;
@@ -175,7 +181,7 @@ std::unique_ptr<VolumeReader> open_zarr(const std::filesystem::path& path,
   if (!image.level.empty()) info.format += ", " + image.level;
   const ArrayShape shape{image.array.sizes, letters_of(image), image.channels};
   const ArrayLayout layout = take_array(info, folder, shape, options);
-  set_place(info, place_of(image, layout), options);
+  set_place(info, place_of(image, folder, layout, options), options);
   require_few_chunks(folder, info, image.array.chunk, layout);
   require_possible(image.array.folder, info);
   set_scale(info, folder, image.slope, image.intercept);
