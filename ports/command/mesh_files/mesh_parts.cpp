@@ -29,25 +29,31 @@ void MeshParts::make_vertices(std::size_t first, std::size_t end, FileMesh& part
 }
 
 void MeshParts::make_faces(std::size_t number, Block& block) const {
-  make(number, block);
+  maker(block).make(number, block.faces);
+  if (sums_edges_) block.edge_sum = edge_sum(block.faces);
   place_(block.faces);
 }
 
 void MeshParts::make_triangles(std::size_t number, Block& block) const {
-  make(number, block);
   FileMesh& faces = block.faces;
+  maker(block).make_apart(number, faces);
+  if (sums_edges_) block.edge_sum = edge_sum(faces, numbers_of(faces.lattice));
   faces.vertices_mm.clear();
-  for (std::size_t i = 0; i < faces.corners.size(); ++i) {
-    add_vertex(vertices_.positions()[faces.corners[i]], faces);
-    faces.corners[i] = static_cast<std::uint32_t>(i);
-  }
+  for (const Vertex& vertex : faces.lattice) add_vertex(vertex, faces);
   place_(faces);
 }
 
-void MeshParts::make(std::size_t number, Block& block) const {
+PlaneFaces& MeshParts::maker(Block& block) const {
   if (!block.maker) block.maker = std::make_unique<PlaneFaces>(surface_, vertices_, options_);
-  block.maker->make(number, block.faces);
-  if (sums_edges_) block.edge_sum = meshing::edge_sum(block.faces);
+  return *block.maker;
+}
+
+std::vector<std::uint32_t> MeshParts::numbers_of(const std::vector<Vertex>& positions) const {
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(positions.size());
+  meshing::VertexNumbers::Finder finder(vertices_);
+  for (const Vertex& vertex : positions) numbers.push_back(finder.find(vertex));
+  return numbers;
 }
 
 void add(const MeshParts::Block& block, MeshTotals& totals) {

@@ -53,11 +53,12 @@ class MeshParts {
   void make_vertices(std::size_t first, std::size_t end, FileMesh& part) const;
   /// Faces over the numbers of all vertices, placed.
   void make_faces(std::size_t number, Block& block) const;
-  /// The same, over vertices of their own: one for each corner.
+  /// The same, over vertices of their own: PlaneFaces::make_apart().
   void make_triangles(std::size_t number, Block& block) const;
 
  private:
-  void make(std::size_t number, Block& block) const;
+  PlaneFaces& maker(Block& block) const;
+  std::vector<std::uint32_t> numbers_of(const std::vector<Vertex>& positions) const;
   void add_vertex(const Vertex& vertex, FileMesh& part) const {
     part.vertices_mm.push_back(in_mm(point_of(vertex), surface_.spacing_mm));
   }

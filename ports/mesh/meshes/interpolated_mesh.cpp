@@ -49,12 +49,15 @@ class InterpolatedMesh {
     }
   }
 
-  // Follows the outline of each before the call.
+  // Follows the outline of each before the call, and numbers its vertices.
   template <class Call>
   void for_each_polygon(Call call) {
     for (std::size_t block = 0; block < block_count(surface_.polygons); ++block) {
       if (check_) check_();
-      meshing::for_each_polygon(surface_, block, outline_, call);
+      meshing::for_each_polygon(surface_, block, outline_, [&](std::uint32_t polygon) {
+        outline_.find_numbers();
+        call(polygon);
+      });
     }
   }
 

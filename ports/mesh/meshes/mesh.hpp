@@ -108,8 +108,8 @@ bool is_degenerate(const FaceMesh& mesh, std::size_t face);
 bool is_closed(const FaceMesh& mesh);
 
 /// The sum of hashes that is_closed() compares with zero. Sums of parts of a mesh add up to its
-/// own.
-std::uint64_t edge_sum(const FaceMesh& part);
+/// own. numbers: of the vertices in the whole mesh; the same as in the part if none are given.
+std::uint64_t edge_sum(const FaceMesh& part, const std::vector<std::uint32_t>& numbers = {});
 
 }  // namespace discmc::meshing
 

@@ -48,14 +48,17 @@ bool is_closed(const FaceMesh& mesh) {
   return edge_sum(mesh) == 0;
 }
 
-std::uint64_t edge_sum(const FaceMesh& mesh) {
+std::uint64_t edge_sum(const FaceMesh& mesh, const std::vector<std::uint32_t>& numbers) {
+  const auto number_of = [&](std::uint32_t corner) {
+    return numbers.empty() ? corner : numbers[corner];
+  };
   std::uint64_t sum = 0;
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     const std::uint32_t* const corners = mesh.face(face);
     const std::size_t count = mesh.face_size(face);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::uint32_t a = corners[i];
-      const std::uint32_t b = corners[i + 1 < count ? i + 1 : 0];
+      const std::uint32_t a = number_of(corners[i]);
+      const std::uint32_t b = number_of(corners[i + 1 < count ? i + 1 : 0]);
       const std::uint64_t hash = mixed(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b));
       sum = a < b ? sum + hash : sum - hash;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -23,9 +24,19 @@ class Outline {
 
   void follow(const Polygon& polygon) {
     vertices.clear();
-    numbers.clear();
     ring_ends.clear();
     for (const Ring& ring : polygon.rings) add_ring(ring);
+  }
+
+  /// Numbers the vertices as those of the whole surface.
+  void find_numbers() {
+    numbers.clear();
+    for (const Vertex& vertex : vertices) numbers.push_back(all_.find(vertex));
+  }
+  /// Numbers the vertices from first on.
+  void count_from(std::size_t first) {
+    numbers.resize(vertices.size());
+    std::iota(numbers.begin(), numbers.end(), static_cast<std::uint32_t>(first));
   }
 
   std::vector<Vertex> vertices;
@@ -35,28 +46,22 @@ class Outline {
  private:
   void add_ring(const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      add_if_numbered(ring[i]);
+      vertices.push_back(ring[i]);
       if (has_junctions_) add_junctions(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
     }
-    ring_ends.push_back(static_cast<std::uint32_t>(numbers.size()));
+    ring_ends.push_back(static_cast<std::uint32_t>(vertices.size()));
   }
 
   // If three or more boundary links end in a vertex, some side ends there as well. A vertex that is
   // a corner of no ring is no junction.
   void add_junctions(const Vertex& from, const Vertex& to) {
+    if (links_between(from, to) < 2) return;
     const Side side = side_between(from, to);
     Vertex vertex = from;
     for (std::int32_t i = 1; i < side.links; ++i) {
       vertex = vertex + side.link;
-      add_if_numbered(vertex);
+      if (all_.has(vertex)) vertices.push_back(vertex);
     }
-  }
-
-  void add_if_numbered(const Vertex& vertex) {
-    const std::uint32_t number = all_.find(vertex);
-    if (number == VertexNumbers::none) return;
-    vertices.push_back(vertex);
-    numbers.push_back(number);
   }
 
   VertexNumbers::Finder all_;

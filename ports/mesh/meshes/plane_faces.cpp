@@ -9,23 +9,40 @@ namespace {
 // Ends faces of a polygon, whose corners were added.
 void end_faces(std::size_t count, std::size_t face_size, std::uint32_t polygon, Incidence incidence,
                FaceMesh& mesh) {
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
     mesh.face_begin.push_back(mesh.face_begin.back() + face_size);
-  mesh.incidences.insert(mesh.incidences.end(), count, incidence);
-  mesh.polygons.insert(mesh.polygons.end(), count, polygon);
+    mesh.incidences.push_back(incidence);
+    mesh.polygons.push_back(polygon);
+  }
 }
 
 }  // namespace
 
 void PlaneFaces::make(std::size_t block, FaceMesh& mesh) {
+  make_faces(block, mesh, [this] { outline_.find_numbers(); });
+}
+
+void PlaneFaces::make_apart(std::size_t block, FaceMesh& mesh) {
+  mesh.lattice.clear();
+  make_faces(block, mesh, [&] {
+    outline_.count_from(mesh.lattice.size());
+    mesh.lattice.insert(mesh.lattice.end(), outline_.vertices.begin(), outline_.vertices.end());
+  });
+}
+
+// number: numbers the vertices of the outline.
+template <class Number>
+void PlaneFaces::make_faces(std::size_t block, FaceMesh& mesh, Number number) {
   mesh.spacing_mm = surface_.spacing_mm;
   mesh.corners.clear();
   mesh.face_begin.assign(1, 0);
   mesh.incidences.clear();
   mesh.polygons.clear();
   mesh.left_out.clear();
-  for_each_polygon(surface_, block, outline_,
-                   [&](std::uint32_t polygon) { add_polygon(polygon, mesh); });
+  for_each_polygon(surface_, block, outline_, [&](std::uint32_t polygon) {
+    number();
+    add_polygon(polygon, mesh);
+  });
 }
 
 void PlaneFaces::add_polygon(std::uint32_t polygon, FaceMesh& mesh) {

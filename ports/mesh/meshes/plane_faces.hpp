@@ -22,11 +22,15 @@ class PlaneFaces {
         is_mirrored_(is_mirrored(surface.spacing_mm)),
         outline_(vertices, options.conforming) {}
 
-  /// Makes those of a block of polygons. mesh: gets them in place of its own, over the numbers of
-  /// all vertices; its vertices stay.
+  /// Makes the faces of a block of polygons. mesh: gets them in place of its own, over the numbers
+  /// of all vertices; its vertices stay.
   void make(std::size_t block, FaceMesh& mesh);
+  /// The same faces, over vertices of their own: those of each polygon, in mesh.lattice.
+  void make_apart(std::size_t block, FaceMesh& mesh);
 
  private:
+  template <class Number>
+  void make_faces(std::size_t block, FaceMesh& mesh, Number number);
   void add_polygon(std::uint32_t polygon, FaceMesh& mesh);
   void add_triangles(std::uint32_t polygon, FaceMesh& mesh);
 

@@ -18,6 +18,8 @@ namespace discmc::meshing {
 /// first vertex plus the count of bits before its own. Blocks without a vertex take no memory.
 /// Limit: vertices of the lattice, which have an odd coordinate sum.
 class VertexNumbers {
+  struct Block;
+
  public:
   static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
@@ -39,19 +41,24 @@ class VertexNumbers {
    public:
     explicit Finder(const VertexNumbers& numbers) : numbers_(&numbers) {}
 
+    bool has(const Vertex& vertex) { return go_to(vertex) && block().has(vertex); }
     /// As VertexNumbers::find().
     std::uint32_t find(const Vertex& vertex) {
+      return has(vertex) ? numbers_->number(block(), vertex) : none;
+    }
+
+   private:
+    // Whether there is a block for the vertex.
+    bool go_to(const Vertex& vertex) {
       const Vertex origin = origin_of(vertex);
       if (place_ == none || origin_ != origin) {
         origin_ = origin;
         place_ = numbers_->find_block(origin);
-        if (place_ == none) return none;
       }
-      const Block& block = numbers_->blocks_[place_];
-      return block.has(vertex) ? numbers_->number(block, vertex) : none;
+      return place_ != none;
     }
+    const Block& block() const { return numbers_->blocks_[place_]; }
 
-   private:
     const VertexNumbers* numbers_;
     Vertex origin_{};
     std::uint32_t place_ = none;  // of the block there

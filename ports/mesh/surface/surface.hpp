@@ -30,19 +30,19 @@ struct Side {
   std::int32_t links;
 };
 
+/// The links from one corner to another: each is two half-steps along one axis, or one half-step
+/// along each of two.
+inline std::int32_t links_between(const discmc::Vertex& from, const discmc::Vertex& to) {
+  const discmc::Vertex way = to - from;
+  return (std::abs(way.x) + std::abs(way.y) + std::abs(way.z)) / 2;
+}
+
 /// The side from one corner to another.
 inline Side side_between(const discmc::Vertex& from, const discmc::Vertex& to) {
   const discmc::Vertex way = to - from;
-  const std::int32_t x = std::abs(way.x), y = std::abs(way.y), z = std::abs(way.z);
-  const std::int32_t longest = std::max({x, y, z});
-  // A link along an axis takes two half-steps, any other takes one along two axes.
-  const bool is_axial = (x == 0) + (y == 0) + (z == 0) == 2;
-  const std::int32_t links = is_axial ? longest / 2 : longest;
-  if (links == 0) return {};
-  // As a division by the links, which would take longer.
-  const std::int32_t step = is_axial ? 2 : 1;
-  const auto along = [&](std::int32_t distance) {
-    return distance == longest ? step : distance == -longest ? -step : 0;
+  const std::int32_t links = links_between(from, to);
+  const auto along = [links](std::int32_t distance) {
+    return (distance > 0) + (distance > links) - (distance < 0) - (distance < -links);
   };
   return {{along(way.x), along(way.y), along(way.z)}, links};
 }
