@@ -146,7 +146,7 @@ class Polygons {
   }
 
   /// Sorts polygons by the first corners of their outer rings, from below (precedes()), then by
-  /// their incidences and the other corners. Polygons without rings come first. Cost: none of the
+  /// their incidences and the other corners. Limit: each polygon has a ring. Cost: none of the
   /// corners is moved.
   void sort();
 
@@ -156,7 +156,10 @@ class Polygons {
     Incidence incidence;
   };
 
-  bool has_corners_before(const Record& a, const Record& b) const;
+  const Vertex& first_corner(const Record& record) const {
+    return corners_[ring_begins_[record.first_ring]];
+  }
+  bool is_before(const Record& a, const Record& b) const;
 
   Array<Record> records_;             // one a polygon
   Array<std::uint32_t> ring_begins_;  // in corners_; one more than rings

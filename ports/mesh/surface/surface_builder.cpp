@@ -83,8 +83,14 @@ void SurfaceBuilder::accept_region(const WholeRegion& region) {
   incidence_ = region.incidence;
   rings_.clear();
   begin_polygon();
-  add_simple_rings({region.start, region.runs, region.runs + region.count});
-  end_polygon();
+  const Chain ring{region.start, region.runs, region.runs + region.count};
+  if (!add_simple_ring(ring)) {
+    add_touching_rings(ring, 0);
+    return end_polygon();
+  }
+  // It is an outer ring, and begins at its last vertex.
+  simple_rings_.push_back({0, corners_.size()});
+  keep_or_count();
 }
 
 void SurfaceBuilder::append(SurfaceBuilder&& other) {
@@ -249,9 +255,14 @@ void SurfaceBuilder::add_touches_of(const Vertex& from, const Side& side) {
   for (const std::int32_t link : touches_) vertices_.push_back(after_links(from, side, link));
 }
 
-void SurfaceBuilder::add_simple_rings(const Chain& chain) {
+// Adds the corners. Returns whether they are certain to be a simple ring.
+bool SurfaceBuilder::add_simple_ring(const Chain& chain) {
   const std::size_t first_corner = corners_.size();
-  if (add_corners(chain) || is_simple_in_window(chain, first_corner)) return end_ring();
+  return add_corners(chain) || is_simple_in_window(chain, first_corner);
+}
+
+// Divides a ring whose corners were added from first_corner on where it touches itself.
+void SurfaceBuilder::add_touching_rings(const Chain& chain, std::size_t first_corner) {
   collect_ends(chain);
   if (!find_touches()) return end_ring();
   corners_.resize(first_corner);
@@ -301,7 +312,11 @@ void SurfaceBuilder::end_region() {
       ++incomplete_regions_;
       return;
     }
-    add_simple_rings(ring);
+    const std::size_t first_corner = corners_.size();
+    if (add_simple_ring(ring))
+      end_ring();
+    else
+      add_touching_rings(ring, first_corner);
   }
   end_polygon();
 }
@@ -314,7 +329,12 @@ void SurfaceBuilder::begin_polygon() {
 void SurfaceBuilder::end_polygon() {
   if (!put_outer_first())
     ++incomplete_regions_;
-  else if (kept_ == Kept::polygons)
+  else
+    keep_or_count();
+}
+
+void SurfaceBuilder::keep_or_count() {
+  if (kept_ == Kept::polygons)
     keep_region();
   else
     count_region();

@@ -68,7 +68,8 @@ class SurfaceBuilder {
   bool add_corners(const Chain& chain);
   bool is_simple_in_window(const Chain& chain, std::size_t first_corner) const;
   void end_ring();
-  void add_simple_rings(const Chain& chain);
+  bool add_simple_ring(const Chain& chain);
+  void add_touching_rings(const Chain& chain, std::size_t first_corner);
   void collect_ends(const Chain& chain);
   bool index_ends();
   bool is_end(const Vertex& vertex) const;
@@ -77,6 +78,7 @@ class SurfaceBuilder {
   Ring simple_ring(const Span& span) const;
   bool put_outer_first();
   void sort_holes();
+  void keep_or_count();
   void keep_region();
   void keep_normals(std::size_t ring);
   void count_region();
