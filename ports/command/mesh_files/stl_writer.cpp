@@ -1,5 +1,6 @@
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -29,12 +30,16 @@ class TriangleWriter {
     for (Incidence i = 0; i < incidence_codes; ++i) normals_[i] = outward_normal(i, spacing_mm);
   }
 
+  // The normal, three corners, and two bytes of zero.
   void write(const FileMesh& mesh, std::size_t face, Writer& writer) const {
-    writer.floats(mesh.incidences.empty() ? face_normal(mesh, face)
-                                          : normals_[mesh.incidences[face]]);
+    constexpr std::size_t point_bytes = 3 * sizeof(float);
+    char record[4 * point_bytes + 2] = {};
+    char* place = put_floats(
+        mesh.incidences.empty() ? face_normal(mesh, face) : normals_[mesh.incidences[face]],
+        record);
     const std::uint32_t* const corners = mesh.face(face);
-    for (std::size_t i = 0; i < 3; ++i) writer.floats(mesh.vertices_mm[corners[i]]);
-    writer.bytes(0, 2);
+    for (std::size_t i = 0; i < 3; ++i) place = put_floats(mesh.vertices_mm[corners[i]], place);
+    std::memcpy(writer.room_for(sizeof record), record, sizeof record);
   }
 
  private:

@@ -39,6 +39,24 @@ std::string decimal(Number value) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
+/// Puts a real number at a place, little endian. Returns the place behind it. Bits: as wide.
+template <typename Bits, typename Real>
+char* put_real(Real value, char* place) {
+  static_assert(std::numeric_limits<Real>::is_iec559 && sizeof(Bits) == sizeof(Real));
+  Bits bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  for (std::size_t i = 0; i < sizeof bits; ++i)
+    place[i] = static_cast<char>(bits >> (8 * i) & 0xFF);
+  return place + sizeof bits;
+}
+
+/// The same of three 32-bit floats.
+inline char* put_floats(const Point& point, char* place) {
+  for (const double coordinate : point)
+    place = put_real<std::uint32_t>(static_cast<float>(coordinate), place);
+  return place;
+}
+
 /// Collects small writes, and makes a failing stream a std::runtime_error.
 class Writer {
  public:
@@ -51,6 +69,14 @@ class Writer {
     text(command::decimal(value));
   }
 
+  /// The place of the next bytes, for the caller to fill. Limit: 64 KiB.
+  char* room_for(std::size_t count) {
+    if (used_ + count > buffer_.size()) make_room(count);
+    char* const place = buffer_.data() + used_;
+    used_ += count;
+    return place;
+  }
+
   /// The lowest bytes of a value, little endian.
   void bytes(std::uint64_t value, std::size_t count) {
     char* const place = room_for(count);
@@ -58,9 +84,12 @@ class Writer {
   }
 
   /// Three 32-bit floats, little endian.
-  void floats(const Point& point) { reals<std::uint32_t, float>(point); }
+  void floats(const Point& point) { put_floats(point, room_for(3 * sizeof(float))); }
   /// The same of 64 bits.
-  void doubles(const Point& point) { reals<std::uint64_t, double>(point); }
+  void doubles(const Point& point) {
+    char* place = room_for(3 * sizeof(double));
+    for (const double coordinate : point) place = put_real<std::uint64_t>(coordinate, place);
+  }
 
   /// Calls write(writer, item) for items 0 to count - 1: for some of them side by side, each with a
   /// writer of its own. They are written in order.
@@ -105,26 +134,6 @@ class Writer {
 
   Writer() : buffer_(full) {}  // of a part: without a stream
 
-  template <typename Bits, typename Real>
-  void reals(const Point& point) {
-    static_assert(std::numeric_limits<Real>::is_iec559 && sizeof(Bits) == sizeof(Real));
-    char* place = room_for(3 * sizeof(Bits));
-    for (const double coordinate : point) {
-      const Real value = static_cast<Real>(coordinate);
-      Bits bits;
-      std::memcpy(&bits, &value, sizeof bits);
-      for (std::size_t i = 0; i < sizeof bits; ++i)
-        *place++ = static_cast<char>(bits >> (8 * i) & 0xFF);
-    }
-  }
-
-  // The place of the next bytes, at most full.
-  char* room_for(std::size_t count) {
-    if (used_ + count > buffer_.size()) make_room(count);
-    char* const place = buffer_.data() + used_;
-    used_ += count;
-    return place;
-  }
   void make_room(std::size_t count);
   void write_through(std::string_view bytes);
   void flush();

@@ -53,8 +53,9 @@ bool Ears::cut(const std::vector<PlanePoint>& points, std::vector<Triangle>& tri
   if (points.size() < 3 || points.size() > max_points) return false;
   link_all(points);
   if (blockers_ == 0 ? !goes_round_once(points) : !is_simple(points)) return false;
-  triangles.clear();
-  pairs.clear();
+  triangles.resize(points.size() - 2);
+  pairs.resize(3 * triangles.size());
+  cut_count_ = 0;
   std::uint32_t at = 0;
   for (std::uint32_t tries = 0; left_ > 3;) {
     if (blocks_[at] || !is_ear(points, at)) {
@@ -106,14 +107,14 @@ bool Ears::is_ear(const std::vector<PlanePoint>& points, std::uint32_t at) const
 void Ears::cut_off(std::uint32_t at, std::vector<Triangle>& triangles,
                    std::vector<std::uint32_t>& pairs) {
   const std::uint32_t before = previous_[at], after = next_[at];
-  const auto side = static_cast<std::uint32_t>(3 * triangles.size());
-  triangles.push_back({before, at, after});
+  std::uint32_t side = 3 * cut_count_;
+  triangles[cut_count_++] = {before, at, after};
   const std::uint32_t last = left_ == 3 ? inner_[after] : DelaunayFlips::no_side;
   for (const std::uint32_t pair : {inner_[before], inner_[at], last}) {
-    if (pair != DelaunayFlips::no_side) pairs[pair] = static_cast<std::uint32_t>(pairs.size());
-    pairs.push_back(pair);
+    if (pair != DelaunayFlips::no_side) pairs[pair] = side;
+    pairs[side++] = pair;
   }
-  inner_[before] = side + 2;
+  inner_[before] = side - 1;
   next_[before] = after;
   previous_[after] = before;
   --left_;

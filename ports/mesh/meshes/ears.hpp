@@ -33,8 +33,9 @@ class Ears {
                std::vector<std::uint32_t>& pairs);
   void update(const std::vector<PlanePoint>& points, std::uint32_t at);
 
-  std::uint32_t left_ = 0;      // points that are not cut off
-  std::uint32_t blockers_ = 0;  // how many of them block
+  std::uint32_t left_ = 0;       // points that are not cut off
+  std::uint32_t cut_count_ = 0;  // triangles
+  std::uint32_t blockers_ = 0;   // how many of them block
   std::uint32_t next_[max_points], previous_[max_points];
   bool blocks_[max_points];          // flat or reflex: only such points can lie in an ear
   std::uint32_t inner_[max_points];  // the side cut between a point and the next, or none
