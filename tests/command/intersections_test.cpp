@@ -78,6 +78,32 @@ TEST_CASE("the intersections are the same in any units, also where an axis runs 
   }
 }
 
+TEST_CASE("if some faces are wanted, the pairs found are those of all that have one, in order") {
+  Chance chance(3);
+  constexpr std::uint32_t count = 300;
+  std::vector<Point> vertices;
+  std::vector<std::uint32_t> corners(std::size_t{3} * count);
+  std::iota(corners.begin(), corners.end(), 0U);
+  for (std::uint32_t face = 0; face < count; ++face) {
+    const double x = chance.below(20), y = chance.below(20), z = chance.below(20);
+    for (std::size_t i = 0; i < 3; ++i)
+      vertices.push_back({x + chance.below(9), y + chance.below(9), z + chance.below(9)});
+  }
+  const FaceMesh mesh = mesh_of(vertices, corners);
+  FaceList faces;
+  for (std::uint32_t face = count; face > 10; --face) faces.push_back(face - 1);
+  const Pairs all = intersecting_faces(mesh, faces);
+  for (const std::uint32_t one_of : {1U, 2U, 20U, 1000U}) {
+    std::vector<bool> is_wanted(count);
+    for (std::uint32_t face = 0; face < count; ++face) is_wanted[face] = chance.below(one_of) == 0;
+    Pairs expected;
+    for (const auto& pair : all)
+      if (is_wanted[pair[0]] || is_wanted[pair[1]]) expected.push_back(pair);
+    CHECK(intersecting_faces(mesh, faces, {}, 1, is_wanted) == expected);
+    CHECK(expected.empty() == (one_of == 1000));
+  }
+}
+
 TEST_CASE("a box holds its triangle, as near as its bounds can be") {
   const Corners triangle = {{{0.1, -0.1, 1e9 + 1}, {0.7, -0.7, 1e-9}, {1.0 / 3, -1.0 / 3, 0}}};
   const Box box(triangle);

@@ -3,19 +3,24 @@
 namespace discmc::meshing {
 namespace {
 
+// The lowest ten bits of a number, two bits apart.
+std::uint32_t spread(std::uint32_t number) {
+  number = (number | number << 16) & 0x030000FF;
+  number = (number | number << 8) & 0x0300F00F;
+  number = (number | number << 4) & 0x030C30C3;
+  return (number | number << 2) & 0x09249249;
+}
+
 // The place of a box on a curve through space on which neighbours are mostly near: the bits of its
 // three coordinates in turn (G. M. Morton, 1966).
 std::uint32_t place_on_curve(const Box& box, const Box& all) {
-  constexpr unsigned bits = 10;
-  constexpr float most = (1U << bits) - 1;
+  constexpr float most = (1U << 10) - 1;
   std::uint32_t place = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const float size = all.high[axis] - all.low[axis];
     const float middle = box.low[axis] / 2 + box.high[axis] / 2;
     const float part = size > 0 ? std::clamp((middle - all.low[axis]) / size, 0.0F, 1.0F) : 0;
-    const auto cell = static_cast<std::uint32_t>(part * most);
-    for (unsigned bit = 0; bit < bits; ++bit)
-      place |= (cell >> bit & 1) << (std::size_t{3} * bit + axis);
+    place |= spread(static_cast<std::uint32_t>(part * most)) << axis;
   }
   return place;
 }
@@ -43,9 +48,10 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) {
   std::sort(order.begin(), order.end());
   slots_.resize(boxes.size());
   places_.reserve(boxes.size());
-  boxes_.resize((boxes.size() + leaf_size - 1) / leaf_size);
+  boxes_.resize(std::max<std::size_t>(1, (boxes.size() + leaf_size - 1) / leaf_size));
   while (leaves_ * leaf_size < boxes.size()) leaves_ *= 2;
   nodes_.resize(2 * leaves_);
+  wanted_.assign(nodes_.size(), 0xFF);
   for (const std::uint64_t each : order) {
     const std::size_t slot = places_.size();
     const auto place = static_cast<std::uint32_t>(each);

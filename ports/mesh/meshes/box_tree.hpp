@@ -137,6 +137,16 @@ class BoxTree {
     descend({1, 1}, first, [&parts](const NodePair& pair) { parts.push_back(pair); });
     return parts;
   }
+  /// Leaves out of near pairs those without any of the boxes for whose places this returns true.
+  template <class IsWanted>
+  void keep_pairs_with(IsWanted is_wanted) {
+    std::fill(wanted_.begin(), wanted_.end(), std::uint8_t{0});
+    for (std::size_t slot = 0; slot < places_.size(); ++slot)
+      if (is_wanted(places_[slot]))
+        wanted_[leaves_ + slot / leaf_size] |= static_cast<std::uint8_t>(1U << slot % leaf_size);
+    for (std::size_t node = leaves_ - 1; node > 0; --node)
+      wanted_[node] = wanted_[2 * node] | wanted_[2 * node + 1];
+  }
   /// Calls with the places of two boxes in what was given, once for any two that overlap.
   template <class Call>
   void for_each_near_pair(const NodePair& part, Call call) const {
@@ -218,7 +228,7 @@ class BoxTree {
     std::size_t count = 0;
     const auto add_if_near = [&](std::size_t a, std::size_t b) {
       waiting[count] = {a, b};
-      count += nodes_[a].overlaps(nodes_[b]);
+      count += nodes_[a].overlaps(nodes_[b]) && (wanted_[a] | wanted_[b]) != 0;
     };
     waiting[count++] = from;
     while (count > 0) {
@@ -240,13 +250,14 @@ class BoxTree {
     const auto [a, b] = leaves;
     std::array<std::array<std::size_t, 2>, leaf_size * leaf_size> near;
     std::size_t count = 0;
+    const Leaf::Hits near_b = boxes_[a - leaves_].overlaps(nodes_[b]);
     for (std::size_t i = begin_of(a); i < end_of(a); ++i) {
-      const Box box = boxes_[a - leaves_].box(i % leaf_size);
-      if (!nodes_[b].overlaps(box)) continue;
-      const Leaf::Hits hits = boxes_[b - leaves_].overlaps(box);
+      if (near_b[i % leaf_size] == 0) continue;
+      const Leaf::Hits hits = boxes_[b - leaves_].overlaps(boxes_[a - leaves_].box(i % leaf_size));
+      const unsigned wanted = (wanted_[a] >> i % leaf_size & 1U) != 0 ? ~0U : wanted_[b];
       for (std::size_t j = a == b ? i + 1 : begin_of(b); j < end_of(b); ++j) {
         near[count] = {i, j};
-        count += static_cast<std::size_t>(hits[j % leaf_size]);
+        count += static_cast<unsigned>(hits[j % leaf_size]) & wanted >> j % leaf_size;
       }
     }
     for (std::size_t i = 0; i < count; ++i) call(places_[near[i][0]], places_[near[i][1]]);
@@ -257,7 +268,8 @@ class BoxTree {
   std::vector<Leaf> boxes_;            // in the order of places_
   std::size_t leaves_ = 1;
   std::vector<Box> nodes_;  // node i has the children 2 i and 2 i + 1; the leaves are the last ones
-  std::uint32_t last_ = 0;  // what distance() found
+  std::vector<std::uint8_t> wanted_;  // of a leaf: a bit for each box; of another node: whether any
+  std::uint32_t last_ = 0;            // what distance() found
 };
 
 }  // namespace discmc::meshing

@@ -62,14 +62,15 @@ class InterpolatedMesh {
   }
 
   // If two sheets are near to each other, triangles that leave out crossings may intersect. Such
-  // triangles get their crossings, until only the interpolated surface itself intersects.
+  // triangles get their crossings, until only the interpolated surface itself intersects. Two that
+  // leave out none have none to get.
   void separate_faces() {
     FaceList faces(mesh_.face_count());
     std::iota(faces.begin(), faces.end(), 0U);
     for (;;) {
       const std::size_t vertices = vertices_.positions().size();
       std::vector<bool> is_outdated(surface_.polygons.size());
-      for (const auto& pair : intersecting_faces(mesh_, faces, check_, jobs_))
+      for (const auto& pair : intersecting_faces(mesh_, faces, check_, jobs_, leaves_out_))
         for (const std::uint32_t face : pair)
           if (number_crossings(face)) is_outdated[mesh_.polygons[face]] = true;
       if (vertices_.positions().size() == vertices) return;
@@ -97,6 +98,7 @@ class InterpolatedMesh {
     std::swap(earlier.corners, mesh_.corners);
     std::swap(earlier.face_begin, mesh_.face_begin);
     std::swap(earlier.polygons, mesh_.polygons);
+    const std::vector<bool> left_out_earlier = std::exchange(leaves_out_, {});
     mesh_.left_out.clear();
     reserve_faces(mesh_, mesh_.lattice.size());
     FaceList renewed;
@@ -108,7 +110,7 @@ class InterpolatedMesh {
                                             [&](std::uint32_t each) { return each >= first_new; });
       if (!is_outdated[polygon] && !has_new_side) {
         for (std::size_t face = begin; face < end; ++face)
-          add_triangle(polygon, earlier.face(face));
+          add_triangle(polygon, earlier.face(face), left_out_earlier[face]);
         return;
       }
       std::size_t face = mesh_.face_count();
@@ -163,17 +165,19 @@ class InterpolatedMesh {
     for (std::size_t i = numbers.size(); i < refined_.points.size(); ++i)
       numbers.push_back(vertices_.add(plane.vertex(refined_.points[i])));
     place_vertices();
-    for (const Triangle& triangle : refined_.triangles) {
+    for (std::size_t place = 0; place < refined_.triangles.size(); ++place) {
+      const Triangle& triangle = refined_.triangles[place];
       std::array<std::uint32_t, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) corners[i] = numbers[triangle[is_mirrored_ ? 2 - i : i]];
-      add_triangle(polygon, corners.data());
+      add_triangle(polygon, corners.data(), refined_.leaves_out[place]);
     }
   }
 
-  void add_triangle(std::uint32_t polygon, const std::uint32_t* corners) {
+  void add_triangle(std::uint32_t polygon, const std::uint32_t* corners, bool leaves_out) {
     mesh_.corners.insert(mesh_.corners.end(), corners, corners + 3);
     mesh_.face_begin.push_back(mesh_.corners.size());
     mesh_.polygons.push_back(polygon);
+    leaves_out_.push_back(leaves_out);
   }
 
   const Surface& surface_;
@@ -189,6 +193,7 @@ class InterpolatedMesh {
   MovedTriangles refined_;
   std::vector<Point> moved_;  // where the corners and junctions are moved to; Units: half-steps
   FaceMesh mesh_;
+  std::vector<bool> leaves_out_;  // one a face, as in MovedTriangles
 };
 
 }  // namespace

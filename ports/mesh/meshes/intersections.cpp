@@ -49,9 +49,12 @@ std::vector<Box> boxes_of(const FaceMesh& mesh, const FaceList& faces) {
 }  // namespace
 
 std::vector<FacePair> intersecting_faces(const FaceMesh& mesh, const FaceList& faces,
-                                         const std::function<void()>& check, unsigned jobs) {
+                                         const std::function<void()>& check, unsigned jobs,
+                                         const std::vector<bool>& is_wanted) {
   const SomeFaces some(mesh, faces);
-  const BoxTree tree(boxes_of(mesh, faces));
+  BoxTree tree(boxes_of(mesh, faces));
+  if (!is_wanted.empty())
+    tree.keep_pairs_with([&](std::uint32_t place) { return is_wanted[faces[place]]; });
   const std::vector<BoxTree::NodePair> parts = tree.parts();
   std::vector<FacePair> pairs;
   run_in_order<std::vector<FacePair>>(

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "point_distance.hpp"
+#include "surface/surface.hpp"
 
 namespace discmc::meshing {
 namespace {
@@ -64,6 +65,17 @@ void for_each_crossing(const LatticePlane& plane, const std::array<PlanePoint, 3
   }
 }
 
+// Whether there are crossings between the ends of a side.
+bool has_crossings(const Vertex& from, const Vertex& to) {
+  const Side side = side_between(from, to);
+  Vertex vertex = from;
+  for (std::int32_t i = 1; i < side.links; ++i) {
+    vertex = vertex + side.link;
+    if (is_middle(vertex)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Refinement::Refinement(const Crossings& crossings, double tolerance)
@@ -72,10 +84,11 @@ Refinement::Refinement(const Crossings& crossings, double tolerance)
       squared_tolerance_(std::min(4 * tolerance * tolerance, std::numeric_limits<double>::max())) {}
 
 const std::vector<std::size_t>& Refinement::needed(const std::vector<Vertex>& side) {
+  needed_.clear();
+  if (side.size() == 2) return needed_;  // as most are
   side_.resize(side.size());
   for (std::size_t i = 0; i < side.size(); ++i)
     if (i == 0 || i + 1 == side.size() || is_middle(side[i])) side_[i] = moved(side[i]);
-  needed_.clear();
   spans_.assign(1, {0, side.size() - 1});
   while (!spans_.empty()) {
     const auto [begin, end] = spans_.back();
@@ -103,16 +116,19 @@ void Refinement::refine(const LatticePlane& plane, const VertexNumbers& required
   waiting_.resize(triangles.triangles.size());
   std::iota(waiting_.begin(), waiting_.end(), 0U);
   waits_.assign(waiting_.size(), true);
+  triangles.leaves_out.resize(waiting_.size());
   while (!waiting_.empty()) {
     const std::uint32_t triangle = waiting_.back();
     waiting_.pop_back();
     waits_[triangle] = false;
     const Farthest added = farthest(plane, required, triangles, triangle);
+    triangles.leaves_out[triangle] = added.leaves_out;
     if (added.squared_distance <= squared_tolerance_) continue;
     triangles.points.push_back(added.point);
     triangles.moved.push_back(added.moved);
     flips_.insert(triangles.points, triangles.triangles, triangle);
     waits_.resize(triangles.triangles.size(), false);
+    triangles.leaves_out.resize(triangles.triangles.size());
     for (const std::uint32_t changed : flips_.changed()) {
       if (waits_[changed]) continue;
       waits_[changed] = true;
@@ -134,12 +150,16 @@ Refinement::Farthest Refinement::farthest(const LatticePlane& plane, const Verte
   }
   Farthest result{};
   for_each_crossing(plane, corners, is_shared, [&](const PlanePoint& at, const Vertex& vertex) {
+    result.leaves_out = true;
     const Point point = moved(vertex);
     const double distance = required.find(vertex) != VertexNumbers::none
                                 ? std::numeric_limits<double>::infinity()
                                 : squared_distance(point, moved_corners);
-    if (distance > result.squared_distance) result = {distance, at, point};
+    if (distance > result.squared_distance) result = {distance, at, point, true};
   });
+  for (std::size_t i = 0; i < 3 && !result.leaves_out; ++i)
+    result.leaves_out = !is_shared[i] &&
+                        has_crossings(plane.vertex(corners[i]), plane.vertex(corners[(i + 1) % 3]));
   return result;
 }
 

@@ -21,6 +21,9 @@ struct MovedTriangles {
   std::vector<PlanePoint> points;
   std::vector<Point> moved;  ///< one a point; Units: half-steps
   std::vector<Triangle> triangles;
+  /// One a triangle: false if all crossings in it and on its sides are points. Set by
+  /// Refinement::refine().
+  std::vector<bool> leaves_out;
 };
 
 /// Finds the vertices that a polygon needs when its vertices are moved to the crossings
@@ -53,6 +56,7 @@ class Refinement {
     double squared_distance;
     PlanePoint point;
     Point moved;
+    bool leaves_out;  // as in MovedTriangles
   };
   Farthest farthest(const LatticePlane& plane, const VertexNumbers& required,
                     const MovedTriangles& triangles, std::uint32_t triangle) const;
