@@ -52,16 +52,32 @@ class Crossings {
   /// outside the volume or its mask, or a sample is not finite, the crossing is in the middle.
   /// Units: half-steps.
   Point interpolated(const Vertex& vertex) const;
-  /// The same of the middle of an edge. place: of its crossing.
-  Point interpolated(const Vertex& middle, Place place) const {
-    Point point = {static_cast<double>(middle.x), static_cast<double>(middle.y),
-                   static_cast<double>(middle.z)};
-    point[place.axis] += static_cast<double>(along_[place.axis].crossings[place.number].at) - 1;
-    return point;
+  /// The same of the middle of an edge along an axis. at: as at() of its crossing.
+  static Point interpolated(const Vertex& middle, std::size_t axis, float at) {
+    const double moved = static_cast<double>(at) - 1;
+    return {middle.x + (axis == 0 ? moved : 0), middle.y + (axis == 1 ? moved : 0),
+            middle.z + (axis == 2 ? moved : 0)};
   }
 
   /// The crossing at the middle of an edge, if there is one. Limit: is_middle().
   std::optional<Place> find(const Vertex& middle) const;
+  /// Calls with the crossing at the middle of an edge, or with those of the edges around a
+  /// centroid.
+  template <class Call>
+  void for_each_near(const Vertex& vertex, Call call) const {
+    const auto call_if_found = [&](const Vertex& middle) {
+      if (const auto place = find(middle)) call(*place);
+    };
+    if (is_middle(vertex)) return call_if_found(vertex);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int a : {-1, 1})
+        for (const int b : {-1, 1}) {
+          std::array<std::int32_t, 3> at = {vertex.x, vertex.y, vertex.z};
+          at[(axis + 1) % 3] += a;
+          at[(axis + 2) % 3] += b;
+          call_if_found({at[0], at[1], at[2]});
+        }
+  }
   /// How many there are along an axis.
   std::size_t count(std::size_t axis) const { return along_[axis].crossings.size(); }
   /// Whether the edge begins on, and ends off.
@@ -92,10 +108,9 @@ class Crossings {
 
   /// Limit: of a finder that keeps the ends.
   Ends& ends(Place place) { return along_[place.axis].ends[place.number]; }
-  /// Moves a crossing to where the line between two ends meets zero. Limit: their signs differ.
-  void move(Place place, Ends ends) {
-    along_[place.axis].crossings[place.number].at = 2 * (ends.begin / (ends.begin - ends.end));
-  }
+  /// The crossing, as at(), at which the line between two ends meets zero. Limit: their signs
+  /// differ.
+  static float zero_between(Ends ends) { return 2 * (ends.begin / (ends.begin - ends.end)); }
 
  private:
   friend class CrossingFinder;

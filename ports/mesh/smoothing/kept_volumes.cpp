@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "meshes/mesh.hpp"
@@ -19,7 +18,7 @@ namespace {
 using Place = Crossings::Place;
 using Ends = Crossings::Ends;
 
-constexpr std::uint32_t no_piece = ~0U;
+constexpr std::uint32_t no_piece = ~0U, no_edge = ~0U;
 constexpr double accuracy = 5e-4;  // of a volume
 constexpr unsigned max_rounds = 25;
 
@@ -27,15 +26,24 @@ constexpr unsigned max_rounds = 25;
 struct Piece {
   struct Edge {
     Place place;
+    float sign;           // 1 if it begins on, -1 if it ends on
     std::uint32_t rival;  // the piece on its other side, or no_piece
+    Ends ends;
+  };
+  // A vertex of the mesh of the surface.
+  struct Corner {
+    Vertex lattice;
+    bool is_crossing;  // that moves
+    Edge edge;         // of the crossing; a copy, as memory is read in its order
   };
 
   std::size_t surface;
   double volume_mm3;    // to be kept; negative of a cavity
   double shift_mm = 0;  // outwards
   std::vector<Edge> edges{};
-  std::vector<std::uint32_t> vertices{};  // of the mesh of the surface
-  std::vector<std::uint32_t> faces{};
+  std::vector<Edge> around{};  // centroids among the corners
+  std::vector<Corner> corners{};
+  std::vector<Triangle> faces{};
 };
 
 // What can move between a piece and a rival, or no_piece.
@@ -76,8 +84,6 @@ class VolumeKeeper {
   struct Parts {
     std::vector<std::uint32_t> of_polygon;                  // pieces
     std::array<std::vector<std::uint32_t>, 3> of_crossing;  // pieces, by axis
-    FaceMesh mesh;
-    std::vector<std::optional<Place>> places;  // of the vertices that are crossings
   };
 
   template <class Call>
@@ -126,7 +132,8 @@ class VolumeKeeper {
           if (number < other)
             share(crossings.ends(place), surfaces_[other].crossings->ends(*there));
         }
-        pieces_[parts.of_polygon[polygon]].edges.push_back({place, rival});
+        pieces_[parts.of_polygon[polygon]].edges.push_back(
+            {place, crossings.falls(place) ? 1.0F : -1.0F, rival, crossings.ends(place)});
       });
   }
 
@@ -142,65 +149,89 @@ class VolumeKeeper {
 
   void move_crossings(const Piece& piece) {
     Crossings& crossings = *surfaces_[piece.surface].crossings;
+    for (const Piece::Edge& edge : piece.edges) crossings.move(edge.place, at(piece, edge));
+  }
+
+  // The crossing of an edge, as Crossings::at(), with the shifts of now.
+  float at(const Piece& piece, const Piece::Edge& edge) const {
     const auto least = static_cast<float>(keeping_.min_mm);
-    for (const Piece::Edge& edge : piece.edges) {
-      const double rival = edge.rival == no_piece ? 0 : pieces_[edge.rival].shift_mm;
-      const auto shift = static_cast<float>(piece.shift_mm - rival);
-      const Ends ends = crossings.ends(edge.place);
-      if (crossings.falls(edge.place))
-        crossings.move(edge.place,
-                       {std::max(ends.begin + shift, least), std::min(ends.end + shift, -least)});
-      else
-        crossings.move(edge.place,
-                       {std::min(ends.begin + shift, -least), std::max(ends.end + shift, least)});
-    }
+    const double rival = edge.rival == no_piece ? 0 : pieces_[edge.rival].shift_mm;
+    const auto shift = static_cast<float>(piece.shift_mm - rival);
+    // Without branches: which way an edge falls is hard to foretell.
+    return Crossings::zero_between({std::max(edge.sign * (edge.ends.begin + shift), least),
+                                    std::min(edge.sign * (edge.ends.end + shift), -least)});
   }
 
   void add_mesh(std::size_t number) {
-    Parts& parts = of_surface_[number];
     MeshingOptions options{true, Faces::triangles, surfaces_[number].crossings, keeping_.tolerance};
     options.separates = false;
-    parts.mesh = build_mesh(*surfaces_[number].surface, options);
-    parts.places.clear();
-    for (const Vertex& vertex : parts.mesh.lattice)
-      parts.places.push_back(is_middle(vertex) ? surfaces_[number].crossings->find(vertex)
-                                               : std::nullopt);
+    const FaceMesh mesh = build_mesh(*surfaces_[number].surface, options);
     for (Piece& piece : pieces_) {
       if (piece.surface != number) continue;
       piece.faces.clear();
-      piece.vertices.clear();
+      piece.corners.clear();
     }
-    std::vector<bool> is_seen(parts.mesh.vertices_mm.size());
-    for (std::uint32_t face = 0; face < parts.mesh.face_count(); ++face) {
-      Piece& piece = pieces_[parts.of_polygon[parts.mesh.polygons[face]]];
-      piece.faces.push_back(face);
+    struct Named {
+      std::uint32_t piece = no_piece, corner = 0;
+    };
+    std::vector<Named> names(mesh.lattice.size());
+    for (std::size_t face = 0; face < mesh.face_count(); ++face) {
+      const std::uint32_t name = of_surface_[number].of_polygon[mesh.polygons[face]];
+      Piece& piece = pieces_[name];
+      Triangle triangle;
       for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t vertex = parts.mesh.face(face)[i];
-        if (!is_seen[vertex]) piece.vertices.push_back(vertex);
-        is_seen[vertex] = true;
+        const std::uint32_t vertex = mesh.face(face)[i];
+        if (names[vertex].piece != name) {
+          names[vertex] = {name, static_cast<std::uint32_t>(piece.corners.size())};
+          piece.corners.push_back({mesh.lattice[vertex], false, {}});
+        }
+        triangle[i] = names[vertex].corner;
       }
+      piece.faces.push_back(triangle);
     }
+    std::array<std::vector<std::uint32_t>, 3> edges;  // of crossings, by axis
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      edges[axis].resize(surfaces_[number].crossings->count(axis), no_edge);
+    for (Piece& piece : pieces_)
+      if (piece.surface == number) find_edges_of_corners(piece, edges);
+  }
+
+  // edges: none before and after.
+  void find_edges_of_corners(Piece& piece, std::array<std::vector<std::uint32_t>, 3>& edges) const {
+    const auto edge_at = [&](Place place) -> auto& {
+      return edges[place.axis][place.number];
+    };
+    for (std::uint32_t i = 0; i < piece.edges.size(); ++i) edge_at(piece.edges[i].place) = i;
+    piece.around.clear();
+    for (Piece::Corner& corner : piece.corners)
+      surfaces_[piece.surface].crossings->for_each_near(corner.lattice, [&](Place place) {
+        if (edge_at(place) == no_edge) return;
+        const Piece::Edge& edge = piece.edges[edge_at(place)];
+        corner.is_crossing = is_middle(corner.lattice);
+        if (corner.is_crossing)
+          corner.edge = edge;
+        else
+          piece.around.push_back(edge);
+      });
+    for (const Piece::Edge& edge : piece.edges) edge_at(edge.place) = no_edge;
   }
 
   // With the shift of now, how much the piece encloses.
   double enclosed_mm3(const Piece& piece) {
-    move_crossings(piece);
-    FaceMesh& mesh = of_surface_[piece.surface].mesh;
-    const std::vector<std::optional<Place>>& places = of_surface_[piece.surface].places;
-    const Crossings& crossings = *surfaces_[piece.surface].crossings;
-    for (const std::uint32_t vertex : piece.vertices) {
-      const Vertex& at = mesh.lattice[vertex];
-      mesh.vertices_mm[vertex] = in_mm(
-          places[vertex] ? crossings.interpolated(at, *places[vertex]) : crossings.interpolated(at),
-          mesh.spacing_mm);
-    }
-    const Point& apex = mesh.vertices_mm[piece.vertices[0]];  // near, so that little is rounded
+    Crossings& crossings = *surfaces_[piece.surface].crossings;
+    const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
+    for (const Piece::Edge& edge : piece.around) crossings.move(edge.place, at(piece, edge));
+    from_apex_.clear();
+    for (const auto& [lattice, is_crossing, edge] : piece.corners)
+      from_apex_.push_back(
+          in_mm(is_crossing ? Crossings::interpolated(lattice, edge.place.axis, at(piece, edge))
+                            : crossings.interpolated(lattice),
+                spacing));
+    const Point apex = from_apex_[0];  // near, so that little is rounded
+    for (Point& corner : from_apex_) corner = difference(corner, apex);
     double six = 0;
-    for (const std::uint32_t face : piece.faces) {
-      const std::uint32_t* const corners = mesh.face(face);
-      const auto at = [&](std::size_t i) { return difference(mesh.vertices_mm[corners[i]], apex); };
-      six += dot(at(0), cross(at(1), at(2)));
-    }
+    for (const auto& [a, b, c] : piece.faces)
+      six += dot(from_apex_[a], cross(from_apex_[b], from_apex_[c]));
     return six / 6;
   }
 
@@ -297,16 +328,15 @@ class VolumeKeeper {
   // That of an edge: a face of a voxel, times the cosine between the edge and the normal. The slope
   // of the distance is that cosine. Between rivals it is twice as steep, and moves half as far.
   double area_mm2(const Piece& piece, const Piece::Edge& edge) const {
-    const SmoothSurface& surface = surfaces_[piece.surface];
     const bool has_rival = edge.rival != no_piece;
     const auto shift =
         static_cast<float>(piece.shift_mm - (has_rival ? pieces_[edge.rival].shift_mm : 0));
-    const Ends ends = surface.crossings->ends(edge.place);
+    const Ends ends = edge.ends;
     const auto least = static_cast<float>(keeping_.min_mm);
-    const float at_on = surface.crossings->falls(edge.place) ? ends.begin : ends.end;
-    const float at_off = surface.crossings->falls(edge.place) ? ends.end : ends.begin;
+    const float at_on = edge.sign > 0 ? ends.begin : ends.end;
+    const float at_off = edge.sign > 0 ? ends.end : ends.begin;
     if (at_on + shift < least || at_off + shift > -least) return 0;
-    const Point& spacing = surface.surface->spacing_mm;
+    const Point& spacing = surfaces_[piece.surface].surface->spacing_mm;
     const double along = spacing[edge.place.axis];
     return std::fabs(spacing[0] * spacing[1] * spacing[2]) / (along * along) *
            std::fabs(static_cast<double>(ends.begin - ends.end)) / (has_rival ? 4 : 1);
@@ -337,6 +367,7 @@ class VolumeKeeper {
   const VolumeKeeping& keeping_;
   std::vector<Piece> pieces_;
   std::vector<Parts> of_surface_;
+  std::vector<Point> from_apex_;  // the corners of the piece that is measured
 };
 
 }  // namespace

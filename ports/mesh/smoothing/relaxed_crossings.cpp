@@ -141,21 +141,6 @@ class Relaxer {
   std::vector<float> relaxed_;
 };
 
-// Calls for the crossing at a vertex, or for those around a centroid.
-template <class Call>
-void for_each_near(const Crossings& crossings, const Vertex& vertex, Call call) {
-  if (is_middle(vertex)) {
-    if (const auto place = crossings.find(vertex)) call(*place);
-    return;
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const int a : {-1, 1})
-      for (const int b : {-1, 1})
-        if (const auto place = crossings.find(vertex + times(a, step_along((axis + 1) % 3)) +
-                                              times(b, step_along((axis + 2) % 3))))
-          call(*place);
-}
-
 // Half of the way, and at last all of it. Returns whether there was any left.
 bool move_to_middle(Crossings& crossings, Place place, unsigned round) {
   constexpr unsigned halves = 3;
@@ -178,8 +163,9 @@ void separate(Crossings& crossings, const Surface& surface, const Relaxation& re
     for (const auto& pair : intersecting_faces(mesh, faces, relaxation.check))
       for (const std::uint32_t face : pair)
         for (std::size_t i = 0; i < 3; ++i)
-          for_each_near(crossings, mesh.lattice[mesh.face(face)[i]],
-                        [&](Place place) { is_moved |= move_to_middle(crossings, place, round); });
+          crossings.for_each_near(mesh.lattice[mesh.face(face)[i]], [&](Place place) {
+            is_moved |= move_to_middle(crossings, place, round);
+          });
   }
 }
 
