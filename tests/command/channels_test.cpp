@@ -121,22 +121,17 @@ TEST_CASE("extract prints the encoder's memory for a stream of slices, and no ar
   CHECK(contains(result.out, "bytes of slice encoder"));
   CHECK_FALSE(contains(result.out, "arena"));
   for (const std::string memory : {" --memory 64K", " --capacities 100,10"}) {
-    const auto refused = workshop.run(extract + memory);
-    CHECK(refused.code == 2);
-    CHECK(contains(refused.error, "leave out --memory"));
+    check_failure(workshop.run(extract + memory), 2, {"leave out --memory"});
   }
 }
 
 TEST_CASE("several surfaces are a stream, and no more than four") {
   const Workshop workshop;
   workshop.write("v.raw", cone(16));
-  const auto mesh = workshop.run("extract " + volume + "--iso 20 --iso 40 -o a.stl");
-  CHECK(mesh.code == 2);
-  CHECK(contains(mesh.error, "{name}"));
-  const auto five =
-      workshop.run("extract " + volume + "--iso 1 --iso 2 --iso 3 --iso 4 --iso 5 -o a.dmc");
-  CHECK(five.code == 2);
-  CHECK(contains(five.error, "4 at most"));
+  check_failure(workshop.run("extract " + volume + "--iso 20 --iso 40 -o a.stl"), 2, {"{name}"});
+  check_failure(
+      workshop.run("extract " + volume + "--iso 1 --iso 2 --iso 3 --iso 4 --iso 5 -o a.dmc"), 2,
+      {"4 at most"});
   const auto drawn = workshop.run("render " + volume + "--iso 20 --stream-channel 1 -o p.png");
   CHECK(drawn.code == 2);
   CHECK(workshop.run("render " + volume + "--iso 20 --iso 30 -o p.png").code == 2);

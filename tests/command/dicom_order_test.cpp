@@ -246,9 +246,7 @@ TEST_CASE("slices without positions are sorted by their numbers on request") {
   const Slices slices([](Dataset& data, int) {
     data.drop(0x00200032).drop(0x00200037).text(0x00180050, "DS", "2.5");
   });
-  const std::string text = refusal(slices.path());
-  check_refusal(text, "the 5 slices have no position");
-  check_refusal(text, "--order instance");
+  check_refusal(refusal(slices.path()), "the 5 slices have no position", "--order instance");
   const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
   CHECK(!reader->info().placement);
@@ -285,9 +283,8 @@ TEST_CASE("files of several slices without positions are in the order of their n
 
 TEST_CASE("slices without numbers or with the same are refused, and put in order by their names") {
   Slices slices([](Dataset& data, int) { data.drop(0x00200032).drop(0x00200013); });
-  const std::string missing = refusal(slices.path(), ordered(SliceOrder::instance));
-  check_refusal(missing, "has no InstanceNumber");
-  check_refusal(missing, "--order name");
+  check_refusal(refusal(slices.path(), ordered(SliceOrder::instance)), "has no InstanceNumber",
+                "--order name");
   const Slices equal([](Dataset& data, int) { data.drop(0x00200032).text(0x00200013, "IS", "1"); });
   check_refusal(refusal(equal.path(), ordered(SliceOrder::instance)),
                 "two slices have the same InstanceNumber: instance 1 (");

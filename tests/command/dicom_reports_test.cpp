@@ -221,9 +221,8 @@ TEST_CASE("contours are refused with the program that converts them to masks") {
   liver.text(0x30060026, "LO", "Liver");
   data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.481.3").text(0x00080060, "CS", "RTSTRUCT");
   data.sequence(0x30060020, {liver});
-  const std::string text = refusal(folder.write("a.dcm", data.file()));
-  check_refusal(text, "this is an RTSTRUCT, the contours 'Liver'");
-  check_refusal(text, "dcmrtstruct2nii");
+  check_refusal(refusal(folder.write("a.dcm", data.file())),
+                "this is an RTSTRUCT, the contours 'Liver'", "dcmrtstruct2nii");
 }
 
 TEST_CASE("a document in a DICOM file is refused with the way to take it out") {

@@ -329,10 +329,9 @@ TEST_CASE("one of several series is chosen by its number or UID") {
     for (std::size_t i = bytes.size() - 2 * width * height; i < bytes.size(); ++i) bytes[i] = 1;
     series.write("other" + std::to_string(z), bytes);
   }
-  const std::string text = refusal(series.path()) + "\n";
-  check_refusal(text, "\n  1: 5 slices of 8 x 6, 'CT', 'Head 2.5', UID " + uid + "\n");
-  check_refusal(text, "\n  2: 5 slices of 8 x 6, 'CT', 'Thin 1.5', UID " + other + "\n");
-  check_refusal(text, "--series N");
+  check_refusal(refusal(series.path()) + "\n",
+                "\n  1: 5 slices of 8 x 6, 'CT', 'Head 2.5', UID " + uid + "\n",
+                "\n  2: 5 slices of 8 x 6, 'CT', 'Thin 1.5', UID " + other + "\n", "--series N");
   const auto ones = std::vector<double>(values().size(), 257);
   const auto chosen = [&](const std::string& name) {
     return read_all(*open_volume(series.path(), {{}, {}, name}));
@@ -367,10 +366,9 @@ TEST_CASE("one of several volumes in a series is chosen by its number, not by th
 TEST_CASE("a slice without position in a series is named") {
   const Series series;
   series.put(2, replaced(slice(2), "-10.000\\-20.000\\" + place(2), "                       "));
-  const std::string text = refusal(series.path());
-  check_refusal(text, "several volumes in one series, with and without position (");
-  check_refusal(text, "1 slice of 8 x 6 without position, 'CT'");
-  check_refusal(text, "4 slices of 8 x 6, 'CT'");
+  check_refusal(refusal(series.path()),
+                "several volumes in one series, with and without position (",
+                "1 slice of 8 x 6 without position, 'CT'", "4 slices of 8 x 6, 'CT'");
 }
 
 TEST_CASE("pictures beside DICOM are left out, with a note") {

@@ -96,9 +96,8 @@ TEST_CASE("volumes that continue each other are listed with their places and a r
       put_at(data, {-10, -20, number == 0 ? 2.5 * z : second + 5 * z});
     });
   };
-  const std::string text = refusal(two(20).path());
-  check_refusal(text, ", or resample all to one distance of slices");
-  check_refusal(text, "at 20 to 40 mm");
+  check_refusal(refusal(two(20).path()), ", or resample all to one distance of slices",
+                "at 20 to 40 mm");
   CHECK(refusal(two(5).path()).find("resample") == std::string::npos);
 }
 
@@ -116,9 +115,9 @@ TEST_CASE("times are separated, and chosen by frame or from the list") {
     data.text(temporal_position, "IS", std::to_string(number + 1));
     data.text(trigger_time, "DS", std::to_string(9 * number));
   });
-  const std::string text = refusal(volumes.path());
-  check_refusal(text, "1: 5 slices of 8 x 6, 'CT', temporal position 1, trigger time 0 ms, UID");
-  check_refusal(text, "3: 5 slices of 8 x 6, 'CT', temporal position 3, trigger time 18 ms, UID");
+  check_refusal(refusal(volumes.path()),
+                "1: 5 slices of 8 x 6, 'CT', temporal position 1, trigger time 0 ms, UID",
+                "3: 5 slices of 8 x 6, 'CT', temporal position 3, trigger time 18 ms, UID");
   volumes.check_all(3);
   VolumeOptions options = with(&VolumeOptions::frame, 1);
   CHECK(open_volume(volumes.path(), options)->info().frames == 3);
@@ -181,9 +180,9 @@ TEST_CASE("slices with individual times are separated by their order") {
     data.text(trigger_time, "DS", std::to_string(100 * number + 7 * z % 5));
     data.text(instance_number, "IS", std::to_string(1 + number + 2 * z));
   });
-  const std::string text = refusal(volumes.path());
-  check_refusal(text, "1: 5 slices of 8 x 6, 'CT', number 1 by trigger time, UID");
-  check_refusal(text, "2: 5 slices of 8 x 6, 'CT', number 2 by trigger time, UID");
+  check_refusal(refusal(volumes.path()),
+                "1: 5 slices of 8 x 6, 'CT', number 1 by trigger time, UID",
+                "2: 5 slices of 8 x 6, 'CT', number 2 by trigger time, UID");
   volumes.check_all(2);
   CHECK(noted(open_volume(volumes.path(), with(&VolumeOptions::series, "2"))->info(),
               "distinguished only by their order: number 2 by trigger time"));
@@ -229,10 +228,9 @@ TEST_CASE("a volume with a missing slice is separated, and refused alone") {
 
 TEST_CASE("inseparable slices at the same position are refused with both files") {
   const Volumes volumes(2, [](Dataset& data, int, int) { data.drop(instance_number); });
-  const std::string text = refusal(volumes.path());
-  check_refusal(text, "two slices at 100 mm differ: ");
-  check_refusal(text, "no attribute separates their volumes");
-  check_refusal(text, "give a pattern of the files of one volume");
+  check_refusal(refusal(volumes.path()),
+                "two slices at 100 mm differ: ", "no attribute separates their volumes",
+                "give a pattern of the files of one volume");
   CHECK(read_all(*open_volume(volumes.path() / "IM*1")) == as_read(numbered_values(1)));
 }
 
@@ -326,9 +324,7 @@ TEST_CASE("the advice of the list leads to a mesh") {
     data.text(kernel, "SH", number == 0 ? "B30" : "B70");
   });
   const std::string folder = "'" + volumes.path().string() + "'";
-  const auto refused = workshop.run("extract " + folder + " --iso 0 -o v.stl");
-  CHECK(refused.code == 1);
-  CHECK(contains(refused.error, "--series N"));
+  check_failure(workshop.run("extract " + folder + " --iso 0 -o v.stl"), 1, {"--series N"});
   workshop.done("extract " + folder + " --iso 0 --series 2 -o v.stl");
   workshop.done("extract " + folder + " --iso 0 --frame 1 -o w.stl");
   CHECK(workshop.read("v.stl") == workshop.read("w.stl"));

@@ -75,9 +75,7 @@ TEST_CASE("a surface whose bodies are all too small is empty, too") {
   const Workshop workshop;
   workshop.write("v.nrrd", ramp);
   const std::string extract = "extract v.nrrd --iso 100 --min-volume 100 -o v.stl";
-  const Result result = workshop.run(extract);
-  CHECK(result.code == 1);
-  CHECK(contains(result.error, "no body is as large as --min-volume"));
+  check_failure(workshop.run(extract), 1, {"no body is as large as --min-volume"});
   CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
   workshop.done(extract + " --allow-empty");
 }
@@ -114,9 +112,8 @@ TEST_CASE("a surface equal to the box of the volume is written with a note") {
     CHECK(contains(error_of("four.nrrd --label 4"), "every voxel has label 4" + box));
     CHECK(error_of("v.nrrd --iso=-999").empty());
   }
-  const Result piped = workshop.shell("cat v.nrrd | \"$discmc\" extract - --iso=-2000 -o v.stl");
-  CHECK(piped.code == 0);
-  CHECK(contains(piped.error, "standard input: every voxel reaches -2000"));
+  check_told(workshop.shell("cat v.nrrd | \"$discmc\" extract - --iso=-2000 -o v.stl"), 0,
+             {"standard input: every voxel reaches -2000"});
 }
 
 TEST_CASE("a volume filled by the median or by infinite values is reported as such") {

@@ -39,9 +39,8 @@ TEST_CASE("an unsupported format is named with its converter, by name or by firs
   };
   for (const Case& each : cases) {
     INFO(each.file);
-    const std::string text = refusal(folder.write(each.file, std::string(each.head) + "..."));
-    check_refusal(text, each.refusal);
-    check_refusal(text, "which is not supported");
+    check_refusal(refusal(folder.write(each.file, std::string(each.head) + "...")), each.refusal,
+                  "which is not supported");
   }
 }
 

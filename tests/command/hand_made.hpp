@@ -30,6 +30,15 @@ inline std::vector<Corners> rings_of(const Polygon& polygon) {
   return rings;
 }
 
+inline bool are_same(const Surface& a, const Surface& b) {
+  if (a.polygons.size() != b.polygons.size()) return false;
+  for (std::size_t i = 0; i < a.polygons.size(); ++i)
+    if (a.polygons[i].incidence != b.polygons[i].incidence ||
+        rings_of(a.polygons[i]) != rings_of(b.polygons[i]))
+      return false;
+  return true;
+}
+
 // One polygon.
 inline Polygons polygon_of(discmc::Incidence incidence, const std::vector<Corners>& rings) {
   Polygons polygons;

@@ -95,6 +95,9 @@ TEST_CASE("pictures of eight bits and less keep their values") {
   CHECK(read_all(*open_volume(files / "u8.png")) == values(1, in_u8));
   CHECK(read_all(*open_volume(files / "bits.png")) ==
         values(1, [](double value) { return std::fmod(in_u8(value), 2); }));
+  const auto greys = open_volume(files / "palette.png");  // a palette of greys
+  CHECK(read_all(*greys) == values(1, in_u8));
+  CHECK(!noted(greys->info(), "palette"));
 }
 
 VolumeOptions of_channel(std::uint32_t channel) {
@@ -118,12 +121,6 @@ TEST_CASE("a channel of a colour picture is chosen as the refusal advises") {
       CHECK(read_all(*open_volume(files / name, of_channel(channel))) ==
             std::vector<double>(first, first + width * height));
     }
-}
-
-TEST_CASE("a palette of greys is read as greys, and a palette of colours as indices") {
-  const auto greys = open_volume(files / "palette.png");
-  CHECK(read_all(*greys) == values(1, in_u8));
-  CHECK(!noted(greys->info(), "palette"));
 }
 
 TEST_CASE("JPEG is read, and a channel of a colour JPEG") {

@@ -74,8 +74,7 @@ TEST_CASE("all labels with a mask are as many meshes as if each were asked for w
   // The largest sample, and a half, stand for 0.
   std::string floats;
   for (char& sample : samples) {
-    const float value = static_cast<float>(sample) + 0.5F;
-    floats.append(reinterpret_cast<const char*>(&value), sizeof value);
+    floats += volume_files::bytes_of(static_cast<float>(sample) + 0.5F);
     sample = static_cast<char>(255 - sample);
   }
   workshop.write("255.nii", nifti().scale(1, -255).file(samples));

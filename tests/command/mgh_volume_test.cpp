@@ -1,9 +1,7 @@
 // FreeSurfer's volumes, field by field. container_table_test has the files of nibabel.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -15,21 +13,14 @@ using namespace volume_files;
 using discmc::Space;
 using discmc::meshing::Axes;
 
-template <class Number>
-std::string big_endian(Number number) {
-  char bytes[sizeof number];
-  std::memcpy(bytes, &number, sizeof number);
-  std::reverse(bytes, bytes + sizeof number);
-  return {bytes, sizeof number};
-}
-
 // A file of 5 x 3 x 4 voxels. geometry: spacing, directions and centre, or none.
 std::string mgh(std::int32_t type, const std::string& samples, const std::vector<float>& geometry,
                 std::int32_t frames = 1, std::int32_t version = 1) {
   std::string bytes;
-  for (const std::int32_t field : {version, 5, 3, 4, frames, type, 0}) bytes += big_endian(field);
-  bytes += big_endian(static_cast<std::int16_t>(geometry.empty() ? 0 : 1));
-  for (const float number : geometry) bytes += big_endian(number);
+  for (const std::int32_t field : {version, 5, 3, 4, frames, type, 0})
+    bytes += bytes_of(field, true);
+  bytes += bytes_of(static_cast<std::int16_t>(geometry.empty() ? 0 : 1), true);
+  for (const float number : geometry) bytes += bytes_of(number, true);
   bytes.resize(284);
   return bytes + samples;
 }

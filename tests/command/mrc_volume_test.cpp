@@ -1,10 +1,8 @@
 // MRC and CCP4 maps, field by field. container_table_test has the files of mrcfile.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -44,10 +42,7 @@ class Map {
  private:
   template <class Number>
   void put(std::size_t& offset, Number value) {
-    char bytes[sizeof value];
-    std::memcpy(bytes, &value, sizeof value);
-    if (is_big_endian_) std::reverse(bytes, bytes + sizeof value);
-    header_.replace(offset, sizeof value, bytes, sizeof value);
+    header_.replace(offset, sizeof value, bytes_of(value, is_big_endian_));
     offset += sizeof value;
   }
 

@@ -26,10 +26,7 @@ std::string floats(const std::vector<float>& first) {
 
 std::unique_ptr<VolumeReader> opened(const Folder& folder, SampleType type,
                                      const std::string& bytes) {
-  RawLayout layout;
-  layout.dims = {5, 3, 4};
-  layout.type = type;
-  return open_volume(folder.write("v.raw", bytes), {layout});
+  return open_volume(folder.write("v.raw", bytes), {RawLayout{{5, 3, 4}, type}});
 }
 
 }  // namespace

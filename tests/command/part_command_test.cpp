@@ -29,11 +29,6 @@ std::vector<std::uint16_t> ball() {
   return {volume.samples.begin(), volume.samples.end()};
 }
 
-template <class Sample>
-std::string bytes_of(const std::vector<Sample>& samples) {
-  return {reinterpret_cast<const char*>(samples.data()), samples.size() * sizeof(Sample)};
-}
-
 // What --crop of the ball should leave.
 std::vector<std::uint16_t> part() {
   const auto whole = ball();
@@ -46,8 +41,8 @@ std::vector<std::uint16_t> part() {
 }
 
 void write_volumes(const Workshop& workshop) {
-  workshop.write("v.raw", bytes_of(ball()));
-  workshop.write("part.raw", bytes_of(part()));
+  workshop.write("v.raw", volume_files::bytes_of(ball()));
+  workshop.write("part.raw", volume_files::bytes_of(part()));
 }
 
 const std::string turned =
@@ -103,8 +98,8 @@ TEST_CASE("the results of a part equal those of a file with only the part") {
 
 TEST_CASE("a part keeps its place in the whole volume, in meshes and through streams") {
   const Workshop workshop;
-  workshop.write("turned.nrrd", turned + bytes_of(ball()));
-  workshop.write("v.raw", bytes_of(ball()));
+  workshop.write("turned.nrrd", turned + volume_files::bytes_of(ball()));
+  workshop.write("v.raw", volume_files::bytes_of(ball()));
   for (const std::string& volume :
        {std::string("turned.nrrd "), "v.raw --spacing 1,2,-3" + layout}) {
     INFO(volume);
@@ -123,7 +118,7 @@ TEST_CASE("a part keeps its place in the whole volume, in meshes and through str
 
 TEST_CASE("a shrunk ball is as large and where it was") {
   const Workshop workshop;
-  workshop.write("turned.nrrd", turned + bytes_of(ball()));
+  workshop.write("turned.nrrd", turned + volume_files::bytes_of(ball()));
   for (const std::string part : {"", "--crop 1..,1..14,2.. "}) {
     workshop.done("extract turned.nrrd --iso 1000 --shrink 2 " + part +
                   "--surface interpolated -o shrunk.obj");
@@ -145,7 +140,7 @@ TEST_CASE("the gradient of a part's stream is that of the same part of the volum
   const Workshop workshop;
   write_volumes(workshop);
   const std::vector<std::uint16_t> whole = ball();
-  workshop.write("v32.raw", bytes_of(std::vector<float>(whole.begin(), whole.end())));
+  workshop.write("v32.raw", volume_files::bytes_of(std::vector<float>(whole.begin(), whole.end())));
   const std::string as_f32 = " --dims 16,16,16 --type f32 ";
   for (const auto& [volume, of] : {std::pair("v.raw", layout), std::pair("v32.raw", as_f32)})
     for (const std::string& part : {crop, std::string(" --shrink 2 "), crop + " --shrink 2 "}) {

@@ -24,8 +24,8 @@ using namespace discmc::meshing;
 using discmc::reference::BitVolume;
 using discmc::reference::describe_difference;
 using discmc::reference::random;
+using hand_made::are_same;
 using hand_made::regions_of;
-using hand_made::rings_of;
 using sample_reader::bit_threshold;
 using sample_reader::SampleReader;
 
@@ -78,15 +78,6 @@ std::vector<BitVolume> tall_volumes() {
   return {random({9, 8, 50}, 128, 1), random({20, 17, 70}, 40, 2), random({5, 40, 33}, 220, 3),
           discmc::reference::ball({30, 30, 90}, {30, 30, 90}, 1600),
           discmc::reference::checkerboard({6, 6, 34})};
-}
-
-bool are_same(const Surface& a, const Surface& b) {
-  if (a.polygons.size() != b.polygons.size()) return false;
-  for (std::size_t i = 0; i < a.polygons.size(); ++i)
-    if (a.polygons[i].incidence != b.polygons[i].incidence ||
-        rings_of(a.polygons[i]) != rings_of(b.polygons[i]))
-      return false;
-  return true;
 }
 
 void check_same_surface(const BitVolume& volume, ExtractionOptions options) {
@@ -236,11 +227,9 @@ TEST_CASE("jobs that cannot be are refused, with the remedy") {
   const command_tests::Workshop workshop;
   workshop.write("v.raw", std::string(4 * 4 * 4, 'a'));
   const auto refused = [&](const std::string& options, const std::string& part) {
-    const command_tests::Result result =
-        workshop.run("extract v.raw --dims 4,4,4 --type u8 --iso 50 " + options);
-    INFO(options, "\n", result.error);
-    CHECK(result.code == 2);
-    CHECK(command_tests::contains(result.error, part));
+    INFO(options);
+    command_tests::check_failure(
+        workshop.run("extract v.raw --dims 4,4,4 --type u8 --iso 50 " + options), 2, {part});
   };
   refused("-o v.stl --jobs 0", "--jobs");
   refused("-o v.stl --jobs 2 --surface interpolated", "leave one out");

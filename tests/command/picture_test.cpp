@@ -107,7 +107,6 @@ FaceMesh long_wall(const Point& near, const Point& far) {
   return mesh;
 }
 
-// Removes its file also when a check fails.
 }  // namespace
 
 TEST_CASE("an octahedron from above is a square on its tip that fills the picture") {

@@ -12,11 +12,7 @@ namespace {
 using namespace volume_files;
 
 VolumeOptions layout_of(SampleType type, std::uint64_t skipped_bytes = 0) {
-  RawLayout layout;
-  layout.dims = {5, 3, 4};
-  layout.type = type;
-  layout.skipped_bytes = skipped_bytes;
-  return {layout};
+  return {RawLayout{{5, 3, 4}, type, false, skipped_bytes}};
 }
 
 }  // namespace
@@ -81,13 +77,9 @@ TEST_CASE("a file with the beginning of a known format is not read as headerless
       {std::string(344, '\0') + std::string("n+1\0", 4), "NIfTI"},
   };
   for (const auto& [head, format] : heads) {
-    RawLayout layout;
-    layout.dims = {10, 10, 4};
     const auto file = folder.write("v.raw", head + std::string(400 - head.size(), ' '));
-    check_refusal(refusal(file, {layout}), "begins like " + format);
-    layout.dims = {39, 10, 1};
-    layout.skipped_bytes = 10;
-    CHECK_NOTHROW(open_volume(file, {layout}));
+    check_refusal(refusal(file, {RawLayout{{10, 10, 4}}}), "begins like " + format);
+    CHECK_NOTHROW(open_volume(file, {RawLayout{{39, 10, 1}, SampleType::u8, false, 10}}));
   }
 }
 

@@ -78,10 +78,7 @@ TEST_CASE("options with a second pass are refused before reading, and surplus sa
   workshop.write("v.raw", u8 + "x");
   const auto check = [&](const std::string& source, const std::string& arguments,
                          const std::string& part) {
-    const Result result = workshop.shell(source + " | \"$discmc\" " + arguments);
-    CHECK(result.code == 1);
-    INFO(result.error);
-    CHECK(contains(result.error, part));
+    check_failure(workshop.shell(source + " | \"$discmc\" " + arguments), 1, {part});
   };
   const std::string second = "standard input: normals of the gradient read the volume twice";
   check("cat v.nrrd", "extract - --iso 100 --normals gradient -o v.ply", second);

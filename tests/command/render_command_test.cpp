@@ -103,9 +103,8 @@ TEST_CASE("a picture may be zoomed and show a given place") {
   const std::string near = picture(workshop, "v.dmc --zoom 3");
   CHECK(near != whole);
   CHECK(picture(workshop, "v.dmc --zoom 3 --at 7,-9,20") != near);
-  const Result result = workshop.run("render v.dmc -o o.png --view 0,0,1 --at 0,0,1e6");
-  CHECK(result.code == 1);
-  CHECK(contains(result.error, "behind the viewer"));
+  check_failure(workshop.run("render v.dmc -o o.png --view 0,0,1 --at 0,0,1e6"), 1,
+                {"behind the viewer"});
 }
 
 TEST_CASE("wrong usage of render is reported, and no file is written") {
@@ -136,10 +135,7 @@ TEST_CASE("wrong usage of render is reported, and no file is written") {
       {"v.dmc --at 1,2,nan", "nan"}};
   for (const auto& usage : wrong) {
     INFO(usage.first);
-    const Result result = workshop.run("render " + usage.first + " -o o.png");
-    INFO(result.error);
-    CHECK(result.code == 2);
-    CHECK(contains(result.error, usage.second));
+    check_failure(workshop.run("render " + usage.first + " -o o.png"), 2, {usage.second});
   }
   for (const std::string braces : {"{name}", "{n}", "{}"})
     for (const std::string command : {"render v.nrrd --iso 100 -o 'a", "decode v.dmc -o 'a"})
@@ -212,10 +208,8 @@ TEST_CASE("a mesh on standard input is refused with the remedy") {
   write_volumes(workshop);
   workshop.done("extract v.nrrd --iso 100 -o v.stl");
   for (const std::string command : {"render - -o v.png", "view - -o v.html"}) {
-    const Result result = workshop.shell("\"$discmc\" " + command + " < v.stl");
-    INFO(result.error);
-    CHECK(result.code == 1);
-    CHECK(contains(result.error, "discmc: standard input: there is no header"));
-    CHECK(contains(result.error, "a mesh is read from a file only: save it"));
+    check_failure(
+        workshop.shell("\"$discmc\" " + command + " < v.stl"), 1,
+        {"discmc: standard input: there is no header", "a mesh is read from a file only: save it"});
   }
 }

@@ -139,9 +139,8 @@ TEST_CASE("masks beside a picture are the volume, and the picture is noted") {
   on[18] = 1;
   workshop.write("seg/spleen.nii", mask(on));
   workshop.write("seg/qc.jpg", "\xff\xd8\xff");
-  const auto result = workshop.run("extract seg --labels all -o 'm-{name}.stl'");
-  CHECK(result.code == 0);
-  CHECK(contains(result.error, "pictures beside the volumes are left out: 1, such as 'qc.jpg'"));
+  check_told(workshop.run("extract seg --labels all -o 'm-{name}.stl'"), 0,
+             {"pictures beside the volumes are left out: 1, such as 'qc.jpg'"});
   CHECK(contains(workshop.shell("ls").out, "m-liver.stl"));
   // A shell replaces a pattern without quotes by its files.
   CHECK(contains(workshop.done("extract seg/liver.nii seg/spleen.nii --labels all -o m.csv"),
@@ -157,9 +156,7 @@ TEST_CASE("a folder of one volume is that volume, and others are listed") {
   folder.write("a/notes.txt", "...");
   CHECK(open_volume(folder.path())->info().dims == std::array<std::uint32_t, 3>{5, 3, 4});
   folder.write("a/w.npy", npy("|u1", "4, 3, 5", stored(SampleType::u8)));
-  const std::string text = refusal(folder.path());
-  check_refusal(text, "several volumes in folders: 2, such as ");
-  check_refusal(text, "a/b/v.npy");
+  check_refusal(refusal(folder.path()), "several volumes in folders: 2, such as ", "a/b/v.npy");
   fs::remove_all(folder.path() / "a");
   folder.write("2dseq", "...");
   check_refusal(refusal(folder.path()), "the folder holds Bruker ParaVision, '2dseq'; convert it");
@@ -171,9 +168,7 @@ TEST_CASE("labels that no voxel has are noted, and those that shrinking loses") 
   samples[21] = 2;
   workshop.write("v.raw", samples);
   const std::string extract = "extract v.raw --dims 4,4,4 --type u8 ";
-  const auto absent = workshop.run(extract + "--label 1,7 -o v.stl");
-  CHECK(absent.code == 0);
-  CHECK(contains(absent.error, "no voxel has label 7\n"));
+  check_told(workshop.run(extract + "--label 1,7 -o v.stl"), 0, {"no voxel has label 7\n"});
   CHECK_FALSE(contains(workshop.run(extract + "--label 1,2 -o v.stl").error, "no voxel"));
   CHECK(contains(workshop.run(extract + "--labels all --shrink 2 -o v.glb").error,
                  "--shrink loses 2, the most frequent of no block"));

@@ -181,9 +181,7 @@ TEST_CASE("a stream that claims more lost rows than a scan can have is refused")
   workshop.write("v.dmc", text_of(discmc::test::lost_slices({1, 1, 2000})));
   CHECK(workshop.run("info v.dmc").code == 3);
   workshop.write("v.dmc", text_of(discmc::test::lost_slices({1, 32766, 0x3FFFFFFF})));
-  const auto refused = workshop.run("info v.dmc");
-  CHECK(refused.code == 1);
-  CHECK(contains(refused.error, "more than 68650825 rows were lost"));
+  check_failure(workshop.run("info v.dmc"), 1, {"more than 68650825 rows were lost"});
 }
 
 TEST_CASE("render draws a picture of the size asked for") {
@@ -212,9 +210,7 @@ TEST_CASE("an incomplete stream yields all whole regions, and the exit code is 3
   const int whole = std::stoi(workshop.info("v.dmc")["regions"]);
   for (const std::string name : {"gap", "'no end'"}) {
     INFO(name);
-    const Result result = workshop.run("info " + name + ".dmc");
-    CHECK(result.code == 3);
-    CHECK(contains(result.error, ".dmc: the stream is incomplete"));
+    check_told(workshop.run("info " + name + ".dmc"), 3, {".dmc: the stream is incomplete"});
     auto info = workshop.info(name + ".dmc");
     CHECK(info["complete"] == "no");
     CHECK(std::stoi(info["regions"]) > 0);
@@ -248,10 +244,7 @@ TEST_CASE("noise and empty files are refused by name, and no file is written") {
           "render " + file + " -o o.png"}) {
       if (arguments == "render . -o o.png") continue;  // a folder of slices may be a volume
       INFO(arguments);
-      const Result result = workshop.run(arguments);
-      CHECK(result.code == 1);
-      CHECK(contains(result.error, "discmc: " + file + ": "));
-      CHECK(result.out.empty());
+      check_failure(workshop.run(arguments), 1, {"discmc: " + file + ": "});
     }
   CHECK(workshop.names() == names);
   CHECK(contains(workshop.run("info none.dmc").error, "check the name"));
@@ -370,7 +363,5 @@ TEST_CASE("two mixed scans of the same number are reported with a remedy") {
   REQUIRE(a.size() == b.size());
   a.back() = b.back();
   workshop.write("m.dmc", text_of(discmc::test::joined(a)));
-  const Result result = workshop.run("info m.dmc");
-  CHECK(result.code == 3);
-  CHECK(contains(result.error, "give every scan another number"));
+  check_told(workshop.run("info m.dmc"), 3, {"give every scan another number"});
 }

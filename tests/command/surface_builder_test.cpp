@@ -11,57 +11,46 @@
 #include <vector>
 
 #include "hand_made.hpp"
-#include "oracle/stream.hpp"
+#include "oracle/stream_samples.hpp"
 
 namespace {
 
 using namespace discmc;
 using namespace discmc::meshing;
+using discmc::test::Events;
 using discmc::test::events_of;
+using discmc::test::Script;
+using discmc::test::up;
+using hand_made::are_same;
 using hand_made::Corners;
 using hand_made::rings_of;
-using Kind = Event::Kind;
-using Events = std::vector<Event>;
 
-const Incidence up = discmc::incidence_of({0, 0, 1});
-
-Event event(Kind kind) {
-  Event event{};
-  event.kind = kind;
-  return event;
-}
-
-void add_runs(Events& events, const std::vector<Run>& runs) {
-  for (const Run& run : runs) {
-    events.push_back(event(Kind::run));
-    events.back().run = run;
-  }
-}
-
-void add_fragment(Events& events, const std::vector<Run>& runs) {
-  events.push_back(event(Kind::fragment));
-  events.back().incidence = up;
-  add_runs(events, runs);
-  events.push_back(event(Kind::fragment_end));
-}
-
-void add_region(Events& events, const std::vector<std::vector<Run>>& rings,
-                Vertex start = {1, 0, 0}) {
-  events.push_back(event(Kind::region));
-  events.back().incidence = up;
+// All of a region but its end.
+Script begun_region(const std::vector<std::vector<Run>>& rings, Vertex start = {1, 0, 0}) {
+  Script script;
+  script.region(up);
   for (const auto& ring : rings) {
-    events.push_back(event(Kind::ring));
-    events.back().start = start;
-    events.back().hole = &ring != &rings[0];
-    add_runs(events, ring);
+    script.ring(start, &ring != &rings[0]);
+    for (const Run run : ring) script.run(run);
   }
-  events.push_back(event(Kind::region_end));
+  return script;
+}
+
+Events region(const std::vector<std::vector<Run>>& rings, Vertex start = {1, 0, 0}) {
+  return begun_region(rings, start).region_end().events;
 }
 
 SurfaceBuilder build(const Events& events) {
   SurfaceBuilder builder;
-  for (const Event& event : events) REQUIRE(builder.accept(event) == discmc::SinkResult::accepted);
+  for (const auto& event : events)
+    REQUIRE(builder.accept(event.event()) == discmc::SinkResult::accepted);
   return builder;
+}
+
+void check_none(const Events& region) {
+  const SurfaceBuilder builder = build(region);
+  CHECK(builder.surface().polygons.empty());
+  CHECK(builder.incomplete_regions() == 1);
 }
 
 // A straight run in the plane of `up` whose links are this step.
@@ -97,20 +86,10 @@ std::int64_t area(const Polygon& polygon) {
   return sum;
 }
 
-void check_same(const SurfaceBuilder& a, const SurfaceBuilder& b) {
-  REQUIRE(a.surface().polygons.size() == b.surface().polygons.size());
-  for (std::size_t i = 0; i < a.surface().polygons.size(); ++i) {
-    CHECK(a.surface().polygons[i].incidence == b.surface().polygons[i].incidence);
-    CHECK(rings_of(a.surface().polygons[i]) == rings_of(b.surface().polygons[i]));
-  }
-}
-
 }  // namespace
 
 TEST_CASE("a region becomes a polygon with the corners of its rings") {
-  Events events;
-  add_region(events, {rectangle()});
-  const SurfaceBuilder builder = build(events);
+  const SurfaceBuilder builder = build(region({rectangle()}));
   REQUIRE(builder.surface().polygons.size() == 1);
   const Polygon polygon = builder.surface().polygons[0];
   REQUIRE(polygon.rings.size() == 1);
@@ -120,57 +99,47 @@ TEST_CASE("a region becomes a polygon with the corners of its rings") {
 }
 
 TEST_CASE("regions and fragments that the decoder reports lost are forgotten") {
-  Events events, rest;
-  add_region(events, {rectangle(), rectangle()});
-  events.back().kind = Kind::lost;
-  add_fragment(events, {run(north, 2)});
-  events.back().kind = Kind::lost;
-  add_region(events, {rectangle()}, {1, 0, 4});
-  add_fragment(events, {run(north, 2)});
-  add_region(rest, {rectangle()}, {1, 0, 4});
+  const Events rest = region({rectangle()}, {1, 0, 4});
+  Script script = begun_region({rectangle(), rectangle()}).lost();
+  script.fragment(up, {}, 0).run(run(north, 2)).lost();
+  Events events = script.events;
+  events.insert(events.end(), rest.begin(), rest.end());
+  const Events loose = Script().fragment(up, {}, 0).run(run(north, 2)).fragment_end().events;
+  events.insert(events.end(), loose.begin(), loose.end());
   const SurfaceBuilder builder = build(events);
-  check_same(builder, build(rest));
+  CHECK(are_same(builder.surface(), build(rest).surface()));
   CHECK(builder.incomplete_regions() == 1);  // the fragment that was not joined
 }
 
 TEST_CASE("slits are dropped, and a ring that is nothing else is no region") {
-  Events events, plain, slit;
-  add_region(plain, {rectangle()});
-  add_region(events, {{run(east, 3), run(north), run(east, 5), run(west, 5), run(north),
-                       run(west, 3), run(south, 2)}});
-  check_same(build(events), build(plain));
-  add_region(slit, {{run(east, 3), run(west, 3)}});
-  CHECK(build(slit).surface().polygons.empty());
+  const Events with_slits = region({{run(east, 3), run(north), run(east, 5), run(west, 5),
+                                     run(north), run(west, 3), run(south, 2)}});
+  CHECK(are_same(build(with_slits).surface(), build(region({rectangle()})).surface()));
+  CHECK(build(region({{run(east, 3), run(west, 3)}})).surface().polygons.empty());
 }
 
 TEST_CASE("a side has two corners, for any number of runs and any start of the ring") {
-  Events events;
-  add_region(events,
-             {{run(east), run(east), run(north, 2), run(west, 3), run(south, 2), run(east)}});
-  const SurfaceBuilder builder = build(events);
+  const SurfaceBuilder builder = build(
+      region({{run(east), run(east), run(north, 2), run(west, 3), run(south, 2), run(east)}}));
   REQUIRE(builder.surface().polygons.size() == 1);
   CHECK(rings_of(builder.surface().polygons[0])[0] ==
         Corners{{5, 4, 0}, {-1, 4, 0}, {-1, 0, 0}, {5, 0, 0}});
 }
 
 TEST_CASE("a ring that turns to the left alone but goes round twice is no polygon of its own") {
-  Events events;
   std::vector<Run> twice = rectangle();
   for (const Run& run : rectangle()) twice.push_back(run);
-  add_region(events, {twice});
-  const SurfaceBuilder builder = build(events);
+  const SurfaceBuilder builder = build(region({twice}));
   for (const Polygon& polygon : builder.surface().polygons)
     for (const Ring& ring : polygon.rings) CHECK(is_simple(ring));
 }
 
 TEST_CASE("a ring that touches itself is split into simple rings, the outer one first") {
-  Events events;
   // Once around a square of 4 by 4 links, and on the way, from the middle of its first side, around
   // a diamond inside, clockwise.
-  add_region(events,
-             {{run(east, 2), run({-1, 1, 0}), run({1, 1, 0}), run({1, -1, 0}), run({-1, -1, 0}),
-               run(east, 2), run(north, 4), run(west, 4), run(south, 4)}});
-  const SurfaceBuilder builder = build(events);
+  const SurfaceBuilder builder =
+      build(region({{run(east, 2), run({-1, 1, 0}), run({1, 1, 0}), run({1, -1, 0}),
+                     run({-1, -1, 0}), run(east, 2), run(north, 4), run(west, 4), run(south, 4)}}));
   REQUIRE(builder.surface().polygons.size() == 1);
   const Polygon polygon = builder.surface().polygons[0];
   REQUIRE(polygon.rings.size() == 2);
@@ -182,10 +151,8 @@ TEST_CASE("a ring that touches itself is split into simple rings, the outer one 
 
 TEST_CASE("all rings of all regions are simple, one of them outer") {
   for (const std::uint32_t density : {60U, 128U, 200U}) {
-    Events events;
-    const auto told = events_of(discmc::reference::random({12, 12, 12}, density, density));
-    for (const auto& one : told) events.push_back(one.event());
-    const SurfaceBuilder builder = build(events);
+    const SurfaceBuilder builder =
+        build(events_of(discmc::reference::random({12, 12, 12}, density, density)));
     CHECK(builder.incomplete_regions() == 0);
     CHECK(!builder.surface().polygons.empty());
     for (const Polygon& polygon : builder.surface().polygons)
@@ -197,36 +164,29 @@ TEST_CASE("all rings of all regions are simple, one of them outer") {
 }
 
 TEST_CASE("rings that do not close or enclose nothing are no regions") {
-  Events events;
-  add_region(events, {{run(east, 3), run(north, 2), run(west, 3)}});
-  add_region(events, {{run(north, 2), run(east, 3), run(south, 2), run(west, 3)}});  // clockwise
-  add_region(events, {{}});
-  add_region(events, {});
-  const SurfaceBuilder builder = build(events);
-  CHECK(builder.surface().polygons.empty());
-  CHECK(builder.incomplete_regions() == 4);
+  const std::vector<std::vector<std::vector<Run>>> wrong = {
+      {{run(east, 3), run(north, 2), run(west, 3)}},
+      {{run(north, 2), run(east, 3), run(south, 2), run(west, 3)}},  // clockwise
+      {{}},
+      {}};
+  for (const auto& rings : wrong) check_none(region(rings));
 }
 
 TEST_CASE("rings beyond the coordinates of any scan are no regions") {
   constexpr std::uint32_t most = Run::max_length;
-  Events events;
   std::vector<Run> far(8, run(east, most));
   far.insert(far.end(), 8, run(west, most));
-  add_region(events, {far});
-  add_region(events, {std::vector<Run>(16, run(east, 1U << 27))});  // once around 32 bits
-  add_region(events, {rectangle()}, {2147483647, 0, 0});
-  const SurfaceBuilder builder = build(events);
-  CHECK(builder.surface().polygons.empty());
-  CHECK(builder.incomplete_regions() == 3);
+  check_none(region({far}));
+  check_none(region({std::vector<Run>(16, run(east, 1U << 27))}));  // once around 32 bits
+  check_none(region({rectangle()}, {2147483647, 0, 0}));
 }
 
 TEST_CASE("a ring of more links than any memory holds is split where it touches itself") {
   // A strip with a notch that ends in the middle of its other side.
   constexpr std::int32_t half = 1 << 27;
-  Events events;
-  add_region(events, {{run(east, half), run({1, 1, 0}, 6), run({1, -1, 0}, 6), run(east, half),
-                       run(north, 3), run(west, 2 * half + 6), run(south, 3)}});
-  const SurfaceBuilder builder = build(events);
+  const SurfaceBuilder builder =
+      build(region({{run(east, half), run({1, 1, 0}, 6), run({1, -1, 0}, 6), run(east, half),
+                     run(north, 3), run(west, 2 * half + 6), run(south, 3)}}));
   REQUIRE(builder.surface().polygons.size() == 1);
   const Vertex left = {1 + 2 * half, 0, 0}, tip = {7 + 2 * half, 6, 0},
                right = {13 + 2 * half, 0, 0};
@@ -236,11 +196,9 @@ TEST_CASE("a ring of more links than any memory holds is split where it touches 
 }
 
 TEST_CASE("regions that are only counted give the figures of regions that are kept") {
-  Events events;
-  for (const auto& one : events_of(discmc::reference::random({16, 16, 16}, 200, 5)))
-    events.push_back(one.event());
+  const Events events = events_of(discmc::reference::random({16, 16, 16}, 200, 5));
   SurfaceBuilder counter(Kept::counts);
-  for (const Event& event : events) counter.accept(event);
+  for (const auto& event : events) counter.accept(event.event());
   CHECK(counter.surface().polygons.empty());
   const Counts& counts = counter.counts();
   const SurfaceBuilder builder = build(events);

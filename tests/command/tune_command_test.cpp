@@ -159,10 +159,8 @@ TEST_CASE("tune refuses with the value and the remedy") {
   const Workshop workshop;
   write_ball(workshop);
   const auto refused = [&](const std::string& options, int code, const std::string& remedy) {
-    const Result result = workshop.run("tune v.nrrd " + options);
-    INFO(options, result.error);
-    CHECK(result.code == code);
-    CHECK(contains(result.error, remedy));
+    INFO(options);
+    check_failure(workshop.run("tune v.nrrd " + options), code, {remedy});
   };
   refused("", 2, "add --iso auto, or the threshold");
   refused("--iso 100 --clock fast", 2, "invalid clock 'fast'; expected Hertz, as in 48M");

@@ -24,9 +24,7 @@ std::string unpack(const Workshop& workshop, const std::string& page, const std:
 // Whether there is a page; otherwise checks the error of the command.
 bool has_page(const Workshop& workshop) {
   if (!discmc::command::page_template().empty()) return true;
-  const Result result = workshop.run("view v.nrrd --no-open");
-  CHECK(result.code == 1);
-  CHECK(contains(result.error, "built without the page"));
+  check_failure(workshop.run("view v.nrrd --no-open"), 1, {"built without the page"});
   CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
   return false;
 }
@@ -71,9 +69,7 @@ TEST_CASE("the page of a threshold has the slices of its surface alone") {
   CHECK(unpack(workshop, "page.html", "inside.dmc") == "v.nrrd at 100.dmc");
   workshop.done("extract v.nrrd --iso 100 --median 3 --wire slices -o v.dmc");
   CHECK(workshop.read("inside.dmc") == workshop.read("v.dmc"));
-  const Result empty = workshop.run("view v.nrrd --iso 255 -o none.html --no-open");
-  CHECK(empty.code == 1);
-  CHECK(contains(empty.error, "10 to 200"));
+  check_failure(workshop.run("view v.nrrd --iso 255 -o none.html --no-open"), 1, {"10 to 200"});
   CHECK_FALSE(contains(workshop.shell("ls").out, "none.html"));
 }
 

@@ -112,15 +112,26 @@ inline double sample_at(int voxel, SampleType type) {
   return voxel * 0.1 - 3;
 }
 
+// A number, or a sample, as a file holds it.
+template <class Number>
+std::string bytes_of(Number number, bool is_big_endian = false) {
+  char bytes[sizeof number];
+  std::memcpy(bytes, &number, sizeof number);
+  if (is_big_endian) std::reverse(bytes, bytes + sizeof number);
+  return {bytes, sizeof number};
+}
+template <class Number>
+std::string bytes_of(const std::vector<Number>& numbers) {
+  std::string bytes;
+  for (const Number number : numbers) bytes += bytes_of(number);
+  return bytes;
+}
+
 inline std::string stored(SampleType type, bool is_big_endian = false) {
   std::string bytes;
   for (int voxel = 0; voxel < voxels; ++voxel)
     discmc::meshing::with_sample_type(type, [&](auto typed) {
-      typed = static_cast<decltype(typed)>(sample_at(voxel, type));
-      char sample[sizeof typed];
-      std::memcpy(sample, &typed, sizeof typed);
-      if (is_big_endian) std::reverse(sample, sample + sizeof typed);
-      bytes.append(sample, sizeof typed);
+      bytes += bytes_of(static_cast<decltype(typed)>(sample_at(voxel, type)), is_big_endian);
     });
   return bytes;
 }
@@ -235,9 +246,11 @@ inline std::string refusal(const fs::path& file, const VolumeOptions& options = 
   return {};
 }
 
-inline void check_refusal(const std::string& text, const std::string& part) {
+template <class... Parts>
+void check_refusal(const std::string& text, const Parts&... parts) {
   INFO(text);
-  CHECK(text.find(part) != std::string::npos);
+  for (const std::string& part : {std::string(parts)...})
+    CHECK(text.find(part) != std::string::npos);
 }
 
 inline bool noted(const VolumeInfo& info, const std::string& part) {

@@ -41,9 +41,7 @@ Notes notes_of(const fs::path& file, const VolumeOptions& options = {}) {
 }
 
 VolumeOptions raw_options() {
-  RawLayout layout;
-  layout.dims = {5, 3, 4};
-  return {layout};
+  return {RawLayout{{5, 3, 4}}};
 }
 
 }  // namespace

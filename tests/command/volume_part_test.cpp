@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <random>
@@ -74,13 +73,6 @@ void check_places(const VolumeInfo& part, const VolumeInfo& whole, const Place& 
 const std::vector<std::string> placements = {
     "", "spacings: 0.5 2 3\n", "space dimension: 3\nspace directions: (0.5,0,0) (0,-2,0) (0,0,3)\n",
     "space: LPS\nspace directions: (0,2,0) (-3,0,0) (0,0.6,0.8)\nspace origin: (10,-20,30.5)\n"};
-
-template <class Sample>
-std::string bytes_of(const std::vector<Sample>& samples) {
-  std::string bytes(samples.size() * sizeof(Sample), '\0');
-  std::memcpy(bytes.data(), samples.data(), bytes.size());
-  return bytes;
-}
 
 // The samples of one block of up to 2 x 2 x 2 become one.
 template <class Sample>

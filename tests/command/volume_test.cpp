@@ -11,18 +11,20 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "command.hpp"
+#include "described_volumes.hpp"
 #include "volume_files.hpp"
 
 namespace {
 
 using namespace volume_files;
+using discmc::command::json_value;
 using discmc::meshing::stored_threshold;
 using Spacing = std::array<double, 3>;
 
@@ -35,10 +37,7 @@ TEST_CASE("raw samples of every type and byte order are read") {
   const Folder folder;
   for (const auto& [called, type] : discmc::command::sample_types) {
     for (const bool is_big_endian : {false, true}) {
-      RawLayout layout;
-      layout.dims = {5, 3, 4};
-      layout.type = type;
-      layout.is_big_endian = is_big_endian;
+      const RawLayout layout{{5, 3, 4}, type, is_big_endian};
       const std::string bytes = stored(type, is_big_endian);
       check_volume(folder.write("v.raw", bytes), type, "raw", {layout});
       check_volume(folder.write("v.raw.gz", gzip(bytes)), type, "raw, gzip", {layout});
@@ -49,8 +48,7 @@ TEST_CASE("raw samples of every type and byte order are read") {
 TEST_CASE("a raw layout keeps its spacing and is checked before anything is read") {
   const Folder folder;
   const auto file = folder.write("v.raw", u8);
-  RawLayout layout;
-  layout.dims = {5, 3, 4};
+  RawLayout layout{{5, 3, 4}};
   const Spacing spacing = {0.5, -0.25, 2};
   CHECK(open_volume(file, {layout})->info().spacing_mm == Spacing{1, 1, 1});
   CHECK(open_volume(file, {layout, spacing})->info().spacing_mm == spacing);
@@ -278,28 +276,20 @@ TEST_CASE("further axes of NIfTI without a size are ignored") {
                "NIfTI-1");
 }
 
-TEST_CASE("NIfTI of every type, byte order, compression and pairing is read") {
+TEST_CASE("NIfTI of either byte order, compression and pairing is read") {
   const Folder folder;
-  const std::vector<std::pair<SampleType, int>> types = {
-      {SampleType::u8, 2},     {SampleType::u16, 512},  {SampleType::i16, 4},
-      {SampleType::i8, 256},   {SampleType::u32, 768},  {SampleType::i32, 8},
-      {SampleType::u64, 1280}, {SampleType::i64, 1024}, {SampleType::f32, 16},
-      {SampleType::f64, 64}};
-  for (const auto& [type, datatype] : types) {
-    for (const bool big : {false, true}) {
-      const std::string data = stored(type, big);
-      const std::string file = Nifti(big).type(datatype).file(data);
-      check_volume(folder.write("v.nii", file), type, "NIfTI-1");
-      check_volume(folder.write("v.nii.gz", gzip(file)), type, "NIfTI-1, gzip");
-      check_volume(folder.write("no_extension", file), type, "NIfTI-1");
-      folder.write("pair.img", data);
-      check_volume(folder.write("pair.hdr", Nifti(big).type(datatype).pair().header()), type,
-                   "NIfTI-1 pair");
-      check_volume(folder.path() / "pair.img", type, "NIfTI-1 pair");
-      folder.write("packed.img.gz", gzip(data));
-      check_volume(folder.write("packed.hdr", Nifti(big).type(datatype).pair().header()), type,
-                   "NIfTI-1 pair, gzip");
-    }
+  for (const bool big : {false, true}) {
+    const std::string data = stored(SampleType::i16, big);
+    const std::string file = Nifti(big).type(4).file(data);
+    check_volume(folder.write("v.nii", file), SampleType::i16, "NIfTI-1");
+    check_volume(folder.write("v.nii.gz", gzip(file)), SampleType::i16, "NIfTI-1, gzip");
+    check_volume(folder.write("no_extension", file), SampleType::i16, "NIfTI-1");
+    folder.write("pair.img", data);
+    const std::string header = Nifti(big).type(4).pair().header();
+    check_volume(folder.write("pair.hdr", header), SampleType::i16, "NIfTI-1 pair");
+    check_volume(folder.path() / "pair.img", SampleType::i16, "NIfTI-1 pair");
+    folder.write("packed.img.gz", gzip(data));
+    check_volume(folder.write("packed.hdr", header), SampleType::i16, "NIfTI-1 pair, gzip");
   }
   const std::string file = Nifti().real(108, 360).file("extended" + u8);
   check_volume(folder.write("later.nii", file), SampleType::u8, "NIfTI-1");
@@ -511,16 +501,9 @@ TEST_CASE("the volumes of DISCMC_DATA match their descriptions") {
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;
     INFO(entry.path().filename().string());
-    std::stringstream json;
-    json << std::ifstream(entry.path()).rdbuf();
-    const auto text_after = [&](const std::string& name, char open, char close) {
-      const std::string text = json.str();
-      const std::size_t begin =
-          text.find(open, text.find("\"" + name + "\":") + name.size() + 3) + 1;
-      return text.substr(begin, text.find(close, begin) - begin);
-    };
+    const std::string json = command_tests::contents(entry.path());
     const auto numbers = [&](const std::string& name) {
-      std::string list = text_after(name, '[', ']');
+      std::string list = json_value(json, name);
       std::replace(list.begin(), list.end(), ',', ' ');
       std::istringstream in(list);
       std::vector<double> result;
@@ -528,9 +511,9 @@ TEST_CASE("the volumes of DISCMC_DATA match their descriptions") {
       REQUIRE(result.size() == 3);
       return result;
     };
-    const auto reader = open_volume(fs::path(folder) / text_after("file", '"', '"'));
+    const auto reader = open_volume(fs::path(folder) / json_value(json, "file"));
     const VolumeInfo& info = reader->info();
-    CHECK(name(info.type) == text_after("type", '"', '"'));
+    CHECK(name(info.type) == json_value(json, "type"));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       CHECK(info.dims[axis] == numbers("dims")[axis]);
       CHECK(info.spacing_mm[axis] == doctest::Approx(numbers("spacing")[axis]));

@@ -18,13 +18,6 @@ using namespace volume_files;
 using command_tests::contains;
 using discmc::command::BlockValue;
 
-// A row of f32 as a headerless file.
-std::string row_of(const std::vector<float>& samples) {
-  std::string bytes(samples.size() * sizeof(float), '\0');
-  std::memcpy(bytes.data(), samples.data(), bytes.size());
-  return bytes;
-}
-
 struct Read {
   VolumeInfo info;
   std::vector<double> labels;
@@ -42,18 +35,15 @@ Read read_labels(const std::string& bytes, const VolumeOptions& options) {
 }
 
 VolumeOptions floats(std::uint32_t width, std::uint32_t depth = 1) {
-  RawLayout layout;
-  layout.dims = {width, 1, depth};
-  layout.type = SampleType::f32;
-  return {layout};
+  return {RawLayout{{width, 1, depth}, SampleType::f32}};
 }
 
 }  // namespace
 
 TEST_CASE("values within 0.01 of a whole number are that label, and counted") {
   const float nan = std::nanf("");
-  const Read read =
-      read_labels(row_of({0, 0.99F, 1, 1.01F, 1.01F, -2.009F, nan, nan, 3}), floats(9));
+  const Read read = read_labels(
+      bytes_of(std::vector<float>{0, 0.99F, 1, 1.01F, 1.01F, -2.009F, nan, nan, 3}), floats(9));
   CHECK(read.info.type == SampleType::i64);
   CHECK(read.labels == std::vector<double>{0, 1, 1, 1, 1, -2, 0, 0, 3});
   CHECK(read.notes ==
@@ -64,22 +54,15 @@ TEST_CASE("values within 0.01 of a whole number are that label, and counted") {
 
 TEST_CASE("rounding of the slope is tolerated, and larger deviations are not") {
   const Folder folder;
-  std::string samples;
-  for (const auto sample : std::initializer_list<std::int16_t>{0, 1, 2, 3})
-    samples.append(reinterpret_cast<const char*>(&sample), sizeof sample);
-  const auto file =
-      folder.write("v.nii", Nifti().dims({3, 4, 1, 1}).type(4).scale(0.1F, 0.7F).file(samples));
+  const auto nifti = [](float intercept, const std::vector<std::int16_t>& samples) {
+    return Nifti().dims({3, 4, 1, 1}).type(4).scale(0.1F, intercept).file(bytes_of(samples));
+  };
+  const auto file = folder.write("v.nii", nifti(0.7F, {0, 1, 2, 3}));
   const VolumeOptions options = with(&VolumeOptions::holds_labels, true);
   const auto volume = open_volume(file, options);
   CHECK_THROWS_WITH_AS(read_all(*volume), doctest::Contains("the value 0.7 in slice 0 is no label"),
                        VolumeError);
-  const auto exact =
-      folder.write("v.nii", Nifti().dims({3, 4, 1, 1}).type(4).scale(0.1F, 0).file([] {
-        std::string tens;
-        for (const auto sample : std::initializer_list<std::int16_t>{0, 30, 60, 70})
-          tens.append(reinterpret_cast<const char*>(&sample), sizeof sample);
-        return tens;
-      }()));
+  const auto exact = folder.write("v.nii", nifti(0, {0, 30, 60, 70}));
   const auto labels = open_volume(exact, options);
   CHECK(read_all(*labels) == std::vector<double>{0, 3, 6, 7});
   for (const std::string& note : labels->notes()) CHECK_FALSE(contains(note, "rounded"));
@@ -88,7 +71,7 @@ TEST_CASE("rounding of the slope is tolerated, and larger deviations are not") {
 TEST_CASE("values that are no labels are refused with their slice") {
   const auto refused = [](const std::vector<float>& samples, const std::string& part) {
     const auto depth = static_cast<std::uint32_t>(samples.size());
-    CHECK_THROWS_WITH_AS(read_labels(row_of(samples), floats(1, depth)),
+    CHECK_THROWS_WITH_AS(read_labels(bytes_of(samples), floats(1, depth)),
                          doctest::Contains(part.c_str()), VolumeError);
   };
   refused({1, 2, 0.5F}, "the value 0.5 in slice 2 is no label");
@@ -101,10 +84,7 @@ TEST_CASE("values that are no labels are refused with their slice") {
 TEST_CASE("integers are unchanged") {
   for (const auto& [called, type] : discmc::command::sample_types) {
     if (discmc::meshing::is_floating(type)) continue;
-    RawLayout layout;
-    layout.dims = {5, 3, 4};
-    layout.type = type;
-    const Read read = read_labels(stored(type), {layout});
+    const Read read = read_labels(stored(type), {RawLayout{{5, 3, 4}, type}});
     CHECK(read.info.type == type);
     for (int voxel = 0; voxel < voxels; ++voxel)
       CHECK(read.labels[static_cast<std::size_t>(voxel)] == sample_at(voxel, type));
@@ -115,6 +95,8 @@ TEST_CASE("labels are rounded before blocks become the one that most voxels have
   VolumeOptions options = floats(4);
   options.shrink = 4;
   options.block_value = BlockValue::most_frequent;
-  CHECK(read_labels(row_of({2, 2, 0.999F, 1.001F}), options).labels == std::vector<double>{2});
-  CHECK(read_labels(row_of({2, 1, 0.999F, 1.001F}), options).labels == std::vector<double>{1});
+  CHECK(read_labels(bytes_of(std::vector<float>{2, 2, 0.999F, 1.001F}), options).labels ==
+        std::vector<double>{2});
+  CHECK(read_labels(bytes_of(std::vector<float>{2, 1, 0.999F, 1.001F}), options).labels ==
+        std::vector<double>{1});
 }

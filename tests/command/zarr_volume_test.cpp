@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -191,10 +190,8 @@ TEST_CASE("chunks that are not there are full of the fill value, but some must b
 TEST_CASE("labels of 64 bits keep all of them") {
   const Folder folder;
   const fs::path array = folder.path() / "array.zarr";
-  const std::uint64_t ids[] = {720575940621039145, 720575940621039146};
-  std::string samples(sizeof ids, '\0');
-  std::memcpy(samples.data(), ids, sizeof ids);
-  write_array(array, {1, 1, 2}, samples, "<u8");
+  const std::vector<std::uint64_t> ids = {720575940621039145, 720575940621039146};
+  write_array(array, {1, 1, 2}, bytes_of(ids), "<u8");
   const auto reader = open_volume(array);
   CHECK(reader->info().type == SampleType::u64);
   std::uint64_t slice[2];
@@ -355,14 +352,6 @@ std::uint32_t crc32c(const std::string& bytes) {
   return ~crc;
 }
 
-template <class Number>
-std::string little_endian(Number number) {
-  std::string bytes;
-  for (std::size_t i = 0; i < sizeof number; ++i)
-    bytes += static_cast<char>(number >> 8 * i & 0xff);
-  return bytes;
-}
-
 std::string array_json(const std::string& grid, const std::string& codecs,
                        const std::string& keys = R"({"name": "default"})") {
   return R"({"zarr_format": 3, "node_type": "array", "shape": [4, 3, 5], "data_type": "uint8",)"
@@ -382,8 +371,8 @@ std::string shard(bool has_first, bool has_index_at_start, bool has_checksum) {
   for (const std::uint64_t number :
        {has_first ? begin : missing, has_first ? std::uint64_t{30} : missing,
         std::uint64_t{begin + first.size()}, std::uint64_t{30}})
-    index += little_endian(number);
-  if (has_checksum) index += little_endian(crc32c(index));
+    index += bytes_of(number);
+  if (has_checksum) index += bytes_of(crc32c(index));
   return has_index_at_start ? index + first + second : first + second + index;
 }
 
@@ -431,9 +420,9 @@ TEST_CASE("a checksum behind a chunk is compared, and keys may be those of versi
   const std::string keys = R"({"name": "v2", "configuration": {"separator": "."}})";
   write(array / "zarr.json",
         array_json("[4, 3, 5]", "[" + bytes_codec + R"(, {"name": "crc32c"}])", keys));
-  write(array / "0.0.0", u8 + little_endian(crc32c(u8)));
+  write(array / "0.0.0", u8 + bytes_of(crc32c(u8)));
   check_volume(array, SampleType::u8, "Zarr");
-  write(array / "0.0.0", u8 + little_endian(crc32c(u8) + 1));
+  write(array / "0.0.0", u8 + bytes_of(crc32c(u8) + 1));
   check_refusal(refusal(array), "its checksum is wrong");
 }
 

@@ -71,13 +71,7 @@ class TemporaryFiles {
 
 std::string refusal_of(const std::string& bytes) {
   const Folder folder;
-  try {
-    open_volume(folder.write("study.zip", bytes));
-  } catch (const VolumeError& error) {
-    return error.what();
-  }
-  FAIL("not refused");
-  return {};
+  return refusal(folder.write("study.zip", bytes));
 }
 
 }  // namespace

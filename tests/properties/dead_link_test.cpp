@@ -148,12 +148,8 @@ TEST_CASE("a change of output before the stream begins changes nothing") {
   require_ok(encoder.start(header_of(volume).label(), line.output()));
   encoder.set_output(line.output());
   const StreamHeader header = header_of(volume);
-  Event start{};
-  start.kind = Event::Kind::start;
-  start.header = &header;
-  REQUIRE(encoder.accept(start) == SinkResult::accepted);
-  for (const RecordedEvent& event : events_of(volume))
-    REQUIRE(encoder.accept(event.event()) == SinkResult::accepted);
+  REQUIRE(encoder.accept(start_of(header)) == SinkResult::accepted);
+  take_all(encoder, events_of(volume));
   CHECK(line.bytes == encode(events_of(volume), header_of(volume)));
 }
 

@@ -93,15 +93,15 @@ void check_golden(const char* name, const Scan& scan) {
 }  // namespace
 
 TEST_CASE("noise with key slices matches its golden stream") {
-  check_golden("slices_noise.dmc", reference::random({24, 20, 12}, 100, 1994), {{4}});
+  check_golden("slices_noise.dmc", reference::random({24, 20, 12}, 100, 1994), {4});
 }
 
 TEST_CASE("three surfaces of one scan match their golden stream") {
-  check_golden("slices_surfaces.dmc", Scan{{40, 30, 12}, {150, 170, 155}, {6}, 0});
+  check_golden("slices_surfaces.dmc", Scan{{40, 30, 12}, {150, 170, 155}, 6, 0});
 }
 
 TEST_CASE("skipped rows match their golden stream") {
-  check_golden("slices_skipped.dmc", Scan{{33, 9, 12}, {170, 160}, {3}, 4});
+  check_golden("slices_skipped.dmc", Scan{{33, 9, 12}, {170, 160}, 3, 4});
 }
 
 TEST_CASE("a code of several packets matches its golden stream") {

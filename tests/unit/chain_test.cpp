@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "oracle/region.hpp"
+#include "oracle/collector.hpp"
 
 using namespace discmc;
 
@@ -20,16 +20,6 @@ std::vector<Run> runs_of(const std::vector<int>& directions_and_lengths) {
 
 uint32_t size_of(const std::vector<Run>& runs) {
   return static_cast<uint32_t>(runs.size());
-}
-
-reference::Ring vertices_of(Incidence incidence, Vertex vertex, const std::vector<Run>& runs) {
-  reference::Ring ring;
-  for (const Run& run : runs)
-    for (uint32_t i = 0; i < run.length(); ++i) {
-      ring.push_back(vertex);
-      vertex = vertex + direction_vector(incidence, run.direction());
-    }
-  return ring;
 }
 
 // A closed chain: there by some way, and back by the same links in another order.
@@ -111,29 +101,13 @@ TEST_CASE("a chain there and back is closed with no area, and a shorter one is o
   });
 }
 
-TEST_CASE(
-    "a counter-clockwise turn around a plane encloses a positive area, a clockwise one a "
-    "negative") {
-  for_each_incidence([](Incidence incidence) {
-    std::vector<Run> runs;
-    for (int i = 0; i < direction_count(incidence); ++i)
-      runs.push_back(Run::straight(static_cast<Direction>(i), 3));
-    CHECK(is_closed(incidence, runs.data(), size_of(runs)));
-    const int64_t area = twice_area(incidence, runs.data(), size_of(runs));
-    CHECK(area > 0);
-    reverse(incidence, runs.data(), size_of(runs));
-    CHECK(is_closed(incidence, runs.data(), size_of(runs)));
-    CHECK(twice_area(incidence, runs.data(), size_of(runs)) == -area);
-  });
-}
-
 TEST_CASE("the area of a closed chain does not depend on its start") {
   for_each_incidence([](Incidence incidence) {
     for (uint32_t seed = 0; seed < 200; ++seed) {
       const std::vector<Run> runs = closed_chain(incidence, seed);
       REQUIRE(is_closed(incidence, runs.data(), size_of(runs)));
       CHECK(twice_area(incidence, runs.data(), size_of(runs)) ==
-            reference::signed_area(incidence, vertices_of(incidence, {1, 2, 4}, runs)));
+            reference::signed_area(incidence, reference::vertices_of(incidence, {1, 2, 4}, runs)));
     }
   });
 }
@@ -148,9 +122,9 @@ TEST_CASE("a reversed chain visits the same vertices backwards, and reversing tw
         reverse(incidence, backwards.data(), count);
         const Vertex start{0, 0, 1};
         const Vertex end = start + displacement(incidence, forwards.data(), count);
-        reference::Ring there = vertices_of(incidence, start, forwards);
+        reference::Ring there = reference::vertices_of(incidence, start, forwards);
         there.push_back(end);
-        reference::Ring back = vertices_of(incidence, end, backwards);
+        reference::Ring back = reference::vertices_of(incidence, end, backwards);
         back.push_back(start);
         CHECK(reference::Ring(back.rbegin(), back.rend()) == there);
         reverse(incidence, backwards.data(), count);

@@ -52,18 +52,37 @@ std::vector<BitVolume> volumes() {
           plate()};
 }
 
+struct SlabScan {
+  const BitVolume& volume;
+  Border border;
+  uint32_t first, end;
+
+  uint32_t slices_before = 0;  // of the volume itself: its first one lies so high
+
+  Limits limits() const {
+    Limits limits = limits_of_slab(volume, border, first, end);
+    limits.slab.first += slices_before;
+    return limits;
+  }
+
+  template <class Extractor>
+  EventLog by(Extractor& extractor, const Capacities& capacities,
+              const EventLog::Refuses& refuses = {}) const {
+    EventLog log(refuses);
+    Block block(Extractor32::bytes_for(limits(), capacities));
+    require_ok(extractor.start(limits(), capacities, 1, block.memory(), make_sink(log)));
+    push_all(extractor, voxels_of_slab(volume, first, end));
+    finish_all(extractor);
+    CHECK(block.is_intact());
+    return log;
+  }
+};
+
 // The events of an extractor.
 template <class Extractor>
 EventLog scanned(Extractor& extractor, const BitVolume& volume, const Plan& plan,
                  const Capacities& capacities = much, const EventLog::Refuses& refuses = {}) {
-  EventLog log(refuses);
-  const Limits limits = limits_of(volume, plan.border);
-  Block block(Extractor32::bytes_for(limits, capacities));
-  require_ok(extractor.start(limits, capacities, 1, block.memory(), make_sink(log)));
-  push_all(extractor, volume.on);
-  finish_all(extractor);
-  CHECK(block.is_intact());
-  return log;
+  return SlabScan{volume, plan.border, 0, volume.depth}.by(extractor, capacities, refuses);
 }
 
 // The events of another extractor with ample memory.
@@ -76,8 +95,7 @@ void check_like_others(const Capacities& capacities = much, const EventLog::Refu
   HostExtractor extractor;
   for (const Border border : {Border::closed, Border::open})
     for (const BitVolume& volume : volumes()) {
-      Plan plan;
-      plan.border = border;
+      const Plan plan{border};
       Extractor32 other;
       const EventLog expected = scanned(other, volume, plan, capacities);
       CHECK(scanned(extractor, volume, plan, capacities, refuses).events == expected.events);
@@ -248,32 +266,6 @@ void for_each_slab(const BitVolume& volume, const std::vector<uint32_t>& thick, 
     first = end;
   }
 }
-
-struct SlabScan {
-  const BitVolume& volume;
-  Border border;
-  uint32_t first, end;
-
-  uint32_t slices_before = 0;  // of the volume itself: its first one lies so high
-
-  Limits limits() const {
-    Limits limits = limits_of_slab(volume, border, first, end);
-    limits.slab.first += slices_before;
-    return limits;
-  }
-
-  template <class Extractor>
-  EventLog by(Extractor& extractor, const Capacities& capacities,
-              const EventLog::Refuses& refuses = {}) const {
-    EventLog log(refuses);
-    Block block(Extractor32::bytes_for(limits(), capacities));
-    require_ok(extractor.start(limits(), capacities, 1, block.memory(), make_sink(log)));
-    push_all(extractor, voxels_of_slab(volume, first, end));
-    finish_all(extractor);
-    CHECK(block.is_intact());
-    return log;
-  }
-};
 
 std::vector<std::vector<uint64_t>> parts_of(const EventLog& log, const SlabScan& scan) {
   (void)collected(log.events, scan.limits().slab);  // checks the grammar
@@ -674,10 +666,7 @@ TEST_CASE("holes of each slab are sent before the last fragment of the ring arou
       const EventLog log = SlabScan{plate, Border::closed, first, end}.by(extractor, much);
       std::copy_if(log.events.begin(), log.events.end(), std::back_inserter(events), is_piece);
     });
-    JoinPlan in_order;
-    in_order.order = InputOrder::sweep;
-    in_order.capacities = enough_for(events);
-    const Joined joined = join_all(events, in_order);
+    const Joined joined = join_all(events, {InputOrder::sweep, enough_for(events)});
     CHECK(joined.report.unmatched == 0);
     CHECK(regions_among(joined.events) == canonical(regions));
   }
@@ -694,8 +683,7 @@ TEST_CASE("slabs join to the whole for any handover and any mixture of extractor
   for (const BitVolume& volume :
        {random({40, 30, 4}, 128, 5), random({60, 40, 4}, 25, 6), rough_columns({32, 20, 6})})
     for (const Border border : {Border::closed, Border::open}) {
-      Plan plan;
-      plan.border = border;
+      const Plan plan{border};
       const EventLog whole = expected_of(volume, plan);
       const std::vector<Region> regions = collected(whole.events).regions();
       const std::vector<Region> expected = canonical(regions);
@@ -716,10 +704,7 @@ TEST_CASE("slabs join to the whole for any handover and any mixture of extractor
                          is_piece);
           });
           CHECK(unlike_joined(slabs, regions) == "");
-          JoinPlan join_plan;
-          join_plan.order = InputOrder::any;
-          join_plan.capacities = enough_for(events);
-          const Joined joined = join_all(events, join_plan);
+          const Joined joined = join_all(events, {InputOrder::any, enough_for(events)});
           CHECK(joined.report.unmatched == 0);
           CHECK(regions_among(joined.events) == expected);
         }
@@ -838,8 +823,7 @@ TEST_CASE("a slab continues from a checkpoint in any slice, context included") {
 TEST_CASE("a scan after one that stopped at a busy sink starts afresh") {
   const BitVolume volume = random({70, 9, 5}, 100, 4);
   for (const Border border : {Border::closed, Border::open}) {
-    Plan plan;
-    plan.border = border;
+    const Plan plan{border};
     const EventLog expected = expected_of(volume, plan);
     for (const uint64_t last : {0U, 300U, 2000U}) {
       CAPTURE(last);

@@ -115,15 +115,19 @@ struct LimitedLine {
   }
 };
 
+inline Event start_of(const StreamHeader& header) {
+  Event event{};
+  event.kind = Event::Kind::start;
+  event.header = &header;
+  return event;
+}
+
 /// Begins a stream as an extractor does. Returns why it refused, as an extractor does.
 template <class Encoding>
 Status begin_stream(Encoding& encoder, const StreamHeader& header, const ByteOutput& output) {
   const Status status = encoder.start(header.label(), output);
   if (status != Status::ok) return status;
-  Event event{};
-  event.kind = Event::Kind::start;
-  event.header = &header;
-  return encoder.accept(event) == SinkResult::accepted ? Status::ok : Status::bad_sink;
+  return encoder.accept(start_of(header)) == SinkResult::accepted ? Status::ok : Status::bad_sink;
 }
 
 template <class Encoding>

@@ -151,10 +151,7 @@ TEST_CASE("records, outputs and further scans are as in C++") {
   CHECK(begin(stream.encoder, 14) == DISCMC_SINK_ACCEPTED);
   StreamHeader further = header;
   further.width = 14;
-  Event start{};
-  start.kind = Event::Kind::start;
-  start.header = &further;
-  CHECK(encoder.accept(start) == SinkResult::accepted);
+  CHECK(encoder.accept(test::start_of(further)) == SinkResult::accepted);
   CHECK(discmc_encoder_flush(stream.encoder) == DISCMC_OK);
   CHECK(encoder.flush() == Status::ok);
   CHECK(line.bytes == cpp_line.bytes);

@@ -81,52 +81,6 @@ constexpr Incidence up = incidence_of(Vertex{0, 0, 1});
 
 }  // namespace
 
-TEST_CASE("a simple ring is delivered unchanged") {
-  const Ring square = flat({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}});
-  CHECK(split(square) == Rings{square});
-  CHECK(split(flat({{0, 0}, {1, 0}, {0, 1}})) == Rings{flat({{0, 0}, {1, 0}, {0, 1}})});
-}
-
-TEST_CASE("a ring of at most two links is a slit and is dropped") {
-  CHECK(split({}).empty());
-  CHECK(split(flat({{0, 0}})).empty());
-  CHECK(split(flat({{0, 0}, {1, 0}})).empty());
-  CHECK(split(flat({{0, 0}, {1, 0}, {0, 0}})).empty());
-  CHECK(split(flat({{0, 0}, {1, 0}, {2, 0}, {1, 0}})).empty());
-  CHECK(split(flat({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {2, 0}, {1, 0}})).empty());
-}
-
-TEST_CASE("two loops that share a vertex are separated for any start of the ring") {
-  Ring eight = flat({{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {1, 2}, {1, 1}, {0, 1}});
-  const Rings expected = canonical(
-      Rings{flat({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), flat({{1, 1}, {2, 1}, {2, 2}, {1, 2}})});
-  for (size_t i = 0; i < eight.size(); ++i) {
-    CHECK(canonical(split(eight)) == expected);
-    std::rotate(eight.begin(), eight.begin() + 1, eight.end());
-  }
-}
-
-TEST_CASE("a slit on a polygon is removed for any start of the ring") {
-  Ring ring = flat({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {2, 1}, {2, 2}, {0, 2}});
-  const Rings expected{flat({{0, 0}, {2, 0}, {2, 1}, {2, 2}, {0, 2}})};
-  for (size_t i = 0; i < ring.size(); ++i) {
-    CHECK(canonical(split(ring)) == expected);
-    std::rotate(ring.begin(), ring.begin() + 1, ring.end());
-  }
-}
-
-TEST_CASE("a slit to a hole is split into an outer ring and a hole") {
-  const Ring ring =
-      flat({{0, 0}, {9, 0}, {9, 9}, {6, 6}, {6, 3}, {3, 3}, {3, 6}, {6, 6}, {9, 9}, {0, 9}});
-  const Rings rings = split(ring);
-  REQUIRE(rings.size() == 2);
-  int64_t areas[2];
-  for (size_t i = 0; i < 2; ++i)
-    areas[i] = twice_area(up, rings[i].data(), static_cast<uint32_t>(rings[i].size()));
-  CHECK(std::min(areas[0], areas[1]) == -18);
-  CHECK(std::max(areas[0], areas[1]) == 162);
-}
-
 TEST_CASE("a ring is split equally in planes across any axis") {
   for (uint32_t seed = 0; seed < 300; ++seed) {
     Ring ring = random_walk(seed, seed % 60, 7);

@@ -86,22 +86,10 @@ std::string unlike(const Events& delivered, const std::vector<Region>& regions) 
 
 Events fragment_of(Incidence incidence, const Vertex& start, Direction came,
                    const std::vector<Run>& runs) {
-  Event event{};
-  event.kind = Kind::fragment;
-  event.incidence = incidence;
-  event.start = start;
-  event.incoming_direction = came;
-  Events events{RecordedEvent(event)};
-  for (const Run run : runs) {
-    event = {};
-    event.kind = Kind::run;
-    event.run = run;
-    events.emplace_back(event);
-  }
-  event = {};
-  event.kind = Kind::fragment_end;
-  events.emplace_back(event);
-  return events;
+  test::Script script;
+  script.fragment(incidence, start, came);
+  for (const Run run : runs) script.run(run);
+  return script.fragment_end().events;
 }
 
 // Once round, from the direction 0 on.
@@ -187,9 +175,7 @@ TEST_CASE("loose fragments in any order are joined to the regions") {
       shuffle(pieces, cuts.below);
       std::stable_partition(pieces.begin(), pieces.end(),
                             [](const Piece& piece) { return piece.is_fragment(); });
-      JoinPlan plan;
-      plan.order = InputOrder::any;
-      const Joined joined = join_all(events_of(pieces), plan);
+      const Joined joined = join_all(events_of(pieces), {InputOrder::any});
       REQUIRE(unlike(joined.events, surface.regions) == "");
       CHECK(joined.report.unmatched == 0);
     }
@@ -206,10 +192,8 @@ TEST_CASE("interleaved streams of several slabs are joined to the regions") {
         Cuts cuts = cuts_of(chance, loose);
         cuts.loose_holes = loose;
         cuts.slab = 2 * slab;
-        JoinPlan plan;
-        plan.order = InputOrder::any;
         const Pieces pieces = interleaved(cut(surface.regions, cuts), cuts.below);
-        const Joined joined = join_all(events_of(pieces), plan);
+        const Joined joined = join_all(events_of(pieces), {InputOrder::any});
         REQUIRE(unlike(joined.events, surface.regions) == "");
         CHECK(joined.report.unmatched == 0);
       }
@@ -284,10 +268,7 @@ TEST_CASE("nested rings are assigned the right holes in any order and despite lo
           Events events = events_of(pieces);
           // What is whole comes after the fragments.
           if (whole != none) append(events, nest.region(whole, false));
-          JoinPlan plan;
-          plan.order = InputOrder::any;
-          plan.capacities = {10, 50};
-          const Joined joined = join_all(events, plan);
+          const Joined joined = join_all(events, {InputOrder::any, {10, 50}});
           for (int32_t ring = 0; ring < Nest::depth; ring += 2) {
             if (lost.count(ring) > 0) continue;
             const Events region = nest.region(ring, lost.count(ring + 1) == 0);
@@ -308,8 +289,7 @@ TEST_CASE("a joiner's result does not depend on the initial contents of its memo
                 static_cast<uint8_t>(filling));
     EventLog log;
     Joiner joiner;
-    REQUIRE(joiner.start(capacities, block.memory(), make_sink(log), InputOrder::any) ==
-            Status::ok);
+    require_ok(joiner.start(capacities, block.memory(), make_sink(log), InputOrder::any));
     for (const int32_t ring : {1, 0})
       for (const RecordedEvent& event : nest.fragment(ring))
         REQUIRE(joiner.accept(event.event()) == SinkResult::accepted);
@@ -328,9 +308,7 @@ TEST_CASE("fragments passed on by a joiner with too little memory are joined by 
       for (uint32_t size = 1; size < 500; size += step(10) * (1 + size / 50)) {
         CAPTURE(surface.name);
         CAPTURE(size);
-        JoinPlan plan;
-        plan.order = order;
-        plan.capacities = {1 + size / 4, size};
+        JoinPlan plan{order, {1 + size / 4, size}};
         if (size % 3 == 0) plan.capacities = {size, 1 + size / 2};
         const Joined first = join_all(events_of(cut(surface.regions, cuts_of(chance))), plan);
         plan.capacities = {2000, 20000};
@@ -417,9 +395,7 @@ TEST_CASE("too many ends in one part of the table count as a shortage of memory"
       append(rest, fragment_of(test::up, end, 2, {runs[2], runs[3]}));
     }
     append(events, rest);
-    JoinPlan plan;
-    plan.capacities = {100, 500};
-    check_crowd(events, plan, 90);
+    check_crowd(events, {InputOrder::sweep, {100, 500}}, 90);
   }
 }
 
@@ -427,9 +403,7 @@ namespace {
 
 // With room for one fragment of four runs.
 Joined joined_in_room_for_one(const Events& events) {
-  JoinPlan plan;
-  plan.capacities = {1, 4};
-  return join_all(events, plan);
+  return join_all(events, {InputOrder::sweep, {1, 4}});
 }
 
 }  // namespace
@@ -535,10 +509,7 @@ TEST_CASE("a sink that refuses any event receives the same events") {
     for (const Unjoined unjoined : {Unjoined::passed_on, Unjoined::dropped})
       for (const JoinCapacities& capacities :
            {JoinCapacities{500, 5000}, {12, 100}, {3, 1000}, {1, 1}}) {
-        JoinPlan plan;
-        plan.order = order;
-        plan.capacities = capacities;
-        plan.unjoined = unjoined;
+        JoinPlan plan{order, capacities, unjoined};
         Pieces pieces = cut(surface.regions, cuts_of(chance));
         pieces.erase(pieces.begin() + 7, pieces.begin() + 9);
         Events events = events_of(pieces);
@@ -565,10 +536,9 @@ TEST_CASE(
     EventLog plain, slow(refuses_first);
     Block plain_block(Joiner::bytes_for(capacities)), slow_block(Joiner::bytes_for(capacities));
     Joiner joiner, slow_joiner;
-    REQUIRE(joiner.start(capacities, plain_block.memory(), make_sink(plain), InputOrder::sweep) ==
-            Status::ok);
-    REQUIRE(slow_joiner.start(capacities, slow_block.memory(), make_sink(slow),
-                              InputOrder::sweep) == Status::ok);
+    require_ok(joiner.start(capacities, plain_block.memory(), make_sink(plain), InputOrder::sweep));
+    require_ok(
+        slow_joiner.start(capacities, slow_block.memory(), make_sink(slow), InputOrder::sweep));
     for (const RecordedEvent& event : events) {
       REQUIRE(joiner.accept(event.event()) == SinkResult::accepted);
       while (slow_joiner.accept(event.event()) != SinkResult::accepted) continue;
@@ -619,9 +589,7 @@ TEST_CASE("a region is right if all its fragments arrive, and the other fragment
           if (is_lost) is_damaged[piece.region] = true;
           if (!is_lost) left.push_back(piece);
         }
-        JoinPlan plan;
-        plan.order = order;
-        const Joined joined = join_all(events_of(left), plan);
+        const Joined joined = join_all(events_of(left), {order});
         const Delivered delivered(joined.events);
         const std::vector<Region> regions = canonical(delivered.regions);
         for (size_t region = 0; region < surface.regions.size(); ++region)
@@ -634,19 +602,15 @@ TEST_CASE("a region is right if all its fragments arrive, and the other fragment
 }
 
 TEST_CASE("a fragment lost halfway is discarded, and the sink is informed if it received a part") {
-  const test::Script whole = [] {
-    test::Script script;
-    script.region(test::up).square({1, 0, 0}, 3).region_end();
-    return script;
-  }();
+  const Events whole = square_region({1, 0, 0}, 3).region_end().events;
   Events events = fragment_of(test::up, {1, 0, 0}, 2, {Run::straight(2, 3)});
   events.back() = test::Script().lost().events[0];
-  events.insert(events.end(), whole.events.begin(), whole.events.end());
+  append(events, whole);
   Joined joined = join_all(events, {});
-  CHECK(joined.events == whole.events);
+  CHECK(joined.events == whole);
   CHECK(joined.report.unmatched == 0);
 
-  events = whole.events;
+  events = whole;
   events.back() = test::Script().lost().events[0];
   joined = join_all(events, {});
   CHECK(joined.events == events);
@@ -655,8 +619,7 @@ TEST_CASE("a fragment lost halfway is discarded, and the sink is informed if it 
 TEST_CASE("the loss of a passed-on fragment is reported to the sink") {
   // Room for one run: everything is passed on.
   Events events = fragment_of(test::up, {1, 0, 0}, 6, square_runs(2));
-  const Events lost = fragment_of(test::up, {7, 0, 0}, 6, {Run::straight(0, 3)});
-  events.insert(events.end(), lost.begin(), lost.end());
+  append(events, fragment_of(test::up, {7, 0, 0}, 6, {Run::straight(0, 3)}));
   events.back() = test::Script().lost().events[0];
   JoinPlan plan;
   plan.capacities = {1, 1};
@@ -678,17 +641,13 @@ TEST_CASE("a region with a loss takes no holes") {
 }
 
 TEST_CASE("an invalid region leaves the waiting holes of its plane") {
-  const Vertex diagonal = direction_vector(test::up, 0) + direction_vector(test::up, 2);
-  const Events hole = fragment_of(
-      test::up, Vertex{1, 0, 0} + diagonal + diagonal, 0,
-      {Run::straight(6, 1), Run::straight(4, 1), Run::straight(2, 1), Run::straight(0, 1)});
+  const Events hole = square_fragment(inwards({1, 0, 0}, 2), 1, true);
   const auto in_region = [&](Incidence incidence, Run first, Run last) {
     test::Script region;
     region.region(incidence).ring({1, 0, 0}).run(first);
     region.run(2, 8).run(4, 8).run(last);
     Events events = hole;
-    const Events whole = region.region_end().events;
-    events.insert(events.end(), whole.begin(), whole.end());
+    append(events, region.region_end().events);
     return join_all(events, {});
   };
   const Run first = Run::straight(0, 8), last = Run::straight(6, 8);
@@ -734,12 +693,9 @@ TEST_CASE("the finish event counts the delivered pieces") {
 TEST_CASE("several streams end with a single finish event") {
   const Statistics one{1, 2, 3, 4, 5, 6, 7, 8}, two{10, 20, 30, 40, 50, 60, 70, 80};
   const Statistics sum{11, 22, 33, 44, 55, 66, 77, 88};
-  JoinPlan plan;
-  plan.order = InputOrder::any;
   Events events = {finish_of(one, 3, true), finish_of(two, 4, false)};
-  const Events ring = fragment_of(test::up, {1, 0, 0}, 6, square_runs(2));
-  events.insert(events.end(), ring.begin(), ring.end());
-  const Joined joined = join_all(events, plan);
+  append(events, square_fragment({1, 0, 0}, 2, false));
+  const Joined joined = join_all(events, {InputOrder::any});
   REQUIRE(joined.report.regions == 1);
   Statistics expected = sum;
   ++expected.regions;
@@ -750,11 +706,9 @@ TEST_CASE("several streams end with a single finish event") {
 }
 
 TEST_CASE("loose fragments of an aborted stream count like those of others") {
-  JoinPlan plan;
-  plan.order = InputOrder::any;
   Events events = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
   events.push_back(finish_of({}, 3, false));
-  const Joined joined = join_all(events, plan);
+  const Joined joined = join_all(events, {InputOrder::any});
   Statistics expected{};
   expected.fragments = 1;
   CHECK(joined.events.back() == finish_of(expected, 3, false));
@@ -771,16 +725,12 @@ TEST_CASE("the first start of several streams is delivered once the sink accepts
   } late{log};
   std::vector<uint8_t> memory(4000);
   Joiner joiner;
-  REQUIRE(joiner.start({memory.data(), memory.size()}, make_sink(late), InputOrder::any) ==
-          Status::ok);
+  require_ok(joiner.start({memory.data(), memory.size()}, make_sink(late), InputOrder::any));
   StreamHeader header = test::any_header();
-  Event start{};
-  start.kind = Kind::start;
-  start.header = &header;
   for (const SinkResult answer :
        {SinkResult::busy, SinkResult::busy, SinkResult::accepted, SinkResult::accepted}) {
     header.scan = static_cast<uint16_t>(log.starts.size());
-    CHECK(joiner.accept(start) == answer);
+    CHECK(joiner.accept(test::start_of(header)) == answer);
   }
   REQUIRE(log.starts.size() == 1);
   CHECK(log.starts[0].scan == 0);
@@ -790,8 +740,7 @@ TEST_CASE("a finish event without statistics is accepted") {
   std::vector<uint8_t> memory(4000);
   EventLog log;
   Joiner joiner;
-  REQUIRE(joiner.start({memory.data(), memory.size()}, make_sink(log), InputOrder::sweep) ==
-          Status::ok);
+  require_ok(joiner.start({memory.data(), memory.size()}, make_sink(log), InputOrder::sweep));
   Event finish{};
   finish.kind = Kind::finish;
   finish.slice = 7;
@@ -807,9 +756,7 @@ TEST_CASE("after a finish event the joiner is empty and has all of its memory") 
     Events events = half;
     events.push_back(finish_of({}, 1, false));
     append(events, second);
-    JoinPlan plan;
-    plan.capacities = capacities;
-    Events joined = join_all(events, plan).events;
+    Events joined = join_all(events, {InputOrder::sweep, capacities}).events;
     Events expected = half;
     expected.push_back(events[half.size()]);
     expected.back() = joined.at(half.size());  // its counts are another test's
@@ -846,11 +793,11 @@ TEST_CASE("the second of two fragments with the same start or end is unmatched")
       fragment_of(test::up, {-1, 0, 0}, 0, {Run::straight(2, 1), Run::straight(0, 2)});
   for (const Events& second : {same_start, same_end}) {
     Events events = first;
-    events.insert(events.end(), second.begin(), second.end());
+    append(events, second);
     const Joined joined = join_all(events, {});
     CHECK(joined.report.unmatched == 2);
     Events swapped = second;
-    swapped.insert(swapped.end(), first.begin(), first.end());
+    append(swapped, first);
     CHECK(joined.events == swapped);
   }
 }
@@ -947,9 +894,7 @@ TEST_CASE("a ring that turns neither way is no region") {
   for (const int direction : {4, 2, 0, 6})
     runs.push_back(Run::straight(static_cast<Direction>(direction), 2));
   for (const InputOrder order : {InputOrder::sweep, InputOrder::any}) {
-    JoinPlan plan;
-    plan.order = order;
-    const Joined joined = join_all(fragment_of(test::up, {1, 0, 0}, 6, runs), plan);
+    const Joined joined = join_all(fragment_of(test::up, {1, 0, 0}, 6, runs), {order});
     CHECK(joined.report.regions == 0);
     CHECK(joined.report.unmatched == 1);
   }
@@ -963,11 +908,10 @@ TEST_CASE("a long side is a single run up to the maximal length of a run") {
     const Vertex step = direction_vector(test::up, 0);
     const Vertex start = Vertex{1, 0, 0} + Vertex{step.x * static_cast<int32_t>(behind),
                                                   step.y * static_cast<int32_t>(behind), 0};
-    const Events rest =
-        fragment_of(test::up, start, 0,
-                    {Run::straight(2, 5), Run::straight(4, before), Run::straight(4, behind),
-                     Run::straight(6, 5), Run::straight(0, before)});
-    events.insert(events.end(), rest.begin(), rest.end());
+    append(events,
+           fragment_of(test::up, start, 0,
+                       {Run::straight(2, 5), Run::straight(4, before), Run::straight(4, behind),
+                        Run::straight(6, 5), Run::straight(0, before)}));
     return join_all(events, {});
   };
   CHECK(count(rings(most - 7, 7).events, Kind::run) == 4);
@@ -988,15 +932,12 @@ TEST_CASE("coordinates wrap for any start and length of fragments") {
       std::vector<Run> runs;
       for (uint32_t count = chance.below(9); count > 0; --count)
         runs.push_back(Run::from_code(static_cast<uint32_t>(chance.next()) >> chance.below(32)));
-      const Events more =
-          fragment_of(incidence, start, static_cast<Direction>(chance.below(9)), runs);
-      events.insert(events.end(), more.begin(), more.end());
+      append(events, fragment_of(incidence, start, static_cast<Direction>(chance.below(9)), runs));
       // A ring that wraps, and may get any holes of its plane.
       test::Script script;
       script.region(incidence).ring(start);
       for (const Run run : runs) script.run(run);
-      script.region_end();
-      events.insert(events.end(), script.events.begin(), script.events.end());
+      append(events, script.region_end().events);
     }
     JoinPlan plan;
     plan.order = round % 2 == 0 ? InputOrder::sweep : InputOrder::any;
@@ -1052,8 +993,8 @@ TEST_CASE("a refused start() changes nothing") {
   CHECK(joiner.finish() == Status::not_started);
   CHECK(memory == std::vector<uint8_t>(4000, 0xA5));
 
-  REQUIRE(joiner.start({memory.data(), Joiner::minimum_bytes()}, make_sink(log),
-                       InputOrder::sweep) == Status::ok);
+  require_ok(
+      joiner.start({memory.data(), Joiner::minimum_bytes()}, make_sink(log), InputOrder::sweep));
   CHECK(joiner.start({memory.data(), 3}, make_sink(other), InputOrder::any) ==
         Status::too_little_memory);
   CHECK(joiner.accept(layer) == SinkResult::accepted);
@@ -1067,8 +1008,7 @@ TEST_CASE("a joiner that is started again is empty") {
   Joiner joiner;
   const Events half = fragment_of(test::up, {1, 0, 0}, 6, {Run::straight(0, 2)});
   for (int i = 0; i < 2; ++i) {
-    REQUIRE(joiner.start({memory.data(), memory.size()}, make_sink(log), InputOrder::sweep) ==
-            Status::ok);
+    require_ok(joiner.start({memory.data(), memory.size()}, make_sink(log), InputOrder::sweep));
     CHECK(joiner.peaks().fragments == 0);
     for (const RecordedEvent& event : half)
       REQUIRE(joiner.accept(event.event()) == SinkResult::accepted);

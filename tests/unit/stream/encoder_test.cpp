@@ -229,12 +229,9 @@ TEST_CASE("a further scan begins once the line has accepted all of the previous 
   Line line(1);
   Encoder encoder;
   REQUIRE(begin_stream(encoder, any_header(), line.output()) == Status::ok);
-  Event start{};
-  start.kind = Event::Kind::start;
   StreamHeader header = any_header();
-  start.header = &header;
   uint32_t refusals = 0;
-  while (encoder.accept(start) != SinkResult::accepted) ++refusals;
+  while (encoder.accept(start_of(header)) != SinkResult::accepted) ++refusals;
   CHECK(refusals > 10);
   CHECK(line.bytes == encode({}));
   take_all(encoder, events);
@@ -247,10 +244,7 @@ TEST_CASE("the label's spacing is sent if the scan has none along any axis") {
     Line line;
     Encoder encoder;
     REQUIRE(encoder.start({0, {7, 8, 9}}, line.output()) == Status::ok);
-    Event start{};
-    start.kind = Event::Kind::start;
-    start.header = &scan;
-    REQUIRE(encoder.accept(start) == SinkResult::accepted);
+    REQUIRE(encoder.accept(start_of(scan)) == SinkResult::accepted);
     const StreamHeader header = decode(line.bytes).header;
     return std::vector<int32_t>(header.spacing_nm, header.spacing_nm + 3);
   };

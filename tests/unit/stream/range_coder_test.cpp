@@ -173,14 +173,6 @@ TEST_CASE("symbols are decoded unchanged if their share leaves the minimal range
   CHECK_FALSE(decoder.is_exhausted());
 }
 
-TEST_CASE("a first byte of 255 waits for a carry and is written unchanged") {
-  // Zeros of probability 1 / 256 climb to the very top of the range at once.
-  Decisions decisions(40, {false, 255});
-  const Bytes bytes = encoded(decisions);
-  CHECK(bytes.front() == 0xFF);
-  CHECK(wrong_bits(bytes, decisions) == 0);
-}
-
 TEST_CASE("restoring a snapshot undoes all later bits") {
   Chance chance(3);
   for (int round = 0; round < 300; ++round) {
@@ -273,17 +265,4 @@ TEST_CASE("a decoder returns the number of unread bytes, which is zero beyond th
     CHECK(decoder.rest() == bytes.data() + bytes.size() - left);
   }
   CHECK(left == 0);
-}
-
-TEST_CASE("any bytes are decoded without harm, also beyond their end") {
-  Chance chance(7);
-  for (int round = 0; round < 300; ++round) {
-    Bytes bytes(chance.below(12));
-    for (uint8_t& byte : bytes) byte = chance.below(3) == 0 ? 0xFF : chance.byte();
-    RangeDecoder decoder(bytes.data(), bytes.size());
-    int ones = 0;
-    for (int bit = 0; bit < 500; ++bit)
-      ones += decoder.decode(static_cast<Probability>(1 + chance.below(255)));
-    CHECK(ones <= 500);
-  }
 }
