@@ -5,6 +5,7 @@
 // rest is done.
 #include <board.hpp>
 #include <discmc/encoder.hpp>
+#include <discmc/fraction_slice_encoder.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <semihosting.hpp>
 
@@ -19,6 +20,7 @@ alignas(4) static uint8_t memory[88 * 1024];
 static Extractor16 extractor;
 static Encoder encoder;
 static SliceEncoder slice_encoder;
+static FractionSliceEncoder<uint16_t> fraction_encoder;
 
 // ---- volumes ----
 
@@ -73,14 +75,19 @@ static bool tell_regions(const char* name, const Volume& volume, Rows rows) {
   return good;
 }
 
+template <class Sample, class SomeSliceEncoder, class Rows>
+static bool tell_slices(const char* name, SomeSliceEncoder& slices, const Volume& volume,
+                        uint32_t interval, uint8_t levels, Rows rows) {
+  const SliceEncoderConfig config{volume.limits, {volume.threshold}, interval, 1, {volume.slices},
+                                  levels};
+  const bool good = slices.start(config, memory_of(memory), {nullptr, take_bytes}) == Status::ok &&
+                    push_and_finish<Sample>(slices, volume.limits, volume.slices, rows);
+  board::report(name, static_cast<uint32_t>(slices.bytes()));
+  return good;
+}
 template <class Sample, class Rows>
 static bool tell_slices(const char* name, const Volume& volume, uint32_t interval, Rows rows) {
-  const bool good =
-      slice_encoder.start({volume.limits, {volume.threshold}, interval, 1, {volume.slices}},
-                          memory_of(memory), {nullptr, take_bytes}) == Status::ok &&
-      push_and_finish<Sample>(slice_encoder, volume.limits, volume.slices, rows);
-  board::report(name, static_cast<uint32_t>(slice_encoder.bytes()));
-  return good;
+  return tell_slices<Sample>(name, slice_encoder, volume, interval, 0, rows);
 }
 
 // In this order payloads.awk reads the counts.
@@ -90,6 +97,10 @@ static bool tell_both(const char* name, const Volume& volume) {
          tell_slices<Sample>(name, volume, 0, Rows{}) &&
          tell_slices<Sample>(name, volume, 16, Rows{}) &&
          tell_slices<Sample>(name, volume, 1, Rows{});
+}
+
+static bool tell_fractions(const char* name, const Volume& volume, uint8_t levels) {
+  return tell_slices<uint16_t>(name, fraction_encoder, volume, 0, levels, RowsOfFile{});
 }
 
 // ---- steps ----
@@ -115,7 +126,9 @@ int main() {
               tell_once("ball", small_ball, RowsOf{inside_ball, ball}) &&
               tell_once("empty_as_noise", noise, RowsOf{outside, noise.limits}) &&
               tell_both<uint8_t, RowsOfNoise>("noise", noise);
-  if (good && RowsOfFile().is_open()) good = tell_both<uint16_t, RowsOfFile>("head", head);
+  if (good && RowsOfFile().is_open())
+    good = tell_both<uint16_t, RowsOfFile>("head", head) &&
+           tell_fractions("head_fractions", head, 2) && tell_fractions("head_fractions", head, 4);
   board::report("arena", sizeof memory);
   board::report("steps_of_ball", steps(small_ball, RowsOf{inside_ball, ball}));
   board::report("rows_of_ball", ball.height * small_ball.slices);

@@ -25,6 +25,16 @@ function instructions_of(name, volume, first,    i) {
            sprintf("%.1f", count[first + i - 1] / of["voxels_of_" volume]))
 }
 
+# Slices without fractions, with two levels and with four.
+function with_fractions(name, without, two, four) {
+  figure("Slices with fractions", name, "slices", without)
+  figure("Slices with fractions", name, "2 levels", two)
+  figure("Slices with fractions", name, "4 levels", four)
+}
+
+# which: of the counts.
+function per_voxel_of_head(which) { return sprintf("%.1f", count[which] / of["voxels_of_head"]) }
+
 # What a volume takes above an empty one, which has a step a row, is shared out among the steps that it has more.
 function step(volume, empty, full,    steps) {
   steps = of["steps_of_" volume] - of["rows_of_" volume]
@@ -49,7 +59,7 @@ NF == 1 { count[++counts] = $1 }
 
 END {
   has_head = told["head"] == columns
-  if (counts != (has_head ? 11 : 7) || told["noise"] != columns) {
+  if (counts != (has_head ? 13 : 7) || told["noise"] != columns) {
     print "the counted work of payloads is not complete" > "/dev/stderr"
     exit 1
   }
@@ -62,6 +72,14 @@ END {
   instructions_of("noise", "noise", 4)
   flash = taken["Flash", "slice encoder of 8-bit samples"]
   beside(target ": flash", taken["Flash", "sends polygons: the three above"], flash, flash)
+  if (has_head) {
+    with_fractions("bytes: CT head (Stanford), 256x256x113, at 500", bytes["head", 2],
+      bytes["head_fractions", 1], bytes["head_fractions", 2])
+    with_fractions(target ": instructions per voxel, CT head (Stanford)", per_voxel_of_head(9),
+      per_voxel_of_head(12), per_voxel_of_head(13))
+  }
+  flash_with = taken["Flash", "slice encoder of 8-bit samples with fractions"]
+  with_fractions(target ": flash", flash, flash_with, flash_with)
   step("ball", 1, 2)
   step("noise", 3, 5)
   millions("noise as regions", 4)
