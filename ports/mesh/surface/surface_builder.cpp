@@ -349,8 +349,8 @@ void SurfaceBuilder::count_region() {
   for (const Span& span : simple_rings_) {
     const Ring ring = simple_ring(span);
     for (std::size_t i = 0; i < ring.size(); ++i)
-      counts_.links += static_cast<std::uint64_t>(
-          side_between(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]).links);
+      counts_.links +=
+          static_cast<std::uint64_t>(links_between(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]));
   }
   if (rings_.empty()) return;  // no events, no normals
   for (const OctahedralNormal& each : normals_)
