@@ -18,11 +18,14 @@ function bytes_of(name, volume,    i) {
   for (i = 1; i <= columns; i++) figure("Kinds of stream", "bytes: " name, head[i], bytes[volume, i])
 }
 
+# which: of the counts.
+function per_voxel(volume, which) { return sprintf("%.1f", count[which] / of["voxels_of_" volume]) }
+
 # first: the count of its regions.
 function instructions_of(name, volume, first,    i) {
   for (i = 1; i <= columns; i++)
     figure("Kinds of stream", target ": instructions per voxel, " name, head[i],
-           sprintf("%.1f", count[first + i - 1] / of["voxels_of_" volume]))
+           per_voxel(volume, first + i - 1))
 }
 
 # Slices without fractions, with two levels and with four.
@@ -31,9 +34,6 @@ function with_fractions(name, without, two, four) {
   figure("Slices with fractions", name, "2 levels", two)
   figure("Slices with fractions", name, "4 levels", four)
 }
-
-# which: of the counts.
-function per_voxel_of_head(which) { return sprintf("%.1f", count[which] / of["voxels_of_head"]) }
 
 # What a volume takes above an empty one, which has a step a row, is shared out among the steps that it has more.
 function step(volume, empty, full,    steps) {
@@ -75,8 +75,8 @@ END {
   if (has_head) {
     with_fractions("bytes: CT head (Stanford), 256x256x113, at 500", bytes["head", 2],
       bytes["head_fractions", 1], bytes["head_fractions", 2])
-    with_fractions(target ": instructions per voxel, CT head (Stanford)", per_voxel_of_head(9),
-      per_voxel_of_head(12), per_voxel_of_head(13))
+    with_fractions(target ": instructions per voxel, CT head (Stanford)", per_voxel("head", 9),
+      per_voxel("head", 12), per_voxel("head", 13))
   }
   flash_with = taken["Flash", "slice encoder of 8-bit samples with fractions"]
   with_fractions(target ": flash", flash, flash_with, flash_with)
