@@ -1,5 +1,9 @@
-# The figures by which regions and slices are compared on a target. Reads the figures that exist
-# already, the output of payload_work.cpp, and its counts in the same order.
+# The figures by which regions and slices are compared on a target. Reads, in this order:
+#   figures.txt              the figures that exist already
+#   payload_work.txt         the output of payload_work.cpp
+#   payload_work_counts.txt  its counts
+#   volumes.txt              a line for each volume, CT head (Stanford) first: its name, the bytes of six streams, the
+#                            voxels, and the counts of the six, with tabs between them
 
 BEGIN {
   OFS = "\t"
@@ -14,25 +18,32 @@ function beside(name, of_regions, of_slices, of_key_slices,    i) {
   figure("Kinds of stream", name, head[columns], of_key_slices)
 }
 
-function bytes_of(name, volume,    i) {
-  for (i = 1; i <= columns; i++) figure("Kinds of stream", "bytes: " name, head[i], bytes[volume, i])
-}
-
-# which: of the counts.
-function per_voxel(volume, which) { return sprintf("%.1f", count[which] / of["voxels_of_" volume]) }
-
-# first: the count of its regions.
-function instructions_of(name, volume, first,    i) {
+# counts: those of the streams begin behind `first`.
+function instructions_of(name, voxels, counts, first,    i) {
   for (i = 1; i <= columns; i++)
     figure("Kinds of stream", target ": instructions per voxel, " name, head[i],
-           per_voxel(volume, first + i - 1))
+           sprintf("%.1f", counts[first + i] / voxels))
 }
 
 # Slices without fractions, with two levels and with four.
-function with_fractions(name, without, two, four) {
-  figure("Slices with fractions", name, "slices", without)
+function with_fractions(name, slices, two, four) {
+  figure("Slices with fractions", name, "slices", slices)
   figure("Slices with fractions", name, "2 levels", two)
   figure("Slices with fractions", name, "4 levels", four)
+}
+
+# i: a stream of a volume in volumes.txt.
+function per_voxel(line, i,    part) {
+  split(line, part, "\t")
+  return sprintf("%.1f", part[8 + i] / part[8])
+}
+
+function streams_of(line,    name) {
+  name = substr(line, 1, index(line, "\t") - 1)
+  figure("Streams of volumes", name, "polygons", per_voxel(line, 1))
+  figure("Streams of volumes", name, "slices", per_voxel(line, 2))
+  figure("Streams of volumes", name, "2 levels", per_voxel(line, 5))
+  figure("Streams of volumes", name, "4 levels", per_voxel(line, 6))
 }
 
 # What a volume takes above an empty one, which has a step a row, is shared out among the steps that it has more.
@@ -42,8 +53,8 @@ function step(volume, empty, full,    steps) {
          sprintf("%.0f", (count[full] - count[empty]) / steps))
 }
 
-function millions(name, which) {
-  figure("Regions and slices", name ", millions", target, sprintf("%.1f", count[which] / 1e6))
+function millions(name, instructions) {
+  figure("Regions and slices", name ", millions", target, sprintf("%.1f", instructions / 1e6))
 }
 
 FILENAME ~ /figures.txt$/ {
@@ -54,38 +65,43 @@ FILENAME ~ /figures.txt$/ {
   next
 }
 
-NF == 2 { of[$1] = $2; bytes[$1, ++told[$1]] = $2 }
+FILENAME ~ /volumes.txt$/ { volume[++volumes] = $0; next }
+
+NF == 2 { of[$1] = $2; told[$1]++ }
 NF == 1 { count[++counts] = $1 }
 
 END {
-  has_head = told["head"] == columns
-  if (counts != (has_head ? 13 : 7) || told["noise"] != columns) {
+  if (counts != 7 || told["noise"] != columns) {
     print "the counted work of payloads is not complete" > "/dev/stderr"
     exit 1
   }
-  if (has_head) bytes_of("CT head (Stanford), 256x256x113, at 500", "head")
+  split(volume[1], stanford, "\t")
+  if (volumes)
+    for (i = 1; i <= columns; i++)
+      figure("Kinds of stream", "bytes: CT head (Stanford), 256x256x113, at 500", head[i], stanford[1 + i])
   beside("RAM for slices of 256x256",
          taken["RAM", "Extractor16"] + taken["RAM", "Encoder"] + of["arena"],
          taken["RAM", "SliceEncoder"] + arena["256x256", "slice encoder"],
          taken["RAM", "SliceEncoder"] + arena["256x256", "key slices only"])
-  if (has_head) instructions_of("CT head (Stanford)", "head", 8)
-  instructions_of("noise", "noise", 4)
-  flash = taken["Flash", "slice encoder of 8-bit samples"]
-  beside(target ": flash", taken["Flash", "sends polygons: the three above"], flash, flash)
-  if (has_head) {
-    with_fractions("bytes: CT head (Stanford), 256x256x113, at 500", bytes["head", 2],
-      bytes["head_fractions", 1], bytes["head_fractions", 2])
-    with_fractions(target ": instructions per voxel, CT head (Stanford)", per_voxel("head", 9),
-      per_voxel("head", 12), per_voxel("head", 13))
+  if (volumes) instructions_of("CT head (Stanford)", stanford[8], stanford, 8)
+  instructions_of("noise", of["voxels_of_noise"], count, 3)
+  polygons = taken["Flash", "sends polygons: the three above"]
+  slices = taken["Flash", "slice encoder of 8-bit samples"]
+  beside(target ": flash", polygons, slices, slices)
+  if (volumes) {
+    with_fractions("bytes: CT head (Stanford), 256x256x113, at 500", stanford[3], stanford[6], stanford[7])
+    with_fractions(target ": instructions per voxel, CT head (Stanford)", per_voxel(volume[1], 2),
+      per_voxel(volume[1], 5), per_voxel(volume[1], 6))
   }
-  flash_with = taken["Flash", "slice encoder of 8-bit samples with fractions"]
-  with_fractions(target ": flash", flash, flash_with, flash_with)
+  fractions = taken["Flash", "slice encoder of 8-bit samples with fractions"]
+  with_fractions(target ": flash", slices, fractions, fractions)
+  if (volumes > 1) for (i = 1; i <= volumes; i++) streams_of(volume[i])
   step("ball", 1, 2)
   step("noise", 3, 5)
-  millions("noise as regions", 4)
-  millions("noise as slices", 5)
-  if (has_head) {
-    millions("CT head (Stanford) as regions", 8)
-    millions("CT head (Stanford) as slices", 9)
+  millions("noise as regions", count[4])
+  millions("noise as slices", count[5])
+  if (volumes) {
+    millions("CT head (Stanford) as regions", stanford[9])
+    millions("CT head (Stanford) as slices", stanford[10])
   }
 }

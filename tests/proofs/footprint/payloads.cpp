@@ -1,15 +1,21 @@
 // The bytes that volumes take as regions and as slices, and what a lost packet takes with it:
-//   payloads [FOLDER SAMPLES]
-// Prints one figure per line: group, name, column and value, separated by tabs. Given a folder with
-// cthead.nrrd and engine.nii.gz it includes these, and writes the samples of the first to a file
-// for payload_work.cpp.
+//   payloads [FOLDER COUNTED]
+// Prints one figure per line: group, name, column and value, separated by tabs. Given a folder of
+// real scans it includes two of them, and writes all, and generated volumes, to folders in COUNTED,
+// for volume_work.cpp.
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
-#include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
+#include "bench/comparison/volumes.hpp"
 #include "oracle/slice_stream.hpp"
 #include "volumes/volume.hpp"
 
@@ -95,51 +101,89 @@ void print_losses(const std::string& name, const BitVolume& volume) {
   }
 }
 
-// ---- real scans ----
+// ---- volumes whose instructions are counted ----
 
-template <class Sample>
-BitVolume read(const std::string& file, int32_t threshold,
-               const std::function<void(const std::vector<Sample>&)>& pass_on = {}) {
+bench::Volume read(const std::string& name, const std::string& file, int32_t threshold) {
   const auto reader = command::open_volume(file);
   const auto [width, height, depth] = reader->info().dims;
-  BitVolume volume({width, height, depth});
-  std::vector<Sample> slice(size_t{width} * height);
-  auto voxel = volume.on.begin();
-  for (uint32_t z = 0; z < depth; ++z) {
-    reader->read_slice(slice.data());
-    for (const Sample sample : slice) *voxel++ = sample >= threshold ? 1 : 0;
-    if (pass_on) pass_on(slice);
-  }
+  bench::Volume volume{name, width, height, depth, threshold, {}};
+  if (reader->info().type == command::SampleType::u16) volume.samples = std::vector<uint16_t>();
+  std::visit(
+      [&, voxels = volume.voxels(), slice = size_t{width} * height](auto& samples) {
+        samples.resize(voxels);
+        for (size_t at = 0; at < voxels; at += slice) reader->read_slice(&samples[at]);
+      },
+      volume.samples);
   return volume;
 }
 
-// The samples go to a file, too.
-BitVolume read_head(const std::string& folder, const std::string& samples) {
-  std::ofstream file(samples, std::ios::binary);
-  const auto pass_on = [&](const std::vector<uint16_t>& slice) {
-    file.write(reinterpret_cast<const char*>(slice.data()),
-               static_cast<std::streamsize>(slice.size() * sizeof slice[0]));
-  };
-  BitVolume head = read<uint16_t>(folder + "/cthead.nrrd", 500, pass_on);
-  file.close();
-  if (!file) throw std::runtime_error("cannot write " + samples);
-  return head;
+std::vector<bench::Volume> real_scans(const std::string& folder) {
+  return {read("CT head (Stanford), at 500", folder + "/cthead.nrrd", 500),
+          read("CT engine, at 80", folder + "/engine.nii.gz", 80),
+          read("MRI head, at 40", folder + "/mri_head_seg3d.nii.gz", 40),
+          read("CT head of VTK, a quarter, at 500", folder + "/ct_quarter.nrrd", 500),
+          read("fuel injection, at 20", folder + "/fuel.mha", 20),
+          read("bucky ball, at 80", folder + "/bucky32.nrrd", 80)};
 }
+
+std::vector<bench::Volume> generated() {
+  return {bench::ball(128), bench::noisy_ball(128), bench::gyroid(128), bench::smooth_noise(64)};
+}
+
+BitVolume voxels_of(const bench::Volume& volume) {
+  BitVolume voxels({volume.width, volume.height, volume.depth});
+  const std::vector<uint8_t> on = bench::voxels_on(volume);
+  std::copy(on.begin(), on.end(), voxels.on.begin());
+  return voxels;
+}
+
+// The folder of each is its number, with its name in a file.
+class CountedFolders {
+ public:
+  explicit CountedFolders(std::string folder) : folder_(std::move(folder)) {}
+
+  void write(const bench::Volume& volume) {
+    const std::filesystem::path folder = folder_ / std::to_string(count_++);
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "name.txt") << volume.name << '\n';
+    std::ofstream file(folder / "volume.raw", std::ios::binary);
+    std::visit([&](const auto& samples) { write(volume, samples, file); }, volume.samples);
+    file.close();
+    if (!file) throw std::runtime_error("cannot write into " + folder.string());
+  }
+
+ private:
+  template <class Sample>
+  static void write(const bench::Volume& volume, const std::vector<Sample>& samples,
+                    std::ostream& file) {
+    const std::array<uint32_t, 5> header{volume.width, volume.height, volume.depth,
+                                         static_cast<uint32_t>(volume.threshold), sizeof(Sample)};
+    file.write(reinterpret_cast<const char*>(header.data()), sizeof header);
+    file.write(reinterpret_cast<const char*>(samples.data()),
+               static_cast<std::streamsize>(samples.size() * sizeof(Sample)));
+  }
+
+  std::filesystem::path folder_;
+  int count_ = 0;
+};
 
 }  // namespace
 
 int main(int count, char** arguments) {
   if (count != 1 && count != 3) {
-    std::fputs("usage: payloads [FOLDER SAMPLES]\n", stderr);
+    std::fputs("usage: payloads [FOLDER COUNTED]\n", stderr);
     return 2;
   }
   print_bytes("ball, 100x100x100", reference::ball({100, 100, 100}, {100, 100, 100}, 1002));
   std::optional<BitVolume> head;
   if (count == 3) {
-    const std::string folder = arguments[1];
-    head = read_head(folder, arguments[2]);
+    const std::vector<bench::Volume> scans = real_scans(arguments[1]);
+    head = voxels_of(scans[0]);
     print_bytes("CT head (Stanford), 256x256x113, at 500", *head);
-    print_bytes("CT engine, 256x256x128, at 80", read<uint8_t>(folder + "/engine.nii.gz", 80));
+    print_bytes("CT engine, 256x256x128, at 80", voxels_of(scans[1]));
+    CountedFolders folders(arguments[2]);
+    for (const bench::Volume& volume : scans) folders.write(volume);
+    for (const bench::Volume& volume : generated()) folders.write(volume);
   }
   print_bytes("noise, 64x64x64, half on", reference::random({64, 64, 64}, 128, 1));
   if (head) print_losses("% of CT head (Stanford) lost per lost packet", *head);
