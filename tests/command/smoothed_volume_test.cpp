@@ -439,6 +439,22 @@ TEST_CASE("labels that fill a ball share what they lack") {
   CHECK(farthest < 0.015);
 }
 
+TEST_CASE("labels that fill the volume to its corners lack the same share of their volumes") {
+  std::vector<int> samples;
+  for (int i = 0; i < 24 * 20 * 20; ++i) samples.push_back(i % 24 < 4 && i / 24 % 20 < 4 ? 1 : 2);
+  SampleReader reader({24, 20, 20}, samples);
+  const std::vector<SmoothedLabel> labels = smoothed_labels(reader, {}, 1.5, 0.05, {});
+  REQUIRE(labels.size() == 2);
+  std::vector<double> shares;
+  for (const SmoothedLabel& label : labels)
+    shares.push_back(
+        volume_of(build_mesh(label.surface.surface,
+                             {true, Faces::triangles, &label.crossings.crossings(), 0.05})) /
+        static_cast<double>(label.surface.voxels));
+  CHECK(shares[0] < 0.999);
+  CHECK(shares[0] == doctest::Approx(shares[1]).epsilon(0.001));
+}
+
 TEST_CASE("samples are no labels to smooth, and progress is reported as they are read") {
   std::vector<int> samples(max_scattered_labels + 2);
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = static_cast<int>(i);

@@ -11,6 +11,7 @@
 #include "meshes/outline.hpp"
 #include "surface/components.hpp"
 #include "surface/polygon_crossings.hpp"
+#include "surface/sets.hpp"
 
 namespace discmc::meshing {
 namespace {
@@ -38,7 +39,8 @@ struct Piece {
   };
 
   std::size_t surface;
-  double volume_mm3;    // to be kept; negative of a cavity
+  double volume_mm3;    // of its voxels; negative of a cavity
+  double wanted_mm3;    // to be enclosed: its share of the volume that can be
   double shift_mm = 0;  // outwards
   std::vector<Edge> edges{};
   std::vector<Edge> around{};  // centroids among the corners
@@ -113,8 +115,9 @@ class VolumeKeeper {
           parts.of_crossing[place.axis][place.number] = name;
         });
       }
-      pieces_.push_back(
-          {number, static_cast<double>(voxels) * std::fabs(spacing[0] * spacing[1] * spacing[2])});
+      const double volume =
+          static_cast<double>(voxels) * std::fabs(spacing[0] * spacing[1] * spacing[2]);
+      pieces_.push_back({number, volume, volume});
     }
   }
 
@@ -235,55 +238,118 @@ class VolumeKeeper {
     return six / 6;
   }
 
-  // Whether all volumes were kept before. What one piece gains its rival loses, so each goes half
-  // of its way at a time. If there is not enough for all, all lack the same.
+  // Whether all volumes were kept before.
   bool balance() {
-    const bool is_one = surfaces_.size() == 1;
-    const bool is_kept_before = is_one || !approach();
-    for (unsigned round = 0; round < max_rounds; ++round) {
-      std::vector<double> wanted;
-      for (Piece& piece : pieces_) wanted.push_back(shift_to_keep(piece));
+    const std::vector<double> before = shifts();
+    if (surfaces_.size() == 1)
+      set_shifts(wanted_shifts());
+    else if (!approach() && !(share_shortage() && approach()))
+      alternate();
+    return shifts() == before;
+  }
+
+  std::vector<double> shifts() const {
+    std::vector<double> shifts;
+    for (const Piece& piece : pieces_) shifts.push_back(piece.shift_mm);
+    return shifts;
+  }
+  void set_shifts(const std::vector<double>& shifts) {
+    for (std::size_t i = 0; i < pieces_.size(); ++i) pieces_[i].shift_mm = shifts[i];
+  }
+
+  // How much more each piece encloses than is wanted.
+  std::vector<double> excess_mm3() {
+    if (keeping_.check) keeping_.check();
+    std::vector<double> excess;
+    for (const Piece& piece : pieces_)
+      excess.push_back(piece.faces.empty() ? 0 : enclosed_mm3(piece) - piece.wanted_mm3);
+    return excess;
+  }
+
+  // All pieces at once, by Newton's method, as long as it leads nearer. Returns whether all enclose
+  // what is wanted.
+  bool approach() {
+    constexpr unsigned max_steps = 12;
+    double before = std::numeric_limits<double>::infinity();
+    std::vector<double> last = shifts();
+    for (unsigned step = 0; step < max_steps; ++step) {
+      const std::vector<double> excess = excess_mm3();
       bool is_kept = true;
+      double sum = 0;  // of squares of what is relative to the volume
       for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        double& shift = pieces_[i].shift_mm;
-        is_kept &= shift == wanted[i];
-        shift = is_one ? wanted[i] : (shift + wanted[i]) / 2;
+        is_kept &= is_near(pieces_[i], excess[i]);
+        sum += excess[i] * excess[i] / (pieces_[i].volume_mm3 * pieces_[i].volume_mm3);
       }
-      if (is_kept) return round == 0 && is_kept_before;
-      if (is_one) return false;
+      if (is_kept) return true;
+      if (!(sum < before)) {
+        set_shifts(last);
+        return false;
+      }
+      before = sum;
+      last = shifts();
+      const std::vector<double> moves = moves_against(excess);
+      for (std::size_t i = 0; i < pieces_.size(); ++i)
+        pieces_[i].shift_mm =
+            std::clamp(last[i] + moves[i], -keeping_.farthest_mm, keeping_.farthest_mm);
     }
     return false;
   }
 
-  // All pieces at once, by Newton's method, as long as it leads nearer. Returns whether any moved.
-  bool approach() {
-    constexpr unsigned max_steps = 12;
-    double before = std::numeric_limits<double>::infinity();
-    std::vector<double> moves(pieces_.size());
-    for (unsigned step = 0; step < max_steps; ++step) {
-      if (keeping_.check) keeping_.check();
-      std::vector<double> excess;
-      bool is_kept = true;
-      double sum = 0;  // of squares of what is relative to the volume
-      for (const Piece& piece : pieces_) {
-        excess.push_back(piece.faces.empty() ? 0 : enclosed_mm3(piece) - piece.volume_mm3);
-        is_kept &= std::fabs(excess.back()) <= accuracy * std::fabs(piece.volume_mm3);
-        sum += excess.back() * excess.back() / (piece.volume_mm3 * piece.volume_mm3);
+  static bool is_near(const Piece& piece, double excess_mm3) {
+    return std::fabs(excess_mm3) <= accuracy * std::fabs(piece.volume_mm3);
+  }
+
+  // Pieces that touch can enclose no more than if all grow: what one gains from another the other
+  // loses. If that is less than wanted, as where labels fill the volume to its corners, each gets
+  // the same share of its own. Returns whether any did.
+  bool share_shortage() {
+    Sets touching(pieces_.size());
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i)
+      for (const Piece::Edge& edge : pieces_[i].edges)
+        if (edge.rival != no_piece) touching.join(i, edge.rival);
+    const std::vector<double> before = shifts();
+    set_shifts(std::vector<double>(pieces_.size(), keeping_.farthest_mm / 2));
+    const std::vector<double> excess = excess_mm3();
+    struct Group {
+      double wanted_mm3 = 0, most_mm3 = 0, bodies_mm3 = 0;
+      // A cavity and what fills it want nothing together.
+      bool is_short() const {
+        return wanted_mm3 > accuracy * bodies_mm3 && most_mm3 < (1 - accuracy) * wanted_mm3;
       }
-      if (is_kept) return step > 0;
-      if (!(sum < before)) {
-        for (std::size_t i = 0; i < pieces_.size(); ++i) pieces_[i].shift_mm -= moves[i];
-        return step > 1;
-      }
-      before = sum;
-      moves = moves_against(excess);
-      for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        moves[i] = std::clamp(moves[i], -keeping_.farthest_mm - pieces_[i].shift_mm,
-                              keeping_.farthest_mm - pieces_[i].shift_mm);
-        pieces_[i].shift_mm += moves[i];
-      }
+    };
+    std::vector<Group> groups(pieces_.size());
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      Group& group = groups[touching.name(i)];
+      group.wanted_mm3 += pieces_[i].wanted_mm3;
+      group.most_mm3 += pieces_[i].wanted_mm3 + excess[i];
+      group.bodies_mm3 += std::max(pieces_[i].wanted_mm3, 0.0);
     }
-    return true;
+    bool is_any_short = false;
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      const Group& group = groups[touching.name(i)];
+      if (group.is_short())
+        pieces_[i].wanted_mm3 *= group.most_mm3 / group.wanted_mm3;
+      else
+        pieces_[i].shift_mm = before[i];
+      is_any_short |= group.is_short();
+    }
+    return is_any_short;
+  }
+
+  std::vector<double> wanted_shifts() {
+    std::vector<double> wanted;
+    for (Piece& piece : pieces_) wanted.push_back(shift_to_keep(piece));
+    return wanted;
+  }
+
+  // What one piece gains its rival loses, so each goes half of its way at a time.
+  void alternate() {
+    for (unsigned round = 0; round < max_rounds; ++round) {
+      const std::vector<double> before = shifts(), wanted = wanted_shifts();
+      if (wanted == before) return;
+      for (std::size_t i = 0; i < pieces_.size(); ++i)
+        pieces_[i].shift_mm = (before[i] + wanted[i]) / 2;
+    }
   }
 
   // What one piece gains its rivals lose: linear equations, solved by the method of Gauss and
@@ -348,16 +414,15 @@ class VolumeKeeper {
     const double start = piece.shift_mm;
     if (piece.faces.empty()) return start;
     const double closest = keeping_.min_mm / 1000;
-    const double enough = accuracy * std::fabs(piece.volume_mm3);
     double low = -keeping_.farthest_mm, high = keeping_.farthest_mm, slope = 0;
-    double excess = enclosed_mm3(piece) - piece.volume_mm3;
-    while (std::fabs(excess) > enough && high - low > closest) {
+    double excess = enclosed_mm3(piece) - piece.wanted_mm3;
+    while (!is_near(piece, excess) && high - low > closest) {
       (excess < 0 ? low : high) = piece.shift_mm;
       double next = slope > 0 ? piece.shift_mm - excess / slope : (low + high) / 2;
       if (!(next > low && next < high)) next = (low + high) / 2;
       const double before = excess, moved = next - piece.shift_mm;
       piece.shift_mm = next;
-      excess = enclosed_mm3(piece) - piece.volume_mm3;
+      excess = enclosed_mm3(piece) - piece.wanted_mm3;
       slope = (excess - before) / moved;
     }
     return std::exchange(piece.shift_mm, start);
