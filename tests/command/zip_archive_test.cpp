@@ -133,6 +133,12 @@ TEST_CASE("a pattern selects files in a zip, as the refusal of two stacks advise
   CHECK(open_volume(packed + "/scan/*_c0.png")->info().dims[2] == 3);
   CHECK(open_volume(packed + "/scan/z0*.png")->info().format == "PNG, zip");
   CHECK_THROWS_AS(open_volume(packed + "/none/*.png"), VolumeError);
+  // So does the note on one slice.
+  const auto slice = open_volume(packed + "/scan/z2*.png");
+  for (const std::vector<std::string>& notes : {slice->info().notes, slice->notes()}) {
+    REQUIRE(!notes.empty());
+    CHECK(contains(notes[0], "such as '" + packed + "/scan/*.png'"));
+  }
 }
 
 TEST_CASE("a signal removes the unpacked zip, and two may be open") {

@@ -27,10 +27,14 @@ class UnpackedVolume final : public VolumeReader {
     renamed([&] { volume_ = open(folder_.path()); });
     info_ = volume_->info();
     info_.format += ", " + std::string(packing);
+    info_.notes = in_packed(info_.notes);
   }
 
   const VolumeInfo& info() const override { return info_; }
-  const std::vector<std::string>& notes() const override { return volume_->notes(); }
+  const std::vector<std::string>& notes() const override {
+    notes_ = in_packed(volume_->notes());
+    return notes_;
+  }
   void read_slice(void* samples) override {
     renamed([&] { volume_->read_slice(samples); });
   }
@@ -61,6 +65,11 @@ class UnpackedVolume final : public VolumeReader {
     return text;
   }
 
+  std::vector<std::string> in_packed(std::vector<std::string> notes) const {
+    for (std::string& note : notes) note = in_packed(std::move(note));
+    return notes;
+  }
+
   // A file in the folder by that of what was packed.
   std::filesystem::path named(const std::filesystem::path& inner) const {
     return inner == "." || inner == without_packing(packed_).filename() ? packed_ : packed_ / inner;
@@ -70,6 +79,7 @@ class UnpackedVolume final : public VolumeReader {
   TemporaryFolder folder_;
   std::unique_ptr<VolumeReader> volume_;
   VolumeInfo info_;
+  mutable std::vector<std::string> notes_;  // with those that reading added
 };
 
 // The ends of pipes that close when this program ends. Removers inherit those made before.
