@@ -1,10 +1,7 @@
 // Strides: arrays in any order of axes, and those that run backwards, have the surface of the
 // contiguous array.
-#include <doctest/doctest.h>
-
-#include <limits>
-
 #include "sampled_shapes.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace mesh_tests;

@@ -1,9 +1,6 @@
 // label_meshes(): a mesh per label in one pass.
-#include <doctest/doctest.h>
-
-#include <set>
-
 #include "sampled_shapes.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace mesh_tests;

@@ -1,7 +1,6 @@
 // MeshBuilder: slices one by one.
-#include <doctest/doctest.h>
-
 #include "sampled_shapes.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace mesh_tests;

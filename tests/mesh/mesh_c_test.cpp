@@ -1,13 +1,8 @@
 // mesh.h: the C API makes the meshes of the C++ API, and lets no exception out.
 #include "discmc/mesh.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <string>
-
 #include "sampled_shapes.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace mesh_tests;

@@ -1,10 +1,6 @@
 // Errors: each names the value and the remedy.
-#include <doctest/doctest.h>
-
-#include <limits>
-#include <string>
-
 #include "sampled_shapes.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 

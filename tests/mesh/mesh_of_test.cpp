@@ -1,10 +1,6 @@
 // mesh_of() and meshes_of(): levels, sample types, and where the vertices lie.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-
 #include "sampled_shapes.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace mesh_tests;

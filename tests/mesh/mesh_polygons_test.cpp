@@ -1,7 +1,6 @@
 // Mesh::polygons: merged polygons with holes, over the vertices of the mesh.
-#include <doctest/doctest.h>
-
 #include "sampled_shapes.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace mesh_tests;

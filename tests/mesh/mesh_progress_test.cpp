@@ -1,10 +1,8 @@
 // MeshOptions::progress: its calls, and cancellation.
-#include <doctest/doctest.h>
-
-#include <string>
 #include <thread>
 
 #include "sampled_shapes.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace mesh_tests;

@@ -1,11 +1,10 @@
 // MeshReceiver: the bytes of a device, scan after scan.
-#include <doctest/doctest.h>
-
 #include <discmc/fraction_slice_encoder.hpp>
 #include <discmc/placement.hpp>
 
 #include "oracle/slice_stream.hpp"
 #include "sampled_shapes.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace mesh_tests;

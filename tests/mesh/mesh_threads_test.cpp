@@ -1,9 +1,6 @@
 // MeshOptions::threads.
-#include <doctest/doctest.h>
-
-#include <limits>
-
 #include "sampled_shapes.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace mesh_tests;

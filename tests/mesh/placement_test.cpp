@@ -1,7 +1,6 @@
 // Spacing and placement: where the mesh lies.
-#include <doctest/doctest.h>
-
 #include "sampled_shapes.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace mesh_tests;

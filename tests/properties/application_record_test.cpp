@@ -1,11 +1,10 @@
 // The user's own data goes with a scan, in the order of the stream.
-#include <doctest/doctest.h>
-
 #include <discmc/receiver.hpp>
 
 #include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -1,9 +1,8 @@
 // A scan continues while its link is dead, and the stream resumes with the link.
-#include <doctest/doctest.h>
-
 #include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -194,8 +193,7 @@ TEST_CASE("a stream that begins within a cut frame of another stream is complete
     const Bytes& whole = is_of_slices ? slices : regions;
     const size_t first_frame = frames_of(whole)[0].size();
     for (const size_t before : {size_t{0}, size_t{1}, first_frame - 1, first_frame, size_t{100}}) {
-      CAPTURE(is_of_slices);
-      CAPTURE(before);
+      INFO("is_of_slices ", is_of_slices, ", before ", before);
       LimitedLine line{before};
       Bytes expected(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(before));
       if (before > 0 && before != first_frame) expected.push_back(0);

@@ -1,7 +1,7 @@
 // The recorder of events: how it compares events, and that refused events are offered again.
 #include "oracle/event_log.hpp"
 
-#include <doctest/doctest.h>
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

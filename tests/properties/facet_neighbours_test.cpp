@@ -1,14 +1,9 @@
 // Statements about facets that meet: across the edge of a facet, and around a vertex; by
 // exhaustion.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
 #include <discmc/geometry/facet_table.hpp>
-#include <utility>
-#include <vector>
 
 #include "oracle/facet_neighbours.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using reference::across_edge;
@@ -29,8 +24,7 @@ template <typename Check>
 void for_each_facet_edge(Check check) {
   for (int code = 0; code < facet_codes; ++code)
     for_each_link(static_cast<Facet>(code), [&](int edge, CellPoint from, CellPoint to) {
-      CAPTURE(code);
-      CAPTURE(edge);
+      INFO("code ", code, ", edge ", edge);
       check(static_cast<Facet>(code), edge, position(from), position(to));
     });
 }

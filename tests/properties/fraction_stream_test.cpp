@@ -1,17 +1,14 @@
 // Streams of slices with fractions: what arrives equals the fractions that the samples have by
 // their definition.
-#include <doctest/doctest.h>
-
 #include <discmc/fraction.hpp>
 #include <discmc/receiver.hpp>
-#include <initializer_list>
-#include <set>
 
 #include "oracle/event_log.hpp"
 #include "oracle/golden.hpp"
 #include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -49,9 +46,7 @@ void check_all_plans(const SampleVolume<Sample>& volume, int32_t threshold) {
   for (const uint8_t levels : std::initializer_list<uint8_t>{2, 4})
     for (const uint32_t interval : {0U, 1U, 3U})
       for (const size_t bytes_a_time : std::initializer_list<size_t>{0, 5}) {
-        CAPTURE(levels);
-        CAPTURE(interval);
-        CAPTURE(bytes_a_time);
+        INFO("levels ", levels, ", interval ", interval, ", bytes_a_time ", bytes_a_time);
         SlicePlan plan{interval};
         plan.portion = bytes_a_time > 0 ? 7 : 1000000;
         plan.bytes_a_time = bytes_a_time;

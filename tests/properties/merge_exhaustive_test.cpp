@@ -3,14 +3,11 @@
 // A fingerprint of the regions is compared for every block, the regions themselves, ring for ring,
 // with the paper's Merge for a sample. Under an address sanitizer only every 37th of the large
 // blocks is swept.
-#include <doctest/doctest.h>
-
-#include <memory>
-
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/surface.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -97,10 +94,8 @@ std::string press_all(Size size, bool is_closed, uint32_t most, uint64_t stride)
 
 void check_all(Size size, uint64_t sample, uint64_t stride = 1) {
   for (const bool is_closed : {true, false}) {
-    CAPTURE(size.width);
-    CAPTURE(size.height);
-    CAPTURE(size.depth);
-    CAPTURE(is_closed);
+    INFO("width ", size.width, ", height ", size.height, ", depth ", size.depth, ", is_closed ",
+         is_closed);
     CHECK(sweep_all(size, is_closed, sample, stride) == "");
   }
 }
@@ -108,10 +103,8 @@ void check_all(Size size, uint64_t sample, uint64_t stride = 1) {
 void press_all(Size size, uint64_t stride = 1) {
   for (const bool is_closed : {true, false})
     for (const uint32_t most : {minimum_capacities().slots, 20U}) {
-      CAPTURE(size.width);
-      CAPTURE(size.height);
-      CAPTURE(size.depth);
-      CAPTURE(is_closed);
+      INFO("width ", size.width, ", height ", size.height, ", depth ", size.depth, ", is_closed ",
+           is_closed);
       CHECK(press_all(size, is_closed, most, stride) == "");
     }
 }
@@ -165,8 +158,7 @@ TEST_CASE("a block of every kind of larger tiling is swept as in the paper") {
     for (const bool is_closed : {true, false}) {
       const BitVolume volume = tiling({5, 5, 5}, static_cast<Configuration>(bits));
       BlockScanner scanner({5, 5, 5}, is_closed, ample);
-      CAPTURE(bits);
-      CAPTURE(is_closed);
+      INFO("bits ", bits, ", is_closed ", is_closed);
       CHECK(unlike_merge(scanner.scan(volume).regions(), volume, is_closed) == "");
     }
 }

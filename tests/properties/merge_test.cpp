@@ -1,10 +1,9 @@
 // The sweep's regions on volumes of every sort: equal to the reference, and as known.
-#include <doctest/doctest.h>
-
 #include "oracle/agreement.hpp"
 #include "oracle/event_log.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -123,8 +122,7 @@ void check_known(const BitVolume& volume, const Known& known) {
 TEST_CASE("shapes plain and hostile are swept as in the paper") {
   for (const Named& shape : shapes())
     for (const bool is_closed : {true, false}) {
-      CAPTURE(shape.name);
-      CAPTURE(is_closed);
+      INFO(shape.name, ", is_closed ", is_closed);
       CHECK(fault_of<uint16_t>(shape.volume, is_closed) == "");
       CHECK(fault_of<uint32_t>(shape.volume, is_closed) == "");
     }
@@ -134,8 +132,7 @@ TEST_CASE("thousands of small random volumes are swept as in the paper") {
   for (uint64_t seed = 0; seed < 5000; seed += step(13))
     for (const bool is_closed : {true, false}) {
       const std::string fault = fault_of<uint16_t>(small_random(seed), is_closed);
-      CAPTURE(seed);
-      CAPTURE(is_closed);
+      INFO("seed ", seed, ", is_closed ", is_closed);
       REQUIRE(fault == "");
     }
 }
@@ -145,9 +142,7 @@ TEST_CASE("every combination of sides from 1 to 6 voxels is swept as in the pape
     for (const uint32_t density : {90U, 180U, 256U})
       for (const bool is_closed : {true, false}) {
         const BitVolume volume = random({1 + i % 6, 1 + i / 6 % 6, 1 + i / 36}, density, i);
-        CAPTURE(i);
-        CAPTURE(density);
-        CAPTURE(is_closed);
+        INFO("i ", i, ", density ", density, ", is_closed ", is_closed);
         CHECK(fault_of<uint16_t>(volume, is_closed) == "");
       }
 }

@@ -1,11 +1,10 @@
 // Normals on the wire: the decoder delivers the encoder's normals, and a receiver without normals
 // decodes the rest as before.
-#include <doctest/doctest.h>
-
 #include <discmc/normal_extractor.hpp>
 #include <discmc/stream/record_writing.hpp>
 
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

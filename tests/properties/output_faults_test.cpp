@@ -1,9 +1,8 @@
 // An output that fails at any byte, once, twice or permanently. The scan waits, and the bytes of
 // the stream are the same as without a fault.
-#include <doctest/doctest.h>
-
 #include "oracle/stream_samples.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -195,8 +194,7 @@ TEST_CASE("an output that fails repeatedly leaves the stream unchanged") {
   const Bytes whole = stream_of(scenario);
   for (size_t stop = 0; stop < whole.size(); stop += step(13))
     for (const size_t more : {1U, 2U, 254U, 256U}) {
-      CAPTURE(stop);
-      CAPTURE(more);
+      INFO("stop ", stop, ", more ", more);
       CHECK(stream_of(scenario, {stop, stop + more, stop + 2 * more}, 2) == whole);
     }
 }

@@ -1,21 +1,19 @@
 // No polygon is lost if the power fails, whatever the output queues. It is the recipe of
 // docs/power-failure.md in C++ and in C, with both encoders and with two surfaces.
 #include <discmc/discmc.h>
-#include <doctest/doctest.h>
 
-#include <algorithm>
 #include <deque>
 #include <discmc/checkpoint_store.hpp>
 #include <discmc/receiver.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <discmc/surface_group.hpp>
 #include <functional>
-#include <memory>
 
 #include "oracle/simulated_flash.hpp"
 #include "oracle/slice_config.hpp"
 #include "oracle/stream.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -1,10 +1,9 @@
 // Under pressure: a shortage costs loose fragments, never regions. At every capacity what comes out
 // joins to the reference's rings.
-#include <doctest/doctest.h>
-
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -141,8 +140,7 @@ TEST_CASE("the rings do not depend on the number of waiting holes") {
     const Pressed pressed(volume, Border::closed);
     for (uint32_t holes = 0; holes < 30; ++holes)
       for (const uint32_t slots : {least, 40U, 200U, ample.slots}) {
-        CAPTURE(holes);
-        CAPTURE(slots);
+        INFO("holes ", holes, ", slots ", slots);
         CHECK(pressed.fault<uint16_t>(Capacities{slots, holes}) == "");
       }
   }
@@ -204,8 +202,7 @@ TEST_CASE("slabs of any thickness, in any memory, join to the whole") {
       const std::vector<Region> merged = merge(volume, border == Border::closed);
       for (const uint32_t slices : {1U, 2U, 3U, 7U})
         for (const uint64_t spare : {0U, 200U, 100000U}) {
-          CAPTURE(slices);
-          CAPTURE(spare);
+          INFO("slices ", slices, ", spare ", spare);
           CHECK(unlike_joined(scan_slabs<uint16_t>(volume, border, slices, spare), merged) == "");
           CHECK(unlike_joined(
                     scan_slabs<uint32_t>(volume, border, slices, spare, reference::refuses_first),

@@ -1,7 +1,5 @@
 // Real scans, where there are any: the environment variable DISCMC_DATA names a folder as
 // described_volumes.hpp describes it. Without it these tests print a message and pass.
-#include <doctest/doctest.h>
-
 #include <cstdlib>
 #include <filesystem>
 
@@ -9,6 +7,7 @@
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/stream.hpp"
+#include "test.hpp"
 #include "volumes/volume.hpp"
 
 using namespace discmc;
@@ -115,8 +114,7 @@ TEST_CASE("real volumes are swept as in the paper at every threshold") {
       const BitVolume volume = read(scan.file, threshold);
       for (const Border border : borders) {
         const bool is_closed = border == Border::closed;
-        CAPTURE(scan.file.string());
-        CAPTURE(threshold);
+        INFO(scan.file.string(), ", threshold ", threshold);
         const Collector collector = sweep<uint32_t>(scan.file, threshold, border, 64 << 20);
         CHECK(collector.loose().empty());
         CHECK(unlike_merge(collector.regions(), volume, is_closed) == "");
@@ -165,8 +163,7 @@ TEST_CASE("real volumes are the same in any memory after joining") {
     const std::vector<Region> merged = merge(volume, true);
     const uint64_t least = Extractor16::minimum_bytes(limits_of(volume, Border::closed));
     for (const uint64_t extra : {0U, 1000U, 10000U, 40000U}) {
-      CAPTURE(scan.file.string());
-      CAPTURE(extra);
+      INFO(scan.file.string(), ", extra ", extra);
       Collector loose;
       scan_into<uint16_t>(loose, volume, {}, least + extra);
       CHECK(unlike_joined({loose}, merged) == "");
@@ -182,8 +179,7 @@ TEST_CASE("slabs of real volumes join to the whole") {
     for (const Border border : borders) {
       const std::vector<Region> merged = merge(volume, border == Border::closed);
       for (const uint32_t slices : {1U, 2U, 3U, 7U}) {
-        CAPTURE(scan.file.string());
-        CAPTURE(slices);
+        INFO(scan.file.string(), ", slices ", slices);
         const auto slabs = scan_slabs<uint32_t>(volume, border, slices, 1 << 20);
         CHECK(unlike_joined(slabs, merged) == "");
       }
@@ -199,8 +195,7 @@ TEST_CASE("more memory yields no more loose fragments of a real volume and hardl
     StreamSize before = stream_size(volume, bytes);
     while (before.fragments > 0 && bytes < 256 * kib) {
       bytes += 2 * kib;
-      CAPTURE(scan.file.string());
-      CAPTURE(bytes);
+      INFO(scan.file.string(), ", bytes ", bytes);
       const StreamSize size = stream_size(volume, bytes);
       // The coder learns from what comes before, which is another order.
       CHECK(size.bytes <= before.bytes + before.bytes / 2500);

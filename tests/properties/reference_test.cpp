@@ -1,11 +1,6 @@
 // What must hold of the surface of any volume, by the paper's own Merge.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <map>
-#include <utility>
-
 #include "oracle/merge.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -1,11 +1,10 @@
 // A busy sink changes nothing: whichever offer it refuses, and however the caller continues, the
 // events are the same.
-#include <doctest/doctest.h>
-
 #include "oracle/event_log.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

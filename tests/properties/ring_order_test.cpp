@@ -1,10 +1,9 @@
 // The fact on which the proof rests that the outer ring of a region closes after its holes:
 // lib/DESIGN.md, "Rings, holes and regions".
-#include <doctest/doctest.h>
 #include <discmc/geometry/facet_table.hpp>
 #include <discmc/trace/sector_derivation.hpp>
 
-#include <vector>
+#include "test.hpp"
 
 namespace {
 

@@ -1,7 +1,4 @@
 // Streams that share a link are separated, and a mixture never passes for a single stream.
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <discmc/byte_output.hpp>
 #include <discmc/normal_extractor.hpp>
 #include <discmc/receiver.hpp>
@@ -9,6 +6,7 @@
 
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -417,8 +415,7 @@ TEST_CASE("a receiver receives scan after scan, whether or not a trailer is lost
       frames_of(slices_of(named(volumes[3], 4, 0), volumes[3]))};
   for (const size_t lost : {none, size_t{0}, size_t{1}, size_t{2}})
     for (const size_t chunk : {size_t{1}, size_t{50}, size_t{100000}}) {
-      CAPTURE(lost);
-      CAPTURE(chunk);
+      INFO("lost ", lost, ", chunk ", chunk);
       Bytes link;
       for (size_t scan = 0; scan < 4; ++scan)
         for (const Bytes& frame : scans[scan])

@@ -1,12 +1,10 @@
 // Frames of any length that ByteOutput allows carry the same events, and never exceed that length.
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <discmc/receiver.hpp>
 
 #include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -59,8 +57,7 @@ Bytes with_normals(const Events& events, const StreamHeader& header, uint16_t ma
 TEST_CASE("short frames carry all regions, fragments and normals") {
   for (const uint16_t length : lengths)
     for (const uint64_t memory : {uint64_t{3000}, uint64_t{100000}}) {
-      CAPTURE(length);
-      CAPTURE(memory);
+      INFO("length ", length, ", memory ", memory);
       const BitVolume volume = reference::random({20, 15, 10}, 100, length);
       const Events events = events_of(volume, Extractor32::default_capacities({20, 15}, memory));
       Line line;
@@ -96,8 +93,7 @@ TEST_CASE("a short frame has room for the most distant starts and the longest ru
 TEST_CASE("short frames carry all slices of several surfaces") {
   for (const uint16_t length : lengths)
     for (const uint32_t interval : {0U, 1U, 3U}) {
-      CAPTURE(length);
-      CAPTURE(interval);
+      INFO("length ", length, ", interval ", interval);
       const BitVolume volume = reference::random({67, 20, 6}, 128, length);
       StreamHeader header = header_of(volume);
       header.surface_count = 2;

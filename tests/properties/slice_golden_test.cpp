@@ -1,8 +1,7 @@
 // Streams of slices that every later version must decode.
-#include <doctest/doctest.h>
-
 #include "oracle/golden.hpp"
 #include "oracle/slice_stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

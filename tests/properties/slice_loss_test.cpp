@@ -1,8 +1,7 @@
 // A stream of slices over a lossy link: every loss is reported in its place, and no row is wrong.
-#include <doctest/doctest.h>
-
 #include "oracle/slice_stream.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

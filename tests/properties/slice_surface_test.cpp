@@ -1,9 +1,8 @@
 // From either payload comes the same surface.
-#include <doctest/doctest.h>
-#include <algorithm>
 #include <discmc/receiver.hpp>
 
 #include "oracle/slice_stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -1,9 +1,8 @@
 // Statements that any wrong byte of a derived table breaks (proofs/table_mutation tries every
 // one), by exhaustion.
-#include <doctest/doctest.h>
-
 #include "oracle/sector_statements.hpp"
 #include "oracle/table_statements.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

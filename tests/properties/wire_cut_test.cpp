@@ -1,10 +1,7 @@
 // A stream that ends at any byte, as in a power failure. All that was certain by then is there, and
 // nothing else.
-#include <doctest/doctest.h>
-
-#include <cstring>
-
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -1,11 +1,8 @@
 // Bytes that no encoder wrote: flipped, random, or hostile under a correct checksum. None does
 // harm, none is taken for the real thing.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "oracle/stream_samples.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

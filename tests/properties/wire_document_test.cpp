@@ -1,16 +1,12 @@
 // WIRE.md is true: its worked example is the output of the encoder, and its tables are those of the
 // code.
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <sstream>
-#include <string>
 
 #include "oracle/slice_stream.hpp"
 #include "oracle/symbol_rows.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

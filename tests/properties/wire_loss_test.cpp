@@ -1,10 +1,7 @@
 // What a lossy link does to a stream: every loss is counted exactly, and nothing comes out wrong.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "oracle/stream_samples.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -67,8 +64,7 @@ void check_kept(const Sent& sent, const std::vector<bool>& is_kept, size_t porti
 }
 
 void check_without(const Sent& sent, size_t first, size_t count) {
-  CAPTURE(first);
-  CAPTURE(count);
+  INFO("first ", first, ", count ", count);
   std::vector<bool> is_kept(sent.frames.size(), true);
   for (size_t i = first; i < first + count; ++i) is_kept[i] = false;
   check_kept(sent, is_kept);
@@ -251,8 +247,7 @@ TEST_CASE("the later of two swapped packets is decoded, and the other counts as 
   const Sent& sent = long_stream();
   for (size_t apart = 1; apart < 100; apart += 14)
     for (size_t i = 1; i + apart + 1 < sent.frames.size(); i += 53 * reference::step(5)) {
-      CAPTURE(apart);
-      CAPTURE(i);
+      INFO("apart ", apart, ", i ", i);
       // Packet i comes too late, after packet i + apart.
       std::vector<Bytes> frames = sent.frames;
       std::rotate(frames.begin() + static_cast<std::ptrdiff_t>(i),

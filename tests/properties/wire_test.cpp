@@ -1,12 +1,9 @@
 // Streams as a whole: decoding returns the encoded events for any portions, and golden files pin
 // the bytes.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "oracle/golden.hpp"
 #include "oracle/stream_samples.hpp"
 #include "oracle/surface.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

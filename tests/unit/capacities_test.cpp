@@ -1,10 +1,9 @@
 // Capacities: constants at compile time, sufficient as promised, and refused if impossible.
-#include <doctest/doctest.h>
-
 #include <discmc/capacities.hpp>
 #include <discmc/normal_extractor.hpp>
 
 #include "oracle/scan.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 
@@ -30,8 +29,7 @@ void for_each_limits(Check check) {
   for (const uint32_t width : extents)
     for (const uint32_t height : extents)
       for (const Border border : {Border::closed, Border::open}) {
-        CAPTURE(width);
-        CAPTURE(height);
+        INFO("width ", width, ", height ", height);
         check(Limits{width, height, border});
       }
 }

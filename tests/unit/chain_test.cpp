@@ -1,10 +1,8 @@
 // Freeman chains: runs, closure, reversal and area, in integers.
-#include <doctest/doctest.h>
 #include <discmc/chain.hpp>
 
-#include <vector>
-
 #include "oracle/collector.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 

@@ -1,14 +1,11 @@
 // Checkpoints: a scan resumed after a power failure makes the stream of an uninterrupted scan.
-#include <doctest/doctest.h>
-
-#include <cstring>
 #include <discmc/slice_encoder.hpp>
-#include <set>
 
 #include "oracle/checkpointed_device.hpp"
 #include "oracle/slice_config.hpp"
 #include "oracle/stream_samples.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

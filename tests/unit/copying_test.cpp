@@ -1,8 +1,7 @@
 // What works in the caller's memory, or points into itself, is not copied by mistake.
-#include <doctest/doctest.h>
-
 #include <discmc/discmc.hpp>
 #include "host/host_extractor.hpp"
+#include "test.hpp"
 
 #include <type_traits>
 

@@ -1,9 +1,8 @@
 // The extractor as firmware meets it: every way to feed it gives the same events, every misuse a
 // status and nothing else.
-#include <doctest/doctest.h>
-
 #include "oracle/agreement.hpp"
 #include "oracle/bench.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -133,8 +132,7 @@ TEST_CASE("widths on either side of a word's end are swept as in the paper") {
       for (const uint32_t density : {60U, 128U, 256U}) {
         const BitVolume volume = random({width, 4, 3}, density, width);
         const EventLog log = plain_scan(volume, border);
-        CAPTURE(width);
-        CAPTURE(density);
+        INFO("width ", width, ", density ", density);
         CHECK(unlike_merge(collected(log.events).regions(), volume, border == Border::closed) ==
               "");
       }

@@ -1,13 +1,11 @@
 // The extractor's statuses, counters and memory: misuse, long scans, and several at a time.
-#include <doctest/doctest.h>
-
 #include <discmc/encoder.hpp>
 
-#include <algorithm>
 #include <new>
 
 #include "oracle/agreement.hpp"
 #include "oracle/bench.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -1,16 +1,11 @@
 // That docs/README.md, docs/statuses.md and discmc.hpp list everything they should, and that the
 // folders of the library include only the folders that they need.
-#include <doctest/doctest.h>
-
 #include <filesystem>
-#include <map>
 #include <regex>
-#include <set>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "project_text.hpp"
+#include "test.hpp"
 
 namespace fs = std::filesystem;
 

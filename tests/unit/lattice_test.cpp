@@ -1,8 +1,8 @@
 // Statements about the half-step lattice, its links and the directions of a plane; all by
 // exhaustion.
-#include <doctest/doctest.h>
-
 #include <discmc/lattice.hpp>
+
+#include "test.hpp"
 
 using namespace discmc;
 

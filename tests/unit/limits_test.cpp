@@ -1,7 +1,7 @@
 // Limits: what cannot be is refused.
-#include <doctest/doctest.h>
-
 #include <discmc/limits.hpp>
+
+#include "test.hpp"
 
 using namespace discmc;
 

@@ -1,11 +1,7 @@
 // A piece of the caller's memory.
-#include <doctest/doctest.h>
 #include <discmc/memory.hpp>
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
+#include "test.hpp"
 
 using namespace discmc;
 

@@ -1,15 +1,12 @@
 // Normals of the first pass: the events are those of a scan without them, and the normals those of
 // a second pass, bit for bit.
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <discmc/sample_window.hpp>
-#include <vector>
 
 #include "oracle/checkpointed_device.hpp"
 #include "oracle/normal_events.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

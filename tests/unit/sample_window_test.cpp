@@ -1,12 +1,10 @@
 // The gradient at every vertex of small volumes, and the window that slices pass through.
-#include <doctest/doctest.h>
-
 #include <discmc/sample_window.hpp>
-#include <vector>
 
 #include "oracle/gradient.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -1,9 +1,7 @@
 // The texts of statuses.
-#include <doctest/doctest.h>
 #include <discmc/status.hpp>
 
-#include <set>
-#include <string>
+#include "test.hpp"
 
 using namespace discmc;
 

@@ -1,11 +1,10 @@
 // An unstarted sink is an error: if it were busy instead, its source would wait forever.
-#include <doctest/doctest.h>
-
 #include <discmc/joiner.hpp>
 #include <discmc/receiver.hpp>
 
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -1,8 +1,9 @@
 // A program may use the whole namespace with short names of its own.
 #include <discmc/discmc.h>
-#include <doctest/doctest.h>
 
 #include <discmc/discmc.hpp>
+
+#include "test.hpp"
 
 static int slices = 1, stream = 2, trace = 3, join = 4, wire = 5, links = 6, move = 7, add = 8,
            dot = 9, normal = 10, derive = 11, sizing = 12;

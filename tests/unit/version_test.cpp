@@ -1,12 +1,11 @@
 // All places that name the version name the same one.
 #include <discmc/version.h>
-#include <doctest/doctest.h>
 
 #include <discmc/version.h>
 #include <regex>
-#include <string>
 
 #include "project_text.hpp"
+#include "test.hpp"
 
 namespace {
 

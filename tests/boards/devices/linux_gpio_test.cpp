@@ -1,6 +1,5 @@
 // A scan that lines drive: an edge is a row, a missed edge is a skipped one, and nothing is
 // shifted.
-#include <doctest/doctest.h>
 #include <unistd.h>
 #include <gpio/triggered_scan.hpp>
 
@@ -8,6 +7,7 @@
 #include <fstream>
 
 #include "linux_scan.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::device;

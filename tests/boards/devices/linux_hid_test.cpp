@@ -1,10 +1,10 @@
 // Rows in reports: what arrives whole is a row, lost reports cost their rows, repeated ones
 // nothing.
-#include <doctest/doctest.h>
 #include <hid/row_assembler.hpp>
 #include <hid/stream_reports.hpp>
 
 #include "linux_scan.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::device;

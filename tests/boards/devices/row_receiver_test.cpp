@@ -1,11 +1,8 @@
 // Rows over a line: what comes whole is taken once and in order, and nothing else is.
-#include <doctest/doctest.h>
 #include <rows/row_receiver.hpp>
 
-#include <algorithm>
-#include <initializer_list>
-
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using discmc::test::Bytes;
 using discmc::test::Chance;
@@ -100,8 +97,7 @@ TEST_CASE("any wrong bit costs only its own row") {
   const Bytes good = row_frame_of(1);
   for (size_t place = 0; place < good.size(); ++place) {
     for (uint32_t bit = 0; bit < 8; ++bit) {
-      CAPTURE(place);
-      CAPTURE(bit);
+      INFO("place ", place, ", bit ", bit);
       Device device = started();
       device.take_row(0);
       Bytes bad = good;

@@ -1,9 +1,6 @@
 // Corners in 64 bits: what the sweep of a host builds on.
-#include <doctest/doctest.h>
-
 #include "host/corner_code.hpp"
-
-#include <initializer_list>
+#include "test.hpp"
 
 using namespace discmc;
 using host::CornerCode;

@@ -4,10 +4,9 @@
 #include "host/ray_table.cpp"
 #include "host/sweep.cpp"
 
-#include <doctest/doctest.h>
-
 #include <string.h>
-#include <memory>
+
+#include "test.hpp"
 
 namespace discmc::host {
 namespace {

@@ -1,7 +1,6 @@
 // Edges are collected in batches.
-#include <doctest/doctest.h>
-
 #include "host/edges.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using host::Edges;

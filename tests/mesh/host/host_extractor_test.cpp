@@ -1,12 +1,7 @@
 // A host extractor sends the same events as other extractors, wherever it hands its fragments over.
-#include <doctest/doctest.h>
-
 #include "host/host_extractor.hpp"
 
-#include <algorithm>
 #include <iterator>
-#include <utility>
-#include <vector>
 
 #include "oracle/checkpointed_device.hpp"
 #include "oracle/event_log.hpp"
@@ -19,6 +14,7 @@
 #include "shapes/bars.hpp"
 #include "shapes/saws.hpp"
 #include "shapes/tents.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -572,8 +568,7 @@ TEST_CASE("a slab has the regions, loose fragments and counts of other extractor
   for (const BitVolume& volume : volumes_of_slabs())
     for (const Border border : {Border::closed, Border::open})
       for (const std::vector<uint32_t>& thick : thicknesses) {
-        CAPTURE(volume.depth);
-        CAPTURE(thick[0]);
+        INFO("depth ", volume.depth, ", thick ", thick[0]);
         for_each_slab(volume, thick, [&](uint32_t first, uint32_t end) {
           const SlabScan scan{volume, border, first, end};
           const EventLog log = scan.by(extractor, much);
@@ -590,8 +585,7 @@ TEST_CASE("a slab has the same parts wherever its fragments are handed over") {
   HostExtractor extractor;
   Extractor32 other;
   for (const auto& slab : {std::pair{1U, 6U}, {1U, 4U}, {2U, 4U}}) {
-    CAPTURE(slab.first);
-    CAPTURE(slab.second);
+    INFO("slab ", slab.first, " to ", slab.second);
     const SlabScan scan{volume, Border::closed, slab.first, slab.second};
     const auto expected = parts_of(scan.by(other, much), scan);
     for (uint32_t beyond = 0; beyond < 12000; beyond += 1500) {
@@ -606,8 +600,7 @@ TEST_CASE("a slab has the same parts if the slices exceed the range of a corner 
     for (const Border border : {Border::closed, Border::open})
       for (const uint32_t end : {11U, 12U})
         for (const uint32_t beyond : {0U, 4U, 10U}) {
-          CAPTURE(end);
-          CAPTURE(beyond);
+          INFO("end ", end, ", beyond ", beyond);
           check_same_parts({volume, border, 1, end, host::CornerCode::max_slices - beyond});
         }
 }
@@ -690,8 +683,7 @@ TEST_CASE("slabs join to the whole for any handover and any mixture of extractor
       for (size_t i = 0; i < std::size(slots); i += step(2)) {
         const uint32_t capacity = slots[i];
         for (const std::vector<uint32_t>& thick : {thicknesses[0], thicknesses[4]}) {
-          CAPTURE(capacity);
-          CAPTURE(thick[0]);
+          INFO("capacity ", capacity, ", thick ", thick[0]);
           std::vector<Collector> slabs;
           Events events;
           for_each_slab(volume, thick, [&](uint32_t first, uint32_t end) {
@@ -916,8 +908,7 @@ TEST_CASE(
   for (const BitVolume& volume : all)
     for (const Border border : {Border::closed, Border::open})
       for (const std::vector<uint32_t>& thick : {thicknesses[0], thicknesses[4]}) {
-        CAPTURE(volume.width);
-        CAPTURE(volume.depth);
+        INFO("width ", volume.width, ", depth ", volume.depth);
         for_each_slab(volume, thick, [&](uint32_t first, uint32_t end) {
           constexpr Capacities plenty{600000, 1000};
           const SlabScan scan{volume, border, first, end};
@@ -936,8 +927,7 @@ TEST_CASE("a host extractor has the same parts for any size of its queues") {
     constexpr Capacities plenty{1000000, 1000};
     const auto expected = parts_of(scan.by(other, plenty), scan);
     for (uint32_t more = 0; more < 600; more += 16) {
-      CAPTURE(size);
-      CAPTURE(more);
+      INFO("size ", size, ", more ", more);
       LeastHost extractor(more);
       CHECK(parts_of(scan.by(extractor, plenty), scan) == expected);
     }

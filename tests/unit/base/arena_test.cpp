@@ -1,10 +1,7 @@
 // The bump arena: aligned arrays one behind the other, and never a byte beyond.
-#include <doctest/doctest.h>
 #include <discmc/base/arena.hpp>
 
-#include <algorithm>
-#include <cstring>
-#include <vector>
+#include "test.hpp"
 
 using namespace discmc;
 

@@ -1,16 +1,10 @@
 // What is poisoned in the caller's memory, and what traps: with an address sanitizer.
-#include <doctest/doctest.h>
-
 #include <discmc/base/checks.hpp>
 #include <discmc/extractor.hpp>
 #include <discmc/joiner.hpp>
 
-#include <algorithm>
-#include <memory>
-#include <numeric>
-#include <vector>
-
 #include "oracle/scan.hpp"
+#include "test.hpp"
 
 #if defined(DISCMC_HAS_ADDRESS_SANITIZER)
 #include <sanitizer/asan_interface.h>

@@ -1,10 +1,7 @@
 // The pool: every slot once, in an order that depends on the calls alone.
-#include <doctest/doctest.h>
 #include <discmc/base/pool.hpp>
 
-#include <cstddef>
-#include <set>
-#include <vector>
+#include "test.hpp"
 
 using namespace discmc;
 

@@ -1,11 +1,9 @@
 // Encoders in C and in C++ write the same bytes.
 #include <discmc/discmc.h>
-#include <doctest/doctest.h>
-
-#include <memory>
 
 #include "oracle/c_events.hpp"
 #include "oracle/normal_events.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

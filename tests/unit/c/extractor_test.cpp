@@ -1,14 +1,11 @@
 // Extractors of every kind deliver the same events in C and in C++.
 #include <discmc/discmc.h>
-#include <doctest/doctest.h>
 
-#include <algorithm>
 #include <discmc/c/extractor_kind.hpp>
-#include <memory>
-#include <vector>
 
 #include "oracle/c_events.hpp"
 #include "oracle/normal_events.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

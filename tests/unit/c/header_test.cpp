@@ -1,17 +1,13 @@
 // discmc.h is small, is C99 by itself, and its constants and sizes are right.
 #include <discmc/discmc.h>
-#include <doctest/doctest.h>
 
-#include <algorithm>
 #include <discmc/chain.hpp>
 #include <discmc/normal.hpp>
 #include <discmc/status.hpp>
-#include <initializer_list>
 #include <regex>
-#include <set>
-#include <string>
 
 #include "project_text.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using discmc::test::text_of;

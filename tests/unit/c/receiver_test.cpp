@@ -1,14 +1,13 @@
 // A receiver in C delivers what a Receiver delivers, and a joiner what a Joiner does.
 #include <discmc/discmc.h>
-#include <doctest/doctest.h>
 
 #include <discmc/joiner.hpp>
 #include <discmc/receiver.hpp>
-#include <vector>
 
 #include "oracle/c_events.hpp"
 #include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -1,13 +1,11 @@
 // The ring of rows and the unpackers behave the same in C and in C++.
 #include <discmc/front.h>
-#include <doctest/doctest.h>
 
-#include <cstring>
 #include <discmc/front/packed_samples.hpp>
-#include <vector>
 
 #include "oracle/scan.hpp"
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using discmc::reference::Block;

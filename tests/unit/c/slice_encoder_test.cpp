@@ -1,14 +1,12 @@
 // A slice encoder writes the same bytes in C and in C++.
 #include <discmc/discmc.h>
-#include <doctest/doctest.h>
 
 #include <discmc/fraction_slice_encoder.hpp>
-#include <initializer_list>
-#include <vector>
 
 #include "oracle/c_events.hpp"
 #include "oracle/slice_config.hpp"
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

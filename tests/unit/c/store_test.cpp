@@ -1,13 +1,12 @@
 // The store works in C as in C++; properties/power_failure_test saves scans in C.
 #include <discmc/discmc.h>
-#include <doctest/doctest.h>
 
 #include <discmc/checkpoint_store.hpp>
-#include <vector>
 
 #include "oracle/c_events.hpp"
 #include "oracle/scan.hpp"
 #include "oracle/simulated_flash.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

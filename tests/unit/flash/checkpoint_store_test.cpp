@@ -1,14 +1,11 @@
 // Checkpoints in flash: whenever the power fails, the newest whole one is found.
-#include <doctest/doctest.h>
-
-#include <cstring>
 #include <discmc/checkpoint_store.hpp>
 #include <discmc/stream/crc32.hpp>
-#include <numeric>
 
 #include "oracle/checkpointed_device.hpp"
 #include "oracle/simulated_flash.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -2,13 +2,9 @@
 // --shrink` is in command/volume_part.
 #include <discmc/front/downsampler.hpp>
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <vector>
-
 #include "oracle/scan.hpp"
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using reference::Block;
@@ -67,10 +63,7 @@ void check(const Size& size, uint32_t extent) {
     for (uint32_t y = 0; y * extent < size.height; ++y)
       for (uint32_t x = 0; x * extent < size.width; ++x)
         expected.push_back(mean_at(samples, size, extent, x, y, z));
-  CAPTURE(size.width);
-  CAPTURE(size.height);
-  CAPTURE(size.depth);
-  CAPTURE(extent);
+  INFO("width ", size.width, ", height ", size.height, ", depth ", size.depth, ", extent ", extent);
   Downsampler<Sample> means;
   CHECK(means_of(means, samples, size, extent) == expected);
 }

@@ -1,14 +1,9 @@
 // The majority filter, beside one that counts voxel by voxel.
 #include <discmc/front/majority_filter.hpp>
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <vector>
-
 #include "oracle/scan.hpp"
 #include "oracle/volume.hpp"
+#include "test.hpp"
 
 namespace {
 
@@ -124,8 +119,7 @@ TEST_CASE("a filter restarted in the middle or at the end of a volume begins a n
   const std::uint8_t on[] = {0xFF, 0x03};
   for (int pushed = 0; pushed <= 9; ++pushed)
     for (const bool is_drained : {false, true}) {
-      CAPTURE(pushed);
-      CAPTURE(is_drained);
+      INFO("pushed ", pushed, ", is_drained ", is_drained);
       Block block(MajorityFilter::bytes_for(limits));
       MajorityFilter filter;
       REQUIRE(filter.start(limits, block.memory()) == Status::ok);

@@ -2,13 +2,8 @@
 // where each of their bits goes, and unpacked.
 #include <discmc/front/packed_samples.hpp>
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <vector>
-
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 
@@ -98,8 +93,7 @@ TEST_CASE("every value of a sample is unpacked at every position of a group") {
 TEST_CASE("rows of any width are unpacked, in place too, without writing beyond their end") {
   for (const Layout& layout : layouts)
     for (uint32_t count = 0; count <= 41; ++count) {
-      CAPTURE(static_cast<int>(layout.packing));
-      CAPTURE(count);
+      INFO("packing ", static_cast<int>(layout.packing), ", count ", count);
       const std::vector<uint16_t> samples = some_samples(layout, count);
       const std::vector<uint8_t> bytes = packed(layout, samples);
       std::vector<uint16_t> expected = samples;

@@ -1,12 +1,8 @@
 // What is picked of a volume, beside a choice voxel by voxel.
 #include <discmc/front/row_cropper.hpp>
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <vector>
-
 #include "oracle/volume.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 

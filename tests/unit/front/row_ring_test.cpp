@@ -2,18 +2,13 @@
 // interrupt after every instruction of the other side; and with a second thread.
 #include <discmc/front/row_ring.hpp>
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <cstring>
-#include <string>
 #include <thread>
 
 #include "oracle/scan.hpp"
 #include "oracle/single_step.hpp"
 #include "oracle/stream.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using Next = RowRing::Next;
@@ -107,8 +102,7 @@ TEST_CASE("rows ahead of the next one are free while the ring has room") {
     // From every place in the ring.
     for (uint32_t round = 0; round < 2 * rows + 1; ++round) {
       for (uint32_t full = 0; full <= rows; ++full) {
-        CAPTURE(rows);
-        CAPTURE(full);
+        INFO("rows ", rows, ", full ", full);
         for (uint32_t ahead = 0; ahead < rows + 2; ++ahead)
           CHECK((ring.free_row(ahead) != nullptr) == (full + ahead < rows));
         if (full + 1 < rows) {

@@ -1,12 +1,8 @@
 // Rows of bits beside a comparison sample by sample.
 #include <discmc/front/threshold_row.hpp>
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <vector>
-
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 
@@ -51,9 +47,7 @@ void check_rows(int32_t threshold) {
         threshold_row(row, count, threshold, bits.data(), stride);
         const bool is_right =
             bits == bits_of(count, [&](uint32_t x) { return row[x * stride] >= threshold; });
-        CAPTURE(count);
-        CAPTURE(stride);
-        CAPTURE(first);
+        INFO("count ", count, ", stride ", stride, ", first ", first);
         CHECK(is_right);
       }
 }

@@ -1,11 +1,7 @@
 // Statements about one cell and its loops, and about two cells that share a face; by exhaustion.
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <discmc/geometry/cell.hpp>
-#include <set>
-#include <utility>
-#include <vector>
+
+#include "test.hpp"
 
 using namespace discmc;
 

@@ -4,7 +4,7 @@
 // The source is compiled in here; the library's object of it is then not linked.
 #include <discmc/geometry/facet_table.cpp>
 
-#include <doctest/doctest.h>
+#include "test.hpp"
 
 namespace discmc {
 namespace {

@@ -1,14 +1,9 @@
 // Which facets there are, their numbers, and their symmetry; by exhaustion. The compiler counts
 // them (facet_table.cpp), and properties/tables_test compares them with the loops of their cells.
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <discmc/geometry/facet_table.hpp>
-#include <set>
-#include <utility>
-#include <vector>
 
 #include "oracle/cell_symmetry.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using test::cell_symmetries;

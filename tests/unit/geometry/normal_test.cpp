@@ -1,15 +1,10 @@
 // Unit vectors in integers, against double precision.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <discmc/chain.hpp>
 #include <discmc/normal.hpp>
 #include <discmc/polygon.hpp>
-#include <vector>
 
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using discmc::test::Chance;

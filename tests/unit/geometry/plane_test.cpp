@@ -1,8 +1,7 @@
 // Chains in their plane: where runs lead.
-#include <doctest/doctest.h>
 #include <discmc/chain.hpp>
 
-#include <cstdint>
+#include "test.hpp"
 
 using namespace discmc;
 

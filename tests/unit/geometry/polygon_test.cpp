@@ -1,12 +1,9 @@
 // From chains to polygons: simple rings against a naive splitter, areas, corners.
-#include <doctest/doctest.h>
 #include <discmc/polygon.hpp>
-
-#include <algorithm>
-#include <vector>
 
 #include "oracle/agreement.hpp"
 #include "oracle/scan.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using reference::Ring;

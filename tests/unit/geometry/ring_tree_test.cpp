@@ -1,15 +1,10 @@
 // Rings by their places, and what lies inside a ring.
-#include <doctest/doctest.h>
 #include <discmc/geometry/ring_tree.hpp>
 
-#include <algorithm>
-#include <cstdint>
-#include <map>
 #include <stdexcept>
-#include <utility>
-#include <vector>
 
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using test::Chance;

@@ -1,13 +1,8 @@
 // A treap against a sorted list, and its shape.
-#include <doctest/doctest.h>
 #include <discmc/geometry/treap.hpp>
 
-#include <algorithm>
-#include <cstdint>
-#include <utility>
-#include <vector>
-
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using test::Chance;

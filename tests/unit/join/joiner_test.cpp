@@ -1,14 +1,11 @@
 // The joiner: cut regions are joined whole, in any order and memory, for any refusals of the sink.
 // Invalid events do no harm.
-#include <doctest/doctest.h>
-
-#include <set>
-
 #include "oracle/join.hpp"
 #include "oracle/loose.hpp"
 #include "oracle/merge.hpp"
 #include "oracle/stream_samples.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -151,8 +148,7 @@ TEST_CASE("the loose fragments of a sweep are joined to its regions") {
   Chance chance(1);
   for (const Surface& surface : surfaces())
     for (int round = 0; round < 20; ++round) {
-      CAPTURE(surface.name);
-      CAPTURE(round);
+      INFO(surface.name, ", round ", round);
       const Pieces pieces = cut(surface.regions, cuts_of(chance));
       const Joined joined = join_all(events_of(pieces), {});
       REQUIRE(unlike(joined.events, surface.regions) == "");
@@ -167,8 +163,7 @@ TEST_CASE("loose fragments in any order are joined to the regions") {
   Chance chance(2);
   for (const Surface& surface : surfaces())
     for (int round = 0; round < 20; ++round) {
-      CAPTURE(surface.name);
-      CAPTURE(round);
+      INFO(surface.name, ", round ", round);
       const Cuts cuts = cuts_of(chance, 60);
       Pieces pieces = cut(surface.regions, cuts);
       // What came whole comes after the fragments.
@@ -186,9 +181,7 @@ TEST_CASE("interleaved streams of several slabs are joined to the regions") {
   for (const Surface& surface : surfaces())
     for (const int32_t slab : {1, 2, 3, 7})
       for (const uint32_t loose : {0U, 50U, 100U}) {
-        CAPTURE(surface.name);
-        CAPTURE(slab);
-        CAPTURE(loose);
+        INFO(surface.name, ", slab ", slab, ", loose ", loose);
         Cuts cuts = cuts_of(chance, loose);
         cuts.loose_holes = loose;
         cuts.slab = 2 * slab;
@@ -306,8 +299,7 @@ TEST_CASE("fragments passed on by a joiner with too little memory are joined by 
     const Surface& surface = surfaces()[index];
     for (const InputOrder order : {InputOrder::sweep, InputOrder::any})
       for (uint32_t size = 1; size < 500; size += step(10) * (1 + size / 50)) {
-        CAPTURE(surface.name);
-        CAPTURE(size);
+        INFO(surface.name, ", size ", size);
         JoinPlan plan{order, {1 + size / 4, size}};
         if (size % 3 == 0) plan.capacities = {size, 1 + size / 2};
         const Joined first = join_all(events_of(cut(surface.regions, cuts_of(chance))), plan);
@@ -348,8 +340,7 @@ TEST_CASE("the peaks of a joiner are the exact capacities that suffice") {
     const Events events = events_of(cut(surface.regions, cuts_of(chance)));
     CAPTURE(surface.name);
     const JoinCapacities most = join_all(events, {}).peaks;
-    CAPTURE(most.fragments);
-    CAPTURE(most.runs);
+    INFO("fragments ", most.fragments, ", runs ", most.runs);
     JoinPlan plan;
     plan.capacities = most;
     CHECK(join_all(events, plan).status == Status::ok);
@@ -580,8 +571,7 @@ TEST_CASE("a region is right if all its fragments arrive, and the other fragment
   for (const Surface& surface : surfaces())
     for (const InputOrder order : {InputOrder::sweep, InputOrder::any})
       for (uint32_t round = 0; round < 20; round += step(5)) {
-        CAPTURE(surface.name);
-        CAPTURE(round);
+        INFO(surface.name, ", round ", round);
         std::vector<bool> is_damaged(surface.regions.size());
         Pieces left;
         for (const Piece& piece : cut(surface.regions, cuts_of(chance, 80))) {

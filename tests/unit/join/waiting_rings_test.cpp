@@ -1,14 +1,8 @@
 // Which waiting rings lie inside another ring: by looking at each of them, too.
-#include <doctest/doctest.h>
 #include <discmc/join/waiting_rings.hpp>
 
-#include <algorithm>
-#include <cstdint>
-#include <set>
-#include <utility>
-#include <vector>
-
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::detail::join;

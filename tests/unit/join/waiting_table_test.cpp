@@ -1,12 +1,8 @@
 // The joiner's hash table: bounded windows, and a map to compare with.
-#include <doctest/doctest.h>
 #include <discmc/join/waiting_table.hpp>
 
-#include <algorithm>
-#include <cstdint>
-#include <vector>
-
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::detail::join;

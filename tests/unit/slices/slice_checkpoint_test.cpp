@@ -1,13 +1,10 @@
 // Checkpoints of a slice encoder: a scan resumed after a power failure makes the stream of an
 // uninterrupted scan.
-#include <doctest/doctest.h>
-
-#include <cstring>
-
 #include "oracle/checkpointed_device.hpp"
 #include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
 #include "oracle/thinned.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -1,10 +1,8 @@
 // The slice decoder alone: refusals, reports, and packets made by hand.
-#include <doctest/doctest.h>
 #include <discmc/slice_decoder.hpp>
 
-#include <array>
-
 #include "oracle/slice_stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

@@ -1,10 +1,9 @@
 // Streams of slices: every volume arrives unchanged, for any portions, line and receiver.
-#include <doctest/doctest.h>
-
 #include <discmc/receiver.hpp>
 
 #include "oracle/slice_config.hpp"
 #include "oracle/slice_stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -34,9 +33,7 @@ void check_rows(const BitVolume& volume, const ReceivedRows& received) {
 }
 
 void check_round_trip(const BitVolume& volume, const SlicePlan& plan = {}) {
-  CAPTURE(volume.width);
-  CAPTURE(volume.height);
-  CAPTURE(plan.key_slice_interval);
+  INFO("width ", volume.width, ", height ", volume.height, ", interval ", plan.key_slice_interval);
   check_rows(volume, decode_slices(encode_slices(volume, plan),
                                    {volume.width, volume.height, volume.depth}));
 }
@@ -367,8 +364,7 @@ TEST_CASE("a header is repeated after 64 packets, but not behind the trailer") {
 TEST_CASE("a run longer than its row is refused") {
   for (const uint32_t width : {3U, 5U})
     for (uint32_t length = width; length < (width == 3 ? 4 : 8); ++length) {
-      CAPTURE(width);
-      CAPTURE(length);
+      INFO("width ", width, ", length ", length);
       const BitVolume volume({width, 1, 1});
       std::vector<Bytes> frames = frames_of(encode_slices(volume));
       Packet packet = packet_of(frames[1]);
@@ -542,8 +538,7 @@ TEST_CASE("several surfaces are decoded from one stream, each as if alone") {
        {std::vector<int32_t>{120}, {100, 140}, {140, 100}, {100, 101, 160, 250}, {0, 300, 90}})
     for (const uint32_t interval : {0U, 1U, 2U})
       for (const bool skips : {false, true}) {
-        CAPTURE(thresholds.size());
-        CAPTURE(interval);
+        INFO("thresholds.size() ", thresholds.size(), ", interval ", interval);
         const StreamHeader header = header_of_surfaces(size, thresholds);
         const Bytes stream = encode_surfaces(header, samples, {interval}, skips,
                                              interval == 1 ? 3 : 1000 * interval);
@@ -659,8 +654,7 @@ TEST_CASE("codes are cut at any pending carry, between rows or within a row of a
   for (const reference::Size& size : {reference::Size{2, 5000, 1}, {1, 7000, 1}, {40, 200, 1}})
     for (const std::vector<int32_t>& thresholds : {std::vector<int32_t>{1}, {1, 1, 1}})
       for (uint32_t seed = 1; seed < 5; ++seed) {
-        CAPTURE(size.width);
-        CAPTURE(seed);
+        INFO("width ", size.width, ", seed ", seed);
         const StreamHeader header = header_of_surfaces(size, thresholds);
         const std::vector<Bytes> rows = rows_on_the_edge(header, seed);
         Line line;
@@ -749,8 +743,7 @@ TEST_CASE(
   const uint8_t row[9] = {1, 0, 1};
   for (const uint32_t height : {1U, 2U})
     for (const bool skips : {false, true}) {
-      CAPTURE(height);
-      CAPTURE(skips);
+      INFO("height ", height, ", skips ", skips);
       // With every key slice a packet ends, which this line does not take.
       LimitedLine line;
       const StreamHeader header = header_of_surfaces({9, height, 2}, {1});

@@ -1,9 +1,9 @@
 // The surface decoder alone: started again, given memory, and streams that end where none should.
-#include <doctest/doctest.h>
 #include <discmc/receiver.hpp>
 
 #include "oracle/slice_stream.hpp"
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -118,8 +118,7 @@ TEST_CASE("the surface is closed at the end of the scan, whatever the trailer co
   // Scans of two slices and of one and a half: every four rows have a packet.
   for (const uint32_t rows : {16U, 12U})
     for (const uint8_t is_abandoned : {uint8_t{0}, uint8_t{1}}) {
-      CAPTURE(rows);
-      CAPTURE(is_abandoned);
+      INFO("rows ", rows, ", is_abandoned ", is_abandoned);
       std::vector<Bytes> frames(whole.begin(), whole.begin() + 1 + rows / 4);
       Packet trailer = packet_of(whole.back());
       REQUIRE(trailer.is(detail::wire::PacketKind::slices_trailer));
@@ -209,9 +208,7 @@ TEST_CASE("skipped and lost rows are skipped in any surface, even if the sink is
     Bytes memory(Receiver::minimum_bytes({scan.width, 8}, scan.surfaces) + 100000);
     for (uint8_t surface = 0; surface < scan.surfaces; ++surface)
       for (const bool refuses : {false, true}) {
-        CAPTURE(scan.width);
-        CAPTURE(surface);
-        CAPTURE(refuses);
+        INFO("width ", scan.width, ", surface ", surface, ", refuses ", refuses);
         const auto channel = static_cast<uint8_t>(3 + surface);
         EventLog log(refuses ? EventLog::Refuses(reference::refuses_first) : nullptr);
         SurfaceDecoder decoder;

@@ -1,10 +1,8 @@
 // The stuffing of frames: every length, every position of a zero, and bytes that are not stuffed.
-#include <doctest/doctest.h>
 #include <discmc/stream/cobs.hpp>
 
-#include <algorithm>
-
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using test::Bytes;

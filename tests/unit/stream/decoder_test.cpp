@@ -1,7 +1,6 @@
 // The decoder alone: refusals, skipped packets, reports, and packets made by hand.
-#include <doctest/doctest.h>
-
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;
@@ -489,8 +488,7 @@ TEST_CASE("a later header reports all packets and regions lost before it") {
   };
   for (const Before before : {Before{1, 0}, Before{2, 0}, Before{257, 0}, Before{300, 70000},
                               Before{1, 5}, Before{1, 65536}, Before{2, 70000}}) {
-    CAPTURE(before.packets);
-    CAPTURE(before.regions);
+    INFO("packets ", before.packets, ", regions ", before.regions);
     const StreamReport report =
         decode(joined({stream_of({}), header_after(before.packets, before.regions)})).report;
     CHECK(report.packets == 2);

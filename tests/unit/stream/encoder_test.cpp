@@ -1,9 +1,8 @@
 // The encoder alone: its packets, their heads, its slow outputs, flush(), and records at the
 // limits.
-#include <doctest/doctest.h>
-
 #include "oracle/checkpointed_device.hpp"
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

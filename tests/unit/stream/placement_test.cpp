@@ -1,11 +1,8 @@
 // The placement of a volume in space, as an application record.
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <discmc/placement.hpp>
-#include <vector>
 
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 

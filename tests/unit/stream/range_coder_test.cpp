@@ -1,10 +1,8 @@
 // The range coder alone: any bits under any probabilities, its length, its carries and its ends.
-#include <doctest/doctest.h>
 #include <discmc/stream/range_coder.hpp>
 
-#include <cmath>
-
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using test::Bytes;

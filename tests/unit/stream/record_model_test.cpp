@@ -1,13 +1,11 @@
 // The model of records: all symbols are decoded unchanged, also at the ends of every range.
-#include <doctest/doctest.h>
 #include <discmc/stream/record_reading.hpp>
 #include <discmc/stream/record_writing.hpp>
-
-#include <cmath>
 
 #include "oracle/stream.hpp"
 #include "oracle/symbol_rows.hpp"
 #include "oracle/table_statements.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::detail::stream;

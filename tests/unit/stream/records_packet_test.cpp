@@ -2,12 +2,8 @@
 #include <discmc/receiver.hpp>
 #include <discmc/stream/records_packet.hpp>
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <vector>
-
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::test;

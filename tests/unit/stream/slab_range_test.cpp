@@ -1,9 +1,8 @@
 // Which slices a stream is of, as an application record.
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <discmc/placement.hpp>
 #include <iterator>
+
+#include "test.hpp"
 
 using namespace discmc;
 

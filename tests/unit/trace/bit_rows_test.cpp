@@ -1,14 +1,11 @@
 // Rows of bits against the definition: the bit of each voxel, its copies and the halo, for samples
 // in any portions. The rows around a row stay right while later rows overwrite the oldest.
-#include <doctest/doctest.h>
 #include <discmc/trace/bit_rows.hpp>
 
-#include <algorithm>
-#include <memory>
 #include <random>
-#include <vector>
 
 #include "oracle/volume.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using reference::BitVolume;
@@ -307,10 +304,7 @@ TEST_CASE_TEMPLATE("samples may have any address and start at any column", Sampl
           rows.append(samples, count, stride, 100);
           CHECK(rows.column() == column + count);
           rows.fill_off();
-          CAPTURE(place);
-          CAPTURE(column);
-          CAPTURE(count);
-          CAPTURE(stride);
+          INFO("place ", place, ", column ", column, ", count ", count, ", stride ", stride);
           check_first_row(rows, width, [&](int32_t x) {
             const uint32_t i = static_cast<uint32_t>(x) - column;
             return i < count && samples[i * stride] >= 100;

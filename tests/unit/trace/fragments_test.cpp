@@ -1,11 +1,8 @@
 // When fragments go out loose: as late as possible, and such that many regions stay whole.
 #include <discmc/trace/fragments.hpp>
 
-#include <doctest/doctest.h>
-
-#include <vector>
-
 #include "oracle/scan.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

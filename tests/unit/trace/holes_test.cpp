@@ -1,15 +1,11 @@
 // Holes belong to the ring around them, in planes of every direction; without one, they go out
 // loose.
-#include <doctest/doctest.h>
-
 #include <discmc/trace/holes.hpp>
-
-#include <algorithm>
-#include <string>
 
 #include "oracle/agreement.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

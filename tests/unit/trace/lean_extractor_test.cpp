@@ -1,11 +1,11 @@
 // A lean extractor sends the surface of the scans that it accepts, and refuses the others.
-#include <doctest/doctest.h>
 #include <discmc/trace/extractor_definitions.hpp>
 
 #include "oracle/agreement.hpp"
 #include "oracle/event_log.hpp"
 #include "oracle/join.hpp"
 #include "oracle/scan.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -1,10 +1,9 @@
 // Ends come out of a queue as they went in, and those that were lost as lost, however many.
 #include <discmc/trace/queues.hpp>
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <discmc/trace/passes.hpp>
+
+#include "test.hpp"
 
 using namespace discmc;
 

@@ -1,12 +1,9 @@
 // A ring begins at its last vertex, which is a top and is passed once.
-#include <doctest/doctest.h>
-
 #include <discmc/geometry/loop_facets.hpp>
 #include <discmc/trace/delivery.hpp>
 
-#include <algorithm>
-
 #include "oracle/neighbourhoods.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;

@@ -1,10 +1,9 @@
 // Lists of runs keep their order, and return every slot.
-#include <doctest/doctest.h>
-
 #include <discmc/trace/run_list.hpp>
 
 #include <deque>
-#include <vector>
+
+#include "test.hpp"
 
 using namespace discmc;
 

@@ -1,13 +1,11 @@
 // Slabs of a volume: joined, and added up, they are the whole.
-#include <doctest/doctest.h>
-
 #include <discmc/normal_extractor.hpp>
-#include <vector>
 #include "host/host_extractor.hpp"
 
 #include "oracle/agreement.hpp"
 #include "oracle/naive_join.hpp"
 #include "oracle/scan.hpp"
+#include "test.hpp"
 
 using namespace discmc;
 using namespace discmc::reference;
@@ -26,9 +24,7 @@ TEST_CASE("slabs join to the whole, and their counts add up except at seams") {
     const BitVolume volume = random({9, 8, 6}, 20 + 18 * static_cast<uint32_t>(seed), seed);
     for (const Border border : {Border::closed, Border::open})
       for (const uint32_t slices : {1U, 2U, 4U}) {
-        CAPTURE(seed);
-        CAPTURE(border == Border::closed);
-        CAPTURE(slices);
+        INFO("seed ", seed, ", is_closed ", border == Border::closed, ", slices ", slices);
         const std::vector<Collector> slabs = scan_slabs<uint16_t>(volume, border, slices, 20000);
         CHECK(unlike_joined(slabs, merge(volume, border == Border::closed)) == "");
         Statistics sum{};

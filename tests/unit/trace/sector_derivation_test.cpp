@@ -4,13 +4,12 @@
 // The source is compiled in here; the library's object of it is then not linked.
 #include <discmc/trace/sector_table.cpp>
 
-#include <doctest/doctest.h>
-
 #include <string.h>
 #include <discmc/trace/fragments.hpp>
 #include <discmc/trace/neighbourhood.hpp>
 
 #include "oracle/sector_statements.hpp"
+#include "test.hpp"
 
 namespace discmc::detail::trace {
 namespace {

@@ -1,0 +1,23 @@
+// What nearly every test includes: doctest, and these headers of the standard library.
+#ifndef DISCMC_TESTS_SUPPORT_TEST_HPP
+#define DISCMC_TESTS_SUPPORT_TEST_HPP
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#endif
