@@ -160,7 +160,7 @@ def python_strings(text):
 def titles(text):
     """Yields (line, title, TITLE) of test cases and their parts."""
     literal = r'"((?:[^"\\\n]|\\.)*)"'
-    begin = r'\b(?:TEST_CASE|TEST_CASE_TEMPLATE|SUBCASE)\(\s*'
+    begin = r'\b(?:(?:TEST_CASE|TEST_CASE_TEMPLATE|SUBCASE)\(|TEST_CASE_FIXTURE\(\s*\w+,)\s*'
     for found in re.finditer(f'{begin}({literal}(?:\\s*{literal})*)', text):
         title = ''.join(re.findall(literal, found.group(1)))
         yield text.count('\n', 0, found.start(1)) + 1, title, TITLE

@@ -1,12 +1,6 @@
 // What messages advise is run, and works.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "command.hpp"
 #include "pages/page.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
@@ -20,19 +14,6 @@ struct Advice {
   std::string advice;     // in the message
   std::string then;       // the arguments when it was followed
 };
-
-void check_advice(const Workshop& workshop, const std::vector<Advice>& all) {
-  for (const Advice& each : all) {
-    INFO(each.arguments, "\n", each.then);
-    const Result refused = workshop.run(each.arguments);
-    CHECK(refused.code != 0);
-    INFO(refused.error);
-    CHECK(contains(refused.error, each.advice));
-    const Result followed = workshop.run(each.then);
-    INFO(followed.error);
-    CHECK(followed.code == 0);
-  }
-}
 
 // Six by five by four voxels of text, on in the middle.
 std::string text_volume(const std::string& off, const std::string& on) {
@@ -50,33 +31,44 @@ std::string volume_of(const std::string& samples, const std::string& type = "sho
          samples;
 }
 
-void write_inputs(const Workshop& workshop) {
-  workshop.write("v.nrrd", volume_of(text_volume("10", "200")));
-  workshop.write("mri.nrrd", volume_of(text_volume("3", "600"), "float"));
-  workshop.write("flat.nrrd", volume_of(text_volume("7", "7")));
-  workshop.write("labels.nrrd", volume_of(text_volume("0", "2")));
-  workshop.write("half.nrrd", volume_of(text_volume("0", "2.5"), "float"));
-  workshop.write("mask.nrrd", volume_of(text_volume("0", "1")));
-  workshop.write("two.nrrd", nrrd("type: short\nencoding: ascii\nspacings: 1 1 1 1\n", "6 5 4 2") +
-                                 "\n" + text_volume("0", "5") + text_volume("0", "9"));
-  workshop.write("v.raw", std::string(3 * 60, '\0') + std::string(3 * 60, '\1'));
-  workshop.write("patient.nrrd",
-                 nrrd("type: short\nencoding: ascii\nspace: LPS\nspace directions: (1,0,0) (0,1,0) "
-                      "(0,0,1)\n",
-                      "6 5 4") +
-                     "\n" + text_volume("10", "200"));
-  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
-  workshop.done("extract v.nrrd --iso 100 -q -o v.stl");
-}
+struct Inputs : Workshop {
+  Inputs() {
+    write("v.nrrd", volume_of(text_volume("10", "200")));
+    write("mri.nrrd", volume_of(text_volume("3", "600"), "float"));
+    write("flat.nrrd", volume_of(text_volume("7", "7")));
+    write("labels.nrrd", volume_of(text_volume("0", "2")));
+    write("half.nrrd", volume_of(text_volume("0", "2.5"), "float"));
+    write("mask.nrrd", volume_of(text_volume("0", "1")));
+    write("two.nrrd", nrrd("type: short\nencoding: ascii\nspacings: 1 1 1 1\n", "6 5 4 2") + "\n" +
+                          text_volume("0", "5") + text_volume("0", "9"));
+    write("v.raw", std::string(3 * 60, '\0') + std::string(3 * 60, '\1'));
+    write("patient.nrrd",
+          nrrd("type: short\nencoding: ascii\nspace: LPS\nspace directions: (1,0,0) (0,1,0) "
+               "(0,0,1)\n",
+               "6 5 4") +
+              "\n" + text_volume("10", "200"));
+    done("extract v.nrrd --iso 100 -q -o v.dmc");
+    done("extract v.nrrd --iso 100 -q -o v.stl");
+  }
+  void check_advice(const std::vector<Advice>& all) const {
+    for (const Advice& each : all) {
+      INFO(each.arguments, "\n", each.then);
+      const Result refused = run(each.arguments);
+      CHECK(refused.code != 0);
+      INFO(refused.error);
+      CHECK(contains(refused.error, each.advice));
+      const Result followed = run(each.then);
+      INFO(followed.error);
+      CHECK(followed.code == 0);
+    }
+  }
+};
 
 }  // namespace
 
-TEST_CASE("the advice for inputs works") {
-  const Workshop workshop;
-  write_inputs(workshop);
+TEST_CASE_FIXTURE(Inputs, "the advice for inputs works") {
   const std::string out = " -q -o out.stl";
   check_advice(
-      workshop,
       {{"extract two.nrrd --iso 5" + out, "choose one with --frame N, the first is 0",
         "extract two.nrrd --iso 5 --frame 1" + out},
        {"extract two.nrrd --iso 5 --frame 2" + out, "choose one with --frame 0 to 1",
@@ -121,33 +113,27 @@ TEST_CASE("the advice for inputs works") {
         "give a smaller volume, or accept an empty surface with --allow-empty",
         "extract v.nrrd --iso 100 --min-volume 1" + out}});
   for (const std::string advised : {"v.nrrd", "v.raw --dims 6,5,12 --type u8"})
-    CHECK(workshop
-              .shell("cat " + advised.substr(0, 6) + " | \"$discmc\" extract - " +
-                     advised.substr(6) + " --iso auto" + out)
+    CHECK(shell("cat " + advised.substr(0, 6) + " | \"$discmc\" extract - " + advised.substr(6) +
+                " --iso auto" + out)
               .code == 1);
-  CHECK(contains(workshop.shell("cat v.nrrd | \"$discmc\" extract - --iso auto" + out).error,
+  CHECK(contains(shell("cat v.nrrd | \"$discmc\" extract - --iso auto" + out).error,
                  "can be read only once; store it in a file"));
 }
 
-TEST_CASE("the advice for volumes in files works") {
-  const Workshop workshop;
-  write_inputs(workshop);
-  workshop.write("colours.nrrd",
-                 nrrd("type: uchar\nencoding: ascii\nkinds: vector domain domain domain\n"
-                      "spacings: nan 1 1 1\n",
-                      "2 6 5 4") +
-                     "\n" + text_volume("0", "5") + text_volume("0", "9"));
-  workshop.write("v.npy", npy("|u1", "4, 5, 6", std::string(120, '\1')));
-  workshop.write("times.npy", npy("|u1", "2, 4, 5, 6", std::string(240, '\1')));
-  workshop.shell("mkdir masks");
+TEST_CASE_FIXTURE(Inputs, "the advice for volumes in files works") {
+  write("colours.nrrd", nrrd("type: uchar\nencoding: ascii\nkinds: vector domain domain domain\n"
+                             "spacings: nan 1 1 1\n",
+                             "2 6 5 4") +
+                            "\n" + text_volume("0", "5") + text_volume("0", "9"));
+  write("v.npy", npy("|u1", "4, 5, 6", std::string(120, '\1')));
+  write("times.npy", npy("|u1", "2, 4, 5, 6", std::string(240, '\1')));
   const std::string mask = std::string(30, '\0') + std::string(30, '\1');
   for (const std::string name : {"liver", "spleen"})
-    workshop.write("masks/" + name + ".nii", Nifti().file(mask));
+    write("masks/" + name + ".nii", Nifti().file(mask));
   const std::string out = " -q -o out.stl", iso = " --iso 5" + out;
   const std::string any = " --allow-empty" + iso;
   const std::string v = "extract v.nrrd --iso 100" + out;
   check_advice(
-      workshop,
       {{"extract colours.nrrd" + iso, "choose one with --channel N, the first is 0",
         "extract colours.nrrd --channel 0" + any},
        {"extract colours.nrrd --channel 2" + iso, "choose one with --channel 0 to 1",
@@ -175,24 +161,21 @@ TEST_CASE("the advice for volumes in files works") {
        {"extract v.raw --dims 6,5,12 --type i32 --iso 1" + out, "give --type u8",
         "extract v.raw --dims 6,5,12 --type u8 --iso 1" + out}});
   const std::string head = nrrd("type: uchar\nencoding: raw\n", "6 5 4") + "\n";
-  workshop.write("named.raw", head + std::string(120, '\1'));
-  check_advice(workshop, {{"extract named.raw --dims 6,5,4 --type u8" + iso,
-                           "skip its header with --skip-bytes",
-                           "extract named.raw --dims 6,5,4 --type u8 --skip-bytes " +
-                               std::to_string(head.size()) + any}});
-  workshop.write("masks/both.nii", Nifti().file(std::string(30, '\2') + std::string(30, '\1')));
-  check_advice(workshop, {{"extract masks --labels all -q -o out.glb", "give this file alone",
-                           "extract masks/both.nii --labels all -q -o out.glb"}});
+  write("named.raw", head + std::string(120, '\1'));
+  check_advice(
+      {{"extract named.raw --dims 6,5,4 --type u8" + iso, "skip its header with --skip-bytes",
+        "extract named.raw --dims 6,5,4 --type u8 --skip-bytes " + std::to_string(head.size()) +
+            any}});
+  write("masks/both.nii", Nifti().file(std::string(30, '\2') + std::string(30, '\1')));
+  check_advice({{"extract masks --labels all -q -o out.glb", "give this file alone",
+                 "extract masks/both.nii --labels all -q -o out.glb"}});
 }
 
-TEST_CASE("the advice for options works") {
-  const Workshop workshop;
-  write_inputs(workshop);
+TEST_CASE_FIXTURE(Inputs, "the advice for options works") {
   const std::string iso = "extract v.nrrd --iso 100 -q ";
   const std::string stl = iso + "-o out.stl ", ply = iso + "-o out.ply ", dmc = iso + "-o out.dmc ";
   const std::string all = "extract labels.nrrd --labels all -q ";
   check_advice(
-      workshop,
       {{"extract v.nrrd -o out.stl", "add --iso auto, --iso ISO",
         "extract v.nrrd --iso auto -o out.stl"},
        {"tune v.nrrd", "add --iso auto, or", "tune v.nrrd --iso auto"},
@@ -277,28 +260,24 @@ TEST_CASE("the advice for options works") {
         "render v.dmc --view 1,0,0 -o out.png"},
        {"render v.dmc --iso 5 -o out.png", "leave it out", "render v.dmc -o out.png"},
        {"render v.dmc -o out.jpg", "give a name that ends in .png", "render v.dmc -o out.png"}});
-  for (const std::string slab : {"1", "2"})
-    workshop.done(iso + "--slab " + slab + "/2 -o " + slab + ".dmc");
-  check_advice(workshop, {{"join 1.dmc 2.dmc 2.dmc -o out.dmc", "give every slab once",
-                           "join 1.dmc 2.dmc -o out.dmc"},
-                          {"join 1.dmc 2.dmc -o out.dmc --memory x",
-                           "expected a whole number with K, M or G, as in 24K",
-                           "join 1.dmc 2.dmc -o out.dmc --memory 24K"}});
-  check_advice(workshop, {{iso + "-o 'none/{name}.stl'", "the folder does not exist; create it",
-                           iso + "-o 'out-{name}.stl'"}});
-  REQUIRE(workshop.shell("mkdir none").code == 0);
-  workshop.done(iso + "-o 'none/{name}.stl'");
+  for (const std::string slab : {"1", "2"}) done(iso + "--slab " + slab + "/2 -o " + slab + ".dmc");
+  check_advice(
+      {{"join 1.dmc 2.dmc 2.dmc -o out.dmc", "give every slab once", "join 1.dmc 2.dmc -o out.dmc"},
+       {"join 1.dmc 2.dmc -o out.dmc --memory x",
+        "expected a whole number with K, M or G, as in 24K",
+        "join 1.dmc 2.dmc -o out.dmc --memory 24K"}});
+  check_advice({{iso + "-o 'none/{name}.stl'", "the folder does not exist; create it",
+                 iso + "-o 'out-{name}.stl'"}});
+  REQUIRE(shell("mkdir none").code == 0);
+  done(iso + "-o 'none/{name}.stl'");
 }
 
-TEST_CASE("the advice for pages works") {
+TEST_CASE_FIXTURE(Inputs, "the advice for pages works") {
   if (discmc::command::page_template().empty()) return;
-  const Workshop workshop;
-  write_inputs(workshop);
-  check_advice(workshop,
-               {{"view v.nrrd --no-open --median 3 -o out.html", "add --iso auto",
+  check_advice({{"view v.nrrd --no-open --median 3 -o out.html", "add --iso auto",
                  "view v.nrrd --no-open --median 3 --iso auto -o out.html"},
                 {"view - --no-open", "give -o PAGE.html", "view v.dmc --no-open -o page.html"}});
-  workshop.write("v.html", "no page of discmc");
-  check_advice(workshop, {{"view v.dmc --no-open", "overwrite it with -o v.html",
-                           "view v.dmc --no-open -o v.html"}});
+  write("v.html", "no page of discmc");
+  check_advice(
+      {{"view v.dmc --no-open", "overwrite it with -o v.html", "view v.dmc --no-open -o v.html"}});
 }

@@ -1,9 +1,9 @@
 // Application records in words.
 #include "streams/application_text.hpp"
 
-#include <doctest/doctest.h>
-
 #include <discmc/placement.hpp>
+
+#include "test.hpp"
 
 using namespace discmc;
 using command::text;

@@ -1,6 +1,4 @@
 // Cavities that are filled: --fill.
-#include <doctest/doctest.h>
-
 #include "command.hpp"
 #include "sample_reader.hpp"
 #include "surface/components.hpp"

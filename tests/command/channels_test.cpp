@@ -21,118 +21,114 @@ const std::string volume = "v.raw --dims 16,16,16 --type u8 ";
 
 }  // namespace
 
-TEST_CASE("several thresholds make several surfaces, each on a channel, in either kind of stream") {
-  const Workshop workshop;
-  workshop.write("v.raw", cone(16));
+TEST_CASE_FIXTURE(
+    Workshop,
+    "several thresholds make several surfaces, each on a channel, in either kind of stream") {
+  write("v.raw", cone(16));
   for (const std::string wire : {"regions", "slices"}) {
     CAPTURE(wire);
-    workshop.done("extract " + volume + "--iso 20 --iso 40 --iso 60 --scan 77 --wire " + wire +
-                  " -o all.dmc");
+    done("extract " + volume + "--iso 20 --iso 40 --iso 60 --scan 77 --wire " + wire +
+         " -o all.dmc");
     const char* const isos[] = {"20", "40", "60"};
     for (int channel = 0; channel < 3; ++channel) {
       const std::string chosen = "all.dmc --stream-channel " + std::to_string(channel);
-      auto info = workshop.info(chosen);
+      auto info = info_of(chosen);
       CHECK(info["stream_channel"] == std::to_string(channel));
       CHECK(info["threshold"] == isos[channel]);
       CHECK(info["scan"] == "77");
       CHECK(info["complete"] == "yes");
-      workshop.done("decode " + chosen + " -o of_all.stl");
-      workshop.done("extract " + volume + "--iso " + isos[channel] + " -o alone.stl");
-      CHECK(workshop.read("of_all.stl") == workshop.read("alone.stl"));
-      workshop.done("decode " + chosen + " -o again.dmc");
-      CHECK(workshop.info("again.dmc")["threshold"] == isos[channel]);
-      CHECK(workshop.info("again.dmc")["stream_channel"] == std::to_string(channel));
+      done("decode " + chosen + " -o of_all.stl");
+      done("extract " + volume + "--iso " + isos[channel] + " -o alone.stl");
+      CHECK(read("of_all.stl") == read("alone.stl"));
+      done("decode " + chosen + " -o again.dmc");
+      CHECK(info_of("again.dmc")["threshold"] == isos[channel]);
+      CHECK(info_of("again.dmc")["stream_channel"] == std::to_string(channel));
     }
-    workshop.done("render all.dmc --stream-channel 1 -o p.png");
+    done("render all.dmc --stream-channel 1 -o p.png");
   }
 }
 
-TEST_CASE("each of several surfaces has normals of its own") {
-  const Workshop workshop;
-  workshop.write("v.raw", cone(16));
+TEST_CASE_FIXTURE(Workshop, "each of several surfaces has normals of its own") {
+  write("v.raw", cone(16));
   const std::string normals = " --normals gradient -o ";
-  workshop.done("extract " + volume + "--iso 60 --iso 80" + normals + "all.dmc");
+  done("extract " + volume + "--iso 60 --iso 80" + normals + "all.dmc");
   for (const int channel : {0, 1}) {
     const std::string iso = std::to_string(60 + 20 * channel);
-    workshop.done("extract " + volume + "--iso " + iso + normals + "alone.dmc");
-    workshop.done("decode alone.dmc" + normals + "alone.ply");
-    workshop.done("decode all.dmc --stream-channel " + std::to_string(channel) + normals +
-                  "of_all.ply");
-    CHECK(contains(workshop.read("of_all.ply"), "property float nx"));
-    CHECK(workshop.read("of_all.ply") == workshop.read("alone.ply"));
+    done("extract " + volume + "--iso " + iso + normals + "alone.dmc");
+    done("decode alone.dmc" + normals + "alone.ply");
+    done("decode all.dmc --stream-channel " + std::to_string(channel) + normals + "of_all.ply");
+    CHECK(contains(read("of_all.ply"), "property float nx"));
+    CHECK(read("of_all.ply") == read("alone.ply"));
   }
 }
 
-TEST_CASE("without --channel the first channel is decoded, and a note lists the others") {
-  const Workshop workshop;
-  workshop.write("v.raw", cone(16));
-  workshop.done("extract " + volume + "--iso 20 --iso 40 -o all.dmc");
-  const auto first = workshop.run("decode all.dmc -o first.stl");
+TEST_CASE_FIXTURE(Workshop,
+                  "without --channel the first channel is decoded, and a note lists the others") {
+  write("v.raw", cone(16));
+  done("extract " + volume + "--iso 20 --iso 40 -o all.dmc");
+  const auto first = run("decode all.dmc -o first.stl");
   CHECK(first.code == 0);
   CHECK(contains(
       first.error,
       "scan 0 channel 0 of scan 0 channel 0 (threshold 20), scan 0 channel 1 (threshold 40)"));
-  CHECK(workshop.run("decode all.dmc --stream-channel 0 -o first.stl").error.empty());
-  const auto none = workshop.run("decode all.dmc --stream-channel 2 -o none.stl");
+  CHECK(run("decode all.dmc --stream-channel 0 -o first.stl").error.empty());
+  const auto none = run("decode all.dmc --stream-channel 2 -o none.stl");
   CHECK(none.code == 1);
   CHECK(contains(none.error, "no such surface; choose one of scan 0 channel 0 (threshold 20), "));
 }
 
-TEST_CASE("streams of two scans on one link are separated") {
-  const Workshop workshop;
-  workshop.write("v.raw", cone(16));
-  workshop.done("extract " + volume + "--iso 20 --scan 1 -o one.dmc");
-  workshop.done("extract " + volume + "--iso 40 --scan 2 -o two.dmc");
-  workshop.write("link.dmc", workshop.read("one.dmc") + workshop.read("two.dmc"));
-  auto info = workshop.info("link.dmc");
+TEST_CASE_FIXTURE(Workshop, "streams of two scans on one link are separated") {
+  write("v.raw", cone(16));
+  done("extract " + volume + "--iso 20 --scan 1 -o one.dmc");
+  done("extract " + volume + "--iso 40 --scan 2 -o two.dmc");
+  write("link.dmc", read("one.dmc") + read("two.dmc"));
+  auto info = info_of("link.dmc");
   CHECK(info["scan"] == "1");
   CHECK(info["complete"] == "yes");
   CHECK(std::stoi(info["foreign_packets"]) > 2);
-  info = workshop.info("link.dmc --scan 2");
+  info = info_of("link.dmc --scan 2");
   CHECK(info["scan"] == "2");
   CHECK(info["threshold"] == "40");
   CHECK(info["complete"] == "yes");
   CHECK(info["foreign_packets"] == "0");
-  CHECK(contains(workshop.run("info link.dmc").error, "choose with --scan N"));
-  workshop.done("decode two.dmc -o alone.stl");
-  workshop.done("decode link.dmc --scan 2 -o of_link.stl");
-  CHECK(workshop.read("of_link.stl") == workshop.read("alone.stl"));
-  CHECK(workshop.run("decode link.dmc --scan 3 -o none.stl").code == 1);
-  CHECK(workshop.run("render " + volume + "--iso 20 --scan 1 -o p.png").code == 2);
+  CHECK(contains(run("info link.dmc").error, "choose with --scan N"));
+  done("decode two.dmc -o alone.stl");
+  done("decode link.dmc --scan 2 -o of_link.stl");
+  CHECK(read("of_link.stl") == read("alone.stl"));
+  CHECK(run("decode link.dmc --scan 3 -o none.stl").code == 1);
+  CHECK(run("render " + volume + "--iso 20 --scan 1 -o p.png").code == 2);
 }
 
-TEST_CASE("streams that one scan number and one channel begin are listed by all their surfaces") {
-  const Workshop workshop;
-  workshop.write("v.raw", cone(16));
-  workshop.done("extract " + volume + "--iso 20 --wire slices -o a.dmc");
-  workshop.done("extract " + volume + "--iso 30 --iso 40 --wire slices -o b.dmc");
-  workshop.write("link.dmc", workshop.read("a.dmc") + workshop.read("b.dmc"));
-  const std::string list = workshop.done("info link.dmc");
+TEST_CASE_FIXTURE(
+    Workshop,
+    "streams that one scan number and one channel begin are listed by all their surfaces") {
+  write("v.raw", cone(16));
+  done("extract " + volume + "--iso 20 --wire slices -o a.dmc");
+  done("extract " + volume + "--iso 30 --iso 40 --wire slices -o b.dmc");
+  write("link.dmc", read("a.dmc") + read("b.dmc"));
+  const std::string list = done("info link.dmc");
   CHECK(contains(list, "surface scan 0 channel 0 threshold 20\n"));
   CHECK(contains(list, "surface scan 0 channel 0 threshold 30\n"));
   CHECK(contains(list, "surface scan 0 channel 1 threshold 40\n"));
 }
 
-TEST_CASE("extract prints the encoder's memory for a stream of slices, and no arena") {
-  const Workshop workshop;
-  workshop.write("v.raw", cone(16));
+TEST_CASE_FIXTURE(Workshop,
+                  "extract prints the encoder's memory for a stream of slices, and no arena") {
+  write("v.raw", cone(16));
   const std::string extract = "extract " + volume + "--iso 20 --wire slices -o s.dmc";
-  const auto result = workshop.run(extract);
+  const auto result = run(extract);
   CHECK(contains(result.out, "bytes of slice encoder"));
   CHECK_FALSE(contains(result.out, "arena"));
   for (const std::string memory : {" --memory 64K", " --capacities 100,10"}) {
-    check_failure(workshop.run(extract + memory), 2, {"leave out --memory"});
+    fails(extract + memory, 2, {"leave out --memory"});
   }
 }
 
-TEST_CASE("several surfaces are a stream, and no more than four") {
-  const Workshop workshop;
-  workshop.write("v.raw", cone(16));
-  check_failure(workshop.run("extract " + volume + "--iso 20 --iso 40 -o a.stl"), 2, {"{name}"});
-  check_failure(
-      workshop.run("extract " + volume + "--iso 1 --iso 2 --iso 3 --iso 4 --iso 5 -o a.dmc"), 2,
-      {"4 at most"});
-  const auto drawn = workshop.run("render " + volume + "--iso 20 --stream-channel 1 -o p.png");
+TEST_CASE_FIXTURE(Workshop, "several surfaces are a stream, and no more than four") {
+  write("v.raw", cone(16));
+  fails("extract " + volume + "--iso 20 --iso 40 -o a.stl", 2, {"{name}"});
+  fails("extract " + volume + "--iso 1 --iso 2 --iso 3 --iso 4 --iso 5 -o a.dmc", 2, {"4 at most"});
+  const auto drawn = run("render " + volume + "--iso 20 --stream-channel 1 -o p.png");
   CHECK(drawn.code == 2);
-  CHECK(workshop.run("render " + volume + "--iso 20 --iso 30 -o p.png").code == 2);
+  CHECK(run("render " + volume + "--iso 20 --iso 30 -o p.png").code == 2);
 }

@@ -1,9 +1,5 @@
 #include "extraction/classic.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include "command.hpp"
 #include "oracle/stream.hpp"
 #include "sample_reader.hpp"

@@ -1,9 +1,4 @@
 // discmc extract, decode and render without noise and specks.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-
 #include "command.hpp"
 #include "oracle/volume.hpp"
 
@@ -31,17 +26,16 @@ std::size_t lines(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("the largest bodies are kept, in meshes of volumes and of streams") {
-  const Workshop workshop;
-  workshop.write("v.raw", boxes());
-  workshop.done(extract + "-o all.jsonl");
+TEST_CASE_FIXTURE(Workshop, "the largest bodies are kept, in meshes of volumes and of streams") {
+  write("v.raw", boxes());
+  done(extract + "-o all.jsonl");
   const auto kept = [&](const std::string& options) {
-    const auto result = workshop.run(extract + options + " --allow-empty -q -o kept.jsonl");
+    const auto result = run(extract + options + " --allow-empty -q -o kept.jsonl");
     CHECK(result.code == 0);
-    workshop.done(extract + "-q -o v.dmc");
-    const auto decoded = workshop.run("decode v.dmc " + options + " -o decoded.jsonl");
+    done(extract + "-q -o v.dmc");
+    const auto decoded = run("decode v.dmc " + options + " -o decoded.jsonl");
     CHECK(decoded.code == 0);
-    CHECK(lines(workshop.read("kept.jsonl")) == lines(workshop.read("decoded.jsonl")));
+    CHECK(lines(read("kept.jsonl")) == lines(read("decoded.jsonl")));
     const std::string told = "v.raw: ";
     CHECK(result.error.empty() == decoded.error.empty());
     if (result.error.empty()) return result.error;
@@ -51,66 +45,61 @@ TEST_CASE("the largest bodies are kept, in meshes of volumes and of streams") {
   };
   constexpr std::size_t of_box = 26, of_voxel = 8;
   CHECK(contains(kept("--largest 2"), "2 of 3 bodies and cavities are kept"));
-  CHECK(lines(workshop.read("kept.jsonl")) == 2 * of_box);
+  CHECK(lines(read("kept.jsonl")) == 2 * of_box);
   CHECK(contains(kept("--largest 1"), "1 of 3"));
   CHECK(kept("--largest 9").empty());
-  CHECK(workshop.read("kept.jsonl") == workshop.read("all.jsonl"));
+  CHECK(read("kept.jsonl") == read("all.jsonl"));
   CHECK(kept("--min-volume 0.15").empty());
-  CHECK(lines(workshop.read("kept.jsonl")) == 2 * of_box + of_voxel);
+  CHECK(lines(read("kept.jsonl")) == 2 * of_box + of_voxel);
   CHECK(contains(kept("--min-volume 0.2"), "2 of 3"));
   CHECK(contains(kept("--min-volume 200"), "1 of 3"));
   CHECK(contains(kept("--min-volume 1e9"), "0 of 3"));
 }
 
-TEST_CASE("a median leaves boxes with rounded edges and no speck, in meshes and in both streams") {
-  const Workshop workshop;
-  workshop.write("v.raw", boxes());
-  CHECK(contains(workshop.run(extract + "--median 3 --largest 1 -o one.jsonl").error, "1 of 2"));
-  workshop.done(extract + "--median 3 --largest 2 -o v.jsonl");
+TEST_CASE_FIXTURE(
+    Workshop,
+    "a median leaves boxes with rounded edges and no speck, in meshes and in both streams") {
+  write("v.raw", boxes());
+  CHECK(contains(run(extract + "--median 3 --largest 1 -o one.jsonl").error, "1 of 2"));
+  done(extract + "--median 3 --largest 2 -o v.jsonl");
   for (const std::string wire : {"regions", "slices"}) {
-    workshop.done(extract + "--median 3 --wire " + wire + " -o v.dmc");
-    workshop.done("decode v.dmc -o decoded.jsonl");
-    CHECK(lines(workshop.read("v.jsonl")) == lines(workshop.read("decoded.jsonl")));
+    done(extract + "--median 3 --wire " + wire + " -o v.dmc");
+    done("decode v.dmc -o decoded.jsonl");
+    CHECK(lines(read("v.jsonl")) == lines(read("decoded.jsonl")));
   }
 }
 
-TEST_CASE("cleaning that makes no sense is refused") {
-  const Workshop workshop;
-  workshop.write("v.raw", boxes());
-  check_failure(workshop.run(extract + "--largest 1 -o v.dmc"), 2, {"--largest", "a stream"});
-  check_failure(workshop.run(extract + "--min-volume 1 -o v.dmc"), 2, {"--min-volume"});
-  check_failure(workshop.run(extract + "--largest 0 -o v.stl"), 2, {"--largest"});
-  check_failure(workshop.run(extract + "--largest 1 --border open -o v.stl"), 2, {"--border"});
-  check_failure(workshop.run(extract + "--median 5 -o v.stl"), 2, {"--median"});
-  check_failure(workshop.run(extract + "--median 3 --normals gradient -o v.dmc"), 2,
-                {"--median", "--normals"});
+TEST_CASE_FIXTURE(Workshop, "cleaning that makes no sense is refused") {
+  write("v.raw", boxes());
+  fails(extract + "--largest 1 -o v.dmc", 2, {"--largest", "a stream"});
+  fails(extract + "--min-volume 1 -o v.dmc", 2, {"--min-volume"});
+  fails(extract + "--largest 0 -o v.stl", 2, {"--largest"});
+  fails(extract + "--largest 1 --border open -o v.stl", 2, {"--border"});
+  fails(extract + "--median 5 -o v.stl", 2, {"--median"});
+  fails(extract + "--median 3 --normals gradient -o v.dmc", 2, {"--median", "--normals"});
 }
 
-TEST_CASE("invalid counts and volumes are refused with the expected form") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "invalid counts and volumes are refused with the expected form") {
   for (const std::string none : {"0", "2.5", "abc", "-1"})
-    command_tests::check_failure(workshop.run("extract v.nrrd --iso 1 -o v.stl --largest=" + none),
-                                 2,
-                                 {"invalid value '" + none + "'; expected a whole number from 1"});
+    fails("extract v.nrrd --iso 1 -o v.stl --largest=" + none, 2,
+          {"invalid value '" + none + "'; expected a whole number from 1"});
   for (const std::string none : {"100mm", "-1", "inf"})
-    command_tests::check_failure(
-        workshop.run("extract v.nrrd --iso 1 -o v.stl --min-volume=" + none), 2,
-        {"invalid value '" + none + "'; expected cubic millimetres"});
+    fails("extract v.nrrd --iso 1 -o v.stl --min-volume=" + none, 2,
+          {"invalid value '" + none + "'; expected cubic millimetres"});
 }
 
-TEST_CASE("a picture shows the bodies that are kept, of a volume as of its stream") {
-  const Workshop workshop;
-  workshop.write("v.raw", boxes());
-  workshop.done(extract + "-q -o v.dmc");
+TEST_CASE_FIXTURE(Workshop,
+                  "a picture shows the bodies that are kept, of a volume as of its stream") {
+  write("v.raw", boxes());
+  done(extract + "-q -o v.dmc");
   const std::string layout = "v.raw" + extract.substr(extract.find(" --dims"));
   const auto picture = [&](const std::string& input, const std::string& options) {
-    return workshop.done("render " + input + " " + options + " --size 60,50 -o -");
+    return done("render " + input + " " + options + " --size 60,50 -o -");
   };
   const std::string one = picture("v.dmc", "--largest 1");
   CHECK(one != picture("v.dmc", ""));
   CHECK(one == picture(layout, "--largest 1"));
   CHECK(one == picture(layout, "--min-volume 300"));
   for (const std::string other : {"--classic", "--border open"})
-    check_failure(workshop.run("render " + layout + other + " --largest 1 -o v.png"), 2,
-                  {"--largest"});
+    fails("render " + layout + other + " --largest 1 -o v.png", 2, {"--largest"});
 }

@@ -1,12 +1,6 @@
 // Masks whose gaps are closed: extract --close.
 #include "smoothing/closed_volume.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "command.hpp"
 #include "oracle/volume.hpp"
 #include "sample_reader.hpp"

@@ -1,15 +1,7 @@
 // The fuzz corpus of volume_readers has an input for each codec that the readers accept.
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "command.hpp"
 #include "dicom_files.hpp"
 #include "tiff_writer.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
@@ -104,13 +96,13 @@ auto seeds(std::uint8_t place, const std::string& name, Codec codec) {
   return found;
 }
 
-TEST_CASE("each transfer syntax that is read has a fuzz input that is read to its end") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "each transfer syntax that is read has a fuzz input that is read to its end") {
   const std::set<std::string> found = seeds(12, "v.dcm", transfer_syntax);
   std::size_t accepted = 0;
   for (const std::string& uid : transfer_syntaxes()) {
     const std::string bytes = dicom_files::slice(0).file(dicom_files::Order::little_endian, uid);
-    const std::string refused = refusal_of(folder.write("v.dcm", bytes));
+    const std::string refused = refusal_of(write("v.dcm", bytes));
     const bool is_deflated =
         uid == standard + ".1.99" || uid == standard + ".4.95" || uid == standard + ".4.205";
     if (contains(refused, "('" + uid + "')") ||
@@ -123,15 +115,15 @@ TEST_CASE("each transfer syntax that is read has a fuzz input that is read to it
   CHECK(accepted >= 15);
 }
 
-TEST_CASE("each compression of TIFF that is read has a fuzz input that is read to its end") {
-  const Folder folder;
+TEST_CASE_FIXTURE(
+    Folder, "each compression of TIFF that is read has a fuzz input that is read to its end") {
   const std::set<std::uint32_t> found = seeds(14, "v.tif", tiff_compression);
   std::size_t accepted = 0;
   for (const std::uint32_t number : tiff_compressions()) {
     tiff_writer::TiffWriter file;
     file.page(5, 3, stored(SampleType::u8).substr(0, 15),
               {{tiff_writer::tag::compression, whole({number})}});
-    const std::string refused = refusal_of(folder.write("v.tif", file.bytes()));
+    const std::string refused = refusal_of(write("v.tif", file.bytes()));
     // SGILog of 24 and 32 bits is only of colours that are not read.
     if (contains(refused, "its compression, number") || number == 34676 || number == 34677)
       continue;

@@ -2,21 +2,13 @@
 #ifndef DISCMC_TESTS_COMMAND_COMMAND_HPP
 #define DISCMC_TESTS_COMMAND_COMMAND_HPP
 
-#include <doctest/doctest.h>
 #include <sys/wait.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "mesh_files/file_mesh.hpp"
 #include "mesh_formats.hpp"
@@ -68,8 +60,20 @@ class Workshop {
     return result.out;
   }
 
+  /// The same for a run that must fail: it prints all parts on standard error, nothing on standard
+  /// output, and leaves no file.
+  void fails(const std::string& arguments, int code, const std::vector<std::string>& parts) const {
+    const std::vector<std::string> before = file_names();
+    const Result result = run(arguments);
+    INFO(arguments, "\n", result.error);
+    CHECK(result.code == code);
+    CHECK(result.out.empty());
+    for (const std::string& part : parts) CHECK(contains(result.error, part));
+    CHECK(file_names() == before);
+  }
+
   /// The lines of `info` by their keys.
-  std::map<std::string, std::string> info(const std::string& stream) const {
+  std::map<std::string, std::string> info_of(const std::string& stream) const {
     std::map<std::string, std::string> values;
     std::istringstream lines(run("info " + stream).out);
     for (std::string line; std::getline(lines, line);)
@@ -94,7 +98,7 @@ class Workshop {
   std::string read(const std::string& name) const { return contents(folder_.path() / name); }
 
   /// The names of all files there are, sorted.
-  std::vector<std::string> names() const {
+  std::vector<std::string> file_names() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
       names.push_back(entry.path().filename().string());

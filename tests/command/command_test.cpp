@@ -54,65 +54,63 @@ void check_told(const std::string& told, const std::vector<std::string>& parts) 
 
 }  // namespace
 
-TEST_CASE("decode writes the same files from a stream as extract does from the volume") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", small_ball());
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+TEST_CASE_FIXTURE(Workshop,
+                  "decode writes the same files from a stream as extract does from the volume") {
+  write("v.nrrd", small_ball());
+  done("extract v.nrrd --iso 100 -o v.dmc");
   for (const std::string& format : all_formats) {
-    workshop.done("extract v.nrrd --iso 100 -q -o extracted." + format);
-    CHECK(workshop.done("decode v.dmc -o decoded." + format).empty());
-    CHECK(workshop.read("extracted." + format) == workshop.read("decoded." + format));
-    CHECK(!workshop.read("decoded." + format).empty());
+    done("extract v.nrrd --iso 100 -q -o extracted." + format);
+    CHECK(done("decode v.dmc -o decoded." + format).empty());
+    CHECK(read("extracted." + format) == read("decoded." + format));
+    CHECK(!read("decoded." + format).empty());
   }
 }
 
-TEST_CASE("the output is reported: its file, bytes and faces, and whether the mesh is closed") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
+TEST_CASE_FIXTURE(
+    Workshop, "the output is reported: its file, bytes and faces, and whether the mesh is closed") {
+  write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
   BitVolume step = box({8, 8, 4}, {1, 1, 1}, {5, 5, 1});
   const BitVolume upper = box({8, 8, 4}, {1, 1, 2}, {2, 3, 2});
   for (std::size_t i = 0; i < step.on.size(); ++i) step.on[i] |= upper.on[i];
-  workshop.write("step.nrrd", step);
+  write("step.nrrd", step);
   const std::string extract = "extract v.nrrd --iso 100 ";
-  check_told(workshop.done(extract + "-o v.stl"),
+  check_told(done(extract + "-o v.stl"),
              {"v.stl: 2,284 bytes\n", "triangles                             44",
               "classic Marching Cubes: 44 triangles", "vertices                              24",
               "closed                               yes"});
-  CHECK(workshop.read("v.stl").size() == 2284);
-  check_told(workshop.done("extract step.nrrd --iso 100 --no-conforming -o v.glb"),
-             {"v.glb: ", "  no\n"});
-  check_told(workshop.done(extract + "--faces polygons -o v.ply"), {"polygons  ", "  yes\n"});
-  check_told(workshop.done(extract + "-o v.jsonl"), {"polygons  "});
-  check_told(workshop.done(extract + "-o v.dmc"), {"v.dmc: ", "bytes of arena used"});
-  check_told(workshop.done(extract + "--memory 1M -o v.obj"), {"v.obj: ", "bytes of arena used"});
-  CHECK(workshop.done(extract + "-q -o v.stl").empty());
+  CHECK(read("v.stl").size() == 2284);
+  check_told(done("extract step.nrrd --iso 100 --no-conforming -o v.glb"), {"v.glb: ", "  no\n"});
+  check_told(done(extract + "--faces polygons -o v.ply"), {"polygons  ", "  yes\n"});
+  check_told(done(extract + "-o v.jsonl"), {"polygons  "});
+  check_told(done(extract + "-o v.dmc"), {"v.dmc: ", "bytes of arena used"});
+  check_told(done(extract + "--memory 1M -o v.obj"), {"v.obj: ", "bytes of arena used"});
+  CHECK(done(extract + "-q -o v.stl").empty());
 }
 
-TEST_CASE("STL far from the origin is reported as coarse and open, and other formats are not") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(
+    Workshop, "STL far from the origin is reported as coarse and open, and other formats are not") {
   const std::string near = "space: LPS\nspace directions: (0.1,0,0) (0,0.1,0) (0,0,0.1)\n";
-  workshop.write("far.nrrd", small_ball(),
-                 near + "space origin: (5000000.3,-6000000.1,7000000.7)\n");
-  workshop.write("near.nrrd", small_ball(), near + "space origin: (0.3,-0.1,0.7)\n");
+  write("far.nrrd", small_ball(), near + "space origin: (5000000.3,-6000000.1,7000000.7)\n");
+  write("near.nrrd", small_ball(), near + "space origin: (0.3,-0.1,0.7)\n");
   const std::string extract = "extract far.nrrd --iso 100 -o far.";
   const Point offset = {5e6, -6e6, 7e6};
-  workshop.done("extract near.nrrd --iso 100 -q -o near.obj");
-  const auto vertices = mesh_of("near.obj", workshop.read("near.obj")).vertices_mm;
+  done("extract near.nrrd --iso 100 -q -o near.obj");
+  const auto vertices = mesh_of("near.obj", read("near.obj")).vertices_mm;
   for (const std::string format : {"obj", "3mf", "ply", "vtp", "glb"}) {
     INFO(format);
-    const Result result = workshop.run(extract + format);
+    const Result result = run(extract + format);
     CHECK(result.error.empty());
     CHECK(contains(result.out, "closed                               yes"));
-    const FileMesh far = mesh_of("far." + format, workshop.read("far." + format));
+    const FileMesh far = mesh_of("far." + format, read("far." + format));
     REQUIRE(far.vertices_mm.size() == vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
       for (std::size_t axis = 0; axis < 3; ++axis)
         CHECK(far.vertices_mm[i][axis] - vertices[i][axis] ==
               doctest::Approx(offset[axis]).epsilon(1e-12));
   }
-  const Result stl = workshop.run(extract + "stl");
+  const Result stl = run(extract + "stl");
   CHECK(stl.code == 0);
-  const std::size_t places = mesh_of("far.stl", workshop.read("far.stl")).vertices_mm.size();
+  const std::size_t places = mesh_of("far.stl", read("far.stl")).vertices_mm.size();
   CHECK(places < vertices.size());
   check_told(
       stl.error,
@@ -120,137 +118,129 @@ TEST_CASE("STL far from the origin is reported as coarse and open, and other for
        std::to_string(vertices.size()) + " vertices share " + std::to_string(places) + " places",
        ".ply, .obj, .3mf or .vtp", "--space voxel"});
   CHECK(contains(stl.out, "closed                                no"));
-  workshop.done("extract far.nrrd --iso 100 -q -o far.dmc");
-  CHECK(contains(workshop.run("decode far.dmc -o decoded.stl").error,
+  done("extract far.nrrd --iso 100 -q -o far.dmc");
+  CHECK(contains(run("decode far.dmc -o decoded.stl").error,
                  "decoded.stl: coordinates are rounded to 0.5 mm"));
-  const Result voxel = workshop.run(extract + "stl --space voxel");
+  const Result voxel = run(extract + "stl --space voxel");
   CHECK(voxel.error.empty());
   CHECK(contains(voxel.out, "closed                               yes"));
 }
 
-TEST_CASE("outputs that cannot be written are refused before the volume is read") {
-  const Workshop workshop;
-  workshop.write("cut.nrrd",
-                 volume_files::nrrd("type: uchar\nencoding: ascii\n", "9 9 9") + "\n1 2");
-  workshop.write("file", "");
-  workshop.shell("mkdir folder.stl");
+TEST_CASE_FIXTURE(Workshop,
+                  "outputs that cannot be written are refused before the volume is read") {
+  write("cut.nrrd", volume_files::nrrd("type: uchar\nencoding: ascii\n", "9 9 9") + "\n1 2");
+  write("file", "");
+  shell("mkdir folder.stl");
   const std::string cut = "extract cut.nrrd --iso 1 ";
-  check_failure(workshop.run(cut + "-o v.stl"), 1, {"cut.nrrd"});
+  fails(cut + "-o v.stl", 1, {"cut.nrrd"});
   for (const std::string output :
        {"-o none/v.stl", "-o none/v.dmc", "--iso 2 -o 'none/v{name}.stl'", "--iso 2 -o none/v.glb"})
-    check_failure(workshop.run(cut + output), 1, {"none: the folder does not exist; create it"});
+    fails(cut + output, 1, {"none: the folder does not exist; create it"});
   for (const std::string output : {"-o file/v.stl", "--iso 2 -o 'file/v{name}.stl'"})
-    check_failure(workshop.run(cut + output), 1, {"file: this is not a folder"});
-  check_failure(workshop.run(cut + "-o folder.stl"), 1, {"folder.stl: this is a folder"});
-  check_failure(workshop.run("extract cut.nrrd --labels all -o none/v.glb"), 1,
-                {"the folder does not exist"});
-  check_failure(workshop.run("render cut.nrrd --iso 1 -o none/v.png"), 1,
-                {"the folder does not exist"});
-  CHECK(workshop.names() == std::vector<std::string>{"cut.nrrd", "file", "folder.stl"});
+    fails(cut + output, 1, {"file: this is not a folder"});
+  fails(cut + "-o folder.stl", 1, {"folder.stl: this is a folder"});
+  fails("extract cut.nrrd --labels all -o none/v.glb", 1, {"the folder does not exist"});
+  fails("render cut.nrrd --iso 1 -o none/v.png", 1, {"the folder does not exist"});
 }
 
-TEST_CASE(
+TEST_CASE_FIXTURE(
+    Workshop,
     "a stream without an output name is written to standard output, and the table elsewhere") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", small_ball());
-  CHECK(contains(workshop.done("extract v.nrrd --iso 100 -o v.dmc"), "classic Marching Cubes"));
+  write("v.nrrd", small_ball());
+  CHECK(contains(done("extract v.nrrd --iso 100 -o v.dmc"), "classic Marching Cubes"));
   for (const char* output : {"", " -o -"}) {
-    const Result result = workshop.run(std::string("extract v.nrrd --iso 100") + output);
+    const Result result = run(std::string("extract v.nrrd --iso 100") + output);
     CHECK(result.code == 0);
-    CHECK(result.out == workshop.read("v.dmc"));
+    CHECK(result.out == read("v.dmc"));
     CHECK(contains(result.error, "classic Marching Cubes"));
   }
-  CHECK(workshop.done("decode v.dmc -o -") == workshop.read("v.dmc"));
-  const Result quiet = workshop.run("extract v.nrrd --iso 100 -q -o v.dmc");
+  CHECK(done("decode v.dmc -o -") == read("v.dmc"));
+  const Result quiet = run("extract v.nrrd --iso 100 -q -o v.dmc");
   CHECK(quiet.out.empty());
   CHECK(quiet.error.empty());
 }
 
-TEST_CASE("meshes are closed and exact for every volume and format") {
-  const Workshop workshop;
-  const bool has_admesh = workshop.shell("command -v admesh").code == 0;
+TEST_CASE_FIXTURE(Workshop, "meshes are closed and exact for every volume and format") {
+  const bool has_admesh = shell("command -v admesh").code == 0;
   const Size size = {9, 8, 7};
   for (const BitVolume& volume :
        {small_ball(), one_voxel(), checkerboard(size), box(size, {0, 0, 0}, {8, 7, 6}),
         discmc::reference::random(size, 128, 1), discmc::reference::spiral({12, 12, 5})}) {
-    workshop.write("v.nrrd", volume);
+    write("v.nrrd", volume);
     for (const std::string& format : meshes) {
-      workshop.done("extract v.nrrd --iso 100 -o v." + format);
-      const FileMesh mesh = mesh_of("v." + format, workshop.read("v." + format));
+      done("extract v.nrrd --iso 100 -o v." + format);
+      const FileMesh mesh = mesh_of("v." + format, read("v." + format));
       CHECK(mesh.face_count() > 0);
       CHECK(check_mesh(mesh).closed());
       CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
     }
     if (!has_admesh) continue;
-    const Result checked = workshop.shell("admesh -e v.stl");
+    const Result checked = shell("admesh -e v.stl");
     INFO(checked.out);
     const std::string disconnected = "Total disconnected facets        :";
     CHECK(count_after(checked.out, disconnected) == 0);
   }
 }
 
-TEST_CASE("an open border leaves the surface open where the volume ends") {
-  const Workshop workshop;
-  workshop.write("cut.nrrd", box({6, 6, 6}, {2, 2, 0}, {3, 3, 3}));
-  workshop.write("full.nrrd", box({3, 3, 3}, {0, 0, 0}, {2, 2, 2}));
-  workshop.done("extract cut.nrrd --iso 100 --border open -o v.obj");
-  const MeshReport report = check_mesh(mesh_of_obj(workshop.read("v.obj")));
+TEST_CASE_FIXTURE(Workshop, "an open border leaves the surface open where the volume ends") {
+  write("cut.nrrd", box({6, 6, 6}, {2, 2, 0}, {3, 3, 3}));
+  write("full.nrrd", box({3, 3, 3}, {0, 0, 0}, {2, 2, 2}));
+  done("extract cut.nrrd --iso 100 --border open -o v.obj");
+  const MeshReport report = check_mesh(mesh_of_obj(read("v.obj")));
   CHECK(report.open_edges > 0);
   CHECK(report.non_manifold_edges + report.wrongly_oriented + report.degenerate_faces == 0);
-  workshop.done("extract full.nrrd --iso 100 --border open --allow-empty -o v.dmc");
-  CHECK(workshop.info("v.dmc")["regions"] == "0");
-  CHECK(workshop.info("v.dmc")["border"] == "open");
-  workshop.done("extract full.nrrd --iso 100 --border closed -o v.dmc");
-  CHECK(workshop.info("v.dmc")["regions"] == "26");
+  done("extract full.nrrd --iso 100 --border open --allow-empty -o v.dmc");
+  CHECK(info_of("v.dmc")["regions"] == "0");
+  CHECK(info_of("v.dmc")["border"] == "open");
+  done("extract full.nrrd --iso 100 --border closed -o v.dmc");
+  CHECK(info_of("v.dmc")["regions"] == "26");
 }
 
-TEST_CASE("lines of JSON hold the corners of polygons in half-steps") {
-  const Workshop workshop;
-  workshop.write("one.nrrd", one_voxel());
-  workshop.done("extract one.nrrd --iso 100 -o one.jsonl");
-  const std::string lines = workshop.read("one.jsonl");
+TEST_CASE_FIXTURE(Workshop, "lines of JSON hold the corners of polygons in half-steps") {
+  write("one.nrrd", one_voxel());
+  done("extract one.nrrd --iso 100 -o one.jsonl");
+  const std::string lines = read("one.jsonl");
   CHECK(std::count(lines.begin(), lines.end(), '\n') == 8);
   CHECK(contains(lines, "{\"normal\":[1,1,1],\"rings\":[[[0,0,1],[1,0,0],[0,1,0]]]}\n"));
-  workshop.write("v.nrrd", small_ball());
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
-  workshop.done("decode v.dmc -o v.jsonl");
-  const std::string polygons = workshop.read("v.jsonl");
+  write("v.nrrd", small_ball());
+  done("extract v.nrrd --iso 100 -o v.dmc");
+  done("decode v.dmc -o v.jsonl");
+  const std::string polygons = read("v.jsonl");
   CHECK(std::to_string(std::count(polygons.begin(), polygons.end(), '\n')) ==
-        workshop.info("v.dmc")["regions"]);
+        info_of("v.dmc")["regions"]);
 }
 
-TEST_CASE("faces are triangles, and polygons on request if the format has them") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "faces are triangles, and polygons on request if the format has them") {
   const BitVolume volume = box({5, 5, 5}, {1, 1, 1}, {3, 3, 3});
-  workshop.write("v.nrrd", volume);
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  write("v.nrrd", volume);
+  done("extract v.nrrd --iso 100 -o v.dmc");
   for (const std::string& format : meshes) {
-    workshop.done("decode v.dmc -o v." + format);
-    const std::string triangles = workshop.read("v." + format);
+    done("decode v.dmc -o v." + format);
+    const std::string triangles = read("v." + format);
     const FileMesh mesh = mesh_of("v." + format, triangles);
     for (std::size_t face = 0; face < mesh.face_count(); ++face) CHECK(mesh.face_size(face) == 3);
-    workshop.done("decode v.dmc --faces triangles -o v." + format);
-    CHECK(workshop.read("v." + format) == triangles);
+    done("decode v.dmc --faces triangles -o v." + format);
+    CHECK(read("v." + format) == triangles);
   }
   for (const std::string format : {"ply", "obj", "vtp"}) {
-    workshop.done("decode v.dmc --faces polygons -o v." + format);
-    const std::string polygons = workshop.read("v." + format);
+    done("decode v.dmc --faces polygons -o v." + format);
+    const std::string polygons = read("v." + format);
     const FileMesh mesh = mesh_of("v." + format, polygons);
     CHECK(check_mesh(mesh).closed());
     CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
-    CHECK(std::to_string(mesh.face_count()) == workshop.info("v.dmc")["regions"]);
-    workshop.done("extract v.nrrd --iso 100 -q --faces polygons -o v." + format);
-    CHECK(workshop.read("v." + format) == polygons);
+    CHECK(std::to_string(mesh.face_count()) == info_of("v.dmc")["regions"]);
+    done("extract v.nrrd --iso 100 -q --faces polygons -o v." + format);
+    CHECK(read("v." + format) == polygons);
   }
   for (const std::string command : {"extract v.nrrd --iso 100", "decode v.dmc"})
     for (const std::string name : {"no.stl", "no.glb", "no.3mf", "no.dmc"})
-      check_failure(workshop.run(command + " --faces polygons -o " + name), 2,
-                    {"--faces", name, ".ply, .obj, .vtp or .jsonl"});
+      fails(command + " --faces polygons -o " + name, 2,
+            {"--faces", name, ".ply, .obj, .vtp or .jsonl"});
 }
 
-TEST_CASE("options that a format cannot hold are refused by name, also on standard output") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", small_ball());
+TEST_CASE_FIXTURE(
+    Workshop, "options that a format cannot hold are refused by name, also on standard output") {
+  write("v.nrrd", small_ball());
   const std::pair<std::string, std::string> wrong[] = {
       {"stl --faces polygons",
        "--faces: .stl on standard output cannot hold polygons; leave it "
@@ -264,86 +254,81 @@ TEST_CASE("options that a format cannot hold are refused by name, also on standa
       {"jsonl --triangles 9", "--triangles: .jsonl on standard output holds merged polygons"},
       {"jsonl --surface interpolated", "--surface: .jsonl on standard output has vertices"}};
   for (const auto& [words, message] : wrong)
-    check_failure(workshop.run("extract v.nrrd --iso 100 -o - --format " + words), 2, {message});
+    fails("extract v.nrrd --iso 100 -o - --format " + words, 2, {message});
 }
 
-TEST_CASE("iso is in the units that the file declares") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "iso is in the units that the file declares") {
   const std::string samples = volume_files::stored(volume_files::SampleType::u8);
-  workshop.write("v.nii", volume_files::Nifti().scale(2, -1000).file(samples));
+  write("v.nii", volume_files::Nifti().scale(2, -1000).file(samples));
   for (const std::string iso : {"--iso -900", "--iso=-900.5", "--iso -901.999"}) {
-    workshop.done("extract v.nii " + iso + " -o v.dmc");
-    CHECK(workshop.info("v.dmc")["threshold"] == "50");
+    done("extract v.nii " + iso + " -o v.dmc");
+    CHECK(info_of("v.dmc")["threshold"] == "50");
   }
 }
 
-TEST_CASE("headerless samples of either byte order give the same stream") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", small_ball());
+TEST_CASE_FIXTURE(Workshop, "headerless samples of either byte order give the same stream") {
+  write("v.nrrd", small_ball());
   std::string big = little_endian_u16;
   for (std::size_t i = 0; i < big.size(); i += 2) std::swap(big[i], big[i + 1]);
-  workshop.write("little.raw", little_endian_u16);
-  workshop.write("big.raw", big);
-  workshop.done("extract little.raw " + layout + "-o little.dmc");
-  workshop.done("extract big.raw --big-endian " + layout + "-o big.dmc");
-  CHECK(workshop.read("little.dmc") == workshop.read("big.dmc"));
-  workshop.done("extract v.nrrd --iso 100 -o v.jsonl");
-  workshop.done("decode big.dmc -o big.jsonl");
-  CHECK(workshop.read("v.jsonl") == workshop.read("big.jsonl"));
-  workshop.done("extract big.raw --big-endian --spacing -0.5,1,2.25 " + layout + "-o big.dmc");
-  CHECK(workshop.info("big.dmc")["spacing"] == "-0.5 1 2.25");
+  write("little.raw", little_endian_u16);
+  write("big.raw", big);
+  done("extract little.raw " + layout + "-o little.dmc");
+  done("extract big.raw --big-endian " + layout + "-o big.dmc");
+  CHECK(read("little.dmc") == read("big.dmc"));
+  done("extract v.nrrd --iso 100 -o v.jsonl");
+  done("decode big.dmc -o big.jsonl");
+  CHECK(read("v.jsonl") == read("big.jsonl"));
+  done("extract big.raw --big-endian --spacing -0.5,1,2.25 " + layout + "-o big.dmc");
+  CHECK(info_of("big.dmc")["spacing"] == "-0.5 1 2.25");
 }
 
-TEST_CASE("an empty surface is valid in every format") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", small_ball());
+TEST_CASE_FIXTURE(Workshop, "an empty surface is valid in every format") {
+  write("v.nrrd", small_ball());
   for (const std::string iso : {"201", "1e9", "1e30"}) {
     for (const std::string& format : all_formats) {
-      workshop.done("extract v.nrrd --allow-empty --iso " + iso + " -o v." + format);
+      done("extract v.nrrd --allow-empty --iso " + iso + " -o v." + format);
       if (format == "dmc" || format == "jsonl") continue;
-      const FileMesh mesh = mesh_of("v." + format, workshop.read("v." + format));
+      const FileMesh mesh = mesh_of("v." + format, read("v." + format));
       CHECK(mesh.face_count() + mesh.vertices_mm.size() == 0);
     }
-    CHECK(workshop.read("v.jsonl").empty());
-    CHECK(workshop.info("v.dmc")["regions"] == "0");
-    CHECK(workshop.info("v.dmc")["complete"] == "yes");
-    workshop.done("render v.dmc -o v.png --size 20,10");
+    CHECK(read("v.jsonl").empty());
+    CHECK(info_of("v.dmc")["regions"] == "0");
+    CHECK(info_of("v.dmc")["complete"] == "yes");
+    done("render v.dmc -o v.png --size 20,10");
   }
 }
 
-TEST_CASE("a table that cannot be written is a failure, and the stream is there") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", small_ball());
-  if (workshop.shell("test -c /dev/full").code != 0) return;
-  const Result result = workshop.shell("\"$discmc\" extract v.nrrd --iso 100 -o v.dmc >/dev/full");
+TEST_CASE_FIXTURE(Workshop,
+                  "a table that cannot be written is a failure, and the stream is there") {
+  write("v.nrrd", small_ball());
+  if (shell("test -c /dev/full").code != 0) return;
+  const Result result = shell("\"$discmc\" extract v.nrrd --iso 100 -o v.dmc >/dev/full");
   check_failure(result, 1, {"standard output: writing failed (No space left on device)"});
-  check_failure(workshop.shell("\"$discmc\" extract v.nrrd --iso 100 -o - --format stl >/dev/full"),
-                1,
+  check_failure(shell("\"$discmc\" extract v.nrrd --iso 100 -o - --format stl >/dev/full"), 1,
                 {"discmc: standard output: writing failed (No space left on device); free space"});
-  CHECK(workshop.run("info v.dmc").code == 0);
-  CHECK(workshop.shell("\"$discmc\" info v.dmc >/dev/full").code == 1);
+  CHECK(run("info v.dmc").code == 0);
+  CHECK(shell("\"$discmc\" info v.dmc >/dev/full").code == 1);
 }
 
-TEST_CASE("little memory costs bytes of the stream and never a polygon") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "little memory costs bytes of the stream and never a polygon") {
   const BitVolume volume = discmc::reference::random({16, 16, 16}, 128, 2);
-  workshop.write("v.nrrd", volume);
-  workshop.done("extract v.nrrd --iso 100 --memory 2M -o whole.dmc");
-  auto whole = workshop.info("whole.dmc");
+  write("v.nrrd", volume);
+  done("extract v.nrrd --iso 100 --memory 2M -o whole.dmc");
+  auto whole = info_of("whole.dmc");
   CHECK(whole["fragments"] == "0");
   for (const std::string options :
        {"--memory 1500", "--memory 2K", "--capacities 20,0", "--capacities 100,9"}) {
-    const std::string table = workshop.done("extract v.nrrd --iso 100 " + options + " -o v.dmc");
+    const std::string table = done("extract v.nrrd --iso 100 " + options + " -o v.dmc");
     CHECK(contains(table, "the arena lacked slots"));
-    workshop.done("decode v.dmc -o v.stl");
-    const FileMesh mesh = mesh_of_stl(workshop.read("v.stl"));
+    done("decode v.dmc -o v.stl");
+    const FileMesh mesh = mesh_of_stl(read("v.stl"));
     CHECK(check_mesh(mesh).closed());
     CHECK(volume_of(mesh) == doctest::Approx(enclosed(volume)));
-    auto pieces = workshop.info("v.dmc");
+    auto pieces = info_of("v.dmc");
     CHECK(std::stoi(pieces["fragments"]) > 0);
     CHECK(std::stoul(pieces["bytes"]) > std::stoul(whole["bytes"]));
-    workshop.done("decode v.dmc -o joined.dmc");
-    auto joined = workshop.info("joined.dmc");
+    done("decode v.dmc -o joined.dmc");
+    auto joined = info_of("joined.dmc");
     CHECK(joined["fragments"] == "0");
     for (const char* key : {"regions", "rings", "holes", "links", "corners", "complete"}) {
       CHECK(pieces[key] == whole[key]);
@@ -351,28 +336,25 @@ TEST_CASE("little memory costs bytes of the stream and never a polygon") {
     }
   }
   for (const std::string memory : {"64KiB", "1MB"})
-    CHECK(!contains(workshop.done("extract v.nrrd --iso 100 --memory " + memory + " -o v.dmc"),
-                    "lacked"));
-  check_failure(workshop.run("extract v.nrrd --iso 100 --memory 100 -o no.dmc"), 1,
-                {"--memory 100 ", "at least "});
+    CHECK(!contains(done("extract v.nrrd --iso 100 --memory " + memory + " -o v.dmc"), "lacked"));
+  fails("extract v.nrrd --iso 100 --memory 100 -o no.dmc", 1, {"--memory 100 ", "at least "});
 }
 
-TEST_CASE("names may hold blanks and any letters, and a file may be its own output") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop,
+                  "names may hold blanks and any letters, and a file may be its own output") {
   const std::string name = "ein Schädel; $x '* 頭";
-  workshop.write(name + ".nrrd", small_ball());
+  write(name + ".nrrd", small_ball());
   const std::string quoted = "\"ein Schädel; \\$x '* 頭";
-  workshop.done("extract " + quoted + ".nrrd\" --iso 100 -o " + quoted + ".dmc\"");
-  const std::string stream = workshop.read(name + ".dmc");
-  workshop.done("decode " + quoted + ".dmc\" -o " + quoted + ".dmc\"");
-  CHECK(workshop.read(name + ".dmc") == stream);
-  CHECK(workshop.names().size() == 2);
+  done("extract " + quoted + ".nrrd\" --iso 100 -o " + quoted + ".dmc\"");
+  const std::string stream = read(name + ".dmc");
+  done("decode " + quoted + ".dmc\" -o " + quoted + ".dmc\"");
+  CHECK(read(name + ".dmc") == stream);
+  CHECK(file_names().size() == 2);
 }
 
-TEST_CASE("wrong usage exits with 2") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", small_ball());
-  workshop.write("v.raw", little_endian_u16);
+TEST_CASE_FIXTURE(Workshop, "wrong usage exits with 2") {
+  write("v.nrrd", small_ball());
+  write("v.raw", little_endian_u16);
   for (const char* arguments : {"",
                                 "explode",
                                 "extract",
@@ -410,81 +392,73 @@ TEST_CASE("wrong usage exits with 2") {
                                 "render v.dmc -o v.png --size 5",
                                 "render v.dmc -o v.png --view 1,2"}) {
     INFO(arguments);
-    const Result result = workshop.run(arguments);
+    const Result result = run(arguments);
     CHECK(result.code == 2);
     CHECK(result.out.empty());
     CHECK(!result.error.empty());
   }
 }
 
-TEST_CASE("wrong values are reported with the expected ones") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "wrong values are reported with the expected ones") {
   for (const char* memory : {"some", "3Q", "-5", "1.5M", ""})
-    check_failure(workshop.run("extract v.nrrd --iso 1 --memory '" + std::string(memory) + "'"), 2,
-                  {"invalid number of bytes '" + std::string(memory) + "'", "as in 24K"});
-  check_failure(workshop.run("extract v.nrrd --iso 1 --border ajar"), 2,
-                {"invalid value 'ajar'", "expected closed|open"});
-  check_failure(workshop.run("extract v.nrrd --iso 1 --dims 1,1,1 --type f16"), 2,
-                {"invalid value 'f16'", "expected u8|i8|u16|i16|u32|i32|u64|i64|f32|f64"});
-  check_failure(workshop.run("extract v.nrrd --iso 1 --memory 3K --memory 4K"), 2,
-                {"--memory is given more than once"});
-  check_failure(workshop.run("extract v.raw --iso 1 --type u8 --dims 3,4"), 2,
-                {"--dims: invalid value '3,4'; expected X,Y,Z"});
+    fails("extract v.nrrd --iso 1 --memory '" + std::string(memory) + "'", 2,
+          {"invalid number of bytes '" + std::string(memory) + "'", "as in 24K"});
+  fails("extract v.nrrd --iso 1 --border ajar", 2,
+        {"invalid value 'ajar'", "expected closed|open"});
+  fails("extract v.nrrd --iso 1 --dims 1,1,1 --type f16", 2,
+        {"invalid value 'f16'", "expected u8|i8|u16|i16|u32|i32|u64|i64|f32|f64"});
+  fails("extract v.nrrd --iso 1 --memory 3K --memory 4K", 2, {"--memory is given more than once"});
+  fails("extract v.raw --iso 1 --type u8 --dims 3,4", 2,
+        {"--dims: invalid value '3,4'; expected X,Y,Z"});
 }
 
-TEST_CASE("an unreadable volume is reported by name, and no file is written") {
-  const Workshop workshop;
-  workshop.write("block.nrrd", volume_files::nrrd("type: block\nencoding: raw\n") + "\n");
-  workshop.write("empty.nrrd", "");
+TEST_CASE_FIXTURE(Workshop, "an unreadable volume is reported by name, and no file is written") {
+  write("block.nrrd", volume_files::nrrd("type: block\nencoding: raw\n") + "\n");
+  write("empty.nrrd", "");
   const std::string cut = little_endian_u16.substr(0, little_endian_u16.size() - 1);
-  workshop.write("v.raw", cut);
-  workshop.write(
+  write("v.raw", cut);
+  write(
       "cut.nrrd",
       volume_files::nrrd("type: uint16\nendian: little\nencoding: raw\n", "13 12 11") + "\n" + cut);
-  const auto names = workshop.names();
-  check_failure(workshop.run("extract none.nrrd --iso 1 -o v.dmc"), 1, {"none.nrrd", "check"});
-  check_failure(workshop.run("extract . --iso 1 -o v.dmc"), 1, {".: "});
-  check_failure(workshop.run("extract empty.nrrd --iso 1 -o v.dmc"), 1, {"empty.nrrd"});
-  check_failure(workshop.run("extract block.nrrd --iso 1 -o v.dmc"), 1,
-                {"block.nrrd", "'block'", "one number per voxel"});
+  fails("extract none.nrrd --iso 1 -o v.dmc", 1, {"none.nrrd", "check"});
+  fails("extract . --iso 1 -o v.dmc", 1, {".: "});
+  fails("extract empty.nrrd --iso 1 -o v.dmc", 1, {"empty.nrrd"});
+  fails("extract block.nrrd --iso 1 -o v.dmc", 1,
+        {"block.nrrd", "'block'", "one number per voxel"});
   for (const std::string& format : all_formats)
-    check_failure(workshop.run("extract cut.nrrd --iso 513 -o v." + format), 1,
-                  {"cut.nrrd: slice 10 ", "1 bytes of it are missing"});
-  check_failure(workshop.run("extract v.raw " + layout + "-o v.dmc"), 1,
-                {"v.raw: the file has 3431 bytes", "13 x 12 x 11 u16 has 3432"});
-  CHECK(workshop.names() == names);
+    fails("extract cut.nrrd --iso 513 -o v." + format, 1,
+          {"cut.nrrd: slice 10 ", "1 bytes of it are missing"});
+  fails("extract v.raw " + layout + "-o v.dmc", 1,
+        {"v.raw: the file has 3431 bytes", "13 x 12 x 11 u16 has 3432"});
 }
 
-TEST_CASE("samples that are not a number are off and reported") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "samples that are not a number are off and reported") {
   std::string samples = volume_files::stored(volume_files::SampleType::f32);
   const float nan = std::nanf("");
   std::memcpy(&samples[samples.size() - sizeof nan], &nan, sizeof nan);
-  workshop.write("v.nrrd",
-                 volume_files::nrrd("type: float\nencoding: raw\nendian: little\n\n") + samples);
-  check_told(workshop.run("extract v.nrrd --iso 7 -o v.dmc"), 0,
+  write("v.nrrd", volume_files::nrrd("type: float\nencoding: raw\nendian: little\n\n") + samples);
+  check_told(run("extract v.nrrd --iso 7 -o v.dmc"), 0,
              {"v.nrrd: 1 samples are not a number (NaN) and count as off"});
-  workshop.done("extract v.nrrd --iso 7.25 --allow-empty -o none.dmc");
-  CHECK(contains(workshop.done("info v.dmc"), "regions 8\n"));
-  CHECK(contains(workshop.done("info none.dmc"), "regions 0\n"));
+  done("extract v.nrrd --iso 7.25 --allow-empty -o none.dmc");
+  CHECK(contains(done("info v.dmc"), "regions 8\n"));
+  CHECK(contains(done("info none.dmc"), "regions 0\n"));
 }
 
-TEST_CASE("gradient normals are made of samples of every type, in streams and in meshes") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop,
+                  "gradient normals are made of samples of every type, in streams and in meshes") {
   const std::string dims = " --dims 5,3,4 --type ";
-  workshop.write("u8.raw", volume_files::stored(volume_files::SampleType::u8));
-  workshop.write("f64.raw", volume_files::stored(volume_files::SampleType::f64));
+  write("u8.raw", volume_files::stored(volume_files::SampleType::u8));
+  write("f64.raw", volume_files::stored(volume_files::SampleType::f64));
   // Half way between two samples, the same two in both.
   const auto normals_of = [&](const std::string& extension) {
     for (const std::string& volume :
          {"u8.raw --iso 122" + dims + "u8", "f64.raw --iso 0.05" + dims + "f64"})
-      workshop.done("extract " + volume + " --normals gradient -o " +
-                    volume.substr(0, volume.find('.')) + extension);
+      done("extract " + volume + " --normals gradient -o " + volume.substr(0, volume.find('.')) +
+           extension);
     if (extension == ".dmc")
       for (const std::string name : {"u8", "f64"})
-        workshop.done("decode " + name + ".dmc --normals gradient -o " + name + ".obj");
-    return std::pair(numbers_after("vn ", workshop.read("u8.obj")),
-                     numbers_after("vn ", workshop.read("f64.obj")));
+        done("decode " + name + ".dmc --normals gradient -o " + name + ".obj");
+    return std::pair(numbers_after("vn ", read("u8.obj")), numbers_after("vn ", read("f64.obj")));
   };
   for (const std::string extension : {".obj", ".dmc"}) {
     const auto [of_bytes, of_floats] = normals_of(extension);
@@ -493,85 +467,76 @@ TEST_CASE("gradient normals are made of samples of every type, in streams and in
     for (std::size_t i = 0; i < of_bytes.size(); ++i)
       CHECK(of_bytes[i] == doctest::Approx(of_floats[i]).epsilon(0.01));
   }
-  check_failure(
-      workshop.run("extract f64.raw --iso 0 --iso 1" + dims + "f64 --normals gradient -o two.dmc"),
-      1, {"f64", "one --iso"});
+  fails("extract f64.raw --iso 0 --iso 1" + dims + "f64 --normals gradient -o two.dmc", 1,
+        {"f64", "one --iso"});
 }
 
-TEST_CASE("a spacing that a stream cannot hold is refused") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", small_ball(), "spacings: 5000 1 1\n");
-  check_failure(workshop.run("extract v.nrrd --iso 100 -o v.dmc"), 1, {"spacing 5000"});
-  CHECK(workshop.names().size() == 1);
+TEST_CASE_FIXTURE(Workshop, "a spacing that a stream cannot hold is refused") {
+  write("v.nrrd", small_ball(), "spacings: 5000 1 1\n");
+  fails("extract v.nrrd --iso 100 -o v.dmc", 1, {"spacing 5000"});
+  CHECK(file_names().size() == 1);
 }
 
-TEST_CASE("more memory than any volume of the size needs is no burden") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", small_ball());
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
-  workshop.done("extract v.nrrd --iso 100 --memory 100000G -o more.dmc");
-  CHECK(workshop.read("v.dmc") == workshop.read("more.dmc"));
+TEST_CASE_FIXTURE(Workshop, "more memory than any volume of the size needs is no burden") {
+  write("v.nrrd", small_ball());
+  done("extract v.nrrd --iso 100 -o v.dmc");
+  done("extract v.nrrd --iso 100 --memory 100000G -o more.dmc");
+  CHECK(read("v.dmc") == read("more.dmc"));
 }
 
-TEST_CASE("a run that is ended by a signal leaves no file") {
-  const Workshop workshop;
-  const Result result = workshop.shell(
+TEST_CASE_FIXTURE(Workshop, "a run that is ended by a signal leaves no file") {
+  const Result result = shell(
       "truncate -s 2000000000 v.raw; \"$discmc\" extract v.raw --dims 1000,1000,2000 --type u8 "
       "--iso 1 "
       "-o v.dmc & while [ $(ls | wc -l) -lt 2 ]; do :; done; kill -TERM $!; wait $!");
   CHECK(result.code == 128 + 15);
-  CHECK(workshop.names() == std::vector<std::string>{"v.raw"});
+  CHECK(file_names() == std::vector<std::string>{"v.raw"});
 }
 
-TEST_CASE("a pipe named as the output stays a pipe") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", small_ball());
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
-  const Result result = workshop.shell(
+TEST_CASE_FIXTURE(Workshop, "a pipe named as the output stays a pipe") {
+  write("v.nrrd", small_ball());
+  done("extract v.nrrd --iso 100 -o v.dmc");
+  const Result result = shell(
       "mkfifo p.dmc; timeout 10 cat p.dmc & \"$discmc\" extract v.nrrd --iso 100 -q -o p.dmc; "
       "wait");
-  CHECK(result.out == workshop.read("v.dmc"));
+  CHECK(result.out == read("v.dmc"));
 }
 
-TEST_CASE("a mesh is written to standard output with --format as to a file") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ball({12, 12, 12}, {11, 11, 11}, 60));
+TEST_CASE_FIXTURE(Workshop, "a mesh is written to standard output with --format as to a file") {
+  write("v.nrrd", ball({12, 12, 12}, {11, 11, 11}, 60));
   for (const std::string format :
        {"stl", "ply", "obj", "glb", "3mf", "vtp", "jsonl", "csv", "json", "dmc", ".STL"}) {
     const std::string dot = format[0] == '.' ? "" : ".";
-    workshop.done("extract v.nrrd --iso 100 -q -o v" + dot + format);
-    const Result result = workshop.run("extract v.nrrd --iso 100 -o - --format " + format);
+    done("extract v.nrrd --iso 100 -q -o v" + dot + format);
+    const Result result = run("extract v.nrrd --iso 100 -o - --format " + format);
     CHECK(result.code == 0);
-    CHECK(result.out == workshop.read("v" + dot + format));
+    CHECK(result.out == read("v" + dot + format));
     CHECK_FALSE(result.error.empty());
   }
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
-  CHECK(workshop.done("decode v.dmc -o - --format ply") ==
-        workshop.done("extract v.nrrd --iso 100 -q --format ply"));
-  const Result several = workshop.run("extract v.nrrd --labels all -o - --format glb");
+  done("extract v.nrrd --iso 100 -o v.dmc");
+  CHECK(done("decode v.dmc -o - --format ply") == done("extract v.nrrd --iso 100 -q --format ply"));
+  const Result several = run("extract v.nrrd --labels all -o - --format glb");
   CHECK(several.out.substr(0, 4) == "glTF");
   CHECK(contains(several.error, "label"));
-  check_failure(workshop.run("extract v.nrrd --iso 100 -o v.stl --format ply"), 2,
-                {"leave it out, as v.stl"});
+  fails("extract v.nrrd --iso 100 -o v.stl --format ply", 2, {"leave it out, as v.stl"});
   for (const std::string none : {"off", "a.stl", "''", ".", "..stl"})
-    check_failure(workshop.run("extract v.nrrd --iso 100 -o - --format " + none), 2,
-                  {"'" + (none == "''" ? "" : none) + "' is not a format; expected .dmc, .stl, "});
+    fails("extract v.nrrd --iso 100 -o - --format " + none, 2,
+          {"'" + (none == "''" ? "" : none) + "' is not a format; expected .dmc, .stl, "});
 }
 
-TEST_CASE("--unit and --scale change the coordinates of a mesh") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ball({12, 12, 12}, {11, 11, 11}, 60));
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+TEST_CASE_FIXTURE(Workshop, "--unit and --scale change the coordinates of a mesh") {
+  write("v.nrrd", ball({12, 12, 12}, {11, 11, 11}, 60));
+  done("extract v.nrrd --iso 100 -o v.dmc");
   const auto volume = [&](const std::string& arguments) {
-    return volume_of(mesh_of_obj(workshop.done(arguments + " -o - --format obj")));
+    return volume_of(mesh_of_obj(done(arguments + " -o - --format obj")));
   };
   const double mm3 = volume("extract v.nrrd --iso 100");
   CHECK(volume("extract v.nrrd --iso 100 --unit m --scale 10") == doctest::Approx(1e-6 * mm3));
   CHECK(volume("decode v.dmc --unit inch") == doctest::Approx(mm3 / (25.4 * 25.4 * 25.4)));
-  workshop.done("extract v.nrrd --iso 100 --scale 2 -o v.glb");
-  CHECK(volume_of(command_tests::mesh_of_glb(workshop.read("v.glb"))) ==
+  done("extract v.nrrd --iso 100 --scale 2 -o v.glb");
+  CHECK(volume_of(command_tests::mesh_of_glb(read("v.glb"))) ==
         doctest::Approx(8 * mm3).epsilon(1e-5));
   for (const std::string refused :
        {"--unit m -o v.glb", "--unit um -o w.dmc", "--scale 2 -o v.csv", "--scale 0 -o v.stl"})
-    CHECK(workshop.run("extract v.nrrd --iso 100 " + refused).code == 2);
+    CHECK(run("extract v.nrrd --iso 100 " + refused).code == 2);
 }

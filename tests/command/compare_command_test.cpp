@@ -1,10 +1,5 @@
 // discmc compare.
-#include <doctest/doctest.h>
-
-#include <map>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "command.hpp"
 #include "oracle/volume.hpp"
@@ -41,12 +36,11 @@ bool lacks_assimp(const Result& result) {
 
 }  // namespace
 
-TEST_CASE("a stream is compared with its volume, in millimetres and in voxels") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "a stream is compared with its volume, in millimetres and in voxels") {
   const auto ball = discmc::reference::ball({14, 14, 14}, {13, 13, 13}, 100);
-  workshop.write("v.nrrd", ball, "spacings: 2 2 2\n");
-  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
-  const auto distances = rows(workshop.done("compare v.dmc v.nrrd --iso 100"));
+  write("v.nrrd", ball, "spacings: 2 2 2\n");
+  done("extract v.nrrd --iso 100 -q -o v.dmc");
+  const auto distances = rows(done("compare v.dmc v.nrrd --iso 100"));
   REQUIRE(distances.size() == 4);
   for (const std::string way : {"A to B", "B to A"}) {
     const auto& in_mm = distances.at(way + ", mm");
@@ -60,15 +54,14 @@ TEST_CASE("a stream is compared with its volume, in millimetres and in voxels") 
     for (std::size_t i = 0; i < 3; ++i)
       CHECK(in_mm[i] == doctest::Approx(2 * in_voxels[i]).epsilon(0.01));
   }
-  for (const auto& [name, row] : rows(workshop.done("compare v.dmc v.dmc")))
+  for (const auto& [name, row] : rows(done("compare v.dmc v.dmc")))
     CHECK(row == std::vector<double>{0, 0, 0});
 }
 
-TEST_CASE("meshes are compared in millimetres") {
-  const Workshop workshop;
-  workshop.write("low.obj", square(0));
-  workshop.write("high.obj", square(3));
-  const Result result = workshop.run("compare low.obj high.obj");
+TEST_CASE_FIXTURE(Workshop, "meshes are compared in millimetres") {
+  write("low.obj", square(0));
+  write("high.obj", square(3));
+  const Result result = run("compare low.obj high.obj");
   if (lacks_assimp(result)) return;
   REQUIRE(result.code == 0);
   const auto distances = rows(result.out);
@@ -76,60 +69,56 @@ TEST_CASE("meshes are compared in millimetres") {
   for (const auto& [name, row] : distances) CHECK(row == std::vector<double>{3, 3, 3});
 }
 
-TEST_CASE("meshes that discmc writes are those that it reads") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "meshes that discmc writes are those that it reads") {
   const auto ball = discmc::reference::ball({9, 9, 9}, {8, 8, 8}, 40);
-  workshop.write("v.nrrd", ball, "spacings: 1 1 2\n");
-  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
+  write("v.nrrd", ball, "spacings: 1 1 2\n");
+  done("extract v.nrrd --iso 100 -q -o v.dmc");
   for (const std::string name : {"v.ply", "v.obj", "v.stl", "v.glb", "v.3mf"}) {
-    workshop.done("extract v.nrrd --iso 100 -q -o " + name);
-    const Result result = workshop.run("compare " + name + " v.dmc");
+    done("extract v.nrrd --iso 100 -q -o " + name);
+    const Result result = run("compare " + name + " v.dmc");
     if (lacks_assimp(result)) return;
     REQUIRE(result.code == 0);
     for (const auto& [called, row] : rows(result.out)) CHECK(row == std::vector<double>{0, 0, 0});
   }
 }
 
-TEST_CASE("inputs that cannot be compared are refused by name") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "inputs that cannot be compared are refused by name") {
   const auto ball = discmc::reference::ball({9, 9, 9}, {8, 8, 8}, 40);
-  workshop.write("v.nrrd", ball);
-  workshop.write("broken.obj", "v 0 0 0\nf 1 1");
-  workshop.write("empty.stl", "");
-  workshop.done("extract v.nrrd --iso 100 -q -o V.DMC");
-  check_failure(workshop.run("compare V.DMC v.nrrd"), 2, {"v.nrrd", "--iso"});
-  check_failure(workshop.run("compare V.DMC v.nrrd --iso 300"), 1, {"v.nrrd", "no voxel"});
-  check_failure(workshop.run("compare V.DMC broken.obj"), 1, {"broken.obj"});
-  check_failure(workshop.run("compare V.DMC empty.stl"), 1, {"empty.stl"});
-  check_failure(workshop.run("compare V.DMC none.ply"), 1, {"none.ply: there is no such file"});
-  check_failure(workshop.run("compare V.DMC"), 2, {"B"});
+  write("v.nrrd", ball);
+  write("broken.obj", "v 0 0 0\nf 1 1");
+  write("empty.stl", "");
+  done("extract v.nrrd --iso 100 -q -o V.DMC");
+  fails("compare V.DMC v.nrrd", 2, {"v.nrrd", "--iso"});
+  fails("compare V.DMC v.nrrd --iso 300", 1, {"v.nrrd", "no voxel"});
+  fails("compare V.DMC broken.obj", 1, {"broken.obj"});
+  fails("compare V.DMC empty.stl", 1, {"empty.stl"});
+  fails("compare V.DMC none.ply", 1, {"none.ply: there is no such file"});
+  fails("compare V.DMC", 2, {"B"});
 }
 
-TEST_CASE("a mesh without distances or in an unsupported format is refused before any output") {
-  const Workshop workshop;
-  workshop.write("square.obj", square(0));
-  workshop.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
-  workshop.write("v.vtp", "<VTKFile type=\"PolyData\"/>");
-  if (lacks_assimp(workshop.run("compare square.obj square.obj"))) return;
+TEST_CASE_FIXTURE(
+    Workshop, "a mesh without distances or in an unsupported format is refused before any output") {
+  write("square.obj", square(0));
+  write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  write("v.vtp", "<VTKFile type=\"PolyData\"/>");
+  if (lacks_assimp(run("compare square.obj square.obj"))) return;
   for (const std::string inputs : {"square.obj line.obj", "line.obj square.obj"})
-    check_failure(workshop.run("compare " + inputs), 1,
-                  {"line.obj: no triangle has an area", "give the mesh"});
+    fails("compare " + inputs, 1, {"line.obj: no triangle has an area", "give the mesh"});
   for (const std::string command : {"compare v.vtp square.obj", "render v.vtp -o v.png"})
-    check_failure(workshop.run(command), 1, {"v.vtp", "export it as .ply or .stl"});
+    fails(command, 1, {"v.vtp", "export it as .ply or .stl"});
   for (const std::string command : {"info v.vtp", "decode v.vtp -o v.stl"})
-    check_failure(workshop.run(command), 1, {"v.vtp: this is a mesh", ".stl, .ply"});
+    fails(command, 1, {"v.vtp: this is a mesh", ".stl, .ply"});
 }
 
-TEST_CASE("a volume is compared where it lies in space, as its mesh is") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "a volume is compared where it lies in space, as its mesh is") {
   const auto ball = discmc::reference::ball({14, 14, 14}, {13, 13, 13}, 100);
   const auto distances_of = [&](const std::string& directions) {
-    workshop.write("v.nrrd", ball,
-                   "space: left-posterior-superior\nspace directions: " + directions +
-                       "\nspace origin: (100,-50,7)\n");
-    workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
-    workshop.done("extract v.nrrd --iso 100 -q -o v.ply");
-    return workshop.run("compare v.ply v.dmc");
+    write("v.nrrd", ball,
+          "space: left-posterior-superior\nspace directions: " + directions +
+              "\nspace origin: (100,-50,7)\n");
+    done("extract v.nrrd --iso 100 -q -o v.dmc");
+    done("extract v.nrrd --iso 100 -q -o v.ply");
+    return run("compare v.ply v.dmc");
   };
   const Result straight = distances_of("(2,0,0) (0,-2,0) (0,0,2)");
   if (lacks_assimp(straight)) return;

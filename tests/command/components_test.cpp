@@ -1,13 +1,9 @@
 // Components of surfaces, and the choice among them.
 #include "surface/components.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <vector>
-
 #include "hand_made.hpp"
 #include "sample_reader.hpp"
+#include "test.hpp"
 
 namespace {
 

@@ -1,15 +1,8 @@
 // The table of containers and sample types in the manual of the command. Every cell is a file that
 // an independent program wrote (volumes/write_volumes.py), and holds the same volume.
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <filesystem>
-#include <map>
-#include <set>
-#include <string>
 
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
@@ -55,7 +48,7 @@ void check_file(const std::string& container, const fs::path& file) {
   if (contains(called, "frame1")) options = frame(1);
   const auto reader = open_volume(file, options);
   const VolumeInfo& info = reader->info();
-  CHECK(info.dims == std::array<std::uint32_t, 3>{5, 3, 4});
+  CHECK(info.dims == Dims{5, 3, 4});
   CHECK(info.type == type);
   if (container != "numpy" && container != "npz" && container != "tiff")
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -102,8 +95,8 @@ TEST_CASE("a file of several volumes is refused unless one of them is chosen") {
        {"nrrd/i16-big-frame1.nrrd", "nifti1/i16-little-frame1.nii", "nifti2/i16-little-frame1.nii",
         "numpy/i16-little-frame1.npy", "hdf5/i16-little-frame1.h5"}) {
     INFO(name);
-    check_refusal(refusal(folder / name), "holds 2 volumes, and one is read at a time; choose one");
-    check_refusal(refusal(folder / name, frame(2)), "no volume 2: the file holds 2");
+    check_refused(folder / name, "holds 2 volumes, and one is read at a time; choose one");
+    check_refused(folder / name, frame(2), "no volume 2: the file holds 2");
     for (const double sample : read_all(*open_volume(folder / name, frame(0)))) CHECK(sample == 0);
   }
 }

@@ -1,14 +1,10 @@
 // Where the samples cross the threshold.
 #include "extraction/crossings.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <discmc/geometry/facet_table.hpp>
-#include <limits>
-#include <set>
 
 #include "sampled_field.hpp"
+#include "test.hpp"
 
 namespace {
 

@@ -1,8 +1,4 @@
 // Volumes whose samples lie in several files.
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "volume_files.hpp"
 
 namespace {
@@ -25,11 +21,11 @@ void write_slices(const Folder& folder) {
 
 }  // namespace
 
-TEST_CASE("slices in files of their own are read, by a pattern of names or a list of them") {
-  const Folder folder;
-  write_slices(folder);
+TEST_CASE_FIXTURE(
+    Folder, "slices in files of their own are read, by a pattern of names or a list of them") {
+  write_slices(*this);
   const auto nrrd_of = [&](const std::string& files) {
-    return folder.write("v.nhdr", nrrd(nrrd_i16 + "raw\nbyte skip: 6\ndata file: " + files));
+    return write("v.nhdr", nrrd(nrrd_i16 + "raw\nbyte skip: 6\ndata file: " + files));
   };
   const std::string list = "a07.raw\na05.raw\n\na03.raw\r\na01.raw";
   check_volume(nrrd_of("a%02d.raw 7 1 -2"), SampleType::i16, "NRRD, raw, detached");
@@ -37,37 +33,33 @@ TEST_CASE("slices in files of their own are read, by a pattern of names or a lis
   check_volume(nrrd_of("LIST\n" + list), SampleType::i16, "NRRD, raw, detached");
   check_volume(nrrd_of("LIST 2\n" + list + "\n"), SampleType::i16, "NRRD, raw, detached");
   const auto metaimage_of = [&](const std::string& files) {
-    return folder.write(
-        "v.mhd", metaimage(metaimage_i16 + "HeaderSize = 6\nElementDataFile = " + files + "\n"));
+    return write("v.mhd",
+                 metaimage(metaimage_i16 + "HeaderSize = 6\nElementDataFile = " + files + "\n"));
   };
   check_volume(metaimage_of("a%02d.raw 7 1 -2"), SampleType::i16, "MetaImage, raw, detached");
   check_volume(metaimage_of("LIST\n" + list), SampleType::i16, "MetaImage, raw, detached");
 }
 
-TEST_CASE("each of several files has an equal share, in the encoding of all") {
-  const Folder folder;
-  folder.write("1", gzip(slice(0) + slice(1)));
-  folder.write("2", gzip(slice(2) + slice(3)));
-  check_volume(folder.write("v.nhdr", nrrd(nrrd_i16 + "gzip\ndata file: %d 1 2 1\n")),
-               SampleType::i16, "NRRD, gzip, detached");
-  folder.write("3", "behind the text" + slice(0) + slice(1));
-  folder.write("4", slice(2) + slice(3));
-  check_volume(
-      folder.write("v.nhdr", nrrd(nrrd_i16 + "raw\nbyte skip: -1\ndata file: LIST\n3\n4\n")),
-      SampleType::i16, "NRRD, raw, detached");
+TEST_CASE_FIXTURE(Folder, "each of several files has an equal share, in the encoding of all") {
+  write("1", gzip(slice(0) + slice(1)));
+  write("2", gzip(slice(2) + slice(3)));
+  check_volume(write("v.nhdr", nrrd(nrrd_i16 + "gzip\ndata file: %d 1 2 1\n")), SampleType::i16,
+               "NRRD, gzip, detached");
+  write("3", "behind the text" + slice(0) + slice(1));
+  write("4", slice(2) + slice(3));
+  check_volume(write("v.nhdr", nrrd(nrrd_i16 + "raw\nbyte skip: -1\ndata file: LIST\n3\n4\n")),
+               SampleType::i16, "NRRD, raw, detached");
 }
 
-TEST_CASE(
+TEST_CASE_FIXTURE(
+    Folder,
     "names of data files may have blanks and percent signs, and folders as Windows has them") {
-  const Folder folder;
-  fs::create_directory(folder.path() / "sub");
   const auto check = [&](const std::string& written, const std::string& told) {
     INFO(told);
-    folder.write(written, i16);
-    check_volume(
-        folder.write("v.mhd", metaimage(metaimage_i16 + "ElementDataFile = " + told + "\n")),
-        SampleType::i16, "MetaImage, raw, detached");
-    check_volume(folder.write("v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + told + "\n")),
+    write(written, i16);
+    check_volume(write("v.mhd", metaimage(metaimage_i16 + "ElementDataFile = " + told + "\n")),
+                 SampleType::i16, "MetaImage, raw, detached");
+    check_volume(write("v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + told + "\n")),
                  SampleType::i16, "NRRD, raw, detached");
   };
   check("best diastole 77 %.raw", "best diastole 77 %.raw");
@@ -76,13 +68,9 @@ TEST_CASE(
   check("c\\d.raw", "c\\d.raw");
 }
 
-TEST_CASE("names that lead out of the folder of the header are refused, and links are followed") {
-  const Folder folder;
-  fs::create_directory(folder.path() / "sub");
-  const std::string outside = folder.write("outside1.raw", i16).string();
-  const auto write = [&](const std::string& name, const std::string& text) {
-    return folder.write("sub/" + name, text);
-  };
+TEST_CASE_FIXTURE(
+    Folder, "names that lead out of the folder of the header are refused, and links are followed") {
+  const std::string outside = write("outside1.raw", i16).string();
   for (const std::string& name :
        {outside, std::string("../outside1.raw"), std::string("..\\outside1.raw"),
         std::string("./../sub/../outside1.raw")}) {
@@ -90,26 +78,24 @@ TEST_CASE("names that lead out of the folder of the header are refused, and link
     const std::string pattern = name.substr(0, name.size() - 5) + "%d.raw 1 1 1";
     for (const std::string& told : {name, pattern, "LIST\n" + name}) {
       for (const fs::path& file :
-           {write("v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + told + "\n")),
-            write("v.mhd", metaimage(metaimage_i16 + "ElementDataFile = " + told + "\n"))})
-        check_refusal(refusal(file),
-                      name + "', which lies outside of its folder; put that or a link");
+           {write("sub/v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + told + "\n")),
+            write("sub/v.mhd", metaimage(metaimage_i16 + "ElementDataFile = " + told + "\n"))})
+        check_refused(file, name + "', which lies outside of its folder; put that or a link");
     }
   }
-  fs::create_symlink("../outside1.raw", folder.path() / "sub/link.raw");
-  write("..b.raw", i16);
+  fs::create_symlink("../outside1.raw", path() / "sub/link.raw");
+  write("sub/..b.raw", i16);
   for (const std::string name : {"link.raw", "..b.raw"})
-    check_volume(write("v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + name + "\n")),
+    check_volume(write("sub/v.nhdr", nrrd(nrrd_i16 + "raw\ndata file: " + name + "\n")),
                  SampleType::i16, "NRRD, raw, detached");
 }
 
-TEST_CASE("several files that do not hold the volume are refused") {
-  const Folder folder;
-  write_slices(folder);
-  folder.write("short", slice(0).substr(1));
+TEST_CASE_FIXTURE(Folder, "several files that do not hold the volume are refused") {
+  write_slices(*this);
+  write("short", slice(0).substr(1));
   const auto check = [&](const std::string& files, const std::string& part) {
     const auto file =
-        folder.write("v.nhdr", nrrd(nrrd_i16 + "raw\nbyte skip: 6\ndata file: " + files + "\n"));
+        write("v.nhdr", nrrd(nrrd_i16 + "raw\nbyte skip: 6\ndata file: " + files + "\n"));
     try {
       read_all(*open_volume(file));
       FAIL("not refused: ", files);
@@ -129,14 +115,14 @@ TEST_CASE("several files that do not hold the volume are refused") {
   check("LIST\na\001.raw", "control characters");
 }
 
-TEST_CASE("data files that are longer than their share are refused unless a header is skipped") {
-  const Folder folder;
+TEST_CASE_FIXTURE(
+    Folder, "data files that are longer than their share are refused unless a header is skipped") {
   for (int i = 0; i < 4; ++i) {
-    folder.write("a" + std::to_string(i), "header" + slice(i));
-    folder.write("b" + std::to_string(i), gzip("header" + slice(i)));
+    write("a" + std::to_string(i), "header" + slice(i));
+    write("b" + std::to_string(i), gzip("header" + slice(i)));
   }
   const auto nrrd_of = [&](const std::string& lines) {
-    return folder.write("v.nhdr", nrrd(nrrd_i16 + lines));
+    return write("v.nhdr", nrrd(nrrd_i16 + lines));
   };
   const std::string more = "the data file is longer than its share of 30 bytes";
   CHECK_THROWS_WITH(read_all(*open_volume(nrrd_of("raw\ndata file: a%d 0 3 1\n"))),
@@ -147,7 +133,7 @@ TEST_CASE("data files that are longer than their share are refused unless a head
                "NRRD, raw, detached");
   check_volume(nrrd_of("gzip\nbyte skip: 6\ndata file: b%d 0 3 1\n"), SampleType::i16,
                "NRRD, gzip, detached");
-  write_slices(folder);
+  write_slices(*this);
   const auto skipping = nrrd_of("raw\nbyte skip: 6\ndata file: a%02d.raw 7 1 -2\n");
   CHECK(noted(open_volume(skipping)->info(),
               "6 bytes after the samples of a data file are left out"));

@@ -1,16 +1,7 @@
 // Meshes with fewer triangles: extract --triangles and --max-error.
 #include "decimation/decimation.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <map>
-#include <numeric>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "command.hpp"
 #include "meshes/intersections.hpp"

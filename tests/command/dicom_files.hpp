@@ -3,16 +3,7 @@
 #ifndef DISCMC_TESTS_COMMAND_DICOM_FILES_HPP
 #define DISCMC_TESTS_COMMAND_DICOM_FILES_HPP
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <cstdio>
-#include <cstring>
-#include <map>
-#include <string>
-#include <vector>
 
 #include "volume_files.hpp"
 

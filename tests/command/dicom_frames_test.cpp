@@ -1,11 +1,5 @@
 // DICOM files with a common placement of their frames: cone beams, doses, nuclear medicine,
 // mosaics.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "command.hpp"
 #include "dicom_files.hpp"
 
@@ -14,7 +8,6 @@ namespace {
 using namespace dicom_files;
 using namespace volume_files;
 using discmc::meshing::Axes;
-using Spacing = std::array<double, 3>;
 
 const Axes along_axes = {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}};
 
@@ -23,26 +16,24 @@ Dataset cone_beam() {
   return put_at(data, position(0)).text(0x00180050, "DS", "2.5");
 }
 
-TEST_CASE("frames with a common position are read as consecutive slices with a note") {
-  const Folder folder;
-  const auto reader = open_volume(folder.write("v.dcm", cone_beam().file()));
+TEST_CASE_FIXTURE(Folder,
+                  "frames with a common position are read as consecutive slices with a note") {
+  const auto reader = open_volume(write("v.dcm", cone_beam().file()));
   check_places(reader->info(), {-10, -20, 100}, along_axes);
   CHECK(noted(reader->info(), "one position for all frames, read as slices 2.5 mm apart"));
   CHECK(noted(reader->info(), "by SliceThickness"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("the distance of slices counts more than their thickness") {
-  const Folder folder;
-  const auto file = folder.write("v.dcm", cone_beam().text(0x00180088, "DS", "2").file());
+TEST_CASE_FIXTURE(Folder, "the distance of slices counts more than their thickness") {
+  const auto file = write("v.dcm", cone_beam().text(0x00180088, "DS", "2").file());
   const auto reader = open_volume(file);
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2});
   CHECK(noted(reader->info(), "2 mm apart, by SpacingBetweenSlices"));
 }
 
-TEST_CASE("frames without any distance are 1 mm apart, with a note") {
-  const Folder folder;
-  const auto file = folder.write("v.dcm", cone_beam().drop(0x00180050).file());
+TEST_CASE_FIXTURE(Folder, "frames without any distance are 1 mm apart, with a note") {
+  const auto file = write("v.dcm", cone_beam().drop(0x00180050).file());
   const auto reader = open_volume(file);
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 1});
   CHECK(noted(reader->info(), "SpacingBetweenSlices and SliceThickness are missing"));
@@ -51,50 +42,45 @@ TEST_CASE("frames without any distance are 1 mm apart, with a note") {
   CHECK(open_volume(file, options)->info().spacing_mm == Spacing{1, 1, 3});
 }
 
-TEST_CASE("frames that have times are taken as slices with a note") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "frames that have times are taken as slices with a note") {
   Dataset data = cone_beam();
   data.tags(0x00280009, 0x00181063).text(0x00181063, "DS", "33");
-  CHECK(noted(open_volume(folder.write("v.dcm", data.file()))->info(),
+  CHECK(noted(open_volume(write("v.dcm", data.file()))->info(),
               "the frames have times (FrameTime), and are read as slices"));
 }
 
-TEST_CASE("uncounted frames are ignored with a note, and a missing count means one frame") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "uncounted frames are ignored with a note, and a missing count means one frame") {
   Dataset data = slice(0);
   data.samples(volume_values(), 16, true);
   for (const std::string count : {"0", "1"}) {
-    const auto reader =
-        open_volume(folder.write("v.dcm", data.text(0x00280008, "IS", count).file()));
+    const auto reader = open_volume(write("v.dcm", data.text(0x00280008, "IS", count).file()));
     CHECK(read_all(*reader) == as_read(slice_values(0)));
     CHECK(noted(reader->info(), "left out, as many as those of 4 further frames"));
   }
-  const auto whole = open_volume(folder.write("v.dcm", slice(0).file()));
+  const auto whole = open_volume(write("v.dcm", slice(0).file()));
   read_all(*whole);
   CHECK_FALSE(noted(whole->info(), "left out"));
 }
 
-TEST_CASE("a slope of 0 is ignored with a note") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a slope of 0 is ignored with a note") {
   const Dataset data = slice(0).text(0x00281053, "DS", "0").text(0x00281052, "DS", "7");
-  const VolumeInfo info = open_volume(folder.write("v.dcm", data.file()))->info();
+  const VolumeInfo info = open_volume(write("v.dcm", data.file()))->info();
   CHECK(info.slope == 1);
   CHECK(info.intercept == 0);
   CHECK(noted(info, "RescaleSlope is 0 and is ignored"));
 }
 
-TEST_CASE("pixels that no decoder here reads are refused by the name of their packing") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "pixels that no decoder here reads are refused by the name of their packing") {
   for (const auto& [uid, name] :
        {std::pair<std::string, std::string>{"1.2.840.10008.1.2.4.201", "HTJ2K"},
         {"1.2.840.10008.1.2.4.110", "JPEG XL"}}) {
-    const std::string text =
-        refusal(folder.write("v.dcm", slice(0).file(Order::little_endian, uid)));
-    check_refusal(text, "an image packed as " + name);
-    check_refusal(text, uid);
+    check_refused(write("v.dcm", slice(0).file(Order::little_endian, uid)),
+                  "an image packed as " + name, uid);
   }
   const auto check = [&](const std::string& uid, const std::string& part) {
-    check_refusal(refusal(folder.write("v.dcm", slice(0).file(Order::little_endian, uid))), part);
+    check_refused(write("v.dcm", slice(0).file(Order::little_endian, uid)), part);
   };
   check("1.2.840.10008.1.2.4.102",
         "this is a video ('1.2.840.10008.1.2.4.102'); it is not a volume");
@@ -103,8 +89,7 @@ TEST_CASE("pixels that no decoder here reads are refused by the name of their pa
   check("1.2.840.10008.1.2.4.204", "an image whose pixels are on a server, by JPIP");
 }
 
-TEST_CASE("samples of every type are read in either byte order") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "samples of every type are read in either byte order") {
   struct Case {
     SampleType type;
     std::size_t bits;
@@ -121,48 +106,45 @@ TEST_CASE("samples of every type are read in either byte order") {
       for (std::int64_t& value : values)
         value = one.factor * (value % 100 + (one.is_signed ? 0 : 100));
       Dataset data = cone_beam();
-      const auto reader = open_volume(
-          folder.write("v.dcm", data.samples(values, one.bits, one.is_signed).file(order)));
+      const auto reader =
+          open_volume(write("v.dcm", data.samples(values, one.bits, one.is_signed).file(order)));
       CHECK(reader->info().type == one.type);
       CHECK(read_all(*reader) == as_read(values));
     }
 }
 
-TEST_CASE("samples of floating point are read in either byte order") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "samples of floating point are read in either byte order") {
   std::vector<double> values = as_read(volume_values());
   for (double& value : values) value /= 64;
   for (const Order order : {Order::little_endian, Order::big_endian})
     for (const std::size_t bits : {32U, 64U}) {
       INFO(bits);
       Dataset data = cone_beam();
-      const auto reader = open_volume(folder.write("v.dcm", data.floats(values, bits).file(order)));
+      const auto reader = open_volume(write("v.dcm", data.floats(values, bits).file(order)));
       CHECK(reader->info().type == (bits == 32 ? SampleType::f32 : SampleType::f64));
       CHECK(read_all(*reader) == values);
     }
 }
 
-TEST_CASE("words of big-endian files that are called bytes are read in their order") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "words of big-endian files that are called bytes are read in their order") {
   Dataset data = cone_beam();
   std::vector<std::int64_t> values = volume_values();
   for (std::int64_t& value : values) value *= 70001;
-  const auto file =
-      folder.write("v.dcm", data.samples(values, 32, true, "OB").file(Order::big_endian));
+  const auto file = write("v.dcm", data.samples(values, 32, true, "OB").file(Order::big_endian));
   CHECK(read_all(*open_volume(file)) == as_read(values));
 }
 
-TEST_CASE("the values of a parametric map are real-world values") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "the values of a parametric map are real-world values") {
   Dataset mapping;
   mapping.real(0x00409225, {0.25}).real(0x00409224, {-3});
   Dataset data = cone_beam();
   data.sequence(0x00409096, {mapping});
-  CHECK(open_volume(folder.write("ct.dcm", data.file()))->info().slope == 1);
+  CHECK(open_volume(write("ct.dcm", data.file()))->info().slope == 1);
   data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.30");
   Dataset shared;
-  const auto reader = open_volume(folder.write(
-      "v.dcm", data.sequence(0x52009229, {shared.sequence(0x00409096, {mapping})}).file()));
+  const auto reader = open_volume(
+      write("v.dcm", data.sequence(0x52009229, {shared.sequence(0x00409096, {mapping})}).file()));
   CHECK(reader->info().slope == 0.25);
   CHECK(reader->info().intercept == -3);
 }
@@ -183,12 +165,11 @@ std::vector<double> doses() {
   return values;
 }
 
-TEST_CASE("a dose is in Gy, whether its offsets are ways or positions") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a dose is in Gy, whether its offsets are ways or positions") {
   for (const std::string offsets :
        {"0\\2.5\\5\\7.5\\10", "100\\102.5\\105\\107.5\\110", "0.0\\2.5\\5.0\\7.5\\10.0"}) {
     INFO(offsets);
-    const auto reader = open_volume(folder.write("v.dcm", dose(offsets).file()));
+    const auto reader = open_volume(write("v.dcm", dose(offsets).file()));
     check_places(reader->info(), {-10, -20, 100}, along_axes);
     CHECK(reader->info().slope == 0.02);
     CHECK(reader->info().intercept == 0);
@@ -197,11 +178,10 @@ TEST_CASE("a dose is in Gy, whether its offsets are ways or positions") {
   }
 }
 
-TEST_CASE("a dose whose offsets fall is read from its other end") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a dose whose offsets fall is read from its other end") {
   for (const std::string offsets : {"0\\-2.5\\-5\\-7.5\\-10", "100\\97.5\\95\\92.5\\90"}) {
     INFO(offsets);
-    const auto reader = open_volume(folder.write("v.dcm", dose(offsets).file()));
+    const auto reader = open_volume(write("v.dcm", dose(offsets).file()));
     check_places(reader->info(), {-10, -20, 90}, along_axes);
     std::vector<double> expected;
     for (int z = depth; z-- > 0;)
@@ -211,18 +191,16 @@ TEST_CASE("a dose whose offsets fall is read from its other end") {
   }
 }
 
-TEST_CASE("positions as offsets are along z where the normal points down") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "positions as offsets are along z where the normal points down") {
   Dataset data = dose("100\\102.5\\105\\107.5\\110");
   put_at(data, position(0), {1, 0, 0, 0, -1, 0});
-  const auto reader = open_volume(folder.write("v.dcm", data.file()));
+  const auto reader = open_volume(write("v.dcm", data.file()));
   check_places(reader->info(), {-10, -20, 110}, {{{0.5, 0, 0}, {0, -0.75, 0}, {0, 0, -2.5}}});
 }
 
-TEST_CASE("offsets that begin elsewhere or are uneven are refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "offsets that begin elsewhere or are uneven are refused") {
   const auto refused = [&](const std::string& offsets) {
-    return refusal(folder.write("v.dcm", dose(offsets).file()));
+    return refusal(write("v.dcm", dose(offsets).file()));
   };
   check_refusal(refused("40\\42.5\\45\\47.5\\50"),
                 "GridFrameOffsetVector begins with 40, which is neither 0 nor the z");
@@ -230,21 +208,19 @@ TEST_CASE("offsets that begin elsewhere or are uneven are refused") {
   check_refusal(refused("0\\2.5\\5"), "more frames than offsets (GridFrameOffsetVector)");
 }
 
-TEST_CASE("a dose without a scale or relative is read with a note") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a dose without a scale or relative is read with a note") {
   Dataset data = dose("0\\2.5\\5\\7.5\\10");
-  const auto relative = folder.write("r.dcm", data.text(0x30040002, "CS", "RELATIVE").file());
+  const auto relative = write("r.dcm", data.text(0x30040002, "CS", "RELATIVE").file());
   CHECK(noted(open_volume(relative)->info(), "values are relative doses"));
-  const auto unscaled = folder.write("u.dcm", data.drop(0x3004000e).file());
+  const auto unscaled = write("u.dcm", data.drop(0x3004000e).file());
   CHECK(open_volume(unscaled)->info().slope == 1);
   CHECK(noted(open_volume(unscaled)->info(), "a dose without DoseGridScaling"));
 }
 
-TEST_CASE("a dose without offsets is scaled, too") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a dose without offsets is scaled, too") {
   Dataset data = dose("0");
-  const auto reader = open_volume(
-      folder.write("v.dcm", data.drop(0x3004000c).text(0x00180050, "DS", "2.5").file()));
+  const auto reader =
+      open_volume(write("v.dcm", data.drop(0x3004000c).text(0x00180050, "DS", "2.5").file()));
   CHECK(reader->info().slope == 0.02);
   check_places(reader->info(), {-10, -20, 100}, along_axes);
 }
@@ -260,34 +236,30 @@ Dataset nuclear(const std::string& type = "RECON TOMO") {
       .sequence(0x00540022, {detector});
 }
 
-TEST_CASE("slices of nuclear medicine are placed by the detector and the sign of their distance") {
-  const Folder folder;
+TEST_CASE_FIXTURE(
+    Folder,
+    "slices of nuclear medicine are placed by the detector and the sign of their distance") {
   Dataset data = nuclear();
-  const auto reader = open_volume(folder.write("v.dcm", data.file()));
+  const auto reader = open_volume(write("v.dcm", data.file()));
   check_places(reader->info(), {-10, -20, 100}, along_axes);
   CHECK(read_all(*reader) == as_read(volume_values()));
-  const auto down =
-      open_volume(folder.write("down.dcm", data.text(0x00180088, "DS", "-2.5").file()));
+  const auto down = open_volume(write("down.dcm", data.text(0x00180088, "DS", "-2.5").file()));
   check_places(down->info(), {-10, -20, 90}, along_axes);
 }
 
-TEST_CASE("slices of nuclear medicine are in the order of their numbers") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "slices of nuclear medicine are in the order of their numbers") {
   Dataset data = nuclear();
-  const auto reader =
-      open_volume(folder.write("v.dcm", data.whole(0x00540080, {5, 4, 3, 2, 1}).file()));
+  const auto reader = open_volume(write("v.dcm", data.whole(0x00540080, {5, 4, 3, 2, 1}).file()));
   std::vector<double> expected;
   for (int z = depth; z-- > 0;)
     for (const std::int64_t value : slice_values(z)) expected.push_back(static_cast<double>(value));
   CHECK(read_all(*reader) == expected);
 }
 
-TEST_CASE("pictures of a gamma camera are refused with their kind") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "pictures of a gamma camera are refused with their kind") {
   for (const std::string type : {"STATIC", "TOMO", "WHOLE BODY"}) {
-    const std::string text = refusal(folder.write("v.dcm", nuclear(type).file()));
-    check_refusal(text, "pictures of a gamma camera, not slices (image type " + type + ")");
-    check_refusal(text, "RECON TOMO");
+    check_refused(write("v.dcm", nuclear(type).file()),
+                  "pictures of a gamma camera, not slices (image type " + type + ")", "RECON TOMO");
   }
 }
 
@@ -350,22 +322,20 @@ Dataset mosaic(const std::string& header) {
   return data.samples(picture, 16, true);
 }
 
-TEST_CASE("a mosaic of Siemens is unfolded, and lies where its first slice does") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a mosaic of Siemens is unfolded, and lies where its first slice does") {
   for (const bool is_newer : {true, false}) {
     INFO(is_newer);
     const std::string header = csa_header(csa_elements("1.00000000"), is_newer);
-    const auto reader = open_volume(folder.write("v.dcm", mosaic(header).file()));
-    CHECK(reader->info().dims == std::array<std::uint32_t, 3>{width, height, depth});
+    const auto reader = open_volume(write("v.dcm", mosaic(header).file()));
+    CHECK(reader->info().dims == Dims{width, height, depth});
     check_places(reader->info(), {-10, -20, 100}, along_axes);
     CHECK(read_all(*reader) == as_read(volume_values()));
   }
 }
 
-TEST_CASE("slices of a mosaic follow the way of its header") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "slices of a mosaic follow the way of its header") {
   const std::string header = csa_header(csa_elements("-1.00000000"), true);
-  const auto reader = open_volume(folder.write("v.dcm", mosaic(header).file()));
+  const auto reader = open_volume(write("v.dcm", mosaic(header).file()));
   check_places(reader->info(), {-10, -20, 90}, along_axes);
   std::vector<double> expected;
   for (int z = depth; z-- > 0;)
@@ -373,34 +343,31 @@ TEST_CASE("slices of a mosaic follow the way of its header") {
   CHECK(read_all(*reader) == expected);
 }
 
-TEST_CASE("the header of a mosaic is found in any block") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "the header of a mosaic is found in any block") {
   Dataset data = mosaic("");
   data.text(0x00290010, "LO", "SIEMENS MEDCOM HEADER");
   data.text(0x00290011, "LO", "SIEMENS CSA HEADER");
   data.bytes(0x00291110, "OB", csa_header(csa_elements("1.0"), true));
-  CHECK(read_all(*open_volume(folder.write("v.dcm", data.file()))) == as_read(volume_values()));
+  CHECK(read_all(*open_volume(write("v.dcm", data.file()))) == as_read(volume_values()));
 }
 
-TEST_CASE("a mosaic without a usable header is refused by name") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a mosaic without a usable header is refused by name") {
   const std::string whole = csa_header(csa_elements("1.0"), true);
-  check_refusal(refusal(folder.write("v.dcm", mosaic("").file())),
+  check_refused(write("v.dcm", mosaic("").file()),
                 "a Siemens mosaic of an unknown number of slices without the CSA header");
   Dataset counted = mosaic("");
   counted.text(0x00190010, "LO", "SIEMENS MR HEADER").whole(0x0019100a, {5});
-  check_refusal(refusal(folder.write("v.dcm", counted.file())), "a Siemens mosaic of 5 slices");
+  check_refused(write("v.dcm", counted.file()), "a Siemens mosaic of 5 slices");
   CsaElements many = csa_elements("1.0");
   many[1].second = {"50"};
-  check_refusal(refusal(folder.write("v.dcm", mosaic(csa_header(many, true)).file())),
+  check_refused(write("v.dcm", mosaic(csa_header(many, true)).file()),
                 "mosaic of 50 slices that do not fit in 24 x 18 voxels");
   CsaElements aside = csa_elements("0.0");
-  check_refusal(refusal(folder.write("v.dcm", mosaic(csa_header(aside, true)).file())),
+  check_refused(write("v.dcm", mosaic(csa_header(aside, true)).file()),
                 "whose SliceNormalVector is not a normal");
   for (std::size_t size = 0; size <= whole.rfind("1.0"); size += 7) {
     INFO("cut at ", size);
-    check_refusal(refusal(folder.write("v.dcm", mosaic(whole.substr(0, size)).file())),
-                  "a Siemens mosaic of ");
+    check_refused(write("v.dcm", mosaic(whole.substr(0, size)).file()), "a Siemens mosaic of ");
   }
 }
 

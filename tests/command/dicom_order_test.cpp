@@ -1,11 +1,5 @@
 // The slices of DICOM in their order: rounded positions, tilted gantries, none at all, and those
 // that the user gives.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "command.hpp"
 #include "dicom_files.hpp"
 
@@ -16,7 +10,6 @@ using namespace volume_files;
 using command_tests::contains;
 using discmc::command::SliceOrder;
 using discmc::meshing::Axes;
-using Spacing = std::array<double, 3>;
 
 // A folder of slices. change: what differs in each.
 class Slices : public Folder {
@@ -37,28 +30,27 @@ Slices along_z(const std::vector<double>& places) {
   });
 }
 
-TEST_CASE("files without a preamble are found among others by their contents") {
-  const Folder folder;
-  for (int z = 0; z < depth; ++z) folder.write("IM" + std::to_string(z), slice(z).encoded());
-  folder.write("notes", "not of the series, but in its folder");
-  CHECK(read_all(*open_volume(folder.path())) == as_read(volume_values()));
-  CHECK(open_volume(folder.path() / "IM3")->info().dims[2] == 1);
+TEST_CASE_FIXTURE(Folder, "files without a preamble are found among others by their contents") {
+  for (int z = 0; z < depth; ++z) write("IM" + std::to_string(z), slice(z).encoded());
+  write("notes", "not of the series, but in its folder");
+  CHECK(read_all(*open_volume(path())) == as_read(volume_values()));
+  CHECK(open_volume(path() / "IM3")->info().dims[2] == 1);
 }
 
-TEST_CASE("positions that are rounded to tenths have one step within the rounding") {
+TEST_CASE_FIXTURE(Folder,
+                  "positions that are rounded to tenths have one step within the rounding") {
   const double step = 0.625;
   for (const bool is_told : {true, false})
     for (const double begin : {40.0, 40.04}) {
       INFO(is_told, " from ", begin);
       const auto rounded = [&](int z) { return std::round(10 * (begin + step * z)) / 10; };
-      const Folder folder;
       for (int z = 0; z < 16; ++z) {
         Dataset data = slice(z % depth, std::to_string(z));
         put_at(data, {-10.123456, -20, rounded(z)});
         if (is_told) data.text(0x00180050, "DS", "0.625");
-        folder.write("IM" + std::to_string(z), data.file());
+        write("IM" + std::to_string(z), data.file());
       }
-      const auto reader = open_volume(folder.path());
+      const auto reader = open_volume(path());
       const VolumeInfo& info = reader->info();
       CHECK(noted(info, "the positions are rounded, slices assumed to be 0.62"));
       const double found = std::fabs(info.spacing_mm[2]);
@@ -79,31 +71,29 @@ TEST_CASE("rounded positions lie on a line in any direction") {
   CHECK(std::fabs(reader->info().spacing_mm[2]) == doctest::Approx(2.5).epsilon(0.02));
 }
 
-TEST_CASE("a step in the file that does not fit the positions is ignored") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a step in the file that does not fit the positions is ignored") {
   for (int z = 0; z < 16; ++z) {
     Dataset data = slice(z % depth, std::to_string(z));
     put_at(data, {-10, -20, std::round(10 * (40 + 0.33 * z)) / 10});
-    folder.write("IM" + std::to_string(z), data.text(0x00180050, "DS", "0.5").file());
+    write("IM" + std::to_string(z), data.text(0x00180050, "DS", "0.5").file());
   }
-  CHECK(std::fabs(open_volume(folder.path())->info().spacing_mm[2]) ==
+  CHECK(std::fabs(open_volume(path())->info().spacing_mm[2]) ==
         doctest::Approx(0.33).epsilon(0.02));
 }
 
-TEST_CASE("a missing slice is found among rounded positions") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a missing slice is found among rounded positions") {
   for (const int z : {0, 1, 2, 3, 5, 6, 7, 8, 9}) {
     Dataset data = slice(z % depth, std::to_string(z));
     put_at(data, {-10, -20, std::round(10 * (40 + 0.625 * z)) / 10});
-    folder.write("IM" + std::to_string(z), data.text(0x00180050, "DS", "0.625").file());
+    write("IM" + std::to_string(z), data.text(0x00180050, "DS", "0.625").file());
   }
-  check_refusal(refusal(folder.path()), "1 slice is missing between 41.9 mm (IM3) and 43.1 mm");
-  CHECK(open_volume(folder.path(), with(&VolumeOptions::allow_gaps, true))->info().dims[2] == 10);
+  check_refused(path(), "1 slice is missing between 41.9 mm (IM3) and 43.1 mm");
+  CHECK(open_volume(path(), with(&VolumeOptions::allow_gaps, true))->info().dims[2] == 10);
 }
 
 TEST_CASE("uneven positions of more digits are no rounded ones") {
-  check_refusal(refusal(along_z({100, 100.6251, 101.2, 101.9, 102.5}).path()), "mm apart, but");
-  check_refusal(refusal(along_z({100, 101, 102.2, 103, 104}).path()), "1 mm apart, but 1.2 mm");
+  check_refused(along_z({100, 100.6251, 101.2, 101.9, 102.5}).path(), "mm apart, but");
+  check_refused(along_z({100, 101, 102.2, 103, 104}).path(), "1 mm apart, but 1.2 mm");
 }
 
 // `count` slices, 2.476 mm apart in the first half, and 2.524 mm in the second.
@@ -123,7 +113,7 @@ TEST_CASE("uneven distances of slices are noted, and refused from a quarter of a
   CHECK(
       !noted(open_volume(folder_of_growing(few, 4))->info(), "from their place at even distances"));
   CHECK(noted(open_volume(folder_of_growing(some, 40))->info(), "slices lie up to 0.4"));
-  check_refusal(refusal(folder_of_growing(many, 60)), "mm everywhere, slices would be 0.7");
+  check_refused(folder_of_growing(many, 60), "mm everywhere, slices would be 0.7");
 }
 
 TEST_CASE("a tilted gantry shears the volume as its slices lie, with a note") {
@@ -140,16 +130,16 @@ TEST_CASE("a tilted gantry shears the volume as its slices lie, with a note") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("a tilted gantry whose positions are rounded shears by the step that fits") {
+TEST_CASE_FIXTURE(Folder,
+                  "a tilted gantry whose positions are rounded shears by the step that fits") {
   const double tilt = 15 * std::acos(-1.0) / 180;
-  const Folder folder;
   for (int z = 0; z < 16; ++z) {
     Dataset data = slice(z % depth, std::to_string(z));
     put_at(data, {-10, -20, std::round(10 * (40 + 0.33 * z)) / 10},
            {1, 0, 0, 0, std::cos(tilt), -std::sin(tilt)});
-    folder.write("IM" + std::to_string(z), data.file());
+    write("IM" + std::to_string(z), data.file());
   }
-  const auto reader = open_volume(folder.path());
+  const auto reader = open_volume(path());
   CHECK(noted(reader->info(), "the positions are rounded"));
   const auto& step = reader->info().placement->axes_mm[2];
   CHECK(std::fabs(step[1]) < 0.005);
@@ -189,7 +179,7 @@ TEST_CASE("slices that lie on no line are refused") {
     if (z == 2) place[0] += 0.4;
     put_at(data, place);
   });
-  check_refusal(refusal(slices.path()), "is shifted sideways by 0.4 mm against IM");
+  check_refused(slices.path(), "is shifted sideways by 0.4 mm against IM");
 }
 
 TEST_CASE("slices that are a little aside are straight") {
@@ -215,13 +205,11 @@ TEST_CASE("a comma in decimals is a point, with a note") {
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("a text in place of a number is refused by the name of its element") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a text in place of a number is refused by the name of its element") {
   Dataset data = slice(0);
-  const auto file = folder.write("v.dcm", data.text(0x00280030, "DS", "0.75;0.5").file());
-  const std::string text = refusal(file);
-  check_refusal(text, "an image whose PixelSpacing is '0.75;0.5', which is not a number");
-  check_refusal(text, "dcmodify -m PixelSpacing=VALUE FILE");
+  const auto file = write("v.dcm", data.text(0x00280030, "DS", "0.75;0.5").file());
+  check_refused(file, "an image whose PixelSpacing is '0.75;0.5', which is not a number",
+                "dcmodify -m PixelSpacing=VALUE FILE");
 }
 
 TEST_CASE("a missing spacing is named") {
@@ -246,7 +234,7 @@ TEST_CASE("slices without positions are sorted by their numbers on request") {
   const Slices slices([](Dataset& data, int) {
     data.drop(0x00200032).drop(0x00200037).text(0x00180050, "DS", "2.5");
   });
-  check_refusal(refusal(slices.path()), "the 5 slices have no position", "--order instance");
+  check_refused(slices.path(), "the 5 slices have no position", "--order instance");
   const auto reader = open_volume(slices.path(), ordered(SliceOrder::instance));
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
   CHECK(!reader->info().placement);
@@ -259,34 +247,34 @@ TEST_CASE("numbers that are missing among slices in their order are missing slic
   const Slices slices([](Dataset& data, int z) {
     data.drop(0x00200032).text(0x00200013, "IS", std::to_string(z < 3 ? z + 8 : z + 10));
   });
-  check_refusal(refusal(slices.path(), ordered(SliceOrder::instance)),
+  check_refused(slices.path(), ordered(SliceOrder::instance),
                 "2 slices are missing between instance 10 (IM4) and instance 13 (IM1)");
   VolumeOptions options = ordered(SliceOrder::instance);
   options.allow_gaps = true;
   CHECK(open_volume(slices.path(), options)->info().dims[2] == depth + 2);
 }
 
-TEST_CASE("files of several slices without positions are in the order of their numbers") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "files of several slices without positions are in the order of their numbers") {
   for (const int part : {1, 0}) {
     Dataset data = image("9." + std::to_string(part));
     std::vector<std::int64_t> values = slice_values(2 * part);
     for (const std::int64_t value : slice_values(2 * part + 1)) values.push_back(value);
     data.text(0x00280008, "IS", "2").text(0x00200013, "IS", std::to_string(part + 1));
-    folder.write("IM" + std::to_string(part), data.samples(values, 16, true).file());
+    write("IM" + std::to_string(part), data.samples(values, 16, true).file());
   }
   std::vector<std::int64_t> expected;
   for (int z = 0; z < 4; ++z)
     for (const std::int64_t value : slice_values(z)) expected.push_back(value);
-  CHECK(read_all(*open_volume(folder.path(), ordered(SliceOrder::instance))) == as_read(expected));
+  CHECK(read_all(*open_volume(path(), ordered(SliceOrder::instance))) == as_read(expected));
 }
 
 TEST_CASE("slices without numbers or with the same are refused, and put in order by their names") {
   Slices slices([](Dataset& data, int) { data.drop(0x00200032).drop(0x00200013); });
-  check_refusal(refusal(slices.path(), ordered(SliceOrder::instance)), "has no InstanceNumber",
+  check_refused(slices.path(), ordered(SliceOrder::instance), "has no InstanceNumber",
                 "--order name");
   const Slices equal([](Dataset& data, int) { data.drop(0x00200032).text(0x00200013, "IS", "1"); });
-  check_refusal(refusal(equal.path(), ordered(SliceOrder::instance)),
+  check_refused(equal.path(), ordered(SliceOrder::instance),
                 "two slices have the same InstanceNumber: instance 1 (");
   const Folder named;
   for (int z = 0; z < depth; ++z)
@@ -307,19 +295,16 @@ TEST_CASE("a requested order replaces positions that are all equal") {
 TEST_CASE("slices with a UID each are one volume on request") {
   const Slices slices(
       [](Dataset& data, int z) { data.text(0x0020000e, "UI", "1.2.3.77." + std::to_string(z)); });
-  const std::string text = refusal(slices.path());
-  check_refusal(text, "several volumes; choose ");
-  check_refusal(text, "or read them as slices of one volume with --merge-series:");
+  check_refused(slices.path(), "several volumes; choose ",
+                "or read them as slices of one volume with --merge-series:");
   CHECK(read_all(*open_volume(slices.path(), with(&VolumeOptions::merges_series, true))) ==
         as_read(volume_values()));
 }
 
-TEST_CASE("options of DICOM are refused for other volumes") {
-  const Folder folder;
-  const auto file = folder.write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
-  check_refusal(refusal(file, ordered(SliceOrder::name)), "leave out --order");
-  check_refusal(refusal(file, with(&VolumeOptions::merges_series, true)),
-                "leave out --merge-series");
+TEST_CASE_FIXTURE(Folder, "options of DICOM are refused for other volumes") {
+  const auto file = write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  check_refused(file, ordered(SliceOrder::name), "leave out --order");
+  check_refused(file, with(&VolumeOptions::merges_series, true), "leave out --merge-series");
 }
 
 TEST_CASE("the advice for slices without positions and with a UID each leads to a mesh") {
@@ -355,25 +340,23 @@ TEST_CASE("a DICOMDIR is its folder") {
   const auto reader = open_volume(slices.path());
   CHECK(reader->info().notes.empty());
   const Folder alone;
-  check_refusal(refusal(alone.write("DICOMDIR", bytes)), "there is no image beside the DICOMDIR");
+  check_refused(alone.write("DICOMDIR", bytes), "there is no image beside the DICOMDIR");
 }
 
-TEST_CASE("slices that are packed one by one are read") {
-  const Folder folder;
-  fs::create_directory(folder.path() / "deeper");
+TEST_CASE_FIXTURE(Folder, "slices that are packed one by one are read") {
   for (int z = 0; z < depth; ++z) {
     const std::string bytes = slice(z).file();
-    if (z == 0) folder.write("IM0", bytes);
-    if (z == 1) folder.write("deeper/IM1.gz", gzip(bytes));
-    if (z > 1) folder.write("IM" + std::to_string(z) + ".dcm.gz", gzip(bytes));
+    if (z == 0) write("IM0", bytes);
+    if (z == 1) write("deeper/IM1.gz", gzip(bytes));
+    if (z > 1) write("IM" + std::to_string(z) + ".dcm.gz", gzip(bytes));
   }
-  const auto reader = open_volume(folder.path());
+  const auto reader = open_volume(path());
   CHECK(reader->info().format == "DICOM, gzip");
   CHECK(read_all(*reader) == as_read(volume_values()));
-  const auto one = open_volume(folder.path() / "IM3.dcm.gz");
+  const auto one = open_volume(path() / "IM3.dcm.gz");
   CHECK(read_all(*one) == as_read(slice_values(3)));
-  folder.write("IM2.dcm.gz", gzip(slice(2).file()).substr(0, 300));
-  CHECK(contains(refusal(folder.path()), "IM2.dcm"));
+  write("IM2.dcm.gz", gzip(slice(2).file()).substr(0, 300));
+  CHECK(contains(refusal(path()), "IM2.dcm"));
 }
 
 TEST_CASE("links that lead nowhere are named") {
@@ -382,32 +365,29 @@ TEST_CASE("links that lead nowhere are named") {
   const auto reader = open_volume(slices.path());
   CHECK(noted(reader->info(), "links that lead nowhere: 1, such as 'IM9'"));
   fs::remove(slices.path() / "IM2");
-  const std::string missing = refusal(slices.path());
-  check_refusal(missing, "1 slice is missing between");
-  check_refusal(missing, "(links that lead nowhere: 1, such as 'IM9'); ");
+  check_refused(slices.path(), "1 slice is missing between",
+                "(links that lead nowhere: 1, such as 'IM9'); ");
   const Folder dead;
   fs::create_symlink("/nowhere/IM9", dead.path() / "IM9.dcm");
-  check_refusal(refusal(dead.path()), "links that lead nowhere: 1, such as 'IM9.dcm'");
-  check_refusal(refusal(dead.path() / "IM9.dcm"), "the link leads nowhere, to '/nowhere/IM9'");
-  check_refusal(refusal(dead.path() / "none.dcm"), "there is no such file");
+  check_refused(dead.path(), "links that lead nowhere: 1, such as 'IM9.dcm'");
+  check_refused(dead.path() / "IM9.dcm", "the link leads nowhere, to '/nowhere/IM9'");
+  check_refused(dead.path() / "none.dcm", "there is no such file");
 }
 
 TEST_CASE("files whose names begin with a dot are ignored") {
   const Slices slices([](Dataset&, int) {});
   slices.write("._IM0", "\0\5\26\7");
   slices.write("._IM0.dcm", "\0\5\26\7");
-  fs::create_directory(slices.path() / ".git");
   slices.write(".git/IM0", slice(0, "8").samples(slice_values(1), 16, true).file());
   const auto reader = open_volume(slices.path());
   CHECK(reader->info().notes.empty());
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("padding is reported as a value, with sign or without") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "padding is reported as a value, with sign or without") {
   const auto told = [&](Dataset data) {
     data.text(0x00281052, "DS", "-1024").text(0x00281053, "DS", "2");
-    return open_volume(folder.write("v.dcm", data.file()))->info().padding;
+    return open_volume(write("v.dcm", data.file()))->info().padding;
   };
   CHECK(!told(frames()));
   Dataset data = frames();

@@ -1,10 +1,5 @@
 // DICOM files as users reported them to other programs: several patients under one UID, stacks in
 // turn, spaces of ultrasound, contradicting headers.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "command.hpp"
 #include "dicom_files.hpp"
 
@@ -12,7 +7,6 @@ namespace {
 
 using namespace dicom_files;
 using namespace volume_files;
-using Spacing = std::array<double, 3>;
 
 constexpr std::uint32_t patient_id = 0x00100020, study = 0x0020000d,
                         frame_of_reference = 0x00200052, pixel_spacing = 0x00280030;
@@ -54,35 +48,35 @@ Dataset& place_frame(Dataset& group, int z) {
   return group.sequence(0x00209113, {place});
 }
 
-TEST_CASE("patients, studies and frames of reference under one UID are volumes of their own") {
+TEST_CASE_FIXTURE(
+    Folder, "patients, studies and frames of reference under one UID are volumes of their own") {
   for (const std::uint32_t tag : {patient_id, study, frame_of_reference}) {
     INFO(tag);
-    const Folder folder;
     for (const std::string of : {"1.1", "1.2"})
-      write_slices(folder, of, [&](Dataset& data, int z) {
+      write_slices(*this, of, [&](Dataset& data, int z) {
         put_at(data, {-10, -20, 100 + 2.5 * z + (of == "1.1" ? 0 : 1.25)});
         data.text(tag, tag == patient_id ? "LO" : "UI", of);
       });
-    check_refusal(refusal(folder.path()), "several volumes in one series");
-    check_refusal(refusal(folder.path()), "5 slices of 8 x 6");
+    check_refused(path(), "several volumes in one series");
+    check_refused(path(), "5 slices of 8 x 6");
     VolumeOptions options = with(&VolumeOptions::merges_series, true);
-    check_refusal(refusal(folder.path(), options), "several volumes");
+    check_refused(path(), options, "several volumes");
     options.merges_series = false;
     options.series = "2";
-    CHECK(read_all(*open_volume(folder.path(), options)) == as_read(volume_values()));
+    CHECK(read_all(*open_volume(path(), options)) == as_read(volume_values()));
   }
 }
 
-TEST_CASE("frames of reference that differ in every slice do not separate volumes") {
-  const Folder folder;
-  write_slices(folder, "a", [](Dataset& data, int z) {
+TEST_CASE_FIXTURE(Folder,
+                  "frames of reference that differ in every slice do not separate volumes") {
+  write_slices(*this, "a", [](Dataset& data, int z) {
     data.text(frame_of_reference, "UI", "1.9." + std::to_string(z));
   });
-  CHECK(read_all(*open_volume(folder.path())) == as_read(volume_values()));
+  CHECK(read_all(*open_volume(path())) == as_read(volume_values()));
 }
 
-TEST_CASE("stacks acquired in turn are one volume, and stacks side by side are several") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "stacks acquired in turn are one volume, and stacks side by side are several") {
   const auto stacks = [&](bool are_in_turn) {
     return enhanced(depth,
                     [are_in_turn](Dataset& group, int z) {
@@ -96,27 +90,26 @@ TEST_CASE("stacks acquired in turn are one volume, and stacks side by side are s
                     })
         .file();
   };
-  CHECK(read_all(*open_volume(folder.write("a.dcm", stacks(true)))) == as_read(volume_values()));
-  const std::string text = refusal(folder.write("b.dcm", stacks(false)));
-  check_refusal(text, "3 slices of 8 x 6, 'MR', stack '0', at 100 to 105 mm");
-  check_refusal(text, "2 slices of 8 x 6, 'MR', stack '1', at 147.5 to 150 mm");
+  CHECK(read_all(*open_volume(write("a.dcm", stacks(true)))) == as_read(volume_values()));
+  check_refused(write("b.dcm", stacks(false)),
+                "3 slices of 8 x 6, 'MR', stack '0', at 100 to 105 mm",
+                "2 slices of 8 x 6, 'MR', stack '1', at 147.5 to 150 mm");
 }
 
-TEST_CASE("labels and controls of spin labelling are volumes") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "labels and controls of spin labelling are volumes") {
   const auto file =
-      folder.write("a.dcm", enhanced(2 * depth, [](Dataset& group, int i) {
-                              Dataset labelling;
-                              labelling.text(0x00189257, "CS", i < depth ? "LABEL" : "CONTROL");
-                              place_frame(group, i % depth).sequence(0x00189251, {labelling});
-                              return i % depth;
-                            }).file());
-  check_refusal(refusal(file), "label or control 'CONTROL'");
+      write("a.dcm", enhanced(2 * depth, [](Dataset& group, int i) {
+                       Dataset labelling;
+                       labelling.text(0x00189257, "CS", i < depth ? "LABEL" : "CONTROL");
+                       place_frame(group, i % depth).sequence(0x00189251, {labelling});
+                       return i % depth;
+                     }).file());
+  check_refused(file, "label or control 'CONTROL'");
   CHECK(read_all(*open_volume(file, {{}, {}, "2"})) == as_read(volume_values()));
 }
 
-TEST_CASE("volumes of ultrasound lie in their own space, with frames in either direction") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "volumes of ultrasound lie in their own space, with frames in either direction") {
   Dataset data = enhanced(depth, [](Dataset& group, int i) {
     Dataset place, orientation;
     place.real(0x00209301, {0, 0, 2.5 * (depth - 1 - i)});
@@ -124,29 +117,28 @@ TEST_CASE("volumes of ultrasound lie in their own space, with frames in either d
     group.sequence(0x0020930e, {place}).sequence(0x0020930f, {orientation});
     return depth - 1 - i;
   });
-  const auto reader = open_volume(folder.write("a.dcm", data.file()));
+  const auto reader = open_volume(write("a.dcm", data.file()));
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
   CHECK_FALSE(noted(reader->info(), "no positions"));
   CHECK((!reader->info().placement || reader->info().placement->space == discmc::Space::scanner));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("MOSAIC in the image type is no mosaic where frames have positions") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "MOSAIC in the image type is no mosaic where frames have positions") {
   Dataset data = enhanced(depth, [](Dataset& group, int z) {
     place_frame(group, z);
     return z;
   });
   data.text(0x00080008, "CS", "ORIGINAL\\PRIMARY\\M\\ND\\MOSAIC");
-  CHECK(read_all(*open_volume(folder.write("a.dcm", data.file()))) == as_read(volume_values()));
+  CHECK(read_all(*open_volume(write("a.dcm", data.file()))) == as_read(volume_values()));
 }
 
-TEST_CASE("frames in one place are slices by their thickness if all else is equal") {
-  const Folder folder;
-  const auto reader = open_volume(folder.write("a.dcm", enhanced(depth, [](Dataset& group, int z) {
-                                                          place_frame(group, 0);
-                                                          return z;
-                                                        }).file()));
+TEST_CASE_FIXTURE(Folder,
+                  "frames in one place are slices by their thickness if all else is equal") {
+  const auto reader = open_volume(write("a.dcm", enhanced(depth, [](Dataset& group, int z) {
+                                                   place_frame(group, 0);
+                                                   return z;
+                                                 }).file()));
   CHECK(noted(reader->info(), "one position for all frames, read as slices 2.5 mm apart"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
@@ -180,71 +172,67 @@ TEST_CASE("slices that are a little off their places are read with a note") {
   check_places(reader->info(), {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
 }
 
-TEST_CASE("the refusal of a shift names the slices on both sides") {
-  const Folder folder;
-  write_slices(folder, "a", [](Dataset& data, int z) {
+TEST_CASE_FIXTURE(Folder, "the refusal of a shift names the slices on both sides") {
+  write_slices(*this, "a", [](Dataset& data, int z) {
     put_at(data, {z < 3 ? -10.0 : 0.0, -20, 100 + 2.5 * z});
   });
-  check_refusal(refusal(folder.path()), "a3 is shifted sideways by 10 mm against a2");
+  check_refused(path(), "a3 is shifted sideways by 10 mm against a2");
 }
 
-TEST_CASE("the refusal of slices in one place counts the places that hold several") {
-  const Folder folder;
-  write_slices(folder, "a", [](Dataset&, int) {});
+TEST_CASE_FIXTURE(Folder,
+                  "the refusal of slices in one place counts the places that hold several") {
+  write_slices(*this, "a", [](Dataset&, int) {});
   for (const int z : {1, 2}) {
     Dataset other = slice(z + 1, "other" + std::to_string(z));
-    folder.write("other" + std::to_string(z),
-                 put_at(other, position(z)).text(0x00200013, "IS", "7").file());
+    write("other" + std::to_string(z),
+          put_at(other, position(z)).text(0x00200013, "IS", "7").file());
   }
-  check_refusal(refusal(folder.path()), "2 of 5 places hold several slices, from 102.5 to 105 mm");
+  check_refused(path(), "2 of 5 places hold several slices, from 102.5 to 105 mm");
 }
 
-TEST_CASE("elements of unknown kind are read by their tags") {
-  const Folder folder;
-  write_slices(folder, "a",
+TEST_CASE_FIXTURE(Folder, "elements of unknown kind are read by their tags") {
+  write_slices(*this, "a",
                [](Dataset& data, int) { data.bytes(pixel_spacing, "UN", "0.75\\0.5"); });
-  CHECK(open_volume(folder.path())->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
+  CHECK(open_volume(path())->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
 }
 
-TEST_CASE("content that contradicts the transfer syntax of the header is read with a note") {
-  const Folder folder;
+TEST_CASE_FIXTURE(
+    Folder, "content that contradicts the transfer syntax of the header is read with a note") {
   for (int z = 0; z < depth; ++z)
-    folder.write("a" + std::to_string(z), slice(z).file(Order::little_endian, "1.2.840.10008.1.2"));
-  const auto reader = open_volume(folder.path());
+    write("a" + std::to_string(z), slice(z).file(Order::little_endian, "1.2.840.10008.1.2"));
+  const auto reader = open_volume(path());
   CHECK(noted(reader->info(), "the transfer syntax in the header is wrong"));
   CHECK(read_all(*reader) == as_read(volume_values()));
 }
 
-TEST_CASE("contours are refused with the program that converts them to masks") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "contours are refused with the program that converts them to masks") {
   Dataset liver, data;
   liver.text(0x30060026, "LO", "Liver");
   data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.481.3").text(0x00080060, "CS", "RTSTRUCT");
   data.sequence(0x30060020, {liver});
-  check_refusal(refusal(folder.write("a.dcm", data.file())),
-                "this is an RTSTRUCT, the contours 'Liver'", "dcmrtstruct2nii");
+  check_refused(write("a.dcm", data.file()), "this is an RTSTRUCT, the contours 'Liver'",
+                "dcmrtstruct2nii");
 }
 
-TEST_CASE("a document in a DICOM file is refused with the way to take it out") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a document in a DICOM file is refused with the way to take it out") {
   Dataset data;
   data.text(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.104.3").text(0x00080060, "CS", "M3D");
   data.text(0x00420012, "LO", "model/stl").bytes(0x00420011, "OB", "solid");
-  const std::string text = refusal(folder.write("a.dcm", data.file()));
-  check_refusal(text, "this is a document in a DICOM file ('model/stl'); it is not a volume");
-  check_refusal(text, "EncapsulatedDocument");
+  check_refused(write("a.dcm", data.file()),
+                "this is a document in a DICOM file ('model/stl'); it is not a volume",
+                "EncapsulatedDocument");
 }
 
-TEST_CASE("a file named as DICOM that has another format is refused with that format") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "a file named as DICOM that has another format is refused with that format") {
   const std::string jpeg = "\xff\xd8\xff\xe0 JFIF";
-  check_refusal(refusal(folder.write("i.jpg.dcm", jpeg)), "this is JPEG, and not DICOM; rename it");
+  check_refused(write("i.jpg.dcm", jpeg), "this is JPEG, and not DICOM; rename it");
   const std::string parts = "--bnd\r\nContent-Type: application/dicom\r\n\r\n";
-  check_refusal(refusal(folder.write("m.dcm", parts)), "this is a MIME message, as DICOMweb sends");
+  check_refused(write("m.dcm", parts), "this is a MIME message, as DICOMweb sends");
 }
 
-TEST_CASE("colours are read by channel, interleaved or planar, and left out beside grey slices") {
-  const Folder folder;
+TEST_CASE_FIXTURE(
+    Folder, "colours are read by channel, interleaved or planar, and left out beside grey slices") {
   for (const std::uint64_t is_planar : {0U, 1U}) {
     std::vector<std::int64_t> samples;
     const std::size_t count = width * height;
@@ -258,8 +246,8 @@ TEST_CASE("colours are read by channel, interleaved or planar, and left out besi
     Dataset data = image("9", "US");
     data.samples(samples, 8, false).whole(0x00280002, {3}).text(0x00280004, "CS", "RGB");
     data.whole(0x00280006, {is_planar}).text(0x00280008, "IS", std::to_string(depth));
-    const auto file = folder.write("a.dcm", data.file());
-    check_refusal(refusal(file), "the file holds 3 channels ('red', 'green', 'blue')");
+    const auto file = write("a.dcm", data.file());
+    check_refused(file, "the file holds 3 channels ('red', 'green', 'blue')");
     for (const std::uint32_t channel : {0U, 2U}) {
       const auto values = read_all(*open_volume(file, with(&VolumeOptions::channel, channel)));
       REQUIRE(values.size() == depth * count);
@@ -267,8 +255,8 @@ TEST_CASE("colours are read by channel, interleaved or planar, and left out besi
         REQUIRE(values[i] == static_cast<double>((7 * i + 50 * channel) % 256));
     }
   }
-  write_slices(folder, "slice", [](Dataset&, int) {});
-  const auto reader = open_volume(folder.path());
+  write_slices(*this, "slice", [](Dataset&, int) {});
+  const auto reader = open_volume(path());
   CHECK(read_all(*reader) == as_read(volume_values()));
   CHECK(noted(reader->info(), "are skipped: a colour image"));
 }

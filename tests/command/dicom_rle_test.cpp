@@ -1,9 +1,4 @@
 // DICOM in RLE: every type of samples, and data that contradicts itself.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "command.hpp"
 #include "dicom_files.hpp"
 
@@ -81,8 +76,7 @@ std::string refused(const std::string& data) {
       folder.write("v.dcm", slice(0).fragments({data}).file(Order::little_endian, rle_syntax)));
 }
 
-TEST_CASE("RLE of 8, 16 and 32 bits is read with and without sign") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "RLE of 8, 16 and 32 bits is read with and without sign") {
   for (const std::size_t bits : {8U, 16U, 32U})
     for (const bool is_signed : {false, true}) {
       INFO(bits, is_signed);
@@ -99,13 +93,13 @@ TEST_CASE("RLE of 8, 16 and 32 bits is read with and without sign") {
       for (auto begin = values.begin(); begin != values.end(); begin += width * height)
         fragments.push_back(rle(segments({begin, begin + width * height}, bits / 8)));
       const auto path =
-          folder.write("v.dcm", data.fragments(fragments).file(Order::little_endian, rle_syntax));
+          write("v.dcm", data.fragments(fragments).file(Order::little_endian, rle_syntax));
       CHECK(read_all(*open_volume(path)) == as_read(values));
     }
 }
 
-TEST_CASE("RLE runs of every length are read, also across rows, and code 128 is skipped") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "RLE runs of every length are read, also across rows, and code 128 is skipped") {
   std::string plane;
   std::string segment = "\x80";
   for (int length = 1; length <= 128; ++length) {
@@ -124,13 +118,13 @@ TEST_CASE("RLE runs of every length are read, also across rows, and code 128 is 
   data.samples(values, 8, false)
       .whole(0x00280010, {values.size() / columns})
       .whole(0x00280011, {columns});
-  const auto path = folder.write(
-      "v.dcm", data.fragments({rle({segment})}).file(Order::little_endian, rle_syntax));
+  const auto path =
+      write("v.dcm", data.fragments({rle({segment})}).file(Order::little_endian, rle_syntax));
   CHECK(read_all(*open_volume(path)) == as_read(values));
 }
 
-TEST_CASE("an RLE frame in several fragments is read if offsets separate the frames") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "an RLE frame in several fragments is read if offsets separate the frames") {
   Strings fragments;
   std::vector<std::uint64_t> offsets;
   std::uint64_t offset = 0;
@@ -141,28 +135,25 @@ TEST_CASE("an RLE frame in several fragments is read if offsets separate the fra
       offset += 8 + part.size();
     }
   }
-  CHECK(read_all(*open_volume(folder.write("v.dcm", file(fragments, offsets)))) ==
+  CHECK(read_all(*open_volume(write("v.dcm", file(fragments, offsets)))) ==
         as_read(volume_values()));
-  check_refusal(refusal(folder.write("v.dcm", file(fragments))),
+  check_refused(write("v.dcm", file(fragments)),
                 "frame 0 (the first is 0): its part of the compressed pixel data is unknown");
   ++offsets[3];
-  check_refusal(refusal(folder.write("v.dcm", file(fragments, offsets))),
+  check_refused(write("v.dcm", file(fragments, offsets)),
                 "its part of the compressed pixel data is unknown");
   --offsets[3];
   offsets[2] = offsets[1];
-  check_refusal(refusal(folder.write("v.dcm", file(fragments, offsets))),
-                "the offsets of frames are not in order");
+  check_refused(write("v.dcm", file(fragments, offsets)), "the offsets of frames are not in order");
 }
 
-TEST_CASE("frames that are missing or empty in RLE are refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "frames that are missing or empty in RLE are refused") {
   Strings fragments = all_frames();
   fragments[2] = "";
-  check_refusal(refusal(folder.write("v.dcm", file(fragments))),
-                "fragment 3 of the pixel data is empty");
+  check_refused(write("v.dcm", file(fragments)), "fragment 3 of the pixel data is empty");
   fragments.resize(2);
-  check_refusal(refusal(folder.write("v.dcm", file(fragments))), "pixel data is unknown");
-  check_refusal(refusal(folder.write("v.dcm", file({}))), "pixel data is unknown");
+  check_refused(write("v.dcm", file(fragments)), "pixel data is unknown");
+  check_refused(write("v.dcm", file({})), "pixel data is unknown");
 }
 
 TEST_CASE("an RLE header that contradicts the data or the samples is refused with its numbers") {

@@ -1,10 +1,5 @@
 // DICOM segmentations: bits, fractions and numbers as labels, with the names and colours of their
 // segments.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "command.hpp"
 #include "dicom_files.hpp"
 #include "volumes/formats/dicom/segmentation.hpp"
@@ -81,16 +76,15 @@ std::string name_of(const VolumeInfo& info, int value, std::uint32_t layer = 0) 
 
 const std::vector<Dataset> liver_and_spleen = {segment(1, "Liver"), segment(2, "Spleen")};
 
-TEST_CASE("bits of segments are one volume of their numbers, with their names") {
-  const Folder folder;
-  const auto file = folder.write(
+TEST_CASE_FIXTURE(Folder, "bits of segments are one volume of their numbers, with their names") {
+  const auto file = write(
       "v.dcm",
       segmentation("BINARY", liver_and_spleen,
                    {{2, 1, box(5, 6, 0, 5)}, {1, 0, box(0, 2, 1, 2)}, {1, 1, box(0, 3, 1, 4)}})
           .file());
   const auto reader = open_volume(file);
   const VolumeInfo& info = reader->info();
-  CHECK(info.dims == std::array<std::uint32_t, 3>{width, height, 2});
+  CHECK(info.dims == Dims{width, height, 2});
   CHECK(info.type == SampleType::u8);
   CHECK(info.format == "DICOM segmentation");
   check_places(info, {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
@@ -102,20 +96,17 @@ TEST_CASE("bits of segments are one volume of their numbers, with their names") 
   CHECK(read_all(*reader) == slices_of({box(0, 2, 1, 2), second}));
 }
 
-TEST_CASE("slices that no segment has are empty") {
-  const Folder folder;
-  const auto file =
-      folder.write("v.dcm", segmentation("BINARY", {segment(3, "Rib")},
-                                         {{3, 4, box(0, 1, 0, 1)}, {3, 1, box(2, 3, 2, 3)}})
-                                .file());
+TEST_CASE_FIXTURE(Folder, "slices that no segment has are empty") {
+  const auto file = write("v.dcm", segmentation("BINARY", {segment(3, "Rib")},
+                                                {{3, 4, box(0, 1, 0, 1)}, {3, 1, box(2, 3, 2, 3)}})
+                                       .file());
   const auto reader = open_volume(file);
   check_places(reader->info(), {-10, -20, 102.5}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}});
   const Voxels none(voxels_of_slice, 0);
   CHECK(read_all(*reader) == slices_of({box(2, 3, 2, 3, 3), none, none, box(0, 1, 0, 1, 3)}));
 }
 
-TEST_CASE("frames of bits begin within a byte") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "frames of bits begin within a byte") {
   Dataset data = segmentation("BINARY", {segment(1, "Odd")}, {});
   std::vector<std::uint8_t> bits;
   std::vector<double> expected;
@@ -134,17 +125,16 @@ TEST_CASE("frames of bits begin within a byte") {
   data.whole(0x00280010, {high}).whole(0x00280011, {odd}).sequence(0x52009230, groups);
   data.text(0x00280008, "IS", std::to_string(depth)).bits(bits);
   for (const Order order : {Order::little_endian, Order::big_endian})
-    CHECK(read_all(*open_volume(folder.write("v.dcm", data.file(order)))) == expected);
+    CHECK(read_all(*open_volume(write("v.dcm", data.file(order)))) == expected);
 }
 
-TEST_CASE("segments that overlap are in several volumes, each with its names") {
-  const Folder folder;
-  const auto file = folder.write(
+TEST_CASE_FIXTURE(Folder, "segments that overlap are in several volumes, each with its names") {
+  const auto file = write(
       "v.dcm",
       segmentation("BINARY", {segment(1, "Liver"), segment(2, "Tumour"), segment(5, "Rib")},
                    {{1, 0, box(0, 3, 0, 3)}, {2, 0, box(2, 5, 2, 5)}, {5, 0, box(7, 7, 0, 0)}})
           .file());
-  check_refusal(refusal(file), "2 volumes");
+  check_refused(file, "2 volumes");
   VolumeOptions options = with(&VolumeOptions::frame, 0);
   auto reader = open_volume(file, options);
   CHECK(reader->info().frames == 2);
@@ -159,11 +149,10 @@ TEST_CASE("segments that overlap are in several volumes, each with its names") {
   CHECK(read_all(*reader) == slices_of({box(2, 5, 2, 5, 2)}));
 }
 
-TEST_CASE("segments are in one volume if the file states that none overlap") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "segments are in one volume if the file states that none overlap") {
   Dataset data =
       segmentation("BINARY", liver_and_spleen, {{1, 0, box(0, 3, 0, 3)}, {2, 0, box(2, 5, 2, 5)}});
-  const auto file = folder.write("v.dcm", data.text(0x00620013, "CS", "NO").file());
+  const auto file = write("v.dcm", data.text(0x00620013, "CS", "NO").file());
   CHECK(open_volume(file)->info().frames == 1);
 }
 
@@ -184,14 +173,13 @@ TEST_CASE("segments that lie beside each other in other slices do not overlap") 
   CHECK(layers.at(4) == 0);
 }
 
-TEST_CASE("fractions of at least a half are of a segment, with a note") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "fractions of at least a half are of a segment, with a note") {
   Voxels fractions(voxels_of_slice, 0);
   fractions[3] = 99;
   fractions[4] = 100;
   fractions[5] = 200;
   Dataset data = segmentation("FRACTIONAL", {segment(1, "Liver")}, {{1, 0, fractions}});
-  const auto reader = open_volume(folder.write("v.dcm", data.whole(0x0062000e, {200}).file()));
+  const auto reader = open_volume(write("v.dcm", data.whole(0x0062000e, {200}).file()));
   CHECK(noted(reader->info(), "a voxel belongs to a segment from a half on"));
   CHECK(name_of(reader->info(), 1) == "Liver");
   Voxels expected(voxels_of_slice, 0);
@@ -199,14 +187,13 @@ TEST_CASE("fractions of at least a half are of a segment, with a note") {
   CHECK(read_all(*reader) == slices_of({expected}));
 }
 
-TEST_CASE("a map of labels is read unchanged, also with a palette") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a map of labels is read unchanged, also with a palette") {
   Voxels labels = box(0, 3, 0, 3, 1);
   labels[20] = 2;
   Dataset data =
       segmentation("LABELMAP", liver_and_spleen, {{0, 0, labels}, {0, 2, box(1, 1, 1, 1, 2)}});
   data.text(0x00280004, "CS", "PALETTE COLOR");
-  const auto reader = open_volume(folder.write("v.dcm", data.file()));
+  const auto reader = open_volume(write("v.dcm", data.file()));
   CHECK(name_of(reader->info(), 2) == "Spleen");
   CHECK(read_all(*reader) == slices_of({labels, Voxels(voxels_of_slice, 0), box(1, 1, 1, 1, 2)}));
 }
@@ -223,42 +210,37 @@ TEST_CASE("colours of segments are those of sRGB from which they were encoded") 
   CHECK(srgb_of_cielab({56638, 32897, 42532}) == Srgb{241, 214, 145});
 }
 
-TEST_CASE("names of segments are converted to UTF-8") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "names of segments are converted to UTF-8") {
   Dataset data = segmentation("BINARY",
                               {segment(1,
                                        "Sch\xe4"
                                        "del")},
                               {{1, 0, box(0, 1, 0, 1)}});
-  const auto latin = folder.write("v.dcm", data.text(0x00080005, "CS", "ISO_IR 100").file());
+  const auto latin = write("v.dcm", data.text(0x00080005, "CS", "ISO_IR 100").file());
   CHECK(name_of(open_volume(latin)->info(), 1) ==
         "Sch\xc3\xa4"
         "del");
 }
 
-TEST_CASE("a segmentation without positions or with uneven ones is refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a segmentation without positions or with uneven ones is refused") {
   Dataset unplaced = segmentation("BINARY", {segment(1, "Liver")}, {{1, 0, box(0, 1, 0, 1)}});
-  check_refusal(refusal(folder.write("v.dcm", unplaced.drop(0x52009229).file())),
+  check_refused(write("v.dcm", unplaced.drop(0x52009229).file()),
                 "a segmentation whose frames have no position");
   Dataset twice = segmentation("BINARY", {segment(1, "Liver")},
                                {{1, 0, box(0, 1, 0, 1)}, {1, 0, box(2, 3, 0, 1)}});
-  check_refusal(refusal(folder.write("v.dcm", twice.file())),
-                "two frames have the same place and segment");
+  check_refused(write("v.dcm", twice.file()), "two frames have the same place and segment");
 }
 
-TEST_CASE("segmentations beside an image are volumes of their own") {
-  const Folder folder;
-  for (int z = 0; z < depth; ++z) folder.write("IM" + std::to_string(z), slice(z).file());
+TEST_CASE_FIXTURE(Folder, "segmentations beside an image are volumes of their own") {
+  for (int z = 0; z < depth; ++z) write("IM" + std::to_string(z), slice(z).file());
   Dataset data = segmentation("BINARY", liver_and_spleen, {{1, 0, box(0, 1, 0, 1)}});
-  folder.write("seg.dcm", data.text(0x0020000e, "UI", "1.2.9").file());
-  check_refusal(refusal(folder.path()), "1 frame of 8 x 6, 'SEG', 2 segments, UID 1.2.9");
-  CHECK(open_volume(folder.path(), with(&VolumeOptions::series, "1.2.9"))->info().format ==
+  write("seg.dcm", data.text(0x0020000e, "UI", "1.2.9").file());
+  check_refused(path(), "1 frame of 8 x 6, 'SEG', 2 segments, UID 1.2.9");
+  CHECK(open_volume(path(), with(&VolumeOptions::series, "1.2.9"))->info().format ==
         "DICOM segmentation");
 }
 
-TEST_CASE("names in the character sets of Asia are UTF-8") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "names in the character sets of Asia are UTF-8") {
   const struct {
     const char *set, *name, *utf8;
   } cases[] = {{"\\ISO 2022 IR 87", "\x1b$B4NB!\x1b(B", "\xe8\x82\x9d\xe8\x87\x93"},
@@ -267,8 +249,7 @@ TEST_CASE("names in the character sets of Asia are UTF-8") {
   for (const auto& each : cases) {
     INFO(each.set);
     Dataset data = segmentation("BINARY", {segment(1, each.name)}, {{1, 0, box(1, 3, 1, 3)}});
-    const auto reader =
-        open_volume(folder.write("a.dcm", data.text(0x00080005, "CS", each.set).file()));
+    const auto reader = open_volume(write("a.dcm", data.text(0x00080005, "CS", each.set).file()));
     REQUIRE(reader->info().labels.size() == 1);
     CHECK(reader->info().labels[0].name == each.utf8);
   }

@@ -1,21 +1,12 @@
 // DICOM files of write_dicom.py, written by other programs. They are ordered by position, decoded,
 // or refused if they hold no volume.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
 using namespace volume_files;
 using command_tests::contains;
 using command_tests::contents;
-using Spacing = std::array<double, 3>;
 
 constexpr int width = 8;
 constexpr int height = 6;
@@ -76,7 +67,7 @@ const std::string orientation = "1.000\\0.000\\0.000\\0.000\\1.000\\0.000";
 TEST_CASE("slices of a folder are in the order of their positions, with spacing and scale") {
   const auto reader = open_volume(files / "series");
   const VolumeInfo& info = reader->info();
-  CHECK(info.dims == std::array<std::uint32_t, 3>{width, height, depth});
+  CHECK(info.dims == Dims{width, height, depth});
   CHECK(info.type == SampleType::i16);
   CHECK(info.spacing_mm == Spacing{0.5, 0.75, 2.5});
   CHECK(info.slope == 0.5);
@@ -118,7 +109,7 @@ TEST_CASE("frames of one file are in the order of their positions, in every tran
     INFO(one.name);
     const auto reader = open_volume(files / (one.name + ".dcm"));
     const VolumeInfo& info = reader->info();
-    CHECK(info.dims == std::array<std::uint32_t, 3>{width, height, depth});
+    CHECK(info.dims == Dims{width, height, depth});
     CHECK(info.type == one.type);
     CHECK(info.spacing_mm == Spacing{0.5, 0.75, 2.5});
     CHECK(info.slope == 0.5);
@@ -169,36 +160,33 @@ std::string with_split_fragments(const std::string& bytes) {
   return result + bytes.substr(at);
 }
 
-TEST_CASE("JPEG frames in several fragments each are read without offsets") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "JPEG frames in several fragments each are read without offsets") {
   for (const std::string name : {"u8-jpeg.dcm", "u16-jpeg.dcm", "u8-lossy.dcm", "u16-jpegls.dcm"}) {
     INFO(name);
-    const auto split = folder.write("v.dcm", with_split_fragments(contents(files / name)));
+    const auto split = write("v.dcm", with_split_fragments(contents(files / name)));
     CHECK(read_all(*open_volume(split)) == read_all(*open_volume(files / name)));
   }
-  check_refusal(
-      refusal(folder.write("v.dcm", with_split_fragments(contents(files / "u16-j2k.dcm")))),
-      "its part of the compressed pixel data is unknown");
+  check_refused(write("v.dcm", with_split_fragments(contents(files / "u16-j2k.dcm"))),
+                "its part of the compressed pixel data is unknown");
 }
 
-TEST_CASE("JPEG frames that are not counted are left out with a note") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "JPEG frames that are not counted are left out with a note") {
   const std::string count("\x28\0\x08\0IS\2\0", 8);
   const std::string split = with_split_fragments(contents(files / "u8-jpeg.dcm"));
-  const auto reader = open_volume(folder.write("v.dcm", replaced(split, count + '5', count + '2')));
+  const auto reader = open_volume(write("v.dcm", replaced(split, count + '5', count + '2')));
   CHECK(read_all(*reader).size() == 2 * width * height);
   CHECK(noted(reader->info(), "left out, as many as those of 3 further frames"));
 }
 
-TEST_CASE("JPEG of another size, or of other samples, than the file declares is refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "JPEG of another size, or of other samples, than the file declares is refused") {
   const auto tag = [](char element, char value) {
     return std::string("\x28\0", 2) + element + std::string("\0US\2\0", 5) + value + '\0';
   };
   for (const std::string name : {"u8-lossy.dcm", "u12-lossy.dcm", "u8-jpeg.dcm", "u16-jpeg.dcm"}) {
     const std::string bytes = contents(files / name);
     const auto refused = [&](const std::string& changed) {
-      return refusal(folder.write("v.dcm", changed));
+      return refusal(write("v.dcm", changed));
     };
     const std::string rows = tag('\x10', height);
     INFO(name);
@@ -212,17 +200,15 @@ TEST_CASE("JPEG of another size, or of other samples, than the file declares is 
   const std::string allocated("\x28\0\0\1US\2\0", 8);
   const std::string wide =
       replaced(contents(files / "u8-jpeg.dcm"), allocated + '\x8', allocated + '\x10');
-  check_refusal(refusal(folder.write("v.dcm", wide)),
-                "of 8 bits; expected 8 x 6 samples of 16 bits");
+  check_refused(write("v.dcm", wide), "of 8 bits; expected 8 x 6 samples of 16 bits");
   const std::string colours =
       replaced(contents(files / "u8-jpeg.dcm"), std::string("\0\6\0\x8\1", 5),
                std::string("\0\6\0\x8\3", 5));
-  check_refusal(refusal(folder.write("v.dcm", colours)), "has 3 components; expected 1");
+  check_refused(write("v.dcm", colours), "has 3 components; expected 1");
 }
 
 TEST_CASE("a deflated file is refused with the remedy") {
-  check_refusal(refusal(files / "deflated.dcm"),
-                "deflated as a whole (inflate it with dcmconv +te)");
+  check_refused(files / "deflated.dcm", "deflated as a whole (inflate it with dcmconv +te)");
 }
 
 TEST_CASE("bits above the stored ones are ignored") {
@@ -245,11 +231,11 @@ TEST_CASE("values are read if slope and intercept differ between slices") {
 TEST_CASE("a missing slice is refused with its place") {
   const Series series;
   series.drop(2);
-  check_refusal(refusal(series.path()),
+  check_refused(series.path(),
                 "1 slice is missing between 102.5 mm (slice2) and 107.5 mm (slice1)");
   series.drop(1);
   // Two are left on one side, and one on the other.
-  check_refusal(refusal(series.path()),
+  check_refused(series.path(),
                 "2 slices are missing between 100 mm (slice0) and 107.5 mm (slice1)");
 }
 
@@ -269,18 +255,17 @@ TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, 
   CHECK(read_all(*reader) == expected);
   // Far apart: not of slices that were lost, and without end to fill.
   series.put(4, replaced(slice(4), place(4), "1100000"));
-  check_refusal(refusal(series.path(), options), "too many to fill");
+  check_refused(series.path(), options, "too many to fill");
 }
 
-TEST_CASE("a frame replaces a missing one in every compression") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a frame replaces a missing one in every compression") {
   std::vector<double> expected = changed(values(), [](double v) { return v + 2000; });
   constexpr std::ptrdiff_t of_slice = width * height;
   const std::vector<double> repeated(expected.end() - 2 * of_slice, expected.end() - of_slice);
   expected.insert(expected.end() - of_slice, repeated.begin(), repeated.end());
   for (const std::string name : {"u16.dcm", "u16-rle.dcm", "u16-jpeg.dcm", "u16-j2k.dcm"}) {
     INFO(name);
-    const auto file = folder.write(name, replaced(contents(files / name), place(4), "112.500"));
+    const auto file = write(name, replaced(contents(files / name), place(4), "112.500"));
     CHECK(read_all(*open_volume(file, with(&VolumeOptions::allow_gaps, true))) == expected);
   }
 }
@@ -288,7 +273,7 @@ TEST_CASE("a frame replaces a missing one in every compression") {
 TEST_CASE("slices at uneven distances are refused") {
   const Series series;
   series.put(4, replaced(slice(4), place(4), "111.000"));
-  check_refusal(refusal(series.path()), "2.5 mm apart, but 3.5 mm between 107.5 mm");
+  check_refused(series.path(), "2.5 mm apart, but 3.5 mm between 107.5 mm");
 }
 
 TEST_CASE("a gap is a whole number of slices, however many are missing") {
@@ -299,7 +284,7 @@ TEST_CASE("a gap is a whole number of slices, however many are missing") {
   // 4.92 and 5.04 slices on.
   for (const std::string along : {"119.800", "120.100"}) {
     series.put(4, replaced(slice(4), place(4), along));
-    check_refusal(refusal(series.path(), options), "2.5 mm apart, but 12.");
+    check_refused(series.path(), options, "2.5 mm apart, but 12.");
   }
 }
 
@@ -313,7 +298,7 @@ TEST_CASE("a repeated slice counts once, and another slice in its place is refus
   CHECK(noted(reader->info(), "2 slices that occur twice are dropped"));
   CHECK(read_all(*reader) == values());
   series.write("echo", replaced(replaced(slice(2), place(2), place(1)), "Head 2.5", "Echo two"));
-  check_refusal(refusal(series.path()), "two slices at 102.5 mm differ: ");
+  check_refused(series.path(), "two slices at 102.5 mm differ: ");
 }
 
 TEST_CASE("one of several series is chosen by its number or UID") {
@@ -340,10 +325,9 @@ TEST_CASE("one of several series is chosen by its number or UID") {
   CHECK(chosen(uid) == values());
   CHECK(chosen("2") == ones);
   CHECK(chosen(other) == ones);
-  check_refusal(refusal(series.path(), {{}, {}, "3"}),
-                "no series '3'; give one of these with --series:\n");
+  check_refused(series.path(), {{}, {}, "3"}, "no series '3'; give one of these with --series:\n");
   const auto nrrd_file = series.write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
-  check_refusal(refusal(nrrd_file, {{}, {}, "1"}), "leave out --series");
+  check_refused(nrrd_file, {{}, {}, "1"}, "leave out --series");
 }
 
 TEST_CASE("one of several volumes in a series is chosen by its number, not by the UID") {
@@ -366,8 +350,7 @@ TEST_CASE("one of several volumes in a series is chosen by its number, not by th
 TEST_CASE("a slice without position in a series is named") {
   const Series series;
   series.put(2, replaced(slice(2), "-10.000\\-20.000\\" + place(2), "                       "));
-  check_refusal(refusal(series.path()),
-                "several volumes in one series, with and without position (",
+  check_refused(series.path(), "several volumes in one series, with and without position (",
                 "1 slice of 8 x 6 without position, 'CT'", "4 slices of 8 x 6, 'CT'");
 }
 
@@ -396,7 +379,6 @@ TEST_CASE("the longest UID of a series is listed whole") {
 
 TEST_CASE("files that hold no image are skipped and counted") {
   const Series series;
-  fs::create_directory(series.path() / "reports");
   series.write("reports/a", contents(files / "report.dcm"));
   series.write("reports/b.dcm", "not DICOM at all");
   series.write("notes.txt", "of a colleague");
@@ -407,16 +389,16 @@ TEST_CASE("files that hold no image are skipped and counted") {
               "4 files without a volume's image are skipped: a DICOM file without an image ('SR'); "
               "a colour image (2); not a DICOM file"));
   CHECK(read_all(*reader) == values());
-  check_refusal(refusal(files / "report.dcm"), "this is a DICOM file without an image");
-  check_refusal(refusal(files / "colour.dcm"), "the file holds 3 channels");
-  check_refusal(refusal(series.path() / "reports"), "none of 2 DICOM files holds an image");
+  check_refused(files / "report.dcm", "this is a DICOM file without an image");
+  check_refused(files / "colour.dcm", "the file holds 3 channels");
+  check_refused(series.path() / "reports", "none of 2 DICOM files holds an image");
   const Folder empty;
-  check_refusal(refusal(empty.path()), "holds no DICOM files and no pictures");
+  check_refused(empty.path(), "holds no DICOM files and no pictures");
 }
 
 TEST_CASE("one slice of a series is a volume, with a hint to its folder") {
   const auto reader = open_volume(files / "series" / "IM3");
-  CHECK(reader->info().dims == std::array<std::uint32_t, 3>{width, height, 1});
+  CHECK(reader->info().dims == Dims{width, height, 1});
   CHECK(noted(reader->info(), "give its folder"));
 }
 
@@ -438,14 +420,13 @@ TEST_CASE("axes of the patient are those of the slices, and never mirrored") {
   CHECK(read_all(*reader) == expected);
 }
 
-TEST_CASE("DICOM truncated at any byte is refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "DICOM truncated at any byte is refused") {
   for (const std::string name : {"little.dcm", "u16-rle.dcm", "u16-jpeg.dcm", "u16-jpegls.dcm",
                                  "u16-j2k.dcm", "series/IM3"}) {
     const std::string bytes = contents(files / name);
     for (std::size_t size = 0; size + 1 < bytes.size(); size += 41) {
       INFO(name, " cut at ", size);
-      refusal(folder.write("cut.dcm", bytes.substr(0, size)));
+      refusal(write("cut.dcm", bytes.substr(0, size)));
     }
   }
 }
@@ -476,12 +457,10 @@ std::string nested(int levels, bool has_lengths) {
   return bytes.insert(bytes.find(before), inner);
 }
 
-TEST_CASE("sequences that are nested without end are refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "sequences that are nested without end are refused") {
   for (const bool has_lengths : {false, true}) {
-    CHECK(open_volume(folder.write("v.dcm", nested(30, has_lengths)))->info().dims[0] == width);
-    check_refusal(refusal(folder.write("v.dcm", nested(20000, has_lengths))),
-                  "damaged, or deflated");
+    CHECK(open_volume(write("v.dcm", nested(30, has_lengths)))->info().dims[0] == width);
+    check_refused(write("v.dcm", nested(20000, has_lengths)), "damaged, or deflated");
   }
 }
 

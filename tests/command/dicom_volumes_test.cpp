@@ -1,9 +1,4 @@
 // Several volumes in one series of DICOM: times, echoes, phases, kernels, separated and chosen.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "command.hpp"
 #include "dicom_files.hpp"
 
@@ -96,8 +91,7 @@ TEST_CASE("volumes that continue each other are listed with their places and a r
       put_at(data, {-10, -20, number == 0 ? 2.5 * z : second + 5 * z});
     });
   };
-  check_refusal(refusal(two(20).path()), ", or resample all to one distance of slices",
-                "at 20 to 40 mm");
+  check_refused(two(20).path(), ", or resample all to one distance of slices", "at 20 to 40 mm");
   CHECK(refusal(two(5).path()).find("resample") == std::string::npos);
 }
 
@@ -106,7 +100,7 @@ TEST_CASE("images are separate volumes if their types differ from the third valu
     const std::string origin = z % 2 == 0 ? "ORIGINAL" : "DERIVED";
     data.text(0x00080008, "CS", origin + (number == 0 ? "\\PRIMARY\\M\\ND" : "\\PRIMARY\\P\\ND"));
   });
-  check_refusal(refusal(volumes.path()), "image type 'M\\ND'");
+  check_refused(volumes.path(), "image type 'M\\ND'");
   volumes.check_all(2);
 }
 
@@ -115,15 +109,14 @@ TEST_CASE("times are separated, and chosen by frame or from the list") {
     data.text(temporal_position, "IS", std::to_string(number + 1));
     data.text(trigger_time, "DS", std::to_string(9 * number));
   });
-  check_refusal(refusal(volumes.path()),
+  check_refused(volumes.path(),
                 "1: 5 slices of 8 x 6, 'CT', temporal position 1, trigger time 0 ms, UID",
                 "3: 5 slices of 8 x 6, 'CT', temporal position 3, trigger time 18 ms, UID");
   volumes.check_all(3);
   VolumeOptions options = with(&VolumeOptions::frame, 1);
   CHECK(open_volume(volumes.path(), options)->info().frames == 3);
   options.frame = 3;
-  const std::string beyond = refusal(volumes.path(), options);
-  check_refusal(beyond, "there is no volume 3; choose one with --frame 0 to 2");
+  check_refused(volumes.path(), options, "there is no volume 3; choose one with --frame 0 to 2");
 }
 
 TEST_CASE("frames count within the series that is chosen") {
@@ -134,7 +127,7 @@ TEST_CASE("frames count within the series that is chosen") {
     volumes.write("other" + std::to_string(z),
                   slice(z, "5." + std::to_string(z)).text(0x0020000e, "UI", "1.2.4").file());
   VolumeOptions options = with(&VolumeOptions::frame, 1);
-  check_refusal(refusal(volumes.path(), options), "several volumes; choose one ");
+  check_refused(volumes.path(), options, "several volumes; choose one ");
   options.series = "1.2.3";
   const auto reader = open_volume(volumes.path(), options);
   CHECK(reader->info().frames == 2);
@@ -149,7 +142,7 @@ TEST_CASE("values of echoes that differ in their rounding are one") {
     data.text(echo_time, "DS",
               std::string(number == 0 ? "4.6" : "9.2") + (z == 2 ? "00000001" : ""));
   });
-  check_refusal(refusal(volumes.path()), "echo time 4.6 ms");
+  check_refused(volumes.path(), "echo time 4.6 ms");
   volumes.check_all(2);
 }
 
@@ -158,7 +151,7 @@ TEST_CASE("echoes of several times are separated by both") {
     data.text(temporal_position, "IS", std::to_string(1 + number / 2));
     data.text(echo_time, "DS", std::to_string(5 + number % 2));
   });
-  check_refusal(refusal(volumes.path()), "temporal position 2, echo time 6 ms");
+  check_refused(volumes.path(), "temporal position 2, echo time 6 ms");
   volumes.check_all(4);
 }
 
@@ -169,7 +162,7 @@ TEST_CASE("directions of diffusion are separated, with one or more per b-value")
       data.real(0x00189089,
                 {number == 1 ? 1.0 : 0.0, number == 2 ? 1.0 : 0.0, number == 3 ? 1.0 : 0.0});
   });
-  check_refusal(refusal(volumes.path()), "b-value 1000 s/mm2, gradient '1\\0\\0'");
+  check_refused(volumes.path(), "b-value 1000 s/mm2, gradient '1\\0\\0'");
   CHECK(volumes.read_series("1") == as_read(numbered_values(0)));
   // By the text of the direction.
   CHECK(volumes.read_series("4") == as_read(numbered_values(1)));
@@ -180,8 +173,7 @@ TEST_CASE("slices with individual times are separated by their order") {
     data.text(trigger_time, "DS", std::to_string(100 * number + 7 * z % 5));
     data.text(instance_number, "IS", std::to_string(1 + number + 2 * z));
   });
-  check_refusal(refusal(volumes.path()),
-                "1: 5 slices of 8 x 6, 'CT', number 1 by trigger time, UID",
+  check_refused(volumes.path(), "1: 5 slices of 8 x 6, 'CT', number 1 by trigger time, UID",
                 "2: 5 slices of 8 x 6, 'CT', number 2 by trigger time, UID");
   volumes.check_all(2);
   CHECK(noted(open_volume(volumes.path(), with(&VolumeOptions::series, "2"))->info(),
@@ -192,7 +184,7 @@ TEST_CASE("instance numbers determine the order if nothing else does") {
   const Volumes volumes(3, [](Dataset& data, int number, int z) {
     data.text(instance_number, "IS", std::to_string(1 + 3 * z + number));
   });
-  check_refusal(refusal(volumes.path()), "number 3 by instance number");
+  check_refused(volumes.path(), "number 3 by instance number");
   volumes.check_all(3);
 }
 
@@ -203,7 +195,7 @@ TEST_CASE("attributes that vary between slices do not separate volumes") {
     data.text(instance_number, "IS", std::to_string(z + 1));
     data.text(acquisition_number, "IS", std::to_string(number + 1));
   });
-  check_refusal(refusal(volumes.path()), "acquisition 7");
+  check_refused(volumes.path(), "acquisition 7");
   volumes.check_all(7);
 }
 
@@ -212,7 +204,7 @@ TEST_CASE("an order separates no volumes if positions have different numbers of 
     data.text(instance_number, "IS", std::to_string(1 + number + 2 * z));
   });
   fs::remove(volumes.path() / ("IM" + std::to_string(7 * 2 % 11) + "0"));
-  check_refusal(refusal(volumes.path()), "no attribute separates their volumes");
+  check_refused(volumes.path(), "no attribute separates their volumes");
 }
 
 TEST_CASE("a volume with a missing slice is separated, and refused alone") {
@@ -222,13 +214,12 @@ TEST_CASE("a volume with a missing slice is separated, and refused alone") {
   fs::remove(volumes.path() / ("IM" + std::to_string((7 * 2 + 3) % 11) + "1"));
   CHECK(volumes.read_series("1") == as_read(numbered_values(0)));
   CHECK(volumes.read_series("3") == as_read(numbered_values(2)));
-  check_refusal(refusal(volumes.path(), with(&VolumeOptions::series, "2")),
-                "1 slice is missing between");
+  check_refused(volumes.path(), with(&VolumeOptions::series, "2"), "1 slice is missing between");
 }
 
 TEST_CASE("inseparable slices at the same position are refused with both files") {
   const Volumes volumes(2, [](Dataset& data, int, int) { data.drop(instance_number); });
-  check_refusal(refusal(volumes.path()),
+  check_refused(volumes.path(),
                 "two slices at 100 mm differ: ", "no attribute separates their volumes",
                 "give a pattern of the files of one volume");
   CHECK(read_all(*open_volume(volumes.path() / "IM*1")) == as_read(numbered_values(1)));
@@ -266,10 +257,9 @@ Dataset enhanced() {
   return data.samples(samples, 16, true);
 }
 
-TEST_CASE("times in one file are separated and chosen") {
-  const Folder folder;
-  const auto file = folder.write("v.dcm", enhanced().file());
-  check_refusal(refusal(file), "2: 5 slices of 8 x 6, 'MR', temporal position 2, UID");
+TEST_CASE_FIXTURE(Folder, "times in one file are separated and chosen") {
+  const auto file = write("v.dcm", enhanced().file());
+  check_refused(file, "2: 5 slices of 8 x 6, 'MR', temporal position 2, UID");
   VolumeOptions options;
   for (std::uint32_t time = 0; time < 2; ++time) {
     options.frame = time;
@@ -278,26 +268,23 @@ TEST_CASE("times in one file are separated and chosen") {
   }
 }
 
-TEST_CASE("files of all slices each are as many volumes") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "files of all slices each are as many volumes") {
   for (const int number : {0, 1}) {
     Dataset data = frames();
     put_at(data, position(0)).text(0x00180050, "DS", "2.5");
     data.text(0x00080018, "UI", "1.2.3.9." + std::to_string(number));
     data.text(instance_number, "IS", std::to_string(number + 1));
-    folder.write("v" + std::to_string(number),
-                 data.samples(numbered_values(number), 16, true).file());
+    write("v" + std::to_string(number), data.samples(numbered_values(number), 16, true).file());
   }
   VolumeOptions options;
   for (std::uint32_t number = 0; number < 2; ++number) {
     options.frame = number;
-    CHECK(read_all(*open_volume(folder.path(), options)) ==
+    CHECK(read_all(*open_volume(path(), options)) ==
           as_read(numbered_values(static_cast<int>(number))));
   }
 }
 
-TEST_CASE("time slots of nuclear medicine are volumes") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "time slots of nuclear medicine are volumes") {
   Dataset detector;
   put_at(detector, position(0));
   Dataset data = frames("NM");
@@ -312,8 +299,8 @@ TEST_CASE("time slots of nuclear medicine are volumes") {
       for (const std::int64_t value : slice_values(z)) samples.push_back(value + 5000 * slot);
     }
   data.text(0x00280008, "IS", "10").whole(0x00540070, slots).whole(0x00540080, slices);
-  const auto file = folder.write("v.dcm", data.samples(samples, 16, true).file());
-  check_refusal(refusal(file), "time slot 2");
+  const auto file = write("v.dcm", data.samples(samples, 16, true).file());
+  check_refused(file, "time slot 2");
   CHECK(read_all(*open_volume(file, with(&VolumeOptions::frame, 1))) ==
         as_read(numbered_values(1)));
 }
@@ -324,7 +311,7 @@ TEST_CASE("the advice of the list leads to a mesh") {
     data.text(kernel, "SH", number == 0 ? "B30" : "B70");
   });
   const std::string folder = "'" + volumes.path().string() + "'";
-  check_failure(workshop.run("extract " + folder + " --iso 0 -o v.stl"), 1, {"--series N"});
+  workshop.fails("extract " + folder + " --iso 0 -o v.stl", 1, {"--series N"});
   workshop.done("extract " + folder + " --iso 0 --series 2 -o v.stl");
   workshop.done("extract " + folder + " --iso 0 --frame 1 -o w.stl");
   CHECK(workshop.read("v.stl") == workshop.read("w.stl"));

@@ -2,14 +2,9 @@
 // meets itself.
 #include "meshes/ears.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <map>
 #include <random>
-#include <utility>
-#include <vector>
+
+#include "test.hpp"
 
 namespace {
 

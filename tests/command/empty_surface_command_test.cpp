@@ -1,10 +1,5 @@
 // Thresholds that leave no surface, or select the whole volume: the message has the actual values.
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
@@ -25,12 +20,12 @@ const std::string values =
 
 }  // namespace
 
-TEST_CASE("an empty surface is an error with the range of values, and no file is written") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ramp);
-  workshop.write("none.nrrd", nrrd(volume_files::nrrd_u8) + "\n" + std::string(60, '\0'));
-  workshop.write("other.stl", "before");
-  const auto names = workshop.names();
+TEST_CASE_FIXTURE(Workshop,
+                  "an empty surface is an error with the range of values, and no file is written") {
+  write("v.nrrd", ramp);
+  write("none.nrrd", nrrd(volume_files::nrrd_u8) + "\n" + std::string(60, '\0'));
+  write("other.stl", "before");
+  const auto names = file_names();
   const std::pair<std::string, std::string> examples[] = {
       {"--iso 4901", "no voxel reaches 4901"},
       {"--iso 1e9 --surface interpolated", "no voxel reaches 1000000000"},
@@ -51,58 +46,52 @@ TEST_CASE("an empty surface is an error with the range of values, and no file is
   for (const auto& [selection, reason] : examples)
     for (const std::string file : {"v.stl", "v.jsonl", "v.dmc", "other.stl"}) {
       const std::string arguments = "extract v.nrrd " + selection + " -o " + file;
-      const Result result = workshop.run(arguments);
+      const Result result = run(arguments);
       INFO(arguments, "\n", result.error);
       if (result.code == 2) continue;  // what does not go together
       const bool is_label = selection.find("--label") != std::string::npos;
       const std::string more = is_label ? "; list the labels with discmc info" : values;
       check_failure(result, 1, {"v.nrrd: " + reason + more, "--allow-empty"});
     }
-  CHECK(workshop.names() == names);
-  CHECK(workshop.read("other.stl") == "before");
+  CHECK(file_names() == names);
+  CHECK(read("other.stl") == "before");
 }
 
-TEST_CASE("an empty surface among several is reported, and no file is written") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Workshop, "an empty surface among several is reported, and no file is written") {
+  write("v.nrrd", ramp);
   for (const std::string file : {"'{name}.ply'", "v.dmc", "v.dmc --wire slices"})
-    check_failure(workshop.run("extract v.nrrd --iso 100 --iso 7000 --iso 200 -o " + file), 1,
-                  {"no voxel reaches 7000" + values});
-  CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
+    fails("extract v.nrrd --iso 100 --iso 7000 --iso 200 -o " + file, 1,
+          {"no voxel reaches 7000" + values});
 }
 
-TEST_CASE("a surface whose bodies are all too small is empty, too") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Workshop, "a surface whose bodies are all too small is empty, too") {
+  write("v.nrrd", ramp);
   const std::string extract = "extract v.nrrd --iso 100 --min-volume 100 -o v.stl";
-  check_failure(workshop.run(extract), 1, {"no body is as large as --min-volume"});
-  CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
-  workshop.done(extract + " --allow-empty");
+  fails(extract, 1, {"no body is as large as --min-volume"});
+  done(extract + " --allow-empty");
 }
 
-TEST_CASE("an empty surface of a pipe is a failure, too") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ramp);
+TEST_CASE_FIXTURE(Workshop, "an empty surface of a pipe is a failure, too") {
+  write("v.nrrd", ramp);
   for (const std::string file : {"v.stl", "v.dmc"}) {
     const std::string extract = "cat v.nrrd | \"$discmc\" extract - -o " + file;
-    check_failure(workshop.shell(extract + " --iso 7000"), 1,
+    check_failure(shell(extract + " --iso 7000"), 1,
                   {"standard input: no voxel reaches 7000" + values});
     check_failure(
-        workshop.shell(extract + " --iso=-2000 --border open"), 1,
+        shell(extract + " --iso=-2000 --border open"), 1,
         {"standard input: every voxel reaches -2000, so a surface with --border open is empty"});
   }
-  CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
+  CHECK(file_names() == std::vector<std::string>{"v.nrrd"});
 }
 
-TEST_CASE("a surface equal to the box of the volume is written with a note") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ramp);
-  workshop.write("four.nrrd", nrrd(volume_files::nrrd_u8) + "\n" + std::string(60, '\4'));
+TEST_CASE_FIXTURE(Workshop, "a surface equal to the box of the volume is written with a note") {
+  write("v.nrrd", ramp);
+  write("four.nrrd", nrrd(volume_files::nrrd_u8) + "\n" + std::string(60, '\4'));
   for (const std::string file : {"v.stl", "v.dmc", "v.dmc --wire slices", "v.png"}) {
     INFO(file);
     const std::string command = file == "v.png" ? "render" : "extract";
     const auto error_of = [&](const std::string& arguments) {
-      const Result result = workshop.run(command + " " + arguments + " -o " + file);
+      const Result result = run(command + " " + arguments + " -o " + file);
       CHECK(result.code == 0);
       return result.error;
     };
@@ -112,26 +101,25 @@ TEST_CASE("a surface equal to the box of the volume is written with a note") {
     CHECK(contains(error_of("four.nrrd --label 4"), "every voxel has label 4" + box));
     CHECK(error_of("v.nrrd --iso=-999").empty());
   }
-  check_told(workshop.shell("cat v.nrrd | \"$discmc\" extract - --iso=-2000 -o v.stl"), 0,
+  check_told(shell("cat v.nrrd | \"$discmc\" extract - --iso=-2000 -o v.stl"), 0,
              {"standard input: every voxel reaches -2000"});
 }
 
-TEST_CASE("a volume filled by the median or by infinite values is reported as such") {
-  const Workshop workshop;
-  const auto write = [&](const std::string& name, const std::string& sample, int hole) {
+TEST_CASE_FIXTURE(Workshop,
+                  "a volume filled by the median or by infinite values is reported as such") {
+  const auto write_floats = [&](const std::string& name, const std::string& sample, int hole) {
     std::string samples;
     for (int i = 0; i < 60; ++i) samples += (i == hole ? "0" : sample) + " ";
-    workshop.write(
-        name, nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm,
-                   "5 3 4") +
-                  "\n" + samples);
+    write(name, nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm,
+                     "5 3 4") +
+                    "\n" + samples);
   };
-  write("hole.nrrd", "7", 22);
-  write("inf.nrrd", "inf", -1);
-  write("mixed.nrrd", "inf", 22);
+  write_floats("hole.nrrd", "7", 22);
+  write_floats("inf.nrrd", "inf", -1);
+  write_floats("mixed.nrrd", "inf", 22);
   std::string mostly_off = "inf ";
   for (int i = 0; i < 59; ++i) mostly_off += "0 ";
-  workshop.write(
+  write(
       "one.nrrd",
       nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "5 3 4") +
           "\n" + mostly_off);
@@ -144,57 +132,52 @@ TEST_CASE("a volume filled by the median or by infinite values is reported as su
   };
   for (const std::string command : {"extract", "render"})
     for (const auto& [arguments, reason] : examples)
-      check_failure(workshop.run(command + " " + arguments + " --iso 5 -o v." +
-                                 (command == "extract" ? "stl" : "png")),
-                    1, {reason});
-  check_failure(workshop.run("render inf.nrrd --classic --border open --iso 5 -o v.png"), 1,
-                {"inf.nrrd: every voxel reaches 5" + open});
+      fails(command + " " + arguments + " --iso 5 -o v." + (command == "extract" ? "stl" : "png"),
+            1, {reason});
+  fails("render inf.nrrd --classic --border open --iso 5 -o v.png", 1,
+        {"inf.nrrd: every voxel reaches 5" + open});
   for (const std::string command : {"extract hole.nrrd -q -o v.stl", "render hole.nrrd -o v.png"})
-    CHECK(contains(workshop.run(command + " --iso 5 --median 3 ").error,
+    CHECK(contains(run(command + " --iso 5 --median 3 ").error,
                    "hole.nrrd: after --median every voxel reaches 5, so the surface is the box"));
 }
 
-TEST_CASE("an empty surface of a volume without numbers is reported") {
-  const Workshop workshop;
-  workshop.write(
+TEST_CASE_FIXTURE(Workshop, "an empty surface of a volume without numbers is reported") {
+  write(
       "v.nrrd",
       nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "2 1 2") +
           "\nnan nan nan nan");
-  check_failure(workshop.run("extract v.nrrd --iso 3 -o v.stl"), 1,
-                {"no voxel reaches 3, and no value is finite; "});
+  fails("extract v.nrrd --iso 3 -o v.stl", 1, {"no voxel reaches 3, and no value is finite; "});
 }
 
-TEST_CASE("pictures and distances of empty surfaces are refused with the values") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ramp);
-  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
+TEST_CASE_FIXTURE(Workshop,
+                  "pictures and distances of empty surfaces are refused with the values") {
+  write("v.nrrd", ramp);
+  done("extract v.nrrd --iso 100 -q -o v.dmc");
   for (const std::string look : {"", " --classic", " --shade smooth"})
-    check_failure(workshop.run("render v.nrrd --iso 7000 -o v.png" + look), 1,
-                  {"v.nrrd: no voxel reaches 7000" + values});
-  check_failure(workshop.run("compare v.dmc v.nrrd --iso 7000"), 1,
-                {"v.nrrd: no voxel reaches 7000" + values});
-  CHECK(workshop.names() == std::vector<std::string>{"v.dmc", "v.nrrd"});
+    fails("render v.nrrd --iso 7000 -o v.png" + look, 1,
+          {"v.nrrd: no voxel reaches 7000" + values});
+  fails("compare v.dmc v.nrrd --iso 7000", 1, {"v.nrrd: no voxel reaches 7000" + values});
+  CHECK(file_names() == std::vector<std::string>{"v.dmc", "v.nrrd"});
 }
 
-TEST_CASE("a stream without polygons is decoded and drawn with a note") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ramp);
-  workshop.done("extract v.nrrd --iso 7000 --allow-empty -q -o v.dmc");
+TEST_CASE_FIXTURE(Workshop, "a stream without polygons is decoded and drawn with a note") {
+  write("v.nrrd", ramp);
+  done("extract v.nrrd --iso 7000 --allow-empty -q -o v.dmc");
   for (const std::string command : {"decode v.dmc -o v.stl", "render v.dmc -o v.png"}) {
-    const auto empty = workshop.run(command);
+    const auto empty = run(command);
     CHECK(empty.code == 0);
     CHECK(empty.error ==
           "discmc: v.dmc: the stream holds no polygon; extract it with another threshold\n");
   }
 }
 
-TEST_CASE("messages about a volume narrowed for its normals print the values of the file") {
-  const Workshop workshop;
-  workshop.write(
+TEST_CASE_FIXTURE(Workshop,
+                  "messages about a volume narrowed for its normals print the values of the file") {
+  write(
       "v.nrrd",
       nrrd("type: float\nencoding: ascii\nspacings: 1 1 1\n" + volume_files::units_in_mm, "2 1 2") +
           "\n0.25 0.5 nan -8");
   for (const std::string file : {"v.ply", "v.dmc"})
-    check_failure(workshop.run("extract v.nrrd --iso 3 --normals gradient -o " + file), 1,
-                  {"no voxel reaches 3, and the values are -8 to 0.5;"});
+    fails("extract v.nrrd --iso 3 --normals gradient -o " + file, 1,
+          {"no voxel reaches 3, and the values are -8 to 0.5;"});
 }

@@ -1,11 +1,8 @@
 // The regions of a part as packets, and which of them a join may pass on.
 #include "extraction/encoded_part.hpp"
 
-#include <doctest/doctest.h>
-
-#include <vector>
-
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 using namespace discmc::test;
 using discmc::Status;

@@ -1,13 +1,7 @@
 // Volumes through the extractor as `extract` takes them: counts, memory, sample types.
 #include "extraction/extraction.hpp"
 
-#include <doctest/doctest.h>
-
-#include <limits>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "command.hpp"
 #include "hand_made.hpp"

@@ -1,10 +1,9 @@
 // Formats by the names of files.
 #include "mesh_files/file_format.hpp"
 
-#include <doctest/doctest.h>
-
 #include <stdexcept>
-#include <string>
+
+#include "test.hpp"
 
 using discmc::command::Format;
 using discmc::command::format_of;

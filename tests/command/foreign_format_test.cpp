@@ -1,17 +1,12 @@
 // Files of formats that are not read: each is named, with what makes a readable file of it.
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
 using namespace volume_files;
 
-TEST_CASE("an unsupported format is named with its converter, by name or by first bytes") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "an unsupported format is named with its converter, by name or by first bytes") {
   struct Case {
     const char* file;
     const char* head;
@@ -39,7 +34,7 @@ TEST_CASE("an unsupported format is named with its converter, by name or by firs
   };
   for (const Case& each : cases) {
     INFO(each.file);
-    check_refusal(refusal(folder.write(each.file, std::string(each.head) + "...")), each.refusal,
+    check_refused(write(each.file, std::string(each.head) + "..."), each.refusal,
                   "which is not supported");
   }
 }
@@ -56,11 +51,10 @@ TEST_CASE("files of unsupported formats count as volumes, not as streams") {
   }
 }
 
-TEST_CASE("with a layout such files are headerless samples") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "with a layout such files are headerless samples") {
   const VolumeOptions options = with(&VolumeOptions::layout, RawLayout{{5, 3, 4}, SampleType::u8});
-  check_volume(folder.write("a.isq", stored(SampleType::u8)), SampleType::u8, "raw", options);
-  check_volume(folder.write("2dseq", stored(SampleType::u8)), SampleType::u8, "raw", options);
+  check_volume(write("a.isq", stored(SampleType::u8)), SampleType::u8, "raw", options);
+  check_volume(write("2dseq", stored(SampleType::u8)), SampleType::u8, "raw", options);
 }
 
 }  // namespace

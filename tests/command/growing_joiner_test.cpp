@@ -1,14 +1,11 @@
 // The joiner of the command: it grows as it must, and what has no partner stays loose.
 #include "surface/growing_joiner.hpp"
 
-#include <doctest/doctest.h>
-
-#include <vector>
-
 #include "hand_made.hpp"
 #include "oracle/region.hpp"
 #include "oracle/stream.hpp"
 #include "surface/surface_builder.hpp"
+#include "test.hpp"
 
 namespace {
 

@@ -1,10 +1,6 @@
 // The pages of docs/ for owners of volumes agree with the command: messages, formats, keys of info.
-#include <doctest/doctest.h>
-
 #include <filesystem>
 #include <regex>
-#include <string>
-#include <vector>
 
 #include "cli/commands.hpp"
 #include "command.hpp"
@@ -82,13 +78,12 @@ TEST_CASE("the guide's tables contain only supported volume formats and all mesh
     CHECK(contains(meshes, "| `" + ending + "` |"));
 }
 
-TEST_CASE("the guide names every key of info, and every exit code") {
+TEST_CASE_FIXTURE(Workshop, "the guide names every key of info, and every exit code") {
   const std::string page = text_of("docs/command.md");
-  const Workshop workshop;
-  workshop.write("v.nrrd", discmc::reference::ball({20, 20, 20}, {19, 19, 15}, 100));
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  write("v.nrrd", discmc::reference::ball({20, 20, 20}, {19, 19, 15}, 100));
+  done("extract v.nrrd --iso 100 -o v.dmc");
   for (const std::string input : {"v.nrrd", "v.dmc"})
-    for (const auto& each : workshop.info(input)) {
+    for (const auto& each : info_of(input)) {
       const std::string& key = each.first;
       if (key.rfind("percentile_", 0) == 0) continue;  // given as a range
       INFO(input, " ", key);

@@ -2,18 +2,10 @@
 // skipped slices. The sample types are in container_table_test. Without the library the test is
 // disabled, but compiled.
 #if __has_include(<hdf5.h>)
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "command.hpp"
-#include "volume_files.hpp"
 #include "volumes/formats/hdf5/dataset.hpp"
 #include "volumes/formats/hdf5/handle.hpp"
 
@@ -111,53 +103,53 @@ void write_counted(const fs::path& file) {
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
 const std::string several = files / "hdf5_arrays/several.hdf5";
 
+struct Hdf5File : Folder {
+  const fs::path file = path() / "v.h5";
+};
+
 TEST_CASE("the only array of three dimensions is the volume") {
   check_volume(files / "hdf5/i16-big-gzip.h5", SampleType::i16,
                "HDF5, /exchange/data, shuffle, gzip, fletcher32");
 }
 
 TEST_CASE("one of several arrays is chosen by its name behind that of the file") {
-  check_refusal(refusal(several), "holds 3 arrays: /scan/half (5 x 3 x 4), /scan/truth");
+  check_refused(several, "holds 3 arrays: /scan/half (5 x 3 x 4), /scan/truth");
   check_volume(several + ":/scan/u8", SampleType::u8, "HDF5, /scan/u8, raw");
   check_volume(several + ":/scan/half", SampleType::f32, "HDF5, /scan/half, raw");
-  CHECK(open_volume(several + ":/scan/slice")->info().dims ==
-        std::array<std::uint32_t, 3>{5, 3, 1});
+  CHECK(open_volume(several + ":/scan/slice")->info().dims == Dims{5, 3, 1});
   for (const double truth : read_all(*open_volume(several + ":/scan/truth")))
     CHECK((truth == 0 || truth == 1));
 }
 
 TEST_CASE("a name in a file that is no array of numbers is refused") {
   for (const std::string name : {"/scan/none", "/scan", "/scan/complex"})
-    check_refusal(refusal(several + ":" + name),
+    check_refused(several + ":" + name,
                   "there is no array '" + name +
                       "' of numbers with two or more dimensions in the file; choose one of "
                       "/scan/half (5 x 3 x 4)");
-  check_refusal(refusal(files / "none.h5"), "there is no such file");
+  check_refused(files / "none.h5", "there is no such file");
 }
 
-TEST_CASE("a colon may be part of the name of a file") {
-  const Folder folder;
-  fs::create_directory(folder.path() / "a:");
-  const fs::path file = folder.write("a:/volume.h5", contents(files / "hdf5/u8-little.h5"));
+TEST_CASE_FIXTURE(Folder, "a colon may be part of the name of a file") {
+  const fs::path file = write("a:/volume.h5", contents(files / "hdf5/u8-little.h5"));
   check_volume(file, SampleType::u8, "HDF5, /volume, raw");
   check_volume(file.string() + ":/volume", SampleType::u8, "HDF5, /volume, raw");
 }
 
-TEST_CASE("HDF5 is recognized by its first bytes") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "HDF5 is recognized by its first bytes") {
   const std::string bytes = contents(files / "hdf5/u8-little.h5");
-  check_volume(folder.write("volume", bytes), SampleType::u8, "HDF5, /volume, raw");
+  check_volume(write("volume", bytes), SampleType::u8, "HDF5, /volume, raw");
 }
 
 TEST_CASE("an array that cannot be unpacked or has scales of its own is refused with the remedy") {
   const fs::path packed = files / "hdf5_arrays/packed.h5";
-  check_refusal(refusal(packed), "packed by the filter 32008 of HDF5, which is not installed");
-  check_refusal(refusal(packed), "h5py.File('" + packed.string() + "')['/volume'][()]");
-  check_refusal(refusal(files / "hdf5_arrays/minc.h5"), "mnc2nii");
+  check_refused(packed, "packed by the filter 32008 of HDF5, which is not installed");
+  check_refused(packed, "h5py.File('" + packed.string() + "')['/volume'][()]");
+  check_refused(files / "hdf5_arrays/minc.h5", "mnc2nii");
 }
 
 // Where Python has the two modules: on Debian python3-hdf5plugin and hdf5-filter-plugin.
-TEST_CASE("the command in the remedy unpacks the array, so that it is read") {
+TEST_CASE_FIXTURE(Folder, "the command in the remedy unpacks the array, so that it is read") {
   const command_tests::Workshop workshop;
   if (workshop.shell("/usr/bin/python3 -c 'import h5py, hdf5plugin'").code != 0) {
     MESSAGE("not run: this Python has no h5py or no hdf5plugin");
@@ -166,17 +158,16 @@ TEST_CASE("the command in the remedy unpacks the array, so that it is read") {
   workshop.write("volume", stored(SampleType::u8));
   REQUIRE(workshop.shell("bzip2 -c volume > packed").code == 0);
   const std::string packed = workshop.read("packed");
-  const Folder folder;
   {
     constexpr H5Z_filter_t bzip2 = 307;
     const Hdf5Handle creation = chunks_of({4, 3, 5});
     H5Pset_filter(creation.id(), bzip2, H5Z_FLAG_OPTIONAL, 0, nullptr);
-    const Hdf5Handle opened = new_file(folder.path() / "a.h5");
+    const Hdf5Handle opened = new_file(path() / "a.h5");
     const Hdf5Handle dataset = new_dataset(opened, "volume", {4, 3, 5}, creation);
     constexpr hsize_t first[] = {0, 0, 0};
     REQUIRE(H5Dwrite_chunk(dataset.id(), H5P_DEFAULT, 0, first, packed.size(), packed.data()) >= 0);
   }
-  workshop.write("a.h5", contents(folder.path() / "a.h5"));
+  workshop.write("a.h5", contents(path() / "a.h5"));
   const std::string refused =
       workshop.shell("HDF5_PLUGIN_PATH=/nonexistent \"$discmc\" info a.h5").error;
   const std::size_t begin = refused.find("python3 -c");
@@ -185,19 +176,17 @@ TEST_CASE("the command in the remedy unpacks the array, so that it is read") {
   const auto unpacked = workshop.shell("PATH=/usr/bin:$PATH; " + refused.substr(begin));
   INFO(unpacked.error);
   CHECK(unpacked.code == 0);
-  check_volume(folder.write("unpacked.h5", workshop.read("unpacked.h5")), SampleType::u8,
+  check_volume(write("unpacked.h5", workshop.read("unpacked.h5")), SampleType::u8,
                "HDF5, /volume, raw");
 }
 
-TEST_CASE("names of a file in a remedy are quoted, so that a shell runs none") {
-  const Folder folder;
-  const fs::path file = folder.path() / "names.h5";
+TEST_CASE_FIXTURE(Hdf5File, "names of a file in a remedy are quoted, so that a shell runs none") {
   {
     const Hdf5Handle creation = chunks_of({4, 3, 5});
     H5Pset_filter(creation.id(), 32008, H5Z_FLAG_OPTIONAL, 0, nullptr);
     new_dataset(new_file(file), "$(reboot)", {4, 3, 5}, creation);
   }
-  check_refusal(refusal(file), "')['NAME'][()]");
+  check_refused(file, "')['NAME'][()]");
 }
 
 // An LZF stream with each kind of part, including the long one and one that overlaps its own
@@ -210,10 +199,8 @@ std::string lzf_of_runs() {
   return literal + again + run + far;
 }
 
-TEST_CASE("LZF of h5py is unpacked, and damaged LZF is refused") {
+TEST_CASE_FIXTURE(Hdf5File, "LZF of h5py is unpacked, and damaged LZF is refused") {
   check_volume(files / "hdf5/i16-big-lzf.h5", SampleType::i16, "HDF5, /volume, shuffle, lzf");
-  const Folder folder;
-  const fs::path file = folder.path() / "lzf.h5";
   constexpr hsize_t size = 33;
   const auto write = [&](const std::string& packed) {
     H5Zunregister(32000);  // which is only there to read, and the library would refuse the dataset
@@ -234,23 +221,23 @@ TEST_CASE("LZF of h5py is unpacked, and damaged LZF is refused") {
   for (const std::string& damaged :
        {std::string("\x20\x03", 2), std::string("\5\1", 2), std::string("\xe0", 1)}) {
     write(damaged);
-    check_refusal(refusal(file), "damaged or missing");
+    check_refused(file, "damaged or missing");
   }
 }
 
-TEST_CASE("links to other files are followed, and one array is one however many lead to it") {
+TEST_CASE_FIXTURE(
+    Folder, "links to other files are followed, and one array is one however many lead to it") {
   check_volume(files / "hdf5_arrays/master.h5", SampleType::u8,
                "HDF5, /entry/data/data_000001, raw");
-  const Folder folder;
-  folder.write("master.h5", contents(files / "hdf5_arrays/master.h5"));
-  check_refusal(refusal(folder.path() / "master.h5"),
+  write("master.h5", contents(files / "hdf5_arrays/master.h5"));
+  check_refused(path() / "master.h5",
                 "its links lead nowhere: /entry/data/data_000001 to data_000001.h5");
   {
-    const Hdf5Handle opened(
-        H5Fopen((folder.path() / "master.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    const Hdf5Handle opened(H5Fopen((path() / "master.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT),
+                            H5Fclose);
     new_dataset(opened, "here", {4, 3, 5}, no_creation());
   }
-  const auto reader = open_volume(folder.path() / "master.h5");
+  const auto reader = open_volume(path() / "master.h5");
   CHECK(reader->info().format == "HDF5, /here, raw");
   CHECK(
       noted(reader->info(), "links that lead nowhere: /entry/data/data_000001 to data_000001.h5"));
@@ -262,9 +249,7 @@ TEST_CASE("axes that ilastik names are those") {
   CHECK_FALSE(noted(open_volume(file)->info(), "dropped"));
 }
 
-TEST_CASE("axes are named in any order, and samples keep their places") {
-  const Folder folder;
-  const fs::path file = folder.path() / "axes.h5";
+TEST_CASE_FIXTURE(Hdf5File, "axes are named in any order, and samples keep their places") {
   const std::vector<std::uint8_t> samples = [] {
     std::vector<std::uint8_t> all;
     for (int i = 0; i < 120; ++i) all.push_back(static_cast<std::uint8_t>(i));
@@ -298,9 +283,8 @@ TEST_CASE("axes are named in any order, and samples keep their places") {
     }
 }
 
-TEST_CASE("a note names the index that is x in an array of MATLAB") {
-  const Folder folder;
-  const fs::path file = folder.path() / "volume.mat";
+TEST_CASE_FIXTURE(Folder, "a note names the index that is x in an array of MATLAB") {
+  const fs::path file = path() / "volume.mat";
   {
     const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
     H5Pset_userblock(creation.id(), 512);
@@ -314,15 +298,13 @@ TEST_CASE("a note names the index that is x in an array of MATLAB") {
   }
   std::string bytes = contents(file);
   bytes.replace(0, 10, "MATLAB 7.3");
-  folder.write("volume.mat", bytes);
+  write("volume.mat", bytes);
   const auto reader = open_volume(file);
   CHECK(reader->info().format == "HDF5, /V, raw");
   CHECK(noted(reader->info(), "its first index is read as x; if it is y, give --axes zxy"));
 }
 
-TEST_CASE("padded arrays of Imaris are refused with a converter") {
-  const Folder folder;
-  const fs::path file = folder.path() / "a.h5";
+TEST_CASE_FIXTURE(Hdf5File, "padded arrays of Imaris are refused with a converter") {
   {
     const Hdf5Handle opened = new_file(file);
     const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
@@ -333,12 +315,10 @@ TEST_CASE("padded arrays of Imaris are refused with a converter") {
         H5Gclose);
     new_dataset(group, "Data", {4, 3, 5}, no_creation());
   }
-  check_refusal(refusal(file), "this is Imaris, which pads its arrays");
+  check_refused(file, "this is Imaris, which pads its arrays");
 }
 
-TEST_CASE("samples with fewer bits than their storage are read") {
-  const Folder folder;
-  const fs::path file = folder.path() / "bits.h5";
+TEST_CASE_FIXTURE(Hdf5File, "samples with fewer bits than their storage are read") {
   const std::vector<std::uint32_t> samples = {0, 1, 77, 4095, 0, 2048, 300, 9};
   {
     const Hdf5Handle type(H5Tcopy(H5T_STD_U32LE), H5Tclose);
@@ -352,9 +332,7 @@ TEST_CASE("samples with fewer bits than their storage are read") {
   CHECK(read_all(*reader) == std::vector<double>(samples.begin(), samples.end()));
 }
 
-TEST_CASE("bits of PyTables are truth values") {
-  const Folder folder;
-  const fs::path file = folder.path() / "mask.h5";
+TEST_CASE_FIXTURE(Hdf5File, "bits of PyTables are truth values") {
   const std::vector<std::uint8_t> samples = {0, 1, 1, 0, 0, 0, 1, 0};
   {
     const Hdf5Handle opened = new_file(file);
@@ -366,51 +344,46 @@ TEST_CASE("bits of PyTables are truth values") {
   CHECK(read_all(*reader) == std::vector<double>(samples.begin(), samples.end()));
 }
 
-TEST_CASE("a virtual array is read from other files, and refused if one is missing") {
-  const Folder folder;
-  folder.write("source.h5", contents(files / "hdf5/u8-little.h5"));
-  write_virtual(folder.path() / "there.h5", "source.h5");
-  CHECK(read_all(*open_volume(folder.path() / "there.h5")) ==
-        read_all(*open_volume(folder.path() / "source.h5")));
-  write_virtual(folder.path() / "missing.h5", "none.h5");
-  check_refusal(refusal(folder.path() / "missing.h5"), "the file 'none.h5', which is missing");
+TEST_CASE_FIXTURE(Folder,
+                  "a virtual array is read from other files, and refused if one is missing") {
+  write("source.h5", contents(files / "hdf5/u8-little.h5"));
+  write_virtual(path() / "there.h5", "source.h5");
+  CHECK(read_all(*open_volume(path() / "there.h5")) ==
+        read_all(*open_volume(path() / "source.h5")));
+  write_virtual(path() / "missing.h5", "none.h5");
+  check_refused(path() / "missing.h5", "the file 'none.h5', which is missing");
 }
 
-TEST_CASE("the limit of a slice is that of the file that holds it, behind a link") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "the limit of a slice is that of the file that holds it, behind a link") {
   {
     const Hdf5Handle packed = chunks_of({1, 4000, 4000});
     H5Pset_deflate(packed.id(), 1);
     const std::vector<std::uint8_t> samples(16000000, 7);
-    const Hdf5Handle opened = new_file(folder.path() / "large.h5");
+    const Hdf5Handle opened = new_file(path() / "large.h5");
     const Hdf5Handle dataset = new_dataset(opened, "volume", {1, 4000, 4000}, packed);
     H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data());
-    H5Lcreate_external("large.h5", "/volume", new_file(folder.path() / "link.h5").id(), "volume",
+    H5Lcreate_external("large.h5", "/volume", new_file(path() / "link.h5").id(), "volume",
                        H5P_DEFAULT, H5P_DEFAULT);
   }
-  const auto reader = open_volume(folder.path() / "link.h5:/volume");
+  const auto reader = open_volume(path() / "link.h5:/volume");
   std::vector<std::uint8_t> slice(16000000);
   reader->read_slice(slice.data());
   CHECK(slice.back() == 7);
 }
 
-TEST_CASE("an array with too many chunks to be kept is still listed") {
-  const Folder folder;
-  new_dataset(new_file(folder.path() / "chunks.h5"), "volume", {3, 32766, 32766},
-              chunks_of({1, 1, 1}));
-  check_refusal(refusal(folder.path() / "chunks.h5"), "a slice of 1073610756 bytes cannot be in");
+TEST_CASE_FIXTURE(Folder, "an array with too many chunks to be kept is still listed") {
+  new_dataset(new_file(path() / "chunks.h5"), "volume", {3, 32766, 32766}, chunks_of({1, 1, 1}));
+  check_refused(path() / "chunks.h5", "a slice of 1073610756 bytes cannot be in");
 }
 
-TEST_CASE("names with control characters are shown without") {
-  const Folder folder;
-  const fs::path file = folder.path() / "names.h5";
+TEST_CASE_FIXTURE(Hdf5File, "names with control characters are shown without") {
   new_dataset(new_file(file), "a\x1b[31m", {4, 3, 5}, no_creation());
   CHECK(open_volume(file)->info().format == "HDF5, /a_[31m, raw");
   {
     const Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
     new_dataset(opened, "b", {4, 3, 5}, no_creation());
   }
-  check_refusal(refusal(file), "/a_[31m (5 x 3 x 4), /b");
+  check_refused(file, "/a_[31m (5 x 3 x 4), /b");
 }
 
 TEST_CASE("the library prints no errors of its own, in any thread") {
@@ -439,9 +412,7 @@ TEST_CASE("slices that are skipped are not those that are read") {
   }
 }
 
-TEST_CASE("a chunk of several slices is unpacked once") {
-  const Folder folder;
-  const fs::path file = folder.path() / "counted.h5";
+TEST_CASE_FIXTURE(Hdf5File, "a chunk of several slices is unpacked once") {
   write_counted(file);
   unpacked_chunks = 0;
   const std::vector<double> samples = read_all(*open_volume(file));
@@ -449,12 +420,11 @@ TEST_CASE("a chunk of several slices is unpacked once") {
   CHECK(unpacked_chunks == 8);
 }
 
-TEST_CASE("a file truncated at any byte is refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a file truncated at any byte is refused") {
   const std::string bytes = contents(files / "hdf5/i16-big-gzip.h5");
   for (std::size_t size = 0; size < bytes.size(); size += 97) {
     INFO("cut at ", size);
-    const fs::path file = folder.write("cut.h5", bytes.substr(0, size));
+    const fs::path file = write("cut.h5", bytes.substr(0, size));
     refusal(file);
   }
 }
@@ -503,9 +473,8 @@ void write_scales(const Hdf5Handle& file, const Hdf5Handle& dataset,
   REQUIRE(H5Awrite(attribute.id(), type.id(), list.data()) >= 0);
 }
 
-TEST_CASE("axes are named and placed by the scales of NetCDF in any order") {
-  const Folder folder;
-  const fs::path file = folder.path() / "v.nc";
+TEST_CASE_FIXTURE(Folder, "axes are named and placed by the scales of NetCDF in any order") {
+  const fs::path file = path() / "v.nc";
   const std::vector<std::uint8_t> samples = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
   {
     const Hdf5Handle opened = new_file(file);
@@ -514,30 +483,27 @@ TEST_CASE("axes are named and placed by the scales of NetCDF in any order") {
     write_scales(opened, dataset, {{"lon", {5, 7, 9}}, {"lat", {50, 48.5}}, {"lev", {0, 4}}});
   }
   const auto reader = open_volume(file);
-  CHECK(reader->info().dims == std::array<std::uint32_t, 3>{3, 2, 2});
-  CHECK(reader->info().spacing_mm == std::array<double, 3>{2, -1.5, 4});
+  CHECK(reader->info().dims == Dims{3, 2, 2});
+  CHECK(reader->info().spacing_mm == Spacing{2, -1.5, 4});
   REQUIRE(reader->info().placement);
-  CHECK(reader->info().placement->origin_mm == std::array<double, 3>{5, 50, 0});
+  CHECK(reader->info().placement->origin_mm == Vector{5, 50, 0});
   CHECK(read_all(*reader) == std::vector<double>{1, 5, 9, 3, 7, 11, 2, 6, 10, 4, 8, 12});
 }
 
-TEST_CASE("uneven coordinates are refused, unless distances are given") {
-  const Folder folder;
-  const fs::path file = folder.path() / "v.nc";
+TEST_CASE_FIXTURE(Hdf5File, "uneven coordinates are refused, unless distances are given") {
   {
     const Hdf5Handle opened = new_file(file);
     const Hdf5Handle dataset = new_dataset(opened, "density", {3, 2, 2}, no_creation());
     write_scales(opened, dataset, {{"lev", {0, 4, 9}}, {"lat", {0, 1}}, {"lon", {0, 1}}});
   }
-  check_refusal(refusal(file), "the coordinates of the axis 'lev' are uneven, from 0 to 9");
+  check_refused(file, "the coordinates of the axis 'lev' are uneven, from 0 to 9");
   VolumeOptions options;
   options.spacing_mm = {1, 1, 2};
-  CHECK(open_volume(file, options)->info().spacing_mm == std::array<double, 3>{1, 1, 2});
+  CHECK(open_volume(file, options)->info().spacing_mm == Spacing{1, 1, 2});
 }
 
-TEST_CASE("values are scaled as NetCDF packs them, and the fill value is outside") {
-  const Folder folder;
-  const fs::path file = folder.path() / "v.nc";
+TEST_CASE_FIXTURE(Hdf5File,
+                  "values are scaled as NetCDF packs them, and the fill value is outside") {
   const std::vector<std::uint8_t> samples = {10, 200, 255, 10};
   {
     const Hdf5Handle dataset = new_dataset(new_file(file), "density", {1, 2, 2}, no_creation());
@@ -557,9 +523,7 @@ TEST_CASE("values are scaled as NetCDF packs them, and the fill value is outside
   CHECK(read_all(*open_volume(file, options))[2] == 530);
 }
 
-TEST_CASE("a fill value that is not a number leaves all others as they are") {
-  const Folder folder;
-  const fs::path file = folder.path() / "v.nc";
+TEST_CASE_FIXTURE(Hdf5File, "a fill value that is not a number leaves all others as they are") {
   for (const char* const name : {"_FillValue", "missing_value"}) {
     const bool is_nan = name[0] == '_';
     {
@@ -570,9 +534,8 @@ TEST_CASE("a fill value that is not a number leaves all others as they are") {
   }
 }
 
-TEST_CASE("the geometry of DREAM3D-NX places its arrays") {
-  const Folder folder;
-  const fs::path file = folder.path() / "v.dream3d";
+TEST_CASE_FIXTURE(Folder, "the geometry of DREAM3D-NX places its arrays") {
+  const fs::path file = path() / "v.dream3d";
   {
     const Hdf5Handle opened = new_file(file);
     new_group(opened, "DataStructure");
@@ -583,14 +546,12 @@ TEST_CASE("the geometry of DREAM3D-NX places its arrays") {
     new_dataset(group, "Cell Data/Ids", {4, 3, 5, 1}, no_creation());
   }
   const VolumeInfo info = open_volume(file)->info();
-  CHECK(info.spacing_mm == std::array<double, 3>{2, 3, 4});
+  CHECK(info.spacing_mm == Spacing{2, 3, 4});
   REQUIRE(info.placement);
-  CHECK(info.placement->origin_mm == std::array<double, 3>{5, 6, 7});
+  CHECK(info.placement->origin_mm == Vector{5, 6, 7});
 }
 
-TEST_CASE("resolution and offset of CREMI are nanometres") {
-  const Folder folder;
-  const fs::path file = folder.path() / "v.h5";
+TEST_CASE_FIXTURE(Hdf5File, "resolution and offset of CREMI are nanometres") {
   {
     const Hdf5Handle dataset = new_dataset(new_file(file), "labels", {4, 3, 5}, no_creation());
     write_numbers(dataset, "resolution", {40, 4, 8});
@@ -603,9 +564,8 @@ TEST_CASE("resolution and offset of CREMI are nanometres") {
   CHECK(info.placement->origin_mm[2] == doctest::Approx(400e-6));
 }
 
-TEST_CASE("the axes of NeXus place an array, also by the borders of its voxels") {
-  const Folder folder;
-  const fs::path file = folder.path() / "v.nxs";
+TEST_CASE_FIXTURE(Folder, "the axes of NeXus place an array, also by the borders of its voxels") {
+  const fs::path file = path() / "v.nxs";
   for (const bool is_older : {false, true}) {
     {
       const Hdf5Handle opened = new_file(file);
@@ -621,16 +581,16 @@ TEST_CASE("the axes of NeXus place an array, also by the borders of its voxels")
       write_coordinates(group, {"x", {1, 3, 5, 7, 9, 11}});
     }
     const VolumeInfo info = open_volume(file)->info();
-    CHECK(info.spacing_mm == std::array<double, 3>{2, 1, 0.003});
+    CHECK(info.spacing_mm == Spacing{2, 1, 0.003});
     CHECK(noted(info, "no spacing of axis 2 given"));
     REQUIRE(info.placement);
-    CHECK(info.placement->origin_mm == std::array<double, 3>{2, 0, 0});
+    CHECK(info.placement->origin_mm == Vector{2, 0, 0});
   }
   {
     const Hdf5Handle opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
     write_coordinates(opened, {"/entry/theta", {0, 1, 5}});
   }
-  check_refusal(refusal(file), "the coordinates of the axis 'theta' are uneven, from 0 to 5");
+  check_refused(file, "the coordinates of the axis 'theta' are uneven, from 0 to 5");
 }
 
 // An image of VTK with an array of zeros, and with the marks of ghosts.
@@ -649,14 +609,13 @@ void write_vtk(const fs::path& file, const char* type, const std::vector<double>
   new_dataset(group, "PointData/vtkGhostType", {4, 3, 5}, no_creation());
 }
 
-TEST_CASE("an image of VTK in HDF5 lies where its attributes place it") {
-  const Folder folder;
-  const fs::path file = folder.path() / "v.vtkhdf";
+TEST_CASE_FIXTURE(Folder, "an image of VTK in HDF5 lies where its attributes place it") {
+  const fs::path file = path() / "v.vtkhdf";
   write_vtk(file, "ImageData", {5, 9, 0, 2, -1, 2}, "PointData/a", {4, 3, 5});
   const VolumeInfo info = open_volume(file)->info();
   REQUIRE(info.placement);
   CHECK(info.placement->axes_mm == discmc::meshing::Axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}});
-  CHECK(info.placement->origin_mm == std::array<double, 3>{1, 12, -1});
+  CHECK(info.placement->origin_mm == Vector{1, 12, -1});
   CHECK_FALSE(noted(info, "the axes are not named"));
   VolumeOptions turned;
   turned.axes = "yzx";
@@ -664,15 +623,15 @@ TEST_CASE("an image of VTK in HDF5 lies where its attributes place it") {
         discmc::meshing::Axes{{{0, 2, 0}, {0, 0, 4}, {-3, 0, 0}}});
 
   write_vtk(file, "ImageData", {0, 5, 0, 3, 0, 4}, "CellData/a", {4, 3, 5});
-  CHECK(open_volume(file)->info().placement->origin_mm == std::array<double, 3>{-0.5, 3, 5});
+  CHECK(open_volume(file)->info().placement->origin_mm == Vector{-0.5, 3, 5});
   write_vtk(file, "ImageData", {0, 5, 0, 3, 0, 4}, "PointData/a", {4, 3, 5});
-  check_refusal(refusal(file), "the array has 5 voxels along axis 1, and WholeExtent 6");
+  check_refused(file, "the array has 5 voxels along axis 1, and WholeExtent 6");
   write_vtk(file, "ImageData", {0, 5, 0, 3, 0, 4}, "PointData/a", {5, 4, 6, 2});
-  check_refusal(refusal(file), "the file holds 2 channels");
+  check_refused(file, "the file holds 2 channels");
   write_vtk(file, "ImageData", {0, 5, 0, 3, 0, 4}, "PointData/a", {2, 5, 4, 6}, true);
-  check_refusal(refusal(file), "the file holds 2 volumes");
+  check_refused(file, "the file holds 2 volumes");
   write_vtk(file, "UnstructuredGrid", {0, 4, 0, 2, 0, 3}, "PointData/a", {4, 3, 5});
-  check_refusal(refusal(file), "this is VTK's 'UnstructuredGrid', not ImageData");
+  check_refused(file, "this is VTK's 'UnstructuredGrid', not ImageData");
 }
 
 }  // namespace

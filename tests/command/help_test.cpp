@@ -60,15 +60,14 @@ TEST_CASE("help fits a terminal of 80 columns") {
     }
 }
 
-TEST_CASE("every example of the help is understood") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "every example of the help is understood") {
   for (const std::string& command : commands) {
     std::size_t examples = 0;
     for (const std::string& line : lines_of(help_of(command))) {
       const std::string start = "  discmc ";
       if (line.rfind(start, 0) != 0) continue;
       ++examples;
-      const Result result = workshop.run(line.substr(start.size()));
+      const Result result = run(line.substr(start.size()));
       INFO(line, "\n", result.error);
       CHECK(result.code == 1);  // the files are not there
     }

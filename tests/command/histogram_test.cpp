@@ -1,14 +1,9 @@
 // The number of samples per value, for every type, with few and many values.
 #include "statistics/histogram.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
 #include <random>
-#include <vector>
+
+#include "test.hpp"
 
 namespace {
 

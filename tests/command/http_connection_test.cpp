@@ -1,14 +1,13 @@
 // Requests to the server of discmc view --serve: how they are parsed, and how much is read.
 #include "pages/http_connection.hpp"
 
-#include <doctest/doctest.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <array>
 #include <future>
-#include <string>
 #include <string_view>
+
+#include "test.hpp"
 
 namespace {
 

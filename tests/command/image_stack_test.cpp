@@ -1,18 +1,10 @@
 // Stacks of pictures, which write_pictures.py wrote by other programs.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
 using namespace volume_files;
 using command_tests::contents;
-using Spacing = std::array<double, 3>;
 
 constexpr int width = 8;
 constexpr int height = 6;
@@ -41,7 +33,7 @@ TEST_CASE("a folder of PNG is a volume in the natural order of names") {
   for (const std::string name : {"stack", "stack/slice*.png", "stack/slice[0-9]*"}) {
     INFO(name);
     const auto reader = open_volume(files / name);
-    CHECK(reader->info().dims == std::array<std::uint32_t, 3>{width, height, 12});
+    CHECK(reader->info().dims == Dims{width, height, 12});
     CHECK(reader->info().type == SampleType::u16);
     CHECK(reader->info().format == "PNG");
     CHECK(noted(reader->info(), "no spacing given"));
@@ -77,7 +69,7 @@ TEST_CASE("pages of TIFF are slices, of every sample type and layout") {
   for (const Case& one : cases) {
     INFO(one.name);
     const auto reader = open_volume(files / (one.name + ".tif"));
-    CHECK(reader->info().dims == std::array<std::uint32_t, 3>{width, height, 5});
+    CHECK(reader->info().dims == Dims{width, height, 5});
     CHECK(reader->info().type == one.type);
     CHECK(reader->info().format == "TIFF");
     CHECK(read_all(*reader) == one.expected);
@@ -105,10 +97,10 @@ VolumeOptions of_channel(std::uint32_t channel) {
 }
 
 TEST_CASE("a channel of a colour picture is chosen as the refusal advises") {
-  check_refusal(refusal(files / "rgb.png"),
+  check_refused(files / "rgb.png",
                 "the file holds 3 channels ('red', 'green', 'blue'), and one is read at a time; "
                 "choose one with --channel N, the first is 0");
-  check_refusal(refusal(files / "alpha.png"), "2 channels ('grey', 'alpha')");
+  check_refused(files / "alpha.png", "2 channels ('grey', 'alpha')");
   CHECK(read_all(*open_volume(files / "alpha.png", of_channel(0))) == values(1, in_u8));
   for (const std::string name : {"rgb.png", "rgb.tif"})
     for (const std::uint32_t channel : {0U, 1U, 2U})
@@ -123,7 +115,7 @@ TEST_CASE("a channel of a colour picture is chosen as the refusal advises") {
     }
 }
 
-TEST_CASE("JPEG is read, and a channel of a colour JPEG") {
+TEST_CASE_FIXTURE(Folder, "JPEG is read, and a channel of a colour JPEG") {
   const auto near = [](const std::vector<double>& read, int slice) {
     const std::vector<double> all = values(slice + 1, in_u8);
     double most = 0;
@@ -136,36 +128,31 @@ TEST_CASE("JPEG is read, and a channel of a colour JPEG") {
   CHECK(grey->info().format == "JPEG");
   CHECK(near(read_all(*grey), 0) < 4);
   CHECK(near(read_all(*open_volume(files / "colours.jpg", of_channel(2))), 2) < 16);
-  check_refusal(refusal(files / "colours.jpg"), "3 channels");
+  check_refused(files / "colours.jpg", "3 channels");
   // The library would fill a truncated picture with grey.
-  const Folder folder;
   const std::string bytes = contents(files / "u8.jpg");
   for (const std::size_t cut : {2U, 10U, 60U})
-    check_refusal(refusal(folder.write("v.jpg", bytes.substr(0, bytes.size() - cut))),
+    check_refused(write("v.jpg", bytes.substr(0, bytes.size() - cut)),
                   "the JPEG file is damaged (Premature end of JPEG file)");
 }
 
-TEST_CASE("a picture is recognized by its first bytes under any name") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a picture is recognized by its first bytes under any name") {
   for (const std::string name : {"u8.png", "u8.tif", "u8.jpg", "u8.bmp"}) {
     const std::string bytes = contents(files / name);
-    if (name != "u8.bmp")
-      CHECK(open_volume(folder.write("picture", bytes))->info().dims[0] == width);
-    CHECK(open_volume(folder.write("v.png", bytes))->info().dims[0] == width);
+    if (name != "u8.bmp") CHECK(open_volume(write("picture", bytes))->info().dims[0] == width);
+    CHECK(open_volume(write("v.png", bytes))->info().dims[0] == width);
   }
-  check_refusal(refusal(folder.write("v.png", "no picture")), "not a PNG, TIFF, JPEG or BMP file");
-  for (const std::string name : {"slice1", "slice2"})
-    folder.write(name, contents(files / "u8.png"));
-  CHECK(open_volume(folder.path() / "slice*")->info().dims[2] == 2);
+  check_refused(write("v.png", "no picture"), "not a PNG, TIFF, JPEG or BMP file");
+  for (const std::string name : {"slice1", "slice2"}) write(name, contents(files / "u8.png"));
+  CHECK(open_volume(path() / "slice*")->info().dims[2] == 2);
 }
 
-TEST_CASE("a slice of another size or type is refused by its name") {
-  const Folder folder;
-  folder.write("a1.png", contents(files / "stack/slice0.png"));
-  folder.write("a2.png", contents(files / "u8.png"));
-  check_refusal(refusal(folder.path()),
+TEST_CASE_FIXTURE(Folder, "a slice of another size or type is refused by its name") {
+  write("a1.png", contents(files / "stack/slice0.png"));
+  write("a2.png", contents(files / "u8.png"));
+  check_refused(path(),
                 "a2.png: page 0 has 8 x 6 samples of u8, and a1.png has 8 x 6 samples of u16");
-  check_refusal(refusal(folder.path() / "b*.png"), "no file matches the pattern");
+  check_refused(path() / "b*.png", "no file matches the pattern");
 }
 
 VolumeOptions with_gaps_allowed() {
@@ -187,10 +174,9 @@ class NumberedStack : public Folder {
 
 TEST_CASE("a missing number among the names is refused with its place") {
   const NumberedStack stack({8, 9, 10, 12, 13, 14, 17});
-  const std::string text = refusal(stack.path());
-  check_refusal(text,
-                "3 slices are missing, the largest of 2 gaps between a2_14.png and a2_17.png; ");
-  check_refusal(text, "--allow-gaps");
+  check_refused(stack.path(),
+                "3 slices are missing, the largest of 2 gaps between a2_14.png and a2_17.png; ",
+                "--allow-gaps");
 }
 
 TEST_CASE("with gaps allowed the nearest slice replaces a missing one, with a note") {
@@ -225,7 +211,7 @@ TEST_CASE("names with even steps, two numbers, or constant numbers have no gaps"
 TEST_CASE("more missing than present slices are refused with the largest gap") {
   const NumberedStack stack({1, 2, 3, 5, 900});
   for (const VolumeOptions& options : {VolumeOptions{}, with_gaps_allowed()})
-    check_refusal(refusal(stack.path(), options),
+    check_refused(stack.path(), options,
                   "895 slices are missing, the largest of 2 gaps between a2_5.png and a2_900.png, "
                   "which is too many to fill");
 }
@@ -233,20 +219,19 @@ TEST_CASE("more missing than present slices are refused with the largest gap") {
 TEST_CASE("a folder with several kinds of pictures is refused with the remedy") {
   const NumberedStack stack({1, 2});
   stack.write("a.tif", contents(files / "u16.tif"));
-  check_refusal(refusal(stack.path()),
+  check_refused(stack.path(),
                 "2 PNG and 1 TIFF files are not one volume; give a pattern "
                 "of one kind, such as '" +
                     (stack.path() / "*.png").string());
   CHECK(open_volume(stack.path() / "*.png")->info().dims[2] == 2);
   stack.write("notes.txt", "of a colleague");
-  check_refusal(refusal(stack.path() / "*[gt]"),
+  check_refused(stack.path() / "*[gt]",
                 "and other files, such as 'notes.txt'; give a "
                 "pattern of one kind, such as '" +
                     (stack.path() / "*.png").string());
 }
 
-TEST_CASE("truncated pictures are refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "truncated pictures are refused") {
   for (const std::string name : {"stack/slice0.png", "u16.tif", "tiles.tif", "deflate.tif",
                                  "u8.jpg", "u8.bmp", "deep-tiles4.tif"}) {
     const std::string bytes = contents(files / name);
@@ -254,7 +239,7 @@ TEST_CASE("truncated pictures are refused") {
     // A truncated table of pages looks like a shorter one without the last page.
     for (std::size_t size = 0; size < 100; size += 7) {
       INFO(name, " cut at ", size);
-      refusal(folder.write(cut, bytes.substr(0, size)));
+      refusal(write(cut, bytes.substr(0, size)));
     }
   }
 }

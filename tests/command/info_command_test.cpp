@@ -1,10 +1,5 @@
 // discmc info of volumes, and how it distinguishes them from streams.
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
@@ -28,10 +23,9 @@ bool has_line(const std::string& text, const std::string& line) {
 
 }  // namespace
 
-TEST_CASE("info prints the header and the statistics of a volume") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", u8_file);
-  const std::string info = workshop.done("info v.nrrd");
+TEST_CASE_FIXTURE(Workshop, "info prints the header and the statistics of a volume") {
+  write("v.nrrd", u8_file);
+  const std::string info = done("info v.nrrd");
   INFO(info);
   for (const char* line :
        {"format NRRD, raw",  "type u8",          "slope 1",           "intercept 0",
@@ -44,12 +38,11 @@ TEST_CASE("info prints the header and the statistics of a volume") {
     CHECK(has_line(info, line));
 }
 
-TEST_CASE("the histogram counts every voxel once, within 80 columns") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "the histogram counts every voxel once, within 80 columns") {
   std::string samples = "-100000 90000";  // outliers
   for (int i = 0; i < 998; ++i) samples += ' ' + std::to_string(i);
-  workshop.write("v.nrrd", text_volume("int", "10 10 10", samples));
-  std::istringstream lines(workshop.done("info v.nrrd"));
+  write("v.nrrd", text_volume("int", "10 10 10", samples));
+  std::istringstream lines(done("info v.nrrd"));
   std::vector<std::array<double, 3>> found;
   for (std::string line; std::getline(lines, line);) {
     INFO(line);
@@ -70,10 +63,10 @@ TEST_CASE("the histogram counts every voxel once, within 80 columns") {
   CHECK(found.back() == std::array<double, 3>{900, 90000, 99});
 }
 
-TEST_CASE("a few distinct values are listed individually, and as labels if they are integers") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", text_volume("short", "2 2 2", "0 0 0 0 0 5 5 12"));
-  const std::string info = workshop.done("info v.nrrd");
+TEST_CASE_FIXTURE(
+    Workshop, "a few distinct values are listed individually, and as labels if they are integers") {
+  write("v.nrrd", text_volume("short", "2 2 2", "0 0 0 0 0 5 5 12"));
+  const std::string info = done("info v.nrrd");
   INFO(info);
   CHECK(contains(info, "histogram          0          0           5 ####"));
   CHECK(contains(info, "histogram          5          5           2 ####"));
@@ -81,35 +74,34 @@ TEST_CASE("a few distinct values are listed individually, and as labels if they 
   CHECK(has_line(info, "proposal --label N: one of 5 12"));
   REQUIRE(contains(info, "proposal --labels all: the values are few and whole"));
   CHECK(info.find("proposal --label") < info.find("proposal --iso"));
-  workshop.write("v.nrrd", text_volume("float", "2 2 2", "0 0 0 0 0 5 5 12.5"));
-  CHECK(!contains(workshop.done("info v.nrrd"), "--label"));
-  workshop.write("v.nrrd", text_volume("double", "2 2 2", "0 0 0 0 0 5 5 1e300"));
-  CHECK(!contains(workshop.done("info v.nrrd"), "--label"));
+  write("v.nrrd", text_volume("float", "2 2 2", "0 0 0 0 0 5 5 12.5"));
+  CHECK(!contains(done("info v.nrrd"), "--label"));
+  write("v.nrrd", text_volume("double", "2 2 2", "0 0 0 0 0 5 5 1e300"));
+  CHECK(!contains(done("info v.nrrd"), "--label"));
 }
 
-TEST_CASE("info proposes Otsu's threshold, and those of tissue for Hounsfield units") {
-  const Workshop workshop;
-  workshop.write("ct.nrrd", text_volume("short", "2 2 2", "-1000 -1000 -990 40 50 60 1200 1100"));
-  workshop.write("mri.nrrd", text_volume("float", "2 2 2", "0.1 0.2 0.1 0.3 0.7 0.8 0.75 nan"));
-  const std::string ct = workshop.done("info ct.nrrd");
+TEST_CASE_FIXTURE(Workshop,
+                  "info proposes Otsu's threshold, and those of tissue for Hounsfield units") {
+  write("ct.nrrd", text_volume("short", "2 2 2", "-1000 -1000 -990 40 50 60 1200 1100"));
+  write("mri.nrrd", text_volume("float", "2 2 2", "0.1 0.2 0.1 0.3 0.7 0.8 0.75 nan"));
+  const std::string ct = done("info ct.nrrd");
   CHECK(contains(ct, "proposal --iso=300 bone"));
   CHECK(contains(ct, "proposal --iso=-300 skin"));
   CHECK(contains(ct, "proposal --iso="));
-  const std::string mri = workshop.done("info mri.nrrd");
+  const std::string mri = done("info mri.nrrd");
   INFO(mri);
   CHECK(contains(mri, "proposal --iso=0.5 otsu"));
   CHECK(!contains(mri, "skin"));
   CHECK(has_line(mri, "range 0.1 0.8"));
   CHECK(has_line(mri, "not_numbers 1"));
   const std::string series = DISCMC_SOURCE_DIR "/tests/command/volumes/dicom/";
-  const Result dicom = workshop.run("info " + series + "u16.dcm");
+  const Result dicom = run("info " + series + "u16.dcm");
   if (dicom.code == 0) CHECK(contains(dicom.out, " bone: "));  // where it is built with DICOM
 }
 
-TEST_CASE("info of a volume without finite values prints no values") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", text_volume("float", "2 1 2", "nan inf nan nan"));
-  const std::string info = workshop.done("info v.nrrd");
+TEST_CASE_FIXTURE(Workshop, "info of a volume without finite values prints no values") {
+  write("v.nrrd", text_volume("float", "2 1 2", "nan inf nan nan"));
+  const std::string info = done("info v.nrrd");
   CHECK(has_line(info, "not_numbers 3"));
   CHECK(has_line(info, "infinite 1"));
   CHECK(has_line(info, "note no value is finite; check the file"));
@@ -117,65 +109,58 @@ TEST_CASE("info of a volume without finite values prints no values") {
   CHECK(!contains(info, "proposal"));
 }
 
-TEST_CASE("values at the ends of 64-bit floating point have a histogram, too") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "values at the ends of 64-bit floating point have a histogram, too") {
   std::string least, most;
   for (int i = 0; i < 20; ++i) {
     least += std::to_string(i) + "e-322 ";
     most += (i % 2 == 0 ? "-0." : "0.") + std::to_string(i + 1) + "e308 ";
   }
   for (const std::string& samples : {least, most}) {
-    workshop.write("v.nrrd", text_volume("double", "20 1 1", samples));
-    CHECK(contains(workshop.done("info v.nrrd"), "\nhistogram "));
+    write("v.nrrd", text_volume("double", "20 1 1", samples));
+    CHECK(contains(done("info v.nrrd"), "\nhistogram "));
   }
-  workshop.write("v.nrrd", text_volume("double", "2 2 2",
-                                       "1.7e308 1.7e308 1.7e308 1.7e308 1.7e308 -1e308 5 1e300"));
-  CHECK(has_line(workshop.done("info v.nrrd"), "mean 9.3750000125e+307"));
+  write("v.nrrd",
+        text_volume("double", "2 2 2", "1.7e308 1.7e308 1.7e308 1.7e308 1.7e308 -1e308 5 1e300"));
+  CHECK(has_line(done("info v.nrrd"), "mean 9.3750000125e+307"));
 }
 
-TEST_CASE(
+TEST_CASE_FIXTURE(
+    Workshop,
     "a file without a known extension is recognized by its first bytes, else it is a stream") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", u8_file);
-  workshop.write("v.raw", stored(SampleType::u8));
-  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
-  const std::string volume = workshop.done("info v.nrrd");
-  const std::string stream = workshop.done("info v.dmc");
-  workshop.write("packed", gzip(u8_file));
-  workshop.shell("cp v.nrrd volume; cp v.dmc stream; cp v.raw samples");
-  CHECK(workshop.done("info volume") == volume);
-  CHECK(workshop.done("info stream") == stream);
-  CHECK(workshop.shell("\"$discmc\" info - <v.nrrd").out == volume);
-  CHECK(workshop.shell("cat v.nrrd | \"$discmc\" info -").out == volume);
-  CHECK(workshop.shell("cat v.dmc | \"$discmc\" info -").out == stream);
-  CHECK(
-      contains(workshop.shell("cat packed | \"$discmc\" info -").out, "format NRRD, raw, gzip\n"));
-  CHECK(contains(workshop.done("info samples --dims 5,3,4 --type u8"), "\nrange 0 236\n"));
-  CHECK(contains(workshop.shell("\"$discmc\" info - --dims 5,3,4 --type u8 <v.raw").out,
-                 "\nrange 0 236\n"));
+  write("v.nrrd", u8_file);
+  write("v.raw", stored(SampleType::u8));
+  done("extract v.nrrd --iso 100 -q -o v.dmc");
+  const std::string volume = done("info v.nrrd");
+  const std::string stream = done("info v.dmc");
+  write("packed", gzip(u8_file));
+  shell("cp v.nrrd volume; cp v.dmc stream; cp v.raw samples");
+  CHECK(done("info volume") == volume);
+  CHECK(done("info stream") == stream);
+  CHECK(shell("\"$discmc\" info - <v.nrrd").out == volume);
+  CHECK(shell("cat v.nrrd | \"$discmc\" info -").out == volume);
+  CHECK(shell("cat v.dmc | \"$discmc\" info -").out == stream);
+  CHECK(contains(shell("cat packed | \"$discmc\" info -").out, "format NRRD, raw, gzip\n"));
+  CHECK(contains(done("info samples --dims 5,3,4 --type u8"), "\nrange 0 236\n"));
+  CHECK(contains(shell("\"$discmc\" info - --dims 5,3,4 --type u8 <v.raw").out, "\nrange 0 236\n"));
 }
 
-TEST_CASE("a large input is replayed whole") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", nrrd(volume_files::nrrd_u8, "300 300 10") + "\n" +
-                               std::string(300 * 300 * 10 - 1, '\1') + '\7');
-  const Result result = workshop.shell("cat v.nrrd | \"$discmc\" info -");
-  CHECK(result.out == workshop.done("info v.nrrd"));
+TEST_CASE_FIXTURE(Workshop, "a large input is replayed whole") {
+  write("v.nrrd", nrrd(volume_files::nrrd_u8, "300 300 10") + "\n" +
+                      std::string(300 * 300 * 10 - 1, '\1') + '\7');
+  const Result result = shell("cat v.nrrd | \"$discmc\" info -");
+  CHECK(result.out == done("info v.nrrd"));
   CHECK(contains(result.out, "\nhistogram          7          7           1 #\n"));
 }
 
-TEST_CASE("info refuses options of the other kind, and files of neither kind") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", u8_file);
-  workshop.write("nothing", "words");
-  check_failure(workshop.run("info v.nrrd --stream-channel 1"), 2,
-                {"--stream-channel", "applies to streams"});
-  check_failure(workshop.run("info v.dmc --frame 1"), 2, {"--frame", "applies to volumes"});
-  check_failure(workshop.run("info nothing"), 1,
-                {"nothing", "no header of a discmc stream", "--dims and --type"});
-  check_failure(workshop.run("info none.nrrd"), 1, {"none.nrrd", "there is no such file"});
-  check_failure(workshop.run("info " + std::string(300, 'v') + ".dmc"), 1,
-                {"v.dmc: ", "; check the name and the permissions"});
-  workshop.write("short.nrrd", u8_file.substr(0, u8_file.size() - 1));
-  CHECK(workshop.run("info short.nrrd").code == 1);
+TEST_CASE_FIXTURE(Workshop, "info refuses options of the other kind, and files of neither kind") {
+  write("v.nrrd", u8_file);
+  write("nothing", "words");
+  fails("info v.nrrd --stream-channel 1", 2, {"--stream-channel", "applies to streams"});
+  fails("info v.dmc --frame 1", 2, {"--frame", "applies to volumes"});
+  fails("info nothing", 1, {"nothing", "no header of a discmc stream", "--dims and --type"});
+  fails("info none.nrrd", 1, {"none.nrrd", "there is no such file"});
+  fails("info " + std::string(300, 'v') + ".dmc", 1,
+        {"v.dmc: ", "; check the name and the permissions"});
+  write("short.nrrd", u8_file.substr(0, u8_file.size() - 1));
+  CHECK(run("info short.nrrd").code == 1);
 }

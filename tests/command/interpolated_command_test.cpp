@@ -1,10 +1,4 @@
 // --surface interpolated and relaxed.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <set>
-#include <string>
-
 #include "command.hpp"
 #include "meshes/surface_distance.hpp"
 #include "sampled_field.hpp"
@@ -20,106 +14,99 @@ const std::string extract = "extract v.raw --dims 14,14,14 --type u8 -q --iso 50
 
 const sampled_field::Field ball = sampled_field::ball(14, 5.3);
 
-void write_ball(const Workshop& workshop) {
-  std::string bytes;
-  for (const int sample : ball.samples) bytes += static_cast<char>(sample);
-  workshop.write("v.raw", bytes);
-}
+struct Ball : Workshop {
+  Ball() {
+    std::string bytes;
+    for (const int sample : ball.samples) bytes += static_cast<char>(sample);
+    write("v.raw", bytes);
+  }
+};
 
 }  // namespace
 
-TEST_CASE("an interpolated surface is written unchanged in every format") {
-  const Workshop workshop;
-  write_ball(workshop);
+TEST_CASE_FIXTURE(Ball, "an interpolated surface is written unchanged in every format") {
   for (const double tolerance : {0.05, 0.2}) {
-    workshop.done(extract + "--surface interpolated --tolerance " + std::to_string(tolerance) +
-                  " -o v.obj");
-    const FaceMesh written = mesh_of_obj(workshop.read("v.obj"));
+    done(extract + "--surface interpolated --tolerance " + std::to_string(tolerance) + " -o v.obj");
+    const FaceMesh written = mesh_of_obj(read("v.obj"));
     const FaceMesh made = sampled_field::interpolated(sampled_field::extracted(ball), tolerance);
     CHECK(written.vertices_mm == made.vertices_mm);
     CHECK(written.corners == made.corners);
   }
-  workshop.done(extract + "--surface interpolated -o default.obj");
-  workshop.done(extract + "--surface interpolated --tolerance 0.05 -o v.obj");
-  CHECK(workshop.read("default.obj") == workshop.read("v.obj"));
-  workshop.done(extract + "--surface merged -o merged.obj");
-  workshop.done(extract + "-o default.obj");
-  CHECK(workshop.read("default.obj") == workshop.read("merged.obj"));
+  done(extract + "--surface interpolated -o default.obj");
+  done(extract + "--surface interpolated --tolerance 0.05 -o v.obj");
+  CHECK(read("default.obj") == read("v.obj"));
+  done(extract + "--surface merged -o merged.obj");
+  done(extract + "-o default.obj");
+  CHECK(read("default.obj") == read("merged.obj"));
 }
 
-TEST_CASE("a relaxed surface is the same of a volume and of its streams") {
-  const Workshop workshop;
-  write_ball(workshop);
-  workshop.done(extract + "--surface relaxed --tolerance 0 -o v.obj");
-  const FaceMesh relaxed = mesh_of_obj(workshop.read("v.obj"));
+TEST_CASE_FIXTURE(Ball, "a relaxed surface is the same of a volume and of its streams") {
+  done(extract + "--surface relaxed --tolerance 0 -o v.obj");
+  const FaceMesh relaxed = mesh_of_obj(read("v.obj"));
   CHECK(check_mesh(relaxed).closed());
-  workshop.done(extract + "--tolerance 0 --surface interpolated -o interpolated.obj");
-  CHECK(relaxed.vertices_mm != mesh_of_obj(workshop.read("interpolated.obj")).vertices_mm);
+  done(extract + "--tolerance 0 --surface interpolated -o interpolated.obj");
+  CHECK(relaxed.vertices_mm != mesh_of_obj(read("interpolated.obj")).vertices_mm);
   const auto sorted = [](auto vertices) {
     std::sort(vertices.begin(), vertices.end());
     return vertices;
   };
   for (const std::string wire : {"regions", "slices"}) {
-    workshop.done(extract + "--wire " + wire + " -o v.dmc");
-    workshop.done("decode v.dmc --surface relaxed --tolerance 0 --normals surface -o decoded.obj");
-    const FaceMesh decoded = mesh_of_obj(workshop.read("decoded.obj"));
+    done(extract + "--wire " + wire + " -o v.dmc");
+    done("decode v.dmc --surface relaxed --tolerance 0 --normals surface -o decoded.obj");
+    const FaceMesh decoded = mesh_of_obj(read("decoded.obj"));
     CHECK(sorted(decoded.vertices_mm) == sorted(relaxed.vertices_mm));
     CHECK(decoded.normals.size() == decoded.vertices_mm.size());
   }
   // The picture is that of the mesh, whatever it is of.
-  workshop.done("render v.dmc --surface relaxed -o stream.png");
-  workshop.done("render v.raw --dims 14,14,14 --type u8 --iso 50 --surface relaxed -o volume.png");
-  workshop.done("render v.dmc -o merged.png");
-  CHECK(workshop.read("stream.png") == workshop.read("volume.png"));
-  CHECK(workshop.read("stream.png") != workshop.read("merged.png"));
+  done("render v.dmc --surface relaxed -o stream.png");
+  done("render v.raw --dims 14,14,14 --type u8 --iso 50 --surface relaxed -o volume.png");
+  done("render v.dmc -o merged.png");
+  CHECK(read("stream.png") == read("volume.png"));
+  CHECK(read("stream.png") != read("merged.png"));
 }
 
-TEST_CASE("a stream with levels has the interpolated surface, and the same polygons") {
-  const Workshop workshop;
-  write_ball(workshop);
-  workshop.done(extract + "--wire slices -o plain.dmc");
-  workshop.done("decode plain.dmc -o plain.obj");
-  workshop.done(extract + "--surface interpolated --tolerance 0 -o exact.obj");
-  const FaceMesh exact = mesh_of_obj(workshop.read("exact.obj"));
+TEST_CASE_FIXTURE(Ball,
+                  "a stream with levels has the interpolated surface, and the same polygons") {
+  done(extract + "--wire slices -o plain.dmc");
+  done("decode plain.dmc -o plain.obj");
+  done(extract + "--surface interpolated --tolerance 0 -o exact.obj");
+  const FaceMesh exact = mesh_of_obj(read("exact.obj"));
   double farthest_of_less = 1;
   for (const std::string levels : {"2", "4"}) {
-    workshop.done(extract + "--wire slices --levels " + levels + " -o v.dmc");
-    workshop.done("decode v.dmc -o v.obj");
-    CHECK(workshop.read("v.obj") == workshop.read("plain.obj"));
-    workshop.done("decode v.dmc --surface interpolated --tolerance 0 -o v.obj");
-    const FaceMesh mesh = mesh_of_obj(workshop.read("v.obj"));
+    done(extract + "--wire slices --levels " + levels + " -o v.dmc");
+    done("decode v.dmc -o v.obj");
+    CHECK(read("v.obj") == read("plain.obj"));
+    done("decode v.dmc --surface interpolated --tolerance 0 -o v.obj");
+    const FaceMesh mesh = mesh_of_obj(read("v.obj"));
     CHECK(check_mesh(mesh).closed());
     const double farthest = discmc::meshing::distances(mesh, exact).largest;
     CHECK(farthest < 0.75 * farthest_of_less);
     farthest_of_less = farthest;
   }
   CHECK(farthest_of_less < 0.25);
-  workshop.done("render v.dmc --surface interpolated -o v.png");
+  done("render v.dmc --surface interpolated -o v.png");
 }
 
-TEST_CASE("a picture shows the kind of surface that is given") {
-  const Workshop workshop;
-  write_ball(workshop);
+TEST_CASE_FIXTURE(Ball, "a picture shows the kind of surface that is given") {
   std::set<std::string> pictures;
   for (const std::string surface : {"merged", "interpolated", "relaxed"}) {
-    workshop.done("render v.raw --dims 14,14,14 --type u8 --iso 50 --shade smooth --surface " +
-                  surface + " -o v.png");
-    pictures.insert(workshop.read("v.png"));
+    done("render v.raw --dims 14,14,14 --type u8 --iso 50 --shade smooth --surface " + surface +
+         " -o v.png");
+    pictures.insert(read("v.png"));
   }
   CHECK(pictures.size() == 3);
 }
 
-TEST_CASE("a mask with two values is reported as unsuitable for interpolation, with the remedy") {
-  const Workshop workshop;
-  write_ball(workshop);
-  std::string mask = workshop.read("v.raw");
+TEST_CASE_FIXTURE(
+    Ball, "a mask with two values is reported as unsuitable for interpolation, with the remedy") {
+  std::string mask = read("v.raw");
   for (char& sample : mask) sample = static_cast<char>(static_cast<unsigned char>(sample) >= 50);
-  workshop.write("mask.raw", mask);
+  write("mask.raw", mask);
   const std::string masked = "extract mask.raw --dims 14,14,14 --type u8 -q --iso 1 -o v.obj";
-  command_tests::check_told(workshop.run(masked + " --surface interpolated"), 0,
+  command_tests::check_told(run(masked + " --surface interpolated"), 0,
                             {"mask.raw: the volume has only two values, as a mask"});
   const auto warns = [&](const std::string& arguments) {
-    return command_tests::contains(workshop.run(arguments).error, "two values");
+    return command_tests::contains(run(arguments).error, "two values");
   };
   CHECK(!warns(masked));
   // A third value, in the last slice alone: above the others, or between them.
@@ -127,18 +114,16 @@ TEST_CASE("a mask with two values is reported as unsuitable for interpolation, w
     std::string samples = mask;
     std::replace(samples.begin(), samples.end(), '\1', '\3');
     samples.replace(14 * 14 * 13, 14 * 14, 14 * 14, third);
-    workshop.write("mask.raw", samples);
+    write("mask.raw", samples);
     CHECK(!warns(masked + " --surface interpolated"));
   }
   CHECK(!warns(extract + "--surface interpolated -o v.obj"));
 }
 
-TEST_CASE("the normals of an interpolated ball are its radii") {
-  const Workshop workshop;
-  write_ball(workshop);
+TEST_CASE_FIXTURE(Ball, "the normals of an interpolated ball are its radii") {
   for (const std::string normals : {"surface", "gradient"}) {
-    workshop.done(extract + "--surface interpolated --normals " + normals + " -o v.obj");
-    const FaceMesh mesh = mesh_of_obj(workshop.read("v.obj"));
+    done(extract + "--surface interpolated --normals " + normals + " -o v.obj");
+    const FaceMesh mesh = mesh_of_obj(read("v.obj"));
     REQUIRE(mesh.normals.size() == mesh.vertices_mm.size());
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
       const auto radius = discmc::meshing::difference(mesh.vertices_mm[i], {6.5, 6.5, 6.5});
@@ -147,32 +132,29 @@ TEST_CASE("the normals of an interpolated ball are its radii") {
   }
 }
 
-TEST_CASE("an interpolated surface is of triangles without T-junctions, in a mesh, of no label") {
-  const Workshop workshop;
-  write_ball(workshop);
-  workshop.done(extract + "--wire slices -o s.dmc");
-  const auto names = workshop.names();
+TEST_CASE_FIXTURE(
+    Ball, "an interpolated surface is of triangles without T-junctions, in a mesh, of no label") {
+  done(extract + "--wire slices -o s.dmc");
   const std::string interpolated = extract + "--surface interpolated ";
-  check_failure(workshop.run(interpolated + "-o v.dmc"), 2, {"--surface", "v.dmc"});
-  check_failure(workshop.run("decode s.dmc --surface interpolated -o v.ply"), 1,
-                {"s.dmc", "give --surface relaxed"});
-  check_failure(workshop.run(extract + "--levels 4 -o v.dmc"), 2, {"--levels", "--wire slices"});
-  check_failure(workshop.run(extract + "--wire slices --levels 4 --median 3 -o v.dmc"), 2,
-                {"--levels", "--median"});
-  check_failure(workshop.run("decode s.dmc --surface relaxed -o v.jsonl"), 2, {"--surface"});
-  check_failure(workshop.run("view v.raw --dims 14,14,14 --type u8 --iso 50 --surface relaxed "
-                             "--no-open -o v.html"),
-                2, {"--surface", "applies to streams"});
-  check_failure(workshop.run("decode s.dmc --tolerance 0.1 -o v.ply"), 2, {"--tolerance"});
-  check_failure(workshop.run("render s.dmc --surface interpolated -o v.png"), 1, {"--levels 4"});
-  check_failure(workshop.run("extract v.raw --dims 14,14,14 --type u8 --labels all --surface "
-                             "relaxed -o v-{name}.ply"),
-                2, {"--labels", "walls"});
-  check_failure(workshop.run(interpolated + "--tolerance=-1 -o v.ply"), 2,
-                {"invalid value '-1'; expected 0 or more"});
-  check_failure(workshop.run(interpolated + "--tolerance inf -o v.ply"), 2, {"'inf'"});
-  check_failure(workshop.run("extract v.raw --dims 14,14,14 --type u8 --label 1 --surface "
-                             "interpolated -o v.ply"),
-                2, {"--surface", "labels"});
-  CHECK(workshop.names() == names);
+  fails(interpolated + "-o v.dmc", 2, {"--surface", "v.dmc"});
+  fails("decode s.dmc --surface interpolated -o v.ply", 1, {"s.dmc", "give --surface relaxed"});
+  fails(extract + "--levels 4 -o v.dmc", 2, {"--levels", "--wire slices"});
+  fails(extract + "--wire slices --levels 4 --median 3 -o v.dmc", 2, {"--levels", "--median"});
+  fails("decode s.dmc --surface relaxed -o v.jsonl", 2, {"--surface"});
+  fails(
+      "view v.raw --dims 14,14,14 --type u8 --iso 50 --surface relaxed "
+      "--no-open -o v.html",
+      2, {"--surface", "applies to streams"});
+  fails("decode s.dmc --tolerance 0.1 -o v.ply", 2, {"--tolerance"});
+  fails("render s.dmc --surface interpolated -o v.png", 1, {"--levels 4"});
+  fails(
+      "extract v.raw --dims 14,14,14 --type u8 --labels all --surface "
+      "relaxed -o v-{name}.ply",
+      2, {"--labels", "walls"});
+  fails(interpolated + "--tolerance=-1 -o v.ply", 2, {"invalid value '-1'; expected 0 or more"});
+  fails(interpolated + "--tolerance inf -o v.ply", 2, {"'inf'"});
+  fails(
+      "extract v.raw --dims 14,14,14 --type u8 --label 1 --surface "
+      "interpolated -o v.ply",
+      2, {"--surface", "labels"});
 }

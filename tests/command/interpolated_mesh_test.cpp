@@ -1,15 +1,4 @@
 // Merged polygons with their vertices moved to the crossings of the samples.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <numeric>
-#include <set>
-
 #include "command.hpp"
 #include "meshes/intersections.hpp"
 #include "meshes/mesh.hpp"

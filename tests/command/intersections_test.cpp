@@ -1,18 +1,9 @@
 // Faces that intersect.
 #include "meshes/intersections.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numeric>
-#include <utility>
-#include <vector>
-
 #include "meshes/box_tree.hpp"
 #include "oracle/stream.hpp"
+#include "test.hpp"
 
 namespace {
 

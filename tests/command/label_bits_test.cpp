@@ -1,14 +1,6 @@
 // The labels of a voxel in all layers, as bits.
 #include "volumes/filters/filters.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <map>
-#include <memory>
-#include <utility>
-#include <vector>
-
 #include "sample_reader.hpp"
 #include "volume_files.hpp"
 

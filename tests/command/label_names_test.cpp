@@ -1,11 +1,9 @@
 // Labels by numbers and names.
 #include "volumes/label_names.hpp"
 
-#include <doctest/doctest.h>
-
 #include <stdexcept>
-#include <string>
-#include <vector>
+
+#include "test.hpp"
 
 namespace {
 

@@ -1,13 +1,6 @@
 // Tables of the names and colours of labels.
 #include "volumes/label_table.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "volume_files.hpp"
 
 namespace {
@@ -115,7 +108,7 @@ TEST_CASE("dataset.json of nnU-Net names labels in both of its forms") {
   check_refused("{\"labels\": {\"liver\": [1, \"2\"]}}", "label 'liver' is");
 }
 
-TEST_CASE("a line that is no label is refused with its number") {
+TEST_CASE_FIXTURE(Folder, "a line that is no label is refused with its number") {
   const auto check_refused = [](const std::string& text, const std::string& part) {
     CHECK_THROWS_WITH_AS(table_of(text), doctest::Contains(part.c_str()), VolumeError);
   };
@@ -139,7 +132,5 @@ TEST_CASE("a line that is no label is refused with its number") {
   check_refused("index\tname\tcolor\n1\tvein\t#zz0000\n", "line 2");
   check_refused("LabelValue,Name\n1,\n", "line 2");
   check_refused("LabelValue,Name,Color_R,Color_G,Color_B\n1,vein,1,2\n", "line 2");
-  const Folder folder;
-  CHECK_THROWS_WITH_AS(read_label_table(folder.path()), doctest::Contains("cannot be read"),
-                       VolumeError);
+  CHECK_THROWS_WITH_AS(read_label_table(path()), doctest::Contains("cannot be read"), VolumeError);
 }

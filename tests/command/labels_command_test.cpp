@@ -1,13 +1,4 @@
 // discmc extract --labels all, and tables of labels.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "command.hpp"
 #include "pictures/srgb.hpp"
 
@@ -41,193 +32,179 @@ std::string with_line(std::string file, const std::string& line, const std::stri
   return file.replace(file.find(line), line.size(), other);
 }
 
+struct LabelVolume : Workshop {
+  LabelVolume() { write("v.raw", volume); }
+};
+
 }  // namespace
 
-TEST_CASE("all labels are as many meshes, as if each were asked for alone") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
-  REQUIRE(workshop.shell("mkdir out").code == 0);
-  const std::string told = workshop.done(extract + "--labels all -o 'out/{name}.stl'");
+TEST_CASE_FIXTURE(LabelVolume, "all labels are as many meshes, as if each were asked for alone") {
+  REQUIRE(shell("mkdir out").code == 0);
+  const std::string told = done(extract + "--labels all -o 'out/{name}.stl'");
   for (const std::string label : {"1", "2", "9"}) {
     CHECK(contains(told, "  out/" + label + ".stl\n"));
-    workshop.done(extract + "--label " + label + " -o alone.stl");
-    CHECK(workshop.read("out/" + label + ".stl") == workshop.read("alone.stl"));
+    done(extract + "--label " + label + " -o alone.stl");
+    CHECK(read("out/" + label + ".stl") == read("alone.stl"));
   }
-  CHECK(workshop.shell("ls out").out == "1.stl\n2.stl\n9.stl\n");
+  CHECK(shell("ls out").out == "1.stl\n2.stl\n9.stl\n");
   CHECK(contains(told, "       2             3"));
-  CHECK(workshop.done(extract + "--labels all -q -o '{name}.stl'").empty());
+  CHECK(done(extract + "--labels all -q -o '{name}.stl'").empty());
 }
 
-TEST_CASE("names of labels that are paths lead out of no folder") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
-  workshop.write("table.txt", "1 ../../bone 1 2 3\n2 .. 4 5 6\n9 /tmp/bone 7 8 9\n");
-  REQUIRE(workshop.shell("mkdir out").code == 0);
-  workshop.done(extract + "--labels all --label-table table.txt -o 'out/{name}.stl'");
-  CHECK(workshop.shell("LC_ALL=C ls out").out == "_...stl\n_.._.._bone.stl\n_tmp_bone.stl\n");
+TEST_CASE_FIXTURE(LabelVolume, "names of labels that are paths lead out of no folder") {
+  write("table.txt", "1 ../../bone 1 2 3\n2 .. 4 5 6\n9 /tmp/bone 7 8 9\n");
+  REQUIRE(shell("mkdir out").code == 0);
+  done(extract + "--labels all --label-table table.txt -o 'out/{name}.stl'");
+  CHECK(shell("LC_ALL=C ls out").out == "_...stl\n_.._.._bone.stl\n_tmp_bone.stl\n");
 }
 
-TEST_CASE("a table names the meshes of labels") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
-  workshop.write("table.txt", "0 Background 0 0 0\n1 bone 1 2 3\n2 skin 4 5 6\n9 bone 7 8 9\n");
-  workshop.done(extract + "--labels all --label-table table.txt -o '{name}.ply'");
-  workshop.done(extract +
-                "--label 9 --label 7 --allow-empty --label-table table.txt -o 'one-{name}.ply'");
-  CHECK(workshop.read("bone-9.ply") == workshop.read("one-bone.ply"));
-  CHECK_FALSE(workshop.read("one-7.ply").empty());
-  CHECK(mesh_of_ply(workshop.read("bone.ply")).colour == discmc::command::Srgb{1, 2, 3});
-  CHECK(mesh_of_ply(workshop.read("skin.ply")).colour == discmc::command::Srgb{4, 5, 6});
+TEST_CASE_FIXTURE(LabelVolume, "a table names the meshes of labels") {
+  write("table.txt", "0 Background 0 0 0\n1 bone 1 2 3\n2 skin 4 5 6\n9 bone 7 8 9\n");
+  done(extract + "--labels all --label-table table.txt -o '{name}.ply'");
+  done(extract + "--label 9 --label 7 --allow-empty --label-table table.txt -o 'one-{name}.ply'");
+  CHECK(read("bone-9.ply") == read("one-bone.ply"));
+  CHECK_FALSE(read("one-7.ply").empty());
+  CHECK(mesh_of_ply(read("bone.ply")).colour == discmc::command::Srgb{1, 2, 3});
+  CHECK(mesh_of_ply(read("skin.ply")).colour == discmc::command::Srgb{4, 5, 6});
 }
 
-TEST_CASE("the colour of a label is in OBJ, by a file beside it, and in VTP") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
-  workshop.write("table.txt", "1 bone 51 102 255\n");
+TEST_CASE_FIXTURE(LabelVolume, "the colour of a label is in OBJ, by a file beside it, and in VTP") {
+  write("table.txt", "1 bone 51 102 255\n");
   const std::string label = extract + "--labels 1 --label-table table.txt ";
-  workshop.done(label + "-o 'my {name}.obj'");
-  CHECK(contains(workshop.read("my bone.obj"), "\nmtllib my_bone.mtl\nusemtl surface\nv "));
-  CHECK(workshop.read("my_bone.mtl") == "newmtl surface\nKd 0.2 0.4 1\n");
-  CHECK(contains(workshop.run(label + "-o '{name}.obj' && cat bone.mtl").out, "bone.obj"));
-  workshop.done(label + "--normals surface -o '{name}.vtp'");
-  CHECK(command_tests::mesh_of_vtp(workshop.read("bone.vtp")).colour ==
-        discmc::command::Srgb{51, 102, 255});
-  workshop.done(extract + "--iso 1 -o plain.obj");
-  CHECK_FALSE(contains(workshop.read("plain.obj"), "mtllib"));
-  const std::vector<std::string> names = workshop.names();
+  done(label + "-o 'my {name}.obj'");
+  CHECK(contains(read("my bone.obj"), "\nmtllib my_bone.mtl\nusemtl surface\nv "));
+  CHECK(read("my_bone.mtl") == "newmtl surface\nKd 0.2 0.4 1\n");
+  CHECK(contains(run(label + "-o '{name}.obj' && cat bone.mtl").out, "bone.obj"));
+  done(label + "--normals surface -o '{name}.vtp'");
+  CHECK(command_tests::mesh_of_vtp(read("bone.vtp")).colour == discmc::command::Srgb{51, 102, 255});
+  done(extract + "--iso 1 -o plain.obj");
+  CHECK_FALSE(contains(read("plain.obj"), "mtllib"));
+  const std::vector<std::string> names = file_names();
   CHECK(std::count(names.begin(), names.end(), "plain.mtl") == 0);
 }
 
-TEST_CASE("OBJ meshes whose names differ in spaces alone have materials of their own") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
-  workshop.write("table.txt", "1 my_bone 51 102 255\n2 \"my bone\" 255 0 0\n");
-  workshop.done(extract + "--labels 1,2 --label-table table.txt -o '{name}.obj'");
-  CHECK(contains(workshop.read("my_bone.obj"), "\nmtllib my_bone.mtl\n"));
-  CHECK(workshop.read("my_bone.mtl") == "newmtl surface\nKd 0.2 0.4 1\n");
-  CHECK(contains(workshop.read("my bone-2.obj"), "\nmtllib my_bone-2.mtl\n"));
-  CHECK(workshop.read("my_bone-2.mtl") == "newmtl surface\nKd 1 0 0\n");
-  workshop.done(extract + "--labels 1,2 --label-table table.txt -o '{name}.ply'");
-  CHECK_FALSE(workshop.read("my bone.ply").empty());
+TEST_CASE_FIXTURE(LabelVolume,
+                  "OBJ meshes whose names differ in spaces alone have materials of their own") {
+  write("table.txt", "1 my_bone 51 102 255\n2 \"my bone\" 255 0 0\n");
+  done(extract + "--labels 1,2 --label-table table.txt -o '{name}.obj'");
+  CHECK(contains(read("my_bone.obj"), "\nmtllib my_bone.mtl\n"));
+  CHECK(read("my_bone.mtl") == "newmtl surface\nKd 0.2 0.4 1\n");
+  CHECK(contains(read("my bone-2.obj"), "\nmtllib my_bone-2.mtl\n"));
+  CHECK(read("my_bone-2.mtl") == "newmtl surface\nKd 1 0 0\n");
+  done(extract + "--labels 1,2 --label-table table.txt -o '{name}.ply'");
+  CHECK_FALSE(read("my bone.ply").empty());
 }
 
-TEST_CASE("segments of 3D Slicer name the meshes of labels if no table is given") {
-  const Workshop workshop;
-  workshop.write("v.seg.nrrd",
-                 "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 4 2 3\nencoding: raw\n"
-                 "Segment0_Color:=0.5 1 0\nSegment0_ID:=a\nSegment0_LabelValue:=2\n"
-                 "Segment0_Name:=left lung/top\nSegment10_LabelValue:=1\nSegment10_Name:=bone\n"
-                 "Segment10_Color:=1 2 3\nSegmentation_MasterRepresentation:=Binary labelmap\n"
-                 "Segment1_LabelValue:=none\nSegment1_Name:=lost\n\n" +
-                     volume);
-  workshop.done("extract v.seg.nrrd --labels all -o '{name}.ply'");
-  const auto colour = [&](const std::string& name) {
-    return mesh_of_ply(workshop.read(name)).colour;
-  };
+TEST_CASE_FIXTURE(Workshop,
+                  "segments of 3D Slicer name the meshes of labels if no table is given") {
+  write("v.seg.nrrd",
+        "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 4 2 3\nencoding: raw\n"
+        "Segment0_Color:=0.5 1 0\nSegment0_ID:=a\nSegment0_LabelValue:=2\n"
+        "Segment0_Name:=left lung/top\nSegment10_LabelValue:=1\nSegment10_Name:=bone\n"
+        "Segment10_Color:=1 2 3\nSegmentation_MasterRepresentation:=Binary labelmap\n"
+        "Segment1_LabelValue:=none\nSegment1_Name:=lost\n\n" +
+            volume);
+  done("extract v.seg.nrrd --labels all -o '{name}.ply'");
+  const auto colour = [&](const std::string& name) { return mesh_of_ply(read(name)).colour; };
   CHECK(colour("left lung_top.ply") == discmc::command::Srgb{128, 255, 0});
-  CHECK_FALSE(workshop.read("bone.ply").empty());
+  CHECK_FALSE(read("bone.ply").empty());
   CHECK(colour("bone.ply") == discmc::command::label_colour(1));
   CHECK(colour("9.ply") == discmc::command::label_colour(9));
-  workshop.write("table.txt", "1 tibia 1 2 3\n");
-  workshop.done("extract v.seg.nrrd --labels all --label-table table.txt -o 'own-{name}.ply'");
-  CHECK_FALSE(workshop.read("own-tibia.ply").empty());
-  CHECK_FALSE(workshop.read("own-2.ply").empty());
+  write("table.txt", "1 tibia 1 2 3\n");
+  done("extract v.seg.nrrd --labels all --label-table table.txt -o 'own-{name}.ply'");
+  CHECK_FALSE(read("own-tibia.ply").empty());
+  CHECK_FALSE(read("own-2.ply").empty());
 }
 
-TEST_CASE("segments that overlap are read from all layers, as 3D Slicer writes them") {
-  const Workshop workshop;
-  workshop.write("layers.seg.nrrd", layered());
-  const std::string told = workshop.done("extract layers.seg.nrrd --labels all -o '{name}.ply'");
-  workshop.write("v.raw", volume);
-  workshop.write("w.raw", second_layer);
+TEST_CASE_FIXTURE(Workshop,
+                  "segments that overlap are read from all layers, as 3D Slicer writes them") {
+  write("layers.seg.nrrd", layered());
+  const std::string told = done("extract layers.seg.nrrd --labels all -o '{name}.ply'");
+  write("v.raw", volume);
+  write("w.raw", second_layer);
   const auto alone = [&](const std::string& file, const std::string& label) {
-    workshop.done("extract " + file + " --dims 4,2,3 --type u8 --label " + label +
-                  " -o alone.jsonl");
-    return workshop.read("alone.jsonl");
+    done("extract " + file + " --dims 4,2,3 --type u8 --label " + label + " -o alone.jsonl");
+    return read("alone.jsonl");
   };
   const auto layer = [&](const std::string& label) {
-    workshop.done("extract layers.seg.nrrd --label '" + label + "' -o l.jsonl");
-    return workshop.read("l.jsonl");
+    done("extract layers.seg.nrrd --label '" + label + "' -o l.jsonl");
+    return read("l.jsonl");
   };
   CHECK(contains(told, "       1             6"));
-  CHECK(mesh_of_ply(workshop.read("Bone.ply")).colour == discmc::command::Srgb{128, 255, 0});
-  CHECK_FALSE(workshop.read("Tee_th.ply").empty());
+  CHECK(mesh_of_ply(read("Bone.ply")).colour == discmc::command::Srgb{128, 255, 0});
+  CHECK_FALSE(read("Tee_th.ply").empty());
   CHECK(layer("Bone") == alone("v.raw", "1"));
   CHECK(layer("Tee/th") == alone("v.raw", "2"));
   CHECK(layer("Skin") == alone("w.raw", "1"));
   CHECK(layer("skin") == alone("w.raw", "1"));
   CHECK(layer("9") == alone("v.raw", "9"));
   // In the place that the file gives.
-  const FileMesh skin = mesh_of_ply(workshop.read("Skin.ply"));
+  const FileMesh skin = mesh_of_ply(read("Skin.ply"));
   for (const Point& vertex : skin.vertices_mm) CHECK(vertex[2] >= 39);
   std::string both = volume;
   for (std::size_t i = 0; i < both.size(); ++i)
     both[i] = static_cast<char>(volume[i] == 2 || second_layer[i] == 1 ? 1 : 0);
-  workshop.write("both.raw", both);
+  write("both.raw", both);
   CHECK(layer("Tee/th,Skin") == alone("both.raw", "1"));
-  workshop.done("extract layers.seg.nrrd --labels 'Skin,Tee/th' -q -o 'some-{name}.ply'");
-  CHECK(workshop.read("some-Skin.ply") == workshop.read("Skin.ply"));
-  CHECK(workshop.read("some-Tee_th.ply") == workshop.read("Tee_th.ply"));
-  CHECK(workshop.read("some-Bone.ply").empty());
+  done("extract layers.seg.nrrd --labels 'Skin,Tee/th' -q -o 'some-{name}.ply'");
+  CHECK(read("some-Skin.ply") == read("Skin.ply"));
+  CHECK(read("some-Tee_th.ply") == read("Tee_th.ply"));
+  CHECK(read("some-Bone.ply").empty());
   // One layer is read as before.
-  CHECK(contains(workshop.done("extract layers.seg.nrrd --labels all --frame 1 -o 'f-{name}.ply'"),
+  CHECK(contains(done("extract layers.seg.nrrd --labels all --frame 1 -o 'f-{name}.ply'"),
                  "f-Skin.ply"));
-  CHECK(workshop.read("f-Bone.ply").empty());
+  CHECK(read("f-Bone.ply").empty());
 }
 
-TEST_CASE("layers are listed, and refused if one is not enough") {
-  const Workshop workshop;
-  workshop.write("layers.seg.nrrd", layered());
-  const std::string info = workshop.done("info layers.seg.nrrd");
+TEST_CASE_FIXTURE(Workshop, "layers are listed, and refused if one is not enough") {
+  write("layers.seg.nrrd", layered());
+  const std::string info = done("info layers.seg.nrrd");
   for (const char* line : {"frames 2", "label 1 layer 0 Bone", "label 1 layer 1 Skin",
                            "note the values are those of layer 0; choose"})
     CHECK(contains(info, line));
-  CHECK(contains(workshop.done("info layers.seg.nrrd --frame 1"), "range 0 1\n"));
-  check_failure(workshop.run("extract layers.seg.nrrd --iso 1 -o v.stl"), 1,
-                {"the file holds labels in 2 volumes", "select labels with --label NAME"});
-  check_failure(workshop.run("extract layers.seg.nrrd --label 1 -o v.stl"), 1,
-                {"label 1 is 'Bone' and, in another layer, 'Skin'"});
-  check_failure(workshop.shell("\"$discmc\" extract - --labels all -q -o v.glb < layers.seg.nrrd"),
-                1, {"standard input: each layer of a segmentation is read separately"});
-  workshop.write("wrong.seg.nrrd", with_line(layered(), "Segment1_Layer:=1", "Segment1_Layer:=2"));
+  CHECK(contains(done("info layers.seg.nrrd --frame 1"), "range 0 1\n"));
+  fails("extract layers.seg.nrrd --iso 1 -o v.stl", 1,
+        {"the file holds labels in 2 volumes", "select labels with --label NAME"});
+  fails("extract layers.seg.nrrd --label 1 -o v.stl", 1,
+        {"label 1 is 'Bone' and, in another layer, 'Skin'"});
+  check_failure(shell("\"$discmc\" extract - --labels all -q -o v.glb < layers.seg.nrrd"), 1,
+                {"standard input: each layer of a segmentation is read separately"});
+  write("wrong.seg.nrrd", with_line(layered(), "Segment1_Layer:=1", "Segment1_Layer:=2"));
   check_told(
-      workshop.run("extract wrong.seg.nrrd --labels all -q -o w.glb"), 0,
+      run("extract wrong.seg.nrrd --labels all -q -o w.glb"), 0,
       {"segments of layers that are not in the file are left out: 1, such as 'Skin' of layer 2",
        "1 of 2 layers have no label in the header"});
-  workshop.write("share.seg.nrrd", with_line(layered(), "type: uchar",
-                                             "type: uchar\nSegmentation_SourceRepresentation:="
-                                             "Fractional labelmap"));
-  check_failure(workshop.run("extract share.seg.nrrd --labels all -o w.glb"), 1,
-                {"the file holds 2 volumes"});
+  write("share.seg.nrrd", with_line(layered(), "type: uchar",
+                                    "type: uchar\nSegmentation_SourceRepresentation:="
+                                    "Fractional labelmap"));
+  fails("extract share.seg.nrrd --labels all -o w.glb", 1, {"the file holds 2 volumes"});
 }
 
-TEST_CASE("before Slicer had labels every segment was a layer of its own") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "before Slicer had labels every segment was a layer of its own") {
   std::string old = layered();
   for (const char* key : {"Segment0_Layer:=0\n", "Segment1_Layer:=1\n", "Segment0_LabelValue:=1\n",
                           "Segment1_LabelValue:=1\n"})
     old.erase(old.find(key), std::string(key).size());
-  workshop.write("old.seg.nrrd", old);
-  const std::string told = workshop.done("extract old.seg.nrrd --label Skin -o old.jsonl");
-  workshop.write("layers.seg.nrrd", layered());
-  workshop.done("extract layers.seg.nrrd --label Skin -o v.jsonl");
-  CHECK(workshop.read("old.jsonl") == workshop.read("v.jsonl"));
+  write("old.seg.nrrd", old);
+  const std::string told = done("extract old.seg.nrrd --label Skin -o old.jsonl");
+  write("layers.seg.nrrd", layered());
+  done("extract layers.seg.nrrd --label Skin -o v.jsonl");
+  CHECK(read("old.jsonl") == read("v.jsonl"));
 }
 
-TEST_CASE("a label that several segments share has no name") {
-  const Workshop workshop;
-  workshop.write("one.seg.nrrd",
-                 "NRRD0005\ntype: uchar\nencoding: raw\ndimension: 3\nsizes: 4 2 3\n"
-                 "Segment0_Name:=Bone\nSegment0_LabelValue:=1\nSegment1_Name:=Skin\n"
-                 "Segment1_LabelValue:=1\nSegment2_Name:=Teeth\nSegment2_LabelValue:=2\n\n" +
-                     volume);
-  const auto one = workshop.done("extract one.seg.nrrd --labels all -o 'one-{name}.stl'");
+TEST_CASE_FIXTURE(Workshop, "a label that several segments share has no name") {
+  write("one.seg.nrrd",
+        "NRRD0005\ntype: uchar\nencoding: raw\ndimension: 3\nsizes: 4 2 3\n"
+        "Segment0_Name:=Bone\nSegment0_LabelValue:=1\nSegment1_Name:=Skin\n"
+        "Segment1_LabelValue:=1\nSegment2_Name:=Teeth\nSegment2_LabelValue:=2\n\n" +
+            volume);
+  const auto one = done("extract one.seg.nrrd --labels all -o 'one-{name}.stl'");
   CHECK(contains(one, "one-1.stl"));
   CHECK(contains(one, "one-Teeth.stl"));
 }
 
-TEST_CASE("a file of NIfTI names its labels itself, as TotalSegmentator writes it") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop,
+                  "a file of NIfTI names its labels itself, as TotalSegmentator writes it") {
   const std::string xml =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?> <CaretExtension>  <VolumeInformation "
       "Index=\"0\"> "
@@ -252,13 +229,13 @@ TEST_CASE("a file of NIfTI names its labels itself, as TotalSegmentator writes i
   for (const bool is_big_endian : {false, true})
     for (const int code : {0, 6, 30}) {
       INFO(is_big_endian, code);
-      workshop.write("v.nii", nifti(is_big_endian, {{4, "<AFNI/>"}, {code, xml}}));
-      workshop.done("extract v.nii --labels all -q -o '{name}.ply'");
-      CHECK(mesh_of_ply(workshop.read("liver.ply")).colour == discmc::command::Srgb{255, 128, 0});
-      workshop.done("extract v.nii --label 'right lung,9' -q -o v.stl");
-      workshop.done("extract v.nii --label 2,9 -q -o w.stl");
-      CHECK(workshop.read("v.stl") == workshop.read("w.stl"));
-      CHECK(contains(workshop.done("info v.nii"), "label 2 right lung\n"));
+      write("v.nii", nifti(is_big_endian, {{4, "<AFNI/>"}, {code, xml}}));
+      done("extract v.nii --labels all -q -o '{name}.ply'");
+      CHECK(mesh_of_ply(read("liver.ply")).colour == discmc::command::Srgb{255, 128, 0});
+      done("extract v.nii --label 'right lung,9' -q -o v.stl");
+      done("extract v.nii --label 2,9 -q -o w.stl");
+      CHECK(read("v.stl") == read("w.stl"));
+      CHECK(contains(done("info v.nii"), "label 2 right lung\n"));
     }
   // Another extension is ignored, and the samples are where they were.
   std::string cut = nifti(false, {{0, xml}});
@@ -266,14 +243,12 @@ TEST_CASE("a file of NIfTI names its labels itself, as TotalSegmentator writes i
   cut[354] = '\x7f';
   for (const std::string& file :
        {nifti(false, {{0, "<CaretExtension>"}}), nifti(false, {{2, xml}}), cut}) {
-    workshop.write("v.nii", file);
-    CHECK(contains(workshop.done("extract v.nii --labels all -o 'no-{name}.stl'"), " no-1.stl\n"));
+    write("v.nii", file);
+    CHECK(contains(done("extract v.nii --labels all -o 'no-{name}.stl'"), " no-1.stl\n"));
   }
 }
 
-TEST_CASE("a folder or pattern of masks is a label a file, named after it") {
-  const Workshop workshop;
-  REQUIRE(workshop.shell("mkdir seg").code == 0);
+TEST_CASE_FIXTURE(Workshop, "a folder or pattern of masks is a label a file, named after it") {
   const auto mask = [&](const std::string& samples) {
     return volume_files::gzip(volume_files::Nifti().dims({3, 4, 2, 3}).file(samples));
   };
@@ -282,151 +257,143 @@ TEST_CASE("a folder or pattern of masks is a label a file, named after it") {
     bone += static_cast<char>(volume[i] == 1 ? 255 : 0);
     lung += static_cast<char>(second_layer[i]);
   }
-  workshop.write("seg/bone.nii.gz", mask(bone));
-  workshop.write("seg/lung left.nii.gz", mask(lung));
-  workshop.write("seg/spleen.nii.gz", mask(std::string(24, '\0')));
-  workshop.write("seg/._bone.nii.gz", "of macOS");
-  workshop.write("seg/statistics.json", "{}");
-  workshop.write("v.raw", volume);
-  workshop.write("w.raw", second_layer);
-  workshop.done(extract + "--label 1 -q -o bone.stl");
-  workshop.done("extract w.raw --dims 4,2,3 --type u8 --label 1 -q -o lung.stl");
+  write("seg/bone.nii.gz", mask(bone));
+  write("seg/lung left.nii.gz", mask(lung));
+  write("seg/spleen.nii.gz", mask(std::string(24, '\0')));
+  write("seg/._bone.nii.gz", "of macOS");
+  write("seg/statistics.json", "{}");
+  write("v.raw", volume);
+  write("w.raw", second_layer);
+  done(extract + "--label 1 -q -o bone.stl");
+  done("extract w.raw --dims 4,2,3 --type u8 --label 1 -q -o lung.stl");
   for (const std::string input : {"seg", "seg/", "'seg/*.nii.gz'"}) {
     INFO(input);
-    check_told(workshop.run("extract " + input + " --labels all -o 'all-{name}.stl'"), 0,
+    check_told(run("extract " + input + " --labels all -o 'all-{name}.stl'"), 0,
                {"no voxel has spleen\n"});
-    CHECK(workshop.read("all-bone.stl") == workshop.read("bone.stl"));
-    CHECK(workshop.read("all-lung left.stl") == workshop.read("lung.stl"));
-    CHECK_FALSE(contains(workshop.shell("ls").out, "spleen"));
+    CHECK(read("all-bone.stl") == read("bone.stl"));
+    CHECK(read("all-lung left.stl") == read("lung.stl"));
+    CHECK_FALSE(contains(shell("ls").out, "spleen"));
   }
-  workshop.done("extract seg --label 'lung left' -q -o v.stl");
-  CHECK(workshop.read("v.stl") == workshop.read("lung.stl"));
-  workshop.done("extract seg --label bone --label 'lung left,bone' -q -o v.dmc");
-  workshop.done("decode v.dmc --stream-channel 0 -o v.stl");
-  CHECK(workshop.read("v.stl") == workshop.read("bone.stl"));
-  CHECK(contains(workshop.done("info seg"), "label nonzero layer 1 lung left\n"));
-  workshop.done("extract seg/bone.nii.gz --iso 1 -q -o v.stl");
-  CHECK(workshop.read("v.stl") == workshop.read("bone.stl"));
-  check_failure(workshop.run("extract seg --iso 1 -o v.stl"), 1,
-                {"seg: several volumes: 3, such as ", "--labels all or --label NAME"});
-  check_failure(workshop.run("extract seg --labels spleen -o v.glb"), 1, {"no voxel has spleen"});
-  check_failure(workshop.run("extract seg --label 1 -o v.glb"), 1, {"no label has the number 1"});
+  done("extract seg --label 'lung left' -q -o v.stl");
+  CHECK(read("v.stl") == read("lung.stl"));
+  done("extract seg --label bone --label 'lung left,bone' -q -o v.dmc");
+  done("decode v.dmc --stream-channel 0 -o v.stl");
+  CHECK(read("v.stl") == read("bone.stl"));
+  CHECK(contains(done("info seg"), "label nonzero layer 1 lung left\n"));
+  done("extract seg/bone.nii.gz --iso 1 -q -o v.stl");
+  CHECK(read("v.stl") == read("bone.stl"));
+  fails("extract seg --iso 1 -o v.stl", 1,
+        {"seg: several volumes: 3, such as ", "--labels all or --label NAME"});
+  fails("extract seg --labels spleen -o v.glb", 1, {"no voxel has spleen"});
+  fails("extract seg --label 1 -o v.glb", 1, {"no label has the number 1"});
 }
 
-TEST_CASE("masks of other scans, and label maps, are ignored in a folder of masks") {
-  const Workshop workshop;
-  REQUIRE(workshop.shell("mkdir seg").code == 0);
+TEST_CASE_FIXTURE(Workshop,
+                  "masks of other scans, and label maps, are ignored in a folder of masks") {
   const auto nifti = [] { return volume_files::Nifti().dims({3, 4, 2, 3}); };
-  workshop.write("seg/a.nii", nifti().file(second_layer));
+  write("seg/a.nii", nifti().file(second_layer));
   const auto refused = [&](const std::string& file, const std::string& part) {
-    workshop.write("seg/b.nii", file);
-    check_failure(workshop.run("extract seg --labels all -o v.glb"), 1, {"seg/b.nii: ", part});
+    write("seg/b.nii", file);
+    fails("extract seg --labels all -o v.glb", 1, {"seg/b.nii: ", part});
   };
   refused(nifti().file(volume), "the values 1 and 2 are in the file");
   refused(nifti().dims({3, 2, 4, 3}).file(second_layer), "has 2 x 4 x 3 voxels, and 'a.nii' 4 x 2");
   refused(nifti().real(80, 2).file(second_layer), "the mask lies elsewhere than 'a.nii'");
   refused(nifti().scale(0.5F, 0).file(second_layer), "the value 0.5 in slice 0 is no label");
   // A single file is read as such.
-  REQUIRE(workshop.shell("rm seg/a.nii").code == 0);
-  workshop.write("seg/b.nii", nifti().file(volume));
-  CHECK(contains(workshop.done("extract seg --labels all -o v.glb"), "  9\n"));
+  REQUIRE(shell("rm seg/a.nii").code == 0);
+  write("seg/b.nii", nifti().file(volume));
+  CHECK(contains(done("extract seg --labels all -o v.glb"), "  9\n"));
 }
 
-TEST_CASE("a requested label that is missing is a failure") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
-  workshop.write("table.json", R"({"labels": {"background": 0, "bone": 1, "skin": [2, 9]}})");
-  workshop.done(extract + "--labels 9,1 -q -o 'some-{name}.stl'");
-  workshop.done(extract + "--labels all -q -o '{name}.stl'");
-  CHECK(workshop.read("some-1.stl") == workshop.read("1.stl"));
-  CHECK(workshop.read("some-9.stl") == workshop.read("9.stl"));
-  CHECK(workshop.read("some-2.stl").empty());
-  check_failure(workshop.run(extract + "--labels 1,7,8 -o 'x-{name}.stl'"), 1,
-                {"v.raw: no voxel has label 7, label 8; leave out these labels"});
-  check_told(workshop.run(extract + "--labels 1,7 --allow-empty -q -o 'x-{name}.stl'"), 0,
+TEST_CASE_FIXTURE(LabelVolume, "a requested label that is missing is a failure") {
+  write("table.json", R"({"labels": {"background": 0, "bone": 1, "skin": [2, 9]}})");
+  done(extract + "--labels 9,1 -q -o 'some-{name}.stl'");
+  done(extract + "--labels all -q -o '{name}.stl'");
+  CHECK(read("some-1.stl") == read("1.stl"));
+  CHECK(read("some-9.stl") == read("9.stl"));
+  CHECK(read("some-2.stl").empty());
+  fails(extract + "--labels 1,7,8 -o 'x-{name}.stl'", 1,
+        {"v.raw: no voxel has label 7, label 8; leave out these labels"});
+  check_told(run(extract + "--labels 1,7 --allow-empty -q -o 'x-{name}.stl'"), 0,
              {"no voxel has label 7\n"});
   const std::string named = extract + "--label-table table.json ";
-  workshop.done(named + "--label skin -q -o skin.stl");
-  workshop.done(extract + "--label 2,9 -q -o union.stl");
-  CHECK(workshop.read("skin.stl") == workshop.read("union.stl"));
-  workshop.done(named + "--labels skin -q -o 'region-{name}.stl'");
-  CHECK(workshop.read("region-skin.stl") == workshop.read("union.stl"));
-  check_failure(workshop.run(extract + "--labels '' -o v.glb"), 2, {"no label is given"});
-  check_failure(workshop.run(extract + "--label '' -o v.stl"), 2,
-                {"invalid value ''; expected a number or name"});
-  check_failure(workshop.run(extract + "--label 7 -o v.stl"), 1,
-                {"v.raw: no voxel has label 7; list the labels with discmc info"});
+  done(named + "--label skin -q -o skin.stl");
+  done(extract + "--label 2,9 -q -o union.stl");
+  CHECK(read("skin.stl") == read("union.stl"));
+  done(named + "--labels skin -q -o 'region-{name}.stl'");
+  CHECK(read("region-skin.stl") == read("union.stl"));
+  fails(extract + "--labels '' -o v.glb", 2, {"no label is given"});
+  fails(extract + "--label '' -o v.stl", 2, {"invalid value ''; expected a number or name"});
+  fails(extract + "--label 7 -o v.stl", 1,
+        {"v.raw: no voxel has label 7; list the labels with discmc info"});
 }
 
-TEST_CASE("floating-point labels are rounded, with a note") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "floating-point labels are rounded, with a note") {
   std::string samples;
   for (const char label : volume)
     samples += volume_files::bytes_of(static_cast<float>(label) * 1.001F);
-  workshop.write("f.raw", samples);
-  workshop.write("v.raw", volume);
+  write("f.raw", samples);
+  write("v.raw", volume);
   for (const std::string labels : {"--label 9", "--labels 9"}) {
     INFO(labels);
-    const auto rounded =
-        workshop.run("extract f.raw --dims 4,2,3 --type f32 -q -o f.glb " + labels);
+    const auto rounded = run("extract f.raw --dims 4,2,3 --type f32 -q -o f.glb " + labels);
     CHECK(rounded.code == 0);
     CHECK(contains(rounded.error,
                    "discmc: f.raw: 10 values are rounded to whole numbers, as labels are; the "
                    "farthest is 9.009"));
-    workshop.done(extract + "-q -o v.glb " + labels);
-    CHECK(workshop.read("f.glb") == workshop.read("v.glb"));
+    done(extract + "-q -o v.glb " + labels);
+    CHECK(read("f.glb") == read("v.glb"));
   }
-  CHECK(contains(workshop.done("info f.raw --dims 4,2,3 --type f32"),
-                 "proposal --label N: one of 1 2 9\n"));
+  CHECK(contains(done("info f.raw --dims 4,2,3 --type f32"), "proposal --label N: one of 1 2 9\n"));
 }
 
-TEST_CASE("ids of 64 bits are distinguished, and no threshold is made of them") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "ids of 64 bits are distinguished, and no threshold is made of them") {
   std::string samples;
   for (const char label : volume)
     samples += volume_files::bytes_of(
         label == 0 ? 0 : 720575940621039144 + static_cast<std::uint64_t>(label));
-  workshop.write("ids.raw", samples);
-  workshop.write("v.raw", volume);
+  write("ids.raw", samples);
+  write("v.raw", volume);
   const std::string ids = "ids.raw --dims 4,2,3 --type u64 ";
-  CHECK(contains(workshop.done("extract " + ids + "--labels all -o '{name}.stl'"),
+  CHECK(contains(done("extract " + ids + "--labels all -o '{name}.stl'"),
                  "720575940621039146             3"));
-  workshop.done("extract " + ids + "--label 720575940621039146 -q -o one.stl");
-  workshop.done(extract + "--label 2 -q -o two.stl");
-  CHECK(workshop.read("one.stl") == workshop.read("two.stl"));
-  CHECK(workshop.read("720575940621039146.stl") == workshop.read("two.stl"));
-  const std::string info = workshop.done("info " + ids);
+  done("extract " + ids + "--label 720575940621039146 -q -o one.stl");
+  done(extract + "--label 2 -q -o two.stl");
+  CHECK(read("one.stl") == read("two.stl"));
+  CHECK(read("720575940621039146.stl") == read("two.stl"));
+  const std::string info = done("info " + ids);
   CHECK(contains(info, "range 0 720575940621039153\n"));
   CHECK(contains(info,
                  "proposal --label N: one of 720575940621039145 720575940621039146 "
                  "720575940621039153\n"));
   CHECK(contains(info, "histogram 720575940621039146 720575940621039146           3 "));
   for (const std::string threshold : {"--iso 720575940621039146", "--range ..720575940621039145"})
-    check_failure(workshop.run("extract " + ids + threshold + " -o v.stl"), 2, {"of a threshold"});
-  workshop.done("extract " + ids + "--iso 720575940621039104 -q -o all.stl");
+    fails("extract " + ids + threshold + " -o v.stl", 2, {"of a threshold"});
+  done("extract " + ids + "--iso 720575940621039104 -q -o all.stl");
 }
 
-TEST_CASE("a file of a format that holds several has all meshes, with their names and colours") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
-  workshop.write("table.txt", "1 a<&\xC3\xA4\xFF 1 2 3\n2 skin 4 5 6\n9 skin 7 8 9\n");
+TEST_CASE_FIXTURE(
+    LabelVolume,
+    "a file of a format that holds several has all meshes, with their names and colours") {
+  write("table.txt", "1 a<&\xC3\xA4\xFF 1 2 3\n2 skin 4 5 6\n9 skin 7 8 9\n");
   const std::string options = " --label-table table.txt ";
-  workshop.done(extract + "--labels all -o '{name}.ply'");
+  done(extract + "--labels all -o '{name}.ply'");
   const auto meshes_in = [&](const std::string& file) {
-    const std::string bytes = workshop.read(file);
+    const std::string bytes = read(file);
     return contains(file, ".glb") ? command_tests::meshes_of_glb(bytes)
                                   : command_tests::meshes_of_3mf(bytes);
   };
   for (const std::string file : {"all.glb", "all.3mf"}) {
     INFO(file);
-    const std::string told = workshop.done(extract + "--labels all" + options + "-o " + file);
+    const std::string told = done(extract + "--labels all" + options + "-o " + file);
     CHECK(contains(told, "  skin\n"));
     CHECK(contains(told, file + ": "));
     const auto all = meshes_in(file);
     REQUIRE(all.size() == 3);
     const std::string labels[] = {"1", "2", "9"};
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto alone = mesh_of_ply(workshop.read(labels[i] + ".ply"));
+      const auto alone = mesh_of_ply(read(labels[i] + ".ply"));
       CHECK(all[i].corners == alone.corners);
       REQUIRE(all[i].vertices_mm.size() == alone.vertices_mm.size());
       for (std::size_t v = 0; v < alone.vertices_mm.size(); ++v)
@@ -438,45 +405,41 @@ TEST_CASE("a file of a format that holds several has all meshes, with their name
     CHECK(all[0].colour == discmc::command::Srgb{1, 2, 3});
     CHECK(all[2].colour == discmc::command::Srgb{7, 8, 9});
 
-    workshop.done(extract + "--label 2 --label 9 -o " + file);
+    done(extract + "--label 2 --label 9 -o " + file);
     const auto two = meshes_in(file);
     REQUIRE(two.size() == 2);
     CHECK(two[0].name == "2");
     CHECK(two[1].corners == all[2].corners);
 
-    const auto result = workshop.run(extract + "--labels all --median 3 -q -o " + file);
+    const auto result = run(extract + "--labels all --median 3 -q -o " + file);
     CHECK(contains(result.error, "label 9 has no surface; " + file + " does not contain it"));
     CHECK(meshes_in(file).size() == 1);
-    check_failure(workshop.run(extract + "--labels all -q --min-volume 99 -o no" + file), 1,
-                  {"no label has a surface left, so no" + file + " is not written"});
-    CHECK(workshop.read("no" + file).empty());
+    fails(extract + "--labels all -q --min-volume 99 -o no" + file, 1,
+          {"no label has a surface left, so no" + file + " is not written"});
+    CHECK(read("no" + file).empty());
   }
   for (const std::string file : {"all.stl", "all.ply", "all.obj", "all.vtp", "all.jsonl"})
-    check_failure(workshop.run(extract + "--label 2 --label 9 -o " + file), 2,
-                  {"--output", "{name}", ".glb or .3mf"});
+    fails(extract + "--label 2 --label 9 -o " + file, 2, {"--output", "{name}", ".glb or .3mf"});
 }
 
-TEST_CASE("a label without a surface is named, and has no file unless that is allowed") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
+TEST_CASE_FIXTURE(LabelVolume,
+                  "a label without a surface is named, and has no file unless that is allowed") {
   for (const std::string cleaning : {"--median 3", "--min-volume 4"}) {
     INFO(cleaning);
-    const auto result = workshop.run(extract + "--labels all " + cleaning + " -q -o '{name}.stl'");
+    const auto result = run(extract + "--labels all " + cleaning + " -q -o '{name}.stl'");
     CHECK(result.code == 0);
     CHECK(contains(result.error, "label 9 has no surface; 9.stl is not written"));
-    CHECK(workshop.read("9.stl").empty());
+    CHECK(read("9.stl").empty());
   }
-  workshop.done(extract + "--labels all --median 3 --allow-empty -q -o '{name}.stl'");
-  CHECK_FALSE(workshop.read("9.stl").empty());
+  done(extract + "--labels all --median 3 --allow-empty -q -o '{name}.stl'");
+  CHECK_FALSE(read("9.stl").empty());
 }
 
-TEST_CASE("objects without triangles are in no file that holds several") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
+TEST_CASE_FIXTURE(LabelVolume, "objects without triangles are in no file that holds several") {
   for (const std::string file : {"all.glb", "all.3mf"}) {
     INFO(file);
-    workshop.done(extract + "--labels all --min-volume 1 --allow-empty -q -o " + file);
-    const std::string bytes = workshop.read(file);
+    done(extract + "--labels all --min-volume 1 --allow-empty -q -o " + file);
+    const std::string bytes = read(file);
     const auto left = file == "all.glb" ? command_tests::meshes_of_glb(bytes)
                                         : command_tests::meshes_of_3mf(bytes);
     REQUIRE(left.size() == 1);
@@ -484,25 +447,20 @@ TEST_CASE("objects without triangles are in no file that holds several") {
   }
 }
 
-TEST_CASE("a note names the label that loses voxels to a choice") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
-  workshop.write("table.txt", "1 bone 1 2 3\n2 skin 4 5 6\n");
+TEST_CASE_FIXTURE(LabelVolume, "a note names the label that loses voxels to a choice") {
+  write("table.txt", "1 bone 1 2 3\n2 skin 4 5 6\n");
   const std::string named = extract + "--label-table table.txt -q -o v.glb --largest 1 ";
-  CHECK(workshop.run(named + "--labels all").error ==
+  CHECK(run(named + "--labels all").error ==
         "discmc: v.raw: label 2 (skin): 1 of 2 bodies and cavities are kept\n");
-  CHECK(workshop.run(named + "--label 1 --label 2").error ==
+  CHECK(run(named + "--label 1 --label 2").error ==
         "discmc: v.raw: skin: 1 of 2 bodies and cavities are kept\n");
 }
 
-TEST_CASE("control characters of names are not printed") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
-  workshop.write("table.txt", "1 \x1b[31mred 1 2 3\n2 bell\a 4 5 6\n");
+TEST_CASE_FIXTURE(LabelVolume, "control characters of names are not printed") {
+  write("table.txt", "1 \x1b[31mred 1 2 3\n2 bell\a 4 5 6\n");
   for (const std::string labels : {"--labels all", "--label 1 --label 2"})
     for (const std::string file : {"v.glb", "v.3mf", "'{name}.stl'"}) {
-      const auto result =
-          workshop.run(extract + labels + " --label-table table.txt --largest 1 -o " + file);
+      const auto result = run(extract + labels + " --label-table table.txt --largest 1 -o " + file);
       CHECK(contains(result.out, "_[31mred"));
       CHECK(contains(result.error, "bell_"));
       for (const std::string control : {"\x1b", "\a"})
@@ -510,62 +468,50 @@ TEST_CASE("control characters of names are not printed") {
     }
 }
 
-TEST_CASE("names too long for a file are cut, and stay apart") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
+TEST_CASE_FIXTURE(LabelVolume, "names too long for a file are cut, and stay apart") {
   std::string whole;
   for (int i = 0; i < 50; ++i) whole += "\xC3\xA4";
   const std::string name = whole + whole + whole;  // 300 bytes
-  workshop.write("table.txt",
-                 "1 " + name + "1 1 2 3\n2 " + name + "2 4 5 6\n9 x" + name + " 1 1 1\n");
-  workshop.done(extract + "--labels all --label-table table.txt -q -o 'v-{name}.stl'");
+  write("table.txt", "1 " + name + "1 1 2 3\n2 " + name + "2 4 5 6\n9 x" + name + " 1 1 1\n");
+  done(extract + "--labels all --label-table table.txt -q -o 'v-{name}.stl'");
   for (const std::string& file : {whole, whole + "-2", "x" + whole.substr(2)}) {
     INFO(file);
-    CHECK_FALSE(workshop.read("v-" + file + ".stl").empty());
+    CHECK_FALSE(read("v-" + file + ".stl").empty());
   }
 }
 
-TEST_CASE("labels that cannot be written are refused before any work") {
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
-  workshop.write("table.txt", "no table\n");
-  workshop.write("nothing.raw", std::string(24, '\0'));
-  workshop.write("half.raw", std::string(96, '\x3f'));  // 0.747...
+TEST_CASE_FIXTURE(LabelVolume, "labels that cannot be written are refused before any work") {
+  write("table.txt", "no table\n");
+  write("nothing.raw", std::string(24, '\0'));
+  write("half.raw", std::string(96, '\x3f'));  // 0.747...
   std::string nan;
   for (int i = 0; i < 24; ++i) nan += std::string("\0\0\xc0\x7f", 4);
-  workshop.write("nan.raw", nan);
-  workshop.write("nothing.nrrd",
-                 "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 4 2 3\nencoding: raw\n\n" +
-                     std::string(24, '\0'));
-  const auto names = workshop.names();
+  write("nan.raw", nan);
+  write("nothing.nrrd", "NRRD0005\ntype: uchar\ndimension: 3\nsizes: 4 2 3\nencoding: raw\n\n" +
+                            std::string(24, '\0'));
   const std::string all = extract + "--labels all ";
-  check_failure(workshop.run(all + "--iso 1 -o '{name}.stl'"), 2, {"--labels", "--iso"});
-  check_failure(workshop.run(all + "--memory 1M -o '{name}.stl'"), 2, {"--labels", "--memory"});
-  check_failure(workshop.run(all + "--normals gradient -o '{name}.ply'"), 2, {"--normals"});
-  check_failure(workshop.run(all + "--surface interpolated -o '{name}.ply'"), 2, {"--surface"});
-  check_failure(workshop.run(all + "--label-table table.txt -o '{name}.stl'"), 1,
-                {"table.txt", "line 1"});
-  check_failure(workshop.run(extract + "--label 1 --label-table table.txt -o v.dmc"), 1,
-                {"table.txt", "line 1"});
-  check_failure(
-      workshop.run("extract nothing.raw --dims 4,2,3 --type u8 --labels all -o '{name}.stl'"), 1,
-      {"nothing.raw", "no label", "--allow-empty"});
-  check_failure(workshop.run(all + "--mask nothing.nrrd -o '{name}.stl'"), 1,
-                {"v.raw: the volume holds no label within --mask; check --frame and --channel, or "
-                 "give --allow-empty"});
-  check_failure(
-      workshop.run("extract nan.raw --dims 4,2,3 --type f32 --labels all -o v.glb"), 1,
-      {"24 samples are not a number",
-       "nan.raw: the volume holds no label; check --frame and --channel, or give --allow-empty"});
-  check_failure(
-      workshop.run("extract half.raw --dims 4,2,3 --type f32 --labels all -o '{name}.stl'"), 1,
-      {"half.raw", "slice 0", "whole numbers"});
-  check_failure(workshop.run("extract half.raw --dims 4,2,3 --type f32 --label 1 -o v.stl"), 1,
-                {"half.raw", "slice 0", "whole numbers"});
-  CHECK(workshop.names() == names);
+  fails(all + "--iso 1 -o '{name}.stl'", 2, {"--labels", "--iso"});
+  fails(all + "--memory 1M -o '{name}.stl'", 2, {"--labels", "--memory"});
+  fails(all + "--normals gradient -o '{name}.ply'", 2, {"--normals"});
+  fails(all + "--surface interpolated -o '{name}.ply'", 2, {"--surface"});
+  fails(all + "--label-table table.txt -o '{name}.stl'", 1, {"table.txt", "line 1"});
+  fails(extract + "--label 1 --label-table table.txt -o v.dmc", 1, {"table.txt", "line 1"});
+  fails("extract nothing.raw --dims 4,2,3 --type u8 --labels all -o '{name}.stl'", 1,
+        {"nothing.raw", "no label", "--allow-empty"});
+  fails(all + "--mask nothing.nrrd -o '{name}.stl'", 1,
+        {"v.raw: the volume holds no label within --mask; check --frame and --channel, or "
+         "give --allow-empty"});
+  fails("extract nan.raw --dims 4,2,3 --type f32 --labels all -o v.glb", 1,
+        {"24 samples are not a number",
+         "nan.raw: the volume holds no label; check --frame and --channel, or give --allow-empty"});
+  fails("extract half.raw --dims 4,2,3 --type f32 --labels all -o '{name}.stl'", 1,
+        {"half.raw", "slice 0", "whole numbers"});
+  fails("extract half.raw --dims 4,2,3 --type f32 --label 1 -o v.stl", 1,
+        {"half.raw", "slice 0", "whole numbers"});
 }
 
-TEST_CASE("labels without a colour get colours of their own, the same in every file") {
+TEST_CASE_FIXTURE(Workshop,
+                  "labels without a colour get colours of their own, the same in every file") {
   std::set<discmc::command::Srgb> colours;
   for (int number = 1; number <= 21; ++number)
     colours.insert(discmc::command::label_colour(number));
@@ -573,12 +519,11 @@ TEST_CASE("labels without a colour get colours of their own, the same in every f
   CHECK(discmc::command::label_colour(-20) == discmc::command::label_colour(1));
   CHECK(discmc::command::label_colour(22) == discmc::command::label_colour(1));
 
-  const Workshop workshop;
-  workshop.write("v.raw", volume);
-  workshop.done(extract + "--labels all -o all.glb");
-  workshop.done(extract + "--label 2 --label 9 -o two.glb");
-  const auto all = command_tests::meshes_of_glb(workshop.read("all.glb"));
-  const auto two = command_tests::meshes_of_glb(workshop.read("two.glb"));
+  write("v.raw", volume);
+  done(extract + "--labels all -o all.glb");
+  done(extract + "--label 2 --label 9 -o two.glb");
+  const auto all = command_tests::meshes_of_glb(read("all.glb"));
+  const auto two = command_tests::meshes_of_glb(read("two.glb"));
   REQUIRE(all.size() == 3);
   REQUIRE(two.size() == 2);
   for (const std::size_t i : {0U, 1U, 2U})

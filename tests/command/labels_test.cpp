@@ -1,15 +1,12 @@
 // The surfaces of all labels in one pass.
 #include "extraction/labels.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
 #include <random>
-#include <vector>
 
 #include "hand_made.hpp"
 #include "oracle/region.hpp"
 #include "sample_reader.hpp"
+#include "test.hpp"
 
 namespace {
 

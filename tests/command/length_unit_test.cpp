@@ -1,11 +1,7 @@
 // Units of length as files spell them.
 #include "volumes/length_unit.hpp"
 
-#include <doctest/doctest.h>
-
-#include <string>
-#include <utility>
-#include <vector>
+#include "test.hpp"
 
 using discmc::command::millimetres_in;
 

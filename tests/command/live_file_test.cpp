@@ -1,16 +1,15 @@
 // Pipes that several read from the beginning.
-#include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <sstream>
 #include <streambuf>
-#include <string>
 #include <thread>
 
 #include "command/volume_files.hpp"
 #include "pages/live_file.hpp"
+#include "test.hpp"
 
 namespace {
 

@@ -49,15 +49,15 @@ std::string section_of(const std::string& page, const std::string& command) {
 
 }  // namespace
 
-TEST_CASE("the manual has every option of every help in the section of its command") {
-  const Workshop workshop;
-  const std::string page = workshop.done("manual");
-  const std::string help = workshop.done("--help");
+TEST_CASE_FIXTURE(Workshop,
+                  "the manual has every option of every help in the section of its command") {
+  const std::string page = done("manual");
+  const std::string help = done("--help");
   const std::vector<std::string> commands = commands_of(help);
   CHECK(commands.size() >= 6);
   for (const std::string& command : commands) {
     const std::string section = section_of(page, command);
-    const std::vector<std::string> options = options_of(workshop.done(command + " --help"));
+    const std::vector<std::string> options = options_of(done(command + " --help"));
     CHECK(options.size() >= 2);
     for (const std::string& option : options) {
       INFO(command, " ", option);
@@ -96,16 +96,15 @@ TEST_CASE("text of the command line is escaped for troff") {
   CHECK(line("--iso") == "\\-\\-iso");
 }
 
-TEST_CASE("programs that show manuals accept the page without a warning") {
-  const Workshop workshop;
-  if (has(workshop, "man")) {
-    const Result shown = workshop.shell("\"$discmc\" manual | man -l --warnings -");
+TEST_CASE_FIXTURE(Workshop, "programs that show manuals accept the page without a warning") {
+  if (has(*this, "man")) {
+    const Result shown = shell("\"$discmc\" manual | man -l --warnings -");
     CHECK(shown.code == 0);
     CHECK(contains(shown.out, "discmc render [OPTIONS] -o FILE INPUT"));
     CHECK(shown.error.empty());
   }
-  if (has(workshop, "mandoc")) {
-    const Result checked = workshop.shell("\"$discmc\" manual | mandoc -T lint -W warning");
+  if (has(*this, "mandoc")) {
+    const Result checked = shell("\"$discmc\" manual | mandoc -T lint -W warning");
     std::istringstream lines(checked.out);
     for (std::string line; std::getline(lines, line);) {
       INFO(line);

@@ -1,12 +1,4 @@
 // discmc extract and render with a mask.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "command.hpp"
 #include "oracle/stream.hpp"
 #include "oracle/volume.hpp"
@@ -26,10 +18,10 @@ std::string nrrd_of(const std::string& samples, const std::string& sizes = "9 8 
 }
 
 // Noise, and a mask of blocks of 2 x 2 x 2 voxels; as v.raw and m.nrrd.
-struct Masked {
+struct Masked : Workshop {
   std::string samples, mask;
 
-  explicit Masked(const Workshop& workshop) {
+  Masked() {
     discmc::test::Chance chance(7);
     std::vector<char> blocks(5 * 4 * 4);
     for (char& block : blocks) block = static_cast<char>(chance.below(3));
@@ -39,8 +31,8 @@ struct Masked {
                         z = i / (size.width * size.height);
       mask += blocks[(z / 2 * 4 + y / 2) * 5 + x / 2];
     }
-    workshop.write("v.raw", samples);
-    workshop.write("m.nrrd", nrrd_of(mask));
+    write("v.raw", samples);
+    write("m.nrrd", nrrd_of(mask));
   }
 
   // The volume with another value in masked voxels.
@@ -54,22 +46,20 @@ struct Masked {
 
 }  // namespace
 
-TEST_CASE("all labels with a mask are as many meshes as if each were asked for with it") {
-  const Workshop workshop;
-  Masked masked(workshop);
-  for (char& sample : masked.samples) sample = static_cast<char>(sample & 3);
-  workshop.write("v.nrrd", nrrd_of(masked.samples));
-  workshop.done("extract v.nrrd --labels all --mask m.nrrd -o 'all-{name}.stl'");
-  workshop.done("extract v.nrrd --label 1 --label 2 --label 3 --mask m.nrrd -o 'one-{name}.stl'");
+TEST_CASE_FIXTURE(Masked,
+                  "all labels with a mask are as many meshes as if each were asked for with it") {
+  for (char& sample : samples) sample = static_cast<char>(sample & 3);
+  write("v.nrrd", nrrd_of(samples));
+  done("extract v.nrrd --labels all --mask m.nrrd -o 'all-{name}.stl'");
+  done("extract v.nrrd --label 1 --label 2 --label 3 --mask m.nrrd -o 'one-{name}.stl'");
   for (const std::string label : {"1.stl", "2.stl", "3.stl"})
-    CHECK(workshop.read("all-" + label) == workshop.read("one-" + label));
+    CHECK(read("all-" + label) == read("one-" + label));
   const std::string refused = "extract v.nrrd --labels all --mask m.nrrd -o '{name}.stl' ";
-  check_failure(workshop.run(refused + "--median 3"), 2, {"grow labels over the mask"});
+  fails(refused + "--median 3", 2, {"grow labels over the mask"});
   // Values from 1 on: masked voxels become 0, which no sample has.
-  std::string samples = masked.samples;
   const auto nifti = [] { return volume_files::Nifti().dims({3, 9, 8, 7}); };
   for (char& sample : samples) sample = static_cast<char>(sample - 1);
-  workshop.write("above.nii", nifti().type(256).scale(1, 1).file(samples));
+  write("above.nii", nifti().type(256).scale(1, 1).file(samples));
   for (char& sample : samples) sample = static_cast<char>(sample + 1);
   // The largest sample, and a half, stand for 0.
   std::string floats;
@@ -77,27 +67,25 @@ TEST_CASE("all labels with a mask are as many meshes as if each were asked for w
     floats += volume_files::bytes_of(static_cast<float>(sample) + 0.5F);
     sample = static_cast<char>(255 - sample);
   }
-  workshop.write("255.nii", nifti().scale(1, -255).file(samples));
-  workshop.write("half.nii", nifti().type(16).scale(1, -0.5F).file(floats));
+  write("255.nii", nifti().scale(1, -255).file(samples));
+  write("half.nii", nifti().type(16).scale(1, -0.5F).file(floats));
   for (const std::string name : {"255", "half", "above"})
-    workshop.done("extract " + name + ".nii --labels all --mask m.nrrd --space voxel -o '" + name +
-                  "-{name}.stl'");
-  CHECK(workshop.read("half-1.stl") == workshop.read("all-1.stl"));
-  CHECK(workshop.read("above-1.stl") == workshop.read("all-1.stl"));
-  CHECK(workshop.shell("ls 255-*").out == "255--1.stl\n255--2.stl\n255--3.stl\n");
+    done("extract " + name + ".nii --labels all --mask m.nrrd --space voxel -o '" + name +
+         "-{name}.stl'");
+  CHECK(read("half-1.stl") == read("all-1.stl"));
+  CHECK(read("above-1.stl") == read("all-1.stl"));
+  CHECK(shell("ls 255-*").out == "255--1.stl\n255--2.stl\n255--3.stl\n");
 }
 
-TEST_CASE("voxels outside the mask are off for any selection") {
-  const Workshop workshop;
-  const Masked masked(workshop);
-  workshop.write("least.raw", masked.with_value(0));
-  workshop.write("most.raw", masked.with_value(255));
+TEST_CASE_FIXTURE(Masked, "voxels outside the mask are off for any selection") {
+  write("least.raw", with_value(0));
+  write("most.raw", with_value(255));
   const auto same = [&](const std::string& options, const std::string& other) {
     INFO(options);
-    workshop.done("extract v.raw --mask m.nrrd -q -o masked.jsonl" + layout + options);
-    workshop.done("extract " + other + " -q -o v.jsonl" + layout + options);
-    CHECK(workshop.read("masked.jsonl") == workshop.read("v.jsonl"));
-    CHECK(!workshop.read("v.jsonl").empty());
+    done("extract v.raw --mask m.nrrd -q -o masked.jsonl" + layout + options);
+    done("extract " + other + " -q -o v.jsonl" + layout + options);
+    CHECK(read("masked.jsonl") == read("v.jsonl"));
+    CHECK(!read("v.jsonl").empty());
   };
   same("--iso 100", "least.raw");
   same("--iso 100 --border open", "least.raw");
@@ -107,50 +95,47 @@ TEST_CASE("voxels outside the mask are off for any selection") {
   same("--iso 100 --crop 2..,2..,2.. --shrink 2", "least.raw");
 }
 
-TEST_CASE("a mask is of streams of both kinds, of all surfaces and of pictures") {
-  const Workshop workshop;
-  const Masked masked(workshop);
-  workshop.write("least.raw", masked.with_value(0));
+TEST_CASE_FIXTURE(Masked, "a mask is of streams of both kinds, of all surfaces and of pictures") {
+  write("least.raw", with_value(0));
   const std::string with_mask = "v.raw --mask m.nrrd --iso 100 ", without = "least.raw --iso 100 ";
   for (const std::string wire : {"regions", "slices"}) {
     const std::string options = layout + "--iso 50 --wire " + wire;
-    const std::string told = workshop.done("extract " + with_mask + "-o v.dmc" + options);
-    const std::string masked_stream = workshop.read("v.dmc");
-    CHECK(told == workshop.done("extract " + without + "-o v.dmc" + options));
-    CHECK(masked_stream == workshop.read("v.dmc"));
+    const std::string told = done("extract " + with_mask + "-o v.dmc" + options);
+    const std::string masked_stream = read("v.dmc");
+    CHECK(told == done("extract " + without + "-o v.dmc" + options));
+    CHECK(masked_stream == read("v.dmc"));
   }
-  workshop.done("render " + with_mask + "--size 64,64 -o masked.png" + layout);
-  workshop.done("render " + without + "--size 64,64 -o v.png" + layout);
-  CHECK(workshop.read("masked.png") == workshop.read("v.png"));
-  workshop.done("render " + with_mask + "--size 64,64 --shade smooth -o smooth.png" + layout);
+  done("render " + with_mask + "--size 64,64 -o masked.png" + layout);
+  done("render " + without + "--size 64,64 -o v.png" + layout);
+  CHECK(read("masked.png") == read("v.png"));
+  done("render " + with_mask + "--size 64,64 --shade smooth -o smooth.png" + layout);
 }
 
-TEST_CASE("filters do not fill voxels outside the mask") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "filters do not fill voxels outside the mask") {
   const auto box = discmc::reference::box({12, 12, 12}, {2, 2, 2}, {9, 9, 9});
-  workshop.write("v.nrrd", box);
+  write("v.nrrd", box);
   std::string mask(12 * 12 * 12, '\1');
   mask[(6 * 12 + 5) * 12 + 5] = '\0';
-  workshop.write("m.nrrd", nrrd_of(mask, "12 12 12"));
+  write("m.nrrd", nrrd_of(mask, "12 12 12"));
   const auto lines = [&](const std::string& options) {
-    workshop.done("extract v.nrrd --iso 100 --median 3 -q -o v.jsonl " + options);
-    const std::string text = workshop.read("v.jsonl");
+    done("extract v.nrrd --iso 100 --median 3 -q -o v.jsonl " + options);
+    const std::string text = read("v.jsonl");
     return std::count(text.begin(), text.end(), '\n');
   };
   constexpr int of_voxel = 8;
   CHECK(lines("--mask m.nrrd") == lines("") + of_voxel);
 }
 
-TEST_CASE("an interpolated surface is flat where the mask ends, and where it was otherwise") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(
+    Workshop, "an interpolated surface is flat where the mask ends, and where it was otherwise") {
   std::string samples, mask;
   for (const int sample : sampled_field::ball(14, 5.3).samples)
     samples += static_cast<char>(sample);
   for (int i = 0; i < 14 * 14 * 14; ++i) mask += i % 14 < 6 ? '\1' : '\0';
-  workshop.write("v.nrrd", nrrd_of(samples, "14 14 14"));
-  workshop.write("m.nrrd", nrrd_of(mask, "14 14 14"));
-  workshop.done("extract v.nrrd --mask m.nrrd --iso 50 --surface interpolated -q -o v.obj");
-  const FileMesh mesh = mesh_of_obj(workshop.read("v.obj"));
+  write("v.nrrd", nrrd_of(samples, "14 14 14"));
+  write("m.nrrd", nrrd_of(mask, "14 14 14"));
+  done("extract v.nrrd --mask m.nrrd --iso 50 --surface interpolated -q -o v.obj");
+  const FileMesh mesh = mesh_of_obj(read("v.obj"));
   CHECK(check_mesh(mesh).closed());
   constexpr double cap = 4.3;  // high, of a ball of 5.3
   CHECK(volume_of(mesh) == doctest::Approx(3.14159 * cap * cap * (5.3 - cap / 3)).epsilon(0.05));
@@ -164,30 +149,24 @@ TEST_CASE("an interpolated surface is flat where the mask ends, and where it was
   CHECK(flat > 4);
 }
 
-TEST_CASE("a mask of another size is refused, and a displaced mask is reported") {
-  const Workshop workshop;
-  const Masked masked(workshop);
-  workshop.write("other.nrrd", nrrd_of(masked.mask, "7 8 9"));
-  workshop.write("far.nrrd",
-                 volume_files::nrrd(volume_files::nrrd_u8 + "spacings: 1 1 2\n", "9 8 7") + "\n" +
-                     masked.mask);
-  const auto names = workshop.names();
+TEST_CASE_FIXTURE(Masked, "a mask of another size is refused, and a displaced mask is reported") {
+  write("other.nrrd", nrrd_of(mask, "7 8 9"));
+  write("far.nrrd",
+        volume_files::nrrd(volume_files::nrrd_u8 + "spacings: 1 1 2\n", "9 8 7") + "\n" + mask);
   const std::string extract = "extract v.raw --iso 100 -q" + layout;
-  check_failure(workshop.run(extract + "-o v.stl --mask other.nrrd"), 1,
-                {"other.nrrd", "7 x 8 x 9", "9 x 8 x 7"});
-  check_failure(workshop.run(extract + "-o v.stl --mask none.nrrd"), 1, {"none.nrrd"});
-  check_failure(workshop.run(extract + "-o v.stl --mask -"), 2, {"--mask", "standard input"});
+  fails(extract + "-o v.stl --mask other.nrrd", 1, {"other.nrrd", "7 x 8 x 9", "9 x 8 x 7"});
+  fails(extract + "-o v.stl --mask none.nrrd", 1, {"none.nrrd"});
+  fails(extract + "-o v.stl --mask -", 2, {"--mask", "standard input"});
   for (const std::string name : {"v.dmc", "v.ply"})
-    check_failure(workshop.run(extract + "--mask m.nrrd --normals gradient -o " + name), 2,
-                  {"--mask", "--normals surface"});
-  check_failure(workshop.run("render v.raw --iso 1 --classic --mask m.nrrd -o v.png" + layout), 2,
-                {"--classic", "--mask"});
-  CHECK(workshop.names() == names);
-  const Result far = workshop.run(extract + "--mask far.nrrd -o far.jsonl");
+    fails(extract + "--mask m.nrrd --normals gradient -o " + name, 2,
+          {"--mask", "--normals surface"});
+  fails("render v.raw --iso 1 --classic --mask m.nrrd -o v.png" + layout, 2,
+        {"--classic", "--mask"});
+  const Result far = run(extract + "--mask far.nrrd -o far.jsonl");
   CHECK(far.code == 0);
   CHECK(contains(far.error, "far.nrrd: the mask lies up to 6 mm away"));
-  workshop.done(extract + "--mask m.nrrd -o v.jsonl");
-  CHECK(workshop.read("far.jsonl") == workshop.read("v.jsonl"));
+  done(extract + "--mask m.nrrd -o v.jsonl");
+  CHECK(read("far.jsonl") == read("v.jsonl"));
 }
 
 namespace {
@@ -240,40 +219,33 @@ std::string turned(const std::string& mask, const std::array<std::size_t, 3>& or
 
 }  // namespace
 
-TEST_CASE("a mask whose axes run otherwise than the volume's is turned") {
-  const Workshop workshop;
-  const Masked masked(workshop);
-  workshop.write("v.nii", nifti_at(axes, origin, {9, 8, 7}, masked.samples));
-  workshop.write("m.nii", turned(masked.mask, {0, 1, 2}, 0));
+TEST_CASE_FIXTURE(Masked, "a mask whose axes run otherwise than the volume's is turned") {
+  write("v.nii", nifti_at(axes, origin, {9, 8, 7}, samples));
+  write("m.nii", turned(mask, {0, 1, 2}, 0));
   const std::string parts[] = {"", "--crop 1..7,2..,..5 ", "--shrink 2 "};
   std::vector<std::string> expected;
-  const auto extracted = [&](const std::string& mask, const std::string& part) {
-    const Result result =
-        workshop.run("extract v.nii --iso 100 --mask " + mask + " -q -o v.jsonl " + part);
+  const auto extracted = [&](const std::string& file, const std::string& part) {
+    const Result result = run("extract v.nii --iso 100 --mask " + file + " -q -o v.jsonl " + part);
     INFO(result.error);
     REQUIRE(result.code == 0);
-    CHECK(contains(result.error, "the axes are turned") == (mask != "m.nii"));
-    return workshop.read("v.jsonl");
+    CHECK(contains(result.error, "the axes are turned") == (file != "m.nii"));
+    return read("v.jsonl");
   };
   for (const std::string& part : parts) expected.push_back(extracted("m.nii", part));
   std::array<std::size_t, 3> order = {0, 1, 2};
   do
     for (unsigned against = 0; against < 8; ++against) {
       if (against == 0 && order == std::array<std::size_t, 3>{0, 1, 2}) continue;
-      CAPTURE(order[0]);
-      CAPTURE(order[1]);
-      CAPTURE(against);
-      workshop.write("turned.nii", turned(masked.mask, order, against));
+      INFO("order ", order[0], ", ", order[1], ", against ", against);
+      write("turned.nii", turned(mask, order, against));
       for (std::size_t i = 0; i < 3; ++i) CHECK(extracted("turned.nii", parts[i]) == expected[i]);
     }
   while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST_CASE("a mask that is turned and lies elsewhere is refused") {
-  const Workshop workshop;
-  const Masked masked(workshop);
-  workshop.write("v.nii", nifti_at(axes, origin, {9, 8, 7}, masked.samples));
-  workshop.write("flipped.nii", turned(masked.mask, {0, 1, 2}, 1, 0.5));
-  check_failure(workshop.run("extract v.nii --iso 100 --mask flipped.nii -o v.stl"), 1,
-                {"flipped.nii: the axes of the mask differ from those of the volume"});
+TEST_CASE_FIXTURE(Masked, "a mask that is turned and lies elsewhere is refused") {
+  write("v.nii", nifti_at(axes, origin, {9, 8, 7}, samples));
+  write("flipped.nii", turned(mask, {0, 1, 2}, 1, 0.5));
+  fails("extract v.nii --iso 100 --mask flipped.nii -o v.stl", 1,
+        {"flipped.nii: the axes of the mask differ from those of the volume"});
 }

@@ -1,11 +1,6 @@
 // Masks: which voxels they keep, and whether they lie where their volume does.
 #include "volumes/filters/filters.hpp"
 
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "volume_files.hpp"
 #include "volumes/volume_offset.hpp"
 
@@ -51,11 +46,10 @@ TEST_CASE("a mask selects values that are numbers other than 0") {
   CHECK(mask_of(Nifti().scale(0.5F, -4).file(stored(SampleType::u8))) == all_but_third);
 }
 
-TEST_CASE("a mask of several volumes is refused for any frame of the volume") {
-  const Folder folder;
-  const auto mask = folder.write(
-      "m.nii",
-      Nifti().dims({4, 5, 3, 4, 2}).file(std::string(2 * stored(SampleType::u8).size(), 1)));
+TEST_CASE_FIXTURE(Folder, "a mask of several volumes is refused for any frame of the volume") {
+  const auto mask =
+      write("m.nii",
+            Nifti().dims({4, 5, 3, 4, 2}).file(std::string(2 * stored(SampleType::u8).size(), 1)));
   CHECK_THROWS_WITH(open_mask(mask, with(&VolumeOptions::frame, 1), volume_of()),
                     doctest::Contains("the mask holds 2 volumes; store the mask in a file"));
 }
@@ -75,9 +69,8 @@ TEST_CASE("a mask is cropped like its volume, and shrinks by the majority of a b
   CHECK(mask_of(Nifti().file(labels), options) == std::vector<double>{0, 1});
 }
 
-TEST_CASE("a mask must have the extents of the whole volume, even with --crop") {
-  const Folder folder;
-  const auto file = folder.write("m.nrrd", nrrd(nrrd_u8, "5 4 3") + "\n" + stored(SampleType::u8));
+TEST_CASE_FIXTURE(Folder, "a mask must have the extents of the whole volume, even with --crop") {
+  const auto file = write("m.nrrd", nrrd(nrrd_u8, "5 4 3") + "\n" + stored(SampleType::u8));
   VolumeOptions options;
   for (const bool is_part : {false, true}) {
     if (is_part) options.crop = {{{1, 2}, {1, 2}, {1, 2}}};
@@ -109,28 +102,26 @@ TEST_CASE("a displaced mask is detected if both files have a placement") {
   CHECK(offset("spacings: 1 2 4\n", "spacings: 1 2 3\n") == 3);
 }
 
-TEST_CASE("another spacing is that of the mask, too") {
-  const Folder folder;
-  const auto file = folder.write("m.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+TEST_CASE_FIXTURE(Folder, "another spacing is that of the mask, too") {
+  const auto file = write("m.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
   VolumeOptions options;
   options.spacing_mm = {0.5, 2, 3};
   const VolumeInfo volume = volume_of(options);
   CHECK(offset_mm(open_mask(file, options, volume)->info(), volume) == 0);
 }
 
-TEST_CASE("named axes apply to a mask that has no axes of its own") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "named axes apply to a mask that has no axes of its own") {
   const std::string header =
       std::string("\x93NUMPY\1\0\x4a\0", 10) +
       "{'descr': '|u1', 'fortran_order': False, 'shape': (5, 3, 4), }           \n";
   std::string samples(60, '\1');
   samples[59] = samples[1] = '\0';  // (4, 2, 3) and (0, 0, 1)
-  const auto file = folder.write("m.npy", header + samples);
+  const auto file = write("m.npy", header + samples);
   const VolumeOptions options = with(&VolumeOptions::axes, "cxyzt");
   const auto mask = read_all(*open_mask(file, options, volume_of()));
   std::vector<double> expected(60, 1);
   expected[59] = expected[15] = 0;
   CHECK(mask == expected);
-  const auto nifti = folder.write("m.nii", Nifti().file(stored(SampleType::u8)));
+  const auto nifti = write("m.nii", Nifti().file(stored(SampleType::u8)));
   CHECK(open_mask(nifti, options, volume_of())->info().dims == volume_of().dims);
 }

@@ -1,11 +1,7 @@
 // The measures of surfaces, alone and as files: extract -o FILE.csv.
 #include "meshes/measures.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <sstream>
-#include <string>
 
 #include "command.hpp"
 #include "mesh_files/mesh_files.hpp"

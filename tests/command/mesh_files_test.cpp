@@ -1,14 +1,8 @@
 #include "mesh_files/mesh_files.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <sstream>
 #include <stdexcept>
 #include <streambuf>
-#include <string>
 
 #include "command.hpp"
 #include "hand_made.hpp"

@@ -1,15 +1,10 @@
 #include "meshes/mesh.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <random>
-#include <set>
 #include <stdexcept>
 
 #include "hand_made.hpp"
+#include "test.hpp"
 
 namespace {
 

@@ -1,14 +1,6 @@
 // Volumes of any type in 16 bits.
 #include "extraction/narrowed_volume.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "volume_files.hpp"
 
 namespace {
@@ -31,25 +23,23 @@ std::unique_ptr<VolumeReader> opened(const Folder& folder, SampleType type,
 
 }  // namespace
 
-TEST_CASE("the bounds of a volume are those of its finite samples") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "the bounds of a volume are those of its finite samples") {
   const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
   const auto bounds = sample_bounds(
-      *opened(folder, SampleType::f32, floats({nan, infinity, -infinity, 1000, -2000})));
+      *opened(*this, SampleType::f32, floats({nan, infinity, -infinity, 1000, -2000})));
   CHECK(bounds.least == -2000);
   CHECK(bounds.greatest == 1000);
 }
 
-TEST_CASE("a narrowed volume is on where the volume is, and in proportion") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a narrowed volume is on where the volume is, and in proportion") {
   for (const auto& each : discmc::command::sample_types) {
     const SampleType type = each.second;
     INFO(each.first);
     const std::string bytes = stored(type);
     const double iso = (sample_at(20, type) + sample_at(21, type)) / 2;
-    const SampleBounds bounds = sample_bounds(*opened(folder, type, bytes));
+    const SampleBounds bounds = sample_bounds(*opened(*this, type, bytes));
     CHECK(bounds.least == doctest::Approx(sample_at(0, type)));
-    const auto volume = narrowed(opened(folder, type, bytes), bounds, iso);
+    const auto volume = narrowed(opened(*this, type, bytes), bounds, iso);
     CHECK(volume->info().type == SampleType::i16);
     const std::vector<double> samples = read_all(*volume);
     const double step = (samples.back() - samples.front()) / (voxels - 1);
@@ -62,10 +52,9 @@ TEST_CASE("a narrowed volume is on where the volume is, and in proportion") {
   }
 }
 
-TEST_CASE("samples closer to iso than 16 bits resolve stay on their side") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "samples closer to iso than 16 bits resolve stay on their side") {
   const auto volume = narrowed(
-      opened(folder, SampleType::f32, floats({1e30F, -1e30F, 0.0F, -1e-30F, std::nanf("")})),
+      opened(*this, SampleType::f32, floats({1e30F, -1e30F, 0.0F, -1e-30F, std::nanf("")})),
       {-1e30, 1e30}, 0);
   const std::vector<double> samples = read_all(*volume);
   CHECK(samples[0] == 32767);

@@ -1,11 +1,7 @@
 // Volumes written as NIfTI-2, and read again.
 #include "volumes/formats/nifti/writer.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
 #include <fstream>
-#include <vector>
 
 #include "volume_files.hpp"
 

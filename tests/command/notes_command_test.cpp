@@ -18,10 +18,9 @@ const std::string no_spacing = "v.nrrd: no spacing given, 1 mm assumed\n";
 
 }  // namespace
 
-TEST_CASE("every command that reads a volume prints its notes, each once") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81), "");
-  workshop.done("extract v.nrrd --iso 100 -q -o v.dmc");
+TEST_CASE_FIXTURE(Workshop, "every command that reads a volume prints its notes, each once") {
+  write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81), "");
+  done("extract v.nrrd --iso 100 -q -o v.dmc");
   std::vector<std::string> commands = {
       "extract v.nrrd --iso otsu --normals gradient -q -o v.ply",
       "extract v.nrrd --iso 100 -q -o w.dmc",
@@ -34,29 +33,27 @@ TEST_CASE("every command that reads a volume prints its notes, each once") {
   if (!discmc::command::page_template().empty())
     commands.emplace_back("view v.nrrd --no-open -o v.html");
   for (const std::string& command : commands) {
-    const Result result = workshop.run(command);
+    const Result result = run(command);
     INFO(command, "\n", result.error);
     CHECK(result.code == 0);
     CHECK(count_of("discmc: " + no_spacing, result.error) == 1);
   }
-  CHECK(count_of("note no spacing given", workshop.done("info v.nrrd")) == 1);
+  CHECK(count_of("note no spacing given", done("info v.nrrd")) == 1);
 }
 
-TEST_CASE("the notes of a mask are printed, too") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "the notes of a mask are printed, too") {
   const auto body = ball({20, 20, 20}, {19, 19, 19}, 81);
-  workshop.write("v.nrrd", body);
-  workshop.write("m.nrrd", body, "");
-  CHECK(contains(workshop.run("extract v.nrrd --mask m.nrrd --iso 100 -q -o v.stl").error,
+  write("v.nrrd", body);
+  write("m.nrrd", body, "");
+  CHECK(contains(run("extract v.nrrd --mask m.nrrd --iso 100 -q -o v.stl").error,
                  "discmc: m.nrrd: no spacing given, 1 mm assumed\n"));
 }
 
-TEST_CASE("bytes behind the last slice are reported") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81));
-  workshop.write("w.nrrd.gz", volume_files::gzip(workshop.read("v.nrrd") + "behind"));
+TEST_CASE_FIXTURE(Workshop, "bytes behind the last slice are reported") {
+  write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81));
+  write("w.nrrd.gz", volume_files::gzip(read("v.nrrd") + "behind"));
   const std::string behind = "more bytes after the samples are left out";
-  CHECK(contains(workshop.run("extract w.nrrd.gz --iso 100 -q -o w.stl").error,
+  CHECK(contains(run("extract w.nrrd.gz --iso 100 -q -o w.stl").error,
                  "discmc: w.nrrd.gz: " + behind));
-  CHECK(contains(workshop.done("info w.nrrd.gz"), "note " + behind));
+  CHECK(contains(done("info w.nrrd.gz"), "note " + behind));
 }

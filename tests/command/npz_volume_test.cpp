@@ -1,10 +1,5 @@
 // Archives of NumPy: which of the arrays is the volume. container_table_test has every sample type.
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
@@ -17,20 +12,19 @@ const std::string several = files / "npz_arrays/several.npz";
 TEST_CASE("the only array of three axes is the volume, and of several one is chosen by its name") {
   check_volume(files / "npz/i16-little-deflate.npz", SampleType::i16, "NumPy, npz");
   check_volume((files / "npz/u8-little.npz").string() + ":/volume", SampleType::u8, "NumPy, npz");
-  check_refusal(refusal(several), "holds 2 arrays: /scan (5 x 3 x 4), /truth (5 x 3 x 4)");
+  check_refused(several, "holds 2 arrays: /scan (5 x 3 x 4), /truth (5 x 3 x 4)");
   check_volume(several + ":/scan", SampleType::u8, "NumPy, npz");
-  check_refusal(
-      refusal(several + ":/none"),
+  check_refused(
+      several + ":/none",
       "no array '/none' of numbers with two or more dimensions in the file; choose one of /scan");
-  check_refusal(refusal(several + ":/words"), "samples of type '<U5' are not supported");
+  check_refused(several + ":/words", "samples of type '<U5' are not supported");
 }
 
-TEST_CASE("an archive that is damaged, cut off, or holds no array is refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "an archive that is damaged, cut off, or holds no array is refused") {
   const std::string bytes = contents(files / "npz/i16-little-deflate.npz");
   for (std::size_t size = 0; size < bytes.size(); size += 11) {
     INFO("cut at ", size);
-    const auto file = folder.write("cut.npz", bytes.substr(0, size));
+    const auto file = write("cut.npz", bytes.substr(0, size));
     const bool is_table_cut_alone = size > bytes.find("PK\1\2");
     if (is_table_cut_alone)
       check_volume(file, SampleType::i16, "NumPy, npz");
@@ -39,8 +33,8 @@ TEST_CASE("an archive that is damaged, cut off, or holds no array is refused") {
   }
   std::string changed = bytes;
   changed[100] = static_cast<char>(changed[100] ^ 1);
-  refusal(folder.write("changed.npz", changed));
-  check_refusal(refusal(folder.path() / "none.npz"), "there is no such file");
+  refusal(write("changed.npz", changed));
+  check_refused(path() / "none.npz", "there is no such file");
 }
 
 }  // namespace

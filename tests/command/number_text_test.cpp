@@ -1,12 +1,7 @@
 // Numbers as text.
 #include "text/number_text.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-#include <utility>
-#include <vector>
+#include "test.hpp"
 
 using discmc::command::decimal_number;
 using discmc::command::finite_number;

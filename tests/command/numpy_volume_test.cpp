@@ -1,12 +1,5 @@
 // Arrays of NumPy: which axis is which, in either order of storage, and halves.
 // container_table_test has every sample type.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "volume_files.hpp"
 
 namespace {
@@ -40,7 +33,7 @@ VolumeOptions with_axes(const std::string& axes) {
 
 void check_places(const fs::path& file, const VolumeOptions& options) {
   const auto reader = open_volume(file, options);
-  CHECK(reader->info().dims == std::array<std::uint32_t, 3>{5, 3, 4});
+  CHECK(reader->info().dims == Dims{5, 3, 4});
   std::vector<double> expected;
   for (int z = 0; z < 4; ++z)
     for (int y = 0; y < 3; ++y)
@@ -84,44 +77,40 @@ std::string array_with(const std::string& letters) {
   });
 }
 
-TEST_CASE("the axes of an array are those that are named, in any order and in either storage") {
-  const Folder folder;
+TEST_CASE_FIXTURE(
+    Folder, "the axes of an array are those that are named, in any order and in either storage") {
   for (const std::string letters : {"zyx", "zxy", "yzx", "yxz", "xzy", "xyz", "tzyx", "xyzt",
                                     "zyxc", "czyx", "tczyx", "ztyxc", "cxyzt", "xytzc"}) {
     INFO(letters);
     VolumeOptions options = with_axes(letters);
     if (letters.find('t') != std::string::npos) options.frame = 1;
     if (letters.find('c') != std::string::npos) options.channel = 4;
-    check_places(folder.write("c.npy", npy("<u2", shape_of(letters), array_with(letters))),
-                 options);
+    check_places(write("c.npy", npy("<u2", shape_of(letters), array_with(letters))), options);
 
     const std::string reversed(letters.rbegin(), letters.rend());
     options.axes = reversed;
     const bool is_fortran = true;
-    check_places(
-        folder.write("f.npy", npy("<u2", shape_of(reversed), array_with(letters), is_fortran)),
-        options);
+    check_places(write("f.npy", npy("<u2", shape_of(reversed), array_with(letters), is_fortran)),
+                 options);
   }
 }
 
-TEST_CASE("without names the axis that is stored side by side is x, with a note") {
-  const Folder folder;
-  const auto file = folder.write("c.npy", npy("<u2", shape_of("zyx"), array_with("zyx")));
+TEST_CASE_FIXTURE(Folder, "without names the axis that is stored side by side is x, with a note") {
+  const auto file = write("c.npy", npy("<u2", shape_of("zyx"), array_with("zyx")));
   check_places(file, {});
   CHECK(noted(open_volume(file)->info(),
               "read as array[z][y][x]; to read others, give --axes, such as xyz"));
   CHECK_FALSE(noted(open_volume(file, with_axes("zyx"))->info(), "read as"));
-  const auto fortran = folder.write("f.npy", npy("<u2", shape_of("xyz"), array_with("zyx"), true));
+  const auto fortran = write("f.npy", npy("<u2", shape_of("xyz"), array_with("zyx"), true));
   check_places(fortran, {});
   CHECK(noted(open_volume(fortran)->info(),
               "read as array[x][y][z]; to read others, give --axes, such as zyx"));
 }
 
-TEST_CASE("slices of a turned volume are skipped as others are") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "slices of a turned volume are skipped as others are") {
   for (const std::string letters : {"zxy", "xyz", "yzx"}) {
     INFO(letters);
-    const auto file = folder.write("a.npy", npy("<u2", shape_of(letters), array_with(letters)));
+    const auto file = write("a.npy", npy("<u2", shape_of(letters), array_with(letters)));
     const auto reader = open_volume(file, with_axes(letters));
     reader->skip_slice();
     reader->skip_slice();
@@ -134,50 +123,45 @@ TEST_CASE("slices of a turned volume are skipped as others are") {
   }
 }
 
-TEST_CASE("axes of size 1 are dropped at any position, with a note") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "axes of size 1 are dropped at any position, with a note") {
   for (const std::string shape :
        {"1, 4, 3, 5", "4, 3, 5, 1", "1, 4, 3, 5, 1", "1, 1, 4, 3, 5", "4, 1, 3, 5"}) {
     INFO(shape);
-    const auto file = folder.write("a.npy", npy("<u2", shape, array_with("zyx")));
+    const auto file = write("a.npy", npy("<u2", shape, array_with("zyx")));
     check_places(file, {});
     CHECK(noted(open_volume(file)->info(), "axes of size 1 are dropped from "));
   }
-  const auto image = folder.write("image.npy", npy("<u2", "1, 1, 12, 5", array_with("zyx")));
-  CHECK(open_volume(image)->info().dims == std::array<std::uint32_t, 3>{5, 12, 1});
+  const auto image = write("image.npy", npy("<u2", "1, 1, 12, 5", array_with("zyx")));
+  CHECK(open_volume(image)->info().dims == Dims{5, 12, 1});
 }
 
-TEST_CASE("an array with more axes needs a frame or named axes, and unsuitable names are refused") {
-  const Folder folder;
-  const auto file = folder.write("a.npy", npy("<u2", shape_of("zyxc"), array_with("zyxc")));
-  check_refusal(
-      refusal(file),
+TEST_CASE_FIXTURE(
+    Folder,
+    "an array with more axes needs a frame or named axes, and unsuitable names are refused") {
+  const auto file = write("a.npy", npy("<u2", shape_of("zyxc"), array_with("zyxc")));
+  check_refused(
+      file,
       "holds 4 volumes, and one is read at a time; choose one with --frame N, the first is 0; or "
       "name the axes of the array, 4 x 3 x 5 x 6, with --axes, as in --axes zyxc");
-  check_refusal(refusal(file, with_axes("zyxc")), "holds 6 channels, and one is read at a time");
-  check_refusal(refusal(file, with_axes("zyx")),
-                "the axes are named 'zyx', but the array is 4 x 3 x 5 x 6");
+  check_refused(file, with_axes("zyxc"), "holds 6 channels, and one is read at a time");
+  check_refused(file, with_axes("zyx"), "the axes are named 'zyx', but the array is 4 x 3 x 5 x 6");
   VolumeOptions options = with_axes("zyxc");
   options.channel = 6;
-  check_refusal(refusal(file, options), "no channel 6: the file holds 6");
-  const auto plain = folder.write("plain.npy", npy("<u2", shape_of("zyx"), array_with("zyx")));
+  check_refused(file, options, "no channel 6: the file holds 6");
+  const auto plain = write("plain.npy", npy("<u2", shape_of("zyx"), array_with("zyx")));
   options.axes = "zyx";
-  check_refusal(refusal(plain, options), "no channel 6: the file holds 1; leave out --channel");
-  check_refusal(refusal(folder.write("none.npy", npy("<u2", "0, 3, 5", ""))), "0 x 3 x 5");
+  check_refused(plain, options, "no channel 6: the file holds 1; leave out --channel");
+  check_refused(write("none.npy", npy("<u2", "0, 3, 5", "")), "0 x 3 x 5");
   const std::string beyond = "4294967296, 4294967296, 5";
-  check_refusal(refusal(folder.write("beyond.npy", npy("<u2", beyond, ""))),
-                "more than a file can hold");
+  check_refused(write("beyond.npy", npy("<u2", beyond, "")), "more than a file can hold");
 }
 
-TEST_CASE("--axes is refused for a format with fixed axes") {
-  const Folder folder;
-  const auto file = folder.write("a.nii", Nifti().file(stored(SampleType::u8)));
-  check_refusal(refusal(file, with_axes("zyx")),
-                "--axes applies to arrays and TIFF, and this is NIfTI-1");
+TEST_CASE_FIXTURE(Folder, "--axes is refused for a format with fixed axes") {
+  const auto file = write("a.nii", Nifti().file(stored(SampleType::u8)));
+  check_refused(file, with_axes("zyx"), "--axes applies to arrays and TIFF, and this is NIfTI-1");
 }
 
-TEST_CASE("floating point of 16 bits is read as that of 32") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "floating point of 16 bits is read as that of 32") {
   // Numbers of every kind, by the bits that IEEE 754 gives them.
   struct Half {
     std::uint16_t bits;
@@ -198,8 +182,7 @@ TEST_CASE("floating point of 16 bits is read as that of 32") {
                  low = static_cast<char>(half.bits & 0xff);
       samples += is_big_endian ? std::string{high, low} : std::string{low, high};
     }
-    const auto file =
-        folder.write("half.npy", npy(is_big_endian ? ">f2" : "<f2", "2, 2, 2", samples));
+    const auto file = write("half.npy", npy(is_big_endian ? ">f2" : "<f2", "2, 2, 2", samples));
     const auto reader = open_volume(file);
     CHECK(reader->info().type == SampleType::f32);
     std::vector<double> expected;
@@ -207,24 +190,20 @@ TEST_CASE("floating point of 16 bits is read as that of 32") {
     CHECK(read_all(*reader) == expected);
   }
   const std::string special = std::string("\0\x7c\0\xfc\x01\x7e\0\0", 8);
-  const auto read =
-      read_all(*open_volume(folder.write("special.npy", npy("<f2", "1, 2, 2", special))));
+  const auto read = read_all(*open_volume(write("special.npy", npy("<f2", "1, 2, 2", special))));
   CHECK(read[0] == INFINITY);
   CHECK(read[1] == -INFINITY);
   CHECK(std::isnan(read[2]));
-  check_refusal(
-      refusal(folder.write("short.npy", npy("<f2", "2, 2, 2", special + special.substr(1)))),
-      "4 bytes of it are missing");
+  check_refused(write("short.npy", npy("<f2", "2, 2, 2", special + special.substr(1))),
+                "4 bytes of it are missing");
 }
 
-TEST_CASE("samples behind an array are noted, whatever its axes are") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "samples behind an array are noted, whatever its axes are") {
   for (const std::string letters : {"zyx", "xyz", "zyxc"}) {
     INFO(letters);
     VolumeOptions options = with_axes(letters);
     if (letters == "zyxc") options.channel = 4;
-    const auto file =
-        folder.write("a.npy", npy("<u2", shape_of(letters), array_with(letters) + "more"));
+    const auto file = write("a.npy", npy("<u2", shape_of(letters), array_with(letters) + "more"));
     const auto reader = open_volume(file, options);
     read_all(*reader);
     bool is_noted = false;

@@ -1,14 +1,11 @@
 // Steps that come in order, and work between them that does not.
 #include "jobs/ordered_pipeline.hpp"
 
-#include <doctest/doctest.h>
-
 #include <atomic>
-#include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <thread>
-#include <vector>
+
+#include "test.hpp"
 
 namespace {
 

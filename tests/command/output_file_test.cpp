@@ -1,16 +1,12 @@
 // Output files: nothing half-written appears under their name.
 #include "files/output_file.hpp"
 
-#include <doctest/doctest.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "command.hpp"
 
@@ -33,8 +29,8 @@ Syncs* syncs = nullptr;
 
 class SyncsWatched : public Syncs {
  public:
-  explicit SyncsWatched(const std::filesystem::path& path) {
-    target = path;
+  explicit SyncsWatched(const std::filesystem::path& file) {
+    target = file;
     syncs = this;
   }
   SyncsWatched(const SyncsWatched&) = delete;
@@ -60,6 +56,10 @@ std::string complaint(Write write) {
   return {};
 }
 
+struct Target : Folder {
+  const std::filesystem::path target = path() / "a.obj";
+};
+
 }  // namespace
 
 // Takes the place of the system's in this program.
@@ -73,73 +73,67 @@ extern "C" int fsync(int descriptor) {
   return errno == 0 ? 0 : -1;
 }
 
-TEST_CASE("a file appears only once it is complete") {
-  const Folder folder;
-  const auto path = folder.path() / "a.obj";
+TEST_CASE_FIXTURE(Target, "a file appears only once it is complete") {
   {
-    OutputFile file(path);
+    OutputFile file(target);
     file.stream() << "text";
     file.stream().flush();
-    CHECK(!std::filesystem::exists(path));
+    CHECK(!std::filesystem::exists(target));
     file.commit();
-    CHECK(contents(path) == "text");
+    CHECK(contents(target) == "text");
   }
-  CHECK(contents(path) == "text");
-  CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+  CHECK(contents(target) == "text");
+  CHECK(std::distance(std::filesystem::directory_iterator(path()), {}) == 1);
 }
 
-TEST_CASE("the start of a file can be written last") {
-  const Folder folder;
-  const auto path = folder.path() / "v.stl";
-  OutputFile file(path);
+TEST_CASE_FIXTURE(Folder, "the start of a file can be written last") {
+  const auto target = path() / "v.stl";
+  OutputFile file(target);
   REQUIRE(file.can_seek());
   file.stream() << std::string(10000, 'x');
   file.stream().seekp(0);
   file.stream() << "start";
   file.commit();
-  CHECK(contents(path) == "start" + std::string(9995, 'x'));
+  CHECK(contents(target) == "start" + std::string(9995, 'x'));
   CHECK(!OutputFile("/dev/null").can_seek());
   CHECK(!OutputFile("-.stl").can_seek());
 }
 
-TEST_CASE("an uncommitted file leaves no trace and keeps the previous file") {
-  const Folder folder;
-  const auto path = folder.write("a.obj", "before");
+TEST_CASE_FIXTURE(Folder, "an uncommitted file leaves no trace and keeps the previous file") {
+  const auto target = write("a.obj", "before");
   {
-    OutputFile file(path);
+    OutputFile file(target);
     file.stream() << std::string(100000, 'x');
   }
-  CHECK(contents(path) == "before");
-  CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
-  OutputFile file(path);
+  CHECK(contents(target) == "before");
+  CHECK(std::distance(std::filesystem::directory_iterator(path()), {}) == 1);
+  OutputFile file(target);
   file.stream() << "after";
   file.commit();
-  CHECK(contents(path) == "after");
+  CHECK(contents(target) == "after");
 }
 
-TEST_CASE("two outputs of the same name write separate files with unpredictable names") {
-  const Folder folder;
-  const auto path = folder.path() / "a.obj";
-  OutputFile first(path);
-  const auto temporary = only_file(folder.path());
-  OutputFile second(path);
+TEST_CASE_FIXTURE(Target,
+                  "two outputs of the same name write separate files with unpredictable names") {
+  OutputFile first(target);
+  const auto temporary = only_file(path());
+  OutputFile second(target);
   first.stream() << "first";
   second.stream() << "second";
   first.commit();
-  CHECK(contents(path) == "first");
+  CHECK(contents(target) == "first");
   second.commit();
-  CHECK(contents(path) == "second");
-  const OutputFile third(path);
+  CHECK(contents(target) == "second");
+  const OutputFile third(target);
   CHECK(!std::filesystem::exists(temporary));
 }
 
-TEST_CASE("a link that waits under the name of a process is not followed") {
-  const Folder folder;
-  const auto victim = folder.write("victim", "before");
-  const auto link = folder.path() / ("a.obj.part" + std::to_string(getpid()));
+TEST_CASE_FIXTURE(Folder, "a link that waits under the name of a process is not followed") {
+  const auto victim = write("victim", "before");
+  const auto link = path() / ("a.obj.part" + std::to_string(getpid()));
   std::filesystem::create_symlink("victim", link);
   {
-    OutputFile file(folder.path() / "a.obj");
+    OutputFile file(path() / "a.obj");
     file.stream() << "text";
     file.commit();
   }
@@ -147,126 +141,115 @@ TEST_CASE("a link that waits under the name of a process is not followed") {
   CHECK(std::filesystem::is_symlink(link));
 }
 
-TEST_CASE("the file is synced before its renaming, and the folder after it") {
-  const Folder folder;
-  const auto path = folder.path() / "a.obj";
-  const SyncsWatched watched(path);
-  OutputFile file(path);
+TEST_CASE_FIXTURE(Target, "the file is synced before its renaming, and the folder after it") {
+  const SyncsWatched watched(target);
+  OutputFile file(target);
   file.commit();
   CHECK(watched.done == std::vector<std::pair<bool, bool>>{{false, false}, {true, true}});
 }
 
-TEST_CASE("a failing disk is reported, and a file system without sync is accepted") {
-  const Folder folder;
-  const auto path = folder.path() / "a.obj";
-  SyncsWatched watched(path);
-  const auto write = [&path] {
-    OutputFile file(path);
+TEST_CASE_FIXTURE(Target,
+                  "a failing disk is reported, and a file system without sync is accepted") {
+  SyncsWatched watched(target);
+  const auto save = [&] {
+    OutputFile file(target);
     file.stream() << "text";
     file.commit();
   };
   const std::string failure =
-      path.string() + ": writing failed (Input/output error); free space, or write to another disk";
+      target.string() +
+      ": writing failed (Input/output error); free space, or write to another disk";
   watched.error_of_files = EIO;
-  CHECK(complaint(write) == failure);
-  CHECK(std::filesystem::is_empty(folder.path()));
+  CHECK(complaint(save) == failure);
+  CHECK(std::filesystem::is_empty(path()));
   watched.error_of_files = EINVAL;
   watched.error_of_folders = EIO;
-  CHECK(complaint(write) == failure);
+  CHECK(complaint(save) == failure);
   watched.error_of_folders = EINVAL;
-  write();
-  CHECK(only_file(folder.path()) == path);
+  save();
+  CHECK(only_file(path()) == target);
 }
 
-TEST_CASE("a link stays a link, and its target is written") {
-  const Folder folder;
-  const auto file = folder.write("a.obj", "before");
-  std::filesystem::create_directory(folder.path() / "links");
-  const auto link = folder.path() / "links" / "b.obj", to_nothing = folder.path() / "c.obj";
+TEST_CASE_FIXTURE(Folder, "a link stays a link, and its target is written") {
+  const auto file = write("a.obj", "before");
+  std::filesystem::create_directory(path() / "links");
+  const auto link = path() / "links" / "b.obj", to_nothing = path() / "c.obj";
   std::filesystem::create_symlink("../a.obj", link);
-  std::filesystem::create_symlink(link, folder.path() / "to_link.obj");
+  std::filesystem::create_symlink(link, path() / "to_link.obj");
   std::filesystem::create_symlink("d.obj", to_nothing);
-  for (const auto& path : {link, folder.path() / "to_link.obj", to_nothing}) {
-    OutputFile output(path);
-    output.stream() << path;
+  for (const auto& target : {link, path() / "to_link.obj", to_nothing}) {
+    OutputFile output(target);
+    output.stream() << target;
     output.commit();
-    CHECK(std::filesystem::is_symlink(path));
+    CHECK(std::filesystem::is_symlink(target));
     std::ostringstream expected;
-    expected << path;
-    CHECK(contents(path == to_nothing ? folder.path() / "d.obj" : file) == expected.str());
+    expected << target;
+    CHECK(contents(target == to_nothing ? path() / "d.obj" : file) == expected.str());
   }
   CHECK(std::distance(std::filesystem::directory_iterator(link.parent_path()), {}) == 1);
 }
 
-TEST_CASE("links that lead in a circle are refused") {
-  const Folder folder;
-  std::filesystem::create_symlink("b.obj", folder.path() / "a.obj");
-  std::filesystem::create_symlink("a.obj", folder.path() / "b.obj");
-  const std::string text = complaint([&] { OutputFile file(folder.path() / "a.obj"); });
+TEST_CASE_FIXTURE(Folder, "links that lead in a circle are refused") {
+  std::filesystem::create_symlink("b.obj", path() / "a.obj");
+  std::filesystem::create_symlink("a.obj", path() / "b.obj");
+  const std::string text = complaint([&] { OutputFile file(path() / "a.obj"); });
   CHECK(contains(text, "a.obj: the file cannot be written"));
 }
 
-TEST_CASE("a file that is replaced keeps its permissions") {
+TEST_CASE_FIXTURE(Folder, "a file that is replaced keeps its permissions") {
   using std::filesystem::perms;
-  const Folder folder;
-  const auto path = folder.write("a.obj", "before");
+  const auto target = write("a.obj", "before");
   for (const perms mode : {perms::owner_read | perms::owner_write,
                            perms::owner_read | perms::owner_write | perms::group_read}) {
-    std::filesystem::permissions(path, mode);
-    OutputFile file(path);
+    std::filesystem::permissions(target, mode);
+    OutputFile file(target);
     file.stream() << "after";
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    for (const auto& entry : std::filesystem::directory_iterator(path()))
       CHECK(entry.status().permissions() == mode);  // never more, while it is written
     file.commit();
-    CHECK(std::filesystem::status(path).permissions() == mode);
+    CHECK(std::filesystem::status(target).permissions() == mode);
   }
 }
 
-TEST_CASE("a new file has the permissions that the user gives new files") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a new file has the permissions that the user gives new files") {
   for (const auto& [mask, mode] : {std::pair<mode_t, int>{0027, 0640}, {0, 0666}}) {
     const mode_t before = umask(mask);
-    const auto path = folder.path() / std::to_string(mask);
-    OutputFile file(path);
+    const auto target = path() / std::to_string(mask);
+    OutputFile file(target);
     file.commit();
     umask(before);
-    CHECK(static_cast<int>(std::filesystem::status(path).permissions()) == mode);
+    CHECK(static_cast<int>(std::filesystem::status(target).permissions()) == mode);
   }
 }
 
-TEST_CASE("a stream that failed is not committed") {
-  const Folder folder;
-  const auto path = folder.path() / "a.obj";
+TEST_CASE_FIXTURE(Target, "a stream that failed is not committed") {
   {
-    OutputFile file(path);
+    OutputFile file(target);
     file.stream() << "text";
     file.stream().setstate(std::ios::badbit);
     const std::string text = complaint([&file] { file.commit(); });
-    CHECK(contains(text, path.string()));
+    CHECK(contains(text, target.string()));
     CHECK(contains(text, "free space, or write to another disk"));
   }
-  CHECK(std::filesystem::is_empty(folder.path()));
+  CHECK(std::filesystem::is_empty(path()));
 }
 
-TEST_CASE("a missing folder, or a file in its place, is refused by name") {
-  const Folder folder;
-  const auto missing = folder.path() / "none", file = folder.write("a.obj", "");
+TEST_CASE_FIXTURE(Folder, "a missing folder, or a file in its place, is refused by name") {
+  const auto missing = path() / "none", file = write("a.obj", "");
   CHECK(complaint([&] { OutputFile output(missing / "b.obj"); }) ==
         missing.string() + ": the folder does not exist; create it");
   CHECK(complaint([&] { OutputFile output(file / "b.obj"); }) ==
         file.string() + ": this is not a folder; give another name");
 }
 
-TEST_CASE("a folder is not replaced by a file") {
-  const Folder folder;
-  const auto path = folder.path() / "a.obj";
-  std::filesystem::create_directory(path);
-  const std::string text = complaint([&path] {
-    OutputFile file(path);
+TEST_CASE_FIXTURE(Target, "a folder is not replaced by a file") {
+  std::filesystem::create_directory(target);
+  const std::string text = complaint([&] {
+    OutputFile file(target);
     file.stream() << "text";
     file.commit();
   });
-  CHECK(contains(text, path.string()));
-  CHECK(std::filesystem::is_directory(path));
-  CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+  CHECK(contains(text, target.string()));
+  CHECK(std::filesystem::is_directory(target));
+  CHECK(std::distance(std::filesystem::directory_iterator(path()), {}) == 1);
 }

@@ -1,13 +1,8 @@
 // Files that are packed as a whole: every way around every kind of reader, by libarchive's writers.
 #include <archive.h>
 #include <archive_entry.h>
-#include <doctest/doctest.h>
-
-#include <string>
-#include <utility>
 
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
@@ -46,20 +41,20 @@ constexpr Way ways[] = {{"gzip", ".gz", archive_write_add_filter_gzip},
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes";
 
-TEST_CASE("a volume is unpacked by the ending of its name, and by its first bytes") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "a volume is unpacked by the ending of its name, and by its first bytes") {
   const std::string nii = Nifti().file(stored(SampleType::u8));
   for (const Way& way : ways) {
     INFO(way.name);
     const std::string bytes = packed(nii, way.add_filter);
     const std::string format = std::string("NIfTI-1, ") + way.name;
-    check_volume(folder.write(std::string("a.nii") + way.ending, bytes), SampleType::u8, format);
-    check_volume(folder.write("no-ending", bytes), SampleType::u8, format);
+    check_volume(write(std::string("a.nii") + way.ending, bytes), SampleType::u8, format);
+    check_volume(write("no-ending", bytes), SampleType::u8, format);
   }
 }
 
-TEST_CASE("a compressed file for a library that reads only files is unpacked temporarily") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "a compressed file for a library that reads only files is unpacked temporarily") {
   const std::pair<const char*, const char*> cases[] = {{"hdf5/u8-little.h5", "HDF5, /volume, raw"},
                                                        {"npz/u8-little.npz", "NumPy, npz"}};
   for (const auto& each : cases)
@@ -68,62 +63,57 @@ TEST_CASE("a compressed file for a library that reads only files is unpacked tem
       INFO(each.first, " ", way.name);
       const std::string bytes = packed(contents(files / name), way.add_filter);
       const std::string called = fs::path(name).filename().string() + way.ending;
-      check_volume(folder.write(called, bytes), SampleType::u8,
-                   std::string(format) + ", " + way.name);
+      check_volume(write(called, bytes), SampleType::u8, std::string(format) + ", " + way.name);
     }
   for (const std::string name : {"dicom/u16.dcm", "pictures/u16.tif", "pictures/bits.png"}) {
     INFO(name);
     const std::string bytes = packed(contents(files / name), archive_write_add_filter_zstd);
-    const fs::path file = folder.write(fs::path(name).filename().string() + ".zst", bytes);
+    const fs::path file = write(fs::path(name).filename().string() + ".zst", bytes);
     CHECK(read_all(*open_volume(file)) == read_all(*open_volume(files / name)));
   }
 }
 
-TEST_CASE("headerless samples are unpacked by the ending of their name alone") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "headerless samples are unpacked by the ending of their name alone") {
   const VolumeOptions options = with(&VolumeOptions::layout, RawLayout{{5, 3, 4}, SampleType::i16});
   for (const Way& way : ways) {
     INFO(way.name);
     const std::string bytes = packed(stored(SampleType::i16), way.add_filter);
-    check_volume(folder.write(std::string("a.raw") + way.ending, bytes), SampleType::i16,
+    check_volume(write(std::string("a.raw") + way.ending, bytes), SampleType::i16,
                  std::string("raw, ") + way.name, options);
   }
-  const auto file = folder.write("a.raw", packed(stored(SampleType::u8), ways[3].add_filter));
-  check_refusal(refusal(file, options), "begins like zstd, not like samples");
+  const auto file = write("a.raw", packed(stored(SampleType::u8), ways[3].add_filter));
+  check_refused(file, options, "begins like zstd, not like samples");
 }
 
-TEST_CASE("both files of a pair may be packed, each in its way") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "both files of a pair may be packed, each in its way") {
   const std::string whole = Nifti().pair().file(stored(SampleType::u8));
-  folder.write("a.hdr.xz", packed(whole.substr(0, 348), archive_write_add_filter_xz));
-  folder.write("a.img.bz2", packed(whole.substr(352), archive_write_add_filter_bzip2));
-  check_volume(folder.path() / "a.hdr.xz", SampleType::u8, "NIfTI-1 pair, bzip2");
-  check_volume(folder.path() / "a.img.bz2", SampleType::u8, "NIfTI-1 pair, bzip2");
+  write("a.hdr.xz", packed(whole.substr(0, 348), archive_write_add_filter_xz));
+  write("a.img.bz2", packed(whole.substr(352), archive_write_add_filter_bzip2));
+  check_volume(path() / "a.hdr.xz", SampleType::u8, "NIfTI-1 pair, bzip2");
+  check_volume(path() / "a.img.bz2", SampleType::u8, "NIfTI-1 pair, bzip2");
 }
 
-TEST_CASE("compressed files that are truncated or damaged are refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "compressed files that are truncated or damaged are refused") {
   const std::string nii = Nifti().file(stored(SampleType::u8));
   for (const Way& way : ways) {
     const std::string bytes = packed(nii, way.add_filter);
     for (std::size_t size = 0; size + 1 < bytes.size(); size += 7) {
       INFO(way.name, " cut at ", size);
-      refusal(folder.write(std::string("cut.nii") + way.ending, bytes.substr(0, size)));
+      refusal(write(std::string("cut.nii") + way.ending, bytes.substr(0, size)));
     }
   }
   std::string bytes = packed(nii, archive_write_add_filter_bzip2);
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 4);
-  check_refusal(refusal(folder.write("changed.nii.bz2", bytes)), "the compressed data is damaged");
+  check_refused(write("changed.nii.bz2", bytes), "the compressed data is damaged");
 }
 
-TEST_CASE("concatenated packed streams are read as one") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "concatenated packed streams are read as one") {
   const std::string nii = Nifti().file(stored(SampleType::u8));
   for (const Way& way : ways) {
     INFO(way.name);
     const std::string both =
         packed(nii.substr(0, 370), way.add_filter) + packed(nii.substr(370), way.add_filter);
-    check_volume(folder.write(std::string("a.nii") + way.ending, both), SampleType::u8,
+    check_volume(write(std::string("a.nii") + way.ending, both), SampleType::u8,
                  std::string("NIfTI-1, ") + way.name);
   }
 }

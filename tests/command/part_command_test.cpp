@@ -1,14 +1,5 @@
 // Commands that take a part of a volume, or fewer voxels.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "command.hpp"
 #include "oracle/ramp_ball.hpp"
@@ -40,10 +31,13 @@ std::vector<std::uint16_t> part() {
   return samples;
 }
 
-void write_volumes(const Workshop& workshop) {
-  workshop.write("v.raw", volume_files::bytes_of(ball()));
-  workshop.write("part.raw", volume_files::bytes_of(part()));
-}
+struct Volumes : Workshop {
+  Volumes() {
+    write("v.raw", volume_files::bytes_of(ball()));
+    write("part.raw", volume_files::bytes_of(part()));
+  }
+  FileMesh obj_in(const std::string& name) const { return mesh_of_obj(read(name)); }
+};
 
 const std::string turned =
     "NRRD0004\ntype: uint16\ndimension: 3\nsizes: 16 16 16\nencoding: raw\nendian: little\n"
@@ -67,15 +61,9 @@ void check_same_places(const FileMesh& a, const FileMesh& b) {
   CHECK(places(a) == places(b));
 }
 
-FileMesh obj_in(const Workshop& workshop, const std::string& name) {
-  return mesh_of_obj(workshop.read(name));
-}
-
 }  // namespace
 
-TEST_CASE("the results of a part equal those of a file with only the part") {
-  const Workshop workshop;
-  write_volumes(workshop);
+TEST_CASE_FIXTURE(Volumes, "the results of a part equal those of a file with only the part") {
   const std::vector<std::string> surfaces = {
       "extract VOLUME --iso 1000 -q -o OUT.jsonl",
       "extract VOLUME --iso 1000 --space voxel --normals gradient -q -o OUT.ply",
@@ -89,40 +77,39 @@ TEST_CASE("the results of a part equal those of a file with only the part") {
       std::string arguments = line;
       arguments.replace(arguments.find("VOLUME"), 6, volume);
       arguments.replace(arguments.find("OUT"), 3, name);
-      workshop.done(arguments);
-      return workshop.read(name + line.substr(line.rfind('.')));
+      done(arguments);
+      return read(name + line.substr(line.rfind('.')));
     };
     CHECK(made("v.raw" + layout + crop, "cropped") == made("part.raw" + part_dims, "part"));
   }
 }
 
-TEST_CASE("a part keeps its place in the whole volume, in meshes and through streams") {
-  const Workshop workshop;
-  workshop.write("turned.nrrd", turned + volume_files::bytes_of(ball()));
-  workshop.write("v.raw", volume_files::bytes_of(ball()));
+TEST_CASE_FIXTURE(Volumes,
+                  "a part keeps its place in the whole volume, in meshes and through streams") {
+  write("turned.nrrd", turned + volume_files::bytes_of(ball()));
+  write("v.raw", volume_files::bytes_of(ball()));
   for (const std::string& volume :
        {std::string("turned.nrrd "), "v.raw --spacing 1,2,-3" + layout}) {
     INFO(volume);
     const std::string extract = "extract " + volume + "--iso 1000 -q ";
     const std::string around = "--crop 1..15,2..,..14 ";
-    workshop.done(extract + "-o whole.obj");
-    workshop.done(extract + around + "-o part.obj");
-    check_same_places(obj_in(workshop, "part.obj"), obj_in(workshop, "whole.obj"));
+    done(extract + "-o whole.obj");
+    done(extract + around + "-o part.obj");
+    check_same_places(obj_in("part.obj"), obj_in("whole.obj"));
     for (const std::string wire : {"regions", "slices"}) {
-      workshop.done(extract + around + "--wire " + wire + " -o part.dmc");
-      workshop.done("decode part.dmc -o decoded.obj");
-      check_same_places(obj_in(workshop, "decoded.obj"), obj_in(workshop, "whole.obj"));
+      done(extract + around + "--wire " + wire + " -o part.dmc");
+      done("decode part.dmc -o decoded.obj");
+      check_same_places(obj_in("decoded.obj"), obj_in("whole.obj"));
     }
   }
 }
 
-TEST_CASE("a shrunk ball is as large and where it was") {
-  const Workshop workshop;
-  workshop.write("turned.nrrd", turned + volume_files::bytes_of(ball()));
+TEST_CASE_FIXTURE(Volumes, "a shrunk ball is as large and where it was") {
+  write("turned.nrrd", turned + volume_files::bytes_of(ball()));
   for (const std::string part : {"", "--crop 1..,1..14,2.. "}) {
-    workshop.done("extract turned.nrrd --iso 1000 --shrink 2 " + part +
-                  "--surface interpolated -o shrunk.obj");
-    const FileMesh mesh = obj_in(workshop, "shrunk.obj");
+    done("extract turned.nrrd --iso 1000 --shrink 2 " + part +
+         "--surface interpolated -o shrunk.obj");
+    const FileMesh mesh = obj_in("shrunk.obj");
     const double voxel = 2 * 3 * 0.8, ball = 4.18879 * 125 * voxel;
     CHECK(volume_of(mesh) == doctest::Approx(ball).epsilon(0.15));
     // The middle is voxel (7.5, 7.5, 7.5).
@@ -136,41 +123,37 @@ TEST_CASE("a shrunk ball is as large and where it was") {
   }
 }
 
-TEST_CASE("the gradient of a part's stream is that of the same part of the volume") {
-  const Workshop workshop;
-  write_volumes(workshop);
+TEST_CASE_FIXTURE(Volumes,
+                  "the gradient of a part's stream is that of the same part of the volume") {
   const std::vector<std::uint16_t> whole = ball();
-  workshop.write("v32.raw", volume_files::bytes_of(std::vector<float>(whole.begin(), whole.end())));
+  write("v32.raw", volume_files::bytes_of(std::vector<float>(whole.begin(), whole.end())));
   const std::string as_f32 = " --dims 16,16,16 --type f32 ";
   for (const auto& [volume, of] : {std::pair("v.raw", layout), std::pair("v32.raw", as_f32)})
     for (const std::string& part : {crop, std::string(" --shrink 2 "), crop + " --shrink 2 "}) {
       const std::string name = volume + of + " --spacing 0.5,1,2" + part;
       INFO(name);
-      workshop.done("extract " + name + "--iso 1000 -q -o part.dmc");
-      workshop.done("extract " + name + "--iso 1000 -q --normals gradient -o extracted.ply");
+      done("extract " + name + "--iso 1000 -q -o part.dmc");
+      done("extract " + name + "--iso 1000 -q --normals gradient -o extracted.ply");
       const std::string decode = "decode part.dmc --normals gradient -o decoded.ply --volume ";
       for (const std::string spacing : {"", " --spacing 0.5,1,2"}) {
-        workshop.done(decode + volume + of + spacing + part);
-        CHECK(workshop.read("decoded.ply").size() == workshop.read("extracted.ply").size());
+        done(decode + volume + of + spacing + part);
+        CHECK(read("decoded.ply").size() == read("extracted.ply").size());
       }
-      check_failure(workshop.run(decode + volume + of), 1,
-                    {"16x16x16", "with the same --crop and --shrink"});
+      fails(decode + volume + of, 1, {"16x16x16", "with the same --crop and --shrink"});
     }
   // As large, and a voxel of 1 mm further.
-  workshop.done("extract v.raw --iso 1000 -q -o part.dmc" + layout + crop);
-  check_failure(workshop.run("decode part.dmc --normals gradient -o v.ply --volume v.raw" + layout +
-                             "--crop 6..,1..,2..13"),
-                1, {"v.raw", "1 mm from the part of the stream", "--crop and --shrink"});
-  check_failure(workshop.run("decode part.dmc -o v.ply --crop ..,..,.."), 2, {"--volume"});
+  done("extract v.raw --iso 1000 -q -o part.dmc" + layout + crop);
+  fails("decode part.dmc --normals gradient -o v.ply --volume v.raw" + layout +
+            "--crop 6..,1..,2..13",
+        1, {"v.raw", "1 mm from the part of the stream", "--crop and --shrink"});
+  fails("decode part.dmc -o v.ply --crop ..,..,..", 2, {"--volume"});
 }
 
-TEST_CASE("a surface is compared with the same part of a volume") {
-  const Workshop workshop;
-  write_volumes(workshop);
+TEST_CASE_FIXTURE(Volumes, "a surface is compared with the same part of a volume") {
   const std::string volume = "v.raw --iso 1000" + layout;
-  workshop.done("extract " + volume + crop + "-o part.dmc");
+  done("extract " + volume + crop + "-o part.dmc");
   const auto largest = [&](const std::string& part) {
-    const std::string told = workshop.done("compare part.dmc " + volume + part);
+    const std::string told = done("compare part.dmc " + volume + part);
     std::istringstream numbers(told.substr(told.find("B to A, mm") + 10));
     double mean = 0, most = 0, all = 0;
     numbers >> mean >> most >> all;
@@ -180,47 +163,37 @@ TEST_CASE("a surface is compared with the same part of a volume") {
   CHECK(largest("") > 2);
 }
 
-TEST_CASE("bytes behind a part are not read from a pipe") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  workshop.done("extract v.raw --iso 1000 -o file.jsonl" + layout + crop);
-  const Result piped = workshop.shell("head -c 7168 v.raw | \"$discmc\" extract - --iso 1000 -o " +
-                                      ("piped.jsonl" + layout + crop));
+TEST_CASE_FIXTURE(Volumes, "bytes behind a part are not read from a pipe") {
+  done("extract v.raw --iso 1000 -o file.jsonl" + layout + crop);
+  const Result piped = shell("head -c 7168 v.raw | \"$discmc\" extract - --iso 1000 -o " +
+                             ("piped.jsonl" + layout + crop));
   CHECK(piped.code == 0);
-  CHECK(workshop.read("piped.jsonl") == workshop.read("file.jsonl"));
+  CHECK(read("piped.jsonl") == read("file.jsonl"));
 }
 
-TEST_CASE("labels are shrunk to labels") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Volumes, "labels are shrunk to labels") {
   // Two halves, 2 and 6, whose mean is 4.
   std::string labels;
   for (int i = 0; i < 9 * 8 * 8; ++i) labels += static_cast<char>(i % 9 < 5 ? 2 : 6);
-  workshop.write("l.raw", labels);
+  write("l.raw", labels);
   const std::string extract = "extract l.raw --dims 9,8,8 --type u8 --shrink 2 -q -o l.obj ";
-  workshop.done(extract + "--iso 4");
-  const FileMesh mean = obj_in(workshop, "l.obj");
-  workshop.done(extract + "--label 6");
-  const FileMesh label = obj_in(workshop, "l.obj");
+  done(extract + "--iso 4");
+  const FileMesh mean = obj_in("l.obj");
+  done(extract + "--label 6");
+  const FileMesh label = obj_in("l.obj");
   CHECK(volume_of(mean) > volume_of(label) + 40);
-  workshop.done(
-      "extract l.raw --dims 9,8,8 --type u8 --shrink 2 -q --labels all -o 'all {name}.obj'");
-  CHECK(obj_in(workshop, "all 6.obj").vertices_mm == label.vertices_mm);
-  CHECK(workshop.names() == std::vector<std::string>{"all 2.obj", "all 6.obj", "all_2.mtl",
-                                                     "all_6.mtl", "l.obj", "l.raw"});
+  done("extract l.raw --dims 9,8,8 --type u8 --shrink 2 -q --labels all -o 'all {name}.obj'");
+  CHECK(obj_in("all 6.obj").vertices_mm == label.vertices_mm);
+  CHECK(file_names() == std::vector<std::string>{"all 2.obj", "all 6.obj", "all_2.mtl", "all_6.mtl",
+                                                 "l.obj", "l.raw", "part.raw", "v.raw"});
 }
 
-TEST_CASE("parts that make no sense are refused before any work") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  const auto names = workshop.names();
+TEST_CASE_FIXTURE(Volumes, "parts that make no sense are refused before any work") {
   const std::string extract = "extract v.raw --iso 1000 -o v.stl" + layout;
   for (const std::string text : {"1..2", "1..2,3..4", "1..2,3..4,5..6,7..8", "1,2,3", "2..1,..,..",
                                  "-1..2,..,..", "a..,..,..", "..,..,..5x", "..,..,99999999999.."})
-    check_failure(workshop.run(extract + "--crop=" + text), 2,
-                  {"--crop", "'" + text + "'", "A..B,C..D,E..F"});
+    fails(extract + "--crop=" + text, 2, {"--crop", "'" + text + "'", "A..B,C..D,E..F"});
   for (const std::string number : {"1", "17", "-2", "2.5"})
-    check_failure(workshop.run(extract + "--shrink=" + number), 2, {"--shrink", number});
-  check_failure(workshop.run(extract + "--crop ..,..,16.."), 1,
-                {"v.raw", "16.. along z", "16 x 16 x 16", "0..15"});
-  CHECK(workshop.names() == names);
+    fails(extract + "--shrink=" + number, 2, {"--shrink", number});
+  fails(extract + "--crop ..,..,16..", 1, {"v.raw", "16.. along z", "16 x 16 x 16", "0..15"});
 }

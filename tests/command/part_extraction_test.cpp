@@ -1,12 +1,7 @@
 // Volumes in parts, on several cores: the surface is that of one sweep.
 #include "extraction/part_extraction.hpp"
 
-#include <doctest/doctest.h>
-
 #include <discmc/decoder.hpp>
-
-#include <string>
-#include <vector>
 
 #include "command.hpp"
 #include "hand_made.hpp"
@@ -219,7 +214,7 @@ TEST_CASE("a truncated volume is refused as in one sweep, and no file is left") 
         workshop.run("extract v.nrrd --iso 50 -o v.stl --jobs " + jobs);
     CHECK(result.code == 1);
     CHECK(command_tests::contains(result.error, "v.nrrd"));
-    CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
+    CHECK(workshop.file_names() == std::vector<std::string>{"v.nrrd"});
   }
 }
 
@@ -228,8 +223,7 @@ TEST_CASE("jobs that cannot be are refused, with the remedy") {
   workshop.write("v.raw", std::string(4 * 4 * 4, 'a'));
   const auto refused = [&](const std::string& options, const std::string& part) {
     INFO(options);
-    command_tests::check_failure(
-        workshop.run("extract v.raw --dims 4,4,4 --type u8 --iso 50 " + options), 2, {part});
+    workshop.fails("extract v.raw --dims 4,4,4 --type u8 --iso 50 " + options, 2, {part});
   };
   refused("-o v.stl --jobs 0", "--jobs");
   refused("-o v.stl --jobs 2 --surface interpolated", "leave one out");

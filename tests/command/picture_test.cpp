@@ -1,17 +1,14 @@
 #include "pictures/picture.hpp"
 
-#include <doctest/doctest.h>
 #include <png.h>
 
-#include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
-#include <string>
 
 #include "hand_made.hpp"
 #include "meshes/surface_normals.hpp"
 #include "sample_reader.hpp"
+#include "test.hpp"
 
 namespace {
 

@@ -1,12 +1,5 @@
 // Meshes have the places of their volumes in the patient's space, for each kind of placement.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <discmc/placement.hpp>
-#include <string>
-#include <vector>
 
 #include "command.hpp"
 #include "oracle/stream.hpp"
@@ -88,141 +81,134 @@ std::string stream_with(const discmc::Placement& placement) {
 
 }  // namespace
 
-TEST_CASE("a mesh lies where NiBabel places the volume") {
+TEST_CASE_FIXTURE(Workshop, "a mesh lies where NiBabel places the volume") {
   for (const Placed& volume : placed) {
-    const Workshop workshop;
-    copy_placed(workshop, volume.name);
+    copy_placed(*this, volume.name);
     for (const std::string name : {"v.obj", "v.ply", "v.stl"}) {
       INFO(volume.name, " as ", name);
-      workshop.done("extract " + volume.name + " --iso 500 -q -o " + name);
-      check_vertices(mesh_in(workshop, name), in_lps(volume.vertices));
-      check_closed(mesh_in(workshop, name), volume.determinant);
-      CHECK(contains(workshop.read(name).substr(0, 120), "SPACE=LPS"));
-      workshop.done("extract " + volume.name + " --iso 500 --space ras -q -o " + name);
-      check_vertices(mesh_in(workshop, name), volume.vertices);
-      check_closed(mesh_in(workshop, name), volume.determinant);
-      CHECK(contains(workshop.read(name).substr(0, 120), "SPACE=RAS"));
+      done("extract " + volume.name + " --iso 500 -q -o " + name);
+      check_vertices(mesh_in(*this, name), in_lps(volume.vertices));
+      check_closed(mesh_in(*this, name), volume.determinant);
+      CHECK(contains(read(name).substr(0, 120), "SPACE=LPS"));
+      done("extract " + volume.name + " --iso 500 --space ras -q -o " + name);
+      check_vertices(mesh_in(*this, name), volume.vertices);
+      check_closed(mesh_in(*this, name), volume.determinant);
+      CHECK(contains(read(name).substr(0, 120), "SPACE=RAS"));
     }
   }
 }
 
-TEST_CASE("a stream of either kind carries the placement to the mesh, and to another stream") {
+TEST_CASE_FIXTURE(
+    Workshop, "a stream of either kind carries the placement to the mesh, and to another stream") {
   for (const Placed& volume : placed)
     for (const std::string wire : {"regions", "slices"}) {
       INFO(volume.name, " by ", wire);
-      const Workshop workshop;
-      copy_placed(workshop, volume.name);
-      workshop.done("extract " + volume.name + " --iso 500 --wire " + wire + " -o v.dmc");
-      workshop.done("decode v.dmc -o again.dmc");
+      copy_placed(*this, volume.name);
+      done("extract " + volume.name + " --iso 500 --wire " + wire + " -o v.dmc");
+      done("decode v.dmc -o again.dmc");
       for (const std::string stream : {"v.dmc", "again.dmc"}) {
-        workshop.done("decode " + stream + " -o v.obj");
-        check_vertices(mesh_in(workshop, "v.obj"), in_lps(volume.vertices));
-        check_closed(mesh_in(workshop, "v.obj"), volume.determinant);
-        workshop.done("decode " + stream + " --space ras -o v.obj");
-        check_vertices(mesh_in(workshop, "v.obj"), volume.vertices);
+        done("decode " + stream + " -o v.obj");
+        check_vertices(mesh_in(*this, "v.obj"), in_lps(volume.vertices));
+        check_closed(mesh_in(*this, "v.obj"), volume.determinant);
+        done("decode " + stream + " --space ras -o v.obj");
+        check_vertices(mesh_in(*this, "v.obj"), volume.vertices);
       }
     }
 }
 
-TEST_CASE("every surface of a stream has the placement") {
+TEST_CASE_FIXTURE(Workshop, "every surface of a stream has the placement") {
   for (const std::string wire : {"regions", "slices"}) {
     INFO(wire);
-    const Workshop workshop;
-    copy_placed(workshop, placed[0].name);
-    workshop.done("extract sform.nii --iso 400 --iso 500 --wire " + wire + " -o v.dmc");
+    copy_placed(*this, placed[0].name);
+    done("extract sform.nii --iso 400 --iso 500 --wire " + wire + " -o v.dmc");
     for (const std::string channel : {"0", "1"}) {
-      workshop.done("decode v.dmc --stream-channel " + channel + " -o v.obj");
-      check_vertices(mesh_in(workshop, "v.obj"), in_lps(placed[0].vertices));
+      done("decode v.dmc --stream-channel " + channel + " -o v.obj");
+      check_vertices(mesh_in(*this, "v.obj"), in_lps(placed[0].vertices));
     }
   }
 }
 
-TEST_CASE("in the space of voxels a mesh is at index times spacing") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
-                 "space: LPS\nspace origin: (10,20,30)\n"
-                 "space directions: (0,2,0) (-3,0,0) (0,0,4)\n");
+TEST_CASE_FIXTURE(Workshop, "in the space of voxels a mesh is at index times spacing") {
+  write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
+        "space: LPS\nspace origin: (10,20,30)\n"
+        "space directions: (0,2,0) (-3,0,0) (0,0,4)\n");
   const Vertices at_voxels = {{-1, 0, 0},  {1, 0, 0},  {0, -1.5, 0},
                               {0, 1.5, 0}, {0, 0, -2}, {0, 0, 2}};
   Vertices in_space;
   for (const Point& v : at_voxels) in_space.push_back({10 - v[1], 20 + v[0], 30 + v[2]});
-  workshop.done("extract v.nrrd --iso 100 --space voxel -o v.ply");
-  check_vertices(mesh_in(workshop, "v.ply"), at_voxels);
-  CHECK_FALSE(contains(workshop.read("v.ply"), "SPACE"));
+  done("extract v.nrrd --iso 100 --space voxel -o v.ply");
+  check_vertices(mesh_in(*this, "v.ply"), at_voxels);
+  CHECK_FALSE(contains(read("v.ply"), "SPACE"));
   for (const std::string name : {"v.ply", "v.3mf", "v.glb", "v.vtp"}) {
-    workshop.done("extract v.nrrd --iso 100 -o " + name);
-    check_vertices(mesh_in(workshop, name), in_space);
+    done("extract v.nrrd --iso 100 -o " + name);
+    check_vertices(mesh_in(*this, name), in_space);
   }
   // VTK's own way of writing LPS.
-  CHECK(contains(workshop.read("v.vtp"),
+  CHECK(contains(read("v.vtp"),
                  "Name=\"SPACE\" NumberOfTuples=\"1\" "
                  "format=\"ascii\">76 80 83 0<"));
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
-  workshop.done("decode v.dmc --space voxel -o v.ply");
-  check_vertices(mesh_in(workshop, "v.ply"), at_voxels);
+  done("extract v.nrrd --iso 100 -o v.dmc");
+  done("decode v.dmc --space voxel -o v.ply");
+  check_vertices(mesh_in(*this, "v.ply"), at_voxels);
 }
 
-TEST_CASE("a volume in scanner space keeps its placement and has no patient space") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
-                 "space dimension: 3\nspace origin: (10,20,30)\n"
-                 "space directions: (2,0,0) (0,2,0) (0,0,2)\n");
-  workshop.done("extract v.nrrd --iso 100 -o v.ply");
+TEST_CASE_FIXTURE(Workshop,
+                  "a volume in scanner space keeps its placement and has no patient space") {
+  write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
+        "space dimension: 3\nspace origin: (10,20,30)\n"
+        "space directions: (2,0,0) (0,2,0) (0,0,2)\n");
+  done("extract v.nrrd --iso 100 -o v.ply");
   check_vertices(
-      mesh_in(workshop, "v.ply"),
+      mesh_in(*this, "v.ply"),
       {{9, 20, 30}, {11, 20, 30}, {10, 19, 30}, {10, 21, 30}, {10, 20, 29}, {10, 20, 31}});
-  CHECK_FALSE(contains(workshop.read("v.ply"), "SPACE"));
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
+  CHECK_FALSE(contains(read("v.ply"), "SPACE"));
+  done("extract v.nrrd --iso 100 -o v.dmc");
   for (const std::string command : {"extract v.nrrd --iso 100", "decode v.dmc"}) {
-    const Result result = workshop.run(command + " --space lps -o v.ply");
+    const Result result = run(command + " --space lps -o v.ply");
     CHECK(result.code == 1);
     CHECK(contains(result.error, "has no patient orientation; leave out --space"));
   }
   for (const std::string output : {"v2.dmc", "v.jsonl"})
-    CHECK(workshop.run("extract v.nrrd --iso 100 --space voxel -o " + output).code == 2);
+    CHECK(run("extract v.nrrd --iso 100 --space voxel -o " + output).code == 2);
 }
 
-TEST_CASE("info prints the placement") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
-                 "space: LAS\nspace origin: (10,-20.125,30)\n"
-                 "space directions: (0,2,0) (-3,0,0) (0,0,0.4)\n");
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
-  auto info = workshop.info("v.dmc");
+TEST_CASE_FIXTURE(Workshop, "info prints the placement") {
+  write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1),
+        "space: LAS\nspace origin: (10,-20.125,30)\n"
+        "space directions: (0,2,0) (-3,0,0) (0,0,0.4)\n");
+  done("extract v.nrrd --iso 100 -o v.dmc");
+  auto info = info_of("v.dmc");
   CHECK(info["space"] == "ras");
   CHECK(info["origin"] == "-10 -20.125 30");
   CHECK(info["axis_x"] == "0 2 0");
   CHECK(info["axis_y"] == "3 0 0");
   CHECK(info["axis_z"] == "0 0 0.4");
-  workshop.write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1), "spacings: 0.5 -2 3\n");
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
-  info = workshop.info("v.dmc");
+  write("v.nrrd", discmc::reference::from_bits({1, 1, 1}, 1), "spacings: 0.5 -2 3\n");
+  done("extract v.nrrd --iso 100 -o v.dmc");
+  info = info_of("v.dmc");
   CHECK(info["space"] == "voxel");
   CHECK(info["origin"] == "0 0 0");
   CHECK(info["axis_y"] == "0 -2 0");
   CHECK(info.count("record") == 0);
 }
 
-TEST_CASE("faces look outside if the placement of a stream mirrors its axes") {
+TEST_CASE_FIXTURE(Workshop, "faces look outside if the placement of a stream mirrors its axes") {
   discmc::Placement placement;
   placement.space = Space::lps;
   placement.axes_nm[0][1] = placement.axes_nm[1][0] = placement.axes_nm[2][2] = 1000000;
   placement.origin_nm[2] = 5000000;
-  const Workshop workshop;
-  workshop.write("v.dmc", stream_with(placement));
-  workshop.done("decode v.dmc --normals surface -o v.obj");
-  const FileMesh mesh = mesh_in(workshop, "v.obj");
+  write("v.dmc", stream_with(placement));
+  done("decode v.dmc --normals surface -o v.obj");
+  const FileMesh mesh = mesh_in(*this, "v.obj");
   check_closed(mesh, -1);
   for (std::size_t i = 0; i < mesh.normals.size(); ++i)
     CHECK(dot(mesh.normals[i], discmc::meshing::difference(mesh.vertices_mm[i], {0, 0, 5})) ==
           doctest::Approx(0.5));
 }
 
-TEST_CASE("a degenerate placement in a stream is ignored with a note") {
-  const Workshop workshop;
-  workshop.write("v.dmc", stream_with({}));
-  check_told(workshop.run("decode v.dmc -o v.obj"), 0,
-             {"v.dmc: the placement in the stream is ignored"});
-  check_vertices(mesh_in(workshop, "v.obj"),
+TEST_CASE_FIXTURE(Workshop, "a degenerate placement in a stream is ignored with a note") {
+  write("v.dmc", stream_with({}));
+  check_told(run("decode v.dmc -o v.obj"), 0, {"v.dmc: the placement in the stream is ignored"});
+  check_vertices(mesh_in(*this, "v.obj"),
                  {{-0.5, 0, 0}, {0.5, 0, 0}, {0, -0.5, 0}, {0, 0.5, 0}, {0, 0, -0.5}, {0, 0, 0.5}});
 }

@@ -1,11 +1,8 @@
 // The container of polygons: views of arrays that are appended to.
 #include "surface/polygons.hpp"
 
-#include <doctest/doctest.h>
-
-#include <vector>
-
 #include "hand_made.hpp"
+#include "test.hpp"
 
 namespace {
 

@@ -43,33 +43,32 @@ TEST_CASE("progress is a share of all, or a count where all is not known") {
   CHECK(progress_text("writing", 0, 0) == "writing");
 }
 
-TEST_CASE("a terminal is shown the phases of the whole job, and a clean line after them") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
-  const std::string extracted = on_terminal(workshop, "extract v.nrrd --iso 100 -o v.obj");
+TEST_CASE_FIXTURE(Workshop,
+                  "a terminal is shown the phases of the whole job, and a clean line after them") {
+  write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
+  const std::string extracted = on_terminal(*this, "extract v.nrrd --iso 100 -o v.obj");
   if (extracted.empty()) return;  // no program that makes a terminal
   check_phases(extracted, {"extracting 0 %", "triangulating", "writing"});
   CHECK(contains(extracted, clear_line + "v.obj: "));
-  check_phases(on_terminal(workshop, "extract v.nrrd --iso 100 --normals gradient -o v.ply"),
+  check_phases(on_terminal(*this, "extract v.nrrd --iso 100 --normals gradient -o v.ply"),
                {"extracting 0 %", "triangulating", "normals 0 %", "writing"});
 
   // The triangles go to the file as they are made.
-  check_phases(on_terminal(workshop, "extract v.nrrd --iso 100 -o v.ply"),
+  check_phases(on_terminal(*this, "extract v.nrrd --iso 100 -o v.ply"),
                {"extracting 0 %", "writing"});
 
-  const std::string streamed = on_terminal(workshop, "extract v.nrrd --iso 100 -o v.dmc");
+  const std::string streamed = on_terminal(*this, "extract v.nrrd --iso 100 -o v.dmc");
   check_phases(streamed, {"extracting 0 %"});
   CHECK(contains(streamed, clear_line + "v.dmc: "));
-  check_phases(on_terminal(workshop, "decode v.dmc -o v.obj"),
+  check_phases(on_terminal(*this, "decode v.dmc -o v.obj"),
                {"reading 0 %", "triangulating", "writing"});
-  check_phases(on_terminal(workshop, "render v.dmc -o v.png"), {"reading 0 %", "drawing"});
-  check_phases(on_terminal(workshop, "compare v.dmc v.nrrd --iso 100"),
+  check_phases(on_terminal(*this, "render v.dmc -o v.png"), {"reading 0 %", "drawing"});
+  check_phases(on_terminal(*this, "compare v.dmc v.nrrd --iso 100"),
                {"reading 0 %", "triangulating", "extracting 0 %", "measuring A to B 0 %",
                 "measuring B to A 0 %"});
 }
 
-TEST_CASE("no progress is shown where there is no terminal") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
-  CHECK(workshop.run("extract v.nrrd --iso 100 -o v.ply").error.empty());
+TEST_CASE_FIXTURE(Workshop, "no progress is shown where there is no terminal") {
+  write("v.nrrd", box({4, 4, 4}, {1, 1, 1}, {2, 2, 2}));
+  CHECK(run("extract v.nrrd --iso 100 -o v.ply").error.empty());
 }

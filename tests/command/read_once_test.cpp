@@ -1,8 +1,6 @@
 // Volumes from standard input and pipes.
-#include <doctest/doctest.h>
 #include <sys/stat.h>
 
-#include <string>
 #include <thread>
 
 #include "command.hpp"
@@ -18,9 +16,8 @@ const std::string nrrd_file = nrrd(volume_files::nrrd_u8) + "\n" + u8;
 
 }  // namespace
 
-TEST_CASE("a pipe is read as a file of its content is") {
-  const Folder folder;
-  const auto pipe = folder.path() / "pipe";
+TEST_CASE_FIXTURE(Folder, "a pipe is read as a file of its content is") {
+  const auto pipe = path() / "pipe";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
   const std::string local = metaimage(volume_files::metaimage_u8 + "ElementDataFile = LOCAL\n");
   const std::pair<std::string, std::string> cases[] = {
@@ -40,9 +37,8 @@ TEST_CASE("a pipe is read as a file of its content is") {
   }
 }
 
-TEST_CASE("a pipe that claims a large volume needs memory only for its samples") {
-  const Folder folder;
-  const auto pipe = folder.path() / "pipe";
+TEST_CASE_FIXTURE(Folder, "a pipe that claims a large volume needs memory only for its samples") {
+  const auto pipe = path() / "pipe";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
   const std::string claim = nrrd(volume_files::nrrd_u8, "32766 32766 1000000") + "\n" + u8;
   std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << claim; });
@@ -51,39 +47,39 @@ TEST_CASE("a pipe that claims a large volume needs memory only for its samples")
   writer.join();
 }
 
-TEST_CASE("standard input and the file give the same stream and picture") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", nrrd_file);
-  workshop.write("v.raw", u8);
-  workshop.done("extract v.nrrd --iso 100 -o file.dmc");
+TEST_CASE_FIXTURE(Workshop, "standard input and the file give the same stream and picture") {
+  write("v.nrrd", nrrd_file);
+  write("v.raw", u8);
+  done("extract v.nrrd --iso 100 -o file.dmc");
   const auto piped = [&](const std::string& source, const std::string& arguments) {
-    const Result result = workshop.shell(source + " | \"$discmc\" " + arguments);
+    const Result result = shell(source + " | \"$discmc\" " + arguments);
     INFO(arguments, "\n", result.error);
     CHECK(result.code == 0);
   };
   piped("cat v.nrrd", "extract - --iso 100 -o piped.dmc");
-  CHECK(workshop.read("piped.dmc") == workshop.read("file.dmc"));
+  CHECK(read("piped.dmc") == read("file.dmc"));
   piped("gzip -c v.nrrd", "extract - --iso 100 -o packed.dmc");
-  CHECK(workshop.read("packed.dmc") == workshop.read("file.dmc"));
+  CHECK(read("packed.dmc") == read("file.dmc"));
   piped("cat v.raw", "extract - --dims 5,3,4 --type u8 --iso 100 -o raw.dmc");
-  CHECK(workshop.read("raw.dmc") == workshop.read("file.dmc"));
-  workshop.done("render v.nrrd --iso 100 --size 32,32 -o file.png");
+  CHECK(read("raw.dmc") == read("file.dmc"));
+  done("render v.nrrd --iso 100 --size 32,32 -o file.png");
   piped("cat v.nrrd", "render - --iso 100 --size 32,32 -o piped.png");
-  CHECK(workshop.read("piped.png") == workshop.read("file.png"));
+  CHECK(read("piped.png") == read("file.png"));
 }
 
-TEST_CASE("options with a second pass are refused before reading, and surplus samples after it") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", nrrd_file);
-  workshop.write("v.raw", u8 + "x");
+TEST_CASE_FIXTURE(
+    Workshop,
+    "options with a second pass are refused before reading, and surplus samples after it") {
+  write("v.nrrd", nrrd_file);
+  write("v.raw", u8 + "x");
   const auto check = [&](const std::string& source, const std::string& arguments,
                          const std::string& part) {
-    check_failure(workshop.shell(source + " | \"$discmc\" " + arguments), 1, {part});
+    check_failure(shell(source + " | \"$discmc\" " + arguments), 1, {part});
   };
   const std::string second = "standard input: normals of the gradient read the volume twice";
   check("cat v.nrrd", "extract - --iso 100 --normals gradient -o v.ply", second);
   check("cat v.nrrd", "render - --iso 100 --shade smooth -o v.png", second);
   check("cat v.raw", "extract - --dims 5,3,4 --type u8 --iso 100 -o v.dmc",
         "longer than the 60 bytes of the volume");
-  CHECK(workshop.names() == std::vector<std::string>{"v.nrrd", "v.raw"});
+  CHECK(file_names() == std::vector<std::string>{"v.nrrd", "v.raw"});
 }

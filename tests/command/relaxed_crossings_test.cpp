@@ -1,19 +1,12 @@
 // The smoothest surface between the voxels.
 #include "smoothing/relaxed_crossings.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <numeric>
 #include <stdexcept>
-#include <vector>
 
 #include "meshes/intersections.hpp"
 #include "meshes/surface_normals.hpp"
 #include "sampled_field.hpp"
+#include "test.hpp"
 
 namespace {
 

@@ -10,73 +10,65 @@ const std::string raw_layout = " --dims 20,20,20 --type u8 --spacing 0.5,-1,2";
 const std::string small = " --size 60,50";
 
 // v.nrrd and v.raw hold the same volume, v.dmc its stream.
-void write_volumes(const Workshop& workshop) {
-  const BitVolume volume = ball({20, 20, 20}, {19, 19, 15}, 100);
-  workshop.write("v.nrrd", volume,
-                 "space dimension: 3\nspace directions: (0.5,0,0) (0,-1,0) (0,0,2)\n");
-  std::string samples;
-  for (const std::uint8_t on : volume.on) samples += static_cast<char>(on != 0 ? 200 : 10);
-  workshop.write("v.raw", samples);
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
-}
-
-// The picture that the command makes.
-std::string picture(const Workshop& workshop, const std::string& arguments) {
-  const std::string bytes = workshop.done("render " + arguments + small + " -o -");
-  CHECK(bytes.substr(1, 3) == "PNG");
-  return bytes;
-}
+struct Volumes : Workshop {
+  Volumes() {
+    const BitVolume volume = ball({20, 20, 20}, {19, 19, 15}, 100);
+    write("v.nrrd", volume, "space dimension: 3\nspace directions: (0.5,0,0) (0,-1,0) (0,0,2)\n");
+    std::string samples;
+    for (const std::uint8_t on : volume.on) samples += static_cast<char>(on != 0 ? 200 : 10);
+    write("v.raw", samples);
+    done("extract v.nrrd --iso 100 -o v.dmc");
+  }
+  // The picture that the command makes.
+  std::string picture(const std::string& arguments) const {
+    const std::string bytes = done("render " + arguments + small + " -o -");
+    CHECK(bytes.substr(1, 3) == "PNG");
+    return bytes;
+  }
+};
 
 }  // namespace
 
-TEST_CASE("a volume is drawn like its stream with normals") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  workshop.done("extract v.nrrd --iso 100 --normals gradient -o told.dmc");
+TEST_CASE_FIXTURE(Volumes, "a volume is drawn like its stream with normals") {
+  done("extract v.nrrd --iso 100 --normals gradient -o told.dmc");
   for (const std::string look : {"", " --shade smooth", " --shade smooth --edges", " --edges"}) {
     INFO(look);
-    const std::string expected = picture(workshop, "told.dmc" + look);
-    CHECK(picture(workshop, "v.nrrd --iso 100" + look) == expected);
-    CHECK(picture(workshop, "v.raw --iso 100" + raw_layout + look) == expected);
+    const std::string expected = picture("told.dmc" + look);
+    CHECK(picture("v.nrrd --iso 100" + look) == expected);
+    CHECK(picture("v.raw --iso 100" + raw_layout + look) == expected);
   }
-  CHECK(picture(workshop, "v.nrrd --iso 100 --border open") != picture(workshop, "v.dmc"));
-  const std::string outlined = picture(workshop, "v.dmc --edges");
-  CHECK(picture(workshop, "v.nrrd --iso 100 --memory 1500 --edges") == outlined);
-  CHECK(picture(workshop, "v.nrrd --iso 100 --capacities 20,0 --edges") == outlined);
+  CHECK(picture("v.nrrd --iso 100 --border open") != picture("v.dmc"));
+  const std::string outlined = picture("v.dmc --edges");
+  CHECK(picture("v.nrrd --iso 100 --memory 1500 --edges") == outlined);
+  CHECK(picture("v.nrrd --iso 100 --capacities 20,0 --edges") == outlined);
 }
 
-TEST_CASE("a file of any name is a volume if a threshold is given, and a stream otherwise") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  workshop.shell("cp v.raw samples; cp v.nrrd headed; cp v.dmc stream");
-  const std::string expected = picture(workshop, "v.dmc");
-  CHECK(picture(workshop, "samples --iso 100" + raw_layout) == expected);
-  CHECK(picture(workshop, "headed --iso 100") == expected);
-  CHECK(picture(workshop, "stream") == expected);
+TEST_CASE_FIXTURE(
+    Volumes, "a file of any name is a volume if a threshold is given, and a stream otherwise") {
+  shell("cp v.raw samples; cp v.nrrd headed; cp v.dmc stream");
+  const std::string expected = picture("v.dmc");
+  CHECK(picture("samples --iso 100" + raw_layout) == expected);
+  CHECK(picture("headed --iso 100") == expected);
+  CHECK(picture("stream") == expected);
 }
 
-TEST_CASE("a picture without any of the surface is noted") {
-  const Workshop workshop;
-  write_volumes(workshop);
+TEST_CASE_FIXTURE(Volumes, "a picture without any of the surface is noted") {
   const std::string note = "p.png: no part of the surface is in the picture; change --at or --zoom";
-  CHECK(contains(workshop.run("render v.dmc --at 900,0,0 --zoom 9 -o p.png").error, note));
-  CHECK(!contains(workshop.run("render v.dmc -o p.png").error, note));
-  CHECK(contains(workshop.run("render v.dmc --at 900,0,0 --zoom 9 -o -").error,
+  CHECK(contains(run("render v.dmc --at 900,0,0 --zoom 9 -o p.png").error, note));
+  CHECK(!contains(run("render v.dmc -o p.png").error, note));
+  CHECK(contains(run("render v.dmc --at 900,0,0 --zoom 9 -o -").error,
                  "standard output: no part of the surface"));
 }
 
-TEST_CASE("classic Marching Cubes has a picture of its own") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  const std::string classic = picture(workshop, "v.nrrd --iso 100 --classic");
-  CHECK(classic != picture(workshop, "v.nrrd --iso 100"));
-  CHECK(classic != picture(workshop, "v.nrrd --iso 100 --classic --shade smooth"));
-  CHECK(classic != picture(workshop, "v.nrrd --iso 150 --classic"));  // where samples cross
-  CHECK(classic == picture(workshop, "v.raw --iso 100 --classic" + raw_layout));
+TEST_CASE_FIXTURE(Volumes, "classic Marching Cubes has a picture of its own") {
+  const std::string classic = picture("v.nrrd --iso 100 --classic");
+  CHECK(classic != picture("v.nrrd --iso 100"));
+  CHECK(classic != picture("v.nrrd --iso 100 --classic --shade smooth"));
+  CHECK(classic != picture("v.nrrd --iso 150 --classic"));  // where samples cross
+  CHECK(classic == picture("v.raw --iso 100 --classic" + raw_layout));
 }
 
-TEST_CASE("values above a range or a label are not drawn with any shading") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Volumes, "values above a range or a label are not drawn with any shading") {
   std::string one, both;
   for (int i = 0; i < 12 * 12 * 12; ++i) {
     const int x = i % 12, y = i / 12 % 12, z = i / 144;
@@ -84,33 +76,26 @@ TEST_CASE("values above a range or a label are not drawn with any shading") {
     one += is_in_box && x > 1 && x < 6 ? '\3' : '\0';
     both += is_in_box && x > 7 && x < 10 ? '\5' : one.back();
   }
-  workshop.write("one.raw", one);
-  workshop.write("both.raw", both);
+  write("one.raw", one);
+  write("both.raw", both);
   const std::string layout = " --dims 12,12,12 --type u8";
   for (const std::string select : {" --label 3", " --range 1..4"})
     for (const std::string look : {"", " --shade smooth"})
-      CHECK(picture(workshop, "both.raw" + layout + select + look) ==
-            picture(workshop, "one.raw" + layout + select + look));
-  check_failure(workshop.run("render one.raw --label 3 --classic -o v.png" + layout), 2,
-                {"--classic", "--label"});
+      CHECK(picture("both.raw" + layout + select + look) ==
+            picture("one.raw" + layout + select + look));
+  fails("render one.raw --label 3 --classic -o v.png" + layout, 2, {"--classic", "--label"});
 }
 
-TEST_CASE("a picture may be zoomed and show a given place") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  const std::string whole = picture(workshop, "v.dmc");
-  CHECK(picture(workshop, "v.dmc --zoom 1") == whole);
-  const std::string near = picture(workshop, "v.dmc --zoom 3");
+TEST_CASE_FIXTURE(Volumes, "a picture may be zoomed and show a given place") {
+  const std::string whole = picture("v.dmc");
+  CHECK(picture("v.dmc --zoom 1") == whole);
+  const std::string near = picture("v.dmc --zoom 3");
   CHECK(near != whole);
-  CHECK(picture(workshop, "v.dmc --zoom 3 --at 7,-9,20") != near);
-  check_failure(workshop.run("render v.dmc -o o.png --view 0,0,1 --at 0,0,1e6"), 1,
-                {"behind the viewer"});
+  CHECK(picture("v.dmc --zoom 3 --at 7,-9,20") != near);
+  fails("render v.dmc -o o.png --view 0,0,1 --at 0,0,1e6", 1, {"behind the viewer"});
 }
 
-TEST_CASE("wrong usage of render is reported, and no file is written") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  const auto names = workshop.names();
+TEST_CASE_FIXTURE(Volumes, "wrong usage of render is reported, and no file is written") {
   const std::pair<std::string, std::string> wrong[] = {
       {"v.nrrd", "v.nrrd: a volume needs a threshold; give --iso"},
       {"v.raw" + raw_layout, "give --iso"},
@@ -135,81 +120,69 @@ TEST_CASE("wrong usage of render is reported, and no file is written") {
       {"v.dmc --at 1,2,nan", "nan"}};
   for (const auto& usage : wrong) {
     INFO(usage.first);
-    check_failure(workshop.run("render " + usage.first + " -o o.png"), 2, {usage.second});
+    fails("render " + usage.first + " -o o.png", 2, {usage.second});
   }
   for (const std::string braces : {"{name}", "{n}", "{}"})
     for (const std::string command : {"render v.nrrd --iso 100 -o 'a", "decode v.dmc -o 'a"})
-      check_failure(workshop.run(command + braces + (command[0] == 'r' ? ".png'" : ".stl'")), 2,
-                    {"--output: ", braces + " is no placeholder here"});
-  CHECK(workshop.names() == names);
+      fails(command + braces + (command[0] == 'r' ? ".png'" : ".stl'"), 2,
+            {"--output: ", braces + " is no placeholder here"});
 }
 
-TEST_CASE("a mesh of the command is drawn like its surface") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  if (contains(workshop.run("compare v.dmc none.stl").error, "without Assimp")) return;
-  const std::string expected = picture(workshop, "v.dmc");
+TEST_CASE_FIXTURE(Volumes, "a mesh of the command is drawn like its surface") {
+  if (contains(run("compare v.dmc none.stl").error, "without Assimp")) return;
+  const std::string expected = picture("v.dmc");
   for (const std::string name : {"v.stl", "v.ply", "v.obj"}) {
     INFO(name);
-    workshop.done("extract v.nrrd --iso 100 --space voxel -o " + name);
-    CHECK(picture(workshop, name) == expected);
-    CHECK(picture(workshop, name + " --edges") != expected);
-    CHECK(picture(workshop, name + " --shade smooth") != expected);
+    done("extract v.nrrd --iso 100 --space voxel -o " + name);
+    CHECK(picture(name) == expected);
+    CHECK(picture(name + " --edges") != expected);
+    CHECK(picture(name + " --shade smooth") != expected);
   }
   for (const std::string option : {"--iso 100", "--largest 1", "--scan 1", "--crop 1..2,..,.."})
-    check_failure(workshop.run("render v.stl " + option + " -o v.png"), 2, {"v.stl is a mesh"});
+    fails("render v.stl " + option + " -o v.png", 2, {"v.stl is a mesh"});
 }
 
-TEST_CASE("labels are drawn each in its colour") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  const std::string both = picture(workshop, "v.nrrd --labels all");
-  CHECK(picture(workshop, "v.nrrd --labels 10,200") == both);
-  CHECK(picture(workshop, "v.nrrd --labels 200") != picture(workshop, "v.nrrd --label 200"));
-  CHECK(picture(workshop, "v.nrrd --labels 200 --shade smooth --edges") != both);
-  check_failure(workshop.run("render v.nrrd --labels 7 -o v.png"), 1, {"no voxel has label 7"});
-  check_failure(workshop.run("render v.dmc --labels all -o v.png"), 2, {"is a stream"});
+TEST_CASE_FIXTURE(Volumes, "labels are drawn each in its colour") {
+  const std::string both = picture("v.nrrd --labels all");
+  CHECK(picture("v.nrrd --labels 10,200") == both);
+  CHECK(picture("v.nrrd --labels 200") != picture("v.nrrd --label 200"));
+  CHECK(picture("v.nrrd --labels 200 --shade smooth --edges") != both);
+  fails("render v.nrrd --labels 7 -o v.png", 1, {"no voxel has label 7"});
+  fails("render v.dmc --labels all -o v.png", 2, {"is a stream"});
 }
 
-TEST_CASE("a table names and colours the labels that are drawn") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  workshop.write("t.txt", "10 air 0 0 255\n200 bone 255 0 0\n");
+TEST_CASE_FIXTURE(Volumes, "a table names and colours the labels that are drawn") {
+  write("t.txt", "10 air 0 0 255\n200 bone 255 0 0\n");
   const std::string table = " --label-table t.txt";
-  const std::string named = picture(workshop, "v.nrrd --labels bone" + table);
-  CHECK(picture(workshop, "v.nrrd --labels 200" + table) == named);
-  CHECK(picture(workshop, "v.nrrd --labels 200") != named);
-  CHECK(picture(workshop, "v.nrrd --label bone" + table) ==
-        picture(workshop, "v.nrrd --label 200"));
-  check_failure(workshop.run("render v.nrrd --iso 100 -o v.png" + table), 2,
-                {"--label-table", "add --label N or --labels all"});
+  const std::string named = picture("v.nrrd --labels bone" + table);
+  CHECK(picture("v.nrrd --labels 200" + table) == named);
+  CHECK(picture("v.nrrd --labels 200") != named);
+  CHECK(picture("v.nrrd --label bone" + table) == picture("v.nrrd --label 200"));
+  fails("render v.nrrd --iso 100 -o v.png" + table, 2,
+        {"--label-table", "add --label N or --labels all"});
 }
 
-TEST_CASE("a mesh file is drawn in its own colours") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  if (contains(workshop.run("compare v.dmc none.stl").error, "without Assimp")) return;
-  const std::string both = picture(workshop, "v.nrrd --labels all");
+TEST_CASE_FIXTURE(Volumes, "a mesh file is drawn in its own colours") {
+  if (contains(run("compare v.dmc none.stl").error, "without Assimp")) return;
+  const std::string both = picture("v.nrrd --labels all");
   for (const std::string format : {"glb", "3mf"}) {
     INFO(format);
-    workshop.done("extract v.nrrd --labels all --space voxel -q -o v." + format);
-    CHECK(picture(workshop, "v." + format) == both);
+    done("extract v.nrrd --labels all --space voxel -q -o v." + format);
+    CHECK(picture("v." + format) == both);
   }
-  const std::string one = picture(workshop, "v.nrrd --labels 200");
+  const std::string one = picture("v.nrrd --labels 200");
   for (const std::string format : {"glb", "3mf", "obj", "ply"}) {
     INFO(format);
-    workshop.done("extract v.nrrd --labels 200 --space voxel -q -o '{name}." + format + "'");
-    CHECK(picture(workshop, "200." + format) == one);
+    done("extract v.nrrd --labels 200 --space voxel -q -o '{name}." + format + "'");
+    CHECK(picture("200." + format) == one);
   }
 }
 
-TEST_CASE("a mesh on standard input is refused with the remedy") {
-  const Workshop workshop;
-  write_volumes(workshop);
-  workshop.done("extract v.nrrd --iso 100 -o v.stl");
+TEST_CASE_FIXTURE(Volumes, "a mesh on standard input is refused with the remedy") {
+  done("extract v.nrrd --iso 100 -o v.stl");
   for (const std::string command : {"render - -o v.png", "view - -o v.html"}) {
     check_failure(
-        workshop.shell("\"$discmc\" " + command + " < v.stl"), 1,
+        shell("\"$discmc\" " + command + " < v.stl"), 1,
         {"discmc: standard input: there is no header", "a mesh is read from a file only: save it"});
   }
 }

@@ -1,14 +1,6 @@
 // Files and folders that users of other programs reported: they were read wrongly, or refused
 // without a remedy.
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
@@ -16,10 +8,8 @@ using namespace volume_files;
 using command_tests::check_failure;
 using command_tests::contains;
 using command_tests::Workshop;
-using Spacing = std::array<double, 3>;
 
-TEST_CASE("formats are named by their first bytes, with a remedy") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "formats are named by their first bytes, with a remedy") {
   const std::pair<std::string, std::string> cases[] = {
       {"HSF-OCT-103", "this is Heidelberg OCT"},
       {"FOCTFDA", "this is Topcon OCT"},
@@ -37,47 +27,43 @@ TEST_CASE("formats are named by their first bytes, with a remedy") {
   for (const auto& each : cases) {
     const auto& [head, part] = each;
     INFO(each.first);
-    check_refusal(refusal(folder.write("v.vol", head + "....")), part);
+    check_refused(write("v.vol", head + "...."), part);
   }
   // The name does not override the contents of the file.
-  check_refusal(refusal(folder.write("v.nc", "CDF\1....")), "nccopy");
-  check_refusal(refusal("https://example.org/v.nrrd"), "this is an address");
+  check_refused(write("v.nc", "CDF\1...."), "nccopy");
+  check_refused("https://example.org/v.nrrd", "this is an address");
 }
 
-TEST_CASE("samples with a describing text file are read with their spacing") {
-  const Folder folder;
-  folder.write("v.vol", stored(SampleType::u16));
-  const auto vgi = folder.write("v.vgi",
-                                "{volume1}\n[file1]\nSize = 5 3 4\nName = C:\\scans\\v.vol\n"
-                                "Datatype = unsigned integer\nBitsPerElement = 16\n"
-                                "{volumeprimitive12}\nresolution = 2 3 4\nunit = um\n");
-  const auto pcr = folder.write("v.pcr",
-                                "[Volume]\nVolume_SizeX=5\nVolume_SizeY=3\nVolume_SizeZ=4\n"
-                                "[Geometry]\nVoxelSizeRec = 0,05\n[VolumeData]\nFormat=5\n");
+TEST_CASE_FIXTURE(Folder, "samples with a describing text file are read with their spacing") {
+  write("v.vol", stored(SampleType::u16));
+  const auto vgi = write("v.vgi",
+                         "{volume1}\n[file1]\nSize = 5 3 4\nName = C:\\scans\\v.vol\n"
+                         "Datatype = unsigned integer\nBitsPerElement = 16\n"
+                         "{volumeprimitive12}\nresolution = 2 3 4\nunit = um\n");
+  const auto pcr = write("v.pcr",
+                         "[Volume]\nVolume_SizeX=5\nVolume_SizeY=3\nVolume_SizeZ=4\n"
+                         "[Geometry]\nVoxelSizeRec = 0,05\n[VolumeData]\nFormat=5\n");
   std::vector<double> values;
   for (int i = 0; i < voxels; ++i) values.push_back(sample_at(i, SampleType::u16));
   CHECK(read_all(*open_volume(vgi)) == values);
   CHECK(open_volume(vgi)->info().spacing_mm == Spacing{2e-3, 3e-3, 4e-3});
   CHECK(read_all(*open_volume(pcr)) == values);
   CHECK(open_volume(pcr)->info().spacing_mm == Spacing{0.05, 0.05, 0.05});
-  check_refusal(
-      refusal(folder.write("w.vgi", "Size = 5 3\nDatatype = float\nBitsPerElement = 32\n")),
-      "the size");
-  check_refusal(refusal(folder.write("x.vgi",
-                                     "Size = 5 3 4\nName = ..\nDatatype = float\n"
-                                     "BitsPerElement = 32\n")),
+  check_refused(write("w.vgi", "Size = 5 3\nDatatype = float\nBitsPerElement = 32\n"), "the size");
+  check_refused(write("x.vgi",
+                      "Size = 5 3 4\nName = ..\nDatatype = float\n"
+                      "BitsPerElement = 32\n"),
                 "x.vgi");
   // Nikon names the samples without an ending.
-  const auto nikon = folder.write("scan.xtekct",
-                                  "[XTekCT]\nName=head 1.5\nVoxelsX=5\nVoxelsY=3\nVoxelsZ=4\n"
-                                  "VoxelSizeX=2\nVoxelSizeY=3\nVoxelSizeZ=4\n");
-  check_refusal(refusal(nikon), "describes 'head 1.5.vol', of 5 x 3 x 4 voxels, which is not");
-  folder.write("head 1.5.vol", stored(SampleType::f32));
+  const auto nikon = write("scan.xtekct",
+                           "[XTekCT]\nName=head 1.5\nVoxelsX=5\nVoxelsY=3\nVoxelsZ=4\n"
+                           "VoxelSizeX=2\nVoxelSizeY=3\nVoxelSizeZ=4\n");
+  check_refused(nikon, "describes 'head 1.5.vol', of 5 x 3 x 4 voxels, which is not");
+  write("head 1.5.vol", stored(SampleType::f32));
   CHECK(open_volume(nikon)->info().spacing_mm == Spacing{2, 3, 4});
 }
 
-TEST_CASE("a Gaussian cube is read along its axes, in angstrom") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a Gaussian cube is read along its axes, in angstrom") {
   std::string text =
       "density\nx outer\n 1 -10 5 2\n -2 0.2 0 0\n -3 0 0.3 0\n -4 0 0 0.4\n 6 6 0 0 0\n";
   std::vector<double> values(24);
@@ -87,15 +73,14 @@ TEST_CASE("a Gaussian cube is read along its axes, in angstrom") {
         text += ' ' + std::to_string(100 * x + 10 * y + z);
         values[static_cast<std::size_t>((z * 3 + y) * 2 + x)] = 100 * x + 10 * y + z;
       }
-  const auto reader = open_volume(folder.write("v.cube", text));
+  const auto reader = open_volume(write("v.cube", text));
   CHECK(reader->info().spacing_mm == Spacing{0.2, 0.3, 0.4});
   REQUIRE(reader->info().placement);
   CHECK(reader->info().placement->origin_mm == Spacing{-10, 5, 2});
   CHECK(read_all(*reader) == values);
-  check_refusal(refusal(folder.write("w.cube", "a\nb\n1 2\n")), "no count and three numbers");
-  check_refusal(
-      refusal(folder.write("x.cube", "a\nb\n99999999999 0 0 0\n2 1 0 0\n2 0 1 0\n2 0 0 1\n")),
-      "atoms are too many");
+  check_refused(write("w.cube", "a\nb\n1 2\n"), "no count and three numbers");
+  check_refused(write("x.cube", "a\nb\n99999999999 0 0 0\n2 1 0 0\n2 0 1 0\n2 0 0 1\n"),
+                "atoms are too many");
 }
 
 std::string mask(const std::string& samples) {
@@ -110,96 +95,85 @@ std::string placed_mask(const std::string& samples, bool is_reversed) {
   return header.real(300, 1).real(320, 1).file(samples);
 }
 
-TEST_CASE("masks whose axes run the other way are turned") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "masks whose axes run the other way are turned") {
   std::string on(24, '\0'), reversed(24, '\0');
   for (const std::size_t row : {0U, 2U, 5U}) {
     on[4 * row + 1] = 1;
     reversed[4 * row + 2] = 1;
   }
-  folder.write("a.nii", placed_mask(on, false));
-  folder.write("b.nii", placed_mask(reversed, true));
+  write("a.nii", placed_mask(on, false));
+  write("b.nii", placed_mask(reversed, true));
   VolumeOptions options = with(&VolumeOptions::holds_labels, true);
   options.frame = 0;
-  const auto values = read_all(*open_volume(folder.path(), options));
+  const auto values = read_all(*open_volume(path(), options));
   options.frame = 1;
-  const auto turned = open_volume(folder.path(), options);
+  const auto turned = open_volume(path(), options);
   CHECK(read_all(*turned) == values);
-  folder.write("b.nii",
-               placed_mask(reversed, true).replace(292, 4, std::string("\0\0\x20\x41", 4)));
-  check_refusal(refusal(folder.path(), options), "the mask lies elsewhere than 'a.nii'");
+  write("b.nii", placed_mask(reversed, true).replace(292, 4, std::string("\0\0\x20\x41", 4)));
+  check_refused(path(), options, "the mask lies elsewhere than 'a.nii'");
 }
 
-TEST_CASE("masks beside a picture are the volume, and the picture is noted") {
-  const Workshop workshop;
-  REQUIRE(workshop.shell("mkdir seg").code == 0);
+TEST_CASE_FIXTURE(Workshop, "masks beside a picture are the volume, and the picture is noted") {
   std::string on(24, '\0');
   on[5] = 1;
-  workshop.write("seg/liver.nii", mask(on));
+  write("seg/liver.nii", mask(on));
   on[18] = 1;
-  workshop.write("seg/spleen.nii", mask(on));
-  workshop.write("seg/qc.jpg", "\xff\xd8\xff");
-  check_told(workshop.run("extract seg --labels all -o 'm-{name}.stl'"), 0,
+  write("seg/spleen.nii", mask(on));
+  write("seg/qc.jpg", "\xff\xd8\xff");
+  check_told(run("extract seg --labels all -o 'm-{name}.stl'"), 0,
              {"pictures beside the volumes are left out: 1, such as 'qc.jpg'"});
-  CHECK(contains(workshop.shell("ls").out, "m-liver.stl"));
+  CHECK(contains(shell("ls").out, "m-liver.stl"));
   // A shell replaces a pattern without quotes by its files.
-  CHECK(contains(workshop.done("extract seg/liver.nii seg/spleen.nii --labels all -o m.csv"),
-                 "spleen"));
-  check_failure(workshop.run("extract seg/liver.nii m.stl --labels all"), 2,
-                {"'m.stl' is an unexpected argument; name the output with -o m.stl"});
+  CHECK(contains(done("extract seg/liver.nii seg/spleen.nii --labels all -o m.csv"), "spleen"));
+  fails("extract seg/liver.nii m.stl --labels all", 2,
+        {"'m.stl' is an unexpected argument; name the output with -o m.stl"});
 }
 
-TEST_CASE("a folder of one volume is that volume, and others are listed") {
-  const Folder folder;
-  fs::create_directories(folder.path() / "a/b");
-  folder.write("a/b/v.npy", npy("|u1", "4, 3, 5", stored(SampleType::u8)));
-  folder.write("a/notes.txt", "...");
-  CHECK(open_volume(folder.path())->info().dims == std::array<std::uint32_t, 3>{5, 3, 4});
-  folder.write("a/w.npy", npy("|u1", "4, 3, 5", stored(SampleType::u8)));
-  check_refusal(refusal(folder.path()), "several volumes in folders: 2, such as ", "a/b/v.npy");
-  fs::remove_all(folder.path() / "a");
-  folder.write("2dseq", "...");
-  check_refusal(refusal(folder.path()), "the folder holds Bruker ParaVision, '2dseq'; convert it");
+TEST_CASE_FIXTURE(Folder, "a folder of one volume is that volume, and others are listed") {
+  write("a/b/v.npy", npy("|u1", "4, 3, 5", stored(SampleType::u8)));
+  write("a/notes.txt", "...");
+  CHECK(open_volume(path())->info().dims == Dims{5, 3, 4});
+  write("a/w.npy", npy("|u1", "4, 3, 5", stored(SampleType::u8)));
+  check_refused(path(), "several volumes in folders: 2, such as ", "a/b/v.npy");
+  fs::remove_all(path() / "a");
+  write("2dseq", "...");
+  check_refused(path(), "the folder holds Bruker ParaVision, '2dseq'; convert it");
 }
 
-TEST_CASE("labels that no voxel has are noted, and those that shrinking loses") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "labels that no voxel has are noted, and those that shrinking loses") {
   std::string samples(4 * 4 * 4, '\1');
   samples[21] = 2;
-  workshop.write("v.raw", samples);
+  write("v.raw", samples);
   const std::string extract = "extract v.raw --dims 4,4,4 --type u8 ";
-  check_told(workshop.run(extract + "--label 1,7 -o v.stl"), 0, {"no voxel has label 7\n"});
-  CHECK_FALSE(contains(workshop.run(extract + "--label 1,2 -o v.stl").error, "no voxel"));
-  CHECK(contains(workshop.run(extract + "--labels all --shrink 2 -o v.glb").error,
+  check_told(run(extract + "--label 1,7 -o v.stl"), 0, {"no voxel has label 7\n"});
+  CHECK_FALSE(contains(run(extract + "--label 1,2 -o v.stl").error, "no voxel"));
+  CHECK(contains(run(extract + "--labels all --shrink 2 -o v.glb").error,
                  "--shrink loses 2, the most frequent of no block"));
 }
 
-TEST_CASE("regions of nnU-Net are the unions of their labels") {
-  const Workshop workshop;
-  workshop.write("v.raw", std::string({1, 0, 2, 0, 3, 0, 0, 4}));
-  workshop.write("t.json",
-                 R"({"labels": {"background": 0, "all": [1, 2, 3], "core": [2, 3], "x": 3}})");
-  const auto result = workshop.run(
-      "extract v.raw --dims 8,1,1 --type u8 --labels all --label-table t.json -o '{name}.stl'");
+TEST_CASE_FIXTURE(Workshop, "regions of nnU-Net are the unions of their labels") {
+  write("v.raw", std::string({1, 0, 2, 0, 3, 0, 0, 4}));
+  write("t.json", R"({"labels": {"background": 0, "all": [1, 2, 3], "core": [2, 3], "x": 3}})");
+  const auto result =
+      run("extract v.raw --dims 8,1,1 --type u8 --labels all --label-table t.json -o '{name}.stl'");
   CHECK(result.code == 0);
   CHECK(contains(result.out, "  all.stl\n"));
   CHECK(contains(result.out, "  core.stl\n"));
   CHECK(contains(result.out, "  x.stl\n"));
   CHECK(contains(result.out, "  4.stl\n"));
   CHECK_FALSE(contains(result.out, "  1.stl\n"));
-  workshop.done("extract v.raw --dims 8,1,1 --type u8 --label 1,2,3 -q -o u.stl");
-  CHECK(workshop.read("all.stl") == workshop.read("u.stl"));
+  done("extract v.raw --dims 8,1,1 --type u8 --label 1,2,3 -q -o u.stl");
+  CHECK(read("all.stl") == read("u.stl"));
 }
 
-TEST_CASE("volumes of a file are no labels, and the refusal names the way to extract them") {
-  const Workshop workshop;
-  workshop.write("v.nii", Nifti().dims({4, 2, 2, 2, 3}).file(std::string(24, '\1')));
-  check_failure(workshop.run("extract v.nii --labels all -o v.glb"), 1,
-                {"choose one with --frame N", "with --frame 0 to 2, each with --label 1"});
+TEST_CASE_FIXTURE(
+    Workshop, "volumes of a file are no labels, and the refusal names the way to extract them") {
+  write("v.nii", Nifti().dims({4, 2, 2, 2, 3}).file(std::string(24, '\1')));
+  fails("extract v.nii --labels all -o v.glb", 1,
+        {"choose one with --frame N", "with --frame 0 to 2, each with --label 1"});
 }
 
-TEST_CASE("frames that are tracked in different poses are no slices") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "frames that are tracked in different poses are no slices") {
   const auto sequence = [](const std::string& second) {
     return metaimage(metaimage_u8 + "Seq_Frame0000_ProbeToTrackerTransform = 1 0 0 0\n" +
                      "Seq_Frame0000_ProbeToTrackerTransformStatus = OK\n" +
@@ -207,18 +181,17 @@ TEST_CASE("frames that are tracked in different poses are no slices") {
                      "\nElementDataFile = LOCAL\n") +
            stored(SampleType::u8);
   };
-  check_refusal(refusal(folder.write("a.mha", sequence("0.9 0.1 0 0"))), "VolumeReconstructor");
-  CHECK(open_volume(folder.write("b.mha", sequence("1 0 0 0")))->info().dims[2] == 4);
+  check_refused(write("a.mha", sequence("0.9 0.1 0 0")), "VolumeReconstructor");
+  CHECK(open_volume(write("b.mha", sequence("1 0 0 0")))->info().dims[2] == 4);
 }
 
-TEST_CASE("the fourth dimension of space in NRRD of ITK is time") {
-  const Folder folder;
-  const auto file = folder.write(
-      "v.nrrd", nrrd(nrrd_u8 + "space dimension: 4\nkinds: domain domain domain domain\n"
-                               "space directions: (2,0,0,0) (0,3,0,0) (0,0,4,0) (0,0,0,1)\n"
-                               "space origin: (5,6,7,0)\n",
-                     "2 2 2 2") +
-                    "\n" + std::string("abcdefghABCDEFGH"));
+TEST_CASE_FIXTURE(Folder, "the fourth dimension of space in NRRD of ITK is time") {
+  const auto file =
+      write("v.nrrd", nrrd(nrrd_u8 + "space dimension: 4\nkinds: domain domain domain domain\n"
+                                     "space directions: (2,0,0,0) (0,3,0,0) (0,0,4,0) (0,0,0,1)\n"
+                                     "space origin: (5,6,7,0)\n",
+                           "2 2 2 2") +
+                          "\n" + std::string("abcdefghABCDEFGH"));
   const auto reader = open_volume(file, with(&VolumeOptions::frame, 1));
   CHECK(reader->info().spacing_mm == Spacing{2, 3, 4});
   REQUIRE(reader->info().placement);
@@ -226,15 +199,14 @@ TEST_CASE("the fourth dimension of space in NRRD of ITK is time") {
   CHECK(read_all(*reader)[0] == 'A');
 }
 
-TEST_CASE("the origin of SPM places Analyze, with x from right to left") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "the origin of SPM places Analyze, with x from right to left") {
   Nifti header;
   header.pair().real(80, 2).real(84, 3).real(88, 4);
   header.integer(253, 2, 2).integer(255, 2, 3).integer(257, 2, 1);
   std::string bytes = header.header();
   bytes.replace(344, 4, 4, '\0');
-  folder.write("v.hdr", bytes);
-  const auto reader = open_volume(folder.write("v.img", stored(SampleType::u8)));
+  write("v.hdr", bytes);
+  const auto reader = open_volume(write("v.img", stored(SampleType::u8)));
   REQUIRE(reader->info().placement);
   CHECK(reader->info().placement->space == discmc::Space::ras);
   CHECK(reader->info().placement->origin_mm == Spacing{2, -6, 0});
@@ -242,27 +214,23 @@ TEST_CASE("the origin of SPM places Analyze, with x from right to left") {
   CHECK(noted(reader->info(), "the origin is SPM's"));
 }
 
-TEST_CASE("a single distance holds for all axes") {
-  const Workshop workshop;
-  workshop.write("v.raw", std::string(8, '\1'));
-  CHECK(contains(workshop.done("info v.raw --dims 2,2,2 --type u8 --spacing 0.0025"),
+TEST_CASE_FIXTURE(Workshop, "a single distance holds for all axes") {
+  write("v.raw", std::string(8, '\1'));
+  CHECK(contains(done("info v.raw --dims 2,2,2 --type u8 --spacing 0.0025"),
                  "spacing 0.0025 0.0025 0.0025\n"));
-  check_failure(workshop.run("info v.raw --dims 2,2,2 --type u8 --spacing 1,2"), 2,
-                {"2 distances are given; give one for all axes, or X,Y,Z"});
+  fails("info v.raw --dims 2,2,2 --type u8 --spacing 1,2", 2,
+        {"2 distances are given; give one for all axes, or X,Y,Z"});
 }
 
-TEST_CASE("a path into a zip names one file of it, and leads nowhere else") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
-  if (workshop
-          .shell("mkdir s && cp v.nrrd s/a.nrrd && cp v.nrrd s/b.nrrd && "
-                 "python3 -m zipfile -c s.mrb s")
+TEST_CASE_FIXTURE(Workshop, "a path into a zip names one file of it, and leads nowhere else") {
+  write("v.nrrd", nrrd(nrrd_u8) + "\n" + stored(SampleType::u8));
+  if (shell("mkdir s && cp v.nrrd s/a.nrrd && cp v.nrrd s/b.nrrd && "
+            "python3 -m zipfile -c s.mrb s")
           .code != 0)
     return;
-  CHECK(contains(workshop.done("info s.mrb/s/b.nrrd"), "dimensions 5 3 4\n"));
-  check_failure(workshop.run("extract s.mrb --iso 1 -o v.stl"), 1,
-                {"several volumes: 2", "s.mrb/s/a.nrrd"});
-  check_failure(workshop.run("extract s.mrb/s/../../v.nrrd --iso 1 -o v.stl"), 1, {"leads out"});
+  CHECK(contains(done("info s.mrb/s/b.nrrd"), "dimensions 5 3 4\n"));
+  fails("extract s.mrb --iso 1 -o v.stl", 1, {"several volumes: 2", "s.mrb/s/a.nrrd"});
+  fails("extract s.mrb/s/../../v.nrrd --iso 1 -o v.stl", 1, {"leads out"});
 }
 
 }  // namespace

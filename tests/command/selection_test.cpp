@@ -1,12 +1,7 @@
 // Which voxels are on, for every type of sample.
 #include "extraction/selection.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <vector>
+#include "test.hpp"
 
 namespace {
 

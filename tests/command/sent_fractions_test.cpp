@@ -1,19 +1,13 @@
 // Crossings from a stream of slices with fractions.
 #include "streams/sent_fractions.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 #include <discmc/fraction_slice_encoder.hpp>
 
 #include "sampled_field.hpp"
 #include "smoothing/relaxed_crossings.hpp"
 #include "streams/stream_reader.hpp"
 #include "surface/joined_surface.hpp"
+#include "test.hpp"
 
 namespace {
 

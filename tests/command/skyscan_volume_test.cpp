@@ -1,15 +1,9 @@
 // Slices as SkyScan's NRecon writes them: BMP with a log beside them.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "volume_files.hpp"
 
 namespace {
 
 using namespace volume_files;
-using Spacing = std::array<double, 3>;
 
 std::string little(std::uint32_t value, int bytes) {
   std::string text;
@@ -79,11 +73,10 @@ TEST_CASE("BMP of few bits and of colours is read") {
   CHECK(samples(colours, 1) == std::vector<double>{'g', 'G', '5', 'g', 'G', '2'});
 }
 
-TEST_CASE("a palette of colours is noted, and an order of greys undone") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a palette of colours is noted, and an order of greys undone") {
   Bmp bmp;
   bmp.palette = little(0, 4) + little(0xff0000, 4) + std::string(254 * 4, '\1');
-  const auto reds = open_volume(folder.write("v.bmp", bmp.bytes()));
+  const auto reds = open_volume(write("v.bmp", bmp.bytes()));
   CHECK(noted(reds->info(), "numbers of colours in a palette"));
   CHECK(read_all(*reds) == std::vector<double>{4, 5, 6, 1, 2, 3});
   bmp.palette.clear();
@@ -91,25 +84,23 @@ TEST_CASE("a palette of colours is noted, and an order of greys undone") {
   CHECK(samples(bmp) == std::vector<double>{251, 250, 249, 254, 253, 252});
 }
 
-TEST_CASE("pictures whose palettes differ are refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "pictures whose palettes differ are refused") {
   Bmp bmp;
   bmp.palette = little(0, 4) + little(0xff0000, 4) + std::string(254 * 4, '\1');
-  folder.write("a1.bmp", bmp.bytes());
+  write("a1.bmp", bmp.bytes());
   bmp.palette = little(0, 4) + little(0x00ff00, 4) + std::string(254 * 4, '\1');
-  folder.write("a2.bmp", bmp.bytes());
-  check_refusal(refusal(folder.path()), "has another palette, unlike a1.bmp");
+  write("a2.bmp", bmp.bytes());
+  check_refused(path(), "has another palette, unlike a1.bmp");
 }
 
-TEST_CASE("BMP of other kinds, or cut off, is refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "BMP of other kinds, or cut off, is refused") {
   Bmp packed;
   packed.compression = 1;
-  check_refusal(refusal(folder.write("v.bmp", packed.bytes())), "of 8 bits and compression 1");
+  check_refused(write("v.bmp", packed.bytes()), "of 8 bits and compression 1");
   const std::string whole = Bmp().bytes();
   for (const std::size_t size : {2U, 20U, 53U, 60U, 1077U, 1080U}) {
     INFO(size);
-    check_refusal(refusal(folder.write("v.bmp", whole.substr(0, size))), "the BMP file is cut off");
+    check_refused(write("v.bmp", whole.substr(0, size)), "the BMP file is cut off");
   }
 }
 
@@ -137,7 +128,7 @@ TEST_CASE("the spacing of slices is that of the reconstruction in SkyScan's log"
   for (const fs::path& name : {scan.path(), scan.path() / "*.bmp", scan.path() / "s_rec*.bmp"}) {
     const VolumeInfo info = open_volume(name)->info();
     CHECK(info.format == "BMP");
-    CHECK(info.dims == std::array<std::uint32_t, 3>{3, 2, 3});
+    CHECK(info.dims == Dims{3, 2, 3});
     CHECK(info.spacing_mm == Spacing{0.0125, 0.0125, 0.025});
     CHECK(noted(info, "spacing from 's_rec.log'"));
     CHECK(noted(info, "'s_rec_spr.bmp' is an overview, and is left out"));

@@ -28,30 +28,7 @@ std::string rough_samples(int width, int height, int depth) {
   return samples;
 }
 
-std::vector<Region> regions_in(const Workshop& workshop, const std::string& stream) {
-  discmc::meshing::SurfaceBuilder builder;
-  discmc::meshing::GrowingJoiner joiner(discmc::make_sink(builder));
-  discmc::meshing::StreamReader reader(discmc::make_sink(joiner));
-  std::istringstream in(workshop.read(stream));
-  reader.read(in);
-  joiner.finish();
-  CHECK(reader.report().is_complete());
-  return hand_made::regions_of(builder.surface());
-}
-
 const std::string volume = "extract v.raw --dims 13,11,9 --type u8 --iso 50 -q ";
-
-// Their names, in a row.
-std::string write_slabs(const Workshop& workshop, int count, const std::string& options = {}) {
-  std::string names;
-  for (int slab = 1; slab <= count; ++slab) {
-    const std::string name = "part" + std::to_string(slab) + ".dmc";
-    workshop.done(volume + options + "--slab " + std::to_string(slab) + "/" +
-                  std::to_string(count) + " -o " + name);
-    names = name + " " + names;  // from above
-  }
-  return names;
-}
 
 // Encodes a stream again, as firmware does if the number of slices is not known in advance.
 class WithoutDepth {
@@ -75,91 +52,107 @@ class WithoutDepth {
   discmc::Encoder encoder_;
 };
 
-void forget_depth(const Workshop& workshop, const std::string& stream) {
-  WithoutDepth encoder;
-  discmc::meshing::StreamReader reader(discmc::make_sink(encoder));
-  std::istringstream in(workshop.read(stream));
-  reader.read(in);
-  workshop.write(stream, encoder.stream());
-}
+struct Slabs : Workshop {
+  Slabs() { write("v.raw", rough_samples(13, 11, 9)); }
+  std::vector<Region> regions_in(const std::string& stream) const {
+    discmc::meshing::SurfaceBuilder builder;
+    discmc::meshing::GrowingJoiner joiner(discmc::make_sink(builder));
+    discmc::meshing::StreamReader reader(discmc::make_sink(joiner));
+    std::istringstream in(read(stream));
+    reader.read(in);
+    joiner.finish();
+    CHECK(reader.report().is_complete());
+    return hand_made::regions_of(builder.surface());
+  }
+  // Their names, in a row.
+  std::string write_slabs(int count, const std::string& options = {}) const {
+    std::string names;
+    for (int slab = 1; slab <= count; ++slab) {
+      const std::string name = "part" + std::to_string(slab) + ".dmc";
+      done(volume + options + "--slab " + std::to_string(slab) + "/" + std::to_string(count) +
+           " -o " + name);
+      names = name + " " + names;  // from above
+    }
+    return names;
+  }
+  void forget_depth(const std::string& stream) const {
+    WithoutDepth encoder;
+    discmc::meshing::StreamReader reader(discmc::make_sink(encoder));
+    std::istringstream in(read(stream));
+    reader.read(in);
+    write(stream, encoder.stream());
+  }
+};
 
 }  // namespace
 
-TEST_CASE("slabs of any thickness are joined to the regions of one sweep") {
-  const Workshop workshop;
-  workshop.write("v.raw", rough_samples(13, 11, 9));
+TEST_CASE_FIXTURE(Slabs, "slabs of any thickness are joined to the regions of one sweep") {
   for (const std::string options :
        {"", "--border open ", "--median 3 ", "--memory 1024 ", "--crop 2..12,0..10,1..7 "}) {
-    workshop.done(volume + options + "-o whole.dmc");
-    const std::vector<Region> whole = regions_in(workshop, "whole.dmc");
+    done(volume + options + "-o whole.dmc");
+    const std::vector<Region> whole = regions_in("whole.dmc");
     CHECK(whole.size() > 20);
     constexpr int counts[] = {2, 1, 3, 7};
     for (std::size_t i = 0; i < std::size(counts); i += discmc::reference::step(2)) {
       const int count = counts[i];
-      CAPTURE(options);
-      CAPTURE(count);
-      workshop.done("join " + write_slabs(workshop, count, options) + "-o joined.dmc");
-      CHECK(discmc::reference::describe_difference(regions_in(workshop, "joined.dmc"), whole) ==
-            "");
-      CHECK(workshop.info("joined.dmc")["complete"] == "yes");
+      INFO("options ", options, ", count ", count);
+      done("join " + write_slabs(count, options) + "-o joined.dmc");
+      CHECK(discmc::reference::describe_difference(regions_in("joined.dmc"), whole) == "");
+      CHECK(info_of("joined.dmc")["complete"] == "yes");
     }
   }
 }
 
-TEST_CASE("slabs of several parts, on several cores, are joined to the regions of one sweep") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(
+    Slabs, "slabs of several parts, on several cores, are joined to the regions of one sweep") {
   std::string samples = rough_samples(20, 20, 80);
   // A plate with many holes is more than a packet holds.
   for (int i = 30 * 400; i < 34 * 400; ++i)
     samples[static_cast<std::size_t>(i)] = i % 2 == 0 || i / 20 % 2 == 0 ? 'z' : 0;
-  workshop.write("v.raw", samples);
+  write("v.raw", samples);
   const std::string tall = "extract v.raw --dims 20,20,80 --type u8 --iso 50 -q ";
-  workshop.done(tall + "-o whole.dmc");
+  done(tall + "-o whole.dmc");
   for (const std::string slab : {"1", "2"}) {
-    workshop.done(tall + "--slab " + slab + "/2 -o " + slab + ".dmc");
-    workshop.done(tall + "--slab " + slab + "/2 --jobs 3 -o jobs.dmc");
-    CHECK(workshop.read("jobs.dmc") == workshop.read(slab + ".dmc"));
+    done(tall + "--slab " + slab + "/2 -o " + slab + ".dmc");
+    done(tall + "--slab " + slab + "/2 --jobs 3 -o jobs.dmc");
+    CHECK(read("jobs.dmc") == read(slab + ".dmc"));
   }
-  workshop.done("join 2.dmc 1.dmc -o joined.dmc");
-  CHECK(discmc::reference::describe_difference(regions_in(workshop, "joined.dmc"),
-                                               regions_in(workshop, "whole.dmc")) == "");
-  auto whole = workshop.info("whole.dmc"), joined = workshop.info("joined.dmc");
+  done("join 2.dmc 1.dmc -o joined.dmc");
+  CHECK(discmc::reference::describe_difference(regions_in("joined.dmc"), regions_in("whole.dmc")) ==
+        "");
+  auto whole = info_of("whole.dmc"), joined = info_of("joined.dmc");
   for (const std::string key : {"regions", "holes", "links", "corners", "complete", "fragments"}) {
     CAPTURE(key);
     CHECK(joined[key] == whole[key]);
   }
 }
 
-TEST_CASE("slabs may be joined step by step, and a missing one is named") {
-  const Workshop workshop;
-  workshop.write("v.raw", rough_samples(13, 11, 9));
-  workshop.done(volume + "-o whole.dmc");
-  write_slabs(workshop, 9);
-  const Result part = workshop.run("join part1.dmc part2.dmc part5.dmc part9.dmc -o part.dmc");
+TEST_CASE_FIXTURE(Slabs, "slabs may be joined step by step, and a missing one is named") {
+  done(volume + "-o whole.dmc");
+  write_slabs(9);
+  const Result part = run("join part1.dmc part2.dmc part5.dmc part9.dmc -o part.dmc");
   CHECK(part.code == 3);
   CHECK(contains(part.error, "the slices 2 to 3 and 5 to 7 are missing"));
-  CHECK(contains(workshop.run("info part.dmc").out, "slab of the slices 4 to 4 of 9"));
-  CHECK(contains(workshop.run("decode part.dmc -o part.stl").error,
+  CHECK(contains(run("info part.dmc").out, "slab of the slices 4 to 4 of 9"));
+  CHECK(contains(run("decode part.dmc -o part.stl").error,
                  "the stream holds only the slices 0 to 1, 4 to 4 and 8 to 8 of 9; join it with "
                  "the other slabs by discmc join"));
-  workshop.done("join part4.dmc part6.dmc part.dmc part3.dmc part8.dmc part7.dmc -o all.dmc");
-  CHECK(discmc::reference::describe_difference(regions_in(workshop, "all.dmc"),
-                                               regions_in(workshop, "whole.dmc")) == "");
-  CHECK_FALSE(contains(workshop.done("info all.dmc"), "slab"));
+  done("join part4.dmc part6.dmc part.dmc part3.dmc part8.dmc part7.dmc -o all.dmc");
+  CHECK(discmc::reference::describe_difference(regions_in("all.dmc"), regions_in("whole.dmc")) ==
+        "");
+  CHECK_FALSE(contains(done("info all.dmc"), "slab"));
 }
 
-TEST_CASE("the report of a join matches its output, also with a truncated slab") {
-  const Workshop workshop;
-  workshop.write("v.raw", rough_samples(13, 11, 9));
-  write_slabs(workshop, 3);
-  const std::string cut = workshop.read("part2.dmc");
-  workshop.write("cut.dmc", cut.substr(0, cut.size() * 3 / 4));
+TEST_CASE_FIXTURE(Slabs, "the report of a join matches its output, also with a truncated slab") {
+  write_slabs(3);
+  const std::string cut = read("part2.dmc");
+  write("cut.dmc", cut.substr(0, cut.size() * 3 / 4));
   for (const std::string slabs :
        {"part1.dmc cut.dmc part3.dmc", "cut.dmc", "part1.dmc part3.dmc"}) {
     CAPTURE(slabs);
-    const Result joined = workshop.run("join " + slabs + " -o joined.dmc");
+    const Result joined = run("join " + slabs + " -o joined.dmc");
     CHECK(joined.code == 3);
-    auto written = workshop.info("joined.dmc");
+    auto written = info_of("joined.dmc");
     CHECK(contains(joined.out, "\n" + written["regions"] + " polygons\n"));
     if (contains(joined.error, "loose fragments have no partner"))
       CHECK(contains(joined.error,
@@ -167,66 +160,56 @@ TEST_CASE("the report of a join matches its output, also with a truncated slab")
   }
 }
 
-TEST_CASE("the depth of a volume may be only in the records of its slabs") {
-  const Workshop workshop;
-  workshop.write("v.raw", rough_samples(13, 11, 9));
-  workshop.done(volume + "-o whole.dmc");
-  write_slabs(workshop, 3);
-  for (const std::string part : {"part1.dmc", "part2.dmc", "part3.dmc"})
-    forget_depth(workshop, part);
-  const Result part = workshop.run("join part3.dmc part1.dmc -o part.dmc");
+TEST_CASE_FIXTURE(Slabs, "the depth of a volume may be only in the records of its slabs") {
+  done(volume + "-o whole.dmc");
+  write_slabs(3);
+  for (const std::string part : {"part1.dmc", "part2.dmc", "part3.dmc"}) forget_depth(part);
+  const Result part = run("join part3.dmc part1.dmc -o part.dmc");
   CHECK(part.code == 3);
   CHECK(contains(part.error, "the slices 3 to 5 are missing"));
-  workshop.done("join part.dmc part2.dmc -o all.dmc");
-  CHECK(discmc::reference::describe_difference(regions_in(workshop, "all.dmc"),
-                                               regions_in(workshop, "whole.dmc")) == "");
-  workshop.done(
+  done("join part.dmc part2.dmc -o all.dmc");
+  CHECK(discmc::reference::describe_difference(regions_in("all.dmc"), regions_in("whole.dmc")) ==
+        "");
+  done(
       "extract v.raw --dims 13,11,8 --skip-bytes 143 --type u8 --iso 50 -q --slab 2/2 "
       "-o other.dmc");
-  forget_depth(workshop, "other.dmc");
-  CHECK(contains(workshop.run("join part1.dmc other.dmc -o joined.dmc").error,
+  forget_depth("other.dmc");
+  CHECK(contains(run("join part1.dmc other.dmc -o joined.dmc").error,
                  "other.dmc: its slab is part of 8 slices, and the volume has 9"));
 }
 
-TEST_CASE("streams that do not belong together are not joined, and nothing is written") {
-  const Workshop workshop;
-  workshop.write("v.raw", rough_samples(13, 11, 9));
-  write_slabs(workshop, 3);
-  workshop.done("extract v.raw --dims 13,11,9 --type u8 --iso 51 -q --slab 2/3 -o other.dmc");
-  workshop.done("extract v.raw --dims 13,11,9 --type u8 --iso 50 -q --wire slices -o slices.dmc");
+TEST_CASE_FIXTURE(Slabs,
+                  "streams that do not belong together are not joined, and nothing is written") {
+  write_slabs(3);
+  done("extract v.raw --dims 13,11,9 --type u8 --iso 51 -q --slab 2/3 -o other.dmc");
+  done("extract v.raw --dims 13,11,9 --type u8 --iso 50 -q --wire slices -o slices.dmc");
   const auto refused = [&](const std::string& streams, const std::string& part) {
-    const Result result = workshop.run("join " + streams + " -o joined.dmc");
+    const Result result = run("join " + streams + " -o joined.dmc");
     INFO(streams, "\n", result.error);
     CHECK(result.code == 1);
     CHECK(contains(result.error, part));
-    CHECK(workshop.read("joined.dmc").empty());
+    CHECK(read("joined.dmc").empty());
   };
   refused("part1.dmc part2.dmc part1.dmc", "discmc: part1.dmc: the slices 0 to 2 are given twice");
   refused("part1.dmc other.dmc", "at threshold 51, and part1.dmc has");
   refused("part1.dmc slices.dmc", "discmc: slices.dmc: the slices 0 to 2 are given twice");
   refused("part1.dmc v.raw", "v.raw");
-  workshop.done(volume + "--iso 20 -o two.dmc");
+  done(volume + "--iso 20 -o two.dmc");
   refused("two.dmc", "channel 1 (threshold 20), and join accepts one surface per stream");
 }
 
-TEST_CASE("an invalid slab is refused with the valid range") {
-  const Workshop workshop;
-  workshop.write("v.raw", rough_samples(13, 11, 9));
+TEST_CASE_FIXTURE(Slabs, "an invalid slab is refused with the valid range") {
   for (const std::string slab : {"0/3", "4/3", "1", "1/", "/2", "a/b", "1/0", "1/3x", "-1/3"})
-    check_failure(workshop.run(volume + "--slab=" + slab + " -o s.dmc"), 2, {"as in 2/7"});
-  CHECK(workshop.names() == std::vector<std::string>{"v.raw"});
+    fails(volume + "--slab=" + slab + " -o s.dmc", 2, {"as in 2/7"});
 }
 
-TEST_CASE("help and completions of join accept any number of streams") {
-  const Workshop workshop;
-  CHECK(contains(workshop.done("join --help"), "discmc join [OPTIONS] -o FILE STREAM..."));
-  CHECK(contains(workshop.done("completions zsh"), "'*:FILE:_files'"));
+TEST_CASE_FIXTURE(Workshop, "help and completions of join accept any number of streams") {
+  CHECK(contains(done("join --help"), "discmc join [OPTIONS] -o FILE STREAM..."));
+  CHECK(contains(done("completions zsh"), "'*:FILE:_files'"));
 }
 
-TEST_CASE("slices behind a slab are not read") {
-  const Workshop workshop;
-  workshop.write("v.raw", rough_samples(13, 11, 9));
-  const Result result = workshop.shell(
+TEST_CASE_FIXTURE(Slabs, "slices behind a slab are not read") {
+  const Result result = shell(
       "head -c $((13 * 11 * 4)) v.raw | \"$discmc\" extract - --dims 13,11,9 --type u8 --iso 50 "
       "--spacing 1,1,1 --slab 1/3 -q -o first.dmc");
   CHECK(result.code == 0);

@@ -1,12 +1,7 @@
 // Which slices of a volume are known when its slabs come from several streams.
 #include "streams/slab_ranges.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <utility>
-#include <vector>
+#include "test.hpp"
 
 namespace {
 

@@ -1,15 +1,6 @@
 // Masks without the steps of their voxels: extract --smooth.
 #include "smoothing/smoothed_volume.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <set>
-#include <utility>
-#include <vector>
-
 #include "command.hpp"
 #include "mask_shapes.hpp"
 #include "meshes/intersections.hpp"

@@ -1,18 +1,14 @@
 // The joiner that spills to a file: its output does not depend on its memory.
 #include "streams/spilling_joiner.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
 #include <tuple>
-#include <vector>
 
 #include "hand_made.hpp"
 #include "oracle/normal_events.hpp"
 #include "oracle/region.hpp"
 #include "oracle/stream.hpp"
 #include "surface/surface_builder.hpp"
+#include "test.hpp"
 
 namespace {
 

@@ -1,11 +1,5 @@
 // Folders of pictures that are several stacks: refused, with a pattern that names one of them.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
@@ -85,7 +79,7 @@ TEST_CASE("a pattern is advised also for names that contain signs of patterns") 
 }
 
 TEST_CASE("if no pattern selects a stack, the refusal advises a folder of its own") {
-  check_refusal(refusal(Pictures({"a1b.png", "a2b.png", "a1b1b.png"}).path()),
+  check_refused(Pictures({"a1b.png", "a2b.png", "a1b1b.png"}).path(),
                 "copy the pictures of one stack into a folder of their own");
 }
 
@@ -103,9 +97,9 @@ TEST_CASE("numbers that count together, or that change at times, are one stack")
 }
 
 TEST_CASE("names without one order are refused") {
-  check_refusal(refusal(Pictures({"id8_s1.png", "id3_s2.png", "id5_s3.png"}).path()),
+  check_refused(Pictures({"id8_s1.png", "id3_s2.png", "id5_s3.png"}).path(),
                 "the numbers in the names give different orders");
-  check_refusal(refusal(Pictures({"s1.png", "s01.png", "s2.png"}).path()),
+  check_refused(Pictures({"s1.png", "s01.png", "s2.png"}).path(),
                 "two pictures have the same number");
 }
 

@@ -43,12 +43,11 @@ void check_size(const std::string& png, std::uint32_t width, std::uint32_t heigh
 
 }  // namespace
 
-TEST_CASE("a file that is no stream is refused with the command that reads it") {
-  const Workshop workshop;
-  write_stream(workshop, "v.dmc");
-  workshop.done("decode v.dmc -o v.stl");
+TEST_CASE_FIXTURE(Workshop, "a file that is no stream is refused with the command that reads it") {
+  write_stream(*this, "v.dmc");
+  done("decode v.dmc -o v.stl");
   const auto refusal = [&](const std::string& arguments) {
-    const Result result = workshop.run(arguments);
+    const Result result = run(arguments);
     CHECK(result.code == 1);
     return result.error;
   };
@@ -59,19 +58,19 @@ TEST_CASE("a file that is no stream is refused with the command that reads it") 
     CHECK(contains(refusal(arguments), "v.stl: this is a mesh, not a stream; only discmc compare"));
 }
 
-TEST_CASE("a stream of another version is refused with its version, even after lost packets") {
-  const Workshop workshop;
-  const Bytes stream = bytes_of(write_stream(workshop, "v.dmc"));
+TEST_CASE_FIXTURE(
+    Workshop, "a stream of another version is refused with its version, even after lost packets") {
+  const Bytes stream = bytes_of(write_stream(*this, "v.dmc"));
   for (const std::uint8_t version : Bytes{0, 2, 99}) {
     const Bytes other = discmc::test::with_version(version, stream);
     Bytes late = discmc::test::frames_of(stream)[1];
     late.insert(late.end(), other.begin(), other.end());
     for (const Bytes& refused : {other, late}) {
-      workshop.write("other.dmc", text_of(refused));
+      write("other.dmc", text_of(refused));
       for (const std::string arguments :
            {"decode other.dmc -o o.stl", "info other.dmc", "render other.dmc -o o.png",
             "info other.dmc --stream-channel 0 --scan 0"}) {
-        const Result result = workshop.run(arguments);
+        const Result result = run(arguments);
         CHECK(result.code == 1);
         CHECK(contains(result.error, "other.dmc: stream version " + std::to_string(version) +
                                          " is unknown; this discmc reads version 1, so use the "
@@ -81,10 +80,9 @@ TEST_CASE("a stream of another version is refused with its version, even after l
   }
 }
 
-TEST_CASE("info prints a key and value per line") {
-  const Workshop workshop;
-  const std::string stream = write_stream(workshop, "v.dmc");
-  auto info = workshop.info("v.dmc");
+TEST_CASE_FIXTURE(Workshop, "info prints a key and value per line") {
+  const std::string stream = write_stream(*this, "v.dmc");
+  auto info = info_of("v.dmc");
   for (const char* key :
        {"dimensions", "spacing", "threshold", "border", "regions", "rings", "holes", "links",
         "corners", "polygons_3", "polygons_4", "polygons_5plus", "fragments", "skipped_rows",
@@ -105,11 +103,10 @@ TEST_CASE("info prints a key and value per line") {
         std::stoi(info["regions"]));
 }
 
-TEST_CASE("info counts simple rings and their corners") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", box({6, 4, 5}, {1, 1, 1}, {4, 2, 3}));
-  workshop.done("extract v.nrrd --iso 100 -o v.dmc");
-  auto info = workshop.info("v.dmc");
+TEST_CASE_FIXTURE(Workshop, "info counts simple rings and their corners") {
+  write("v.nrrd", box({6, 4, 5}, {1, 1, 1}, {4, 2, 3}));
+  done("extract v.nrrd --iso 100 -o v.dmc");
+  auto info = info_of("v.dmc");
   CHECK(info["regions"] == "26");
   CHECK(info["rings"] == "26");
   CHECK(info["holes"] == "0");
@@ -117,57 +114,54 @@ TEST_CASE("info counts simple rings and their corners") {
   CHECK(info["polygons_4"] == "18");
   CHECK(info["corners"] == "96");
   CHECK(info["normals"] == "0");
-  workshop.done("extract v.nrrd --iso 100 --normals gradient -o v.dmc");
+  done("extract v.nrrd --iso 100 --normals gradient -o v.dmc");
   // At each corner.
-  CHECK(workshop.info("v.dmc")["normals"] == "96");
+  CHECK(info_of("v.dmc")["normals"] == "96");
 }
 
-TEST_CASE("decode, info and render read standard input, pipes too") {
-  const Workshop workshop;
-  write_stream(workshop, "v.dmc");
-  workshop.done("decode v.dmc -o v.stl");
-  workshop.done("render v.dmc -o v.png --size 30,20");
-  CHECK(workshop.shell("\"$discmc\" info - < v.dmc").out == workshop.done("info v.dmc"));
-  CHECK(workshop.shell("cat v.dmc | \"$discmc\" decode - -o piped.stl").code == 0);
-  CHECK(workshop.shell("cat v.dmc | \"$discmc\" render - -o piped.png --size 30,20").code == 0);
-  CHECK(workshop.read("piped.stl") == workshop.read("v.stl"));
-  CHECK(workshop.read("piped.png") == workshop.read("v.png"));
+TEST_CASE_FIXTURE(Workshop, "decode, info and render read standard input, pipes too") {
+  write_stream(*this, "v.dmc");
+  done("decode v.dmc -o v.stl");
+  done("render v.dmc -o v.png --size 30,20");
+  CHECK(shell("\"$discmc\" info - < v.dmc").out == done("info v.dmc"));
+  CHECK(shell("cat v.dmc | \"$discmc\" decode - -o piped.stl").code == 0);
+  CHECK(shell("cat v.dmc | \"$discmc\" render - -o piped.png --size 30,20").code == 0);
+  CHECK(read("piped.stl") == read("v.stl"));
+  CHECK(read("piped.png") == read("v.png"));
   const Result result =
-      workshop.shell("\"$discmc\" extract v.nrrd --iso 100 -q | \"$discmc\" decode - -o piped.stl");
+      shell("\"$discmc\" extract v.nrrd --iso 100 -q | \"$discmc\" decode - -o piped.stl");
   CHECK(result.code == 0);
-  CHECK(workshop.read("piped.stl") == workshop.read("v.stl"));
+  CHECK(read("piped.stl") == read("v.stl"));
 }
 
-TEST_CASE("streams of slices and of regions are recognized automatically") {
-  const Workshop workshop;
-  const std::string regions = write_stream(workshop, "v.dmc");
-  workshop.done("extract v.nrrd --iso 100 --wire slices -o s.dmc");
-  CHECK(workshop.read("s.dmc").size() < regions.size() / 2);
+TEST_CASE_FIXTURE(Workshop, "streams of slices and of regions are recognized automatically") {
+  const std::string regions = write_stream(*this, "v.dmc");
+  done("extract v.nrrd --iso 100 --wire slices -o s.dmc");
+  CHECK(read("s.dmc").size() < regions.size() / 2);
   for (const char* stream : {"v.dmc", "s.dmc"}) {
-    workshop.done(std::string("decode ") + stream + " -o " + stream + ".stl");
-    workshop.done(std::string("decode ") + stream + " -o again-" + stream);
-    workshop.done(std::string("render ") + stream + " -o " + stream + ".png --size 30,20");
+    done(std::string("decode ") + stream + " -o " + stream + ".stl");
+    done(std::string("decode ") + stream + " -o again-" + stream);
+    done(std::string("render ") + stream + " -o " + stream + ".png --size 30,20");
   }
-  CHECK(workshop.read("s.dmc.stl") == workshop.read("v.dmc.stl"));
-  CHECK(workshop.read("s.dmc.png") == workshop.read("v.dmc.png"));
-  CHECK(workshop.read("again-s.dmc") == workshop.read("again-v.dmc"));
-  auto of_regions = workshop.info("v.dmc"), of_slices = workshop.info("s.dmc");
+  CHECK(read("s.dmc.stl") == read("v.dmc.stl"));
+  CHECK(read("s.dmc.png") == read("v.dmc.png"));
+  CHECK(read("again-s.dmc") == read("again-v.dmc"));
+  auto of_regions = info_of("v.dmc"), of_slices = info_of("s.dmc");
   CHECK(of_regions["wire"] == "regions");
   CHECK(of_slices["wire"] == "slices");
   for (const char* key : {"dimensions", "spacing", "threshold", "regions", "links", "complete"})
     CHECK(of_slices[key] == of_regions[key]);
 }
 
-TEST_CASE("a stream of slices with a lost packet yields the other slices") {
-  const Workshop workshop;
-  write_stream(workshop, "v.dmc");
-  workshop.done("extract v.nrrd --iso 100 --wire slices --key-slices 5 -o s.dmc");
-  const std::string whole = workshop.read("s.dmc");
+TEST_CASE_FIXTURE(Workshop, "a stream of slices with a lost packet yields the other slices") {
+  write_stream(*this, "v.dmc");
+  done("extract v.nrrd --iso 100 --wire slices --key-slices 5 -o s.dmc");
+  const std::string whole = read("s.dmc");
   // The third frame is the second key slice's; the first is the header.
   const std::size_t second = whole.find('\0', whole.find('\0') + 1) + 1;
   const std::size_t third = whole.find('\0', second) + 1;
-  workshop.write("lost.dmc", whole.substr(0, second) + whole.substr(third));
-  const Result result = workshop.run("info lost.dmc");
+  write("lost.dmc", whole.substr(0, second) + whole.substr(third));
+  const Result result = run("info lost.dmc");
   CHECK(result.code == 3);
   CHECK(result.error.find("1 packet is missing, 100 rows are missing; send or copy") !=
         std::string::npos);
@@ -176,42 +170,39 @@ TEST_CASE("a stream of slices with a lost packet yields the other slices") {
   CHECK(result.out.find("slices") != std::string::npos);
 }
 
-TEST_CASE("a stream that claims more lost rows than a scan can have is refused") {
-  const Workshop workshop;
-  workshop.write("v.dmc", text_of(discmc::test::lost_slices({1, 1, 2000})));
-  CHECK(workshop.run("info v.dmc").code == 3);
-  workshop.write("v.dmc", text_of(discmc::test::lost_slices({1, 32766, 0x3FFFFFFF})));
-  check_failure(workshop.run("info v.dmc"), 1, {"more than 68650825 rows were lost"});
+TEST_CASE_FIXTURE(Workshop, "a stream that claims more lost rows than a scan can have is refused") {
+  write("v.dmc", text_of(discmc::test::lost_slices({1, 1, 2000})));
+  CHECK(run("info v.dmc").code == 3);
+  write("v.dmc", text_of(discmc::test::lost_slices({1, 32766, 0x3FFFFFFF})));
+  fails("info v.dmc", 1, {"more than 68650825 rows were lost"});
 }
 
-TEST_CASE("render draws a picture of the size asked for") {
-  const Workshop workshop;
-  write_stream(workshop, "v.dmc");
-  workshop.done("render v.dmc -o plain.png --size 60,40");
-  workshop.done("render v.dmc -o edges.png --size 60,40 --edges");
-  workshop.done("render v.dmc -o side.png --size 60,40 --view -1,0,0");
-  workshop.done("render v.dmc -o above.png --size 1,7 --view 0,0,1");
-  for (const char* name : {"plain.png", "edges.png", "side.png"})
-    check_size(workshop.read(name), 60, 40);
-  check_size(workshop.read("above.png"), 1, 7);
-  CHECK(workshop.read("plain.png") != workshop.read("edges.png"));
-  CHECK(workshop.read("plain.png") != workshop.read("side.png"));
+TEST_CASE_FIXTURE(Workshop, "render draws a picture of the size asked for") {
+  write_stream(*this, "v.dmc");
+  done("render v.dmc -o plain.png --size 60,40");
+  done("render v.dmc -o edges.png --size 60,40 --edges");
+  done("render v.dmc -o side.png --size 60,40 --view -1,0,0");
+  done("render v.dmc -o above.png --size 1,7 --view 0,0,1");
+  for (const char* name : {"plain.png", "edges.png", "side.png"}) check_size(read(name), 60, 40);
+  check_size(read("above.png"), 1, 7);
+  CHECK(read("plain.png") != read("edges.png"));
+  CHECK(read("plain.png") != read("side.png"));
 }
 
-TEST_CASE("an incomplete stream yields all whole regions, and the exit code is 3") {
-  const Workshop workshop;
-  const auto frames = discmc::test::frames_of(bytes_of(write_stream(workshop, "v.dmc")));
+TEST_CASE_FIXTURE(Workshop,
+                  "an incomplete stream yields all whole regions, and the exit code is 3") {
+  const auto frames = discmc::test::frames_of(bytes_of(write_stream(*this, "v.dmc")));
   REQUIRE(frames.size() > 5);
   auto gap = frames, no_end = frames;
   gap.erase(gap.begin() + 2);
   no_end.resize(frames.size() - 2);
-  workshop.write("gap.dmc", text_of(discmc::test::joined(gap)));
-  workshop.write("no end.dmc", text_of(discmc::test::joined(no_end)));
-  const int whole = std::stoi(workshop.info("v.dmc")["regions"]);
+  write("gap.dmc", text_of(discmc::test::joined(gap)));
+  write("no end.dmc", text_of(discmc::test::joined(no_end)));
+  const int whole = std::stoi(info_of("v.dmc")["regions"]);
   for (const std::string name : {"gap", "'no end'"}) {
     INFO(name);
-    check_told(workshop.run("info " + name + ".dmc"), 3, {".dmc: the stream is incomplete"});
-    auto info = workshop.info(name + ".dmc");
+    check_told(run("info " + name + ".dmc"), 3, {".dmc: the stream is incomplete"});
+    auto info = info_of(name + ".dmc");
     CHECK(info["complete"] == "no");
     CHECK(std::stoi(info["regions"]) > 0);
     CHECK(std::stoi(info["regions"]) < whole);
@@ -220,39 +211,35 @@ TEST_CASE("an incomplete stream yields all whole regions, and the exit code is 3
       CHECK(std::stoi(info["regions"]) + std::stoi(info["lost_pieces"]) == whole);
     }
     for (const std::string output : {"o.dmc", "o.stl", "o.obj", "o.ply", "o.jsonl"}) {
-      CHECK(workshop.run("decode " + name + ".dmc -o " + output).code == 3);
-      CHECK(!workshop.read(output).empty());
+      CHECK(run("decode " + name + ".dmc -o " + output).code == 3);
+      CHECK(!read(output).empty());
     }
-    CHECK(workshop.info("o.dmc")["regions"] == info["regions"]);
-    CHECK(workshop.info("o.dmc")["complete"] == "no");
-    CHECK(workshop.run("render " + name + ".dmc -o o.png --size 9,9").code == 3);
-    check_size(workshop.read("o.png"), 9, 9);
+    CHECK(info_of("o.dmc")["regions"] == info["regions"]);
+    CHECK(info_of("o.dmc")["complete"] == "no");
+    CHECK(run("render " + name + ".dmc -o o.png --size 9,9").code == 3);
+    check_size(read("o.png"), 9, 9);
   }
 }
 
-TEST_CASE("noise and empty files are refused by name, and no file is written") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "noise and empty files are refused by name, and no file is written") {
   std::string noise;
   discmc::test::Chance chance(3);
   for (int i = 0; i < 5000; ++i) noise += static_cast<char>(chance.byte());
-  workshop.write("noise.dmc", noise);
-  workshop.write("empty.dmc", "");
-  const auto names = workshop.names();
+  write("noise.dmc", noise);
+  write("empty.dmc", "");
   for (const std::string file : {"noise.dmc", "empty.dmc", "none.dmc", "."})
     for (const std::string& arguments :
          {"info " + file, "decode " + file + " -o o.stl", "decode " + file + " -o o.dmc",
           "render " + file + " -o o.png"}) {
       if (arguments == "render . -o o.png") continue;  // a folder of slices may be a volume
       INFO(arguments);
-      check_failure(workshop.run(arguments), 1, {"discmc: " + file + ": "});
+      fails(arguments, 1, {"discmc: " + file + ": "});
     }
-  CHECK(workshop.names() == names);
-  CHECK(contains(workshop.run("info none.dmc").error, "check the name"));
+  CHECK(contains(run("info none.dmc").error, "check the name"));
 }
 
-TEST_CASE("damaged bytes and packets end in an exit code and never in a crash") {
-  const Workshop workshop;
-  const std::string stream = write_stream(workshop, "v.dmc");
+TEST_CASE_FIXTURE(Workshop, "damaged bytes and packets end in an exit code and never in a crash") {
+  const std::string stream = write_stream(*this, "v.dmc");
   const auto frames = discmc::test::frames_of(bytes_of(stream));
   discmc::test::Chance chance(4);
   const auto below = [&chance](std::size_t limit) {
@@ -270,10 +257,10 @@ TEST_CASE("damaged bytes and packets end in an exit code and never in a crash") 
       frame = discmc::test::frame_of(packet);
       damaged = text_of(discmc::test::joined(mended));
     }
-    workshop.write("d.dmc", damaged);
+    write("d.dmc", damaged);
     for (const char* arguments : {"info d.dmc", "decode d.dmc -o o.stl", "decode d.dmc -o o.dmc",
                                   "render d.dmc -o o.png --size 16,16"}) {
-      const Result result = workshop.run(arguments);
+      const Result result = run(arguments);
       INFO(round, " ", arguments, "\n", result.error);
       CHECK(result.code < 4);
       CHECK(result.code != 2);
@@ -284,19 +271,19 @@ TEST_CASE("damaged bytes and packets end in an exit code and never in a crash") 
   }
 }
 
-TEST_CASE("a stream with a late first header is re-encoded with all its regions") {
-  const Workshop workshop;
-  auto frames = discmc::test::frames_of(bytes_of(write_stream(workshop, "v.dmc")));
+TEST_CASE_FIXTURE(Workshop,
+                  "a stream with a late first header is re-encoded with all its regions") {
+  auto frames = discmc::test::frames_of(bytes_of(write_stream(*this, "v.dmc")));
   std::swap(frames[0], frames[1]);
-  workshop.write("late.dmc", text_of(discmc::test::joined(frames)));
-  workshop.run("decode late.dmc -o late.jsonl");
-  workshop.run("decode late.dmc -o anew.dmc");
-  workshop.run("decode anew.dmc -o anew.jsonl");
-  CHECK(!workshop.read("late.jsonl").empty());
-  CHECK(workshop.read("late.jsonl") == workshop.read("anew.jsonl"));
+  write("late.dmc", text_of(discmc::test::joined(frames)));
+  run("decode late.dmc -o late.jsonl");
+  run("decode late.dmc -o anew.dmc");
+  run("decode anew.dmc -o anew.jsonl");
+  CHECK(!read("late.jsonl").empty());
+  CHECK(read("late.jsonl") == read("anew.jsonl"));
 }
 
-TEST_CASE("info lists application records and a placement, in words") {
+TEST_CASE_FIXTURE(Workshop, "info lists application records and a placement, in words") {
   discmc::test::Line line;
   discmc::Encoder encoder;
   const auto volume = discmc::reference::from_bits({1, 1, 1}, 1);
@@ -309,14 +296,13 @@ TEST_CASE("info lists application records and a placement, in words") {
   std::uint8_t buffer[discmc::Placement::record_bytes];
   discmc::reference::require_ok(encoder.write_record(discmc::record_of(placement, buffer)));
   discmc::test::take_all(encoder, discmc::test::events_of(volume));
-  const Workshop workshop;
-  workshop.write("r.dmc", text_of(line.bytes));
-  const std::string info = workshop.done("info r.dmc");
+  write("r.dmc", text_of(line.bytes));
+  const std::string info = done("info r.dmc");
   CHECK(contains(info, "record kind 9"));
   CHECK(contains(info, "RAS"));
 }
 
-TEST_CASE("an invalid polygon is skipped and reported") {
+TEST_CASE_FIXTURE(Workshop, "an invalid polygon is skipped and reported") {
   using Kind = discmc::Event::Kind;
   discmc::test::Line line;
   discmc::Encoder encoder;
@@ -341,27 +327,25 @@ TEST_CASE("an invalid polygon is skipped and reported") {
   }
   tell(Kind::region_end);
   discmc::test::take_all(encoder, discmc::test::events_of(volume));
-  const Workshop workshop;
-  workshop.write("c.dmc", text_of(line.bytes));
+  write("c.dmc", text_of(line.bytes));
   for (const char* arguments : {"decode c.dmc -o c.stl", "render c.dmc -o c.png --size 16,16"}) {
-    const Result result = workshop.run(arguments);
+    const Result result = run(arguments);
     CHECK(result.code == 3);  // the trailer counts eight regions
     CHECK(contains(result.error, "discmc: c.dmc: 1 of 9 polygons are invalid"));
     CHECK(contains(result.error, "the first is in -o FILE.jsonl, line 1\n"));
   }
-  CHECK(workshop.read("c.stl").size() == 84 + 8 * 50);
+  CHECK(read("c.stl").size() == 84 + 8 * 50);
 }
 
-TEST_CASE("two mixed scans of the same number are reported with a remedy") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81));
-  workshop.done("extract v.nrrd --iso 100 --wire slices -o a.dmc");
-  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 80));
-  workshop.done("extract v.nrrd --iso 100 --wire slices -o b.dmc");
-  auto a = discmc::test::frames_of(bytes_of(workshop.read("a.dmc")));
-  const auto b = discmc::test::frames_of(bytes_of(workshop.read("b.dmc")));
+TEST_CASE_FIXTURE(Workshop, "two mixed scans of the same number are reported with a remedy") {
+  write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 81));
+  done("extract v.nrrd --iso 100 --wire slices -o a.dmc");
+  write("v.nrrd", ball({20, 20, 20}, {19, 19, 19}, 80));
+  done("extract v.nrrd --iso 100 --wire slices -o b.dmc");
+  auto a = discmc::test::frames_of(bytes_of(read("a.dmc")));
+  const auto b = discmc::test::frames_of(bytes_of(read("b.dmc")));
   REQUIRE(a.size() == b.size());
   a.back() = b.back();
-  workshop.write("m.dmc", text_of(discmc::test::joined(a)));
-  check_told(workshop.run("info m.dmc"), 3, {"give every scan another number"});
+  write("m.dmc", text_of(discmc::test::joined(a)));
+  check_told(run("info m.dmc"), 3, {"give every scan another number"});
 }

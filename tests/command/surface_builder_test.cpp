@@ -1,17 +1,12 @@
 // The surface builder: lost regions forgotten, sweep rings made simple.
 #include "surface/surface_builder.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
 #include <discmc/polygon.hpp>
-#include <map>
-#include <set>
 #include <tuple>
-#include <vector>
 
 #include "hand_made.hpp"
 #include "oracle/stream_samples.hpp"
+#include "test.hpp"
 
 namespace {
 

@@ -1,17 +1,13 @@
 // Distances between meshes, where they are known.
 #include "meshes/surface_distance.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "meshes/point_distance.hpp"
 #include "oracle/stream.hpp"
 #include "oracle/volume.hpp"
 #include "sample_reader.hpp"
+#include "test.hpp"
 
 namespace {
 

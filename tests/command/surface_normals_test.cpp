@@ -1,13 +1,9 @@
 #include "meshes/surface_normals.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "hand_made.hpp"
 #include "sample_reader.hpp"
 #include "sampled_field.hpp"
+#include "test.hpp"
 
 namespace {
 

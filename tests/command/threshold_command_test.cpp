@@ -1,10 +1,5 @@
 // Thresholds that the command finds by itself.
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
@@ -25,10 +20,9 @@ const std::string mri = head("0 10 40 500 600 ");
 
 }  // namespace
 
-TEST_CASE("a named threshold yields the surface of its number, and is reported") {
-  const Workshop workshop;
-  workshop.write("ct.nrrd", ct);
-  workshop.write("mri.nrrd", mri);
+TEST_CASE_FIXTURE(Workshop, "a named threshold yields the surface of its number, and is reported") {
+  write("ct.nrrd", ct);
+  write("mri.nrrd", mri);
   const std::array<std::string, 4> examples[] = {
       {"ct", "bone", "300", "300"},         {"ct", "skin", "-300", "-300"},
       {"ct", "auto", "300", "300 (bone)"},  {"ct", "otsu", "-500", "-500"},
@@ -36,77 +30,69 @@ TEST_CASE("a named threshold yields the surface of its number, and is reported")
   };
   for (const auto& [volume, name, iso, told] : examples) {
     const std::string file = volume + ".nrrd";
-    const Result result = workshop.run("extract " + file + " --iso " + name + " -q -o named.ply");
+    const Result result = run("extract " + file + " --iso " + name + " -q -o named.ply");
     INFO(result.error);
     CHECK(result.code == 0);
     CHECK(result.error == "discmc: " + file + ": --iso " + name + ": " + told + "\n");
-    workshop.done("extract " + file + " --iso=" + iso + " -q -o number.ply");
-    CHECK(workshop.read("named.ply") == workshop.read("number.ply"));
+    done("extract " + file + " --iso=" + iso + " -q -o number.ply");
+    CHECK(read("named.ply") == read("number.ply"));
   }
 }
 
-TEST_CASE("padding excluded from Otsu's threshold is reported") {
-  const Workshop workshop;
-  workshop.write("ct.nrrd", head("-2000 -2000 -1000 40 900 "));
-  const Result otsu = workshop.run("extract ct.nrrd --iso otsu -q -o v.stl");
+TEST_CASE_FIXTURE(Workshop, "padding excluded from Otsu's threshold is reported") {
+  write("ct.nrrd", head("-2000 -2000 -1000 40 900 "));
+  const Result otsu = run("extract ct.nrrd --iso otsu -q -o v.stl");
   CHECK(otsu.error ==
         "discmc: ct.nrrd: --iso otsu: -500, without the -2000 outside the scanned circle\n");
-  CHECK(contains(workshop.done("info ct.nrrd"),
+  CHECK(contains(done("info ct.nrrd"),
                  "otsu: divides the values into two groups, without the "
                  "padding -2000\n"));
-  CHECK(contains(workshop.run("extract ct.nrrd --iso auto -q -o v.stl").error,
-                 "--iso auto: 300 (bone)\n"));
+  CHECK(contains(run("extract ct.nrrd --iso auto -q -o v.stl").error, "--iso auto: 300 (bone)\n"));
 }
 
-TEST_CASE("named thresholds go beside numbers, and name their meshes") {
-  const Workshop workshop;
-  workshop.write("ct.nrrd", ct);
-  workshop.done("extract ct.nrrd --iso bone --iso 45 --iso auto -o '{name}.stl'");
-  CHECK(workshop.names() == std::vector<std::string>{"45.stl", "auto.stl", "bone.stl", "ct.nrrd"});
-  CHECK(workshop.read("auto.stl") == workshop.read("bone.stl"));
-  CHECK(workshop.read("45.stl") != workshop.read("bone.stl"));
+TEST_CASE_FIXTURE(Workshop, "named thresholds go beside numbers, and name their meshes") {
+  write("ct.nrrd", ct);
+  done("extract ct.nrrd --iso bone --iso 45 --iso auto -o '{name}.stl'");
+  CHECK(file_names() == std::vector<std::string>{"45.stl", "auto.stl", "bone.stl", "ct.nrrd"});
+  CHECK(read("auto.stl") == read("bone.stl"));
+  CHECK(read("45.stl") != read("bone.stl"));
 }
 
-TEST_CASE("streams, pictures and comparisons accept named thresholds") {
-  const Workshop workshop;
-  workshop.write("ct.nrrd", ct);
-  workshop.done("extract ct.nrrd --iso skin -q -o skin.dmc");
-  CHECK(workshop.info("skin.dmc")["threshold"] == "-300");
-  workshop.done("render ct.nrrd --iso skin --size 40,40 -o named.png");
-  workshop.done("render ct.nrrd --iso=-300 --size 40,40 -o number.png");
-  CHECK(workshop.read("named.png") == workshop.read("number.png"));
-  workshop.done("extract ct.nrrd --iso auto --surface interpolated --normals gradient -o v.ply");
-  CHECK(workshop.done("compare skin.dmc ct.nrrd --iso skin") ==
-        workshop.done("compare skin.dmc ct.nrrd --iso=-300"));
+TEST_CASE_FIXTURE(Workshop, "streams, pictures and comparisons accept named thresholds") {
+  write("ct.nrrd", ct);
+  done("extract ct.nrrd --iso skin -q -o skin.dmc");
+  CHECK(info_of("skin.dmc")["threshold"] == "-300");
+  done("render ct.nrrd --iso skin --size 40,40 -o named.png");
+  done("render ct.nrrd --iso=-300 --size 40,40 -o number.png");
+  CHECK(read("named.png") == read("number.png"));
+  done("extract ct.nrrd --iso auto --surface interpolated --normals gradient -o v.ply");
+  CHECK(done("compare skin.dmc ct.nrrd --iso skin") == done("compare skin.dmc ct.nrrd --iso=-300"));
 }
 
-TEST_CASE("a named threshold is refused if it cannot be found") {
-  const Workshop workshop;
-  workshop.write("ct.nrrd", ct);
-  workshop.write("mri.nrrd", mri);
-  workshop.write("flat.nrrd", head("7 7 7 7 7 "));
-  const auto names = workshop.names();
+TEST_CASE_FIXTURE(Workshop, "a named threshold is refused if it cannot be found") {
+  write("ct.nrrd", ct);
+  write("mri.nrrd", mri);
+  write("flat.nrrd", head("7 7 7 7 7 "));
+  const auto names = file_names();
   const std::string mesh = " -o v.stl";
-  check_failure(workshop.run("extract mri.nrrd --iso bone" + mesh), 1,
-                {"mri.nrrd: --iso bone needs Hounsfield units, and the values are 0 to 600; "});
-  check_failure(workshop.run("extract flat.nrrd --iso auto" + mesh), 1,
-                {"flat.nrrd: all values are 7, "});
-  check_failure(workshop.run("extract ct.nrrd --iso bones" + mesh), 2,
-                {"invalid value 'bones'; expected a finite number, auto, otsu, bone or skin"});
+  fails("extract mri.nrrd --iso bone" + mesh, 1,
+        {"mri.nrrd: --iso bone needs Hounsfield units, and the values are 0 to 600; "});
+  fails("extract flat.nrrd --iso auto" + mesh, 1, {"flat.nrrd: all values are 7, "});
+  fails("extract ct.nrrd --iso bones" + mesh, 2,
+        {"invalid value 'bones'; expected a finite number, auto, otsu, bone or skin"});
   for (const std::string name : {"auto", "otsu", "bone", "skin"})
-    check_failure(workshop.shell("cat ct.nrrd | \"$discmc\" extract - --iso " + name + mesh), 1,
+    check_failure(shell("cat ct.nrrd | \"$discmc\" extract - --iso " + name + mesh), 1,
                   {"standard input: --iso " + name + " reads the volume twice",
                    "can be read only once; store it in a file"});
-  CHECK(workshop.names() == names);
+  CHECK(file_names() == names);
 }
 
-TEST_CASE("CT from DICOM is in Hounsfield units, for any part of the body") {
-  const Workshop workshop;
+TEST_CASE_FIXTURE(Workshop, "CT from DICOM is in Hounsfield units, for any part of the body") {
   const std::string series = DISCMC_SOURCE_DIR "/tests/command/volumes/dicom/u8.dcm";
-  if (workshop.run("info " + series).code != 0) return;  // where it is built without DICOM
-  check_told(workshop.run("extract " + series + " --iso skin --allow-empty -o v.stl"), 0,
+  if (run("info " + series).code != 0) return;  // where it is built without DICOM
+  check_told(run("extract " + series + " --iso skin --allow-empty -o v.stl"), 0,
              {"--iso skin: -300\n"});
   // None of its values reaches bone.
-  CHECK(contains(workshop.run("extract " + series + " --iso auto -o v.stl").error, " (otsu)\n"));
-  CHECK_FALSE(contains(workshop.done("info " + series), "bone"));
+  CHECK(contains(run("extract " + series + " --iso auto -o v.stl").error, " (otsu)\n"));
+  CHECK_FALSE(contains(done("info " + series), "bone"));
 }

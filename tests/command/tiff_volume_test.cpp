@@ -1,21 +1,12 @@
 // Pages of TIFF as volumes: what OME-XML, ImageJ and tifffile describe, and what other tags change.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "command.hpp"
 #include "tiff_writer.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
 using namespace tiff_writer;
 using namespace volume_files;
 using command_tests::contents;
-using Dims = std::array<std::uint32_t, 3>;
-using Spacing = std::array<double, 3>;
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes/pictures";
 
@@ -77,18 +68,17 @@ TEST_CASE("a channel and a time of a hyperstack are chosen, in any order of its 
         CHECK(reader->info().channels == 2);
         CHECK(read_all(*reader) == slices(6 * frame + 3 * channel, 3));
       }
-    check_refusal(refusal(file, chosen({}, 0)),
+    check_refused(file, chosen({}, 0),
                   "the file holds 2 volumes, and one is read at a time; choose one with --frame N");
-    check_refusal(refusal(file, chosen(0, {})), "the file holds 2 channels");
-    check_refusal(refusal(file, chosen(2, 0)),
+    check_refused(file, chosen(0, {}), "the file holds 2 channels");
+    check_refused(file, chosen(2, 0),
                   "there is no volume 2: the file holds 2; choose one "
                   "with --frame 0 to 1");
-    check_refusal(refusal(file, chosen(0, 2)),
+    check_refused(file, chosen(0, 2),
                   "there is no channel 2: the file holds 2; choose "
                   "one with --channel 0 to 1");
   }
-  check_refusal(refusal(files / "hyperstack-tcz.ome.tif", chosen(0, {})),
-                "2 channels ('bone', 'dye')");
+  check_refused(files / "hyperstack-tcz.ome.tif", chosen(0, {}), "2 channels ('bone', 'dye')");
 }
 
 TEST_CASE("the spacing is that of OME-XML or ImageJ, in their units") {
@@ -102,7 +92,7 @@ TEST_CASE("pages without directories, blocks of slices, bits, halves and palette
   CHECK(read_all(*open_volume(files / "one-directory.tif")) == slices(0, 5));
   CHECK(read_all(*open_volume(files / "deep-tiles1.tif")) == slices(0, 5));
   CHECK(read_all(*open_volume(files / "deep-tiles4.tif")) == slices(0, 5));
-  check_refusal(refusal(files / "deep-strips.tif"), "several slices (ImageDepth) in strips");
+  check_refused(files / "deep-strips.tif", "several slices (ImageDepth) in strips");
 
   const auto palette = open_volume(files / "palette.tif");
   CHECK(noted(palette->info(), "numbers of colours in a palette"));
@@ -122,7 +112,7 @@ TEST_CASE("pages without directories, blocks of slices, bits, halves and palette
 TEST_CASE("a channel of a colour TIFF is chosen") {
   for (const std::string name : {"colours.tif", "planar-colours.tif"}) {
     INFO(name);
-    check_refusal(refusal(files / name), "3 channels ('red', 'green', 'blue')");
+    check_refused(files / name, "3 channels ('red', 'green', 'blue')");
     for (const int channel : {0, 1, 2})
       CHECK(read_all(*open_volume(files / name, chosen({}, channel))) == slices(channel, 1));
   }
@@ -149,11 +139,11 @@ std::string refusal_of(const std::string& xml, int pages = 4, const VolumeOption
   return refusal(folder.write("v.ome.tif", numbered(pages, xml).bytes()), options);
 }
 
-TEST_CASE("without a unit OME-XML is in micrometres, and an invalid length is noted") {
-  const Folder folder;
-  const auto info_of = [&folder](const std::string& sizes) {
+TEST_CASE_FIXTURE(Folder,
+                  "without a unit OME-XML is in micrometres, and an invalid length is noted") {
+  const auto info_of = [this](const std::string& sizes) {
     const auto xml = ome(image(four_slices + " " + sizes));
-    return open_volume(folder.write("v.tif", numbered(4, xml).bytes()))->info();
+    return open_volume(write("v.tif", numbered(4, xml).bytes()))->info();
   };
   check_spacing(info_of("PhysicalSizeX=\"2\" PhysicalSizeY=\"3\" PhysicalSizeZ=\"4\""),
                 {2e-3, 3e-3, 4e-3});
@@ -165,10 +155,9 @@ TEST_CASE("without a unit OME-XML is in micrometres, and an invalid length is no
   check_spacing(without_z, {2e-3, 2e-3, 2e-3});
 }
 
-TEST_CASE("TiffData elements order the pages") {
-  const Folder folder;
-  const auto pages_of = [&folder](const std::string& data) {
-    return pages_read(folder.write("v.tif", numbered(4, ome(image(four_slices, data))).bytes()));
+TEST_CASE_FIXTURE(Folder, "TiffData elements order the pages") {
+  const auto pages_of = [this](const std::string& data) {
+    return pages_read(write("v.tif", numbered(4, ome(image(four_slices, data))).bytes()));
   };
   CHECK(pages_of("") == Pages{0, 1, 2, 3});
   CHECK(pages_of("<TiffData IFD=\"0\" PlaneCount=\"4\"/>") == Pages{0, 1, 2, 3});
@@ -205,7 +194,7 @@ TEST_CASE("OME-XML that does not fit its pages is refused") {
                 "the description has planes of 3 x 1, and the pages have 2 x 1");
 }
 
-TEST_CASE("positions of OME-XML are volumes for --frame") {
+TEST_CASE_FIXTURE(Folder, "positions of OME-XML are volumes for --frame") {
   const std::string two_times = "SizeZ=\"1\" SizeC=\"1\" SizeT=\"2\"";
   const std::string xml = ome(image(two_times, "<TiffData IFD=\"0\" PlaneCount=\"2\"/>", "left") +
                               image("SizeZ=\"2\" SizeC=\"1\" SizeT=\"1\"",
@@ -213,8 +202,7 @@ TEST_CASE("positions of OME-XML are volumes for --frame") {
   check_refusal(refusal_of(xml),
                 "the file holds 3 volumes (0 to 1 'left', 2 'right'), and one is "
                 "read at a time; choose one with --frame N");
-  const Folder folder;
-  const fs::path file = folder.write("v.ome.tif", numbered(4, xml).bytes());
+  const fs::path file = write("v.ome.tif", numbered(4, xml).bytes());
   CHECK(pages_read(file, chosen(1, {})) == Pages{1});
   CHECK(pages_read(file, chosen(2, {})) == Pages{2, 3});
 }
@@ -248,7 +236,7 @@ TEST_CASE("a file of an OME-TIFF set opens the whole set") {
     const OmeSet set(has_companion);
     CHECK(pages_read(set.path() / OmeSet::name(1)) == Pages{0, 1, 2});
     CHECK(pages_read(set.path()) == Pages{0, 1, 2});
-    check_refusal(refusal(set.path() / "b[67].ome.tif"),
+    check_refused(set.path() / "b[67].ome.tif",
                   "' is one of a set of 3 files; give this file alone; it names the others");
   }
 }
@@ -256,12 +244,12 @@ TEST_CASE("a file of an OME-TIFF set opens the whole set") {
 TEST_CASE("a file that is missing in a set of OME-TIFF is named, but not one that was renamed") {
   const OmeSet set;
   fs::rename(set.path() / OmeSet::name(2), set.path() / "c.ome.tif");
-  check_refusal(refusal(set.path() / OmeSet::name(0)),
+  check_refused(set.path() / OmeSet::name(0),
                 "the file '" + OmeSet::name(2) + "' of its set is missing");
   CHECK(pages_read(set.path() / "c.ome.tif") == Pages{0, 1, 2});
   const OmeSet companions(true);
   fs::remove(companions.path() / "set.companion.ome");
-  check_refusal(refusal(companions.path() / OmeSet::name(0)),
+  check_refused(companions.path() / OmeSet::name(0),
                 "the OME-XML is in 'set.companion.ome', which is missing");
   const Folder renamed;
   for (const std::string old_name : {"old.ome.tif", "/old.ome.tif"}) {
@@ -273,16 +261,14 @@ TEST_CASE("a file that is missing in a set of OME-TIFF is named, but not one tha
   }
 }
 
-TEST_CASE("OME-TIFF that names files out of its folder is refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "OME-TIFF that names files out of its folder is refused") {
   const std::string set =
       "<TiffData FirstZ=\"0\"><UUID FileName=\"../a.tif\">urn:0</UUID></TiffData>"
       "<TiffData FirstZ=\"1\"><UUID FileName=\"../b.tif\">urn:1</UUID></TiffData>";
-  check_refusal(
-      refusal(folder.write("v.ome.tif", numbered(4, ome(image(four_slices, set))).bytes())),
-      "'../a.tif', which lies outside of its folder");
+  check_refused(write("v.ome.tif", numbered(4, ome(image(four_slices, set))).bytes()),
+                "'../a.tif', which lies outside of its folder");
   const std::string elsewhere = ome("<BinaryOnly MetadataFile=\"../set.companion.ome\"/>");
-  check_refusal(refusal(folder.write("v.ome.tif", numbered(4, elsewhere).bytes())),
+  check_refused(write("v.ome.tif", numbered(4, elsewhere).bytes()),
                 "'../set.companion.ome', which lies outside of its folder");
 }
 
@@ -323,11 +309,11 @@ TEST_CASE("ImageJ's units are read as it writes them") {
   check_spacing(flat, {4, 4, 1});
 }
 
-TEST_CASE("pages behind the only directory of ImageJ are read, and missing ones reported") {
-  const Folder folder;
-  const auto file = [&folder](const std::string& promised, const std::string& behind) {
-    return folder.write(
-        "v.tif", TiffWriter()
+TEST_CASE_FIXTURE(Folder,
+                  "pages behind the only directory of ImageJ are read, and missing ones reported") {
+  const auto file = [this](const std::string& promised, const std::string& behind) {
+    return write("v.tif",
+                 TiffWriter()
                      .page(2, 1, std::string(2, '\0') + behind,
                            {{279, whole({2})}, {tag::description, text("ImageJ=1\n" + promised)}})
                      .bytes());
@@ -337,22 +323,19 @@ TEST_CASE("pages behind the only directory of ImageJ are read, and missing ones 
   CHECK(pages_read(file("images=3\nslices=3\n", two_pages)) == Pages{0, 1, 2});
   CHECK(pages_read(file("images=3\nframes=3\nhyperstack=true\n", two_pages), chosen(2, {})) ==
         Pages{2});
-  check_refusal(refusal(file("images=2000\nslices=2000\n", two_pages)),
+  check_refused(file("images=2000\nslices=2000\n", two_pages),
                 "the description promises 2000 planes, and the file holds ");
-  check_refusal(refusal(folder.write("w.tif", numbered(2, "ImageJ=1\nimages=3\n").bytes())),
+  check_refused(write("w.tif", numbered(2, "ImageJ=1\nimages=3\n").bytes()),
                 "promises 3 planes, and the file holds 2");
-  check_refusal(refusal(folder.write("w.tif", numbered(4, "ImageJ=1\nimages=3\n").bytes())),
+  check_refused(write("w.tif", numbered(4, "ImageJ=1\nimages=3\n").bytes()),
                 "promises 3 planes, and the file holds 4");
-  check_refusal(refusal(folder.write("w.tif", numbered(3, "ImageJ=1\nslices=0\n").bytes())),
-                "slices is '0'");
+  check_refused(write("w.tif", numbered(3, "ImageJ=1\nslices=0\n").bytes()), "slices is '0'");
 }
 
-TEST_CASE("points in time are not slices") {
-  const Folder folder;
-  const fs::path file =
-      folder.write("v.tif", numbered(3, "ImageJ=1\nimages=3\nframes=3\n").bytes());
-  check_refusal(refusal(file), "the file holds 3 volumes of one slice each");
-  check_refusal(refusal(file), "if they are slices, give --axes zyx");
+TEST_CASE_FIXTURE(Folder, "points in time are not slices") {
+  const fs::path file = write("v.tif", numbered(3, "ImageJ=1\nimages=3\nframes=3\n").bytes());
+  check_refused(file, "the file holds 3 volumes of one slice each");
+  check_refused(file, "if they are slices, give --axes zyx");
   CHECK(pages_read(file, chosen(1, {})) == Pages{1});
 }
 
@@ -361,20 +344,19 @@ VolumeOptions with_axes(const std::string& axes, VolumeOptions options = {}) {
   return options;
 }
 
-TEST_CASE("--axes names the axis of the pages, as the refusal of single slices advises") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "--axes names the axis of the pages, as the refusal of single slices advises") {
   for (const std::string stack : {"channels=4\n", "frames=4\n", "channels=2\nframes=2\n"}) {
-    const fs::path file =
-        folder.write("v.tif", numbered(4, "ImageJ=1\nimages=4\n" + stack).bytes());
-    check_refusal(refusal(file), "of one slice each, and one is read at a time");
-    check_refusal(refusal(file), "the first is 0; if they are slices, give --axes zyx");
+    const fs::path file = write("v.tif", numbered(4, "ImageJ=1\nimages=4\n" + stack).bytes());
+    check_refused(file, "of one slice each, and one is read at a time");
+    check_refused(file, "the first is 0; if they are slices, give --axes zyx");
     CHECK(pages_read(file, with_axes("zyx")) == Pages{0, 1, 2, 3});
     CHECK(pages_read(file, with_axes("tyx", chosen(3, {}))) == Pages{3});
     CHECK(pages_read(file, with_axes("cyx", chosen({}, 2))) == Pages{2});
-    check_refusal(refusal(file, with_axes("zxy")), "not 'zxy'; give --axes zyx, cyx or tyx");
-    check_refusal(refusal(file, with_axes("czyx")), "one axis, not 'czyx'; give --axes zyx");
+    check_refused(file, with_axes("zxy"), "not 'zxy'; give --axes zyx, cyx or tyx");
+    check_refused(file, with_axes("czyx"), "one axis, not 'czyx'; give --axes zyx");
   }
-  check_refusal(refusal(files / "u8.png", with_axes("zyx")),
+  check_refused(files / "u8.png", with_axes("zyx"),
                 "--axes applies to arrays and TIFF, and this is PNG");
 }
 
@@ -394,10 +376,9 @@ TEST_CASE("ImageJ's straight line makes values of samples, and its origin places
 
 // ---- tifffile ----
 
-TEST_CASE("tifffile's shape determines the axes, with or without letters") {
-  const Folder folder;
-  const auto file = [&folder](const std::string& description) {
-    return folder.write("v.tif", numbered(4, description).bytes());
+TEST_CASE_FIXTURE(Folder, "tifffile's shape determines the axes, with or without letters") {
+  const auto file = [this](const std::string& description) {
+    return write("v.tif", numbered(4, description).bytes());
   };
   CHECK(pages_read(file("{\"shape\": [4, 1, 2]}")) == Pages{0, 1, 2, 3});
   CHECK(pages_read(file("{\"shape\": [4, 1, 2, 1]}")) == Pages{0, 1, 2, 3});
@@ -406,27 +387,27 @@ TEST_CASE("tifffile's shape determines the axes, with or without letters") {
   CHECK(pages_read(file("{\"shape\": [2, 2, 1, 2]}"), chosen(1, {})) == Pages{2, 3});
   CHECK(pages_read(file("{\"shape\": [2, 2, 1, 2], \"axes\": \"ZCYX\"}"), chosen({}, 1)) ==
         Pages{1, 3});
-  check_refusal(refusal(file("{\"shape\": [4, 1, 2], \"axes\": \"TYX\"}")), "holds 4 volumes");
-  check_refusal(refusal(file("{\"shape\": [4, 1, 2], \"axes\": \"CYX\"}")), "holds 4 channels");
-  check_refusal(refusal(file("{\"shape\": [9, 1, 2]}")), "promises 9 planes");
+  check_refused(file("{\"shape\": [4, 1, 2], \"axes\": \"TYX\"}"), "holds 4 volumes");
+  check_refused(file("{\"shape\": [4, 1, 2], \"axes\": \"CYX\"}"), "holds 4 channels");
+  check_refused(file("{\"shape\": [9, 1, 2]}"), "promises 9 planes");
   // The metadata of another file, which a program has copied.
   CHECK(pages_read(file("{\"shape\": [9, 5, 5]}")) == Pages{0, 1, 2, 3});
   CHECK(pages_read(file("{\"shape\": 9}")) == Pages{0, 1, 2, 3});
 }
 
-TEST_CASE("pages that are an array each are slices, and arrays of several pages volumes") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "pages that are an array each are slices, and arrays of several pages volumes") {
   TiffWriter planes;
   for (int i = 0; i < 3; ++i)
     planes.page(2, 1, std::string(2, static_cast<char>(i)),
                 {{tag::description, text("{\"shape\": [1, 2]}")}});
-  CHECK(pages_read(folder.write("v.tif", planes.bytes())) == Pages{0, 1, 2});
+  CHECK(pages_read(write("v.tif", planes.bytes())) == Pages{0, 1, 2});
   TiffWriter arrays;
   for (int i = 0; i < 4; ++i)
     arrays.page(2, 1, std::string(2, static_cast<char>(i)),
                 i % 2 == 0 ? Tags{{tag::description, text("{\"shape\": [2, 1, 2]}")}} : Tags{});
-  const fs::path two = folder.write("v.tif", arrays.bytes());
-  check_refusal(refusal(two), "the file holds 2 volumes");
+  const fs::path two = write("v.tif", arrays.bytes());
+  check_refused(two, "the file holds 2 volumes");
   CHECK(pages_read(two, chosen(1, {})) == Pages{2, 3});
 }
 
@@ -455,7 +436,7 @@ TEST_CASE("bytes behind the only page are noted, unless they may be metadata") {
   CHECK(!notes_much(0));
 }
 
-TEST_CASE("a page whose rows begin below or at the right is no mirrored one") {
+TEST_CASE_FIXTURE(Folder, "a page whose rows begin below or at the right is no mirrored one") {
   const std::vector<std::pair<std::uint32_t, Spacing>> cases = {
       {1, {1, 1, 1}}, {2, {-1, 1, 1}}, {3, {-1, -1, 1}}, {4, {1, -1, 1}}};
   for (const auto& [orientation, signs] : cases) {
@@ -463,10 +444,8 @@ TEST_CASE("a page whose rows begin below or at the right is no mirrored one") {
     CHECK(info.spacing_mm == signs);
     CHECK(noted(info, "(Orientation)") == (orientation != 1));
   }
-  const Folder folder;
-  check_refusal(
-      refusal(folder.write("v.tif", numbered(2, "", {{tag::orientation, whole({6})}}).bytes())),
-      "its rows are columns (Orientation 6)");
+  check_refused(write("v.tif", numbered(2, "", {{tag::orientation, whole({6})}}).bytes()),
+                "its rows are columns (Orientation 6)");
 }
 
 TEST_CASE("a resolution that is not used is noted, with how to use it") {
@@ -481,13 +460,12 @@ TEST_CASE("a resolution that is not used is noted, with how to use it") {
   CHECK(info_of(numbered(2, "", of_a_print), options).notes.empty());
 }
 
-TEST_CASE("pages of different sizes, types, resolutions, colours or directions are refused") {
-  const Folder folder;
-  const auto refusal_with = [&folder](const Tags& more, const VolumeOptions& options = {}) {
+TEST_CASE_FIXTURE(
+    Folder, "pages of different sizes, types, resolutions, colours or directions are refused") {
+  const auto refusal_with = [this](const Tags& more, const VolumeOptions& options = {}) {
     Tags first = of_four_units;
     return refusal(
-        folder.write("v.tif",
-                     TiffWriter().page(2, 1, "ab", first).page(2, 1, "cdefgh", more).bytes()),
+        write("v.tif", TiffWriter().page(2, 1, "ab", first).page(2, 1, "cdefgh", more).bytes()),
         options);
   };
   const Tags other_resolution = {{tag::x_resolution, fraction(5)},
@@ -506,14 +484,13 @@ TEST_CASE("pages of different sizes, types, resolutions, colours or directions a
       "another resolution than v.tif; if its voxels have the same size, give --spacing X,Y,Z");
   VolumeOptions options;
   options.spacing_mm = {1, 1, 1};
-  CHECK(open_volume(folder.path() / "v.tif", options)->info().dims[2] == 2);
+  CHECK(open_volume(path() / "v.tif", options)->info().dims[2] == 2);
 }
 
-TEST_CASE("samples packed in bits are unpacked, the highest bit first") {
-  const auto values_of = [](std::uint32_t bits, const std::string& row) {
-    const Folder folder;
+TEST_CASE_FIXTURE(Folder, "samples packed in bits are unpacked, the highest bit first") {
+  const auto values_of = [this](std::uint32_t bits, const std::string& row) {
     const fs::path file =
-        folder.write("v.tif", TiffWriter().page(3, 1, row, {{tag::bits, whole({bits})}}).bytes());
+        write("v.tif", TiffWriter().page(3, 1, row, {{tag::bits, whole({bits})}}).bytes());
     return read_all(*open_volume(file));
   };
   CHECK(values_of(1, "\xa0") == std::vector<double>{1, 0, 1});
@@ -522,10 +499,9 @@ TEST_CASE("samples packed in bits are unpacked, the highest bit first") {
   CHECK(values_of(12, "\xab\xc1\x23\xfe\xd0") == std::vector<double>{0xabc, 0x123, 0xfed});
 }
 
-TEST_CASE("a palette of greys is read as greys") {
+TEST_CASE_FIXTURE(Folder, "a palette of greys is read as greys") {
   std::vector<std::uint32_t> greys(768);
   for (std::uint32_t i = 0; i < 768; ++i) greys[i] = (255 - i % 256) * 257;
-  const Folder folder;
   // Values of 16 bits, two in each of 32.
   std::vector<std::uint32_t> packed;
   for (std::size_t i = 0; i < greys.size(); i += 2) packed.push_back(greys[i] | greys[i + 1] << 16);
@@ -537,30 +513,28 @@ TEST_CASE("a palette of greys is read as greys") {
   const std::size_t at = bytes.find(std::string("\x40\x01\x04\x00\x80\x01\x00\x00", 8));
   REQUIRE(at != std::string::npos);
   bytes.replace(at, 8, std::string("\x40\x01\x03\x00\x00\x03\x00\x00", 8));
-  const auto reader = open_volume(folder.write("v.tif", bytes));
+  const auto reader = open_volume(write("v.tif", bytes));
   CHECK(read_all(*reader) == std::vector<double>{255, 246});
   CHECK(!noted(reader->info(), "palette"));
 }
 
-TEST_CASE("pages of ScanImage are slices only by its metadata or on request") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "pages of ScanImage are slices only by its metadata or on request") {
   constexpr std::uint16_t software = 305;
-  const auto write = [&](const std::string& slices) {
+  const auto write_slices = [&](const std::string& slices) {
     const Tags more = {{software, text("SI.VERSION_MAJOR = 2020\nSI.hChannels.channelSave = [1;2]\n"
                                        "SI.hStackManager.numSlices = " +
                                        slices + "\n")}};
-    return folder.write("v.tif", numbered(4, "", more).bytes());
+    return write("v.tif", numbered(4, "", more).bytes());
   };
-  check_refusal(refusal(write("2")),
+  check_refused(write_slices("2"),
                 "its 4 pages are not one slice each: ScanImage also stores channels");
-  CHECK(open_volume(write("2"), with(&VolumeOptions::axes, "zyx"))->info().dims[2] == 4);
-  CHECK(open_volume(write("4"))->info().dims[2] == 4);
+  CHECK(open_volume(write_slices("2"), with(&VolumeOptions::axes, "zyx"))->info().dims[2] == 4);
+  CHECK(open_volume(write_slices("4"))->info().dims[2] == 4);
 }
 
-TEST_CASE("TIFF variants with another layout or encoding are refused by name") {
-  const auto refusal_with = [](const Tags& more) {
-    const Folder folder;
-    return refusal(folder.write("v.tif", numbered(2, "", more).bytes()));
+TEST_CASE_FIXTURE(Folder, "TIFF variants with another layout or encoding are refused by name") {
+  const auto refusal_with = [this](const Tags& more) {
+    return refusal(write("v.tif", numbered(2, "", more).bytes()));
   };
   check_refusal(refusal_with({{34412, whole({1, 2})}}), "this is Zeiss LSM");
   check_refusal(refusal_with({{33629, whole({1, 2, 3})}}), "this is MetaMorph STK");

@@ -1,16 +1,9 @@
 // Triangulation: every point kept, the area exact, nothing flat, and as round as the points allow.
 #include "meshes/triangulator.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <map>
 #include <random>
-#include <set>
-#include <utility>
-#include <vector>
+
+#include "test.hpp"
 
 namespace {
 

@@ -1,11 +1,7 @@
 // discmc tune: what a device makes of a volume, and the code for its firmware.
-#include <doctest/doctest.h>
-
-#include <cstdint>
 #include <discmc/extractor.hpp>
 #include <discmc/slice_encoder.hpp>
 #include <sstream>
-#include <string>
 
 #include "command.hpp"
 #include "oracle/volume.hpp"
@@ -17,9 +13,9 @@ using discmc::Limits;
 
 constexpr Limits limits{40, 40};
 
-void write_ball(const Workshop& workshop) {
-  workshop.write("v.nrrd", discmc::reference::ball({40, 40, 40}, {39, 39, 39}, 330));
-}
+struct Ball : Workshop {
+  Ball() { write("v.nrrd", discmc::reference::ball({40, 40, 40}, {39, 39, 39}, 330)); }
+};
 
 std::string with_commas(std::uint64_t value) {
   std::string text = std::to_string(value);
@@ -48,13 +44,11 @@ std::string code_of(const std::string& report, const std::string& heading) {
 
 }  // namespace
 
-TEST_CASE("tune predicts the stream that extract makes in the same memory") {
-  const Workshop workshop;
-  write_ball(workshop);
-  const std::string report = workshop.done("tune v.nrrd --iso 100 --memory 2K --baud 9600");
+TEST_CASE_FIXTURE(Ball, "tune predicts the stream that extract makes in the same memory") {
+  const std::string report = done("tune v.nrrd --iso 100 --memory 2K --baud 9600");
   INFO(report);
-  workshop.done("extract v.nrrd --iso 100 --memory 2K -o v.dmc");
-  const std::size_t bytes = workshop.read("v.dmc").size();
+  done("extract v.nrrd --iso 100 --memory 2K -o v.dmc");
+  const std::size_t bytes = read("v.dmc").size();
   const auto chosen = words_of(report, ">");
   REQUIRE(chosen.size() == 9);
   CHECK(chosen[0] == "2,048");
@@ -63,58 +57,51 @@ TEST_CASE("tune predicts the stream that extract makes in the same memory") {
         doctest::Approx(static_cast<double>(bytes) * 10 / 9600).epsilon(0.01));
 }
 
-TEST_CASE(
+TEST_CASE_FIXTURE(
+    Ball,
     "with the least memory that tune prints nothing is loose, and with 256 bytes less something "
     "is") {
-  const Workshop workshop;
-  write_ball(workshop);
-  const auto words = words_of(workshop.done("tune v.nrrd --iso 100"), "  no fragments from   ");
+  const auto words = words_of(done("tune v.nrrd --iso 100"), "  no fragments from   ");
   REQUIRE(!words.empty());
   std::string digits = words[0];
   digits.erase(std::remove(digits.begin(), digits.end(), ','), digits.end());
   const auto fragments = [&](std::uint64_t memory) {
-    workshop.done("extract v.nrrd --iso 100 -q -o v.dmc --memory " + std::to_string(memory));
-    return workshop.info("v.dmc").at("fragments");
+    done("extract v.nrrd --iso 100 -q -o v.dmc --memory " + std::to_string(memory));
+    return info_of("v.dmc").at("fragments");
   };
   const std::uint64_t least = std::stoull(digits);
   CHECK(fragments(least) == "0");
   CHECK(fragments(least - 256) != "0");
 }
 
-TEST_CASE("tune shows the kinds of stream that are asked for") {
-  const Workshop workshop;
-  write_ball(workshop);
-  const std::string regions = workshop.done("tune v.nrrd --iso 100 --wire regions");
+TEST_CASE_FIXTURE(Ball, "tune shows the kinds of stream that are asked for") {
+  const std::string regions = done("tune v.nrrd --iso 100 --wire regions");
   CHECK(contains(regions, "Regions:"));
   CHECK(!contains(regions, "Slices:"));
-  const std::string slices = workshop.done("tune v.nrrd --iso 100 --wire slices");
+  const std::string slices = done("tune v.nrrd --iso 100 --wire slices");
   CHECK(!contains(slices, "Regions:"));
   CHECK(contains(slices, with_commas(discmc::SliceEncoder::minimum_bytes({limits, {}, 16}))));
 }
 
-TEST_CASE("the code that tune prints compiles, in C++ and in C") {
-  const Workshop workshop;
-  write_ball(workshop);
+TEST_CASE_FIXTURE(Ball, "the code that tune prints compiles, in C++ and in C") {
   for (const char* options :
        {"", "--memory 3K --border open", "--capacities 300,20", "--median 3"}) {
-    const std::string report = workshop.done(std::string("tune v.nrrd --iso 100 ") + options);
+    const std::string report = done(std::string("tune v.nrrd --iso 100 ") + options);
     for (const char* wire : {"regions", "slices"}) {
       INFO(report);
-      workshop.write("block.cpp", code_of(report, std::string(wire) + ", C++"));
-      workshop.write("block.c", code_of(report, std::string(wire) + ", C"));
+      write("block.cpp", code_of(report, std::string(wire) + ", C++"));
+      write("block.c", code_of(report, std::string(wire) + ", C"));
       const std::string include = " -fsyntax-only -Wall -Wextra -Werror -Wno-unused -I '" +
                                   std::string(DISCMC_SOURCE_DIR) + "/lib' ";
-      CHECK(workshop.shell("c++ -std=c++17" + include + "block.cpp").error == "");
-      CHECK(workshop.shell("cc -std=c99" + include + "block.c").error == "");
+      CHECK(shell("c++ -std=c++17" + include + "block.cpp").error == "");
+      CHECK(shell("cc -std=c99" + include + "block.c").error == "");
     }
   }
 }
 
-TEST_CASE("the code that tune prints names the parts of the surface that it lacks") {
-  const Workshop workshop;
-  write_ball(workshop);
+TEST_CASE_FIXTURE(Ball, "the code that tune prints names the parts of the surface that it lacks") {
   const auto code = [&](const std::string& options, const char* heading) {
-    return code_of(workshop.done("tune v.nrrd " + options), heading);
+    return code_of(done("tune v.nrrd " + options), heading);
   };
   const std::string left = "Not in this code: voxels above 250 are off; a MajorityFilter";
   for (const char* heading : {"regions, C++", "regions, C", "slices, C++", "slices, C"}) {
@@ -123,31 +110,26 @@ TEST_CASE("the code that tune prints names the parts of the surface that it lack
   }
 }
 
-TEST_CASE("the code that tune prints names the value of the file that its threshold is") {
-  const Workshop workshop;
-  write_ball(workshop);
+TEST_CASE_FIXTURE(Ball,
+                  "the code that tune prints names the value of the file that its threshold is") {
   const auto samples = volume_files::stored(volume_files::SampleType::u8);
-  workshop.write("scaled.nii", volume_files::Nifti().scale(2, -1000).file(samples));
-  const std::string scaled = workshop.done("tune scaled.nii --iso=-900");
+  write("scaled.nii", volume_files::Nifti().scale(2, -1000).file(samples));
+  const std::string scaled = done("tune scaled.nii --iso=-900");
   for (const char* heading : {"regions, C++", "regions, C", "slices, C++", "slices, C"})
     CHECK(contains(code_of(scaled, heading),
                    "The threshold of the stored samples is 50 for the value -900."));
-  CHECK(!contains(workshop.done("tune v.nrrd --iso 100"), "of the stored samples"));
+  CHECK(!contains(done("tune v.nrrd --iso 100"), "of the stored samples"));
 }
 
-TEST_CASE("tune prints the threshold that a rule has found") {
-  const Workshop workshop;
-  write_ball(workshop);
-  const Result result = workshop.run("tune v.nrrd --iso otsu");
+TEST_CASE_FIXTURE(Ball, "tune prints the threshold that a rule has found") {
+  const Result result = run("tune v.nrrd --iso otsu");
   CHECK(contains(result.out, " (otsu)\n"));
   CHECK(!contains(result.out, ", at otsu"));
 }
 
-TEST_CASE("a faster clock makes work shorter, and another core has other costs") {
-  const Workshop workshop;
-  write_ball(workshop);
+TEST_CASE_FIXTURE(Ball, "a faster clock makes work shorter, and another core has other costs") {
   const auto work = [&](const std::string& options) {
-    return std::stod(words_of(workshop.done("tune v.nrrd --iso 100 " + options), ">")[5]);
+    return std::stod(words_of(done("tune v.nrrd --iso 100 " + options), ">")[5]);
   };
   const double at_1_mhz = work("--clock 1M");
   CHECK(work("--clock 2MHz") == doctest::Approx(at_1_mhz / 2).epsilon(0.02));
@@ -155,12 +137,10 @@ TEST_CASE("a faster clock makes work shorter, and another core has other costs")
   CHECK(work("--clock 1M --core cortex-m7") < at_1_mhz);
 }
 
-TEST_CASE("tune refuses with the value and the remedy") {
-  const Workshop workshop;
-  write_ball(workshop);
+TEST_CASE_FIXTURE(Ball, "tune refuses with the value and the remedy") {
   const auto refused = [&](const std::string& options, int code, const std::string& remedy) {
     INFO(options);
-    check_failure(workshop.run("tune v.nrrd " + options), code, {remedy});
+    fails("tune v.nrrd " + options, code, {remedy});
   };
   refused("", 2, "add --iso auto, or the threshold");
   refused("--iso 100 --clock fast", 2, "invalid clock 'fast'; expected Hertz, as in 48M");

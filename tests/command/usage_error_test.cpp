@@ -31,12 +31,12 @@ TEST_CASE("an unknown command without a similar one is answered with the list of
   CHECK(contains(Workshop().run("").error, "discmc: no command is given; " + all));
 }
 
-TEST_CASE("a file in place of a command is answered with what to write, which works") {
-  const Workshop workshop;
-  workshop.write("scan.nrrd", discmc::reference::box({6, 5, 4}, {1, 1, 1}, {4, 3, 2}));
+TEST_CASE_FIXTURE(Workshop,
+                  "a file in place of a command is answered with what to write, which works") {
+  write("scan.nrrd", discmc::reference::box({6, 5, 4}, {1, 1, 1}, {4, 3, 2}));
   // The text between `before` and a comma or the end of the line.
   const auto advice = [&](const std::string& arguments, const std::string& before) {
-    const Result result = workshop.run(arguments);
+    const Result result = run(arguments);
     INFO(result.error);
     CHECK(result.code == 2);
     const std::size_t begin = result.error.find(before + "discmc ");
@@ -44,13 +44,13 @@ TEST_CASE("a file in place of a command is answered with what to write, which wo
     const std::size_t first = begin + before.size() + std::string("discmc ").size();
     return result.error.substr(first, result.error.find_first_of(",\n", first) - first);
   };
-  workshop.done(advice("scan.nrrd", "write "));
-  CHECK(!workshop.read("surface.stl").empty());
-  workshop.done(advice("./scan.nrrd --iso 5", "or "));
-  workshop.done("extract scan.nrrd --iso 100 -q -o scan.dmc");
-  workshop.done(advice("scan.dmc", "write ") + " --faces triangles");
-  workshop.done(advice("scan.dmc", "or "));
-  workshop.done(advice("surface.stl", "write ") + " scan.nrrd --iso auto");
+  done(advice("scan.nrrd", "write "));
+  CHECK(!read("surface.stl").empty());
+  done(advice("./scan.nrrd --iso 5", "or "));
+  done("extract scan.nrrd --iso 100 -q -o scan.dmc");
+  done(advice("scan.dmc", "write ") + " --faces triangles");
+  done(advice("scan.dmc", "or "));
+  done(advice("surface.stl", "write ") + " scan.nrrd --iso auto");
   check_said("'a scan.nrrd'",
              "discmc: 'a scan.nrrd' is not a command; write discmc extract FILE --iso auto -o "
              "surface.stl, or discmc info FILE\nSee discmc --help.\n");

@@ -1,17 +1,12 @@
 // Normals of merged meshes, from their polygons and from the samples.
 #include "meshes/vertex_normals.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-
 #include "hand_made.hpp"
 #include "normal_angles.hpp"
 #include "oracle/ramp_ball.hpp"
 #include "oracle/stream.hpp"
 #include "sample_reader.hpp"
+#include "test.hpp"
 
 namespace {
 

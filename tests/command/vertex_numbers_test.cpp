@@ -1,14 +1,10 @@
 // Numbers of lattice vertices: one for each, in any order, of all corners at once or one by one.
 #include "meshes/vertex_numbers.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
 #include <random>
-#include <vector>
 
 #include "hand_made.hpp"
+#include "test.hpp"
 
 namespace {
 

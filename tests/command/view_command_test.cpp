@@ -24,8 +24,8 @@ std::string unpack(const Workshop& workshop, const std::string& page, const std:
 // Whether there is a page; otherwise checks the error of the command.
 bool has_page(const Workshop& workshop) {
   if (!discmc::command::page_template().empty()) return true;
-  check_failure(workshop.run("view v.nrrd --no-open"), 1, {"built without the page"});
-  CHECK(workshop.names() == std::vector<std::string>{"v.nrrd"});
+  workshop.fails("view v.nrrd --no-open", 1, {"built without the page"});
+  CHECK(workshop.file_names() == std::vector<std::string>{"v.nrrd"});
   return false;
 }
 
@@ -36,78 +36,73 @@ void write_in_space(const Workshop& workshop) {
                  "space origin: (1,2,3)\n");
 }
 
+struct Ball : Workshop {
+  Ball() { write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100)); }
+};
+
 }  // namespace
 
-TEST_CASE("the page of a volume has its samples, and lies beside the user") {
-  const Workshop workshop;
-  write_in_space(workshop);
-  if (!has_page(workshop)) return;
-  CHECK(contains(workshop.done("view v.nrrd --no-open"), "v.html: "));
-  CHECK(unpack(workshop, "v.html", "inside.nii") == "v.nrrd");
-  workshop.done("extract v.nrrd --iso 100 -o v.stl");
-  workshop.done("extract inside.nii --iso 100 -o inside.stl");
-  CHECK(workshop.read("inside.stl") == workshop.read("v.stl"));
-  CHECK(contains(workshop.read("v.html"), "</html>"));
-  workshop.done("view v.nrrd --no-open");  // replaces the page
+TEST_CASE_FIXTURE(Workshop, "the page of a volume has its samples, and lies beside the user") {
+  write_in_space(*this);
+  if (!has_page(*this)) return;
+  CHECK(contains(done("view v.nrrd --no-open"), "v.html: "));
+  CHECK(unpack(*this, "v.html", "inside.nii") == "v.nrrd");
+  done("extract v.nrrd --iso 100 -o v.stl");
+  done("extract inside.nii --iso 100 -o inside.stl");
+  CHECK(read("inside.stl") == read("v.stl"));
+  CHECK(contains(read("v.html"), "</html>"));
+  done("view v.nrrd --no-open");  // replaces the page
 }
 
-TEST_CASE("the page of a stream has its mesh if the kind of surface is given") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
-  if (!has_page(workshop)) return;
-  workshop.done("extract v.nrrd --iso 100 --wire slices -q -o v.dmc");
-  workshop.done("view v.dmc --surface relaxed --no-open -o page.html");
-  CHECK(unpack(workshop, "page.html", "inside.glb") == "v.dmc");
-  CHECK(workshop.read("inside.glb").substr(0, 4) == "glTF");
+TEST_CASE_FIXTURE(Ball, "the page of a stream has its mesh if the kind of surface is given") {
+  if (!has_page(*this)) return;
+  done("extract v.nrrd --iso 100 --wire slices -q -o v.dmc");
+  done("view v.dmc --surface relaxed --no-open -o page.html");
+  CHECK(unpack(*this, "page.html", "inside.glb") == "v.dmc");
+  CHECK(read("inside.glb").substr(0, 4) == "glTF");
 }
 
-TEST_CASE("the page of a threshold has the slices of its surface alone") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
-  if (!has_page(workshop)) return;
-  workshop.done("view v.nrrd --iso 100 --median 3 -o page.html --no-open");
-  CHECK(unpack(workshop, "page.html", "inside.dmc") == "v.nrrd at 100.dmc");
-  workshop.done("extract v.nrrd --iso 100 --median 3 --wire slices -o v.dmc");
-  CHECK(workshop.read("inside.dmc") == workshop.read("v.dmc"));
-  check_failure(workshop.run("view v.nrrd --iso 255 -o none.html --no-open"), 1, {"10 to 200"});
-  CHECK_FALSE(contains(workshop.shell("ls").out, "none.html"));
+TEST_CASE_FIXTURE(Ball, "the page of a threshold has the slices of its surface alone") {
+  if (!has_page(*this)) return;
+  done("view v.nrrd --iso 100 --median 3 -o page.html --no-open");
+  CHECK(unpack(*this, "page.html", "inside.dmc") == "v.nrrd at 100.dmc");
+  done("extract v.nrrd --iso 100 --median 3 --wire slices -o v.dmc");
+  CHECK(read("inside.dmc") == read("v.dmc"));
+  fails("view v.nrrd --iso 255 -o none.html --no-open", 1, {"10 to 200"});
+  CHECK_FALSE(contains(shell("ls").out, "none.html"));
 }
 
-TEST_CASE("the page of a stream contains its bytes, even those of a damaged stream") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
-  if (!has_page(workshop)) return;
-  workshop.done("extract v.nrrd --iso 100 -o 'a\"&b.dmc'");
-  workshop.done("view 'a\"&b.dmc' -o page.html --no-open");
-  CHECK(unpack(workshop, "page.html", "inside.dmc") == "a&quot;&amp;b.dmc");
-  CHECK(workshop.read("inside.dmc") == workshop.read("a\"&b.dmc"));
-  CHECK(workshop.shell("\"$discmc\" view - -o - < inside.dmc > piped.html").code == 0);
-  CHECK(unpack(workshop, "piped.html", "piped.dmc") == "standard input");
-  CHECK(workshop.read("piped.dmc") == workshop.read("inside.dmc"));
-  CHECK(workshop
-            .shell(
-                "mkfifo pipe; cat inside.dmc > pipe & \"$discmc\" view pipe -o pipe.html --no-open")
+TEST_CASE_FIXTURE(Ball, "the page of a stream contains its bytes, even those of a damaged stream") {
+  if (!has_page(*this)) return;
+  done("extract v.nrrd --iso 100 -o 'a\"&b.dmc'");
+  done("view 'a\"&b.dmc' -o page.html --no-open");
+  CHECK(unpack(*this, "page.html", "inside.dmc") == "a&quot;&amp;b.dmc");
+  CHECK(read("inside.dmc") == read("a\"&b.dmc"));
+  CHECK(shell("\"$discmc\" view - -o - < inside.dmc > piped.html").code == 0);
+  CHECK(unpack(*this, "piped.html", "piped.dmc") == "standard input");
+  CHECK(read("piped.dmc") == read("inside.dmc"));
+  CHECK(shell("mkfifo pipe; cat inside.dmc > pipe & \"$discmc\" view pipe -o pipe.html --no-open")
             .code == 0);
-  CHECK(unpack(workshop, "pipe.html", "piped.dmc") == "pipe");
-  CHECK(workshop.read("piped.dmc") == workshop.read("inside.dmc"));
-  workshop.shell("head -c 300 inside.dmc > cut.dmc");
-  const Result cut = workshop.run("view cut.dmc --no-open");
+  CHECK(unpack(*this, "pipe.html", "piped.dmc") == "pipe");
+  CHECK(read("piped.dmc") == read("inside.dmc"));
+  shell("head -c 300 inside.dmc > cut.dmc");
+  const Result cut = run("view cut.dmc --no-open");
   CHECK(cut.code == 3);
   CHECK(contains(cut.error, "the stream is incomplete"));
-  unpack(workshop, "cut.html", "inside.dmc");
-  CHECK(workshop.read("inside.dmc") == workshop.read("cut.dmc"));
+  unpack(*this, "cut.html", "inside.dmc");
+  CHECK(read("inside.dmc") == read("cut.dmc"));
 }
 
-TEST_CASE("the page of labels has their meshes, with names and colours, in space") {
-  const Workshop workshop;
-  write_in_space(workshop);
-  if (!has_page(workshop)) return;
-  workshop.write("t.txt", "10 air 0 0 255\n200 \"my bone\" 255 0 0\n");
+TEST_CASE_FIXTURE(Workshop,
+                  "the page of labels has their meshes, with names and colours, in space") {
+  write_in_space(*this);
+  if (!has_page(*this)) return;
+  write("t.txt", "10 air 0 0 255\n200 \"my bone\" 255 0 0\n");
   const std::string labels = " --labels 'my bone',10 --label-table t.txt -o ";
-  workshop.done("view v.nrrd --no-open" + labels + "page.html");
-  CHECK(unpack(workshop, "page.html", "inside.glb") == "v.nrrd");
-  workshop.done("extract v.nrrd -q --normals surface" + labels + "v.glb");
-  const std::string inside = workshop.read("inside.glb"), expected = workshop.read("v.glb");
+  done("view v.nrrd --no-open" + labels + "page.html");
+  CHECK(unpack(*this, "page.html", "inside.glb") == "v.nrrd");
+  done("extract v.nrrd -q --normals surface" + labels + "v.glb");
+  const std::string inside = read("inside.glb"), expected = read("v.glb");
   // Only the normals differ: the page has those that render draws with.
   CHECK(inside.size() == expected.size());
   const std::size_t json = expected.find("accessors");
@@ -115,47 +110,41 @@ TEST_CASE("the page of labels has their meshes, with names and colours, in space
   CHECK(contains(inside, "\"name\":\"my bone\""));
 }
 
-TEST_CASE("the page of a mesh file has its faces, its names and its colours") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
-  if (!has_page(workshop)) return;
-  if (contains(workshop.run("compare v.nrrd none.stl --iso 1").error, "without Assimp")) return;
-  workshop.write("t.txt", "10 air 0 0 255\n200 bone 255 0 0\n");
-  workshop.done("extract v.nrrd --labels all --label-table t.txt -q -o v.glb");
-  workshop.done("extract v.nrrd --iso 100 -q -o v.stl");
+TEST_CASE_FIXTURE(Ball, "the page of a mesh file has its faces, its names and its colours") {
+  if (!has_page(*this)) return;
+  if (contains(run("compare v.nrrd none.stl --iso 1").error, "without Assimp")) return;
+  write("t.txt", "10 air 0 0 255\n200 bone 255 0 0\n");
+  done("extract v.nrrd --labels all --label-table t.txt -q -o v.glb");
+  done("extract v.nrrd --iso 100 -q -o v.stl");
   for (const std::string name : {"v.glb", "v.stl"}) {
     INFO(name);
-    workshop.done("view " + name + " --no-open -o page.html");
-    CHECK(unpack(workshop, "page.html", "inside.glb") == name);
-    CHECK(contains(workshop.done("compare inside.glb " + name),
+    done("view " + name + " --no-open -o page.html");
+    CHECK(unpack(*this, "page.html", "inside.glb") == name);
+    CHECK(contains(done("compare inside.glb " + name),
                    "A to B, mm                0.0000      0.0000      0.0000"));
-    CHECK(contains(workshop.read("inside.glb"), "\"NORMAL\""));
-    CHECK(contains(workshop.read("inside.glb"), "\"name\":\"bone\"") == (name == "v.glb"));
+    CHECK(contains(read("inside.glb"), "\"NORMAL\""));
+    CHECK(contains(read("inside.glb"), "\"name\":\"bone\"") == (name == "v.glb"));
   }
 }
 
-TEST_CASE("$BROWSER opens the page, and without a browser its path is printed") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
-  if (!has_page(workshop)) return;
-  workshop.write("browser", "#!/bin/sh\necho \"$1\" > opened.new\nmv opened.new opened\n");
-  const Result result = workshop.shell(
+TEST_CASE_FIXTURE(Ball, "$BROWSER opens the page, and without a browser its path is printed") {
+  if (!has_page(*this)) return;
+  write("browser", "#!/bin/sh\necho \"$1\" > opened.new\nmv opened.new opened\n");
+  const Result result = shell(
       "chmod +x browser; BROWSER=./browser \"$discmc\" view v.nrrd;"
       "for i in $(seq 100); do [ -e opened ] && break; sleep 0.1; done");
   CHECK(result.error.empty());
-  CHECK(workshop.read("opened") == "v.html\n");
-  const Result none = workshop.shell(
-      "unset BROWSER DISPLAY WAYLAND_DISPLAY; \"$discmc\" view v.nrrd -o other.html");
+  CHECK(read("opened") == "v.html\n");
+  const Result none =
+      shell("unset BROWSER DISPLAY WAYLAND_DISPLAY; \"$discmc\" view v.nrrd -o other.html");
   CHECK(none.code == 0);
   CHECK(contains(none.error, "open other.html"));
 }
 
-TEST_CASE("view refuses to overwrite files or ignore options, and names the remedy") {
-  const Workshop workshop;
-  workshop.write("v.nrrd", ball({20, 20, 20}, {19, 19, 15}, 100));
-  workshop.write("v.html", "precious");
+TEST_CASE_FIXTURE(Ball, "view refuses to overwrite files or ignore options, and names the remedy") {
+  write("v.html", "precious");
   const auto refused = [&](const std::string& arguments, const std::string& part) {
-    const Result result = workshop.run("view " + arguments);
+    const Result result = run("view " + arguments);
     INFO(arguments, "\n", result.error);
     CHECK(result.code == 2);
     CHECK(contains(result.error, part));
@@ -173,16 +162,16 @@ TEST_CASE("view refuses to overwrite files or ignore options, and names the reme
   refused("v.nrrd --serve -o w.html", "--output");
   refused("v.nrrd --serve --port 0", "--port");
   refused("v.nrrd -o w.html --port 8000", "--serve");
-  CHECK(workshop.read("v.html") == "precious");
+  CHECK(read("v.html") == "precious");
 }
 
-TEST_CASE("a volume too large for a browser is refused with the options that shrink it") {
-  const Workshop workshop;
-  workshop.write("zeros", "");
-  const Result result = workshop.shell(
+TEST_CASE_FIXTURE(Workshop,
+                  "a volume too large for a browser is refused with the options that shrink it") {
+  write("zeros", "");
+  const Result result = shell(
       "truncate -s 268500992 zeros; \"$discmc\" view zeros --dims 4097,256,256 --type u8 "
       "-o zeros.html --no-open");
   CHECK(result.code == 1);
   CHECK(contains(result.error, "give --iso auto, --shrink 2 or a part by --crop"));
-  CHECK(workshop.names() == std::vector<std::string>{"zeros"});
+  CHECK(file_names() == std::vector<std::string>{"zeros"});
 }

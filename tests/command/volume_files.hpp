@@ -3,20 +3,14 @@
 #ifndef DISCMC_TESTS_COMMAND_VOLUME_FILES_HPP
 #define DISCMC_TESTS_COMMAND_VOLUME_FILES_HPP
 
-#include <doctest/doctest.h>
 #include <zlib.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <string>
 #include <system_error>
-#include <vector>
 
+#include "test.hpp"
 #include "volumes/volume.hpp"
 
 namespace volume_files {
@@ -31,6 +25,9 @@ using discmc::command::VolumeReader;
 using discmc::meshing::SampleGrid;
 using discmc::meshing::SampleType;
 using discmc::meshing::SliceReader;
+using Dims = std::array<std::uint32_t, 3>;
+using Vector = std::array<double, 3>;
+using Spacing = Vector;
 
 /// Options of which a member has another value.
 template <class Member, class Value>
@@ -52,7 +49,9 @@ class Folder {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
   }
-  fs::path write(const std::string& name, const std::string& bytes) const {
+  /// In folders that it makes.
+  fs::path write(const fs::path& name, const std::string& bytes) const {
+    fs::create_directories((path_ / name).parent_path());
     std::ofstream(path_ / name, std::ios::binary) << bytes;
     return path_ / name;
   }
@@ -251,6 +250,16 @@ void check_refusal(const std::string& text, const Parts&... parts) {
   INFO(text);
   for (const std::string& part : {std::string(parts)...})
     CHECK(text.find(part) != std::string::npos);
+}
+
+// Checks that a volume is refused, with all parts in the text.
+template <class... Parts>
+void check_refused(const fs::path& file, const VolumeOptions& options, const Parts&... parts) {
+  check_refusal(refusal(file, options), parts...);
+}
+template <class... Parts>
+void check_refused(const fs::path& file, const std::string& part, const Parts&... parts) {
+  check_refusal(refusal(file), part, parts...);
 }
 
 inline bool noted(const VolumeInfo& info, const std::string& part) {

@@ -1,10 +1,4 @@
 // Readers note each assumption and each omission.
-#include <doctest/doctest.h>
-
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "volume_files.hpp"
 
 namespace {
@@ -46,76 +40,71 @@ VolumeOptions raw_options() {
 
 }  // namespace
 
-TEST_CASE("a file of each format without placement has exactly these notes") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a file of each format without placement has exactly these notes") {
   Nifti nifti;
   nifti.integer(123, 1, 0);
   const std::vector<std::pair<fs::path, Notes>> files = {
-      {folder.write("v.nrrd", nrrd(nrrd_u8) + "\n" + u8), {no_spacing}},
-      {folder.write("v.mha", metaimage(metaimage_u8 + "ElementDataFile = LOCAL\n") + u8),
-       {no_spacing}},
-      {folder.write("v.nii", nifti.file(u8)),
+      {write("v.nrrd", nrrd(nrrd_u8) + "\n" + u8), {no_spacing}},
+      {write("v.mha", metaimage(metaimage_u8 + "ElementDataFile = LOCAL\n") + u8), {no_spacing}},
+      {write("v.nii", nifti.file(u8)),
        {"no orientation (sform, qform); left and right are unknown", no_unit}},
-      {folder.write("v.vtk", vtk + scalars + u8), {no_spacing}},
-      {folder.write(
-           "v.vti",
-           vti("", "><DataArray type=\"UInt8\" format=\"appended\" offset=\"0\"/>") + appended),
+      {write("v.vtk", vtk + scalars + u8), {no_spacing}},
+      {write("v.vti",
+             vti("", "><DataArray type=\"UInt8\" format=\"appended\" offset=\"0\"/>") + appended),
        {no_spacing}},
-      {folder.write("v.npy", npy("|u1", "4, 3, 5", u8)), {no_axes, no_spacing}},
+      {write("v.npy", npy("|u1", "4, 3, 5", u8)), {no_axes, no_spacing}},
   };
   for (const auto& [file, notes] : files) {
     const std::string name = file.filename().string();
     INFO(name);
     CHECK(notes_of(file) == notes);
   }
-  CHECK(notes_of(folder.write("v.raw", u8), raw_options()) == Notes{no_spacing});
+  CHECK(notes_of(write("v.raw", u8), raw_options()) == Notes{no_spacing});
 }
 
-TEST_CASE("a spacing that is given leaves no note of a missing one") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a spacing that is given leaves no note of a missing one") {
   VolumeOptions options = raw_options();
   options.spacing_mm = {1, 2, 3};
-  CHECK(notes_of(folder.write("v.raw", u8), options).empty());
+  CHECK(notes_of(write("v.raw", u8), options).empty());
   options.layout.reset();
-  CHECK(notes_of(folder.write("v.npy", npy("|u1", "4, 3, 5", u8)), options) == Notes{no_axes});
-  CHECK(notes_of(folder.write("v.nrrd", nrrd(nrrd_u8 + "spacings: 1 nan 1\n") + "\n" + u8), options)
+  CHECK(notes_of(write("v.npy", npy("|u1", "4, 3, 5", u8)), options) == Notes{no_axes});
+  CHECK(notes_of(write("v.nrrd", nrrd(nrrd_u8 + "spacings: 1 nan 1\n") + "\n" + u8), options)
             .empty());
 }
 
-TEST_CASE("bytes behind the samples are noted, and compressed ones once they are reached") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "bytes behind the samples are noted, and compressed ones once they are reached") {
   const std::string behind = " bytes after the samples are left out; check the sizes";
   const std::string head = nrrd(nrrd_u8 + "spacings: 1 1 1\n" + units_in_mm);
-  const auto whole = open_volume(folder.write("v.nrrd", head + "\n" + u8 + "1234567"));
+  const auto whole = open_volume(write("v.nrrd", head + "\n" + u8 + "1234567"));
   CHECK(noted(whole->info(), "7" + behind));
-  folder.write("header+data", "header" + u8);
-  CHECK(noted(open_volume(folder.write("v.nhdr", head + "data file: header+data\n"))->info(),
-              "6" + behind));
-  const auto packed = open_volume(folder.write("v.nrrd.gz", gzip(head + "\n" + u8 + "7")));
+  write("header+data", "header" + u8);
+  CHECK(
+      noted(open_volume(write("v.nhdr", head + "data file: header+data\n"))->info(), "6" + behind));
+  const auto packed = open_volume(write("v.nrrd.gz", gzip(head + "\n" + u8 + "7")));
   CHECK(packed->notes().empty());
   read_all(*packed);
   REQUIRE(packed->notes().size() == 1);
   CHECK(packed->notes()[0].find("more" + behind) == 0);
-  CHECK(notes_of(folder.write("v.nrrd.gz", gzip(head + "\n" + u8))).empty());
+  CHECK(notes_of(write("v.nrrd.gz", gzip(head + "\n" + u8))).empty());
 }
 
-TEST_CASE("surplus bytes of a file with several volumes are noted only behind the last one") {
-  const Folder folder;
+TEST_CASE_FIXTURE(
+    Folder, "surplus bytes of a file with several volumes are noted only behind the last one") {
   VolumeOptions options;
   const std::string head = nrrd(nrrd_u8 + "spacings: 1 1 1 1\n" + units_in_mm, "5 3 4 2") + "\n";
   for (const std::uint32_t frame : {0U, 1U}) {
     options.frame = frame;
-    CHECK(notes_of(folder.write("v.nrrd", head + u8 + u8), options).empty());
-    CHECK(notes_of(folder.write("v.nrrd.gz", gzip(head + u8 + u8)), options).empty());
-    CHECK(notes_of(folder.write("v.nrrd", head + u8 + u8 + "7"), options).size() == 1);
+    CHECK(notes_of(write("v.nrrd", head + u8 + u8), options).empty());
+    CHECK(notes_of(write("v.nrrd.gz", gzip(head + u8 + u8)), options).empty());
+    CHECK(notes_of(write("v.nrrd", head + u8 + u8 + "7"), options).size() == 1);
   }
 }
 
-TEST_CASE("further arrays in VTK's files are noted") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "further arrays in VTK's files are noted") {
   const std::string file = vtk + "SPACING 1 1 1\n" + scalars + u8;
   const auto left_out = [&](const std::string& bytes) {
-    const Notes notes = notes_of(folder.write("v.vtk", bytes));
+    const Notes notes = notes_of(write("v.vtk", bytes));
     return notes.size() > 1 ? notes.back() : std::string();
   };
   CHECK(left_out(file + "\n").empty());
@@ -131,19 +120,18 @@ TEST_CASE("further arrays in VTK's files are noted") {
   const std::string a = "<DataArray type=\"UInt8\" Name=\"a\" format=\"appended\" offset=\"0\"/>";
   const std::string b = "<DataArray type=\"UInt8\" Name=\"b\" format=\"appended\" offset=\"64\"/>";
   const std::string spacing = "Spacing=\"1 1 1\"";
-  CHECK(notes_of(folder.write("v.vti", vti(spacing, ">" + a) + appended)) == Notes{no_unit});
-  CHECK(notes_of(folder.write("v.vti", vti(spacing, ">" + a + b) + appended)) ==
+  CHECK(notes_of(write("v.vti", vti(spacing, ">" + a) + appended)) == Notes{no_unit});
+  CHECK(notes_of(write("v.vti", vti(spacing, ">" + a + b) + appended)) ==
         Notes{no_unit, "array 'a' is read, others are left out: 'b'"});
-  CHECK(notes_of(folder.write("v.vti", vti(spacing, "Scalars=\"a\">" + b + a) + appended)) ==
+  CHECK(notes_of(write("v.vti", vti(spacing, "Scalars=\"a\">" + b + a) + appended)) ==
         Notes{no_unit, "array 'a' is read, others are left out: 'b'"});
   std::string numbers;
   for (int voxel = 0; voxel < voxels; ++voxel) numbers += "7 ";
   const std::string in_place =
       "<DataArray type=\"UInt8\" Name=\"a\" format=\"ascii\">" + numbers + "</DataArray>" + b;
-  CHECK(notes_of(folder.write("v.vti", vti(spacing, ">" + in_place))) ==
+  CHECK(notes_of(write("v.vti", vti(spacing, ">" + in_place))) ==
         Notes{no_unit, "array 'a' is read, the first; everything after its samples is left out"});
-  CHECK(notes_of(folder.write("v.vti", vti(spacing, "Scalars=\"a\">" + in_place))) ==
-        Notes{no_unit});
+  CHECK(notes_of(write("v.vti", vti(spacing, "Scalars=\"a\">" + in_place))) == Notes{no_unit});
 }
 
 TEST_CASE("a note is given once") {

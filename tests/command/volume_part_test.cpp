@@ -1,19 +1,9 @@
 // Parts of volumes, and volumes of fewer voxels: their samples, and where they lie.
-#include <doctest/doctest.h>
-
 #include <discmc/front/downsampler.hpp>
 #include <discmc/front/row_cropper.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <map>
 #include <random>
-#include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "volume_files.hpp"
 #include "volumes/volume.hpp"
@@ -25,7 +15,6 @@ using discmc::command::BlockValue;
 using discmc::command::Crop;
 using discmc::meshing::along_coordinates;
 using discmc::meshing::VolumePlacement;
-using Dims = std::array<std::uint32_t, 3>;
 using Place = std::array<double, 3>;
 
 constexpr Dims dims = {5, 3, 4};
@@ -91,12 +80,12 @@ Sample shrunk_block(const std::vector<Sample>& samples, SampleType type,
 
 }  // namespace
 
-TEST_CASE("a crop keeps the voxels of its ranges, the ends too, of samples of every type") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "a crop keeps the voxels of its ranges, the ends too, of samples of every type") {
   for (const auto& [called, type] : discmc::command::sample_types) {
     const std::string_view name = called;
     INFO(name);
-    const auto file = folder.write("v.raw", stored(type));
+    const auto file = write("v.raw", stored(type));
     const auto reader = open_volume(file, with_crop(options_of(type), middle));
     CHECK(reader->info().dims == Dims{3, 2, 3});
     CHECK(reader->info().whole_dims == dims);
@@ -109,9 +98,8 @@ TEST_CASE("a crop keeps the voxels of its ranges, the ends too, of samples of ev
   }
 }
 
-TEST_CASE("an omitted end is that of the volume") {
-  const Folder folder;
-  const auto file = folder.write("v.raw", stored(SampleType::u8));
+TEST_CASE_FIXTURE(Folder, "an omitted end is that of the volume") {
+  const auto file = write("v.raw", stored(SampleType::u8));
   const auto whole = read_all(*open_volume(file, options_of(SampleType::u8)));
   const auto all = open_volume(file, with_crop(options_of(SampleType::u8), Crop{}));
   CHECK(all->info().dims == dims);
@@ -122,9 +110,8 @@ TEST_CASE("an omitted end is that of the volume") {
   CHECK(rest == std::vector<double>(whole.begin() + 30, whole.end()));
 }
 
-TEST_CASE("a part outside the volume is refused with the extents of the volume") {
-  const Folder folder;
-  const auto file = folder.write("v.raw", stored(SampleType::u8));
+TEST_CASE_FIXTURE(Folder, "a part outside the volume is refused with the extents of the volume") {
+  const auto file = write("v.raw", stored(SampleType::u8));
   const auto refused = [&](const Crop& crop) {
     return refusal(file, with_crop(options_of(SampleType::u8), crop));
   };
@@ -134,19 +121,17 @@ TEST_CASE("a part outside the volume is refused with the extents of the volume")
   check_refusal(refused({{{}, {}, {0, 4}}}), "a part of 0..3");
 }
 
-TEST_CASE("slices behind the part are not read") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "slices behind the part are not read") {
   const std::string cut = nrrd(nrrd_u8) + "\n" + stored(SampleType::u8).substr(0, 46);
-  const auto file = folder.write("v.nrrd", cut);
+  const auto file = write("v.nrrd", cut);
   CHECK(read_all(*open_volume(file, with_crop({}, {{{}, {}, {1, 2}}}))).size() == 30);
-  check_refusal(refusal(file, with_crop({}, {{{}, {}, {1, 3}}})), "14 bytes of it are missing");
+  check_refused(file, with_crop({}, {{{}, {}, {1, 3}}}), "14 bytes of it are missing");
 }
 
-TEST_CASE("the voxels of a part keep their position in space") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "the voxels of a part keep their position in space") {
   for (const std::string& lines : placements) {
     INFO(lines);
-    const auto file = folder.write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + stored(SampleType::u8));
+    const auto file = write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + stored(SampleType::u8));
     const VolumeInfo whole = open_volume(file)->info();
     check_places(open_volume(file, with_crop({}, middle))->info(), whole, {1, 1, 0}, 1);
     check_places(open_volume(file, with_crop({}, Crop{}))->info(), whole, {0, 0, 0}, 1);
@@ -160,18 +145,16 @@ TEST_CASE("the voxels of a part keep their position in space") {
   }
 }
 
-TEST_CASE("another spacing is that of the volume's own voxels") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "another spacing is that of the volume's own voxels") {
   VolumeOptions options = with_shrink(with_crop(options_of(SampleType::u8), middle), 2);
   options.spacing_mm = {0.5, 2, 3};
-  const auto file = folder.write("v.raw", stored(SampleType::u8));
+  const auto file = write("v.raw", stored(SampleType::u8));
   VolumeInfo whole;
   whole.spacing_mm = {0.5, 2, 3};
   check_places(open_volume(file, options)->info(), whole, {1.5, 1.5, 0.5}, 2);
 }
 
-TEST_CASE("a block becomes the mean of its samples, also if the border cuts it") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a block becomes the mean of its samples, also if the border cuts it") {
   std::minstd_rand random(1);
   for (const auto& [called, type] : discmc::command::sample_types)
     for (const std::uint32_t extent : {2U, 3U, 16U}) {
@@ -184,7 +167,7 @@ TEST_CASE("a block becomes the mean of its samples, also if the border cuts it")
       discmc::meshing::with_sample_type(type, [&](auto typed) {
         bytes = bytes_of(std::vector<decltype(typed)>(samples.begin(), samples.end()));
       });
-      const auto file = folder.write("v.raw", bytes);
+      const auto file = write("v.raw", bytes);
       const auto reader = open_volume(file, with_shrink(options_of(type, size), extent));
       Dims blocks{};
       for (std::size_t i = 0; i < 3; ++i) blocks[i] = (size[i] + extent - 1) / extent;
@@ -213,10 +196,9 @@ TEST_CASE("a block becomes the mean of its samples, also if the border cuts it")
 }
 
 // The voxels of the same volume that a device takes.
-TEST_CASE("a device that crops or averages has the voxels of --crop and --shrink") {
+TEST_CASE_FIXTURE(Folder, "a device that crops or averages has the voxels of --crop and --shrink") {
   using namespace discmc;
-  const Folder folder;
-  const auto file = folder.write("v.raw", stored(SampleType::i16));
+  const auto file = write("v.raw", stored(SampleType::i16));
   const auto whole = read_all(*open_volume(file, options_of(SampleType::i16)));
   const std::vector<std::int16_t> samples(whole.begin(), whole.end());
   const Limits limits{dims[0], dims[1]};
@@ -288,8 +270,8 @@ TEST_CASE("a block of labels becomes the most frequent one, of several the first
   CHECK(label({40000, 40000, 40000, 40000, 40000, 40000, 40000, 40000}) == 40000);
 }
 
-TEST_CASE("the labels of blocks are those of their own voxels, even in partial blocks") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "the labels of blocks are those of their own voxels, even in partial blocks") {
   // Blocks of 2 x 2 x 2 with a label each, their number, and one voxel of another.
   const Dims size = {5, 3, 3};
   std::vector<std::uint8_t> labels;
@@ -298,7 +280,7 @@ TEST_CASE("the labels of blocks are those of their own voxels, even in partial b
     labels.push_back(static_cast<std::uint8_t>(x / 2 + 3 * (y / 2) + 6 * (z / 2)));
   }
   labels[0] = 200;
-  const auto file = folder.write("v.raw", bytes_of(labels));
+  const auto file = write("v.raw", bytes_of(labels));
   const auto reader = open_volume(
       file, with_shrink(options_of(SampleType::u8, size), 2, BlockValue::most_frequent));
   std::vector<double> expected;
@@ -306,10 +288,9 @@ TEST_CASE("the labels of blocks are those of their own voxels, even in partial b
   CHECK(read_all(*reader) == expected);
 }
 
-TEST_CASE("voxels that would be too large to place are refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "voxels that would be too large to place are refused") {
   const auto file =
-      folder.write("v.nrrd", nrrd(nrrd_u8 + "spacings: 1 1 1e6\n") + "\n" + stored(SampleType::u8));
-  check_refusal(refusal(file, with_shrink({}, 2)), "1e6 mm apart; give the distances");
+      write("v.nrrd", nrrd(nrrd_u8 + "spacings: 1 1 1e6\n") + "\n" + stored(SampleType::u8));
+  check_refused(file, with_shrink({}, 2), "1e6 mm apart; give the distances");
   CHECK(open_volume(file, with_crop({}, middle))->info().dims == Dims{3, 2, 3});
 }

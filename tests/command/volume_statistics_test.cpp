@@ -1,14 +1,11 @@
 // Percentiles, Otsu's threshold, and the thresholds that have names.
 #include "statistics/volume_statistics.hpp"
 
-#include <doctest/doctest.h>
-
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "sample_reader.hpp"
 #include "statistics/threshold_rule.hpp"
+#include "test.hpp"
 #include "text/number_text.hpp"
 
 namespace {

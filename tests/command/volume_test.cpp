@@ -3,68 +3,54 @@
 #include "volumes/volume.hpp"
 #include "samples/iso_value.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <limits>
 #include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "command.hpp"
 #include "described_volumes.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
 using namespace volume_files;
 using discmc::command::json_value;
 using discmc::meshing::stored_threshold;
-using Spacing = std::array<double, 3>;
 
 const std::string u8 = stored(SampleType::u8);
 const std::string i16 = stored(SampleType::i16);
 
 }  // namespace
 
-TEST_CASE("raw samples of every type and byte order are read") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "raw samples of every type and byte order are read") {
   for (const auto& [called, type] : discmc::command::sample_types) {
     for (const bool is_big_endian : {false, true}) {
       const RawLayout layout{{5, 3, 4}, type, is_big_endian};
       const std::string bytes = stored(type, is_big_endian);
-      check_volume(folder.write("v.raw", bytes), type, "raw", {layout});
-      check_volume(folder.write("v.raw.gz", gzip(bytes)), type, "raw, gzip", {layout});
+      check_volume(write("v.raw", bytes), type, "raw", {layout});
+      check_volume(write("v.raw.gz", gzip(bytes)), type, "raw, gzip", {layout});
     }
   }
 }
 
-TEST_CASE("a raw layout keeps its spacing and is checked before anything is read") {
-  const Folder folder;
-  const auto file = folder.write("v.raw", u8);
+TEST_CASE_FIXTURE(Folder, "a raw layout keeps its spacing and is checked before anything is read") {
+  const auto file = write("v.raw", u8);
   RawLayout layout{{5, 3, 4}};
   const Spacing spacing = {0.5, -0.25, 2};
   CHECK(open_volume(file, {layout})->info().spacing_mm == Spacing{1, 1, 1});
   CHECK(open_volume(file, {layout, spacing})->info().spacing_mm == spacing);
   layout.dims = {32766, 32766, 4};
-  check_refusal(refusal(file, {layout}), "has 60 bytes, but a volume of 32766 x 32766 x 4 u8");
+  check_refused(file, {layout}, "has 60 bytes, but a volume of 32766 x 32766 x 4 u8");
   layout.dims = {32767, 1, 1};
-  check_refusal(refusal(file, {layout}), "dimension 1 has size 32767, outside 1 to 32766");
+  check_refused(file, {layout}, "dimension 1 has size 32767, outside 1 to 32766");
   layout.dims = {1, 0, 1};
-  check_refusal(refusal(file, {layout}), "dimension 2 has size 0");
+  check_refused(file, {layout}, "dimension 2 has size 0");
 }
 
-TEST_CASE("a given spacing replaces that of the file, and the axes keep their directions") {
-  const Folder folder;
-  const auto file = folder.write(
-      "v.nrrd",
-      nrrd(nrrd_u8 + "space: LPS\nspace directions: (0.5,0,0) (0,-2,0) (0,0,3)\n") + "\n" + u8);
+TEST_CASE_FIXTURE(Folder,
+                  "a given spacing replaces that of the file, and the axes keep their directions") {
+  const auto file =
+      write("v.nrrd", nrrd(nrrd_u8 + "space: LPS\nspace directions: (0.5,0,0) (0,-2,0) (0,0,3)\n") +
+                          "\n" + u8);
   const auto reader = open_volume(file, {{}, Spacing{1, 1.5, 2}});
   CHECK(reader->info().spacing_mm == Spacing{1, -1.5, 2});
   REQUIRE(reader->info().placement);
@@ -73,8 +59,7 @@ TEST_CASE("a given spacing replaces that of the file, and the axes keep their di
   CHECK(read_all(*reader) == read_all(*open_volume(file)));
 }
 
-TEST_CASE("NRRD of every type, byte order, encoding and attachment is read") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "NRRD of every type, byte order, encoding and attachment is read") {
   const std::vector<std::pair<SampleType, std::string>> types = {
       {SampleType::u8, "uint8"},         {SampleType::u16, "unsigned short"},
       {SampleType::i16, "int16_t"},      {SampleType::i8, "int8"},
@@ -88,42 +73,37 @@ TEST_CASE("NRRD of every type, byte order, encoding and attachment is read") {
                                         "\nencoding: " + (packed ? "gzip" : "raw") + "\n");
         const std::string format = packed ? "NRRD, gzip" : "NRRD, raw";
         const std::string data = packed ? gzip(stored(type, big)) : stored(type, big);
-        check_volume(folder.write("v.nrrd", header + "\n" + data), type, format);
-        check_volume(folder.write("no_extension", header + "\r\n" + data), type, format);
-        folder.write("the data", data);
-        check_volume(folder.write("v.nhdr", header + "data file: the data"), type,
-                     format + ", detached");
+        check_volume(write("v.nrrd", header + "\n" + data), type, format);
+        check_volume(write("no_extension", header + "\r\n" + data), type, format);
+        write("the data", data);
+        check_volume(write("v.nhdr", header + "data file: the data"), type, format + ", detached");
       }
     }
   }
 }
 
-TEST_CASE("NRRD skips lines of the file and bytes of its content") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "NRRD skips lines of the file and bytes of its content") {
   const std::string skips = "line skip: 2\nbyteskip: 3\n";
   const std::string gzip_u8 = "type: uchar\nencoding: gz\n";
-  check_volume(folder.write("a.nrrd", nrrd(nrrd_u8 + skips) + "\none\ntwo\nxyz" + u8),
-               SampleType::u8, "NRRD, raw");
-  check_volume(folder.write("b.nrrd", nrrd(gzip_u8 + skips) + "\none\ntwo\n" + gzip("xyz" + u8)),
+  check_volume(write("a.nrrd", nrrd(nrrd_u8 + skips) + "\none\ntwo\nxyz" + u8), SampleType::u8,
+               "NRRD, raw");
+  check_volume(write("b.nrrd", nrrd(gzip_u8 + skips) + "\none\ntwo\n" + gzip("xyz" + u8)),
                SampleType::u8, "NRRD, gzip");
-  folder.write("c.raw", "anything before" + u8);
-  check_volume(folder.write("c.nhdr", nrrd(nrrd_u8 + "data file: c.raw\nbyte skip: -1\n")),
-               SampleType::u8, "NRRD, raw, detached");
-  check_refusal(refusal(folder.write("d.nrrd", nrrd(gzip_u8 + "byte skip: -1\n\n") + gzip(u8))),
-                "byte skip -1");
-  check_refusal(refusal(folder.write("e.nrrd", nrrd(nrrd_u8 + "line skip: 9\n\n") + "one\ntwo\n")),
+  write("c.raw", "anything before" + u8);
+  check_volume(write("c.nhdr", nrrd(nrrd_u8 + "data file: c.raw\nbyte skip: -1\n")), SampleType::u8,
+               "NRRD, raw, detached");
+  check_refused(write("d.nrrd", nrrd(gzip_u8 + "byte skip: -1\n\n") + gzip(u8)), "byte skip -1");
+  check_refused(write("e.nrrd", nrrd(nrrd_u8 + "line skip: 9\n\n") + "one\ntwo\n"),
                 "of 9 lines to skip only 2 exist");
-  check_refusal(refusal(folder.write("f.nrrd", nrrd(gzip_u8 + "byte skip: 99\n\n") + gzip(u8))),
+  check_refused(write("f.nrrd", nrrd(gzip_u8 + "byte skip: 99\n\n") + gzip(u8)),
                 "of 99 bytes to skip 39 are missing");
-  check_refusal(
-      refusal(folder.write("g.nrrd", nrrd(nrrd_u8 + "byte skip: 9223372036854775807\n\n") + u8)),
-      "of 9223372036854775807 bytes to skip");
+  check_refused(write("g.nrrd", nrrd(nrrd_u8 + "byte skip: 9223372036854775807\n\n") + u8),
+                "of 9223372036854775807 bytes to skip");
 }
 
-TEST_CASE("NRRD gives a signed spacing in millimetres") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "NRRD gives a signed spacing in millimetres") {
   const auto info = [&](const std::string& lines) {
-    return open_volume(folder.write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + u8))->info();
+    return open_volume(write("v.nrrd", nrrd(nrrd_u8 + lines) + "\n" + u8))->info();
   };
   const std::string directions = "space dimension: 3\nspace directions: ";
   CHECK(info("spacings: 0.5 -2 3\n").spacing_mm == Spacing{0.5, -2, 3});
@@ -138,8 +118,8 @@ TEST_CASE("NRRD gives a signed spacing in millimetres") {
         Spacing{-1, 1, 1});
 }
 
-TEST_CASE("volumes or channels whose samples lie side by side are read one at a time") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "volumes or channels whose samples lie side by side are read one at a time") {
   for (const auto& [called, name] : {std::pair<SampleType, std::string>{SampleType::u8, "uchar"},
                                      {SampleType::i16, "short"},
                                      {SampleType::f64, "double"}}) {
@@ -158,63 +138,60 @@ TEST_CASE("volumes or channels whose samples lie side by side are read one at a 
                "3 5 3 4");
       VolumeOptions options;
       auto& chosen = kind == "list" ? options.frame : options.channel;
-      check_refusal(refusal(folder.write("v.nrrd", header + "encoding: raw\n\n" + samples)),
+      check_refused(write("v.nrrd", header + "encoding: raw\n\n" + samples),
                     kind == "list" ? "holds 3 volumes" : "holds 3 channels");
       chosen = 1;
-      check_volume(folder.write("v.nrrd", header + "encoding: raw\n\n" + samples), type,
-                   "NRRD, raw", options);
-      check_volume(folder.write("v.nrrd", header + "encoding: gzip\n\n" + gzip(samples)), type,
+      check_volume(write("v.nrrd", header + "encoding: raw\n\n" + samples), type, "NRRD, raw",
+                   options);
+      check_volume(write("v.nrrd", header + "encoding: gzip\n\n" + gzip(samples)), type,
                    "NRRD, gzip", options);
-      folder.write("v.raw", "xyz" + samples);
+      write("v.raw", "xyz" + samples);
       const auto detached =
-          folder.write("v.nhdr", header + "encoding: raw\nbyte skip: -1\ndata file: v.raw\n");
+          write("v.nhdr", header + "encoding: raw\nbyte skip: -1\ndata file: v.raw\n");
       check_volume(detached, type, "NRRD, raw, detached", options);
       CHECK(open_volume(detached, options)->info().spacing_mm == Spacing{20, 3, 4});
       CHECK(noted(open_volume(detached, options)->info(), "'a b'"));
       chosen = 0;
       CHECK(read_all(*open_volume(detached, options)) == std::vector<double>(60, 0));
       chosen = 3;
-      check_refusal(refusal(detached, options), "3: the file holds 3");
+      check_refused(detached, options, "3: the file holds 3");
       chosen = 0;
-      check_refusal(refusal(folder.write("v.nrrd", header + "encoding: raw\n\n" +
-                                                       samples.substr(0, samples.size() - 1)),
-                            options),
-                    "slice 3 (the first is 0) of 4: 1 bytes of it are missing");
+      check_refused(
+          write("v.nrrd", header + "encoding: raw\n\n" + samples.substr(0, samples.size() - 1)),
+          options, "slice 3 (the first is 0) of 4: 1 bytes of it are missing");
     }
   }
 }
 
-TEST_CASE("colours of NIfTI and components of MetaImage are channels") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "colours of NIfTI and components of MetaImage are channels") {
   const auto check = [](const fs::path& file, std::uint32_t channels, const std::string& format) {
     INFO(file.filename().string(), " of ", channels);
     VolumeOptions options;
-    check_refusal(refusal(file), "holds " + std::to_string(channels) + " channels");
+    check_refused(file, "holds " + std::to_string(channels) + " channels");
     options.channel = 1;
     check_volume(file, SampleType::u8, format, options);
     options.channel = 2;
     CHECK(read_all(*open_volume(file, options)) == std::vector<double>(voxels, 2));
     options.channel = channels;
-    check_refusal(refusal(file, options), "there is no channel");
+    check_refused(file, options, "there is no channel");
   };
   for (const std::uint32_t channels : {3U, 4U}) {
     std::string samples;
     for (const char sample : u8)
       samples += std::string(1, '\0') + sample + std::string(channels - 2, '\2');
-    check(folder.write("v.nii", Nifti().type(channels == 3 ? 128 : 2304).file(samples)), channels,
+    check(write("v.nii", Nifti().type(channels == 3 ? 128 : 2304).file(samples)), channels,
           "NIfTI-1");
     const std::string header =
         metaimage(metaimage_u8 + "ElementNumberOfChannels = " + std::to_string(channels) + "\n");
-    check(folder.write("v.mha", header + "ElementDataFile = LOCAL\n" + samples), channels,
+    check(write("v.mha", header + "ElementDataFile = LOCAL\n" + samples), channels,
           "MetaImage, raw");
-    check(folder.write("z.mha", header + "CompressedData = True\nElementDataFile = LOCAL\n" +
-                                    deflated(samples, Wrapper::zlib)),
+    check(write("z.mha", header + "CompressedData = True\nElementDataFile = LOCAL\n" +
+                             deflated(samples, Wrapper::zlib)),
           channels, "MetaImage, zlib");
   }
 }
 
-TEST_CASE("unsupported NRRD is refused by name") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "unsupported NRRD is refused by name") {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {nrrd("type: block\nencoding: raw\n\n"), "type 'block'"},
       {nrrd("type: char\nencoding: raw\n\n"), "one number per voxel"},
@@ -253,55 +230,50 @@ TEST_CASE("unsupported NRRD is refused by name") {
   };
   // Names that no refusal quotes by chance: the file is v.nrrd, the parts are others.
   for (const auto& [bytes, part] : cases) try {
-      read_all(*open_volume(folder.write("v.nrrd", bytes)));
+      read_all(*open_volume(write("v.nrrd", bytes)));
       FAIL_CHECK("not refused: ", part);
     } catch (const VolumeError& error) {
       check_refusal(error.what(), part);
     }
 }
 
-TEST_CASE("a fourth dimension of size 1 is dropped with a note in every format") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a fourth dimension of size 1 is dropped with a note in every format") {
   for (const auto& file :
-       {folder.write("v.nrrd", nrrd(nrrd_u8 + "\n", "5 3 4 1") + u8),
-        folder.write("v.mha",
-                     metaimage(metaimage_u8 + "ElementDataFile = LOCAL\n", "5 3 4 1") + u8),
-        folder.write("v.nii", Nifti().dims({4, 5, 3, 4, 1}).file(u8))})
+       {write("v.nrrd", nrrd(nrrd_u8 + "\n", "5 3 4 1") + u8),
+        write("v.mha", metaimage(metaimage_u8 + "ElementDataFile = LOCAL\n", "5 3 4 1") + u8),
+        write("v.nii", Nifti().dims({4, 5, 3, 4, 1}).file(u8))})
     CHECK(noted(open_volume(file)->info(), "dimension 4 of size 1 is dropped"));
 }
 
-TEST_CASE("further axes of NIfTI without a size are ignored") {
-  const Folder folder;
-  check_volume(folder.write("v.nii", Nifti().dims({5, 5, 3, 4, 0, 0}).file(u8)), SampleType::u8,
+TEST_CASE_FIXTURE(Folder, "further axes of NIfTI without a size are ignored") {
+  check_volume(write("v.nii", Nifti().dims({5, 5, 3, 4, 0, 0}).file(u8)), SampleType::u8,
                "NIfTI-1");
 }
 
-TEST_CASE("NIfTI of either byte order, compression and pairing is read") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "NIfTI of either byte order, compression and pairing is read") {
   for (const bool big : {false, true}) {
     const std::string data = stored(SampleType::i16, big);
     const std::string file = Nifti(big).type(4).file(data);
-    check_volume(folder.write("v.nii", file), SampleType::i16, "NIfTI-1");
-    check_volume(folder.write("v.nii.gz", gzip(file)), SampleType::i16, "NIfTI-1, gzip");
-    check_volume(folder.write("no_extension", file), SampleType::i16, "NIfTI-1");
-    folder.write("pair.img", data);
+    check_volume(write("v.nii", file), SampleType::i16, "NIfTI-1");
+    check_volume(write("v.nii.gz", gzip(file)), SampleType::i16, "NIfTI-1, gzip");
+    check_volume(write("no_extension", file), SampleType::i16, "NIfTI-1");
+    write("pair.img", data);
     const std::string header = Nifti(big).type(4).pair().header();
-    check_volume(folder.write("pair.hdr", header), SampleType::i16, "NIfTI-1 pair");
-    check_volume(folder.path() / "pair.img", SampleType::i16, "NIfTI-1 pair");
-    folder.write("packed.img.gz", gzip(data));
-    check_volume(folder.write("packed.hdr", header), SampleType::i16, "NIfTI-1 pair, gzip");
+    check_volume(write("pair.hdr", header), SampleType::i16, "NIfTI-1 pair");
+    check_volume(path() / "pair.img", SampleType::i16, "NIfTI-1 pair");
+    write("packed.img.gz", gzip(data));
+    check_volume(write("packed.hdr", header), SampleType::i16, "NIfTI-1 pair, gzip");
   }
   const std::string file = Nifti().real(108, 360).file("extended" + u8);
-  check_volume(folder.write("later.nii", file), SampleType::u8, "NIfTI-1");
+  check_volume(write("later.nii", file), SampleType::u8, "NIfTI-1");
   const std::size_t half = file.size() / 2;
-  check_volume(folder.write("two.nii.gz", gzip(file.substr(0, half)) + gzip(file.substr(half))),
+  check_volume(write("two.nii.gz", gzip(file.substr(0, half)) + gzip(file.substr(half))),
                SampleType::u8, "NIfTI-1, gzip");
 }
 
-TEST_CASE("NIfTI gives scale and signed spacing") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "NIfTI gives scale and signed spacing") {
   const auto info = [&](const Nifti& nifti) {
-    return open_volume(folder.write("v.nii", nifti.file(u8)))->info();
+    return open_volume(write("v.nii", nifti.file(u8)))->info();
   };
   CHECK(info(Nifti().scale(0.01F, -3)).slope == 0.01);
   CHECK(info(Nifti().scale(0.01F, -3)).intercept == -3);
@@ -329,10 +301,9 @@ TEST_CASE("NIfTI gives scale and signed spacing") {
   CHECK(info(turned).spacing_mm == Spacing{0.5, 2, -3});
 }
 
-TEST_CASE("unsupported NIfTI is refused by name") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "unsupported NIfTI is refused by name") {
   const auto check = [&](const std::string& bytes, const std::string& part) {
-    check_refusal(refusal(folder.write("v.nii", bytes)), part);
+    check_refused(write("v.nii", bytes), part);
   };
   check(Nifti().type(32).file(u8), "COMPLEX64");
   check(Nifti().scale(-2, 0).file(u8), "negative slope");
@@ -348,11 +319,11 @@ TEST_CASE("unsupported NIfTI is refused by name") {
   check(Nifti().real(108, 1000).file(u8), "of 648 bytes to skip 588 are missing");
   check(Nifti().pair().file(u8), "no .img or .img.gz beside it");
   check(Nifti().file(u8).substr(0, 347), "348 bytes");
-  check_refusal(refusal(folder.write("v.img", u8)), "no .hdr or .hdr.gz beside it");
+  check_refused(write("v.img", u8), "no .hdr or .hdr.gz beside it");
 }
 
-TEST_CASE("MetaImage of every type, byte order, compression and attachment is read") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "MetaImage of every type, byte order, compression and attachment is read") {
   const std::vector<std::pair<SampleType, std::string>> types = {
       {SampleType::u8, "MET_UCHAR"},       {SampleType::u16, "MET_USHORT"},
       {SampleType::i16, "MET_SHORT"},      {SampleType::i8, "MET_CHAR"},
@@ -370,25 +341,24 @@ TEST_CASE("MetaImage of every type, byte order, compression and attachment is re
         const std::string format = packed ? "MetaImage, zlib" : "MetaImage, raw";
         const std::string plain = stored(type, big);
         const std::string data = packed ? deflated(plain, Wrapper::zlib) : plain;
-        check_volume(folder.write("v.mha", header + "LOCAL\n" + data), type, format);
-        check_volume(folder.write("no_extension", header + "LOCAL\r\n" + data), type, format);
-        folder.write("v.data", data);
-        check_volume(folder.write("v.mhd", header + "v.data"), type, format + ", detached");
+        check_volume(write("v.mha", header + "LOCAL\n" + data), type, format);
+        check_volume(write("no_extension", header + "LOCAL\r\n" + data), type, format);
+        write("v.data", data);
+        check_volume(write("v.mhd", header + "v.data"), type, format + ", detached");
       }
     }
   }
-  folder.write("v.data", "before" + u8);
+  write("v.data", "before" + u8);
   for (const std::string size : {"6", "-1"})
-    check_volume(folder.write("v.mhd", metaimage(metaimage_u8 + "HeaderSize = " + size +
-                                                 "\nElementDataFile = v.data\n")),
+    check_volume(write("v.mhd", metaimage(metaimage_u8 + "HeaderSize = " + size +
+                                          "\nElementDataFile = v.data\n")),
                  SampleType::u8, "MetaImage, raw, detached");
 }
 
-TEST_CASE("MetaImage gives signed spacing and scale") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "MetaImage gives signed spacing and scale") {
   const auto info = [&](const std::string& lines) {
     const std::string header = metaimage(metaimage_u8 + lines + "ElementDataFile = LOCAL\n");
-    return open_volume(folder.write("v.mha", header + u8))->info();
+    return open_volume(write("v.mha", header + u8))->info();
   };
   CHECK(info("ElementSpacing = 0.5 -2 3\n").spacing_mm == Spacing{0.5, -2, 3});
   CHECK(info("ElementSpacing = 0.5 2 3\nTransformMatrix = 1 0 0 0 -1 0 0 0 1\n").spacing_mm ==
@@ -399,11 +369,10 @@ TEST_CASE("MetaImage gives signed spacing and scale") {
   CHECK(scaled.intercept == -1024);
 }
 
-TEST_CASE("unsupported MetaImage is refused by name") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "unsupported MetaImage is refused by name") {
   const auto check = [&](const std::string& lines, const std::string& part,
                          const std::string& sizes = "5 3 4") {
-    check_refusal(refusal(folder.write("v.mha", metaimage(lines, sizes) + u8)), part);
+    check_refused(write("v.mha", metaimage(lines, sizes) + u8), part);
   };
   const std::string local = "ElementDataFile = LOCAL\n";
   check("ElementType = MET_UCHAR_ARRAY\n" + local, "'MET_UCHAR_ARRAY'");
@@ -419,50 +388,47 @@ TEST_CASE("unsupported MetaImage is refused by name") {
   check(metaimage_u8 + local, "dimension 3 has size 0", "5 3 0");
   check(metaimage_u8, "no equals sign");
   check("ObjectType = Tube\n", "'ObjectType' is given twice");
-  check_refusal(refusal(folder.write("v.mhd", "NDims = 3\n")), "ElementDataFile is missing");
+  check_refused(write("v.mhd", "NDims = 3\n"), "ElementDataFile is missing");
 }
 
-TEST_CASE("data that ends early is refused with the slice and the bytes that are missing") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "data that ends early is refused with the slice and the bytes that are missing") {
   const std::string header = nrrd("type: short\nendian: little\nencoding: raw\n\n");
   for (const std::size_t kept : {0U, 29U, 30U, 31U, 119U}) {
-    const auto file = folder.write("v.nrrd", header + i16.substr(0, kept));
-    check_refusal(refusal(file), "slice " + std::to_string(kept / 30) + " (the first is 0) of 4: " +
-                                     std::to_string(30 - kept % 30) + " bytes of it are missing");
+    const auto file = write("v.nrrd", header + i16.substr(0, kept));
+    check_refused(file, "slice " + std::to_string(kept / 30) + " (the first is 0) of 4: " +
+                            std::to_string(30 - kept % 30) + " bytes of it are missing");
   }
-  const auto file = folder.write("whole.nrrd", header + i16);
+  const auto file = write("whole.nrrd", header + i16);
   const auto reader = open_volume(file);
   read_all(*reader);
   char slice[30];
   CHECK_THROWS_AS(reader->read_slice(slice), VolumeError);
 }
 
-TEST_CASE("compressed data that ends early or is damaged is refused") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "compressed data that ends early or is damaged is refused") {
   const std::string header = nrrd("type: short\nendian: little\nencoding: gzip\n\n");
   const std::string packed = gzip(i16);
   for (std::size_t kept = 0; kept < packed.size(); ++kept)
-    check_refusal(refusal(folder.write("v.nrrd", header + packed.substr(0, kept))), "slice ");
+    check_refused(write("v.nrrd", header + packed.substr(0, kept)), "slice ");
   std::string wrong_checksum = packed;
   wrong_checksum[packed.size() - 8] = static_cast<char>(wrong_checksum[packed.size() - 8] ^ 1);
-  check_refusal(refusal(folder.write("v.nrrd", header + wrong_checksum)), "damaged");
-  check_refusal(refusal(folder.write("v.nrrd", header + i16)), "incorrect header check");
-  check_refusal(refusal(folder.write("v.nrrd", header + gzip(i16.substr(0, 75)))),
+  check_refused(write("v.nrrd", header + wrong_checksum), "damaged");
+  check_refused(write("v.nrrd", header + i16), "incorrect header check");
+  check_refused(write("v.nrrd", header + gzip(i16.substr(0, 75))),
                 "slice 2 (the first is 0) of 4: 15 bytes of it are missing");
 }
 
-TEST_CASE("a file of no known format, a folder and a missing file are refused") {
-  const Folder folder;
-  check_refusal(refusal(folder.write("v.dat", "DICM")), "format is unknown");
-  check_refusal(refusal(folder.write("v.dat", "%PDF-1.4")), "this is PDF, which is not supported");
-  check_refusal(refusal(folder.write("v.DMC", "")),
-                "a stream, not a volume; give it to discmc decode");
+TEST_CASE_FIXTURE(Folder, "a file of no known format, a folder and a missing file are refused") {
+  check_refused(write("v.dat", "DICM"), "format is unknown");
+  check_refused(write("v.dat", "%PDF-1.4"), "this is PDF, which is not supported");
+  check_refused(write("v.DMC", ""), "a stream, not a volume; give it to discmc decode");
   for (const std::string mesh : {"v.stl", "v.PLY", "v.3mf", "v.vtp"})
-    check_refusal(refusal(folder.write(mesh, "<?xml")), "a mesh, not a volume; give the volume");
-  check_refusal(refusal(folder.path() / std::string(300, 'v')), "name is longer than the system");
-  check_refusal(refusal(folder.path() / "absent.nii"), "no such file");
-  fs::create_directory(folder.path() / "folder.nrrd");
-  check_refusal(refusal(folder.path() / "folder.nrrd"), "holds no DICOM files and no pictures");
+    check_refused(write(mesh, "<?xml"), "a mesh, not a volume; give the volume");
+  check_refused(path() / std::string(300, 'v'), "name is longer than the system");
+  check_refused(path() / "absent.nii", "no such file");
+  fs::create_directory(path() / "folder.nrrd");
+  check_refused(path() / "folder.nrrd", "holds no DICOM files and no pictures");
 }
 
 TEST_CASE("the stored threshold is reached exactly where the value reaches iso") {

@@ -1,8 +1,4 @@
 // VTK's image in XML: what the files of other programs do not have (container_table_test.cpp).
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "volume_files.hpp"
 
 namespace {
@@ -25,60 +21,57 @@ const std::string appended = "<AppendedData encoding=\"raw\">\n _???" + length +
 
 }  // namespace
 
-TEST_CASE("the array named as the scalars is read from several in VTK's XML") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "the array named as the scalars is read from several in VTK's XML") {
   const std::string first =
       "<DataArray type=\"Int16\" Name=\"a\" format=\"ascii\">1 2 3</DataArray>";
   const std::string second =
       "<DataArray type=\"UInt8\" Name=\"b\" format=\"appended\" offset=\"3\"/>";
-  check_volume(folder.write("v.vti", vti("", whole, "Scalars=\"b\">" + first + second, appended)),
+  check_volume(write("v.vti", vti("", whole, "Scalars=\"b\">" + first + second, appended)),
                SampleType::u8, "VTK XML, raw");
   check_volume(
-      folder.write("v", "<?xml version=\"1.0\"?>" + vti("", whole, ">" + appended_array, appended)),
+      write("v", "<?xml version=\"1.0\"?>" + vti("", whole, ">" + appended_array, appended)),
       SampleType::u8, "VTK XML, raw");
 }
 
-TEST_CASE("VTK's XML gives the place of the first voxel, for any first number") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "VTK's XML gives the place of the first voxel, for any first number") {
   std::string file =
       vti("", whole + " Origin=\"1 2 3\" Spacing=\"2 3 4\" Direction=\"0 -1 0 1 0 0 0 0 1\"",
           ">" + appended_array, appended);
   for (std::size_t at = 0; (at = file.find("0 4 0 2 0 3", at)) != std::string::npos;)
     file.replace(at, 11, "5 9 0 2 -1 2");
-  const VolumeInfo info = open_volume(folder.write("v.vti", file))->info();
+  const VolumeInfo info = open_volume(write("v.vti", file))->info();
   REQUIRE(info.placement);
-  using Vector = std::array<double, 3>;
   CHECK(info.placement->axes_mm == discmc::meshing::Axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}});
   CHECK(info.placement->origin_mm == Vector{1, 12, -1});
 }
 
-TEST_CASE("in VTK's XML samples may be those of cells, whose centres are between points") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "in VTK's XML samples may be those of cells, whose centres are between points") {
   const std::string place = " Origin=\"1 2 3\" Spacing=\"2 3 4\" Direction=\"0 -1 0 1 0 0 0 0 1\"";
   std::string file = vti("", whole + place, ">" + appended_array, appended);
   for (const auto& [from, to] : {std::pair<std::string, std::string>{"0 4 0 2 0 3", "0 5 0 3 0 4"},
                                  {"PointData", "CellData"}})
     for (std::size_t at = 0; (at = file.find(from, at)) != std::string::npos;)
       file.replace(at, from.size(), to);
-  const auto cells = folder.write("cells.vti", file);
+  const auto cells = write("cells.vti", file);
   check_volume(cells, SampleType::u8, "VTK XML, raw");
-  CHECK(open_volume(cells)->info().placement->origin_mm == std::array<double, 3>{-0.5, 3, 5});
+  CHECK(open_volume(cells)->info().placement->origin_mm == Vector{-0.5, 3, 5});
   // Those at points come first where there are both.
   const std::string of_cells =
       "<CellData><DataArray type=\"Int16\" Name=\"c\" format=\"appended\" "
       "offset=\"70\"/></CellData>";
   std::string both = vti("", whole, ">" + appended_array, appended);
   both.insert(both.find("<PointData"), of_cells);
-  check_volume(folder.write("both.vti", both), SampleType::u8, "VTK XML, raw");
-  CHECK(noted(open_volume(folder.path() / "both.vti")->info(), "others are left out: 'c'"));
+  check_volume(write("both.vti", both), SampleType::u8, "VTK XML, raw");
+  CHECK(noted(open_volume(path() / "both.vti")->info(), "others are left out: 'c'"));
 }
 
-TEST_CASE("in VTK's XML an axis of negative spacing runs backwards along its direction") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder,
+                  "in VTK's XML an axis of negative spacing runs backwards along its direction") {
   const std::string place = " Origin=\"1 2 3\" Spacing=\"2 -3 4\" ";
   const auto info = [&](const std::string& direction) {
-    return open_volume(folder.write("v.vti", vti("", whole + place + direction,
-                                                 ">" + appended_array, appended)))
+    return open_volume(
+               write("v.vti", vti("", whole + place + direction, ">" + appended_array, appended)))
         ->info();
   };
   const VolumeInfo turned = info("Direction=\"0 -1 0 1 0 0 0 0 1\"");
@@ -86,13 +79,12 @@ TEST_CASE("in VTK's XML an axis of negative spacing runs backwards along its dir
   CHECK(turned.placement->axes_mm == discmc::meshing::Axes{{{0, 2, 0}, {3, 0, 0}, {0, 0, 4}}});
   CHECK(turned.spacing_mm[0] * turned.spacing_mm[1] * turned.spacing_mm[2] == -24);
   CHECK(info("").placement->axes_mm == discmc::meshing::Axes{{{2, 0, 0}, {0, -3, 0}, {0, 0, 4}}});
-  check_refusal(refusal(folder.write("v.vti", vti("", whole + place + "Direction=\"1 0 0 1\"",
-                                                  ">" + appended_array, appended))),
+  check_refused(write("v.vti", vti("", whole + place + "Direction=\"1 0 0 1\"",
+                                   ">" + appended_array, appended)),
                 "Direction is '1 0 0 1', which is not 9 numbers");
 }
 
-TEST_CASE("a rectilinear grid of even steps in VTK's XML is a volume") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a rectilinear grid of even steps in VTK's XML is a volume") {
   const auto text = [](const std::string& numbers) {
     return "<DataArray type=\"Float64\" format=\"ascii\">" + numbers + "</DataArray>";
   };
@@ -109,11 +101,11 @@ TEST_CASE("a rectilinear grid of even steps in VTK's XML is a volume") {
   const std::string inline_samples =
       "><DataArray type=\"UInt8\" format=\"ascii\">" + numbers + "</DataArray>";
   const std::string yz = text("3 3.5 4") + text("1 5 9 13");
-  const auto even = folder.write("v.vtr", grid(inline_samples, text("-2 0 2 4 6") + yz, ""));
+  const auto even = write("v.vtr", grid(inline_samples, text("-2 0 2 4 6") + yz, ""));
   check_volume(even, SampleType::u8, "VTK XML, text");
   const VolumeInfo info = open_volume(even)->info();
-  CHECK(info.spacing_mm == std::array<double, 3>{2, 0.5, 4});
-  CHECK(info.placement->origin_mm == std::array<double, 3>{-2, 3, 1});
+  CHECK(info.spacing_mm == Spacing{2, 0.5, 4});
+  CHECK(info.placement->origin_mm == Vector{-2, 3, 1});
 
   // In appended data they are behind the samples.
   const std::string array = "<DataArray type=\"UInt8\" format=\"appended\" offset=\"";
@@ -121,15 +113,13 @@ TEST_CASE("a rectilinear grid of even steps in VTK's XML is a volume") {
     return std::string(1, static_cast<char>(values.size())) + std::string(3, '\0') + values;
   };
   check_volume(
-      folder.write(
-          "appended.vtr",
-          grid(">" + appended_array, array + "67\"/>" + array + "76\"/>" + array + "83\"/>",
-               appended + bytes("\1\2\3\4\5") + bytes("\2\4\6") + bytes("\1\2\3\4"))),
+      write("appended.vtr",
+            grid(">" + appended_array, array + "67\"/>" + array + "76\"/>" + array + "83\"/>",
+                 appended + bytes("\1\2\3\4\5") + bytes("\2\4\6") + bytes("\1\2\3\4"))),
       SampleType::u8, "VTK XML, raw");
-  CHECK(open_volume(folder.path() / "appended.vtr")->info().spacing_mm ==
-        std::array<double, 3>{1, 2, 1});
+  CHECK(open_volume(path() / "appended.vtr")->info().spacing_mm == Spacing{1, 2, 1});
 
-  check_refusal(refusal(folder.write("v.vtr", grid(inline_samples, text("0 1 2 3 9") + yz, ""))),
+  check_refused(write("v.vtr", grid(inline_samples, text("0 1 2 3 9") + yz, "")),
                 "the coordinates of the axis 'x' are uneven, from 0 to 9");
 }
 
@@ -191,7 +181,7 @@ TEST_CASE("the pieces of a .pvti file are one volume, in any order") {
     CHECK_FALSE(info.whole_dims);
     REQUIRE(info.placement);
     CHECK(info.placement->axes_mm == discmc::meshing::Axes{{{0, 2, 0}, {-3, 0, 0}, {0, 0, 4}}});
-    CHECK(info.placement->origin_mm == std::array<double, 3>{1, 12, -1});
+    CHECK(info.placement->origin_mm == Vector{1, 12, -1});
   }
   const auto reader = open_volume(pieces.write(left + right));
   reader->skip_slice();
@@ -258,20 +248,18 @@ TEST_CASE("pieces that are not the whole image are refused") {
   check(left + Pieces::piece("7 9 0 2 -1 2", "v.pvti"), "neither ImageData nor RectilinearGrid");
 }
 
-TEST_CASE("the marks of ghosts in VTK's XML are no samples") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "the marks of ghosts in VTK's XML are no samples") {
   const std::string ghosts =
       "<DataArray type=\"UInt8\" Name=\"vtkGhostType\" format=\"appended\" offset=\"70\"/>";
   const auto file =
-      folder.write("v.vti", vti("", whole, ">" + ghosts + appended_array + ghosts, appended));
+      write("v.vti", vti("", whole, ">" + ghosts + appended_array + ghosts, appended));
   check_volume(file, SampleType::u8, "VTK XML, raw");
   CHECK_FALSE(noted(open_volume(file)->info(), "left out"));
 }
 
-TEST_CASE("unsupported VTK XML is refused by name") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "unsupported VTK XML is refused by name") {
   const auto check = [&](const std::string& bytes, const std::string& part) {
-    check_refusal(refusal(folder.write("v.vti", bytes)), part);
+    check_refused(write("v.vti", bytes), part);
   };
   const std::string points = ">" + appended_array;
   check("<VTKFile type=\"StructuredGrid\">", "VTK's 'StructuredGrid', neither ImageData nor");

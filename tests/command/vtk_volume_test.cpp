@@ -1,9 +1,5 @@
 // VTK's legacy format, NumPy and InVesalius: what the files of other programs do not have
 // (container_table_test.cpp).
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "volume_files.hpp"
 
 namespace {
@@ -24,23 +20,21 @@ std::string numpy(const std::string& dictionary) {
 
 }  // namespace
 
-TEST_CASE("VTK's samples may be scalars, colours or a field, and have a place") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "VTK's samples may be scalars, colours or a field, and have a place") {
   const std::string field = "POINT_DATA 60\nFIELD FieldData 1\na 1 60 unsigned_char\n";
   const std::string colours = "POINT_DATA 60\nCOLOR_SCALARS a 1\n";
   for (const std::string& array : {scalars, field, colours}) {
-    check_volume(folder.write("v.vtk", vtk(image + array + u8)), SampleType::u8, "VTK, raw");
-    check_volume(folder.write("v", vtk(image + "METADATA\nINFORMATION 0\n\n" + array + u8 + "\n")),
+    check_volume(write("v.vtk", vtk(image + array + u8)), SampleType::u8, "VTK, raw");
+    check_volume(write("v", vtk(image + "METADATA\nINFORMATION 0\n\n" + array + u8 + "\n")),
                  SampleType::u8, "VTK, raw");
   }
   const auto info =
-      open_volume(folder.write("v.vtk", vtk(image + "ORIGIN 7 8 -9\n" + scalars + u8)))->info();
+      open_volume(write("v.vtk", vtk(image + "ORIGIN 7 8 -9\n" + scalars + u8)))->info();
   REQUIRE(info.placement);
-  CHECK(info.placement->origin_mm == std::array<double, 3>{7, 8, -9});
+  CHECK(info.placement->origin_mm == Vector{7, 8, -9});
 }
 
-TEST_CASE("a component of VTK's vectors and of several scalars is a channel") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a component of VTK's vectors and of several scalars is a channel") {
   std::string samples, text;
   for (const char sample : u8)
     for (const char each : {sample, static_cast<char>(sample ^ 1), '\7'}) {
@@ -52,7 +46,7 @@ TEST_CASE("a component of VTK's vectors and of several scalars is a channel") {
   for (const std::string& array :
        {std::string("VECTORS v unsigned_char\n"), std::string("COLOR_SCALARS c 3\n"),
         std::string("SCALARS a unsigned_char 3\nLOOKUP_TABLE t\n")}) {
-    const auto file = folder.write("v.vtk", vtk(image + "POINT_DATA 60\n" + array + samples));
+    const auto file = write("v.vtk", vtk(image + "POINT_DATA 60\n" + array + samples));
     const auto read = read_all(*open_volume(file, options));
     REQUIRE(read.size() == voxels);
     for (std::size_t i = 0; i < read.size(); ++i)
@@ -60,24 +54,22 @@ TEST_CASE("a component of VTK's vectors and of several scalars is a channel") {
   }
   options.channel = 0;
   const std::string header = "# vtk DataFile Version 3.0\n\nASCII\n" + image;
-  check_volume(folder.write("v.vtk", header + "POINT_DATA 60\nVECTORS v unsigned_char\n" + text),
+  check_volume(write("v.vtk", header + "POINT_DATA 60\nVECTORS v unsigned_char\n" + text),
                SampleType::u8, "VTK, text", options);
 }
 
-TEST_CASE("VTK's samples may be cell data, at the centres between points") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "VTK's samples may be cell data, at the centres between points") {
   const std::string cells =
       "DATASET STRUCTURED_POINTS\nDIMENSIONS 6 4 5\nSPACING 1 2 3\nORIGIN 7 8 -9\nCELL_DATA 60\n"
       "SCALARS a unsigned_char 1\nLOOKUP_TABLE default\n";
-  const auto file = folder.write("v.vtk", vtk(cells + u8));
+  const auto file = write("v.vtk", vtk(cells + u8));
   check_volume(file, SampleType::u8, "VTK, raw");
-  CHECK(open_volume(file)->info().placement->origin_mm == std::array<double, 3>{7.5, 9, -7.5});
+  CHECK(open_volume(file)->info().placement->origin_mm == Vector{7.5, 9, -7.5});
 }
 
-TEST_CASE("unsupported legacy VTK is refused by name") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "unsupported legacy VTK is refused by name") {
   const auto check = [&](const std::string& bytes, const std::string& part) {
-    check_refusal(refusal(folder.write("v.vtk", bytes)), part);
+    check_refused(write("v.vtk", bytes), part);
   };
   check(vtk("DATASET POLYDATA\n"), "of kind 'POLYDATA'");
   check(vtk(image + "CELLS 60\n" + u8), "header line 'CELLS 60' is unknown");
@@ -97,22 +89,20 @@ TEST_CASE("unsupported legacy VTK is refused by name") {
   check("# vtk DataFile Version 3.0\n\nASCI\n", "third line is 'asci'");
 }
 
-TEST_CASE("an array of NumPy has x along contiguous samples") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "an array of NumPy has x along contiguous samples") {
   const std::string c_order = "{'descr': '|u1', 'fortran_order': False, 'shape': (4, 3, 5), }\n";
   const std::string fortran = "{'descr': '|u1', 'fortran_order': True, 'shape': (5, 3, 4), }\n";
-  const auto c_file = folder.write("c.npy", numpy(c_order) + u8);
-  const auto fortran_file = folder.write("fortran.npy", numpy(fortran) + u8);
+  const auto c_file = write("c.npy", numpy(c_order) + u8);
+  const auto fortran_file = write("fortran.npy", numpy(fortran) + u8);
   check_volume(c_file, SampleType::u8, "NumPy");
   check_volume(fortran_file, SampleType::u8, "NumPy");
   CHECK(noted(open_volume(fortran_file)->info(), "read as array[x][y][z]"));
   CHECK(noted(open_volume(c_file)->info(), "no spacing given"));
 }
 
-TEST_CASE("unsupported NumPy is refused by name") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "unsupported NumPy is refused by name") {
   const auto check = [&](const std::string& bytes, const std::string& part) {
-    check_refusal(refusal(folder.write("v.npy", bytes)), part);
+    check_refused(write("v.npy", bytes), part);
   };
   check(numpy("{'descr': '<c8', 'fortran_order': False, 'shape': (4, 3, 5)}"), "'<c8'");
   check(numpy("{'descr': '|u1', 'fortran_order': False, 'shape': (4,)}"), "1 dimensions");
@@ -125,20 +115,19 @@ TEST_CASE("unsupported NumPy is refused by name") {
   check(std::string("\x93NUMPY\2\0\xff\xff\xff\xff", 12), "header has 4294967295 bytes");
 }
 
-TEST_CASE("a project of InVesalius is upside down, and read from files only") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "a project of InVesalius is upside down, and read from files only") {
   const fs::path project = fs::path(DISCMC_SOURCE_DIR) / "tests" / "command" / "volumes" /
                            "invesalius" / "i16-little.inv3";
-  CHECK(open_volume(project)->info().spacing_mm == std::array<double, 3>{0.5, -0.75, 2});
+  CHECK(open_volume(project)->info().spacing_mm == Spacing{0.5, -0.75, 2});
   CHECK(noted(open_volume(project)->info(), "y runs backwards"));
   std::string bytes;
   {
     std::ifstream in(project, std::ios::binary);
     bytes.assign(std::istreambuf_iterator<char>(in), {});
   }
-  check_refusal(refusal(folder.write("v.inv3", bytes.substr(0, 700))), "no whole file main.plist");
-  check_refusal(refusal(folder.write("v.inv3", "nothing")), "no whole file main.plist");
+  check_refused(write("v.inv3", bytes.substr(0, 700)), "no whole file main.plist");
+  check_refused(write("v.inv3", "nothing"), "no whole file main.plist");
   const std::size_t type = bytes.find("int16");
   bytes.replace(type, 5, "int99");
-  check_refusal(refusal(folder.write("v.inv3", bytes)), "type 'int99'");
+  check_refused(write("v.inv3", bytes), "type 'int99'");
 }

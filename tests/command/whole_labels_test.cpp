@@ -1,15 +1,6 @@
 // Volumes of labels in whole numbers.
 #include "volumes/filters/filters.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "command.hpp"
 
 namespace {
@@ -52,17 +43,16 @@ TEST_CASE("values within 0.01 of a whole number are that label, and counted") {
             "2 samples are not a number (NaN) and count as off"});
 }
 
-TEST_CASE("rounding of the slope is tolerated, and larger deviations are not") {
-  const Folder folder;
+TEST_CASE_FIXTURE(Folder, "rounding of the slope is tolerated, and larger deviations are not") {
   const auto nifti = [](float intercept, const std::vector<std::int16_t>& samples) {
     return Nifti().dims({3, 4, 1, 1}).type(4).scale(0.1F, intercept).file(bytes_of(samples));
   };
-  const auto file = folder.write("v.nii", nifti(0.7F, {0, 1, 2, 3}));
+  const auto file = write("v.nii", nifti(0.7F, {0, 1, 2, 3}));
   const VolumeOptions options = with(&VolumeOptions::holds_labels, true);
   const auto volume = open_volume(file, options);
   CHECK_THROWS_WITH_AS(read_all(*volume), doctest::Contains("the value 0.7 in slice 0 is no label"),
                        VolumeError);
-  const auto exact = folder.write("v.nii", nifti(0, {0, 30, 60, 70}));
+  const auto exact = write("v.nii", nifti(0, {0, 30, 60, 70}));
   const auto labels = open_volume(exact, options);
   CHECK(read_all(*labels) == std::vector<double>{0, 3, 6, 7});
   for (const std::string& note : labels->notes()) CHECK_FALSE(contains(note, "rounded"));

@@ -2,16 +2,10 @@
 // The files of zarr in Python and of zarrita are in container_table_test.
 #include <archive.h>
 #include <archive_entry.h>
-#include <doctest/doctest.h>
 
-#include <cmath>
-#include <cstdint>
 #include <fstream>
-#include <string>
-#include <vector>
 
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
@@ -19,27 +13,10 @@ using namespace volume_files;
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes/zarr";
 
-void write(const fs::path& file, const std::string& bytes) {
-  fs::create_directories(file.parent_path());
-  std::ofstream(file, std::ios::binary) << bytes;
-}
-
 std::string shape_json(const std::vector<int>& sizes) {
   std::string text;
   for (const int size : sizes) text += (text.empty() ? "[" : ", ") + std::to_string(size);
   return text + "]";
-}
-
-// An array of version 2 in one chunk, unpacked.
-void write_array(const fs::path& folder, const std::vector<int>& sizes, const std::string& samples,
-                 const std::string& dtype = "|u1") {
-  write(folder / ".zarray",
-        R"({"zarr_format": 2, "shape": )" + shape_json(sizes) + R"(, "chunks": )" +
-            shape_json(sizes) + R"(, "dtype": ")" + dtype +
-            R"(", "compressor": null, "fill_value": 0, "order": "C", "filters": null})");
-  std::string key = "0";
-  for (std::size_t axis = 1; axis < sizes.size(); ++axis) key += ".0";
-  write(folder / key, samples);
 }
 
 const std::string zyx_axes = R"([{"name": "z", "type": "space", "unit": "micrometer"},)"
@@ -53,81 +30,90 @@ std::string dataset(const std::string& path, const std::string& scale,
          "]}";
 }
 
-void write_image(const fs::path& folder, const std::string& axes, const std::string& datasets,
-                 const std::string& further = "") {
-  write(folder / ".zgroup", R"({"zarr_format": 2})");
-  write(folder / ".zattrs", R"({"multiscales": [{"version": "0.4", "axes": )" + axes +
-                                R"(, "datasets": [)" + datasets + "]" + further + "}]}");
-}
-
 const std::string u8 = stored(SampleType::u8);
 
-TEST_CASE("the finest of several levels is read, or a chosen one, with its own scale") {
-  const Folder folder;
-  const fs::path image = folder.path() / "image.ome.zarr";
-  write_image(image, zyx_axes,
+struct ZarrFolder : Folder {
+  const fs::path array = path() / "array.zarr", image = path() / "image.zarr";
+
+  // An array of version 2 in one chunk, unpacked.
+  void write_array(const fs::path& folder, const std::vector<int>& sizes,
+                   const std::string& samples, const std::string& dtype = "|u1") const {
+    write(folder / ".zarray",
+          R"({"zarr_format": 2, "shape": )" + shape_json(sizes) + R"(, "chunks": )" +
+              shape_json(sizes) + R"(, "dtype": ")" + dtype +
+              R"(", "compressor": null, "fill_value": 0, "order": "C", "filters": null})");
+    std::string key = "0";
+    for (std::size_t axis = 1; axis < sizes.size(); ++axis) key += ".0";
+    write(folder / key, samples);
+  }
+  void write_image(const fs::path& folder, const std::string& axes, const std::string& datasets,
+                   const std::string& further = "") const {
+    write(folder / ".zgroup", R"({"zarr_format": 2})");
+    write(folder / ".zattrs", R"({"multiscales": [{"version": "0.4", "axes": )" + axes +
+                                  R"(, "datasets": [)" + datasets + "]" + further + "}]}");
+  }
+};
+
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "the finest of several levels is read, or a chosen one, with its own scale") {
+  const fs::path ome = path() / "image.ome.zarr";
+  write_image(ome, zyx_axes,
               dataset("full", "[2000, 750, 500]") + ", " + dataset("half", "[4000, 1500, 1000]"));
-  write_array(image / "full", {4, 3, 5}, u8);
-  write_array(image / "half", {2, 2, 3}, std::string(12, '\7'));
-  check_volume(image, SampleType::u8, "OME-Zarr, level 0 of 2");
-  const auto reader = open_volume(image);
-  CHECK(reader->info().spacing_mm == std::array<double, 3>{0.5, 0.75, 2});
+  write_array(ome / "full", {4, 3, 5}, u8);
+  write_array(ome / "half", {2, 2, 3}, std::string(12, '\7'));
+  check_volume(ome, SampleType::u8, "OME-Zarr, level 0 of 2");
+  const auto reader = open_volume(ome);
+  CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2});
   CHECK(reader->info().notes.empty());
   VolumeOptions options = with(&VolumeOptions::level, 1);
-  const auto half = open_volume(image, options);
+  const auto half = open_volume(ome, options);
   CHECK(half->info().format == "OME-Zarr, level 1 of 2");
-  CHECK(half->info().dims == std::array<std::uint32_t, 3>{3, 2, 2});
-  CHECK(half->info().spacing_mm == std::array<double, 3>{1, 1.5, 4});
+  CHECK(half->info().dims == Dims{3, 2, 2});
+  CHECK(half->info().spacing_mm == Spacing{1, 1.5, 4});
   options.level = 2;
-  check_refusal(refusal(image, options),
-                "no level 2: the image has 2; choose one with --level 0 to 1");
+  check_refused(ome, options, "no level 2: the image has 2; choose one with --level 0 to 1");
   // Also by the folder of its array, which is then a level of the image.
-  check_volume(image / "full", SampleType::u8, "OME-Zarr, level 0 of 2");
-  check_volume(image / "full" / "", SampleType::u8, "OME-Zarr, level 0 of 2");
-  CHECK(open_volume(image / "half")->info().spacing_mm == std::array<double, 3>{1, 1.5, 4});
+  check_volume(ome / "full", SampleType::u8, "OME-Zarr, level 0 of 2");
+  check_volume(ome / "full" / "", SampleType::u8, "OME-Zarr, level 0 of 2");
+  CHECK(open_volume(ome / "half")->info().spacing_mm == Spacing{1, 1.5, 4});
 }
 
-TEST_CASE("a level whose path leads out of the image is refused, and one in its folders is read") {
-  const Folder folder;
-  const fs::path image = folder.path() / "image.zarr";
-  write_array(folder.path() / "outside", {4, 3, 5}, u8);
-  for (const std::string path : {"../outside", "a/../../outside", "/outside", R"(..\\outside)"}) {
-    CAPTURE(path);
-    write_image(image, zyx_axes, dataset(path, "[1, 1, 1]"));
-    check_refusal(refusal(image), "outside', which lies outside of its folder");
+TEST_CASE_FIXTURE(
+    ZarrFolder,
+    "a level whose path leads out of the image is refused, and one in its folders is read") {
+  write_array(path() / "outside", {4, 3, 5}, u8);
+  for (const std::string level : {"../outside", "a/../../outside", "/outside", R"(..\\outside)"}) {
+    CAPTURE(level);
+    write_image(image, zyx_axes, dataset(level, "[1, 1, 1]"));
+    check_refused(image, "outside', which lies outside of its folder");
   }
   write_image(image, zyx_axes, dataset("a/full", "[1, 1, 1]"));
   write_array(image / "a" / "full", {4, 3, 5}, u8);
   check_volume(image, SampleType::u8, "OME-Zarr");
 }
 
-TEST_CASE("a level whose slices are too large is passed over") {
-  const Folder folder;
-  const fs::path image = folder.path() / "image.zarr";
+TEST_CASE_FIXTURE(ZarrFolder, "a level whose slices are too large is passed over") {
   write_image(image, zyx_axes, dataset("0", "[1, 1, 1]") + ", " + dataset("1", "[4, 3, 5]"));
   write_array(image / "0", {4, 3, 40000}, u8);
   write_array(image / "1", {4, 3, 5}, u8);
   check_volume(image, SampleType::u8, "OME-Zarr, level 1 of 2");
-  check_refusal(refusal(image, with(&VolumeOptions::level, 0)), "size 40000, outside 1 to 32766");
+  check_refused(image, with(&VolumeOptions::level, 0), "size 40000, outside 1 to 32766");
 }
 
-TEST_CASE("scales and translations of a level and of all levels are combined") {
-  const Folder folder;
-  const fs::path image = folder.path() / "image.zarr";
+TEST_CASE_FIXTURE(ZarrFolder, "scales and translations of a level and of all levels are combined") {
   write_image(
       image, zyx_axes,
       dataset("0", "[2, 1, 1]", R"(, {"type": "translation", "translation": [10, 20, 30]})"),
       R"(, "coordinateTransformations": [{"type": "scale", "scale": [1000, 1000, 500]}])");
   write_array(image / "0", {4, 3, 5}, u8);
   const auto reader = open_volume(image);
-  CHECK(reader->info().spacing_mm == std::array<double, 3>{0.5, 1, 2});
+  CHECK(reader->info().spacing_mm == Spacing{0.5, 1, 2});
   REQUIRE(reader->info().placement);
-  CHECK(reader->info().placement->origin_mm == std::array<double, 3>{15, 20, 10});
+  CHECK(reader->info().placement->origin_mm == Vector{15, 20, 10});
 }
 
-TEST_CASE("units are those of each axis, and a missing or unknown one is noted") {
-  const Folder folder;
-  const fs::path image = folder.path() / "image.zarr";
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "units are those of each axis, and a missing or unknown one is noted") {
   write_array(image / "0", {4, 3, 5}, u8);
   write_image(
       image,
@@ -135,14 +121,13 @@ TEST_CASE("units are those of each axis, and a missing or unknown one is noted")
       R"( {"name": "y", "type": "space", "unit": "parsec"}, {"name": "x", "type": "space"}])",
       dataset("0", "[4000000, 2, 3]"));
   const auto reader = open_volume(image);
-  CHECK(reader->info().spacing_mm == std::array<double, 3>{3, 2, 4});
+  CHECK(reader->info().spacing_mm == Spacing{3, 2, 4});
   CHECK(noted(reader->info(), "no unit of length given, mm assumed"));
   CHECK(noted(reader->info(), "unit 'parsec' is unknown, mm assumed"));
 }
 
-TEST_CASE("a time and a channel are chosen, by the names that the file has for them") {
-  const Folder folder;
-  const fs::path image = folder.path() / "image.zarr";
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "a time and a channel are chosen, by the names that the file has for them") {
   write_image(
       image,
       R"([{"name": "t", "type": "time"}, {"name": "c", "type": "channel"},)" + zyx_axes.substr(1),
@@ -150,32 +135,31 @@ TEST_CASE("a time and a channel are chosen, by the names that the file has for t
   const std::string other(60, '\1');
   write_array(image / "0", {2, 2, 4, 3, 5}, other + other + other + u8);
   VolumeOptions options = with(&VolumeOptions::frame, 1);
-  check_refusal(refusal(image, options), "holds 2 channels, and one is read at a time");
+  check_refused(image, options, "holds 2 channels, and one is read at a time");
   options.channel = 1;
   check_volume(image, SampleType::u8, "OME-Zarr", options);
   options.frame.reset();
-  check_refusal(refusal(image, options), "holds 2 volumes");
+  check_refused(image, options, "holds 2 volumes");
 
   write(image / ".zattrs", R"({"multiscales": [{"datasets": [{"path": "0"}]}],)"
                            R"( "omero": {"channels": [{"label": "DAPI"}, {"label": "GFP"}]}})");
   options.frame = 1;
   options.channel.reset();
-  check_refusal(refusal(image, options), "holds 2 channels ('DAPI', 'GFP')");
+  check_refused(image, options, "holds 2 channels ('DAPI', 'GFP')");
   options.channel = 1;
   check_volume(image, SampleType::u8, "OME-Zarr", options);
   CHECK(noted(open_volume(image, options)->info(), "no spacing given, 1 mm assumed"));
 }
 
-TEST_CASE("chunks that are not there are full of the fill value, but some must be there") {
-  const Folder folder;
-  const fs::path array = folder.path() / "array.zarr";
-  const auto write_metadata = [&array](const std::string& dtype, const std::string& fill) {
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "chunks that are not there are full of the fill value, but some must be there") {
+  const auto write_metadata = [this](const std::string& dtype, const std::string& fill) {
     write(array / ".zarray",
           R"({"zarr_format": 2, "shape": [2, 3, 4], "chunks": [1, 2, 3], "dtype": ")" + dtype +
               R"(", "compressor": null, "fill_value": )" + fill + R"(, "order": "C"})");
   };
   write_metadata("<i2", "-7");
-  check_refusal(refusal(array), "the array has no chunk");
+  check_refused(array, "the array has no chunk");
   write(array / "1.1.1", std::string("\1\0\2\0\3\0\4\0\5\0\6\0", 12));
   const auto samples = read_all(*open_volume(array));
   std::vector<double> expected(24, -7);
@@ -184,12 +168,10 @@ TEST_CASE("chunks that are not there are full of the fill value, but some must b
   write_metadata("<f2", "\"NaN\"");
   CHECK(std::isnan(read_all(*open_volume(array))[0]));
   write_metadata("<i2", "\"words\"");
-  check_refusal(refusal(array), "the fill value '\"words\"' is not a sample");
+  check_refused(array, "the fill value '\"words\"' is not a sample");
 }
 
-TEST_CASE("labels of 64 bits keep all of them") {
-  const Folder folder;
-  const fs::path array = folder.path() / "array.zarr";
+TEST_CASE_FIXTURE(ZarrFolder, "labels of 64 bits keep all of them") {
   const std::vector<std::uint64_t> ids = {720575940621039145, 720575940621039146};
   write_array(array, {1, 1, 2}, bytes_of(ids), "<u8");
   const auto reader = open_volume(array);
@@ -200,15 +182,15 @@ TEST_CASE("labels of 64 bits keep all of them") {
   CHECK(slice[1] == ids[1]);
 }
 
-TEST_CASE("axes of an array are its own names, those of xarray, or those that are asked for") {
-  const Folder folder;
-  const fs::path array = folder.path() / "array.zarr";
+TEST_CASE_FIXTURE(
+    ZarrFolder,
+    "axes of an array are its own names, those of xarray, or those that are asked for") {
   write_array(array, {4, 3, 5, 1}, u8);
   check_volume(array, SampleType::u8, "Zarr");
   CHECK(noted(open_volume(array)->info(), "axes of size 1 are dropped"));
   write_array(array, {4, 3, 5}, u8);
   write(array / ".zattrs", R"({"_ARRAY_DIMENSIONS": ["x", "y", "z"]})");
-  CHECK(open_volume(array)->info().dims == std::array<std::uint32_t, 3>{4, 3, 5});
+  CHECK(open_volume(array)->info().dims == Dims{4, 3, 5});
   VolumeOptions options = with(&VolumeOptions::axes, "zyx");
   check_volume(array, SampleType::u8, "Zarr", options);
   options.axes = "xzy";
@@ -218,9 +200,9 @@ TEST_CASE("axes of an array are its own names, those of xarray, or those that ar
   CHECK(samples[4 * 5] == sample_at(5, SampleType::u8));  // along z
 }
 
-TEST_CASE("coordinates of xarray place an array, and its fill value is outside") {
-  const Folder folder;
-  const fs::path group = folder.path() / "v.zarr";
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "coordinates of xarray place an array, and its fill value is outside") {
+  const fs::path group = path() / "v.zarr";
   write(group / ".zgroup", R"({"zarr_format": 2})");
   write_array(group / "density", {4, 3, 5}, u8);
   write(group / "density/.zattrs", R"({"_ARRAY_DIMENSIONS": ["z", "y", "x"]})");
@@ -230,9 +212,9 @@ TEST_CASE("coordinates of xarray place an array, and its fill value is outside")
   write(group / "y/.zattrs", R"({"units": "mm"})");
   write_array(group / "x", {4}, std::string("\1\2\3\4", 4));  // of another array
   const VolumeInfo info = open_volume(group)->info();
-  CHECK(info.spacing_mm == std::array<double, 3>{1, -2, 0.003});
+  CHECK(info.spacing_mm == Spacing{1, -2, 0.003});
   REQUIRE(info.placement);
-  CHECK(info.placement->origin_mm == std::array<double, 3>{0, 7, 0.002});
+  CHECK(info.placement->origin_mm == Vector{0, 7, 0.002});
   CHECK(noted(info, "no spacing of axis 1 given"));
 
   std::string json = command_tests::contents(group / "density/.zarray");
@@ -243,7 +225,7 @@ TEST_CASE("coordinates of xarray place an array, and its fill value is outside")
   CHECK(samples[1] == 4);
   CHECK(std::isnan(samples[2]));
   write_array(group / "z", {4}, std::string("\2\5\10\20", 4));
-  check_refusal(refusal(group), "the coordinates of the axis 'z' are uneven, from 2 to 16");
+  check_refused(group, "the coordinates of the axis 'z' are uneven, from 2 to 16");
 }
 
 TEST_CASE("slices are skipped, and read from the middle of chunks on") {
@@ -258,24 +240,24 @@ TEST_CASE("slices are skipped, and read from the middle of chunks on") {
   CHECK_THROWS_WITH_AS(reader->skip_slice(), doctest::Contains("all 4 slices"), VolumeError);
 }
 
-TEST_CASE("a group is read like the only array or image in it, and of several one is chosen") {
-  const Folder folder;
-  const fs::path group = folder.path() / "group.zarr";
+TEST_CASE_FIXTURE(
+    ZarrFolder,
+    "a group is read like the only array or image in it, and of several one is chosen") {
+  const fs::path group = path() / "group.zarr";
   write(group / ".zgroup", R"({"zarr_format": 2})");
   write(group / "OME/.zgroup", R"({"zarr_format": 2})");
-  check_refusal(refusal(group), "the group holds no array");
+  check_refused(group, "the group holds no array");
   write_image(group / "0", zyx_axes, dataset("0", "[2000, 750, 500]"));
   write_array(group / "0/0", {4, 3, 5}, u8);
   check_volume(group, SampleType::u8, "OME-Zarr");
   check_volume(group / ".zgroup", SampleType::u8, "OME-Zarr");
   write_array(group / "1", {4, 3, 5}, u8);
-  check_refusal(refusal(group), "holds several images or arrays: 0, 1; choose one by its folder");
+  check_refused(group, "holds several images or arrays: 0, 1; choose one by its folder");
 }
 
-TEST_CASE("a zip of Zarr is read like its folder") {
-  const Folder folder;
+TEST_CASE_FIXTURE(ZarrFolder, "a zip of Zarr is read like its folder") {
   for (const std::string inside : {"", "image.zarr/"}) {
-    const fs::path file = folder.path() / "image.zarr.zip";
+    const fs::path file = path() / "image.zarr.zip";
     archive* writer = archive_write_new();
     archive_write_set_format_zip(writer);
     REQUIRE(archive_write_open_filename(writer, file.c_str()) == ARCHIVE_OK);
@@ -298,9 +280,7 @@ TEST_CASE("a zip of Zarr is read like its folder") {
   }
 }
 
-TEST_CASE("an unsupported compressor or filter is refused by its name") {
-  const Folder folder;
-  const fs::path array = folder.path() / "array.zarr";
+TEST_CASE_FIXTURE(ZarrFolder, "an unsupported compressor or filter is refused by its name") {
   const auto refusal_of = [&](const std::string& members) {
     write(array / ".zarray",
           R"({"zarr_format": 2, "shape": [4, 3, 5], "chunks": [4, 3, 5], "fill_value": 0, )" +
@@ -322,21 +302,20 @@ TEST_CASE("an unsupported compressor or filter is refused by its name") {
   check_refusal(refusal_of(R"("dtype": "<u2", "compressor": null)"),
                 "its size differs from other chunks");
   write(array / ".zarray", "not JSON");
-  check_refusal(refusal(array), "not a JSON object");
+  check_refused(array, "not a JSON object");
 }
 
-TEST_CASE("chunks truncated at any byte are refused") {
+TEST_CASE_FIXTURE(ZarrFolder, "chunks truncated at any byte are refused") {
   for (const std::string name : {"i16-big-chunks.zarr/0/0/0/0", "i16-big-zlib.zarr/0/0/0/0",
                                  "i16-big-zstd.zarr/0/0/0/0", "i16-big-gzip.zarr/0/0/0/0"}) {
-    const Folder folder;
     const fs::path original = files / name;
-    const fs::path image = fs::path(name).begin()->string();
-    fs::copy(files / image, folder.path() / image, fs::copy_options::recursive);
+    const fs::path copied = fs::path(name).begin()->string();
+    fs::copy(files / copied, path() / copied, fs::copy_options::recursive);
     const std::string bytes = command_tests::contents(original);
     for (std::size_t size = 0; size < bytes.size(); size += 5) {
       INFO(name, " cut at ", size);
-      write(folder.path() / name, bytes.substr(0, size));
-      CHECK_THROWS_AS(read_all(*open_volume(folder.path() / image)), VolumeError);
+      write(path() / name, bytes.substr(0, size));
+      CHECK_THROWS_AS(read_all(*open_volume(path() / copied)), VolumeError);
     }
   }
 }
@@ -383,9 +362,9 @@ std::string shard_codec(bool has_index_at_start, bool has_checksum) {
          (has_index_at_start ? "start" : "end") + R"("}}])";
 }
 
-TEST_CASE("chunks in shards are read, with their index at either end, and missing ones filled") {
-  const Folder folder;
-  const fs::path array = folder.path() / "array.zarr";
+TEST_CASE_FIXTURE(
+    ZarrFolder,
+    "chunks in shards are read, with their index at either end, and missing ones filled") {
   for (const bool has_index_at_start : {false, true})
     for (const bool has_checksum : {false, true}) {
       write(array / "zarr.json",
@@ -399,9 +378,7 @@ TEST_CASE("chunks in shards are read, with their index at either end, and missin
     }
 }
 
-TEST_CASE("a shard with a wrong index or checksum is refused") {
-  const Folder folder;
-  const fs::path array = folder.path() / "array.zarr";
+TEST_CASE_FIXTURE(ZarrFolder, "a shard with a wrong index or checksum is refused") {
   write(array / "zarr.json", array_json("[4, 3, 5]", shard_codec(false, true)));
   std::string bytes = shard(true, false, true);
   for (std::size_t size = 0; size < bytes.size(); size += 9) {
@@ -411,38 +388,33 @@ TEST_CASE("a shard with a wrong index or checksum is refused") {
   }
   bytes[70] = static_cast<char>(bytes[70] ^ 1);
   write(array / "c/0/0/0", bytes);
-  check_refusal(refusal(array), "its checksum is wrong");
+  check_refused(array, "its checksum is wrong");
 }
 
-TEST_CASE("a checksum behind a chunk is compared, and keys may be those of version 2") {
-  const Folder folder;
-  const fs::path array = folder.path() / "array.zarr";
+TEST_CASE_FIXTURE(ZarrFolder,
+                  "a checksum behind a chunk is compared, and keys may be those of version 2") {
   const std::string keys = R"({"name": "v2", "configuration": {"separator": "."}})";
   write(array / "zarr.json",
         array_json("[4, 3, 5]", "[" + bytes_codec + R"(, {"name": "crc32c"}])", keys));
   write(array / "0.0.0", u8 + bytes_of(crc32c(u8)));
   check_volume(array, SampleType::u8, "Zarr");
   write(array / "0.0.0", u8 + bytes_of(crc32c(u8) + 1));
-  check_refusal(refusal(array), "its checksum is wrong");
+  check_refused(array, "its checksum is wrong");
 }
 
-TEST_CASE("codecs of version 3 that are not read are refused by their names") {
-  const Folder folder;
-  const fs::path array = folder.path() / "array.zarr";
+TEST_CASE_FIXTURE(ZarrFolder, "codecs of version 3 that are not read are refused by their names") {
   write(array / "c/0/0/0", u8);
   write(array / "zarr.json",
         array_json("[4, 3, 5]", "[" + bytes_codec + R"(, {"name": "pcodec"}])"));
-  check_refusal(refusal(array), "packed by 'pcodec'");
+  check_refused(array, "packed by 'pcodec'");
   write(array / "zarr.json",
         array_json("[4, 3, 5]", "[" + bytes_codec + R"(, {"name": "gzip"}, {"name": "zstd"}])"));
-  check_refusal(refusal(array), "packed twice");
+  check_refused(array, "packed twice");
   write(array / "zarr.json", array_json("[4, 3]", "[" + bytes_codec + "]"));
-  check_refusal(refusal(array), "sizes of chunks do not fit the axes of the array");
+  check_refused(array, "sizes of chunks do not fit the axes of the array");
 }
 
-TEST_CASE("a small array that claims large slices or chunks is refused") {
-  const Folder folder;
-  const fs::path array = folder.path() / "array.zarr";
+TEST_CASE_FIXTURE(ZarrFolder, "a small array that claims large slices or chunks is refused") {
   const auto refusal_of = [&](const std::string& shape, const std::string& chunks) {
     write(array / ".zarray", R"({"zarr_format": 2, "dtype": "<f8", "compressor": {"id": "zstd"},)"
                              R"( "fill_value": 0, "shape": )" +
@@ -456,38 +428,35 @@ TEST_CASE("a small array that claims large slices or chunks is refused") {
   check_refusal(refusal_of("[1, 3, 5]", "[1024, 1024, 1024]"), "more than 2 GiB");
 }
 
-TEST_CASE("filters that shuffle, add up and round are undone") {
-  const Folder folder;
-  const auto values_of = [&](const std::string& name, const std::string& filters,
-                             const std::string& samples, const std::string& dtype) {
-    const fs::path array = folder.path() / (name + ".zarr");
+TEST_CASE_FIXTURE(ZarrFolder, "filters that shuffle, add up and round are undone") {
+  const auto values_of = [&](const std::string& filters, const std::string& samples,
+                             const std::string& dtype) {
     write_array(array, {1, 2, 2}, samples, dtype);
     std::string json = command_tests::contents(array / ".zarray");
     json.replace(json.find("null}"), 4, "[" + filters + "]");
     write(array / ".zarray", json);
     return read_all(*open_volume(array));
   };
-  CHECK(values_of("a", R"({"id": "shuffle", "elementsize": 2})", std::string("\1\2\3\4\0\1\0\1", 8),
+  CHECK(values_of(R"({"id": "shuffle", "elementsize": 2})", std::string("\1\2\3\4\0\1\0\1", 8),
                   "<u2") == std::vector<double>{1, 258, 3, 260});
-  CHECK(values_of("b", R"({"id": "delta", "dtype": "|u1"})", "\5\1\377\2", "|u1") ==
+  CHECK(values_of(R"({"id": "delta", "dtype": "|u1"})", "\5\1\377\2", "|u1") ==
         std::vector<double>{5, 6, 5, 7});
-  CHECK(values_of("c", R"({"id": "quantize", "digits": 1, "dtype": "<f4"})",
+  CHECK(values_of(R"({"id": "quantize", "digits": 1, "dtype": "<f4"})",
                   std::string("\0\0\x80\x3f", 4) + std::string(12, '\0'), "<f4")[0] == 1);
-  CHECK(values_of("d", R"({"id": "delta", "dtype": "|u1"}, {"id": "shuffle", "elementsize": 2})",
+  CHECK(values_of(R"({"id": "delta", "dtype": "|u1"}, {"id": "shuffle", "elementsize": 2})",
                   std::string("\1\3\2\4", 4), "|u1") == std::vector<double>{1, 3, 6, 10});
 }
 
-TEST_CASE("labels of OME-Zarr have their names and colours") {
-  const Folder folder;
-  const fs::path image = folder.path() / "nuclei";
-  write_image(image, zyx_axes, dataset("0", "[1, 1, 1]"));
-  std::string json = command_tests::contents(image / ".zattrs");
+TEST_CASE_FIXTURE(ZarrFolder, "labels of OME-Zarr have their names and colours") {
+  const fs::path nuclei = path() / "nuclei";
+  write_image(nuclei, zyx_axes, dataset("0", "[1, 1, 1]"));
+  std::string json = command_tests::contents(nuclei / ".zattrs");
   json.insert(1, R"("image-label": {"colors": [{"label-value": 3, "rgba": [255, 0, 0, 255]},
     {"label-value": 4, "rgba": [1, 2]}], "properties": [{"label-value": 3, "name": "left"},
     {"label-value": 700, "class": "right"}]}, )");
-  write(image / ".zattrs", json);
-  write_array(image / "0", {4, 3, 5}, u8);
-  const auto labels = open_volume(image)->info().labels;
+  write(nuclei / ".zattrs", json);
+  write_array(nuclei / "0", {4, 3, 5}, u8);
+  const auto labels = open_volume(nuclei)->info().labels;
   REQUIRE(labels.size() == 2);
   CHECK(labels[0].name == "left");
   REQUIRE(labels[0].colour);

@@ -1,17 +1,10 @@
 // Archives of zip: DICOM and pictures in them, read as from a folder.
 #include <archive.h>
 #include <archive_entry.h>
-#include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <cstdlib>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "command.hpp"
-#include "volume_files.hpp"
 
 namespace {
 
@@ -76,17 +69,15 @@ std::string refusal_of(const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("a zip is read like the folder that was packed, for any names in it") {
+TEST_CASE_FIXTURE(Folder, "a zip is read like the folder that was packed, for any names in it") {
   const TemporaryFiles temporary;
   for (const fs::path& packed : {files / "dicom/series", files / "pictures/stack"})
     for (const std::string prefix : {"", "study/a/", "/", "../../"}) {
-      CAPTURE(packed.string());
-      CAPTURE(prefix);
-      const Folder folder;
+      INFO(packed.string(), ", prefix ", prefix);
       const auto unpacked = open_volume(packed);
       // By its name, and by its first bytes.
       for (const std::string name : {"study.ZIP", "study"}) {
-        const auto reader = open_volume(folder.write(name, zip(members_of(packed, prefix))));
+        const auto reader = open_volume(write(name, zip(members_of(packed, prefix))));
         CHECK(reader->info().format == unpacked->info().format + ", zip");
         CHECK(reader->info().dims == unpacked->info().dims);
         CHECK(reader->info().placement == unpacked->info().placement);
@@ -122,14 +113,14 @@ TEST_CASE("other files in a zip are ignored, and names may be in any language") 
               "such as 'preview.png'; to read them, give a pattern, such as '"));
 }
 
-TEST_CASE("a pattern selects files in a zip, as the refusal of two stacks advises") {
+TEST_CASE_FIXTURE(Folder,
+                  "a pattern selects files in a zip, as the refusal of two stacks advises") {
   const std::string picture = contents(files / "pictures/u8.png");
   Members members;
   for (const std::string name : {"z0_c0.png", "z0_c1.png", "z1_c0.png", "z1_c1.png", "z2_c0.png"})
     members.emplace_back("scan/" + name, picture);
-  const Folder folder;
-  const std::string packed = folder.write("scan.zip", zip(members)).string();
-  check_refusal(refusal(packed), "such as '" + packed + "/scan/*_c0.png'");
+  const std::string packed = write("scan.zip", zip(members)).string();
+  check_refused(packed, "such as '" + packed + "/scan/*_c0.png'");
   CHECK(open_volume(packed + "/scan/*_c0.png")->info().dims[2] == 3);
   CHECK(open_volume(packed + "/scan/z0*.png")->info().format == "PNG, zip");
   CHECK_THROWS_AS(open_volume(packed + "/none/*.png"), VolumeError);
@@ -141,13 +132,12 @@ TEST_CASE("a pattern selects files in a zip, as the refusal of two stacks advise
   }
 }
 
-TEST_CASE("a signal removes the unpacked zip, and two may be open") {
+TEST_CASE_FIXTURE(Folder, "a signal removes the unpacked zip, and two may be open") {
   const TemporaryFiles temporary;
-  const Folder folder;
   const std::string packed = zip(members_of(files / "dicom/series", "")),
                     command = std::string("'") + DISCMC_COMMAND + "' ",
-                    place = "cd '" + folder.path().string() + "' && ";
-  folder.write("study.zip", packed);
+                    place = "cd '" + path().string() + "' && ";
+  write("study.zip", packed);
   // Stopped at the opening of its output, a pipe without a reader, with the archive unpacked.
   const std::string stopped = place + "mkfifo v.stl && { timeout -s KILL 2 " + command +
                               "extract study.zip --iso=-1000 -q -o v.stl; sleep 1; }";
