@@ -1,0 +1,53 @@
+// In place of the readers in modules: each loads its module when it is first called. All of their
+// libraries need more time to start than the surface of a small volume.
+#include <dlfcn.h>
+
+#include <string>
+
+#include "mesh_files/mesh_reader.hpp"
+#include "volumes/formats/readers.hpp"
+#include "volumes/volume_error.hpp"
+
+namespace discmc::command {
+namespace {
+
+// file: what is to be read.
+template <class Reader>
+Reader* load(const char* module, const std::string& file) {
+  // The program's RUNPATH names the folder. Plugins of HDF5 may need its functions to be global.
+  void* const loaded = dlopen(module, RTLD_NOW | RTLD_GLOBAL);
+  void* const reader = loaded == nullptr ? nullptr : dlsym(loaded, "discmc_reader");
+  if (reader == nullptr)
+    fail(file, std::string("the reader cannot be loaded (") + dlerror() + ")",
+         "install discmc again, with its folder lib/discmc");
+  return *static_cast<Reader**>(reader);
+}
+
+}  // namespace
+
+#ifdef DISCMC_MODULE_DICOM
+std::unique_ptr<VolumeReader> open_dicom(const std::filesystem::path& source,
+                                         const std::vector<std::filesystem::path>& files,
+                                         const VolumeOptions& options,
+                                         const std::vector<std::string>& notes) {
+  static const auto reader = load<decltype(open_dicom)>(DISCMC_MODULE_DICOM, source);
+  return reader(source, files, options, notes);
+}
+#endif
+
+#ifdef DISCMC_MODULE_HDF5
+std::unique_ptr<VolumeReader> open_hdf5(const std::filesystem::path& name,
+                                        const VolumeOptions& options) {
+  static const auto reader = load<decltype(open_hdf5)>(DISCMC_MODULE_HDF5, name);
+  return reader(name, options);
+}
+#endif
+
+#ifdef DISCMC_MODULE_MESHES
+std::vector<FileMesh> read_meshes(const std::string& file) {
+  static const auto reader = load<decltype(read_meshes)>(DISCMC_MODULE_MESHES, file);
+  return reader(file);
+}
+#endif
+
+}  // namespace discmc::command
