@@ -1,7 +1,8 @@
-// What a module exports: its reader, whose name is DISCMC_READER.
+// What the module DISCMC_MODULE exports by its own name: the reader DISCMC_READER. The names differ
+// because all modules are loaded as global, and sanitizers reject the same variable twice.
 #include "mesh_files/mesh_reader.hpp"
 #include "volumes/formats/readers.hpp"
 
 extern "C" {
-auto* discmc_reader = &discmc::command::DISCMC_READER;
+auto* DISCMC_MODULE = &discmc::command::DISCMC_READER;
 }

@@ -13,10 +13,10 @@ namespace {
 
 // file: what is to be read.
 template <class Reader>
-Reader* load(const char* module, const std::string& file) {
+Reader* load(const std::string& module, const std::string& file) {
   // The program's RUNPATH names the folder. Plugins of HDF5 may need its functions to be global.
-  void* const loaded = dlopen(module, RTLD_NOW | RTLD_GLOBAL);
-  void* const reader = loaded == nullptr ? nullptr : dlsym(loaded, "discmc_reader");
+  void* const loaded = dlopen((module + ".so").c_str(), RTLD_NOW | RTLD_GLOBAL);
+  void* const reader = loaded == nullptr ? nullptr : dlsym(loaded, module.c_str());
   if (reader == nullptr)
     fail(file, std::string("the reader cannot be loaded (") + dlerror() + ")",
          "install discmc again, with its folder lib/discmc");

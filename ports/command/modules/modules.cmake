@@ -22,7 +22,7 @@ function(discmc_in_module library name)
   add_library(${module} MODULE EXCLUDE_FROM_ALL ${modules_folder}/entry.cpp $<TARGET_OBJECTS:${module}_objects>)
   set_target_properties(${module} PROPERTIES
     PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/modules)
-  target_compile_definitions(${module} PRIVATE DISCMC_READER=${with_READER})
+  target_compile_definitions(${module} PRIVATE DISCMC_MODULE=${module} DISCMC_READER=${with_READER})
   target_include_directories(${module} PRIVATE $<TARGET_PROPERTY:${library},INCLUDE_DIRECTORIES>)
   target_link_libraries(${module} PRIVATE ${with_LIBRARIES})
   set_property(GLOBAL APPEND PROPERTY DISCMC_MODULES ${name})
@@ -42,7 +42,8 @@ function(discmc_load_modules program)
   get_property(names GLOBAL PROPERTY DISCMC_MODULES)
   foreach(name IN LISTS names)
     string(TOLOWER discmc_${name} module)
-    target_compile_definitions(${program} PRIVATE DISCMC_MODULE_${name}="${module}.so")
+    set_property(SOURCE ${modules_folder}/first_use.cpp APPEND PROPERTY
+      COMPILE_DEFINITIONS DISCMC_MODULE_${name}="${module}")
     add_dependencies(${program} ${module})
     install(TARGETS ${module}
       LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/discmc COMPONENT discmc_command)
