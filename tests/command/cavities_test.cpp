@@ -5,27 +5,11 @@
 
 namespace {
 
-using discmc::Vertex;
 using discmc::meshing::Component;
 using discmc::meshing::Surface;
 using discmc::reference::BitVolume;
-
-Surface surface_of(const BitVolume& volume) {
-  sample_reader::SampleReader reader(volume);
-  discmc::meshing::SurfaceBuilder builder;
-  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed},
-          discmc::make_sink(builder));
-  builder.surface().spacing_mm = {1, 1, 1};
-  return std::move(builder.surface());
-}
-
-void put_box(BitVolume& volume, const Vertex& first, const Vertex& last, std::uint8_t on) {
-  for (std::int32_t z = first.z; z <= last.z; ++z)
-    for (std::int32_t y = first.y; y <= last.y; ++y)
-      for (std::int32_t x = first.x; x <= last.x; ++x)
-        volume.on[volume.index(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
-                               static_cast<std::uint32_t>(z))] = on;
-}
+using sample_reader::put_box;
+using sample_reader::surface_of;
 
 std::vector<double> volumes_after_filling(const BitVolume& volume) {
   Surface surface = surface_of(volume);

@@ -109,10 +109,8 @@ TEST_CASE("--close joins nearby parts before they are smoothed") {
   using command_tests::contains;
   const command_tests::Workshop workshop;
   BitVolume volume({24, 12, 12});
-  for (std::uint32_t z = 3; z < 9; ++z)
-    for (std::uint32_t y = 3; y < 9; ++y)
-      for (std::uint32_t x = 3; x < 21; ++x)
-        volume.on[volume.index(x, y, z)] = x == 11 || x == 12 ? 0 : 1;
+  sample_reader::put_box(volume, {3, 3, 3}, {10, 8, 8}, 1);
+  sample_reader::put_box(volume, {13, 3, 3}, {20, 8, 8}, 1);
   workshop.write("v.nrrd", volume);
   const auto bodies = [&](const std::string& options) {
     workshop.done("extract v.nrrd --iso 100 -q " + options + " -o v.csv");

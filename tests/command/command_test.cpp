@@ -390,13 +390,8 @@ TEST_CASE_FIXTURE(Workshop, "wrong usage exits with 2") {
                                 "info a b",
                                 "render v.dmc",
                                 "render v.dmc -o v.png --size 5",
-                                "render v.dmc -o v.png --view 1,2"}) {
-    INFO(arguments);
-    const Result result = run(arguments);
-    CHECK(result.code == 2);
-    CHECK(result.out.empty());
-    CHECK(!result.error.empty());
-  }
+                                "render v.dmc -o v.png --view 1,2"})
+    fails(arguments, 2, {"discmc: "});
 }
 
 TEST_CASE_FIXTURE(Workshop, "wrong values are reported with the expected ones") {

@@ -11,26 +11,9 @@ using discmc::meshing::Component;
 using discmc::meshing::ComponentCounts;
 using discmc::meshing::Surface;
 using discmc::reference::BitVolume;
+using sample_reader::put_box;
 
 const discmc::meshing::Point spacing_mm = {0.5, -2, 3};
-
-Surface surface_of(const BitVolume& volume) {
-  sample_reader::SampleReader reader(volume, spacing_mm);
-  discmc::meshing::SurfaceBuilder builder;
-  extract(reader, {{sample_reader::bit_threshold}, discmc::Border::closed},
-          discmc::make_sink(builder));
-  builder.surface().spacing_mm = spacing_mm;
-  return std::move(builder.surface());
-}
-
-void put_box(BitVolume& volume, discmc::Vertex first, discmc::Vertex last, std::uint8_t on) {
-  for (int z = first.z; z <= last.z; ++z)
-    for (int y = first.y; y <= last.y; ++y)
-      for (int x = first.x; x <= last.x; ++x)
-        volume.on[(static_cast<std::size_t>(z) * volume.height + static_cast<std::size_t>(y)) *
-                      volume.width +
-                  static_cast<std::size_t>(x)] = on;
-}
 
 // The volume inside the midpoint surface of a box of voxels: it has no corners and no edges. The
 // sums of its layers are those of the samples' bits less an eighth of each edge and some of each
@@ -38,7 +21,7 @@ void put_box(BitVolume& volume, discmc::Vertex first, discmc::Vertex last, std::
 double volume_of_box(int x, int y, int z) {
   BitVolume volume({20, 20, 20});
   put_box(volume, {1, 1, 1}, {x, y, z}, 1);
-  return components(surface_of(volume)).at(0).volume_mm3;
+  return components(sample_reader::surface_of(volume, spacing_mm)).at(0).volume_mm3;
 }
 
 }  // namespace
@@ -52,7 +35,7 @@ TEST_CASE("separate bodies are components, and a cavity is a component of negati
   put_box(volume, {2, 2, 2}, {10, 10, 10}, 1);
   put_box(volume, {5, 5, 5}, {6, 6, 6}, 0);
   put_box(volume, {14, 14, 14}, {16, 15, 14}, 1);
-  const std::vector<Component> found = components(surface_of(volume));
+  const std::vector<Component> found = components(sample_reader::surface_of(volume, spacing_mm));
   REQUIRE(found.size() == 3);
   double volumes[3] = {};
   for (int i = 0; i < 3; ++i) volumes[i] = found[static_cast<std::size_t>(i)].volume_mm3;
@@ -62,14 +45,14 @@ TEST_CASE("separate bodies are components, and a cavity is a component of negati
   CHECK(volumes[2] == doctest::Approx(volume_of_box(9, 9, 9)));
   std::size_t polygons = 0;
   for (const Component& component : found) polygons += component.polygons.size();
-  CHECK(polygons == surface_of(volume).polygons.size());
+  CHECK(polygons == sample_reader::surface_of(volume, spacing_mm).polygons.size());
 }
 
 TEST_CASE("bodies that touch in the middle of a cell alone are apart") {
   BitVolume volume({4, 4, 4});
   put_box(volume, {1, 1, 1}, {1, 1, 1}, 1);
   put_box(volume, {2, 2, 2}, {2, 2, 2}, 1);
-  CHECK(components(surface_of(volume)).size() == 2);
+  CHECK(components(sample_reader::surface_of(volume, spacing_mm)).size() == 2);
 }
 
 TEST_CASE("polygons are connected if their sides share a link") {
@@ -100,7 +83,7 @@ TEST_CASE("--largest keeps a body with its own cavities, and no body that lies i
     return sorted;
   };
   const auto kept = [&](const discmc::meshing::ComponentChoice& choice) {
-    Surface surface = surface_of(volume);
+    Surface surface = sample_reader::surface_of(volume, spacing_mm);
     keep_components(surface, choice);
     return volumes(surface);
   };
@@ -118,7 +101,7 @@ TEST_CASE("--largest keeps a body with its own cavities, and no body that lies i
   CHECK(all.size() == 6);
   CHECK(all[3] == doctest::Approx(inner));
   is(kept({1, 0, true}), {outer});
-  const std::vector<Surface> each = bodies(surface_of(volume));
+  const std::vector<Surface> each = bodies(sample_reader::surface_of(volume, spacing_mm));
   REQUIRE(each.size() == 3);
   for (std::size_t i = 0; i < 3; ++i) CHECK(volumes(each[i]).size() == 2);
   CHECK(volumes(each[0])[1] == doctest::Approx(outer));
@@ -132,7 +115,7 @@ TEST_CASE("the largest are kept, and those that enclose enough") {
   put_box(volume, {10, 10, 10}, {15, 15, 15}, 1);
   put_box(volume, {18, 1, 1}, {18, 1, 1}, 1);
   const auto kept = [&](std::uint64_t largest, double min_volume_mm3) {
-    Surface surface = surface_of(volume);
+    Surface surface = sample_reader::surface_of(volume, spacing_mm);
     const ComponentCounts counts = keep_components(surface, {largest, min_volume_mm3});
     CHECK(counts.found == 3);
     CHECK(components(surface).size() == counts.kept);

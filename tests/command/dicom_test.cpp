@@ -14,16 +14,6 @@ constexpr int depth = 5;
 
 const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes/dicom";
 
-// The volume of write_dicom.py.
-std::vector<double> values() {
-  std::vector<double> values;
-  for (int z = 0; z < depth; ++z)
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x)
-        values.push_back((x * 7919 + y * 1047 + z * 12997) % 4001 - 2000);
-  return values;
-}
-
 template <class Change>
 std::vector<double> changed(std::vector<double> values, Change change) {
   for (double& value : values) value = change(value);
@@ -76,13 +66,13 @@ TEST_CASE("slices of a folder are in the order of their positions, with spacing 
   const discmc::meshing::VolumePlacement placement = {
       discmc::Space::lps, {-10, -20, 100}, {{{0.5, 0, 0}, {0, 0.75, 0}, {0, 0, 2.5}}}};
   CHECK(info.placement == placement);
-  CHECK(read_all(*reader) == values());
+  CHECK(read_all(*reader) == patterned(0, depth));
 }
 
 TEST_CASE("frames of one file are in the order of their positions, in every transfer syntax") {
-  const auto unsigned_values = changed(values(), [](double v) { return v + 2000; });
-  const auto bytes =
-      changed(values(), [](double v) { return std::fmod(std::fmod(v, 251) + 251, 251); });
+  const auto unsigned_values = changed(patterned(0, depth), [](double v) { return v + 2000; });
+  const auto bytes = changed(patterned(0, depth),
+                             [](double v) { return std::fmod(std::fmod(v, 251) + 251, 251); });
   struct Case {
     std::string name;
     SampleType type;
@@ -90,9 +80,9 @@ TEST_CASE("frames of one file are in the order of their positions, in every tran
     std::string format;
   };
   const std::vector<Case> cases = {
-      {"little", SampleType::i16, values(), "DICOM"},
-      {"implicit", SampleType::i16, values(), "DICOM"},
-      {"big", SampleType::i16, values(), "DICOM"},
+      {"little", SampleType::i16, patterned(0, depth), "DICOM"},
+      {"implicit", SampleType::i16, patterned(0, depth), "DICOM"},
+      {"big", SampleType::i16, patterned(0, depth), "DICOM"},
       {"u16", SampleType::u16, unsigned_values, "DICOM"},
       {"u16-rle", SampleType::u16, unsigned_values, "DICOM, RLE Lossless"},
       {"u16-jpeg", SampleType::u16, unsigned_values, "DICOM, JPEG Lossless"},
@@ -102,8 +92,10 @@ TEST_CASE("frames of one file are in the order of their positions, in every tran
       {"u8-rle", SampleType::u8, bytes, "DICOM, RLE Lossless"},
       {"u8-jpeg", SampleType::u8, bytes, "DICOM, JPEG Lossless"},
       {"u8-jpegls", SampleType::u8, bytes, "DICOM, JPEG-LS Lossless"},
-      {"i32", SampleType::i32, changed(values(), [](double v) { return v * 70000; }), "DICOM"},
-      {"f32", SampleType::f32, changed(values(), [](double v) { return v / 4; }), "DICOM"},
+      {"i32", SampleType::i32, changed(patterned(0, depth), [](double v) { return v * 70000; }),
+       "DICOM"},
+      {"f32", SampleType::f32, changed(patterned(0, depth), [](double v) { return v / 4; }),
+       "DICOM"},
   };
   for (const Case& one : cases) {
     INFO(one.name);
@@ -130,7 +122,7 @@ TEST_CASE("lossy JPEG of 8 and 12 bits is close to the original") {
     const auto reader = open_volume(files / (one.name + ".dcm"));
     CHECK(reader->info().format == one.format);
     const std::vector<double> all = read_all(*reader);
-    REQUIRE(all.size() == values().size());
+    REQUIRE(all.size() == patterned(0, depth).size());
     for (int i = 0; i < static_cast<int>(all.size()); ++i) {
       const int x = i % width, y = i / width % height, z = i / width / height;
       CHECK(std::fabs(all[static_cast<std::size_t>(i)] - one.factor * (x + 2 * y + 4 * z)) <=
@@ -212,7 +204,7 @@ TEST_CASE("a deflated file is refused with the remedy") {
 }
 
 TEST_CASE("bits above the stored ones are ignored") {
-  CHECK(read_all(*open_volume(files / "packed")) == values());
+  CHECK(read_all(*open_volume(files / "packed")) == patterned(0, depth));
 }
 
 TEST_CASE("values are read if slope and intercept differ between slices") {
@@ -221,7 +213,7 @@ TEST_CASE("values are read if slope and intercept differ between slices") {
   CHECK(reader->info().slope == 1);
   CHECK(reader->info().intercept == 0);
   CHECK(noted(reader->info(), "differ between slices"));
-  auto expected = values();
+  auto expected = patterned(0, depth);
   const double slopes[] = {1, 0.25, 2, 0.5, 1};
   for (std::size_t i = 0; i < expected.size(); ++i)
     expected[i] = slopes[i / (width * height)] * expected[i] - 1024;
@@ -247,7 +239,7 @@ TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, 
   const auto reader = open_volume(series.path(), options);
   CHECK(noted(reader->info(), "2 slices are missing between 102.5 mm (slice2) and 110 mm"));
   CHECK(reader->info().spacing_mm == Spacing{0.5, 0.75, 2.5});
-  const std::vector<double> all = values();
+  const std::vector<double> all = patterned(0, depth);
   constexpr std::ptrdiff_t of_slice = width * height;
   std::vector<double> expected(all.begin(), all.begin() + 2 * of_slice);
   for (const std::ptrdiff_t z : {1, 4, 4})
@@ -259,7 +251,7 @@ TEST_CASE("with gaps allowed the nearest slice of DICOM replaces a missing one, 
 }
 
 TEST_CASE_FIXTURE(Folder, "a frame replaces a missing one in every compression") {
-  std::vector<double> expected = changed(values(), [](double v) { return v + 2000; });
+  std::vector<double> expected = changed(patterned(0, depth), [](double v) { return v + 2000; });
   constexpr std::ptrdiff_t of_slice = width * height;
   const std::vector<double> repeated(expected.end() - 2 * of_slice, expected.end() - of_slice);
   expected.insert(expected.end() - of_slice, repeated.begin(), repeated.end());
@@ -296,7 +288,7 @@ TEST_CASE("a repeated slice counts once, and another slice in its place is refus
                                       "1.2.826.0.1.3680043.10.1.1.8"));
   const auto reader = open_volume(series.path());
   CHECK(noted(reader->info(), "2 slices that occur twice are dropped"));
-  CHECK(read_all(*reader) == values());
+  CHECK(read_all(*reader) == patterned(0, depth));
   series.write("echo", replaced(replaced(slice(2), place(2), place(1)), "Head 2.5", "Echo two"));
   check_refused(series.path(), "two slices at 102.5 mm differ: ");
 }
@@ -317,12 +309,12 @@ TEST_CASE("one of several series is chosen by its number or UID") {
   check_refusal(refusal(series.path()) + "\n",
                 "\n  1: 5 slices of 8 x 6, 'CT', 'Head 2.5', UID " + uid + "\n",
                 "\n  2: 5 slices of 8 x 6, 'CT', 'Thin 1.5', UID " + other + "\n", "--series N");
-  const auto ones = std::vector<double>(values().size(), 257);
+  const auto ones = std::vector<double>(patterned(0, depth).size(), 257);
   const auto chosen = [&](const std::string& name) {
     return read_all(*open_volume(series.path(), {{}, {}, name}));
   };
-  CHECK(chosen("1") == values());
-  CHECK(chosen(uid) == values());
+  CHECK(chosen("1") == patterned(0, depth));
+  CHECK(chosen(uid) == patterned(0, depth));
   CHECK(chosen("2") == ones);
   CHECK(chosen(other) == ones);
   check_refused(series.path(), {{}, {}, "3"}, "no series '3'; give one of these with --series:\n");
@@ -359,7 +351,7 @@ TEST_CASE("pictures beside DICOM are left out, with a note") {
   series.write("preview.png", "of the first slice");
   const auto reader = open_volume(series.path());
   CHECK(noted(reader->info(), "left out: 1, such as 'preview.png'; to read them, give a pattern"));
-  CHECK(read_all(*reader) == values());
+  CHECK(read_all(*reader) == patterned(0, depth));
 }
 
 TEST_CASE("the longest UID of a series is listed whole") {
@@ -388,7 +380,7 @@ TEST_CASE("files that hold no image are skipped and counted") {
   CHECK(noted(reader->info(),
               "4 files without a volume's image are skipped: a DICOM file without an image ('SR'); "
               "a colour image (2); not a DICOM file"));
-  CHECK(read_all(*reader) == values());
+  CHECK(read_all(*reader) == patterned(0, depth));
   check_refused(files / "report.dcm", "this is a DICOM file without an image");
   check_refused(files / "colour.dcm", "the file holds 3 channels");
   check_refused(series.path() / "reports", "none of 2 DICOM files holds an image");
@@ -412,7 +404,7 @@ TEST_CASE("axes of the patient are those of the slices, and never mirrored") {
   CHECK(reader->info().placement->origin_mm == Spacing{-10, -20, 110});
   CHECK(reader->info().placement->axes_mm ==
         discmc::meshing::Axes{{{-0.5, 0, 0}, {0, 0.75, 0}, {0, 0, -2.5}}});
-  const auto all = values();
+  const auto all = patterned(0, depth);
   std::vector<double> expected;
   constexpr int of_slice = width * height;
   for (auto end = all.end(); end != all.begin(); end -= of_slice)

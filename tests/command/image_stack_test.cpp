@@ -14,11 +14,8 @@ const fs::path files = fs::path(DISCMC_SOURCE_DIR) / "tests/command/volumes/pict
 // The values of the first slices of write_pictures.py.
 template <class Change>
 std::vector<double> values(int depth, Change change) {
-  std::vector<double> values;
-  for (int z = 0; z < depth; ++z)
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x)
-        values.push_back(change((x * 7919 + y * 1047 + z * 12997) % 4001 - 2000.0));
+  std::vector<double> values = patterned(0, depth);
+  for (double& value : values) value = change(value);
   return values;
 }
 

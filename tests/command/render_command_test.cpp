@@ -118,10 +118,7 @@ TEST_CASE_FIXTURE(Volumes, "wrong usage of render is reported, and no file is wr
       {"v.dmc --size 5,8193", "--size"},
       {"v.dmc --at 1,2", "--at"},
       {"v.dmc --at 1,2,nan", "nan"}};
-  for (const auto& usage : wrong) {
-    INFO(usage.first);
-    fails("render " + usage.first + " -o o.png", 2, {usage.second});
-  }
+  for (const auto& [input, part] : wrong) fails("render " + input + " -o o.png", 2, {part});
   for (const std::string braces : {"{name}", "{n}", "{}"})
     for (const std::string command : {"render v.nrrd --iso 100 -o 'a", "decode v.dmc -o 'a"})
       fails(command + braces + (command[0] == 'r' ? ".png'" : ".stl'"), 2,

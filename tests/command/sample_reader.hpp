@@ -57,13 +57,26 @@ class SampleReader final : public discmc::command::VolumeReader {
 /// Between on and off of a volume of bits.
 constexpr std::int32_t bit_threshold = 100;
 
-inline FaceMesh merged_mesh(const BitVolume& volume, discmc::meshing::Faces faces,
-                            const Point& spacing_mm = {1, 1, 1}) {
+inline discmc::meshing::Surface surface_of(const BitVolume& volume,
+                                           const Point& spacing_mm = {1, 1, 1}) {
   SampleReader reader(volume, spacing_mm);
   discmc::meshing::SurfaceBuilder builder;
   extract(reader, {{bit_threshold}, discmc::Border::closed}, discmc::make_sink(builder));
   builder.surface().spacing_mm = spacing_mm;
-  return build_mesh(builder.surface(), {true, faces});
+  return std::move(builder.surface());
+}
+
+inline FaceMesh merged_mesh(const BitVolume& volume, discmc::meshing::Faces faces,
+                            const Point& spacing_mm = {1, 1, 1}) {
+  return build_mesh(surface_of(volume, spacing_mm), {true, faces});
+}
+
+/// Switches voxels on or off, from the first to the last.
+inline void put_box(BitVolume& volume, const discmc::Vertex& first, const discmc::Vertex& last,
+                    std::uint8_t on) {
+  for (std::int32_t z = first.z; z <= last.z; ++z)
+    for (std::int32_t y = first.y; y <= last.y; ++y)
+      for (std::int32_t x = first.x; x <= last.x; ++x) volume.on[volume.index(x, y, z)] = on;
 }
 
 }  // namespace sample_reader

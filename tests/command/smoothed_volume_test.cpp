@@ -159,13 +159,10 @@ constexpr double radius = 20;
 constexpr Point middle = {29.7, 29.6, 31.8};
 
 BitVolume ball_of_long_voxels() {
-  BitVolume volume({60, 60, 22});
-  for (std::uint32_t z = 0; z < volume.depth; ++z)
-    for (std::uint32_t y = 0; y < volume.height; ++y)
-      for (std::uint32_t x = 0; x < volume.width; ++x)
-        volume.on[volume.index(x, y, z)] =
-            std::hypot(x - middle[0], y - middle[1], 3 * z - middle[2]) <= radius ? 1 : 0;
-  return volume;
+  return discmc::reference::volume_of(
+      {60, 60, 22}, [](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+        return std::hypot(x - middle[0], y - middle[1], 3 * z - middle[2]) <= radius;
+      });
 }
 
 struct Roundness {

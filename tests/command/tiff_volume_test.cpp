@@ -18,12 +18,8 @@ VolumeOptions chosen(std::optional<std::uint32_t> frame, std::optional<std::uint
 
 // The slices of write_pictures.py from one of them on.
 std::vector<double> slices(int first, int count) {
-  std::vector<double> values;
-  for (int z = first; z < first + count; ++z)
-    for (int y = 0; y < 6; ++y)
-      for (int x = 0; x < 8; ++x)
-        values.push_back(
-            std::fmod((x * 7919 + y * 1047 + z * 12997) % 4001 - 2000.0 + 251 * 8, 251));
+  std::vector<double> values = patterned(first, count);
+  for (double& value : values) value = std::fmod(value + 251 * 8, 251);
   return values;
 }
 

@@ -139,7 +139,6 @@ TEST_CASE_FIXTURE(Ball, "a faster clock makes work shorter, and another core has
 
 TEST_CASE_FIXTURE(Ball, "tune refuses with the value and the remedy") {
   const auto refused = [&](const std::string& options, int code, const std::string& remedy) {
-    INFO(options);
     fails("tune v.nrrd " + options, code, {remedy});
   };
   refused("", 2, "add --iso auto, or the threshold");

@@ -144,10 +144,7 @@ TEST_CASE_FIXTURE(Ball, "$BROWSER opens the page, and without a browser its path
 TEST_CASE_FIXTURE(Ball, "view refuses to overwrite files or ignore options, and names the remedy") {
   write("v.html", "precious");
   const auto refused = [&](const std::string& arguments, const std::string& part) {
-    const Result result = run("view " + arguments);
-    INFO(arguments, "\n", result.error);
-    CHECK(result.code == 2);
-    CHECK(contains(result.error, part));
+    fails("view " + arguments, 2, {part});
   };
   refused("v.nrrd", "overwrite it with -o v.html");
   refused("- --no-open", "give -o PAGE.html");

@@ -111,6 +111,16 @@ inline double sample_at(int voxel, SampleType type) {
   return voxel * 0.1 - 3;
 }
 
+// Slices, of 8 by 6 samples, of the volume that write_dicom.py and write_pictures.py wrote.
+inline std::vector<double> patterned(int first, int count) {
+  std::vector<double> samples;
+  for (int z = first; z < first + count; ++z)
+    for (int y = 0; y < 6; ++y)
+      for (int x = 0; x < 8; ++x)
+        samples.push_back((x * 7919 + y * 1047 + z * 12997) % 4001 - 2000);
+  return samples;
+}
+
 // A number, or a sample, as a file holds it.
 template <class Number>
 std::string bytes_of(Number number, bool is_big_endian = false) {

@@ -29,13 +29,10 @@ constexpr Capacities much{min_for_nodes + 20000, 100};
 BitVolume plate() {
   const Size size{60, 50, 3};
   const BitVolume noise = random(size, 190, 6);
-  BitVolume volume = box(size, {0, 0, 1}, {59, 49, 1});
-  for (size_t y = 1; y + 1 < size.height; ++y)
-    for (size_t x = 1; x + 1 < size.width; ++x) {
-      const size_t i = (size.height + y) * size.width + x;
-      volume.on[i] = noise.on[i];
-    }
-  return volume;
+  return volume_of(size, [&](uint32_t x, uint32_t y, uint32_t z) {
+    const bool is_rim = x == 0 || y == 0 || x == 59 || y == 49;
+    return z == 1 && (is_rim || noise.at(x, y, z));
+  });
 }
 
 std::vector<BitVolume> volumes() {
@@ -134,46 +131,31 @@ class HandingOver {
 // Walls along a diagonal of the slices, with sides of a thousand links and more, and a little
 // noise.
 BitVolume walls(Size size) {
-  BitVolume volume(size);
   const BitVolume noise = random(size, 1, 7);
-  for (size_t i = 0; i < volume.on.size(); ++i) {
-    const size_t x = i % size.width, y = i / size.width % size.height;
-    volume.on[i] =
-        static_cast<uint8_t>(((x + y) % 70 < 3 ? 1 : 0) ^ (i % 32 == 0 ? noise.on[i] : 0));
-  }
-  return volume;
+  return volume_of(size, [&](uint32_t x, uint32_t y, uint32_t z) {
+    const bool is_flipped = noise.index(x, y, z) % 32 == 0 && noise.at(x, y, z);
+    return ((x + y) % 70 < 3) != is_flipped;
+  });
 }
 
 // Columns that step to and fro from slice to slice: their sides are open to the last slice, and
 // have corners in every one.
 BitVolume zigzag_columns(Size size) {
-  BitVolume volume(size);
-  for (size_t i = 0; i < volume.on.size(); ++i) {
-    const size_t x = i % size.width, y = i / size.width % size.height;
-    const size_t z = i / (size_t{size.width} * size.height);
-    volume.on[i] = (x + z % 2) % 4 < 2 && y % 4 < 2 ? 1 : 0;
-  }
-  return volume;
+  return volume_of(
+      size, [](uint32_t x, uint32_t y, uint32_t z) { return (x + z % 2) % 4 < 2 && y % 4 < 2; });
 }
 
 // Teeth with jagged sides that only the last rows join, wide enough for sides that are level.
 BitVolume jagged_comb(uint32_t teeth, uint32_t height) {
-  BitVolume volume({5 * teeth, height, 1});
-  for (size_t i = 0; i < volume.on.size(); ++i) {
-    const size_t x = i % volume.width, y = i / volume.width;
-    volume.on[i] = (x + y % 2) % 5 < 3 || y + 2 >= height ? 1 : 0;
-  }
-  return volume;
+  return volume_of({5 * teeth, height, 1}, [height](uint32_t x, uint32_t y, uint32_t) {
+    return (x + y % 2) % 5 < 3 || y + 2 >= height;
+  });
 }
 
 // A volume with y and z exchanged.
 BitVolume upright(const BitVolume& volume) {
-  BitVolume turned({volume.width, volume.depth, volume.height});
-  for (int64_t z = 0; z < volume.height; ++z)
-    for (int64_t y = 0; y < volume.depth; ++y)
-      for (int64_t x = 0; x < volume.width; ++x)
-        turned.on[turned.index(x, y, z)] = volume.at(x, z, y) ? 1 : 0;
-  return turned;
+  return volume_of({volume.width, volume.depth, volume.height},
+                   [&](uint32_t x, uint32_t y, uint32_t z) { return volume.at(x, z, y); });
 }
 
 // Copies a volume into another one, from slice z on.
@@ -324,11 +306,10 @@ std::vector<BitVolume> volumes_of_slabs() {
 
 // Its faces cross all seams, and some of the holes in them do.
 BitVolume slanting_plate_with_holes() {
-  BitVolume plate({48, 48, 48});
-  for (int z = 2; z < 46; ++z)
-    for (int y = 2; y < 46; ++y)
-      for (int x = 0; x < 48; ++x)
-        plate.on[plate.index(x, y, z)] = x + z >= 44 && x + z < 51 ? 1 : 0;
+  const auto is_inside = [](uint32_t at) { return at >= 2 && at < 46; };
+  BitVolume plate = volume_of({48, 48, 48}, [&](uint32_t x, uint32_t y, uint32_t z) {
+    return is_inside(y) && is_inside(z) && x + z >= 44 && x + z < 51;
+  });
   test::Chance chance(1);
   for (int hole = 0; hole < 25; ++hole) {
     const uint32_t z = 3 + chance.below(37), y = 3 + chance.below(37);

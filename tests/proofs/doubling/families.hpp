@@ -9,8 +9,8 @@ namespace discmc::doubling {
 
 struct Family {
   const char* name;
-  reference::BitVolume (*make)(uint32_t size);
   uint32_t size;  ///< the first; the second is twice as large
+  reference::BitVolume (*make)(uint32_t size);
 };
 
 /// All of them.

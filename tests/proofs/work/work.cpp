@@ -44,11 +44,7 @@ struct Hostile {
 
 // A wall on teeth that stand in the first slices: the slice above joins many chains one by one.
 BitVolume wall_on_teeth(Size size) {
-  BitVolume volume(size);
-  const size_t slice = size_t{size.width} * size.height;
-  for (size_t i = 0; i < volume.voxels(); ++i)
-    volume.on[i] = i >= 2 * slice || i / size.width % 2 == 0 ? 1 : 0;
-  return volume;
+  return volume_of(size, [](uint32_t, uint32_t y, uint32_t z) { return z >= 2 || y % 2 == 0; });
 }
 
 // Every other voxel of a row, with nothing before: all coded runs end early.

@@ -139,10 +139,8 @@ inline Events monstrous_events() {
 
 /// A plate one voxel thick with a hole in every fourth voxel of every fourth row.
 inline reference::BitVolume sieve(uint32_t side) {
-  reference::BitVolume volume({side, side, 1});
-  for (uint32_t y = 0; y < side; ++y)
-    for (uint32_t x = 0; x < side; ++x) volume.on[volume.index(x, y, 0)] = x % 4 != 2 || y % 4 != 2;
-  return volume;
+  return reference::volume_of(
+      {side, side, 1}, [](uint32_t x, uint32_t y, uint32_t) { return x % 4 != 2 || y % 4 != 2; });
 }
 
 /// A scan with skipped rows that is abandoned after a number of rows (0: never).

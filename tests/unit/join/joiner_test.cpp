@@ -18,16 +18,11 @@ using Kind = Event::Kind;
 // Two castles side by side, of walls around walls: on top and below, rings of a plane lie within
 // one another.
 BitVolume walls_around_walls(uint32_t side, uint32_t depth) {
-  BitVolume volume({2 * side + 1, side, depth});
-  for (int64_t z = 0; z < depth; ++z)
-    for (int64_t y = 0; y < side; ++y)
-      for (int64_t x = 0; x < 2 * side + 1; ++x) {
-        const int64_t column = x % (side + 1);
-        const int64_t inwards = std::min({column, y, side - 1 - column, side - 1 - y});
-        const bool is_wall = inwards >= 0 && inwards % 4 < 2;
-        volume.on[volume.index(x, y, z)] = is_wall ? 1 : 0;
-      }
-  return volume;
+  return volume_of({2 * side + 1, side, depth}, [side](int64_t x, int64_t y, int64_t) {
+    const int64_t column = x % (side + 1);
+    const int64_t inwards = std::min({column, y, side - 1 - column, side - 1 - y});
+    return inwards >= 0 && inwards % 4 < 2;
+  });
 }
 
 // A plate full of holes, and pits that touch one another and the rim.
