@@ -1,11 +1,8 @@
 // The command is written in the terms of the mesh library.
-#ifndef DISCMC_COMMAND_MESHING_HPP
-#define DISCMC_COMMAND_MESHING_HPP
+#pragma once
 
 namespace discmc::meshing {}
 
 namespace discmc::command {
 using namespace meshing;
 }
-
-#endif

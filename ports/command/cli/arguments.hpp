@@ -1,6 +1,5 @@
 // The arguments of the commands, as they are after the command line was read.
-#ifndef DISCMC_COMMAND_CLI_ARGUMENTS_HPP
-#define DISCMC_COMMAND_CLI_ARGUMENTS_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -194,5 +193,3 @@ struct CompareArguments {
 };
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The command line: the commands, and the parsing and checks of their arguments.
-#ifndef DISCMC_COMMAND_CLI_COMMAND_LINE_HPP
-#define DISCMC_COMMAND_CLI_COMMAND_LINE_HPP
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -27,5 +26,3 @@ Command add_completions(CLI::App& app);
 Command add_manual(CLI::App& app);
 
 }  // namespace discmc::command
-
-#endif

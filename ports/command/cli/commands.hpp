@@ -1,7 +1,6 @@
 // The commands. Each takes its arguments, does all, and returns the exit code of the program.
 // On failure they throw std::exception with the message for the user.
-#ifndef DISCMC_COMMAND_CLI_COMMANDS_HPP
-#define DISCMC_COMMAND_CLI_COMMANDS_HPP
+#pragma once
 
 #include "arguments.hpp"
 
@@ -22,5 +21,3 @@ constexpr int exit_usage = 2;
 constexpr int exit_incomplete = 3;
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The messages for a surface that is empty, or is the box of the whole volume.
-#ifndef DISCMC_COMMAND_CLI_EMPTY_SURFACE_HPP
-#define DISCMC_COMMAND_CLI_EMPTY_SURFACE_HPP
+#pragma once
 
 #include <string>
 
@@ -28,5 +27,3 @@ void check_surface(const std::string& path, const VolumeArguments& arguments,
                    const Extraction& extraction);
 
 }  // namespace discmc::command
-
-#endif

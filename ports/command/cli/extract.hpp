@@ -1,6 +1,5 @@
 // What discmc extract does, by what it writes.
-#ifndef DISCMC_COMMAND_CLI_EXTRACT_HPP
-#define DISCMC_COMMAND_CLI_EXTRACT_HPP
+#pragma once
 
 #include <cstdint>
 #include <memory>
@@ -60,5 +59,3 @@ void check_surfaces(const ExtractArguments& arguments, const std::vector<Extract
 void note_not_numbers(const ExtractArguments& arguments, std::uint64_t not_numbers);
 
 }  // namespace discmc::command
-
-#endif

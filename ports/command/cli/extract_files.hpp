@@ -1,6 +1,5 @@
 // The files that discmc extract writes its meshes to.
-#ifndef DISCMC_COMMAND_CLI_EXTRACT_FILES_HPP
-#define DISCMC_COMMAND_CLI_EXTRACT_FILES_HPP
+#pragma once
 
 #include <optional>
 #include <string>
@@ -68,5 +67,3 @@ class MeshFiles {
 };
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The kind of an input by its first bytes, if its name does not decide.
-#ifndef DISCMC_COMMAND_CLI_INPUT_CONTENT_HPP
-#define DISCMC_COMMAND_CLI_INPUT_CONTENT_HPP
+#pragma once
 
 #include <optional>
 #include <streambuf>
@@ -30,5 +29,3 @@ class ReplayedInput final : public std::streambuf {
 bool begins_like_volume(const std::string& input, std::optional<ReplayedInput>& replayed);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The surface of a command as the mesh that it writes.
-#ifndef DISCMC_COMMAND_CLI_MESH_OUTPUT_HPP
-#define DISCMC_COMMAND_CLI_MESH_OUTPUT_HPP
+#pragma once
 
 #include <functional>
 #include <optional>
@@ -60,5 +59,3 @@ void decimate_noted(const std::string& name, const Decimation& decimation, FileM
 void add_gradient_normals(SliceReader& volume, FileMesh& mesh);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Progress of a job on standard error, when that is a terminal.
-#ifndef DISCMC_COMMAND_CLI_PROGRESS_HPP
-#define DISCMC_COMMAND_CLI_PROGRESS_HPP
+#pragma once
 
 #include <chrono>
 #include <cstdint>
@@ -34,5 +33,3 @@ class Progress {
 };
 
 }  // namespace discmc::command
-
-#endif

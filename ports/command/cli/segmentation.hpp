@@ -1,6 +1,5 @@
 // A segmentation as a command takes it: its layers, and which of its labels are meant.
-#ifndef DISCMC_COMMAND_CLI_SEGMENTATION_HPP
-#define DISCMC_COMMAND_CLI_SEGMENTATION_HPP
+#pragma once
 
 #include <cstdint>
 #include <memory>
@@ -42,5 +41,3 @@ std::unique_ptr<VolumeReader> open_labels(Segmentation& segmentation, const std:
                                           std::vector<NamedSelection>& selections);
 
 }  // namespace discmc::command
-
-#endif

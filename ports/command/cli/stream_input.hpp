@@ -1,6 +1,5 @@
 // The stream of a command: read and decoded, and what of it is missing.
-#ifndef DISCMC_COMMAND_CLI_STREAM_INPUT_HPP
-#define DISCMC_COMMAND_CLI_STREAM_INPUT_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -64,5 +63,3 @@ void note_empty(const std::string& path, const DecodedStream& decoded);
 int completeness(const std::string& path, const StreamReport& report);
 
 }  // namespace discmc::command
-
-#endif

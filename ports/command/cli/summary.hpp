@@ -1,6 +1,5 @@
 // What the command prints about a surface: the tables after `extract`, the lines of `info`.
-#ifndef DISCMC_COMMAND_CLI_SUMMARY_HPP
-#define DISCMC_COMMAND_CLI_SUMMARY_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -55,5 +54,3 @@ void print_info(const StreamHeader& header, std::uint8_t channel,
                 std::ostream& out);
 
 }  // namespace discmc::command
-
-#endif

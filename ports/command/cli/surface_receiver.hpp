@@ -1,6 +1,5 @@
 // Where the events of a surface go while it is extracted.
-#ifndef DISCMC_COMMAND_CLI_SURFACE_RECEIVER_HPP
-#define DISCMC_COMMAND_CLI_SURFACE_RECEIVER_HPP
+#pragma once
 
 #include <cstdint>
 #include <discmc/encoder.hpp>
@@ -85,5 +84,3 @@ class SurfaceReceiver {
 };
 
 }  // namespace discmc::command
-
-#endif

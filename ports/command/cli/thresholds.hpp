@@ -1,6 +1,5 @@
 // Thresholds that a command is to find by itself: --iso auto, otsu, bone, skin.
-#ifndef DISCMC_COMMAND_CLI_THRESHOLDS_HPP
-#define DISCMC_COMMAND_CLI_THRESHOLDS_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -16,5 +15,3 @@ std::vector<NamedSelection> with_thresholds(const std::string& path,
                                             const VolumeArguments& arguments);
 
 }  // namespace discmc::command
-
-#endif

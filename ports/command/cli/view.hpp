@@ -1,6 +1,5 @@
 // What discmc view does, by where the page has its data.
-#ifndef DISCMC_COMMAND_CLI_VIEW_HPP
-#define DISCMC_COMMAND_CLI_VIEW_HPP
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -38,5 +37,3 @@ NamedBytes meshes_to_show(const ViewArguments& arguments, std::uint64_t most);
 void require_size(const std::string& input, const VolumeInfo& info, std::uint64_t most);
 
 }  // namespace discmc::command
-
-#endif

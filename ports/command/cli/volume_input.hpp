@@ -1,6 +1,5 @@
 // The volume of a command: opened as its arguments require, and how its surface is extracted.
-#ifndef DISCMC_COMMAND_CLI_VOLUME_INPUT_HPP
-#define DISCMC_COMMAND_CLI_VOLUME_INPUT_HPP
+#pragma once
 
 #include <memory>
 #include <optional>
@@ -85,5 +84,3 @@ ExtractionOptions extraction_options(const VolumeArguments& arguments, Progress&
                                      VolumeReader* mask = nullptr);
 
 }  // namespace discmc::command
-
-#endif

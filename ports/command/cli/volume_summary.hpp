@@ -1,6 +1,5 @@
 // What `info` prints about a volume.
-#ifndef DISCMC_COMMAND_CLI_VOLUME_SUMMARY_HPP
-#define DISCMC_COMMAND_CLI_VOLUME_SUMMARY_HPP
+#pragma once
 
 #include <ostream>
 
@@ -19,5 +18,3 @@ void print_volume_statistics(const VolumeInfo& info, const VolumeStatistics& sta
                              std::ostream& out);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // What an extractor does with the memory that it is given.
-#ifndef DISCMC_COMMAND_EXTRACTION_ARENA_MEMORY_HPP
-#define DISCMC_COMMAND_EXTRACTION_ARENA_MEMORY_HPP
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -26,5 +25,3 @@ inline std::string too_little_memory(std::uint64_t bytes, const Limits& limits,
 }
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Classic Marching Cubes: what the merged polygons are to be compared with.
-#ifndef DISCMC_COMMAND_EXTRACTION_CLASSIC_HPP
-#define DISCMC_COMMAND_EXTRACTION_CLASSIC_HPP
+#pragma once
 
 #include "extraction.hpp"
 #include "meshes/mesh.hpp"
@@ -17,5 +16,3 @@ namespace discmc::command {
 FaceMesh classic_mesh(VolumeReader& volume, const ExtractionOptions& options);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // A volume through the extractor of a host or of a device.
-#ifndef DISCMC_COMMAND_EXTRACTION_EXTRACTION_HPP
-#define DISCMC_COMMAND_EXTRACTION_EXTRACTION_HPP
+#pragma once
 
 #include <optional>
 #include <vector>
@@ -49,5 +48,3 @@ std::vector<Extraction> extract(SliceReader& volume, const ExtractionOptions& op
                                 const std::vector<SurfaceRequest>& surfaces);
 
 }  // namespace discmc::command
-
-#endif

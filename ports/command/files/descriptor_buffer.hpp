@@ -1,6 +1,5 @@
 // A stream's way to an open file.
-#ifndef DISCMC_COMMAND_FILES_DESCRIPTOR_BUFFER_HPP
-#define DISCMC_COMMAND_FILES_DESCRIPTOR_BUFFER_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -29,5 +28,3 @@ class DescriptorBuffer final : public std::streambuf {
 };
 
 }  // namespace discmc::command
-
-#endif

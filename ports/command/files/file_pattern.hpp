@@ -1,6 +1,5 @@
 // Names of inputs and outputs.
-#ifndef DISCMC_COMMAND_FILES_FILE_PATTERN_HPP
-#define DISCMC_COMMAND_FILES_FILE_PATTERN_HPP
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -41,5 +40,3 @@ class FilePattern {
 std::string input_name(const std::string& input);
 
 }  // namespace discmc::command
-
-#endif

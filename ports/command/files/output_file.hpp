@@ -1,6 +1,5 @@
 // The file that a command writes.
-#ifndef DISCMC_COMMAND_FILES_OUTPUT_FILE_HPP
-#define DISCMC_COMMAND_FILES_OUTPUT_FILE_HPP
+#pragma once
 
 #include <filesystem>
 #include <optional>
@@ -53,5 +52,3 @@ class OutputFile {
 };
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // A file for what does not fit in memory.
-#ifndef DISCMC_COMMAND_FILES_TEMPORARY_FILE_HPP
-#define DISCMC_COMMAND_FILES_TEMPORARY_FILE_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -27,5 +26,3 @@ class TemporaryFile {
 };
 
 }  // namespace discmc::command
-
-#endif

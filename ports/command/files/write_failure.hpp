@@ -1,6 +1,5 @@
 // The message of a write that failed.
-#ifndef DISCMC_COMMAND_FILES_WRITE_FAILURE_HPP
-#define DISCMC_COMMAND_FILES_WRITE_FAILURE_HPP
+#pragma once
 
 #include <cerrno>
 #include <ostream>
@@ -24,5 +23,3 @@ inline void require_written(std::ostream& out) {
 }
 
 }  // namespace discmc::command
-
-#endif

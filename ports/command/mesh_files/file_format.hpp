@@ -1,6 +1,5 @@
 // Formats of the files that a command writes, by their names.
-#ifndef DISCMC_COMMAND_MESH_FILES_FILE_FORMAT_HPP
-#define DISCMC_COMMAND_MESH_FILES_FILE_FORMAT_HPP
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -32,5 +31,3 @@ const FormatTraits& traits_of(Format format);
 std::string extensions(bool FormatTraits::*holds = nullptr);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // A mesh with what a file holds beside it.
-#ifndef DISCMC_COMMAND_MESH_FILES_FILE_MESH_HPP
-#define DISCMC_COMMAND_MESH_FILES_FILE_MESH_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -59,5 +58,3 @@ bool suits_floats(const FileMesh& mesh, const Point& origin = {});
 std::size_t count_float_places(const FileMesh& mesh, const Point& origin = {});
 
 }  // namespace discmc::command
-
-#endif

@@ -3,8 +3,7 @@
 //
 // All writers append to a stream that the caller opened (binary) and owns. They throw
 // std::runtime_error when the stream fails; what was written before that is worthless.
-#ifndef DISCMC_COMMAND_MESH_FILES_MESH_FILES_HPP
-#define DISCMC_COMMAND_MESH_FILES_MESH_FILES_HPP
+#pragma once
 
 #include <ostream>
 #include <string>
@@ -81,5 +80,3 @@ void write_json(const Meshes& meshes, std::ostream& out);
 void write_jsonl(const Surface& surface, std::ostream& out);
 
 }  // namespace discmc::command
-
-#endif

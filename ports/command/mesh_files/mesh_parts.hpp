@@ -1,6 +1,5 @@
 // A mesh in parts: each is made when it is written, so that the mesh is never in memory.
-#ifndef DISCMC_COMMAND_MESH_FILES_MESH_PARTS_HPP
-#define DISCMC_COMMAND_MESH_FILES_MESH_PARTS_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -73,5 +72,3 @@ class MeshParts {
 void add(const MeshParts::Block& block, MeshTotals& totals);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Meshes from files, to compare with them and to draw them.
-#ifndef DISCMC_COMMAND_MESH_FILES_MESH_READER_HPP
-#define DISCMC_COMMAND_MESH_FILES_MESH_READER_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -18,5 +17,3 @@ namespace discmc::command {
 std::vector<FileMesh> read_meshes(const std::string& file);
 
 }  // namespace discmc::command
-
-#endif

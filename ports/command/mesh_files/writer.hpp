@@ -1,7 +1,6 @@
 // What the writers of mesh files share: numbers as text and as bytes, and the description
 // that a file contains. Internal to the writers.
-#ifndef DISCMC_COMMAND_MESH_FILES_WRITER_HPP
-#define DISCMC_COMMAND_MESH_FILES_WRITER_HPP
+#pragma once
 
 #include <algorithm>
 #include <charconv>
@@ -162,5 +161,3 @@ MeshTotals write_faces(const MeshParts& parts,
 }
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // A ZIP archive, written from its first byte to its last.
-#ifndef DISCMC_COMMAND_MESH_FILES_ZIP_FILE_HPP
-#define DISCMC_COMMAND_MESH_FILES_ZIP_FILE_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -30,5 +29,3 @@ class ZipFile {
 };
 
 }  // namespace discmc::command
-
-#endif

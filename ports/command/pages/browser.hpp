@@ -1,6 +1,5 @@
 // The user's browser.
-#ifndef DISCMC_COMMAND_PAGES_BROWSER_HPP
-#define DISCMC_COMMAND_PAGES_BROWSER_HPP
+#pragma once
 
 #include <string>
 
@@ -11,5 +10,3 @@ namespace discmc::command {
 bool open_in_browser(const std::string& page);
 
 }  // namespace discmc::command
-
-#endif

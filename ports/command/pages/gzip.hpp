@@ -1,6 +1,5 @@
 // Bytes compressed as gzip (RFC 1952).
-#ifndef DISCMC_COMMAND_PAGES_GZIP_HPP
-#define DISCMC_COMMAND_PAGES_GZIP_HPP
+#pragma once
 
 #include <memory>
 #include <streambuf>
@@ -31,5 +30,3 @@ class Gzip : public std::streambuf {
 };
 
 }  // namespace discmc::command
-
-#endif

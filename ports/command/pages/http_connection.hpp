@@ -1,6 +1,5 @@
 // What a browser asks on a connection, and what it is sent.
-#ifndef DISCMC_COMMAND_PAGES_HTTP_CONNECTION_HPP
-#define DISCMC_COMMAND_PAGES_HTTP_CONNECTION_HPP
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -42,5 +41,3 @@ class HttpConnection {
 };
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // A file that grows: what comes from a pipe, for all who want it from the beginning.
-#ifndef DISCMC_COMMAND_PAGES_LIVE_FILE_HPP
-#define DISCMC_COMMAND_PAGES_LIVE_FILE_HPP
+#pragma once
 
 #include <atomic>
 #include <condition_variable>
@@ -47,5 +46,3 @@ class LiveFile {
 };
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // A page that has its data inside, or beside it on a server.
-#ifndef DISCMC_COMMAND_PAGES_PAGE_HPP
-#define DISCMC_COMMAND_PAGES_PAGE_HPP
+#pragma once
 
 #include <filesystem>
 #include <functional>
@@ -28,5 +27,3 @@ bool is_page(const std::filesystem::path& file);
 std::string served_page(const std::string& name, const std::string& source, bool is_live);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // A page and the file that it shows, for browsers on this computer.
-#ifndef DISCMC_COMMAND_PAGES_PAGE_SERVER_HPP
-#define DISCMC_COMMAND_PAGES_PAGE_SERVER_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -30,5 +29,3 @@ void serve_page(const ServedFile& file, std::uint16_t port,
                 const std::function<void(const std::string& address)>& started);
 
 }  // namespace discmc::command
-
-#endif

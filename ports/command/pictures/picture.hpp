@@ -1,6 +1,5 @@
 // A picture of a mesh, without a window or a graphics card.
-#ifndef DISCMC_COMMAND_PICTURES_PICTURE_HPP
-#define DISCMC_COMMAND_PICTURES_PICTURE_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -55,5 +54,3 @@ Picture draw(const FaceMesh& mesh, const PictureOptions& options = {});
 void write_picture(const Picture& picture, std::ostream& out);
 
 }  // namespace discmc::command
-
-#endif

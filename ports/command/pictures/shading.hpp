@@ -1,6 +1,5 @@
 // What colour the faces of a mesh have in a picture.
-#ifndef DISCMC_COMMAND_PICTURES_SHADING_HPP
-#define DISCMC_COMMAND_PICTURES_SHADING_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -56,5 +55,3 @@ class Shader {
 };
 
 }  // namespace discmc::command
-
-#endif

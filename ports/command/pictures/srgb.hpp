@@ -1,6 +1,5 @@
 // Colours as screens and files have them.
-#ifndef DISCMC_COMMAND_PICTURES_SRGB_HPP
-#define DISCMC_COMMAND_PICTURES_SRGB_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -47,5 +46,3 @@ inline Srgb label_colour(double number) {
 }
 
 }  // namespace discmc::command
-
-#endif

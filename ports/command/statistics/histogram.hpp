@@ -1,6 +1,5 @@
 // How often which samples are there.
-#ifndef DISCMC_COMMAND_STATISTICS_HISTOGRAM_HPP
-#define DISCMC_COMMAND_STATISTICS_HISTOGRAM_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -80,5 +79,3 @@ class Histogram {
 };
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // A volume whose values are measured as it is read.
-#ifndef DISCMC_COMMAND_STATISTICS_MEASURED_VOLUME_HPP
-#define DISCMC_COMMAND_STATISTICS_MEASURED_VOLUME_HPP
+#pragma once
 
 #include <memory>
 #include <optional>
@@ -40,5 +39,3 @@ class MeasuredVolume final : public VolumeFilter {
 };
 
 }  // namespace discmc::command
-
-#endif

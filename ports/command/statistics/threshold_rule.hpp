@@ -1,6 +1,5 @@
 // Thresholds that follow from the values of a volume.
-#ifndef DISCMC_COMMAND_STATISTICS_THRESHOLD_RULE_HPP
-#define DISCMC_COMMAND_STATISTICS_THRESHOLD_RULE_HPP
+#pragma once
 
 #include <string_view>
 #include <utility>
@@ -47,5 +46,3 @@ RuledThreshold threshold_by(ThresholdRule rule, bool is_in_hounsfield,
                             const VolumeStatistics& statistics);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The values of a volume: what is there, and how often.
-#ifndef DISCMC_COMMAND_STATISTICS_VOLUME_STATISTICS_HPP
-#define DISCMC_COMMAND_STATISTICS_VOLUME_STATISTICS_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -57,5 +56,3 @@ std::optional<double> padding_value(const VolumeStatistics& statistics);
 std::optional<double> otsu_threshold(const VolumeStatistics& statistics);
 
 }  // namespace discmc::command
-
-#endif

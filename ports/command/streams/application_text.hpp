@@ -1,6 +1,5 @@
 // The content of application records, in words.
-#ifndef DISCMC_COMMAND_STREAMS_APPLICATION_TEXT_HPP
-#define DISCMC_COMMAND_STREAMS_APPLICATION_TEXT_HPP
+#pragma once
 
 #include <string>
 
@@ -12,5 +11,3 @@ namespace discmc::command {
 std::string text(const ApplicationRecord& record);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Regions and loose fragments kept on disk, to be joined plane by plane.
-#ifndef DISCMC_COMMAND_STREAMS_PLANE_SPILL_HPP
-#define DISCMC_COMMAND_STREAMS_PLANE_SPILL_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -64,5 +63,3 @@ class PlaneSpill {
 };
 
 }  // namespace discmc::command
-
-#endif

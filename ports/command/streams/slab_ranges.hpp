@@ -1,6 +1,5 @@
 // Which slices of a volume are there, when its slabs come from several streams.
-#ifndef DISCMC_COMMAND_STREAMS_SLAB_RANGES_HPP
-#define DISCMC_COMMAND_STREAMS_SLAB_RANGES_HPP
+#pragma once
 
 #include <cstdint>
 #include <map>
@@ -30,5 +29,3 @@ class SlabRanges {
 std::string text(const std::vector<SlabRange>& ranges);
 
 }  // namespace discmc::command
-
-#endif

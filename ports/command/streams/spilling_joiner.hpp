@@ -1,6 +1,5 @@
 // A joiner for more pieces than there is memory.
-#ifndef DISCMC_COMMAND_STREAMS_SPILLING_JOINER_HPP
-#define DISCMC_COMMAND_STREAMS_SPILLING_JOINER_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -38,5 +37,3 @@ class SpillingJoiner {
 };
 
 }  // namespace discmc::command
-
-#endif

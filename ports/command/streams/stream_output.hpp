@@ -1,6 +1,5 @@
 // The stream (.dmc) that an encoder writes.
-#ifndef DISCMC_COMMAND_STREAMS_STREAM_OUTPUT_HPP
-#define DISCMC_COMMAND_STREAMS_STREAM_OUTPUT_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -32,5 +31,3 @@ class StreamOutput {
 };
 
 }  // namespace discmc::command
-
-#endif

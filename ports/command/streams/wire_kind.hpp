@@ -1,6 +1,5 @@
 // The kinds of stream.
-#ifndef DISCMC_COMMAND_STREAMS_WIRE_KIND_HPP
-#define DISCMC_COMMAND_STREAMS_WIRE_KIND_HPP
+#pragma once
 
 namespace discmc::command {
 
@@ -8,5 +7,3 @@ namespace discmc::command {
 enum class Wire { regions, slices };
 
 }  // namespace discmc::command
-
-#endif

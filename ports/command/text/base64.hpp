@@ -1,6 +1,5 @@
 // Bytes in the 64 characters of RFC 4648.
-#ifndef DISCMC_COMMAND_TEXT_BASE64_HPP
-#define DISCMC_COMMAND_TEXT_BASE64_HPP
+#pragma once
 
 #include <cstdint>
 #include <ostream>
@@ -26,5 +25,3 @@ class Base64 : public std::streambuf {
 };
 
 }  // namespace discmc::command
-
-#endif

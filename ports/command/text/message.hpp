@@ -1,6 +1,5 @@
 // Messages on standard error.
-#ifndef DISCMC_COMMAND_TEXT_MESSAGE_HPP
-#define DISCMC_COMMAND_TEXT_MESSAGE_HPP
+#pragma once
 
 #include <iostream>
 #include <string>
@@ -18,5 +17,3 @@ inline void print_message(const std::string& input, const std::string& text) {
 }
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Names of any bytes as the text of files.
-#ifndef DISCMC_COMMAND_TEXT_NAME_TEXT_HPP
-#define DISCMC_COMMAND_TEXT_NAME_TEXT_HPP
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -15,5 +14,3 @@ std::string json_string(std::string_view name);
 std::string xml_attribute(std::string_view name);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Numbers that a text is, from its first character to its last.
-#ifndef DISCMC_COMMAND_TEXT_NUMBER_TEXT_HPP
-#define DISCMC_COMMAND_TEXT_NUMBER_TEXT_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -48,5 +47,3 @@ inline std::string short_number(double value) {
 }
 
 }  // namespace discmc::command
-
-#endif

@@ -1,7 +1,6 @@
 // Values as text, and whole numbers that a text is. Apart from number_text.hpp, as the page's
 // module has no decimal ones.
-#ifndef DISCMC_COMMAND_TEXT_VALUE_TEXT_HPP
-#define DISCMC_COMMAND_TEXT_VALUE_TEXT_HPP
+#pragma once
 
 #include <charconv>
 #include <cstddef>
@@ -35,5 +34,3 @@ inline std::string grouped(std::uint64_t value) {
 }
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Text of headers: lines, words, blanks and letters.
-#ifndef DISCMC_COMMAND_TEXT_WORDS_HPP
-#define DISCMC_COMMAND_TEXT_WORDS_HPP
+#pragma once
 
 #include <algorithm>
 #include <optional>
@@ -34,5 +33,3 @@ inline std::string without_control(std::string text) {
 }
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The cycles of a device's work: an estimate, as no processor was measured.
-#ifndef DISCMC_COMMAND_TUNING_CYCLE_COSTS_HPP
-#define DISCMC_COMMAND_TUNING_CYCLE_COSTS_HPP
+#pragma once
 
 #include <cstdint>
 
@@ -40,5 +39,3 @@ const CycleCosts& cycle_costs(Core core, Wire wire);
 double cycles_of(const DeviceWork& work, std::uint32_t sample_bytes, const CycleCosts& costs);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // What to put into the firmware: constants and static memory, in C++ and in C.
-#ifndef DISCMC_COMMAND_TUNING_FIRMWARE_CODE_HPP
-#define DISCMC_COMMAND_TUNING_FIRMWARE_CODE_HPP
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -26,5 +25,3 @@ std::string cpp_code(const FirmwareChoice& choice);
 std::string c_code(const FirmwareChoice& choice);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,8 +1,7 @@
 // The number of voxels and runs that a stream of slices codes, which determines the encoder's time.
 //
 // With the library alone, so that boards can count them, too.
-#ifndef DISCMC_COMMAND_TUNING_SLICE_STEPS_HPP
-#define DISCMC_COMMAND_TUNING_SLICE_STEPS_HPP
+#pragma once
 
 #include <discmc/slice_encoder.hpp>
 
@@ -60,5 +59,3 @@ class SliceSteps {
 };
 
 }  // namespace discmc::command
-
-#endif

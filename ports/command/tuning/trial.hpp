@@ -1,6 +1,5 @@
 // A scan as a device would make it, and what came of it.
-#ifndef DISCMC_COMMAND_TUNING_TRIAL_HPP
-#define DISCMC_COMMAND_TUNING_TRIAL_HPP
+#pragma once
 
 #include <cstdint>
 #include <discmc/extractor.hpp>
@@ -49,5 +48,3 @@ std::optional<Trial> min_without_loose_pieces(const VolumeBits& volume, const Tr
 std::vector<std::uint64_t> arena_sizes(const Limits& limits, std::uint64_t end);
 
 }  // namespace discmc::command
-
-#endif

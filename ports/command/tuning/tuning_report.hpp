@@ -1,6 +1,5 @@
 // What `tune` prints.
-#ifndef DISCMC_COMMAND_TUNING_TUNING_REPORT_HPP
-#define DISCMC_COMMAND_TUNING_TUNING_REPORT_HPP
+#pragma once
 
 #include <cstdint>
 #include <ostream>
@@ -39,5 +38,3 @@ void print_trials(const std::vector<TriedRow>& rows, Wire wire, const Device& de
 const char* name(Core core);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,7 +1,6 @@
 // A volume as it is after its threshold, in memory: it is read once, and scanned as often as
 // needed.
-#ifndef DISCMC_COMMAND_TUNING_VOLUME_BITS_HPP
-#define DISCMC_COMMAND_TUNING_VOLUME_BITS_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -48,5 +47,3 @@ class VolumeBits {
 };
 
 }  // namespace discmc::command
-
-#endif

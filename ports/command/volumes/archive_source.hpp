@@ -1,6 +1,5 @@
 // What libarchive unpacks, as bytes in order. Compiled where libarchive is there.
-#ifndef DISCMC_COMMAND_VOLUMES_ARCHIVE_SOURCE_HPP
-#define DISCMC_COMMAND_VOLUMES_ARCHIVE_SOURCE_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -52,5 +51,3 @@ class ArchiveSource final : public ByteSource {
 };
 
 }  // namespace discmc::command
-
-#endif

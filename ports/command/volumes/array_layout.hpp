@@ -1,6 +1,5 @@
 // Arrays of any number of axes as volumes: which axis is which, and where their samples are.
-#ifndef DISCMC_COMMAND_VOLUMES_ARRAY_LAYOUT_HPP
-#define DISCMC_COMMAND_VOLUMES_ARRAY_LAYOUT_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -65,5 +64,3 @@ std::unique_ptr<VolumeReader> array_volume(VolumeInfo info, ByteStream stream,
                                            const ArrayLayout& layout, bool is_big_endian);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Files that hold several arrays: what names one of them, and which it is where none is named.
-#ifndef DISCMC_COMMAND_VOLUMES_ARRAY_NAME_HPP
-#define DISCMC_COMMAND_VOLUMES_ARRAY_NAME_HPP
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -31,5 +30,3 @@ std::string only_array(const std::filesystem::path& file, const std::vector<Name
                                 const std::vector<NamedArray>& arrays);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Bytes in order, once: of a file, of standard input, of a pipe, and what decoders make of them.
-#ifndef DISCMC_COMMAND_VOLUMES_BYTE_SOURCE_HPP
-#define DISCMC_COMMAND_VOLUMES_BYTE_SOURCE_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -68,5 +67,3 @@ std::unique_ptr<ByteSource> floats_of_halves(std::unique_ptr<ByteSource> in, boo
 std::unique_ptr<ByteSource> samples_of_text(std::unique_ptr<ByteSource> in, SampleType type);
 
 }  // namespace discmc::command
-
-#endif

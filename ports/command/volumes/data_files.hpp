@@ -1,6 +1,5 @@
 // Volumes whose samples lie in several files, most often a file a slice.
-#ifndef DISCMC_COMMAND_VOLUMES_DATA_FILES_HPP
-#define DISCMC_COMMAND_VOLUMES_DATA_FILES_HPP
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -31,5 +30,3 @@ ByteStream joined(const std::filesystem::path& header, const DataFiles& files, V
                   std::function<ByteStream(const std::filesystem::path&)> open);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,7 +1,6 @@
 // The place of voxels as a file declares it, and as it is used: the one place for units,
 // spacings, directions and origins.
-#ifndef DISCMC_COMMAND_VOLUMES_DECLARED_PLACE_HPP
-#define DISCMC_COMMAND_VOLUMES_DECLARED_PLACE_HPP
+#pragma once
 
 #include <array>
 #include <optional>
@@ -45,5 +44,3 @@ struct DeclaredPlace {
 void set_place(VolumeInfo& info, const DeclaredPlace& place, const VolumeOptions& options);
 
 }  // namespace discmc::command
-
-#endif

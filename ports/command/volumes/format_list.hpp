@@ -1,6 +1,5 @@
 // The formats of files: their names, their first bytes, and what reads them.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMAT_LIST_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMAT_LIST_HPP
+#pragma once
 
 #include <cstddef>
 #include <filesystem>
@@ -54,5 +53,3 @@ constexpr std::size_t magic_bytes = 348;
 bool is_volume_head(std::string_view head);
 
 }  // namespace discmc::command
-
-#endif

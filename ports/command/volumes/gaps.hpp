@@ -1,6 +1,5 @@
 // Slices that are missing within a stack of files: refused, or filled.
-#ifndef DISCMC_COMMAND_VOLUMES_GAPS_HPP
-#define DISCMC_COMMAND_VOLUMES_GAPS_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -49,5 +48,3 @@ void fill_gaps(std::vector<Slice>& stack, const std::vector<Gap>& gaps) {
 }
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // IEEE 754 floating point of 16 bits, which C++17 has no type for.
-#ifndef DISCMC_COMMAND_VOLUMES_HALF_FLOAT_HPP
-#define DISCMC_COMMAND_VOLUMES_HALF_FLOAT_HPP
+#pragma once
 
 #include <cmath>
 #include <cstdint>
@@ -21,5 +20,3 @@ inline float float_of_half(std::uint16_t half) {
 }
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // A header of fixed length, whose fields are at offsets.
-#ifndef DISCMC_COMMAND_VOLUMES_HEADER_BYTES_HPP
-#define DISCMC_COMMAND_VOLUMES_HEADER_BYTES_HPP
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -60,5 +59,3 @@ class HeaderBytes {
 };
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The fields of headers that are text, and their values.
-#ifndef DISCMC_COMMAND_VOLUMES_HEADER_FIELDS_HPP
-#define DISCMC_COMMAND_VOLUMES_HEADER_FIELDS_HPP
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -62,5 +61,3 @@ bool leads_out(std::string_view name);
 std::filesystem::path beside(const std::filesystem::path& header, std::string_view name);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The names and colours of the labels of a segmentation.
-#ifndef DISCMC_COMMAND_VOLUMES_LABEL_DESCRIPTION_HPP
-#define DISCMC_COMMAND_VOLUMES_LABEL_DESCRIPTION_HPP
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -36,5 +35,3 @@ inline std::optional<LabelValue> label_value(std::string_view text) {
 }
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Which labels of a segmentation are meant by numbers and names.
-#ifndef DISCMC_COMMAND_VOLUMES_LABEL_NAMES_HPP
-#define DISCMC_COMMAND_VOLUMES_LABEL_NAMES_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -61,5 +60,3 @@ class LabelNames {
 };
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Tables of labels as files.
-#ifndef DISCMC_COMMAND_VOLUMES_LABEL_TABLE_HPP
-#define DISCMC_COMMAND_VOLUMES_LABEL_TABLE_HPP
+#pragma once
 
 #include <array>
 #include <filesystem>
@@ -28,5 +27,3 @@ LabelTable read_label_json(const std::filesystem::path& file);
 std::optional<Srgb> colour_of_shares(const std::array<std::string_view, 3>& texts);
 
 }  // namespace discmc::command
-
-#endif

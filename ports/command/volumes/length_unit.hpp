@@ -1,6 +1,5 @@
 // Units of length, by the names that files give them.
-#ifndef DISCMC_COMMAND_VOLUMES_LENGTH_UNIT_HPP
-#define DISCMC_COMMAND_VOLUMES_LENGTH_UNIT_HPP
+#pragma once
 
 #include <optional>
 #include <string_view>
@@ -12,5 +11,3 @@ namespace discmc::command {
 std::optional<double> millimetres_in(std::string_view unit);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Files that commands take and that are no volumes, by their names.
-#ifndef DISCMC_COMMAND_VOLUMES_OTHER_KINDS_HPP
-#define DISCMC_COMMAND_VOLUMES_OTHER_KINDS_HPP
+#pragma once
 
 #include <filesystem>
 
@@ -14,5 +13,3 @@ constexpr const char* who_takes_meshes =
     "only discmc compare, render and view read meshes: .stl, .ply, .obj, .glb or .3mf";
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Files that are packed as a whole, whatever is in them: a.nii.gz, a.nrrd.zst.
-#ifndef DISCMC_COMMAND_VOLUMES_PACKING_HPP
-#define DISCMC_COMMAND_VOLUMES_PACKING_HPP
+#pragma once
 
 #include <cstddef>
 #include <filesystem>
@@ -36,5 +35,3 @@ std::unique_ptr<ByteSource> unpacked(std::unique_ptr<ByteSource> in, Packing pac
                                      const std::filesystem::path& file);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Volumes whose readers take files alone, out of something that is packed.
-#ifndef DISCMC_COMMAND_VOLUMES_UNPACKED_VOLUME_HPP
-#define DISCMC_COMMAND_VOLUMES_UNPACKED_VOLUME_HPP
+#pragma once
 
 #include <sys/types.h>
 #include <filesystem>
@@ -45,5 +44,3 @@ class TemporaryFolder {
 };
 
 }  // namespace discmc::command
-
-#endif

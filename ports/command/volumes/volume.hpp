@@ -3,8 +3,7 @@
 // A reader holds a small buffer, never the volume. If the size of the file does not bound that of a
 // slice, it holds the first slice. Any bytes given as a file end in a volume or in a VolumeError,
 // which names the file, the fault and the remedy.
-#ifndef DISCMC_COMMAND_VOLUMES_VOLUME_HPP
-#define DISCMC_COMMAND_VOLUMES_VOLUME_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -102,5 +101,3 @@ std::unique_ptr<VolumeReader> open_volume(const std::filesystem::path& file,
                               const VolumeOptions& options);
 
 }  // namespace discmc::command
-
-#endif

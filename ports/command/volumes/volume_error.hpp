@@ -1,6 +1,5 @@
 // What cannot be read, and why.
-#ifndef DISCMC_COMMAND_VOLUMES_VOLUME_ERROR_HPP
-#define DISCMC_COMMAND_VOLUMES_VOLUME_ERROR_HPP
+#pragma once
 
 #include <cstddef>
 #include <stdexcept>
@@ -37,5 +36,3 @@ void require_slice_left(const std::string& file, std::size_t read, std::size_t s
 std::string shown(std::string_view text);
 
 }  // namespace discmc::command
-
-#endif

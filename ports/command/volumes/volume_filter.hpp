@@ -1,6 +1,5 @@
 // A volume made of another one.
-#ifndef DISCMC_COMMAND_VOLUMES_VOLUME_FILTER_HPP
-#define DISCMC_COMMAND_VOLUMES_VOLUME_FILTER_HPP
+#pragma once
 
 #include <memory>
 #include <string>
@@ -42,5 +41,3 @@ class VolumeFilter : public VolumeReader {
 };
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // What is known of a volume of a file, and how its slices are read.
-#ifndef DISCMC_COMMAND_VOLUMES_VOLUME_INFO_HPP
-#define DISCMC_COMMAND_VOLUMES_VOLUME_INFO_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -120,5 +119,3 @@ class NumberedSlices : public VolumeReader {
 };
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Whether the voxels of two volumes lie in the same places.
-#ifndef DISCMC_COMMAND_VOLUMES_VOLUME_OFFSET_HPP
-#define DISCMC_COMMAND_VOLUMES_VOLUME_OFFSET_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -32,5 +31,3 @@ AxesMatch matching_axes(const VolumeInfo& volume, const VolumeInfo& other);
 double offset_mm(const VolumeInfo& a, const VolumeInfo& b);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // A file read from front to back, decoded on the way where asked, and slices cut from it.
-#ifndef DISCMC_COMMAND_VOLUMES_VOLUME_STREAM_HPP
-#define DISCMC_COMMAND_VOLUMES_VOLUME_STREAM_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -127,5 +126,3 @@ class SliceStream final : public VolumeReader {
 };
 
 }  // namespace discmc::command
-
-#endif

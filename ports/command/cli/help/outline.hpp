@@ -1,6 +1,5 @@
 // The commands with their options, as --help, the manual page and the shells show them.
-#ifndef DISCMC_COMMAND_CLI_HELP_OUTLINE_HPP
-#define DISCMC_COMMAND_CLI_HELP_OUTLINE_HPP
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -53,5 +52,3 @@ std::string zsh_completions(const CommandOutline& program);
 std::string fish_completions(const CommandOutline& program);
 
 }  // namespace discmc::command
-
-#endif

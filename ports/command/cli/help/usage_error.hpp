@@ -1,6 +1,5 @@
 // The message for a command line that cannot be parsed.
-#ifndef DISCMC_COMMAND_CLI_HELP_USAGE_ERROR_HPP
-#define DISCMC_COMMAND_CLI_HELP_USAGE_ERROR_HPP
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -12,5 +11,3 @@ namespace discmc::command {
 std::string usage_error(const CLI::App* app, const CLI::Error& error);
 
 }  // namespace discmc::command
-
-#endif

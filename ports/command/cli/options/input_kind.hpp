@@ -1,6 +1,5 @@
 // Inputs that may be a stream or a volume, and the options of streams.
-#ifndef DISCMC_COMMAND_CLI_OPTIONS_INPUT_KIND_HPP
-#define DISCMC_COMMAND_CLI_OPTIONS_INPUT_KIND_HPP
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -28,5 +27,3 @@ constexpr const char* stream_group = "Stream";
 void add_choice_options(CLI::App& app, StreamChoice& choice);
 
 }  // namespace discmc::command
-
-#endif

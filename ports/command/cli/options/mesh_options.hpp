@@ -1,6 +1,5 @@
 // Options under "Mesh": what a mesh holds; and the file that it is written to.
-#ifndef DISCMC_COMMAND_CLI_OPTIONS_MESH_OPTIONS_HPP
-#define DISCMC_COMMAND_CLI_OPTIONS_MESH_OPTIONS_HPP
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -74,5 +73,3 @@ void check_faces(Faces faces, const std::string& output);
 void check_normals(Normals normals, const std::string& output, bool has_samples);
 
 }  // namespace discmc::command
-
-#endif

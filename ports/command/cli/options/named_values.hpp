@@ -1,6 +1,5 @@
 // Options whose value is one of several names.
-#ifndef DISCMC_COMMAND_CLI_OPTIONS_NAMED_VALUES_HPP
-#define DISCMC_COMMAND_CLI_OPTIONS_NAMED_VALUES_HPP
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -47,5 +46,3 @@ CLI::Option* add_named_option(CLI::App& app, const std::string& option, Value& v
 }
 
 }  // namespace discmc::command
-
-#endif

@@ -1,7 +1,6 @@
 // Checks of option values that several commands share; what they return is an error, and wrong
 // usage.
-#ifndef DISCMC_COMMAND_CLI_OPTIONS_OPTION_CHECKS_HPP
-#define DISCMC_COMMAND_CLI_OPTIONS_OPTION_CHECKS_HPP
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -126,5 +125,3 @@ inline CLI::Option* add_memory_option(CLI::App& app, std::uint64_t& memory,
 }
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Options of commands that read a volume: how its file is read, and which surface of it is taken.
-#ifndef DISCMC_COMMAND_CLI_OPTIONS_VOLUME_OPTIONS_HPP
-#define DISCMC_COMMAND_CLI_OPTIONS_VOLUME_OPTIONS_HPP
+#pragma once
 
 #include <CLI/CLI.hpp>
 #include <string>
@@ -39,5 +38,3 @@ void check_label_options(const std::string& labels, const VolumeArguments& argum
 void add_surface_options(CLI::App& app, VolumeArguments& arguments);
 
 }  // namespace discmc::command
-
-#endif

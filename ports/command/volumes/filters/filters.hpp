@@ -1,6 +1,5 @@
 // Volumes made of other volumes: a part, larger voxels, other axes, masked ones.
-#ifndef DISCMC_COMMAND_VOLUMES_FILTERS_FILTERS_HPP
-#define DISCMC_COMMAND_VOLUMES_FILTERS_FILTERS_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -123,5 +122,3 @@ std::unique_ptr<VolumeReader> label_bits(
     const std::vector<LabelSet>& sets);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Files that are the masks of labels, one each.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_MASK_FILES_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_MASK_FILES_HPP
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -27,5 +26,3 @@ std::unique_ptr<VolumeReader> open_masks(const std::filesystem::path& source,
                                          const std::vector<std::string>& notes = {});
 
 }  // namespace discmc::command
-
-#endif

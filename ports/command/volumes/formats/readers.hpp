@@ -7,8 +7,7 @@
 // fields that change their meaning. Shared functions do a part of it. set_dims() and set_place()
 // note what they drop or assume, SliceStream what follows the samples; VolumeError names the file,
 // the fault and the remedy.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_READERS_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_READERS_HPP
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -82,5 +81,3 @@ std::unique_ptr<VolumeReader> open_zip(const std::filesystem::path& file,
                                        const VolumeOptions& options);
 
 }  // namespace discmc::command
-
-#endif

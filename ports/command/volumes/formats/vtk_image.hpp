@@ -1,6 +1,5 @@
 // What VTK declares of an image, in XML and in HDF5.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_VTK_IMAGE_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_VTK_IMAGE_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -35,5 +34,3 @@ DeclaredPlace declared_place(const std::filesystem::path& file, const std::vecto
                              bool is_of_cells);
 
 }  // namespace discmc::command
-
-#endif

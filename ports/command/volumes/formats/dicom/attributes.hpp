@@ -1,6 +1,5 @@
 // The values of DICOM elements: of a frame, of all frames of a file, or of the file.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_ATTRIBUTES_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_ATTRIBUTES_HPP
+#pragma once
 
 #include "toolkit.hpp"
 
@@ -73,5 +72,3 @@ class Attributes {
 };
 
 }  // namespace discmc::command
-
-#endif

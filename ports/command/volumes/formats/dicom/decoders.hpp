@@ -1,7 +1,6 @@
 // Pixels that are packed: JPEG and JPEG-LS by DCMTK, JPEG 2000 by OpenJPEG, RLE (DICOM PS3.5, annex
 // G) by neither. DCMTK 3.6.7 reads beyond a fragment of RLE if its header asks for that.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_DECODERS_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_DECODERS_HPP
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -32,5 +31,3 @@ std::string decode_rle(const std::vector<std::uint8_t>& bytes, PictureSize size,
                        unsigned char* samples);
 
 }  // namespace discmc::command
-
-#endif

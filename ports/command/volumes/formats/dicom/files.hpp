@@ -1,6 +1,5 @@
 // Which files are DICOM.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FILES_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FILES_HPP
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -35,5 +34,3 @@ std::vector<std::filesystem::path> dead_links(const std::filesystem::path& folde
 bool is_nested_within(std::uint32_t most, const std::filesystem::path& file);
 
 }  // namespace discmc::command
-
-#endif

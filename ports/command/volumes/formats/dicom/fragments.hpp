@@ -1,6 +1,5 @@
 // The fragments of compressed pixel data, and the frame that each belongs to.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FRAGMENTS_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FRAGMENTS_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -35,5 +34,3 @@ class DicomFragments {
 };
 
 }  // namespace discmc::command
-
-#endif

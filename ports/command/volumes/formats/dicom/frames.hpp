@@ -1,7 +1,6 @@
 // The places and values of frames that one file describes as a whole: doses, nuclear medicine, cone
 // beams.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FRAMES_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_FRAMES_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -36,5 +35,3 @@ NoSlices place_by_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames);
 NoSlices place_nuclear(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
 
 }  // namespace discmc::command
-
-#endif

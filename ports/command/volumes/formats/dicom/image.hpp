@@ -1,6 +1,5 @@
 // The images of DICOM files, by their headers.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_IMAGE_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_IMAGE_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -138,5 +137,3 @@ struct DicomContent {
 DicomContent dicom_content(const std::filesystem::path& file);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // What DICOM files, and files named as such, hold instead of images.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_INSTEAD_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_INSTEAD_HPP
+#pragma once
 
 #include <filesystem>
 
@@ -17,5 +16,3 @@ NoSlices foreign_content(const std::filesystem::path& file);
 NoSlices without_image(DcmItem& dataset);
 
 }  // namespace discmc::command
-
-#endif

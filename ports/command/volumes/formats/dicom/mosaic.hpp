@@ -1,6 +1,5 @@
 // Mosaics of Siemens: the slices of a volume side by side in one picture.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_MOSAIC_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_MOSAIC_HPP
+#pragma once
 
 #include <map>
 #include <string>
@@ -33,5 +32,3 @@ using CsaHeader = std::map<std::string, std::vector<std::string>>;
 CsaHeader read_csa_header(std::string_view bytes);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The slices of a DICOM volume in their order, and where they lie.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_ORDER_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_ORDER_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -90,5 +89,3 @@ std::optional<EvenSlices> slices_by_distances(const std::vector<double>& along, 
                                               OddDistance& odd);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The samples of DICOM frames.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_PIXELS_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_PIXELS_HPP
+#pragma once
 
 #include <cstdint>
 #include <memory>
@@ -50,5 +49,3 @@ class DicomPixels {
 };
 
 }  // namespace discmc::command
-
-#endif

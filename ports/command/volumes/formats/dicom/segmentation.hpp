@@ -1,6 +1,5 @@
 // DICOM segmentations as volumes of labels.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_SEGMENTATION_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_SEGMENTATION_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -62,5 +61,3 @@ class Overlaps {
 };
 
 }  // namespace discmc::command
-
-#endif

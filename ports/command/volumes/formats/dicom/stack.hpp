@@ -1,6 +1,5 @@
 // DICOM frames that make a volume, found among many, and which volume is meant.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_STACK_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_STACK_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -73,5 +72,3 @@ ChosenStack chosen_stack(const std::filesystem::path& source, const std::vector<
                          const VolumeOptions& options);
 
 }  // namespace discmc::command
-
-#endif

@@ -3,8 +3,7 @@
 // This uses DCMTK, although GDCM is lighter and decodes JPEG 2000 itself. GDCM 3.0 allocates what a
 // length in a file claims, up to 4 GiB. Debian's build has assertions that end the program on
 // damaged files.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_TOOLKIT_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_TOOLKIT_HPP
+#pragma once
 
 #include <dcmtk/config/osconfig.h>
 // The first of all DCMTK headers.
@@ -45,5 +44,3 @@ bool is_encapsulated(E_TransferSyntax syntax);
 std::optional<Uint32> frame_bytes_by_header(DcmElement& pixels, DcmDataset& dataset);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // What distinguishes the volumes of one series: times, echoes, phases, kernels.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_TRAITS_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_TRAITS_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -56,5 +55,3 @@ bool is_trait_before(const std::string& a, const std::string& b);
 DicomTraits traits_of(DcmItem& dataset, const Attributes& attributes, std::uint32_t frame);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Vectors in the space of the patient. Units: millimetres.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_VECTORS_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_DICOM_VECTORS_HPP
+#pragma once
 
 #include <cmath>
 #include <cstddef>
@@ -24,5 +23,3 @@ inline double length(const Vector& a) {
 }
 
 }  // namespace discmc::command
-
-#endif

@@ -1,7 +1,6 @@
 // What a dataset of HDF5 declares of its axes: dimension scales, as NetCDF and xarray write them,
 // and labels. NeXus names datasets of the group as axes.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_AXES_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_AXES_HPP
+#pragma once
 
 #include <string>
 #include <vector>
@@ -27,5 +26,3 @@ std::vector<double> numbers_of(const Hdf5Handle& object, const char* attribute);
 std::string text_of(const Hdf5Handle& object, const char* attribute);
 
 }  // namespace discmc::command
-
-#endif

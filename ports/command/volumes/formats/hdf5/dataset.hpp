@@ -1,6 +1,5 @@
 // A dataset of an HDF5 file.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_DATASET_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_DATASET_HPP
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -69,5 +68,3 @@ class Hdf5Dataset {
 };
 
 }  // namespace discmc::command
-
-#endif

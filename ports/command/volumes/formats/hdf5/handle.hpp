@@ -1,6 +1,5 @@
 // What the library of HDF5 has opened.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_HANDLE_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_HANDLE_HPP
+#pragma once
 
 #include <hdf5.h>
 #include <filesystem>
@@ -43,5 +42,3 @@ std::string hdf5_filters(const std::filesystem::path& name, const std::string& a
                          const Hdf5Handle& creation);
 
 }  // namespace discmc::command
-
-#endif

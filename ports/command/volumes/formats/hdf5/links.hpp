@@ -1,6 +1,5 @@
 // What an HDF5 file leads to, and the files that a dataset lies in.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_LINKS_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_HDF5_LINKS_HPP
+#pragma once
 
 #include <filesystem>
 #include <optional>
@@ -30,5 +29,3 @@ std::filesystem::path file_of(const Hdf5Handle& dataset);
 std::optional<std::string> missing_source(const Hdf5Handle& dataset);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The headers of NIfTI-1, NIfTI-2 and Analyze 7.5, and the names of labels behind them.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_NIFTI_HEADER_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_NIFTI_HEADER_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -65,5 +64,3 @@ void read_label_extensions(ByteStream& stream, std::uint64_t end, bool is_big_en
                            VolumeInfo& info);
 
 }  // namespace discmc::command
-
-#endif

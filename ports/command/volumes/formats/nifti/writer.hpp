@@ -1,6 +1,5 @@
 // Volumes as NIfTI-2 files.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_NIFTI_WRITER_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_NIFTI_WRITER_HPP
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -20,5 +19,3 @@ void write_nifti(VolumeReader& volume, const std::function<void(std::uint32_t)>&
 std::uint64_t nifti_bytes(const VolumeInfo& info);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,7 +1,6 @@
 // The header of an NRRD file, where its volume lies, and what 3D Slicer stores about segments:
 // https://slicer.readthedocs.io/en/latest/developer_guide/modules/segmentations.html
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_NRRD_HEADER_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_NRRD_HEADER_HPP
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -61,5 +60,3 @@ inline bool one_of(std::string_view text, std::initializer_list<std::string_view
 DeclaredPlace nrrd_place(VolumeInfo& info, const HeaderFields& fields);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The header of a file of NumPy.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_NUMPY_HEADER_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_NUMPY_HEADER_HPP
+#pragma once
 
 #include <optional>
 #include <string>
@@ -35,5 +34,3 @@ struct NumpyType {
 std::optional<NumpyType> numpy_type(std::string_view name);
 
 }  // namespace discmc::command
-
-#endif

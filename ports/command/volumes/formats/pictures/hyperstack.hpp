@@ -1,7 +1,6 @@
 // Pages of picture files as volumes: slices of channels at times, as OME-XML, ImageJ and tifffile
 // describe them.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_HYPERSTACK_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_HYPERSTACK_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -84,5 +83,3 @@ std::vector<Page> pages_of(const std::filesystem::path& file, const Hyperstack& 
                            std::uint64_t channel, std::uint64_t frame);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Pictures, as slices of a volume: PNG, TIFF, JPEG and BMP files.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_PICTURE_FILE_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_PICTURE_FILE_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -96,5 +95,3 @@ inline const std::vector<std::string> rgba_names = {"red", "green", "blue", "alp
 inline const std::vector<std::string> grey_alpha_names = {"grey", "alpha"};
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The names of picture files, and their order.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_PICTURE_NAMES_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_PICTURE_NAMES_HPP
+#pragma once
 
 #include <cstddef>
 #include <filesystem>
@@ -52,5 +51,3 @@ struct NumberedName {
 };
 
 }  // namespace discmc::command
-
-#endif

@@ -1,7 +1,6 @@
 // Samples as pictures store them: packed in bits, as halves, beside those of other channels, or as
 // numbers of colours.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_SAMPLE_PACKING_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_SAMPLE_PACKING_HPP
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -32,5 +31,3 @@ bool is_grey(const Palette& palette);
 void resolve_greys(const Palette& palette, unsigned char* samples, std::size_t count);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // What SkyScan's reconstruction program, NRecon, writes beside its slices.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_SKYSCAN_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_SKYSCAN_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -25,5 +24,3 @@ struct SkyScanLog {
 std::optional<SkyScanLog> skyscan_log(const std::filesystem::path& slice);
 
 }  // namespace discmc::command
-
-#endif

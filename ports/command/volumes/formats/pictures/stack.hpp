@@ -1,6 +1,5 @@
 // The pictures of a volume: which pages of which files, and what these have in common.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_STACK_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_STACK_HPP
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -37,5 +36,3 @@ void require_one_stack(const std::filesystem::path& source,
 void set_place_of(VolumeInfo& info, const Stack& stack, const VolumeOptions& options);
 
 }  // namespace discmc::command
-
-#endif

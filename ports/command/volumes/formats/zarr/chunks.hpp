@@ -1,6 +1,5 @@
 // The chunks of an array of Zarr, of which each is a file, or one of many in a shard.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_CHUNKS_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_CHUNKS_HPP
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -40,5 +39,3 @@ class ZarrChunks {
 };
 
 }  // namespace discmc::command
-
-#endif

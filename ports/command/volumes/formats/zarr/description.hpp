@@ -1,6 +1,5 @@
 // The metadata of an array of Zarr: its samples, and how its chunks are stored.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_DESCRIPTION_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_DESCRIPTION_HPP
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -74,5 +73,3 @@ ChunkBytes decoded(const std::filesystem::path& chunk, ChunkBytes packed,
                    const std::vector<ZarrCodec>& codecs, std::size_t bytes);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Which folders are Zarr.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_FOLDER_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_FOLDER_HPP
+#pragma once
 
 #include <filesystem>
 #include <optional>
@@ -15,5 +14,3 @@ bool is_zarr(const std::filesystem::path& path);
 std::optional<std::filesystem::path> folder_of_zarr(const std::filesystem::path& folder);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // Which array of a folder of Zarr is the volume, and its description in OME-Zarr.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_IMAGE_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_IMAGE_HPP
+#pragma once
 
 #include <filesystem>
 #include <optional>
@@ -39,5 +38,3 @@ struct ZarrImage {
 ZarrImage read_zarr_image(const std::filesystem::path& folder, const VolumeOptions& options);
 
 }  // namespace discmc::command
-
-#endif

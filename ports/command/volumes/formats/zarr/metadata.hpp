@@ -1,7 +1,6 @@
 // The metadata of a folder of Zarr, https://zarr-specs.readthedocs.io: version 2 in .zgroup,
 // .zarray and .zattrs, version 3 in zarr.json.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_METADATA_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_ZARR_METADATA_HPP
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -38,5 +37,3 @@ struct ZarrNode {
 ZarrNode read_zarr_node(const std::filesystem::path& folder);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,7 +1,6 @@
 // The descriptions in TIFF files: what ImageJ writes, and others after it, and OME-XML
 // (https://docs.openmicroscopy.org/ome-model/), which names the page and file of each slice.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_IMAGEJ_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_IMAGEJ_HPP
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -43,5 +42,3 @@ std::vector<Hyperstack> ome_images(const std::filesystem::path& file,
                                    const CountPages& count_pages);
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // The properties of a page by its directory in a TIFF file.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_PAGE_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_PAGE_HPP
+#pragma once
 
 #include <tiffio.h>
 #include <array>
@@ -69,5 +68,3 @@ void require_slices_of_scan_image(const std::filesystem::path& file, TIFF* tiff,
 void require_read(const std::filesystem::path& file, const TiffPage& page);
 
 }  // namespace discmc::command
-
-#endif

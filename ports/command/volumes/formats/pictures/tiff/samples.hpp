@@ -1,7 +1,6 @@
 // The samples of TIFF pages: strips, tiles, blocks of several slices, and pages without a
 // directory.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_SAMPLES_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_SAMPLES_HPP
+#pragma once
 
 #include <tiffio.h>
 
@@ -63,5 +62,3 @@ class TiffSamples {
 };
 
 }  // namespace discmc::command
-
-#endif

@@ -1,6 +1,5 @@
 // What tifffile writes into the description of a page: the shape of the array that begins there.
-#ifndef DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_SHAPED_HPP
-#define DISCMC_COMMAND_VOLUMES_FORMATS_PICTURES_TIFF_SHAPED_HPP
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -31,5 +30,3 @@ std::optional<Hyperstack> planes_of(const ShapedArray& array,
                                     const std::vector<std::uint64_t>& page);
 
 }  // namespace discmc::command
-
-#endif
