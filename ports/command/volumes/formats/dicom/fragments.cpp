@@ -1,4 +1,4 @@
-#include "fragments.hpp"
+#include "decoders.hpp"
 
 #include <algorithm>
 

@@ -1,12 +1,13 @@
 #include "frames.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "attributes.hpp"
 #include "stack.hpp"
 #include "text/number_text.hpp"
-#include "vectors.hpp"
 
 namespace discmc::command {
 namespace {
@@ -37,8 +38,8 @@ bool are_in_one_place(const DicomImage& image, const std::vector<DicomFrame>& fr
   });
 }
 
-}  // namespace
-
+// Moves frames from the place of the first, which all of them have, by steps along the normal.
+// slices: of each frame its number in the stack.
 void place_by_steps(DicomImage& image, std::vector<DicomFrame>& frames,
                     const std::vector<std::uint32_t>& slices) {
   const DicomFrame first = frames.front();
@@ -53,6 +54,83 @@ void place_by_steps(DicomImage& image, std::vector<DicomFrame>& frames,
                           (is_given ? "by " + std::string(first.slice_spacing_name)
                                     : "as SpacingBetweenSlices and SliceThickness are missing"));
 }
+
+// ---- radiotherapy doses ----
+
+void scale_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
+  const double scaling = real_of(dataset, DCM_DoseGridScaling).value_or(0);
+  if (!(scaling > 0)) {
+    image.notes.emplace_back("a dose without DoseGridScaling, the stored values are used");
+    return;
+  }
+  for (DicomFrame& frame : frames) frame.slope = scaling;
+  const bool is_in_gray = text_of(dataset, DCM_DoseUnits) == "GY";
+  image.notes.emplace_back(is_in_gray ? "values are doses in Gy" : "values are relative doses");
+}
+
+// The offsets are ways along the normal from the position of the first frame, which has 0, or z in
+// the patient's space. The latter begin with that of the position (DICOM PS3.3 C.8.8.3.2).
+NoSlices place_by_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames) {
+  const auto first = real_of(dataset, DCM_GridFrameOffsetVector);
+  if (!first || !frames.front().place) return {};
+  constexpr double rounding_mm = 0.01;
+  const DicomPlace place = *frames.front().place;
+  const Vector normal = normal_of(place);
+  const bool are_ways = std::fabs(*first) <= rounding_mm;
+  const bool are_axial = std::fabs(normal[2]) > 1 - 1e-6;
+  if (!are_ways && !(are_axial && std::fabs(*first - place.position[2]) <= rounding_mm))
+    return {"a grid whose GridFrameOffsetVector begins with " + short_number(*first) +
+                ", which is neither 0 nor the z of its position",
+            "export the dose again"};
+  for (DicomFrame& frame : frames) {
+    const auto offset = real_of(dataset, DCM_GridFrameOffsetVector, frame.number);
+    if (!offset)
+      return {"a grid with more frames than offsets (GridFrameOffsetVector)",
+              "export the dose again"};
+    const double way = are_ways ? *offset : (*offset - *first) * normal[2];
+    frame.place->position = sum(place.position, way, normal);
+  }
+  return {};
+}
+
+// ---- nuclear medicine: the detector defines where the frames lie ----
+
+// Slices lie in the order of SliceVector, otherwise in that of the frames.
+std::uint32_t slice_of(DcmItem& dataset, std::uint32_t frame) {
+  Uint16 number = 0;
+  if (dataset.findAndGetUint16(DCM_SliceVector, number, frame).bad() || number == 0) return frame;
+  return number - 1U;
+}
+
+std::optional<DicomPlace> detector_place(DcmItem& dataset, std::uint32_t frame) {
+  Uint16 detector = 1;
+  dataset.findAndGetUint16(DCM_DetectorVector, detector, frame);
+  DcmItem* item = nullptr;
+  if (dataset.findAndGetSequenceItem(DCM_DetectorInformationSequence, item, detector - 1).bad())
+    return std::nullopt;
+  return place_of(reals_of<3>(element_of(*item, DCM_ImagePositionPatient)),
+                  reals_of<6>(element_of(*item, DCM_ImageOrientationPatient)));
+}
+
+NoSlices place_nuclear(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames) {
+  const std::string type = text_of(dataset, DCM_ImageType) + '\\';
+  for (const char* const planar :
+       {"STATIC", "DYNAMIC", "WHOLE BODY", "GATED", "TOMO", "GATED TOMO"})
+    if (type.find('\\' + std::string(planar) + '\\') != std::string::npos)
+      return {"pictures of a gamma camera, not slices (image type " + std::string(planar) + ")",
+              "give the slices that were reconstructed from them (RECON TOMO)"};
+  // The sign of the distance is that of the way along the normal (PS3.3, NM Reconstruction).
+  std::vector<std::uint32_t> slices;
+  for (DicomFrame& frame : frames) {
+    if (!frame.place) frame.place = detector_place(dataset, frame.number);
+    if (!frame.place) return {};
+    slices.push_back(slice_of(dataset, frame.number));
+  }
+  place_by_steps(image, frames, slices);
+  return {};
+}
+
+}  // namespace
 
 bool have_own_positions(DcmItem& dataset) {
   const Attributes first(dataset, 0);

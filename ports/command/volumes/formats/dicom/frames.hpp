@@ -1,8 +1,7 @@
 // The places and values of frames that one file describes as a whole: doses, nuclear medicine, cone
-// beams.
+// beams, and mosaics of Siemens, the slices of a volume side by side in one picture.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "image.hpp"
@@ -18,20 +17,16 @@ bool have_own_positions(DcmItem& dataset);
 /// to the notes of the image what was assumed. Returns why that cannot be, or nothing.
 NoSlices place_frames(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
 
-/// Moves frames from the place of the first, which all of them have, by steps along the normal.
-/// slices: of each frame its number in the stack.
-void place_by_steps(DicomImage& image, std::vector<DicomFrame>& frames,
-                    const std::vector<std::uint32_t>& slices);
+/// Whether a file holds a mosaic, or that of United Imaging, which is alike.
+bool is_mosaic(DcmItem& dataset);
 
-// Parts of place_frames(), of files of the kind.
-
-/// Takes the scale of a dose, with a note of its unit.
-void scale_dose(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
-
-/// Moves the frames of a grid by their offsets from its position.
-NoSlices place_by_offsets(DcmItem& dataset, std::vector<DicomFrame>& frames);
-
-/// Places slices of nuclear medicine.
-NoSlices place_nuclear(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
+/// Replaces the one frame of a mosaic by the frames of its slices, each in its place, and its
+/// extents by a slice's. Returns why that cannot be, or nothing.
+///
+/// The slices lie in rows, in the smallest square that holds them. The position in such a file
+/// belongs to a picture as large as the mosaic with the centre of the first slice.
+/// SliceNormalVector in the CSA header is the direction to the next slice (nibabel's "Siemens
+/// mosaic format" and dcm2niix agree).
+NoSlices unfold_mosaic(DcmItem& dataset, DicomImage& image, std::vector<DicomFrame>& frames);
 
 }  // namespace discmc::command

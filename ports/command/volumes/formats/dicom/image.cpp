@@ -6,11 +6,8 @@
 
 #include "attributes.hpp"
 #include "frames.hpp"
-#include "instead.hpp"
-#include "mosaic.hpp"
 #include "segmentation.hpp"
 #include "text/number_text.hpp"
-#include "vectors.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {
@@ -297,9 +294,7 @@ std::optional<DicomPlace> place_of(const std::optional<Vector>& position,
 }
 
 Vector normal_of(const DicomPlace& place) {
-  const auto& [rx, ry, rz] = place.along_row;
-  const auto& [cx, cy, cz] = place.along_column;
-  return {ry * cz - rz * cy, rz * cx - rx * cz, rx * cy - ry * cx};
+  return cross(place.along_row, place.along_column);
 }
 
 DicomContent dicom_content(const std::filesystem::path& file) {

@@ -1,7 +1,9 @@
-// The images of DICOM files, by their headers.
+// The images of DICOM files, by their headers, and what files hold instead.
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -13,9 +15,26 @@
 #include "meshing.hpp"
 #include "pictures/srgb.hpp"
 #include "samples/sample_type.hpp"
+#include "surface/point.hpp"
 #include "traits.hpp"
 
+class DcmItem;
+
 namespace discmc::command {
+
+/// In the space of the patient. Units: millimetres.
+using Vector = Point;
+
+/// a + factor * b.
+inline Vector sum(const Vector& a, double factor, const Vector& b) {
+  Vector result{};
+  for (std::size_t i = 0; i < 3; ++i) result[i] = a[i] + factor * b[i];
+  return result;
+}
+
+inline double length(const Vector& a) {
+  return std::hypot(a[0], a[1], a[2]);
+}
 
 /// How slices lie in the picture of a mosaic: in rows, the first at the top left.
 struct MosaicLayout {
@@ -82,19 +101,19 @@ std::uint64_t picture_bytes(const DicomImage& image);
 
 /// Where a frame lies in the patient. Units: millimetres; directions of length 1.
 struct DicomPlace {
-  std::array<double, 3> position{};  ///< of the centre of the first voxel
-  std::array<double, 3> along_row{};
-  std::array<double, 3> along_column{};
+  Vector position{};  ///< of the centre of the first voxel
+  Vector along_row{};
+  Vector along_column{};
   bool is_of_patient = true;  ///< otherwise in a space of the scanner, as of ultrasound
 };
 
 /// Returns the place by a position and the directions of a row and a column; nothing where one is
 /// missing or no direction.
-std::optional<DicomPlace> place_of(const std::optional<std::array<double, 3>>& position,
+std::optional<DicomPlace> place_of(const std::optional<Vector>& position,
                                    const std::optional<std::array<double, 6>>& orientation);
 
 /// The direction across a frame, right-handed with those in it.
-std::array<double, 3> normal_of(const DicomPlace& place);
+Vector normal_of(const DicomPlace& place);
 
 /// A slice of a volume.
 struct DicomFrame {
@@ -135,5 +154,11 @@ struct DicomContent {
 
 /// Reads the header of a file, not its pixels. Any bytes have a content.
 DicomContent dicom_content(const std::filesystem::path& file);
+
+/// Names the format of a file by its first bytes if it is another than DICOM; otherwise nothing.
+NoSlices foreign_content(const std::filesystem::path& file);
+
+/// Names what a data set without an image is.
+NoSlices without_image(DcmItem& dataset);
 
 }  // namespace discmc::command

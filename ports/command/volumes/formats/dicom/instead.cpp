@@ -1,4 +1,4 @@
-#include "instead.hpp"
+#include "image.hpp"
 
 #include <string>
 

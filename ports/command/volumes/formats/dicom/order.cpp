@@ -8,7 +8,7 @@
 
 #include "stack.hpp"
 #include "text/number_text.hpp"
-#include "vectors.hpp"
+#include "image.hpp"
 #include "volumes/declared_place.hpp"
 #include "volumes/formats/pictures/picture_names.hpp"
 #include "volumes/volume_error.hpp"

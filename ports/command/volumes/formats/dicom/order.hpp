@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "image.hpp"
-#include "vectors.hpp"
 #include "volumes/volume.hpp"
 
 namespace discmc::command {

@@ -5,7 +5,6 @@
 #include <type_traits>
 
 #include "decoders.hpp"
-#include "fragments.hpp"
 #include "toolkit.hpp"
 
 #include <dcmtk/dcmdata/dcpixseq.h>

@@ -15,7 +15,7 @@
 #include "pixels.hpp"
 #include "stack.hpp"
 #include "text/number_text.hpp"
-#include "vectors.hpp"
+#include "image.hpp"
 #include "volumes/volume_error.hpp"
 
 namespace discmc::command {

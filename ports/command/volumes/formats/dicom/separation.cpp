@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "vectors.hpp"
+#include "image.hpp"
 
 namespace discmc::command {
 namespace {

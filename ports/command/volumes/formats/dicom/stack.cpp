@@ -9,7 +9,7 @@
 
 #include "order.hpp"
 #include "text/number_text.hpp"
-#include "vectors.hpp"
+#include "image.hpp"
 
 namespace discmc::command {
 namespace {
@@ -176,7 +176,7 @@ bool have_one_direction(const DicomFrame& a, const DicomFrame& b) {
 }
 
 std::pair<double, double> extent_along(const DicomStack& stack,
-                                       const std::array<double, 3>& normal) {
+                                       const Vector& normal) {
   std::vector<double> along;
   for (const DicomFrame& frame : stack.frames)
     along.push_back(dot(frame.place->position, normal) + 0.0);

@@ -43,7 +43,7 @@ bool have_one_direction(const DicomFrame& a, const DicomFrame& b);
 
 /// Where the first and the last slice lie along a normal. Limit: all frames have places.
 std::pair<double, double> extent_along(const DicomStack& stack,
-                                       const std::array<double, 3>& normal);
+                                       const Vector& normal);
 
 /// For messages: the name of the file, and the number of the frame in it.
 std::string name_of(const DicomFrame& frame);
